@@ -99,7 +99,7 @@ def load_robot(robot: str, *, strict: bool = False) -> Robot:
     ------
     InputError: there is no such robot, the file is invalid, or `strict` is set and values are implausible.
     """
-    from robodyn.robot import load
+    from robodyn.formats.loading import load
 
     return load(robot, strict=strict, warn=lambda text: talk(f"robodyn: warning: {text}"))
 

@@ -187,10 +187,11 @@ def _line(
     from robodyn.simulate.trajectories import line
 
     assert asked.line is not None
-    point = asked.point if asked.point is not None else (0.0, 0.0, 0.0)
+    link = asked.link if asked.link is not None else min(robot.n, 6)
+    tool = (0.0, 0.0, 0.0) if robot.tool is None or link != robot.n else tuple(map(float, robot.tool.xyz))
+    point = asked.point if asked.point is not None else tool
     if len(point) != 3:
         raise InputError("--point is not a point", found=f"{len(point)} numbers", expected="x,y,z in m")
-    link = asked.link if asked.link is not None else min(robot.n, 6)
     kinematics = Kinematics(robot, values, point, link)
     place, turn = kinematics.pose(start)
     return line(

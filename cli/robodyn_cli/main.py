@@ -58,6 +58,8 @@ COMMANDS: Final[dict[str, tuple[str, str]]] = {
     "case-study": ("robodyn_cli.case_study", "Repeat the thesis's case study of friction (chapter 3)."),
     "effects": ("robodyn_cli.effects", "List the effects of the catalogue, or describe one of them."),
     "robots": ("robodyn_cli.robots", "List the bundled robots."),
+    "import": ("robodyn_cli.import_", "Import a serial arm from URDF, MJCF, SDF or xacro as a description."),
+    "export": ("robodyn_cli.export", "Export a robot to URDF, MJCF or SDF."),
     "schema": ("robodyn_cli.schema", "Print the JSON Schema of the robot description."),
     "new": ("robodyn_cli.new", "Write a commented starter file to fill in."),
 }
@@ -125,7 +127,8 @@ def cli() -> None:
     """Generate small, counted and verified C and Fortran for the dynamics of a robot.
 
     Start with "robodyn gen puma560 --compile". ROBOT is the path of a YAML file or the name of a bundled
-    robot ("robodyn robots" lists them). "robodyn COMMAND --help" describes each command.
+    robot ("robodyn robots" lists them); or a URDF, MJCF, SDF or xacro file with one tip ("robodyn import"
+    takes any). "robodyn COMMAND --help" describes each command.
     """
 
 

@@ -75,6 +75,8 @@ def command(
     n, name = described.n, described.name
     exactly("--from", asked.start, n, name)
     exactly("--speed", asked.speed, n, name)
+    for option, positions in (("--from", asked.start), ("--to", asked.to)):
+        _check_turns(described, option, positions, strict)
     values = parameter_values(described, asked.param)
     sensors = _sensors(described, asked)
     run, what = _run(described, asked, values)
@@ -118,6 +120,27 @@ def _target(robot: Robot, output: str | None) -> Path | None:
             expected=f"one of {', '.join(_LOGS)}, or -",
         )
     return path
+
+
+def _check_turns(robot: Robot, option: str, positions: tuple[float, ...] | None, strict: bool) -> None:
+    """Doubt positions in degrees; refuse them if ``strict``."""
+    from robodyn.errors import InputError
+    from robodyn.simulate.limits import beyond_a_turn
+
+    if positions is None or len(positions) != robot.n:
+        return
+    joints = beyond_a_turn(robot, positions)
+    if not joints:
+        return
+    degrees = [f"{x:g}*pi/180" if i in joints else f"{x:g}" for i, x in enumerate(positions, 1)]
+    error = InputError(
+        f"{option}: more than one turn",
+        found=", ".join(f"joint {i}: {positions[i - 1]:g} rad" for i in joints),
+        remedy=f"positions are in rad: {option} {','.join(degrees)} if degrees are meant",
+    )
+    if strict:
+        raise error
+    talk(f"robodyn: warning: {error}")
 
 
 def _picture_file(text: str) -> Path:

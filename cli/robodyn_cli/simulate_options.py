@@ -203,7 +203,7 @@ def simulation_options(command: Command) -> Command:
             help="Velocity profile (with --to, --line).  [default: quintic]",
         ),
         option("--point", type=SEVERAL, metavar="X,Y,Z",
-               help="Point that follows --line, in its link's frame (m)."),
+               help="Point that follows --line, in its link's frame (m).  [default: the tool]"),
         option("--link", type=click.IntRange(1), metavar="N",
                help="Link of --point.  [default: 6, or the last]"),
         option("--harmonics", type=click.IntRange(2, 1000), metavar="K",

@@ -29,12 +29,13 @@ if TYPE_CHECKING:
     from robodyn.diagnose.excite import excite
     from robodyn.diagnose.run import diagnose
     from robodyn.errors import CheckError, InputError, RobodynError, ToolError
+    from robodyn.formats.loading import load
     from robodyn.identify.run import identify
     from robodyn.kernels.generate import Generated, Options, generate, program
     from robodyn.kernels.operations import count
     from robodyn.kernels.robot_kernel import compile
     from robodyn.kernels.through_sympy import symbolic
-    from robodyn.robot import Robot, load
+    from robodyn.robot import Robot
     from robodyn.simulate.simulation import simulate
 
 _HOMES = {
@@ -49,7 +50,7 @@ _HOMES = {
     "count": "robodyn.kernels.operations",
     "excite": "robodyn.diagnose.excite",
     "generate": "robodyn.kernels.generate",
-    "load": "robodyn.robot",
+    "load": "robodyn.formats.loading",
     "program": "robodyn.kernels.generate",
     "symbolic": "robodyn.kernels.through_sympy",
 }

@@ -191,6 +191,38 @@ def test_a_line_is_straight(capsys: Capture) -> None:
     assert np.abs(beside).max() < 1e-4
 
 
+def test_a_line_in_the_world_of_the_tool(capsys: Capture) -> None:
+    """The same line as above, of an arm that stands elsewhere and states its tool."""
+    from robodyn.robot import load, to_yaml
+
+    arm = to_yaml(load("puma560_3dof")).replace("links:", "base: {xyz: [1, 2, 0], rpy: [0, 0, pi/2]}\nlinks:")
+    Path("there.yaml").write_text(arm + "tool: {xyz: [0, -0.43, 0]}\n")
+    common = "--from 0,-0.5,0.3 --duration 1 --rate 50"
+    simulate(capsys, f"there.yaml --line 0.7,2.5,0.3:1.1,2.4,0.4 {common} -o there.csv")
+    simulate(capsys, f"puma560_3dof --line 0.5,0.3,0.3:0.4,-0.1,0.4 --point 0,-0.43,0 {common} -o here.csv")
+    np.testing.assert_allclose(read_log("there.csv").q, read_log("here.csv").q, atol=1e-9)
+
+
+def test_positions_in_degrees_are_doubted(capsys: Capture) -> None:
+    links = "{joint: revolute, inertia: {zz: 1}}, {joint: prismatic, mass: 1}"
+    Path("arm.yaml").write_text(f"name: arm\ngravity: [0, 0, 0]\nlinks: [{links}]")
+    _, err = simulate(capsys, "arm.yaml --to 90,10 --duration 0.1")
+    assert (
+        "robodyn: warning: --to: more than one turn; found joint 1: 90 rad; "
+        "positions are in rad: --to 90*pi/180,10 if degrees are meant"
+    ) in err
+    _, err = simulate(capsys, "arm.yaml --from -90,0 --duration 0.1")
+    assert "--from: more than one turn" in err
+    _, err = simulate(capsys, "arm.yaml --to 6.28,10 --duration 0.1 --strict")
+    assert "turn" not in err
+    simulate(capsys, "arm.yaml --to 90,10 --strict -o no.csv", 2)
+    assert not Path("no.csv").exists()
+    Path("arm.yaml").write_text(
+        "name: arm\nlinks: [{joint: revolute, inertia: {zz: 1}, limits: {position: [-30, 30]}}]"
+    )
+    assert "turn" not in simulate(capsys, "arm.yaml --to 20 --duration 0.1")[1]
+
+
 # --- what is written and said -----------------------------------------------------------------------------
 
 

@@ -42,7 +42,7 @@ def tool_pose(robot: Robot, q: Any) -> Any:
     place, turn = Kinematics(robot).pose(q)
     T = np.tile(np.eye(4), (len(q), 1, 1))
     T[:, :3, :3], T[:, :3, 3] = turn, place
-    return _matrix(robot.base) @ T @ _matrix(robot.tool)
+    return T @ _matrix(robot.tool)
 
 
 def _matrix(frame: Placement | None) -> Any:

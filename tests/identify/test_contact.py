@@ -10,13 +10,18 @@ from functools import cache
 import numpy as np
 import pytest
 
+from diagnose.hidden.arms import bare
 from diagnose.hidden.pushed import Kind, Push, Pushed, pushed_log
 from peers.numbers import Array
 from robodyn.diagnose.run import diagnose
-from robodyn.diagnose.select.contact import contact_findings, without_contacts
+from robodyn.diagnose.select.contact import Touched, contact_findings, without_contacts
+from robodyn.dynamics.kinematics import frames
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.gate import inspect
 from robodyn.identify.contact.contact import Contact, contacts, without_rows
+from robodyn.identify.contact.force import Push as Pressed
+from robodyn.identify.contact.force import Window, push_in
+from robodyn.identify.rigid import Model
 from robodyn.robot.model import EffectEntry
 
 #: A push is found if it begins and ends within so much [s].
@@ -91,6 +96,16 @@ def test_windows_are_left_out_and_known_the_next_time() -> None:
     np.testing.assert_array_equal(other.log.t, rest.log.t)
 
 
+def test_a_finding_says_how_well_the_direction_is_known() -> None:
+    one = Contact(1.0, 2.0, 3, np.ones(3), np.ones(3), 12.0, 0.9, True)
+    cones = (12.0, 60.0, 120.0)
+    touched = [Touched(replace(one, cone=cone), "ab") for cone in cones]
+    texts = [finding.where for finding in contact_findings(touched)]
+    assert "direction known to 12 degrees:" in texts[0]
+    assert "direction known to 60 degrees only" in texts[1]
+    assert "not identifiable, nor its sign" in texts[2]
+
+
 def test_rows_that_are_left_out_cut_the_log() -> None:
     made = pushed_log("puma560_3dof", "rest", 1, pushes=0, duration=4.0)
     gate = inspect(made.log, made.given)
@@ -100,6 +115,50 @@ def test_rows_that_are_left_out_cut_the_log() -> None:
     assert cut.segments == (slice(0, 690), slice(690, gate.log.samples - 110))
     np.testing.assert_array_equal(cut.log.tau, gate.log.tau[~out])
     np.testing.assert_array_equal(cut.rows, gate.rows[~out])
+
+
+def pressed(link: int, place: float, force: Array, q: Array) -> Pressed:
+    """What is found of a force on a link of the UR10 that shows exactly."""
+    model = Model(bare("ur10"))
+    zeros = np.zeros((1, 6))
+    at = frames(model.arm, model.motion(q[None], zeros, zeros))
+    ends = [
+        np.array([float(x[0]) if np.ndim(x) else float(x) for x in at[k].origin]) for k in (link - 1, link)
+    ]
+    point = ends[0] + place * (ends[1] - ends[0])
+    torque = np.zeros(6)
+    for j in range(link):
+        axis, origin = (np.array([float(np.ravel(x)[0]) for x in v]) for v in (at[j].z, at[j].origin))
+        torque[j] = -np.cross(axis, point - origin) @ force
+    K = 40
+    noise = 0.05 * np.random.default_rng(1).standard_normal((K, 6))
+    window = Window(np.tile(q, (K, 1)), torque + noise, np.full((K, 6), 0.05), zeros[0], zeros[0], 0.02)
+    return push_in(model, window)
+
+
+def test_a_direction_is_known_only_where_the_joints_show_it() -> None:
+    q = np.array([0.3, -1.0, 1.2, -0.6, 0.9, 0.4])
+    force = np.array([10.0, -20.0, 15.0])
+    far = pressed(5, 1.0, force, q)
+    cosine = far.force @ force / np.linalg.norm(far.force) / np.linalg.norm(force)
+    assert np.degrees(np.arccos(cosine)) < 15
+    assert far.cone < 40
+    # Two joints do not show three components.
+    near = pressed(2, 0.8, force, q)
+    assert near.link == 2
+    assert near.cone > 45
+    assert near.stderr.max() > 5
+
+
+def test_what_stiction_holds_after_a_push_is_not_of_its_window() -> None:
+    """Pushed for half a second; what stays for a second after it is less, and ends as suddenly."""
+    gate = inspect(pushed_log("puma560_3dof", "rest", 1, pushes=0).log, bare("puma560_3dof"))
+    tau = gate.log.tau.copy()
+    t = gate.log.t
+    for start, end, size in ((2.0, 2.5, 30.0), (2.5, 3.5, 10.0), (6.0, 6.5, 30.0)):
+        tau[(t >= start) & (t < end)] += size * np.array([1.0, 0.5, 0.3])
+    seen = contacts(bare("puma560_3dof"), replace(gate, log=replace(gate.log, tau=tau)))
+    assert [(round(one.start, 1), round(one.end, 1)) for one in seen] == [(2.0, 2.5), (6.0, 6.5)]
 
 
 @pytest.mark.thorough

@@ -9,9 +9,9 @@ import pytest
 
 from robodyn.diagnose.amend.amend import Amendment, amended
 from robodyn.dynamics.newton_euler import newton_euler
+from robodyn.formats.loading import robot_of
 from robodyn.identify import rigid
 from robodyn.identify.rigid import Model, Reuse
-from robodyn.robot.bundled import robot_of
 
 PUMA = robot_of("puma560_3dof")
 

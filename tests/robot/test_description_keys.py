@@ -8,7 +8,6 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from robodyn.errors import InputError
 from robodyn.robot import Comparison, DoubtfulRobot, Gear, Inertia, Limits, Link, Robot, read_text
 from robodyn.robot.values import ZERO, Affine, angle, parameter
 from robodyn_testing import exactly
@@ -307,28 +306,6 @@ def test_izz_alone_is_enough_for_a_link_on_a_fixed_axis() -> None:
         assert read_text(text + f"inertia: {{{axis}: 0.35}}}}]", strict=True).n == 1
     with pytest.raises(Exception, match="not physical"):
         read_text("name: arm\nlinks: [{joint: prismatic, inertia: {zz: 0.35}}]", strict=True)
-
-
-def test_an_angle_in_degrees_is_doubted() -> None:
-    told: list[str] = []
-    read_text("name: arm\nlinks: [{joint: revolute, alpha: -90, theta: 2*pi}]", "arm.yaml", warn=told.append)
-    assert told == [
-        "arm.yaml:2:34: link 1: alpha = -90 rad is more than one turn; "
-        "angles are in rad: write -90*pi/180 if degrees are meant"
-    ]
-
-
-def test_whole_turns_are_taken_off_exactly() -> None:
-    robots = [
-        read_text(f"name: arm\nlinks: [{{joint: revolute, theta: {text}}}]", warn=lambda _: None)
-        for text in ("0.25", "0.25 + 2*pi", "0.25 - 20000*pi")
-    ]
-    assert len({robot.links[0].joint.theta for robot in robots}) == 1
-
-
-def test_what_is_far_beyond_a_turn_is_no_angle() -> None:
-    with pytest.raises(InputError, match=r"^arm\.yaml:2:34: link 1: theta is no angle"):
-        read_text("name: arm\nlinks: [{joint: revolute, theta: 1e12}]", "arm.yaml")
 
 
 def test_doubts_are_python_warnings_unless_taken() -> None:

@@ -30,9 +30,9 @@ from robodyn.diagnose.limits import (
 from robodyn.diagnose.select.library import Candidate, Hints, candidates, context_of
 from robodyn.effects.catalogue import CATALOGUE, effect
 from robodyn.errors import InputError
+from robodyn.formats.loading import robot_of
 from robodyn.identify.rigid import Model
 from robodyn.logs.signals import Signals
-from robodyn.robot.bundled import robot_of
 from robodyn.robot.model import Robot
 from robodyn.simulate.limits import with_limits
 from robodyn.simulate.trajectories.fourier import fourier

@@ -116,3 +116,9 @@ AMENDED_DIGITS: Final = 6
 
 WORKED_OUT: Final = 9
 """[digits] and of one that is worked out from it and what the model had."""
+
+STRENGTH_ROUNDS: Final = 3
+"""[-] So often are numbers of effects fitted together with the arm's own,"""
+
+STRENGTH_STEP: Final = 2.0
+"""[-] each time changed by this factor at most."""

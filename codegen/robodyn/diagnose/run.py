@@ -41,11 +41,11 @@ from robodyn.diagnose.select.scope import scope_of
 from robodyn.diagnose.select.search import Detected, search
 from robodyn.diagnose.select.selection import what_matters
 from robodyn.effects.catalogue import CATALOGUE
+from robodyn.formats.loading import robot_of, text_of
 from robodyn.gate.gate import Gate, inspect
 from robodyn.identify.predict import agreement, signals_seen
 from robodyn.identify.rigid import Model
 from robodyn.logs.log import Log, read_log
-from robodyn.robot.bundled import robot_of, text_of
 from robodyn.robot.model import Robot
 from robodyn.robot.rewriting import rewritten
 
@@ -97,7 +97,8 @@ def diagnose(
     whole = gates
     digests = [hashes[k] if k < len(hashes) else f"log {k + 1}" for k in range(len(whole))]
     cleaned, touched = without_contacts(robot, whole, digests) if scope.has_contact else (whole, ())
-    gates, seen = cleaned[: len(logs)], cleaned[-1]
+    gates = cleaned[: len(logs)]
+    seen = gates if validate is None else cleaned[len(logs) :]
     outcome = search(robot, gates, tell, scope.at_rest() if all(g.stands for g in gates) else scope)
     model, accepted, last, first = outcome.model, outcome.findings, outcome.last, outcome.first
     tell("validating the result")
@@ -107,15 +108,11 @@ def diagnose(
     left = left_over(last)
     verdict = verdict_of(findings, last, left)
     lacks = Lacking()
-    gap = gap_of(lacks, robot, model if verdict == "missing_effect" else robot, gates, seen)
-    if verdict == "missing_effect" and not holds(lacks, gap, findings, robot, model, seen):  # withdrawn
-        verdict = "unexplained"
-        findings = tuple(replace(f, confidence=WITHDRAWN) for f in findings)
     tell("fitting the arm's own numbers")
 
     def renumber(named: Sequence[Finding], *, unexplained: bool) -> Renumbered:
         return renumbered(
-            robot, named, gates, lambda arm: (rms(lacks, arm, gates), rms(lacks, arm, [seen])),
+            robot, named, gates, lambda arm: (rms(lacks, arm, gates), rms(lacks, arm, seen)),
             unstated=first.unstated,
             # A log with more in it than can be named still has the arm's numbers in it.
             everywhere=any(each.is_common for each in first.findings) or unexplained,
@@ -125,6 +122,14 @@ def diagnose(
     own = Renumbered(robot, tuple(range(len(robot.effects))), (), is_refitted=False)
     if verdict != "unexplained":
         own = renumber(findings, unexplained=False)
+        # The arm's own numbers may be so wrong that what is named shows beside better ones only.
+        if verdict == "missing_effect" and not (
+            holds(lacks, robot, model, gates, seen)
+            or holds(lacks, renumber((), unexplained=False).robot, own.robot, gates, seen)
+        ):
+            verdict = "unexplained"
+            findings = tuple(replace(f, confidence=WITHDRAWN) for f in findings)
+    if verdict != "unexplained":
         findings = own.findings
         verdict = verdict_of(findings, last, left)  # of better numbers, and perhaps a load
     if verdict == "unexplained" and (first.rough or own.findings):
@@ -136,7 +141,7 @@ def diagnose(
     touched = standing(touched, dict(zip(digests, whole, strict=True)), lambda gate: lacks(model, gate))
     findings = (*findings, *springs, *(added := contact_findings(touched)))  # not by a fit to torques
     stiff = apply_amendments(model, [amendment(f) for f in springs]).robot
-    logs_of = (gates, [seen])
+    logs_of = (gates, seen)
     if springs and all(no_worse(*(rms(lacks, arm, which) for arm in (model, stiff))) for which in logs_of):
         added, gap = (*springs, *added), gap_of(lacks, robot, stiff, gates, seen)
     if added:

@@ -45,10 +45,11 @@ class Frame:
 BASE = Frame(ZERO, (1, 0, 0), (0, 1, 0), (0, 0, 1))
 
 
-def frames(arm: Arm, motion: Motion) -> list[Frame]:
-    """Frames of the links [n] of ``arm`` where ``motion`` has it."""
+def frames(arm: Arm, motion: Motion, base: Frame = BASE) -> list[Frame]:
+    """Frames of the links [n] of ``arm`` where ``motion`` has it; ``base`` is its base frame, by default the
+    frame that results are in."""
     poses = []
-    last = BASE
+    last = base
     for body, c, s, d in zip(arm.bodies, motion.c, motion.s, motion.d, strict=True):
         x = last.x
         y = plus(scaled(body.cos_alpha, last.y), scaled(body.sin_alpha, last.z))

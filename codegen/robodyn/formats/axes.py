@@ -1,4 +1,4 @@
-"""Frames whose z axes are a chain's joint axes, and the turn from one to the next in three angles."""
+"""Frames whose z axes are a chain's joint axes."""
 
 from __future__ import annotations
 
@@ -7,21 +7,11 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from robodyn.formats.chain import ChainJoint, Rotation, Vector, cross, dot, scaled, transposed
-from robodyn.formats.exact import (
-    SAME,
-    about_x,
-    about_z,
-    applied,
-    direction,
-    near_quarter,
-    product,
-    rows,
-    vector,
-)
-from robodyn.formats.exact import transposed as exact_transposed
-from robodyn.formats.limits import QUARTER_TURN
+from robodyn.formats.exact import rows, vector
+from robodyn.robot.limits import QUARTER_TURN
 from robodyn.robot.parts import Exact, Rows
-from robodyn.robot.values import Angle, quarter_turns
+from robodyn.robot.rotations import SAME, applied, product
+from robodyn.robot.rotations import transposed as exact_transposed
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,17 +27,6 @@ class Step:
     into: Rows
 
 
-@dataclass(frozen=True, slots=True)
-class Twist:
-    """A rotation as ``Rz(phi) Rx(alpha) Rz(theta)``; with ``parallel`` z axes phi is 0, and may be any other
-    angle that theta makes up for."""
-
-    phi: Angle
-    alpha: Angle
-    theta: Angle
-    parallel: bool
-
-
 def aligned(joints: Iterable[ChainJoint]) -> list[Step]:
     """The steps of ``joints``, base to tip."""
     steps = []
@@ -58,23 +37,6 @@ def aligned(joints: Iterable[ChainJoint]) -> list[Step]:
         steps.append(Step(turn, applied(before, vector(joint.pose.xyz)), into))
         before = into
     return steps
-
-
-def twist_of(R: Rows, within: float) -> Twist:
-    """The angles of ``R``, multiples of pi/2 where they are ``within`` [rad] of them.
-
-    Each is taken from what the ones before leave of ``R``: where z axes are nearly parallel, phi alone means
-    little, and theta makes up for it.
-    """
-    sine = math.hypot(R[0][2], R[1][2])
-    if sine <= within:
-        alpha = quarter_turns(0 if R[2][2] > 0 else 2)
-        phi = quarter_turns(0)
-    else:
-        alpha = near_quarter(math.atan2(sine, R[2][2]), within)
-        phi = direction(-R[1][2], R[0][2], within)
-    left = product(about_x(-alpha), product(about_z(-phi), R))
-    return Twist(phi, alpha, direction(left[0][0], left[1][0], within), sine <= within)
 
 
 def _onto(axis: Vector) -> Rotation:

@@ -11,7 +11,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from robodyn.formats.limits import QUARTER_TURN
+from robodyn.robot.limits import QUARTER_TURN
 from robodyn.robot.parts import Gear, JointKind, Limits
 
 Vector = tuple[float, float, float]

@@ -19,9 +19,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from robodyn.formats.axes import Step, aligned, twist_of
+from robodyn.formats.axes import Step, aligned
 from robodyn.formats.chain import Chain, ChainJoint
-from robodyn.formats.exact import (
+from robodyn.formats.exact import rows, vector
+from robodyn.formats.limits import SLIDE, STEEP
+from robodyn.robot.limits import NOTHING, QUARTER_TURN
+from robodyn.robot.model import Inertia, Joint, Link, Robot
+from robodyn.robot.numbers import shortest
+from robodyn.robot.parts import Exact, Rows
+from robodyn.robot.rotations import (
     SAME,
     about_x,
     about_z,
@@ -29,16 +35,11 @@ from robodyn.formats.exact import (
     direction,
     placement,
     product,
-    rows,
     summed,
     tidy,
     turned_tensor,
-    vector,
+    twist_of,
 )
-from robodyn.formats.limits import NOTHING, QUARTER_TURN, SLIDE, STEEP
-from robodyn.robot.model import Inertia, Joint, Link, Robot
-from robodyn.robot.numbers import shortest
-from robodyn.robot.parts import Exact, Rows
 from robodyn.robot.values import ZERO, Angle, quarter_turns
 
 _NONE, _HALF = quarter_turns(0), quarter_turns(2)

@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-QUARTER_TURN: float = 1e-11
-"""[rad] An angle of a file this near to a multiple of pi/2 is that multiple, which was written with 12 digits
-(1.57079632679 is off by 4.9e-12)."""
-
 FILE_MIB: int = 16
 """[MiB] Largest file that is read; the largest of a hundred public robots has 0.2."""
 
@@ -43,15 +39,6 @@ NAMES_SHOWN: int = 40
 DEGREES: float = 40.0
 """[rad] Limits beyond six turns that are multiples of 5 were probably meant as degrees."""
 
-NOTHING: float = 1e-12
-"""[share] Beside the arm's reach (of a tensor: its trace) a smaller number is 0."""
-
-NOISE: float = 1e-15
-"""[share] So much of the arm's reach sums of rounded numbers may be off: a decimal this near is meant."""
-
-DECIMALS: int = 12
-"""[decimal places] Of a decimal that is meant."""
-
 SLIDE: float = 0.25
 """[share of the reach] Of axes that are nearly parallel, the common normal may lie far away: no frame's
 origin slides further along its axis to it."""
@@ -72,3 +59,23 @@ tree has none for it."""
 
 ROUNDING: float = 1e-15
 """[entry of a rotation] An entry this near to 0 or +-1 is that: what is left is the rounding of cosines."""
+
+XACRO_SECONDS: int = 20
+"""[s] Processor time that a xacro file may take; large robots take 2."""
+
+XACRO_MEMORY: int = 1024
+"""[MiB] Memory that the expansion of a xacro file may take, the interpreter in it."""
+
+PICTURE_RADIUS: float = 0.02
+"""[share of the sum of distances between frames] Radius of the cylinders that stand for links in exports."""
+
+PICTURE_HUB: float = 1.4
+"""[radius of a link's cylinder] Radius of the cylinder about a joint's axis, which is twice as long."""
+
+LEAST_BODY: float = 1e-13
+"""[share of the largest pseudo-inertia's trace] Mass [kg] and moments [kg m^2] of a body that stands for
+none: too small to be noticed, and enough for MuJoCo, which refuses less than 1e-15."""
+
+SLACK: float = 1e-9
+"""[share] Principal moments may be so far beyond what a body has before they are replaced in an export: the
+decimals of a table are rounded. Replacements have that much room."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from robodyn.errors import InputError
+from robodyn.errors import InputError, Place
 from robodyn.formats.chain import Body, Chain, ChainJoint, Pose
 from robodyn.formats.conversion import joint_of, title_of
 from robodyn.formats.limits import NAMES_SHOWN
@@ -19,9 +19,10 @@ from robodyn.robot.names import shown
 
 @dataclass(frozen=True, slots=True)
 class Serial:
-    """A chain, and what was decided on the way to it."""
+    """A chain, the places of the links behind its joints, and what was decided on the way to it."""
 
     chain: Chain
+    places: tuple[Place, ...]
     remarks: tuple[str, ...]
 
 
@@ -90,7 +91,8 @@ def serial_chain(
         base=pose,
         tool=frames.pose[end],
     )
-    return Serial(chain, tuple(dict.fromkeys(remarks)))
+    places = tuple(topology.links[joint.child].where for joint in moving)
+    return Serial(chain, places, tuple(dict.fromkeys(remarks)))
 
 
 def _path(topology: Topology, start: str, end: str) -> list[TreeJoint]:

@@ -6,7 +6,7 @@ from typing import Final, get_args
 
 from robodyn.formats.chain import Body, Pose
 from robodyn.formats.elements import Document, Element, tag_shown
-from robodyn.formats.quantities import Quantities, body_of, negative
+from robodyn.formats.quantities import Quantities, body_of, negative, used, what_of
 from robodyn.formats.transmissions import Transmissions
 from robodyn.formats.tree import JointLimits, Kind, Leftovers, Mimic, Tree, TreeJoint, TreeLink, checked
 from robodyn.robot.names import shown
@@ -14,18 +14,18 @@ from robodyn.robot.names import shown
 _KINDS: Final = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
 #: What is known of each element: attributes and children that are used.
 _USED: Final = {
-    "link": ({"name"}, {"inertial"}),
-    "inertial": (set(), {"origin", "mass", "inertia"}),
-    "joint": ({"name", "type"}, {"origin", "parent", "child", "axis", "limit", "dynamics", "mimic"}),
-    "origin": ({"xyz", "rpy", "quat_xyzw"}, set()),
-    "mass": ({"value"}, set()),
-    "inertia": ({"ixx", "iyy", "izz", "ixy", "ixz", "iyz"}, set()),
-    "parent": ({"link"}, set()),
-    "child": ({"link"}, set()),
-    "axis": ({"xyz"}, set()),
-    "limit": ({"lower", "upper", "effort", "velocity", "acceleration"}, set()),
-    "dynamics": ({"damping", "friction", "armature"}, set()),
-    "mimic": ({"joint", "multiplier", "offset"}, set()),
+    "link": used("name", "inertial"),
+    "inertial": used("", "origin mass inertia"),
+    "joint": used("name type", "origin parent child axis limit dynamics mimic"),
+    "origin": used("xyz rpy quat_xyzw"),
+    "mass": used("value"),
+    "inertia": used("ixx iyy izz ixy ixz iyz"),
+    "parent": used("link"),
+    "child": used("link"),
+    "axis": used("xyz"),
+    "limit": used("lower upper effort velocity acceleration"),
+    "dynamics": used("damping friction armature"),
+    "mimic": used("joint multiplier offset"),
 }
 _WORDS: Final = {
     "visual": "visual geometry",
@@ -60,7 +60,7 @@ def read_tree(document: Document) -> Tree:
         elif element.tag == "transmission":
             transmissions.read(element)
         else:
-            leftovers.add(_what(element, root), element.line)
+            leftovers.add(what_of(element, root, _WORDS), element.line)
     if not links:
         macros = any(element.tag.startswith("xacro:") for element in root.walk())
         raise reader.fail(
@@ -81,33 +81,12 @@ def read_tree(document: Document) -> Tree:
     )
 
 
-def _what(element: Element, parent: Element) -> str:
-    return _WORDS.get(element.tag) or f"{tag_shown(element)} in {tag_shown(parent)}"
-
-
 class _Reader(Quantities):
-    def known(self, element: Element) -> None:
-        """Note attributes and children of ``element`` that are not used."""
-        attributes, children = _USED[element.tag]
-        for attribute in element.attributes:
-            if attribute not in attributes:
-                self.leftovers.add(f"{shown(attribute)} of {tag_shown(element)}", element.line)
-        for child in element.children:
-            if child.tag not in children:
-                self.leftovers.add(_what(child, element), child.line)
-
     def one(self, element: Element, tag: str, of: str) -> Element | None:
-        """The child of that tag, of which there is one at most."""
-        children = list(element.all(tag))
-        if len(children) > 1:
-            raise self.fail(
-                children[1],
-                f"{of} has <{tag}> twice",
-                remedy=f"delete one; the first is in line {children[0].line}",
-            )
-        if children:
-            self.known(children[0])
-        return children[0] if children else None
+        child = super().one(element, tag, of)
+        if child is not None:
+            self.note_unused(child, _USED, _WORDS)
+        return child
 
     def must(self, element: Element, tag: str, of: str) -> Element:
         child = self.one(element, tag, of)
@@ -135,7 +114,7 @@ class _Reader(Quantities):
     def link(self, element: Element) -> TreeLink:
         name = self.name(element, "a link")
         of = f"link {shown(name)}"
-        self.known(element)
+        self.note_unused(element, _USED, _WORDS)
         shape = element.first("visual") is not None or element.first("collision") is not None
         inertial = self.one(element, "inertial", of)
         return TreeLink(name, self.place(element), self.body(inertial, of) if inertial else None, shape)
@@ -150,7 +129,7 @@ class _Reader(Quantities):
     def joint(self, element: Element) -> TreeJoint:
         name = self.name(element, "a joint")
         of = f"joint {shown(name)}"
-        self.known(element)
+        self.note_unused(element, _USED, _WORDS)
         word = self.required(element, "type", of)
         if word not in _KINDS:
             raise self.fail(

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.formats.loading import robot_of, text_of
 from robodyn.gate.gate import Gate, inspect
 from robodyn.identify.advice import remarks
 from robodyn.identify.band import with_cutoff
@@ -17,7 +18,6 @@ from robodyn.identify.fit import Fit, Options, fit_arm
 from robodyn.identify.outcome import Estimate, Identified, identified
 from robodyn.identify.residual import Squares, squares_of
 from robodyn.logs.log import Log, read_log
-from robodyn.robot.bundled import robot_of, text_of
 from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]

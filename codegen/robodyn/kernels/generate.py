@@ -16,6 +16,7 @@ from robodyn.counts import Count, count
 from robodyn.dynamics.functions import by_default
 from robodyn.emit import Unit, render
 from robodyn.emit.languages import defaults, languages_named, require
+from robodyn.formats.loading import robot_of
 from robodyn.ir.program import Program
 from robodyn.ir.signature import Signature
 from robodyn.kernels.options import (
@@ -35,7 +36,6 @@ from robodyn.optimize.programs import Choice, NoForwardDynamics, signature
 from robodyn.passes.angles import angles_first
 from robodyn.passes.registers import registers
 from robodyn.passes.trig_given import describe, given_layout, trig_given
-from robodyn.robot.bundled import robot_of
 from robodyn.robot.model import Robot
 
 if TYPE_CHECKING:

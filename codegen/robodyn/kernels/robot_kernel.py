@@ -9,9 +9,9 @@ from typing import Any
 
 from robodyn.emit import render
 from robodyn.emit.batch import batch_files
+from robodyn.formats.loading import robot_of
 from robodyn.kernels.generate import Options, generate
 from robodyn.kernels.kernel import Kernel, load
-from robodyn.robot.bundled import robot_of
 from robodyn.robot.model import Robot
 
 

@@ -14,11 +14,11 @@ from typing import TYPE_CHECKING, Any
 
 from robodyn.dynamics.arm import JointAngle, build_arm
 from robodyn.dynamics.functions import function_named
+from robodyn.formats.loading import robot_of
 from robodyn.ir import Graph, Label, Program
 from robodyn.ir.graph import Scalar
 from robodyn.ir.lowering import lower
 from robodyn.optimize.programs import Choice, outputs_of, signature
-from robodyn.robot.bundled import robot_of
 from robodyn.robot.model import Robot
 
 if TYPE_CHECKING:

@@ -68,11 +68,6 @@ def load(spec: str | os.PathLike[str], *, strict: bool = False, warn: Warn | Non
     return replace(read_bytes(data, label, strict=strict, warn=warn), file=path.absolute())
 
 
-def robot_of(robot: Robot | str | os.PathLike[str]) -> Robot:
-    """``robot`` itself, or what :func:`load` reads at that path or under that name."""
-    return robot if isinstance(robot, Robot) else load(robot)
-
-
 def text_of(spec: str | os.PathLike[str]) -> str:
     """The text of the description that :func:`load` reads for ``spec``.
 

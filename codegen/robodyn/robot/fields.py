@@ -12,6 +12,7 @@ from robodyn.robot import numbers
 from robodyn.robot.document import Mapping, Node, Scalar, Sequence, describe
 from robodyn.robot.expectations import SIGNS, allowed, expectation
 from robodyn.robot.keys import OTHER_NAMES, Key
+from robodyn.robot.limits import ONE_TURN
 from robodyn.robot.names import shown, text_fault
 from robodyn.robot.parts import UNKNOWN, Confidence, Vector
 from robodyn.robot.values import ZERO, Angle, Value, angle
@@ -272,7 +273,7 @@ class Section:
                 expected="an angle in rad, such as -pi/2",
             )
         read = angle(value)
-        if abs(value) > Fraction("6.2832"):
+        if abs(value) > ONE_TURN:
             self.doubt(
                 node,
                 f"{path} = {text} rad is more than one turn",

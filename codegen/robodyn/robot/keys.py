@@ -51,6 +51,8 @@ class Key:
 
 #: Most links a robot may have.
 LINKS = 100
+#: The numbers that lead from one link's frame to the next, if no pose does.
+ROW = ("alpha", "a", "b", "d", "theta")
 #: Most effects a robot may have, all lists together.
 EFFECTS = 1000
 #: Fewest and most knots of a table of efficiencies.
@@ -154,6 +156,13 @@ LINK = (
     ),
     Key("d", "number", "d_i: offset, along z; prismatic: constant added to q.", "m", names=True, default="0"),
     Key("theta", "angle", "theta_i: angle, about z; revolute: constant added to q.", "rad", default="0"),
+    Key(
+        "pose",
+        "group",
+        "In place of the numbers above: the joint's frame in the frame before at q = 0; q is about or along "
+        "its z axis. Frames turn about their z axes where rows need it, and all that stands in them too.",
+        members=PLACEMENT,
+    ),
     Key("mass", "number", "Mass of the link.", "kg", names=True, sign="nonnegative", default="0"),
     Key(
         "com", "vector", "Centre of mass [x, y, z] in the link's frame.", "m", names=True, default="[0, 0, 0]"

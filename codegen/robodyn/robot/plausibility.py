@@ -1,4 +1,5 @@
-"""Inertia tensors that no body has: a negative principal moment, a broken triangle inequality.
+"""Inertia tensors that no body has: a negative principal moment, a broken triangle inequality. Limits in
+degrees.
 
 Decided with exact rationals: every principal moment is at most the sum of the two others if and only if
 ``trace/2 * 1 - I``, the second moments of the mass, has no negative eigenvalue, which its principal
@@ -10,7 +11,8 @@ from __future__ import annotations
 import math
 from fractions import Fraction
 
-from robodyn.robot.model import AXES, Inertia, Joint
+from robodyn.robot.limits import MANY_TURNS, SIX_TURNS
+from robodyn.robot.model import AXES, Inertia, Joint, JointKind, Limits
 from robodyn.robot.numbers import brief
 
 # Rounding noise of converted tensors, as a share of the trace, is not worth a word.
@@ -48,6 +50,17 @@ def inertia_doubt(inertia: Inertia) -> str | None:
     if not _has_no_negative_eigenvalue((xx + noise, yy + noise, zz + noise, xy, xz, yz)):
         return f"the principal moment {low:.6g} kg m^2 is negative"
     return f"of the principal moments {low:.6g} + {middle:.6g} < {high:.6g} kg m^2"
+
+
+def limits_doubt(limits: Limits, kind: JointKind) -> str | None:
+    """What is doubtful about the limits of position of a joint: whole degrees in the place of radians; or
+    None."""
+    if kind == "prismatic" or limits.position is None:
+        return None
+    low, high = limits.position
+    if SIX_TURNS < max(-low, high) <= MANY_TURNS and low % 5 == 0 and high % 5 == 0:
+        return f"{brief(low)} to {brief(high)} rad are more than six turns"
+    return None
 
 
 def is_judged(inertia: Inertia) -> bool:

@@ -14,10 +14,10 @@ from robodyn.robot.dh import effect_from_standard, from_standard
 from robodyn.robot.document import Mapping, Node, Scalar, compose, decode, describe
 from robodyn.robot.expectations import expectation
 from robodyn.robot.fields import Section, Source
-from robodyn.robot.keys import INERTIA, LINK, LINKS, REST_VELOCITY, ROBOT
+from robodyn.robot.keys import INERTIA, LINK, LINKS, REST_VELOCITY, ROBOT, ROW
 from robodyn.robot.model import Comparison, Gear, Inertia, Joint, JointKind, Limits, Link, Placement, Robot
 from robodyn.robot.names import ROBOT_NAME_EXPECTED, parameter_clash, robot_name_fault, shown
-from robodyn.robot.plausibility import inertia_doubt, is_judged, only_about_base_axis
+from robodyn.robot.plausibility import inertia_doubt, is_judged, limits_doubt, only_about_base_axis
 from robodyn.robot.values import ZERO
 
 if TYPE_CHECKING:
@@ -30,7 +30,8 @@ class DoubtfulRobot(UserWarning):
     """Numbers of a robot that physics hardly allows; see ``strict``."""
 
 
-def _warn(text: str) -> None:
+def doubtful(text: str) -> None:
+    """Make ``text`` a :class:`DoubtfulRobot` warning."""
     warnings.warn(text, DoubtfulRobot, stacklevel=2)
 
 
@@ -44,7 +45,7 @@ def read_text(text: str, file: str = "<text>", *, strict: bool = False, warn: Wa
     ------
     InputError: the text is not a robot description; message and place say why.
     """
-    source = Source(file, strict, warn or _warn)
+    source = Source(file, strict, warn or doubtful)
     return _robot(Section(source, "", compose(text, file), ROBOT))
 
 
@@ -66,7 +67,7 @@ def _robot(section: Section) -> Robot:
     compared = section.section("compare")
     comparison = Comparison(compared.text("table"), compared.text("row")) if compared else None
     convention = section.choice("convention") or "mdh"
-    links, effects = _links(section, convention)
+    links, effects, base = _links(section, convention)
     _refuse_clashes(section.source, name)
     side = section.choice("torque_side")
     rest, band = _at_rest(section)
@@ -78,7 +79,7 @@ def _robot(section: Section) -> Robot:
     if gravity is not None:
         x, y, z = (value for value in gravity if isinstance(value, Fraction))  # no names there: all three
         robot = replace(robot, gravity=(x, y, z))
-    robot = replace(robot, base=_placement(section, "base"), tool=_placement(section, "tool"))
+    robot = replace(robot, base=base, tool=_placement(section, "tool"))
     if side == "link":
         robot = replace(robot, torque_side="link")
     if effects:
@@ -132,7 +133,10 @@ def _written(section: Section, joint: int | None, kind: JointKind, joints: int) 
     return read_effects(section, joint, kind, joints)
 
 
-def _links(section: Section, convention: str) -> tuple[tuple[Link, ...], tuple[Written, ...]]:
+def _links(
+    section: Section, convention: str
+) -> tuple[tuple[Link, ...], tuple[Written, ...], Placement | None]:
+    """The links in modified frames, effects in them, and where the base frame stands."""
     source = section.source
     nodes = section.items("links") or ()
     if not 1 <= len(nodes) <= LINKS:
@@ -148,17 +152,22 @@ def _links(section: Section, convention: str) -> tuple[tuple[Link, ...], tuple[W
     _refuse_twins(sections, rows)
     effects = [entry for _, entries in read for entry in entries]
     effects += _written(section, None, "revolute", len(nodes))
-    links = rows
-    if convention == "sdh":
-        try:
+    links, base = rows, _placement(section, "base")
+    poses = [_pose(part, convention) for part in sections]
+    try:
+        if convention == "sdh":
             links = from_standard(rows)
             effects = [replace(one, entry=effect_from_standard(one.entry, rows[-1])) for one in effects]
-        except OverflowError:
-            source.fail(
-                section.values["links"],
-                "the links' numbers are too large to be converted to modified DH",
-                expected="numbers well below 1e308",
-            )
+        elif any(poses):
+            from robodyn.robot.poses import from_poses  # rows of numbers do without it
+
+            links, base = from_poses(rows, poses, base)
+    except OverflowError:
+        source.fail(
+            section.values["links"],
+            "the links' numbers are too large to be converted to modified DH",
+            expected="numbers well below 1e308",
+        )
     for i, (part, link) in enumerate(zip(sections, rows, strict=True)):
         reason = inertia_doubt(link.inertia)
         if reason and not (i == 0 and only_about_base_axis(links[0].joint, links[0].inertia)):
@@ -174,7 +183,24 @@ def _links(section: Section, convention: str) -> tuple[tuple[Link, ...], tuple[W
                 f"{part.path('acknowledged')}: nothing about this link is implausible",
                 "delete the key",
             )
-    return links, tuple(effects)
+    return links, tuple(effects), base
+
+
+def _pose(section: Section, convention: str) -> Placement | None:
+    """The pose of a link's frame that stands in place of its row; None where the row is stated."""
+    pose = _placement(section, "pose")
+    beside = [key for key in ROW if key in section.values]
+    if pose is not None and (beside or convention == "sdh"):
+        section.source.fail(
+            section.values["pose"],
+            f"{section.path('pose')} stands in place of DH numbers",
+            found=", ".join(beside) + " beside it" if beside else "convention: sdh",
+            expected=f"pose, or {', '.join(ROW)}",
+            remedy="delete the one or the other"
+            if beside
+            else "convention: mdh: a pose is that of the joint",
+        )
+    return pose
 
 
 def _refuse_twins(sections: list[Section], links: tuple[Link, ...]) -> None:
@@ -201,7 +227,7 @@ def _link(section: Section, i: int, joints: int) -> tuple[Link, tuple[Written, .
     tensor = section.section("inertia")
     motor_inertia = section.number("motor_inertia")
     gear = _gear(section)
-    limits = _limits(section)
+    limits = _limits(section, kind)
     confidence = section.confidence("confidence")
     joint = Joint(kind, alpha, a, d, theta, motor_inertia, limits=limits, gear=gear, b=b)
     if friction:
@@ -240,16 +266,25 @@ def _gear(section: Section) -> Gear | None:
     return Gear(ratio, gear.constant("torque_constant"))
 
 
-def _limits(section: Section) -> Limits:
-    limits = section.section("limits")
-    if limits is None:
+def _limits(section: Section, kind: JointKind) -> Limits:
+    stated = section.section("limits")
+    if stated is None:
         return Limits()
-    return Limits(
-        limits.range("position"),
-        limits.constant("velocity"),
-        limits.constant("acceleration"),
-        limits.constant("torque"),
+    limits = Limits(
+        stated.range("position"),
+        stated.constant("velocity"),
+        stated.constant("acceleration"),
+        stated.constant("torque"),
     )
+    reason = limits_doubt(limits, kind)
+    if reason and limits.position:
+        low, high = map(numbers.brief, limits.position)
+        section.doubt(
+            stated.values["position"],
+            f"{stated.path('position')}: {reason}",
+            f"limits are in rad: write [{low}*pi/180, {high}*pi/180] if degrees are meant",
+        )
+    return limits
 
 
 def _at_rest(section: Section) -> tuple[Fraction | None, Fraction | None]:

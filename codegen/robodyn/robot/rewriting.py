@@ -78,6 +78,8 @@ class _Patch:
         self.root = self.editor.root
         convention = self.editor.child(self.root, "convention")
         self.standard = convention is not None and convention.value == "sdh"
+        links = self.editor.child(self.root, "links").value
+        self.posed = any(self.editor.child(link, "pose") is not None for link in links)
 
     def text(self, comments: Comments) -> str:
         """The text with all changes and ``comments``."""
@@ -155,6 +157,10 @@ class _Patch:
         old, new = self.robot.links[i - 1], self.target.links[i - 1]
         if self.standard and (old.com, old.inertia) != (new.com, new.inertia):
             raise NotInPlaceError("in standard DH a link's centre and inertia stand in other frames")
+        if self.posed and (old.com, old.inertia) != (new.com, new.inertia):
+            raise NotInPlaceError(
+                "where links state poses, a link's centre and inertia may stand in other frames"
+            )
         self._number(node, "link", "mass", old.mass, new.mass, (i, "mass"))
         self._vector(node, "link", "com", old.com, new.com, (i, "com"))
         self._group(node, "link", "inertia", _entries(old.inertia), _entries(new.inertia), (i, "inertia"))

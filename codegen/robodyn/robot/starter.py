@@ -29,6 +29,7 @@ _FIRST = """\
     # b: 0                       # along y behind alpha, m: short offsets where axes are nearly parallel
     d: 0.4                       # m; prismatic: constant added to q
     theta: 0                     # rad; revolute: constant added to q
+    # pose: {xyz: [0, 0, 0.4], rpy: [0, 0, 0]}  # in place of these numbers: joint's frame in the one before
     mass: 8.0                    # kg
     com: [0, -0.02, -0.1]        # in the link's frame, m
     inertia: {xx: 0.05, yy: 0.05, zz: 0.03, xy: 0, xz: 0, yz: 0}  # about the centre of mass, kg m^2

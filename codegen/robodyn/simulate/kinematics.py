@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from robodyn.dynamics.arm import Arm, JointAngle, build_arm, build_motion
-from robodyn.dynamics.kinematics import Frame, frames, jacobian, jacobian_rate
+from robodyn.dynamics.kinematics import BASE, Frame, frames, jacobian, jacobian_rate
 from robodyn.errors import InputError
-from robodyn.robot.model import Robot
+from robodyn.robot.model import Placement, Robot
 from robodyn.verify.numbers import Parameters, filled, real
 
 Floats = NDArray[np.float64]
@@ -22,8 +22,8 @@ class Kinematics:
     """Kinematics of a point of ``robot`` at given values of its run-time parameters.
 
     ``point`` [3] (m) is fixed in the frame of ``link`` (1..n, by default the last). Every method takes
-    one state ``[n]`` or many ``[N, n]`` (rad or m, and per second) and returns as many; all results are along
-    the base's axes.
+    one state ``[n]`` or many ``[N, n]`` (rad or m, and per second) and returns as many; all results are in
+    the base frame, or in the world's where the description has ``base``.
 
     Raises
     ------
@@ -48,6 +48,7 @@ class Kinematics:
         self.point = (float(point[0]), float(point[1]), float(point[2]))
         self.link = robot.n if link is None else link
         self._arm: Arm = build_arm(robot, real, lambda name: float(values[name]))
+        self._base = BASE if robot.base is None else _frame(robot.base)
         self._turns = [(float(link.joint.theta.cos), float(link.joint.theta.sin)) for link in robot.links]
 
     def position(self, q: ArrayLike) -> Floats:
@@ -118,7 +119,12 @@ class Kinematics:
 
         zeros = [0.0] * n
         motion = build_motion(self._arm, joints[0], zeros, zeros, trigonometry, real)
-        return frames(self._arm, motion), shape[:-1], joints[1:]
+        return frames(self._arm, motion, self._base), shape[:-1], joints[1:]
+
+
+def _frame(place: Placement) -> Frame:
+    x, y, z = (tuple(map(float, column)) for column in zip(*place.rotation, strict=True))
+    return Frame(tuple(map(float, place.xyz)), x, y, z)  # type: ignore[arg-type]
 
 
 def _gathered(nested: Any, lead: tuple[int, ...]) -> Floats:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
 
+from robodyn.robot.limits import ONE_TURN
 from robodyn.robot.model import Limits, Robot
 from robodyn.simulate.trajectories.trajectory import Trajectory
 
@@ -35,6 +37,18 @@ def with_limits(robot: Robot) -> tuple[Robot, tuple[int, ...]]:
             filled.append(i)
         links.append(replace(link, joint=replace(link.joint, limits=full)))
     return replace(robot, links=tuple(links)), tuple(filled)
+
+
+def beyond_a_turn(robot: Robot, q: Sequence[float]) -> tuple[int, ...]:
+    """The revolute joints (from 1) whose positions ``q`` [n] (rad) are more than a turn, outside their limits
+    too where they state any: degrees, probably."""
+    joints = []
+    for i, (link, x) in enumerate(zip(robot.links, q, strict=True), 1):
+        stated = link.joint.limits.position
+        within = stated is not None and float(stated[0]) <= x <= float(stated[1])
+        if link.joint.kind == "revolute" and abs(x) > ONE_TURN and not within:
+            joints.append(i)
+    return tuple(joints)
 
 
 def outside(robot: Robot, motion: Trajectory) -> list[str]:

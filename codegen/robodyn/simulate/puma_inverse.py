@@ -91,10 +91,12 @@ class PumaArm:
             or any(joint.alpha.quarter is None for joint in joints[:3])
             or [(joint.alpha.quarter or 0) % 4 for joint in joints[:3]] != [0, 3, 0]
             or any(length(*of) != 0 for of in ((joints[0], "a"), (joints[0], "d"), (joints[1], "a")))
+            or any(length(joint, "b") != 0 for joint in joints[:4])
+            or robot.base is not None
         ):
             raise InputError(
                 f"{robot.name} is not built like the PUMA 560",
-                expected="three revolute joints with alpha 0, -pi/2, 0 and a1 = d1 = a2 = 0",
+                expected="three revolute joints with alpha 0, -pi/2, 0 and a1 = d1 = a2 = b = 0, no base",
                 remedy="use the numerical inverse kinematics",
             )
         if point is None:

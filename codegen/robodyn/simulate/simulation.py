@@ -17,9 +17,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from robodyn.errors import InputError
+from robodyn.formats.loading import robot_of
 from robodyn.kernels.generate import Options
 from robodyn.logs.log import Log
-from robodyn.robot.bundled import robot_of
 from robodyn.robot.filling import parameter_values
 from robodyn.robot.model import Robot
 from robodyn.simulate.balance import Balance, stored_energy

@@ -16,6 +16,8 @@ from robodyn.robot.values import Value
 ARMS = ("puma560", "puma560_3dof", "stanford", "ur10")
 #: Arms that the tool was not looked at with while it was written.
 FURTHER_ARMS = ("ur5", "panda", "rx90")
+#: Arms that are only pushed, and with signs flipped.
+LATER_ARMS = ("iiwa", "tx40")
 
 #: Rotor inertias [kg m^2] of a UR-like arm, reflected to the joint.
 _UR_ROTORS = ("3.2", "3.2", "1.6", "0.35", "0.35", "0.35")
@@ -24,6 +26,8 @@ _ROTORS = {
     "ur5": ("1.4", "1.4", "0.8", "0.12", "0.12", "0.12"),
     "panda": ("0.6", "0.6", "0.5", "0.5", "0.2", "0.2", "0.2"),
     "rx90": ("2.5", "2.5", "1.2", "0.4", "0.3", "0.2"),
+    "iiwa": ("1.2", "1.2", "0.8", "0.8", "0.4", "0.3", "0.3"),
+    "tx40": ("0.6", "0.6", "0.3", "0.1", "0.08", "0.04"),
 }
 _UR = Limits((Fraction("-2.6"), Fraction("2.6")), Fraction("2.1"), Fraction(8))
 _STANFORD = Limits((Fraction("-2.6"), Fraction("2.6")), Fraction("2.5"), Fraction(8))
@@ -35,7 +39,7 @@ _VISCOUS, _COULOMB = Fraction("0.8"), Fraction("1.6")
 
 def index_of(arm: str) -> int:
     """A number of the arm's own, for seeds."""
-    return (*ARMS, *FURTHER_ARMS).index(arm)
+    return (*ARMS, *FURTHER_ARMS, *LATER_ARMS).index(arm)
 
 
 @cache

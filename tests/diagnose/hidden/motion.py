@@ -204,9 +204,14 @@ class _Stepper:
                 total = np.zeros(self.model.nv) if total is None else total
                 body = int(entry["link"])
                 push = np.array([entry.number(f"force_{axis}") for axis in "xyz"])
-                mujoco.mj_applyFT(
-                    self.model, self.data, push, np.zeros(3), self.data.xpos[body].copy(), body, total
-                )
+                place = self.data.xpos[body].copy()
+                if "rise" in entry:  # acts beside the frame's origin, rises and fades
+                    beside = np.array([entry.number(axis) for axis in "xyz"])
+                    place += self.data.xmat[body].reshape(3, 3) @ beside
+                    edge = min(t - entry.number("start"), entry.number("end") - t)
+                    rise = entry.number("rise")
+                    push *= np.sin(np.pi / 2 * edge / rise) ** 2 if edge < rise else 1.0
+                mujoco.mj_applyFT(self.model, self.data, push, np.zeros(3), place, body, total)
         return total
 
     def _add_coupled_inertia(self) -> None:

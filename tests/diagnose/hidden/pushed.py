@@ -2,28 +2,36 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Literal
+from dataclasses import dataclass, replace
+from typing import Any, Literal
 
 import numpy as np
 
-from diagnose.hidden.arms import bare, perturbed, rubbing
-from diagnose.hidden.logs import _law, _measured, _noisy, effect
+from diagnose.hidden.arms import bare, index_of, perturbed, rubbing
+from diagnose.hidden.logs import _law, _measured, _noisy, effect, outsider
 from diagnose.hidden.motion import inverse
 from peers.numbers import Array, number
 from robodyn.logs.log import Log
 from robodyn.robot.model import EffectEntry, Robot
+from robodyn.robot.values import ZERO
 from robodyn.simulate.trajectories.trajectory import Law
 
 Kind = Literal["rest", "full", "stops"]
 #: Pushes are as large beside the dry friction of the joints.
 _FRICTIONS = 3.0
+#: Pushes that vary: how many times the dry friction and thrice the noise they make at the joint where they
+#: show best; shortest and longest [s]; where along the way to the next joint a link is touched, and how far
+#: beside it [m]; the longest rise as a share of the push.
+_SIZES, _WIDTHS, _ALONG, _BESIDE, _RISE = (3.0, 12.0), (0.2, 2.0), (0.2, 1.0), 0.05, 0.4
+#: A joint that sticks bends under its dry friction by so much [rad or m].
+_BEND = 1e-4
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Push:
     """What was done: from ``start`` to ``end`` [s] a ``force`` [3] (N) on ``link``; ``seen`` [n]: the torques
-    that it makes at the middle of its window; ``forces`` [n, 3]: by unit forces there."""
+    that it makes at the middle of its window; ``columns`` [n, 3]: by unit forces there; it rises and fades
+    in ``rise`` [s]."""
 
     start: float
     end: float
@@ -31,6 +39,7 @@ class Push:
     force: Array
     seen: Array
     columns: Array
+    rise: float = 0.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -53,10 +62,19 @@ def pushed_log(
     inertia_error: float = 0.3,
     friction: bool = True,
     rate: float = 500.0,
+    varied: bool = False,
+    sticks: bool = False,
 ) -> Pushed:
     """A log of ``arm`` with as many ``pushes``; masses, centres and inertias of the given model are off
-    by the share ``inertia_error``, and it knows no friction."""
-    rng = np.random.default_rng((seed, 5))
+    by the share ``inertia_error``, and it knows no friction.
+
+    ``varied``: pushes are short and long, rise and fade, and act anywhere near a link's frame; else they
+    begin and end at once, at its origin. ``sticks``: dry friction holds a joint where it stands, as
+    bristles do; else it creeps."""
+    rng, other = np.random.default_rng((seed, 5)), np.random.default_rng((seed, 6))
+    if varied:
+        rng = np.random.default_rng((seed, 5, index_of(arm), *kind.encode()))
+        other = np.random.default_rng((seed, 6, index_of(arm), *kind.encode()))
     known = rubbing(bare(arm)) if friction else bare(arm)
     law = _still(known, seed, duration) if kind == "rest" else _law(known, 2 * seed, duration, "full")
     if kind == "stops":
@@ -75,24 +93,40 @@ def pushed_log(
     room = (0.95 * duration - first) / max(pushes, 1)
     for k in range(pushes):
         width = float(rng.uniform(0.3, 0.9))
+        rise, point = 0.0, np.zeros(3)
+        if varied:
+            width = float(np.exp(other.uniform(*np.log(_WIDTHS))))
+            width = min(width, 0.6 * room)
+            rise = width * float(other.uniform(0, _RISE))
+            along, beside = other.uniform(*_ALONG), other.uniform(-_BESIDE, _BESIDE, 3)
         start = round(first + room * k + float(rng.uniform(0, max(room - width - 0.4, 0.05))), 3)
         link = int(rng.integers(2, known.n + 1))
         way = rng.standard_normal(3)
         way /= np.linalg.norm(way)
         pose = law(np.array([0.0, start + width / 2]))[0][1]
-        columns = _columns(known, pose, link)
+        if varied:
+            point = along * _end(known, pose, link) + beside
+        columns = _columns(known, pose, link, point)
         share = np.abs(columns @ way) / usual
-        force = way * float(rng.uniform(0.3, 1.0)) / max(float(share.max()), 1e-3)
+        times = float(rng.uniform(0.3, 1.0))
+        if varied:
+            share, times = (
+                np.abs(columns @ way) / (rubs + 3 * noise),
+                float(np.exp(other.uniform(*np.log(_SIZES)))),
+            )
+        force = way * times / max(float(share.max()), 1e-3)
         force *= min(1.0, 300.0 / float(np.linalg.norm(force)))
         end = round(start + width, 3)
         x, y, z = (float(f) for f in force)
-        entries.append(
-            effect("external_contact", None, start=start, end=end, link=link, force_x=x, force_y=y, force_z=z)
+        entry = effect(
+            "external_contact", None, start=start, end=end, link=link, force_x=x, force_y=y, force_z=z
         )
-        made.append(Push(start, end, link, force, columns @ force, columns))
-    from dataclasses import replace
-
-    true = replace(known, effects=tuple(entries))
+        more = outsider("", None, rise=rise, **dict(zip(("x", "y", "z"), point.tolist(), strict=True)))
+        entries.append(replace(entry, settings=(*entry.settings, *more.settings)))
+        made.append(Push(start, end, link, force, columns @ force, columns, rise))
+    true = replace(_sticking(known) if sticks else known, effects=tuple(entries))
+    if sticks:
+        true = replace(true, effects=(*true.effects, *_bristles(known)))
     log, _ = _measured(true, known, law, duration, every, step, seed)
     given = bare(arm)
     given = perturbed(given, inertia_error, seed) if inertia_error else given
@@ -122,8 +156,31 @@ def _stopping(moves: Law, until: float) -> Law:
     return law
 
 
-def _columns(robot: Robot, q: Array, link: int) -> Array:
-    """Torques [n, 3] that unit forces on a link's frame's origin make, by MuJoCo."""
+def _sticking(robot: Robot) -> Robot:
+    """``robot`` without the dry friction that :func:`_bristles` has in its place."""
+    return replace(robot, links=tuple(replace(k, joint=replace(k.joint, coulomb=ZERO)) for k in robot.links))
+
+
+def _bristles(robot: Robot) -> tuple[EffectEntry, ...]:
+    levels = [number(link.joint.coulomb) for link in robot.links]
+    return tuple(
+        effect("presliding_hysteresis", j + 1, level=level, stiffness=level / _BEND, damping=0.0)
+        for j, level in enumerate(levels)
+        if level
+    )
+
+
+def _end(robot: Robot, q: Array, link: int) -> Array:
+    """The origin of the next link's frame [3] in a link's; of the last link twice its centre."""
+    data = _placed(robot, q)[1]
+    if link == robot.n:
+        return 2 * np.array([number(x) for x in robot.links[-1].com])
+    turned = data.xmat[link].reshape(3, 3)
+    return np.asarray(turned.T @ (data.xpos[link + 1] - data.xpos[link]))
+
+
+def _placed(robot: Robot, q: Array) -> tuple[Any, Any]:
+    """MuJoCo's model and data of ``robot`` in a pose [n]."""
     import mujoco
 
     from diagnose.hidden.model import build_model
@@ -132,9 +189,18 @@ def _columns(robot: Robot, q: Array, link: int) -> Array:
     data = mujoco.MjData(model)
     data.qpos[:] = q
     mujoco.mj_forward(model, data)
+    return model, data
+
+
+def _columns(robot: Robot, q: Array, link: int, point: Array) -> Array:
+    """Torques [n, 3] that unit forces on a ``point`` [3] of a link's frame make, by MuJoCo."""
+    import mujoco
+
+    model, data = _placed(robot, q)
     result = np.zeros((robot.n, 3))
+    place = data.xpos[link] + data.xmat[link].reshape(3, 3) @ point
     for axis in range(3):
         total = np.zeros(model.nv)
-        mujoco.mj_applyFT(model, data, np.eye(3)[axis], np.zeros(3), data.xpos[link].copy(), link, total)
+        mujoco.mj_applyFT(model, data, np.eye(3)[axis], np.zeros(3), place, link, total)
         result[:, axis] = total
     return result

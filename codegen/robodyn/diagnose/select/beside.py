@@ -147,7 +147,9 @@ def _products(p: Problem, rows: Rows, columns: Singles) -> tuple[Floats, Floats]
     with the rest: [BLOCKS, rows, all]."""
     sums = np.empty((BLOCKS, len(rows), columns.shape[2], p.A.shape[2] + 1))
     for i, j in enumerate(rows):
-        with_rest = np.concatenate([p.A[:, j], p.rest[:, j, None]], axis=1) / p.sigma[j]
+        with_rest = np.concatenate([p.A[:, j], p.rest[:, j, None]], axis=1) * (
+            p.weight[:, j, None] / p.sigma[j]
+        )
         for k, part in enumerate(p.parts):
             sums[k, i] = columns[part, i].T @ with_rest[part]
     return sums[..., :-1], sums[..., -1]
@@ -158,14 +160,15 @@ def _own(p: Problem, rows: Rows, columns: Singles, wide: NDArray[np.intp]) -> Fl
     [BLOCKS, rows, M, c, c]."""
     c = wide.shape[1]
     sums = np.empty((BLOCKS, len(rows), len(wide), c, c))
-    counted = p.counted[:, None]
     for i, j in enumerate(rows):
+        squared = p.weight[:, j, None] ** 2
+        is_plain = bool(np.all(squared == 1))
         several = [columns[:, i, wide[:, a]].astype(np.float64) for a in range(c)]
         for a in range(c):
             for b in range(a + 1):
                 product = several[a] * several[b]
-                if not np.all(counted):
-                    product = product * counted
+                if not is_plain:
+                    product = product * squared
                 by_part = np.add.reduceat(product, [part.start for part in p.parts], axis=0)
                 sums[:, i, :, a, b] = sums[:, i, :, b, a] = by_part / p.sigma[j] ** 2
     return sums

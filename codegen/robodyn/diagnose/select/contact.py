@@ -14,7 +14,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.result import Estimate, Finding
-from robodyn.diagnose.select.limits import CONTACT_CONFIDENCE, CONTACT_LOUD
+from robodyn.diagnose.select.limits import (
+    CONTACT_CONFIDENCE,
+    CONTACT_LOUD,
+    CONTACT_NARROW,
+    CONTACT_WIDE,
+)
 from robodyn.effects.rigid import CONTACT
 from robodyn.gate.gate import Gate
 from robodyn.identify.contact.contact import Contact, contacts, without, without_windows
@@ -81,6 +86,16 @@ def contact_findings(touched: Sequence[Touched]) -> tuple[Finding, ...]:
     return tuple(_finding(one.contact, one.log) for one in touched)
 
 
+def _direction(one: Contact) -> str:
+    """What is known of the direction of a contact's force: where few joints feel it, or friction keeps much
+    of it from the motors, many directions make the same torques."""
+    if one.cone <= CONTACT_NARROW:
+        return f"direction known to {max(one.cone, 1.0):.0f} degrees"
+    if one.cone < CONTACT_WIDE:
+        return f"direction known to {one.cone:.0f} degrees only: joints do not show all of the force"
+    return "direction not identifiable, nor its sign: joints do not show enough of the force"
+
+
 def _finding(one: Contact, log: str) -> Finding:
     units = {parameter.name: parameter.unit for parameter in CONTACT.parameters}
     values: dict[str, tuple[float | str, float | None]] = {
@@ -95,6 +110,7 @@ def _finding(one: Contact, log: str) -> Finding:
     }
     parameters = {name: Estimate(x, error, units[name]) for name, (x, error) in values.items()}
     state = "at rest" if one.at_rest else "in motion"
-    where = f"link {one.link}, {state}, {one.start:.2f} to {one.end:.2f} s: {CONTACT.signature}"
+    where = f"link {one.link}, {state}, {one.start:.2f} to {one.end:.2f} s, {_direction(one)}"
+    where += f": {CONTACT.signature}"
     gain = 100.0 * one.explained
     return Finding(CONTACT.id, None, parameters, CONTACT_CONFIDENCE, (), where, None, gain, math.inf)

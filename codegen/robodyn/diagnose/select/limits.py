@@ -132,6 +132,12 @@ MOST_KINDS: Final = 8
 CONTACT_LOUD: Final = 2.0
 """[ratio of RMS] In its window a contact leaves more than this at some joint, beside the rest of the log."""
 
+CONTACT_NARROW: Final = 30.0
+"""[degrees] A contact's force has a known direction if the true one is as near to it with 95 %,"""
+
+CONTACT_WIDE: Final = 90.0
+"""[degrees] and none at all, nor a sign, if it may be as far from it."""
+
 CONTACT_CONFIDENCE: Final = 0.9
 """[probability] That of a contact that was found (docs/diagnose.md)."""
 
@@ -258,6 +264,32 @@ BETTER_FIT: Final = 0.5
 PROFILE_RESTARTS: Final = 2
 """[times] at most."""
 
+# --- walk --------------------
+
+WALK_STEP: Final = 1.3
+"""[-] A stiffness is varied by this factor,"""
+
+WALK_DOWN: Final = 12
+"""[steps] down at most,"""
+
+WALK_UP: Final = 5
+"""[steps] and up: a grid ends too stiff more often than too soft;"""
+
+WALK_LOST: Final = 4.0
+"""[-] no farther than to so many times the least misfit."""
+
+WALK_ROUNDS: Final = 3
+"""[rounds] of Gauss and Newton at each step,"""
+
+WALK_WORTH: Final = 1e-3
+"""[share of the misfit] as long as each gains so much,"""
+
+WALK_FARTHEST: Final = 0.7
+"""[logarithm] none farther than this,"""
+
+WALK_DAMPED: Final = 1e-6
+"""[-] with this on the diagonal of columns of size 1."""
+
 # --- search --------------------
 
 PASSES: Final = 10
@@ -312,3 +344,10 @@ degrees of freedom)."""
 
 DIVERGED: Final = 30.0
 """[-] So many times larger in the fit of all than alone, a coefficient has diverged."""
+
+REST_WEIGHT: Final = 0.3
+"""[-] What a row of a joint that rests counts, as a factor: stiction holds it with any torque within its
+level,"""
+
+LEAST_MOVING: Final = 0.1
+"""[share] if the joint moves for more than this: else there is nothing better to go by."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,18 +10,24 @@ from numpy.typing import NDArray
 from robodyn.identify.contact.limits import (
     BURST_ENERGY,
     BURST_HIGH,
+    END_STEP,
+    FADED,
+    FALLEN,
     LEAST_SPREAD,
     LEVEL_TIME,
     LONGEST,
+    LONGEST_RISE,
     MEDIAN_TIME,
     MOST_EDGES,
     QUIET_ANGLE,
+    QUIET_NEAR,
     QUIET_PIECE,
     QUIET_REACH,
     QUIET_SHARE,
     QUIET_WAY,
     RINGING_SHARE,
     RINGING_TIME,
+    RISE_SHARE,
     SHORTEST,
     SLOW_SHARE,
     STEP_APART,
@@ -31,6 +37,7 @@ from robodyn.identify.contact.limits import (
     SUSTAINED,
     SUSTAINED_SHARE,
     WANDER,
+    WIDENINGS,
 )
 from robodyn.identify.contact.rough import Rough
 from robodyn.robot.model import Robot
@@ -80,13 +87,21 @@ def _quiet(robot: Robot, rough: Rough) -> Mask:
     from scipy.ndimage import maximum_filter1d, minimum_filter1d
 
     far = np.array([QUIET_ANGLE if k.joint.kind == "revolute" else QUIET_WAY for k in robot.links])
-    wide = 2 * max(1, round(QUIET_REACH / rough.step)) + 1
+    wide, narrow = (max(1, round(time / rough.step)) for time in (QUIET_REACH, QUIET_NEAR))
     result = np.zeros(len(rough.t), dtype=bool)
     for k in np.unique(rough.part):
         rows = rough.part == k
         q = rough.q[rows]
-        reach = maximum_filter1d(q, wide, axis=0) - minimum_filter1d(q, wide, axis=0)
-        result[rows] = (reach < far).all(axis=1)
+
+        def still(before: int, after: int, share: float, q: Floats = q) -> Mask:
+            size, origin = before + after + 1, (before - after) // 2
+            top, low = (f(q, size, axis=0, origin=origin) for f in (maximum_filter1d, minimum_filter1d))
+            return np.asarray((top - low < share * far).all(axis=1))
+
+        # Beside a motion: near it nothing moves, and on one side not for longer.
+        beside = still(narrow, narrow, QUIET_NEAR / QUIET_REACH)
+        beside &= still(2 * wide, 0, 1.0) | still(0, 2 * wide, 1.0)
+        result[rows] = still(wide, wide, 1.0) | beside
     return result
 
 
@@ -120,11 +135,13 @@ def _noise(x: Floats, step: float) -> float:
 @dataclass(frozen=True, slots=True, eq=False)
 class Burst:
     """A stretch in which the residual stands out: its ``rows``, and in them the residual ``z`` [K, n]
-    beside the level before and after it; ``shift`` [n]: by how much that after it is another."""
+    beside the level before and after it; ``shift`` [n]: by how much that after it is another; ``ended``: it
+    falls before its last row."""
 
     rows: NDArray[np.intp]
     z: Floats
     shift: Floats
+    ended: bool = False
 
 
 def bursts(rough: Rough, s: Seen) -> list[list[Burst]]:
@@ -146,12 +163,56 @@ def bursts(rough: Rough, s: Seen) -> list[list[Burst]]:
             if not any(abs(m - o) < far and size[m] < RINGING_SHARE * size[o] for o in own)
         ]  # fmt: skip
     edges = sorted(edges, reverse=True)[:MOST_EDGES]
+    sizes = {place: size for size, place in edges}
     result = []
     for _, one in edges:
         ends = [(min(one, other), max(one, other)) for _, other in edges if other != one]
         whole = [_burst(rough, s, a, b) for a, b in ends if rough.part[a] == rough.part[b]]
-        result.append([burst for burst in whole if burst is not None])
+        result.append([replace(burst, ended=_ended(burst, sizes)) for burst in whole if burst is not None])
     return result
+
+
+def _ended(burst: Burst, sizes: dict[int, float]) -> bool:
+    """Whether a ``burst`` ends before its last row: at a step, of those with ``sizes``, by which it falls.
+    What lasts longer is what stiction holds after it, or there are two."""
+    first, last = int(burst.rows[0]), int(burst.rows[-1])
+    inside = sorted(place for place in sizes if first < place < last)
+    size = np.sqrt((burst.z**2).sum(axis=1))
+    least = END_STEP * min(sizes[first], sizes[last])
+    bounds = [first, *inside, last]
+    for before, at, after in zip(bounds, bounds[1:], bounds[2:], strict=False):
+        high, low = (float(np.median(size[a - first : b - first])) for a, b in ((before, at), (at, after)))
+        if sizes[at] > least and low < FALLEN * high:
+            return True
+    return False
+
+
+def widened(rough: Rough, s: Seen, burst: Burst) -> Burst:
+    """The ``burst`` from where it rises to where it has faded."""
+    inside = np.flatnonzero(rough.part == rough.part[burst.rows[0]])
+    z = s.z[inside]
+    a, b = (int(burst.rows[k]) - int(inside[0]) for k in (0, -1))
+    most = max(1, min(round(LONGEST_RISE / rough.step), round(RISE_SHARE * (b - a))))
+    low, high = max(a - most, 0), min(b + most, len(z) - 1)
+
+    def size(z: Floats) -> Floats:
+        return np.asarray(np.sqrt((z**2).sum(axis=1)))
+
+    for _ in range(WIDENINGS):
+        levels = _levels(z, a, b, rough.step)
+        before, after = size(z[low:a] - levels[0]), size(z[b + 1 : high + 1] - levels[-1])
+        least = FADED * float(np.median(size(z[a : b + 1] - levels)))
+        start, end = a - _run(before[::-1] > least), b + _run(after > least)
+        if (start, end) == (a, b):
+            break
+        a, b = start, end
+    levels = _levels(z, a, b, rough.step)
+    return Burst(np.arange(a, b + 1) + int(inside[0]), z[a : b + 1] - levels, levels[-1] - levels[0])
+
+
+def _run(mask: Mask) -> int:
+    """How many are true before the first that is not."""
+    return int(len(mask) if mask.all() else mask.argmin())
 
 
 def _burst(rough: Rough, s: Seen, first: int, last: int) -> Burst | None:

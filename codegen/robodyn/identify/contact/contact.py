@@ -16,8 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.gate.gate import Gate
-from robodyn.identify.contact.bursts import Burst, Seen, bursts, seen
-from robodyn.identify.contact.force import Push, push_in
+from robodyn.identify.contact.bursts import Burst, Seen, bursts, seen, widened
+from robodyn.identify.contact.force import Push, Window, push_in
 from robodyn.identify.contact.limits import (
     ABOVE_OTHERS,
     ALONE_SHARE,
@@ -25,6 +25,7 @@ from robodyn.identify.contact.limits import (
     END_TIME,
     EXCESS_SHARE,
     EXPLAINED,
+    HELD,
     LEAST_EVIDENCE,
     LEAST_OF_LARGEST,
     LEAST_PUSH,
@@ -34,6 +35,8 @@ from robodyn.identify.contact.limits import (
     REST_EDGE,
     SHORT_REST,
     SHORT_TIME,
+    SLACK,
+    WHOLE,
 )
 from robodyn.identify.contact.rough import Rough, fitted_rest, rough_signals
 from robodyn.identify.rigid import Model
@@ -47,13 +50,15 @@ Mask = NDArray[np.bool_]
 class Contact:
     """Somebody touched the arm from ``start`` to ``end`` [s] on ``link`` (from 1): ``force`` [3], the
     mean over the window, acts on the arm, along the base's axes (N), ``stderr`` [3] its standard
-    errors; ``explained``: share of the window's squares that it explains; ``at_rest``: the arm stood."""
+    errors; within ``cone`` [degrees] of its direction the true one is in 95 %; ``explained``: share of the
+    window's squares that it explains; ``at_rest``: the arm stood."""
 
     start: float
     end: float
     link: int
     force: Floats
     stderr: Floats
+    cone: float
     explained: float
     at_rest: bool
 
@@ -78,7 +83,7 @@ def contacts(robot: Robot, gate: Gate) -> tuple[Contact, ...]:
     return tuple(
         Contact(
             float(rough.t[rows[0]]), float(rough.t[rows[-1]]), push.link, push.force, push.stderr,
-            push.explained, bool(view is not None and view.quiet[rows].mean() > 0.5),
+            push.cone, push.explained, bool(view is not None and view.quiet[rows].mean() > 0.5),
         )
         for rows, push in pushed
     )  # fmt: skip
@@ -89,29 +94,37 @@ def _pushed(
 ) -> list[tuple[NDArray[np.intp], Push]]:
     """The bursts that are contacts; all that may be, until the ``last`` round."""
     usual = rough.size + stiction
-    accepted: list[tuple[float, NDArray[np.intp], Push]] = []
+    accepted: list[tuple[float, Burst]] = []
     taken = np.zeros(len(rough.t), dtype=bool)
     for candidates in bursts(rough, view):
-        best: tuple[float, float, NDArray[np.intp], Push] | None = None
+        best: tuple[float, Burst, Push] | None = None
         for burst in candidates:
             rows = burst.rows
             if taken[rows].any() or _starts(rough, view, rows) or _limited(rough, burst):
                 continue
-            wide = view.spread[rows]
-            torque = burst.z * wide
-            push = push_in(model, rough.q[rows], torque, wide, burst.shift * wide[-1])
+            push = _push(model, rough, view, burst, stiction)
+            if burst.ended and (push.explained < WHOLE or view.quiet[rows].any()):
+                continue
             if push.explained < EXPLAINED or not _sure(rough, view, burst, push):
                 continue
             energy = push.explained * float((burst.z**2).sum())
             if best is None or energy > best[0]:
-                best = energy, float((np.sqrt((torque**2).mean(axis=0)) / usual).max()), rows, push
-        if best is not None:
-            accepted.append(best[1:])
-            taken[best[2]] = True
-    least = max(LEAST_PUSH, LEAST_OF_LARGEST * max((size for size, _, _ in accepted), default=0.0))
-    pushed = sorted(
-        ((rows, push) for size, rows, push in accepted if size > least), key=lambda one: int(one[0][0])
-    )
+                best = energy, burst, push
+        if best is None:
+            continue
+        wide = widened(rough, view, best[1])
+        if taken[wide.rows].any():
+            wide = best[1]
+        torque = best[1].z * view.spread[best[1].rows]
+        size = float((np.sqrt((torque**2).mean(axis=0)) / usual).max())
+        accepted.append((size, wide))
+        taken[wide.rows] = True
+    least = max(LEAST_PUSH, LEAST_OF_LARGEST * max((size for size, _ in accepted), default=0.0))
+    kept = sorted((wide for size, wide in accepted if size > least), key=lambda one: int(one.rows[0]))
+    # What stays after a push stiction holds: it may hold as much during the others.
+    shifts = [np.abs(one.shift * view.spread[one.rows[-1]]) for one in kept if view.quiet[one.rows].all()]
+    level = np.max([stiction, *shifts], axis=0)
+    pushed = [(one.rows, _push(model, rough, view, one, level)) for one in kept]
     if not last:
         return pushed
     # In motion: if much else stands out, the model lacks something, and this may be that.
@@ -129,6 +142,14 @@ def _pushed(
     ]
     length = sum(len(rows) for rows, _ in pushed)
     return pushed if length <= LONGEST_SHARE * len(rough.t) or view.quiet.all() else []
+
+
+def _push(model: Model, rough: Rough, view: Seen, burst: Burst, stiction: Floats) -> Push:
+    """The force behind a ``burst``; at rest a joint may keep as much as ``stiction`` [n] of it."""
+    rows, wide = burst.rows, view.spread[burst.rows]
+    torque = burst.z * wide
+    held = HELD * stiction * view.quiet[rows].mean()
+    return push_in(model, Window(rough.q[rows], torque, wide, burst.shift * wide[-1], held, rough.step))
 
 
 def _size(view: Seen, rows: NDArray[np.intp]) -> float:
@@ -168,6 +189,8 @@ def _starts(rough: Rough, view: Seen, rows: NDArray[np.intp]) -> bool:
         if view.quiet[rows].any():
             return True
         return bool(rough.t[first] < rough.t[0] + END_TIME or rough.t[last] > rough.t[-1] - END_TIME)
+    if _slack(rough, rows):
+        return True
     same = view.quiet & (rough.part == rough.part[first])
     begin, end = first, last
     while begin > 0 and same[begin - 1]:
@@ -181,6 +204,18 @@ def _starts(rough: Rough, view: Seen, rows: NDArray[np.intp]) -> bool:
     near_begin = not at_begin and rough.t[first] < rough.t[begin] + REST_EDGE
     near_end = not at_end and rough.t[last] > rough.t[end] - REST_EDGE
     return bool(near_begin or near_end)
+
+
+def _slack(rough: Rough, rows: NDArray[np.intp]) -> bool:
+    """Whether the joints carry next to nothing in a burst: brakes hold them."""
+    wide = round(REST_EDGE / rough.step)
+    beside = np.r_[max(rows[0] - 2 * wide, 0) : max(rows[0] - wide, 0), rows[-1] + wide : rows[-1] + 2 * wide]
+    beside = beside[beside < len(rough.tau)]
+    if not len(beside):
+        return False
+    inside, usual = (np.median(np.abs(rough.tau[k]), axis=0) for k in (rows, beside))
+    loaded = usual > SLACK * usual.max()
+    return bool(loaded.sum() > 1 and (inside[loaded] < SLACK * usual[loaded]).all())
 
 
 def _limited(rough: Rough, burst: Burst) -> bool:

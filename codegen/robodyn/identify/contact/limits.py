@@ -45,6 +45,10 @@ QUIET_ANGLE: Final = 0.06
 QUIET_WAY: Final = 0.02
 """[m] and no prismatic one."""
 
+QUIET_NEAR: Final = 0.25
+"""[s] Beside a motion it is where this is so on one side for twice that time, and within so much of both at
+the same rate."""
+
 QUIET_SHARE: Final = 0.4
 """[share of the samples] So much of a quiet span at least is without contact: its level is that of the
 rest."""
@@ -94,6 +98,24 @@ SUSTAINED: Final = 0.3
 SUSTAINED_SHARE: Final = 0.85
 """[share of its samples] for so much of it."""
 
+END_STEP: Final = 0.4
+"""[share of its smaller outer step] At a step inside it that is larger a burst may have ended:"""
+
+FALLEN: Final = 0.7
+"""[share of it] if it is less after it."""
+
+LONGEST_RISE: Final = 0.7
+"""[s] A burst is widened by as much on either side, to where it rises and fades,"""
+
+RISE_SHARE: Final = 0.5
+"""[share of it] and by no more than this,"""
+
+FADED: Final = 0.2
+"""[share of its median] that is, while more is left of it,"""
+
+WIDENINGS: Final = 4
+"""[times] the level beside it being taken anew."""
+
 LEVEL_TIME: Final = 0.35
 """[s] Its level is that of as long before and after it."""
 
@@ -103,7 +125,7 @@ SHORTEST: Final = 0.06
 LONGEST: Final = 3.0
 """[s] nor are longer ones,"""
 
-LONGEST_SHARE: Final = 0.3
+LONGEST_SHARE: Final = 0.5
 """[share of the log] or those that cover more of it."""
 
 EXCESS_SHARE: Final = 0.5
@@ -123,11 +145,15 @@ much."""
 MOST_LOAD: Final = 0.75
 """[share of its largest torque elsewhere] and its torque is smaller."""
 
-REST_EDGE: Final = 0.5
+REST_EDGE: Final = 0.2
 """[s] As near to a motion a torque at rest is that of setting out or of coming to rest;"""
 
 SHORT_REST: Final = 3.0
 """[s] a shorter rest at an end of a log with motion is that of brakes and drives being switched."""
+
+SLACK: Final = 0.2
+"""[share] Where all joints that carry more than so much of the largest torque carry less than so much of what
+they do beside it, brakes hold them."""
 
 SLOW_SHARE: Final = 0.05
 """[share of RMS speed] A joint that is slower may stick."""
@@ -153,7 +179,34 @@ FORCE_MOST: Final = 3.0
 """[-] A force is at most so many times what would make the torques with its best lever."""
 
 PIECES: Final = 8
-"""[pieces] of a window in which the pose is taken as constant."""
+"""[pieces] at most of a window in which the pose is taken as constant,"""
+
+TURNED: Final = 0.1
+"""[rad] while no joint turns farther."""
+
+PLACES: Final = (0.25, 0.5, 0.75, 1.0)
+"""[shares of the way to the next joint] where a link may be touched."""
+
+LEAST_APART: Final = 0.02
+"""[m] Places on a link that are nearer to each other are one."""
+
+MOST_COURSE: Final = 2.0
+"""[-] In motion a force is never so many times its mean."""
+
+WHOLE: Final = 0.9
+"""[share of squares] A burst in motion is one push if a force explains as much, though its size falls."""
+
+CORRELATED: Final = 0.2
+"""[s] What is left of an arm in motion is another after as long."""
+
+LEAST_WEIGHT: Final = 1e-3
+"""[share] A place that is less likely is left out of the directions that are."""
+
+CONE_DRAWS: Final = 200
+"""[draws] of a force from what is likely at a place,"""
+
+CONE_SHARE: Final = 0.95
+"""[share] of which a cone about the force holds as many."""
 
 OWN_ERROR: Final = 0.07
 """[share of a joint's torque] in a window that no force need explain: friction changes with the load,"""
@@ -163,6 +216,10 @@ ALL_ERROR: Final = 0.02
 
 SHIFT_ERROR: Final = 0.5
 """[share of the change of level] What stiction holds after a push it may have held during it."""
+
+HELD: Final = 0.5
+"""[share of dry friction] A resting joint keeps so much of a push from its motor, or gives it (standard
+deviation)."""
 
 LEAST_PUSH: Final = 0.03
 """[share of RMS torque and dry friction] A push that makes less at all joints is not reported,"""

@@ -35,7 +35,8 @@ class Rough:
     sample, ``q``, ``qd``, ``tau`` [N, n]; columns ``A`` [N, n, p] of what is fitted with precisions ``prior``
     [p], and what the description leaves, ``rest`` [N, n]; ``resting``, ``saturated`` [N, n];
     ``floor`` [n]: noise of the torques after the filter; ``size`` [n]: RMS torques; ``step`` [s];
-    ``ways`` [n]: the column of each joint's direction, -1 where it has none."""
+    ``ways`` [n]: the column of each joint's direction, -1 where it has none; ``stands``: the arm stands
+    throughout, but for what a hand moves it."""
 
     t: Floats
     part: NDArray[np.intp]
@@ -51,6 +52,7 @@ class Rough:
     size: Floats
     step: float
     ways: NDArray[np.intp]
+    stands: bool
 
 
 def rough_signals(model: Model, gate: Gate) -> Rough | None:
@@ -84,7 +86,7 @@ def rough_signals(model: Model, gate: Gate) -> Rough | None:
     return Rough(
         np.concatenate(times), np.concatenate(owners), np.concatenate(places), np.concatenate(rates),
         np.concatenate(loads), A, prior, np.concatenate(rests), np.concatenate(still), np.concatenate(cut),
-        _noise(gate) * passed, size, step, ways,
+        _noise(gate) * passed, size, step, ways, gate.stands,
     )  # fmt: skip
 
 
@@ -144,6 +146,8 @@ def fitted_rest(rough: Rough, without: Mask | None = None) -> tuple[Floats, Floa
     [n] of dry friction; samples of the mask ``without`` [N] do not count."""
     A, b = rough.A, rough.rest
     n = b.shape[1]
+    if rough.stands:  # what a push moves it by would pass for a spring
+        return b, np.maximum(rough.floor, 1e-4 * rough.size), np.zeros(n)
     base = np.where(rough.resting, REST_WEIGHT, 1.0) * ~rough.saturated
     if without is not None:
         base = base * ~without[:, None]

@@ -1,0 +1,179 @@
+"""``robodyn import``: a description out of URDF, MJCF, SDF or xacro."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from robodyn.errors import InputError
+from robodyn_cli.common import echo_json, json_option, output_folder, printable, talk, write_files
+from robodyn_cli.simulate_options import Parameter
+
+if TYPE_CHECKING:
+    from robodyn.formats.arm import Imported
+
+
+class Argument(click.ParamType[Any]):
+    """``name=text``."""
+
+    name = "text"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        name, equals, text = value.partition("=")
+        if not equals:
+            self.fail(f"{value!r} is not NAME=VALUE", param, ctx)
+        return name.strip(), text
+
+
+@click.command()
+@click.argument("file", metavar="FILE")
+@click.option("--base", default="", metavar="LINK", help="Link that is fixed; default: the root.")
+@click.option("--tip", default="", metavar="LINK", help="Link at the end; default: the only one there is.")
+@click.option(
+    "--lock",
+    type=Parameter(),
+    multiple=True,
+    metavar="JOINT=VALUE",
+    help="Fix a joint at a position (rad or m); may be repeated.",
+)
+@click.option(
+    "--arg",
+    type=Argument(),
+    multiple=True,
+    metavar="NAME=VALUE",
+    help="Set an argument of a xacro file; may be repeated.",
+)
+@click.option(
+    "--snap",
+    type=click.FloatRange(0, 0.01),
+    default=0.0,
+    metavar="RAD",
+    help="Make angles of axes within RAD of a multiple of pi/2 exactly that, at most 0.01.",
+)
+@click.option("--name", default="", metavar="NAME", help="Name of the robot; default: the one in the file.")
+@click.option("--strict", is_flag=True, help="Refuse inertias that no body has.")
+@click.option("-o", "--output", metavar="ARM.yaml", help="Output file; default: stdout.")
+@click.option("--force", is_flag=True, help="Overwrite an existing file.")
+@json_option
+def command(
+    file: str,
+    base: str,
+    tip: str,
+    lock: Sequence[tuple[str, float]],
+    arg: Sequence[tuple[str, str]],
+    snap: float,
+    name: str,
+    strict: bool,
+    output: str | None,
+    force: bool,
+    as_json: bool,
+) -> None:
+    """Import a serial arm from URDF, MJCF, SDF or xacro as a description.
+
+    Fixed joints are merged. Links beside the chain are locked, at 0 or as --lock says, and lumped into the
+    links that carry them. Torques and poses are those of the file, in its joint coordinates. What the file
+    says and the description does not hold is listed at the head of the YAML and on stderr.
+    """
+    from robodyn.formats.arm import description_text, import_arm
+
+    path = None if output in (None, "-") else output_folder(str(output))
+    if path is not None and os.path.lexists(path) and not force:
+        raise InputError(
+            f"{printable(path)} already exists",
+            remedy="choose another path with -o, or overwrite it with --force",
+        )
+    if path is not None and path.exists() and Path(file).exists() and path.samefile(file):
+        raise InputError(
+            f"{printable(path)} is the input and would be overwritten", remedy="choose another -o"
+        )
+    options: dict[str, Any] = {
+        "base": base,
+        "tip": tip,
+        "locks": _unique(lock, "--lock"),
+        "name": name,
+        "arguments": _unique(arg, "--arg"),
+        "strict": strict,
+    }
+    imported = import_arm(file, snap=snap, **options)
+    text = description_text(imported)
+    if path is not None:
+        write_files(path.parent, {path.name: text})
+    _tell(imported)
+    if imported.near:
+        _tell_angles(imported, import_arm(file, snap=_widest(imported), **options))
+    if as_json:
+        echo_json(_data(imported, str(path) if path else None, text))
+    elif path is None:
+        click.echo(text, nl=False)
+    if path is not None:
+        talk(f"robodyn: wrote {printable(path)}: {imported.robot.n} joints")
+
+
+def _unique(pairs: Sequence[tuple[str, Any]], option: str) -> dict[str, Any]:
+    """The values by name.
+
+    Raises
+    ------
+    InputError: a name stands there twice.
+    """
+    names = [name for name, _ in pairs]
+    twice = [name for name in names if names.count(name) > 1]
+    if twice:
+        raise InputError(
+            f"{option} has two values of one name", found=twice[0], remedy="leave one of the two out"
+        )
+    return dict(pairs)
+
+
+def _tell(imported: Imported) -> None:
+    for where, words in imported.implausible:
+        talk(f"robodyn: warning: {where}: {words}")
+    for remark in imported.remarks:
+        talk(f"robodyn: note: {remark}")
+    for part in imported.unused:
+        talk(f"robodyn: not used: {part.text(imported.file)}")
+
+
+def _widest(imported: Imported) -> float:
+    """The power of ten [rad] that snaps all angles that were reported."""
+    import math
+
+    return float(10.0 ** math.ceil(math.log10(max(abs(angle.error) for angle in imported.near))))
+
+
+def _tell_angles(imported: Imported, snapped: Imported) -> None:
+    """Say which angles are nearly multiples of pi/2, and what snapping them saves."""
+    from robodyn.kernels.operations import count
+
+    error = max(abs(angle.error) for angle in imported.near)
+    before, after = count(imported.robot).total, count(snapped.robot).total
+    talk(
+        f"robodyn: note: {len(imported.near)} angles are multiples of pi/2 but for {error:.1e} rad, such as "
+        f"{imported.near[0].where}; with --snap {_widest(imported):g} the inverse dynamics takes {after} "
+        f"operations, not {before}"
+    )
+
+
+def _data(imported: Imported, path: str | None, text: str) -> dict[str, Any]:
+    robot = imported.robot
+    return {
+        "name": robot.name,
+        "file": imported.file,
+        "format": imported.format,
+        "joints": [link.name for link in robot.links],
+        "path": path,
+        "remarks": list(imported.remarks),
+        "unused": [
+            {"what": part.what, "file": part.file, "lines": list(part.lines)} for part in imported.unused
+        ],
+        "implausible": [{"where": str(where), "what": words} for where, words in imported.implausible],
+        "near_right_angles": [
+            {"where": angle.where, "value": angle.radians, "quarter_turns": angle.quarter}
+            for angle in imported.near
+        ],
+        "text": text,
+    }

@@ -1,0 +1,55 @@
+"""Robots by path or name, whatever the format: descriptions, bundled ones, URDF, MJCF, SDF and xacro."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from robodyn.formats.reading import is_foreign
+from robodyn.robot import bundled
+from robodyn.robot.model import Robot
+from robodyn.robot.reader import Warn, doubtful
+
+
+def load(spec: str | os.PathLike[str], *, strict: bool = False, warn: Warn | None = None) -> Robot:
+    """The robot in the file ``spec``, or the bundled robot of that name.
+
+    A file whose name ends in .urdf, .xml, .mjcf, .sdf or .xacro is imported (:mod:`robodyn.formats.arm`): it
+    must have one tip. Physically doubtful numbers, and what was decided in importing, are told to ``warn``,
+    one line of text each (by default they become a warning); ``strict`` refuses doubtful numbers.
+
+    Raises
+    ------
+    InputError: no such file or name, or one that cannot be read.
+    ToolError: the package that reads the format is not installed.
+    """
+    if not (is_foreign(spec) and Path(spec).exists()):
+        return bundled.load(spec, strict=strict, warn=warn)
+    from robodyn.formats.arm import import_arm
+
+    imported = import_arm(spec, strict=strict)
+    tell = warn or doubtful
+    for remark in imported.remarks:
+        tell(f"{imported.file}: {remark}")
+    for where, words in imported.implausible:
+        tell(f"{where}: {words}")
+    return imported.robot
+
+
+def robot_of(robot: Robot | str | os.PathLike[str]) -> Robot:
+    """``robot`` itself, or what :func:`load` reads at that path or under that name."""
+    return robot if isinstance(robot, Robot) else load(robot)
+
+
+def text_of(spec: str | os.PathLike[str]) -> str:
+    """The text of the description that :func:`load` reads for ``spec``.
+
+    Raises
+    ------
+    InputError: there is no such file or robot.
+    """
+    if not (is_foreign(spec) and Path(spec).exists()):
+        return bundled.text_of(spec)
+    from robodyn.formats.arm import description_text, import_arm
+
+    return description_text(import_arm(spec))

@@ -1,0 +1,67 @@
+"""A file in another format to a tree: which format it is, and what is read by which reader."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Final
+
+from robodyn.errors import InputError
+from robodyn.files import label
+from robodyn.formats import elements
+from robodyn.formats.elements import Document, tag_shown
+from robodyn.formats.tree import Tree
+
+#: Endings of files that are read here.
+SUFFIXES: Final = (".urdf", ".xacro", ".xml", ".mjcf", ".sdf")
+_EXPECTED: Final = "URDF, MJCF, SDF or xacro"
+
+
+def is_foreign(path: str | os.PathLike[str]) -> bool:
+    """Whether ``path`` ends as the files that are read here do."""
+    return os.fspath(path).lower().endswith(SUFFIXES)
+
+
+def read_tree(path: str | os.PathLike[str], arguments: Mapping[str, str] | None = None) -> Tree:
+    """The tree in the file at ``path``; ``arguments`` are those of a xacro file.
+
+    What is in a file is told from its root element, but for xacro, whose name ends in ``.xacro``.
+
+    Raises
+    ------
+    InputError: it cannot be read, is too large, not XML, or not what its format allows; with the place.
+    ToolError: the package that reads the format is not installed.
+    """
+    file = Path(path)
+    name = label(path)
+    if name.lower().endswith(".xacro"):
+        from robodyn.formats.xacro import expanded
+
+        document = expanded(file, arguments)
+    else:
+        if arguments:
+            raise InputError("arguments are for xacro files", found=name, remedy="leave --arg out")
+        document = elements.read(os.fspath(path), _EXPECTED, name)
+    return replace(_by_root(document, file), file=name)
+
+
+def _by_root(document: Document, path: Path) -> Tree:
+    tag = document.root.tag
+    if tag == "robot":
+        from robodyn.formats.urdf import read_tree
+    elif tag == "sdf":
+        from robodyn.formats.sdf import read_tree
+    elif tag == "mujoco":
+        from robodyn.formats import mjcf
+
+        return mjcf.read_tree(document, path)
+    else:
+        raise InputError(
+            "the format is unknown",
+            where=document.place(document.root),
+            found=tag_shown(document.root),
+            expected="<robot> (URDF), <mujoco> (MJCF) or <sdf>",
+        )
+    return read_tree(document)

@@ -1,0 +1,297 @@
+"""SDF to a tree, as http://sdformat.org/spec says, versions 1.4 to 1.12; meshes are not opened."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from robodyn.formats.chain import Body, Pose, Vector, transposed, turned
+from robodyn.formats.elements import Document, Element, tag_shown
+from robodyn.formats.limits import GREATEST
+from robodyn.formats.quantities import Quantities, body_of, negative, used, what_of
+from robodyn.formats.rigid import composed, tidy
+from robodyn.formats.sdf_frames import MODEL, WORLD, Frames
+from robodyn.formats.tree import (
+    JointLimits,
+    Kind,
+    Leftovers,
+    Mimic,
+    Tree,
+    TreeJoint,
+    TreeLink,
+    checked,
+    names,
+)
+from robodyn.robot.names import shown
+
+_KINDS: Final[dict[str, Kind]] = {
+    "revolute": "revolute",
+    "continuous": "continuous",
+    "prismatic": "prismatic",
+    "fixed": "fixed",
+    "ball": "ball",
+    "universal": "universal",
+    "revolute2": "universal",
+    "screw": "screw",
+    "gearbox": "other",
+}
+_POSE: Final = used("relative_to degrees rotation_format")
+_USED: Final = {
+    "model": used("name", "link joint frame pose static"),
+    "link": used("name", "inertial pose"),
+    "inertial": used("", "pose mass inertia"),
+    "inertia": used("", "ixx iyy izz ixy ixz iyz"),
+    "joint": used("name type", "pose parent child axis"),
+    "axis": used("", "xyz limit dynamics mimic use_parent_model_frame"),
+    "xyz": used("expressed_in"),
+    "limit": used("", "lower upper effort velocity"),
+    "dynamics": used("", "damping friction spring_stiffness spring_reference"),
+    "mimic": used("joint", "multiplier offset reference"),
+    "frame": used("name attached_to", "pose"),
+    "pose": _POSE,
+}
+_WORDS: Final = {
+    "visual": "visual geometry",
+    "collision": "collision geometry",
+    "sensor": "sensors",
+    "plugin": "plugins",
+    "material": "materials",
+    "self_collide": "settings of the simulation",
+    "gravity": "whether a link has weight",
+    "physics": "settings of the simulation",
+    "light": "lights",
+}
+
+
+def read_tree(document: Document) -> Tree:
+    """The tree of a document whose root is ``<sdf>`` and that has one model. The world is its root.
+
+    Raises
+    ------
+    InputError: something is missing, is no number, stands there twice, or names what is not there; there are
+        several models, or one in another.
+    """
+    leftovers = Leftovers(document.file)
+    reader = _Reader(document, leftovers)
+    root = document.root
+    worlds = list(root.all("world"))
+    gravity: Vector = (0.0, 0.0, -9.81)
+    if worlds:
+        stated = reader.one(worlds[0], "gravity", "the world")
+        gravity = (0.0, 0.0, -9.8) if stated is None else reader.three(stated, "the gravity")
+    models = [model for part in (root, *worlds) for model in part.all("model")]
+    if len(models) != 1:
+        several = names((model.attributes.get("name", "?") for model in models), 10)
+        raise reader.fail(
+            models[1] if models else root,
+            "the file has several models" if models else "the file has no model",
+            found=several or None,
+            expected="one <model>",
+        )
+    for part in (root, *worlds):
+        for child in part.children:
+            if child.tag not in ("world", "model", "gravity"):
+                leftovers.add(what_of(child, part, _WORDS), child.line)
+    return checked(reader.model(models[0], gravity))
+
+
+class _Reader(Quantities):
+    def one(self, element: Element, tag: str, of: str) -> Element | None:
+        child = super().one(element, tag, of)
+        if child is not None and child.tag in _USED:
+            self.note_unused(child, _USED, _WORDS)
+        return child
+
+    def model(self, model: Element, gravity: Vector) -> Tree:
+        name = self.name(model, "the model")
+        self.note_unused(model, _USED, _WORDS)
+        for inner in model.children:
+            if inner.tag in ("model", "include"):
+                raise self.fail(
+                    inner, f"{tag_shown(inner)} in a model is not read", expected="<link> and <joint>"
+                )
+        frames = Frames(self, model)
+        old = self._version() < (1, 5)
+        links = [self.link(element, frames) for element in model.all("link")]
+        joints = [self.joint(element, frames, old) for element in model.all("joint")]
+        at = frames.stated(model, "the model")
+        static = (child := model.first("static")) is not None and child.text in ("1", "true")
+        hung = {joint.child for joint in joints}
+        for element in model.all("frame"):
+            self._attach(element, frames, links, joints)
+        for element in model.all("link"):
+            link = element.attributes["name"]
+            if link not in hung:
+                joints.append(
+                    TreeJoint(
+                        f"{link} ({'static' if static else 'free'})",
+                        "fixed" if static else "floating",
+                        WORLD,
+                        link,
+                        self.place(element),
+                        frames.pose(link, element),
+                    )
+                )
+        joints = [self._in_world(joint, at) for joint in joints]
+        world = TreeLink(WORLD, self.place(model))
+        unused = self.leftovers.unused()
+        return Tree(name, "SDF", self.document.file, (world, *links), tuple(joints), gravity, unused=unused)
+
+    def _attach(
+        self, element: Element, frames: Frames, links: list[TreeLink], joints: list[TreeJoint]
+    ) -> None:
+        """A frame on a link as a link without body that is fixed to it, so that it can be the tip."""
+        name = self.name(element, "a frame")
+        self.note_unused(element, _USED, _WORDS)
+        if frames.is_on_model(name):
+            return
+        link, where = frames.link(name, element), self.place(element)
+        pose = tidy(composed(frames.pose(link, element).inverse(), frames.pose(name, element)))
+        links.append(TreeLink(name, where))
+        joints.append(TreeJoint(f"{name} (frame)", "fixed", link, name, where, pose))
+
+    @staticmethod
+    def _in_world(joint: TreeJoint, at: Pose) -> TreeJoint:
+        """A joint to the world, which the model's own pose moves."""
+        from dataclasses import replace
+
+        return replace(joint, origin=composed(at, joint.origin)) if joint.parent == WORLD else joint
+
+    def _version(self) -> tuple[int, ...]:
+        text = self.document.root.attributes.get("version", "1.12")
+        parts = text.split(".")[:2]
+        if not all(part.isascii() and part.isdigit() and len(part) < 4 for part in parts):
+            raise self.fail(
+                self.document.root, "the version is not one", attribute="version", found=shown(text)
+            )
+        return tuple(map(int, parts))
+
+    def value(self, parent: Element | None, tag: str, of: str, default: float | None) -> float | None:
+        """The number in a child; ``default`` where there is none."""
+        child = None if parent is None else self.one(parent, tag, of)
+        if child is None:
+            return default
+        return self.numbers(child.text, 1, child, "", f"{of}: <{tag}>")[0]
+
+    def positive(self, parent: Element | None, tag: str, of: str, default: float = 0.0) -> float:
+        """As :meth:`value`, not below 0."""
+        value = self.value(parent, tag, of, default)
+        assert value is not None
+        if parent is not None and negative(value):
+            raise self.fail(parent, f"{of}: <{tag}> is negative", found=f"{value:g}")
+        return value
+
+    def three(self, element: Element, of: str) -> Vector:
+        x, y, z = self.numbers(element.text, 3, element, "", of)
+        return (x, y, z)
+
+    def link(self, element: Element, frames: Frames) -> TreeLink:
+        name = self.name(element, "a link")
+        of = f"link {shown(name)}"
+        self.note_unused(element, _USED, _WORDS)
+        frames.pose(name, element)
+        shape = element.first("visual") is not None or element.first("collision") is not None
+        inertial = self.one(element, "inertial", of)
+        body = None
+        if inertial is not None and inertial.attributes.get("auto", "").strip() not in ("1", "true"):
+            body = self.body(inertial, frames, of)
+        return TreeLink(name, self.place(element), body, shape)
+
+    def body(self, inertial: Element, frames: Frames, of: str) -> Body:
+        """The numbers that are left out are 1 on the diagonal and 0 beside it, as the format says."""
+        mass = self.positive(inertial, "mass", of, 1.0)
+        tensor = self.one(inertial, "inertia", of)
+        diagonal = [self.value(tensor, key, of, 1.0) or 0.0 for key in ("ixx", "iyy", "izz")]
+        beside = [self.value(tensor, key, of, 0.0) or 0.0 for key in ("ixy", "ixz", "iyz")]
+        xx, yy, zz, xy, xz, yz = *diagonal, *beside
+        return body_of(mass, frames.stated(inertial, of), (xx, yy, zz, xy, xz, yz))
+
+    def joint(self, element: Element, frames: Frames, old: bool) -> TreeJoint:
+        name = self.name(element, "a joint")
+        of = f"joint {shown(name)}"
+        self.note_unused(element, _USED, _WORDS)
+        word = self.required(element, "type", of)
+        kind = _KINDS.get(word)
+        if kind is None:
+            raise self.fail(
+                element,
+                f"{of}: the type is unknown",
+                attribute="type",
+                found=shown(word),
+                expected=", ".join(_KINDS),
+            )
+        ends = [self.end(element, role, frames, of) for role in ("parent", "child")]
+        here = frames.pose(name, element)
+        links = [link for _, link in ends]
+        before, behind = frames.pose(links[0], element), frames.pose(links[1], element)
+        axis = self.one(element, "axis", of)
+        return TreeJoint(
+            name,
+            kind,
+            links[0],
+            links[1],
+            self.place(element),
+            tidy(composed(before.inverse(), here)),
+            tidy(composed(here.inverse(), behind)),
+            self.direction(axis, here, frames, old, of) if axis is not None else (0.0, 0.0, 1.0),
+            limits=self.limits(axis, of),
+            damping=self.dynamics(axis, "damping", of),
+            friction=self.dynamics(axis, "friction", of),
+            mimic=self.mimic(axis, of),
+        )
+
+    def end(self, joint: Element, role: str, frames: Frames, of: str) -> tuple[str, str]:
+        """The frame that a joint names as its parent or child, and the link of it."""
+        child = self.one(joint, role, of)
+        if child is None or not child.text:
+            raise self.fail(child or joint, f"{of}: there is no <{role}>")
+        return child.text, frames.link(child.text, child)
+
+    def direction(self, axis: Element, here: Pose, frames: Frames, old: bool, of: str) -> Vector:
+        """The axis in the joint's frame, at ``here`` in the model's."""
+        xyz = self.one(axis, "xyz", of)
+        if xyz is None:
+            return (0.0, 0.0, 1.0)
+        vector = self.axis(xyz, self.three(xyz, f"{of}: <xyz>"), "", of)
+        flag = axis.first("use_parent_model_frame")
+        frame = xyz.attributes.get("expressed_in") or ""
+        if not frame and (old or (flag is not None and flag.text in ("1", "true"))):
+            frame = MODEL
+        if not frame:
+            return vector
+        rotation = frames.pose(frame, xyz).rotation
+        return tidy(Pose(turned(transposed(here.rotation), turned(rotation, vector)))).xyz
+
+    def limits(self, axis: Element | None, of: str) -> JointLimits:
+        limit = None if axis is None else self.one(axis, "limit", of)
+        if limit is None:
+            return JointLimits()
+        lower, upper, velocity, effort = (
+            self.end_of(limit, tag, of) for tag in ("lower", "upper", "velocity", "effort")
+        )
+        unlimited = [value if value is not None and value >= 0 else None for value in (velocity, effort)]
+        return JointLimits(lower, upper, unlimited[0], None, unlimited[1])
+
+    def end_of(self, limit: Element, tag: str, of: str) -> float | None:
+        child = self.one(limit, tag, of)
+        if child is None:
+            return None
+        value = self.limit_text(child.text, child, "", f"{of}: <{tag}>")
+        return value if value is not None and abs(value) < GREATEST else None
+
+    def dynamics(self, axis: Element | None, tag: str, of: str) -> float:
+        dynamics = None if axis is None else axis.first("dynamics")
+        spring = None if dynamics is None else dynamics.first("spring_stiffness")
+        if spring is not None and self.value(dynamics, "spring_stiffness", of, 0.0):
+            self.leftovers.add("springs of joints", spring.line)
+        return self.positive(dynamics, tag, of)
+
+    def mimic(self, axis: Element | None, of: str) -> Mimic | None:
+        mimic = None if axis is None else self.one(axis, "mimic", of)
+        if mimic is None:
+            return None
+        factor, offset, reference = (
+            self.value(mimic, tag, of, default) or 0.0
+            for tag, default in (("multiplier", 1.0), ("offset", 0.0), ("reference", 0.0))
+        )
+        leader = self.required(mimic, "joint", of)
+        return Mimic(leader, factor, offset - factor * reference)

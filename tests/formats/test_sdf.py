@@ -1,0 +1,197 @@
+"""SDF: chains out of random trees in several spellings against Pinocchio, which reads them as URDF."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ElementTree
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from robodyn.errors import InputError
+from robodyn.formats.elements import parse
+from robodyn.formats.positions import Positions
+from robodyn.formats.sdf import read_tree
+from robodyn.formats.serial import Serial, serial_chain
+from robodyn.formats.topology import Topology
+from robodyn.formats.tree import MOVING, Tree
+from robodyn_testing import require_module, sampled
+from robodyn_testing.chains import PinocchioArm, WorldDynamics
+from robodyn_testing.random_trees import random_urdf
+
+
+def tree(text: str) -> Tree:
+    return read_tree(parse(text.encode(), "arm.sdf"))
+
+
+def chain(text: str, **options: Any) -> Serial:
+    return serial_chain(tree(text), "arm", **options)
+
+
+class Writer:
+    """A URDF tree as SDF: poses in the model (old: axes too), relative to parents, or by named frames."""
+
+    def __init__(self, pin: Any, path: str, spelling: str) -> None:
+        self.pin, self.spelling = pin, spelling
+        self.model = pin.buildModelFromUrdf(path)
+        self.data = self.model.createData()
+        pin.framesForwardKinematics(self.model, self.data, pin.neutral(self.model))
+        self.robot: Any = ElementTree.parse(path).getroot()
+
+    def place(self, link: str) -> Any:
+        return self.data.oMf[self.model.getFrameId(link)]
+
+    def pose(self, placement: Any, attributes: str = "") -> str:
+        numbers = [*placement.translation, *self.pin.rpy.matrixToRpy(placement.rotation)]
+        return f"<pose{attributes}>{' '.join(repr(float(x)) for x in numbers)}</pose>"
+
+    def link(self, element: Any) -> str:
+        name = element.get("name")
+        joints: dict[str, Any] = {j.find("child").get("link"): j for j in self.robot.iter("joint")}
+        place, attributes = self.place(name), ""
+        if self.spelling == "relative" and name in joints:
+            parent = joints[name].find("parent").get("link")
+            place, attributes = self.place(parent).actInv(place), f' relative_to="{parent}"'
+        text = self.pose(place, attributes)
+        if self.spelling == "frames":
+            text = f'<pose relative_to="at {name}"/>'
+        inertial = element.find("inertial")
+        if inertial is not None:
+            origin, tensor = inertial.find("origin"), inertial.find("inertia")
+            text += f"<inertial><pose>{origin.get('xyz')} {origin.get('rpy')}</pose>"
+            text += f"<mass>{inertial.find('mass').get('value')}</mass><inertia>"
+            text += "".join(f"<{key}>{value}</{key}>" for key, value in tensor.attrib.items())
+            text += "</inertia></inertial>"
+        return f'<link name="{name}">{text}</link>'
+
+    def joint(self, element: Any) -> str:
+        parent, child = (element.find(end).get("link") for end in ("parent", "child"))
+        axis = np.array(element.find("axis").get("xyz").split(), float)
+        shift, attributes = "", ""
+        if self.spelling == "old":
+            axis = self.place(child).rotation @ axis
+        if self.spelling == "frames":
+            attributes = f' expressed_in="at {child}"'
+            shift = '<pose degrees="true">0 0 0 20 30 40</pose>'
+        limit = element.find("limit")
+        ends = "" if limit is None else "".join(f"<{k}>{limit.get(k)}</{k}>" for k in ("lower", "upper"))
+        return (
+            f'<joint name="{element.get("name")}" type="{element.get("type")}">{shift}'
+            f"<parent>{parent}</parent><child>{child}</child><axis><xyz{attributes}>"
+            f"{' '.join(map(repr, axis.tolist()))}</xyz>"
+            f"<limit>{ends}</limit></axis></joint>"
+        )
+
+    def text(self) -> str:
+        version = {"old": "1.4", "plain": "1.6", "relative": "1.7", "frames": "1.11"}[self.spelling]
+        parts = [self.link(element) for element in self.robot.iter("link")]
+        if self.spelling == "frames":
+            for element in self.robot.iter("link"):
+                name = element.get("name")
+                parts.append(f'<frame name="at {name}">{self.pose(self.place(name))}</frame>')
+        parts += [self.joint(element) for element in self.robot.iter("joint")]
+        return f'<sdf version="{version}"><model name="m">{"".join(parts)}</model></sdf>'
+
+
+@pytest.mark.parametrize("seed", sampled(range(200), every=25))
+def test_a_chain_is_that_of_the_same_tree_as_urdf(seed: int, tmp_path: Path) -> None:
+    pinocchio = require_module("pinocchio")
+    path = tmp_path / "tree.urdf"
+    path.write_text(random_urdf(seed))
+    spelling = ("old", "plain", "relative", "frames")[seed // 25 % 4 if seed % 25 == 0 else seed % 4]
+    read = tree(Writer(pinocchio, str(path), spelling).text())
+    tip = read.links[-1].name
+    serial = serial_chain(read, "tree", tip=tip)
+    assert serial.remarks[-1] == "the base is fixed: l0 (free) is a floating joint at the root"
+    positions = Positions(Topology(read), {})
+    locked = {joint.name: positions.of(joint) for joint in read.joints if joint.kind in MOVING}
+    names = [joint.name for joint in serial.chain.joints]
+    peer = PinocchioArm(pinocchio, path.read_text(), names, locked, serial.chain.gravity)
+    own, draw = WorldDynamics(serial.chain), np.random.default_rng(seed)
+    q, qd, qdd = draw.uniform(-2, 2, (3, len(names)))
+    torques = peer.torques(q, qd, qdd)
+    assert own.torques(q, qd, qdd) == pytest.approx(torques, rel=0, abs=1e-11 * abs(torques).max() + 1e-14)
+    assert own.tip(q) == pytest.approx(peer.tip(q, tip), rel=0, abs=1e-12)
+
+
+def sdf(inside: str, tail: str = "", version: str = "1.9") -> str:
+    return f'<sdf version="{version}">\n<model name="arm">{inside}</model>{tail}</sdf>'
+
+
+SOLID = "<inertial><mass>2</mass><inertia><ixx>0.1</ixx><iyy>0.2</iyy><izz>0.2</izz></inertia></inertial>"
+A, B = f'<link name="a">{SOLID}</link>', f'<link name="b"><pose>0.1 0.2 0.3 0 0 0</pose>{SOLID}</link>'
+J = (
+    '<joint name="j" type="revolute"><parent>a</parent><child>b</child><axis><xyz>0 0 1</xyz><limit>'
+    "<lower>-1e16</lower><upper>1e16</upper><effort>-1</effort><velocity>2</velocity></limit>"
+    "<dynamics><damping>0.5</damping><friction>0.25</friction></dynamics></axis></joint>"
+)
+
+
+def test_decimals_survive_and_limits_of_nothing_are_none() -> None:
+    (joint,) = chain(
+        sdf(A.replace("<inertial>", "<pose>0.3 0 0 0 0 0</pose><inertial>") + B + J)
+    ).chain.joints
+    assert joint.pose.xyz == (0.1, 0.2, 0.3)
+    assert joint.body.mass == 2
+    assert (joint.viscous, joint.coulomb) == (0.5, 0.25)
+    assert joint.limits.position is None
+    assert joint.limits.torque is None
+    assert joint.limits.velocity == 2
+
+
+def test_a_model_in_a_world_and_joined_to_it() -> None:
+    world = '<world name="w"><gravity>1 2 -9</gravity><light name="sun"/>{}</world>'
+    fixed = '<joint name="k" type="fixed"><parent>world</parent><child>a</child></joint>'
+    model = f'<model name="m"><pose>0 0 1 1.57079632679 0 0</pose>{A + B + J + fixed}</model>'
+    read = tree(f'<sdf version="1.9">{world.format(model)}</sdf>')
+    serial = serial_chain(read, "arm")
+    assert serial.chain.gravity == (1.0, 2.0, -9.0)
+    assert serial.chain.joints[0].pose.xyz == (0.1, -0.3, 1.2)
+    assert serial.remarks == ()
+    assert [part.what for part in read.unused] == ["lights"]
+    below = serial_chain(read, "arm", base="a").chain
+    assert below.base.rotation == ((1, 0, 0), (0, 0, -1), (0, 1, 0))
+
+
+def test_what_is_not_used_is_listed() -> None:
+    text = sdf(
+        A.replace("<inertial>", '<visual name="v"/><inertial auto="true">')
+        + B
+        + J.replace("</dynamics>", "<spring_stiffness>3</spring_stiffness></dynamics>")
+        + '<plugin name="p" filename="f"/>'
+    )
+    assert [part.what for part in tree(text).unused] == [
+        "plugins", "visual geometry", "'auto' of <inertial>", "springs of joints",
+    ]  # fmt: skip
+
+
+LOOP = J.replace('"j"', '"k"').replace("<parent>a", "<parent>world")
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (lambda t: t.replace("<child>b</child>", "<child>c</child>"), "found 'c'"),
+        (lambda t: t.replace("<child>b</child>", ""), "joint 'j': there is no <child>"),
+        (lambda t: t.replace("<xyz>0 0 1", "<xyz>0 0 0"), "the axis has no direction"),
+        (lambda t: t.replace("<xyz>", '<xyz expressed_in="x">'), "no frame of this name; found 'x'"),
+        (lambda t: t.replace("0.1 0.2 0.3 0 0 0", "0.1 0.2 0.3"), "<pose> must have 6 numbers"),
+        (lambda t: t.replace("<pose>", '<pose relative_to="b">'), "in a circle; found 'b'"),
+        (lambda t: t.replace("<mass>2", "<mass>-2"), "<mass> is negative; found -2"),
+        (lambda t: t.replace("<mass>2", "<mass>nan"), "is not a number; found 'nan'"),
+        (lambda t: t.replace('"revolute"', '"hinge"'), "the type is unknown; found 'hinge'"),
+        (lambda t: t.replace('version="1.9"', 'version="new"'), "the version is not one; found 'new'"),
+        (lambda t: t.replace("</model>", "</model><model name='n'/>"), "several models; found arm, n"),
+        (lambda t: t.replace("</model>", "<include/></model>"), "<include> in a model is not read"),
+        (lambda t: t.replace("</model>", LOOP + "</model>"), "the mechanism has a closed loop"),
+        (lambda t: t.replace('<link name="a">', '<link name="b">', 1), "two frames of the model have"),
+        (lambda t: '<sdf version="1.9"/>', "the file has no model"),
+    ],
+)  # fmt: skip
+def test_errors_say_where_and_what(change: Callable[[str], str], words: str) -> None:
+    with pytest.raises(InputError) as caught:
+        chain(change(sdf(A + B + J)))
+    assert words in str(caught.value)
+    assert str(caught.value).startswith("arm.sdf:")
