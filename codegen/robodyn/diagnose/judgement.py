@@ -46,18 +46,21 @@ class Lacking:
 
 def rms(lacks: Lacking, arm: Robot, gates: Sequence[Gate]) -> Floats:
     """RMS [n] of what ``arm`` leaves of logs."""
-    squares, count = np.zeros(arm.n), 0
-    for gate in gates:
-        kept = _inner(lacks(arm, gate))
-        squares, count = squares + (kept**2).sum(axis=0), count + len(kept)
-    return np.asarray(np.sqrt(squares / count))
+    return _rms([_inner(lacks(arm, gate)) for gate in gates])
+
+
+def _rms(tables: Sequence[Floats]) -> Floats:
+    """RMS [n] over the rows of tables [K, n]."""
+    squares = np.sum([(table**2).sum(axis=0) for table in tables], axis=0)
+    return np.asarray(np.sqrt(squares / sum(map(len, tables))))
 
 
 def gap_of(lacks: Lacking, robot: Robot, model: Robot, gates: Sequence[Gate], seen: Sequence[Gate]) -> Gap:
     """What ``robot`` and ``model`` leave of logs that were fitted and of those that names are ``seen`` in."""
     noise = np.sqrt(np.mean([gate.torque_noise**2 for gate in gates], axis=0))
     train, validate = ([rms(lacks, arm, which) for arm in (robot, model)] for which in (gates, seen))
-    return Gap(train[0], train[1], validate[0], validate[1], noise)
+    torque = tuple(_rms([_inner(gate.log.tau) for gate in which]) for which in (gates, seen))
+    return Gap(train[0], train[1], validate[0], validate[1], noise, (torque[0], torque[1]))
 
 
 def _inner(x: Floats) -> Floats:
