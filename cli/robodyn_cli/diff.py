@@ -47,7 +47,7 @@ def command(
     param: Sequence[tuple[str, float]],
     as_json: bool,
 ) -> None:
-    """Compare two robots: links, joints, limits, frames, torques and operation counts.
+    """Compare two robots: numbers, frames, torques, operation counts.
 
     Joints correspond by their order. Links and axes are compared where they are at the zero position, so that
     the choice of frames does not matter; torques and tool poses at random states within the limits of the
