@@ -55,7 +55,10 @@ EXCITE_SHARE: Final = 0.95
 
 FITTED_SAMPLES: Final = 30_000
 """[samples] Of all logs that are fitted as many are used at most, of each an equal share, which bounds time
-and memory (60 s at 500 Hz);"""
+and memory (60 s at 500 Hz),"""
+
+FITTED_ROWS: Final = 4_000
+"""[samples] and, at low rates, as many as are left where they are filtered and thinned (80 s at 100 Hz);"""
 
 FITTED_WINDOWS: Final = 8
 """[windows] of a longer log in as many, spread over its motion: few and long, since slow friction and the

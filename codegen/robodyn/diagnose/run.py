@@ -22,7 +22,7 @@ from robodyn.diagnose.evidence import (
     windows,
 )
 from robodyn.diagnose.judgement import Lacking, gap_of, holds, left_over, may_stand, rms, verdict_of, words_of
-from robodyn.diagnose.limits import DRAWN_POINTS, FITTED_SAMPLES, FITTED_WINDOWS, WITHDRAWN
+from robodyn.diagnose.limits import DRAWN_POINTS, FITTED_ROWS, FITTED_SAMPLES, FITTED_WINDOWS, WITHDRAWN
 from robodyn.diagnose.refit import (
     Renumbered,
     amendment,
@@ -89,9 +89,9 @@ def diagnose(
     tell("looking at the logs")
     n = robot.n
     scope = scope_of(n, only, without, joints, most)
-    share = FITTED_SAMPLES // max(1, len(logs))
+    share, rows = (count // max(1, len(logs)) for count in (FITTED_SAMPLES, FITTED_ROWS))
     gates = [
-        inspect(_log(log, n), robot, source=_name(names, k), most=share, windows=FITTED_WINDOWS)
+        inspect(_log(log, n), robot, source=_name(names, k), most=share, windows=FITTED_WINDOWS, thinned=rows)
         for k, log in enumerate([*logs, *([] if validate is None else [validate])])
     ]
     whole = gates

@@ -17,6 +17,7 @@ from robodyn.logs.limits import (
     ENOUGH_CUTOFF,
     FILTER_ORDER,
     HIGHEST_CUTOFF,
+    LEAST_RATE,
     LOWEST_CUTOFF,
     MOTION_ABOVE,
     MOTION_OVER_NOISE,
@@ -90,7 +91,7 @@ def signals_of(log: Log, *, cutoff: float | None = None, wider: float = 1.0) -> 
     smooth = smoothed_motion(log.q, rate, motion)
     qd = np.gradient(smooth, period, axis=0)
     qdd = np.gradient(qd, period, axis=0)
-    every = max(1, 2 * int(rate / (8 * chosen)))
+    every = thinning(rate, chosen)
     edge = every * max(1, round(min(1.5 / chosen * rate, len(t) / 20) / every))
     # So many samples that coarse signals have the same places.
     count = (len(t) - 1) // every * every + 1
@@ -99,6 +100,13 @@ def signals_of(log: Log, *, cutoff: float | None = None, wider: float = 1.0) -> 
     )
     t, smooth, qd, qdd, tau = (x[:count] for x in (t, smooth, qd, qdd, log.tau))
     return Signals(t, smooth, qd, qdd, tau, chosen, every, edge, acceleration_noise)
+
+
+def thinning(rate: float, cutoff: float = ENOUGH_CUTOFF) -> int:
+    """Every how many samples, which come at a ``rate`` [Hz], carry what a filter with the ``cutoff`` [Hz]
+    passes: an even number, for coarse signals have half of it."""
+    cutoff = min(cutoff, HIGHEST_CUTOFF * rate)
+    return max(2 * int(rate / (8 * cutoff)), 2 if rate > LEAST_RATE * cutoff else 1)
 
 
 def _acceleration_noise(cutoff: float, motion: float, rate: float) -> float:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.select.beside import Library, fits
-from robodyn.diagnose.select.fit import Fit, Problem
+from robodyn.diagnose.select.fit import Columns, Fit, Problem
 from robodyn.diagnose.select.library import Candidate, Context
 from robodyn.diagnose.select.library.prepared import prepared
 from robodyn.diagnose.select.limits import (
@@ -53,7 +53,7 @@ class Trial:
     in the list of what was chosen before of those that it stands for."""
 
     candidate: Candidate
-    columns: Floats
+    columns: Columns
     fit: Fit
     gain: float
     t: float
@@ -65,8 +65,8 @@ class Trial:
 
 
 def without_columns(one: Trial) -> Trial:
-    """The trial without its columns [0, rows, c], which take most of its memory."""
-    return replace(one, columns=one.columns[:0].copy())
+    """The trial without its columns [0, rows, c] and the problem it was tried in, which take memory."""
+    return replace(one, columns=one.columns[:0].copy(), beside=None)
 
 
 def trials(

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from robodyn.diagnose.select.limits import BLOCKS, FEW_PARTS, FREE_PRECISION, UNSEEN_NUISANCE
 
 Floats = NDArray[np.float64]
+Columns = Floats | NDArray[np.float32]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -77,7 +78,7 @@ class Problem:
         """Products [BLOCKS, p] of the columns and the rest over all joints."""
         return np.asarray(self.right.sum(axis=1))
 
-    def with_columns(self, rows: tuple[int, ...], columns: Floats, scale: Floats | None = None) -> Problem:
+    def with_columns(self, rows: tuple[int, ...], columns: Columns, scale: Floats | None = None) -> Problem:
         """The problem with more known columns [N, rows, c], in N m or N, fitted freely, or with a prior of
         standard deviations ``scale`` [c]."""
         p, c = self.A.shape[2], columns.shape[2]
@@ -120,7 +121,7 @@ def without(p: Problem, mask: NDArray[np.bool_]) -> Problem:
     return _summed(replace(p, rest=p.rest * kept, A=p.A * kept[:, :, None], weight=p.weight * kept))
 
 
-def less(p: Problem, rows: tuple[int, ...], column: Floats) -> Problem:
+def less(p: Problem, rows: tuple[int, ...], column: Columns) -> Problem:
     """The problem with a column [N, rows] taken off, in N m or N."""
     at = list(rows)
     rest = p.rest.copy()

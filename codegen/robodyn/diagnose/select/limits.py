@@ -24,6 +24,9 @@ is off by one standard deviation of its prior, is left out: no fit would move it
 SPANNED: Final = 1e-9
 """[share of its squares] A candidate of which what is known leaves less adds nothing."""
 
+TRIED_AT_ONCE: Final = 100
+"""[candidates] So many are tried at once, with copies of their columns."""
+
 # --- ceiling --------------------
 
 CEILING_RIDGE: Final = 1e-3
@@ -334,8 +337,7 @@ SHORTEST_PIECE: Final = 6.0
 """[periods of the cutoff] Shorter pieces of a log are left out."""
 
 FEW_PARTS: Final = 1.15
-"""[-] A standard error that is from ten parts is so much larger, for twice of it to hold 95 % (Student, nine
-degrees of freedom)."""
+"""[-] A standard error of ten parts is so much larger, for twice of it to hold 95 % (Student, 9 degrees)."""
 
 DIVERGED: Final = 30.0
 """[-] So many times larger in the fit of all than alone, a coefficient has diverged."""

@@ -38,7 +38,6 @@ from robodyn.diagnose.select.fit import (
 )
 from robodyn.diagnose.select.forward import Chosen, Key, Named, forward
 from robodyn.diagnose.select.library import Context, context_of, regressor_seen
-from robodyn.diagnose.select.library.matched import matched
 from robodyn.diagnose.select.library.several import usual_sizes
 from robodyn.diagnose.select.limits import (
     DIVERGED,
@@ -197,7 +196,7 @@ def select(
     narrow = prior_scales(context.model)
     start = start_of(contexts, narrow, weight)
     least = what_matters(context) / start.sigma
-    library = Library.of(matched(contexts, scope))
+    library = Library.along(contexts, scope)
     factor = _factor(start, library, least, contexts)
     start = coarser(start, factor)
     least = least / factor
