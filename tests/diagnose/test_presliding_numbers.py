@@ -1,4 +1,4 @@
-"""Numbers of friction that bends before it slides, on a turntable whose bristles are integrated step by step."""
+"""Numbers of friction that bends before it slides, on a turntable with bristles integrated step by step."""
 
 from __future__ import annotations
 
