@@ -51,6 +51,20 @@ CORRELATION_RIDGE: Final = 1e-4
 EXCITE_SHARE: Final = 0.95
 """[share of the joint's limits] The motion goes as far and as fast."""
 
+# --- stages --------------------
+
+LOOKING_COST: Final = (0.5, 1e-6)
+"""[s; s for each number of positions] The data check and the search for contacts take about so long."""
+
+STAGE_COSTS: Final = {
+    "fitting the catalogue": (2.0, 5e-5),
+    "fitting what is left": (1.0, 4e-5),
+    "asking how sure the numbers are": (0.5, 1e-5),
+    "validating the result": (0.2, 2e-6),
+    "fitting the arm's own numbers": (0.8, 1e-5),
+}
+"""[s; s for each row and square of the joints] The other stages, on a usual processor."""
+
 # --- run --------------------
 
 FITTED_SAMPLES: Final = 30_000

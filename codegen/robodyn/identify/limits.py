@@ -9,6 +9,17 @@ from __future__ import annotations
 
 from typing import Final
 
+# --- stages --------------------
+
+LOOKING_COST: Final = (0.4, 2e-7)
+"""[s; s for each number of positions] The data check takes about so long on a usual processor,"""
+
+FITTING_COST: Final = (0.5, 1.1e-6)
+"""[s; s for each number of positions] the fit,"""
+
+COMPARING_COST: Final = (0.2, 2.6e-6)
+"""[s; s for each number of positions] and the comparison of torques."""
+
 # --- rigid --------------------
 
 KEPT_RESULTS: Final = 6

@@ -215,7 +215,10 @@ def _rest(robot: Robot, c: Context) -> Floats:
             if isinstance(law, Dahl) and entry.joint:  # the model has them sliding
                 j, level = entry.joint - 1, entry.number(law.level)
                 if level > 0:
-                    deflection = dahl_deflection(s.q[:, j], level / entry.number(law.stiffness))
+                    limit = level / entry.number(law.stiffness)
+                    deflection = dahl_deflection(s.q[:, j], limit)
+                    rate = np.gradient(limit * deflection, s.period)
                     total[:, j] += level * (deflection - model.direction(s.qd[:, j]))
+                    total[:, j] += entry.number(law.damping) * rate
     tau = measured_torque(total, s.t, robot.effects)
     return s.thinned(s.filtered(given_torque(s.tau, robot) - tau))
