@@ -60,6 +60,7 @@ COMMANDS: Final[dict[str, tuple[str, str]]] = {
     "robots": ("robodyn_cli.robots", "List the bundled robots."),
     "import": ("robodyn_cli.import_", "Import a serial arm from URDF, MJCF, SDF or xacro as a description."),
     "export": ("robodyn_cli.export", "Export a robot to URDF, MJCF or SDF."),
+    "diff": ("robodyn_cli.diff", "Compare two robots: numbers, frames, torques, operation counts."),
     "schema": ("robodyn_cli.schema", "Print the JSON Schema of the robot description."),
     "new": ("robodyn_cli.new", "Write a commented starter file to fill in."),
 }
