@@ -22,7 +22,7 @@ from robodyn.robot.values import angle
         (Fraction("3e-13"), 1.0, "0"),
         (Fraction("3e-13"), 1e-3, "3e-13"),
         (Fraction(1, 3), 1.0, "0.3333333333333333"),
-        (Fraction("12345678901.123456"), 1e12, "12345678901.123456"),
+        (Fraction("12345678901.1234"), 1e12, "12345678901.1234"),
     ],
 )
 def test_noise_goes_and_digits_stay(x: Fraction, size: float, expected: str) -> None:

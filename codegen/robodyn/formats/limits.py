@@ -36,9 +36,6 @@ LINES_SHOWN: int = 5
 NAMES_SHOWN: int = 40
 """[names] So many links or joints are listed in a message."""
 
-DEGREES: float = 40.0
-"""[rad] Limits beyond six turns that are multiples of 5 were probably meant as degrees."""
-
 SLIDE: float = 0.25
 """[share of the reach] Of axes that are nearly parallel, the common normal may lie far away: no frame's
 origin slides further along its axis to it."""
