@@ -5,6 +5,7 @@
 PYTHON ?= python3
 ROBOT ?= puma560.yaml
 WORKERS ?= 2
+EXTRAS ?= test,lint
 
 VENV := .venv
 PEERS := .venv-peers
@@ -105,5 +106,5 @@ $(VENV)/.installed: pyproject.toml $(VENV)/.created
 
 $(VENV)/.installed-dev: pyproject.toml $(VENV)/.created
 	@echo "Installing robodyn with what its tests need" >&2
-	@$(PIP) --editable '.[test,lint]'
+	@$(PIP) --editable '.[$(EXTRAS)]'
 	@touch $@ $(VENV)/.installed

@@ -157,21 +157,23 @@ def _diagnosed(
     scope: Mapping[str, Any],
 ) -> Diagnosis:
     from robodyn.diagnose.run import diagnose
+    from robodyn.diagnose.stages import stages
 
     paths = [*logs, *([] if validate is None else [validate])]
     with progress.line() as shown:
         read, hashes = read_all(robot, paths, mapping, shown)
-        return diagnose(
-            robot,
-            read[: len(logs)],
-            None if validate is None else read[-1],
-            text=description_of(spec),
-            names=[printable(Path(path).name) for path in paths],
-            hashes=hashes,
-            parameters=values,
-            progress=lambda what: shown.tell(f"robodyn: {robot.name}: {what}"),
-            **scope,
-        )
+        with progress.countdown(shown, f"robodyn: {robot.name}", stages(robot.n, read)) as tell:
+            return diagnose(
+                robot,
+                read[: len(logs)],
+                None if validate is None else read[-1],
+                text=description_of(spec),
+                names=[printable(Path(path).name) for path in paths],
+                hashes=hashes,
+                parameters=values,
+                progress=tell,
+                **scope,
+            )
 
 
 def _kernels(diagnosis: Diagnosis) -> dict[str, str]:

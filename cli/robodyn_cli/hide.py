@@ -151,14 +151,12 @@ def _one_of(robot: str | None, opened: str | None, score: object, options: dict[
 
 def _hidden(spec: str, options: dict[str, Any]) -> Blind:
     from robodyn.diagnose.blind.hide import hide
-    from robodyn.robot import bundled_text
+    from robodyn.formats.loading import text_of
 
     robot = load_robot(spec)
     wanted = [_parsed(text) for text in options["effects"]]
     count = options["random"] if options["random"] is not None else int(not wanted)
     motions = _motions(options["trajectories"], robot.n)
-    path = Path(spec)
-    text = path.read_bytes().decode("utf-8-sig") if path.is_file() else bundled_text(spec)
     with progress.line() as shown:
         return hide(
             robot,
@@ -166,7 +164,7 @@ def _hidden(spec: str, options: dict[str, Any]) -> Blind:
             random=count,
             setup=_setup(options, robot.n, max((motion.duration for motion in motions), default=0.0)),
             motions=motions,
-            text=text,
+            text=text_of(spec),
             progress=lambda what: shown.tell(f"robodyn: {robot.name}: {what}"),
         )
 

@@ -84,6 +84,7 @@ def command(
     """
     from robodyn.identify.fit import Options
     from robodyn.identify.run import identify
+    from robodyn.identify.stages import stages
 
     folder = result_folder(out)
     paths = [*logs, *([] if validate is None else [validate])]
@@ -98,17 +99,18 @@ def command(
     )
     with progress.line() as shown:
         read, hashes = read_all(described, paths, log_map(map_file, columns), shown)
-        outcome = identify(
-            described,
-            read[: len(logs)],
-            None if validate is None else read[-1],
-            options=options,
-            text=description_of(robot),
-            names=[printable(Path(path).name) for path in paths],
-            hashes=hashes,
-            parameters=values,
-            progress=lambda what: shown.tell(f"robodyn: {described.name}: {what}"),
-        )
+        with progress.countdown(shown, f"robodyn: {described.name}", stages(described.n, read)) as tell:
+            outcome = identify(
+                described,
+                read[: len(logs)],
+                None if validate is None else read[-1],
+                options=options,
+                text=description_of(robot),
+                names=[printable(Path(path).name) for path in paths],
+                hashes=hashes,
+                parameters=values,
+                progress=tell,
+            )
     text = json.dumps(outcome.to_dict(), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
     write_files(folder, {_DATA: text, _MODEL: outcome.model_text})
     if as_json:

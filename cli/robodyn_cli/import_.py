@@ -149,13 +149,15 @@ def _tell_angles(imported: Imported, snapped: Imported) -> None:
     """Say which angles are nearly multiples of pi/2, and what snapping them saves."""
     from robodyn.kernels.operations import count
 
-    error = max(abs(angle.error) for angle in imported.near)
     before, after = count(imported.robot).total, count(snapped.robot).total
-    talk(
-        f"robodyn: note: {len(imported.near)} angles are multiples of pi/2 but for {error:.1e} rad, such as "
-        f"{imported.near[0].where}; with --snap {_widest(imported):g} the inverse dynamics takes {after} "
-        f"operations, not {before}"
-    )
+    if after < before:
+        error = max(abs(angle.error) for angle in imported.near)
+        many, first = len(imported.near) > 1, imported.near[0].where
+        talk(
+            f"robodyn: note: {len(imported.near)} angle{'s are multiples' if many else ' is a multiple'} of "
+            f"pi/2 but for {error:.1e} rad{', such as' if many else ':'} {first}; with --snap "
+            f"{_widest(imported):g} the inverse dynamics takes {after} operations, not {before}"
+        )
 
 
 def _data(imported: Imported, path: str | None, text: str) -> dict[str, Any]:

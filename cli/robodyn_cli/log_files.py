@@ -70,8 +70,7 @@ def read_all(
 
 
 def description_of(spec: str) -> str:
-    """The text of the robot description ``spec``."""
-    from robodyn.robot import bundled_text
+    """The text of the robot description ``spec``, of an arm in another format the YAML that it imports to."""
+    from robodyn.formats.loading import text_of
 
-    path = Path(spec)
-    return path.read_bytes().decode("utf-8-sig") if path.is_file() else bundled_text(spec)
+    return text_of(spec)

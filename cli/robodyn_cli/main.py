@@ -59,6 +59,8 @@ COMMANDS: Final[dict[str, tuple[str, str]]] = {
     "effects": ("robodyn_cli.effects", "List the effects of the catalogue, or describe one of them."),
     "robots": ("robodyn_cli.robots", "List the bundled robots."),
     "import": ("robodyn_cli.import_", "Import a serial arm from URDF, MJCF, SDF or xacro as a description."),
+    "export": ("robodyn_cli.export", "Export a robot to URDF, MJCF or SDF."),
+    "diff": ("robodyn_cli.diff", "Compare two robots: numbers, frames, torques, operation counts."),
     "schema": ("robodyn_cli.schema", "Print the JSON Schema of the robot description."),
     "new": ("robodyn_cli.new", "Write a commented starter file to fill in."),
 }

@@ -254,8 +254,8 @@ def _log(run: Simulation, sensors: Sensors, asked: Asked, what: Driven, spec: st
     """The log of the sensors, with its provenance."""
     from dataclasses import replace
 
+    from robodyn.formats.loading import text_of
     from robodyn.logs.provenance import provenance
-    from robodyn.robot import bundled_text
 
     robot = run.plant.robot
     options: dict[str, Any] = {
@@ -269,12 +269,11 @@ def _log(run: Simulation, sensors: Sensors, asked: Asked, what: Driven, spec: st
     if asked.solver == "adaptive":
         options["rtol"] = asked.rtol if asked.rtol is not None else 1e-8
         options["atol"] = asked.atol if asked.atol is not None else 1e-10
-    path = Path(spec)
     return replace(
         run.log(sensors, seed=asked.seed),
         provenance=provenance(
             robot,
-            yaml=path.read_bytes() if path.is_file() else bundled_text(spec),
+            yaml=text_of(spec).encode(),
             options=options,
             sensors=sensors.describe(),
             seed=asked.seed,

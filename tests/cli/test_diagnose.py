@@ -43,7 +43,8 @@ def found(robot: Robot, log: Log, **changes: Any) -> Diagnosis:
     size = np.ones(robot.n)
     q = log.q
     made = Diagnosis(
-        verdict="missing_effect", findings=(finding,), gap=Gap(4 * size, size, 4 * size, size, size),
+        verdict="missing_effect", findings=(finding,),
+        gap=Gap(4 * size, size, 4 * size, size, size, (9 * size, 9 * size)),
         robot=robot,
         model=read_text(RUBBING), model_text=RUBBING, diff="-a\n+b\n", flags=(), left=size, words=(),
         logs=(), series=(Series("train", log.t, q, q, q, q, q, q, q),), operations=(5, 7),
@@ -192,8 +193,8 @@ def test_what_is_no_number_is_null(capsys: Capture, stand: Stand) -> None:
 
 
 def gap(before: float, after: float, floor: float = 1.0) -> Gap:
-    sizes = [np.array([x]) for x in (before, after, before, after, floor)]
-    return Gap(*sizes)
+    was, now, noise = (np.array([x]) for x in (before, after, floor))
+    return Gap(was, now, was, now, noise)
 
 
 @pytest.mark.parametrize(

@@ -115,3 +115,19 @@ def test_a_file_that_is_not_there_is_no_robot(arm: Path, capsys: pytest.CaptureF
     assert "neither a file nor a bundled robot" in capsys.readouterr().err
     assert main(["import", "none.urdf"]) == 2
     assert "none.urdf: the file cannot be read; found no such file" in capsys.readouterr().err
+
+
+@pytest.mark.thorough
+def test_results_of_a_file_in_another_format_are_descriptions(
+    arm: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """What identify and diagnose write, and what simulate takes the hash of, is the YAML that is imported."""
+    run = ["simulate", "arm.urdf", "--excite", "--duration", "5", "--seed"]
+    for seed, log in (("1", "a.csv"), ("2", "b.csv")):
+        assert main([*run, seed, "--torque-noise", "0.01", "-o", log]) == 0
+    assert main(["identify", "arm.urdf", "a.csv", "-o", "own"]) == 0
+    assert load("own/identified.yaml", warn=lambda _: None).n == 2
+    assert main(["diagnose", "arm.urdf", "a.csv", "--validate", "b.csv", "-o", "lacks"]) in (0, 4)
+    text = Path("lacks/model.yaml").read_text()
+    assert text.startswith("# from arm.urdf (URDF)\n")
+    assert load("lacks/model.yaml", warn=lambda _: None).links[1].name == "two"

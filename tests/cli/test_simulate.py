@@ -203,6 +203,12 @@ def test_a_line_in_the_world_of_the_tool(capsys: Capture) -> None:
     np.testing.assert_allclose(read_log("there.csv").q, read_log("here.csv").q, atol=1e-9)
 
 
+def test_joints_that_nothing_resists_are_named(capsys: Capture) -> None:
+    Path("arm.yaml").write_text("name: arm\nlinks: [{joint: revolute, inertia: {zz: 1}}, {joint: revolute}]")
+    _, err = simulate(capsys, "arm.yaml --to 1,1", 2)
+    assert "arm: nothing resists the acceleration of joint 2; found a mass matrix without an inverse" in err
+
+
 def test_positions_in_degrees_are_doubted(capsys: Capture) -> None:
     links = "{joint: revolute, inertia: {zz: 1}}, {joint: prismatic, mass: 1}"
     Path("arm.yaml").write_text(f"name: arm\ngravity: [0, 0, 0]\nlinks: [{links}]")

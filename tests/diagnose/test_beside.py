@@ -22,6 +22,11 @@ def candidate(rows: tuple[int, ...], signs: tuple[int, ...], *, fixed: bool = Fa
     )  # fmt: skip
 
 
+def single(columns: Floats) -> NDArray[np.float32]:
+    """Columns as a library keeps them."""
+    return columns.astype(np.float32)
+
+
 def posed(rng: np.random.Generator) -> Problem:
     """A problem with ten nuisance columns, two of which show nothing new, and a known one."""
     Y = rng.standard_normal((N, JOINTS, 10))
@@ -81,10 +86,11 @@ def test_candidates_are_fitted_as_by_all_samples(*, masked: bool) -> None:
         p = without(p, (np.arange(N) > 90) & (np.arange(N) < 130))
     tried = [((0,), (1,)), ((0,), (1,)), ((2, 0), (1, 1)), ((0, 1, 2), (0, 0, 0)), ((1,), (1, 1, 1))]
     pairs = [
-        (candidate(rows, signs), rng.standard_normal((N, len(rows), len(signs)))) for rows, signs in tried
+        (candidate(rows, signs), single(rng.standard_normal((N, len(rows), len(signs)))))
+        for rows, signs in tried
     ]
-    pairs[0] = (pairs[0][0], pairs[0][1] - p.rest[:, :1, None])  # would come out negative
-    pairs[4] = (pairs[4][0], pairs[4][1] - 0.3 * p.rest[:, 1:2, None])  # all three would
+    pairs[0] = (pairs[0][0], single(pairs[0][1] - p.rest[:, :1, None]))  # would come out negative
+    pairs[4] = (pairs[4][0], single(pairs[4][1] - 0.3 * p.rest[:, 1:2, None]))  # all three would
     library = Library.of(pairs)
     current = fitted(p)
     held_equal(current, by_samples(p, (0,), np.zeros((N, 1, 0)), ()))
@@ -92,7 +98,7 @@ def test_candidates_are_fitted_as_by_all_samples(*, masked: bool) -> None:
     assert sorted(outcome.which) == list(range(len(pairs)))
     for k, fit, explained in zip(outcome.which, outcome.fits, outcome.explained, strict=True):
         rows, signs = tried[k]
-        held_equal(fit, by_samples(p, rows, pairs[k][1], signs))
+        held_equal(fit, by_samples(p, rows, pairs[k][1].astype(np.float64), signs))
         counted = pairs[k][1] * p.rest.any(axis=1)[:, None, None]
         rms = np.sqrt(np.mean((counted @ fit.x) ** 2, axis=0)) / p.sigma[list(rows)]
         np.testing.assert_allclose(explained, rms, rtol=1e-9)
@@ -101,7 +107,7 @@ def test_candidates_are_fitted_as_by_all_samples(*, masked: bool) -> None:
 def test_a_candidate_of_known_size_is_taken_off() -> None:
     rng = np.random.default_rng(4)
     p = posed(rng)
-    column = rng.standard_normal((N, 2, 1))
+    column = single(rng.standard_normal((N, 2, 1)))
     outcome = fits(p, fitted(p), Library.of([(candidate((0, 2), (1,), fixed=True), column)]), [0])
     wide = np.zeros((N, JOINTS))
     wide[:, [0, 2]] = column[:, :, 0] / p.sigma[[0, 2]]
@@ -121,7 +127,7 @@ def test_a_candidate_of_known_size_is_taken_off() -> None:
 def test_what_is_known_already_gets_no_coefficient() -> None:
     rng = np.random.default_rng(5)
     p = posed(rng)
-    again = p.A[:, 1, -1:, None] * 3.0  # the column that is known already, larger
+    again = single(p.A[:, 1, -1:, None] * 3.0)  # the column that is known already, larger
     fit = fits(p, fitted(p), Library.of([(candidate((1,), (0,)), again)]), [0]).fits[0]
     assert fit.x.tolist() == [0.0]
     np.testing.assert_allclose(fit.held_out, fitted(p).held_out, rtol=1e-9)

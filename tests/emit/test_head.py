@@ -112,3 +112,28 @@ def test_behind_the_gear_nothing_of_the_drives_is_claimed(arm: Robot) -> None:
     assert "rotor inertia and friction are not in them" in header
     assert "with viscous" not in header
     assert "viscous friction: joint" not in header
+
+
+def test_frames_and_names_show_and_break_no_comment() -> None:
+    text = """
+name: arm
+base: {xyz: [0, 0, 2], rpy: [pi, 0, 0.25]}
+tool: {xyz: [0, 0, 0.1]}
+links:
+  - {name: double, joint: revolute, b: 0.125, inertia: {zz: 1}}
+  - {name: "*/ #include <x> /*", joint: revolute, alpha: pi/2, mass: 1, com: [1, 0, 0]}
+  - {name: "end subroutine", joint: prismatic, mass: 1}
+"""
+    emitted = generate(read_text(text), Options(functions=("gravity",)))
+    files = emitted.files(["c", "fortran"])
+    head = " ".join(files["arm.h"].replace("\n *", "\n").split())
+    assert "Base frame in the world: [0, 0, 2] m, roll, pitch, yaw pi, 0, 0.25 rad" in head
+    assert "Tool frame in the last link: [0, 0, 0.1] m, roll, pitch, yaw 0, 0, 0 rad" in head
+    assert "Gravity in the base frame: 0.0, 0.0, 9.81 m/s^2" in head
+    assert "b 0.125" in head
+    for name in ("double", "* / #include <x> / *", "end subroutine"):
+        assert name in head
+    assert "*/ #include" not in files["arm.h"] + files["arm.c"]
+    for line in files["arm.f90"].splitlines():
+        if "end subroutine" in line and "prismatic" in line:
+            assert line.lstrip().startswith("!")

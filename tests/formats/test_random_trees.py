@@ -8,11 +8,13 @@ import numpy as np
 import pytest
 
 from robodyn.formats.elements import parse
+from robodyn.formats.frames import description_of
 from robodyn.formats.positions import Positions
 from robodyn.formats.serial import serial_chain
 from robodyn.formats.topology import Topology
 from robodyn.formats.tree import MOVING
 from robodyn.formats.urdf import read_tree
+from robodyn.verify import Reference
 from robodyn_testing import require_module, sampled
 from robodyn_testing.chains import PinocchioArm, WorldDynamics
 from robodyn_testing.random_trees import random_urdf
@@ -36,7 +38,7 @@ def test_a_chain_of_a_tree_is_what_pinocchio_makes_of_it(seed: int, tmp_path: Pa
     positions = Positions(Topology(tree), locks)
     locked = {joint.name: positions.of(joint) for joint in movable}
     names = [joint.name for joint in serial.chain.joints]
-    peer = PinocchioArm(pinocchio, str(path), names, locked, serial.chain.gravity)
+    peer = PinocchioArm(pinocchio, path.read_text(), names, locked, serial.chain.gravity)
     own = WorldDynamics(serial.chain)
     for _ in range(3):
         q, qd, qdd = draw.uniform(-2, 2, (3, len(names)))
@@ -45,3 +47,11 @@ def test_a_chain_of_a_tree_is_what_pinocchio_makes_of_it(seed: int, tmp_path: Pa
             torques, rel=0, abs=1e-12 * abs(torques).max() + 1e-15
         )
         assert own.tip(q) == pytest.approx(peer.tip(q, tip), rel=0, abs=1e-13)
+        described = Reference(description_of(serial.chain))
+        ours = described.inverse_dynamics(q, qd, qdd)
+        picometre = 1e-12 * 9.81 * sum(joint.body.mass for joint in serial.chain.joints)  # N m: is nothing
+        near = 1e-10 * abs(torques).max() + picometre
+        assert ours == pytest.approx(torques, rel=0, abs=near)
+        matrix = peer.mass_matrix(q)
+        near = 1e-10 * abs(matrix).max() + 1e-14
+        assert described.mass_matrix(q) == pytest.approx(matrix, rel=0, abs=near)

@@ -108,7 +108,7 @@ def test_a_chain_is_that_of_the_same_tree_as_urdf(seed: int, tmp_path: Path) -> 
     positions = Positions(Topology(read), {})
     locked = {joint.name: positions.of(joint) for joint in read.joints if joint.kind in MOVING}
     names = [joint.name for joint in serial.chain.joints]
-    peer = PinocchioArm(pinocchio, str(path), names, locked, serial.chain.gravity)
+    peer = PinocchioArm(pinocchio, path.read_text(), names, locked, serial.chain.gravity)
     own, draw = WorldDynamics(serial.chain), np.random.default_rng(seed)
     q, qd, qdd = draw.uniform(-2, 2, (3, len(names)))
     torques = peer.torques(q, qd, qdd)

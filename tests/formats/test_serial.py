@@ -207,4 +207,6 @@ def test_what_sits_in_a_joint_arrives() -> None:
 
 def test_degrees_are_doubted() -> None:
     text = robot(link("a"), link("b"), joint("j", "a", "b", "revolute", '<limit lower="-180" upper="180"/>'))
-    assert chain(text).remarks == ("limits of -180 to 180 rad: are these degrees?: j",)
+    assert chain(text).remarks == (
+        "limits of -180 to 180 rad are more than six turns: were degrees meant?: j",
+    )

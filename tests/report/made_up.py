@@ -33,7 +33,7 @@ def made(robot: Robot, **changes: Any) -> Diagnosis:
     found = Diagnosis(
         verdict="missing_effect",
         findings=(finding,),
-        gap=Gap(4 * size, 1.1 * size, 5 * size, 1.25 * size, size),
+        gap=Gap(4 * size, 1.1 * size, 5 * size, 1.25 * size, size, (10 * size, 10 * size)),
         robot=robot,
         model=robot,
         model_text="name: x\n",

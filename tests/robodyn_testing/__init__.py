@@ -22,6 +22,15 @@ from __future__ import annotations
 
 from robodyn_testing.cases import covering, representative, sampled
 from robodyn_testing.exactly import constant, exactly
-from robodyn_testing.wanted import require_module, require_tool
+from robodyn_testing.wanted import require_distribution, require_module, require_tool
 
-__all__ = ["constant", "covering", "exactly", "representative", "require_module", "require_tool", "sampled"]
+__all__ = [
+    "constant",
+    "covering",
+    "exactly",
+    "representative",
+    "require_distribution",
+    "require_module",
+    "require_tool",
+    "sampled",
+]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import xml.etree.ElementTree as ElementTree
 from collections.abc import Mapping
 from typing import Any
 
@@ -11,6 +12,7 @@ from numpy.typing import NDArray
 from robodyn.formats.chain import Body, Chain, Pose, about_axis
 
 Array = NDArray[np.float64]
+_PREFIX = "joint "
 
 
 def homogeneous(pose: Pose) -> Array:
@@ -85,20 +87,28 @@ class WorldDynamics:
 
 
 class PinocchioArm:
-    """The chain ``joints`` of a URDF file as Pinocchio reads it, all other joints locked at ``positions``."""
+    """The chain of the joints ``names`` of a URDF text as Pinocchio reads it; others locked at ``positions``.
+
+    Pinocchio does not take joints that are called as links are: here they have a name of their own.
+    """
 
     def __init__(
-        self, pinocchio: Any, path: str, joints: list[str], positions: Mapping[str, float], gravity: Any
+        self, pinocchio: Any, text: str, names: list[str], positions: Mapping[str, float], gravity: Any
     ) -> None:
-        self.pin = pinocchio
-        whole = pinocchio.buildModelFromUrdf(path)
+        self.pin, self.names = pinocchio, names
+        root = ElementTree.fromstring(text)
+        for element in root.iter():
+            for key in {"joint": ("name",), "mimic": ("joint",)}.get(element.tag, ()):
+                element.set(key, _PREFIX + element.get(key, ""))
+        whole = pinocchio.buildModelFromXML(ElementTree.tostring(root, encoding="unicode"))
         configuration = pinocchio.neutral(whole)
         for name, value in positions.items():
-            if whole.existJointName(name) and name not in joints:
-                self._place(whole, configuration, name, value)
-        others = [i for i in range(1, whole.njoints) if whole.names[i] not in joints]
+            if whole.existJointName(_PREFIX + name) and name not in names:
+                self._place(whole, configuration, _PREFIX + name, value)
+        kept = [_PREFIX + name for name in names]
+        others = [i for i in range(1, whole.njoints) if whole.names[i] not in kept]
         self.model = pinocchio.buildReducedModel(whole, others, configuration)
-        assert [self.model.names[i] for i in range(1, self.model.njoints)] == joints
+        assert [self.model.names[i] for i in range(1, self.model.njoints)] == kept
         self.model.gravity.linear = np.array(gravity)
         self.data = self.model.createData()
 
@@ -122,9 +132,6 @@ class PinocchioArm:
     def mass_matrix(self, q: Array) -> Array:
         upper = np.triu(self.pin.crba(self.model, self.data, self.configuration(q)))
         return np.array(upper + np.triu(upper, 1).T)
-
-    def accelerations(self, q: Array, qd: Array, tau: Array) -> Array:
-        return np.array(self.pin.aba(self.model, self.data, self.configuration(q), qd, tau))
 
     def tip(self, q: Array, link: str) -> Array:
         self.pin.framesForwardKinematics(self.model, self.data, self.configuration(q))

@@ -10,6 +10,7 @@ job that installs every tool must never pass because it quietly tested nothing.
 from __future__ import annotations
 
 import importlib
+import importlib.metadata
 import os
 import shutil
 from collections import Counter
@@ -24,6 +25,7 @@ __all__ = [
     "OPTIONAL",
     "PACKAGES",
     "PREFIX",
+    "require_distribution",
     "require_module",
     "require_tool",
     "skip_what_lacks_a_package",
@@ -61,6 +63,7 @@ OPTIONAL: Final = frozenset(
         "pyarrow",
         "rosbags",
         "selenium",
+        "xacro",
     }
 )
 """Modules that tests may import at their head: what the extra ``test`` of pyproject.toml brings."""
@@ -102,6 +105,17 @@ def require_module(name: str) -> ModuleType:
     except ImportError as error:
         reason = str(error)
     _missing(f"module {name} ({reason})", _package_remedy(name))
+
+
+def require_distribution(name: str) -> None:
+    """Without the installed distribution `name` (data, no module), skip the test (fail it in CI)."""
+    __tracebackhide__ = True
+    try:
+        importlib.metadata.distribution(name)
+        return
+    except importlib.metadata.PackageNotFoundError:
+        pass
+    _missing(f"distribution {name}", f"to run this test, pip install {name}")
 
 
 def skip_what_lacks_a_package(

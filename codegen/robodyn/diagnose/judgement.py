@@ -16,6 +16,8 @@ from robodyn.diagnose.limits import (
     UNSEEN,
 )
 from robodyn.diagnose.result import Finding, Gap, Verdict
+from robodyn.diagnose.select.library.candidate import rubs
+from robodyn.diagnose.select.limits import COMMON_JOINTS
 from robodyn.diagnose.select.search import Detected
 from robodyn.diagnose.select.selection import Selection, what_matters
 from robodyn.gate.gate import Gate
@@ -44,18 +46,21 @@ class Lacking:
 
 def rms(lacks: Lacking, arm: Robot, gates: Sequence[Gate]) -> Floats:
     """RMS [n] of what ``arm`` leaves of logs."""
-    squares, count = np.zeros(arm.n), 0
-    for gate in gates:
-        kept = _inner(lacks(arm, gate))
-        squares, count = squares + (kept**2).sum(axis=0), count + len(kept)
-    return np.asarray(np.sqrt(squares / count))
+    return _rms([_inner(lacks(arm, gate)) for gate in gates])
 
 
-def gap_of(lacks: Lacking, robot: Robot, model: Robot, gates: Sequence[Gate], seen: Gate) -> Gap:
-    """What ``robot`` and ``model`` leave of logs that were fitted and of the one that is ``seen``."""
+def _rms(tables: Sequence[Floats]) -> Floats:
+    """RMS [n] over the rows of tables [K, n]."""
+    squares = np.sum([(table**2).sum(axis=0) for table in tables], axis=0)
+    return np.asarray(np.sqrt(squares / sum(map(len, tables))))
+
+
+def gap_of(lacks: Lacking, robot: Robot, model: Robot, gates: Sequence[Gate], seen: Sequence[Gate]) -> Gap:
+    """What ``robot`` and ``model`` leave of logs that were fitted and of those that names are ``seen`` in."""
     noise = np.sqrt(np.mean([gate.torque_noise**2 for gate in gates], axis=0))
-    train, validate = ([rms(lacks, arm, which) for arm in (robot, model)] for which in (gates, [seen]))
-    return Gap(train[0], train[1], validate[0], validate[1], noise)
+    train, validate = ([rms(lacks, arm, which) for arm in (robot, model)] for which in (gates, seen))
+    torque = tuple(_rms([_inner(gate.log.tau) for gate in which]) for which in (gates, seen))
+    return Gap(train[0], train[1], validate[0], validate[1], noise, (torque[0], torque[1]))
 
 
 def _inner(x: Floats) -> Floats:
@@ -71,7 +76,7 @@ def may_stand(one: Detected, first: Selection, last: Selection) -> bool:
     """Whether what is left at the joints of a finding lets its name stand."""
     rows = list(one.named.trial.candidate.rows)
     after = (last.last.held_out.mean(axis=0) * last.start.sigma**2)[rows]
-    if any(each.is_common for each in first.findings):  # the whole arm was described without its drives
+    if _is_without_drives(first):
         before = (np.mean(first.start.rest**2, axis=0) * first.start.sigma**2)[rows]
         return bool(np.max(1 - after / np.maximum(before, 1e-300)) > COMMON_EXPLAINED)
     before = (first.first.held_out.mean(axis=0) * first.start.sigma**2)[rows]
@@ -81,20 +86,31 @@ def may_stand(one: Detected, first: Selection, last: Selection) -> bool:
     return not (share < LEAST_EXPLAINED and stands_out and left_over(last)[rows].max() > 1)
 
 
+def _is_without_drives(first: Selection) -> bool:
+    """Whether the whole arm was described without its drives: most joints that are seen to move lack friction
+    and none was said to have any."""
+    if any(each.is_common for each in first.findings):
+        return True
+    n = first.start.n
+    lacking_friction = {
+        each.trial.candidate.joint for each in first.findings if each.trial.candidate.definition.dissipative
+    }
+    return not any(rubs(first.context, j) for j in range(n)) and len(lacking_friction) >= COMMON_JOINTS * n
+
+
 def left_over(last: Selection) -> Floats:
     """The median of what is left [n], in units of what would matter."""
     rms = np.sqrt(np.maximum(last.residue**2 - 1, 0)) * last.start.sigma
     return np.asarray(rms / what_matters(last.context))
 
 
-def holds(
-    lacks: Lacking, gap: Gap, findings: Sequence[Finding], robot: Robot, model: Robot, seen: Gate
-) -> bool:
-    """Whether the model is nearer to a log that it was not fitted to; or no farther from one in which the
-    findings do not show."""
+def holds(lacks: Lacking, robot: Robot, model: Robot, gates: Sequence[Gate], seen: Sequence[Gate]) -> bool:
+    """Whether the model is nearer to logs than the ``robot`` without what was named; or no farther from such
+    in which that does not show."""
+    gap = gap_of(lacks, robot, model, gates, seen)
     floor = np.maximum(gap.noise_floor, 1e-3 * gap.validate_before.max())
     before, after = (float(np.sum((x / floor) ** 2)) for x in (gap.validate_before, gap.validate_after))
-    change = _inner(lacks(robot, seen) - lacks(model, seen))
+    change = np.concatenate([_inner(lacks(robot, gate) - lacks(model, gate)) for gate in seen])
     shown = float(np.mean((change / floor) ** 2))
     return bool(shown < UNSEEN or before - after > CONFIRMED_SHARE * shown * robot.n)
 

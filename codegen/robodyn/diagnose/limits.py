@@ -51,11 +51,28 @@ CORRELATION_RIDGE: Final = 1e-4
 EXCITE_SHARE: Final = 0.95
 """[share of the joint's limits] The motion goes as far and as fast."""
 
+# --- stages --------------------
+
+LOOKING_COST: Final = (0.5, 1e-6)
+"""[s; s for each number of positions] The data check and the search for contacts take about so long."""
+
+STAGE_COSTS: Final = {
+    "fitting the catalogue": (2.0, 5e-5),
+    "fitting what is left": (1.0, 4e-5),
+    "asking how sure the numbers are": (0.5, 1e-5),
+    "validating the result": (0.2, 2e-6),
+    "fitting the arm's own numbers": (0.8, 1e-5),
+}
+"""[s; s for each row and square of the joints] The other stages, on a usual processor."""
+
 # --- run --------------------
 
 FITTED_SAMPLES: Final = 30_000
 """[samples] Of all logs that are fitted as many are used at most, of each an equal share, which bounds time
-and memory (60 s at 500 Hz);"""
+and memory (60 s at 500 Hz),"""
+
+FITTED_ROWS: Final = 4_000
+"""[samples] and, at low rates, as many as are left where they are filtered and thinned (80 s at 100 Hz);"""
 
 FITTED_WINDOWS: Final = 8
 """[windows] of a longer log in as many, spread over its motion: few and long, since slow friction and the
@@ -113,3 +130,21 @@ AMENDED_DIGITS: Final = 6
 
 WORKED_OUT: Final = 9
 """[digits] and of one that is worked out from it and what the model had."""
+
+STRENGTH_ROUNDS: Final = 3
+"""[-] So often are numbers of effects fitted together with the arm's own,"""
+
+STRENGTH_STEP: Final = 2.0
+"""[-] each time changed by this factor at most."""
+
+BODY_POSES: Final = 2000
+"""[poses] In so many are weights compared of an arm as described and refitted."""
+
+BODY_SHARE: Final = 0.05
+"""[share of the torques by weight] A difference below this is no matter."""
+
+BODY_EXPLAINED: Final = 0.9
+"""[share of the mean square] One mass is spoken of if it explains so much of the difference,"""
+
+BODY_ALIKE: Final = 0.02
+"""[share of the mean square] at the outermost link of those that explain as much but for this."""

@@ -28,11 +28,12 @@ from robodyn.diagnose.limits import (
 from robodyn.diagnose.result import Estimate, Finding
 from robodyn.diagnose.select.forward import Key
 from robodyn.diagnose.select.limits import MOST_VAGUE
+from robodyn.diagnose.strengths import fit_with
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.gate import Gate
-from robodyn.identify.fit import Load, Options, fit_arm
+from robodyn.identify.fit import Load, Options
 from robodyn.identify.outcome import Estimate as Number
-from robodyn.identify.outcome import Identified, identified
+from robodyn.identify.outcome import Identified
 from robodyn.robot.model import AXES, Link, Robot
 from robodyn.robot.parts import SHARE_NOT_STATED
 from robodyn.robot.rewriting import Place
@@ -73,7 +74,7 @@ def refit(
     links = tuple(
         # What is said of a link that was named wrong does not hold.
         replace(link, confidence="unknown") if j in loose else _stated(link, unstated)
-        for j, link in enumerate(amended.robot.links, 1)
+        for j, link in enumerate(robot.links, 1)
     )
     joints: dict[str, set[int]] = {}
     for one in kept:
@@ -86,9 +87,9 @@ def refit(
     options = Options(
         offsets=False, loads=loads, joints={name: frozenset(places) for name, places in joints.items()}
     )
-    outcome = identified(fit_arm(replace(amended.robot, links=links), gates, options))
+    outcome, strengths = fit_with(replace(robot, links=links), kept, gates, options)
     model = replace(outcome.robot, links=tuple(map(_with_confidence, outcome.robot.links, robot.links)))
-    estimates = _estimates(robot, model, kept, outcome)
+    estimates = {**_estimates(robot, model, kept, outcome), **strengths}
     for joint in sorted(j for _, j in rigid if j is not None):
         (id,) = {effect for effect, j in rigid if j == joint}
         estimates[id, joint] = _changes(robot.links[joint - 1], outcome, joint)

@@ -161,13 +161,27 @@ def gap_closed(before: Floats, after: Floats, floor: Floats) -> float | None:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Gap:
-    """RMS [n] of logged torque less the model's, over all samples but 2 % at either end."""
+    """RMS [n] of logged torque less the model's, over all samples but 2 % at either end; ``torque``: of the
+    logged torque itself, in the logs that were fitted and in those that names are held against (None: not
+    known)."""
 
     train_before: Floats
     train_after: Floats
     validate_before: Floats
     validate_after: Floats
     noise_floor: Floats
+    torque: tuple[Floats, Floats] | None = None
+
+    def left_share(self, *, validated: bool) -> float | None:
+        """RMS that is left after the findings, by that of the torque, the mean over joints that
+        carry some; None where that is not known."""
+        if self.torque is None:
+            return None
+        after = self.validate_after if validated else self.train_after
+        with np.errstate(all="ignore"):
+            shares = after / self.torque[validated]
+        shares = shares[np.isfinite(shares)]
+        return float(np.mean(shares)) if len(shares) else None
 
     def closed(self, *, validated: bool) -> float | None:
         """:func:`gap_closed` on the validation log, or on the logs that were fitted."""
@@ -206,6 +220,9 @@ class Gap:
             "train": {"before": self.train_before.tolist(), "after": self.train_after.tolist()},
             "validate": {"before": self.validate_before.tolist(), "after": self.validate_after.tolist()},
             "noise_floor": self.noise_floor.tolist(),
+            "torque": None
+            if self.torque is None
+            else dict(zip(("train", "validate"), map(np.ndarray.tolist, self.torque), strict=True)),
             "closed": {"train": self.closed(validated=False), "validate": self.closed(validated=True)},
         }
 

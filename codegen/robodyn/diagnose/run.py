@@ -22,7 +22,8 @@ from robodyn.diagnose.evidence import (
     windows,
 )
 from robodyn.diagnose.judgement import Lacking, gap_of, holds, left_over, may_stand, rms, verdict_of, words_of
-from robodyn.diagnose.limits import DRAWN_POINTS, FITTED_SAMPLES, FITTED_WINDOWS, WITHDRAWN
+from robodyn.diagnose.limits import DRAWN_POINTS, FITTED_ROWS, FITTED_SAMPLES, FITTED_WINDOWS, WITHDRAWN
+from robodyn.diagnose.one_body import one_body
 from robodyn.diagnose.refit import (
     Renumbered,
     amendment,
@@ -89,15 +90,16 @@ def diagnose(
     tell("looking at the logs")
     n = robot.n
     scope = scope_of(n, only, without, joints, most)
-    share = FITTED_SAMPLES // max(1, len(logs))
+    share, rows = (count // max(1, len(logs)) for count in (FITTED_SAMPLES, FITTED_ROWS))
     gates = [
-        inspect(_log(log, n), robot, source=_name(names, k), most=share, windows=FITTED_WINDOWS)
+        inspect(_log(log, n), robot, source=_name(names, k), most=share, windows=FITTED_WINDOWS, thinned=rows)
         for k, log in enumerate([*logs, *([] if validate is None else [validate])])
     ]
     whole = gates
     digests = [hashes[k] if k < len(hashes) else f"log {k + 1}" for k in range(len(whole))]
     cleaned, touched = without_contacts(robot, whole, digests) if scope.has_contact else (whole, ())
-    gates, seen = cleaned[: len(logs)], cleaned[-1]
+    gates = cleaned[: len(logs)]
+    seen = gates if validate is None else cleaned[len(logs) :]
     outcome = search(robot, gates, tell, scope.at_rest() if all(g.stands for g in gates) else scope)
     model, accepted, last, first = outcome.model, outcome.findings, outcome.last, outcome.first
     tell("validating the result")
@@ -107,15 +109,11 @@ def diagnose(
     left = left_over(last)
     verdict = verdict_of(findings, last, left)
     lacks = Lacking()
-    gap = gap_of(lacks, robot, model if verdict == "missing_effect" else robot, gates, seen)
-    if verdict == "missing_effect" and not holds(lacks, gap, findings, robot, model, seen):  # withdrawn
-        verdict = "unexplained"
-        findings = tuple(replace(f, confidence=WITHDRAWN) for f in findings)
     tell("fitting the arm's own numbers")
 
     def renumber(named: Sequence[Finding], *, unexplained: bool) -> Renumbered:
         return renumbered(
-            robot, named, gates, lambda arm: (rms(lacks, arm, gates), rms(lacks, arm, [seen])),
+            robot, named, gates, lambda arm: (rms(lacks, arm, gates), rms(lacks, arm, seen)),
             unstated=first.unstated,
             # A log with more in it than can be named still has the arm's numbers in it.
             everywhere=any(each.is_common for each in first.findings) or unexplained,
@@ -125,18 +123,31 @@ def diagnose(
     own = Renumbered(robot, tuple(range(len(robot.effects))), (), is_refitted=False)
     if verdict != "unexplained":
         own = renumber(findings, unexplained=False)
+        # The arm's own numbers may be so wrong that what is named shows beside better ones only.
+        if verdict == "missing_effect" and not (
+            holds(lacks, robot, model, gates, seen)
+            or holds(lacks, renumber((), unexplained=False).robot, own.robot, gates, seen)
+        ):
+            verdict = "unexplained"
+            findings = tuple(replace(f, confidence=WITHDRAWN) for f in findings)
+    if verdict != "unexplained":
         findings = own.findings
         verdict = verdict_of(findings, last, left)  # of better numbers, and perhaps a load
     if verdict == "unexplained" and (first.rough or own.findings):
         own = renumber((), unexplained=True)
     model, origins, amendments = own.robot, own.origins, [amendment(f) for f in own.findings]
     gap = gap_of(lacks, robot, model, gates, seen)
+    is_loaded = any(CATALOGUE[f.effect].traits.body for f in own.findings)
+    heavier = one_body(robot, model, gates) if own.is_refitted and not is_loaded else None
+    extra: dict[str, Any] = {"refitted": share_allowed(robot, first.unstated)} if own.is_refitted else {}
+    if heavier:
+        extra["one_body"] = heavier.words()
     springs = [f for f in elastic_findings(model, gates) if scope.allows(f.effect, f.joint)]
     findings = tuple(map(with_known_errors, findings))
     touched = standing(touched, dict(zip(digests, whole, strict=True)), lambda gate: lacks(model, gate))
     findings = (*findings, *springs, *(added := contact_findings(touched)))  # not by a fit to torques
     stiff = apply_amendments(model, [amendment(f) for f in springs]).robot
-    logs_of = (gates, [seen])
+    logs_of = (gates, seen)
     if springs and all(no_worse(*(rms(lacks, arm, which) for arm in (model, stiff))) for which in logs_of):
         added, gap = (*springs, *added), gap_of(lacks, robot, stiff, gates, seen)
     if added:
@@ -167,12 +178,13 @@ def diagnose(
     seen_names = _shown(digests, validated=validate is not None)
     return Diagnosis(
         verdict, findings, gap, robot, model, new, difference(old, new),
-        flags, left, (*words_of(verdict, left), *scope.words()), described,
+        flags, left, (*words_of(verdict, left), *([heavier.words()] if heavier else []), *scope.words()),
+        described,
         tuple(_series(lacks, name, robot, model, gate) for name, gate in drawn),
         (before.total, after.total),
         windows(whole[0], findings, seen_names), tried(last, findings), what_matters(last.context),
         (by_kind(before), by_kind(after)), agreement(model, gates[0]), to_record(robot, gates),
-        {"refitted": share_allowed(robot, first.unstated)} if own.is_refitted else {},
+        extra,
     )  # fmt: skip
 
 

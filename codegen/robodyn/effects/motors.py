@@ -105,7 +105,6 @@ RIPPLE = Effect(
         several=True,
         combines="waves",
         candidates=(Wave(_wave_read, 4, (1.002, 1.0001)),),
-        chosen=("cycles_per_rev",),
         hidden=Hidden(_ripple_form),
         cycles="cycles_per_rev",
     ),

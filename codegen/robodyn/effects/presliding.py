@@ -45,8 +45,13 @@ def _bristle_form(u: Usual, way: float, rng: Any) -> Form:
     return Form(lambda x: {"level": x, "stiffness": x / bend, "damping": 0.01 * x / bend}, SHARE * u.tau)
 
 
+#: Damping by stiffness [s] from which it is refined.
+_DAMPED = 3e-3
+
+
 def _bristle_read(x: Sequence[float], values: Mapping[str, float]) -> dict[str, float | str]:
-    return {"level": float(x[0]), "stiffness": float(x[0] / values["bend"]), "damping": 0.0}
+    stiffness = float(x[0] / values["bend"])
+    return {"level": float(x[0]), "stiffness": stiffness, "damping": _DAMPED * stiffness}
 
 
 PRESLIDING = Effect(
@@ -86,7 +91,7 @@ PRESLIDING = Effect(
         adds=("level",),
         candidates=(
             Dahl(
-                "level", "stiffness", (1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2), "coulomb_friction",
+                "level", "stiffness", "damping", (1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2), "coulomb_friction",
                 _bristle_read, 4,
             ),
         ),

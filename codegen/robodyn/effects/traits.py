@@ -140,10 +140,12 @@ class Wave:
 @dataclass(frozen=True, slots=True)
 class Dahl:
     """Dahl friction, by the travel since reversals: ``deflections`` [rad or m] at which it starts to slide
-    are tried; one that is shorter than the travel between two samples is the friction ``sliding``."""
+    are tried; one that is shorter than the travel between two samples is the friction ``sliding``. The
+    parameters ``level``, ``stiffness`` and ``damping`` (of the deflection's rate)."""
 
     level: str
     stiffness: str
+    damping: str
     deflections: tuple[float, ...]
     sliding: str
     read: Read

@@ -13,7 +13,7 @@ from robodyn.emit.language import Language
 from robodyn.emit.spelling import WIDTH
 from robodyn.emit.unit import Unit, counted_text
 from robodyn.robot.identity import identity
-from robodyn.robot.model import EffectEntry, Inertia, Joint, Robot
+from robodyn.robot.model import EffectEntry, Inertia, Joint, Placement, Robot
 from robodyn.robot.values import Affine, Angle, Value
 from robodyn.version import VERSION
 
@@ -50,6 +50,12 @@ def head_lines(unit: Unit, language: Language) -> list[str]:
     for line in _table(robot):
         say(line, "      ")
     say(f"Gravity in the base frame: {', '.join(repr(float(g)) for g in robot.base_gravity)} m/s^2")
+    for where, frame in (
+        ("Base frame in the world", robot.base),
+        ("Tool frame in the last link", robot.tool),
+    ):
+        if frame is not None:
+            say(f"{where}: {_placed(frame)}")
     say("Arguments, in SI units, joint 1 first:")
     arrays = dict.fromkeys(a for s, _ in unit.functions for a, _ in (*s.inputs, *s.outputs))
     for array in arrays:
@@ -144,6 +150,11 @@ def _row(joint: Joint) -> tuple[tuple[str, str], ...]:
         slid = "q" if slid == "0" else f"q + {slid}"
     aside = (("b", _value(joint.b) if joint.b else ""),)
     return (("alpha", _angle(joint.alpha)), ("a", _value(joint.a)), *aside, ("d", slid), ("theta", turned))
+
+
+def _placed(frame: Placement) -> str:
+    origin, turn = ", ".join(map(_value, frame.xyz)), ", ".join(map(_angle, frame.rpy))
+    return f"[{origin}] m, roll, pitch, yaw {turn} rad"
 
 
 def _limits(joint: Joint) -> str:

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import math
 import re
 from pathlib import PurePath
 
 from robodyn.errors import InputError, Place
 from robodyn.formats.chain import ChainJoint
-from robodyn.formats.limits import DEGREES, GREATEST
+from robodyn.formats.limits import GREATEST
 from robodyn.formats.tree import MOVING, TURNING, JointLimits, Tree, TreeJoint
 from robodyn.robot.names import ROBOT_NAME_LENGTH, TEXT_LENGTH, robot_name_fault, shown
 from robodyn.robot.numbers import shortest
 from robodyn.robot.parts import Gear, JointKind, Limits
+from robodyn.robot.plausibility import limits_doubt
 
 
 def robot_name(tree: Tree, asked: str = "") -> str:
@@ -79,8 +79,9 @@ def limits_of(limits: JointLimits, kind: JointKind) -> tuple[Limits, list[str]]:
     position = None
     if lower is not None and upper is not None and lower < upper:
         position = (shortest(lower), shortest(upper))
-        if kind == "revolute" and _in_degrees(lower, upper):
-            remarks.append(f"limits of {lower:g} to {upper:g} rad: are these degrees?")
+        doubt = limits_doubt(Limits(position), kind)
+        if doubt:
+            remarks.append(f"limits of {doubt}: were degrees meant?")
     elif (lower, upper) not in ((None, None), (0.0, 0.0)):
         ends = ["none" if end is None else f"{end:g}" for end in (lower, upper)]
         remarks.append(f"no limits of position: lower {ends[0]}, upper {ends[1]}")
@@ -98,8 +99,3 @@ def limits_of(limits: JointLimits, kind: JointKind) -> tuple[Limits, list[str]]:
         Limits(position, speeds.get("velocity"), speeds.get("acceleration"), speeds.get("torque")),
         remarks,
     )
-
-
-def _in_degrees(lower: float, upper: float) -> bool:
-    """Whether limits are many turns, and whole degrees."""
-    return max(-lower, upper) > DEGREES and all(math.fmod(end, 5) == 0 for end in (lower, upper))

@@ -4,7 +4,8 @@ Each axis becomes the z axis of its link's frame. Two freedoms are left at every
 frame's origin stands, and how the frame is turned about it. They are chosen so that numbers vanish: x is
 perpendicular to this axis and the next, the origin is where their common normal begins, and where axes are
 parallel (any common normal is one) where the next offset ``d`` is zero. Of axes that are nearly parallel the
-common normal lies far away: the origin stays near the arm, and the row has an offset ``b`` more.
+common normal lies far away: the origin stays near the arm, and the row has an offset ``b`` more. So it has
+between parallel axes, if the common normal is oblique to the frame before.
 
 Joint coordinates, their zeros and the torques are those of the chain; the pose of the tool in the world too.
 
@@ -19,7 +20,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from robodyn.formats.axes import Step, aligned
+from robodyn.formats.axes import Step, aligned, with_free_lines
 from robodyn.formats.chain import Chain, ChainJoint
 from robodyn.formats.exact import rows, vector
 from robodyn.formats.limits import SLIDE, STEEP
@@ -67,8 +68,9 @@ def description_of(chain: Chain, snap: float = 0.0) -> Robot:
     """
     within = max(snap, QUARTER_TURN)
     steps = aligned(chain.joints)
-    tip = applied(steps[-1].into, vector(chain.tool.xyz))
-    size = sum(math.hypot(*step.offset) for step in steps[1:]) + math.hypot(*tip) or 1.0
+    reaches = [step.offset for step in steps[1:]] + [steps[-1].seen(vector(chain.tool.xyz))]
+    size = sum(math.hypot(*each) for each in reaches) or 1.0
+    steps = with_free_lines(steps, [joint.kind for joint in chain.joints])
     turn, origin, first = _base(steps[0], within)
     table = [first]
     for step in steps[1:]:
@@ -86,7 +88,7 @@ def description_of(chain: Chain, snap: float = 0.0) -> Robot:
     base = _plus(vector(chain.base.xyz), applied(ground, origin))
     last = about_z(-ends[-1])
     tool = product(last, product(steps[-1].into, rows(chain.tool.rotation)))
-    x, y, z = applied(last, tip)
+    x, y, z = applied(last, steps[-1].seen(vector(chain.tool.xyz)))
     return Robot(
         chain.name,
         tuple(links),
@@ -119,12 +121,14 @@ def _row(step: Step, before: Angle, size: float, within: float) -> _Row:
     if twist.parallel:
         x, y = (ZERO if abs(e) <= NOTHING * size else e for e in step.offset[:2])
         phi = direction(x, y, QUARTER_TURN) if x or y else _undone(before)
+        if before.quarter is not None and phi.quarter is None:
+            phi = _undone(before)  # across an oblique offset: b and a cost less than two angles theta
         theta = summed(theta, -phi if alpha.cos > 0 else phi)
     other = summed(phi, _HALF)
     if abs(summed(before, other).radians) < abs(summed(before, phi).radians):
         phi, alpha, theta = other, alpha if twist.parallel else -alpha, summed(theta, _HALF)
     a, b, d = applied(about_x(-alpha), applied(about_z(-phi), step.offset))
-    return _Row(phi, alpha, a, ZERO if twist.parallel else b, d, theta)
+    return _Row(phi, alpha, a, b, d, theta)
 
 
 def _slide(table: Sequence[_Row], size: float) -> None:
@@ -148,11 +152,12 @@ def _slide(table: Sequence[_Row], size: float) -> None:
 def _link(joint: ChainJoint, step: Step, row: _Row, end: Angle, size: float) -> Link:
     """The link of ``joint``, whose frame is turned by ``end`` about its z axis in the end."""
     body, turn = joint.body, product(about_z(-end), step.into)
-    com = applied(turn, vector(body.com))
+    com = vector(body.com)
     trace = math.fsum(map(abs, body.inertia[:3]))
     entries = [tidy(e, trace) for e in turned_tensor(turn, tuple(map(shortest, body.inertia)))]
     if body.mass or any(com):  # a link without mass has no centre: do not invent one
-        com = (com[0], com[1], com[2] - row.slide)
+        x, y, z = applied(about_z(-end), step.seen(com))
+        com = (x, y, z - row.slide)
     x, y, z = (tidy(e, size) for e in com)
     a, b, d = (tidy(e, size) for e in (row.a, row.b, row.d))
     frame = Joint(

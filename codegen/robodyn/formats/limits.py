@@ -36,9 +36,6 @@ LINES_SHOWN: int = 5
 NAMES_SHOWN: int = 40
 """[names] So many links or joints are listed in a message."""
 
-DEGREES: float = 40.0
-"""[rad] Limits beyond six turns that are multiples of 5 were probably meant as degrees."""
-
 SLIDE: float = 0.25
 """[share of the reach] Of axes that are nearly parallel, the common normal may lie far away: no frame's
 origin slides further along its axis to it."""
@@ -65,3 +62,17 @@ XACRO_SECONDS: int = 20
 
 XACRO_MEMORY: int = 1024
 """[MiB] Memory that the expansion of a xacro file may take, the interpreter in it."""
+
+PICTURE_RADIUS: float = 0.02
+"""[share of the sum of distances between frames] Radius of the cylinders that stand for links in exports."""
+
+PICTURE_HUB: float = 1.4
+"""[radius of a link's cylinder] Radius of the cylinder about a joint's axis, which is twice as long."""
+
+LEAST_BODY: float = 1e-13
+"""[share of the largest pseudo-inertia's trace] Mass [kg] and moments [kg m^2] of a body that stands for
+none: too small to be noticed, and enough for MuJoCo, which refuses less than 1e-15."""
+
+SLACK: float = 1e-9
+"""[share] Principal moments may be so far beyond what a body has before they are replaced in an export: the
+decimals of a table are rounded. Replacements have that much room."""

@@ -116,6 +116,8 @@ class _Reader(Quantities):
         at = frames.stated(model, "the model")
         static = (child := model.first("static")) is not None and child.text in ("1", "true")
         hung = {joint.child for joint in joints}
+        for element in model.all("frame"):
+            self._attach(element, frames, links, joints)
         for element in model.all("link"):
             link = element.attributes["name"]
             if link not in hung:
@@ -133,6 +135,19 @@ class _Reader(Quantities):
         world = TreeLink(WORLD, self.place(model))
         unused = self.leftovers.unused()
         return Tree(name, "SDF", self.document.file, (world, *links), tuple(joints), gravity, unused=unused)
+
+    def _attach(
+        self, element: Element, frames: Frames, links: list[TreeLink], joints: list[TreeJoint]
+    ) -> None:
+        """A frame on a link as a link without body that is fixed to it, so that it can be the tip."""
+        name = self.name(element, "a frame")
+        self.note_unused(element, _USED, _WORDS)
+        if frames.is_on_model(name):
+            return
+        link, where = frames.link(name, element), self.place(element)
+        pose = tidy(composed(frames.pose(link, element).inverse(), frames.pose(name, element)))
+        links.append(TreeLink(name, where))
+        joints.append(TreeJoint(f"{name} (frame)", "fixed", link, name, where, pose))
 
     @staticmethod
     def _in_world(joint: TreeJoint, at: Pose) -> TreeJoint:

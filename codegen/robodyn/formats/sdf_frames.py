@@ -75,6 +75,14 @@ class Frames:
             self._poses[name] = pose
         return pose
 
+    def is_on_model(self, name: str) -> bool:
+        """Whether the frame ``name`` is attached to the model itself, or to the world, and to no link."""
+        seen: set[str] = set()
+        while name in self._frames and name not in seen:
+            seen.add(name)
+            name = self._frames[name].attached_to
+        return name in (MODEL, WORLD)
+
     def link(self, name: str, asker: Element) -> str:
         """The link that the frame ``name`` is attached to, or the world."""
         seen: set[str] = set()

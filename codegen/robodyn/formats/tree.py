@@ -27,6 +27,8 @@ Kind = Literal[
     "screw",
     "other",
 ]
+#: What the names of files end in whose macros are expanded: lines are those of the expanded text.
+EXPANDED: Final = " (expanded)"
 #: Kinds that a chain's joint can be.
 TURNING: Final = frozenset({"revolute", "continuous"})
 MOVING: Final = TURNING | {"prismatic"}
@@ -112,6 +114,8 @@ class Unused:
     def text(self, file: str = "") -> str:
         """On one line, with the first few places; without the name of the file where that is ``file``."""
         name = "" if self.file == file else self.file
+        if file and self.file == file + EXPANDED:
+            name = EXPANDED.strip(" ()")
         if not self.lines:
             return f"{self.what} ({name})" if name else self.what
         shown = ", ".join(map(str, self.lines[:LINES_SHOWN]))

@@ -18,6 +18,7 @@ from robodyn.errors import InputError, Place, ToolError
 from robodyn.files import MIB, label
 from robodyn.formats import elements
 from robodyn.formats.limits import FILE_MIB, XACRO_MEMORY, XACRO_SECONDS
+from robodyn.formats.tree import EXPANDED
 
 
 def expanded(path: Path, arguments: Mapping[str, str] | None = None) -> elements.Document:
@@ -56,7 +57,7 @@ def expanded(path: Path, arguments: Mapping[str, str] | None = None) -> elements
     if process.returncode:
         late = process.returncode < 0
         raise _refused(name, f"more than {XACRO_SECONDS} s or {XACRO_MEMORY} MiB" if late else stderr)
-    return elements.parse(data, f"{name} (expanded)", "xacro that expands to URDF")
+    return elements.parse(data, name + EXPANDED, "xacro that expands to URDF")
 
 
 def _refused(name: str, words: str) -> InputError:

@@ -105,8 +105,8 @@ def _words(error: BaseException) -> str:
     """The message, that of a refusal without what xacro wraps around it."""
     inner: Any = error
     while inner is not None:
-        if isinstance(inner, Refused):
-            return str(inner)
+        if isinstance(inner, Refused | MemoryError):
+            return str(inner) or "out of memory"
         inner = getattr(inner, "exc", None)
     return str(error) or type(error).__name__
 
@@ -120,8 +120,7 @@ def main() -> int:
     try:
         text = expand(file, json.loads(arguments))
     except BaseException as error:
-        words = "out of memory" if isinstance(error, MemoryError) else _words(error)
-        sys.__stderr__.write(" ".join(words.split())[:1000])  # type: ignore[union-attr]
+        sys.__stderr__.write(" ".join(_words(error).split())[:1000])  # type: ignore[union-attr]
         return 1
     output.buffer.write(text.encode("utf-8", "replace"))
     output.flush()

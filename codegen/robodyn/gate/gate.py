@@ -78,11 +78,13 @@ def inspect(
     source: str | None = None,
     most: int = MOST_SAMPLES,
     windows: int = WINDOWS,
+    thinned: int | None = None,
 ) -> Gate:
     """Look at ``log`` of ``robot`` before anything is fitted.
 
     ``parameters``: values of the robot's run-time parameters; ``source``: what the log is called in messages;
-    ``most``: as many samples are kept at most, of a longer log in so many ``windows``.
+    ``most``: as many samples are kept at most, of a longer log in so many ``windows``, and so that no more
+    than ``thinned`` are left where they are filtered and thinned (:mod:`robodyn.logs.signals`).
 
     Raises
     ------
@@ -106,7 +108,7 @@ def inspect(
     rows = usable(log, source, flags, repeats)
     some = rows.index[rows.parts[0][0] : rows.parts[0][1]][:20_000]
     steps = steps_of(log.q[some]), steps_of(log.tau[some])
-    grid = on_grid(log, rows, most, flags, windows)
+    grid = on_grid(log, rows, most, flags, windows, thinned)
     check_stuck(grid, source, flags)
     smooth = smoothed(grid.log, grid.segments, grid.period)
     noise = noise_of(grid.log.q, grid.segments), noise_of(grid.log.tau, grid.segments)

@@ -11,6 +11,7 @@ from robodyn.gate.flag import Flag, Floats, Rows, Span, span, spans_of
 from robodyn.gate.limits import FAST_RATE, MOVING_SHARE, WINDOWS
 from robodyn.gate.rows import Usable
 from robodyn.logs.log import Log
+from robodyn.logs.signals import thinning
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -41,9 +42,14 @@ class Grid:
         return spans_of(self.rows()[samples], self.raw.t)
 
 
-def on_grid(log: Log, rows: Usable, most: int, flags: list[Flag], windows: int = WINDOWS) -> Grid:
-    """The rows of ``log`` that are used: all, or ``most`` of them in ``windows`` spread over the motion."""
+def on_grid(
+    log: Log, rows: Usable, most: int, flags: list[Flag], windows: int = WINDOWS, thinned: int | None = None
+) -> Grid:
+    """The rows of ``log`` that are used: all, or ``most`` of them in ``windows`` spread over the motion, of
+    which no more than ``thinned`` are left where they are filtered and thinned."""
     index, period, stride = rows.index, rows.period, 1
+    if thinned is not None:
+        most = min(most, thinned * thinning(1 / period))
     parts = rows.parts
     total = sum(b - a for a, b in parts)
     if total > most:

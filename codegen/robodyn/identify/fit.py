@@ -34,7 +34,7 @@ from robodyn.identify.plain import condition, held_out_gains, plain
 from robodyn.identify.prior import Prior, Usual, prior_of
 from robodyn.identify.problem import Solution, Unknowns, misfits, solve
 from robodyn.identify.rigid import PARAMETERS, Model
-from robodyn.identify.rows import Rows, bare, rows_of
+from robodyn.identify.rows import Rows, Strength, bare, rows_of
 from robodyn.robot.model import Robot
 from robodyn.robot.plausibility import only_about_base_axis
 
@@ -58,7 +58,8 @@ class Options:
     were held out; ``gains`` of torque channels, known to about ``gain_spread``; ``loads`` of some logs;
     ``confidence``: in place of what the description says of its links; ``joints``: by the name of a joint's
     column (``viscous``, ``coulomb``, ``rotor``) the joints (from 0) at which it is fitted, None: at all;
-    ``left_out``: windows of time that do not count, as (log from 0, start [s], end [s])."""
+    ``left_out``: windows of time that do not count, as (log from 0, start [s], end [s]); ``strengths``:
+    numbers of effects, each by the effect's place in the robot's and the number's name."""
 
     offsets: bool | Literal["auto"] = "auto"
     gains: bool = False
@@ -67,6 +68,7 @@ class Options:
     confidence: float | None = None
     joints: Mapping[str, frozenset[int]] | None = None
     left_out: tuple[tuple[int, float, float], ...] = ()
+    strengths: tuple[Strength, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -104,12 +106,23 @@ class Fit:
         return np.asarray(gains.mean(axis=1) / np.maximum(spread, 1e-300))
 
 
-def fit_arm(robot: Robot, gates: Sequence[Gate], options: Options | None = None) -> Fit:
-    """The numbers of ``robot`` from logs that have passed their gates."""
+def fit_arm(
+    robot: Robot, gates: Sequence[Gate], options: Options | None = None, beside: Robot | None = None
+) -> Fit:
+    """The numbers of ``robot`` from logs that have passed their gates. What its effects do is evaluated on
+    the arm ``beside``, which has the same effects and perhaps better numbers (None: on ``robot``)."""
     options = options or Options()
+    beside = beside or robot
     windows = [[(a, b) for log, a, b in options.left_out if log == k] for k in range(len(gates))]
-    pieces = [piece for k, gate in enumerate(gates) for piece in rows_of(robot, gate, k, windows[k])]
-    layout = layout_of(robot.n, rotors=robot.torque_side == "motor", offsets=options.offsets is not False)
+    pieces = [
+        piece
+        for k, gate in enumerate(gates)
+        for piece in rows_of(beside, gate, k, windows[k], options.strengths)
+    ]
+    layout = layout_of(
+        robot.n, rotors=robot.torque_side == "motor", offsets=options.offsets is not False,
+        strengths=len(options.strengths),
+    )  # fmt: skip
     arm = Model(bare(robot)).arm
     raw, _ = blocks_of(arm, layout, pieces)
     prior = prior_of(robot, layout, _usual(pieces), options.confidence)
@@ -167,7 +180,7 @@ def _unknowns(
     """What is fitted of ``robot`` with ``prior`` and ``options``."""
     n = robot.n
     free, rigid = np.ones(layout.size, dtype=bool), np.ones(n + len(options.loads), dtype=bool)
-    positive = [layout.joint(name) for name in layout.own if name != "offset"]
+    positive = [*(layout.joint(name) for name in layout.own if name != "offset"), layout.strength]
     if _turns_only(robot):
         rigid[0] = False
         free[layout.link(0)] = False

@@ -9,6 +9,17 @@ from __future__ import annotations
 
 from typing import Final
 
+# --- stages --------------------
+
+LOOKING_COST: Final = (0.4, 2e-7)
+"""[s; s for each number of positions] The data check takes about so long on a usual processor,"""
+
+FITTING_COST: Final = (0.5, 1.1e-6)
+"""[s; s for each number of positions] the fit,"""
+
+COMPARING_COST: Final = (0.2, 2.6e-6)
+"""[s; s for each number of positions] and the comparison of torques."""
+
 # --- rigid --------------------
 
 KEPT_RESULTS: Final = 6
@@ -31,8 +42,17 @@ SWEEPS: Final = 2
 LAG_BEGIN: Final = 1.0
 """[s] How the lag begins is sought over this time,"""
 
-LAG_TRIES: Final = 2
-"""[steps] in so many."""
+LAG_SHARES: Final = (0.15, 0.4, 1.0)
+"""[shares of that time] over these one after the other,"""
+
+LAG_EDGE: Final = 0.1
+"""[s] but for this, where filters know less of the accelerations,"""
+
+LAG_TRIES: Final = 5
+"""[steps] in so many,"""
+
+LAG_WORTH: Final = 1e-3
+"""[share of the squares left] as long as each gains so much."""
 
 LAG_PIECE: Final = 4.0
 """[s] In shorter pieces of a log it begins at rest: two numbers more would be too many."""
@@ -192,3 +212,9 @@ UNSEEN_SHARE: Final = 0.9
 
 POOR_CONDITION: Final = 100.0
 """[-] A base regressor with a larger condition number is poorly excited (Gautier and Khalil 1992)."""
+
+STRENGTH_SPREAD: Final = 2.0
+"""[-] The factor of an effect's number is 1 to about so much."""
+
+STRENGTH_STEP: Final = 1e-3
+"""[share] Torques by a number of an effect are differences over such a step."""

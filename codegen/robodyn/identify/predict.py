@@ -13,7 +13,8 @@ from robodyn.gate.gate import Gate
 from robodyn.identify.rigid import Model
 from robodyn.identify.twist import behind_motors
 from robodyn.kernels.kernel import Kernel
-from robodyn.logs.signals import Signals, knee, low_pass, smoothed_motion
+from robodyn.logs.limits import MOTION_WIDER
+from robodyn.logs.signals import Signals, knee, low_pass, motion_cutoff, smoothed_motion
 from robodyn.robot.model import Robot
 from robodyn.simulate.sensors import acting_on, measured_torque
 
@@ -144,7 +145,8 @@ def smooth_motion(gate: Gate, part: slice) -> tuple[Floats, Floats, Floats, Floa
     """Times, filtered positions and their rates of an even part of a log."""
     t, q = gate.log.t[part], gate.log.q[part]
     period = float((t[-1] - t[0]) / (len(t) - 1))
-    smooth = smoothed_motion(q, 1 / period, cutoff_of(gate, part))
+    cutoff = gate.cutoff or motion_cutoff(q, 1 / period, knee(q, 1 / period), MOTION_WIDER)
+    smooth = smoothed_motion(q, 1 / period, cutoff)
     qd = np.gradient(smooth, period, axis=0)
     return t, smooth, qd, np.gradient(qd, period, axis=0)
 

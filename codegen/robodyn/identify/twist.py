@@ -17,8 +17,11 @@ from numpy.typing import NDArray
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.identify.limits import (
     LAG_BEGIN,
+    LAG_EDGE,
     LAG_PIECE,
+    LAG_SHARES,
     LAG_TRIES,
+    LAG_WORTH,
     SWEEPS,
     TWIST_BEYOND,
     TWIST_DIVERGED,
@@ -69,16 +72,17 @@ def lag_of(
     take without; ``felt``: that torque's slopes [K] over acceleration, velocity and position of the joint.
     Samples are a ``period`` [s] apart. Not finite from where the link diverges.
 
-    How it begins follows from the torque that was measured to pass, ``passed`` [K], over the first samples;
-    without that it begins at rest.
+    How it begins follows from the torque that was measured to pass, ``passed`` [K], over the first second but
+    for the log's edge, where accelerations are not known; without that it begins at rest.
     """
     spring = _Spring.of(effect, values, float(np.abs(torque).max()))
     link = Oscillator((torque, *felt), period, (spring.force, spring.low, spring.width), spring.damping)
     begin = np.array([spring.at_rest(float(torque[0])), 0.0])
     if passed is not None and len(passed) * period > LAG_PIECE:  # two numbers more for each piece of a log
+        first, last = round(LAG_EDGE / period), max(8, round(LAG_BEGIN / period))
         quick = np.sqrt(spring.stiffest / max(float(felt[0][0]), 1e-9))
         sizes = spring.width * np.array([1.0, quick])
-        begin = _begun(link, begin, sizes, passed[: max(8, round(LAG_BEGIN / period))])
+        begin = _begun(link, spring, begin, sizes, passed[:last], first)
     lag = link.motion((float(begin[0]), float(begin[1])))
     far = np.abs(lag[:, 0]) > TWIST_DIVERGED * -spring.low
     if far.any():
@@ -86,23 +90,51 @@ def lag_of(
     return lag
 
 
-def _begun(link: Oscillator, begin: Floats, sizes: Floats, passed: Floats) -> Floats:
-    """Place and rate at first with which the torque of the spring is nearest to ``passed`` [L], by steps of
-    ``sizes`` from ``begin``."""
+def _begun(
+    link: Oscillator, spring: _Spring, begin: Floats, sizes: Floats, passed: Floats, first: int
+) -> Floats:
+    """Place and rate at first with which the torque of the spring is nearest to ``passed`` [L], from the
+    sample ``first`` on, by steps of ``sizes`` from ``begin``; and, as backlash has several sides, from where
+    the link would rest under other torques."""
+    loads = (float(passed[first]), 0.0, -float(passed[0]))
+    starts = [begin, *(np.array([spring.at_rest(load), 0.0]) for load in loads)]
+    ends = [first + max(8, round(share * (len(passed) - first))) for share in LAG_SHARES]
+
+    def squares(place: Floats) -> float:
+        left = link.misfit((float(place[0]), float(place[1])), passed[: ends[0]])[first:]
+        return float(left @ left) if np.isfinite(left).all() else np.inf
+
+    place = min(starts, key=squares)
+    # Over a short time first: after a few blows of its teeth a link may be anywhere.
+    for end in ends:
+        place = _nearest(link, place, sizes, passed[:end], first)
+    return place
+
+
+def _nearest(link: Oscillator, begin: Floats, sizes: Floats, passed: Floats, first: int) -> Floats:
+    """Place and rate near ``begin`` that leave least of ``passed`` [L] from ``first`` on."""
 
     def missed(at: Floats) -> Floats:
-        return link.misfit((float(at[0]), float(at[1])), passed)
+        return link.misfit((float(at[0]), float(at[1])), passed)[first:]
 
     left = missed(begin)
+    if not np.isfinite(left).all():
+        return begin
     for _ in range(LAG_TRIES):
         slopes = np.stack([missed(begin + one) - left for one in np.diag(sizes)], axis=1)
         if not np.isfinite(slopes).all():
             break
-        better = begin - sizes * np.linalg.lstsq(slopes, left, rcond=1e-9)[0]
-        now = missed(better)
-        if not now @ now < left @ left:
+        step = sizes * np.linalg.lstsq(slopes, left, rcond=1e-9)[0]
+        for share in (1.0, 0.3, 0.1):
+            now = missed(begin - share * step)
+            if now @ now < left @ left:
+                break
+        else:
             break
-        begin, left = better, now
+        settled = now @ now > (1 - LAG_WORTH) * (left @ left)
+        begin, left = begin - share * step, now
+        if settled:
+            break
     return begin
 
 

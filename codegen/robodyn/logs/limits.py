@@ -76,6 +76,18 @@ ENOUGH_CUTOFF: Final = 15.0
 """[Hz] and no higher than this: steps of friction reach far up, and what is worth naming shows below
 (docs/decisions/0012)."""
 
+LEAST_RATE: Final = 6.0
+"""[multiples of the cutoff] Where samples come faster, every second one carries what the filter passes."""
+
+MOTION_OVER_NOISE: Final = 30.0
+"""[powers of the noise] At a frequency with more power, positions show motion;"""
+
+MOTION_ABOVE: Final = 2.0
+"""[-] a filter that cuts off at so many times the highest of these frequencies leaves it as it is."""
+
+MOTION_WIDER: Final = 3.0
+"""[cutoffs] Motion is kept up to so many times the cutoff of what is compared at most."""
+
 FILTER_ORDER: Final = 4
 """[-] Order of that filter (Butterworth, forth and back)."""
 

@@ -5,6 +5,7 @@ Source: Gautier 1997 (parallel filtering: what is compared goes through the same
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -16,7 +17,10 @@ from robodyn.logs.limits import (
     ENOUGH_CUTOFF,
     FILTER_ORDER,
     HIGHEST_CUTOFF,
+    LEAST_RATE,
     LOWEST_CUTOFF,
+    MOTION_ABOVE,
+    MOTION_OVER_NOISE,
 )
 from robodyn.logs.log import Log
 
@@ -56,7 +60,12 @@ class Signals:
 
     def thinned(self, x: Floats) -> Floats:
         """Of ``x`` [K, ...], filtered, as many samples as its band needs, without the filter's ends."""
-        return x[self.edge : len(x) - self.edge : self.every]
+        return x[self.used]
+
+    @property
+    def used(self) -> slice:
+        """The samples of a filtered signal that are used."""
+        return slice(self.edge, len(self.t) - self.edge, self.every)
 
     def coarse(self) -> Signals:
         """The same at a rate that still carries what the filter passes: for columns that are smooth."""
@@ -70,31 +79,41 @@ class Signals:
         )
 
 
-def signals_of(log: Log, *, cutoff: float | None = None) -> Signals:
-    """Signals of an evenly sampled log."""
+def signals_of(log: Log, *, cutoff: float | None = None, wider: float = 1.0) -> Signals:
+    """Signals of an evenly sampled log. What moves above the cutoff is kept as well, up to ``wider`` times
+    it, as far as it stands out of the encoders' noise: torques of a motion that was low-passed would be so
+    twice, and those that were measured once."""
     t = log.t
     period = float((t[-1] - t[0]) / (len(t) - 1))
     rate = 1 / period
     chosen = cutoff or knee(log.q, rate)
-    smooth = smoothed_motion(log.q, rate, chosen)
+    motion = motion_cutoff(log.q, rate, chosen, wider)
+    smooth = smoothed_motion(log.q, rate, motion)
     qd = np.gradient(smooth, period, axis=0)
     qdd = np.gradient(qd, period, axis=0)
-    every = max(1, 2 * int(rate / (8 * chosen)))
+    every = thinning(rate, chosen)
     edge = every * max(1, round(min(1.5 / chosen * rate, len(t) / 20) / every))
     # So many samples that coarse signals have the same places.
     count = (len(t) - 1) // every * every + 1
     acceleration_noise = (
-        1.4826 * np.median(np.abs(log.q - smooth), axis=0) * _acceleration_noise(chosen, rate)
+        1.4826 * np.median(np.abs(log.q - smooth), axis=0) * _acceleration_noise(chosen, motion, rate)
     )
     t, smooth, qd, qdd, tau = (x[:count] for x in (t, smooth, qd, qdd, log.tau))
     return Signals(t, smooth, qd, qdd, tau, chosen, every, edge, acceleration_noise)
 
 
-def _acceleration_noise(cutoff: float, rate: float) -> float:
-    """The acceleration [1/s^2] by white noise of size 1 in positions, as two passes of :func:`low_pass` leave
-    it."""
+def thinning(rate: float, cutoff: float = ENOUGH_CUTOFF) -> int:
+    """Every how many samples, which come at a ``rate`` [Hz], carry what a filter with the ``cutoff`` [Hz]
+    passes: an even number, for coarse signals have half of it."""
+    cutoff = min(cutoff, HIGHEST_CUTOFF * rate)
+    return max(2 * int(rate / (8 * cutoff)), 2 if rate > LEAST_RATE * cutoff else 1)
+
+
+def _acceleration_noise(cutoff: float, motion: float, rate: float) -> float:
+    """The acceleration [1/s^2] by white noise of size 1 in positions, as passes of :func:`low_pass` at the
+    cutoffs of the ``motion`` and of what is compared leave it."""
     f = np.linspace(0.0, min(3 * cutoff, rate / 2), 500)
-    passed = 1 / (1 + (f / cutoff) ** (2 * FILTER_ORDER)) ** 2
+    passed = 1 / (1 + (f / cutoff) ** (2 * FILTER_ORDER)) / (1 + (f / motion) ** (2 * FILTER_ORDER))
     return float(np.sqrt(2 / rate * np.sum(((2 * np.pi * f) ** 2 * passed) ** 2) * (f[1] - f[0])))
 
 
@@ -131,15 +150,35 @@ def _sections(rate: float, cutoff: float) -> Floats:
     return np.asarray(butter(FILTER_ORDER, cutoff, fs=rate, output="sos"))
 
 
-def knee(q: Floats, rate: float) -> float:
-    """Cutoff [Hz] above what moves: three times the highest frequency that stands out of the noise."""
-    highest = LOWEST_CUTOFF
-    window = np.hanning(len(q))
+def motion_cutoff(q: Floats, rate: float, cutoff: float, wider: float) -> float:
+    """The cutoff [Hz] that leaves positions [K, n] what stands out of the noise: from ``cutoff`` to ``wider``
+    times that."""
+    return min(max(cutoff, MOTION_ABOVE * highest_motion(q, rate)), wider * cutoff)
+
+
+def highest_motion(q: Floats, rate: float) -> float:
+    """The highest frequency [Hz] at which positions [K, n] stand out of the noise."""
     frequencies = np.fft.rfftfreq(len(q), 1 / rate)
+    above = np.zeros(len(frequencies), dtype=bool)
+    for power, floor in _spectra(q):
+        above |= power > MOTION_OVER_NOISE * floor
+    return float(frequencies[above].max(initial=0.0))
+
+
+def _spectra(q: Floats) -> Iterator[tuple[Floats, float]]:
+    """Of each joint's positions [K, n] less a straight line: power by frequency, and that of the noise."""
+    window = np.hanning(len(q))
     for x in q.T:
         line = np.linspace(x[0], x[-1], len(x))
         power = np.abs(np.fft.rfft((x - line) * window)) ** 2
-        floor = np.median(power[len(power) // 2 :]) + 1e-30 * power.max()
+        yield power, float(np.median(power[len(power) // 2 :])) + 1e-30 * float(power.max())
+
+
+def knee(q: Floats, rate: float) -> float:
+    """Cutoff [Hz] above what moves: three times the highest frequency that stands out of the noise."""
+    highest = LOWEST_CUTOFF
+    frequencies = np.fft.rfftfreq(len(q), 1 / rate)
+    for power, floor in _spectra(q):
         above = np.nonzero(power > 1e3 * floor)[0]
         if len(above):
             # What carries the motion, not the last line that peeps out.

@@ -47,7 +47,8 @@ def headline(diagnosis: Diagnosis, *, validated: bool = True) -> str:
     if not lacking and touched:
         return f"{name}: no effect is missing, but {listed(touched)}."
     things = missing_words(lacking, diagnosis.robot.n) or ["an effect"]
-    verb = "are" if len(things) > 1 or things[0].split(" at ")[0].endswith("s") else "is"
+    first = things[0].split(" at ")[0]
+    verb = "are" if len(things) > 1 or " and " in first or first.endswith("s") else "is"
     left = [left_words(diagnosis, validated=validated)]
     parts = [
         f"{name}: {listed(things)} {verb} missing",
@@ -88,26 +89,11 @@ def missing_words(lacking: Sequence[Finding], n: int) -> list[str]:
 
 def left_words(diagnosis: Diagnosis, *, validated: bool) -> str:
     """``12 % of the torque stays unexplained``; empty where that is not known."""
-    share = share_left(diagnosis, validated=validated)
+    share = diagnosis.gap.left_share(validated=validated)
     if share is None:
         return ""
     text = f"{100 * share:.0f} %" if share >= 0.01 else "less than 1 %"
     return f"{text} of the torque stays unexplained"
-
-
-def share_left(diagnosis: Diagnosis, *, validated: bool) -> float | None:
-    """RMS of what the model leaves by RMS of the torque, the mean over the joints that carry some; None where
-    no log is there to tell."""
-    wanted = [s for s in diagnosis.series if s.name.startswith("validate")] if validated else []
-    if not diagnosis.series:
-        return None
-    tau = (wanted or list(diagnosis.series))[-1 if wanted else 0].tau
-    size = np.sqrt(np.mean(np.square(tau), axis=0))
-    _, after = chosen(diagnosis, validated)
-    with np.errstate(all="ignore"):
-        shares = after / size
-    shares = shares[np.isfinite(shares)]
-    return float(np.mean(shares)) if len(shares) else None
 
 
 def consistent_words(diagnosis: Diagnosis, *, validated: bool) -> str:

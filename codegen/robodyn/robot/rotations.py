@@ -104,7 +104,8 @@ def tidy(x: Fraction, size: float) -> Fraction:
         return ZERO
     short = shortest(value)
     decimal = Fraction(round(x * 10**DECIMALS), 10**DECIMALS)
-    return short if short == x or abs(decimal - x) > Fraction(NOISE * size) else decimal
+    meant = abs(decimal - x) <= Fraction(NOISE * size) and shortest(float(decimal)) == decimal
+    return decimal if meant and short != x else short
 
 
 def placement(R: Rows, origin: Exact, size: float, within: float = QUARTER_TURN) -> Placement | None:

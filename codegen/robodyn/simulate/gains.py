@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.errors import InputError
 from robodyn.ir.evaluate import REAL_FUNCTIONS, evaluate
 from robodyn.ir.program import Input
 from robodyn.simulate.system import System
@@ -33,6 +34,10 @@ def default_gains(
     :data:`STIFFEST`, or less: so that ``2 w period`` times the largest eigenvalue of M^-1 times the inertia
     that the controller reckons with, at the motors, stays at or below 1 all along the motion. A slow control,
     and light motors on elastic joints, ask for that.
+
+    Raises
+    ------
+    InputError: nothing resists the acceleration of some joint.
     """
     n = system.robot.n
     chosen = np.unique(np.linspace(0, len(motion) - 1, _STATES).astype(int))
@@ -44,11 +49,27 @@ def default_gains(
     rigid = together.T @ mass @ together
     unit = np.diagonal(rigid, axis1=1, axis2=2).max(axis=0)
     reckoned = rigid if law == "computed_torque" else np.broadcast_to(np.diag(unit), rigid.shape)
-    answers = np.linalg.inv(mass)[:, motors][:, :, motors] @ reckoned
+    try:
+        inverse = np.linalg.inv(mass)
+    except np.linalg.LinAlgError:
+        raise _without_inertia(system.robot.name, unit) from None
+    answers = inverse[:, motors][:, :, motors] @ reckoned
     quickest = float(np.abs(np.linalg.eigvals(answers)).max())
     w = min(STIFFEST, _SHARE / (2 * period * quickest))
     m = np.ones(n) if law == "computed_torque" else unit
     return w * w * m, 2 * w * m
+
+
+def _without_inertia(robot: str, unit: Floats) -> InputError:
+    """The complaint about a mass matrix without inverse; ``unit`` [n] are its largest diagonal elements."""
+    bare = [str(i) for i, m in enumerate(unit, 1) if not m > 0]
+    return InputError(
+        f"{robot}: nothing resists the acceleration of "
+        + (f"joint {', '.join(bare)}" if bare else "some joint together with others"),
+        found="a mass matrix without an inverse",
+        expected="links with mass and inertia, or motor_inertia, at every joint",
+        remedy="complete the description: a motion cannot be simulated without",
+    )
 
 
 def masses(system: System, q: Floats, parameters: Mapping[str, float]) -> Floats:

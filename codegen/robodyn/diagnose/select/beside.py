@@ -8,33 +8,38 @@ Gram matrix), and a candidate costs a few products of small matrices, whatever t
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.select.fit import Fit, Problem, counts, excluded, precisions
-from robodyn.diagnose.select.library import Candidate
-from robodyn.diagnose.select.limits import BLOCKS, FREE_PRECISION, SPANNED
+from robodyn.diagnose.select.library import Candidate, Context, candidates
+from robodyn.diagnose.select.library.matched import along, light
+from robodyn.diagnose.select.library.prepared import prepared
+from robodyn.diagnose.select.limits import BLOCKS, FREE_PRECISION, SPANNED, TRIED_AT_ONCE
+from robodyn.diagnose.select.scope import Scope
 
 Floats = NDArray[np.float64]
+Singles = NDArray[np.float32]
 Rows = tuple[int, ...]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Library:
     """Candidates [M], without columns of their own, and the columns, filtered and thinned [N, rows, all], of
-    those at the same joints; ``places`` [M]: where those of each stand among them."""
+    those at the same joints; ``places`` [M]: where those of each stand among them. Columns are kept in single
+    precision, which halves what takes most of the memory; sums of their products are in double precision."""
 
     candidates: tuple[Candidate, ...]
-    columns: dict[Rows, Floats]
+    columns: dict[Rows, Singles]
     places: tuple[slice, ...]
 
     @classmethod
-    def of(cls, pairs: Iterable[tuple[Candidate, Floats]]) -> Library:
+    def of(cls, pairs: Iterable[tuple[Candidate, Singles]]) -> Library:
         """Of candidates with their columns [N, rows, c]."""
-        candidates, places = list[Candidate](), list[slice]()
-        parts: dict[Rows, list[Floats]] = {}
+        several, places = list[Candidate](), list[slice]()
+        parts: dict[Rows, list[Singles]] = {}
         widths: dict[Rows, int] = {}
         for candidate, columns in pairs:
             rows = candidate.rows
@@ -42,28 +47,58 @@ class Library:
             widths[rows] = begin + columns.shape[2]
             places.append(slice(begin, widths[rows]))
             parts.setdefault(rows, []).append(columns)
-            candidates.append(replace(candidate, columns=columns[:0].copy()))  # no view, which keeps it all
-        return cls(tuple(candidates), {rows: _joined(parts.pop(rows)) for rows in widths}, tuple(places))
+            several.append(light(candidate))
+        return cls(tuple(several), {rows: _joined(parts.pop(rows)) for rows in widths}, tuple(places))
+
+    @classmethod
+    def along(cls, contexts: Sequence[Context], scope: Scope) -> Library:
+        """Of all candidates along several logs, one after the other: of the first, and as they are along the
+        others. Those that a log lacks are left out."""
+        first, *others = contexts
+        library = cls.of(prepared(first, candidates(first, scope)))
+        if not others:
+            return library
+        ends = np.cumsum([len(c.slow.thinned(c.slow.q)) for c in contexts]).tolist()
+        columns = {}
+        for rows in list(library.columns):  # one after the other, so that little is in memory twice
+            part = library.columns.pop(rows)
+            columns[rows] = np.zeros((ends[-1], *part.shape[1:]), dtype=np.float32)
+            columns[rows][: ends[0]] = part
+        lacking = set[int]()
+        for c, begin, end in zip(others, ends, ends[1:], strict=False):
+            for k, each in enumerate(along(c, library.candidates, scope)):
+                if each is None:
+                    lacking.add(k)
+                else:
+                    columns[library.candidates[k].rows][begin:end, :, library.places[k]] = each
+        kept = [k for k in range(len(library)) if k not in lacking]
+        return cls(
+            tuple(library.candidates[k] for k in kept), columns, tuple(library.places[k] for k in kept)
+        )
 
     def __len__(self) -> int:
         return len(self.candidates)
 
-    def of_candidate(self, k: int) -> Floats:
-        """The columns [N, rows, c] of candidate ``k``."""
+    def of_candidate(self, k: int) -> Singles:
+        """The columns [N, rows, c] of candidate ``k``; a view."""
         return self.columns[self.candidates[k].rows][:, :, self.places[k]]
 
     def groups(self, which: Sequence[int]) -> list[list[int]]:
-        """Of the candidates ``which`` those at the same joints with as many columns."""
+        """Of the candidates ``which`` those at the same joints with as many columns, some at a time."""
         groups: dict[tuple[Rows, int, bool], list[int]] = {}
         for k in which:
             one, place = self.candidates[k], self.places[k]
             groups.setdefault((one.rows, place.stop - place.start, one.fixed), []).append(k)
-        return list(groups.values())
+        return [
+            group[k : k + TRIED_AT_ONCE]
+            for group in groups.values()
+            for k in range(0, len(group), TRIED_AT_ONCE)
+        ]
 
 
-def _joined(parts: list[Floats]) -> Floats:
+def _joined(parts: list[Singles]) -> Singles:
     """Columns [N, rows, c] side by side; the list is used up, so that they are in memory once."""
-    joined = np.empty((*parts[0].shape[:2], sum(part.shape[2] for part in parts)))
+    joined = np.empty((*parts[0].shape[:2], sum(part.shape[2] for part in parts)), dtype=np.float32)
     end = joined.shape[2]
     while parts:
         part = parts.pop()
@@ -87,15 +122,14 @@ def fits(p: Problem, current: Fit, library: Library, which: Sequence[int]) -> Fi
     without.
 
     A column of a candidate that what is known explains already gets no coefficient."""
-    products: dict[Rows, tuple[Floats, Floats]] = {}
     outcome = Fits([], [], [])
     for group in library.groups(which):
         rows = library.candidates[group[0]].rows
-        if rows not in products:
-            products[rows] = _products(p, rows, library.columns[rows])
-        cross, right = products[rows]
-        wide = np.stack([np.arange(library.places[k].start, library.places[k].stop) for k in group])
-        own = _own(p, rows, library.columns[rows], wide)
+        places = [np.arange(library.places[k].start, library.places[k].stop) for k in group]
+        columns = library.columns[rows][:, :, np.concatenate(places)]
+        cross, right = _products(p, rows, columns)
+        wide: NDArray[np.intp] = np.arange(columns.shape[2]).reshape(len(group), -1)
+        own = _own(p, rows, columns, wide)
         signs = np.array([library.candidates[k].signs for k in group])
         fixed = library.candidates[group[0]].fixed
         scales = [library.candidates[k].scale for k in group]
@@ -108,29 +142,33 @@ def fits(p: Problem, current: Fit, library: Library, which: Sequence[int]) -> Fi
     return outcome
 
 
-def _products(p: Problem, rows: Rows, columns: Floats) -> tuple[Floats, Floats]:
+def _products(p: Problem, rows: Rows, columns: Singles) -> tuple[Floats, Floats]:
     """Products of the columns [N, rows, all] with what is known, by part and row: [BLOCKS, rows, all, p], and
     with the rest: [BLOCKS, rows, all]."""
     sums = np.empty((BLOCKS, len(rows), columns.shape[2], p.A.shape[2] + 1))
     for i, j in enumerate(rows):
-        with_rest = np.concatenate([p.A[:, j], p.rest[:, j, None]], axis=1) / p.sigma[j]
+        with_rest = np.concatenate([p.A[:, j], p.rest[:, j, None]], axis=1) * (
+            p.weight[:, j, None] / p.sigma[j]
+        )
         for k, part in enumerate(p.parts):
             sums[k, i] = columns[part, i].T @ with_rest[part]
     return sums[..., :-1], sums[..., -1]
 
 
-def _own(p: Problem, rows: Rows, columns: Floats, wide: NDArray[np.intp]) -> Floats:
+def _own(p: Problem, rows: Rows, columns: Singles, wide: NDArray[np.intp]) -> Floats:
     """Products of the columns of each candidate [M, c] with each other, by part and row:
     [BLOCKS, rows, M, c, c]."""
     c = wide.shape[1]
     sums = np.empty((BLOCKS, len(rows), len(wide), c, c))
-    counted = p.counted[:, None]
     for i, j in enumerate(rows):
+        squared = p.weight[:, j, None] ** 2
+        is_plain = bool(np.all(squared == 1))
+        several = [columns[:, i, wide[:, a]].astype(np.float64) for a in range(c)]
         for a in range(c):
             for b in range(a + 1):
-                product = columns[:, i, wide[:, a]] * columns[:, i, wide[:, b]]
-                if not np.all(counted):
-                    product = product * counted
+                product = several[a] * several[b]
+                if not is_plain:
+                    product = product * squared
                 by_part = np.add.reduceat(product, [part.start for part in p.parts], axis=0)
                 sums[:, i, :, a, b] = sums[:, i, :, b, a] = by_part / p.sigma[j] ** 2
     return sums

@@ -19,7 +19,7 @@ Floats = NDArray[np.float64]
 def unexplained(p: Problem, library: Library) -> Floats:
     """The median [n] of what the library leaves in held-out parts of the log, in units of the noise (a
     median, since joints that stick at reversals make bursts); 1 where that is about the noise."""
-    ratio = np.ones(p.n)
+    left = np.zeros_like(p.rest)
     for j in range(p.n):
         own = p.A[:, j, : p.nuisance] @ p.basis.T  # as the arm has them: each on its own
         own = own[:, np.sum(own**2, axis=0) > UNSEEN_NUISANCE]
@@ -30,7 +30,7 @@ def unexplained(p: Problem, library: Library) -> Floats:
             if j in candidate.rows and not candidate.fixed and seen.get(key, 0) < 2:
                 seen[key] = seen.get(key, 0) + 1
                 x = library.of_candidate(k)
-                columns.append(x[:, candidate.rows.index(j)] / p.sigma[j])
+                columns.append(x[:, candidate.rows.index(j)] * (p.weight[:, j, None] / p.sigma[j]))
         X = np.concatenate(columns, axis=1)
         wide = np.sqrt(np.mean(X**2, axis=0))
         X = X[:, wide > 0] / wide[wide > 0]
@@ -39,10 +39,8 @@ def unexplained(p: Problem, library: Library) -> Floats:
         rights = np.stack([X[part].T @ b[part] for part in p.parts])
         G, g = grams.sum(axis=0), rights.sum(axis=0)
         ridge = CEILING_RIDGE * len(b) * np.eye(len(G))
-        left = np.empty(len(b))
         for k, part in enumerate(p.parts):
             x = np.linalg.solve(G - grams[k] + ridge, g - rights[k])
-            left[part] = b[part] - X[part] @ x
-        size = 1.4826 * float(np.median(np.abs(left)))
-        ratio[j] = size if size > STANDS_OUT else 1.0
-    return ratio
+            left[part, j] = b[part] - X[part] @ x
+    size = p.usual(left)
+    return np.where(size > STANDS_OUT, size, 1.0)

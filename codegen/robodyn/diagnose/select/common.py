@@ -8,7 +8,7 @@ of everything (a turned base, a delay, a coupling) is taken before them.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -84,7 +84,7 @@ def _beside(whole: Problem, at: int, library: Library, k: int, least: Floats) ->
     """The trial of candidate ``k``, whose column of the problem is ``at``, beside the others."""
     others = whole.without_column(at)
     (one,) = trials(others, fitted(others), library, least, [k])
-    return one
+    return replace(one, beside=None)  # the problem is as large as the log
 
 
 def _stays(start: Problem, one: Trial) -> bool:

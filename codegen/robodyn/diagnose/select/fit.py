@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from robodyn.diagnose.select.limits import BLOCKS, FEW_PARTS, FREE_PRECISION, UNSEEN_NUISANCE
 
 Floats = NDArray[np.float64]
+Columns = Floats | NDArray[np.float32]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -24,7 +25,8 @@ class Problem:
     """What is to be explained, in parts of the log [BLOCKS].
 
     ``rest`` [N, n] and known columns ``A`` [N, n, p], both in standard deviations ``sigma`` [n] of the
-    noise; ``prior`` [p] precisions; ``parts`` their slices; by part and joint the products of the columns
+    noise, times ``weight`` [N, n]: 1, less where joints rest, 0 where a row does not count; ``prior`` [p]
+    precisions; ``parts`` their slices; by part and joint the products of the columns
     ``gram`` [BLOCKS, n, p, p], with the rest ``right`` [BLOCKS, n, p], and of the rest ``square``
     [BLOCKS, n]; ``thin``: how many neighbouring samples are correlated; ``nuisance``: how many of the columns
     are nuisance; ``basis`` [all, nuisance] the directions that they are of the arm's own numbers;
@@ -34,6 +36,7 @@ class Problem:
     A: Floats
     prior: Floats
     sigma: Floats
+    weight: Floats
     parts: tuple[slice, ...]
     gram: Floats
     right: Floats
@@ -56,7 +59,14 @@ class Problem:
     @property
     def counted(self) -> NDArray[np.bool_]:
         """Which of the samples count [N]."""
-        return np.asarray(np.any(self.rest != 0, axis=1))
+        return np.asarray(np.any(self.weight > 0, axis=1))
+
+    def usual(self, left: Floats) -> Floats:
+        """The median size [n] of what is left [N, n], where joints do not rest: of a normal distribution its
+        standard deviation. A median, so that short bursts of joints that stick at reversals do not count."""
+        whole = self.weight >= 1
+        sizes = (np.abs(left[whole[:, j], j]) for j in range(self.n))
+        return np.array([1.4826 * float(np.median(size)) if len(size) else 0.0 for size in sizes])
 
     @property
     def grams(self) -> Floats:
@@ -68,7 +78,7 @@ class Problem:
         """Products [BLOCKS, p] of the columns and the rest over all joints."""
         return np.asarray(self.right.sum(axis=1))
 
-    def with_columns(self, rows: tuple[int, ...], columns: Floats, scale: Floats | None = None) -> Problem:
+    def with_columns(self, rows: tuple[int, ...], columns: Columns, scale: Floats | None = None) -> Problem:
         """The problem with more known columns [N, rows, c], in N m or N, fitted freely, or with a prior of
         standard deviations ``scale`` [c]."""
         p, c = self.A.shape[2], columns.shape[2]
@@ -76,7 +86,7 @@ class Problem:
         gram, right = np.zeros((*self.square.shape, p + c, p + c)), np.zeros((*self.square.shape, p + c))
         gram[:, :, :p, :p], right[:, :, :p] = self.gram, self.right
         for i, j in enumerate(rows):
-            A[:, j, p:] = columns[:, i] / self.sigma[j] * self.counted[:, None]
+            A[:, j, p:] = columns[:, i] * (self.weight[:, j, None] / self.sigma[j])
             for k, part in enumerate(self.parts):
                 new = A[part, j, p:]
                 gram[k, j, :, p:] = A[part, j].T @ new
@@ -107,15 +117,15 @@ def precisions(c: int, scale: Floats | None, thin: float) -> Floats:
 
 def without(p: Problem, mask: NDArray[np.bool_]) -> Problem:
     """The problem without the rows of ``mask`` [N], which no longer count."""
-    kept = ~mask
-    return _summed(replace(p, rest=p.rest * kept[:, None], A=p.A * kept[:, None, None]))
+    kept = ~mask[:, None]
+    return _summed(replace(p, rest=p.rest * kept, A=p.A * kept[:, :, None], weight=p.weight * kept))
 
 
-def less(p: Problem, rows: tuple[int, ...], column: Floats) -> Problem:
+def less(p: Problem, rows: tuple[int, ...], column: Columns) -> Problem:
     """The problem with a column [N, rows] taken off, in N m or N."""
     at = list(rows)
     rest = p.rest.copy()
-    rest[:, at] -= column / p.sigma[at] * p.counted[:, None]
+    rest[:, at] -= column / p.sigma[at] * p.weight[:, at]
     return _summed(replace(p, rest=rest))
 
 
@@ -139,24 +149,30 @@ def wider(p: Problem, fresh: Problem) -> Problem:
 
 
 def problem(
-    rest: Floats, Y: Floats, sigma: Floats, thin: float, encoder_noise: Floats | None = None
+    rest: Floats,
+    Y: Floats,
+    sigma: Floats,
+    thin: float,
+    encoder_noise: Floats | None = None,
+    weight: Floats | None = None,
 ) -> Problem:
     """The problem of the residual ``rest`` [N, n] and the nuisance ``Y`` [N, n, p], a unit of each column
-    being a standard deviation of its prior; ``encoder_noise`` [n] is the part of
-    ``sigma`` that comes from the encoders.
+    being a standard deviation of its prior; ``encoder_noise`` [n] is the part of ``sigma`` that comes from
+    the encoders; ``weight`` [N, n]: what the rows count (1).
 
     All units being alike, the columns may be turned: those that do not show along the log are left out, which
     changes no fit."""
     edges = np.linspace(0, len(rest), BLOCKS + 1).astype(int)
     parts = tuple(slice(int(a), int(b)) for a, b in pairwise(edges))
-    A, b = Y / sigma[None, :, None], rest / sigma
+    weight = np.ones_like(rest) if weight is None else weight
+    A, b = Y * (weight / sigma)[:, :, None], rest * (weight / sigma)
     basis = _directions(A)
     A, p = A @ basis, basis.shape[1]
     by_encoders = np.zeros_like(sigma) if encoder_noise is None else encoder_noise
     none = np.zeros((BLOCKS, len(sigma), p))
     return _summed(
         Problem(
-            b, A, np.full(p, thin), sigma, parts, none[..., None], none, none[..., 0], thin, p, basis,
+            b, A, np.full(p, thin), sigma, weight, parts, none[..., None], none, none[..., 0], thin, p, basis,
             by_encoders,
         )
     )  # fmt: skip

@@ -84,7 +84,7 @@ def forward(
             is_grouped, tried = True, None
             for one in _kinds(group.trials, most - len({effect for effect, _ in known})):
                 tell(one.candidate.name)
-                one = replace(one, columns=one.columns.copy())
+                one = replace(one, columns=one.columns.copy(), beside=None)
                 findings.append(Named(one, (), SURE, one.fit.x, np.zeros(0), is_common=True))
             findings = _without_vague(start, findings)
             now = _with(start, findings)
@@ -93,7 +93,7 @@ def forward(
         if best is None:
             break
         one, rivals, confidence = best
-        one = replace(one, columns=one.columns.copy())
+        one = replace(one, columns=one.columns.copy(), beside=None)
         beside = tuple(without_columns(each) for each in tried[:40])
         kept = [each for k, each in enumerate(findings) if k not in one.replaced]
         more = _with_new(start, kept, Named(one, rivals, confidence, one.fit.x, np.zeros(0), beside))

@@ -24,6 +24,9 @@ is off by one standard deviation of its prior, is left out: no fit would move it
 SPANNED: Final = 1e-9
 """[share of its squares] A candidate of which what is known leaves less adds nothing."""
 
+TRIED_AT_ONCE: Final = 100
+"""[candidates] So many are tried at once, with copies of their columns."""
+
 # --- ceiling --------------------
 
 CEILING_RIDGE: Final = 1e-3
@@ -259,6 +262,32 @@ BETTER_FIT: Final = 0.5
 PROFILE_RESTARTS: Final = 2
 """[times] at most."""
 
+# --- walk --------------------
+
+WALK_STEP: Final = 1.3
+"""[-] A stiffness is varied by this factor,"""
+
+WALK_DOWN: Final = 12
+"""[steps] down at most,"""
+
+WALK_UP: Final = 5
+"""[steps] and up: a grid ends too stiff more often than too soft;"""
+
+WALK_LOST: Final = 4.0
+"""[-] no farther than to so many times the least misfit."""
+
+WALK_ROUNDS: Final = 3
+"""[rounds] of Gauss and Newton at each step,"""
+
+WALK_WORTH: Final = 1e-3
+"""[share of the misfit] as long as each gains so much,"""
+
+WALK_FARTHEST: Final = 0.7
+"""[logarithm] none farther than this,"""
+
+WALK_DAMPED: Final = 1e-6
+"""[-] with this on the diagonal of columns of size 1."""
+
 # --- search --------------------
 
 PASSES: Final = 10
@@ -308,8 +337,14 @@ SHORTEST_PIECE: Final = 6.0
 """[periods of the cutoff] Shorter pieces of a log are left out."""
 
 FEW_PARTS: Final = 1.15
-"""[-] A standard error that is from ten parts is so much larger, for twice of it to hold 95 % (Student, nine
-degrees of freedom)."""
+"""[-] A standard error of ten parts is so much larger, for twice of it to hold 95 % (Student, 9 degrees)."""
 
 DIVERGED: Final = 30.0
 """[-] So many times larger in the fit of all than alone, a coefficient has diverged."""
+
+REST_WEIGHT: Final = 0.3
+"""[-] What a row of a joint that rests counts, as a factor: stiction holds it with any torque within its
+level,"""
+
+LEAST_MOVING: Final = 0.1
+"""[share] if the joint moves for more than this: else there is nothing better to go by."""

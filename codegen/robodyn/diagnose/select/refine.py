@@ -66,6 +66,15 @@ class Freed:
         """The values [P] of the amendments as they are."""
         return np.array([float(self.amendments[k].parameters[name]) for k, name in self.places])
 
+    @property
+    def sizes(self) -> NDArray[np.bool_]:
+        """Which of the values [P] keep their sign, and are varied by factors."""
+        kinds = [
+            next(p.sign for p in effect(self.amendments[k].effect).parameters if p.name == name)
+            for k, name in self.places
+        ]
+        return np.array([kind != "any" for kind in kinds], dtype=bool)
+
     def changed(self, x: Floats) -> list[Amendment]:
         """The amendments with values ``x`` [P]."""
         values = [dict(one.parameters) for one in self.amendments]
@@ -81,7 +90,7 @@ class Freed:
         except InputError:
             return None
         rows = np.concatenate([_rest(model, c) for c in self.contexts]) / self.start.sigma
-        left = rows.reshape(-1) * np.repeat(self.start.counted, self.start.n)
+        left = (rows * self.start.weight).reshape(-1)
         return left if np.isfinite(left).all() else None
 
     def slopes(self, x: Floats, left: Floats) -> Floats:
@@ -104,7 +113,7 @@ def refined(
     if not freed.places:
         return list(amendments)
     nuisance, prior = own_numbers(start)
-    x = freed.x
+    x, sizes = freed.x, freed.sizes
     begun, now = x, freed.missed(x)
     if now is None:
         return list(amendments)
@@ -116,7 +125,7 @@ def refined(
         _, step = _least(weight * now, all_of_it, prior, free=len(x))
         for share in (1.0, 0.3, 0.1):
             tried = x - share * step[: len(x)]
-            within = np.all(tried * x > 0) and np.all(np.abs(tried) < REFINE_FARTHEST * np.abs(begun))
+            within = np.all(((tried / x > 0) & (np.abs(tried) < REFINE_FARTHEST * np.abs(begun)))[sizes])
             other = freed.missed(tried) if within else None
             if other is None:
                 continue
@@ -139,11 +148,11 @@ def costs(
     """What ``robot`` with all of each of the ``models`` leaves of the logs, in units of log-likelihood;
     bursts, by the measure of the first model, count by their size (Huber 1964)."""
     nuisance, prior = own_numbers(start)
-    kept = np.any(start.rest != 0, axis=1)[:, None]
     usual: Floats | None = None
     residuals = []
     for model in models:
-        left = np.concatenate([_rest(amended(robot, model), c) for c in contexts]) / start.sigma * kept
+        left = np.concatenate([_rest(amended(robot, model), c) for c in contexts])
+        left *= start.weight / start.sigma
         weight, usual = weights(left, nuisance, prior, usual)
         least = _least(weight * left.reshape(-1), weight[:, None] * nuisance, prior)[0]
         residuals.append(least / 2 / start.thin)
@@ -206,7 +215,10 @@ def _rest(robot: Robot, c: Context) -> Floats:
             if isinstance(law, Dahl) and entry.joint:  # the model has them sliding
                 j, level = entry.joint - 1, entry.number(law.level)
                 if level > 0:
-                    deflection = dahl_deflection(s.q[:, j], level / entry.number(law.stiffness))
+                    limit = level / entry.number(law.stiffness)
+                    deflection = dahl_deflection(s.q[:, j], limit)
+                    rate = np.gradient(limit * deflection, s.period)
                     total[:, j] += level * (deflection - model.direction(s.qd[:, j]))
+                    total[:, j] += entry.number(law.damping) * rate
     tau = measured_torque(total, s.t, robot.effects)
     return s.thinned(s.filtered(given_torque(s.tau, robot) - tau))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -19,6 +19,7 @@ from robodyn.diagnose.select.refine import costs, refined
 from robodyn.diagnose.select.scope import EVERYTHING, Scope
 from robodyn.diagnose.select.selection import Selection, select
 from robodyn.diagnose.select.uncertainty import uncertainties
+from robodyn.diagnose.select.walk import walked
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.gate import Gate
 from robodyn.identify.rigid import Model, physical
@@ -58,10 +59,11 @@ def search(
     """What ``robot`` lacks in ``scope`` to explain logs that have passed their ``gates``; windows of contacts
     are not in them."""
     pieces = [_piece(gate.log, part) for gate in gates for part in gate.segments]
+    resting = [gate.resting[part] for gate in gates for part in gate.segments]
 
     def look(model: Robot, known: Iterable[Key], unstated: float | None) -> Selection:
         return select(
-            model, pieces, known=frozenset(known), unstated=unstated, scope=scope,
+            model, pieces, known=frozenset(known), unstated=unstated, scope=scope, resting=resting,
             progress=lambda name: tell(f"found {name}"),
         )  # fmt: skip
 
@@ -74,6 +76,7 @@ def search(
         more = dict(findings)
         _take(last, more)
         _refit(robot, more, first)
+        _walk(robot, more, set(more) - set(findings), first)
         if _levelled(more, first):
             _refit(robot, more, first)
         _pruned(robot, more, first)
@@ -150,6 +153,16 @@ def _refit(robot: Robot, findings: dict[Key, Detected], begun: Selection) -> Non
     better = refined(robot, _amendments(findings), begun.contexts, begun.start)
     for key, one in zip(list(findings), better, strict=True):
         findings[key] = replace(findings[key], parameters=dict(one.parameters))
+
+
+def _walk(robot: Robot, findings: dict[Key, Detected], new: Collection[Key], begun: Selection) -> None:
+    """The ``new`` ones among the effects, if they are springs between motor and link, in tune."""
+    springs = [key for key in new if CATALOGUE[key[0]].coupler is not None]
+    if springs:
+        better = walked(robot, _amendments(findings), begun.contexts, begun.start, springs)
+        for key, one in zip(list(findings), better, strict=True):
+            findings[key] = replace(findings[key], parameters=dict(one.parameters))
+        _refit(robot, findings, begun)
 
 
 def _levelled(findings: dict[Key, Detected], begun: Selection) -> bool:

@@ -38,14 +38,15 @@ from robodyn.diagnose.select.fit import (
 )
 from robodyn.diagnose.select.forward import Chosen, Key, Named, forward
 from robodyn.diagnose.select.library import Context, context_of, regressor_seen
-from robodyn.diagnose.select.library.matched import matched
 from robodyn.diagnose.select.library.several import usual_sizes
 from robodyn.diagnose.select.limits import (
     DIVERGED,
+    LEAST_MOVING,
     OF_ENCODER_NOISE,
     OF_NOISE,
     OF_TORQUE,
     POSES,
+    REST_WEIGHT,
     SHORTEST_PIECE,
     STANDS_OUT,
     TIGHT,
@@ -54,11 +55,13 @@ from robodyn.diagnose.select.limits import (
 )
 from robodyn.diagnose.select.scope import EVERYTHING, Scope
 from robodyn.identify.rigid import Model
+from robodyn.logs.limits import MOTION_WIDER
 from robodyn.logs.log import Log
 from robodyn.logs.signals import Signals, signals_of
 from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]
+Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -101,9 +104,9 @@ def prior_scales(model: Model, unstated: float | None = None) -> Floats:
     return scales
 
 
-def start_of(contexts: Sequence[Context], scale: Floats) -> Problem:
+def start_of(contexts: Sequence[Context], scale: Floats, weight: Floats | None = None) -> Problem:
     """The filtered residual of the model, and the nuisance of its rigid numbers, which are right to
-    ``scale`` [n, 10]."""
+    ``scale`` [n, 10]; ``weight`` [N, n]: what the rows count (1)."""
     s = contexts[0].signals
     rests, nuisances = [], []
     for c in contexts:
@@ -114,7 +117,14 @@ def start_of(contexts: Sequence[Context], scale: Floats) -> Problem:
     thin = max(1.0, 1 / (2 * s.cutoff * s.period * s.every))
     by_encoders = encoder_torque_noise(contexts[0])
     sigma = np.hypot(passed_noise(s), by_encoders)
-    return problem(np.concatenate(rests), Y, sigma, thin, by_encoders)
+    return problem(np.concatenate(rests), Y, sigma, thin, by_encoders, weight)
+
+
+def weight_of(resting: Mask) -> Floats:
+    """What rows [N, n] count: less where joints rest, for stiction holds them there with any torque. A joint
+    that hardly moves has nothing better."""
+    is_weighed = resting & (np.mean(~resting, axis=0) > LEAST_MOVING)
+    return np.where(is_weighed, REST_WEIGHT, 1.0)
 
 
 def raw_noise(s: Signals) -> Floats:
@@ -165,23 +175,28 @@ def select(
     progress: Callable[[str], object] | None = None,
     cutoff: float | None = None,
     scope: Scope = EVERYTHING,
+    resting: Sequence[Mask] = (),
 ) -> Selection:
     """What ``robot`` lacks to explain ``logs``, each evenly sampled, in ``scope``; parts too short to be
     filtered are left out. ``known``: what the model has of earlier passes; ``unstated``: by which share
-    the inertial numbers may be wrong of which nothing is stated (None: the logs decide)."""
+    the inertial numbers may be wrong of which nothing is stated (None: the logs decide); ``resting`` of
+    each log [K, n]: where joints stand still."""
     pieces = [logs] if isinstance(logs, Log) else list(logs)
-    pieces.sort(key=lambda log: -log.samples)
-    longest = signals_of(pieces[0], cutoff=cutoff)
+    still = list(resting) or [np.zeros(log.q.shape, dtype=np.bool_) for log in pieces]
+    order = sorted(range(len(pieces)), key=lambda k: -pieces[k].samples)
+    longest = signals_of(pieces[order[0]], cutoff=cutoff, wider=MOTION_WIDER)
     context = context_of(Model(robot), longest)
-    contexts = [context]
-    for log in pieces[1:]:
-        if log.samples * longest.period > SHORTEST_PIECE / longest.cutoff:
-            more = signals_of(log, cutoff=longest.cutoff)
+    contexts, rests = [context], [still[order[0]][longest.used]]
+    for k in order[1:]:
+        if pieces[k].samples * longest.period > SHORTEST_PIECE / longest.cutoff:
+            more = signals_of(pieces[k], cutoff=longest.cutoff, wider=MOTION_WIDER)
             contexts.append(context_of(context.model, more, context.hints))
+            rests.append(still[k][more.used])
+    weight = weight_of(np.concatenate(rests))
     narrow = prior_scales(context.model)
-    start = start_of(contexts, narrow)
+    start = start_of(contexts, narrow, weight)
     least = what_matters(context) / start.sigma
-    library = Library.of(matched(contexts, scope))
+    library = Library.along(contexts, scope)
     factor = _factor(start, library, least, contexts)
     start = coarser(start, factor)
     least = least / factor
@@ -194,7 +209,7 @@ def select(
         )  # fmt: skip
 
     def wide(share: float) -> Problem:
-        return wider(start, start_of(contexts, prior_scales(context.model, share)))
+        return wider(start, start_of(contexts, prior_scales(context.model, share), weight))
 
     if unstated is not None:
         start = wide(unstated)
@@ -217,8 +232,7 @@ def select(
     now, current, findings = chosen.now, chosen.current, chosen.findings
     first = fitted(start)
     estimated = _estimated(now, current, findings)
-    left = factor * np.abs(now.rest - now.A @ current.known)
-    residue: Floats = 1.4826 * np.median(left[np.any(left > 0, axis=1)], axis=0)
+    residue = factor * now.usual(now.rest - now.A @ current.known)
     for each in contexts:
         each.kept.clear()
     return Selection(
@@ -252,7 +266,7 @@ def _factor(start: Problem, library: Library, least: Floats, contexts: Sequence[
     current = fitted(start)
     # A single burst may have biased all these fits.
     for left in (start.rest, start.rest - start.A @ current.known):
-        factor = np.where(1.4826 * np.median(np.abs(left), axis=0) < STANDS_OUT, 1.0, factor)
+        factor = np.where(start.usual(left) < STANDS_OUT, 1.0, factor)
     tried = trials(start, current, library, least)
     for one in nearest(start, current, tried, least, contexts):
         left = np.sqrt(np.median(one.fit.held_out, axis=0))

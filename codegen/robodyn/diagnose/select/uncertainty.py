@@ -133,8 +133,7 @@ def _all(fit: LocalFit, *, may_move: bool) -> tuple[list[Uncertainty | None], Fl
             half = HALF_WIDTH * error
             known.append(Uncertainty(error, value - half, value + half))
             continue
-        (parameter,) = (p for p in definition.parameters if p.name == name)
-        profile = Profile(fit, i, is_size=parameter.sign != "any")
+        profile = Profile(fit, i)
         bounds: list[float | None] = []
         for side in (-1, 1):
             bound, better = profile.bound(side, may_move=may_move)
@@ -148,10 +147,10 @@ def _all(fit: LocalFit, *, may_move: bool) -> tuple[list[Uncertainty | None], Fl
 
 
 class Profile:
-    """The misfit along value ``i`` of a fit, all others refitted. A number that ``is_size`` keeps its sign,
-    and is varied by factors."""
+    """The misfit along value ``i`` of a fit, all others refitted. A size keeps its sign, and is varied by
+    factors."""
 
-    def __init__(self, fit: LocalFit, i: int, *, is_size: bool) -> None:
+    def __init__(self, fit: LocalFit, i: int) -> None:
         self.fit, self.i = fit, i
         own = _inverse(fit.curvature)
         self.error = float(fit.errors[i])
@@ -161,7 +160,8 @@ class Profile:
         self.way = own[:, i] / own[i, i]
         self.others = np.delete(np.arange(len(fit.x)), i)
         self.inverse = _inverse(fit.curvature[np.ix_(self.others, self.others)])
-        self.is_size = is_size
+        self.sizes = fit.freed.sizes
+        self.is_size = bool(self.sizes[i])
 
     def value(self, distance: float) -> float:
         """The value at a ``distance``, in logarithms or standard errors."""
@@ -223,9 +223,9 @@ class Profile:
         return self.value(side * distance), None
 
     def _kept(self, x: Floats) -> Floats:
-        """Values [P] that keep their signs."""
+        """Values [P] of which sizes keep their signs."""
         own = self.fit.x
-        return np.asarray(np.where(x * own > 0, x, own / 10))
+        return np.asarray(np.where(self.sizes & (x * own <= 0), own / 10, x))
 
 
 def _inverse(H: Floats) -> Floats:
@@ -249,10 +249,10 @@ def _errors(start: Problem, B: Floats, left: Floats, prior: Floats) -> Floats:
     bread = _inverse(B.T @ B + held)[:, :own]
     by_joint, influence = left.reshape(-1, n), (B @ bread).reshape(-1, n, own)
     of_prior = start.thin * bread.T @ held @ bread
-    counted = max(float(start.counted.mean()), 1e-9)
+    counted = np.maximum(np.mean(start.weight**2, axis=0), 1e-9)
     plain = of_prior.copy()
     for j in range(n):
-        square = float(np.mean(by_joint[:, j] ** 2)) / counted
+        square = float(np.mean(by_joint[:, j] ** 2) / counted[j])
         U = influence[:, j]
         for lag, share in enumerate(correlations(by_joint[:, j])):
             together = U[: len(U) - lag].T @ U[lag:]

@@ -19,37 +19,27 @@ from robodyn.diagnose.select.library import Candidate, Context, candidates
 from robodyn.diagnose.select.library.prepared import prepared
 from robodyn.diagnose.select.scope import Scope
 
-Floats = NDArray[np.float64]
+Singles = NDArray[np.float32]
 
 
-def matched(contexts: Sequence[Context], scope: Scope) -> Iterator[tuple[Candidate, Floats]]:
-    """Candidates with their columns [N, rows, c], filtered and thinned, of all pieces one after the other."""
-    first, *others = contexts
-    if not others:
-        yield from prepared(first, candidates(first, scope))
-        return
-    pairs = [(_light(one), part) for one, part in prepared(first, candidates(first, scope))]
-    keys = _numbered([one for one, _ in pairs])
-    parts: list[list[Floats | None]] = [[part] for _, part in pairs]
-    fixed = frozenset(one.effect for one, _ in pairs if one.again is None)
-    for c in others:
-        again = (one.again(c, one.values) for one, _ in pairs if one.again is not None)
-        along = (part for _, part in prepared(c, again))
-        several = list(prepared(c, candidates(c, replace(scope, only=fixed))))
-        own = dict(zip(_numbered([one for one, _ in several]), (part for _, part in several), strict=True))
-        length = len(c.slow.thinned(c.slow.q))
-        for k, (one, _) in enumerate(pairs):
-            part = own.get(keys[k]) if one.again is None else next(along)
-            if part is None and one.local:
-                part = np.zeros((length, *one.columns.shape[1:]))
-            parts[k].append(part)
-    for (one, _), several_parts in zip(pairs, parts, strict=True):
-        whole = [part for part in several_parts if part is not None]
-        if len(whole) == len(several_parts):
-            yield one, np.concatenate(whole)
+def along(c: Context, ones: Sequence[Candidate], scope: Scope) -> Iterator[Singles | None]:
+    """Of each of the candidates of another log its columns [N, rows, c] along this one, filtered and thinned;
+    None where this log has no such candidate."""
+    keys = _numbered(ones)
+    fixed = frozenset(one.effect for one in ones if one.again is None)
+    again = (one.again(c, one.values) for one in ones if one.again is not None)
+    anew = (part for _, part in prepared(c, again))
+    several = [(light(one), part) for one, part in prepared(c, candidates(c, replace(scope, only=fixed)))]
+    own = dict(zip(_numbered([one for one, _ in several]), (part for _, part in several), strict=True))
+    length = len(c.slow.thinned(c.slow.q))
+    for key, one in zip(keys, ones, strict=True):
+        part = own.get(key) if one.again is None else next(anew)
+        if part is None and one.local:
+            part = np.zeros((length, *one.columns.shape[1:]), dtype=np.float32)
+        yield part
 
 
-def _light(one: Candidate) -> Candidate:
+def light(one: Candidate) -> Candidate:
     """The candidate without its columns [0, rows, c] (no view, which would keep all of them)."""
     return replace(one, columns=one.columns[:0].copy())
 

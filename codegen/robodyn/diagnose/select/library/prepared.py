@@ -14,10 +14,12 @@ from robodyn.diagnose.select.limits import FILTERED_AT_ONCE
 from robodyn.identify.predict import delays
 
 Floats = NDArray[np.float64]
+Singles = NDArray[np.float32]
 
 
-def prepared(context: Context, several: Iterable[Candidate]) -> Iterator[tuple[Candidate, Floats]]:
-    """Candidates with their columns [N, rows, c], filtered and thinned like the torque."""
+def prepared(context: Context, several: Iterable[Candidate]) -> Iterator[tuple[Candidate, Singles]]:
+    """Candidates with their columns [N, rows, c], filtered and thinned like the torque, in single precision:
+    they are most of what is kept of a log."""
     late = delays(context.model.robot)
     rest = iter(several)
     while batch := list(islice(rest, max(1, FILTERED_AT_ONCE // len(context.signals.t)))):
@@ -32,7 +34,7 @@ def prepared(context: Context, several: Iterable[Candidate]) -> Iterator[tuple[C
             ends = np.cumsum([each.shape[1] for each in flat])[:-1]
             columns |= dict(zip(which, np.split(filtered, ends, axis=1), strict=True))
         for k, one in enumerate(batch):
-            yield one, columns[k].reshape(len(columns[k]), *one.columns.shape[1:]).copy()
+            yield one, columns[k].reshape(len(columns[k]), *one.columns.shape[1:]).astype(np.float32)
 
 
 def _late(context: Context, candidate: Candidate, late: Floats) -> Floats:

@@ -1,0 +1,86 @@
+"""``robodyn export``: a description as URDF, MJCF or SDF."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+
+import click
+
+from robodyn.errors import InputError
+from robodyn_cli.choices import TARGET_FORMATS
+from robodyn_cli.common import (
+    echo_json,
+    json_option,
+    load_robot,
+    output_folder,
+    parameter_values,
+    printable,
+    robot_argument,
+    talk,
+    write_files,
+)
+from robodyn_cli.simulate_options import Parameter
+
+
+@click.command()
+@robot_argument
+@click.option(
+    "--to",
+    required=True,
+    type=TARGET_FORMATS,
+    metavar="FORMAT",
+    help="Format of the file: urdf, mjcf or sdf.",
+)
+@click.option(
+    "--param",
+    type=Parameter(),
+    multiple=True,
+    metavar="NAME=VALUE",
+    help="Value of a run-time parameter (SI units); may be repeated.",
+)
+@click.option("-o", "--output", metavar="FILE", help="Output file; default: stdout.")
+@click.option("--force", is_flag=True, help="Overwrite an existing file.")
+@json_option
+def command(
+    robot: str, to: str, param: Sequence[tuple[str, float]], output: str | None, force: bool, as_json: bool
+) -> None:
+    """Export a robot to URDF, MJCF or SDF.
+
+    The file has the same torques, poses and joint coordinates, base and tool frames, limits, viscous and
+    Coulomb friction, and cylinders for pictures. What its format cannot say is listed on stderr.
+    """
+    from robodyn.formats.exporting import export_arm
+
+    path = None if output in (None, "-") else output_folder(str(output))
+    if path is not None and os.path.lexists(path) and not force:
+        raise InputError(
+            f"{printable(path)} already exists",
+            remedy="choose another path with -o, or overwrite it with --force",
+        )
+    arm = load_robot(robot)
+    if param:
+        arm = arm.at(parameter_values(arm, param))
+    exported = export_arm(arm, to)
+    if path is not None:
+        write_files(path.parent, {path.name: exported.text})
+    for remark in exported.remarks:
+        talk(f"robodyn: note: {remark}")
+    for what in exported.missing:
+        talk(f"robodyn: not in the file: {what}")
+    if as_json:
+        echo_json(
+            {
+                "name": arm.name,
+                "format": to,
+                "joints": list(exported.names),
+                "path": str(path) if path else None,
+                "remarks": list(exported.remarks),
+                "missing": list(exported.missing),
+                "text": exported.text,
+            }
+        )
+    elif path is None:
+        click.echo(exported.text, nl=False)
+    if path is not None:
+        talk(f"robodyn: wrote {printable(path)}: {arm.n} joints")

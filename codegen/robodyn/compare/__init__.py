@@ -1,0 +1,1 @@
+"""Two robots: what differs, in numbers and in what they do."""

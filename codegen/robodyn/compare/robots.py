@@ -1,0 +1,347 @@
+"""What differs between two robots, whatever files they come from, and by how much they move differently.
+
+Joints correspond by their order. Frames of links may be chosen differently for the same arm, so that bodies
+are compared where they are in the world when all joints are at zero, and axes as lines.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.compare.limits import SEED, STATES, TOLERANCE
+from robodyn.errors import InputError
+from robodyn.formats.chain import Pose
+from robodyn.formats.writers.parts import Frame, PartJoint, Parts, parts_of
+from robodyn.kernels.operations import count
+from robodyn.robot.model import EffectEntry, Robot
+from robodyn.robot.names import shown
+from robodyn.robot.values import Affine
+from robodyn.verify.numbers import Parameters
+from robodyn.verify.reference import Reference
+from robodyn.verify.sample import draw, draw_parameters
+
+Array = NDArray[np.float64]
+#: Kinds of differences, in the order in which they are listed.
+GROUPS: Final = (
+    "joints",
+    "names",
+    "parameters",
+    "gravity",
+    "axes",
+    "links",
+    "rotors",
+    "friction",
+    "effects",
+    "limits",
+    "tool",
+    "torques",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Difference:
+    """What differs: of which ``group``, ``where`` (a joint; "" for the robot), in ``what``. ``left`` and
+    ``right`` are what the two robots say, None where they say nothing; ``by``: how far apart they are, in
+    ``unit``, None for what is no number."""
+
+    group: str
+    where: str
+    what: str
+    left: Any
+    right: Any
+    by: float | None = None
+    unit: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Comparison:
+    """Two robots beside each other.
+
+    ``torques``: the largest difference of inverse dynamics of each joint [N m or N], None where they cannot
+    be compared; ``largest``: the largest torque of the first [N m or N]; ``tool``: the largest distance [m]
+    and angle [rad] between their tool frames; ``operations`` of their inverse dynamics.
+    """
+
+    names: tuple[str, str]
+    differences: tuple[Difference, ...]
+    operations: tuple[int, int]
+    torques: tuple[float, ...] | None
+    largest: float
+    tool: tuple[float, float] | None
+
+    @property
+    def same(self) -> bool:
+        """Whether nothing differs."""
+        return not self.differences
+
+    @property
+    def share(self) -> float | None:
+        """The largest difference of torques as a share of the largest torque."""
+        if self.torques is None:
+            return None
+        worst = max(self.torques)
+        return worst / self.largest if self.largest else float(worst > 0)
+
+
+def compare(
+    left: Robot,
+    right: Robot,
+    *,
+    tolerance: float = TOLERANCE,
+    ignore: Iterable[str] = (),
+    parameters: Mapping[str, float] | None = None,
+    states: int = STATES,
+) -> Comparison:
+    """``left`` beside ``right``; what is within ``tolerance``, and groups to ``ignore``, are no differences.
+
+    ``parameters``: values of the run-time parameters of both; without them they are random.
+
+    Raises
+    ------
+    InputError: a group is unknown, or a run-time parameter has no value, or one that is not allowed.
+    """
+    ignored = set(ignore)
+    if unknown := sorted(ignored.difference(GROUPS)):
+        raise InputError(
+            "nothing of this name is compared", found=shown(unknown[0]), expected=", ".join(GROUPS)
+        )
+    listed = list(_of_lists(left, right))
+    arms = [_filled(robot, parameters) for robot in (left, right)]
+    torques, largest, tool = None, 0.0, None
+    if left.n == right.n:
+        pair = _Pair(arms[0], arms[1], tolerance)
+        listed += pair.differences()
+        torques, largest, tool, moving = pair.motion(states)
+        listed += moving
+    kept = [difference for group in GROUPS for difference in listed if difference.group == group]
+    return Comparison(
+        (left.name, right.name),
+        tuple(difference for difference in kept if difference.group not in ignored),
+        (count(left).total, count(right).total),
+        torques,
+        largest,
+        tool,
+    )
+
+
+def _filled(robot: Robot, parameters: Parameters | None) -> Robot:
+    own = {name: value for name, value in (parameters or {}).items() if name in robot.parameters}
+    values = draw_parameters(robot, own or None, SEED, np.dtype(float))
+    return robot.at(values) if robot.parameters else robot
+
+
+def _of_lists(left: Robot, right: Robot) -> Iterator[Difference]:
+    """What differs in number, names and kinds."""
+    if left.n != right.n:
+        yield Difference("joints", "", "number of joints", left.n, right.n, float(abs(left.n - right.n)))
+    for one, other in zip(left.links, right.links, strict=False):
+        if one.joint.kind != other.joint.kind:
+            yield Difference("joints", one.name, "kind", one.joint.kind, other.joint.kind)
+        if one.name != other.name:
+            yield Difference("names", one.name, "name", one.name, other.name)
+    if left.name != right.name:
+        yield Difference("names", "", "name of the robot", left.name, right.name)
+    if left.parameters != right.parameters:
+        yield Difference(
+            "parameters", "", "run-time parameters", ", ".join(left.parameters), ", ".join(right.parameters)
+        )
+
+
+class _Pair:
+    """Two robots with as many joints and without run-time parameters."""
+
+    def __init__(self, left: Robot, right: Robot, tolerance: float) -> None:
+        self._robots, self._tolerance = (left, right), tolerance
+        self._parts = parts_of(left), parts_of(right)
+        self._size = max(parts.size for parts in self._parts) or 1.0
+        self._names = [link.name for link in left.links]
+
+    def differences(self) -> Iterator[Difference]:
+        """What differs in the numbers of the descriptions."""
+        one, other = self._parts
+        yield from self._vectors("gravity", "", "gravity", (one.gravity, other.gravity), "m/s^2")
+        rest = np.zeros(len(self._names))
+        frames = [_frames(parts, rest) for parts in self._parts]
+        mass = max(joint.body.mass for parts in self._parts for joint in parts.joints)
+        moment = max(sum(joint.body.inertia[:3]) for parts in self._parts for joint in parts.joints)
+        rows = zip(self._names, one.joints, other.joints, *frames, strict=True)
+        for name, joint, twin, frame, counterpart in rows:
+            yield from self._axis(name, joint, frame, counterpart)
+            masses = (joint.body.mass, twin.body.mass)
+            yield from self._numbers("links", name, "mass", masses, "kg", mass)
+            com, tensor = _in_world(joint, frame)
+            centre, moments = _in_world(twin, counterpart)
+            if all(masses):
+                yield from self._vectors("links", name, "centre of mass", (com, centre), "m", self._size)
+            yield from self._vectors("links", name, "inertia", (tensor, moments), "kg m^2", moment)
+            yield from self._drive(name, joint, twin)
+            yield from self._limits(name, joint, twin)
+        yield from self._effects()
+
+    def _axis(self, name: str, joint: PartJoint, frame: Array, twin: Array) -> Iterator[Difference]:
+        z, other = frame[:3, 2], twin[:3, 2]
+        angle = float(np.arctan2(np.linalg.norm(np.cross(z, other)), z @ other))
+        if angle > self._tolerance:
+            yield Difference("axes", name, "direction of the axis", z.tolist(), other.tolist(), angle, "rad")
+        apart = float(np.linalg.norm(np.cross(frame[:3, 3] - twin[:3, 3], other)))
+        if joint.kind == "revolute" and apart > self._tolerance * self._size:
+            here, there = frame[:3, 3].tolist(), twin[:3, 3].tolist()
+            yield Difference("axes", name, "place of the axis", here, there, apart, "m")
+
+    def _drive(self, name: str, joint: PartJoint, twin: PartJoint) -> Iterator[Difference]:
+        turning = joint.kind == "revolute"
+        rotors = (joint.motor_inertia, twin.motor_inertia)
+        yield from self._numbers("rotors", name, "motor inertia", rotors, "kg m^2" if turning else "kg")
+        one, other = (None if each.gear is None else float(each.gear.ratio) for each in (joint, twin))
+        yield from self._numbers("rotors", name, "gear ratio", (one, other), "")
+        unit = "N m s/rad" if turning else "N s/m"
+        yield from self._numbers("friction", name, "viscous", (joint.viscous, twin.viscous), unit)
+        unit = "N m" if turning else "N"
+        yield from self._numbers("friction", name, "coulomb", (joint.coulomb, twin.coulomb), unit)
+
+    def _limits(self, name: str, joint: PartJoint, twin: PartJoint) -> Iterator[Difference]:
+        unit, force = ("rad", "N m") if joint.kind == "revolute" else ("m", "N")
+        one, other = ([float(end) for end in each.limits.position or ()] for each in (joint, twin))
+        if one and other:
+            yield from self._vectors("limits", name, "position", (one, other), unit)
+        elif one or other:
+            yield Difference("limits", name, "position", one or None, other or None, unit=unit)
+        units = {"velocity": f"{unit}/s", "acceleration": f"{unit}/s^2", "torque": force}
+        for what, of in units.items():
+            stated, meant = (getattr(each.limits, what) for each in (joint, twin))
+            ends = None if stated is None else float(stated), None if meant is None else float(meant)
+            yield from self._numbers("limits", name, what, ends, of)
+
+    def _effects(self) -> Iterator[Difference]:
+        """Effects beside those that are bodies in a link, entry by entry; and how friction is at rest."""
+        left, right = (
+            {(entry.effect, entry.joint): _settings(entry) for entry in robot.effects if _beside(entry)}
+            for robot in self._robots
+        )
+        for effect, joint in dict.fromkeys([*left, *right]):
+            where = "" if joint is None else self._names[joint - 1]
+            one, other = left.get((effect, joint)), right.get((effect, joint))
+            if one != other:
+                yield Difference("effects", where, effect, one, other)
+        for what in ("torque_side", "rest_velocity", "dead_band"):
+            one, other = (getattr(robot, what) for robot in self._robots)
+            if one != other:
+                yield Difference("effects", "", what, _plain(one), _plain(other))
+
+    def motion(self, states: int) -> tuple[tuple[float, ...], float, tuple[float, float], list[Difference]]:
+        """Largest differences of torques and the largest torque, of the tool, and which of both count."""
+        left = self._robots[0]
+        sample = draw(left, states, SEED, np.dtype(float))
+        tau, other = (
+            Reference(robot).inverse_dynamics(sample.q, sample.qd, sample.qdd) for robot in self._robots
+        )
+        apart, largest = abs(tau - other).max(axis=0), float(abs(tau).max())
+        differences = []
+        worst = int(apart.argmax())
+        if apart[worst] > self._tolerance * max(largest, float(abs(other).max())):
+            state = int(abs(tau - other)[:, worst].argmax())
+            unit = "N m" if left.links[worst].joint.kind == "revolute" else "N"
+            one, another = float(tau[state, worst]), float(other[state, worst])
+            by, name = float(apart[worst]), self._names[worst]
+            differences.append(Difference("torques", name, "torque", one, another, by, unit))
+        distance, angle = self._tool(sample.q)
+        if distance > self._tolerance * self._size:
+            differences.append(Difference("tool", "", "place of the tool", None, None, distance, "m"))
+        if angle > self._tolerance:
+            differences.append(Difference("tool", "", "orientation of the tool", None, None, angle, "rad"))
+        return tuple(map(float, apart)), largest, (distance, angle), differences
+
+    def _tool(self, q: Array) -> tuple[float, float]:
+        """Largest distance [m] and angle [rad] between the tools at ``q`` [N, n]."""
+        distance = angle = 0.0
+        for row in q:
+            one, other = (_frames(parts, row)[-1] @ _matrix(parts.tool or Frame()) for parts in self._parts)
+            distance = max(distance, float(np.linalg.norm(one[:3, 3] - other[:3, 3])))
+            # the chord of a unit vector: no cosine near 1, whose angle would have half the digits
+            chord = float(np.linalg.norm(one[:3, :3] - other[:3, :3], 2))
+            angle = max(angle, 2 * float(np.arcsin(min(chord / 2, 1.0))))
+        return distance, angle
+
+    def _numbers(
+        self,
+        group: str,
+        where: str,
+        what: str,
+        pair: tuple[float | None, float | None],
+        unit: str,
+        scale: float = 0.0,
+    ) -> Iterator[Difference]:
+        one, other = pair
+        if one is None or other is None:
+            if one is not other:
+                yield Difference(group, where, what, one, other, unit=unit)
+        elif abs(one - other) > self._tolerance * max(abs(one), abs(other), scale):
+            yield Difference(group, where, what, one, other, abs(one - other), unit)
+
+    def _vectors(
+        self,
+        group: str,
+        where: str,
+        what: str,
+        pair: tuple[Sequence[float], Sequence[float]],
+        unit: str,
+        scale: float = 0.0,
+    ) -> Iterator[Difference]:
+        one, other = pair
+        apart = max(abs(a - b) for a, b in zip(one, other, strict=True))
+        if apart > self._tolerance * max(*map(abs, one), *map(abs, other), scale):
+            yield Difference(group, where, what, list(one), list(other), apart, unit)
+
+
+def _beside(entry: EffectEntry) -> bool:
+    return not entry.definition.traits.body
+
+
+def _settings(entry: EffectEntry) -> dict[str, Any]:
+    return {name: _plain(setting) for name, setting in entry.settings}
+
+
+def _plain(setting: Any) -> Any:
+    """A setting of an effect as numbers and words."""
+    if isinstance(setting, tuple):
+        return [_plain(part) for part in setting]
+    if setting is None or isinstance(setting, str | int | Affine):
+        return setting
+    return float(setting)
+
+
+def _frames(parts: Parts, q: Array) -> list[Array]:
+    """Poses [4, 4] of the links in the world at ``q`` [n]."""
+    pose = _matrix(parts.base or Frame())
+    poses = []
+    for joint, position in zip(parts.joints, q, strict=True):
+        pose = pose @ _matrix(joint.frame)
+        step = np.eye(4)
+        if joint.kind == "revolute":
+            c, s = np.cos(position), np.sin(position)
+            step[:2, :2] = [[c, -s], [s, c]]
+        else:
+            step[2, 3] = position
+        pose = pose @ step
+        poses.append(pose)
+    return poses
+
+
+def _matrix(frame: Frame) -> Array:
+    pose, matrix = Pose.from_rpy(frame.xyz, frame.rpy), np.eye(4)
+    matrix[:3, :3], matrix[:3, 3] = pose.rotation, pose.xyz
+    return matrix
+
+
+def _in_world(joint: PartJoint, frame: Array) -> tuple[list[float], list[float]]:
+    """Centre of mass and tensor, ``xx yy zz xy xz yz``, of a link whose frame is at ``frame`` [4, 4]."""
+    xx, yy, zz, xy, xz, yz = joint.body.inertia
+    rotation = frame[:3, :3]
+    com = frame[:3, 3] + rotation @ np.array(joint.body.com)
+    tensor = rotation @ np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]) @ rotation.T
+    return com.tolist(), tensor[[0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]].tolist()

@@ -1,0 +1,201 @@
+"""A robot as the writers of other formats take it: frames as xyz and rpy, floats, names that are unique.
+
+Frame i is the description's: its z axis is the joint's. Numbers are the doubles of the description's.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import Final
+
+from robodyn.errors import InputError
+from robodyn.formats.chain import Body, Vector
+from robodyn.formats.rigid import lumped
+from robodyn.formats.writers.markup import legal
+from robodyn.robot.model import AXES, EffectEntry, Inertia, Link, Robot
+from robodyn.robot.parts import Gear, JointKind, Limits, Placement
+from robodyn.robot.rotations import about_x, about_z, placement, product
+from robodyn.robot.values import Value
+
+#: Names that mean something in one of the formats or in what reads it.
+RESERVED: Final = frozenset({"world", "base", "tool", "base_joint", "tool_joint", "universe", "root_joint"})
+_NOTHING: Final = (0.0, 0.0, 0.0)
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """A frame in its parent: origin [m], and URDF's roll, pitch, yaw [rad]."""
+
+    xyz: Vector = _NOTHING
+    rpy: Vector = _NOTHING
+
+
+@dataclass(frozen=True, slots=True)
+class PartJoint:
+    """A joint, about or along z of its ``frame``, and the link behind it; as in a
+    :class:`~robodyn.formats.chain.ChainJoint`."""
+
+    name: str
+    link: str
+    kind: JointKind
+    frame: Frame
+    body: Body
+    limits: Limits
+    viscous: float
+    coulomb: float
+    motor_inertia: float
+    gear: Gear | None
+
+
+@dataclass(frozen=True, slots=True)
+class Parts:
+    """A robot, base to tip. ``base``: the base frame in the world, None where they are the same; ``tool``: in
+    the last link's frame, None where nothing is stated; ``size``: how far frames are apart in all [m].
+
+    ``left_out``: what no other format states, as words.
+    """
+
+    name: str
+    comments: tuple[str, ...]
+    gravity: Vector
+    base: Frame | None
+    tool: Frame | None
+    joints: tuple[PartJoint, ...]
+    size: float
+    left_out: tuple[str, ...]
+
+
+def parts_of(robot: Robot) -> Parts:
+    """The parts of ``robot``, which has no run-time parameters.
+
+    Raises
+    ------
+    InputError: it has some.
+    """
+    if robot.parameters:
+        raise InputError(
+            f"{robot.name} has run-time parameters, and other formats have none",
+            found=", ".join(robot.parameters),
+            expected="a number for each",
+            remedy=" ".join(f"--param {name}=VALUE" for name in robot.parameters),
+        )
+    names = unique([link.name for link in robot.links], RESERVED)
+    links = unique([f"{name}_link" for name in names], RESERVED.union(names))
+    frames = [_frame_of(link) for link in robot.links]
+    bodies = [_body(link.mass, link.com, link.inertia) for link in robot.links]
+    loads = [entry for entry in robot.effects if entry.definition.traits.body]
+    bodies[-1] = lumped([bodies[-1], *(_load(entry) for entry in loads)])
+    joints = [
+        PartJoint(
+            name,
+            behind,
+            link.joint.kind,
+            frame,
+            body,
+            link.joint.limits,
+            _float(link.joint.viscous),
+            _float(link.joint.coulomb),
+            _float(link.joint.motor_inertia),
+            link.joint.gear,
+        )
+        for name, behind, link, frame, body in zip(names, links, robot.links, frames, bodies, strict=True)
+    ]
+    tool = _placed(robot.tool)
+    size = math.fsum(math.hypot(*frame.xyz) for frame in [*frames, tool or Frame()])
+    return Parts(
+        robot.name,
+        (robot.title, robot.source),
+        _floats(robot.gravity),
+        _placed(robot.base),
+        tool,
+        tuple(joints),
+        size,
+        tuple(_left_out(robot, loads)),
+    )
+
+
+def unique(names: Iterable[str], reserved: Iterable[str]) -> list[str]:
+    """``names`` as the formats can have them, none of them twice or ``reserved``: a number is added.
+
+    Characters that XML has no place for become underscores, and so do colons (SDF's scopes) and slashes
+    (ROS's and MuJoCo's); white space around a name is left out.
+    """
+    taken, chosen = set(reserved), []
+    for name in names:
+        plain = re.sub(r"[:/]|^__|__$", "_", legal(name).strip()) or "joint"
+        candidate, count = plain, 1
+        while candidate in taken:
+            count += 1
+            candidate = f"{plain}_{count}"
+        taken.add(candidate)
+        chosen.append(candidate)
+    return chosen
+
+
+def _left_out(robot: Robot, loads: list[EffectEntry]) -> Iterable[str]:
+    places: dict[str, list[str]] = {}
+    for entry in robot.effects:
+        if entry not in loads:
+            place = "the whole robot" if entry.joint is None else robot.links[entry.joint - 1].name
+            places.setdefault(entry.effect, []).append(place)
+    yield from (f"{effect}: {', '.join(where)}" for effect, where in places.items())
+    if robot.torque_side == "link":
+        yield "torque_side: link (in the file, rotors and friction are in the torque)"
+    if robot.rest_velocity is not None or robot.dead_band is not None:
+        yield "friction_at_rest"
+    _each = [link for link in robot.links if link.joint.gear and link.joint.gear.torque_constant is not None]
+    if _each:
+        yield "torque constants: " + ", ".join(link.name for link in _each)
+    if any(link.confidence is not None for link in robot.links):
+        yield "confidence"
+
+
+def _frame_of(link: Link) -> Frame:
+    """A row of modified DH as xyz and rpy; the angle itself where there is only one."""
+    joint = link.joint
+    c, s = joint.alpha.cos, joint.alpha.sin
+    a, b, d = (_fraction(value) for value in (joint.a, joint.b, joint.d))
+    xyz = (a, c * b - s * d, s * b + c * d)
+    if joint.theta.quarter == 0:
+        rpy = (joint.alpha.radians, 0.0, 0.0)
+    elif joint.alpha.quarter == 0:
+        rpy = (0.0, 0.0, joint.theta.radians)
+    else:
+        turn = product(about_x(joint.alpha), about_z(joint.theta))
+        return replace(_placed(placement(turn, xyz, 1.0)) or Frame(), xyz=_floats(xyz))
+    return Frame(_floats(xyz), rpy)
+
+
+def _placed(frame: Placement | None) -> Frame | None:
+    if frame is None:
+        return None
+    roll, pitch, yaw = (angle.radians for angle in frame.rpy)
+    return Frame(_floats(frame.xyz), (roll, pitch, yaw))
+
+
+def _body(mass: Value, com: tuple[Value, Value, Value], inertia: Inertia) -> Body:
+    entries = [_float(getattr(inertia, axes)) for axes in AXES]
+    xx, yy, zz, xy, xz, yz = entries
+    return Body(_float(mass), _floats(com), (xx, yy, zz, xy, xz, yz))
+
+
+def _load(entry: EffectEntry) -> Body:
+    return _body(entry["mass"], entry["com"], entry["inertia"] if "inertia" in entry else Inertia())
+
+
+def _fraction(value: Value) -> Fraction:
+    assert isinstance(value, Fraction)
+    return value
+
+
+def _float(value: Value) -> float:
+    return float(_fraction(value))
+
+
+def _floats(values: Iterable[Value]) -> Vector:
+    x, y, z = map(_float, values)
+    return (x, y, z)

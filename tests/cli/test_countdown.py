@@ -1,0 +1,104 @@
+"""How long the rest takes: told on a terminal, by stages whose usual costs are known."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import subprocess
+import sys
+import threading
+from pathlib import Path
+
+import pytest
+
+from diagnose.hidden.arms import bare, perturbed, rubbing
+from identify.exact import log_of
+from robodyn.diagnose.run import diagnose
+from robodyn.diagnose.stages import stages as stages_of_diagnosis
+from robodyn.identify.run import identify
+from robodyn.identify.stages import stages
+from robodyn.logs.log import Log
+from robodyn.robot import to_yaml
+from robodyn.robot.model import Robot
+from robodyn_cli.progress import Countdown, Line, countdown
+
+pty = pytest.importorskip("pty", reason="no pseudo terminals here: progress not watched on one")
+
+
+@pytest.fixture(scope="module")
+def arm() -> tuple[Robot, Log]:
+    return perturbed(bare("puma560_3dof"), 0.2, 3), log_of(
+        rubbing(bare("puma560_3dof")), noise=0.01, seconds=6.0
+    )
+
+
+def test_what_is_left_follows_from_the_pace_of_what_was_done() -> None:
+    clock = Countdown({"one": 2.0, "two": 6.0, "three": 2.0}, 0.0)
+    assert clock.left(0.0) is None
+    assert clock.words(0.0) == ""
+    clock.enter("one", 0.0)
+    assert clock.left(0.5) == pytest.approx(9.5)
+    clock.enter("two", 20.0)  # ten times as slow as usual
+    assert clock.left(20.0) == pytest.approx(80.0)
+    clock.enter("something in two", 25.0)
+    assert clock.left(30.0) == pytest.approx(70.0)
+    assert clock.words(30.0) == "; about 70 s left"
+    clock.enter("two", 80.0)  # once more
+    assert clock.left(80.0) == pytest.approx(80.0)
+    clock.enter("three", 140.0)
+    assert clock.left(140.0) == pytest.approx(20.0)
+    assert clock.left(500.0) == 0.0
+    assert clock.words(500.0) == ""
+
+
+@pytest.mark.parametrize(("left", "words"), [(0.4, ""), (7.2, "8 s"), (61.0, "65 s"), (130.0, "3 min")])
+def test_times_are_told_as_people_do(left: float, words: str) -> None:
+    clock = Countdown({"all": left}, 0.0)
+    clock.enter("all", 0.0)
+    assert clock.words(0.0) == (f"; about {words} left" if words else "")
+
+
+def test_a_pipe_has_no_thread_that_follows() -> None:
+    shown, before = Line(), threading.active_count()
+    shown.shown = False
+    with countdown(shown, "head", {"all": 9.0}) as tell:
+        tell("all")
+        assert threading.active_count() == before
+
+
+def test_every_stage_is_known_and_comes_in_its_order(arm: tuple[Robot, Log]) -> None:
+    robot, log = arm
+    for work, known in ((identify, stages(robot.n, [log])), (diagnose, stages_of_diagnosis(robot.n, [log]))):
+        heard: list[str] = []
+        work(robot, [log], progress=heard.append)
+        told = [what for what in heard if not what.startswith("found ")]
+        assert set(told) <= set(known)
+        first = [told.index(name) for name in known if name in told]
+        assert first == sorted(first)
+        assert len(first) >= min(len(known), 4)
+        assert all(seconds > 0 for seconds in known.values())
+
+
+@pytest.mark.parametrize("command", ["identify", pytest.param("diagnose", marks=pytest.mark.thorough)])
+def test_a_terminal_is_told_how_long_it_takes_and_a_pipe_is_not(
+    command: str, arm: tuple[Robot, Log], tmp_path: Path
+) -> None:
+    (tmp_path / "arm.yaml").write_text(to_yaml(arm[0]), encoding="utf-8")
+    (tmp_path / "log.csv").write_text(arm[1].csv(), encoding="utf-8")
+    words = [sys.executable, "-m", "robodyn", command, "arm.yaml", "log.csv", "-o", "out"]
+    words += ["--no-kernels"] if command == "diagnose" else []
+    master, terminal = pty.openpty()
+    with subprocess.Popen(words, cwd=tmp_path, stdout=subprocess.DEVNULL, stderr=terminal) as process:
+        os.close(terminal)
+        text = b""
+        with contextlib.suppress(OSError):  # the other end is closed
+            while part := os.read(master, 4096):
+                text += part
+    os.close(master)
+    assert process.returncode in (0, 4)
+    assert b"puma560_3dof: looking at the logs; about " in text
+    assert b" s left" in text
+    if command == "identify":
+        done = subprocess.run(words, cwd=tmp_path, capture_output=True, check=True)
+        assert b" left" not in done.stderr
+        assert b"\r" not in done.stderr

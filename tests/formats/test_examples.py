@@ -1,0 +1,56 @@
+"""The arms of examples/arms: what robodyn import writes, and listed with their sources."""
+
+from __future__ import annotations
+
+import importlib.metadata
+import re
+import shlex
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+
+from robodyn.robot import load
+from robodyn_cli.main import main
+from robodyn_testing.wanted import require_distribution
+
+FOLDER = Path(__file__).parents[2] / "examples" / "arms"
+README = (FOLDER / "README.md").read_text(encoding="utf-8")
+COMMANDS = [shlex.split(line)[1:] for line in re.findall(r"(?m)^robodyn import .*$", README)]
+#: The folders of the commands, and the distributions that bring them.
+ROOTS = {
+    "$ERD": ("example-robot-data", "cmeel.prefix/share/example-robot-data/robots"),
+    "$RTB": ("rtb-data", "rtbdata"),
+    "$SUITE": ("robosuite", "robosuite/models/assets/robots"),
+}
+
+
+def test_every_arm_is_listed_and_comes_from_a_command() -> None:
+    files = sorted(path.name for path in FOLDER.glob("*.yaml"))
+    assert len(files) > 10
+    table = README.partition("```sh")[0]
+    assert sorted(re.findall(r"`(\w+\.yaml)`", table)) == files
+    assert sorted(command[command.index("-o") + 1] for command in COMMANDS) == files
+
+
+@pytest.mark.parametrize("path", sorted(FOLDER.glob("*.yaml")), ids=lambda path: path.stem)
+def test_an_arm_reads_without_a_doubt(path: Path) -> None:
+    arm = load(path, strict=True)
+    assert arm.name == path.stem
+    assert sum(float(Fraction(str(link.mass))) for link in arm.links) > 0.3
+    assert path.read_text(encoding="utf-8").startswith("# from ")
+    assert "/tmp" not in path.read_text(encoding="utf-8")
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("command", COMMANDS, ids=lambda command: command[-1])
+def test_an_arm_is_what_its_command_writes(command: list[str], tmp_path: Path) -> None:
+    root, _, file = command[1].partition("/")
+    package, folder = ROOTS[root]
+    if package == "robosuite":  # too large to be installed for this
+        pytest.importorskip(package)
+    require_distribution(package)
+    path = importlib.metadata.distribution(package).locate_file(f"{folder}/{file}")
+    out = tmp_path / command[-1]
+    assert main(["import", str(path), *command[2:-1], str(out)]) == 0
+    assert out.read_text() == (FOLDER / command[-1]).read_text()
