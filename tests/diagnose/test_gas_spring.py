@@ -32,6 +32,15 @@ def test_a_spring_that_is_no_counterbalance_stays_a_spring() -> None:
     assert first_name("spring", 1)[0].effect == "spring"
 
 
+def test_a_weak_gas_spring_is_a_rival_of_what_explains_as_much() -> None:
+    robot = load("puma560_3dof", warn=lambda _: None)
+    weak = {"torque": 3.0, "rise": 0.3, "dead_center": 0.68, "ratio": 0.28}
+    blind = hide(robot, [Amendment("gas_spring", 2, weak)], setup=Setup(seed=3, rate=250.0))
+    one = select(blind.model, blind.train).findings[0]
+    assert one.trial.candidate.effect != "gas_spring"
+    assert "gas_spring" in one.rivals
+
+
 def test_errors_follow_what_coefficients_do_together() -> None:
     """Two coefficients that are known by their sum alone: its error is small, and that of each is not."""
     robot = load("puma560_3dof", warn=lambda _: None)

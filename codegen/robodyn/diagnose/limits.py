@@ -136,3 +136,15 @@ STRENGTH_ROUNDS: Final = 3
 
 STRENGTH_STEP: Final = 2.0
 """[-] each time changed by this factor at most."""
+
+BODY_POSES: Final = 2000
+"""[poses] In so many are weights compared of an arm as described and refitted."""
+
+BODY_SHARE: Final = 0.05
+"""[share of the torques by weight] A difference below this is no matter."""
+
+BODY_EXPLAINED: Final = 0.9
+"""[share of the mean square] One mass is spoken of if it explains so much of the difference,"""
+
+BODY_ALIKE: Final = 0.02
+"""[share of the mean square] at the outermost link of those that explain as much but for this."""

@@ -220,6 +220,9 @@ class Gap:
             "train": {"before": self.train_before.tolist(), "after": self.train_after.tolist()},
             "validate": {"before": self.validate_before.tolist(), "after": self.validate_after.tolist()},
             "noise_floor": self.noise_floor.tolist(),
+            "torque": None
+            if self.torque is None
+            else dict(zip(("train", "validate"), map(np.ndarray.tolist, self.torque), strict=True)),
             "closed": {"train": self.closed(validated=False), "validate": self.closed(validated=True)},
         }
 

@@ -23,6 +23,7 @@ from robodyn.diagnose.evidence import (
 )
 from robodyn.diagnose.judgement import Lacking, gap_of, holds, left_over, may_stand, rms, verdict_of, words_of
 from robodyn.diagnose.limits import DRAWN_POINTS, FITTED_ROWS, FITTED_SAMPLES, FITTED_WINDOWS, WITHDRAWN
+from robodyn.diagnose.one_body import one_body
 from robodyn.diagnose.refit import (
     Renumbered,
     amendment,
@@ -136,6 +137,11 @@ def diagnose(
         own = renumber((), unexplained=True)
     model, origins, amendments = own.robot, own.origins, [amendment(f) for f in own.findings]
     gap = gap_of(lacks, robot, model, gates, seen)
+    is_loaded = any(CATALOGUE[f.effect].traits.body for f in own.findings)
+    heavier = one_body(robot, model, gates) if own.is_refitted and not is_loaded else None
+    extra: dict[str, Any] = {"refitted": share_allowed(robot, first.unstated)} if own.is_refitted else {}
+    if heavier:
+        extra["one_body"] = heavier.words()
     springs = [f for f in elastic_findings(model, gates) if scope.allows(f.effect, f.joint)]
     findings = tuple(map(with_known_errors, findings))
     touched = standing(touched, dict(zip(digests, whole, strict=True)), lambda gate: lacks(model, gate))
@@ -172,12 +178,13 @@ def diagnose(
     seen_names = _shown(digests, validated=validate is not None)
     return Diagnosis(
         verdict, findings, gap, robot, model, new, difference(old, new),
-        flags, left, (*words_of(verdict, left), *scope.words()), described,
+        flags, left, (*words_of(verdict, left), *([heavier.words()] if heavier else []), *scope.words()),
+        described,
         tuple(_series(lacks, name, robot, model, gate) for name, gate in drawn),
         (before.total, after.total),
         windows(whole[0], findings, seen_names), tried(last, findings), what_matters(last.context),
         (by_kind(before), by_kind(after)), agreement(model, gates[0]), to_record(robot, gates),
-        {"refitted": share_allowed(robot, first.unstated)} if own.is_refitted else {},
+        extra,
     )  # fmt: skip
 
 

@@ -37,6 +37,8 @@ def summary(diagnosis: Diagnosis, report: str, *, validated: bool) -> list[str]:
     better = _better(diagnosis, validated)
     if better:
         tail.append(better)
+    if "one_body" in diagnosis.extra:
+        tail.append(diagnosis.extra["one_body"])
     following = experiments(diagnosis)
     if following:
         more = f" (and {len(following) - 1} more)" if len(following) > 1 else ""

@@ -181,6 +181,10 @@ def best_of(
     for key, one in best.items():
         if one.candidate.values and one.gain > 0.5 * top:
             best[key] = _refined(current, one, least, contexts)
+    unlikely = [one for one in best.values() if not one.candidate.likely(one.fit.x)]
+    best = {key: one for key, one in best.items() if one.candidate.likely(one.fit.x)}
+    if not best:
+        return None
     most = max(best.values(), key=lambda one: one.gain)
     left = np.median(most.fit.held_out[:, list(most.candidate.rows)], axis=0).max()
     if rough or left > ROUGH:  # nothing explains it all: candidates with many numbers must gain more
@@ -188,9 +192,12 @@ def best_of(
     else:
         ranked = sorted(best.values(), key=lambda one: -one.gain)
     winner = ranked[0]
-    ties = [one for one in ranked[1:] if _tied(now, winner, one, ROUGH_TIE if rough else TIE_LOSS)]
+    loss = ROUGH_TIE if rough else TIE_LOSS
+    ties = [one for one in ranked[1:] if _tied(now, winner, one, loss)]
     simplest = min([winner, *ties], key=lambda one: (one.candidate.order, -one.gain))
-    others = [one for one in [winner, *ties] if one is not simplest]
+    hidden = [one for one in unlikely if one.gain >= winner.gain or _tied(now, winner, one, loss)]
+    hidden = [one for one in hidden if set(one.candidate.rows) & set(winner.candidate.rows)]
+    others = [one for one in [winner, *ties, *hidden] if one is not simplest]
     names = [one.candidate.effect for one in others if not _contains(one.candidate, simplest.candidate)]
     if one_way[simplest.candidate.rows[0]] and simplest.candidate.effect in _LEVELS:
         names += _LEVELS

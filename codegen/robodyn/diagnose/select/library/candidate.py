@@ -53,6 +53,8 @@ class Candidate:
     spread: tuple[float, float] = (1.5, 1.03)
     reach: Mapping[str, float] = field(default_factory=dict)
     feasible: Callable[[Floats], bool] = anything
+    #: Whether it is so likely that it may be named; a rival of others it is without.
+    likely: Callable[[Floats], bool] = anything
     values: Mapping[str, float] = field(default_factory=dict)
     #: Makes the same in a context, with other values of what is not linear.
     again: Callable[[Context, Mapping[str, float]], Candidate] | None = None

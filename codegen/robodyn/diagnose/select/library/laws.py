@@ -11,7 +11,7 @@ from robodyn.diagnose.select.library.candidate import Candidate, Context, rubs, 
 from robodyn.diagnose.select.limits import GRAVITY_SAMPLES, GRAVITY_SHARE
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Effect, Site
-from robodyn.effects.traits import Dahl, Law
+from robodyn.effects.traits import Dahl, Law, anything
 from robodyn.identify.oscillator import dahl_deflection
 
 Floats = NDArray[np.float64]
@@ -37,17 +37,17 @@ def _fitted(c: Context, effect: Effect, law: Law, j: int, settings: Values) -> C
         at = Site(at.revolute, at.q, at.qd, at.qdd, at.direction, c.at.passed[:, j])
     columns = [np.asarray(x + np.zeros_like(at.qd)) for x in law.columns(settings, at)]
     columns += [unit_column(CATALOGUE[id], at) for id in law.beside]
-    feasible = law.feasible
+    likely = anything
     if law.relief:
         torques = np.stack(columns, axis=1)[:: _step(c)]
 
-        def feasible(x: Floats) -> bool:
-            return law.feasible(x) and _relieved(_gravity(c)[:, j], torques @ x) >= law.relief
+        def likely(x: Floats) -> bool:
+            return _relieved(_gravity(c)[:, j], torques @ x) >= law.relief
 
     return single(
         effect.id, j, columns, (*law.signs, *(0 for _ in law.beside)), lambda x: law.read(x, settings),
         law.order, values=settings, beside=law.beside, spread=law.spread, rough=law.rough,
-        feasible=feasible,
+        feasible=law.feasible, likely=likely,
         again=lambda c, values: _fitted(c, effect, law, j, values),
     )  # fmt: skip
 
