@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 from robodyn import count, load
+from robodyn.formats.writers.parts import parts_of
 
 FOLDER = Path(__file__).parents[1] / "examples" / "arms"
 FUNCTIONS = ("inverse_dynamics", "gravity", "mass_matrix", "forward_dynamics")
@@ -18,7 +19,7 @@ START, END = "<!-- operations -->\n", "<!-- end -->"
 def row(path: Path) -> str:
     """The table's row of one arm: joints, mass that they carry, operations of some functions."""
     robot = load(path)
-    mass = sum(float(link.mass) for link in robot.links)  # type: ignore[arg-type]
+    mass = sum(joint.body.mass for joint in parts_of(robot).joints)
     figures = [str(count(robot, function).total) for function in FUNCTIONS]
     return f"| {path.stem} | {robot.n} | {mass:.2f} | {' | '.join(figures)} |"
 
