@@ -136,6 +136,9 @@ CONTACT_NARROW: Final = 30.0
 CONTACT_WIDE: Final = 90.0
 """[degrees] and none at all, nor a sign, if it may be as far from it."""
 
+CONTACT_EDGE: Final = 0.02
+"""[s] So well is either end of a contact's window known."""
+
 CONTACT_CONFIDENCE: Final = 0.9
 """[probability] That of a contact that was found (docs/diagnose.md)."""
 
@@ -261,6 +264,10 @@ BETTER_FIT: Final = 0.5
 
 PROFILE_RESTARTS: Final = 2
 """[times] at most."""
+
+LAG_ACCURACY: Final = 0.01
+"""[share of the value] One standard error by which numbers of springs between motor and link are off because
+the arm is taken to be linear in the lag of the link."""
 
 # --- walk --------------------
 
