@@ -76,7 +76,7 @@ def test_pinocchio_reads_the_same_arm_from_the_urdf(source: str | int, tmp_path:
     robot = robot_of(source)
     path = exported(robot, "urdf", tmp_path)
     own, names = RigidArm(robot), export_arm(robot, "urdf").names
-    peer = PinocchioArm(pinocchio, str(path), list(names), {}, [float(x) for x in robot.gravity])
+    peer = PinocchioArm(pinocchio, path.read_text(), list(names), {}, [float(x) for x in robot.gravity])
     peer.model.armature = np.array([real(link.joint.motor_inertia) for link in robot.links])
     tip = "tool" if robot.tool else f"{names[-1]}_link"
     for q, qd, qdd in states(robot):

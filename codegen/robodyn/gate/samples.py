@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.gate.flag import Flag, Floats, count, named, spans_of
+from robodyn.gate.flag import Flag, Floats, chunks, count, named, spans_of
 from robodyn.gate.limits import (
     CONSTANT_TIME,
     FEWEST_REPEATS,
@@ -60,10 +60,10 @@ def fresh(log: Log, flags: list[Flag]) -> tuple[Log, Mask | None]:
     """
     if log.samples < 4 or not (np.diff(log.t) > 0).all():
         return log, None
-    step = np.abs(np.diff(log.q, axis=0))
-    same = (step == 0).all(axis=1) & (np.diff(log.tau, axis=0) == 0).all(axis=1)
+    same = _same(log)
     if not FEWEST_REPEATS <= same.sum() <= MOST_REPEATS * len(same):
         return log, None
+    step = np.abs(np.diff(log.q, axis=0))
     with np.errstate(invalid="ignore"):
         usual = np.nanquantile(step[~same], 0.9, axis=0)
         least = np.nanmin(np.where(step > 0, step, np.inf), axis=0)
@@ -100,6 +100,16 @@ def fresh(log: Log, flags: list[Flag]) -> tuple[Log, Mask | None]:
         return replace(log, t=t), repeats
     flags.append(Flag("repeated_rows", "all", spans_of(inner + 1, log.t), text))
     return log, repeats
+
+
+def _same(log: Log) -> Mask:
+    """Which rows [K - 1] are followed by one with the same positions and torques."""
+    same = np.empty(log.samples - 1, dtype=bool)
+    for rows in chunks(log.samples - 1):
+        after = slice(rows.start + 1, rows.stop + 1)
+        alike = (table[rows] == table[after] for table in (log.q, log.tau))
+        same[rows] = np.logical_and(*(each.all(axis=1) for each in alike))
+    return same
 
 
 def constant(log: Log, flags: list[Flag]) -> None:

@@ -67,7 +67,7 @@ def noise_of(x: Floats, segments: Sequence[slice]) -> Floats:
     for order in range(2, 6):
         # The squares of binomial coefficients add up to the middle one of twice the order.
         gain = float(np.sqrt(np.prod([(order + k) / k for k in range(1, order + 1)])))
-        differences = [np.diff(piece, order, axis=0) for piece in pieces]
-        if differences:
-            best = np.minimum(best, 1.4826 * np.median(np.abs(np.concatenate(differences)), axis=0) / gain)
+        for j in range(x.shape[1] if pieces else 0):  # one by one: logs are long
+            differences = np.concatenate([np.diff(piece[:, j], order) for piece in pieces])
+            best[j] = min(best[j], 1.4826 * float(np.median(np.abs(differences))) / gain)
     return np.where(np.isfinite(best), best, 0.0)

@@ -89,7 +89,8 @@ def _opened(path: Path, file: str) -> Iterator[tuple[Any, Any, IO[bytes], Footer
     with io.BufferedReader(open_regular(path, "a log, such as log.parquet", file)) as source:
         try:
             footer = read_footer(source, os.fstat(source.fileno()).st_size)
-            with parquet.ParquetFile(source) as opened:
+            # Buffered ahead, the whole file would be in memory beside its numbers.
+            with parquet.ParquetFile(source, pre_buffer=False) as opened:
                 yield pyarrow, opened, source, footer
         except (pyarrow.ArrowException, OSError, ValueError) as error:
             if isinstance(error, OSError) and error.errno is not None:  # of the system, not of pyarrow
