@@ -32,6 +32,8 @@ from peers.numbers import Array
 from robodyn.diagnose.run import diagnose
 from robodyn.gate.gate import inspect
 from robodyn.identify.contact.contact import Contact, contacts
+from robodyn.logs.log import Log
+from robodyn.robot.model import Joint, Link, Robot
 
 KNOWN_ARMS = (*ARMS, *FURTHER_ARMS)
 ALL_ARMS = (*KNOWN_ARMS, *LATER_ARMS)
@@ -51,16 +53,22 @@ INERTIA_ERROR = 0.3
 def made(arm: str, kind: str, seed: int, cache: Path | None = None) -> Pushed:
     """The log of an arm, from the cache where it is in it."""
     path = cache / f"{arm}_{kind}_{seed}.pickle" if cache else None
+    # What another version wrote may have other fields.
+    shape = [[field.name for field in fields(of)] for of in (Pushed, Push, Log, Robot, Link, Joint)]
     if path and path.is_file():
-        saved = pickle.loads(path.read_bytes())
-        return Pushed(**{field.name: saved[field.name] for field in fields(Pushed)})
+        try:
+            classes, saved = pickle.loads(path.read_bytes())
+            if classes == shape:
+                return saved  # type: ignore[no-any-return]
+        except (AttributeError, ImportError, TypeError, ValueError):
+            pass
     pushed = pushed_log(
         arm, {"stuck": "rest", "calm": "full"}.get(kind, kind), 1000 + seed,  # type: ignore[arg-type]
         pushes=0 if kind == "calm" else PUSHES, varied=True, sticks=kind == "stuck",
     )  # fmt: skip
     if path:
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_bytes(pickle.dumps({field.name: getattr(pushed, field.name) for field in fields(Pushed)}))
+        path.write_bytes(pickle.dumps((shape, pushed)))
     return pushed
 
 

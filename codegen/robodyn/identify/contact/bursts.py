@@ -74,7 +74,8 @@ def seen(robot: Robot, rough: Rough, left: Floats, sigma: Floats, stiction: Floa
             for j in range(left.shape[1]):
                 x = left[piece, j]
                 rest[piece, j] = x - _level(x)
-                spread[piece, j] = max(_noise(x, rough.step), float(least[j]), WANDER * float(stiction[j]))
+                lowest = max(float(least[j]), WANDER * float(stiction[j]))
+                spread[piece, j] = max(_noise(x, rough.step), lowest)
     z = rest / spread
     wide = max(1, round(0.1 / rough.step))
     smooth = np.stack([np.convolve(x, np.ones(wide) / wide, mode="same") for x in (z**2).T], axis=1)
@@ -194,6 +195,8 @@ def widened(rough: Rough, s: Seen, burst: Burst) -> Burst:
     a, b = (int(burst.rows[k]) - int(inside[0]) for k in (0, -1))
     most = max(1, min(round(LONGEST_RISE / rough.step), round(RISE_SHARE * (b - a))))
     low, high = max(a - most, 0), min(b + most, len(z) - 1)
+    first, last, slower = a, b, round(STEP_APART / rough.step)
+    rests = bool(s.quiet[burst.rows].all())
 
     def size(z: Floats) -> Floats:
         return np.asarray(np.sqrt((z**2).sum(axis=1)))
@@ -203,6 +206,8 @@ def widened(rough: Rough, s: Seen, burst: Burst) -> Burst:
         before, after = size(z[low:a] - levels[0]), size(z[b + 1 : high + 1] - levels[-1])
         least = FADED * float(np.median(size(z[a : b + 1] - levels)))
         start, end = a - _run(before[::-1] > least), b + _run(after > least)
+        if rests:  # what friction held of it fades more slowly than a hand lets go
+            end = min(end, last + first - start + slower)
         if (start, end) == (a, b):
             break
         a, b = start, end
@@ -251,7 +256,7 @@ def _steps(z: Floats, step: float) -> Floats:
     after = mean(places + gap, places + gap + wide)
     before = mean(places - gap - wide + 1, places - gap + 1)
     # Beyond an end nothing is known: no step.
-    whole = (places - gap >= 0) & (places + gap < len(z))
+    whole = (places - gap - wide + 1 >= 0) & (places + gap + wide <= len(z))
     return np.asarray((after - before) * whole[:, None])
 
 

@@ -24,6 +24,7 @@ from robodyn.identify.contact.limits import (
     CORRELATED,
     FORCE_MOST,
     LEAST_APART,
+    LEAST_FORCE,
     LEAST_LEVER,
     LEAST_WEIGHT,
     MOST_COURSE,
@@ -88,8 +89,9 @@ def push_in(model: Model, window: Window) -> Push:
     torque = window.torque
     own = np.sqrt((torque**2).mean(axis=0))
     model_error = np.hypot(OWN_ERROR * own, ALL_ERROR * own.max())
-    lasting = np.sqrt(model_error**2 + (SHIFT_ERROR * window.shift) ** 2 + window.held**2)
-    spread = np.hypot(window.spread, lasting)
+    usual = np.hypot(model_error, window.held)
+    lasting = np.hypot(usual, SHIFT_ERROR * window.shift)
+    spread = np.hypot(window.spread, usual)
     z = torque / spread
     pieces = np.array_split(np.arange(len(z)), _count(model, window.q))
     places = _places(model, np.stack([window.q[rows].mean(axis=0) for rows in pieces]))
@@ -106,18 +108,22 @@ def push_in(model: Model, window: Window) -> Push:
         profile = np.clip((z * unit).sum(axis=1) / np.maximum((unit**2).sum(axis=1), 1e-12), 0.0, MOST_COURSE)
     profile = profile / max(float(profile.mean()), 1e-300)
     fit = _fitted(window, lasting, model_error, places, pieces, profile)
-    if fit is None:
+    seen = _fitted(window, usual, model_error, places, pieces, profile)
+    if fit is None or seen is None:
         return _NOTHING
     # Where it acts may be open: the force is the mean over all places, as likely as their evidence says.
-    weights = np.exp(fit.evidence - fit.evidence[fit.at])
+    weights = np.exp(fit.evidence - fit.evidence.max())
     weights /= weights.sum()
     link = int(np.argmax(np.bincount(fit.link, weights)))
     force = weights @ fit.w[:, :3]
     variance = weights @ (np.diagonal(fit.cov, axis1=1, axis2=2)[:, :3] + (fit.w[:, :3] - force) ** 2)
-    # How much of the window a force explains, sample by sample, in units of the spread of each; and a joint
-    # alone, whatever it does.
-    shape = profile[:, None] * (_columns_at(model, window.q, places, fit.best) @ fit.w[fit.at])
-    by_force = float((((torque - shape) / spread) ** 2).sum())
+    # How much of the window a force explains, sample by sample, in units of the spread of each, whatever
+    # friction holds of it afterwards; and a joint alone, whatever it does.
+    shape = profile[:, None] * (_columns_at(model, window.q, places, seen.best) @ seen.w[seen.at])
+    # The prior makes the force too small where the torques say little of it: it is what makes them.
+    power = float(((shape / spread) ** 2).sum())
+    size = float((shape * torque / spread**2).sum()) / max(power, 1e-300)
+    by_force = float((((torque - size * shape) / spread) ** 2).sum())
     squares = (z**2).sum(axis=0)
     joint = int(squares.argmax()) + 1
     explained = 1 - by_force / max(float(squares.sum()), 1e-300)
@@ -260,7 +266,7 @@ def _evidence(A: Floats, b: Floats) -> tuple[Floats, Floats, Floats]:
     top = np.maximum(size.max(axis=1), 1e-300)
     # No larger than what shows: a force whose torques nearly cancel is not what acts.
     most = np.maximum(FORCE_MOST * np.abs(inside).max(axis=1) / top, 1e-300)
-    wide = most[:, None] * np.geomspace(1e-3, 1.0, 31)
+    wide = most[:, None] * np.geomspace(LEAST_FORCE, 1.0, 15)
     total = 1 + (size[:, None, :] * wide[:, :, None]) ** 2
     likely = -0.5 * (
         outside[:, None] + (inside[:, None, :] ** 2 / total).sum(axis=2) + np.log(total).sum(axis=2)

@@ -132,7 +132,7 @@ EXCESS_SHARE: Final = 0.5
 """[share of all that stands out] In motion, contacts make up so much of it; else the model lacks
 something."""
 
-ABOVE_OTHERS: Final = 2.0
+ABOVE_OTHERS: Final = 4.0
 """[-] In motion a contact is so many times larger than what else stands out,"""
 
 SHORT_TIME: Final = 0.15
@@ -177,6 +177,9 @@ LEAST_LEVER: Final = 0.05
 
 FORCE_MOST: Final = 3.0
 """[-] A force is at most so many times what would make the torques with its best lever."""
+
+LEAST_FORCE: Final = 0.1
+"""[share of that] and at least as large (standard deviations of the prior)."""
 
 PIECES: Final = 8
 """[pieces] at most of a window in which the pose is taken as constant,"""
