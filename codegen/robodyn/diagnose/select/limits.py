@@ -266,28 +266,21 @@ PROFILE_RESTARTS: Final = 2
 """[times] at most."""
 
 LAG_ACCURACY: Final = 0.01
-"""[share of the value] One standard error by which numbers of springs between motor and link are off because
-the arm is taken to be linear in the lag of the link."""
+"""[share of the value] The arm is taken to be linear in a link's lag: its spring is known no better."""
 
 # --- walk --------------------
 
 WALK_STEP: Final = 1.3
 """[-] A stiffness is varied by this factor,"""
 
-WALK_DOWN: Final = 12
-"""[steps] down at most,"""
-
-WALK_UP: Final = 5
-"""[steps] and up: a grid ends too stiff more often than too soft;"""
+WALK_STEPS: Final = (12, 5)
+"""[steps] down and up at most: a grid ends too stiff more often than too soft;"""
 
 WALK_LOST: Final = 4.0
 """[-] no farther than to so many times the least misfit."""
 
 WALK_ROUNDS: Final = 3
 """[rounds] of Gauss and Newton at each step,"""
-
-WALK_WORTH: Final = 1e-3
-"""[share of the misfit] as long as each gains so much,"""
 
 WALK_FARTHEST: Final = 0.7
 """[logarithm] none farther than this,"""
