@@ -60,14 +60,19 @@ def chains(seed: int) -> Robot:
     return description_of(replace(chain, joints=tuple(joints)))
 
 
+EXAMPLES = sorted((Path(__file__).parents[2] / "examples" / "arms").glob("*.yaml"))
 ROBOTS: list[str | int] = [
     *representative(list(bundled_names()), "puma560", "stanford"),
     *sampled(range(200), every=50),
+    *representative([f"examples/arms/{path.name}" for path in EXAMPLES], "examples/arms/so101.yaml"),
 ]
 
 
 def robot_of(source: str | int) -> Robot:
-    return numbered(load(source)) if isinstance(source, str) else chains(source)
+    if isinstance(source, int):
+        return chains(source)
+    path = Path(__file__).parents[2] / source
+    return numbered(load(path if path.exists() else source, warn=lambda words: None))
 
 
 @pytest.mark.parametrize("source", ROBOTS)
@@ -76,7 +81,9 @@ def test_pinocchio_reads_the_same_arm_from_the_urdf(source: str | int, tmp_path:
     robot = robot_of(source)
     path = exported(robot, "urdf", tmp_path)
     own, names = RigidArm(robot), export_arm(robot, "urdf").names
-    peer = PinocchioArm(pinocchio, path.read_text(), list(names), {}, [float(x) for x in robot.gravity])
+    peer = PinocchioArm(
+        pinocchio, path.read_text(encoding="utf-8"), list(names), {}, [float(x) for x in robot.gravity]
+    )
     peer.model.armature = np.array([real(link.joint.motor_inertia) for link in robot.links])
     tip = "tool" if robot.tool else f"{names[-1]}_link"
     for q, qd, qdd in states(robot):

@@ -210,3 +210,13 @@ def test_degrees_are_doubted() -> None:
     assert chain(text).remarks == (
         "limits of -180 to 180 rad are more than six turns: were degrees meant?: j",
     )
+
+
+def test_a_follower_of_a_follower_is_where_both_put_it() -> None:
+    third = joint(
+        "thumb", "hand", "nail", "prismatic", '<mimic joint="other_finger" multiplier="2" offset="0.01"/>'
+    )
+    text = GRIPPER.replace('multiplier="-1"', 'multiplier="-1" offset="0.005"')
+    text = text.replace("</robot>", link("nail") + third + "</robot>")
+    serial = chain(text, tip="hand", locks={"finger": 0.03})
+    assert serial.remarks[0].endswith("finger at 0.03, other_finger at -0.025, thumb at -0.04")

@@ -3,7 +3,7 @@
 Each axis becomes the z axis of its link's frame. Two freedoms are left at every joint: where on its axis the
 frame's origin stands, and how the frame is turned about it. They are chosen so that numbers vanish: x is
 perpendicular to this axis and the next, the origin is where their common normal begins, and where axes are
-parallel (any common normal is one) where the next offset ``d`` is zero. Of axes that are nearly parallel the
+parallel (any common normal is one) where an offset ``d`` is zero. Of axes that are nearly parallel the
 common normal lies far away: the origin stays near the arm, and the row has an offset ``b`` more. So it has
 between parallel axes, if the common normal is oblique to the frame before.
 
@@ -133,20 +133,29 @@ def _row(step: Step, before: Angle, size: float, within: float) -> _Row:
 
 def _slide(table: Sequence[_Row], size: float) -> None:
     """Origins slid along their axes: to the common normal with the next axis where that is near, else so that
-    the next offset ``d`` vanishes; the last one so that its own does."""
+    an offset ``d`` vanishes: the next one, or where the axes before are not parallel that before it, since
+    between parallel axes an offset costs less. The last one slides so that its own ``d`` does."""
     for i in reversed(range(1, len(table))):
         row, before = table[i], table[i - 1]
         c, s = row.alpha.cos, row.alpha.sin
-        normal = row.b / s if s else None
-        if normal is not None and (abs(s) >= STEEP or abs(normal) <= SLIDE * size):
+        normal, further = _normal(row, size), _normal(before, size) if i > 1 else None
+        if normal is not None:
             before.slide, row.b = normal, ZERO
-            if i == len(table) - 1:
-                row.slide = normal * c - row.d
         else:
-            before.slide = (row.d + row.slide) / c
+            along = None if further is None else further * before.alpha.cos - before.d
+            before.slide = (row.d + row.slide) / c if along is None else along
             row.b -= before.slide * s
+        if i == len(table) - 1:
+            row.slide = before.slide * c - row.d
         row.d += row.slide - before.slide * c
     table[0].d += table[0].slide
+
+
+def _normal(row: _Row, size: float) -> Fraction | None:
+    """How far along the axis before a row its common normal with the row's is [m]; None: too far, or any."""
+    s = row.alpha.sin
+    normal = row.b / s if s else None
+    return normal if normal is not None and (abs(s) >= STEEP or abs(normal) <= SLIDE * size) else None
 
 
 def _link(joint: ChainJoint, step: Step, row: _Row, end: Angle, size: float) -> Link:

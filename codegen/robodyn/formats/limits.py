@@ -8,7 +8,7 @@ FILE_MIB: int = 16
 DEPTH: int = 64
 """[levels] Deepest nesting of XML elements; a robot needs about 10."""
 
-ELEMENTS: int = 200_000
+ELEMENTS: int = 100_000
 """[elements] Most elements of a file, with all that it includes; public robots have up to 5000."""
 
 ATTRIBUTES: int = 100

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import os
-from pathlib import Path
+from typing import Final
 
-from robodyn.formats.reading import is_foreign
 from robodyn.robot import bundled
 from robodyn.robot.model import Robot
 from robodyn.robot.reader import Warn, doubtful
+
+#: Endings of files in other formats.
+SUFFIXES: Final = (".urdf", ".xacro", ".xml", ".mjcf", ".sdf")
 
 
 def load(spec: str | os.PathLike[str], *, strict: bool = False, warn: Warn | None = None) -> Robot:
@@ -23,7 +25,7 @@ def load(spec: str | os.PathLike[str], *, strict: bool = False, warn: Warn | Non
     InputError: no such file or name, or one that cannot be read.
     ToolError: the package that reads the format is not installed.
     """
-    if not (is_foreign(spec) and Path(spec).exists()):
+    if not _is_foreign(spec):
         return bundled.load(spec, strict=strict, warn=warn)
     from robodyn.formats.arm import import_arm
 
@@ -34,6 +36,11 @@ def load(spec: str | os.PathLike[str], *, strict: bool = False, warn: Warn | Non
     for where, words in imported.implausible:
         tell(f"{where}: {words}")
     return imported.robot
+
+
+def _is_foreign(spec: str | os.PathLike[str]) -> bool:
+    """Whether ``spec`` is a file in another format; their readers are imported only then."""
+    return os.fspath(spec).lower().endswith(SUFFIXES) and os.path.exists(spec)  # noqa: PTH110 (never raises)
 
 
 def robot_of(robot: Robot | str | os.PathLike[str]) -> Robot:
@@ -48,7 +55,7 @@ def text_of(spec: str | os.PathLike[str]) -> str:
     ------
     InputError: there is no such file or robot.
     """
-    if not (is_foreign(spec) and Path(spec).exists()):
+    if not _is_foreign(spec):
         return bundled.text_of(spec)
     from robodyn.formats.arm import description_text, import_arm
 

@@ -14,14 +14,7 @@ from robodyn.formats import elements
 from robodyn.formats.elements import Document, tag_shown
 from robodyn.formats.tree import Tree
 
-#: Endings of files that are read here.
-SUFFIXES: Final = (".urdf", ".xacro", ".xml", ".mjcf", ".sdf")
 _EXPECTED: Final = "URDF, MJCF, SDF or xacro"
-
-
-def is_foreign(path: str | os.PathLike[str]) -> bool:
-    """Whether ``path`` ends as the files that are read here do."""
-    return os.fspath(path).lower().endswith(SUFFIXES)
 
 
 def read_tree(path: str | os.PathLike[str], arguments: Mapping[str, str] | None = None) -> Tree:
