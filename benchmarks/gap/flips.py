@@ -29,14 +29,14 @@ def wrong(log: Log) -> Iterator[tuple[str, str, Log]]:
     """What is wrong, the remedy's words, and the log: each joint flipped, each with the next exchanged."""
     for j in range(log.n):
         sign = np.where(np.arange(log.n) == j, -1.0, 1.0)
-        for group, x in (("q", log.q), ("tau", log.tau)):
-            yield f"{group} flipped", f"change the sign of {group}{j + 1}", replace(log, **{group: x * sign})
+        yield "q flipped", f"change the sign of q{j + 1}", replace(log, q=log.q * sign)
+        yield "tau flipped", f"change the sign of tau{j + 1}", replace(log, tau=log.tau * sign)
     for j in range(log.n - 1):
         order = list(range(log.n))
         order[j], order[j + 1] = j + 1, j
-        for group, x in (("q", log.q), ("tau", log.tau)):
-            columns = f"swap the columns {group}{j + 1}, {group}{j + 2}"
-            yield f"{group} exchanged", columns, replace(log, **{group: x[:, order]})
+        both = [f"swap the columns {group}{j + 1}, {group}{j + 2}" for group in ("q", "tau")]
+        yield "q exchanged", both[0], replace(log, q=log.q[:, order])
+        yield "tau exchanged", both[1], replace(log, tau=log.tau[:, order])
 
 
 def answer(log: Log, robot: Robot, remedy: str) -> str:
