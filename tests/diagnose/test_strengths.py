@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 
 from robodyn.diagnose.amend.amend import Amendment
+from robodyn.diagnose.refit import without_vague_claim
+from robodyn.diagnose.result import Estimate, Finding
 from robodyn.diagnose.select.fit import less, problem, without
 from robodyn.diagnose.select.limits import REST_WEIGHT
 from robodyn.diagnose.select.selection import weight_of
@@ -73,3 +75,12 @@ def test_weights_reach_all_that_is_summed() -> None:
     gone = without(q, np.arange(200) < 50)
     assert not gone.weight[:50].any()
     assert gone.usual(gone.rest).shape == (2,)
+
+
+@pytest.mark.parametrize(("stderr", "is_claim"), [(0.4, True), (0.6, False), (None, True)])
+def test_a_claim_of_one_number_needs_that_number(stderr: float | None, is_claim: bool) -> None:
+    offset = {"offset": Estimate(-1.0, stderr, "rad")}
+    finding = Finding("encoder_offset", 2, offset, 0.95, (), "", None, 9.0, 3.0)
+    assert (without_vague_claim(finding).confidence > 0.5) is is_claim
+    two = replace(finding, parameters={**offset, "other": Estimate(1.0, 0.01, "1")})
+    assert without_vague_claim(two).confidence == 0.95

@@ -194,6 +194,18 @@ def amendment(f: Finding) -> Amendment:
     return Amendment(f.effect, f.joint, {name: p.value for name, p in f.parameters.items()})
 
 
+def without_vague_claim(finding: Finding) -> Finding:
+    """The finding, no claim where its only number is known no better than to half of itself: of a thing of
+    which nothing is known but a sign it cannot be said that it is missing."""
+    numbers = [one for one in finding.parameters.values() if isinstance(one.value, float) and one.value]
+    if len(numbers) != 1 or numbers[0].stderr is None:
+        return finding
+    (only,) = numbers
+    if only.stderr is not None and only.stderr > MOST_VAGUE * abs(float(only.value)):
+        return replace(finding, confidence=min(finding.confidence, WITHDRAWN))
+    return finding
+
+
 def with_known_errors(finding: Finding) -> Finding:
     """The finding without errors of sizes that are not known to better than half of themselves: of these the
     logs tell a bound, and no more."""

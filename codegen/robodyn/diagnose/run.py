@@ -32,6 +32,7 @@ from robodyn.diagnose.refit import (
     renumbered,
     share_allowed,
     with_known_errors,
+    without_vague_claim,
 )
 from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Rival, Series
 from robodyn.diagnose.select.contact import contact_findings, standing, without_contacts
@@ -105,7 +106,8 @@ def diagnose(
     tell("validating the result")
     unsure = doubtful(gates)
     checked = [(one, not unsure and may_stand(one, first, last)) for one in accepted.values()]
-    findings = tuple(sorted((_finding(robot, one, sure) for one, sure in checked), key=lambda f: -f.gain))
+    named = (without_vague_claim(_finding(robot, one, sure)) for one, sure in checked)
+    findings = tuple(sorted(named, key=lambda f: -f.gain))
     left = left_over(last)
     verdict = verdict_of(findings, last, left)
     lacks = Lacking()
@@ -131,7 +133,7 @@ def diagnose(
             verdict = "unexplained"
             findings = tuple(replace(f, confidence=WITHDRAWN) for f in findings)
     if verdict != "unexplained":
-        findings = own.findings
+        findings = tuple(map(without_vague_claim, own.findings))
         verdict = verdict_of(findings, last, left)  # of better numbers, and perhaps a load
     if verdict == "unexplained" and (first.rough or own.findings):
         own = renumber((), unexplained=True)
