@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from robodyn.diagnose.result import Estimate, Finding
 from robodyn.diagnose.select.limits import (
     CONTACT_CONFIDENCE,
+    CONTACT_EDGE,
     CONTACT_LOUD,
     CONTACT_NARROW,
     CONTACT_WIDE,
@@ -96,6 +97,13 @@ def _direction(one: Contact) -> str:
     return "direction not identifiable, nor its sign: joints do not show enough of the force"
 
 
+def _errors(one: Contact) -> Floats:
+    """Standard errors [3] of a contact's force, with what its window leaves open: the mean over it is smaller
+    where the ends are late, and by what the filter takes off the edges."""
+    share = 2 * CONTACT_EDGE / max(one.end - one.start, CONTACT_EDGE)
+    return np.asarray(np.hypot(one.stderr, share * one.force))
+
+
 def _finding(one: Contact, log: str) -> Finding:
     units = {parameter.name: parameter.unit for parameter in CONTACT.parameters}
     values: dict[str, tuple[float | str, float | None]] = {
@@ -104,7 +112,7 @@ def _finding(one: Contact, log: str) -> Finding:
         "link": (float(one.link), None),
         **{
             f"force_{axis}": (float(x), float(error))
-            for axis, x, error in zip("xyz", one.force, one.stderr, strict=True)
+            for axis, x, error in zip("xyz", one.force, _errors(one), strict=True)
         },
         "log": (log, None),
     }

@@ -136,6 +136,9 @@ CONTACT_NARROW: Final = 30.0
 CONTACT_WIDE: Final = 90.0
 """[degrees] and none at all, nor a sign, if it may be as far from it."""
 
+CONTACT_EDGE: Final = 0.02
+"""[s] So well is either end of a contact's window known."""
+
 CONTACT_CONFIDENCE: Final = 0.9
 """[probability] That of a contact that was found (docs/diagnose.md)."""
 
@@ -262,25 +265,22 @@ BETTER_FIT: Final = 0.5
 PROFILE_RESTARTS: Final = 2
 """[times] at most."""
 
+LAG_ACCURACY: Final = 0.01
+"""[share of the value] The arm is taken to be linear in a link's lag: its spring is known no better."""
+
 # --- walk --------------------
 
 WALK_STEP: Final = 1.3
 """[-] A stiffness is varied by this factor,"""
 
-WALK_DOWN: Final = 12
-"""[steps] down at most,"""
-
-WALK_UP: Final = 5
-"""[steps] and up: a grid ends too stiff more often than too soft;"""
+WALK_STEPS: Final = (12, 5)
+"""[steps] down and up at most: a grid ends too stiff more often than too soft;"""
 
 WALK_LOST: Final = 4.0
 """[-] no farther than to so many times the least misfit."""
 
 WALK_ROUNDS: Final = 3
 """[rounds] of Gauss and Newton at each step,"""
-
-WALK_WORTH: Final = 1e-3
-"""[share of the misfit] as long as each gains so much,"""
 
 WALK_FARTHEST: Final = 0.7
 """[logarithm] none farther than this,"""

@@ -26,6 +26,7 @@ from robodyn.diagnose.select.library import Context
 from robodyn.diagnose.select.limits import (
     BETTER_FIT,
     FARTHEST_BOUND,
+    LAG_ACCURACY,
     LEAST_CURVATURE,
     LEAST_SPREAD,
     NEAR_BOUND,
@@ -140,10 +141,18 @@ def _all(fit: LocalFit, *, may_move: bool) -> tuple[list[Uncertainty | None], Fl
             if better is not None:
                 return known, better
             bounds.append(bound)
+        if definition.coupler is not None:
+            bounds = [None if end is None else value + _wider(end - value, value) for end in bounds]
         low, high = bounds
         stderr = None if low is None or high is None else (high - low) / 2 / HALF_WIDTH
         known.append(Uncertainty(stderr, low, high))
     return known, None
+
+
+def _wider(half: float, value: float) -> float:
+    """The signed distance ``half`` of an interval's end from a ``value``, with what the model of a link that
+    lags is off by."""
+    return float(np.copysign(np.hypot(half, HALF_WIDTH * LAG_ACCURACY * value), half))
 
 
 class Profile:

@@ -16,14 +16,13 @@ from robodyn.diagnose.amend.amend import Amendment
 from robodyn.diagnose.select.fit import Problem
 from robodyn.diagnose.select.library import Context
 from robodyn.diagnose.select.limits import (
+    REFINE_WORTH,
     WALK_DAMPED,
-    WALK_DOWN,
     WALK_FARTHEST,
     WALK_LOST,
     WALK_ROUNDS,
     WALK_STEP,
-    WALK_UP,
-    WALK_WORTH,
+    WALK_STEPS,
 )
 from robodyn.diagnose.select.refine import Freed
 from robodyn.diagnose.select.uncertainty import LocalFit
@@ -56,7 +55,7 @@ def walked(
 def _along(fit: LocalFit, i: int) -> Floats:
     """The best values [P] along the value ``i``, in steps both ways."""
     least, best = fit.misfit, fit.x
-    for factor, steps in ((1 / WALK_STEP, WALK_DOWN), (WALK_STEP, WALK_UP)):
+    for factor, steps in zip((1 / WALK_STEP, WALK_STEP), WALK_STEPS, strict=True):
         x = fit.x
         for _ in range(steps):
             x = x.copy()
@@ -96,6 +95,6 @@ def _settled(fit: LocalFit, x: Floats, held: int | None) -> tuple[float, Floats]
             if outcome is not None and outcome[0] < least:
                 least, x = outcome[0], tried
                 break
-        if not before - least > WALK_WORTH * least:
+        if not before - least > REFINE_WORTH * least:
             break
     return least, x
