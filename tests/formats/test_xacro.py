@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from pathlib import Path
 
@@ -136,3 +137,13 @@ def test_without_the_package_the_extra_is_named(tmp_path: Path, monkeypatch: pyt
         read_tree(path)
     assert caught.value.exit_code == 3
     assert limits.XACRO_SECONDS > 0
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="missing: os.mkfifo; only POSIX has it")
+def test_a_file_that_never_ends_is_not_waited_for(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(xacro, "XACRO_SECONDS", 1)
+    os.mkfifo(folder / "never.xacro")
+    endless = folder / "endless.xacro"
+    endless.write_text(f'{HEAD}<xacro:include filename="never.xacro"/>{link("a")}</robot>')
+    with pytest.raises(InputError, match="more than 1 s or"):
+        read_tree(endless)

@@ -207,23 +207,23 @@ def without_vague_claim(finding: Finding) -> Finding:
 
 
 def with_known_errors(finding: Finding) -> Finding:
-    """The finding without errors of sizes that are not known to better than half of themselves: of these the
-    logs tell a bound, and no more."""
+    """The finding without errors of numbers that are not known to better than half of themselves: of these
+    the logs tell bounds, and no more."""
     sizes = {p.name for p in CATALOGUE[finding.effect].parameters if p.sign != "any"}
     return replace(
         finding,
-        parameters={
-            name: _bounded(one) if name in sizes else one for name, one in finding.parameters.items()
-        },
+        parameters={name: _bounded(one, is_size=name in sizes) for name, one in finding.parameters.items()},
     )
 
 
-def _bounded(size: Estimate) -> Estimate:
-    """A size; without its error, and with the bounds that are left, where that is too vague."""
+def _bounded(size: Estimate, *, is_size: bool) -> Estimate:
+    """A number; without its error, and with the bounds that are left, where that is too vague."""
     if isinstance(size.value, str) or size.stderr is None or size.stderr <= MOST_VAGUE * abs(size.value):
         return size
     low, high = size.interval or (None, None)
-    return replace(size, stderr=None, bounds=(low if low is not None and low > 0 else None, high))
+    return replace(
+        size, stderr=None, bounds=(None if is_size and low is not None and low <= 0 else low, high)
+    )
 
 
 def _with_estimates(finding: Finding, estimates: Mapping[str, Estimate]) -> Finding:

@@ -87,9 +87,10 @@ def read_tree(document: Document) -> Tree:
             found=several or None,
             expected="one <model>",
         )
+    read = {"world", "model", "gravity"}
     for part in (root, *worlds):
         for child in part.children:
-            if child.tag not in ("world", "model", "gravity"):
+            if child.tag not in read:
                 leftovers.add(what_of(child, part, _WORDS), child.line)
     return checked(reader.model(models[0], gravity))
 

@@ -11,6 +11,7 @@ import importlib.util
 import json
 import subprocess
 import sys
+import threading
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -40,17 +41,21 @@ def expanded(path: Path, arguments: Mapping[str, str] | None = None) -> elements
     script = str(Path(__file__).with_name("xacro_process.py"))
     bounds = [str(XACRO_SECONDS), str(XACRO_MEMORY * MIB)]
     command = [sys.executable, "-I", "-B", script, str(path), *bounds, json.dumps(dict(arguments or {}))]
+    pipe = subprocess.PIPE
     with subprocess.Popen(
-        command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE
+        command, stdin=subprocess.DEVNULL, stdout=pipe, stderr=pipe, start_new_session=True
     ) as process:
         assert process.stdout is not None
         assert process.stderr is not None
+        late_end = threading.Timer(XACRO_SECONDS, process.kill)  # it may wait for a file that never ends
+        late_end.start()
         try:
             data = process.stdout.read(FILE_MIB * MIB + 1)
             process.stdout.close()
-            stderr = process.stderr.read(4096).decode("utf-8", "replace")
-            process.wait(timeout=XACRO_SECONDS)
+            stderr = process.stderr.read(4096).decode("utf-8", "replace")  # one line: it fits into the pipe
+            process.wait()
         finally:
+            late_end.cancel()
             process.kill()
     if len(data) > FILE_MIB * MIB:
         raise _refused(name, f"more than {FILE_MIB} MiB")
