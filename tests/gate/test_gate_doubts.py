@@ -66,7 +66,7 @@ def pushed_on(inertia: float) -> Log:
     """Of a joint with 1 N m of dry friction and an ``inertia`` [kg m^2], driven for half a second and let go
     for another, at 250 Hz."""
     step, period = 1e-4, 4e-3
-    t = step * np.arange(80_000)
+    t = np.asarray(step * np.arange(80_000), dtype=np.float64)
     drive = np.where(t % 1 < 0.5, np.where(t % 2 < 1, 1.4, -1.4), 0.0)
     q, speed, positions = 0.0, 0.0, np.empty((len(t), 1))
     for k, torque in enumerate(drive.tolist()):
