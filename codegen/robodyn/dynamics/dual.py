@@ -17,7 +17,7 @@ from robodyn.effects.scalars import cosine, exponential, magnitude, root, sign, 
 class Dual:
     """``value + slope e`` with ``e * e = 0``: ``+ - * /`` with others of its kind and with plain scalars.
 
-    Where ``|x|`` and ``sgn x`` have no derivative, that of ``|x|`` is 0, and that of ``sgn x`` is 0 everywhere.
+    Where ``|x|`` has no derivative it is 0, and that of ``sgn x`` is 0 everywhere.
     """
 
     __slots__ = ("slope", "value")
@@ -38,10 +38,10 @@ class Dual:
     __radd__ = __add__
 
     def __sub__(self, other: Any) -> Dual:
-        return self + -other
+        return self.__add__(-other)
 
     def __rsub__(self, other: Any) -> Dual:
-        return -self + other
+        return self.__neg__().__add__(other)
 
     def __mul__(self, other: Any) -> Dual:
         if isinstance(other, Dual):

@@ -105,17 +105,17 @@ class _Columns:
         self._oracle, self._q = oracle, inputs["q"]
         self.inputs = {name: oracle._columns(array) for name, array in inputs.items()}
         self.rest = [0] * self._q.shape[1]
-        self._number: Callable[[Fraction], Any] = Fraction if oracle.exact else real
+        self._scalar: Callable[[Fraction], Any] = Fraction if oracle.exact else real
         robot, values = oracle.robot, oracle.parameters
         self.arm = build_arm(
-            rigid_part(robot), self._number, lambda name: self._number(Fraction(values[name]))
+            rigid_part(robot), self._scalar, lambda name: self._scalar(Fraction(values[name]))
         )
 
     def motion(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Motion:
         """The arm at ``q``, with these rates and accelerations."""
-        q, number = self.inputs["q"], self._number
+        q, scalar = self.inputs["q"], self._scalar
         trigonometry = _exact_trigonometry(q) if self._oracle.exact else trigonometry_at(q)
-        return build_motion(self.arm, q, qd, qdd, trigonometry, number)
+        return build_motion(self.arm, q, qd, qdd, trigonometry, scalar)
 
     def links(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Moving:
         """The same, as described."""
@@ -125,7 +125,7 @@ class _Columns:
     def rotors(self) -> list[Rotor]:
         """The rotors of the drives."""
         robot, values = self._oracle.robot, self._oracle.parameters
-        layer = layer_of(robot, self._number, lambda name: self._number(Fraction(values[name])))
+        layer = layer_of(robot, self._scalar, lambda name: self._scalar(Fraction(values[name])))
         return rotors_of(self.arm) + layer.rotors()
 
     def torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
