@@ -1,4 +1,4 @@
-"""How long the rest takes: told on a terminal, by stages whose usual costs are known."""
+"""How long the rest takes: shown on a terminal, from stages whose usual costs are known."""
 
 from __future__ import annotations
 
@@ -21,8 +21,7 @@ from robodyn.logs.log import Log
 from robodyn.robot import to_yaml
 from robodyn.robot.model import Robot
 from robodyn_cli.progress import Countdown, Line, countdown
-
-pty = pytest.importorskip("pty", reason="no pseudo terminals here: progress not watched on one")
+from robodyn_testing import require_module
 
 
 @pytest.fixture(scope="module")
@@ -71,9 +70,9 @@ def test_every_stage_is_known_and_comes_in_its_order(arm: tuple[Robot, Log]) -> 
     for work, known in ((identify, stages(robot.n, [log])), (diagnose, stages_of_diagnosis(robot.n, [log]))):
         heard: list[str] = []
         work(robot, [log], progress=heard.append)
-        told = [what for what in heard if not what.startswith("found ")]
-        assert set(told) <= set(known)
-        first = [told.index(name) for name in known if name in told]
+        entered = [what for what in heard if not what.startswith("found ")]
+        assert set(entered) <= set(known)
+        first = [entered.index(name) for name in known if name in entered]
         assert first == sorted(first)
         assert len(first) >= min(len(known), 4)
         assert all(seconds > 0 for seconds in known.values())
@@ -83,6 +82,7 @@ def test_every_stage_is_known_and_comes_in_its_order(arm: tuple[Robot, Log]) -> 
 def test_a_terminal_is_told_how_long_it_takes_and_a_pipe_is_not(
     command: str, arm: tuple[Robot, Log], tmp_path: Path
 ) -> None:
+    pty = require_module("pty")
     (tmp_path / "arm.yaml").write_text(to_yaml(arm[0]), encoding="utf-8")
     (tmp_path / "log.csv").write_text(arm[1].csv(), encoding="utf-8")
     words = [sys.executable, "-m", "robodyn", command, "arm.yaml", "log.csv", "-o", "out"]

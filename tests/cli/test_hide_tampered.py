@@ -88,8 +88,8 @@ def with_other(whole: Any, path: tuple[Any, ...], value: Any) -> Any:
 GONE = object()
 
 
-def judged(capsys: Capture, command: str) -> tuple[int, str]:
-    """The exit code, which is one that is promised, and the one line on stderr if there is one."""
+def assert_answered(capsys: Capture, command: str) -> tuple[int, str]:
+    """Assert that the exit code is one that is promised, and a refusal one line on stderr; return both."""
     code = main(command.split())
     out, err = capsys.readouterr()
     assert code in (0, 1, 2), (command, err)
@@ -114,20 +114,20 @@ def test_a_diagnosis_with_anything_anywhere(capsys: Capture, path: tuple[Any, ..
     for value in [*ODD, *([GONE] if path else [])]:
         Path("diagnosis.json").write_text(json.dumps(with_other(DIAGNOSIS, path, value)))
         for more in ("", " --json"):
-            judged(capsys, f"hide --score d diagnosis.json{more}")
+            assert_answered(capsys, f"hide --score d diagnosis.json{more}")
 
 
 @pytest.mark.parametrize("path", list(places(ANSWER)), ids=lambda path: ".".join(map(str, path)) or "all")
 def test_an_answer_with_anything_anywhere(capsys: Capture, path: tuple[Any, ...]) -> None:
     for value in [*ODD, *([GONE] if path else [])]:
         Path("d/answer.sealed").write_text(seal(with_other(ANSWER, path, value)))
-        code, _ = judged(capsys, "hide --score d diagnosis.json")
-        opened, _ = judged(capsys, "hide --open d/answer.sealed")
+        code, _ = assert_answered(capsys, "hide --score d diagnosis.json")
+        opened, _ = assert_answered(capsys, "hide --open d/answer.sealed")
         assert (code == 2) is (opened == 2)
 
 
 @pytest.mark.parametrize(
-    ("path", "value", "said"),
+    ("path", "value", "message"),
     [
         (("verdict",), "maybe", "verdict; found 'maybe'; expected one of missing_effect, consistent, unexp"),
         (("findings",), {}, "findings; found an empty object; expected a list"),
@@ -142,18 +142,18 @@ def test_an_answer_with_anything_anywhere(capsys: Capture, path: tuple[Any, ...]
         (("logs", 0, "sha256"), 5, "logs[0].sha256; found 5; expected a short text"),
     ],
 )  # fmt: skip
-def test_what_is_wrong_is_named(capsys: Capture, path: tuple[Any, ...], value: Any, said: str) -> None:
+def test_what_is_wrong_is_named(capsys: Capture, path: tuple[Any, ...], value: Any, message: str) -> None:
     Path("diagnosis.json").write_text(json.dumps(with_other(DIAGNOSIS, path, value)))
-    code, err = judged(capsys, "hide --score d diagnosis.json")
+    code, err = assert_answered(capsys, "hide --score d diagnosis.json")
     assert code == 2
     assert err.startswith("robodyn: error: diagnosis.json: this is not a diagnosis: ")
-    assert said in err
+    assert message in err
     assert err.endswith("take the diagnosis.json that robodyn diagnose has written\n")
 
 
 def test_gaps_that_cannot_be_known_are_null(capsys: Capture) -> None:
-    told = with_other(DIAGNOSIS, ("gap", "validate"), {"before": [None, None], "after": [None, None]})
-    Path("diagnosis.json").write_text(json.dumps(told))
+    unknown = with_other(DIAGNOSIS, ("gap", "validate"), {"before": [None, None], "after": [None, None]})
+    Path("diagnosis.json").write_text(json.dumps(unknown))
     assert main(["hide", "--score", "d", "diagnosis.json", "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["gap_closed"] is None
 
@@ -193,29 +193,29 @@ def sealed(data: bytes) -> bytes:
 @pytest.mark.parametrize("data", TEXTS, ids=lambda data: repr(data[:12] + data[-4:]))
 def test_files_that_are_something_else(capsys: Capture, data: bytes) -> None:
     Path("other").write_bytes(data)
-    code, err = judged(capsys, "hide --score d other")
+    code, err = assert_answered(capsys, "hide --score d other")
     assert code == 2
     assert "other" in err
     for answer in (data, sealed(data)):
         Path("d/answer.sealed").write_bytes(answer)
-        code, err = judged(capsys, "hide --open d/answer.sealed")
+        code, err = assert_answered(capsys, "hide --open d/answer.sealed")
         assert code == 2
         assert "d/answer.sealed" in err
-        assert judged(capsys, "hide --score d diagnosis.json")[0] == 2
+        assert assert_answered(capsys, "hide --score d diagnosis.json")[0] == 2
 
 
 def test_answers_that_are_bombs_or_cut_off(capsys: Capture) -> None:
     path = Path("d/answer.sealed")
     text = seal(ANSWER)
     path.write_bytes(sealed(b" " * (1 << 26)))
-    assert "a part of one" in judged(capsys, "hide --open d/answer.sealed")[1]
+    assert "a part of one" in assert_answered(capsys, "hide --open d/answer.sealed")[1]
     path.write_text(text + text.split("\n", 1)[1])
-    assert judged(capsys, "hide --open d/answer.sealed")[0] == 2
+    assert assert_answered(capsys, "hide --open d/answer.sealed")[0] == 2
     for length in range(0, len(text) - 2, 7):
         path.write_text(text[:length])
-        assert judged(capsys, "hide --open d/answer.sealed")[0] == 2
+        assert assert_answered(capsys, "hide --open d/answer.sealed")[0] == 2
     path.write_text("robodyn sealed answer 1\n" + " " * (1 << 25))
-    assert "the file is too large" in judged(capsys, "hide --open d/answer.sealed")[1]
+    assert "the file is too large" in assert_answered(capsys, "hide --open d/answer.sealed")[1]
 
 
 def test_bytes_changed_at_random(capsys: Capture) -> None:
@@ -231,7 +231,7 @@ def test_bytes_changed_at_random(capsys: Capture) -> None:
             for _ in range(chance.randrange(1, 4)):
                 broken[chance.randrange(len(broken))] = chance.choice((chance.randrange(256), *b'{}[],"9e-.'))
             Path(name).write_bytes(broken)
-            judged(capsys, command)
+            assert_answered(capsys, command)
         Path(name).write_bytes(data)
 
 
@@ -246,10 +246,10 @@ def test_files_that_cannot_be_read(capsys: Capture) -> None:
              "loop": "too many levels of symbolic links", "none": "no such file"}  # fmt: skip
     if os.geteuid() != 0:
         cases["secret"] = "permission denied"
-    for name, said in cases.items():
+    for name, message in cases.items():
         for command in (f"hide --open {name}", f"hide --score d {name}"):
-            code, err = judged(capsys, command)
-            assert (code, said in err) == (2, True), err
+            code, err = assert_answered(capsys, command)
+            assert (code, message in err) == (2, True), err
     for folder in ("none", "loop", "pipe", "diagnosis.json"):
-        assert judged(capsys, f"hide --score {folder} diagnosis.json")[0] == 2
-    assert "swap the two arguments" in judged(capsys, "hide --score diagnosis.json d")[1]
+        assert assert_answered(capsys, f"hide --score {folder} diagnosis.json")[0] == 2
+    assert "swap the two arguments" in assert_answered(capsys, "hide --score diagnosis.json d")[1]

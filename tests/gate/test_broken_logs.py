@@ -22,6 +22,7 @@ from robodyn.robot.model import Robot
 from robodyn.simulate.trajectories import fourier
 from robodyn.verify.reference import Reference
 from robodyn_cli.main import main
+from robodyn_testing import require_module
 
 ARM = """\
 name: arm
@@ -122,7 +123,7 @@ def test_the_command_refuses_it_and_writes_nothing(
 
 
 def test_order_line_ends_and_format_change_nothing(log: Log, lines: list[str], tmp_path: Path) -> None:
-    pytest.importorskip("pyarrow")
+    require_module("pyarrow")
     rows = [[*line.split(","), "7"] for line in lines]
     rows[0][-1] = "load"
     turned = "\r\n".join(",".join(row[k] for k in (3, 5, 1, 4, 0, 2)) for row in rows)
@@ -138,7 +139,7 @@ def test_order_line_ends_and_format_change_nothing(log: Log, lines: list[str], t
             np.testing.assert_array_equal(getattr(read, group), getattr(log, group))
 
 
-def test_columns_that_are_not_read_are_told(arm: Robot, log: Log) -> None:
+def test_columns_that_are_not_read_are_named(arm: Robot, log: Log) -> None:
     (flag,) = inspect(replace(log, ignored=("q3", "tau3", "load")), arm).flags_of("ignored")
     assert str(flag) == "q3, tau3, load: 3 columns not read: arm has 2 joints"
     assert not inspect(log, arm).flags_of("ignored")
@@ -147,9 +148,9 @@ def test_columns_that_are_not_read_are_told(arm: Robot, log: Log) -> None:
 @pytest.mark.slow
 def test_rate_and_names_change_no_name(arm: Robot, log: Log) -> None:
     other = read_text(ARM.replace("{joint", "{name: hip, joint", 1))
-    for robot, given in ((arm, log), (other, log), (arm, recorded(arm, rate=250)), (arm, recorded(arm, 800))):
-        found = diagnose(robot, [given])
-        assert [(one.effect, one.joint) for one in found.findings] == [("coulomb_friction", 2)]
+    for robot, each in ((arm, log), (other, log), (arm, recorded(arm, rate=250)), (arm, recorded(arm, 800))):
+        diagnosis = diagnose(robot, [each])
+        assert [(one.effect, one.joint) for one in diagnosis.findings] == [("coulomb_friction", 2)]
 
 
 def test_a_long_log_takes_little_memory_beside_its_own(arm: Robot) -> None:

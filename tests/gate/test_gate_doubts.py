@@ -11,6 +11,7 @@ from gate.gated import GIVEN, WRONG, arm, at, entry, flag_of, put, rows_of, swap
 from robodyn.errors import InputError
 from robodyn.gate.gate import inspect
 from robodyn.logs.log import Log
+from robodyn.robot import read_text
 from robodyn.robot.folding import folded
 from robodyn.robot.model import EffectEntry, Robot
 from robodyn.simulate.sensors import Sensors, measure, resolution_of
@@ -44,6 +45,47 @@ def test_a_frozen_position(log: Log) -> None:
     assert rows_of(gate, "stuck") == [(fast + 2, fast + 100)]
     with pytest.raises(InputError, match="q2 stops dead"):
         inspect(replace(log, q=np.clip(log.q, [-9.0, -0.3, -9.0], [9.0, 0.3, 9.0]), qd=None), GIVEN)
+
+
+LIGHT = """\
+name: wrist
+gravity: [0, 0, -9.81]
+links:
+  - joint: revolute
+    alpha: 0
+    a: 0
+    d: 0
+    theta: 0
+    mass: 0.5
+    com: [0.02, 0, 0]
+    inertia: {xx: INERTIA, yy: INERTIA, zz: INERTIA}
+"""
+
+
+def pushed_on(inertia: float) -> Log:
+    """Of a joint with 1 N m of dry friction and an ``inertia`` [kg m^2], driven for half a second and let go
+    for another, at 250 Hz."""
+    step, period = 1e-4, 4e-3
+    t = np.asarray(step * np.arange(80_000), dtype=np.float64)
+    drive = np.where(t % 1 < 0.5, np.where(t % 2 < 1, 1.4, -1.4), 0.0)
+    q, speed, positions = 0.0, 0.0, np.empty((len(t), 1))
+    for k, torque in enumerate(drive.tolist()):
+        positions[k] = q
+        free = speed + (torque - 0.5 * speed) * step / inertia
+        speed = float(np.sign(free)) * max(abs(free) - step / inertia, 0.0)  # dry friction stops it, no more
+        q += speed * step
+    every = round(period / step)
+    noise = 0.002 * np.random.default_rng(2).standard_normal((len(t), 1))
+    return at(Log(t, positions, positions, None, drive[:, None] + noise), np.s_[::every])
+
+
+def test_dry_friction_may_stop_a_light_joint_within_a_sample() -> None:
+    log = replace(pushed_on(0.002), qd=None)
+    wrist = read_text(LIGHT.replace("INERTIA", "0.0018"))
+    assert not inspect(log, wrist).flags_of("stuck")
+    heavy = read_text(LIGHT.replace("INERTIA", "0.6"))  # nothing stops that so
+    with pytest.raises(InputError, match="q1 stops dead"):
+        inspect(log, heavy)
 
 
 def test_positions_that_drop_out_often_are_left_out(log: Log) -> None:

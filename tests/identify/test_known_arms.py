@@ -12,6 +12,7 @@ import pytest
 import robodyn
 from peers.numbers import number
 from robodyn.robot import load
+from robodyn_testing import require_module
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 NONE = Fraction(0)
@@ -53,7 +54,7 @@ def test_friction_of_the_ur10_is_what_its_owners_published() -> None:
 
 def test_errors_are_those_of_logs_by_another_engine() -> None:
     """MuJoCo moves the arm: what is seen lies within four standard errors, and most of it within two."""
-    pytest.importorskip("mujoco", reason="MuJoCo is not installed: identification not held against it")
+    require_module("mujoco")
     from diagnose.hidden.logs import effect, hidden_log
 
     friction = [

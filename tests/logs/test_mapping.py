@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import math
 from fractions import Fraction
 from pathlib import Path
@@ -15,7 +14,7 @@ from hypothesis import strategies as st
 from robodyn.errors import InputError
 from robodyn.logs.conversion import SI, SI_PRISMATIC
 from robodyn.logs.log import Log, read_log
-from robodyn.logs.mapping import map_of_columns, map_of_text, read_map
+from robodyn.logs.mapping import LogMap, map_of_columns, map_of_text, read_map
 from robodyn.logs.units import UnknownUnit, names_of, scaled, unit_of
 from robodyn.robot import load
 
@@ -298,5 +297,10 @@ def test_lists_of_another_length_are_refused(tmp_path: Path) -> None:
 @given(st.text(max_size=80))
 def test_no_text_is_more_than_refused(text: str) -> None:
     for reader in (map_of_columns, map_of_text):
-        with contextlib.suppress(InputError):
-            reader(text)
+        where: object = None
+        try:
+            assert isinstance(reader(text), LogMap)
+            continue
+        except InputError as error:
+            where = error.where
+        assert where is not None

@@ -87,6 +87,10 @@ STUCK_LEAST: Final = 0.05
 BEFORE_STAY: Final = 10
 """[samples] The speed before the stay is taken over as many."""
 
+BRAKING_TORQUES: Final = 2.0
+"""[largest torques of the joint] Motor and friction together brake with no more: friction that the motor does
+not overcome lets nothing move. A speed that this takes away within a sample is no sign of a frozen sensor."""
+
 STUCK_SHARE: Final = 0.03
 """[share of samples] A log that is stuck for more is refused."""
 

@@ -2,25 +2,66 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import dataclass
+
 import numpy as np
 
 from robodyn.gate.flag import Flag, Floats, Rows, refuse
 from robodyn.gate.grid import Grid
-from robodyn.gate.limits import BEFORE_STAY, STAY_ROWS, STAY_TIME, STUCK_LEAST, STUCK_SHARE, STUCK_SPEED
+from robodyn.gate.limits import (
+    BEFORE_STAY,
+    BRAKING_TORQUES,
+    STAY_ROWS,
+    STAY_TIME,
+    STUCK_LEAST,
+    STUCK_SHARE,
+    STUCK_SPEED,
+)
+from robodyn.robot.model import Robot
+from robodyn.verify.reference import Reference
 
 
-def check_stuck(grid: Grid, source: str | None, flags: list[Flag]) -> None:
-    """Flags on positions that stop dead; a joint that comes to rest slows down before.
+@dataclass(frozen=True, slots=True)
+class _Stay:
+    """Samples ``first`` to ``last`` in which a position does not change; ``speed`` before [rad/s or m/s]."""
+
+    first: int
+    last: int
+    speed: float
+
+
+def check_stuck(
+    grid: Grid,
+    robot: Robot,
+    parameters: Mapping[str, float] | None,
+    source: str | None,
+    flags: list[Flag],
+) -> None:
+    """Flags on positions that stop dead; a joint that comes to rest slows down before, unless friction and
+    drive can stop it within a sample.
 
     Raises
     ------
     InputError: they do so in too many samples.
     """
     log = grid.log
-    stay = max(STAY_ROWS, round(STAY_TIME / grid.period))
+    fewest = max(STAY_ROWS, round(STAY_TIME / grid.period))
     for j in range(log.n):
+        stays = [
+            _Stay(part.start + stay.first, part.start + stay.last, stay.speed)
+            for part in grid.segments
+            for stay in _stays(log.q[part, j], fewest, grid.period)
+        ]
+        if not stays:
+            continue
+        inertia = _felt_inertia(Reference(robot, parameters), log.q[[stay.first for stay in stays]], j)
+        shed = BRAKING_TORQUES * float(np.abs(log.tau[:, j]).max()) * grid.period
         rows = [
-            part.start + row for part in grid.segments for row in _stuck(log.q[part, j], stay, grid.period)
+            row
+            for stay, own in zip(stays, inertia.tolist(), strict=True)
+            if stay.speed * own > shed
+            for row in range(stay.first + 1, stay.last + 1)
         ]
         if not rows:
             continue
@@ -38,19 +79,30 @@ def check_stuck(grid: Grid, source: str | None, flags: list[Flag]) -> None:
         flags.append(Flag("stuck", f"q{j + 1}", spans, text, (j + 1,)))
 
 
-def _stuck(q: Floats, stay: int, period: float) -> list[int]:
-    """The samples at which ``q`` [K] has stopped dead for ``stay`` samples or more."""
-    if len(q) < stay + BEFORE_STAY + 1:
+def _stays(q: Floats, fewest: int, period: float) -> list[_Stay]:
+    """Where ``q`` [K] moves and then stays on one number for ``fewest`` samples or more."""
+    if len(q) < fewest + BEFORE_STAY + 1:
         return []
     step = np.diff(q)
     top = float(np.quantile(np.abs(q[BEFORE_STAY:] - q[:-BEFORE_STAY]), 0.99)) / BEFORE_STAY
     # A hand at an arm that rests, or a step of its encoder, is no motion that stops.
     least = max(STUCK_SPEED * top, STUCK_LEAST * period) * BEFORE_STAY
     edges: Rows = np.flatnonzero(np.diff(np.r_[0, (step == 0).astype(np.int8), 0]))
-    rows: list[int] = []
+    stays = []
     for a, b in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
-        if b - a < stay or a < BEFORE_STAY:
+        if b - a < fewest or a < BEFORE_STAY:
             continue
-        if abs(float(q[a] - q[a - BEFORE_STAY])) > least:
-            rows += range(a + 1, b + 1)
-    return rows
+        way = abs(float(q[a] - q[a - BEFORE_STAY]))
+        if way > least:
+            stays.append(_Stay(a, b, way / (BEFORE_STAY * period)))
+    return stays
+
+
+def _felt_inertia(model: Reference, q: Floats, j: int) -> Floats:
+    """What a torque at joint ``j`` accelerates while the other joints are free, at poses ``q`` [K, n]:
+    [K] in kg m^2 or kg; 0 where the description gives it none."""
+    matrices = model.mass_matrix(q)
+    others = [i for i in range(q.shape[1]) if i != j]
+    inner = np.linalg.pinv(matrices[:, others][:, :, others], hermitian=True)
+    beside = matrices[:, others, j]
+    return np.asarray(matrices[:, j, j] - np.einsum("ka,kab,kb->k", beside, inner, beside))

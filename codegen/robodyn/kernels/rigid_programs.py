@@ -113,13 +113,17 @@ class RigidPrograms:
 
     def _passed(self, function: str) -> Program:
         """The program of ``function`` after the passes of its level."""
+        draft = self.draft(function)  # may leave what the passes made of it
         if function not in self._after_passes:
-            if self.options.optimize == "none":
-                passes: Sequence[Pass] = SPELLING
-            else:
-                passes = FAST if self.options.engine == "sympy" else FRESH
-            self._after_passes[function] = unchecked(self.draft(function), passes)
+            self._after_passes[function] = self._passes(draft)
         return self._after_passes[function]
+
+    def _passes(self, draft: Program) -> Program:
+        if self.options.optimize == "none":
+            passes: Sequence[Pass] = SPELLING
+        else:
+            passes = FAST if self.options.engine == "sympy" else FRESH
+        return unchecked(draft, passes)
 
     def _clearly_better(self, function: str, program: Program) -> bool:
         """Whether no pass will bring the recursion down to what a record has."""
@@ -225,4 +229,13 @@ class RigidPrograms:
             from robodyn.kernels.through_sympy import build_through_sympy
 
             return build_through_sympy(self.robot, function, self.choice)
-        return build(self.robot, function, self.choice)
+        drafts = [
+            build(self.robot, function, self.choice, writing)
+            for writing in range(len(function_named(function).writings))
+        ]
+        if len(drafts) == 1:
+            return drafts[0]
+        passed = [self._passes(draft) for draft in drafts]
+        k = min(range(len(drafts)), key=lambda k: self._cost(passed[k]))
+        self._after_passes[function] = passed[k]
+        return drafts[k]
