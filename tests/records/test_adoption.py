@@ -23,6 +23,7 @@ from robodyn.optimize.records.adoption import adopted
 from robodyn.optimize.records.function_key import function_key
 from robodyn.optimize.records.rounding import Rounding
 from robodyn.robot import Robot
+from robodyn.robot.model import EffectEntry
 from robodyn.robot.values import circle_point
 from robodyn.search.improve import improved, write_record
 
@@ -140,6 +141,50 @@ def test_what_gravity_does_not_enter_is_the_same_without_it() -> None:
     hanging = replace(robot, gravity=(Fraction(0), Fraction(0), Fraction(981, 100)))
     assert count(hanging, "mass_matrix") == count(robot, "mass_matrix")
     assert count(hanging, "inverse_dynamics").total > count(robot, "inverse_dynamics").total
+
+
+def with_joints(robot: Robot, **changes: Any) -> Robot:
+    return replace(
+        robot, links=tuple(replace(link, joint=replace(link.joint, **changes)) for link in robot.links)
+    )
+
+
+VISCOUS, COULOMB, ROTOR = Fraction(1, 2), Fraction(3), Fraction(1, 7)
+
+
+@pytest.mark.parametrize(
+    ("changes", "torque", "matrix", "words"),
+    [
+        ({"viscous": VISCOUS}, 12, 0, ", with friction"),
+        ({"viscous": VISCOUS, "coulomb": COULOMB}, 24, 0, ", with friction"),
+        ({"motor_inertia": ROTOR}, 12, 6, ", with rotors"),
+        ({"viscous": VISCOUS, "motor_inertia": ROTOR}, 24, 6, ", with friction and rotors"),
+    ],
+    ids=lambda x: " ".join(x) if isinstance(x, dict) else "",
+)
+def test_friction_and_rotors_are_put_on_top(
+    changes: dict[str, Fraction], torque: int, matrix: int, words: str
+) -> None:
+    robot = with_joints(bundled("ur10"), **changes)
+    draft = fast(robot, "inverse_dynamics")
+    record = adopted(robot, "inverse_dynamics", lambda _: draft, lambda _: Rounding(draft))
+    assert record is not None
+    assert record.origin.endswith(f"for ur10{words}")
+    assert count_of(record.program).total == count(bundled("ur10")).total + torque
+    rest = count(bundled("ur10"), "mass_matrix").total
+    assert rest <= count(robot, "mass_matrix").total <= rest + matrix
+
+
+def test_smooth_friction_behind_a_gear_and_loads_go_with_them_or_not(folder: Path) -> None:
+    options = replace(ONLY, record_folders=(folder,))
+    least = count_of(better(ROBOT).program).total
+    rubbing = with_joints(TURNED, viscous=VISCOUS, coulomb=COULOMB, motor_inertia=ROTOR)
+    smooth = replace(rubbing, rest_velocity=Fraction(1, 1000))
+    assert count(rubbing, options=options).total == least + 2 * 6
+    assert count(smooth, options=options).total == least + 2 * 6 + 2  # the velocity is scaled
+    assert count(replace(rubbing, torque_side="link"), options=options).total == least
+    load = EffectEntry("payload", None, (("mass", Fraction(1)), ("com", (Fraction(0),) * 3)))
+    assert count(replace(rubbing, effects=(load,)), options=options).total > least + 2 * 6
 
 
 @pytest.mark.parametrize("harm", ["another program", "another length", "damage", "no key"])

@@ -19,13 +19,18 @@ from robodyn.robot.values import circle_point
 _SEED: Final = "robodyn record 1"
 
 
-def function_key(program: Program) -> str | None:
-    """A hash of what ``program`` gives at one random point of a finite field: 32 hexadecimal digits.
+def function_key(program: Program, less: Program | None = None) -> str | None:
+    """A hash of what ``program``, ``less`` another one with the same outputs, gives at one random point of a
+    finite field: 32 hexadecimal digits.
 
     None where it has no value there: a divisor or a constant vanishes.
     """
+    field = Field(_SEED)
     try:
-        values = fingerprint(program, Field(_SEED), circle_point)
+        values = fingerprint(program, field, circle_point)
+        if less is not None:
+            other = fingerprint(less, field, circle_point)
+            values = tuple((x - y) % field.prime for x, y in zip(values, other, strict=True))
     except (ValueError, ArithmeticError):
         return None
     outputs = " ".join(f"{name} {len(elements)}" for name, elements in program.outputs)
