@@ -15,7 +15,8 @@ from robodyn.ir.program import Input, Label, Program
 def composed(function: Function, programs: Mapping[str, Program], n: int) -> Program:
     """``function`` of ``n`` joints, put together from ``programs``: one for each of its parts, by name."""
     graph = Graph()
-    elements = function.outputs(_OfParts(graph, function, programs, n))
+    write = function.by_parts or function.outputs
+    elements = write(_OfParts(graph, function, programs, n, beneath))
     return lower(graph, function.split(elements, n))
 
 

@@ -147,8 +147,7 @@ class RigidPrograms:
         if known.parts:
             return self._composed(known)
         best: Program | None = None
-        sources = (function, recursion().name) if known.gives_torques else (function,)
-        for source in dict.fromkeys(sources):
+        for source in _sources(known):
             record = self._record(source)
             if record is None:
                 continue
@@ -175,6 +174,9 @@ class RigidPrograms:
 
     def _composed(self, function: Function) -> Program | None:
         """A function put together from its parts, if records have any of them."""
+        sources = {source for part in function.parts for source in _sources(function_named(part))}
+        if all(self._record(source) is None for source in sources):
+            return None
         parts = {part: self.best(part) for part in function.parts}
         known = [self.taken[part] for part in parts if part in self.taken]
         if not known:
@@ -231,7 +233,7 @@ class RigidPrograms:
             return build_through_sympy(self.robot, function, self.choice)
         drafts = [
             build(self.robot, function, self.choice, writing)
-            for writing in range(len(function_named(function).writings))
+            for writing in range(len(function_named(function).writings(self.robot.n)))
         ]
         if len(drafts) == 1:
             return drafts[0]
@@ -239,3 +241,9 @@ class RigidPrograms:
         k = min(range(len(drafts)), key=lambda k: self._cost(passed[k]))
         self._after_passes[function] = passed[k]
         return drafts[k]
+
+
+def _sources(function: Function) -> tuple[str, ...]:
+    """Functions whose records serve ``function``: its own, and for torques those of the inverse dynamics."""
+    names = (function.name, recursion().name) if function.gives_torques else (function.name,)
+    return tuple(dict.fromkeys(names))

@@ -21,6 +21,7 @@ from robodyn.drives.drive import (
 from robodyn.dynamics.arm import JointAngle, Motion, build_arm, build_motion
 from robodyn.dynamics.functions import Function, Moving, Rotor, function_named, torques_at
 from robodyn.dynamics.joints import rotors_of
+from robodyn.dynamics.lump import NO_LUMP, MomentForm
 from robodyn.dynamics.modified_newton_euler import modified_newton_euler
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.dynamics.parallel import single_turns
@@ -122,10 +123,10 @@ class _Layered:
 
         return build_motion(self.arm, self.inputs["q"], qd, qdd, trigonometry, exact)
 
-    def links(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Moving:
+    def links(self, qd: Sequence[Any], qdd: Sequence[Any], form: MomentForm = "second_moment") -> Moving:
         """The same, nothing moved to a parent."""
         motion = self.motion(qd, qdd)
-        return Moving(self.arm, motion, single_turns(motion), lumps_of(self.arm))
+        return Moving(self.arm, motion, single_turns(motion), lumps_of(self.arm), NO_LUMP)
 
     def rotors(self) -> list[Rotor]:
         """The rotors of the drives."""

@@ -22,6 +22,7 @@ from robodyn.dynamics.arm import (
 )
 from robodyn.dynamics.functions import Function, Moving, Rotor
 from robodyn.dynamics.joints import rotors_of
+from robodyn.dynamics.lump import NO_LUMP, MomentForm
 from robodyn.dynamics.parallel import single_turns
 from robodyn.dynamics.regroup import lumps_of
 from robodyn.dynamics.vectors import unmarked
@@ -117,10 +118,10 @@ class _Columns:
         trigonometry = _exact_trigonometry(q) if self._oracle.exact else trigonometry_at(q)
         return build_motion(self.arm, q, qd, qdd, trigonometry, scalar)
 
-    def links(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Moving:
+    def links(self, qd: Sequence[Any], qdd: Sequence[Any], form: MomentForm = "second_moment") -> Moving:
         """The same, as described."""
         motion = self.motion(qd, qdd)
-        return Moving(self.arm, motion, single_turns(motion), lumps_of(self.arm))
+        return Moving(self.arm, motion, single_turns(motion), lumps_of(self.arm), NO_LUMP)
 
     def rotors(self) -> list[Rotor]:
         """The rotors of the drives."""

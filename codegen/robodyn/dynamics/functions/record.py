@@ -7,11 +7,12 @@ from dataclasses import dataclass
 from math import prod
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol
 
+from robodyn.dynamics.limits import FEW_JOINTS
 from robodyn.dynamics.vectors import Mark
 
 if TYPE_CHECKING:
     from robodyn.dynamics.arm import Arm, Motion
-    from robodyn.dynamics.lump import Lump
+    from robodyn.dynamics.lump import Lump, MomentForm
     from robodyn.dynamics.parallel import Turns
 
 #: Elements of a state along one axis: a number, or as many as there are joints.
@@ -79,12 +80,14 @@ INPUTS = (Q, QD, QDD, TAU)
 @dataclass(frozen=True, slots=True)
 class Moving:
     """An arm in motion, its joints' ``turns``, and the mass, first and second moments of each link about its
-    frame's origin: those described, or others that move alike (then a mass may be 0 or less)."""
+    frame's origin: those described, or others that move alike (then a mass may be 0 or less), what they lack
+    of mass and first moment being that of ``ground``, at rest, about the base's origin."""
 
     arm: Arm
     motion: Motion
     turns: Turns
     lumps: Sequence[Lump]
+    ground: Lump
 
 
 class Rotor(NamedTuple):
@@ -120,8 +123,9 @@ class Dynamics(Protocol):
         """``arm`` at ``inputs["q"]``, with these velocities and accelerations ``[n]``."""
         ...
 
-    def links(self, qd: Vector, qdd: Vector) -> Moving:
-        """The same with the masses where they take the fewest operations."""
+    def links(self, qd: Vector, qdd: Vector, form: MomentForm = "second_moment") -> Moving:
+        """The same with the masses where they take the fewest operations: with ``second_moment`` the second
+        moments along the axes of revolute joints are 0, with ``inertia`` the moments of inertia about y."""
         ...
 
     def rotors(self) -> Sequence[Rotor]:
@@ -130,6 +134,10 @@ class Dynamics(Protocol):
 
     def torques(self, qd: Vector, qdd: Vector) -> Vector:
         """Joint torques ``[n]`` at these velocities and accelerations, drives included [N m, prismatic N]."""
+        ...
+
+    def inertial_torques(self, qd: Vector, qdd: Vector) -> Vector:
+        """The same of links and rotors alone, without gravity and all else that drives do."""
         ...
 
     def mass_matrix(self) -> Sequence[Vector]:
@@ -164,6 +172,9 @@ class Function:
     solves: whether it solves for accelerations: an arm in which a joint moves without inertia has no such
         function, nor has one with friction that depends on the accelerations.
     others: other ways to write ``outputs``; what is emitted is the one that takes the fewest operations.
+    small: the same, for arms of few joints.
+    by_parts: how it is put together from its parts; None: as ``outputs`` has it.
+    drives: whether it depends on what drives do; if not, robots with effects have the rigid arm's.
     """
 
     name: str
@@ -178,6 +189,9 @@ class Function:
     zeros: tuple[str, ...] | None = None
     solves: bool = False
     others: tuple[Callable[[Dynamics], Sequence[Any]], ...] = ()
+    small: tuple[Callable[[Dynamics], Sequence[Any]], ...] = ()
+    by_parts: Callable[[Dynamics], Sequence[Any]] | None = None
+    drives: bool = True
 
     def __post_init__(self) -> None:
         """:class:`ValueError` for a record that is none: found where the package is imported."""
@@ -219,10 +233,9 @@ class Function:
         """Names of the inputs."""
         return tuple(array.name for array in self.inputs)
 
-    @property
-    def writings(self) -> tuple[Callable[[Dynamics], Sequence[Any]], ...]:
-        """All ways to write the outputs."""
-        return (self.outputs, *self.others)
+    def writings(self, n: int) -> tuple[Callable[[Dynamics], Sequence[Any]], ...]:
+        """All ways to write the outputs of ``n`` joints."""
+        return (self.outputs, *self.others, *(self.small if n <= FEW_JOINTS else ()))
 
     def size_at(self, n: int) -> int:
         """How many numbers the results are for ``n`` joints."""
