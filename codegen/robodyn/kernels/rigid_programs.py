@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 from robodyn.counts import Count, count
 from robodyn.counts.objective import operations_of, parse_objective
 from robodyn.dynamics.compose import composed
 from robodyn.dynamics.functions import Function, function_named, recursion
+from robodyn.ir.graph import Graph
 from robodyn.ir.program import Input, Program
 from robodyn.kernels.options import Options
 from robodyn.kernels.proof import prove
 from robodyn.optimize.fast import fast_choices
-from robodyn.optimize.programs import Choice, NoForwardDynamics, build, signature
+from robodyn.optimize.programs import Choice, NoForwardDynamics, Recursion, build, recursion_in, signature
 from robodyn.optimize.records import Record, best_record
 from robodyn.optimize.records.adoption import adopted
 from robodyn.optimize.records.rounding import Rounding
@@ -182,7 +183,11 @@ class RigidPrograms:
         if not known:
             return None
         self.taken[function.name] = known[0]
-        return unchecked(composed(function, parts, self.robot.n), FRESH)
+
+        def beneath(graph: Graph, inputs: Mapping[str, Sequence[Any]]) -> Recursion:
+            return recursion_in(graph, self.robot, self.choice, inputs)
+
+        return unchecked(composed(function, parts, self.robot.n, beneath), FRESH)
 
     def _record(self, function: str) -> Record | None:
         if function not in self._records:
