@@ -62,7 +62,7 @@ def test_torques_by_what_is_zero() -> None:
     assert torques_at(rest, moving).name == "inverse_dynamics"
 
 
-@pytest.mark.parametrize("array", [*INPUTS, *(f.result for f in FUNCTIONS.values())], ids=str)
+@pytest.mark.parametrize("array", [*INPUTS, *(a for f in FUNCTIONS.values() for a in f.results)], ids=str)
 def test_shapes_come_back_from_sizes(array: Array) -> None:
     for n in (1, 2, 6, 30):
         assert array.shape_of(array.size_at(n)) == array.shape_at(n)

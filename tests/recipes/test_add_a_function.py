@@ -217,9 +217,9 @@ def test_the_record_must_be_whole() -> None:
         registered([gravity, gravity])
     with pytest.raises(ValueError, match="'more': no such parts: bias"):
         registered([dataclasses.replace(gravity, name="more", parts=("bias",))])
-    other = gravity.result._replace(unit="kg m^2/s^2")
+    other = gravity.results[0]._replace(unit="kg m^2/s^2")
     with pytest.raises(ValueError, match="the array 'tau' is 'joint torques"):
-        registered([dataclasses.replace(gravity, name="more", result=other)])
+        registered([dataclasses.replace(gravity, name="more", results=(other,))])
 
 
 def test_a_folder_of_records_is_what_there_is() -> None:

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any
 
+from robodyn.dynamics.functions.record import Rotor
 from robodyn.dynamics.joints import smoothed_sign
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Effect, Site
@@ -88,6 +89,18 @@ class Layer:
     def is_affine(self) -> bool:
         """Whether torques are affine in accelerations: no friction depends on the load."""
         return not any(drive.bearing or drive.gear for drive in self.joints)
+
+    def rotors(self) -> list[Rotor]:
+        """The rotors that are here and not in :func:`rigid_part`."""
+        own = [
+            Rotor(drive.rotor, ((i, 1),)) for i, drive in enumerate(self.joints) if not is_zero(drive.rotor)
+        ]
+        shared = [
+            Rotor(pair.acting.values["inertia"], ((pair.one, 1), (pair.other, pair.ratio)))
+            for pair in self.pairs
+            if not is_zero(pair.acting.values["inertia"])
+        ]
+        return own + shared
 
     @property
     def state_names(self) -> tuple[str, ...]:

@@ -7,10 +7,11 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
+from robodyn.dynamics.frame import BASE, Frame
 from robodyn.dynamics.vectors import Vector
 from robodyn.effects.scalars import cosine, is_zero, sine
 from robodyn.ir.program import Label
-from robodyn.robot.model import Inertia, Robot
+from robodyn.robot.model import Inertia, Placement, Robot
 from robodyn.robot.values import Affine, Angle, Value
 
 
@@ -63,12 +64,15 @@ class Body:
 
 @dataclass(frozen=True, slots=True)
 class Arm:
-    """Bodies from base to tip and gravity [m/s^2] in the base frame."""
+    """Bodies from base to tip and gravity [m/s^2] in the base frame; the base frame in the world, and the
+    tool in the last link's frame."""
 
     bodies: tuple[Body, ...]
     gravity: Vector
     rest_velocity: Any | None
     dead_band: Any | None = None
+    base: Frame = BASE
+    tool: Frame = BASE
 
 
 @dataclass(frozen=True, slots=True)
@@ -170,7 +174,14 @@ def build_arm(robot: Robot, constant: Callable[[Fraction], Any], parameter: Call
     band = None if robot.dead_band is None else constant(robot.dead_band)
     if loads:
         bodies[-1] = _loaded(bodies[-1], loads)
-    return Arm(tuple(bodies), (constant(gx), constant(gy), constant(gz)), rest, band)
+    base, tool = (BASE if place is None else _frame(constant, place) for place in (robot.base, robot.tool))
+    return Arm(tuple(bodies), (constant(gx), constant(gy), constant(gz)), rest, band, base, tool)
+
+
+def _frame(constant: Callable[[Fraction], Any], place: Placement) -> Frame:
+    x, y, z = ((constant(u), constant(v), constant(w)) for u, v, w in zip(*place.rotation, strict=True))
+    px, py, pz = map(constant, place.xyz)
+    return Frame((px, py, pz), x, y, z)
 
 
 def _vector(scalar: Callable[[Value], Any], values: Sequence[Value]) -> Vector:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from robodyn.dynamics.functions import Function, torques_at
+from robodyn.dynamics.arm import Arm, Motion
+from robodyn.dynamics.functions import Function, Moving, Rotor, torques_at
 from robodyn.ir.graph import Graph
 from robodyn.ir.lowering import lower
 from robodyn.ir.program import Input, Label, Program
@@ -15,7 +16,7 @@ def composed(function: Function, programs: Mapping[str, Program], n: int) -> Pro
     """``function`` of ``n`` joints, put together from ``programs``: one for each of its parts, by name."""
     graph = Graph()
     elements = function.outputs(_OfParts(graph, function, programs, n))
-    return lower(graph, [(function.result.name, elements)])
+    return lower(graph, function.split(elements, n))
 
 
 class _OfParts:
@@ -42,6 +43,23 @@ class _OfParts:
         inputs = {Input(name, i): x for name in other for i, x in enumerate(rates[name])}
         return self._graph.replay(self._programs[part], inputs=inputs)
 
+    @property
+    def arm(self) -> Arm:
+        """There is none: only the parts' results."""
+        raise self._missing("the arm")
+
+    def motion(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Motion:
+        """There is none: only the parts' results."""
+        raise self._missing("the arm's motion")
+
+    def links(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Moving:
+        """There are none: only the parts' results."""
+        raise self._missing("the links' masses")
+
+    def rotors(self) -> Sequence[Rotor]:
+        """There are none: only the parts' results."""
+        raise self._missing("the rotors")
+
     def mass_matrix(self) -> list[list[Any]]:
         """Mass matrix [n][n]."""
         entries, n = self._part("mass_matrix"), len(self.rest)
@@ -49,8 +67,9 @@ class _OfParts:
 
     def _part(self, name: str) -> list[Any]:
         if name not in self._values:
-            parts = ", ".join(self._function.parts)
-            raise ValueError(
-                f"function {self._function.name!r} asks for what {name} gives, and its parts are {parts}"
-            )
+            raise self._missing(f"what {name} gives")
         return self._values[name]
+
+    def _missing(self, what: str) -> ValueError:
+        parts = ", ".join(self._function.parts)
+        return ValueError(f"function {self._function.name!r} asks for {what}, and its parts are {parts}")

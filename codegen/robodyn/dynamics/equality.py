@@ -15,8 +15,11 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, JointAngle, Motion, build_arm, build_motion
-from robodyn.dynamics.functions import INPUTS, function_named
+from robodyn.dynamics.functions import INPUTS, Moving, Rotor, function_named
+from robodyn.dynamics.joints import rotors_of
 from robodyn.dynamics.newton_euler import newton_euler
+from robodyn.dynamics.parallel import single_turns
+from robodyn.dynamics.regroup import lumps_of
 from robodyn.dynamics.vectors import unmarked
 from robodyn.ir.evaluate import evaluate_exact, turn
 from robodyn.ir.field import Field
@@ -141,11 +144,24 @@ class _Plain:
         n = len(arm.bodies)
         self.inputs = {array: [state.inputs[Input(array, i)] for i in range(n)] for array in _ARRAYS}
         self.rest = [0] * n
-        self._arm, self._state = arm, state
+        self.arm, self._state = arm, state
 
     def torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
         """Joint torques [n]."""
-        return newton_euler(self._arm, _motion(self._arm, self.inputs["q"], qd, qdd, self._state))
+        return newton_euler(self.arm, self.motion(qd, qdd))
+
+    def motion(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Motion:
+        """The arm at ``q``, with these rates and accelerations."""
+        return _motion(self.arm, self.inputs["q"], qd, qdd, self._state)
+
+    def links(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Moving:
+        """The same, as described."""
+        motion = self.motion(qd, qdd)
+        return Moving(self.arm, motion, single_turns(motion), lumps_of(self.arm))
+
+    def rotors(self) -> list[Rotor]:
+        """The rotors of the joints."""
+        return rotors_of(self.arm)
 
     def mass_matrix(self) -> list[list[Any]]:
         """Mass matrix [n][n]: torques of unit accelerations less those of none."""

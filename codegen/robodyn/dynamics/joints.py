@@ -6,6 +6,7 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, Motion
+from robodyn.dynamics.functions.record import Rotor
 from robodyn.dynamics.vectors import Mark
 from robodyn.effects.scalars import is_zero, sign, tangent
 from robodyn.ir.program import Label
@@ -35,3 +36,12 @@ def joint_torque(arm: Arm, i: int, motion: Motion, torque: Any, mark: Mark) -> A
         if not is_zero(body.coulomb):
             total = total + body.coulomb * smoothed_sign(qd, arm.rest_velocity, arm.dead_band)
     return mark(total, Label(i + 1, "tau", ""))
+
+
+def rotors_of(arm: Arm) -> list[Rotor]:
+    """The rotors of ``arm`` that have inertia, each turning with its own joint."""
+    return [
+        Rotor(body.motor_inertia, ((i, 1),))
+        for i, body in enumerate(arm.bodies)
+        if not is_zero(body.motor_inertia)
+    ]

@@ -7,42 +7,15 @@ Jacobian differentiates its columns, axes and lever arms turning with the links 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, Motion
+from robodyn.dynamics.frame import BASE, Frame
 from robodyn.dynamics.vectors import ZERO, Vector, cross, plus, scaled
 from robodyn.effects.scalars import is_zero
 
 #: Rows of scalars.
 Matrix = list[list[Any]]
-
-
-@dataclass(frozen=True, slots=True)
-class Frame:
-    """A link's frame in the base: its origin [m] and its unit axes, the columns of the rotation."""
-
-    origin: Vector
-    x: Vector
-    y: Vector
-    z: Vector
-
-    def rotation(self) -> tuple[Vector, Vector, Vector]:
-        """Rows of the rotation [3, 3] that takes vectors of the frame into the base."""
-        x, y, z = self.x, self.y, self.z
-        return (x[0], y[0], z[0]), (x[1], y[1], z[1]), (x[2], y[2], z[2])
-
-    def place(self, point: Vector) -> Vector:
-        """``point`` [m] of the frame, seen from the base [m]."""
-        return plus(self.origin, self.turned(point))
-
-    def turned(self, u: Vector) -> Vector:
-        """A vector of the frame along the base's axes."""
-        return plus(scaled(u[0], self.x), scaled(u[1], self.y), scaled(u[2], self.z))
-
-
-#: The base itself.
-BASE = Frame(ZERO, (1, 0, 0), (0, 1, 0), (0, 0, 1))
 
 
 def frames(arm: Arm, motion: Motion, base: Frame = BASE) -> list[Frame]:

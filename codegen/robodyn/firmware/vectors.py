@@ -15,8 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.dynamics.functions import Pair, function_named
-from robodyn.dynamics.vectors import unmarked
+from robodyn.dynamics.functions import function_named
 from robodyn.errors import InputError
 from robodyn.firmware.rounding import TINY, UNIT, rounding_bounds
 from robodyn.ir.evaluate import evaluate
@@ -24,8 +23,8 @@ from robodyn.ir.program import Input, Program
 from robodyn.ir.signature import ScalarType
 from robodyn.robot.model import Robot
 from robodyn.robot.values import Value
-from robodyn.verify.exact import exact_mass_matrix, exact_torque
 from robodyn.verify.numbers import exact_value, real
+from robodyn.verify.oracles import exact_oracle
 
 _DIGITS = 40
 #: Digits of a tolerance, which is rounded up.
@@ -137,40 +136,18 @@ def confirm(
 ) -> None:
     """Hold every row of ``expected`` against the exact torque, to ``_AGREED`` of the largest term."""
     record = function_named(function)
-    along = [Fraction(1, j + 1) for j in range(robot.n)]
-    pairs: list[Pair] = []
+    rows = np.empty((len(expected), len(expected[0])), object)
+    rows[:] = expected
+    along = np.tile([Fraction(1, j + 1) for j in range(robot.n)], (len(rows), 1))
+    pairs = exact_oracle(robot, parameters).compared(record, states, rows, along)
     fastest = Fraction(1)
-    for k, row in enumerate(expected):
-        at = {array: [Fraction(float(v)) for v in x[k]] for array, x in states.items()}
-        pairs.append(record.compared(_Exact(robot, at, parameters), row, along))
-        if record.expected is None:  # then these torques are of what the function gives
-            fastest = max(fastest, *map(abs, row))
+    if record.expected is None:  # then these torques are of what the function gives
+        fastest = max(fastest, np.abs(rows).max())
     largest = _largest_term(robot, states, parameters) * fastest
-    for one, exact in pairs:
+    for one, exact in zip(*pairs, strict=True):
         for j, (x, y) in enumerate(zip(one, exact, strict=True)):
             if abs(x - y) > _AGREED * largest + (Fraction(spare[j]) if spare else 0):
                 raise Unconfirmed(f"{function} of {robot.name} differs from the exact torque at element {j}")
-
-
-class _Exact:
-    """Virtual work over rationals at one state; see :class:`robodyn.dynamics.functions.Dynamics`."""
-
-    mark = staticmethod(unmarked)
-
-    def __init__(
-        self, robot: Robot, inputs: Mapping[str, list[Fraction]], parameters: Mapping[str, float]
-    ) -> None:
-        self.inputs = inputs
-        self.rest = [Fraction(0)] * robot.n
-        self._robot, self._parameters = robot, parameters
-
-    def torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Fraction]:
-        """Joint torques [n]."""
-        return exact_torque(self._robot, self.inputs["q"], qd, qdd, self._parameters)
-
-    def mass_matrix(self) -> list[list[Fraction]]:
-        """Mass matrix [n][n]."""
-        return exact_mass_matrix(self._robot, self.inputs["q"], self._parameters)
 
 
 def _largest_term(

@@ -15,6 +15,7 @@ from robodyn.kernels.proof import prove
 from robodyn.optimize.fast import fast_choices
 from robodyn.optimize.programs import Choice, NoForwardDynamics, build, signature
 from robodyn.optimize.records import Record, best_record
+from robodyn.optimize.records.adoption import adopted
 from robodyn.optimize.records.rounding import Rounding
 from robodyn.optimize.records.validation import at_rest_of, check_length, check_reading, validated
 from robodyn.passes import FAST, FRESH, SPELLING, Pass, unchecked
@@ -112,13 +113,17 @@ class RigidPrograms:
 
     def _passed(self, function: str) -> Program:
         """The program of ``function`` after the passes of its level."""
+        draft = self.draft(function)  # may leave what the passes made of it
         if function not in self._after_passes:
-            if self.options.optimize == "none":
-                passes: Sequence[Pass] = SPELLING
-            else:
-                passes = FAST if self.options.engine == "sympy" else FRESH
-            self._after_passes[function] = unchecked(self.draft(function), passes)
+            self._after_passes[function] = self._passes(draft)
         return self._after_passes[function]
+
+    def _passes(self, draft: Program) -> Program:
+        if self.options.optimize == "none":
+            passes: Sequence[Pass] = SPELLING
+        else:
+            passes = FAST if self.options.engine == "sympy" else FRESH
+        return unchecked(draft, passes)
 
     def _clearly_better(self, function: str, program: Program) -> bool:
         """Whether no pass will bring the recursion down to what a record has."""
@@ -191,6 +196,9 @@ class RigidPrograms:
             if record is not None:
                 check_length(record, self.draft(function))
                 check_reading(record, self._rounding(function))
+            else:
+                objective = self.options.objective if self.options.target is None else "total"
+                record = adopted(self.robot, function, self.draft, self._rounding, objective, folders)
             self._records[function] = record
         return self._records[function]
 
@@ -221,4 +229,13 @@ class RigidPrograms:
             from robodyn.kernels.through_sympy import build_through_sympy
 
             return build_through_sympy(self.robot, function, self.choice)
-        return build(self.robot, function, self.choice)
+        drafts = [
+            build(self.robot, function, self.choice, writing)
+            for writing in range(len(function_named(function).writings))
+        ]
+        if len(drafts) == 1:
+            return drafts[0]
+        passed = [self._passes(draft) for draft in drafts]
+        k = min(range(len(drafts)), key=lambda k: self._cost(passed[k]))
+        self._after_passes[function] = passed[k]
+        return drafts[k]

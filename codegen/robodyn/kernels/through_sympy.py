@@ -72,7 +72,7 @@ class Symbolic:
         def line(left: str, expression: sympy.Expr) -> str:
             return f"{left} &= {sympy.latex(expression, symbol_names=names)} " + r"\\"
 
-        array = function_named(self.function).result.name
+        array = function_named(self.function).results[0].name
         result = _ACCENTS.get(array, array)
         lines = [line(names[symbol], expression) for symbol, expression in self.steps]
         lines += [line(f"{result}_{{{i}}}", x) for i, x in enumerate(self.results, 1)]
@@ -172,8 +172,7 @@ def build_through_sympy(robot: Robot, function: str, choice: Choice) -> Program:
     for symbol, _ in model.steps:
         graph.label(converter.symbol(symbol), model.labels[symbol])
     results = [converter.convert(expression) for expression in reduced[len(model.steps) :]]
-    (name, _), *_ = signature(robot, function).outputs
-    return lower(graph, [(name, results)])
+    return lower(graph, function_named(function).split(results, robot.n))
 
 
 class _Converter:

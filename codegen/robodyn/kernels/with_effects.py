@@ -18,17 +18,19 @@ from robodyn.drives.drive import (
     passed_on,
     rigid_part,
 )
-from robodyn.dynamics.arm import JointAngle, build_arm, build_motion
-from robodyn.dynamics.functions import Function, function_named, torques_at
+from robodyn.dynamics.arm import JointAngle, Motion, build_arm, build_motion
+from robodyn.dynamics.functions import Function, Moving, Rotor, function_named, torques_at
+from robodyn.dynamics.joints import rotors_of
 from robodyn.dynamics.modified_newton_euler import modified_newton_euler
 from robodyn.dynamics.newton_euler import newton_euler
+from robodyn.dynamics.parallel import single_turns
+from robodyn.dynamics.regroup import lumps_of
 from robodyn.effects.effect import Site
-from robodyn.effects.scalars import is_zero
 from robodyn.errors import InputError
-from robodyn.ir.graph import Graph, Scalar
+from robodyn.ir.graph import Graph
 from robodyn.ir.lowering import lower
 from robodyn.ir.program import Input, Label, Program
-from robodyn.optimize.programs import NoForwardDynamics, turned
+from robodyn.optimize.programs import NoForwardDynamics, exact, turned
 from robodyn.robot.model import Robot
 
 #: Recursions that pass by the force and the moment in every joint.
@@ -89,7 +91,7 @@ def layered(
     """
     at = _Layered(robot, function, rigid, formulation)
     written = function.expected if expected and function.expected is not None else function.outputs
-    outputs: list[tuple[str, Sequence[Scalar]]] = [(function.result.name, list(written(at)))]
+    outputs = function.split(list(written(at)), robot.n)
     return lower(at.graph, outputs + ([("state", at.states)] if at.states else []))
 
 
@@ -110,6 +112,24 @@ class _Layered:
         self.inputs = {
             name: [self.graph.input(name, i) for i in range(robot.n)] for name in function.input_names
         }
+        self.arm = build_arm(rigid_part(robot), exact, self.graph.input)
+
+    def motion(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Motion:
+        """The rigid arm at ``q``, with these rates and accelerations."""
+
+        def trigonometry(angle: JointAngle) -> tuple[Any, Any]:
+            return turned(self.graph, self.inputs["q"], angle)
+
+        return build_motion(self.arm, self.inputs["q"], qd, qdd, trigonometry, exact)
+
+    def links(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Moving:
+        """The same, nothing moved to a parent."""
+        motion = self.motion(qd, qdd)
+        return Moving(self.arm, motion, single_turns(motion), lumps_of(self.arm))
+
+    def rotors(self) -> list[Rotor]:
+        """The rotors of the drives."""
+        return rotors_of(self.arm) + self._layer.rotors()
 
     def mark(self, value: Any, label: Label) -> Any:
         """Name ``value``."""
@@ -133,7 +153,7 @@ class _Layered:
         """The rigid arm's mass matrix [n][n] with all rotors."""
         rigid, n = self._rigid("mass_matrix"), self._robot.n
         assert rigid is not None  # no force in a joint is in it
-        entries = _mass_matrix(self._layer, self.graph.replay(rigid), n)
+        entries = _with_rotors(self._layer, self.graph.replay(rigid), n)
         return [entries[n * i : n * (i + 1)] for i in range(n)]
 
 
@@ -203,8 +223,6 @@ def rigid_loads(
             f"the formulation {formulation} has no forces in the joints, which bearings feel",
             expected=" or ".join(REACTIONS),
         )
-    from robodyn.optimize.costing import exact
-
     arm = build_arm(rigid_part(robot), exact, graph.input)
 
     def trigonometry(angle: JointAngle) -> tuple[Any, Any]:
@@ -226,23 +244,13 @@ def rigid_loads(
     return Loads(tau, vectors("f"), vectors("n"))
 
 
-def _mass_matrix(layer: Layer, entries: list[Any], n: int) -> list[Any]:
-    """The rigid arm's matrix with the rotors and the motors that drive two joints: row by row."""
+def _with_rotors(layer: Layer, entries: list[Any], n: int) -> list[Any]:
+    """The rigid arm's mass matrix with the rotors and the motors that drive two joints: row by row."""
     matrix = list(entries)
-    for i, drive in enumerate(layer.joints):
-        if not is_zero(drive.rotor):
-            matrix[n * i + i] = matrix[n * i + i] + drive.rotor
-    for pair in layer.pairs:
-        inertia = pair.acting.values["inertia"]
-        if is_zero(inertia):
-            continue
-        for i, j, factor in (
-            (pair.one, pair.one, 1),
-            (pair.one, pair.other, pair.ratio),
-            (pair.other, pair.one, pair.ratio),
-            (pair.other, pair.other, pair.ratio * pair.ratio),
-        ):
-            matrix[n * i + j] = matrix[n * i + j] + inertia * factor
+    for rotor in layer.rotors():
+        for i, one in rotor.rates:
+            for j, other in rotor.rates:
+                matrix[n * i + j] = matrix[n * i + j] + rotor.inertia * (one * other)
     return matrix
 
 

@@ -11,8 +11,9 @@ from dataclasses import dataclass, fields
 from fractions import Fraction
 from typing import Any
 
-from robodyn.dynamics.arm import Arm, JointAngle, Trigonometry, build_arm, build_motion
-from robodyn.dynamics.functions import function_named
+from robodyn.dynamics.arm import Arm, JointAngle, Motion, Trigonometry, build_arm, build_motion
+from robodyn.dynamics.functions import Moving, Rotor, function_named
+from robodyn.dynamics.joints import rotors_of
 from robodyn.dynamics.lump import MomentForm
 from robodyn.dynamics.mass_matrix import mass_matrix
 from robodyn.dynamics.parallel import chain_turns, single_turns
@@ -115,7 +116,7 @@ def signature(robot: Robot, function: str, scalar: ScalarType = "double") -> Sig
         robot=robot.name,
         function=function,
         inputs=tuple((array.name, array.size_at(n)) for array in record.inputs),
-        outputs=((record.result.name, record.result.size_at(n)),),
+        outputs=tuple((array.name, array.size_at(n)) for array in record.results),
         parameters=robot.parameters,
         scalar=scalar,
         states=_states(robot) if record.is_recursion and robot.effects else (),
@@ -128,14 +129,14 @@ def _states(robot: Robot) -> tuple[str, ...]:
     return layer_of(robot, lambda x: x, lambda _: 1).state_names
 
 
-def build(robot: Robot, function: str, choice: Choice) -> Program:
+def build(robot: Robot, function: str, choice: Choice, writing: int = 0) -> Program:
     """The program of ``function`` as the recursion leaves it: equal nodes merged, constants folded,
-    nothing dead, no pass run yet."""
+    nothing dead, no pass run yet. ``writing`` is one of the function's ``writings``."""
     if choice.variant is None:
-        return _built(Graph(), robot, function, choice)
+        return _built(Graph(), robot, function, choice, writing)
     numbers = identity(robot).encode()
     program: Program = in_drawn_field(
-        lambda field: _built(MergingGraph(field), robot, function, choice),
+        lambda field: _built(MergingGraph(field), robot, function, choice, writing),
         function.encode(),
         numbers,
         prime_of=b"merging " + numbers,
@@ -143,7 +144,7 @@ def build(robot: Robot, function: str, choice: Choice) -> Program:
     return program
 
 
-def _built(graph: Graph, robot: Robot, function: str, choice: Choice) -> Program:
+def _built(graph: Graph, robot: Robot, function: str, choice: Choice, writing: int) -> Program:
     interface = signature(robot, function)
     inputs = {name: [graph.input(name, i) for i in range(size)] for name, size in interface.inputs}
     arm = build_arm(robot, exact, graph.input)
@@ -154,11 +155,10 @@ def _built(graph: Graph, robot: Robot, function: str, choice: Choice) -> Program
     def mark(value: Any, label: Label) -> Any:
         return graph.label(value, label)
 
-    values = outputs_of(function, arm, choice, inputs, trigonometry, exact, mark)
+    values = outputs_of(function, arm, choice, inputs, trigonometry, exact, mark, writing)
     if choice.regroup:
         graph, values = in_reading_order(graph, values)
-    (result, _), *_ = interface.outputs
-    return lower(graph, [(result, values)])
+    return lower(graph, function_named(function).split(values, robot.n))
 
 
 def outputs_of(
@@ -169,10 +169,11 @@ def outputs_of(
     trigonometry: Trigonometry,
     constant: Callable[[Fraction], Any],
     mark: Mark,
+    writing: int = 0,
 ) -> list[Any]:
     """The outputs of ``function``, one after another, over the scalars of ``arm`` and ``inputs``."""
     recursion = Recursion(arm, choice, inputs, trigonometry, constant, mark)
-    return list(function_named(function).outputs(recursion))
+    return list(function_named(function).writings[writing](recursion))
 
 
 class Recursion:
@@ -189,25 +190,38 @@ class Recursion:
     ) -> None:
         self.inputs, self.mark = inputs, mark
         self.rest: Sequence[Any] = [0] * len(arm.bodies)
-        self._arm, self._choice, self._trigonometry, self._number = arm, choice, trigonometry, constant
+        self.arm, self._choice, self._trigonometry, self._number = arm, choice, trigonometry, constant
         self._inverse: Inverse | None = None
 
     def torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
         """Joint torques [n]."""
         if self._inverse is None:
             self._inverse = _inverse_dynamics(
-                self._arm, self._choice, self.inputs["q"], self._trigonometry, self._number
+                self.arm, self._choice, self.inputs["q"], self._trigonometry, self._number
             )
         return self._inverse(qd, qdd, self.mark)
 
     def mass_matrix(self) -> list[list[Any]]:
         """Mass matrix [n][n], by composite bodies."""
+        at = self.links(self.rest, self.rest)
+        return mass_matrix(at.arm, at.motion, at.turns, at.lumps, self.mark)
+
+    def motion(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Motion:
+        """The arm at ``q``, with these rates and accelerations."""
+        return build_motion(self.arm, self.inputs["q"], qd, qdd, self._trigonometry, self._number)
+
+    def links(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Moving:
+        """The same, regrouped where the choice has it, chains of parallel joints turning as one."""
         choice, trigonometry = self._choice, self._trigonometry
-        arm = slid(self._arm) if choice.regroup else self._arm
+        arm = slid(self.arm) if choice.regroup else self.arm
         lumps = regrouped(arm, ["second_moment"] * len(arm.bodies)) if choice.regroup else lumps_of(arm)
-        at_rest = build_motion(arm, self.inputs["q"], self.rest, self.rest, trigonometry, self._number)
-        turns = chain_turns(arm, at_rest, trigonometry) if choice.chains else single_turns(at_rest)
-        return mass_matrix(arm, at_rest, turns, lumps, self.mark)
+        motion = build_motion(arm, self.inputs["q"], qd, qdd, trigonometry, self._number)
+        turns = chain_turns(arm, motion, trigonometry) if choice.chains else single_turns(motion)
+        return Moving(arm, motion, turns, lumps)
+
+    def rotors(self) -> list[Rotor]:
+        """The rotors of the joints."""
+        return rotors_of(self.arm)
 
 
 def turned(graph: Graph, q: Sequence[Node], angle: JointAngle) -> tuple[Any, Any]:

@@ -149,7 +149,7 @@ class _Run:
         self.largest = float(np.abs(tau).max())
         self.regular = _regular(reference.mass_matrix(sample.q), kernel.dtype)
         self._reference = reference_oracle(robot, values)
-        self._largest: dict[str, float] = {}
+        self._largest: dict[str, Floats] = {}
         rounded = tau.astype(kernel.dtype).astype(np.float64)
         self.inputs: dict[str, Floats] = {"q": sample.q, "qd": sample.qd, "qdd": sample.qdd, "tau": rounded}
         if any(name == "sc" for s in kernel.signatures.values() for name, _ in s.inputs):
@@ -183,16 +183,17 @@ class _Run:
         if record.solves:
             places = places[self.regular]
         left_out = len(self.regular) - len(places)
-        if len(record.result.shape) > 1 and oracle.name == "exact":
+        if any(len(result.shape) > 1 for result in record.results) and oracle.name == "exact":
             count = min(count, 2)  # every column is a torque
         if count < len(places):
             places, left_out = places[np.linspace(0, len(places) - 1, count).astype(int)], 0
         actual = self._result(function)[places]
         inputs = {array.name: self.inputs[array.name][places] for array in INPUTS}
-        yardstick = self.largest
+        yardstick: float | Floats = self.largest
         if record.expected is None:
             sound = np.isfinite(actual)
-            reference, wanted = oracle.compared(record, inputs, np.where(sound, actual, 0.0))
+            sent = np.where(sound, actual, 0.0)
+            reference, wanted = oracle.compared(record, inputs, sent, inputs["qdd"])
             error = differences(wanted, reference)
             error[~sound.all(axis=1)] = np.inf
             return self._comparison(function, oracle, places, left_out, error, yardstick, None)
@@ -200,33 +201,37 @@ class _Run:
             expected, _ = self.stepping.step(
                 inputs["q"], inputs["qd"], inputs["qdd"], self.memory[places], _STEP
             )
-            yardstick = max(yardstick, float(np.abs(expected).max()))
+            yardstick = max(self.largest, float(np.abs(expected).max()))
         else:
             expected = oracle.expected(record, inputs)
             if not record.gives_torques:
                 yardstick = self._largest_of(record)
         error = differences(actual, expected)
-        ulps = self._ulps(error, expected, yardstick) if oracle.name == "exact" else None
+        ulps = self._ulps(record, error, expected, yardstick) if oracle.name == "exact" else None
         return self._comparison(function, oracle, places, left_out, error, yardstick, ulps)
 
-    def _largest_of(self, record: Function) -> float:
-        """The largest element of the result, by the reference, anywhere in the sample."""
+    def _largest_of(self, record: Function) -> Floats:
+        """For each element the largest of its result, by the reference, anywhere in the sample."""
         if record.name not in self._largest:
-            expected = self._reference.expected(record, self.inputs)
-            self._largest[record.name] = float(np.abs(expected).max())
+            n = self.inputs["q"].shape[1]
+            sizes = np.abs(self._reference.expected(record, self.inputs)).max(axis=0)
+            parts = [[max(part)] * len(part) for _, part in record.split(sizes.tolist(), n)]
+            self._largest[record.name] = np.concatenate(parts)
         return self._largest[record.name]
 
     def _result(self, function: str) -> Floats:
-        """What the kernel gives at all states of the sample, computed once."""
+        """The elements ``[N, m]`` that the kernel gives at all states of the sample, computed once."""
         if function not in self.results:
             arrays = [self.inputs[name] for name, _ in self.kernel.signatures[function].inputs]
             call = getattr(self.kernel, function)
             needs = self.kernel.signatures[function].parameters
             if self.kernel.signatures[function].states:
-                stepped = self._stepped(function, arrays)
+                results: Any = self._stepped(function, arrays)
             else:
-                stepped = call(*arrays, params=self.values if needs else None)
-            self.results[function] = np.asarray(stepped, np.float64)
+                results = call(*arrays, params=self.values if needs else None)
+            results = results if isinstance(results, tuple) else (results,)
+            rows = [np.asarray(result, np.float64).reshape(len(self.regular), -1) for result in results]
+            self.results[function] = np.concatenate(rows, axis=1)
         return self.results[function]
 
     def _stepped(self, function: str, arrays: list[Floats]) -> Floats:
@@ -246,22 +251,22 @@ class _Run:
         places: NDArray[np.intp],
         left_out: int,
         error: Floats,
-        yardstick: float,
+        yardstick: float | Floats,
         ulps: float | None,
     ) -> Comparison:
-        worst = np.unravel_index(int(np.argmax(error)), error.shape)
+        relative = _relative(error, np.broadcast_to(yardstick, error.shape))
+        worst = np.unravel_index(int(np.argmax(relative)), error.shape)
         state = int(places[worst[0]])
-        largest = float(error[worst])
-        by_joint = FUNCTIONS[function].result.shape[:1] == ("n",) or FUNCTIONS[function].expected is None
+        joint, column = self._place(FUNCTIONS[function], int(worst[1]))
         return Comparison(
             function=function,
             against=oracle.name,
             states=len(places),
             left_out=left_out,
-            error=_relative(largest, yardstick),
+            error=float(relative[worst]),
             tolerance=self.tolerance,
-            joint=int(worst[1]) + 1 if by_joint else None,
-            column=int(worst[2]) + 1 if error.ndim == 3 else None,
+            joint=joint,
+            column=column,
             state=state,
             inputs={
                 name: tuple(self.inputs[name][state].tolist())
@@ -270,20 +275,42 @@ class _Run:
             ulps=ulps,
         )
 
-    def _ulps(self, error: Floats, expected: NDArray[Any], yardstick: float) -> float:
+    def _place(self, function: Function, element: int) -> tuple[int | None, int | None]:
+        """Joint and column, from 1, of an element of the results, or of torques that tell of them; None where
+        it is of no joint, of no matrix."""
+        if function.expected is None:
+            return element + 1, None
+        n = self.inputs["q"].shape[1]
+        for array in function.results:
+            shape = array.shape_at(n)
+            size = array.size_at(n)
+            if element < size:
+                place = np.unravel_index(element, shape) if shape else ()
+                joint = int(place[0]) + 1 if array.shape[:1] == ("n",) else None
+                return joint, int(place[-1]) + 1 if len(place) > 1 else None
+            element -= size
+        raise AssertionError("no such element")
+
+    def _ulps(
+        self, function: Function, error: Floats, expected: NDArray[Any], yardstick: float | Floats
+    ) -> float:
         """The largest error in units in the last place of each joint's largest torque, or of the yardstick of
-        a matrix or a single number."""
+        what are no torques."""
         sizes = np.reshape([real(abs(x)) for x in expected.flat], expected.shape)
-        unit = sizes.max(axis=0) if error.ndim == 2 else np.full(sizes.shape[1:], yardstick)
-        unit = np.where(unit > 0, unit, yardstick if yardstick > 0 else 1.0)
+        most = np.broadcast_to(yardstick, sizes.shape[1:])
+        vectors = all(array.shape == ("n",) for array in function.results)
+        unit = sizes.max(axis=0) if vectors else most
+        unit = np.where(unit > 0, unit, np.where(most > 0, most, 1.0))
         worst = float((error / np.spacing(unit.astype(self.kernel.dtype)).astype(np.float64)).max())
         return np.inf if np.isnan(worst) else worst
 
 
-def _relative(error: float, yardstick: float) -> float:
-    if not np.isfinite(yardstick):
-        return np.inf
-    return error / yardstick if yardstick > 0 else (0.0 if error == 0 else np.inf)
+def _relative(error: Floats, yardstick: Floats) -> Floats:
+    """``error / yardstick``; infinite where the yardstick is, or is 0 and the error is not."""
+    relative: Floats = np.divide(error, yardstick, out=np.full(error.shape, np.inf), where=yardstick > 0)
+    relative[(yardstick == 0) & (error == 0)] = 0.0
+    relative[~np.isfinite(yardstick)] = np.inf
+    return relative
 
 
 def _regular(matrix: Floats, dtype: np.dtype[Any]) -> NDArray[np.bool_]:

@@ -11,12 +11,26 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.dynamics.functions import Function
+from robodyn.drives.drive import layer_of, rigid_part
+from robodyn.dynamics.arm import (
+    JointAngle,
+    Motion,
+    Trigonometry,
+    build_arm,
+    build_motion,
+    trigonometry_at,
+)
+from robodyn.dynamics.functions import Function, Moving, Rotor
+from robodyn.dynamics.joints import rotors_of
+from robodyn.dynamics.parallel import single_turns
+from robodyn.dynamics.regroup import lumps_of
 from robodyn.dynamics.vectors import unmarked
+from robodyn.ir.evaluate import turn
 from robodyn.robot.model import Robot
+from robodyn.robot.values import circle_point
 from robodyn.verify.exact import exact_torque
 from robodyn.verify.lagrangian import lagrangian
-from robodyn.verify.numbers import Parameters, real
+from robodyn.verify.numbers import Parameters, filled, real
 from robodyn.verify.reference import Floats, Reference
 
 #: float64, or Fractions in an array of objects.
@@ -32,6 +46,8 @@ class Oracle:
 
     name: str
     torque: Callable[[Floats, Floats, Floats], Numbers]
+    robot: Robot
+    parameters: Parameters
     matrix: Callable[[Floats], Numbers] | None = None
     #: Whether the torques are Fractions.
     exact: bool = False
@@ -50,22 +66,21 @@ class Oracle:
         return np.stack(columns, axis=-1)
 
     def expected(self, function: Function, inputs: Mapping[str, Floats]) -> Numbers:
-        """The result ``[N, ...]`` of ``function``, of arrays ``[N, n]`` by name."""
+        """The elements ``[N, m]`` of the results of ``function``, of arrays ``[N, n]`` by name."""
         assert function.expected is not None
-        count, n = inputs["q"].shape
-        elements = self._rows(function.expected(_Columns(self, inputs)), count)
-        return elements.reshape((count, *function.result.shape_at(n)))
+        return self._rows(function.expected(_Columns(self, inputs)), len(inputs["q"]))
 
     def compared(
-        self, function: Function, inputs: Mapping[str, Floats], result: Floats
+        self, function: Function, inputs: Mapping[str, Floats], result: Numbers, anywhere: Floats
     ) -> tuple[Numbers, Numbers]:
-        """What is to be equal, ``[N, m]`` each, if ``result`` ``[N, ...]`` is that of ``function``."""
+        """What is to be equal if the elements ``[N, m]`` of ``result`` are those of ``function``;
+        ``anywhere`` ``[N, n]`` are numbers that no rule connects."""
         count = len(result)
-        flat, anywhere = result.reshape(count, -1), self._columns(inputs["qdd"])
-        one, other = function.compared(_Columns(self, inputs), self._columns(flat), anywhere)
+        at = _Columns(self, inputs)
+        one, other = function.compared(at, self._columns(result), self._columns(anywhere))
         return self._rows(one, count), self._rows(other, count)
 
-    def _columns(self, array: Floats) -> list[Numbers]:
+    def _columns(self, array: Numbers) -> list[Numbers]:
         """``[N, m]`` as columns of the reference's numbers."""
         if not self.exact:
             return list(array.T)
@@ -90,6 +105,28 @@ class _Columns:
         self._oracle, self._q = oracle, inputs["q"]
         self.inputs = {name: oracle._columns(array) for name, array in inputs.items()}
         self.rest = [0] * self._q.shape[1]
+        self._scalar: Callable[[Fraction], Any] = Fraction if oracle.exact else real
+        robot, values = oracle.robot, oracle.parameters
+        self.arm = build_arm(
+            rigid_part(robot), self._scalar, lambda name: self._scalar(Fraction(values[name]))
+        )
+
+    def motion(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Motion:
+        """The arm at ``q``, with these rates and accelerations."""
+        q, scalar = self.inputs["q"], self._scalar
+        trigonometry = _exact_trigonometry(q) if self._oracle.exact else trigonometry_at(q)
+        return build_motion(self.arm, q, qd, qdd, trigonometry, scalar)
+
+    def links(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Moving:
+        """The same, as described."""
+        motion = self.motion(qd, qdd)
+        return Moving(self.arm, motion, single_turns(motion), lumps_of(self.arm))
+
+    def rotors(self) -> list[Rotor]:
+        """The rotors of the drives."""
+        robot, values = self._oracle.robot, self._oracle.parameters
+        layer = layer_of(robot, self._scalar, lambda name: self._scalar(Fraction(values[name])))
+        return rotors_of(self.arm) + layer.rotors()
 
     def torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
         """Torques, ``n`` columns."""
@@ -106,7 +143,8 @@ class _Columns:
 def reference_oracle(robot: Robot, parameters: Parameters) -> Oracle:
     """Plain Newton-Euler in double precision."""
     reference = Reference(robot, parameters)
-    return Oracle("reference", reference.inverse_dynamics, reference.mass_matrix)
+    values = filled(robot, parameters)
+    return Oracle("reference", reference.inverse_dynamics, robot, values, reference.mass_matrix)
 
 
 def exact_oracle(robot: Robot, parameters: Parameters) -> Oracle:
@@ -118,12 +156,26 @@ def exact_oracle(robot: Robot, parameters: Parameters) -> Oracle:
             torques[k] = exact_torque(robot, q[k].tolist(), qd[k].tolist(), qdd[k].tolist(), parameters)
         return torques
 
-    return Oracle("exact", torque, exact=True)
+    return Oracle("exact", torque, robot, filled(robot, parameters), exact=True)
 
 
 def lagrangian_oracle(robot: Robot, parameters: Parameters) -> Oracle:
     """Energies and derivatives; however many joints there are."""
-    return Oracle("lagrangian", lagrangian(robot, parameters, limit=robot.n))
+    values = filled(robot, parameters)
+    return Oracle("lagrangian", lagrangian(robot, parameters, limit=robot.n), robot, values)
+
+
+def _exact_trigonometry(q: Sequence[Numbers]) -> Trigonometry:
+    """Cosines and sines of columns of Fractions, right to 1e-30."""
+
+    def trigonometry(angle: JointAngle) -> tuple[Numbers, Numbers]:
+        ((joint, _),) = angle.terms
+        points = [turn((angle.offset.cos, angle.offset.sin), circle_point(x)) for x in q[joint]]
+        c, s = np.empty((2, len(points)), object)
+        c[:], s[:] = zip(*points, strict=True)
+        return c, s
+
+    return trigonometry
 
 
 def differences(actual: Numbers, expected: Numbers) -> Floats:

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
-from robodyn.dynamics.functions.record import INPUTS, SC, Array, Dynamics, Function, Pair
+from robodyn.dynamics.functions.record import INPUTS, SC, Array, Dynamics, Function, Moving, Pair, Rotor
 from robodyn.effects.scalars import is_zero
 from robodyn.errors import InputError
 
@@ -20,7 +20,9 @@ __all__ = [
     "Array",
     "Dynamics",
     "Function",
+    "Moving",
     "Pair",
+    "Rotor",
     "array_named",
     "arrays",
     "by_default",
@@ -44,12 +46,12 @@ def registered(functions: Iterable[Function]) -> dict[str, Function]:
         if function.name in table:
             raise ValueError(f"two functions are called {function.name!r}")
         table[function.name] = function
-        result = function.result
-        if arrays.setdefault(result.name, result) != result:
-            raise ValueError(
-                f"function {function.name!r}: the array {result.name!r} is {arrays[result.name].text!r} "
-                "elsewhere; choose another name"
-            )
+        for result in function.results:
+            if arrays.setdefault(result.name, result) != result:
+                raise ValueError(
+                    f"function {function.name!r}: the array {result.name!r} is {arrays[result.name].text!r} "
+                    "elsewhere; choose another name"
+                )
     for function in table.values():
         missing = [part for part in function.parts if part not in table]
         if missing:
@@ -90,7 +92,7 @@ def function_named(name: str) -> Function:
 
 def arrays() -> dict[str, Array]:
     """Every array of an interface by its name."""
-    results = (function.result for function in FUNCTIONS.values())
+    results = (result for function in FUNCTIONS.values() for result in function.results)
     return {array.name: array for array in (*INPUTS, SC, *results)}
 
 

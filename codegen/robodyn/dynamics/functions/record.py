@@ -5,9 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from math import prod
-from typing import Any, Literal, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol
 
 from robodyn.dynamics.vectors import Mark
+
+if TYPE_CHECKING:
+    from robodyn.dynamics.arm import Arm, Motion
+    from robodyn.dynamics.lump import Lump
+    from robodyn.dynamics.parallel import Turns
 
 #: Elements of a state along one axis: a number, or as many as there are joints.
 Length = int | Literal["n"]
@@ -71,6 +76,25 @@ SC = Array("sc", "sines and cosines, as listed below", "")
 INPUTS = (Q, QD, QDD, TAU)
 
 
+@dataclass(frozen=True, slots=True)
+class Moving:
+    """An arm in motion, its joints' ``turns``, and the mass, first and second moments of each link about its
+    frame's origin: those described, or others that move alike (then a mass may be 0 or less)."""
+
+    arm: Arm
+    motion: Motion
+    turns: Turns
+    lumps: Sequence[Lump]
+
+
+class Rotor(NamedTuple):
+    """A rotor: its inertia [kg m^2, kg], and the joints (from 0) whose rates add up to its own, each with a
+    ratio."""
+
+    inertia: Any
+    rates: tuple[tuple[int, Any], ...]
+
+
 class Dynamics(Protocol):
     """An arm at one state, over any scalar: nodes of a graph, fractions, elements of a field, columns of
     numbers, sympy expressions. All that functions are written in terms of, and checked by.
@@ -80,6 +104,7 @@ class Dynamics(Protocol):
     inputs: by name the arrays ``[n]`` that the function is given, see :data:`INPUTS`.
     rest: ``[n]``, zeros: no velocity, no acceleration.
     mark: gives a quantity its name in emitted code; where nothing is emitted it does nothing.
+    arm: the links as they are described, the base in the world, and the tool.
     """
 
     @property
@@ -88,6 +113,20 @@ class Dynamics(Protocol):
     def rest(self) -> Vector: ...
     @property
     def mark(self) -> Mark: ...
+    @property
+    def arm(self) -> Arm: ...
+
+    def motion(self, qd: Vector, qdd: Vector) -> Motion:
+        """``arm`` at ``inputs["q"]``, with these velocities and accelerations ``[n]``."""
+        ...
+
+    def links(self, qd: Vector, qdd: Vector) -> Moving:
+        """The same with the masses where they take the fewest operations."""
+        ...
+
+    def rotors(self) -> Sequence[Rotor]:
+        """The rotors whose inertia is in the torques."""
+        ...
 
     def torques(self, qd: Vector, qdd: Vector) -> Vector:
         """Joint torques ``[n]`` at these velocities and accelerations, drives included [N m, prismatic N]."""
@@ -110,26 +149,27 @@ class Function:
     ----------
     name: what it is called in C (``ROBOT_name``), on the command line, and in Python.
     purpose: one sentence, for headers and help.
-    inputs, result: its arguments.
-    outputs: the elements of the result, one after another, matrices row by row, from the dynamics: what is
+    inputs, results: its arguments.
+    outputs: the elements of the results, one after another, matrices row by row, from the dynamics: what is
         emitted.
     expected: the same by another way if there is one, from the dynamics of a reference that shares nothing
         with the kernels. None where only ``condition`` says what is right.
-    condition: for a result ``[size]``, and ``[n]`` numbers that no rule connects, two sequences that are
-        equal if the result is right: torques where there is nothing ``expected``. None: the result and
-        ``expected``. Where both are there, it is what costs less.
+    condition: for the elements of the results, and ``[n]`` numbers that no rule connects, two sequences that
+        are equal if the results are right: torques where there is nothing ``expected``. None: the results
+        and ``expected``. Where both are there, it is what costs less.
     by_default: whether it is written unless functions are named.
     parts: functions whose programs it is put together from; none: it comes straight from the recursion.
     zeros: of the recursion's torques, the inputs that are zero in it, none in the inverse dynamics itself.
         None: it is something else.
     solves: whether it solves for accelerations: an arm in which a joint moves without inertia has no such
         function, nor has one with friction that depends on the accelerations.
+    others: other ways to write ``outputs``; what is emitted is the one that takes the fewest operations.
     """
 
     name: str
     purpose: str
     inputs: tuple[Array, ...]
-    result: Array
+    results: tuple[Array, ...]
     outputs: Callable[[Dynamics], Sequence[Any]]
     expected: Callable[[Dynamics], Sequence[Any]] | None = None
     condition: Callable[[Dynamics, Sequence[Any], Vector], Pair] | None = None
@@ -137,6 +177,7 @@ class Function:
     parts: tuple[str, ...] = ()
     zeros: tuple[str, ...] | None = None
     solves: bool = False
+    others: tuple[Callable[[Dynamics], Sequence[Any]], ...] = ()
 
     def __post_init__(self) -> None:
         """:class:`ValueError` for a record that is none: found where the package is imported."""
@@ -147,8 +188,8 @@ class Function:
         if not self.inputs or not set(self.inputs) <= set(INPUTS):
             names = ", ".join(array.name for array in INPUTS)
             raise ValueError(f"function {self.name!r}: inputs are some of {names}")
-        if self.result in self.inputs:
-            raise ValueError(f"function {self.name!r}: the result is an input as well")
+        if not self.results or set(self.results) & set(self.inputs):
+            raise ValueError(f"function {self.name!r}: a function has results, and none is an input as well")
         if self.expected is None and self.condition is None:
             raise ValueError(f"function {self.name!r}: nothing says what is right: expected or condition")
 
@@ -178,8 +219,26 @@ class Function:
         """Names of the inputs."""
         return tuple(array.name for array in self.inputs)
 
+    @property
+    def writings(self) -> tuple[Callable[[Dynamics], Sequence[Any]], ...]:
+        """All ways to write the outputs."""
+        return (self.outputs, *self.others)
+
+    def size_at(self, n: int) -> int:
+        """How many numbers the results are for ``n`` joints."""
+        return sum(array.size_at(n) for array in self.results)
+
+    def split(self, elements: Sequence[Any], n: int) -> list[tuple[str, Sequence[Any]]]:
+        """``elements``, one after another, as ``(name, elements)`` of each result."""
+        parts, start = [], 0
+        for array in self.results:
+            end = start + array.size_at(n)
+            parts.append((array.name, elements[start:end]))
+            start = end
+        return parts
+
     def compared(self, dynamics: Dynamics, result: Sequence[Any], anywhere: Vector) -> Pair:
-        """Two sequences that are equal if ``result`` ``[size]`` is what ``dynamics`` say; ``anywhere``
+        """Two sequences that are equal if the elements ``result`` are what ``dynamics`` say; ``anywhere``
         ``[n]`` are numbers that no rule connects."""
         if self.condition is not None:
             return self.condition(dynamics, result, anywhere)
