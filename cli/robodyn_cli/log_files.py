@@ -72,7 +72,7 @@ def read_all(
 def handed_over(logs: list[Log]) -> list[Callable[[], Log]]:
     """What hands over each of the ``logs``, once. The list is emptied: nothing keeps a long log in memory
     once it was looked at."""
-    several = [[log].pop for log in logs]
+    several: list[Callable[[], Log]] = [[log].pop for log in logs]
     logs.clear()
     return several
 
