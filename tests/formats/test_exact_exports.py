@@ -8,13 +8,12 @@ from pathlib import Path
 
 import pytest
 
-from robodyn import count
+from robodyn import count, program
 from robodyn.dynamics.equality import same_in_field
 from robodyn.formats.arm import import_arm
 from robodyn.formats.exporting import TARGETS, export_arm
 from robodyn.formats.writers.parts import parts_of
 from robodyn.formats.writers.physical import physical
-from robodyn.kernels.operations import program
 from robodyn.robot import bundled_names, load, read_text
 from robodyn.robot.model import Robot
 from robodyn_testing import representative, require_module
