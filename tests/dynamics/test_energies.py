@@ -1,7 +1,8 @@
-"""Energies, momentum and Coriolis torques: by Pinocchio and MuJoCo, and what they have to do with each other."""
+"""Energies, momentum and Coriolis torques by Pinocchio and MuJoCo, and what they have to do with another."""
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -13,9 +14,11 @@ from dynamics.evaluated import BUNDLED, RANDOM, by_program, robot_named
 from ir.programs import Point
 from peers import mujoco_peer, pinocchio_peer
 from robodyn.dynamics.dual import Dual
+from robodyn.dynamics.equality import same_in_field
 from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.dynamics.functions.energies import FUNCTIONS as OWN
-from robodyn.optimize.programs import Choice, outputs_of
+from robodyn.dynamics.vectors import unmarked
+from robodyn.optimize.programs import Choice, build, outputs_of
 from robodyn.robot import Robot
 from robodyn_testing import require_module, sampled
 from robodyn_testing.random_robots import random_states
@@ -95,15 +98,15 @@ class Along:
 
     def values(self, function: str, **given: Any) -> list[Fraction]:
         """The function at the point."""
-        state, robot = self.state, self.robot
+        state = self.state
         inputs = {**state.given, **given}
-        return outputs_of(function, state.arm, Choice(), inputs, state.trigonometry, Fraction, lambda x, _: x)
+        return outputs_of(function, state.arm, Choice(), inputs, state.trigonometry, Fraction, unmarked)
 
-    def rates(self, function: str, choice: Choice | None = None) -> list[Fraction]:
+    def rates(self, function: str) -> list[Fraction]:
         """Its time derivatives."""
         outputs = outputs_of(
-            function, self.state.arm, choice or Choice(), self.inputs, self.trigonometry, Fraction, lambda x, _: x
-        )  # fmt: skip
+            function, self.state.arm, Choice(), self.inputs, self.trigonometry, Fraction, unmarked
+        )
         return [x.slope if isinstance(x, Dual) else Fraction(0) for x in outputs]
 
 
@@ -140,7 +143,7 @@ def test_every_way_of_writing_them_is_the_same() -> None:
             values = [
                 outputs_of(
                     function.name, at.state.arm, choice, at.state.given, at.state.trigonometry, Fraction,
-                    lambda x, _: x, k,
+                    unmarked, k,
                 )
                 for k in range(len(ways))
                 for choice in (Choice(), Choice(regroup=False), Choice(chains=False))
@@ -150,11 +153,6 @@ def test_every_way_of_writing_them_is_the_same() -> None:
 
 def test_an_error_in_any_is_caught() -> None:
     """The comparison that every program goes through before it leaves."""
-    import dataclasses
-
-    from robodyn.dynamics.equality import same_in_field
-    from robodyn.optimize.programs import build
-
     robot = robot_named("puma560_3dof")
     for right in OWN:
         name = right.name
@@ -164,7 +162,7 @@ def test_an_error_in_any_is_caught() -> None:
             first, *others = right.outputs(at)
             return [first + Fraction(1, 10**9) * at.inputs["q"][1], *others]
 
-        FUNCTIONS[name] = dataclasses.replace(right, outputs=wrong)
+        FUNCTIONS[name] = replace(right, outputs=wrong)
         try:
             assert not same_in_field(robot, name, build(robot, name, Choice()))
         finally:

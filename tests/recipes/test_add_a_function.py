@@ -98,7 +98,8 @@ def test_the_kernels_give_the_product(copy: Copy) -> None:
             if name in ("stanford", "loaded.yaml"):
                 fortran = robodyn.compile(robot, language="fortran", **made)
                 assert np.array_equal(power, fortran.accelerating_power(q, qd, qdd, params=params))
-                assert np.array_equal(power, c.batch(q, qd, qdd, function="accelerating_power", params=params))
+                batch = c.batch(q, qd, qdd, function="accelerating_power", params=params)
+                assert np.array_equal(power, batch)
         assert "power: [] or [N], double; power, W" in c.accelerating_power.__doc__
         print(json.dumps(told))
     """)
@@ -130,7 +131,8 @@ def test_the_commands_know_it(copy: Copy) -> None:
     assert "power power [W]" in header
     assert "puma560_3dof_real power[1])" in header
     assert (
-        "puma560_3dof_accelerating_power_batch(" in (copy.work / "written" / "puma560_3dof_batch.h").read_text()
+        "puma560_3dof_accelerating_power_batch("
+        in (copy.work / "written" / "puma560_3dof_batch.h").read_text()
     )
     counted = json.loads(str(flops["out"]))
     assert (counted["function"], counted["thesis"]) == ("accelerating_power", None)
@@ -155,7 +157,9 @@ def test_it_is_verified(copy: Copy, robot: str) -> None:
     against = ["reference"] if robot == "loaded.yaml" else ["reference", "exact"]
     assert [c["against"] for c in powers] == against
     assert all(c["joint"] is None and c["passed"] and c["error"] < 1e-14 for c in powers)
-    assert report["equal_on_fractions"].get("accelerating_power") == (None if robot == "loaded.yaml" else True)
+    assert report["equal_on_fractions"].get("accelerating_power") == (
+        None if robot == "loaded.yaml" else True
+    )
 
 
 @pytest.mark.parametrize("robot", ["puma560_3dof", "loaded.yaml"])

@@ -1,8 +1,7 @@
-"""Velocities, kinetic energy and momentum of an arm, on moments of mass about the frames' origins; any scalar.
+"""Velocities, energies and momentum of an arm, from moments of mass about the frames' origins; any scalar.
 
-Everything is linear or quadratic in the rates, so no acceleration is formed. A link has two sets of axes, as
-in :mod:`~robodyn.dynamics.mass_matrix`: its own, and those in which its joint, or the chain of parallel joints
-that it follows, begins to turn.
+Everything is linear or quadratic in the rates, so no acceleration is formed. A link has two sets of axes: its
+own, and those in which its joint, or the chain of parallel joints that it follows, begins to turn.
 
 Sources: Featherstone 2008, sections 2.10 and 5.1 (spatial momentum, and its rate); for the derivative by the
 positions De Luca, Albu-Schaeffer, Haddadin, Hirzinger 2006, whose observer needs it.
@@ -59,7 +58,7 @@ def twists(at: Moving, mark: Mark = unmarked) -> list[Twist]:
         else:
             v = plus(v, (0, 0, at.motion.qd[i]))
         own_w = named(mark, about_z(c, -s, w), i + 1, "w")
-        links.append(Twist(own_w, named(mark, about_z(c, -s, v), i + 1, "v"), w, v, carrier))
+        links.append(Twist(own_w, named(mark, about_z(c, -s, v), i + 1, "vo"), w, v, carrier))
     return links
 
 
@@ -81,9 +80,7 @@ def kinetic_energy(at: Moving, rotors: Sequence[Rotor], mark: Mark = unmarked) -
     return total
 
 
-def momenta(
-    at: Moving, rotors: Sequence[Rotor], mark: Mark = unmarked
-) -> tuple[list[Any], list[Any]]:
+def momenta(at: Moving, rotors: Sequence[Rotor], mark: Mark = unmarked) -> tuple[list[Any], list[Any]]:
     """``M qd`` [n], and the kinetic energy's derivatives [n] by the joint positions at fixed rates.
 
     A joint turns all that it carries along: at a unit of its position, their velocities, seen from where they
@@ -135,7 +132,7 @@ def _rate(rotor: Rotor, qd: Sequence[Any]) -> Any:
     return sum(ratio * qd[joint] for joint, ratio in rotor.rates)
 
 
-def potential_outward(at: Moving) -> Any:
+def potential_outward(at: Moving, mark: Mark = unmarked) -> Any:
     """Potential energy [J], that of the base's origin 0: gravity carried from base to tip."""
     arm, turns = at.arm, at.turns
     height: Any = 0  # of the frame's origin: -g . position
@@ -149,11 +146,11 @@ def potential_outward(at: Moving) -> Any:
             height, start = height - dot(own, p), own
         start = about_x(body.cos_alpha, -body.sin_alpha, start)
         own = about_z(turns.c[i], -turns.s[i], start)
-        total = total + (lump.mass * height - dot(own, lump.first))
+        total = mark(total + (lump.mass * height - dot(own, lump.first)), Label(i + 1, "pe", ""))
     return total
 
 
-def potential_inward(at: Moving) -> Any:
+def potential_inward(at: Moving, mark: Mark = unmarked) -> Any:
     """The same, the first moment of what each joint carries gathered from tip to base."""
     arm, turns = at.arm, at.turns
     first, mass = ZERO, 0
@@ -167,7 +164,7 @@ def potential_inward(at: Moving) -> Any:
                 outer = plus(beyond, about_z(turns.c[i], turns.s[i], p))
             else:
                 inner = plus(inner, beyond, p)
-        first = plus(about_z(turns.c[i], turns.s[i], inner), outer)
+        first = named(mark, plus(about_z(turns.c[i], turns.s[i], inner), outer), i + 1, "hc")
         mass = mass + at.lumps[i].mass
     body = arm.bodies[0]
     first = about_x(body.cos_alpha, body.sin_alpha, first)

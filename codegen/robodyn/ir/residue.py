@@ -22,7 +22,7 @@ class Residue:
     def _of(self, other: Residue | Number) -> int | None:
         """The value of ``other`` in the field; None of what is another kind of scalar."""
         if other.__class__ is Residue:
-            return other.value  # type: ignore[union-attr]
+            return other.value
         return self.field.number(other) if isinstance(other, (int, Fraction)) else None
 
     def __add__(self, other: Residue | Number) -> Residue:

@@ -80,9 +80,7 @@ class Layered:
             passed = [unchecked(draft, self._passes) for draft in drafts]
             k = min(range(len(passed)), key=lambda k: count(passed[k]).total)
             # Of what solves for accelerations there is no other formula: its parts are compared.
-            self._compare(
-                function, passed[k], drafts[k] if record.expected is None else self._plain(record)
-            )
+            self._compare(function, passed[k], drafts[k] if record.expected is None else self._plain(record))
         except ZeroDivisionError:  # a pivot that is zero as a number or, in a drawn field, as a function
             raise self.rigid.singular(function) from None
         return passed[k]
@@ -100,7 +98,9 @@ class Layered:
             drafts.append(composed(record, parts, self.robot.n, self._beneath))
             if record.by_parts is None:
                 writings = writings[1:]
-        straight = (layered(self.robot, record, self._rigid, self.options.formulation, writing=k) for k in writings)
+        straight = (
+            layered(self.robot, record, self._rigid, self.options.formulation, writing=k) for k in writings
+        )
         return [*drafts, *straight]
 
     def _beneath(self, graph: Graph, inputs: Mapping[str, Sequence[Any]]) -> Recursion:

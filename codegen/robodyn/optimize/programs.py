@@ -216,9 +216,7 @@ class Recursion:
         """The arm at ``q``, with these rates and accelerations."""
         return build_motion(self.arm, self.inputs["q"], qd, qdd, self._trigonometry, self._number)
 
-    def links(
-        self, qd: Sequence[Any], qdd: Sequence[Any], form: MomentForm = "second_moment"
-    ) -> Moving:
+    def links(self, qd: Sequence[Any], qdd: Sequence[Any], form: MomentForm = "second_moment") -> Moving:
         """The same, regrouped where the choice has it, chains of parallel joints turning as one."""
         choice, trigonometry = self._choice, self._trigonometry
         arm = slid(self.arm) if choice.regroup else self.arm

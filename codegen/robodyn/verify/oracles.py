@@ -189,7 +189,9 @@ def exact_oracle(robot: Robot, parameters: Parameters) -> Oracle:
 def lagrangian_oracle(robot: Robot, parameters: Parameters) -> Oracle:
     """Energies and derivatives; however many joints there are."""
     values = filled(robot, parameters)
-    return Oracle("lagrangian", lagrangian(robot, parameters, limit=robot.n), robot, values, other=lagrangian_oracle)
+    return Oracle(
+        "lagrangian", lagrangian(robot, parameters, limit=robot.n), robot, values, other=lagrangian_oracle
+    )
 
 
 def _exact_trigonometry(q: Sequence[Numbers]) -> Trigonometry:

@@ -8,7 +8,7 @@ from typing import Any
 from robodyn.dynamics.arm import Motion
 from robodyn.dynamics.dual import moving_along, slopes
 from robodyn.dynamics.energy import energies
-from robodyn.dynamics.functions.record import QD, TAU, Array, Dynamics, Function, Pair, Q, Vector
+from robodyn.dynamics.functions.record import QD, Array, Dynamics, Function, Pair, Q, Vector
 from robodyn.dynamics.joints import joint_torque
 from robodyn.dynamics.momenta import HALF, kinetic_energy, momenta, potential_inward, potential_outward
 
@@ -48,11 +48,11 @@ def _work(at: Dynamics) -> Sequence[Any]:
 
 
 def _potential(at: Dynamics) -> Sequence[Any]:
-    return [potential_inward(at.links(at.rest, at.rest))]
+    return [potential_inward(at.links(at.rest, at.rest), at.mark)]
 
 
 def _potential_outward(at: Dynamics) -> Sequence[Any]:
-    return [potential_outward(at.links(at.rest, at.rest))]
+    return [potential_outward(at.links(at.rest, at.rest), at.mark)]
 
 
 def _heights(at: Dynamics) -> Sequence[Any]:
