@@ -92,7 +92,7 @@ ROBOT = bundled("stanford_3dof_d3")
 GOOD = recorded(ROBOT, fast(ROBOT)).text()
 HEAD, BODY = GOOD.split("program\n")
 LINES = BODY.splitlines()
-FIRST, N = 8, len(LINES) - 1  # the first operation stands in line 8; the output after N of them
+FIRST, N = 9, len(LINES) - 1  # the first operation stands in line 9; the output after N of them
 
 
 def with_lines(*more: str, output: str = LINES[-1]) -> str:
@@ -117,10 +117,10 @@ DAMAGES: dict[str, tuple[str, int]] = {
     "a line of the head missing": (swapped("objective total\n", ""), 1),
     "the head in another order": (swapped("function inverse_dynamics\nobjective total\n", "objective total\n"
                                           "function inverse_dynamics\n"), 1),
-    "no program": (HEAD, 7),
-    "another word for program": (swapped("\nprogram\n", "\nprogramm\n"), 7),
+    "no program": (HEAD, 8),
+    "another word for program": (swapped("\nprogram\n", "\nprogramm\n"), 8),
     "no outputs": (swapped(LINES[-1] + "\n", ""), FIRST + N),
-    "an empty program": (HEAD + "program\n", 8),
+    "an empty program": (HEAD + "program\n", 9),
     "a line missing": (swapped(LINES[3] + "\n", ""), FIRST + 3),
     "a line twice": (swapped(LINES[3], LINES[3] + "\n" + LINES[3]), FIRST + 4),
     "two lines swapped": (swapped(LINES[0] + "\n" + LINES[1], LINES[1] + "\n" + LINES[0]), FIRST),
@@ -171,8 +171,15 @@ def test_the_last_line_may_lack_its_end() -> None:
     assert parse_record(GOOD[:-1], FILE) == parse_record(GOOD, FILE)
 
 
+def test_records_without_the_key_of_their_function_are_read() -> None:
+    before = re.sub("^computes .*\n", "", GOOD, flags=re.M)
+    assert before != GOOD
+    assert parse_record(before, FILE) == parse_record(GOOD, FILE)
+    assert list(header(before)) == ["robot", "identity", "function", "objective", "found"]
+
+
 def test_a_header_is_read_or_not() -> None:
-    assert list(header(GOOD)) == ["robot", "identity", "function", "objective", "found"]
+    assert list(header(GOOD)) == ["robot", "identity", "function", "objective", "found", "computes"]
     for text in ("", "\n", GOOD[:40], "robodyn record 1\n" + "robot x\n" * 5, GOOD.replace("\n", "\r\n")):
         assert header(text) == {}
 
