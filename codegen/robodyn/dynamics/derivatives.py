@@ -20,7 +20,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from robodyn.dynamics.arm import Arm, Symmetric, about_x, about_z, origin
+from robodyn.dynamics.arm import Arm, about_x, about_z, origin
 from robodyn.dynamics.composite import NOTHING, Composite, moving, named_composite
 from robodyn.dynamics.functions.record import Moving
 from robodyn.dynamics.modified_newton_euler import Lambda, lambda_matrix
