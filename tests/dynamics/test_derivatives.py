@@ -1,4 +1,4 @@
-"""Derivatives: equal to the plain recursion differentiated, on fractions; to Pinocchio's; and among each other."""
+"""Derivatives: equal to the plain recursion differentiated, to Pinocchio's, and among each other."""
 
 from __future__ import annotations
 

@@ -16,8 +16,8 @@ Rows = tuple[Vector, Vector, Vector]
 
 @dataclass(frozen=True, slots=True)
 class Composite:
-    """All that is carried by a joint, about an origin: the masses, momentum ``p`` and ``N`` (by rows) relative
-    to the link, force ``f`` and moment ``n``."""
+    """All that is carried by a joint, about an origin: the masses, momentum ``p`` and ``N`` (by rows)
+    relative to the link, force ``f`` and moment ``n``."""
 
     lump: Lump
     p: Vector

@@ -8,10 +8,10 @@ mass matrix takes too, and its momenta relative to the link, ``p = integral of u
 ``N = integral of u r^T dm``. Each joint's wrenches are then carried down to the base like those of the mass
 matrix.
 
-Derivatives from composite bodies are the idea of S. Echeandia and P. M. Wensing 2021 and of S. Singh, R. Russo
-and P. M. Wensing 2022 ("Efficient analytical derivatives of rigid-body dynamics using spatial vector algebra"),
-who write them in spatial vectors. Written with moments and relative momenta, what is zero in their 6x6 matrices
-does not arise, and regrouped masses, which may be zero, may be used.
+Derivatives from composite bodies are the idea of S. Echeandia and P. M. Wensing 2021 and of S. Singh,
+R. Russo and P. M. Wensing 2022 ("Efficient analytical derivatives of rigid-body dynamics using spatial vector
+algebra"), who write them in spatial vectors. Written with moments and relative momenta, what is zero in their
+6x6 matrices does not arise, and regrouped masses, which may be zero, may be used.
 """
 
 from __future__ import annotations
@@ -159,8 +159,8 @@ def _own(at: Moving, links: Sequence[_Link], i: int) -> Composite:
 
 @dataclass(frozen=True, slots=True)
 class _Wrenches:
-    """Force and moment at and about the origin of joint i: what its unit acceleration needs (``inertia``), and
-    derivatives by its ``velocity`` and its ``position``; and the vector ``twice`` whose product with what a
+    """Force and moment at and about the origin of joint i: what its unit acceleration needs (``inertia``),
+    and derivatives by its ``velocity`` and its ``position``; and the vector ``twice`` whose product with what a
     joint before changes of the angular velocity is what joint i feels of that."""
 
     inertia: tuple[Vector, Vector]

@@ -168,8 +168,8 @@ class Function:
         None: it is something else.
     solves: whether it solves for accelerations: an arm in which a joint moves without inertia has no such
         function, nor has one with friction that depends on the accelerations.
-    rigid: whether what it is checked by knows the rigid arm only. With drives that have effects it is compared
-        with the plain recursion under the same drives, as all programs are, and with no other reference.
+    rigid: whether what it is checked by knows the rigid arm only. With drives that have effects it is
+        compared with the plain recursion under the same drives, as all programs are, and with nothing else.
     others: other ways to write ``outputs``; what is emitted is the one that takes the fewest operations.
     """
 
