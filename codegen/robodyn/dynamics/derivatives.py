@@ -160,8 +160,8 @@ def _own(at: Moving, links: Sequence[_Link], i: int) -> Composite:
 @dataclass(frozen=True, slots=True)
 class _Wrenches:
     """Force and moment at and about the origin of joint i: what its unit acceleration needs (``inertia``),
-    and derivatives by its ``velocity`` and its ``position``; and the vector ``twice`` whose product with what a
-    joint before changes of the angular velocity is what joint i feels of that."""
+    and derivatives by its ``velocity`` and its ``position``; and the vector ``twice`` whose product with
+    what a joint before changes of the angular velocity is what joint i feels of that."""
 
     inertia: tuple[Vector, Vector]
     velocity: tuple[Vector, Vector]
