@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 import pytest
 
 from ir.programs import Point, exactly
-from peers.numbers import armature
+from peers.numbers import Array, armature, number
 from robodyn import Options, load, program
 from robodyn.dynamics.functions import derivatives
-from robodyn.ir import Graph, Input
+from robodyn.ir import Graph, Input, Program
 from robodyn.ir.derivative import jacobian
 from robodyn.ir.evaluate import evaluate
 from robodyn.ir.lowering import lower
@@ -106,38 +106,39 @@ def test_random_robots_have_them_as_pinocchio_says(seed: int) -> None:
             )
 
 
-def numbers(made: object, state: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
+def numbers(made: Program, state: dict[str, Array]) -> dict[str, Array]:
     inputs = {Input(name, i): float(x) for name, array in state.items() for i, x in enumerate(array)}
     return {name: np.array(x, float) for name, x in evaluate(made, inputs, constant=float).items()}
 
 
-def full(upper: np.ndarray) -> np.ndarray:
+def full(upper: Array) -> Array:
     return np.triu(upper) + np.triu(upper, 1).T
 
 
-def added_armature(robot: Robot) -> np.ndarray:
+def added_armature(robot: Robot) -> Array:
     """What of the rotors Pinocchio's derivatives have not: releases differ."""
     from peers.pinocchio_peer import armature_honoured
 
     return np.diag(np.zeros(robot.n) if armature_honoured()["crba"] else armature(robot))
 
 
-def friction(robot: Robot, qd: np.ndarray) -> np.ndarray:
+def friction(robot: Robot, qd: Array) -> Array:
     from peers.numbers import friction as of
 
-    return of(robot, qd[None])[0]
+    torques: Array = of(robot, qd[None])[0]
+    return torques
 
 
-def friction_slopes(robot: Robot, qd: np.ndarray) -> list[float]:
+def friction_slopes(robot: Robot, qd: Array) -> list[float]:
     """By the formula of the description, written out once more."""
     if robot.torque_side == "link":
         return [0.0] * robot.n
     slopes = []
     for link, rate in zip(robot.links, qd, strict=True):
-        slope = float(link.joint.viscous)
+        slope = number(link.joint.viscous)
         if robot.rest_velocity is not None:
             rest = float(robot.rest_velocity)
-            slope += float(link.joint.coulomb) / rest * (1 - np.tanh(rate / rest) ** 2)
+            slope += number(link.joint.coulomb) / rest * (1 - np.tanh(rate / rest) ** 2)
         slopes.append(slope)
     return slopes
 
@@ -170,7 +171,7 @@ def test_drives_are_differentiated_with_all_they_do() -> None:
         Input(a, i): mpmath.mpf(0.3 + 0.17 * i + 0.1 * len(a)) for a in ("q", "qd", "qdd") for i in range(3)
     }
 
-    def run(one: object, at: dict[Input, object]) -> dict[str, list[object]]:
+    def run(one: Program, at: dict[Input, Any]) -> dict[str, list[Any]]:
         return evaluate(
             one, at, constant=lambda x: mpmath.mpf(x.numerator) / x.denominator, functions=functions
         )
@@ -191,10 +192,10 @@ def test_drives_are_differentiated_with_all_they_do() -> None:
 @pytest.mark.parametrize("function", FUNCTIONS)
 def test_a_wrong_formula_is_noticed(function: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Nothing leaves whose friction, gravity or momenta are not those of the recursion."""
-    right: Callable[..., object] = derivatives._flat
+    right = derivatives._flat
     robot = load("puma560_3dof")
 
-    def wrong(*matrices: list[list[object]]) -> list[object]:
+    def wrong(*matrices: list[list[Any]]) -> list[Any]:
         first = [list(row) for row in matrices[0]]
         first[2][1] = first[2][1] * Fraction(999, 1000)
         return right(first, *matrices[1:])
