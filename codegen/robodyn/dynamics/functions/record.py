@@ -60,12 +60,6 @@ class Array(NamedTuple):
         return f"{self.holds}{rows}" + (f" [{unit}]" if unit else "")
 
     @property
-    def searchable(self) -> bool:
-        """Whether fewer operations are searched for, and recorded: not for what is made of other functions,
-        and not for what divides again and again, whose terms have too many factors."""
-        return not self.parts and not self.solves
-
-    @property
     def words(self) -> str:
         """The same for Python, where matrices are matrices."""
         units = " or ".join(unit for unit in (self.unit, self.prismatic) if unit)
