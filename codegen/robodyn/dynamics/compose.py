@@ -71,6 +71,9 @@ class _OfParts:
         """The same, with the links' masses."""
         return self._beneath.links(qd, qdd, form)
 
+    def differentiated(self, values: Sequence[Any], array: str) -> None:
+        """The parts' results are not differentiated."""
+
     def rotors(self) -> Sequence[Rotor]:
         """The rotors."""
         return self._beneath.rotors()

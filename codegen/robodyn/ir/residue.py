@@ -20,7 +20,7 @@ class Residue:
         self.value = value
 
     def _of(self, other: Residue | Number) -> int | None:
-        """The value of ``other`` in the field; None of what is another kind of scalar."""
+        """``other`` as an element of the field; None: it knows better what to do with one."""
         if other.__class__ is Residue:
             return other.value
         return self.field.number(other) if isinstance(other, (int, Fraction)) else None
@@ -40,7 +40,10 @@ class Residue:
         return Residue(self.field, (self.value - value) % self.field.prime)
 
     def __rsub__(self, other: Number) -> Residue:
-        return Residue(self.field, (self.field.number(other) - self.value) % self.field.prime)
+        value = self._of(other)
+        if value is None:
+            return NotImplemented
+        return Residue(self.field, (value - self.value) % self.field.prime)
 
     def __mul__(self, other: Residue | Number) -> Residue:
         value = self._of(other)
@@ -57,7 +60,10 @@ class Residue:
         return Residue(self.field, self.value * self._inverse(value) % self.field.prime)
 
     def __rtruediv__(self, other: Number) -> Residue:
-        return Residue(self.field, self.field.number(other) * self._inverse(self.value) % self.field.prime)
+        value = self._of(other)
+        if value is None:
+            return NotImplemented
+        return Residue(self.field, value * self._inverse(self.value) % self.field.prime)
 
     def _inverse(self, value: int) -> int:
         if not value:

@@ -25,6 +25,7 @@ from robodyn.dynamics.modified_newton_euler import modified_newton_euler
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.effects.effect import Site
 from robodyn.errors import InputError
+from robodyn.ir.derivative import jacobian
 from robodyn.ir.graph import Graph
 from robodyn.ir.lowering import lower
 from robodyn.ir.program import Input, Label, Program
@@ -129,6 +130,10 @@ class _Layered:
     def links(self, qd: Sequence[Any], qdd: Sequence[Any], form: MomentForm = "second_moment") -> Moving:
         """The same, with the links' masses."""
         return self._beneath.links(qd, qdd, form)
+
+    def differentiated(self, values: Sequence[Any], array: str) -> list[list[Any]]:
+        """Derivatives of ``values`` by the elements of ``array``, through all effects."""
+        return jacobian(self.graph, values, [Input(array, i) for i in range(self._robot.n)])
 
     def rotors(self) -> list[Rotor]:
         """The rotors of the drives."""
