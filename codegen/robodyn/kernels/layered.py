@@ -79,8 +79,9 @@ class Layered:
             drafts = self._drafts(record)
             passed = [unchecked(draft, self._passes) for draft in drafts]
             k = min(range(len(passed)), key=lambda k: count(passed[k]).total)
-            # Of what solves for accelerations there is no other formula: its parts are compared.
-            self._compare(function, passed[k], drafts[k] if record.expected is None else self._plain(record))
+            # Of what is put together from parts there may be no other formula: its parts are compared.
+            alone = record.parts and record.expected is None
+            self._compare(function, passed[k], drafts[k] if alone else self._plain(record))
         except ZeroDivisionError:  # a pivot that is zero as a number or, in a drawn field, as a function
             raise self.rigid.singular(function) from None
         return passed[k]

@@ -75,6 +75,8 @@ TAU = Array("tau", "joint torques", "N m", "N")
 #: In q's place, where sines and cosines are given.
 SC = Array("sc", "sines and cosines, as listed below", "")
 INPUTS = (Q, QD, QDD, TAU)
+#: Names of other arguments: run-time parameters, memory, time step, states of a batch.
+_TAKEN = {"p", "state", "dt", "N", "n"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -212,6 +214,9 @@ class Function:
             raise ValueError(f"function {self.name!r}: inputs are some of {names}")
         if not self.results or set(self.results) & set(self.inputs):
             raise ValueError(f"function {self.name!r}: a function has results, and none is an input as well")
+        taken = _TAKEN & {array.name for array in self.results}
+        if taken:
+            raise ValueError(f"function {self.name!r}: emitted code has other arguments called {taken}")
         if self.expected is None and self.condition is None:
             raise ValueError(f"function {self.name!r}: nothing says what is right: expected or condition")
 
