@@ -120,8 +120,17 @@ class Dynamics(Protocol):
         """``arm`` at ``inputs["q"]``, with these velocities and accelerations ``[n]``."""
         ...
 
+    def turns(self, qd: Vector, qdd: Vector) -> Turns:
+        """How its joints turn: parallel ones as one where that takes fewer operations."""
+        ...
+
+    def cheapest(self, ways: Sequence[Vector]) -> Vector:
+        """Of several ways to write the same values the one that takes the fewest operations, beside what this
+        has chosen before; the first where operations are not counted."""
+        ...
+
     def links(self, qd: Vector, qdd: Vector) -> Moving:
-        """The same with the masses where they take the fewest operations."""
+        """The same arm with the masses where they take the fewest operations."""
         ...
 
     def rotors(self) -> Sequence[Rotor]:
@@ -164,6 +173,7 @@ class Function:
     solves: whether it solves for accelerations: an arm in which a joint moves without inertia has no such
         function, nor has one with friction that depends on the accelerations.
     others: other ways to write ``outputs``; what is emitted is the one that takes the fewest operations.
+    geometric: whether it is of the links' places and motion alone: drives and effects have no part in it.
     """
 
     name: str
@@ -178,6 +188,7 @@ class Function:
     zeros: tuple[str, ...] | None = None
     solves: bool = False
     others: tuple[Callable[[Dynamics], Sequence[Any]], ...] = ()
+    geometric: bool = False
 
     def __post_init__(self) -> None:
         """:class:`ValueError` for a record that is none: found where the package is imported."""
