@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from dynamics.direct import NO_SHRINKING, Recorder, State, exact_arm
 from ir.programs import Point, every_value, exactly
 from robodyn import Options, load, program
-from robodyn.dynamics.functions import FUNCTIONS
+from robodyn.dynamics.functions import FUNCTIONS, by_default
 from robodyn.dynamics.lump import MomentForm
 from robodyn.dynamics.modified_newton_euler import modified_newton_euler
 from robodyn.dynamics.newton_euler import newton_euler
@@ -225,7 +225,7 @@ def test_a_formulation_or_function_must_be_known() -> None:
 
 def test_signatures() -> None:
     robot = bundled("stanford_3dof")
-    shapes = {f: (signature(robot, f).inputs, signature(robot, f).outputs) for f in FUNCTIONS}
+    shapes = {f: (signature(robot, f).inputs, signature(robot, f).outputs) for f in by_default()}
     q, qd, qdd, tau = (("q", 3), ("qd", 3), ("qdd", 3), ("tau", 3))
     assert shapes == {
         "inverse_dynamics": ((q, qd, qdd), (tau,)),

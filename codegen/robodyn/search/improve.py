@@ -144,8 +144,8 @@ def cost(program: Program, objective: Objective) -> float:
 def _checked(level: str, function: str, seconds: float | None) -> None:
     if level not in BUDGET:
         raise InputError(f"unknown search {level!r}", expected=f"one of {', '.join(BUDGET)}")
-    if function not in FUNCTIONS or FUNCTIONS[function].parts:
-        allowed = [name for name, known in FUNCTIONS.items() if not known.parts]
+    if function not in FUNCTIONS or not FUNCTIONS[function].searchable:
+        allowed = [name for name, known in FUNCTIONS.items() if known.searchable]
         raise InputError(f"no search for the function {function!r}", expected=f"one of {', '.join(allowed)}")
     if seconds is not None and not (math.isfinite(seconds) and 0 < seconds <= 1e6):
         raise InputError("no budget in seconds", found=str(seconds), expected="a number above 0, at most 1e6")
