@@ -22,7 +22,7 @@ from robodyn_cli.common import (
     talk,
     write_files,
 )
-from robodyn_cli.log_files import description_of, read_all, result_folder, spare_inputs
+from robodyn_cli.log_files import description_of, handed_over, read_all, result_folder, spare_inputs
 from robodyn_cli.log_options import input_files, log_map, log_options
 from robodyn_cli.options import listed
 from robodyn_cli.simulate_options import Parameter
@@ -162,11 +162,13 @@ def _diagnosed(
     paths = [*logs, *([] if validate is None else [validate])]
     with progress.line() as shown:
         read, hashes = read_all(robot, paths, mapping, shown)
-        with progress.countdown(shown, f"robodyn: {robot.name}", stages(robot.n, read)) as tell:
+        costs = stages(robot.n, read)
+        sources = handed_over(read)
+        with progress.countdown(shown, f"robodyn: {robot.name}", costs) as tell:
             return diagnose(
                 robot,
-                read[: len(logs)],
-                None if validate is None else read[-1],
+                sources[: len(logs)],
+                None if validate is None else sources[-1],
                 text=description_of(spec),
                 names=[printable(Path(path).name) for path in paths],
                 hashes=hashes,

@@ -19,7 +19,7 @@ from robodyn_cli.common import (
     robot_argument,
     write_files,
 )
-from robodyn_cli.log_files import description_of, read_all, result_folder, spare_inputs
+from robodyn_cli.log_files import description_of, handed_over, read_all, result_folder, spare_inputs
 from robodyn_cli.log_options import input_files, log_map, log_options
 from robodyn_cli.simulate_options import Parameter
 
@@ -99,11 +99,13 @@ def command(
     )
     with progress.line() as shown:
         read, hashes = read_all(described, paths, log_map(map_file, columns), shown)
-        with progress.countdown(shown, f"robodyn: {described.name}", stages(described.n, read)) as tell:
+        costs = stages(described.n, read)
+        sources = handed_over(read)
+        with progress.countdown(shown, f"robodyn: {described.name}", costs) as tell:
             outcome = identify(
                 described,
-                read[: len(logs)],
-                None if validate is None else read[-1],
+                sources[: len(logs)],
+                None if validate is None else sources[-1],
                 options=options,
                 text=description_of(robot),
                 names=[printable(Path(path).name) for path in paths],

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -67,6 +67,14 @@ def read_all(
             first = printable(paths[hashes.index(hashes[k])])
             talk(f"robodyn: warning: {printable(path)} is identical to {first} and adds no evidence")
     return logs, hashes
+
+
+def handed_over(logs: list[Log]) -> list[Callable[[], Log]]:
+    """What hands over each of the ``logs``, once. The list is emptied: nothing keeps a long log in memory
+    once it was looked at."""
+    several: list[Callable[[], Log]] = [[log].pop for log in logs]
+    logs.clear()
+    return several
 
 
 def description_of(spec: str) -> str:

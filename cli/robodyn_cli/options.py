@@ -38,7 +38,7 @@ def model_options(command: Command) -> Command:
                 default="record",
                 show_default=True,
                 help="Optimisation: none (textbook recursion), fast, record (the best known program for "
-                "exactly these parameters, else fast), search (formulation variants) or full (also algebraic "
+                "exactly this arm, else fast), search (formulation variants) or full (also algebraic "
                 "identities).",
             ),
             click.option("--no-regroup", is_flag=True, help="Do not regroup to base parameters."),

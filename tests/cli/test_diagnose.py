@@ -63,8 +63,8 @@ class Stand:
     def __call__(
         self,
         robot: Robot,
-        logs: Sequence[Log],
-        validate: Log | None = None,
+        logs: Sequence[Callable[[], Log]],
+        validate: Callable[[], Log] | None = None,
         *,
         text: str | None = None,
         names: Sequence[str] = (),
@@ -80,8 +80,10 @@ class Stand:
         progress("at work")
         if self.error is not None:
             raise self.error
-        self.calls.append(locals())
-        return found(robot, logs[0], **self.changes)
+        taken = [hand_over() for hand_over in logs]
+        validation = None if validate is None else validate()
+        self.calls.append(locals() | {"logs": taken, "validate": validation})
+        return found(robot, taken[0], **self.changes)
 
 
 @pytest.fixture(autouse=True)

@@ -12,7 +12,7 @@ import pytest
 from dynamics.direct import exact_arm
 from ir.programs import Point, exactly
 from robodyn import Options, program
-from robodyn.dynamics.functions import FUNCTIONS
+from robodyn.dynamics.functions import FUNCTIONS, by_default
 from robodyn.dynamics.joints import smoothed_sign
 from robodyn.ir import Input, Operation, Program
 from robodyn.ir.evaluate import evaluate
@@ -105,7 +105,7 @@ links:
     behind = read_text(text.format(side="link", drive=drive))
     bare = read_text(text.format(side="motor", drive=""))
     front = read_text(text.format(side="motor", drive=drive))
-    for function in FUNCTIONS:
+    for function in by_default():
         assert same_program(behind, bare, function)
         assert same_program(behind, front, function) is (function == "gravity")
 

@@ -12,7 +12,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from records.made import TOOL, arm, bundled
-from robodyn.optimize.records import bundled_records, identity
+from robodyn.optimize.records import bundled_records, identity, parse_record
+from robodyn.optimize.records.function_key import function_key
 from robodyn.optimize.records.record import header
 from robodyn.robot import Robot, bundled_names
 from robodyn.robot.model import Comparison, EffectEntry, Gear, Inertia, Joint, Limits, Link, Placement
@@ -154,6 +155,8 @@ def test_bundled_robots_are_the_same_where_their_numbers_are() -> None:
 
 def test_identities_of_committed_records_are_those_of_their_robots() -> None:
     for path in sorted(bundled_records().glob("*.record")):
-        fields = header(path.read_text(encoding="utf-8"))
+        text = path.read_text(encoding="utf-8")
+        fields = header(text)
         assert fields["identity"] == identity(bundled(fields["robot"])), path.name
+        assert fields["computes"] == function_key(parse_record(text, path.name).program), path.name
         assert path.name.startswith(f"{fields['robot']}.{fields['function']}.")

@@ -17,10 +17,10 @@ from robodyn.dynamics.equality import equals_recursion
 from robodyn.ir import Input, Label, Operation, Program
 from robodyn.ir.field import Field
 from robodyn.ir.fingerprint import fingerprint
+from robodyn.optimize.records.labels import labelled
 from robodyn.robot.values import circle_point
 from robodyn.search import climb as climbing
 from robodyn.search.climb import Climbed, climb
-from robodyn.search.labels import labelled
 from robodyn.search.network import NoWalk
 from robodyn.search.walk import Walk
 from robodyn_testing.clocks import ticking

@@ -24,10 +24,10 @@ from robodyn.ir import Input, Operation, Program
 from robodyn.ir.evaluate import evaluate
 from robodyn.ir.fingerprint import fingerprint
 from robodyn.optimize.records import parse_record
+from robodyn.optimize.records.labels import labelled
 from robodyn.passes import SPELLING, run
 from robodyn.robot import Robot, bundled_names
 from robodyn.robot.values import circle_point
-from robodyn.search.labels import labelled
 from robodyn.search.network import NoWalk
 from robodyn.search.walk import CHAIN, FUSED, SUM, TOLERANCE, Walk
 from robodyn_testing import require_module

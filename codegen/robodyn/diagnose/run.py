@@ -47,7 +47,7 @@ from robodyn.formats.loading import robot_of, text_of
 from robodyn.gate.gate import Gate, inspect
 from robodyn.identify.predict import agreement, signals_seen
 from robodyn.identify.rigid import Model
-from robodyn.logs.log import Log, read_log
+from robodyn.logs.log import LogSource, log_of
 from robodyn.robot.model import Robot
 from robodyn.robot.rewriting import rewritten
 
@@ -56,8 +56,8 @@ Floats = NDArray[np.float64]
 
 def diagnose(
     robot: Robot | str | PathLike[str],
-    logs: Sequence[Log | str | PathLike[str]],
-    validate: Log | str | PathLike[str] | None = None,
+    logs: Sequence[LogSource],
+    validate: LogSource | None = None,
     *,
     text: str | None = None,
     names: Sequence[str] = (),
@@ -71,7 +71,8 @@ def diagnose(
 ) -> Diagnosis:
     """What ``robot`` lacks to explain ``logs``; ``validate`` is a log that is not fitted.
 
-    A robot may be a path or a name, a log the path of a CSV or Parquet file.
+    A robot may be a path or a name, a log the path of a CSV or Parquet file, or what hands it over
+    (:data:`robodyn.logs.log.LogSource`).
 
     ``text`` is the robot's description, to be amended; ``names`` and ``hashes`` are those of the logs, the
     validation's last. ``only`` these effects (ids) are looked for, or all ``without`` those; at these
@@ -93,7 +94,9 @@ def diagnose(
     scope = scope_of(n, only, without, joints, most)
     share, rows = (count // max(1, len(logs)) for count in (FITTED_SAMPLES, FITTED_ROWS))
     gates = [
-        inspect(_log(log, n), robot, source=_name(names, k), most=share, windows=FITTED_WINDOWS, thinned=rows)
+        inspect(
+            log_of(log, n), robot, source=_name(names, k), most=share, windows=FITTED_WINDOWS, thinned=rows
+        )
         for k, log in enumerate([*logs, *([] if validate is None else [validate])])
     ]
     whole = gates
@@ -197,10 +200,6 @@ def _name(names: Sequence[str], k: int) -> str | None:
 def _shown(digests: Sequence[str], *, validated: bool) -> dict[str, str]:
     """Names of the series by the hashes of their logs."""
     return {digests[-1]: "validate" if validated else "train", digests[0]: "train"}
-
-
-def _log(log: Log | str | PathLike[str], n: int) -> Log:
-    return log if isinstance(log, Log) else read_log(log, n)
 
 
 def _finding(robot: Robot, one: Detected, sure: bool) -> Finding:

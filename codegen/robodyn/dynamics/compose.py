@@ -65,6 +65,9 @@ class _OfParts:
         """There are none: only the parts' results."""
         raise self._missing("the links' masses")
 
+    def differentiated(self, values: Sequence[Any], array: str) -> None:
+        """The parts' results are not differentiated."""
+
     def rotors(self) -> Sequence[Rotor]:
         """There are none: only the parts' results."""
         raise self._missing("the rotors")

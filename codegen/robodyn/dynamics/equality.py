@@ -167,6 +167,9 @@ class _Plain:
         motion = self.motion(qd, qdd)
         return Moving(self.arm, motion, single_turns(motion), lumps_of(self.arm))
 
+    def differentiated(self, values: Sequence[Any], array: str) -> None:
+        """The rigid arm's derivatives are written out."""
+
     def rotors(self) -> list[Rotor]:
         """The rotors of the joints."""
         return rotors_of(self.arm)

@@ -80,37 +80,64 @@ def _marked(lump: Lump, link: int, mark: Mark) -> Lump:
     return Lump(lump.mass, first, second)
 
 
+class Factored:
+    """A positive definite matrix [n, n] as ``L D L^T``; n divisions, no square root.
+
+    ``matrix`` is read on and below its diagonal.
+    """
+
+    def __init__(self, matrix: Sequence[Sequence[Any]], mark: Mark = unmarked) -> None:
+        n = len(matrix)
+        lower: list[list[Any]] = [[0] * n for _ in range(n)]
+        scaled: list[list[Any]] = [[0] * n for _ in range(n)]  # L D
+        inverse: list[Any] = [0] * n
+        for j in range(n):
+            pivot = matrix[j][j]
+            for k in range(j):
+                pivot = pivot - lower[j][k] * scaled[j][k]
+            inverse[j] = mark(
+                Fraction(1) / mark(pivot, Label(j + 1, "pivot", "")), Label(j + 1, "ipivot", "")
+            )
+            for i in range(j + 1, n):
+                entry = matrix[i][j]
+                for k in range(j):
+                    entry = entry - lower[i][k] * scaled[j][k]
+                scaled[i][j] = mark(entry, Label(i + 1, "ld", str(j + 1)))
+                lower[i][j] = mark(entry * inverse[j], Label(i + 1, "l", str(j + 1)))
+        self._lower, self._inverse, self._mark = lower, inverse, mark
+
+    def solve(self, right: Sequence[Any], quantity: str = "qdd") -> list[Any]:
+        """The solution [n] of ``matrix x = right``; emitted code calls it ``quantity``."""
+        lower, mark, n = self._lower, self._mark, len(right)
+        y: list[Any] = []
+        for i in range(n):
+            total = right[i]
+            for k in range(i):
+                total = total - lower[i][k] * y[k]
+            y.append(mark(total, Label(i + 1, "y", "")))
+        x = [y[i] * self._inverse[i] for i in range(n)]
+        for i in reversed(range(n)):
+            for k in range(i + 1, n):
+                x[i] = x[i] - lower[k][i] * x[k]
+            x[i] = mark(x[i], Label(i + 1, quantity, ""))
+        return x
+
+    def inverse(self) -> list[list[Any]]:
+        """The inverse [n][n]; each entry and its mirror image are one."""
+        lower, n = self._lower, len(self._inverse)
+        inverse: list[list[Any]] = [[0] * n for _ in range(n)]
+        # Row i of L^T X = D^-1 L^-1, whose right side is 0 above the diagonal.
+        for i in reversed(range(n)):
+            for j in reversed(range(i, n)):
+                total = self._inverse[i] if i == j else 0
+                for k in range(i + 1, n):
+                    total = total - lower[k][i] * inverse[k][j]
+                inverse[i][j] = inverse[j][i] = self._mark(total, Label(i + 1, "minv", str(j + 1)))
+        return inverse
+
+
 def solve_symmetric(
     matrix: Sequence[Sequence[Any]], right: Sequence[Any], mark: Mark = unmarked
 ) -> list[Any]:
-    """Solution [n] of a positive definite system by ``L D L^T``; n divisions, no square root.
-
-    ``matrix`` [n, n] is read on and below its diagonal.
-    """
-    n = len(right)
-    lower: list[list[Any]] = [[0] * n for _ in range(n)]
-    scaled: list[list[Any]] = [[0] * n for _ in range(n)]  # L D
-    inverse: list[Any] = [0] * n
-    for j in range(n):
-        pivot = matrix[j][j]
-        for k in range(j):
-            pivot = pivot - lower[j][k] * scaled[j][k]
-        inverse[j] = mark(Fraction(1) / mark(pivot, Label(j + 1, "pivot", "")), Label(j + 1, "ipivot", ""))
-        for i in range(j + 1, n):
-            entry = matrix[i][j]
-            for k in range(j):
-                entry = entry - lower[i][k] * scaled[j][k]
-            scaled[i][j] = mark(entry, Label(i + 1, "ld", str(j + 1)))
-            lower[i][j] = mark(entry * inverse[j], Label(i + 1, "l", str(j + 1)))
-    y: list[Any] = []
-    for i in range(n):
-        total = right[i]
-        for k in range(i):
-            total = total - lower[i][k] * y[k]
-        y.append(mark(total, Label(i + 1, "y", "")))
-    x = [y[i] * inverse[i] for i in range(n)]
-    for i in reversed(range(n)):
-        for k in range(i + 1, n):
-            x[i] = x[i] - lower[k][i] * x[k]
-        x[i] = mark(x[i], Label(i + 1, "qdd", ""))
-    return x
+    """Solution [n] of a positive definite system by ``L D L^T``."""
+    return Factored(matrix, mark).solve(right)

@@ -109,6 +109,7 @@ def inspect(
     some = rows.index[rows.parts[0][0] : rows.parts[0][1]][:20_000]
     steps = steps_of(log.q[some]), steps_of(log.tau[some])
     grid = on_grid(log, rows, most, flags, windows, thinned)
+    del log, rows  # a long one is large; what is used of it is on the grid
     check_stuck(grid, robot, parameters, source, flags)
     smooth = smoothed(grid.log, grid.segments, grid.period)
     noise = noise_of(grid.log.q, grid.segments), noise_of(grid.log.tau, grid.segments)

@@ -16,11 +16,12 @@ from robodyn.logs.signals import thinning
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Grid:
-    """``log`` on an even grid, where ``segments`` are unbroken; ``parts`` are the rows (from 0) of the
-    ``raw`` log that each of them comes of. One sample is ``stride`` rows there."""
+    """``log`` on an even grid, where ``segments`` are unbroken; ``parts`` are the rows (from 0) of the raw
+    log that each of them comes of, ``times`` [rows] (s) the raw log's. One sample is ``stride`` rows there.
+    The raw log itself, which may be long, is let go."""
 
     log: Log
-    raw: Log
+    times: Floats
     segments: tuple[slice, ...]
     parts: tuple[Rows, ...]
     period: float
@@ -33,13 +34,13 @@ class Grid:
             if self.stride > 1:
                 rows.append(part[:: self.stride][: segment.stop - segment.start])
                 continue
-            near = np.searchsorted(self.raw.t[part], self.log.t[segment] - 0.5 * self.period)
+            near = np.searchsorted(self.times[part], self.log.t[segment] - 0.5 * self.period)
             rows.append(part[np.minimum(near, len(part) - 1)])
         return np.concatenate(rows)
 
     def spans(self, samples: Rows) -> tuple[Span, ...]:
         """Where the ``samples`` (rising) are in the raw log, runs of them as one span."""
-        return spans_of(self.rows()[samples], self.raw.t)
+        return spans_of(self.rows()[samples], self.times)
 
 
 def on_grid(
@@ -73,7 +74,7 @@ def on_grid(
     if whole:
         t = log.t[0] + period * np.arange(log.samples)
         result = Log(t, log.q, groups["qd"], groups["qdd"], log.tau, log.provenance, log.ignored, log.ql)
-        return Grid(result, log, (slice(0, log.samples),), origins, period, 1)
+        return Grid(result, log.t, (slice(0, log.samples),), origins, period, 1)
     resampled: dict[str, list[Floats]] = {name: [] for name, array in groups.items() if array is not None}
     times, segments, start = [], [], 0
     for a, b in parts:
@@ -93,7 +94,7 @@ def on_grid(
         np.concatenate(times), arrays["q"], arrays.get("qd"), arrays.get("qdd"), arrays["tau"],
         log.provenance, log.ignored, arrays.get("ql"),
     )  # fmt: skip
-    return Grid(result, log, tuple(segments), origins, period * stride, stride)
+    return Grid(result, log.t, tuple(segments), origins, period * stride, stride)
 
 
 def _windows(log: Log, rows: Usable, most: int, count: int) -> tuple[tuple[int, int], ...]:

@@ -17,7 +17,7 @@ from robodyn.identify.band import with_cutoff
 from robodyn.identify.fit import Fit, Options, fit_arm
 from robodyn.identify.outcome import Estimate, Identified, identified
 from robodyn.identify.residual import Squares, squares_of
-from robodyn.logs.log import Log, read_log
+from robodyn.logs.log import LogSource, log_of
 from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]
@@ -101,8 +101,8 @@ class Identification:
 
 def identify(
     robot: Robot | str | PathLike[str],
-    logs: Sequence[Log | str | PathLike[str]],
-    validate: Log | str | PathLike[str] | None = None,
+    logs: Sequence[LogSource],
+    validate: LogSource | None = None,
     *,
     options: Options | None = None,
     text: str | None = None,
@@ -114,7 +114,8 @@ def identify(
     """The numbers of ``robot`` from ``logs``: links, friction, rotors; ``validate`` is a log that is not
     fitted.
 
-    A robot may be a path or a name, a log the path of a file. ``text`` is the robot's description, to be
+    A robot may be a path or a name, a log the path of a file, or what hands it over
+    (:data:`robodyn.logs.log.LogSource`). ``text`` is the robot's description, to be
     amended; ``names`` and ``hashes`` are those of the logs, the validation's last.
 
     Raises
@@ -132,8 +133,8 @@ def identify(
     robot = robot.at(parameters or {})
     tell("looking at the logs")
     labels = [names[k] if k < len(names) else f"log {k + 1}" for k in range(len(logs) + 1)]
-    gates = [inspect(_log(log, robot.n), robot, source=labels[k]) for k, log in enumerate(logs)]
-    seen = None if validate is None else inspect(_log(validate, robot.n), robot, source=labels[len(logs)])
+    gates = [inspect(log_of(log, robot.n), robot, source=labels[k]) for k, log in enumerate(logs)]
+    seen = None if validate is None else inspect(log_of(validate, robot.n), robot, source=labels[len(logs)])
     tell("fitting the arm")
     fit = fit_arm(robot, gates, _without_contacts(robot, options or Options(), hashes[: len(logs)]))
     tell("comparing the torques")
@@ -152,10 +153,6 @@ def identify(
         ),
         fit,
     )  # fmt: skip
-
-
-def _log(log: Log | str | PathLike[str], n: int) -> Log:
-    return log if isinstance(log, Log) else read_log(log, n)
 
 
 def _without_contacts(robot: Robot, options: Options, hashes: Sequence[str]) -> Options:

@@ -43,7 +43,7 @@ class Options:
     ``functions`` None is those that are written by default, as far as the robot has them: an arm with a
     joint that moves without inertia has no forward dynamics.
     ``optimize="none"`` is the recursion as it stands in the book, equal nodes merged and zeros gone;
-    ``"fast"`` takes milliseconds; ``"record"`` is the committed best for exactly these parameters, else
+    ``"fast"`` takes milliseconds; ``"record"`` is the committed best for exactly this arm, else
     fast; ``"search"`` and ``"full"`` ask for a better one (:func:`robodyn.search.improved`) and take the one
     in ``records``. ``regroup=False`` leaves out base-parameter regrouping only. ``engine="sympy"`` builds the
     same model through sympy with named intermediates and ``sympy.cse``: a cross-check, slower and no smaller,

@@ -15,6 +15,7 @@ from robodyn.kernels.proof import prove
 from robodyn.optimize.fast import fast_choices
 from robodyn.optimize.programs import Choice, NoForwardDynamics, build, signature
 from robodyn.optimize.records import Record, best_record
+from robodyn.optimize.records.adoption import adopted
 from robodyn.optimize.records.rounding import Rounding
 from robodyn.optimize.records.validation import at_rest_of, check_length, check_reading, validated
 from robodyn.passes import FAST, FRESH, SPELLING, Pass, unchecked
@@ -195,6 +196,9 @@ class RigidPrograms:
             if record is not None:
                 check_length(record, self.draft(function))
                 check_reading(record, self._rounding(function))
+            else:
+                objective = self.options.objective if self.options.target is None else "total"
+                record = adopted(self.robot, function, self.draft, self._rounding, objective, folders)
             self._records[function] = record
         return self._records[function]
 

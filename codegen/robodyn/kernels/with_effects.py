@@ -27,6 +27,7 @@ from robodyn.dynamics.parallel import Turns, single_turns
 from robodyn.dynamics.regroup import lumps_of
 from robodyn.effects.effect import Site
 from robodyn.errors import InputError
+from robodyn.ir.derivative import jacobian
 from robodyn.ir.graph import Graph
 from robodyn.ir.lowering import lower
 from robodyn.ir.program import Input, Label, Program
@@ -134,6 +135,10 @@ class _Layered:
         """The same, nothing moved to a parent."""
         motion = self.motion(qd, qdd)
         return Moving(self.arm, motion, single_turns(motion), lumps_of(self.arm))
+
+    def differentiated(self, values: Sequence[Any], array: str) -> list[list[Any]]:
+        """Derivatives of ``values`` by the elements of ``array``, through all effects."""
+        return jacobian(self.graph, values, [Input(array, i) for i in range(self._robot.n)])
 
     def rotors(self) -> list[Rotor]:
         """The rotors of the drives."""

@@ -9,7 +9,7 @@ it, ``LOG.csv.json``, which depends on nothing but the run: no time of day, no p
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -133,7 +133,23 @@ class Log:
         return self.linked if group == "ql" else tuple(range(self.n))
 
 
+#: A log, its file, or what hands it over and keeps nothing of it: a long one is let go once it was looked at.
+LogSource = Log | str | os.PathLike[str] | Callable[[], Log]
+
+
 # --- reading ----------------------------------------------------------------------------------------------
+
+
+def log_of(source: LogSource, n: int) -> Log:
+    """The log of ``n`` joints that ``source`` is, names or hands over.
+
+    Raises
+    ------
+    InputError: no such file, or not such a log.
+    """
+    if isinstance(source, Log):
+        return source
+    return source() if callable(source) else read_log(source, n)
 
 
 def read_log(

@@ -55,7 +55,9 @@ def read_parquet(
     with _opened(path, file) as parts:
         pyarrow = parts[0]
         layout = layout_of(parts[1].schema_arrow.names, n, Place(file), groups)
-        return layout, _rows(pyarrow, *parts[1:], layout, file)
+        tables = _rows(pyarrow, *parts[1:], layout, file)
+    pyarrow.default_memory_pool().release_unused()  # it keeps what it decoded pages in
+    return layout, tables
 
 
 def parquet_columns(path: Path, file: str) -> tuple[tuple[str, ...], int]:

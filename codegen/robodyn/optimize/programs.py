@@ -233,6 +233,9 @@ class Recursion:
         turns = chain_turns(arm, motion, trigonometry) if choice.chains else single_turns(motion)
         return Moving(arm, motion, turns, lumps)
 
+    def differentiated(self, values: Sequence[Any], array: str) -> None:
+        """The rigid arm's derivatives are written out."""
+
     def rotors(self) -> list[Rotor]:
         """The rotors of the joints."""
         return rotors_of(self.arm)

@@ -24,13 +24,14 @@ from robodyn.kernels.generate import Options
 from robodyn.kernels.generate import program as generated
 from robodyn.optimize.closed_form import closed_forms
 from robodyn.optimize.records import Record, best_record, identity
+from robodyn.optimize.records.adoption import adopted
 from robodyn.optimize.records.find import file_name, identity_at
+from robodyn.optimize.records.labels import labelled
 from robodyn.optimize.records.rounding import Rounding
 from robodyn.optimize.records.validation import check_reading, validated
 from robodyn.passes import SPELLING, run
 from robodyn.robot.model import Robot
 from robodyn.search.climb import Climbed, climb
-from robodyn.search.labels import labelled
 from robodyn.search.structured import search
 from robodyn.search.walk import library
 from robodyn.toolchain.cache import default_root
@@ -143,8 +144,8 @@ def cost(program: Program, objective: Objective) -> float:
 def _checked(level: str, function: str, seconds: float | None) -> None:
     if level not in BUDGET:
         raise InputError(f"unknown search {level!r}", expected=f"one of {', '.join(BUDGET)}")
-    if function not in FUNCTIONS or FUNCTIONS[function].parts:
-        allowed = [name for name, known in FUNCTIONS.items() if not known.parts]
+    if function not in FUNCTIONS or not FUNCTIONS[function].searchable:
+        allowed = [name for name, known in FUNCTIONS.items() if known.searchable]
         raise InputError(f"no search for the function {function!r}", expected=f"one of {', '.join(allowed)}")
     if seconds is not None and not (math.isfinite(seconds) and 0 < seconds <= 1e6):
         raise InputError("no budget in seconds", found=str(seconds), expected="a number above 0, at most 1e6")
@@ -209,6 +210,11 @@ def _known(
                 programs.append(record)
         except InputError:
             continue
+    if not programs:
+        record = adopted(
+            robot, function, lambda _: recursion, lambda _: Rounding(recursion), objective.key, folders
+        )
+        programs = [record] if record is not None else []
     return programs
 
 

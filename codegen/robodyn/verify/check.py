@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.drives.drive import has_drive_effects
 from robodyn.dynamics.functions import FUNCTIONS, INPUTS, Function
 from robodyn.errors import InputError, ToolError
 from robodyn.robot.model import Robot
@@ -140,7 +141,7 @@ class _Run:
         seed: int,
         trig: Trig | None,
     ) -> None:
-        self.kernel = kernel
+        self.robot, self.kernel = robot, kernel
         self.values = values
         self.tolerance = TOLERANCE[kernel.scalar]
         sample = draw(robot, states, seed, kernel.dtype)
@@ -172,6 +173,8 @@ class _Run:
         unknown = [name for name, _ in self.kernel.signatures[function].inputs if name not in self.inputs]
         if unknown:
             return f"its input {', '.join(unknown)} is unknown"
+        if FUNCTIONS[function].rigid and has_drive_effects(self.robot):
+            return "no reference differentiates what its drives do"
         if FUNCTIONS[function].solves and not self.regular.any():
             return "the mass matrix is singular at every state"
         return None
@@ -278,9 +281,9 @@ class _Run:
     def _place(self, function: Function, element: int) -> tuple[int | None, int | None]:
         """Joint and column, from 1, of an element of the results, or of torques that tell of them; None where
         it is of no joint, of no matrix."""
-        if function.expected is None:
-            return element + 1, None
         n = self.inputs["q"].shape[1]
+        if function.expected is None:
+            return element % n + 1, None
         for array in function.results:
             shape = array.shape_at(n)
             size = array.size_at(n)

@@ -130,6 +130,9 @@ class _Columns:
         motion = self.motion(qd, qdd)
         return Moving(self.arm, motion, single_turns(motion), lumps_of(self.arm))
 
+    def differentiated(self, values: Sequence[Any], array: str) -> None:
+        """The rigid arm's derivatives are written out."""
+
     def rotors(self) -> list[Rotor]:
         """The rotors of the drives."""
         robot, values = self._oracle.robot, self._oracle.parameters

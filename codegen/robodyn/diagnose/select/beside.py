@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.select.fit import Fit, Problem, counts, excluded, precisions
-from robodyn.diagnose.select.library import Candidate, Context, candidates
+from robodyn.diagnose.select.library import Candidate, Context, candidates, without_regressor
 from robodyn.diagnose.select.library.matched import along, light
 from robodyn.diagnose.select.library.prepared import prepared
 from robodyn.diagnose.select.limits import BLOCKS, FREE_PRECISION, SPANNED, TRIED_AT_ONCE
@@ -56,6 +56,7 @@ class Library:
         others. Those that a log lacks are left out."""
         first, *others = contexts
         library = cls.of(prepared(first, candidates(first, scope)))
+        without_regressor(first)
         if not others:
             return library
         ends = np.cumsum([len(c.slow.thinned(c.slow.q)) for c in contexts]).tolist()
@@ -71,6 +72,7 @@ class Library:
                     lacking.add(k)
                 else:
                     columns[library.candidates[k].rows][begin:end, :, library.places[k]] = each
+            without_regressor(c)
         kept = [k for k in range(len(library)) if k not in lacking]
         return cls(
             tuple(library.candidates[k] for k in kept), columns, tuple(library.places[k] for k in kept)

@@ -49,8 +49,9 @@ class Trial:
     """A candidate beside what was chosen before: its columns [N, rows, c], the fit, the ``gain`` in units of
     log-likelihood, its ``t`` over the parts, the RMS that it explains at its best joint, as a share of what
     would matter; ``share``: of the mean square that is left at its best joint, in parts that were not fitted,
-    what it takes away; ``beside``: the problem in which it was tried, with its fit; ``replaced``: the places
-    in the list of what was chosen before of those that it stands for."""
+    what it takes away; ``beside``: gives the problem in which it was tried, with its fit (they are as large
+    as the log, and made again where they are needed); ``replaced``: the places in the list of what was chosen
+    before of those that it stands for."""
 
     candidate: Candidate
     columns: Columns
@@ -60,7 +61,7 @@ class Trial:
     matters: float
     per_part: Floats
     share: float = 1.0
-    beside: tuple[Problem, Fit] | None = None
+    beside: Callable[[], tuple[Problem, Fit]] | None = None
     replaced: tuple[int, ...] = ()
 
 
@@ -78,10 +79,11 @@ def trials(
     *,
     against: Fit | None = None,
     replaced: tuple[int, ...] = (),
+    again: Callable[[], tuple[Problem, Fit]] | None = None,
 ) -> list[Trial]:
     """Each candidate of the library (or those ``which``) beside what is known in ``now``, with its fit
     ``current``, best first; ``against``: the fit that it is compared with, if that has more in it, which is
-    ``replaced``."""
+    ``replaced``; ``again``: makes ``now`` and ``current`` again, if they are not to be kept."""
     outcome = fits(now, current, library, range(len(library)) if which is None else which)
     if not outcome.which:
         return []
@@ -109,7 +111,7 @@ def trials(
         tried.append(
             Trial(
                 candidate, columns, fit, float(gains[m]), float(ts[m]), matters, per_part[m], share,
-                (now, current), replaced,
+                again or (lambda: (now, current)), replaced,
             )
         )  # fmt: skip
     # Those that gain alike stay in the catalogue's order.
@@ -269,16 +271,18 @@ def _tied(now: Problem, winner: Trial, other: Trial, loss: float) -> bool:
 def _refined(current: Fit, one: Trial, least: Floats, contexts: Sequence[Context]) -> Trial:
     """The candidate with its nonlinear values improved, one factor at a time; those of an oscillator all at
     once in random directions, for it has many optima."""
+    again, beside = one.candidate.again, one.beside
+    assert again is not None
+    assert beside is not None
+    problem, fit = beside()
 
     def at(settings: Sequence[dict[str, float]]) -> list[Trial]:
-        again = one.candidate.again
-        assert again is not None
         several = [[again(c, values) for values in settings] for c in contexts]
         columns = zip(*(prepared(c, each) for c, each in zip(contexts, several, strict=True)), strict=True)
         pairs = [(parts[0][0], np.concatenate([part for _, part in parts])) for parts in columns]
-        assert one.beside is not None
-        problem, fit = one.beside
-        return trials(problem, fit, Library.of(pairs), least, against=current, replaced=one.replaced)
+        return trials(
+            problem, fit, Library.of(pairs), least, against=current, replaced=one.replaced, again=beside
+        )
 
     if one.candidate.reach:
         return _wandered(one, at)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -232,10 +233,17 @@ def _tried(
         if not replaced:
             tried += trials(now, current, library, least, group)
             continue
-        others = _with(start, [one for k, one in enumerate(findings) if k not in replaced])
-        fit = fitted(others)
-        tried += trials(others, fit, library, least, group, against=current, replaced=replaced)
+        again = partial(_fitted_without, start, tuple(findings), replaced)
+        tried += trials(*again(), library, least, group, against=current, replaced=replaced, again=again)
     return sorted(tried, key=lambda one: -one.gain)
+
+
+def _fitted_without(
+    start: Problem, findings: Sequence[Named], replaced: tuple[int, ...]
+) -> tuple[Problem, Fit]:
+    """The problem with all findings but those ``replaced`` known, and its fit."""
+    others = _with(start, [one for k, one in enumerate(findings) if k not in replaced])
+    return others, fitted(others)
 
 
 def special_cases(candidate: Candidate) -> set[str]:

@@ -112,7 +112,7 @@ COMMON_PARTS: Final = 0.8
 # --- prepared --------------------
 
 FILTERED_AT_ONCE: Final = 1_000_000
-"""[samples] About so many of candidates' columns are filtered in one pass, or those of one candidate."""
+"""[numbers] About so many, of candidates' columns, are filtered in one pass, or those of one candidate."""
 
 # --- forward --------------------
 

@@ -133,6 +133,11 @@ class Dynamics(Protocol):
         """The same arm with the masses where they take the fewest operations."""
         ...
 
+    def differentiated(self, values: Vector, array: str) -> Sequence[Vector] | None:
+        """Derivatives of ``values`` by the elements of an input, as rows; None for the rigid arm, whose
+        derivatives are written out."""
+        ...
+
     def rotors(self) -> Sequence[Rotor]:
         """The rotors whose inertia is in the torques."""
         ...
@@ -172,6 +177,8 @@ class Function:
         None: it is something else.
     solves: whether it solves for accelerations: an arm in which a joint moves without inertia has no such
         function, nor has one with friction that depends on the accelerations.
+    rigid: whether what it is checked by knows the rigid arm only. With drives that have effects it is
+        compared with the plain recursion under the same drives, as all programs are, and with nothing else.
     others: other ways to write ``outputs``; what is emitted is the one that takes the fewest operations.
     geometric: whether it is of the links' places and motion alone: drives and effects have no part in it.
     """
@@ -187,6 +194,7 @@ class Function:
     parts: tuple[str, ...] = ()
     zeros: tuple[str, ...] | None = None
     solves: bool = False
+    rigid: bool = False
     others: tuple[Callable[[Dynamics], Sequence[Any]], ...] = ()
     geometric: bool = False
 
@@ -219,6 +227,12 @@ class Function:
     def at_rest(self) -> bool:
         """Whether it is torques at which nothing moves."""
         return self.zeros is not None and {"qd", "qdd"} <= set(self.zeros)
+
+    @property
+    def searchable(self) -> bool:
+        """Whether fewer operations are searched for, and recorded: not for what is made of other functions,
+        and not for what divides again and again, whose terms have too many factors."""
+        return not self.parts and not self.solves
 
     @property
     def words(self) -> str:

@@ -1,7 +1,7 @@
 """Records: the best known programs of robots, as text that is kept beside the robots.
 
-A record belongs to exact parameters, not to a name. It is read back without trust: whoever uses it compares
-it with the recursion first (:mod:`robodyn.kernels.generate`).
+A record belongs to exact parameters, or to the function that they make, not to a name. It is read back
+without trust: whoever uses it compares it with the recursion first (:mod:`robodyn.kernels.generate`).
 """
 
 from robodyn.optimize.records.find import FOLDER, best_record, bundled_records, folder_beside

@@ -45,21 +45,49 @@ def best_record(
 
     ``folders`` are looked through first, then the one beside the robot's file, then the bundled records; the
     first one found counts. A record is found by its parameters and not by its file's name, so a copy of a
-    robot has the same.
+    robot has the same. The same arm in other frames has it too, by :mod:`robodyn.optimize.records.adoption`.
 
     Raises
     ------
     InputError: a record of this robot is damaged.
     """
     wanted = identity(robot)
+    for path, fields in _headers(robot, function, objective, folders):
+        if fields["identity"] == wanted:
+            return record_at(path)
+    return None
+
+
+def records_with_keys(
+    robot: Robot, function: str, objective: str = "total", folders: Sequence[Path] = ()
+) -> Iterator[tuple[str, Path]]:
+    """Records of ``function`` of any robot, looked for where :func:`best_record` looks, each with the
+    :func:`.function_key` that its head states."""
+    for path, fields in _headers(robot, function, objective, folders):
+        if "computes" in fields:
+            yield fields["computes"], path
+
+
+def _headers(
+    robot: Robot, function: str, objective: str, folders: Sequence[Path]
+) -> Iterator[tuple[Path, dict[str, str]]]:
+    """The records of ``function`` for ``objective`` of any robot, and what their heads say."""
     for folder in dict.fromkeys((*folders, folder_beside(robot), bundled_records())):
         for spelling in _spellings(objective):
             for path in _candidates(folder, robot.name, function, spelling):
                 fields = header(_read(path, _HEAD))
-                asked = (fields.get("identity"), fields.get("function"), fields.get("objective"))
-                if asked == (wanted, function, spelling):
-                    return parse_record(_read(path, _LARGEST), str(from_here(path)))
-    return None
+                if (fields.get("function"), fields.get("objective")) == (function, spelling):
+                    yield path, fields
+
+
+def record_at(path: Path) -> Record:
+    """The record in ``path``.
+
+    Raises
+    ------
+    InputError: it is damaged.
+    """
+    return parse_record(_read(path, _LARGEST), str(from_here(path)))
 
 
 def identity_at(path: Path) -> str | None:

@@ -6,12 +6,15 @@
     function inverse_dynamics
     objective total
     found search, seed 1
+    computes 89abcdef0123456789abcdef01234567
     program
     %0 = sin q[1]
     %1 = mul 9/10 %0 : 2 w x
     tau = %1 -%0 0
 
 After a colon stands what the operation completes: link, quantity, axis, and ``-`` for minus that.
+``computes`` is the key of the function (:mod:`robodyn.optimize.records.function_key`), by which a robot in
+other frames finds the record; it may be missing.
 
 The text may come from anywhere, so that nothing in it may take long or much room later: not a number of many
 digits, not a power of powers, not a sine of a thousandfold angle.
@@ -26,6 +29,7 @@ from fractions import Fraction
 
 from robodyn.errors import InputError, Place
 from robodyn.ir.program import BINARY, UNARY, Input, Label, Operand, Operation, Program
+from robodyn.optimize.records.function_key import function_key
 
 _TITLE = "robodyn record 1"
 #: The fields of the header, and the attributes that hold them.
@@ -36,6 +40,7 @@ _FIELDS = {
     "objective": "objective",
     "found": "origin",
 }
+_KEY = "computes"
 #: Far above what any arm needs; a file with more is not a record.
 _MOST_LINES, _LONGEST_LINE = 100_000, 20_000
 #: So many digits has a constant's numerator or denominator at the most; so many factors a product; so many
@@ -68,8 +73,10 @@ class Record:
         lines = [
             _TITLE,
             *(f"{name} {getattr(self, attribute)}" for name, attribute in _FIELDS.items()),
-            "program",
         ]
+        if (key := function_key(self.program)) is not None:
+            lines.append(f"{_KEY} {key}")
+        lines.append("program")
         for i, (op, args, label) in enumerate(self.program.operations):
             line = f"%{i} = {op} {' '.join(map(_operand, args))}"
             if label is not None:
@@ -83,11 +90,14 @@ class Record:
 
 def header(text: str) -> dict[str, str]:
     """The fields of a record without its program; empty where ``text`` is none."""
-    lines = text.split("\n", len(_FIELDS) + 1)
-    if lines[0] != _TITLE or len(lines) < len(_FIELDS) + 1:
+    lines = text.split("\n", len(_FIELDS) + 2)
+    if lines[0] != _TITLE:
         return {}
-    fields = dict(line.partition(" ")[::2] for line in lines[1 : len(_FIELDS) + 1])
-    return fields if tuple(fields) == tuple(_FIELDS) else {}
+    for names in ((*_FIELDS, _KEY), tuple(_FIELDS)):
+        fields = dict(line.partition(" ")[::2] for line in lines[1 : len(names) + 1])
+        if tuple(fields) == names:
+            return fields
+    return {}
 
 
 def parse_record(text: str, file: str) -> Record:
@@ -103,7 +113,7 @@ def parse_record(text: str, file: str) -> Record:
     lines = text.split("\n")
     if len(lines) > _MOST_LINES or any(len(line) > _LONGEST_LINE for line in lines):
         raise _fault(file, 1, "too large for a record", f"at most {_MOST_LINES} lines")
-    at = len(_FIELDS) + 1
+    at = len(fields) + 1
     if lines[at : at + 1] != ["program"]:
         raise _fault(file, at + 1, "the record has no program", "the line 'program'")
     operations: list[Operation] = []
@@ -132,7 +142,7 @@ def parse_record(text: str, file: str) -> Record:
     if not outputs:
         raise _fault(file, len(lines), "the program has no outputs", "name = operands")
     return Record(
-        **{_FIELDS[name]: value for name, value in fields.items()},
+        **{attribute: fields[name] for name, attribute in _FIELDS.items()},
         program=Program(tuple(operations), tuple(outputs)),
         file=file,
     )

@@ -4,7 +4,6 @@ samples do, where logs come in pieces."""
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from itertools import islice
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,7 +21,7 @@ def prepared(context: Context, several: Iterable[Candidate]) -> Iterator[tuple[C
     they are most of what is kept of a log."""
     late = delays(context.model.robot)
     rest = iter(several)
-    while batch := list(islice(rest, max(1, FILTERED_AT_ONCE // len(context.signals.t)))):
+    while batch := _some(rest):
         columns: dict[int, Floats] = {}
         for coarse in (False, True):
             which = [k for k, one in enumerate(batch) if one.coarse is coarse]
@@ -35,6 +34,17 @@ def prepared(context: Context, several: Iterable[Candidate]) -> Iterator[tuple[C
             columns |= dict(zip(which, np.split(filtered, ends, axis=1), strict=True))
         for k, one in enumerate(batch):
             yield one, columns[k].reshape(len(columns[k]), *one.columns.shape[1:]).astype(np.float32)
+
+
+def _some(rest: Iterator[Candidate]) -> list[Candidate]:
+    """As many of the next candidates as are filtered at once."""
+    batch, numbers = list[Candidate](), 0
+    for one in rest:
+        batch.append(one)
+        numbers += one.columns.size
+        if numbers >= FILTERED_AT_ONCE:
+            break
+    return batch
 
 
 def _late(context: Context, candidate: Candidate, late: Floats) -> Floats:

@@ -80,6 +80,12 @@ def _regressor(c: Context) -> Floats:
     return Y
 
 
+def without_regressor(c: Context) -> None:
+    """Let go of the torques by the numbers of each link: they take much memory, and once all candidates have
+    their columns nobody needs them."""
+    c.kept.pop(("regressor", 0), None)
+
+
 def regressor_seen(c: Context) -> Floats:
     """Torques [N, n, 10 n] by the numbers of all links, filtered and thinned like the torque."""
     key = ("regressor", 1)

@@ -1,4 +1,4 @@
-"""Names for what a search has found: a value that is a quantity of the recursion is called by its name."""
+"""Names for a program not written like the recursion: values that are its quantities are called so."""
 
 from __future__ import annotations
 
