@@ -217,7 +217,7 @@ def test_the_record_must_be_whole() -> None:
     gravity = FUNCTIONS["gravity"]
     with pytest.raises(ValueError, match="'gravity': nothing says what is right"):
         dataclasses.replace(gravity, expected=None)
-    with pytest.raises(ValueError, match="other arguments called {.p.}"):
+    with pytest.raises(ValueError, match=r"other arguments called .*p"):
         dataclasses.replace(gravity, results=(gravity.results[0]._replace(name="p"),))
     with pytest.raises(ValueError, match="two functions are called 'gravity'"):
         registered([gravity, gravity])

@@ -9,6 +9,7 @@ from robodyn.dynamics.arm import Arm, Motion
 from robodyn.dynamics.functions import Dynamics, Function, Moving, Rotor, torques_at
 from robodyn.dynamics.functions.record import Vector
 from robodyn.dynamics.lump import MomentForm
+from robodyn.dynamics.parallel import Turns
 from robodyn.ir.graph import Graph
 from robodyn.ir.lowering import lower
 from robodyn.ir.program import Input, Label, Program
@@ -66,6 +67,14 @@ class _OfParts:
     def motion(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Motion:
         """The arm at ``q``, with these rates and accelerations."""
         return self._beneath.motion(qd, qdd)
+
+    def turns(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Turns:
+        """How its joints turn."""
+        return self._beneath.turns(qd, qdd)
+
+    def cheapest(self, ways: Sequence[Sequence[Any]]) -> Sequence[Any]:
+        """Of several ways the one that takes the fewest operations."""
+        return self._beneath.cheapest(ways)
 
     def links(self, qd: Sequence[Any], qdd: Sequence[Any], form: MomentForm = "second_moment") -> Moving:
         """The same, with the links' masses."""

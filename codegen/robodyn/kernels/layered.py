@@ -72,7 +72,7 @@ class Layered:
 
     def _build(self, function: str) -> Program:
         record = function_named(function)
-        if not record.drives:
+        if record.geometric or not record.drives:
             return self.rigid.best(function)
         check_solvable(self.robot, record)
         try:

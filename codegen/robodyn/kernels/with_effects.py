@@ -23,6 +23,7 @@ from robodyn.dynamics.functions import Function, Moving, Rotor, function_named, 
 from robodyn.dynamics.lump import MomentForm
 from robodyn.dynamics.modified_newton_euler import modified_newton_euler
 from robodyn.dynamics.newton_euler import newton_euler
+from robodyn.dynamics.parallel import Turns
 from robodyn.effects.effect import Site
 from robodyn.errors import InputError
 from robodyn.ir.derivative import jacobian
@@ -126,6 +127,14 @@ class _Layered:
     def motion(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Motion:
         """The rigid arm at ``q``, with these rates and accelerations."""
         return self._beneath.motion(qd, qdd)
+
+    def turns(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Turns:
+        """How its joints turn."""
+        return self._beneath.turns(qd, qdd)
+
+    def cheapest(self, ways: Sequence[Sequence[Any]]) -> Sequence[Any]:
+        """Of several ways the one that takes the fewest operations."""
+        return self._beneath.cheapest(ways)
 
     def links(self, qd: Sequence[Any], qdd: Sequence[Any], form: MomentForm = "second_moment") -> Moving:
         """The same, with the links' masses."""

@@ -125,9 +125,18 @@ class Dynamics(Protocol):
         """``arm`` at ``inputs["q"]``, with these velocities and accelerations ``[n]``."""
         ...
 
+    def turns(self, qd: Vector, qdd: Vector) -> Turns:
+        """How its joints turn: parallel ones as one where that takes fewer operations."""
+        ...
+
+    def cheapest(self, ways: Sequence[Vector]) -> Vector:
+        """Of several ways to write the same values the one that takes the fewest operations, beside what this
+        has chosen before; the first where operations are not counted."""
+        ...
+
     def links(self, qd: Vector, qdd: Vector, form: MomentForm = "second_moment") -> Moving:
-        """The same with the masses where they take the fewest operations: with ``second_moment`` the second
-        moments along the axes of revolute joints are 0, with ``inertia`` the moments of inertia about y."""
+        """The same arm with the masses where they take the fewest operations: with ``second_moment`` the
+        second moments along the axes of revolute joints are 0, with ``inertia`` the inertias about y."""
         ...
 
     def differentiated(self, values: Vector, array: str) -> Sequence[Vector] | None:
@@ -184,6 +193,7 @@ class Function:
     small: the same, for arms of few joints.
     by_parts: how it is put together from its parts; None: as ``outputs`` has it.
     drives: whether it depends on what drives do; if not, robots with effects have the rigid arm's.
+    geometric: whether it is of the links' places and motion alone: drives and effects have no part in it.
     """
 
     name: str
@@ -202,6 +212,7 @@ class Function:
     small: tuple[Callable[[Dynamics], Sequence[Any]], ...] = ()
     by_parts: Callable[[Dynamics], Sequence[Any]] | None = None
     drives: bool = True
+    geometric: bool = False
 
     def __post_init__(self) -> None:
         """:class:`ValueError` for a record that is none: found where the package is imported."""
