@@ -57,9 +57,9 @@ class _OfParts:
         """There are none: only the parts' results."""
         raise self._missing("the arm's motion")
 
-    def cheapest(self, ways: Sequence[Sequence[Any]]) -> Sequence[Any]:
-        """The first: what the parts cost is settled."""
-        return ways[0]
+    def cheapest(self, choices: Sequence[Sequence[Sequence[Any]]]) -> list[Sequence[Any]]:
+        """The first of each: what the parts cost is settled."""
+        return [ways[0] for ways in choices]
 
     def links(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Moving:
         """There are none: only the parts' results."""

@@ -124,9 +124,9 @@ class Dynamics(Protocol):
         """How its joints turn: parallel ones as one where that takes fewer operations."""
         ...
 
-    def cheapest(self, ways: Sequence[Vector]) -> Vector:
-        """Of several ways to write the same values the one that takes the fewest operations, beside what this
-        has chosen before; the first where operations are not counted."""
+    def cheapest(self, choices: Sequence[Sequence[Vector]]) -> Sequence[Vector]:
+        """Of several ways to write each of some vectors those that together take the fewest operations,
+        beside what this has chosen before; the first of each where operations are not counted."""
         ...
 
     def links(self, qd: Vector, qdd: Vector) -> Moving:
