@@ -35,6 +35,14 @@ def with_rigid(row: dict[str, Any], rigid: Count | None) -> dict[str, Any]:
     return row
 
 
+def fused_lines(counts: Mapping[str, Count], alone: Mapping[str, int]) -> list[str]:
+    """What fused functions save, one line per function."""
+    return [
+        f"{function}: {counts[function].total} operations; its parts alone take {total}"
+        for function, total in alone.items()
+    ]
+
+
 def effect_lines(counts: Mapping[str, Count], rigid: Mapping[str, Count | None]) -> list[str]:
     """The operations that effects add to each function, one line per function."""
     lines = []

@@ -13,6 +13,7 @@ from typing import Any
 
 from robodyn.dynamics.arm import Arm, JointAngle, Motion, Trigonometry, build_arm, build_motion
 from robodyn.dynamics.functions import Moving, Rotor, function_named
+from robodyn.dynamics.fusing import Writing
 from robodyn.dynamics.joints import rotors_of
 from robodyn.dynamics.lump import MomentForm
 from robodyn.dynamics.mass_matrix import mass_matrix
@@ -129,9 +130,9 @@ def _states(robot: Robot) -> tuple[str, ...]:
     return layer_of(robot, lambda x: x, lambda _: 1).state_names
 
 
-def build(robot: Robot, function: str, choice: Choice, writing: int = 0) -> Program:
+def build(robot: Robot, function: str, choice: Choice, writing: Writing | None = None) -> Program:
     """The program of ``function`` as the recursion leaves it: equal nodes merged, constants folded,
-    nothing dead, no pass run yet. ``writing`` is one of the function's ``writings``."""
+    nothing dead, no pass run yet. ``writing`` says how its outputs are written, if not as usual."""
     if choice.variant is None:
         return _built(Graph(), robot, function, choice, writing)
     numbers = identity(robot).encode()
@@ -144,7 +145,7 @@ def build(robot: Robot, function: str, choice: Choice, writing: int = 0) -> Prog
     return program
 
 
-def _built(graph: Graph, robot: Robot, function: str, choice: Choice, writing: int) -> Program:
+def _built(graph: Graph, robot: Robot, function: str, choice: Choice, writing: Writing | None) -> Program:
     interface = signature(robot, function)
     inputs = {name: [graph.input(name, i) for i in range(size)] for name, size in interface.inputs}
     arm = build_arm(robot, exact, graph.input)
@@ -169,11 +170,11 @@ def outputs_of(
     trigonometry: Trigonometry,
     constant: Callable[[Fraction], Any],
     mark: Mark,
-    writing: int = 0,
+    writing: Writing | None = None,
 ) -> list[Any]:
     """The outputs of ``function``, one after another, over the scalars of ``arm`` and ``inputs``."""
     recursion = Recursion(arm, choice, inputs, trigonometry, constant, mark)
-    return list(function_named(function).writings[writing](recursion))
+    return list((writing or function_named(function).outputs)(recursion))
 
 
 class Recursion:

@@ -170,6 +170,7 @@ class Function:
         function, nor has one with friction that depends on the accelerations.
     rigid: whether what it is checked by knows the rigid arm only. With drives that have effects it is
         compared with the plain recursion under the same drives, as all programs are, and with nothing else.
+    fuses: functions that it is the results of, one after another, see :mod:`robodyn.dynamics.fusing`.
     others: other ways to write ``outputs``; what is emitted is the one that takes the fewest operations.
     """
 
@@ -185,6 +186,7 @@ class Function:
     zeros: tuple[str, ...] | None = None
     solves: bool = False
     rigid: bool = False
+    fuses: tuple[Function, ...] = ()
     others: tuple[Callable[[Dynamics], Sequence[Any]], ...] = ()
 
     def __post_init__(self) -> None:
@@ -221,7 +223,7 @@ class Function:
     def searchable(self) -> bool:
         """Whether fewer operations are searched for, and recorded: not for what is made of other functions,
         and not for what divides again and again, whose terms have too many factors."""
-        return not self.parts and not self.solves
+        return not self.parts and not self.fuses and not self.solves
 
     @property
     def words(self) -> str:
