@@ -14,7 +14,7 @@ name: geared
 torque_side: {side}
 links:
   - {{joint: revolute, alpha: pi/2, mass: 3, com: [0.1, 0.2, 0.3], inertia: {{xx: 1, yy: 1}},
-      motor_inertia: 0.5, friction: {{viscous: 1.2, coulomb: 3}}, gear: {{ratio: 100, torque_constant: 0.12}}}}
+      motor_inertia: 0.5, friction: {{viscous: 1.2}}, gear: {{ratio: 100, torque_constant: 0.12}}}}
   - {{joint: prismatic, alpha: pi/2, mass: 2, com: [0.1, 0.2, 0.3], gear: {{ratio: 250{constant}}}}}
 """
 WHOLE = TEXT.format(side="motor", constant=", torque_constant: 0.05")

@@ -7,6 +7,7 @@ from typing import Any
 
 from robodyn.dynamics.arm import Arm, Motion
 from robodyn.dynamics.functions import Function, Moving, Rotor, torques_at
+from robodyn.dynamics.parallel import Turns
 from robodyn.ir.graph import Graph
 from robodyn.ir.lowering import lower
 from robodyn.ir.program import Input, Label, Program
@@ -58,6 +59,14 @@ class _OfParts:
     def motion(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Motion:
         """There is none: only the parts' results."""
         raise self._missing("the arm's motion")
+
+    def turns(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Turns:
+        """There are none: only the parts' results."""
+        raise self._missing("the arm's motion")
+
+    def cheapest(self, ways: Sequence[Sequence[Any]]) -> Sequence[Any]:
+        """The first: what the parts cost is settled."""
+        return ways[0]
 
     def links(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Moving:
         """There are none: only the parts' results."""

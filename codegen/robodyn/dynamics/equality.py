@@ -18,7 +18,7 @@ from robodyn.dynamics.arm import Arm, JointAngle, Motion, build_arm, build_motio
 from robodyn.dynamics.functions import INPUTS, Moving, Rotor, function_named
 from robodyn.dynamics.joints import rotors_of
 from robodyn.dynamics.newton_euler import newton_euler
-from robodyn.dynamics.parallel import single_turns
+from robodyn.dynamics.parallel import Turns, single_turns
 from robodyn.dynamics.regroup import lumps_of
 from robodyn.dynamics.vectors import unmarked
 from robodyn.ir.evaluate import evaluate_exact, turn
@@ -153,6 +153,14 @@ class _Plain:
     def motion(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Motion:
         """The arm at ``q``, with these rates and accelerations."""
         return _motion(self.arm, self.inputs["q"], qd, qdd, self._state)
+
+    def turns(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Turns:
+        """How its joints turn, each for itself."""
+        return single_turns(self.motion(qd, qdd))
+
+    def cheapest(self, ways: Sequence[Sequence[Any]]) -> Sequence[Any]:
+        """The first: nothing is counted."""
+        return ways[0]
 
     def links(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Moving:
         """The same, as described."""

@@ -53,6 +53,7 @@ def _fused(functions: tuple[Function, ...]) -> Function:
         condition=None if unconditional else _compared(functions),
         solves=any(function.solves for function in functions),
         rigid=any(function.rigid for function in functions),
+        geometric=all(function.geometric for function in functions),
         fuses=functions,
     )
 

@@ -72,7 +72,7 @@ class Generated:
     counts: dict[str, Count]
     prunings: dict[str, Pruning] = field(default_factory=dict)
     #: Of fused functions the operations of their parts, each in a function of its own.
-    alone: dict[str, int] = field(default_factory=dict)
+    alone: dict[str, tuple[Count, ...]] = field(default_factory=dict)
     #: Functions that the robot does not have, and why.
     left_out: dict[str, str] = field(default_factory=dict)
     #: Of a robot with effects: the operations of the rigid arm alone.
@@ -167,7 +167,7 @@ def generate(
     )
     counts = {f: count(p) for f, p in programs.items()}
     alone = {
-        f: sum(count(builder.program(part.name)).total for part in function_named(f).fuses)
+        f: tuple(count(builder.program(part.name)) for part in function_named(f).fuses)
         for f in programs
         if function_named(f).fuses
     }

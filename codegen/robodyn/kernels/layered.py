@@ -69,6 +69,8 @@ class Layered:
 
     def _build(self, function: str) -> Program:
         record = function_named(function)
+        if record.geometric:
+            return self.rigid.best(function)
         check_solvable(self.robot, record)
         if not record.parts:
             draft = layered(self.robot, record, self._rigid, self.options.formulation)

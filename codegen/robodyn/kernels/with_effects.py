@@ -23,7 +23,7 @@ from robodyn.dynamics.functions import Function, Moving, Rotor, function_named, 
 from robodyn.dynamics.joints import rotors_of
 from robodyn.dynamics.modified_newton_euler import modified_newton_euler
 from robodyn.dynamics.newton_euler import newton_euler
-from robodyn.dynamics.parallel import single_turns
+from robodyn.dynamics.parallel import Turns, single_turns
 from robodyn.dynamics.regroup import lumps_of
 from robodyn.effects.effect import Site
 from robodyn.errors import InputError
@@ -122,6 +122,14 @@ class _Layered:
             return turned(self.graph, self.inputs["q"], angle)
 
         return build_motion(self.arm, self.inputs["q"], qd, qdd, trigonometry, exact)
+
+    def turns(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Turns:
+        """How its joints turn, each for itself."""
+        return single_turns(self.motion(qd, qdd))
+
+    def cheapest(self, ways: Sequence[Sequence[Any]]) -> Sequence[Any]:
+        """The first: nothing is counted."""
+        return ways[0]
 
     def links(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Moving:
         """The same, nothing moved to a parent."""

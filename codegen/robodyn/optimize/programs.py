@@ -17,7 +17,7 @@ from robodyn.dynamics.fusing import Writing
 from robodyn.dynamics.joints import rotors_of
 from robodyn.dynamics.lump import MomentForm
 from robodyn.dynamics.mass_matrix import mass_matrix
-from robodyn.dynamics.parallel import chain_turns, single_turns
+from robodyn.dynamics.parallel import Turns, chain_turns, single_turns
 from robodyn.dynamics.regroup import lumps_of, regrouped
 from robodyn.dynamics.vectors import Mark
 from robodyn.errors import InputError
@@ -26,6 +26,7 @@ from robodyn.ir.fingerprint import in_drawn_field
 from robodyn.ir.lowering import lower
 from robodyn.ir.signature import ScalarType
 from robodyn.optimize.base_parameters import base_newton_euler
+from robodyn.optimize.cheapest import Cheapest
 from robodyn.optimize.costing import exact as exact
 from robodyn.optimize.gauge import regrouped_as, with_displacements
 from robodyn.optimize.merging import MergingGraph
@@ -133,7 +134,8 @@ def _states(robot: Robot) -> tuple[str, ...]:
 def build(robot: Robot, function: str, choice: Choice, writing: Writing | None = None) -> Program:
     """The program of ``function`` as the recursion leaves it: equal nodes merged, constants folded,
     nothing dead, no pass run yet. ``writing`` says how its outputs are written, if not as usual."""
-    if choice.variant is None:
+    # Where equal values are one node whichever way they were written, there is nothing to choose from.
+    if choice.variant is None or function_named(function).geometric:
         return _built(Graph(), robot, function, choice, writing)
     numbers = identity(robot).encode()
     program: Program = in_drawn_field(
@@ -193,6 +195,7 @@ class Recursion:
         self.rest: Sequence[Any] = [0] * len(arm.bodies)
         self.arm, self._choice, self._trigonometry, self._number = arm, choice, trigonometry, constant
         self._inverse: Inverse | None = None
+        self._cheapest = Cheapest()
 
     def torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
         """Joint torques [n]."""
@@ -210,6 +213,17 @@ class Recursion:
     def motion(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Motion:
         """The arm at ``q``, with these rates and accelerations."""
         return build_motion(self.arm, self.inputs["q"], qd, qdd, self._trigonometry, self._number)
+
+    def turns(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Turns:
+        """How its joints turn, chains of parallel joints as one; each for itself as in the book."""
+        motion = self.motion(qd, qdd)
+        if not self._choice.regroup:
+            return single_turns(motion)
+        return chain_turns(self.arm, motion, self._trigonometry)
+
+    def cheapest(self, ways: Sequence[Sequence[Any]]) -> Sequence[Any]:
+        """Of ``ways`` to write the same values the one that takes the fewest further operations."""
+        return self._cheapest(ways)
 
     def links(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Moving:
         """The same, regrouped where the choice has it, chains of parallel joints turning as one."""

@@ -22,7 +22,7 @@ from robodyn.dynamics.arm import (
 )
 from robodyn.dynamics.functions import Function, Moving, Rotor
 from robodyn.dynamics.joints import rotors_of
-from robodyn.dynamics.parallel import single_turns
+from robodyn.dynamics.parallel import Turns, single_turns
 from robodyn.dynamics.regroup import lumps_of
 from robodyn.dynamics.vectors import unmarked
 from robodyn.ir.evaluate import turn
@@ -116,6 +116,14 @@ class _Columns:
         q, scalar = self.inputs["q"], self._scalar
         trigonometry = _exact_trigonometry(q) if self._oracle.exact else trigonometry_at(q)
         return build_motion(self.arm, q, qd, qdd, trigonometry, scalar)
+
+    def turns(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Turns:
+        """How its joints turn, each for itself."""
+        return single_turns(self.motion(qd, qdd))
+
+    def cheapest(self, ways: Sequence[Sequence[Any]]) -> Sequence[Any]:
+        """The first: nothing is counted."""
+        return ways[0]
 
     def links(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Moving:
         """The same, as described."""

@@ -120,8 +120,17 @@ class Dynamics(Protocol):
         """``arm`` at ``inputs["q"]``, with these velocities and accelerations ``[n]``."""
         ...
 
+    def turns(self, qd: Vector, qdd: Vector) -> Turns:
+        """How its joints turn: parallel ones as one where that takes fewer operations."""
+        ...
+
+    def cheapest(self, ways: Sequence[Vector]) -> Vector:
+        """Of several ways to write the same values the one that takes the fewest operations, beside what this
+        has chosen before; the first where operations are not counted."""
+        ...
+
     def links(self, qd: Vector, qdd: Vector) -> Moving:
-        """The same with the masses where they take the fewest operations."""
+        """The same arm with the masses where they take the fewest operations."""
         ...
 
     def differentiated(self, values: Vector, array: str) -> Sequence[Vector] | None:
@@ -172,6 +181,7 @@ class Function:
         compared with the plain recursion under the same drives, as all programs are, and with nothing else.
     fuses: functions that it is the results of, one after another, see :mod:`robodyn.dynamics.fusing`.
     others: other ways to write ``outputs``; what is emitted is the one that takes the fewest operations.
+    geometric: whether it is of the links' places and motion alone: drives and effects have no part in it.
     """
 
     name: str
@@ -188,6 +198,7 @@ class Function:
     rigid: bool = False
     fuses: tuple[Function, ...] = ()
     others: tuple[Callable[[Dynamics], Sequence[Any]], ...] = ()
+    geometric: bool = False
 
     def __post_init__(self) -> None:
         """:class:`ValueError` for a record that is none: found where the package is imported."""
