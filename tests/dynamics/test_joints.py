@@ -23,6 +23,8 @@ from robodyn.robot.values import circle_point
 ARMS = [exact_arm(seed, joints=3, motors=0, friction=0) for seed in range(40, 44)]
 MOTOR, VISCOUS, COULOMB = (Fraction(x) for x in ("1.7", "0.9", "2.3"))
 SIGN = Program((Operation("sign", (Input("x", None),)),), (("t", (0,)),))
+#: Functions that drives have no part in.
+WITHOUT_DRIVES = ("gravity", "potential_energy", "coriolis", "momentum_observer_term")
 WAYS = (Options(), Options(regroup=False, optimize="none"), Options(formulation="newton_euler"))
 
 
@@ -107,7 +109,7 @@ links:
     front = read_text(text.format(side="motor", drive=drive))
     for function in by_default():
         assert same_program(behind, bare, function)
-        assert same_program(behind, front, function) is (function == "gravity")
+        assert same_program(behind, front, function) is (function in WITHOUT_DRIVES), function
 
 
 def test_a_rotor_is_on_the_diagonal_of_the_mass_matrix() -> None:

@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.frame import BASE, Frame
-from robodyn.dynamics.vectors import Vector
+from robodyn.dynamics.vectors import ZERO, Vector
 from robodyn.effects.scalars import cosine, is_zero, sine
 from robodyn.ir.program import Label
 from robodyn.robot.model import Inertia, Placement, Robot
@@ -183,6 +183,12 @@ def build_arm(robot: Robot, constant: Callable[[Fraction], Any], parameter: Call
         bodies[-1] = _loaded(bodies[-1], loads)
     base, tool = (BASE if place is None else _frame(constant, place) for place in (robot.base, robot.tool))
     return Arm(tuple(bodies), (constant(gx), constant(gy), constant(gz)), rest, band, base, tool)
+
+
+def inertial(arm: Arm) -> Arm:
+    """``arm`` without gravity and friction."""
+    bodies = tuple(replace(body, viscous=0, coulomb=0) for body in arm.bodies)
+    return replace(arm, bodies=bodies, gravity=ZERO)
 
 
 def _frame(constant: Callable[[Fraction], Any], place: Placement) -> Frame:

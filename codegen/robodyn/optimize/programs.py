@@ -11,14 +11,22 @@ from dataclasses import dataclass, fields
 from fractions import Fraction
 from typing import Any
 
-from robodyn.dynamics.arm import Arm, JointAngle, Motion, Trigonometry, build_arm, build_motion
+from robodyn.dynamics.arm import (
+    Arm,
+    JointAngle,
+    Motion,
+    Trigonometry,
+    build_arm,
+    build_motion,
+    inertial,
+)
 from robodyn.dynamics.functions import Moving, Rotor, function_named
 from robodyn.dynamics.fusing import Writing
 from robodyn.dynamics.joints import rotors_of
-from robodyn.dynamics.lump import MomentForm
+from robodyn.dynamics.lump import NO_LUMP, MomentForm
 from robodyn.dynamics.mass_matrix import mass_matrix
 from robodyn.dynamics.parallel import Turns, chain_turns, single_turns
-from robodyn.dynamics.regroup import lumps_of, regrouped
+from robodyn.dynamics.regroup import lumps_of, regrouped_with_ground
 from robodyn.dynamics.vectors import Mark
 from robodyn.errors import InputError
 from robodyn.ir import Graph, Label, Node, Program, Signature
@@ -150,15 +158,8 @@ def build(robot: Robot, function: str, choice: Choice, writing: Writing | None =
 def _built(graph: Graph, robot: Robot, function: str, choice: Choice, writing: Writing | None) -> Program:
     interface = signature(robot, function)
     inputs = {name: [graph.input(name, i) for i in range(size)] for name, size in interface.inputs}
-    arm = build_arm(robot, exact, graph.input)
-
-    def trigonometry(angle: JointAngle) -> tuple[Any, Any]:
-        return turned(graph, inputs["q"], angle)
-
-    def mark(value: Any, label: Label) -> Any:
-        return graph.label(value, label)
-
-    values = outputs_of(function, arm, choice, inputs, trigonometry, exact, mark, writing)
+    recursion = recursion_in(graph, robot, choice, inputs)
+    values = list((writing or function_named(function).outputs)(recursion))
     if choice.regroup:
         graph, values = in_reading_order(graph, values)
     return lower(graph, function_named(function).split(values, robot.n))
@@ -200,10 +201,15 @@ class Recursion:
     def torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
         """Joint torques [n]."""
         if self._inverse is None:
-            self._inverse = _inverse_dynamics(
-                self.arm, self._choice, self.inputs["q"], self._trigonometry, self._number
-            )
+            self._inverse = self._inverse_of(self.arm)
         return self._inverse(qd, qdd, self.mark)
+
+    def inertial_torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
+        """Joint torques [n] without gravity and friction."""
+        return self._inverse_of(inertial(self.arm))(qd, qdd, self.mark)
+
+    def _inverse_of(self, arm: Arm) -> Inverse:
+        return _inverse_dynamics(arm, self._choice, self.inputs["q"], self._trigonometry, self._number)
 
     def mass_matrix(self) -> list[list[Any]]:
         """Mass matrix [n][n], by composite bodies."""
@@ -225,14 +231,16 @@ class Recursion:
         """Of ``ways`` to write the same values the one that takes the fewest further operations."""
         return self._cheapest(ways)
 
-    def links(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Moving:
+    def links(self, qd: Sequence[Any], qdd: Sequence[Any], form: MomentForm = "second_moment") -> Moving:
         """The same, regrouped where the choice has it, chains of parallel joints turning as one."""
         choice, trigonometry = self._choice, self._trigonometry
         arm = slid(self.arm) if choice.regroup else self.arm
-        lumps = regrouped(arm, ["second_moment"] * len(arm.bodies)) if choice.regroup else lumps_of(arm)
+        lumps, ground = lumps_of(arm), NO_LUMP
+        if choice.regroup:
+            lumps, ground = regrouped_with_ground(arm, [form] * len(arm.bodies))
         motion = build_motion(arm, self.inputs["q"], qd, qdd, trigonometry, self._number)
         turns = chain_turns(arm, motion, trigonometry) if choice.chains else single_turns(motion)
-        return Moving(arm, motion, turns, lumps)
+        return Moving(arm, motion, turns, lumps, ground)
 
     def differentiated(self, values: Sequence[Any], array: str) -> None:
         """The rigid arm's derivatives are written out."""
@@ -240,6 +248,20 @@ class Recursion:
     def rotors(self) -> list[Rotor]:
         """The rotors of the joints."""
         return rotors_of(self.arm)
+
+
+def recursion_in(
+    graph: Graph, robot: Robot, choice: Choice, inputs: Mapping[str, Sequence[Any]]
+) -> Recursion:
+    """The dynamics of ``robot`` in ``graph``, ``inputs`` ``[n]`` by name."""
+
+    def trigonometry(angle: JointAngle) -> tuple[Any, Any]:
+        return turned(graph, inputs["q"], angle)
+
+    def mark(value: Any, label: Label) -> Any:
+        return graph.label(value, label)
+
+    return Recursion(build_arm(robot, exact, graph.input), choice, inputs, trigonometry, exact, mark)
 
 
 def turned(graph: Graph, q: Sequence[Node], angle: JointAngle) -> tuple[Any, Any]:
