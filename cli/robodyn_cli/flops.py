@@ -56,9 +56,9 @@ def command(
     from dataclasses import replace
 
     from robodyn.counts import Count, count, parse_budget
-    from robodyn.dynamics.functions import FUNCTIONS
+    from robodyn.dynamics.functions import FUNCTIONS, NoSuchFunction
     from robodyn.errors import CheckError
-    from robodyn.kernels.generate import NoForwardDynamics, Options, maker
+    from robodyn.kernels.generate import Options, maker
     from robodyn.optimize.programs import FORMULATIONS
     from robodyn.optimize.prune import Pruning
 
@@ -80,9 +80,10 @@ def command(
             programs = maker(described, one, tell)
             try:
                 counts.append((f, form, count(programs.program(f))))
-            except NoForwardDynamics:
+            except NoSuchFunction:
                 if functions != "all":
                     raise
+                continue
             rigid[f, form] = programs.rigid_count(f)
             prunings.update({(name, form): pruning for name, pruning in programs.prunings.items()})
     if as_json:

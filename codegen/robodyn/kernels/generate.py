@@ -13,7 +13,7 @@ from os import PathLike
 from typing import TYPE_CHECKING
 
 from robodyn.counts import Count, count
-from robodyn.dynamics.functions import by_default, function_named
+from robodyn.dynamics.functions import NoSuchFunction, by_default, function_named
 from robodyn.emit import Unit, render
 from robodyn.emit.languages import defaults, languages_named, require
 from robodyn.formats.loading import robot_of
@@ -130,7 +130,7 @@ def generate(
             progress(function)
         try:
             programs[function] = builder.program(function)
-        except NoForwardDynamics as reason:
+        except NoSuchFunction as reason:
             if options.functions is not None:
                 raise
             left_out[function] = (reason.found or reason.what).partition(":")[0]

@@ -20,7 +20,7 @@ from robodyn.dynamics.arm import (
     build_motion,
     inertial,
 )
-from robodyn.dynamics.functions import Moving, Rotor, function_named
+from robodyn.dynamics.functions import Moving, NoSuchFunction, Rotor, function_named
 from robodyn.dynamics.fusing import Writing
 from robodyn.dynamics.joints import rotors_of
 from robodyn.dynamics.lump import NO_LUMP, MomentForm
@@ -59,7 +59,7 @@ FORMULATIONS = (
 )
 
 
-class NoForwardDynamics(InputError):
+class NoForwardDynamics(NoSuchFunction):
     """An arm has no forward dynamics, or none in closed form; ``found`` says why."""
 
 

@@ -10,7 +10,17 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
-from robodyn.dynamics.functions.record import INPUTS, SC, Array, Dynamics, Function, Moving, Pair, Rotor
+from robodyn.dynamics.functions.record import (
+    INPUTS,
+    SC,
+    Array,
+    Dynamics,
+    Function,
+    Moving,
+    NoSuchFunction,
+    Pair,
+    Rotor,
+)
 from robodyn.dynamics.fusing import AND, fused
 from robodyn.effects.scalars import is_zero
 from robodyn.errors import InputError
@@ -22,6 +32,7 @@ __all__ = [
     "Dynamics",
     "Function",
     "Moving",
+    "NoSuchFunction",
     "Pair",
     "Rotor",
     "array_named",

@@ -10,8 +10,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
-from robodyn.dynamics.functions.record import QD, QDD, Array, Dynamics, Function, Q
-from robodyn.errors import InputError
+from robodyn.dynamics.functions.record import QD, QDD, Array, Dynamics, Function, NoSuchFunction, Q
 
 TAU_MOTOR = Array("tau_motor", "motor torques in front of the gears", "N m")
 CURRENT = Array("current", "motor currents", "A")
@@ -39,8 +38,9 @@ def _torques(at: Dynamics) -> Sequence[Any]:
 def _check(what: str, numbers: Sequence[Any], key: str) -> None:
     missing = [str(i) for i, value in enumerate(numbers, 1) if value is None]
     if missing:
-        raise InputError(
-            f"nothing is known of the motors: no {what} at joint {', '.join(missing)}",
+        raise NoSuchFunction(
+            "nothing is known of the motors",
+            found=f"no {what} at joint {', '.join(missing)}",
             expected=f"{key} at every joint, and torque_side: motor",
             remedy="state them in the description, or leave the function out",
         )

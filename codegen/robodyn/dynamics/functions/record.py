@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol
 
 from robodyn.dynamics.limits import FEW_JOINTS
 from robodyn.dynamics.vectors import Mark
+from robodyn.errors import InputError
 
 if TYPE_CHECKING:
     from robodyn.dynamics.arm import Arm, Motion
@@ -159,6 +160,10 @@ class Dynamics(Protocol):
     def mass_matrix(self) -> Sequence[Vector]:
         """Mass matrix ``[n][n]``, rotors included [kg m^2, kg m, kg]."""
         ...
+
+
+class NoSuchFunction(InputError):
+    """An arm does not have a function; ``found`` says why."""
 
 
 #: What must be equal, element by element.
