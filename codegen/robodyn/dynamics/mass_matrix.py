@@ -9,15 +9,13 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
-from robodyn.dynamics.arm import Arm, Motion, Symmetric, about_x, about_z, origin
-from robodyn.dynamics.lump import Lump
+from robodyn.dynamics.arm import Arm, Motion, about_x, about_z, origin
+from robodyn.dynamics.lump import NO_LUMP, Lump
 from robodyn.dynamics.parallel import Turns
 from robodyn.dynamics.regroup import about_axis_x, about_axis_z, merged, shifted
 from robodyn.dynamics.vectors import Mark, Vector, cross, named, plus, unmarked
 from robodyn.effects.scalars import is_zero
 from robodyn.ir.program import Label
-
-NOTHING = Lump(0, (0, 0, 0), Symmetric(0, 0, 0, 0, 0, 0))
 
 
 def mass_matrix(
@@ -35,15 +33,15 @@ def mass_matrix(
     for i in range(1, n):
         p = origin(arm.bodies[i], motion.d[i])
         reach.append(about_z(turns.c[i - 1], turns.s[i - 1], p) if turns.follows[i] else p)
-    composite = NOTHING
+    composite = NO_LUMP
     for j in reversed(range(n)):
         body, c, s = arm.bodies[j], turns.c[j], turns.s[j]
-        here, further = lumps[j], NOTHING
+        here, further = lumps[j], NO_LUMP
         if j + 1 < n:
             child = arm.bodies[j + 1]
             further = shifted(about_axis_x(composite, child.cos_alpha, child.sin_alpha), reach[j])
             if not turns.follows[j + 1]:
-                here, further = merged(here, further), NOTHING
+                here, further = merged(here, further), NO_LUMP
         # Inertia about the joint's axis, which the turn does not change.
         about_axis = (here.second.xx + here.second.yy) + (further.second.xx + further.second.yy)
         composite = _marked(merged(about_axis_z(here, c, s), further), j + 1, mark)
