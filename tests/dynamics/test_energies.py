@@ -161,9 +161,9 @@ def test_every_way_of_writing_them_is_the_same() -> None:
             values = [
                 outputs_of(
                     function.name, at.state.arm, choice, at.state.given, at.state.trigonometry, Fraction,
-                    unmarked, k,
+                    unmarked, way,
                 )
-                for k in range(len(ways))
+                for way in ways
                 for choice in (Choice(), Choice(regroup=False), Choice(chains=False))
             ]  # fmt: skip
             assert all(value == values[0] for value in values), (name, function.name)

@@ -29,6 +29,13 @@ def composed(function: Function, programs: Mapping[str, Program], n: int, beneat
     return ways
 
 
+def side_by_side(function: Function, programs: Sequence[Program], n: int) -> Program:
+    """The fused ``function`` of ``n`` joints: what its functions' ``programs`` have in common is worked out
+    once."""
+    graph = Graph()
+    return lower(graph, function.split([x for program in programs for x in graph.replay(program)], n))
+
+
 class _OfParts:
     """The dynamics that programs give, see :class:`robodyn.dynamics.functions.Dynamics`."""
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol
 
 from robodyn.dynamics.limits import FEW_JOINTS
 from robodyn.dynamics.vectors import Mark
+from robodyn.errors import InputError
 
 if TYPE_CHECKING:
     from robodyn.dynamics.arm import Arm, Motion
@@ -161,6 +162,10 @@ class Dynamics(Protocol):
         ...
 
 
+class NoSuchFunction(InputError):
+    """An arm does not have a function; ``found`` says why."""
+
+
 #: What must be equal, element by element.
 Pair = tuple[Sequence[Any], Sequence[Any]]
 
@@ -189,6 +194,7 @@ class Function:
         function, nor has one with friction that depends on the accelerations.
     rigid: whether what it is checked by knows the rigid arm only. With drives that have effects it is
         compared with the plain recursion under the same drives, as all programs are, and with nothing else.
+    fuses: functions that it is the results of, one after another, see :mod:`robodyn.dynamics.fusing`.
     others: other ways to write ``outputs``; what is emitted is the one that takes the fewest operations.
     small: the same, for arms of few joints.
     by_parts: how it is put together from its parts; None: in any of the ways to write ``outputs``.
@@ -208,6 +214,7 @@ class Function:
     zeros: tuple[str, ...] | None = None
     solves: bool = False
     rigid: bool = False
+    fuses: tuple[Function, ...] = ()
     others: tuple[Callable[[Dynamics], Sequence[Any]], ...] = ()
     small: tuple[Callable[[Dynamics], Sequence[Any]], ...] = ()
     by_parts: Callable[[Dynamics], Sequence[Any]] | None = None
@@ -251,7 +258,7 @@ class Function:
     def searchable(self) -> bool:
         """Whether fewer operations are searched for, and recorded: not for what is made of other functions,
         and not for what divides again and again, whose terms have too many factors."""
-        return not self.parts and not self.solves
+        return not self.parts and not self.fuses and not self.solves
 
     @property
     def words(self) -> str:
