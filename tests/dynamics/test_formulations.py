@@ -173,7 +173,8 @@ def test_every_named_value_is_the_quantity_of_that_name(choice: str, function: s
     for robot in robots:
         state = State(robot, Point(4))
         recorder = Recorder()
-        arm = slid(state.arm) if CHOICES[choice].regroup else state.arm
+        regrouped_arm = CHOICES[choice].regroup and not FUNCTIONS[function].geometric
+        arm = slid(state.arm) if regrouped_arm else state.arm
         state.outputs(function, CHOICES[choice], recorder.mark, arm)
         made = run(build(robot, function, CHOICES[choice]), FRESH)
         seen = 0

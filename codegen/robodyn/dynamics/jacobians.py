@@ -3,8 +3,8 @@
 Column j is ``z x r`` and ``z``: the joint's axis, and the lever ``r`` from its frame's origin to the tool. A
 lever may be nested from the tip, along the axes of the section or link that it begins in, where the cross
 product is only a swap; the two axes across the joint's, seen from the frame that is asked for, turn it there.
-Or it is put together in that frame, out of offsets along axes that are there in any case, and the joint's axis
-is multiplied by it. Which takes fewer operations depends on the arm, and is counted.
+Or it is put together in that frame, out of offsets along axes that are there in any case, and multiplied by
+the joint's axis. Which takes fewer operations depends on the arm, and is counted.
 """
 
 from __future__ import annotations
