@@ -132,7 +132,7 @@ class _Layered:
         """How its joints turn."""
         return self._beneath.turns(qd, qdd)
 
-    def cheapest(self, choices: Sequence[Sequence[Sequence[Any]]]) -> list[Sequence[Any]]:
+    def cheapest(self, choices: Sequence[Sequence[Sequence[Any]]]) -> Sequence[Sequence[Any]]:
         """Of the ways to write each of some vectors those that take the fewest operations."""
         return self._beneath.cheapest(choices)
 
