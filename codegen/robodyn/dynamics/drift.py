@@ -62,10 +62,10 @@ def _relative_to_carrier(
     place, velocity, acceleration = tool.place, tool.velocity, tool.acceleration
     for step in reversed(inner):
         arm = about_z(step.c, step.s, step.reach)
-        swing = _spun(rates[step.link], arm)
+        speed = _spun(rates[step.link], arm)
         place = plus(_flipped(step, arm), place)
-        velocity = plus(_flipped(step, swing), velocity)
-        acceleration = plus(_flipped(step, _spun(rates[step.link], swing)), acceleration)
+        velocity = plus(_flipped(step, speed), velocity)
+        acceleration = plus(_flipped(step, _spun(rates[step.link], speed)), acceleration)
     place = plus(section.offset, place)
     if slides:
         velocity = plus(velocity, (0, 0, at.inputs["qd"][last.link]))
