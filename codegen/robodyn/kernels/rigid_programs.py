@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 from robodyn.counts import Count, count
 from robodyn.counts.objective import operations_of, parse_objective
-from robodyn.dynamics.compose import composed
+from robodyn.dynamics.compose import composed, side_by_side
 from robodyn.dynamics.functions import Function, function_named, recursion
+from robodyn.dynamics.fusing import Writing, one_after_another
 from robodyn.ir.graph import Graph
 from robodyn.ir.program import Input, Program
 from robodyn.kernels.options import Options
@@ -51,6 +52,8 @@ class RigidPrograms:
         self._roundings: dict[str, Rounding] = {}
         #: Functions whose program is a record's, or made of one, and how that was found.
         self.taken: dict[str, str] = {}
+        #: Of functions that may be written in several ways the one that takes the fewest operations.
+        self._writings: dict[str, Writing] = {}
         #: What pruning did, by function.
         self.prunings: dict[str, Pruning] = {}
 
@@ -187,7 +190,8 @@ class RigidPrograms:
         def beneath(graph: Graph, inputs: Mapping[str, Sequence[Any]]) -> Recursion:
             return recursion_in(graph, self.robot, self.choice, inputs)
 
-        return unchecked(composed(function, parts, self.robot.n, beneath), FRESH)
+        ways = composed(function, parts, self.robot.n, beneath)
+        return min((unchecked(way, FRESH) for way in ways), key=self._cost)
 
     def _record(self, function: str) -> Record | None:
         if function not in self._records:
@@ -223,6 +227,13 @@ class RigidPrograms:
                 raise self.singular(function) from None
         return self._drafts[function]
 
+    def _fused(self, function: Function) -> list[Program]:
+        """``function`` written anew as a whole, and put together from the best programs of its parts."""
+        best = {part.name: self.best(part.name) for part in function.fuses}
+        writings = [self._writings.get(part.name, part.outputs) for part in function.fuses]
+        anew = build(self.robot, function.name, self.choice, one_after_another(writings))
+        return [anew, side_by_side(function, list(best.values()), self.robot.n)]
+
     def singular(self, function: str) -> SingularArm:
         """The error of an arm in which a joint moves without inertia."""
         return SingularArm(
@@ -236,15 +247,21 @@ class RigidPrograms:
             from robodyn.kernels.through_sympy import build_through_sympy
 
             return build_through_sympy(self.robot, function, self.choice)
-        drafts = [
-            build(self.robot, function, self.choice, writing)
-            for writing in range(len(function_named(function).writings(self.robot.n)))
-        ]
+        known = function_named(function)
+        writings = known.writings(self.robot.n)
+        if known.fuses:
+            drafts = self._fused(known)
+        else:
+            drafts = [build(self.robot, function, self.choice, writing) for writing in writings]
         if len(drafts) == 1:
             return drafts[0]
         passed = [self._passes(draft) for draft in drafts]
         k = min(range(len(drafts)), key=lambda k: self._cost(passed[k]))
         self._after_passes[function] = passed[k]
+        self._writings[function] = known.outputs if known.fuses else writings[k]
+        if known.fuses and k == 0:  # the best programs of the parts are not in it
+            for part in set(self.taken) - set(self.options.functions or ()):
+                del self.taken[part]
         return drafts[k]
 
 

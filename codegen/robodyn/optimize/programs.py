@@ -20,7 +20,8 @@ from robodyn.dynamics.arm import (
     build_motion,
     inertial,
 )
-from robodyn.dynamics.functions import Moving, Rotor, function_named
+from robodyn.dynamics.functions import Moving, NoSuchFunction, Rotor, function_named
+from robodyn.dynamics.fusing import Writing
 from robodyn.dynamics.joints import rotors_of
 from robodyn.dynamics.lump import NO_LUMP, MomentForm
 from robodyn.dynamics.mass_matrix import mass_matrix
@@ -58,7 +59,7 @@ FORMULATIONS = (
 )
 
 
-class NoForwardDynamics(InputError):
+class NoForwardDynamics(NoSuchFunction):
     """An arm has no forward dynamics, or none in closed form; ``found`` says why."""
 
 
@@ -138,9 +139,9 @@ def _states(robot: Robot) -> tuple[str, ...]:
     return layer_of(robot, lambda x: x, lambda _: 1).state_names
 
 
-def build(robot: Robot, function: str, choice: Choice, writing: int = 0) -> Program:
+def build(robot: Robot, function: str, choice: Choice, writing: Writing | None = None) -> Program:
     """The program of ``function`` as the recursion leaves it: equal nodes merged, constants folded,
-    nothing dead, no pass run yet. ``writing`` is one of the function's ``writings``."""
+    nothing dead, no pass run yet. ``writing`` says how its outputs are written, if not as usual."""
     # Where equal values are one node whichever way they were written, there is nothing to choose from.
     if choice.variant is None or function_named(function).geometric:
         return _built(Graph(), robot, function, choice, writing)
@@ -154,11 +155,11 @@ def build(robot: Robot, function: str, choice: Choice, writing: int = 0) -> Prog
     return program
 
 
-def _built(graph: Graph, robot: Robot, function: str, choice: Choice, writing: int) -> Program:
+def _built(graph: Graph, robot: Robot, function: str, choice: Choice, writing: Writing | None) -> Program:
     interface = signature(robot, function)
     inputs = {name: [graph.input(name, i) for i in range(size)] for name, size in interface.inputs}
     recursion = recursion_in(graph, robot, choice, inputs)
-    values = list(function_named(function).writings(robot.n)[writing](recursion))
+    values = list((writing or function_named(function).outputs)(recursion))
     if choice.regroup:
         graph, values = in_reading_order(graph, values)
     return lower(graph, function_named(function).split(values, robot.n))
@@ -172,11 +173,11 @@ def outputs_of(
     trigonometry: Trigonometry,
     constant: Callable[[Fraction], Any],
     mark: Mark,
-    writing: int = 0,
+    writing: Writing | None = None,
 ) -> list[Any]:
     """The outputs of ``function``, one after another, over the scalars of ``arm`` and ``inputs``."""
     recursion = Recursion(arm, choice, inputs, trigonometry, constant, mark)
-    return list(function_named(function).writings(len(arm.bodies))[writing](recursion))
+    return list((writing or function_named(function).outputs)(recursion))
 
 
 class Recursion:
@@ -226,9 +227,9 @@ class Recursion:
             return single_turns(motion)
         return chain_turns(self.arm, motion, self._trigonometry)
 
-    def cheapest(self, ways: Sequence[Sequence[Any]]) -> Sequence[Any]:
-        """Of ``ways`` to write the same values the one that takes the fewest further operations."""
-        return self._cheapest(ways)
+    def cheapest(self, choices: Sequence[Sequence[Sequence[Any]]]) -> list[Sequence[Any]]:
+        """Of the ways to write each of some vectors those that take the fewest further operations."""
+        return self._cheapest(choices)
 
     def links(self, qd: Sequence[Any], qdd: Sequence[Any], form: MomentForm = "second_moment") -> Moving:
         """The same, regrouped where the choice has it, chains of parallel joints turning as one."""

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol
 
 from robodyn.dynamics.limits import FEW_JOINTS
 from robodyn.dynamics.vectors import Mark
+from robodyn.errors import InputError
 
 if TYPE_CHECKING:
     from robodyn.dynamics.arm import Arm, Motion
@@ -129,9 +130,9 @@ class Dynamics(Protocol):
         """How its joints turn: parallel ones as one where that takes fewer operations."""
         ...
 
-    def cheapest(self, ways: Sequence[Vector]) -> Vector:
-        """Of several ways to write the same values the one that takes the fewest operations, beside what this
-        has chosen before; the first where operations are not counted."""
+    def cheapest(self, choices: Sequence[Sequence[Vector]]) -> Sequence[Vector]:
+        """Of several ways to write each of some vectors those that together take the fewest operations,
+        beside what this has chosen before; the first of each where operations are not counted."""
         ...
 
     def links(self, qd: Vector, qdd: Vector, form: MomentForm = "second_moment") -> Moving:
@@ -159,6 +160,10 @@ class Dynamics(Protocol):
     def mass_matrix(self) -> Sequence[Vector]:
         """Mass matrix ``[n][n]``, rotors included [kg m^2, kg m, kg]."""
         ...
+
+
+class NoSuchFunction(InputError):
+    """An arm does not have a function; ``found`` says why."""
 
 
 #: What must be equal, element by element.
@@ -189,9 +194,10 @@ class Function:
         function, nor has one with friction that depends on the accelerations.
     rigid: whether what it is checked by knows the rigid arm only. With drives that have effects it is
         compared with the plain recursion under the same drives, as all programs are, and with nothing else.
+    fuses: functions that it is the results of, one after another, see :mod:`robodyn.dynamics.fusing`.
     others: other ways to write ``outputs``; what is emitted is the one that takes the fewest operations.
     small: the same, for arms of few joints.
-    by_parts: how it is put together from its parts; None: as ``outputs`` has it.
+    by_parts: how it is put together from its parts; None: in any of the ways to write ``outputs``.
     drives: whether it depends on what drives do; if not, robots with effects have the rigid arm's.
     geometric: whether it is of the links' places and motion alone: drives and effects have no part in it.
     """
@@ -208,6 +214,7 @@ class Function:
     zeros: tuple[str, ...] | None = None
     solves: bool = False
     rigid: bool = False
+    fuses: tuple[Function, ...] = ()
     others: tuple[Callable[[Dynamics], Sequence[Any]], ...] = ()
     small: tuple[Callable[[Dynamics], Sequence[Any]], ...] = ()
     by_parts: Callable[[Dynamics], Sequence[Any]] | None = None
@@ -251,7 +258,7 @@ class Function:
     def searchable(self) -> bool:
         """Whether fewer operations are searched for, and recorded: not for what is made of other functions,
         and not for what divides again and again, whose terms have too many factors."""
-        return not self.parts and not self.solves
+        return not self.parts and not self.fuses and not self.solves
 
     @property
     def words(self) -> str:
@@ -262,6 +269,10 @@ class Function:
     def input_names(self) -> tuple[str, ...]:
         """Names of the inputs."""
         return tuple(array.name for array in self.inputs)
+
+    def compositions(self, n: int) -> tuple[Callable[[Dynamics], Sequence[Any]], ...]:
+        """All ways to put it together from its parts."""
+        return self.writings(n) if self.by_parts is None else (self.by_parts,)
 
     def writings(self, n: int) -> tuple[Callable[[Dynamics], Sequence[Any]], ...]:
         """All ways to write the outputs of ``n`` joints."""
