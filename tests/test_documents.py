@@ -6,7 +6,6 @@ import importlib
 import json
 import re
 import shlex
-import shutil
 import subprocess
 from collections.abc import Callable
 from pathlib import Path
@@ -26,6 +25,7 @@ from robodyn.kernels.generate import program as program_of
 from robodyn.robot import bundled_names, load
 from robodyn.thesis.other_tools import OPENSYMORO, PEERS
 from robodyn_cli.main import COMMANDS
+from robodyn_testing import require_machine, require_tool
 
 ROOT = Path(__file__).parents[1]
 DOCUMENTS = {
@@ -147,12 +147,10 @@ def test_every_command_shown_has_the_options_that_it_is_shown_with() -> None:
 @pytest.mark.thorough
 @pytest.mark.parametrize(("trig", "options"), [("builtin", ()), ("given", ()), ("libm", ())])
 def test_the_instructions_are_measured(trig: str, options: tuple[str, ...]) -> None:
-    for tool in ("valgrind", "gcc"):
-        if shutil.which(tool) is None:
-            pytest.skip(f"missing: {tool}")
-    version = subprocess.run(["gcc", "-dumpversion"], capture_output=True, text=True, check=True).stdout
-    if version.partition(".")[0].strip() != "12":
-        pytest.skip("missing: gcc 12, whose figures docs/kernels.md has")
+    require_tool("valgrind")
+    gcc = require_tool("gcc")
+    version = subprocess.run([gcc, "-dumpversion"], capture_output=True, text=True, check=True).stdout
+    require_machine(version.partition(".")[0].strip() == "12", "gcc 12, whose figures docs/kernels.md has")
     from benchmarks.instructions import measure
 
     text = DOCUMENTS["kernels.md"]

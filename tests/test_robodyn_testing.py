@@ -13,7 +13,15 @@ from pathlib import Path
 
 import pytest
 
-from robodyn_testing import covering, representative, require_module, require_tool, sampled, wanted
+from robodyn_testing import (
+    covering,
+    representative,
+    require_machine,
+    require_module,
+    require_tool,
+    sampled,
+    wanted,
+)
 
 TESTS = Path(__file__).parent
 HIDING = """
@@ -51,6 +59,14 @@ def test_what_is_missing_is_named(
         monkeypatch.setenv("CI", ci)
     with pytest.raises(outcome, match=r"^missing: (program|module) no_such_thing.*; .*install"):
         require("no_such_thing")
+
+
+@pytest.mark.parametrize("ci", ["", "true"])
+def test_what_no_package_brings_is_named_and_no_failure(ci: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("CI", ci)
+    require_machine(True, "a processor")
+    with pytest.raises(pytest.skip.Exception, match=r"^missing: a processor with three sines$"):
+        require_machine(False, "a processor with three sines")
 
 
 # --- collecting on a machine that lacks packages ------------------------------------------------------------

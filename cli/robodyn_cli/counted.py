@@ -35,6 +35,15 @@ def with_rigid(row: dict[str, Any], rigid: Count | None) -> dict[str, Any]:
     return row
 
 
+def fused_lines(counts: Mapping[str, Count], alone: Mapping[str, Sequence[Count]]) -> list[str]:
+    """What fused functions save, one line per function."""
+    return [
+        f"{function}: {counts[function].total} operations, {counts[function].sincos} sines and cosines; its "
+        f"parts alone take {sum(part.total for part in parts)} and {sum(part.sincos for part in parts)}"
+        for function, parts in alone.items()
+    ]
+
+
 def effect_lines(counts: Mapping[str, Count], rigid: Mapping[str, Count | None]) -> list[str]:
     """The operations that effects add to each function, one line per function."""
     lines = []

@@ -6,7 +6,15 @@ import click
 
 from robodyn_cli.common import echo_json, json_option, robot_argument
 from robodyn_cli.counted import effect_lines, lines, record, with_rigid
-from robodyn_cli.options import functions_option, listed, load, model_options, search_options
+from robodyn_cli.options import (
+    functions_option,
+    fuse_option,
+    listed,
+    load,
+    model_options,
+    search_options,
+    with_fused,
+)
 from robodyn_cli.pruned import prune_option, pruning_lines, pruning_progress, tolerance, with_pruning
 from robodyn_cli.searching import Search
 
@@ -14,6 +22,7 @@ from robodyn_cli.searching import Search
 @click.command()
 @robot_argument
 @functions_option("inverse_dynamics", "Functions to count, separated by commas, or all.")
+@fuse_option
 @click.option("--budget", metavar="KIND=N,...", help="Maximum operations, e.g. mul=208,add=152,total=360.")
 @model_options
 @search_options
@@ -22,6 +31,7 @@ from robodyn_cli.searching import Search
 def command(
     robot: str,
     functions: str,
+    fuse: tuple[str, ...],
     budget: str | None,
     formulation: str,
     optimize: str,
@@ -46,14 +56,14 @@ def command(
     from dataclasses import replace
 
     from robodyn.counts import Count, count, parse_budget
-    from robodyn.dynamics.functions import FUNCTIONS
+    from robodyn.dynamics.functions import FUNCTIONS, NoSuchFunction
     from robodyn.errors import CheckError
-    from robodyn.kernels.generate import NoForwardDynamics, Options, maker
+    from robodyn.kernels.generate import Options, maker
     from robodyn.optimize.programs import FORMULATIONS
     from robodyn.optimize.prune import Pruning
 
     limit = None if budget is None else parse_budget(budget)
-    chosen = tuple(FUNCTIONS) if functions == "all" else listed(functions)
+    chosen = with_fused(tuple(FUNCTIONS) if functions == "all" else listed(functions), fuse) or ()
     formulations = FORMULATIONS if formulation == "all" else (formulation,)
     options = Options(chosen, formulations[0], optimize, not no_regroup, engine=engine)  # type: ignore[arg-type]
     options = replace(options, prune=tolerance(prune))
@@ -70,9 +80,10 @@ def command(
             programs = maker(described, one, tell)
             try:
                 counts.append((f, form, count(programs.program(f))))
-            except NoForwardDynamics:
+            except NoSuchFunction:
                 if functions != "all":
                     raise
+                continue
             rigid[f, form] = programs.rigid_count(f)
             prunings.update({(name, form): pruning for name, pruning in programs.prunings.items()})
     if as_json:

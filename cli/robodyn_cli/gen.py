@@ -23,10 +23,19 @@ from robodyn_cli.common import (
     wrapped,
     write_files,
 )
-from robodyn_cli.counted import effect_lines, lines, record, with_rigid
+from robodyn_cli.counted import effect_lines, fused_lines, lines, record, with_rigid
 from robodyn_cli.firmware import firmware_option, for_firmware, write_firmware
 from robodyn_cli.languages import chosen_languages, language_option, tests_of, trig_for
-from robodyn_cli.options import functions_option, listed, load, model_options, search_options
+from robodyn_cli.options import (
+    functions_option,
+    fuse_option,
+    kernel_options,
+    listed,
+    load,
+    model_options,
+    search_options,
+    with_fused,
+)
 from robodyn_cli.pruned import prune_option, pruning_lines, pruning_progress, tolerance, with_pruning
 from robodyn_cli.searching import Search
 from robodyn_cli.targets import TargetOption
@@ -83,6 +92,7 @@ if TYPE_CHECKING:
     "separated by commas: {firmware}.  [default with --firmware: all]",
 )
 @functions_option()
+@fuse_option
 @click.option(
     "--misra",
     is_flag=True,
@@ -113,6 +123,7 @@ def command(
     contraction: str | None,
     target: str | None,
     functions: str | None,
+    fuse: tuple[str, ...],
     misra: bool,
     readable: bool,
     formulation: str,
@@ -143,7 +154,7 @@ def command(
     languages = chosen_languages(lang, compiled=compile_)
     if readable:
         optimize, order = _in_the_books_order(optimize, order, batch=batch)
-    options = _options(
+    options = kernel_options(
         None if firmware else target,
         {
             "scalar": scalar,
@@ -152,7 +163,7 @@ def command(
             "contraction": contraction,
             "objective": objective,
         },
-        functions=None if functions is None else listed(functions),
+        functions=with_fused(functions and listed(functions), fuse),
         formulation=formulation,
         optimize=optimize,
         regroup=not no_regroup,
@@ -222,30 +233,14 @@ def command(
         click.echo(line)
     for line in lines(described, [(f, f, formulation, c) for f, c in generated.counts.items()]):
         click.echo(line)
+    for line in fused_lines(generated.counts, generated.alone):
+        click.echo(line)
     for line in effect_lines(generated.counts, generated.rigid_counts):
         click.echo(line)
     for line in pruning_lines(generated.prunings):
         click.echo(line)
     for language, text in (built or {}).items():
         click.echo(f"{language}: {text}")
-
-
-def _options(target: str | None, chosen: dict[str, Any], **others: Any) -> Options:
-    """The options; those of ``chosen`` given on the command line override the defaults of ``target``."""
-    from click.core import ParameterSource
-
-    from robodyn.kernels.generate import Options
-
-    if target is None:
-        return Options(**chosen, **others)
-    context = click.get_current_context()
-    explicit = {
-        what: value
-        for what, value in chosen.items()
-        if context.get_parameter_source(what) is not ParameterSource.DEFAULT
-        or (what == "order" and others["readable"])
-    }
-    return Options.for_target(target, **explicit, **others)
 
 
 def _in_the_books_order(optimize: str, order: str, *, batch: bool) -> tuple[str, str]:

@@ -11,22 +11,10 @@ import click
 
 from robodyn.errors import InputError
 from robodyn_cli.common import echo_json, json_option, output_folder, printable, talk, write_files
-from robodyn_cli.simulate_options import Parameter
+from robodyn_cli.simulate_options import Argument, Parameter, Point
 
 if TYPE_CHECKING:
     from robodyn.formats.arm import Imported
-
-
-class Argument(click.ParamType[Any]):
-    """``name=text``."""
-
-    name = "text"
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        name, equals, text = value.partition("=")
-        if not equals:
-            self.fail(f"{value!r} is not NAME=VALUE", param, ctx)
-        return name.strip(), text
 
 
 @click.command()
@@ -54,6 +42,12 @@ class Argument(click.ParamType[Any]):
     metavar="RAD",
     help="Make angles of axes within RAD of a multiple of pi/2 exactly that, at most 0.01.",
 )
+@click.option(
+    "--gravity",
+    type=Point(),
+    metavar="X,Y,Z",
+    help="Gravity in the file's root frame, m/s^2; default: what the file says, else 0,0,-9.81.",
+)
 @click.option("--name", default="", metavar="NAME", help="Name of the robot; default: the one in the file.")
 @click.option("--strict", is_flag=True, help="Refuse inertias that no body has.")
 @click.option("-o", "--output", metavar="ARM.yaml", help="Output file; default: stdout.")
@@ -66,6 +60,7 @@ def command(
     lock: Sequence[tuple[str, float]],
     arg: Sequence[tuple[str, str]],
     snap: float,
+    gravity: tuple[float, float, float] | None,
     name: str,
     strict: bool,
     output: str | None,
@@ -96,6 +91,7 @@ def command(
         "locks": _unique(lock, "--lock"),
         "name": name,
         "arguments": _unique(arg, "--arg"),
+        "gravity": gravity,
         "strict": strict,
     }
     imported = import_arm(file, snap=snap, **options)

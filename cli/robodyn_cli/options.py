@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
@@ -13,6 +13,7 @@ from robodyn_cli.targets import TargetOption
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
 
+    from robodyn.kernels.generate import Options
     from robodyn.robot import Robot
 
 Command = TypeVar("Command", bound=Callable[..., Any])
@@ -193,6 +194,35 @@ def functions_option(default: str | None = None, text: str | None = None) -> Cal
     )
 
 
+def fuse_option(command: Command) -> Command:
+    """Add ``--fuse``, passed to the command as ``fuse: tuple[str, ...]``, see :func:`with_fused`."""
+    return click.option(
+        "--fuse",
+        metavar="A,B",
+        multiple=True,
+        help="Write A_and_B as well, which gives the results of both (or of more) and shares their work. "
+        "Without --functions nothing else is written.",
+    )(command)
+
+
+def with_fused(functions: Sequence[str] | None, fuse: Sequence[str]) -> tuple[str, ...] | None:
+    """``functions``, and those that ``--fuse`` asks for; None where nothing is asked for."""
+    from robodyn.dynamics.fusing import AND
+
+    if functions is None and not fuse:
+        return None
+    for text in fuse:
+        if len(listed(text)) < 2:
+            from robodyn.errors import InputError
+
+            raise InputError(
+                "one function alone cannot be fused",
+                found=f"--fuse {text}",
+                expected="two or more: --fuse a,b",
+            )
+    return (*(functions or ()), *(AND.join(listed(text)) for text in fuse))
+
+
 def _joined(ctx: click.Context, param: click.Parameter, value: tuple[str, ...] | None) -> str | None:
     """``--functions a --functions b,c`` as ``a,b,c``."""
     return ",".join(value) if value else None
@@ -216,3 +246,21 @@ def one_function(functions: str) -> str:
             remedy="run it once for each",
         )
     return names[0]
+
+
+def kernel_options(target: str | None, chosen: dict[str, Any], **others: Any) -> Options:
+    """The options; those of ``chosen`` given on the command line override the defaults of ``target``."""
+    from click.core import ParameterSource
+
+    from robodyn.kernels.generate import Options
+
+    if target is None:
+        return Options(**chosen, **others)
+    context = click.get_current_context()
+    explicit = {
+        what: value
+        for what, value in chosen.items()
+        if context.get_parameter_source(what) is not ParameterSource.DEFAULT
+        or (what == "order" and others["readable"])
+    }
+    return Options.for_target(target, **explicit, **others)

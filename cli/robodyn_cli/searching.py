@@ -102,11 +102,11 @@ class Search:
 
 
 def _searchable(functions: Sequence[str], level: str) -> list[str]:
-    """The functions to search for, without those composed of others. The other torques follow from the
+    """The functions to search for. The other torques follow from the
     inverse dynamics if it is among them, and formulation variants exist for the inverse dynamics only."""
     from robodyn.dynamics.functions import function_named, recursion
 
-    wanted = [f for f in functions if not function_named(f).parts]
+    wanted = [f for f in functions if function_named(f).searchable]
     if recursion().name in wanted:
         others = [f for f in wanted if not function_named(f).gives_torques]
         wanted = [recursion().name, *(others if level == "full" else [])]

@@ -60,16 +60,38 @@ class Line(_Type):
         return tuple(points)
 
 
-class Parameter(_Type):
-    """``name=value``."""
+class Argument(_Type):
+    """``name=text``."""
 
-    name = "parameter"
+    name = "argument"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         name, equals, text = value.partition("=")
         if not equals:
             self.fail(f"{value!r} is not NAME=VALUE", param, ctx)
-        return name.strip(), Numbers(single=True).convert(text, param, ctx)
+        return name.strip(), text
+
+
+class Parameter(Argument):
+    """``name=value``, a number."""
+
+    name = "parameter"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        name, text = super().convert(value, param, ctx)
+        return name, Numbers(single=True).convert(text, param, ctx)
+
+
+class Point(_Type):
+    """``x,y,z``."""
+
+    name = "point"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        point = Numbers().convert(value, param, ctx)
+        if len(point) != 3:
+            self.fail(f"{value!r} is not x,y,z", param, ctx)
+        return point
 
 
 ONE, POSITIVE, SIZE = Numbers(single=True), Numbers("positive", single=True), Numbers("size", single=True)

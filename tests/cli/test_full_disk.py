@@ -17,7 +17,7 @@ from robodyn.errors import InputError, OutputError
 from robodyn.files import cannot_write
 from robodyn_cli.common import write_files
 from robodyn_cli.main import main
-from robodyn_testing import require_module
+from robodyn_testing import require_machine, require_module
 
 Capture = pytest.CaptureFixture[str]
 
@@ -126,16 +126,13 @@ def test_a_limit_of_the_system(command: str, here: Path) -> None:
     assert limited(command, 1 << 20).returncode == 0
 
 
-@pytest.mark.skipif(
-    not hasattr(os, "geteuid") or os.geteuid() != 0 or not sys.platform.startswith("linux"),
-    reason="a disk of 64 KiB takes a root user under Linux",
-)
 def test_a_disk_that_is_small(here: Path, capsys: Capture) -> None:
+    root = sys.platform.startswith("linux") and os.geteuid() == 0
+    require_machine(root, "root under Linux, for a disk of 64 KiB")
     disk = here / "disk"
     disk.mkdir()
     mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=64k", "none", str(disk)], check=False)
-    if mounted.returncode:
-        pytest.skip("nothing may be mounted here")
+    require_machine(mounted.returncode == 0, "the right to mount a disk")
     try:
         (disk / "rest").write_bytes(bytes(60_000))
         assert main(["gen", "stanford_3dof", "-o", str(disk / "out")]) == 74

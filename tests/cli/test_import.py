@@ -72,6 +72,7 @@ def test_nothing_is_overwritten_unasked(arm: Path, capsys: pytest.CaptureFixture
         (["--lock", "two=0", "--lock", "two=1"], "--lock has two values of one name; found two"),
         (["--arg", "x=1"], "arguments are for xacro files"),
         (["--name", "double"], "the robot's name is a keyword of C; found 'double'"),
+        (["--gravity", "0,-9.81"], "'0,-9.81' is not x,y,z"),
         (["--snap", "1"], "Invalid value for '--snap'"),
     ],
 )

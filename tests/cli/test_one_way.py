@@ -4,7 +4,6 @@ count for every command and for the library, and ``--optimize fast`` leaves them
 from __future__ import annotations
 
 import json
-import shutil
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -20,12 +19,17 @@ from robodyn.ir.evaluate import evaluate
 from robodyn.optimize.records import FOLDER, Record
 from robodyn.search.improve import write_record
 from robodyn_cli.main import main
+from robodyn_testing import require_tool
 
 Capture = pytest.CaptureFixture[str]
 ROBOT = arm(ELBOW + "friction_at_rest: exact\n")
 LIMITS = "qd=1,qdd=1,q=-pi:pi"
 
-needs_cc = pytest.mark.skipif(shutil.which("cc") is None, reason="no C compiler")
+
+@pytest.fixture
+def cc() -> str:
+    """A C compiler."""
+    return require_tool("cc")
 
 
 @pytest.fixture
@@ -75,7 +79,7 @@ def test_every_command_looks_at_the_records(
     assert not Path("out").exists()
 
 
-@needs_cc
+@pytest.mark.usefixtures("cc")
 @pytest.mark.parametrize(
     "command",
     [c for c in COMMANDS if c[0] not in ("plan", "simulate", "bench")],
@@ -105,7 +109,7 @@ def evaluated(program: Program, at: Sequence[Sequence[float]]) -> NDArray[np.flo
     return np.array(evaluate(program, inputs)["tau"])
 
 
-@needs_cc
+@pytest.mark.usefixtures("cc")
 def test_compiled_kernels_are_those_that_are_written(with_record: Path) -> None:
     """The library that is compiled and loaded has the same source; a batch of one state the same bits."""
     robot = robodyn.load("elbow.yaml")
@@ -118,7 +122,7 @@ def test_compiled_kernels_are_those_that_are_written(with_record: Path) -> None:
     assert (kernel.batch(*([row] for row in at)) == torques[0]).all()
 
 
-@needs_cc
+@pytest.mark.usefixtures("cc")
 @pytest.mark.parametrize("scalar", ["float", "double"])
 def test_what_is_proved_is_what_is_written(with_record: Path, scalar: str, capsys: Capture) -> None:
     options = ["--scalar", scalar, "--trig", "builtin", "--functions", "inverse_dynamics,gravity"]

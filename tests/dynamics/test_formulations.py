@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from dynamics.direct import NO_SHRINKING, Recorder, State, exact_arm
 from ir.programs import Point, every_value, exactly
 from robodyn import Options, load, program
-from robodyn.dynamics.functions import FUNCTIONS
+from robodyn.dynamics.functions import by_default, function_named
 from robodyn.dynamics.lump import MomentForm
 from robodyn.dynamics.modified_newton_euler import modified_newton_euler
 from robodyn.dynamics.newton_euler import newton_euler
@@ -26,6 +26,7 @@ from robodyn.passes import FRESH, run
 from robodyn.robot import Robot, bundled_names
 from robodyn.robot.values import circle_point
 from robodyn.verify.exact import exact_torque
+from robodyn_testing.functions import OF_ANY_ARM
 
 ARMS = [exact_arm(seed, joints=1 + seed % 9) for seed in range(14)]
 FORMS: tuple[MomentForm, ...] = ("inertia", "second_moment")
@@ -160,7 +161,7 @@ def test_programs_of_the_bundled_robots_give_what_the_recursion_gives(name: str)
         assert exactly(build(robot, "inverse_dynamics", choice), state.at)["tau"] == expected, choice
 
 
-@pytest.mark.parametrize("function", FUNCTIONS)
+@pytest.mark.parametrize("function", OF_ANY_ARM)
 @pytest.mark.parametrize("choice", CHOICES)
 def test_every_named_value_is_the_quantity_of_that_name(choice: str, function: str) -> None:
     """``w3_x`` in the emitted code is the x component of link 3's angular velocity, with its sign.
@@ -172,7 +173,8 @@ def test_every_named_value_is_the_quantity_of_that_name(choice: str, function: s
     for robot in robots:
         state = State(robot, Point(4))
         recorder = Recorder()
-        arm = slid(state.arm) if CHOICES[choice].regroup else state.arm
+        regrouped_arm = CHOICES[choice].regroup and not function_named(function).geometric
+        arm = slid(state.arm) if regrouped_arm else state.arm
         state.outputs(function, CHOICES[choice], recorder.mark, arm)
         made = run(build(robot, function, CHOICES[choice]), FRESH)
         seen = 0
@@ -181,7 +183,7 @@ def test_every_named_value_is_the_quantity_of_that_name(choice: str, function: s
                 known = recorder.values[label._replace(negative=False)]
                 assert (-value if label.negative else value) in known, (robot.name, str(label))
                 seen += 1
-        assert seen >= robot.n - 1
+        assert seen >= (robot.n - 1 if len(made.operations) > 20 else 1)
 
 
 @pytest.mark.parametrize("choice", [name for name in CHOICES if name != "newton_euler"])
@@ -225,7 +227,7 @@ def test_a_formulation_or_function_must_be_known() -> None:
 
 def test_signatures() -> None:
     robot = bundled("stanford_3dof")
-    shapes = {f: (signature(robot, f).inputs, signature(robot, f).outputs) for f in FUNCTIONS}
+    shapes = {f: (signature(robot, f).inputs, signature(robot, f).outputs) for f in by_default()}
     q, qd, qdd, tau = (("q", 3), ("qd", 3), ("qdd", 3), ("tau", 3))
     assert shapes == {
         "inverse_dynamics": ((q, qd, qdd), (tau,)),

@@ -50,8 +50,8 @@ def test_such_a_question_is_found() -> None:
 def test_what_is_unknown_is_an_error_that_says_what_there_is() -> None:
     with pytest.raises(InputError, match=r"unknown function 'bais'; expected one of .*mean 'bias'\?"):
         function_named("bais")
-    with pytest.raises(InputError, match="unknown array 'V'; expected one of q, qd, qdd, tau, sc, M"):
-        array_named("V")
+    with pytest.raises(InputError, match="unknown array 'Z'; expected one of q, qd, qdd, tau, sc, M"):
+        array_named("Z")
 
 
 def test_torques_by_what_is_zero() -> None:

@@ -12,17 +12,20 @@ import pytest
 from dynamics.direct import exact_arm
 from ir.programs import Point, exactly
 from robodyn import Options, program
-from robodyn.dynamics.functions import FUNCTIONS
+from robodyn.dynamics.functions import by_default
 from robodyn.dynamics.joints import smoothed_sign
 from robodyn.ir import Input, Operation, Program
 from robodyn.ir.evaluate import evaluate
 from robodyn.ir.fingerprint import fingerprint
 from robodyn.robot import Robot, fold_rotor, read_text
 from robodyn.robot.values import circle_point
+from robodyn_testing.functions import OF_ANY_ARM
 
 ARMS = [exact_arm(seed, joints=3, motors=0, friction=0) for seed in range(40, 44)]
 MOTOR, VISCOUS, COULOMB = (Fraction(x) for x in ("1.7", "0.9", "2.3"))
 SIGN = Program((Operation("sign", (Input("x", None),)),), (("t", (0,)),))
+#: Functions that drives have no part in.
+WITHOUT_DRIVES = ("gravity", "potential_energy", "coriolis", "momentum_observer_term")
 WAYS = (Options(), Options(regroup=False, optimize="none"), Options(formulation="newton_euler"))
 
 
@@ -78,7 +81,7 @@ def test_friction_at_rest_is_nothing_and_changes_sign_with_the_velocity() -> Non
         assert found[1] - without[1] == way * COULOMB
 
 
-@pytest.mark.parametrize("function", FUNCTIONS)
+@pytest.mark.parametrize("function", OF_ANY_ARM)
 def test_torques_of_the_links_side_have_neither_rotor_nor_friction(function: str) -> None:
     for bare in ARMS:
         robot = bare
@@ -105,9 +108,9 @@ links:
     behind = read_text(text.format(side="link", drive=drive))
     bare = read_text(text.format(side="motor", drive=""))
     front = read_text(text.format(side="motor", drive=drive))
-    for function in FUNCTIONS:
+    for function in by_default():
         assert same_program(behind, bare, function)
-        assert same_program(behind, front, function) is (function == "gravity")
+        assert same_program(behind, front, function) is (function in WITHOUT_DRIVES), function
 
 
 def test_a_rotor_is_on_the_diagonal_of_the_mass_matrix() -> None:

@@ -11,9 +11,9 @@ from hypothesis import strategies as st
 from dynamics.direct import NO_SHRINKING, exact_arm, values_of, with_named_numbers
 from ir.programs import Point, exactly
 from robodyn import Options, load, program
-from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.ir import Input
 from robodyn.robot import Robot, read_text
+from robodyn_testing.functions import OF_ANY_ARM
 
 TOOL = """
 name: gripper
@@ -45,7 +45,7 @@ def filled(words: dict[str, str]) -> Robot:
 
 
 @pytest.mark.parametrize("regroup", [True, False])
-@pytest.mark.parametrize("function", FUNCTIONS)
+@pytest.mark.parametrize("function", OF_ANY_ARM)
 def test_every_kind_of_number_may_be_a_name(function: str, regroup: bool) -> None:
     named, plain = filled(NAMES), filled(NUMBERS)
     assert sorted(named.parameters) == sorted(NAMES.values())
@@ -69,7 +69,7 @@ def test_arithmetic_with_names() -> None:
 
 
 @settings(deadline=None, max_examples=15, phases=NO_SHRINKING)
-@given(st.integers(0, 10**6), st.integers(1, 4), st.integers(1, 2**32), st.sampled_from(sorted(FUNCTIONS)))
+@given(st.integers(0, 10**6), st.integers(1, 4), st.integers(1, 2**32), st.sampled_from(sorted(OF_ANY_ARM)))
 def test_any_choice_of_names_gives_what_the_numbers_give(
     seed: int, n: int, which: int, function: str
 ) -> None:

@@ -14,7 +14,7 @@ import pytest
 from emit.kernels import STRICT, STRICT_CPP, complaints, in_single, made, robots, together, write
 from robodyn.emit.batch import batch_files
 from robodyn.errors import InputError
-from robodyn_testing import covering, representative, require_tool
+from robodyn_testing import covering, representative, require_machine, require_tool
 
 #: Inputs that nothing reads, parameters with the names of other things, every operation that is a call.
 SOME = ("puma560", "ghosts", "lift", "tool", "confusing", "effects_rubbing", "effects_sliding", "smooth")
@@ -62,8 +62,8 @@ def test_clean(compiler: str, flags: tuple[str, ...], width: int, folder: Path) 
 def test_clean_optimised(compiler: str, more: tuple[str, ...], tmp_path: Path) -> None:
     if "-fopenmp" in more and compiler == "clang":
         more = ("-fopenmp=libgomp",)  # without libomp there is nothing to share, and nothing to say
-    if any(flag.startswith("-mavx") for flag in more) and os.uname().machine != "x86_64":
-        pytest.skip("AVX is for x86-64")
+    if any(flag.startswith("-mavx") for flag in more):
+        require_machine(os.uname().machine == "x86_64", "an x86-64 processor, for AVX")
     write(tmp_path, made("stanford_3dof").files(("c",), batch=True))
     flags = (*STRICT, "-O2", *more)
     assert complaints(require_tool(compiler), flags, ["stanford_3dof_batch.c"], tmp_path) == ""

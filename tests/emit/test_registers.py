@@ -18,7 +18,7 @@ from robodyn.kernels.kernel import load as compiled
 from robodyn.passes.registers import registers
 from robodyn.robot import load
 from robodyn.robot.values import circle_point
-from robodyn_testing import covering, require_tool, sampled
+from robodyn_testing import covering, require_module, require_tool, sampled
 
 ROBOTS = ("puma560", "stanford", "puma560_3dof")
 
@@ -57,7 +57,7 @@ def test_both_orders_give_the_same_bits(robot: str, language: str, scalar: str) 
 @pytest.mark.parametrize("trig", ["builtin", "given"])
 @pytest.mark.parametrize("place", ["qd", "qdd", "q"])
 def test_torques_may_take_the_place_of_an_input(robot: str, trig: str, place: str) -> None:
-    cffi = pytest.importorskip("cffi")
+    cffi = require_module("cffi")
     if trig == "given" and place == "q":
         return
     found = made(robot, trig=trig, functions=("inverse_dynamics",))

@@ -17,7 +17,7 @@ import pytest
 from robodyn.emit.trig import DOUBLE, FLOAT, Trigonometric
 from robodyn.kernels.generate import Generated, Options, generate
 from robodyn.robot import load
-from robodyn_testing import require_tool
+from robodyn_testing import require_machine, require_tool
 
 SCALARS = ("double", "float")
 TYPES: dict[str, type[np.floating[Any]]] = {"double": np.float64, "float": np.float32}
@@ -172,8 +172,8 @@ _FLAGS = [("-O0",), ("-O3", "-ffp-contract=off"), ("-O2", "-march=x86-64-v3"), (
 def test_bits_do_not_depend_on_the_compiler(
     flags: tuple[str, ...], cc: str, case: tuple[str, Pair], tmp_path: Path
 ) -> None:
-    if "-march=x86-64-v4" in flags and "avx512vl" not in Path("/proc/cpuinfo").read_text():
-        pytest.skip("this CPU has no AVX-512")
+    if "-march=x86-64-v4" in flags:
+        require_machine("avx512vl" in Path("/proc/cpuinfo").read_text(), "a processor with AVX-512")
     scalar, pair = case
     x = np.random.default_rng(1).uniform(-OF[scalar].limit, OF[scalar].limit, 20_001)
     for one, other in zip(pair(x), compiled(tmp_path, scalar, *flags, cc=cc)(x), strict=True):
@@ -181,8 +181,7 @@ def test_bits_do_not_depend_on_the_compiler(
 
 
 def test_fused_products_stay_as_accurate(tmp_path: Path) -> None:
-    if " fma " not in Path("/proc/cpuinfo").read_text():
-        pytest.skip("this CPU has no fused multiply-add")
+    require_machine(" fma " in Path("/proc/cpuinfo").read_text(), "a processor that fuses products and sums")
     pair = compiled(tmp_path, "double", "-O2", "-march=x86-64-v3", "-ffp-contract=fast")
     x = np.random.default_rng(2).uniform(-DOUBLE.exact, DOUBLE.exact, 5000)
     with mpmath.workprec(120):

@@ -16,7 +16,7 @@ from robodyn.firmware.sine import kernel_sine
 from robodyn.firmware.states import draw, ranges, vector_states
 from robodyn.firmware.vectors import Unconfirmed, vectors
 from robodyn.ir.program import Input, Program
-from robodyn_testing import representative, require_module, require_tool
+from robodyn_testing import representative, require_machine, require_module, require_tool
 
 ALL = ("inverse_dynamics", "gravity", "bias", "mass_matrix", "forward_dynamics")
 VECTOR, DIGEST, GUARD = 1, 2, 4
@@ -95,8 +95,8 @@ def test_a_single_last_digit_is_noticed(tmp_path: Path) -> None:
 def test_contraction_changes_bits_and_no_more(tmp_path: Path) -> None:
     gcc = require_tool("gcc")
     write(tmp_path, folder("puma560", "float").files)
-    if run([gcc, "-march=native", "-dM", "-E", "-"], tmp_path)[1].count("__FMA__") == 0:
-        pytest.skip("this processor has no fused multiply-add")
+    fused = "__FMA__" in run([gcc, "-march=native", "-dM", "-E", "-"], tmp_path)[1]
+    require_machine(fused, "a processor that fuses products and sums")
     assert host(gcc, "puma560", tmp_path, "-march=native", "-ffp-contract=fast")[0] == DIGEST
 
 
@@ -164,8 +164,7 @@ def test_rounding_stays_within_its_bound(name: str, function: str, scalar: str) 
 def in_extended_precision(program: Program, inputs: dict[Input, np.ndarray]) -> np.ndarray:
     from robodyn.ir.evaluate import evaluate
 
-    if np.finfo(np.longdouble).nmant < 60:
-        pytest.skip("numpy has no extended precision here")
+    require_machine(np.finfo(np.longdouble).nmant >= 60, "extended precision in numpy")
     extended = {name: x.astype(np.longdouble) for name, x in inputs.items()}
     functions = {"sin": np.sin, "cos": np.cos, "sqrt": np.sqrt, "abs": np.abs, "sign": np.sign}
 

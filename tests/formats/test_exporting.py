@@ -10,11 +10,13 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from robodyn import program
 from robodyn.errors import InputError
 from robodyn.formats.arm import import_arm
 from robodyn.formats.chain import Chain
 from robodyn.formats.exporting import TARGETS, export_arm
 from robodyn.formats.frames import description_of
+from robodyn.ir.evaluate import evaluate
 from robodyn.robot import bundled_names, load, read_text
 from robodyn.robot.model import Gear, Limits, Robot
 from robodyn.robot.numbers import shortest
@@ -223,7 +225,8 @@ def test_pinocchio_reads_any_name(tmp_path: Path) -> None:
 def test_what_a_format_cannot_say_is_listed() -> None:
     text = (
         "name: arm\nlinks:\n  - {joint: revolute, confidence: 0.3, gear: {ratio: 9, torque_constant: 2},\n"
-        "     effects: [{effect: spring, stiffness: 3}]}\nfriction_at_rest: {smooth: {velocity: 1e-3}}\n"
+        "     effects: [{effect: spring, stiffness: 3, cubic: 1}]}\n"
+        "friction_at_rest: {smooth: {velocity: 1e-3}}\n"
     )
     for to in TARGETS:
         missing = export_arm(read_text(text), to).missing
@@ -232,6 +235,33 @@ def test_what_a_format_cannot_say_is_listed() -> None:
     assert "gravity, 0 0 -9.8 m/s^2" in "; ".join(export_arm(load("puma560"), "urdf").missing)
     assert "limits of velocity" in "; ".join(export_arm(load("puma560"), "mjcf").missing)
     assert "rotor inertias" in export_arm(load("puma560"), "sdf").missing
+
+
+def test_springs_are_what_mujoco_makes_of_them(tmp_path: Path) -> None:
+    mujoco = require_module("mujoco")
+    text = (
+        "name: arm\nlinks:\n  - {joint: revolute, mass: 1, inertia: {xx: 1, yy: 1, zz: 1},\n"
+        "     effects: [{effect: spring, stiffness: 3, rest: 0.2}]}\n"
+        "  - {joint: prismatic, alpha: pi/2, mass: 2, inertia: {xx: 1, yy: 1, zz: 1},\n"
+        "     effects: [{effect: spring, stiffness: 40}]}\n"
+    )
+    robot = read_text(text)
+    path = exported(robot, "mjcf", tmp_path)
+    model = mujoco.MjModel.from_xml_path(str(path))
+    data = mujoco.MjData(model)
+    kernel = program(robot, "inverse_dynamics")
+    for q, qd, qdd in states(robot):
+        data.qpos[:], data.qvel[:], data.qacc[:] = q, qd, qdd
+        mujoco.mj_inverse(model, data)
+        values = {"q": q, "qd": qd, "qdd": qdd}
+        tau = evaluate(kernel, {x: float(values[x.array][x.index or 0]) for x in kernel.inputs()})["tau"]
+        assert same(np.array(tau, dtype=float), data.qfrc_inverse)
+    for to in ("mjcf", "sdf"):
+        assert export_arm(robot, to).missing == ()
+        again = import_arm(exported(robot, to, tmp_path))
+        assert again.robot.effects == robot.effects
+        assert not [part.what for part in again.unused if "spring" in part.what]
+    assert export_arm(robot, "urdf").missing == ("springs: link1, link2",)
 
 
 def test_a_load_is_in_the_last_link(tmp_path: Path) -> None:

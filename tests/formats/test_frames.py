@@ -59,7 +59,7 @@ def longest(robot: Robot) -> float:
     return max(abs(float(x)) for j in joints for x in (j.a, j.b, j.d))  # type: ignore[arg-type]
 
 
-def compare(chain: Chain, dynamics: Any, robot: Robot, seed: int = 0, tolerance: float = 1e-10) -> None:
+def check_beside(chain: Chain, dynamics: Any, robot: Robot, seed: int = 0, tolerance: float = 1e-10) -> None:
     """Inverse dynamics, mass matrix and forward dynamics of ``dynamics`` beside Pinocchio's, and the tip."""
     pin = require_module("pinocchio")
     model = pinocchio_model(chain)
@@ -86,7 +86,7 @@ def test_random_chains_are_what_pinocchio_makes_of_them(seed: int) -> None:
     robot = description_of(chain)
     reach = sum(math.hypot(*joint.pose.xyz) for joint in chain.joints) + math.hypot(*chain.tool.xyz)
     assert longest(robot) <= 2 * reach
-    compare(chain, Reference(robot), robot, seed)
+    check_beside(chain, Reference(robot), robot, seed)
     assert read_text(to_yaml(robot), warn=lambda _: None) == robot
 
 
@@ -94,7 +94,7 @@ def test_random_chains_are_what_pinocchio_makes_of_them(seed: int) -> None:
 def test_kernels_of_chains(seed: int) -> None:
     chain = random_chain(seed, 6)
     robot = description_of(chain)
-    compare(chain, robodyn.compile(robot, optimize="fast"), robot, seed)
+    check_beside(chain, robodyn.compile(robot, optimize="fast"), robot, seed)
 
 
 # --- the same arm in other frames -------------------------------------------------------------------------
@@ -238,7 +238,7 @@ def test_no_frame_of_a_calibrated_arm_is_far_away(seed: int) -> None:
     robot = description_of(chain)
     assert longest(robot) < 0.5
     assert any(link.joint.b for link in robot.links)
-    compare(chain, Reference(robot), robot)
+    check_beside(chain, Reference(robot), robot)
 
 
 def test_float_kernels_of_a_calibrated_arm() -> None:

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from robodyn.errors import InputError
+from robodyn.formats.chain import Spring
 from robodyn.formats.elements import parse
 from robodyn.formats.mjcf import read_tree
 from robodyn.formats.serial import Serial, serial_chain
@@ -133,6 +134,13 @@ def test_actuators_are_gears_and_limits_of_torque() -> None:
     assert first.motor_inertia == 10
     assert second.gear is None
     assert second.limits.torque == 40
+
+
+def test_a_spring_is_slack_where_the_file_says() -> None:
+    joint = '<joint name="i" ref="0.1" springref="0.2" stiffness="3"/>'
+    read = tree(mjcf(f'<body name="a">{joint}{SOLID}</body>', '<compiler angle="radian"/>'))
+    assert [joint.spring for joint in read.joints if joint.name == "i"] == [Spring(3.0, 0.2)]
+    assert not [part.what for part in read.unused if "spring" in part.what]
 
 
 def test_joints_that_follow_and_loops() -> None:

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from robodyn.errors import InputError
+from robodyn.formats.chain import Spring
 from robodyn.formats.elements import parse
 from robodyn.formats.positions import Positions
 from robodyn.formats.sdf import read_tree
@@ -159,12 +160,19 @@ def test_what_is_not_used_is_listed() -> None:
     text = sdf(
         A.replace("<inertial>", '<visual name="v"/><inertial auto="true">')
         + B
-        + J.replace("</dynamics>", "<spring_stiffness>3</spring_stiffness></dynamics>")
+        + J
         + '<plugin name="p" filename="f"/>'
     )
     assert [part.what for part in tree(text).unused] == [
-        "plugins", "visual geometry", "'auto' of <inertial>", "springs of joints",
+        "plugins", "visual geometry", "'auto' of <inertial>",
     ]  # fmt: skip
+
+
+def test_springs_of_joints() -> None:
+    spring = "<spring_reference>0.2</spring_reference><spring_stiffness>3</spring_stiffness></dynamics>"
+    read = tree(sdf(A + B + J.replace("</dynamics>", spring)))
+    assert [joint.spring for joint in read.joints if joint.name == "j"] == [Spring(3.0, 0.2)]
+    assert not read.unused
 
 
 LOOP = J.replace('"j"', '"k"').replace("<parent>a", "<parent>world")

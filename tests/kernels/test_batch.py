@@ -21,7 +21,7 @@ from robodyn.errors import InputError
 from robodyn.ir.signature import Signature
 from robodyn.kernels.kernel import Kernel, load
 from robodyn.toolchain.compiler import C_FLAGS
-from robodyn_testing import covering, representative, require_module, require_tool
+from robodyn_testing import covering, representative, require_machine, require_module, require_tool
 from robodyn_testing.random_robots import random_states
 
 Array = NDArray[Any]
@@ -323,8 +323,7 @@ def _in_a_child(given: list[Array]) -> Array:
 
 
 def test_a_forked_child_makes_threads_of_its_own() -> None:
-    if "fork" not in multiprocessing.get_all_start_methods():
-        pytest.skip("this system does not fork")
+    require_machine("fork" in multiprocessing.get_all_start_methods(), "a system that forks")
     made = kernel("puma560")
     given = inputs(made, "inverse_dynamics", states("puma560", 5000))
     wanted = made.batch(*given, threads=2)

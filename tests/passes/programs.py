@@ -11,7 +11,7 @@ from hypothesis import reject
 from dynamics.direct import exact_arm
 from ir.programs import Point, results
 from robodyn import load
-from robodyn.dynamics.functions import FUNCTIONS
+from robodyn.dynamics.functions import by_default
 from robodyn.ir import Program
 from robodyn.kernels.generate import SingularArm
 from robodyn.optimize.programs import Choice, build
@@ -29,7 +29,7 @@ def real_programs() -> list[Program]:
     robots = [load("stanford_3dof"), exact_arm(3, joints=4), exact_arm(5, joints=3, prismatic=0.7)]
     for robot in robots:
         for choice in CHOICES:
-            for function in FUNCTIONS:
+            for function in by_default():
                 try:
                     found.append(build(robot, function, choice))
                 except (SingularArm, ZeroDivisionError):

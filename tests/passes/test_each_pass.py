@@ -15,11 +15,11 @@ from ir.programs import EXACT, Point, programs, results
 from passes.programs import CHOICES, REAL, check_straight, name_of, ops
 from robodyn import load
 from robodyn.counts import count
-from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.ir import Graph, Input, Label, Operation, Program
 from robodyn.ir.lowering import lower
 from robodyn.optimize.programs import Choice, build
 from robodyn.passes import FRESH, cse, dce, factor, fold, negate, order, run
+from robodyn_testing.functions import OF_ANY_ARM
 
 A, B, C, X, Y = (Input(name, None) for name in "abcxy")
 
@@ -174,7 +174,7 @@ def test_signs_move_and_operations_stay(made: Program) -> None:
     assert count(after).add == count(merged).add
 
 
-@pytest.mark.parametrize("function", FUNCTIONS)
+@pytest.mark.parametrize("function", OF_ANY_ARM)
 def test_choosing_signs_leaves_fewer_minuses(function: str) -> None:
     """Than where every value is computed with the sign that it happens to have, a named quantity that stands
     with its sign reversed counting for a third of a minus."""

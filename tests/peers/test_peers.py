@@ -61,7 +61,7 @@ def check(robot: Robot, refs: Sequence[Reference], functions: Sequence[str], **o
 
 @pytest.mark.parametrize("name", PEERS)
 def test_peer_is_installed(name: str) -> None:
-    require_module(name)
+    assert require_module(name).__name__ == name
 
 
 @pytest.mark.parametrize("chunk", range(RANDOM_ROBOTS // (2 * CHUNK)))

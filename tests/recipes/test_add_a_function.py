@@ -1,4 +1,4 @@
-"""The recipe "Add a function" of CONTRIBUTING.md, carried out in a copy of the package: kinetic energy."""
+"""The recipe "Add a function" of CONTRIBUTING.md, carried out in a copy of the package: a power."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from robodyn.robot import load, read_text
 from robodyn.verify import Reference
 from robodyn_testing import require_tool
 
-FILE = "codegen/robodyn/dynamics/functions/kinetic_energy.py"
+FILE = "codegen/robodyn/dynamics/functions/accelerating_power.py"
 
 #: Drives with all that the rigid arm does not have: losses, memory, a motor that drives two joints, a name.
 LOADED = """\
@@ -73,8 +73,8 @@ def answers(copy: Copy, *commands: str) -> list[dict[str, object]]:
     return answered
 
 
-def test_the_kernels_give_half_the_square(copy: Copy) -> None:
-    """C and Fortran, one state, many, a batch, in Python: ``qd^T M qd / 2`` with the reference's ``M``."""
+def test_the_kernels_give_the_product(copy: Copy) -> None:
+    """C and Fortran, one state, many, a batch, in Python: ``qd^T M qdd`` with the reference's ``M``."""
     script = textwrap.dedent("""
         import json, sys, warnings
         import numpy as np, robodyn
@@ -84,98 +84,102 @@ def test_the_kernels_give_half_the_square(copy: Copy) -> None:
             robot = robodyn.load(name)
             params = {"m_1": 1.5} if robot.parameters else None
             random = np.random.default_rng(7)
-            q, qd = random.uniform(-2, 2, (2, 40, robot.n))
-            made = {"functions": ["kinetic_energy"], "trig": "builtin", "cache": "cache", "mode": "abi"}
+            q, qd, qdd = random.uniform(-2, 2, (3, 40, robot.n))
+            made = {"functions": ["accelerating_power"], "trig": "builtin", "cache": "cache", "mode": "abi"}
             c = robodyn.compile(robot, **made)
-            energy = c.kinetic_energy(q, qd, params=params)
-            told[name] = energy.tolist()
-            one = c.kinetic_energy(q[3], qd[3], params=params)
-            assert one.shape == () and one == energy[3]
-            work = c.workspace("kinetic_energy", params)
-            work.q, work.qd = q[3], qd[3]
+            power = c.accelerating_power(q, qd, qdd, params=params)
+            told[name] = power.tolist()
+            one = c.accelerating_power(q[3], qd[3], qdd[3], params=params)
+            assert one.shape == () and one == power[3]
+            work = c.workspace("accelerating_power", params)
+            work.q, work.qd, work.qdd = q[3], qd[3], qdd[3]
             work()
-            assert work.E == one
+            assert work.power == one
             if name in ("stanford", "loaded.yaml"):
                 fortran = robodyn.compile(robot, language="fortran", **made)
-                assert np.array_equal(energy, fortran.kinetic_energy(q, qd, params=params))
-                assert np.array_equal(energy, c.batch(q, qd, function="kinetic_energy", params=params))
-        assert "E: [] or [N], double; energy, J" in c.kinetic_energy.__doc__
+                assert np.array_equal(power, fortran.accelerating_power(q, qd, qdd, params=params))
+                batch = c.batch(q, qd, qdd, function="accelerating_power", params=params)
+                assert np.array_equal(power, batch)
+        assert "power: [] or [N], double; power, W" in c.accelerating_power.__doc__
         print(json.dumps(told))
     """)
     told = json.loads(copy.python("-c", script).splitlines()[-1])
-    for name, energies in told.items():
+    for name, powers in told.items():
         robot = read_text(LOADED) if name == "loaded.yaml" else load(name, warn=lambda _: None)
-        q, qd = np.random.default_rng(7).uniform(-2, 2, (2, 40, robot.n))
+        q, qd, qdd = np.random.default_rng(7).uniform(-2, 2, (3, 40, robot.n))
         matrix = Reference(robot, {"m_1": 1.5} if robot.parameters else None).mass_matrix(q)
-        expected = np.einsum("ki,kij,kj->k", qd, matrix, qd) / 2
-        np.testing.assert_allclose(energies, expected, rtol=1e-12)
+        expected = np.einsum("ki,kij,kj->k", qd, matrix, qdd)
+        np.testing.assert_allclose(powers, expected, rtol=1e-12, atol=1e-12 * abs(expected).max())
 
 
 def test_the_commands_know_it(copy: Copy) -> None:
     usual, written, flops, help_, unknown, unfit, plan, threads = answers(
         copy,
         "gen puma560_3dof -o usual",
-        "gen puma560_3dof --functions gravity,kinetic_energy --batch -o written --json",
-        "flops stanford --functions kinetic_energy --json",
+        "gen puma560_3dof --functions gravity,accelerating_power --batch -o written --json",
+        "flops stanford --functions accelerating_power --json",
         "gen --help",
-        "flops puma560 --functions kinetic",
-        "gen puma560 --functions kinetic_energy --prune 1%",
-        "plan puma560_3dof --functions kinetic_energy --deadline 1ms --target x86-64",
-        "schedule puma560_3dof -p 2 --cut 3 --functions kinetic_energy -o threads",
+        "flops puma560 --functions accelerating",
+        "gen puma560 --functions accelerating_power --prune 1%",
+        "plan puma560_3dof --functions accelerating_power --deadline 1ms --target x86-64",
+        "schedule puma560_3dof -p 2 --cut 3 --functions accelerating_power -o threads",
     )
     assert [a["code"] for a in (usual, written, flops, help_, plan, threads)] == [0] * 6, written
-    assert "kinetic" not in (copy.work / "usual" / "puma560_3dof.h").read_text()
+    assert "accelerating" not in (copy.work / "usual" / "puma560_3dof.h").read_text()
     header = (copy.work / "written" / "puma560_3dof.h").read_text()
-    assert "/* kinetic energy of links and rotors */" in header
-    assert "E    energy [J]" in header
-    assert "puma560_3dof_real E[1])" in header
+    assert "/* power that the accelerations take\n" in header
+    assert "power power [W]" in header
+    assert "puma560_3dof_real power[1])" in header
     assert (
-        "puma560_3dof_kinetic_energy_batch(" in (copy.work / "written" / "puma560_3dof_batch.h").read_text()
+        "puma560_3dof_accelerating_power_batch("
+        in (copy.work / "written" / "puma560_3dof_batch.h").read_text()
     )
     counted = json.loads(str(flops["out"]))
-    assert (counted["function"], counted["thesis"]) == ("kinetic_energy", None)
+    assert (counted["function"], counted["thesis"]) == ("accelerating_power", None)
     assert counted["total"] == counted["mul"] + counted["add"] > 50
     listed = " ".join(str(help_["out"]).split())
-    assert "kinetic_energy (kinetic energy of links and rotors; on request)" in listed
+    assert "accelerating_power (power that the accelerations take; on request)" in listed
     assert unknown["code"] == unfit["code"] == 2
-    assert "did you mean 'kinetic_energy'?" in str(unknown["err"])
-    assert "kinetic_energy cannot be pruned; expected one of inverse_dynamics, gravity, bias" in str(
+    assert "did you mean 'accelerating_power'?" in str(unknown["err"])
+    assert "accelerating_power cannot be pruned; expected one of inverse_dynamics, gravity, bias" in str(
         unfit["err"]
     )
-    assert "robodyn gen puma560_3dof --functions kinetic_energy" in str(plan["out"])
+    assert "robodyn gen puma560_3dof --functions accelerating_power" in str(plan["out"])
     assert "out[0] = " in (copy.work / "threads" / "puma560_3dof_parallel.c").read_text()
 
 
 @pytest.mark.parametrize("robot", ["stanford", "tx40", "loaded.yaml"])
 def test_it_is_verified(copy: Copy, robot: str) -> None:
-    (found,) = answers(copy, f"verify {robot} --functions kinetic_energy,gravity --states 30 --json")
+    (found,) = answers(copy, f"verify {robot} --functions accelerating_power,gravity --states 30 --json")
     report = json.loads(str(found["out"]))
     assert (found["code"], report["passed"]) == (0, True)
-    energies = [c for c in report["comparisons"] if c["function"] == "kinetic_energy"]
+    powers = [c for c in report["comparisons"] if c["function"] == "accelerating_power"]
     against = ["reference"] if robot == "loaded.yaml" else ["reference", "exact"]
-    assert [c["against"] for c in energies] == against
-    assert all(c["joint"] is None and c["passed"] and c["error"] < 1e-14 for c in energies)
-    assert report["equal_on_fractions"].get("kinetic_energy") == (None if robot == "loaded.yaml" else True)
+    assert [c["against"] for c in powers] == against
+    assert all(c["joint"] is None and c["passed"] and c["error"] < 1e-14 for c in powers)
+    assert report["equal_on_fractions"].get("accelerating_power") == (
+        None if robot == "loaded.yaml" else True
+    )
 
 
 @pytest.mark.parametrize("robot", ["puma560_3dof", "loaded.yaml"])
 def test_no_program_leaves_that_is_something_else(copy: Copy, robot: str) -> None:
-    """The square in place of its half."""
+    """Twice the product in place of it."""
     script = textwrap.dedent(f"""
         import dataclasses, warnings
         import robodyn
         from robodyn.dynamics.functions import FUNCTIONS
         warnings.simplefilter("ignore")
-        right = FUNCTIONS["kinetic_energy"]
+        right = FUNCTIONS["accelerating_power"]
         wrong = dataclasses.replace(right, outputs=lambda at: [2 * right.outputs(at)[0]])
-        FUNCTIONS["kinetic_energy"] = wrong
+        FUNCTIONS["accelerating_power"] = wrong
         robot = robodyn.load({robot!r})
         try:
-            robodyn.generate(robot, robodyn.Options(("kinetic_energy",)))
+            robodyn.generate(robot, robodyn.Options(("accelerating_power",)))
         except AssertionError as error:
             print(error)
     """)
-    assert "kinetic_energy of" in (said := copy.python("-c", script))
+    assert "accelerating_power of" in (said := copy.python("-c", script))
     assert "differs from plain Newton-Euler" in said
 
 
@@ -185,14 +189,14 @@ def test_the_firmware_tests_itself(copy: Copy) -> None:
     found = answers(
         copy,
         *(
-            f"gen {robot} --firmware --functions kinetic_energy --target cortex-m4f -o {name} --json"
+            f"gen {robot} --firmware --functions accelerating_power --target cortex-m4f -o {name} --json"
             for name, robot in robots.items()
         ),
     )
     for name, answer in zip(robots, found, strict=True):
         assert answer["code"] == 0, answer["err"]
         folder = copy.work / name / "firmware"
-        assert "kinetic_energy_vectors" in (folder / f"{name}_selftest.c").read_text()
+        assert "accelerating_power_vectors" in (folder / f"{name}_selftest.c").read_text()
         sources = [f"{name}.c", f"{name}_selftest.c", f"{name}_selftest_main.c"]
         subprocess.run(
             ["cc", "-std=c99", "-O2", "-Wall", "-Werror", "-ffp-contract=off", *sources, "-o", "test"],
@@ -213,6 +217,8 @@ def test_the_record_must_be_whole() -> None:
     gravity = FUNCTIONS["gravity"]
     with pytest.raises(ValueError, match="'gravity': nothing says what is right"):
         dataclasses.replace(gravity, expected=None)
+    with pytest.raises(ValueError, match=r"other arguments called .*p"):
+        dataclasses.replace(gravity, results=(gravity.results[0]._replace(name="p"),))
     with pytest.raises(ValueError, match="two functions are called 'gravity'"):
         registered([gravity, gravity])
     with pytest.raises(ValueError, match="'more': no such parts: bias"):

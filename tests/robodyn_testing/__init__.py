@@ -22,7 +22,7 @@ from __future__ import annotations
 
 from robodyn_testing.cases import covering, representative, sampled
 from robodyn_testing.exactly import constant, exactly
-from robodyn_testing.wanted import require_distribution, require_module, require_tool
+from robodyn_testing.wanted import require_distribution, require_machine, require_module, require_tool
 
 __all__ = [
     "constant",
@@ -30,6 +30,7 @@ __all__ = [
     "exactly",
     "representative",
     "require_distribution",
+    "require_machine",
     "require_module",
     "require_tool",
     "sampled",

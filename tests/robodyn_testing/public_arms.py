@@ -74,21 +74,7 @@ FILES: Final = {
         "xacro/unimation_puma560_description/urdf/puma560_robot.urdf.xacro",
         "xacro/qut_frankie_description/robots/panda_arm_hand.urdf.xacro",
         "armer_xarm/data/xacro/robots/xarm6/xarm6.xacro",
-        *(
-            f"{_TROSSEN}/{name}.urdf.xacro"
-            for name in [
-                "px100",
-                "px150",
-                "rx150",
-                "rx200",
-                "vx250",
-                "vx300",
-                "vx300s",
-                "wx200",
-                "wx250",
-                "wx250s",
-            ]
-        ),
+        *(f"{_TROSSEN}/{name}.urdf.xacro" for name in _TROSSEN_ARMS),
     ),
 }
 #: All of them, as (package, file).

@@ -26,6 +26,7 @@ __all__ = [
     "PACKAGES",
     "PREFIX",
     "require_distribution",
+    "require_machine",
     "require_module",
     "require_tool",
     "skip_what_lacks_a_package",
@@ -116,6 +117,13 @@ def require_distribution(name: str) -> None:
     except importlib.metadata.PackageNotFoundError:
         pass
     _missing(f"distribution {name}", f"to run this test, pip install {name}")
+
+
+def require_machine(present: bool, what: str) -> None:
+    """Without `what`, which no package brings (a processor, a system, a right), skip the test, in CI too."""
+    __tracebackhide__ = True
+    if not present:
+        pytest.skip(f"{PREFIX}{what}")
 
 
 def skip_what_lacks_a_package(

@@ -30,6 +30,13 @@ def test_noise_goes_and_digits_stay(x: Fraction, size: float, expected: str) -> 
     assert shortest(float(tidy(x, size))) == tidy(x, size)
 
 
+def test_sums_of_what_files_write_are_exact() -> None:
+    x = Fraction("0.29730017006063564") + Fraction("0.2435")
+    assert shortest(float(x)) != x
+    assert tidy(x, 1.0) == x
+    assert tidy(x / 10, 1.0) == shortest(float(x / 10))  # 18 places
+
+
 def test_large_numbers_are_doubles() -> None:
     x = Fraction("155955586838.205212692512")
     assert tidy(x, 1e12) == shortest(float(x))

@@ -13,7 +13,6 @@ from robodyn import InputError
 from robodyn.counts import count
 from robodyn.counts.objective import operations_of
 from robodyn.dynamics.equality import equals_recursion
-from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.ir import Input, Operand, Operation, Program
 from robodyn.ir.fingerprint import fingerprint
 from robodyn.robot import Robot, bundled_names
@@ -32,6 +31,7 @@ from robodyn.search.network import (
 )
 from robodyn.search.reconstruction import fraction
 from robodyn.search.recovery import rebuilt
+from robodyn_testing.functions import OF_ANY_ARM
 from search.arms import SPECIAL, bundled, random_arms
 
 X, Y, Q, R = Input("qd", 0), Input("qd", 1), Input("q", 0), Input("q", 1)
@@ -95,7 +95,7 @@ def test_other_functions_of_every_robot(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", SPECIAL)
-@pytest.mark.parametrize("function", FUNCTIONS)
+@pytest.mark.parametrize("function", OF_ANY_ARM)
 def test_special_arms(name: str, function: str) -> None:
     try:
         check(SPECIAL[name], function)

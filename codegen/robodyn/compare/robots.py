@@ -118,10 +118,10 @@ def compare(
         listed += pair.differences()
         torques, largest, tool, moving = pair.motion(states)
         listed += moving
-    kept = [difference for group in GROUPS for difference in listed if difference.group == group]
+    by_group = [difference for group in GROUPS for difference in listed if difference.group == group]
     return Comparison(
         (left.name, right.name),
-        tuple(difference for difference in kept if difference.group not in ignored),
+        tuple(difference for difference in by_group if difference.group not in ignored),
         (count(left).total, count(right).total),
         torques,
         largest,

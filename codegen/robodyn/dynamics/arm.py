@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.frame import BASE, Frame
-from robodyn.dynamics.vectors import Vector
+from robodyn.dynamics.vectors import ZERO, Vector
 from robodyn.effects.scalars import cosine, is_zero, sine
 from robodyn.ir.program import Label
 from robodyn.robot.model import Inertia, Placement, Robot
@@ -43,7 +43,8 @@ class Symmetric:
 class Body:
     """A link and its joint: DH numbers (cosine and sine of alpha), inertial numbers, what sits in the joint.
 
-    ``b`` [m] is the offset along y behind the twist, which Denavit-Hartenberg rows do not have.
+    ``b`` [m] is the offset along y behind the twist, which Denavit-Hartenberg rows do not have. ``ratio`` and
+    ``torque_constant`` [N m/A] are the gear's and the motor's, None where they are not stated.
     ``com`` [m] and ``inertia`` [kg m^2] (about the centre of mass) are along the link's own axes.
     """
 
@@ -60,6 +61,8 @@ class Body:
     viscous: Any
     coulomb: Any
     b: Any = 0
+    ratio: Any = None
+    torque_constant: Any = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,7 +143,7 @@ def build_arm(robot: Robot, constant: Callable[[Fraction], Any], parameter: Call
     motor = robot.torque_side == "motor"
     bodies = []
     for link in robot.links:
-        joint, i = link.joint, link.inertia
+        joint, i, gear = link.joint, link.inertia, link.joint.gear
         x, y, z = link.com
         bodies.append(
             Body(
@@ -157,6 +160,10 @@ def build_arm(robot: Robot, constant: Callable[[Fraction], Any], parameter: Call
                 viscous=scalar(joint.viscous) if motor else none,
                 coulomb=scalar(joint.coulomb) if motor else none,
                 b=scalar(joint.b) if joint.b else 0,
+                ratio=None if gear is None or not motor else constant(gear.ratio),
+                torque_constant=None
+                if gear is None or gear.torque_constant is None or not motor
+                else constant(gear.torque_constant),
             )
         )
     loads = [
@@ -176,6 +183,12 @@ def build_arm(robot: Robot, constant: Callable[[Fraction], Any], parameter: Call
         bodies[-1] = _loaded(bodies[-1], loads)
     base, tool = (BASE if place is None else _frame(constant, place) for place in (robot.base, robot.tool))
     return Arm(tuple(bodies), (constant(gx), constant(gy), constant(gz)), rest, band, base, tool)
+
+
+def inertial(arm: Arm) -> Arm:
+    """``arm`` without gravity and friction."""
+    bodies = tuple(replace(body, viscous=0, coulomb=0) for body in arm.bodies)
+    return replace(arm, bodies=bodies, gravity=ZERO)
 
 
 def _frame(constant: Callable[[Fraction], Any], place: Placement) -> Frame:

@@ -2,31 +2,56 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, Motion
-from robodyn.dynamics.functions import Function, Moving, Rotor, torques_at
+from robodyn.dynamics.functions import Dynamics, Function, Moving, Rotor, torques_at
+from robodyn.dynamics.functions.record import Vector
+from robodyn.dynamics.lump import MomentForm
+from robodyn.dynamics.parallel import Turns
 from robodyn.ir.graph import Graph
 from robodyn.ir.lowering import lower
 from robodyn.ir.program import Input, Label, Program
 
+#: The dynamics in a graph, at inputs ``[n]`` by name.
+Beneath = Callable[[Graph, Mapping[str, Vector]], Dynamics]
 
-def composed(function: Function, programs: Mapping[str, Program], n: int) -> Program:
-    """``function`` of ``n`` joints, put together from ``programs``: one for each of its parts, by name."""
+
+def composed(function: Function, programs: Mapping[str, Program], n: int, beneath: Beneath) -> list[Program]:
+    """``function`` of ``n`` joints, put together from ``programs`` in all ways that it has: one for each of
+    its parts, by name; what is of no part comes from the dynamics ``beneath``."""
+    ways = []
+    for write in function.compositions(n):
+        graph = Graph()
+        elements = write(_OfParts(graph, function, programs, n, beneath))
+        ways.append(lower(graph, function.split(elements, n)))
+    return ways
+
+
+def side_by_side(function: Function, programs: Sequence[Program], n: int) -> Program:
+    """The fused ``function`` of ``n`` joints: what its functions' ``programs`` have in common is worked out
+    once."""
     graph = Graph()
-    elements = function.outputs(_OfParts(graph, function, programs, n))
-    return lower(graph, function.split(elements, n))
+    return lower(graph, function.split([x for program in programs for x in graph.replay(program)], n))
 
 
 class _OfParts:
     """The dynamics that programs give, see :class:`robodyn.dynamics.functions.Dynamics`."""
 
-    def __init__(self, graph: Graph, function: Function, programs: Mapping[str, Program], n: int) -> None:
+    def __init__(
+        self,
+        graph: Graph,
+        function: Function,
+        programs: Mapping[str, Program],
+        n: int,
+        beneath: Beneath,
+    ) -> None:
         self._graph, self._function, self._programs = graph, function, programs
         self._values: dict[str, list[Any]] = {part: graph.replay(programs[part]) for part in function.parts}
         self.rest: Sequence[Any] = [0] * n
         self.inputs = {name: [graph.input(name, i) for i in range(n)] for name in function.input_names}
+        self._beneath = beneath(graph, self.inputs)
 
     def mark(self, value: Any, label: Label) -> Any:
         """Name ``value``."""
@@ -45,20 +70,35 @@ class _OfParts:
 
     @property
     def arm(self) -> Arm:
-        """There is none: only the parts' results."""
-        raise self._missing("the arm")
+        """The links as they are described."""
+        return self._beneath.arm
 
     def motion(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Motion:
-        """There is none: only the parts' results."""
-        raise self._missing("the arm's motion")
+        """The arm at ``q``, with these rates and accelerations."""
+        return self._beneath.motion(qd, qdd)
 
-    def links(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Moving:
-        """There are none: only the parts' results."""
-        raise self._missing("the links' masses")
+    def turns(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Turns:
+        """How its joints turn."""
+        return self._beneath.turns(qd, qdd)
+
+    def cheapest(self, choices: Sequence[Sequence[Sequence[Any]]]) -> Sequence[Sequence[Any]]:
+        """Of the ways to write each of some vectors those that take the fewest operations."""
+        return self._beneath.cheapest(choices)
+
+    def links(self, qd: Sequence[Any], qdd: Sequence[Any], form: MomentForm = "second_moment") -> Moving:
+        """The same, with the links' masses."""
+        return self._beneath.links(qd, qdd, form)
+
+    def differentiated(self, values: Sequence[Any], array: str) -> None:
+        """The parts' results are not differentiated."""
 
     def rotors(self) -> Sequence[Rotor]:
-        """There are none: only the parts' results."""
-        raise self._missing("the rotors")
+        """The rotors."""
+        return self._beneath.rotors()
+
+    def inertial_torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Sequence[Any]:
+        """Joint torques [n] without gravity and what drives do besides."""
+        return self._beneath.inertial_torques(qd, qdd)
 
     def mass_matrix(self) -> list[list[Any]]:
         """Mass matrix [n][n]."""
@@ -67,9 +107,8 @@ class _OfParts:
 
     def _part(self, name: str) -> list[Any]:
         if name not in self._values:
-            raise self._missing(f"what {name} gives")
+            raise ValueError(
+                f"function {self._function.name!r} asks for what {name} gives, and its parts are "
+                f"{', '.join(self._function.parts)}"
+            )
         return self._values[name]
-
-    def _missing(self, what: str) -> ValueError:
-        parts = ", ".join(self._function.parts)
-        return ValueError(f"function {self._function.name!r} asks for {what}, and its parts are {parts}")

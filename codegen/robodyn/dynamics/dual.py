@@ -11,7 +11,7 @@ from dataclasses import replace
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, Motion
-from robodyn.effects.scalars import cosine, exponential, magnitude, root, sign, sine, tangent
+from robodyn.effects.scalars import cosine, exponential, magnitude, quotient, root, sign, sine, tangent
 
 
 class Dual:
@@ -54,7 +54,7 @@ class Dual:
         if isinstance(other, Dual):
             value = self.value / other.value
             return Dual(value, (self.slope - value * other.slope) / other.value)
-        return Dual(self.value / other, self.slope / other)
+        return Dual(quotient(self.value, other), quotient(self.slope, other))
 
     def __rtruediv__(self, other: Any) -> Dual:
         value = other / self.value

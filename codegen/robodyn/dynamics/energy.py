@@ -9,6 +9,7 @@ from typing import Any
 
 from robodyn.dynamics.arm import Arm, Motion, into_child, origin
 from robodyn.dynamics.vectors import ZERO, Vector, cross, dot, plus
+from robodyn.effects.scalars import quotient
 
 
 def energies(arm: Arm, motion: Motion) -> tuple[Any, Any]:
@@ -33,6 +34,7 @@ def energies(arm: Arm, motion: Motion) -> tuple[Any, Any]:
             v = plus(v, (0, 0, qd))
         v_com = plus(v, cross(w, body.com))
         spin = dot(w, body.inertia.times(w))
-        kinetic = kinetic + (body.mass * dot(v_com, v_com) + spin + body.motor_inertia * (qd * qd)) / 2
+        twice = body.mass * dot(v_com, v_com) + spin + body.motor_inertia * (qd * qd)
+        kinetic = kinetic + quotient(twice, 2)
         potential = potential + body.mass * (height - dot(g, body.com))
     return kinetic, potential

@@ -14,11 +14,12 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from robodyn.dynamics.arm import Arm, JointAngle, Motion, build_arm, build_motion
+from robodyn.dynamics.arm import Arm, JointAngle, Motion, build_arm, build_motion, inertial
 from robodyn.dynamics.functions import INPUTS, Moving, Rotor, function_named
 from robodyn.dynamics.joints import rotors_of
+from robodyn.dynamics.lump import NO_LUMP, MomentForm
 from robodyn.dynamics.newton_euler import newton_euler
-from robodyn.dynamics.parallel import single_turns
+from robodyn.dynamics.parallel import Turns, single_turns
 from robodyn.dynamics.regroup import lumps_of
 from robodyn.dynamics.vectors import unmarked
 from robodyn.ir.evaluate import evaluate_exact, turn
@@ -150,14 +151,29 @@ class _Plain:
         """Joint torques [n]."""
         return newton_euler(self.arm, self.motion(qd, qdd))
 
+    def inertial_torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
+        """Joint torques [n] without gravity and friction."""
+        return newton_euler(inertial(self.arm), self.motion(qd, qdd))
+
     def motion(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Motion:
         """The arm at ``q``, with these rates and accelerations."""
         return _motion(self.arm, self.inputs["q"], qd, qdd, self._state)
 
-    def links(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Moving:
+    def turns(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Turns:
+        """How its joints turn, each for itself."""
+        return single_turns(self.motion(qd, qdd))
+
+    def cheapest(self, choices: Sequence[Sequence[Sequence[Any]]]) -> list[Sequence[Any]]:
+        """The first of each: nothing is counted."""
+        return [ways[0] for ways in choices]
+
+    def links(self, qd: Sequence[Any], qdd: Sequence[Any], form: MomentForm = "second_moment") -> Moving:
         """The same, as described."""
         motion = self.motion(qd, qdd)
-        return Moving(self.arm, motion, single_turns(motion), lumps_of(self.arm))
+        return Moving(self.arm, motion, single_turns(motion), lumps_of(self.arm), NO_LUMP)
+
+    def differentiated(self, values: Sequence[Any], array: str) -> None:
+        """The rigid arm's derivatives are written out."""
 
     def rotors(self) -> list[Rotor]:
         """The rotors of the joints."""

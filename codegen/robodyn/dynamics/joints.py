@@ -22,6 +22,18 @@ def smoothed_sign(velocity: Any, rest_velocity: Any | None, dead_band: Any | Non
     return sign(velocity)
 
 
+def friction_slope(arm: Arm, i: int, qd: Any) -> Any:
+    """Derivative [N m s/rad, N s/m] of the friction of joint ``i`` (from 0) by its velocity; that of the sign
+    is taken to be 0."""
+    body, total = arm.bodies[i], 0
+    if not is_zero(body.viscous):
+        total = total + body.viscous
+    if not is_zero(body.coulomb) and arm.rest_velocity is not None:
+        share = tangent(qd / arm.rest_velocity)
+        total = total + (body.coulomb / arm.rest_velocity) * (1 - share * share)
+    return total
+
+
 def joint_torque(arm: Arm, i: int, motion: Motion, torque: Any, mark: Mark) -> Any:
     """Torque [N m or N] of joint ``i`` (from 0): ``torque`` of the links, rotor and friction added."""
     body = arm.bodies[i]

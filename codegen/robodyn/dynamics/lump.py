@@ -38,3 +38,7 @@ class Lump:
         """Inertia tensor about the frame's origin [kg m^2]."""
         k = self.second
         return Symmetric(k.yy + k.zz, k.xx + k.zz, k.xx + k.yy, -k.xy, -k.xz, -k.yz)
+
+
+#: Nothing at all.
+NO_LUMP = Lump(0, (0, 0, 0), Symmetric(0, 0, 0, 0, 0, 0))

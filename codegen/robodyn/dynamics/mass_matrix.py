@@ -9,15 +9,13 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
-from robodyn.dynamics.arm import Arm, Motion, Symmetric, about_x, about_z, origin
-from robodyn.dynamics.lump import Lump
+from robodyn.dynamics.arm import Arm, Motion, about_x, about_z, origin
+from robodyn.dynamics.lump import NO_LUMP, Lump
 from robodyn.dynamics.parallel import Turns
 from robodyn.dynamics.regroup import about_axis_x, about_axis_z, merged, shifted
 from robodyn.dynamics.vectors import Mark, Vector, cross, named, plus, unmarked
 from robodyn.effects.scalars import is_zero
 from robodyn.ir.program import Label
-
-NOTHING = Lump(0, (0, 0, 0), Symmetric(0, 0, 0, 0, 0, 0))
 
 
 def mass_matrix(
@@ -35,15 +33,15 @@ def mass_matrix(
     for i in range(1, n):
         p = origin(arm.bodies[i], motion.d[i])
         reach.append(about_z(turns.c[i - 1], turns.s[i - 1], p) if turns.follows[i] else p)
-    composite = NOTHING
+    composite = NO_LUMP
     for j in reversed(range(n)):
         body, c, s = arm.bodies[j], turns.c[j], turns.s[j]
-        here, further = lumps[j], NOTHING
+        here, further = lumps[j], NO_LUMP
         if j + 1 < n:
             child = arm.bodies[j + 1]
             further = shifted(about_axis_x(composite, child.cos_alpha, child.sin_alpha), reach[j])
             if not turns.follows[j + 1]:
-                here, further = merged(here, further), NOTHING
+                here, further = merged(here, further), NO_LUMP
         # Inertia about the joint's axis, which the turn does not change.
         about_axis = (here.second.xx + here.second.yy) + (further.second.xx + further.second.yy)
         composite = _marked(merged(about_axis_z(here, c, s), further), j + 1, mark)
@@ -80,37 +78,67 @@ def _marked(lump: Lump, link: int, mark: Mark) -> Lump:
     return Lump(lump.mass, first, second)
 
 
+class Factored:
+    """A positive definite matrix [n, n] as ``U D U^T``; n divisions at most, no square root.
+
+    ``matrix`` is read on and below its diagonal. Joints are eliminated from tip to base: near the tip a mass
+    matrix has its zeros and numbers, and a number divides when the program is written.
+    """
+
+    def __init__(self, matrix: Sequence[Sequence[Any]], mark: Mark = unmarked) -> None:
+        n = len(matrix)
+        order = range(n - 1, -1, -1)
+        factor: list[list[Any]] = [[0] * n for _ in range(n)]
+        scaled: list[list[Any]] = [[0] * n for _ in range(n)]  # U D
+        inverse: list[Any] = [0] * n
+        for j in range(n):
+            row = order[j]
+            pivot = matrix[row][row]
+            for k in range(j):
+                pivot = pivot - factor[j][k] * scaled[j][k]
+            pivot = mark(pivot, Label(row + 1, "pivot", ""))
+            inverse[j] = mark(Fraction(1) / pivot, Label(row + 1, "ipivot", ""))
+            for i in range(j + 1, n):
+                entry = matrix[row][order[i]]
+                for k in range(j):
+                    entry = entry - factor[i][k] * scaled[j][k]
+                scaled[i][j] = mark(entry, Label(order[i] + 1, "ud", str(row + 1)))
+                factor[i][j] = mark(entry * inverse[j], Label(order[i] + 1, "u", str(row + 1)))
+        self._factor, self._inverse, self._mark, self._order = factor, inverse, mark, order
+
+    def solve(self, right: Sequence[Any], quantity: str = "qdd") -> list[Any]:
+        """The solution [n] of ``matrix x = right``; emitted code calls it ``quantity``."""
+        factor, mark, order, n = self._factor, self._mark, self._order, len(right)
+        y: list[Any] = []
+        for i in range(n):
+            total = right[order[i]]
+            for k in range(i):
+                total = total - factor[i][k] * y[k]
+            y.append(mark(total, Label(order[i] + 1, "y", "")))
+        x = [y[i] * self._inverse[i] for i in range(n)]
+        for i in reversed(range(n)):
+            for k in range(i + 1, n):
+                x[i] = x[i] - factor[k][i] * x[k]
+            x[i] = mark(x[i], Label(order[i] + 1, quantity, ""))
+        return [x[order[i]] for i in range(n)]
+
+    def inverse(self) -> list[list[Any]]:
+        """The inverse [n][n]; each entry and its mirror image are one."""
+        factor, order, n = self._factor, self._order, len(self._inverse)
+        inverse: list[list[Any]] = [[0] * n for _ in range(n)]
+        # Backwards as they are here, row i of U^T X = D^-1 U^-1, whose right side is 0 above the diagonal.
+        for i in reversed(range(n)):
+            for j in reversed(range(i, n)):
+                total = self._inverse[i] if i == j else 0
+                for k in range(i + 1, n):
+                    total = total - factor[k][i] * inverse[k][j]
+                label = Label(order[j] + 1, "minv", str(order[i] + 1))
+                inverse[i][j] = inverse[j][i] = self._mark(total, label)
+        return [[inverse[order[i]][order[j]] for j in range(n)] for i in range(n)]
+
+
 def solve_symmetric(
     matrix: Sequence[Sequence[Any]], right: Sequence[Any], mark: Mark = unmarked
 ) -> list[Any]:
-    """Solution [n] of a positive definite system by ``L D L^T``; n divisions, no square root.
-
-    ``matrix`` [n, n] is read on and below its diagonal.
-    """
-    n = len(right)
-    lower: list[list[Any]] = [[0] * n for _ in range(n)]
-    scaled: list[list[Any]] = [[0] * n for _ in range(n)]  # L D
-    inverse: list[Any] = [0] * n
-    for j in range(n):
-        pivot = matrix[j][j]
-        for k in range(j):
-            pivot = pivot - lower[j][k] * scaled[j][k]
-        inverse[j] = mark(Fraction(1) / mark(pivot, Label(j + 1, "pivot", "")), Label(j + 1, "ipivot", ""))
-        for i in range(j + 1, n):
-            entry = matrix[i][j]
-            for k in range(j):
-                entry = entry - lower[i][k] * scaled[j][k]
-            scaled[i][j] = mark(entry, Label(i + 1, "ld", str(j + 1)))
-            lower[i][j] = mark(entry * inverse[j], Label(i + 1, "l", str(j + 1)))
-    y: list[Any] = []
-    for i in range(n):
-        total = right[i]
-        for k in range(i):
-            total = total - lower[i][k] * y[k]
-        y.append(mark(total, Label(i + 1, "y", "")))
-    x = [y[i] * inverse[i] for i in range(n)]
-    for i in reversed(range(n)):
-        for k in range(i + 1, n):
-            x[i] = x[i] - lower[k][i] * x[k]
-        x[i] = mark(x[i], Label(i + 1, "qdd", ""))
-    return x
+    """Solution [n] of a positive definite system by ``U D U^T``."""
+    return Factored(matrix, mark).solve(right)

@@ -17,7 +17,7 @@ from typing import Any
 
 from robodyn.dynamics.arm import Arm, Symmetric, origin
 from robodyn.dynamics.carried import carried
-from robodyn.dynamics.lump import Lump, MomentForm
+from robodyn.dynamics.lump import NO_LUMP, Lump, MomentForm
 from robodyn.dynamics.vectors import Vector
 from robodyn.effects.scalars import is_zero
 
@@ -48,7 +48,12 @@ def regrouped(arm: Arm, forms: Sequence[MomentForm]) -> list[Lump]:
     form ``second_moment`` the second moment along the axis, for ``inertia`` as much of it as makes Iyy
     zero (the choice of the literature). A prismatic joint's link gives up its second moment.
     """
-    lumps = lumps_of(arm)
+    return regrouped_with_ground(arm, forms)[0]
+
+
+def regrouped_with_ground(arm: Arm, forms: Sequence[MomentForm]) -> tuple[list[Lump], Lump]:
+    """The same, and what moved to the base, in its frame."""
+    lumps, ground = lumps_of(arm), NO_LUMP
     for i in reversed(range(len(lumps))):
         body, lump = arm.bodies[i], lumps[i]
         k = lump.second
@@ -58,15 +63,16 @@ def regrouped(arm: Arm, forms: Sequence[MomentForm]) -> list[Lump]:
             lumps[i] = Lump(
                 0, (lump.first[0], lump.first[1], 0), Symmetric(k.xx, k.yy, k.zz - along, k.xy, k.xz, k.yz)
             )
-            if i:
-                lumps[i - 1] = merged(lumps[i - 1], in_parent(moved, arm, i, body.d))
+            moved = in_parent(moved, arm, i, body.d)
         else:
             moved = Lump(0, (0, 0, 0), k)
             lumps[i] = Lump(lump.mass, lump.first, Symmetric(0, 0, 0, 0, 0, 0))
-            if i:
-                turned = about_axis_z(moved, body.theta.cos, body.theta.sin)
-                lumps[i - 1] = merged(lumps[i - 1], in_parent(turned, arm, i, body.d))
-    return lumps
+            moved = in_parent(about_axis_z(moved, body.theta.cos, body.theta.sin), arm, i, body.d)
+        if i:
+            lumps[i - 1] = merged(lumps[i - 1], moved)
+        else:
+            ground = moved
+    return lumps, ground
 
 
 def suited_forms(arm: Arm) -> tuple[MomentForm, ...]:

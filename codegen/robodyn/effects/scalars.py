@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from fractions import Fraction
 from typing import Any
 
 from robodyn.ir.graph import Node
@@ -40,6 +41,11 @@ def _call(name: str, x: Any) -> Any:
     if hasattr(x, name):
         return getattr(x, name)()
     return _AT_ZERO[name] if x == 0 and name in _AT_ZERO else _PLAIN[name](x)
+
+
+def quotient(x: Any, y: Any) -> Any:
+    """``x / y``; of integers a fraction."""
+    return Fraction(x, y) if isinstance(x, int) and isinstance(y, int) else x / y
 
 
 def root(x: Any) -> Any:

@@ -69,6 +69,7 @@ SPRING = Effect(
     linear=("stiffness", "cubic"),
     traits=Traits(
         noun="a spring or cable",
+        in_files=("stiffness", "rest"),
         combines="springs",
         candidates=(Line(_line_read, 3),),
         contains=("torque_bias",),

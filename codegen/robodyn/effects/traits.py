@@ -256,10 +256,11 @@ class Traits:
 
     In a description
         ``fold``: numbers that take it. ``body``: it is a body fixed to the last link (``mass``, ``com``,
-        ``inertia``). ``several``: it may stand more than once at a joint. ``of_all``: one entry in the
-        robot's list may stand for all joints. ``combines``: how two are one; ``adds``: parameters that add
-        up although the torque is not linear in them. ``absorbs``: effects that are a part of it, so that
-        one joint does not have both.
+        ``inertia``). ``in_files``: the parameters of what MJCF and SDF call the spring of a joint, stiffness
+        and position at which it is slack. ``several``: it may stand more than once at a joint. ``of_all``:
+        one entry in the robot's list may stand for all joints. ``combines``: how two are one; ``adds``:
+        parameters that add up although the torque is not linear in them. ``absorbs``: effects that are a part
+        of it, so that one joint does not have both.
 
     In a log
         ``channel``: what it does to what is measured. ``candidates``: how it is looked for. ``contains``:
@@ -281,6 +282,7 @@ class Traits:
     steady: tuple[str, tuple[str, ...]] | None = None
     fold: Fold | None = None
     body: bool = False
+    in_files: tuple[str, ...] = ()
     several: bool = False
     of_all: bool = False
     combines: Combination = "by parameter"

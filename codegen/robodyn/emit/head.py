@@ -58,8 +58,9 @@ def head_lines(unit: Unit, language: Language) -> list[str]:
             say(f"{where}: {_placed(frame)}")
     say("Arguments, in SI units, joint 1 first:")
     arrays = dict.fromkeys(a for s, _ in unit.functions for a, _ in (*s.inputs, *s.outputs))
+    width = max(4, *map(len, arrays))
     for array in arrays:
-        say(f"  {array:4} {array_named(array).text}", "      ")
+        say(f"  {array:{width}} {array_named(array).text}", "      ")
     for line in _sides(robot):
         say(line, "  " if line.startswith("  ") else "")
     _say_parameters(unit, language, say)

@@ -12,6 +12,7 @@ from typing import Any
 from robodyn.emit.c_syntax import c_spelling, c_syntax
 from robodyn.emit.lines import Writer, head_of
 from robodyn.emit.render import environment
+from robodyn.emit.results import check_one_result
 from robodyn.errors import InputError
 from robodyn.ir.signature import Signature
 from robodyn.robot.model import Robot
@@ -25,8 +26,9 @@ def packed_files(robot: Robot, signature: Signature, packing: Packing) -> dict[s
 
     Raises
     ------
-    InputError: the function remembers between calls.
+    InputError: the function remembers between calls, or has several results.
     """
+    check_one_result(signature, "packed")
     if signature.states:
         raise InputError(
             f"{signature.symbol} remembers between calls, and is not emitted packed",
@@ -41,7 +43,7 @@ def packed_files(robot: Robot, signature: Signature, packing: Packing) -> dict[s
         f"{len(packing.groups) - packing.vectors} single "
         "ones. The bits are those of the serial kernel."
     )
-    (output, size), *_ = signature.outputs
+    ((output, size),) = signature.outputs
     context: dict[str, Any] = {
         "name": name,
         "guard": f"{name.upper()}_PACKED_H",

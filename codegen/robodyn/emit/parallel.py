@@ -15,6 +15,7 @@ from robodyn.dynamics.functions import array_named
 from robodyn.emit.c_syntax import c_spelling, c_syntax
 from robodyn.emit.lines import Writer, head_of
 from robodyn.emit.render import environment
+from robodyn.emit.results import check_one_result
 from robodyn.errors import InputError
 from robodyn.ir.program import Program
 from robodyn.ir.signature import Signature
@@ -47,9 +48,10 @@ def parallel_files(parallel: Parallel) -> dict[str, str]:
 
     Raises
     ------
-    InputError: the function remembers between calls, which is not for threads.
+    InputError: the function remembers between calls, which is not for threads, or has several results.
     """
     signature = parallel.signature
+    check_one_result(signature, "in parallel")
     if signature.states:
         raise InputError(
             f"{signature.symbol} remembers between calls, and is not emitted in parallel",
@@ -69,7 +71,7 @@ def parallel_files(parallel: Parallel) -> dict[str, str]:
 def _context(parallel: Parallel, plan: Lanes) -> dict[str, Any]:
     signature = parallel.signature
     p = parallel.timetable.machine.processors
-    (output, size), *_ = signature.outputs
+    ((output, size),) = signature.outputs
     arrays = [array for array, _ in (*signature.inputs, *signature.outputs)]
     return {
         "name": signature.robot,

@@ -11,7 +11,9 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from robodyn.emit.statements import Apply, Body, Expression, Statement
+from robodyn.errors import InputError
 from robodyn.ir.program import Input
+from robodyn.ir.signature import Signature
 
 #: Inputs in whose place results may be written.
 _IN_PLACE = ("q", "qd", "qdd", "tau")
@@ -54,3 +56,13 @@ def inputs_of(expression: Expression) -> list[Input]:
     if isinstance(expression, Apply):
         return [x for arg in expression.args for x in inputs_of(arg)]
     return [expression] if isinstance(expression, Input) else []
+
+
+def check_one_result(signature: Signature, how: str) -> None:
+    """:class:`InputError` where a function that is to be emitted ``how`` has several results."""
+    if len(signature.outputs) > 1:
+        raise InputError(
+            f"{signature.symbol} has several results, and is not emitted {how}",
+            found=", ".join(array for array, _ in signature.outputs),
+            expected="a function with one",
+        )

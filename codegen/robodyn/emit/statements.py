@@ -21,6 +21,12 @@ QUANTITIES: dict[str, str] = {
     "a": "acceleration of the frame's origin, gravity taken off [m/s^2]",
     "ac": "acceleration of the centre of mass, gravity taken off [m/s^2]",
     "ao": "acceleration of the frame's origin [m/s^2]",
+    "vo": "velocity of the frame's origin [m/s]",
+    "pl": "momentum of all that the joint carries, along the axes that its turn starts from [kg m/s]",
+    "pa": "its moment about the frame's origin [kg m^2/s]",
+    "ke": "kinetic energy of the links up to this one [J]",
+    "pe": "potential energy of the links up to this one [J]",
+    "hc": "first moment of all that the joint carries, along the axes that its turn starts from [kg m]",
     "g": "gravity along the link's axes [m/s^2]",
     "E": "rotation to the base",
     "pb": "origin of the frame from that of the frame before, along the base's axes [m]",
@@ -63,7 +69,7 @@ QUANTITIES: dict[str, str] = {
     "fu": "force for a unit acceleration of a joint further out",
     "nu": "moment for a unit acceleration of a joint further out",
     "m": "mass matrix, its row of this joint",
-    "pivot": "factorisation M = L D L^T",
+    "pivot": "factorisation M = U D U^T",
     "y": "forward substitution",
     "qdd": "joint acceleration [rad/s^2], at a prismatic joint [m/s^2]",
 }
@@ -203,7 +209,7 @@ def _heading(label: Label | None) -> str | None:
         return None
     if label.quantity.removesuffix("to").rstrip("0123456789") in ("c", "s", "angle"):
         return QUANTITIES["sc"]
-    family = {"ipivot": "pivot", "l": "pivot", "ld": "pivot"}.get(label.quantity, label.quantity)
+    family = {"ipivot": "pivot", "u": "pivot", "ud": "pivot"}.get(label.quantity, label.quantity)
     meaning = QUANTITIES.get(family)
     if meaning is None:
         return None

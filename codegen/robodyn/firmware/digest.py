@@ -32,8 +32,8 @@ def outputs(
     scalar: ScalarType,
     trigonometry: Mapping[str, Sine],
 ) -> NDArray[Any]:
-    """The one output of ``program`` ``[N, size]`` in the kernel's type, to the bit; ``trigonometry`` has the
-    kernel's own ``sin`` and ``cos``."""
+    """The outputs of ``program`` one after another, ``[N, size]`` in the kernel's type, to the bit;
+    ``trigonometry`` has the kernel's own ``sin`` and ``cos``."""
     real = DTYPE[scalar]
     count = len(next(iter(states.values())))
     inputs = {Input(array, i): x[:, i] for array, x in states.items() for i in range(x.shape[1])}
@@ -46,8 +46,8 @@ def outputs(
         return np.asarray(np.where(x > 0, real(1), np.where(x < 0, real(-1), real(0))))
 
     functions: dict[str, Callable[..., Any]] = {**trigonometry, "sqrt": np.sqrt, "abs": np.abs, "sign": sign}
-    ((_, elements),) = evaluate(program, inputs, constant=number, functions=functions).items()
-    return np.stack([np.asarray(x, real) for x in elements], axis=1)
+    arrays = evaluate(program, inputs, constant=number, functions=functions).values()
+    return np.stack([np.asarray(x, real) for elements in arrays for x in elements], axis=1)
 
 
 def fnv1a(numbers: NDArray[Any]) -> int:

@@ -217,9 +217,7 @@ def _context(generated: Generated, targets: Sequence[Target], others: Sequence[L
             {"array": s.array, "middle": _numbers(s.middle, c), "half": _numbers(s.half, c)} for s in spans
         ],
         "parameters": [c.number(Fraction(values[name])) for name in parameters],
-        "outputs": list(
-            dict.fromkeys(out for interface in generated.signatures for out in interface.outputs)
-        ),
+        "outputs": _memory(generated.signatures),
         "seed": DIGEST_SEED,
         "multiplier": MULTIPLIER,
         "increment": INCREMENT,
@@ -233,6 +231,39 @@ def _context(generated: Generated, targets: Sequence[Target], others: Sequence[L
     }
 
 
+#: Where the self-test has the results of a function that has several, one after another.
+_ELEMENTS = "elements"
+
+
+def _results(interface: Signature) -> tuple[str, int, list[str]]:
+    """The array that a self-test keeps the results of a function in, its size, and the results in C."""
+    if len(interface.outputs) == 1:
+        ((array, size),) = interface.outputs
+        return array, size, [array]
+    places, start = [], 0
+    for _, size in interface.outputs:
+        places.append(f"{_ELEMENTS} + {start}" if start else _ELEMENTS)
+        start += size
+    return _ELEMENTS, start, places
+
+
+def _memory(interfaces: Sequence[Signature]) -> list[tuple[str, int]]:
+    """The arrays that the results of all functions go to, each as large as the largest of its name."""
+    sizes: dict[str, int] = {}
+    for array, size, _ in map(_results, interfaces):
+        sizes[array] = max(size, sizes.get(array, 0))
+    return list(sizes.items())
+
+
+def _slices(interface: Signature) -> list[str]:
+    """The results in Fortran: parts of one array."""
+    array, start, parts = f"{interface.function}_found", 1, []
+    for _, size in interface.outputs:
+        parts.append(f"{array}({start}:{start + size - 1})" if len(interface.outputs) > 1 else array)
+        start += size
+    return parts
+
+
 def _function(
     interface: Signature,
     program: Program,
@@ -243,7 +274,7 @@ def _function(
 ) -> dict[str, Any]:
     """What the templates say of one function."""
     inputs = [array for array, _ in interface.inputs]
-    ((output, size),) = interface.outputs
+    output, size, places = _results(interface)
     last = [f"&{interface.robot}_selftest_params"] if interface.parameters else []
     vector = f"{interface.function}_vectors[k]"
     return {
@@ -253,12 +284,12 @@ def _function(
         "size": size,
         "digest": digest,
         "angles": _angles(program),
-        "vector_call": ", ".join([*(f"{vector}.{a}" for a in inputs), output, *last]),
-        "state_call": ", ".join([*(f"state.{a}" for a in inputs), output, *last]),
+        "vector_call": ", ".join([*(f"{vector}.{a}" for a in inputs), *places, *last]),
+        "state_call": ", ".join([*(f"state.{a}" for a in inputs), *places, *last]),
         "drawn_call": ", ".join(
             [
                 *(f"{a}_drawn" for a in inputs),
-                f"{interface.function}_found",
+                *_slices(interface),
                 *(["values"] if interface.parameters else []),
             ]
         ),

@@ -141,7 +141,8 @@ def _confirm(
     }
     pruning = generated.prunings.get(signature.function)
     spare = pruning.proven if pruning is not None else ()
-    expected = [outputs[0][1] for _, outputs in rows]
+    results = [array for array, _ in signature.outputs]
+    expected = [[x for array, xs, _ in outputs if array in results for x in xs] for _, outputs in rows]
     confirm(generated.unit.robot, signature.function, states, values, expected, spare)
 
 

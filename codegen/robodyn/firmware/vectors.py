@@ -42,10 +42,9 @@ class Unconfirmed(AssertionError):
 
 @dataclass(frozen=True, slots=True)
 class Vectors:
-    """Of one function the results ``expected`` and the ``tolerance`` of each, ``[N, size]``: exact numbers,
-    and bounds of the error of the kernel's."""
+    """Of one function the results ``expected``, one after another, and the ``tolerance`` of each,
+    ``[N, size]``: exact numbers, and bounds of the error of the kernel's."""
 
-    output: str
     expected: tuple[tuple[Fraction, ...], ...]
     tolerance: NDArray[np.float64]
     confirmed: bool
@@ -72,8 +71,11 @@ def vectors(
     inputs = {Input(a, i): x[:, i].astype(np.float64) for a, x in states.items() for i in range(x.shape[1])}
     count = len(next(iter(states.values())))
     inputs |= {Input(name, None): np.full(count, value) for name, value in parameters.items()}
-    ((output, bounds),) = rounding_bounds(program, inputs, scalar).items()
-    expected = tuple(tuple(evaluated(program, inputs, k)[output]) for k in range(count))
+    bounds = np.concatenate(list(rounding_bounds(program, inputs, scalar).values()), axis=1)
+    expected = tuple(
+        tuple(x for elements in evaluated(program, inputs, k).values() for x in elements)
+        for k in range(count)
+    )
     size = np.array([[real(abs(x)) for x in row] for row in expected])
     if not bounds.max() <= max(size.max(), TINY[scalar]):
         raise InputError(
@@ -84,7 +86,7 @@ def vectors(
     confirmed = not robot.effects and robot.dead_band is None
     if confirmed:
         confirm(robot, function, states, parameters, expected, spare)
-    return Vectors(output, expected, bounds + UNIT[scalar] * size, confirmed)  # the literal is rounded, too
+    return Vectors(expected, bounds + UNIT[scalar] * size, confirmed)  # the literal is rounded, too
 
 
 def evaluated(

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from robodyn.errors import InputError, Place
+from robodyn.formats.chain import Vector
 from robodyn.formats.conversion import robot_name
 from robodyn.formats.frames import description_of
 from robodyn.formats.reading import read_tree
@@ -45,13 +46,15 @@ def import_arm(
     snap: float = 0.0,
     name: str = "",
     arguments: Mapping[str, str] | None = None,
+    gravity: Vector | None = None,
     strict: bool = False,
 ) -> Imported:
     """The serial arm from the link ``base`` to the link ``tip`` of a URDF, MJCF, SDF or xacro file.
 
     ``locks``: positions [rad or m] of joints that do not move; ``snap``: angles of axes within it [rad] of a
     multiple of pi/2 become it; ``name``: of the robot, by default the file's; ``arguments``: those of a xacro
-    file. ``strict`` refuses inertias that no body has.
+    file; ``gravity`` [m/s^2], in the root's frame, takes the place of the file's, which a URDF does not have.
+    ``strict`` refuses inertias that no body has.
 
     Raises
     ------
@@ -59,6 +62,8 @@ def import_arm(
     ToolError: the package that reads the format is not installed.
     """
     tree = read_tree(path, arguments)
+    if gravity is not None:
+        tree = replace(tree, gravity=gravity)
     serial = serial_chain(tree, robot_name(tree, name), base, tip, locks)
     robot = replace(description_of(serial.chain, snap), file=Path(path).absolute())
     implausible = []

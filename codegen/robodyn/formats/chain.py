@@ -86,6 +86,14 @@ class Body:
 
 
 @dataclass(frozen=True, slots=True)
+class Spring:
+    """A spring in a joint: it pulls towards ``rest`` [rad or m] by ``stiffness`` [N m/rad or N/m]."""
+
+    stiffness: float
+    rest: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
 class ChainJoint:
     """A joint and the link behind it.
 
@@ -106,6 +114,7 @@ class ChainJoint:
     coulomb: float = 0.0
     motor_inertia: float = 0.0
     gear: Gear | None = None
+    spring: Spring | None = None
 
 
 @dataclass(frozen=True, slots=True)

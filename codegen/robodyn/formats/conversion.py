@@ -68,6 +68,7 @@ def joint_of(joint: TreeJoint) -> tuple[ChainJoint, list[str]]:
         coulomb=joint.friction,
         motor_inertia=joint.armature,
         gear=gear,
+        spring=joint.spring,
     )
     return converted, remarks
 

@@ -24,6 +24,7 @@ from robodyn.formats.axes import Step, aligned, with_free_lines
 from robodyn.formats.chain import Chain, ChainJoint
 from robodyn.formats.exact import rows, vector
 from robodyn.formats.limits import SLIDE, STEEP
+from robodyn.formats.springs import entries_of
 from robodyn.robot.limits import NOTHING, QUARTER_TURN
 from robodyn.robot.model import Inertia, Joint, Link, Robot
 from robodyn.robot.numbers import shortest
@@ -95,6 +96,7 @@ def description_of(chain: Chain, snap: float = 0.0) -> Robot:
         chain.title,
         chain.source,
         gravity=vector(chain.gravity),
+        effects=entries_of(joint.spring for joint in chain.joints),
         base=placement(product(ground, turn), base, size, within),
         tool=placement(tool, (x, y, z - table[-1].slide), size, within),
     )

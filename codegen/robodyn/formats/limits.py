@@ -76,3 +76,6 @@ none: too small to be noticed, and enough for MuJoCo, which refuses less than 1e
 SLACK: float = 1e-9
 """[share] Principal moments may be so far beyond what a body has before they are replaced in an export: the
 decimals of a table are rounded. Replacements have that much room."""
+
+MOVED_DIGITS: int = 2
+"""[digits] Digits after the first one of what an export moves from a link to the next."""

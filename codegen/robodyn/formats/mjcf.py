@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from robodyn.errors import InputError, Place, ToolError
-from robodyn.formats.chain import Body, Pose, Vector
+from robodyn.formats.chain import Body, Pose, Spring, Vector
 from robodyn.formats.elements import Document
 from robodyn.formats.limits import NAMES_SHOWN, PLACEHOLDER, SAME_INERTIA
 from robodyn.formats.mjcf_drives import with_couplings, with_drives
@@ -164,9 +164,10 @@ class _Model:
         where, dof = self.place("joint", name), int(model.jnt_dofadr[index])
         if kind not in ("revolute", "prismatic"):
             return TreeJoint(name, kind, parent, child, where, origin)
-        if model.jnt_stiffness[index]:
-            what = f"the spring of the joint {name}: {float(model.jnt_stiffness[index]):g}"
-            leftovers.add(what, where.line, where.file)
+        stiffness, address = float(model.jnt_stiffness[index]), int(model.jnt_qposadr[index])
+        spring = Spring(stiffness, float(model.qpos_spring[address])) if stiffness else None
+        if (harder := getattr(model, "jnt_stiffnesspoly", None)) is not None and harder[index].any():
+            leftovers.add(f"the spring of the joint {name} beyond its linear part", where.line, where.file)
         if model.dof_damping.ndim > 1 or getattr(model, "dof_dampingpoly", model.dof_damping[:0]).any():
             leftovers.add(f"damping of the joint {name} that is not linear", where.line, where.file)
         anchor = vector(model.jnt_pos[index])
@@ -183,11 +184,12 @@ class _Model:
             composed(origin, Pose(anchor)),
             Pose((-x, -y, -z)),
             unit(vector(model.jnt_axis[index])),
-            float(model.qpos0[model.jnt_qposadr[index]]),
+            float(model.qpos0[address]),
             JointLimits(lower, upper, effort=effort) if limited else JointLimits(effort=effort),
             damping=float(model.dof_damping[dof]),
             friction=float(model.dof_frictionloss[dof]),
             armature=float(model.dof_armature[dof]),
+            spring=spring,
         )
 
     def link(self, body: Any) -> TreeLink:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from robodyn.formats.chain import Body, Pose, Vector, transposed, turned
+from robodyn.formats.chain import Body, Pose, Spring, Vector, transposed, turned
 from robodyn.formats.elements import Document, Element, tag_shown
 from robodyn.formats.limits import GREATEST
 from robodyn.formats.quantities import Quantities, body_of, negative, used, what_of
@@ -238,6 +238,7 @@ class _Reader(Quantities):
             damping=self.dynamics(axis, "damping", of),
             friction=self.dynamics(axis, "friction", of),
             mimic=self.mimic(axis, of),
+            spring=self.spring(axis, of),
         )
 
     def end(self, joint: Element, role: str, frames: Frames, of: str) -> tuple[str, str]:
@@ -281,10 +282,14 @@ class _Reader(Quantities):
 
     def dynamics(self, axis: Element | None, tag: str, of: str) -> float:
         dynamics = None if axis is None else axis.first("dynamics")
-        spring = None if dynamics is None else dynamics.first("spring_stiffness")
-        if spring is not None and self.value(dynamics, "spring_stiffness", of, 0.0):
-            self.leftovers.add("springs of joints", spring.line)
         return self.positive(dynamics, tag, of)
+
+    def spring(self, axis: Element | None, of: str) -> Spring | None:
+        dynamics = None if axis is None else axis.first("dynamics")
+        stiffness, rest = (
+            self.value(dynamics, tag, of, 0.0) or 0.0 for tag in ("spring_stiffness", "spring_reference")
+        )
+        return Spring(stiffness, rest) if stiffness else None
 
     def mimic(self, axis: Element | None, of: str) -> Mimic | None:
         mimic = None if axis is None else self.one(axis, "mimic", of)

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from typing import Final, Literal
 
 from robodyn.errors import InputError, Place
-from robodyn.formats.chain import Body, Pose, Vector
+from robodyn.formats.chain import Body, Pose, Spring, Vector
 from robodyn.formats.limits import LINES_SHOWN, LINKS, NAMES_SHOWN
 from robodyn.robot.names import TEXT_LENGTH, shown
 
@@ -91,6 +91,7 @@ class TreeJoint:
     armature: float = 0.0
     ratio: float | None = None
     torque_constant: float | None = None
+    spring: Spring | None = None
     mimic: Mimic | None = None
 
 

@@ -19,34 +19,51 @@ class Residue:
         self.field = field
         self.value = value
 
-    def _of(self, other: Residue | Number) -> int:
-        return other.value if other.__class__ is Residue else self.field.number(other)  # type: ignore[arg-type]
+    def _of(self, other: Residue | Number) -> int | None:
+        """``other`` as an element of the field; None: it knows better what to do with one."""
+        if other.__class__ is Residue:
+            return other.value
+        return self.field.number(other) if isinstance(other, (int, Fraction)) else None
 
     def __add__(self, other: Residue | Number) -> Residue:
-        field = self.field
-        value = other.value if other.__class__ is Residue else field.number(other)  # type: ignore[arg-type]
-        return Residue(field, (self.value + value) % field.prime)
+        value = self._of(other)
+        if value is None:
+            return NotImplemented
+        return Residue(self.field, (self.value + value) % self.field.prime)
 
     __radd__ = __add__
 
     def __sub__(self, other: Residue | Number) -> Residue:
-        return Residue(self.field, (self.value - self._of(other)) % self.field.prime)
+        value = self._of(other)
+        if value is None:
+            return NotImplemented
+        return Residue(self.field, (self.value - value) % self.field.prime)
 
     def __rsub__(self, other: Number) -> Residue:
-        return Residue(self.field, (self._of(other) - self.value) % self.field.prime)
+        value = self._of(other)
+        if value is None:
+            return NotImplemented
+        return Residue(self.field, (value - self.value) % self.field.prime)
 
     def __mul__(self, other: Residue | Number) -> Residue:
-        field = self.field
-        value = other.value if other.__class__ is Residue else field.number(other)  # type: ignore[arg-type]
-        return Residue(field, self.value * value % field.prime)
+        value = self._of(other)
+        if value is None:
+            return NotImplemented
+        return Residue(self.field, self.value * value % self.field.prime)
 
     __rmul__ = __mul__
 
     def __truediv__(self, other: Residue | Number) -> Residue:
-        return Residue(self.field, self.value * self._inverse(self._of(other)) % self.field.prime)
+        value = self._of(other)
+        if value is None:
+            return NotImplemented
+        return Residue(self.field, self.value * self._inverse(value) % self.field.prime)
 
     def __rtruediv__(self, other: Number) -> Residue:
-        return Residue(self.field, self._of(other) * self._inverse(self.value) % self.field.prime)
+        value = self._of(other)
+        if value is None:
+            return NotImplemented
+        return Residue(self.field, value * self._inverse(self.value) % self.field.prime)
 
     def _inverse(self, value: int) -> int:
         if not value:

@@ -13,7 +13,7 @@ from os import PathLike
 from typing import TYPE_CHECKING
 
 from robodyn.counts import Count, count
-from robodyn.dynamics.functions import by_default
+from robodyn.dynamics.functions import NoSuchFunction, by_default, function_named
 from robodyn.emit import Unit, render
 from robodyn.emit.languages import defaults, languages_named, require
 from robodyn.formats.loading import robot_of
@@ -71,6 +71,8 @@ class Generated:
     options: Options
     counts: dict[str, Count]
     prunings: dict[str, Pruning] = field(default_factory=dict)
+    #: Of fused functions the operations of their parts, each in a function of its own.
+    alone: dict[str, tuple[Count, ...]] = field(default_factory=dict)
     #: Functions that the robot does not have, and why.
     left_out: dict[str, str] = field(default_factory=dict)
     #: Of a robot with effects: the operations of the rigid arm alone.
@@ -128,7 +130,7 @@ def generate(
             progress(function)
         try:
             programs[function] = builder.program(function)
-        except NoForwardDynamics as reason:
+        except NoSuchFunction as reason:
             if options.functions is not None:
                 raise
             left_out[function] = (reason.found or reason.what).partition(":")[0]
@@ -164,8 +166,13 @@ def generate(
         lanes=4 if options.profile is None else options.profile.lanes,
     )
     counts = {f: count(p) for f, p in programs.items()}
+    alone = {
+        f: tuple(count(builder.program(part.name)) for part in function_named(f).fuses)
+        for f in programs
+        if function_named(f).fuses
+    }
     rigid = {f: builder.rigid_count(f) for f in programs}
-    return Generated(unit, options, counts, drafts.prunings, left_out, rigid)
+    return Generated(unit, options, counts, drafts.prunings, alone, left_out, rigid)
 
 
 def maker(

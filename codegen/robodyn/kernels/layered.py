@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 from robodyn.counts import Count, count
 from robodyn.drives.drive import rigid_part
@@ -10,6 +11,7 @@ from robodyn.dynamics.compose import composed
 from robodyn.dynamics.functions import FUNCTIONS, Function, function_named
 from robodyn.errors import InputError
 from robodyn.ir.fingerprint import agree
+from robodyn.ir.graph import Graph
 from robodyn.ir.program import Program
 from robodyn.kernels.options import Options
 from robodyn.kernels.proof import Unequal
@@ -19,7 +21,8 @@ from robodyn.kernels.with_effects import (
     layered,
     needs_reactions,
 )
-from robodyn.passes import FRESH, SPELLING, run, unchecked
+from robodyn.optimize.programs import Choice, Recursion, recursion_in
+from robodyn.passes import FRESH, SPELLING, Pass, unchecked
 from robodyn.robot.identity import identity
 from robodyn.robot.model import Robot
 from robodyn.robot.values import circle_point
@@ -69,20 +72,40 @@ class Layered:
 
     def _build(self, function: str) -> Program:
         record = function_named(function)
+        if record.geometric or not record.drives:
+            return self.rigid.best(function)
         check_solvable(self.robot, record)
-        if not record.parts:
-            draft = layered(self.robot, record, self._rigid, self.options.formulation)
-            program = run(draft, SPELLING if self.options.optimize == "none" else FRESH)
-            self._compare(function, program, self._plain(record))
-            return program
         try:
-            draft = composed(record, {part: self.program(part) for part in record.parts}, self.robot.n)
-            program = unchecked(draft, FRESH)
-            # Of what solves for accelerations there is no other formula: its parts are compared.
-            self._compare(function, program, draft if record.expected is None else self._plain(record))
+            drafts = self._drafts(record)
+            passed = [unchecked(draft, self._passes) for draft in drafts]
+            k = min(range(len(passed)), key=lambda k: count(passed[k]).total)
+            # Of what is put together from parts there may be no other formula: its parts are compared.
+            alone = record.parts and record.expected is None
+            self._compare(function, passed[k], drafts[k] if alone else self._plain(record))
         except ZeroDivisionError:  # a pivot that is zero as a number or, in a drawn field, as a function
             raise self.rigid.singular(function) from None
-        return program
+        return passed[k]
+
+    @property
+    def _passes(self) -> Sequence[Pass]:
+        return SPELLING if self.options.optimize == "none" else FRESH
+
+    def _drafts(self, record: Function) -> list[Program]:
+        """All ways to write ``record``: from its parts, and straight."""
+        writings = range(len(record.writings(self.robot.n)))
+        drafts: list[Program] = []
+        if record.parts:
+            parts = {part: self.program(part) for part in record.parts}
+            drafts = composed(record, parts, self.robot.n, self._beneath)
+            if record.by_parts is None:
+                return drafts
+        straight = (
+            layered(self.robot, record, self._rigid, self.options.formulation, writing=k) for k in writings
+        )
+        return [*drafts, *straight]
+
+    def _beneath(self, graph: Graph, inputs: Mapping[str, Sequence[Any]]) -> Recursion:
+        return recursion_in(graph, rigid_part(self.robot), Choice(), inputs)
 
     def _rigid(self, function: str) -> Program | None:
         """The rigid arm's best program, unless bearings feel what moves."""
@@ -95,7 +118,7 @@ class Layered:
             # The mass matrix is proven beneath; the rotors are put on it here.
             return None if function_named(function).gives_torques else self.rigid.best(function)
 
-        return layered(self.robot, record, rigid, "newton_euler", expected=True)
+        return layered(self.robot, record, rigid, "newton_euler", writing=None)
 
     def _compare(self, function: str, program: Program, plain: Program) -> None:
         """In finite fields, where roots and the like are random functions, so that their arguments must be
@@ -106,7 +129,8 @@ class Layered:
 
     def rigid_count(self, function: str) -> Count | None:
         """Operations of the rigid arm beneath; None of functions that are composed."""
-        return None if function_named(function).parts else count(self.rigid.best(function))
+        record = function_named(function)
+        return None if record.parts and record.by_parts is None else count(self.rigid.best(function))
 
     @property
     def notes(self) -> tuple[str, ...]:

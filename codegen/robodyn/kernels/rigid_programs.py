@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 from robodyn.counts import Count, count
 from robodyn.counts.objective import operations_of, parse_objective
-from robodyn.dynamics.compose import composed
+from robodyn.dynamics.compose import composed, side_by_side
 from robodyn.dynamics.functions import Function, function_named, recursion
+from robodyn.dynamics.fusing import Writing, one_after_another
+from robodyn.ir.graph import Graph
 from robodyn.ir.program import Input, Program
 from robodyn.kernels.options import Options
 from robodyn.kernels.proof import prove
 from robodyn.optimize.fast import fast_choices
-from robodyn.optimize.programs import Choice, NoForwardDynamics, build, signature
+from robodyn.optimize.programs import Choice, NoForwardDynamics, Recursion, build, recursion_in, signature
 from robodyn.optimize.records import Record, best_record
 from robodyn.optimize.records.adoption import adopted
 from robodyn.optimize.records.rounding import Rounding
@@ -50,6 +52,8 @@ class RigidPrograms:
         self._roundings: dict[str, Rounding] = {}
         #: Functions whose program is a record's, or made of one, and how that was found.
         self.taken: dict[str, str] = {}
+        #: Of functions that may be written in several ways the one that takes the fewest operations.
+        self._writings: dict[str, Writing] = {}
         #: What pruning did, by function.
         self.prunings: dict[str, Pruning] = {}
 
@@ -147,8 +151,7 @@ class RigidPrograms:
         if known.parts:
             return self._composed(known)
         best: Program | None = None
-        sources = (function, recursion().name) if known.gives_torques else (function,)
-        for source in dict.fromkeys(sources):
+        for source in _sources(known):
             record = self._record(source)
             if record is None:
                 continue
@@ -175,12 +178,20 @@ class RigidPrograms:
 
     def _composed(self, function: Function) -> Program | None:
         """A function put together from its parts, if records have any of them."""
+        sources = {source for part in function.parts for source in _sources(function_named(part))}
+        if all(self._record(source) is None for source in sources):
+            return None
         parts = {part: self.best(part) for part in function.parts}
         known = [self.taken[part] for part in parts if part in self.taken]
         if not known:
             return None
         self.taken[function.name] = known[0]
-        return unchecked(composed(function, parts, self.robot.n), FRESH)
+
+        def beneath(graph: Graph, inputs: Mapping[str, Sequence[Any]]) -> Recursion:
+            return recursion_in(graph, self.robot, self.choice, inputs)
+
+        ways = composed(function, parts, self.robot.n, beneath)
+        return min((unchecked(way, FRESH) for way in ways), key=self._cost)
 
     def _record(self, function: str) -> Record | None:
         if function not in self._records:
@@ -216,6 +227,13 @@ class RigidPrograms:
                 raise self.singular(function) from None
         return self._drafts[function]
 
+    def _fused(self, function: Function) -> list[Program]:
+        """``function`` written anew as a whole, and put together from the best programs of its parts."""
+        best = {part.name: self.best(part.name) for part in function.fuses}
+        writings = [self._writings.get(part.name, part.outputs) for part in function.fuses]
+        anew = build(self.robot, function.name, self.choice, one_after_another(writings))
+        return [anew, side_by_side(function, list(best.values()), self.robot.n)]
+
     def singular(self, function: str) -> SingularArm:
         """The error of an arm in which a joint moves without inertia."""
         return SingularArm(
@@ -229,13 +247,25 @@ class RigidPrograms:
             from robodyn.kernels.through_sympy import build_through_sympy
 
             return build_through_sympy(self.robot, function, self.choice)
-        drafts = [
-            build(self.robot, function, self.choice, writing)
-            for writing in range(len(function_named(function).writings))
-        ]
+        known = function_named(function)
+        writings = known.writings(self.robot.n)
+        if known.fuses:
+            drafts = self._fused(known)
+        else:
+            drafts = [build(self.robot, function, self.choice, writing) for writing in writings]
         if len(drafts) == 1:
             return drafts[0]
         passed = [self._passes(draft) for draft in drafts]
         k = min(range(len(drafts)), key=lambda k: self._cost(passed[k]))
         self._after_passes[function] = passed[k]
+        self._writings[function] = known.outputs if known.fuses else writings[k]
+        if known.fuses and k == 0:  # the best programs of the parts are not in it
+            for part in set(self.taken) - set(self.options.functions or ()):
+                del self.taken[part]
         return drafts[k]
+
+
+def _sources(function: Function) -> tuple[str, ...]:
+    """Functions whose records serve ``function``: its own, and for torques those of the inverse dynamics."""
+    names = (function.name, recursion().name) if function.gives_torques else (function.name,)
+    return tuple(dict.fromkeys(names))

@@ -20,17 +20,17 @@ from robodyn.drives.drive import (
 )
 from robodyn.dynamics.arm import JointAngle, Motion, build_arm, build_motion
 from robodyn.dynamics.functions import Function, Moving, Rotor, function_named, torques_at
-from robodyn.dynamics.joints import rotors_of
+from robodyn.dynamics.lump import MomentForm
 from robodyn.dynamics.modified_newton_euler import modified_newton_euler
 from robodyn.dynamics.newton_euler import newton_euler
-from robodyn.dynamics.parallel import single_turns
-from robodyn.dynamics.regroup import lumps_of
+from robodyn.dynamics.parallel import Turns
 from robodyn.effects.effect import Site
 from robodyn.errors import InputError
+from robodyn.ir.derivative import jacobian
 from robodyn.ir.graph import Graph
 from robodyn.ir.lowering import lower
 from robodyn.ir.program import Input, Label, Program
-from robodyn.optimize.programs import NoForwardDynamics, exact, turned
+from robodyn.optimize.programs import Choice, NoForwardDynamics, exact, recursion_in, turned
 from robodyn.robot.model import Robot
 
 #: Recursions that pass by the force and the moment in every joint.
@@ -79,19 +79,23 @@ def layered(
     rigid: Callable[[str], Program | None],
     formulation: str,
     *,
-    expected: bool = False,
+    writing: int | None = 0,
 ) -> Program:
     """The program of ``function`` of ``robot``. ``rigid`` has the programs of :func:`.drive.rigid_part` by
     the function's name; of torques maybe none: then the recursion ``formulation`` runs here, with the forces
-    in the joints. ``expected``: the result by the way that it is checked by.
+    in the joints. ``writing`` is one of the function's ``writings``; None: the way that it is checked by.
 
     Raises
     ------
     InputError: ``formulation`` has no forces in joints, and bearings feel them.
     """
-    at = _Layered(robot, function, rigid, formulation)
-    written = function.expected if expected and function.expected is not None else function.outputs
-    outputs = function.split(list(written(at)), robot.n)
+    if writing is None:
+        at = _Layered(robot, function, rigid, formulation, Choice("newton_euler", False, False))
+        write = function.expected or function.outputs
+    else:
+        at = _Layered(robot, function, rigid, formulation, Choice())
+        write = function.writings(robot.n)[writing]
+    outputs = function.split(list(write(at)), robot.n)
     return lower(at.graph, outputs + ([("state", at.states)] if at.states else []))
 
 
@@ -99,7 +103,12 @@ class _Layered:
     """Drives on a rigid arm, in a graph; see :class:`robodyn.dynamics.functions.Dynamics`."""
 
     def __init__(
-        self, robot: Robot, function: Function, rigid: Callable[[str], Program | None], formulation: str
+        self,
+        robot: Robot,
+        function: Function,
+        rigid: Callable[[str], Program | None],
+        formulation: str,
+        choice: Choice,
     ) -> None:
         self.graph = Graph()
         self._layer = layer_of(robot, as_is, self.graph.input)
@@ -112,24 +121,41 @@ class _Layered:
         self.inputs = {
             name: [self.graph.input(name, i) for i in range(robot.n)] for name in function.input_names
         }
-        self.arm = build_arm(rigid_part(robot), exact, self.graph.input)
+        self._beneath = recursion_in(self.graph, rigid_part(robot), choice, self.inputs)
+        self.arm = self._beneath.arm
 
     def motion(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Motion:
         """The rigid arm at ``q``, with these rates and accelerations."""
+        return self._beneath.motion(qd, qdd)
 
-        def trigonometry(angle: JointAngle) -> tuple[Any, Any]:
-            return turned(self.graph, self.inputs["q"], angle)
+    def turns(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Turns:
+        """How its joints turn."""
+        return self._beneath.turns(qd, qdd)
 
-        return build_motion(self.arm, self.inputs["q"], qd, qdd, trigonometry, exact)
+    def cheapest(self, choices: Sequence[Sequence[Sequence[Any]]]) -> Sequence[Sequence[Any]]:
+        """Of the ways to write each of some vectors those that take the fewest operations."""
+        return self._beneath.cheapest(choices)
 
-    def links(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Moving:
-        """The same, nothing moved to a parent."""
-        motion = self.motion(qd, qdd)
-        return Moving(self.arm, motion, single_turns(motion), lumps_of(self.arm))
+    def links(self, qd: Sequence[Any], qdd: Sequence[Any], form: MomentForm = "second_moment") -> Moving:
+        """The same, with the links' masses."""
+        return self._beneath.links(qd, qdd, form)
+
+    def differentiated(self, values: Sequence[Any], array: str) -> list[list[Any]]:
+        """Derivatives of ``values`` by the elements of ``array``, through all effects."""
+        return jacobian(self.graph, values, [Input(array, i) for i in range(self._robot.n)])
 
     def rotors(self) -> list[Rotor]:
         """The rotors of the drives."""
-        return rotors_of(self.arm) + self._layer.rotors()
+        return self._beneath.rotors() + self._layer.rotors()
+
+    def inertial_torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
+        """Torques [n] of the rigid arm and all rotors, without gravity and what drives do besides."""
+        tau = self._beneath.inertial_torques(qd, qdd)
+        for rotor in self._layer.rotors():
+            acceleration = sum(ratio * qdd[joint] for joint, ratio in rotor.rates)
+            for joint, ratio in rotor.rates:
+                tau[joint] = tau[joint] + ratio * (rotor.inertia * acceleration)
+        return tau
 
     def mark(self, value: Any, label: Label) -> Any:
         """Name ``value``."""

@@ -14,7 +14,7 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, Body, Symmetric, origin
-from robodyn.dynamics.lump import Lump
+from robodyn.dynamics.lump import NO_LUMP, Lump
 from robodyn.dynamics.regroup import (
     about_axis_z,
     lumps_of,
@@ -70,7 +70,6 @@ class Handed:
     slid: Any
 
 
-NO_LUMP = Lump(0, (0, 0, 0), Symmetric(0, 0, 0, 0, 0, 0))
 AT_TIP = Handed(NO_LUMP, NO_LUMP, 0, 0)
 
 

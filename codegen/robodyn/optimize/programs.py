@@ -11,13 +11,22 @@ from dataclasses import dataclass, fields
 from fractions import Fraction
 from typing import Any
 
-from robodyn.dynamics.arm import Arm, JointAngle, Motion, Trigonometry, build_arm, build_motion
-from robodyn.dynamics.functions import Moving, Rotor, function_named
+from robodyn.dynamics.arm import (
+    Arm,
+    JointAngle,
+    Motion,
+    Trigonometry,
+    build_arm,
+    build_motion,
+    inertial,
+)
+from robodyn.dynamics.functions import Moving, NoSuchFunction, Rotor, function_named
+from robodyn.dynamics.fusing import Writing
 from robodyn.dynamics.joints import rotors_of
-from robodyn.dynamics.lump import MomentForm
+from robodyn.dynamics.lump import NO_LUMP, MomentForm
 from robodyn.dynamics.mass_matrix import mass_matrix
-from robodyn.dynamics.parallel import chain_turns, single_turns
-from robodyn.dynamics.regroup import lumps_of, regrouped
+from robodyn.dynamics.parallel import Turns, chain_turns, single_turns
+from robodyn.dynamics.regroup import lumps_of, regrouped_with_ground
 from robodyn.dynamics.vectors import Mark
 from robodyn.errors import InputError
 from robodyn.ir import Graph, Label, Node, Program, Signature
@@ -25,6 +34,7 @@ from robodyn.ir.fingerprint import in_drawn_field
 from robodyn.ir.lowering import lower
 from robodyn.ir.signature import ScalarType
 from robodyn.optimize.base_parameters import base_newton_euler
+from robodyn.optimize.cheapest import Cheapest
 from robodyn.optimize.costing import exact as exact
 from robodyn.optimize.gauge import regrouped_as, with_displacements
 from robodyn.optimize.merging import MergingGraph
@@ -49,7 +59,7 @@ FORMULATIONS = (
 )
 
 
-class NoForwardDynamics(InputError):
+class NoForwardDynamics(NoSuchFunction):
     """An arm has no forward dynamics, or none in closed form; ``found`` says why."""
 
 
@@ -129,10 +139,11 @@ def _states(robot: Robot) -> tuple[str, ...]:
     return layer_of(robot, lambda x: x, lambda _: 1).state_names
 
 
-def build(robot: Robot, function: str, choice: Choice, writing: int = 0) -> Program:
+def build(robot: Robot, function: str, choice: Choice, writing: Writing | None = None) -> Program:
     """The program of ``function`` as the recursion leaves it: equal nodes merged, constants folded,
-    nothing dead, no pass run yet. ``writing`` is one of the function's ``writings``."""
-    if choice.variant is None:
+    nothing dead, no pass run yet. ``writing`` says how its outputs are written, if not as usual."""
+    # Where equal values are one node whichever way they were written, there is nothing to choose from.
+    if choice.variant is None or function_named(function).geometric:
         return _built(Graph(), robot, function, choice, writing)
     numbers = identity(robot).encode()
     program: Program = in_drawn_field(
@@ -144,18 +155,11 @@ def build(robot: Robot, function: str, choice: Choice, writing: int = 0) -> Prog
     return program
 
 
-def _built(graph: Graph, robot: Robot, function: str, choice: Choice, writing: int) -> Program:
+def _built(graph: Graph, robot: Robot, function: str, choice: Choice, writing: Writing | None) -> Program:
     interface = signature(robot, function)
     inputs = {name: [graph.input(name, i) for i in range(size)] for name, size in interface.inputs}
-    arm = build_arm(robot, exact, graph.input)
-
-    def trigonometry(angle: JointAngle) -> tuple[Any, Any]:
-        return turned(graph, inputs["q"], angle)
-
-    def mark(value: Any, label: Label) -> Any:
-        return graph.label(value, label)
-
-    values = outputs_of(function, arm, choice, inputs, trigonometry, exact, mark, writing)
+    recursion = recursion_in(graph, robot, choice, inputs)
+    values = list((writing or function_named(function).outputs)(recursion))
     if choice.regroup:
         graph, values = in_reading_order(graph, values)
     return lower(graph, function_named(function).split(values, robot.n))
@@ -169,11 +173,11 @@ def outputs_of(
     trigonometry: Trigonometry,
     constant: Callable[[Fraction], Any],
     mark: Mark,
-    writing: int = 0,
+    writing: Writing | None = None,
 ) -> list[Any]:
     """The outputs of ``function``, one after another, over the scalars of ``arm`` and ``inputs``."""
     recursion = Recursion(arm, choice, inputs, trigonometry, constant, mark)
-    return list(function_named(function).writings[writing](recursion))
+    return list((writing or function_named(function).outputs)(recursion))
 
 
 class Recursion:
@@ -192,14 +196,20 @@ class Recursion:
         self.rest: Sequence[Any] = [0] * len(arm.bodies)
         self.arm, self._choice, self._trigonometry, self._number = arm, choice, trigonometry, constant
         self._inverse: Inverse | None = None
+        self._cheapest = Cheapest()
 
     def torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
         """Joint torques [n]."""
         if self._inverse is None:
-            self._inverse = _inverse_dynamics(
-                self.arm, self._choice, self.inputs["q"], self._trigonometry, self._number
-            )
+            self._inverse = self._inverse_of(self.arm)
         return self._inverse(qd, qdd, self.mark)
+
+    def inertial_torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
+        """Joint torques [n] without gravity and friction."""
+        return self._inverse_of(inertial(self.arm))(qd, qdd, self.mark)
+
+    def _inverse_of(self, arm: Arm) -> Inverse:
+        return _inverse_dynamics(arm, self._choice, self.inputs["q"], self._trigonometry, self._number)
 
     def mass_matrix(self) -> list[list[Any]]:
         """Mass matrix [n][n], by composite bodies."""
@@ -210,18 +220,48 @@ class Recursion:
         """The arm at ``q``, with these rates and accelerations."""
         return build_motion(self.arm, self.inputs["q"], qd, qdd, self._trigonometry, self._number)
 
-    def links(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Moving:
+    def turns(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Turns:
+        """How its joints turn, chains of parallel joints as one; each for itself as in the book."""
+        motion = self.motion(qd, qdd)
+        if not self._choice.regroup:
+            return single_turns(motion)
+        return chain_turns(self.arm, motion, self._trigonometry)
+
+    def cheapest(self, choices: Sequence[Sequence[Sequence[Any]]]) -> list[Sequence[Any]]:
+        """Of the ways to write each of some vectors those that take the fewest further operations."""
+        return self._cheapest(choices)
+
+    def links(self, qd: Sequence[Any], qdd: Sequence[Any], form: MomentForm = "second_moment") -> Moving:
         """The same, regrouped where the choice has it, chains of parallel joints turning as one."""
         choice, trigonometry = self._choice, self._trigonometry
         arm = slid(self.arm) if choice.regroup else self.arm
-        lumps = regrouped(arm, ["second_moment"] * len(arm.bodies)) if choice.regroup else lumps_of(arm)
+        lumps, ground = lumps_of(arm), NO_LUMP
+        if choice.regroup:
+            lumps, ground = regrouped_with_ground(arm, [form] * len(arm.bodies))
         motion = build_motion(arm, self.inputs["q"], qd, qdd, trigonometry, self._number)
         turns = chain_turns(arm, motion, trigonometry) if choice.chains else single_turns(motion)
-        return Moving(arm, motion, turns, lumps)
+        return Moving(arm, motion, turns, lumps, ground)
+
+    def differentiated(self, values: Sequence[Any], array: str) -> None:
+        """The rigid arm's derivatives are written out."""
 
     def rotors(self) -> list[Rotor]:
         """The rotors of the joints."""
         return rotors_of(self.arm)
+
+
+def recursion_in(
+    graph: Graph, robot: Robot, choice: Choice, inputs: Mapping[str, Sequence[Any]]
+) -> Recursion:
+    """The dynamics of ``robot`` in ``graph``, ``inputs`` ``[n]`` by name."""
+
+    def trigonometry(angle: JointAngle) -> tuple[Any, Any]:
+        return turned(graph, inputs["q"], angle)
+
+    def mark(value: Any, label: Label) -> Any:
+        return graph.label(value, label)
+
+    return Recursion(build_arm(robot, exact, graph.input), choice, inputs, trigonometry, exact, mark)
 
 
 def turned(graph: Graph, q: Sequence[Node], angle: JointAngle) -> tuple[Any, Any]:

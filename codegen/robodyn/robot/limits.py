@@ -23,3 +23,6 @@ NOISE: float = 1e-15
 
 DECIMALS: int = 12
 """[decimal places] Of a decimal that is meant."""
+
+WRITTEN: int = 17
+"""[decimal places] Programs write doubles below 10 with so many; sums of such numbers are not rounded."""

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from fractions import Fraction
 
-from robodyn.robot.limits import DECIMALS, NOISE, NOTHING, QUARTER_TURN
+from robodyn.robot.limits import DECIMALS, NOISE, NOTHING, QUARTER_TURN, WRITTEN
 from robodyn.robot.numbers import shortest
 from robodyn.robot.parts import Exact, Placement, Rows
 from robodyn.robot.values import PI, ZERO, Angle, angle, quarter_turns
@@ -98,14 +98,16 @@ def _radians(turn: Angle) -> Fraction:
 
 def tidy(x: Fraction, size: float) -> Fraction:
     """``x`` as a short decimal: 0 where it is nothing beside ``size``; the decimal of few places that is this
-    but for rounding; else the shortest that is the same double."""
+    but for rounding; itself where files write so many places; else the shortest that is the same double."""
     value = float(x)
     if abs(value) <= NOTHING * size:
         return ZERO
     short = shortest(value)
     decimal = Fraction(round(x * 10**DECIMALS), 10**DECIMALS)
     meant = abs(decimal - x) <= Fraction(NOISE * size) and shortest(float(decimal)) == decimal
-    return decimal if meant and short != x else short
+    if meant and short != x:
+        return decimal
+    return x if 10**WRITTEN % x.denominator == 0 and abs(x) < 10 else short
 
 
 def placement(R: Rows, origin: Exact, size: float, within: float = QUARTER_TURN) -> Placement | None:

@@ -20,7 +20,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.dynamics.functions import FUNCTIONS, INPUTS, Function
+from robodyn.drives.drive import has_drive_effects
+from robodyn.dynamics.functions import INPUTS, Function, function_named
+from robodyn.dynamics.fusing import parts_of
 from robodyn.errors import InputError, ToolError
 from robodyn.robot.model import Robot
 from robodyn.verify.lagrangian import LIMIT
@@ -140,7 +142,7 @@ class _Run:
         seed: int,
         trig: Trig | None,
     ) -> None:
-        self.kernel = kernel
+        self.robot, self.kernel = robot, kernel
         self.values = values
         self.tolerance = TOLERANCE[kernel.scalar]
         sample = draw(robot, states, seed, kernel.dtype)
@@ -167,18 +169,32 @@ class _Run:
 
     def obstacle(self, function: str) -> str | None:
         """Why ``function`` cannot be compared."""
-        if function not in FUNCTIONS:
+        try:
+            record = function_named(function)
+        except InputError:
             return "no reference knows it"
         unknown = [name for name, _ in self.kernel.signatures[function].inputs if name not in self.inputs]
         if unknown:
             return f"its input {', '.join(unknown)} is unknown"
-        if FUNCTIONS[function].solves and not self.regular.any():
+        if record.rigid and has_drive_effects(self.robot):
+            return "no reference differentiates what its drives do"
+        if record.solves and not self.regular.any():
             return "the mass matrix is singular at every state"
         return None
 
     def compare(self, function: str, oracle: Oracle, count: int) -> Comparison:
-        """``function`` against ``oracle`` at ``count`` states, evenly picked."""
-        record = FUNCTIONS[function]
+        """``function`` against ``oracle`` at ``count`` states, evenly picked; of what is fused the worst
+        part."""
+        record, n = function_named(function), self.inputs["q"].shape[1]
+        elements = range(record.size_at(n))
+        parts = parts_of(record.fuses, elements, n) if record.fuses else [(record, elements)]
+        compared = [self._compare(function, part, list(own), oracle, count) for part, own in parts]
+        return max(compared, key=lambda comparison: (not comparison.passed, comparison.error))
+
+    def _compare(
+        self, function: str, record: Function, elements: list[int], oracle: Oracle, count: int
+    ) -> Comparison:
+        """The ``elements`` of ``function`` that are ``record``'s."""
         places = np.arange(len(self.regular))
         if record.solves:
             places = places[self.regular]
@@ -187,7 +203,7 @@ class _Run:
             count = min(count, 2)  # every column is a torque
         if count < len(places):
             places, left_out = places[np.linspace(0, len(places) - 1, count).astype(int)], 0
-        actual = self._result(function)[places]
+        actual = self._result(function)[places][:, elements]
         inputs = {array.name: self.inputs[array.name][places] for array in INPUTS}
         yardstick: float | Floats = self.largest
         if record.expected is None:
@@ -196,7 +212,7 @@ class _Run:
             reference, wanted = oracle.compared(record, inputs, sent, inputs["qdd"])
             error = differences(wanted, reference)
             error[~sound.all(axis=1)] = np.inf
-            return self._comparison(function, oracle, places, left_out, error, yardstick, None)
+            return self._comparison(function, record, oracle, places, left_out, error, yardstick, None)
         if self.kernel.signatures[function].states:
             expected, _ = self.stepping.step(
                 inputs["q"], inputs["qd"], inputs["qdd"], self.memory[places], _STEP
@@ -208,7 +224,7 @@ class _Run:
                 yardstick = self._largest_of(record)
         error = differences(actual, expected)
         ulps = self._ulps(record, error, expected, yardstick) if oracle.name == "exact" else None
-        return self._comparison(function, oracle, places, left_out, error, yardstick, ulps)
+        return self._comparison(function, record, oracle, places, left_out, error, yardstick, ulps)
 
     def _largest_of(self, record: Function) -> Floats:
         """For each element the largest of its result, by the reference, anywhere in the sample."""
@@ -247,6 +263,7 @@ class _Run:
     def _comparison(
         self,
         function: str,
+        record: Function,
         oracle: Oracle,
         places: NDArray[np.intp],
         left_out: int,
@@ -257,7 +274,7 @@ class _Run:
         relative = _relative(error, np.broadcast_to(yardstick, error.shape))
         worst = np.unravel_index(int(np.argmax(relative)), error.shape)
         state = int(places[worst[0]])
-        joint, column = self._place(FUNCTIONS[function], int(worst[1]))
+        joint, column = self._place(record, int(worst[1]))
         return Comparison(
             function=function,
             against=oracle.name,
@@ -278,9 +295,9 @@ class _Run:
     def _place(self, function: Function, element: int) -> tuple[int | None, int | None]:
         """Joint and column, from 1, of an element of the results, or of torques that tell of them; None where
         it is of no joint, of no matrix."""
-        if function.expected is None:
-            return element + 1, None
         n = self.inputs["q"].shape[1]
+        if function.expected is None:
+            return element % n + 1, None
         for array in function.results:
             shape = array.shape_at(n)
             size = array.size_at(n)

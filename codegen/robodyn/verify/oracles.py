@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
@@ -22,12 +22,13 @@ from robodyn.dynamics.arm import (
 )
 from robodyn.dynamics.functions import Function, Moving, Rotor
 from robodyn.dynamics.joints import rotors_of
-from robodyn.dynamics.parallel import single_turns
+from robodyn.dynamics.lump import NO_LUMP, MomentForm
+from robodyn.dynamics.parallel import Turns, single_turns
 from robodyn.dynamics.regroup import lumps_of
 from robodyn.dynamics.vectors import unmarked
 from robodyn.ir.evaluate import turn
 from robodyn.robot.model import Robot
-from robodyn.robot.values import circle_point
+from robodyn.robot.values import ZERO, circle_point
 from robodyn.verify.exact import exact_torque
 from robodyn.verify.lagrangian import lagrangian
 from robodyn.verify.numbers import Parameters, filled, real
@@ -51,6 +52,8 @@ class Oracle:
     matrix: Callable[[Floats], Numbers] | None = None
     #: Whether the torques are Fractions.
     exact: bool = False
+    #: The same reference of another robot.
+    other: Callable[[Robot, Parameters], Oracle] | None = None
 
     def mass_matrix(self, q: Floats) -> Numbers:
         """``[N, n, n]``: torques of unit accelerations less those of none."""
@@ -64,6 +67,12 @@ class Oracle:
             unit[:, j] = 1.0
             columns.append(self.torque(q, rest, unit) - still)
         return np.stack(columns, axis=-1)
+
+    def links(self) -> Oracle:
+        """The same reference of the links alone, in no gravity."""
+        assert self.other is not None
+        links = replace(rigid_part(self.robot, bare=True), gravity=(ZERO, ZERO, ZERO))
+        return self.other(links, self.parameters)
 
     def expected(self, function: Function, inputs: Mapping[str, Floats]) -> Numbers:
         """The elements ``[N, m]`` of the results of ``function``, of arrays ``[N, n]`` by name."""
@@ -117,10 +126,21 @@ class _Columns:
         trigonometry = _exact_trigonometry(q) if self._oracle.exact else trigonometry_at(q)
         return build_motion(self.arm, q, qd, qdd, trigonometry, scalar)
 
-    def links(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Moving:
+    def turns(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Turns:
+        """How its joints turn, each for itself."""
+        return single_turns(self.motion(qd, qdd))
+
+    def cheapest(self, choices: Sequence[Sequence[Sequence[Any]]]) -> list[Sequence[Any]]:
+        """The first of each: nothing is counted."""
+        return [ways[0] for ways in choices]
+
+    def links(self, qd: Sequence[Any], qdd: Sequence[Any], form: MomentForm = "second_moment") -> Moving:
         """The same, as described."""
         motion = self.motion(qd, qdd)
-        return Moving(self.arm, motion, single_turns(motion), lumps_of(self.arm))
+        return Moving(self.arm, motion, single_turns(motion), lumps_of(self.arm), NO_LUMP)
+
+    def differentiated(self, values: Sequence[Any], array: str) -> None:
+        """The rigid arm's derivatives are written out."""
 
     def rotors(self) -> list[Rotor]:
         """The rotors of the drives."""
@@ -133,6 +153,17 @@ class _Columns:
         speeds, accelerations = (self._oracle._rows(x, len(self._q)) for x in (qd, qdd))
         return list(self._oracle.torque(self._q, speeds, accelerations).T)
 
+    def inertial_torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
+        """The reference's torques of links in no gravity, and what accelerates the rotors."""
+        links = self._oracle.links()
+        speeds, accelerations = (self._oracle._rows(x, len(self._q)) for x in (qd, qdd))
+        tau = list(links.torque(self._q, speeds, accelerations).T)
+        for rotor in self.rotors():
+            acceleration = sum(ratio * qdd[joint] for joint, ratio in rotor.rates)
+            for joint, ratio in rotor.rates:
+                tau[joint] = tau[joint] + ratio * (rotor.inertia * acceleration)
+        return tau
+
     def mass_matrix(self) -> list[list[Any]]:
         """Mass matrix ``[n][n]``, of columns."""
         matrix = self._oracle.mass_matrix(self._q)
@@ -144,7 +175,14 @@ def reference_oracle(robot: Robot, parameters: Parameters) -> Oracle:
     """Plain Newton-Euler in double precision."""
     reference = Reference(robot, parameters)
     values = filled(robot, parameters)
-    return Oracle("reference", reference.inverse_dynamics, robot, values, reference.mass_matrix)
+    return Oracle(
+        "reference",
+        reference.inverse_dynamics,
+        robot,
+        values,
+        reference.mass_matrix,
+        other=reference_oracle,
+    )
 
 
 def exact_oracle(robot: Robot, parameters: Parameters) -> Oracle:
@@ -156,13 +194,15 @@ def exact_oracle(robot: Robot, parameters: Parameters) -> Oracle:
             torques[k] = exact_torque(robot, q[k].tolist(), qd[k].tolist(), qdd[k].tolist(), parameters)
         return torques
 
-    return Oracle("exact", torque, robot, filled(robot, parameters), exact=True)
+    return Oracle("exact", torque, robot, filled(robot, parameters), exact=True, other=exact_oracle)
 
 
 def lagrangian_oracle(robot: Robot, parameters: Parameters) -> Oracle:
     """Energies and derivatives; however many joints there are."""
     values = filled(robot, parameters)
-    return Oracle("lagrangian", lagrangian(robot, parameters, limit=robot.n), robot, values)
+    return Oracle(
+        "lagrangian", lagrangian(robot, parameters, limit=robot.n), robot, values, other=lagrangian_oracle
+    )
 
 
 def _exact_trigonometry(q: Sequence[Numbers]) -> Trigonometry:

@@ -10,7 +10,18 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
-from robodyn.dynamics.functions.record import INPUTS, SC, Array, Dynamics, Function, Moving, Pair, Rotor
+from robodyn.dynamics.functions.record import (
+    INPUTS,
+    SC,
+    Array,
+    Dynamics,
+    Function,
+    Moving,
+    NoSuchFunction,
+    Pair,
+    Rotor,
+)
+from robodyn.dynamics.fusing import AND, fused
 from robodyn.effects.scalars import is_zero
 from robodyn.errors import InputError
 
@@ -21,6 +32,7 @@ __all__ = [
     "Dynamics",
     "Function",
     "Moving",
+    "NoSuchFunction",
     "Pair",
     "Rotor",
     "array_named",
@@ -71,13 +83,15 @@ FUNCTIONS: dict[str, Function] = registered(_files())
 
 
 def function_named(name: str) -> Function:
-    """The function called ``name``.
+    """The function called ``name``; ``a_and_b`` is ``a`` and ``b`` in one.
 
     Raises
     ------
     InputError: there is none; says which there are.
     """
     function = FUNCTIONS.get(name)
+    if function is None and AND in name:
+        return fused([function_named(part) for part in name.split(AND)])
     if function is None:
         import difflib
 

@@ -7,11 +7,13 @@ from dataclasses import dataclass
 from math import prod
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol
 
+from robodyn.dynamics.limits import FEW_JOINTS
 from robodyn.dynamics.vectors import Mark
+from robodyn.errors import InputError
 
 if TYPE_CHECKING:
     from robodyn.dynamics.arm import Arm, Motion
-    from robodyn.dynamics.lump import Lump
+    from robodyn.dynamics.lump import Lump, MomentForm
     from robodyn.dynamics.parallel import Turns
 
 #: Elements of a state along one axis: a number, or as many as there are joints.
@@ -74,17 +76,21 @@ TAU = Array("tau", "joint torques", "N m", "N")
 #: In q's place, where sines and cosines are given.
 SC = Array("sc", "sines and cosines, as listed below", "")
 INPUTS = (Q, QD, QDD, TAU)
+#: Names of other arguments: run-time parameters, memory, time step, states of a batch.
+_TAKEN = {"p", "state", "dt", "N", "n"}
 
 
 @dataclass(frozen=True, slots=True)
 class Moving:
     """An arm in motion, its joints' ``turns``, and the mass, first and second moments of each link about its
-    frame's origin: those described, or others that move alike (then a mass may be 0 or less)."""
+    frame's origin: those described, or others that move alike (then a mass may be 0 or less), what they lack
+    of mass and first moment being that of ``ground``, at rest, about the base's origin."""
 
     arm: Arm
     motion: Motion
     turns: Turns
     lumps: Sequence[Lump]
+    ground: Lump
 
 
 class Rotor(NamedTuple):
@@ -120,8 +126,23 @@ class Dynamics(Protocol):
         """``arm`` at ``inputs["q"]``, with these velocities and accelerations ``[n]``."""
         ...
 
-    def links(self, qd: Vector, qdd: Vector) -> Moving:
-        """The same with the masses where they take the fewest operations."""
+    def turns(self, qd: Vector, qdd: Vector) -> Turns:
+        """How its joints turn: parallel ones as one where that takes fewer operations."""
+        ...
+
+    def cheapest(self, choices: Sequence[Sequence[Vector]]) -> Sequence[Vector]:
+        """Of several ways to write each of some vectors those that together take the fewest operations,
+        beside what this has chosen before; the first of each where operations are not counted."""
+        ...
+
+    def links(self, qd: Vector, qdd: Vector, form: MomentForm = "second_moment") -> Moving:
+        """The same arm with the masses where they take the fewest operations: with ``second_moment`` the
+        second moments along the axes of revolute joints are 0, with ``inertia`` the inertias about y."""
+        ...
+
+    def differentiated(self, values: Vector, array: str) -> Sequence[Vector] | None:
+        """Derivatives of ``values`` by the elements of an input, as rows; None for the rigid arm, whose
+        derivatives are written out."""
         ...
 
     def rotors(self) -> Sequence[Rotor]:
@@ -132,9 +153,17 @@ class Dynamics(Protocol):
         """Joint torques ``[n]`` at these velocities and accelerations, drives included [N m, prismatic N]."""
         ...
 
+    def inertial_torques(self, qd: Vector, qdd: Vector) -> Vector:
+        """The same of links and rotors alone, without gravity and all else that drives do."""
+        ...
+
     def mass_matrix(self) -> Sequence[Vector]:
         """Mass matrix ``[n][n]``, rotors included [kg m^2, kg m, kg]."""
         ...
+
+
+class NoSuchFunction(InputError):
+    """An arm does not have a function; ``found`` says why."""
 
 
 #: What must be equal, element by element.
@@ -163,7 +192,14 @@ class Function:
         None: it is something else.
     solves: whether it solves for accelerations: an arm in which a joint moves without inertia has no such
         function, nor has one with friction that depends on the accelerations.
+    rigid: whether what it is checked by knows the rigid arm only. With drives that have effects it is
+        compared with the plain recursion under the same drives, as all programs are, and with nothing else.
+    fuses: functions that it is the results of, one after another, see :mod:`robodyn.dynamics.fusing`.
     others: other ways to write ``outputs``; what is emitted is the one that takes the fewest operations.
+    small: the same, for arms of few joints.
+    by_parts: how it is put together from its parts; None: in any of the ways to write ``outputs``.
+    drives: whether it depends on what drives do; if not, robots with effects have the rigid arm's.
+    geometric: whether it is of the links' places and motion alone: drives and effects have no part in it.
     """
 
     name: str
@@ -177,7 +213,13 @@ class Function:
     parts: tuple[str, ...] = ()
     zeros: tuple[str, ...] | None = None
     solves: bool = False
+    rigid: bool = False
+    fuses: tuple[Function, ...] = ()
     others: tuple[Callable[[Dynamics], Sequence[Any]], ...] = ()
+    small: tuple[Callable[[Dynamics], Sequence[Any]], ...] = ()
+    by_parts: Callable[[Dynamics], Sequence[Any]] | None = None
+    drives: bool = True
+    geometric: bool = False
 
     def __post_init__(self) -> None:
         """:class:`ValueError` for a record that is none: found where the package is imported."""
@@ -190,6 +232,9 @@ class Function:
             raise ValueError(f"function {self.name!r}: inputs are some of {names}")
         if not self.results or set(self.results) & set(self.inputs):
             raise ValueError(f"function {self.name!r}: a function has results, and none is an input as well")
+        taken = _TAKEN & {array.name for array in self.results}
+        if taken:
+            raise ValueError(f"function {self.name!r}: emitted code has other arguments called {taken}")
         if self.expected is None and self.condition is None:
             raise ValueError(f"function {self.name!r}: nothing says what is right: expected or condition")
 
@@ -210,6 +255,12 @@ class Function:
         return self.zeros is not None and {"qd", "qdd"} <= set(self.zeros)
 
     @property
+    def searchable(self) -> bool:
+        """Whether fewer operations are searched for, and recorded: not for what is made of other functions,
+        and not for what divides again and again, whose terms have too many factors."""
+        return not self.parts and not self.fuses and not self.solves
+
+    @property
     def words(self) -> str:
         """Its name in a sentence."""
         return self.name.replace("_", " ")
@@ -219,10 +270,13 @@ class Function:
         """Names of the inputs."""
         return tuple(array.name for array in self.inputs)
 
-    @property
-    def writings(self) -> tuple[Callable[[Dynamics], Sequence[Any]], ...]:
-        """All ways to write the outputs."""
-        return (self.outputs, *self.others)
+    def compositions(self, n: int) -> tuple[Callable[[Dynamics], Sequence[Any]], ...]:
+        """All ways to put it together from its parts."""
+        return self.writings(n) if self.by_parts is None else (self.by_parts,)
+
+    def writings(self, n: int) -> tuple[Callable[[Dynamics], Sequence[Any]], ...]:
+        """All ways to write the outputs of ``n`` joints."""
+        return (self.outputs, *self.others, *(self.small if n <= FEW_JOINTS else ()))
 
     def size_at(self, n: int) -> int:
         """How many numbers the results are for ``n`` joints."""

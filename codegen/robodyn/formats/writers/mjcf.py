@@ -52,6 +52,8 @@ def _body(joint: PartJoint, picture: tuple[Cylinder, ...], inner: list[Tag]) -> 
         actuatorfrcrange=None if torque is None else decimals((-float(torque), float(torque))),
         damping=_unless_zero(joint.viscous),
         frictionloss=_unless_zero(joint.coulomb),
+        stiffness=_unless_zero(joint.spring.stiffness) if joint.spring else None,
+        springref=_unless_zero(joint.spring.rest) if joint.spring else None,
         armature=_unless_zero(joint.motor_inertia),
     )
     shapes = map(_geom, picture)

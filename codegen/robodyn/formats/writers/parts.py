@@ -13,8 +13,9 @@ from fractions import Fraction
 from typing import Final
 
 from robodyn.errors import InputError
-from robodyn.formats.chain import Body, Vector
+from robodyn.formats.chain import Body, Spring, Vector
 from robodyn.formats.rigid import lumped
+from robodyn.formats.springs import spring_of
 from robodyn.formats.writers.markup import legal
 from robodyn.robot.model import AXES, EffectEntry, Inertia, Link, Robot
 from robodyn.robot.parts import Gear, JointKind, Limits, Placement
@@ -49,6 +50,7 @@ class PartJoint:
     coulomb: float
     motor_inertia: float
     gear: Gear | None
+    spring: Spring | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,6 +89,7 @@ def parts_of(robot: Robot) -> Parts:
     links = unique([f"{name}_link" for name in names], RESERVED.union(names))
     frames = [_frame_of(link) for link in robot.links]
     bodies = [_body(link.mass, link.com, link.inertia) for link in robot.links]
+    springs = {entry.joint: spring for entry in robot.effects if (spring := spring_of(entry)) is not None}
     loads = [entry for entry in robot.effects if entry.definition.traits.body]
     bodies[-1] = lumped([bodies[-1], *(_load(entry) for entry in loads)])
     joints = [
@@ -101,8 +104,11 @@ def parts_of(robot: Robot) -> Parts:
             _float(link.joint.coulomb),
             _float(link.joint.motor_inertia),
             link.joint.gear,
+            springs.get(i),
         )
-        for name, behind, link, frame, body in zip(names, links, robot.links, frames, bodies, strict=True)
+        for i, (name, behind, link, frame, body) in enumerate(
+            zip(names, links, robot.links, frames, bodies, strict=True), 1
+        )
     ]
     tool = _placed(robot.tool)
     size = math.fsum(math.hypot(*frame.xyz) for frame in [*frames, tool or Frame()])
@@ -139,7 +145,7 @@ def unique(names: Iterable[str], reserved: Iterable[str]) -> list[str]:
 def _left_out(robot: Robot, loads: list[EffectEntry]) -> Iterable[str]:
     places: dict[str, list[str]] = {}
     for entry in robot.effects:
-        if entry not in loads:
+        if entry not in loads and spring_of(entry) is None:
             place = "the whole robot" if entry.joint is None else robot.links[entry.joint - 1].name
             places.setdefault(entry.effect, []).append(place)
     yield from (f"{effect}: {', '.join(where)}" for effect, where in places.items())

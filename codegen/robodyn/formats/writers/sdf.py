@@ -44,7 +44,9 @@ def _joint(joint: PartJoint, parent: str) -> Tag:
         ("lower", "upper", "effort", "velocity"), (*position, limits.torque, limits.velocity), strict=True
     )
     ends = [leaf(name, decimal(float(value))) for name, value in stated if value is not None]
-    sits = (("damping", joint.viscous), ("friction", joint.coulomb))
+    sits: tuple[tuple[str, float], ...] = (("damping", joint.viscous), ("friction", joint.coulomb))
+    if joint.spring:
+        sits += (("spring_reference", joint.spring.rest), ("spring_stiffness", joint.spring.stiffness))
     dynamics = [leaf(name, decimal(value)) for name, value in sits if value]
     axis = tag(
         "axis",

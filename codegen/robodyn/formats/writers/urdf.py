@@ -33,6 +33,8 @@ def root(parts: Parts) -> tuple[Tag, list[str]]:
 
 def _missing(parts: Parts) -> list[str]:
     missing = []
+    if springs := [joint.name for joint in parts.joints if joint.spring]:
+        missing.append(f"springs: {', '.join(springs)}")
     if parts.gravity != _USUAL:
         missing.append(f"gravity, {decimals(parts.gravity)} m/s^2: set it in the program that reads the file")
     if any(joint.motor_inertia for joint in parts.joints):

@@ -1,0 +1,150 @@
+"""Derivatives of torques and accelerations, and the Coriolis matrix, which is half of one."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+from robodyn.dynamics.derivatives import coriolis_matrix, torque_derivatives
+from robodyn.dynamics.dual import moving_along, slopes
+from robodyn.dynamics.functions.record import QD, QDD, TAU, Array, Dynamics, Function, Length, Pair, Q, Vector
+from robodyn.dynamics.joints import friction_slope
+from robodyn.dynamics.mass_matrix import Factored, solve_symmetric
+from robodyn.dynamics.newton_euler import newton_euler
+
+
+def _square(name: str, holds: str, unit: str) -> Array:
+    shape: tuple[Length, ...] = ("n", "n")
+    return Array(name, holds, unit, "N in place of N m, m in place of rad", shape)
+
+
+DTAU_DQ = _square("dtau_dq", "torques by positions", "N m/rad")
+DTAU_DQD = _square("dtau_dqd", "torques by velocities", "N m s/rad")
+DQDD_DQ = _square("dqdd_dq", "accelerations by positions", "rad/(rad s^2)")
+DQDD_DQD = _square("dqdd_dqd", "accelerations by velocities", "rad/(rad s)")
+DQDD_DTAU = _square("dqdd_dtau", "accelerations by torques: the inverse mass matrix", "rad/(N m s^2)")
+C = Array("C", "Coriolis matrix", "kg m^2/s, kg m/s, kg/s", shape=("n", "n"))
+
+
+def _flat(*matrices: Sequence[Vector]) -> list[Any]:
+    return [x for matrix in matrices for row in matrix for x in row]
+
+
+def _by_q_and_qd(at: Dynamics, qdd: Vector) -> tuple[Sequence[Vector], Sequence[Vector]]:
+    """Derivatives of the torques by positions and by velocities, as rows."""
+    qd = at.inputs["qd"]
+    if at.differentiated((), "q") is not None:
+        torques = at.torques(qd, qdd)
+        by_q, by_qd = (at.differentiated(torques, array) for array in ("q", "qd"))
+        assert by_q is not None
+        assert by_qd is not None
+        return by_q, by_qd
+    derivatives = torque_derivatives(at.links(qd, qdd), at.mark)
+    for i, row in enumerate(derivatives.by_qd):
+        row[i] = row[i] + friction_slope(at.arm, i, qd[i])
+    return derivatives.by_q, derivatives.by_qd
+
+
+def _of_torques(at: Dynamics) -> Sequence[Any]:
+    return _flat(*_by_q_and_qd(at, at.inputs["qdd"]))
+
+
+def _slopes(at: Dynamics, qdd: Vector, x: Vector) -> tuple[list[Any], list[Any]]:
+    """Derivatives [n] of the plain recursion along ``x``, of the positions and of the velocities."""
+    none = [0] * len(x)
+    motion = at.motion(at.inputs["qd"], qdd)
+    by_q = newton_euler(at.arm, moving_along(at.arm, motion, x, none, none))
+    by_qd = newton_euler(at.arm, moving_along(at.arm, motion, none, x, none))
+    return slopes(by_q), slopes(by_qd)
+
+
+def _times(entries: Sequence[Any], x: Vector) -> list[list[Any]]:
+    """Square matrices, row by row one after another, each times ``x``."""
+    n = len(x)
+    rows = [entries[k : k + n] for k in range(0, len(entries), n)]
+    products = [sum(entry * step for entry, step in zip(row, x, strict=True)) for row in rows]
+    return [products[k : k + n] for k in range(0, len(products), n)]
+
+
+def _torques_change(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
+    """Both matrices times ``x``, beside the derivative of the plain recursion along it."""
+    by_q, by_qd = _times(result, x)
+    right_q, right_qd = _slopes(at, at.inputs["qdd"], x)
+    return by_q + by_qd, right_q + right_qd
+
+
+def _of_accelerations(at: Dynamics) -> Sequence[Any]:
+    """``-M^-1`` times the derivatives of the torques that the accelerations need."""
+    qd = at.inputs["qd"]
+    matrix = Factored(at.mass_matrix(), at.mark)
+    bias = at.torques(qd, at.rest)
+    qdd = matrix.solve([tau - h for tau, h in zip(at.inputs["tau"], bias, strict=True)])
+    inverse = matrix.inverse()
+    return _flat(*(_minus_product(inverse, by) for by in _by_q_and_qd(at, qdd)), inverse)
+
+
+def _minus_product(one: Sequence[Vector], other: Sequence[Vector]) -> list[list[Any]]:
+    columns = list(zip(*other, strict=True))
+    return [[-sum(x * y for x, y in zip(row, column, strict=True)) for column in columns] for row in one]
+
+
+def _accelerations_change(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
+    """Each matrix times ``x``, carried back to torques: to compare accelerations would measure the condition
+    of the mass matrix instead."""
+    matrix, qd = at.mass_matrix(), at.inputs["qd"]
+    bias = at.torques(qd, at.rest)
+    qdd = solve_symmetric(matrix, [tau - h for tau, h in zip(at.inputs["tau"], bias, strict=True)])
+    entries = _flat(matrix)
+    needed = [torque for column in _times(result, x) for torque in _times(entries, column)[0]]
+    right_q, right_qd = _slopes(at, qdd, x)
+    return needed, [-slope for slope in right_q + right_qd] + list(x)
+
+
+def _coriolis(at: Dynamics) -> Sequence[Any]:
+    return _flat(coriolis_matrix(at.links(at.inputs["qd"], at.rest), at.mark))
+
+
+def _polar(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
+    """``2 C x`` is what the torques of velocities, which are quadratic, have of ``qd`` and ``x`` together."""
+    qd = at.inputs["qd"]
+    bodies = tuple(replace(body, viscous=0, coulomb=0) for body in at.arm.bodies)
+    arm = replace(at.arm, bodies=bodies, gravity=(0, 0, 0))
+
+    def torques(rates: Vector) -> list[Any]:
+        return newton_euler(arm, at.motion(rates, at.rest))
+
+    both = torques([v + w for v, w in zip(qd, x, strict=True)])
+    parts = zip(both, torques(qd), torques(x), strict=True)
+    return [2 * y for y in _times(result, x)[0]], [b - v - w for b, v, w in parts]
+
+
+FUNCTIONS = (
+    Function(
+        "coriolis_matrix",
+        "Coriolis matrix of Christoffel's symbols: dM/dt - 2 C is skew",
+        (Q, QD),
+        (C,),
+        _coriolis,
+        condition=_polar,
+    ),
+    Function(
+        "inverse_dynamics_derivatives",
+        "derivatives of the inverse dynamics; that by qdd is the mass matrix",
+        (Q, QD, QDD),
+        (DTAU_DQ, DTAU_DQD),
+        _of_torques,
+        condition=_torques_change,
+        rigid=True,
+    ),
+    Function(
+        "forward_dynamics_derivatives",
+        "derivatives of the forward dynamics",
+        (Q, QD, TAU),
+        (DQDD_DQ, DQDD_DQD, DQDD_DTAU),
+        _of_accelerations,
+        condition=_accelerations_change,
+        rigid=True,
+        solves=True,
+    ),
+)

@@ -1,0 +1,201 @@
+"""Energies, momentum and what belongs to them: ``C qd``, and the term of the momentum observer."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from robodyn.dynamics.arm import Motion
+from robodyn.dynamics.dual import moving_along, slopes
+from robodyn.dynamics.energy import energies
+from robodyn.dynamics.functions.record import QD, Array, Dynamics, Function, Pair, Q, Vector
+from robodyn.dynamics.joints import joint_torque
+from robodyn.dynamics.momenta import HALF, kinetic_energy, momenta, potential_inward, potential_outward
+
+T = Array("T", "kinetic energy", "J", shape=())
+V = Array("V", "potential energy, 0 at the origin of the base frame", "J", shape=())
+P = Array("momentum", "generalised momentum M qd", "kg m^2/s", "kg m/s")
+C_QD = Array("c", "Coriolis and centrifugal torques C qd", "N m", "N")
+BETA = Array("beta", "C^T qd - g", "N m", "N")
+
+
+# --- kinetic energy ---------------------------------------------------------------------------------------
+
+
+def _kinetic(at: Dynamics) -> Sequence[Any]:
+    links = at.links(at.inputs["qd"], at.rest, "inertia")
+    return [kinetic_energy(links, at.rotors(), at.mark)]
+
+
+def _half_the_square(at: Dynamics) -> Sequence[Any]:
+    """``qd^T M qd / 2``, every entry of ``M`` read once."""
+    qd, matrix = at.inputs["qd"], at.mass_matrix()
+    energy: Any = 0
+    for i, rate in enumerate(qd):
+        momentum = HALF * matrix[i][i] * rate
+        for j in range(i):
+            momentum = momentum + matrix[i][j] * qd[j]
+        energy = energy + momentum * rate
+    return [energy]
+
+
+def _work(at: Dynamics) -> Sequence[Any]:
+    """``qd`` times half the momentum that torques show."""
+    return [sum(HALF * rate * p for rate, p in zip(at.inputs["qd"], _pushed(at), strict=True))]
+
+
+# --- potential energy -------------------------------------------------------------------------------------
+
+
+def _potential(at: Dynamics) -> Sequence[Any]:
+    return [potential_inward(at.links(at.rest, at.rest), at.mark)]
+
+
+def _potential_outward(at: Dynamics) -> Sequence[Any]:
+    return [potential_outward(at.links(at.rest, at.rest), at.mark)]
+
+
+def _heights(at: Dynamics) -> Sequence[Any]:
+    """Link by link, by the heights of the centres of mass as they are described."""
+    return [energies(at.arm, at.motion(at.rest, at.rest))[1]]
+
+
+# --- momentum ---------------------------------------------------------------------------------------------
+
+
+def _momentum(at: Dynamics) -> Sequence[Any]:
+    links = at.links(at.inputs["qd"], at.rest, "inertia")
+    return momenta(links, at.rotors(), at.mark)[0]
+
+
+def _as_torques(at: Dynamics) -> Sequence[Any]:
+    """The torques that accelerate the links by ``qd`` from rest."""
+    return at.inertial_torques(at.rest, at.inputs["qd"])
+
+
+def _matrix_times_rates(at: Dynamics) -> Sequence[Any]:
+    qd = at.inputs["qd"]
+    return [sum(entry * rate for entry, rate in zip(row, qd, strict=True)) for row in at.mass_matrix()]
+
+
+def _pushed(at: Dynamics) -> list[Any]:
+    """The torques of the accelerations ``qd`` at rest, less those that hold the arm."""
+    moving, still = at.torques(at.rest, at.inputs["qd"]), at.torques(at.rest, at.rest)
+    return [x - y for x, y in zip(moving, still, strict=True)]
+
+
+# --- Coriolis ---------------------------------------------------------------------------------------------
+
+
+def _coriolis(at: Dynamics) -> Sequence[Any]:
+    return at.inertial_torques(at.inputs["qd"], at.rest)
+
+
+def _bias_less_the_rest(at: Dynamics) -> Sequence[Any]:
+    """The bias without gravity and friction."""
+    qd = at.inputs["qd"]
+    bias, gravity, motion = at.torques(qd, at.rest), at.torques(at.rest, at.rest), at.motion(qd, at.rest)
+    return [
+        h - g - joint_torque(at.arm, i, motion, 0, at.mark)
+        for i, (h, g) in enumerate(zip(bias, gravity, strict=True))
+    ]
+
+
+def _rates_of_energies(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
+    """Along a random ``x``, by Lagrange's equations: what the momentum gains while positions follow the
+    rates, less the slope of the kinetic energy. ``x . p(qd)`` is ``T(qd + x) - T(qd) - T(x)``."""
+    qd = at.inputs["qd"]
+    both = [rate + step for rate, step in zip(qd, x, strict=True)]
+    gain = _slope(at, both, qd) - _slope(at, qd, qd) - _slope(at, x, qd)
+    return [_along(x, result)], [gain - _slope(at, qd, x)]
+
+
+# --- momentum observer ------------------------------------------------------------------------------------
+
+
+def _observer_term(at: Dynamics) -> Sequence[Any]:
+    links = at.links(at.inputs["qd"], at.rest, "inertia")
+    _, slope = momenta(links, (), at.mark)
+    return [x - g for x, g in zip(slope, at.torques(at.rest, at.rest), strict=True)]
+
+
+def _slopes_less_gravity(at: Dynamics) -> Sequence[Any]:
+    """Derivatives of the kinetic energy by each position, less what holds the arm at rest."""
+    qd, gravity = at.inputs["qd"], at.torques(at.rest, at.rest)
+    units = [[int(i == j) for i in range(len(qd))] for j in range(len(qd))]
+    return [_slope(at, qd, unit) - g for unit, g in zip(units, gravity, strict=True)]
+
+
+def _slope_along(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
+    """The same along a random ``x``."""
+    still = at.torques(at.rest, at.rest)
+    return [_along(x, result)], [_slope(at, at.inputs["qd"], x) - _along(x, still)]
+
+
+def _slope(at: Dynamics, rates: Vector, x: Vector) -> Any:
+    """The derivative of the kinetic energy at ``rates`` by the positions along ``x``."""
+    motion: Motion = moving_along(at.arm, at.motion(rates, at.rest), x, at.rest, at.rest)
+    (slope,) = slopes(energies(at.arm, motion)[:1])
+    return slope
+
+
+def _along(x: Vector, y: Sequence[Any]) -> Any:
+    return sum(one * other for one, other in zip(x, y, strict=True))
+
+
+FUNCTIONS = (
+    Function(
+        "kinetic_energy",
+        "kinetic energy of links and rotors",
+        (Q, QD),
+        (T,),
+        _kinetic,
+        expected=_work,
+        parts=("mass_matrix",),
+        by_parts=_half_the_square,
+        small=(_half_the_square,),
+    ),
+    Function(
+        "potential_energy",
+        "potential energy of the links in gravity, 0 at the origin of the base frame",
+        (Q,),
+        (V,),
+        _potential,
+        expected=_heights,
+        others=(_potential_outward,),
+        drives=False,
+    ),
+    Function(
+        "momentum",
+        "generalised momentum M qd, rotors included",
+        (Q, QD),
+        (P,),
+        _momentum,
+        expected=_pushed,
+        parts=("mass_matrix",),
+        by_parts=_matrix_times_rates,
+        others=(_as_torques,),
+        small=(_matrix_times_rates,),
+    ),
+    Function(
+        "coriolis",
+        "Coriolis and centrifugal torques C qd: the bias without gravity and friction",
+        (Q, QD),
+        (C_QD,),
+        _coriolis,
+        expected=_coriolis,
+        condition=_rates_of_energies,
+        parts=("bias", "gravity"),
+        by_parts=_bias_less_the_rest,
+        drives=False,
+    ),
+    Function(
+        "momentum_observer_term",
+        "C^T qd - g: dp/dt of p = M qd is tau + C^T qd - g - friction",
+        (Q, QD),
+        (BETA,),
+        _observer_term,
+        expected=_slopes_less_gravity,
+        condition=_slope_along,
+    ),
+)

@@ -1,0 +1,8 @@
+"""Numbers that decide in this room."""
+
+from __future__ import annotations
+
+#: Joints of an arm at most for which a function is also written in ways that only few joints suit
+#: (``Function.small``): over the whole mass matrix, whose entries grow with the square of the joints, where
+#: a recursion grows with the joints. At 6 joints the recursion takes two thirds of the operations.
+FEW_JOINTS: int = 4

@@ -1,0 +1,172 @@
+"""Velocities, energies and momentum of an arm, from moments of mass about the frames' origins; any scalar.
+
+Everything is linear or quadratic in the rates, so no acceleration is formed. A link has two sets of axes: its
+own, and those in which its joint, or the chain of parallel joints that it follows, begins to turn.
+
+Sources: Featherstone 2008, sections 2.10 and 5.1 (spatial momentum, and its rate); for the derivative by the
+positions De Luca, Albu-Schaeffer, Haddadin, Hirzinger 2006, whose observer needs it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from robodyn.dynamics.arm import about_x, about_z, origin
+from robodyn.dynamics.functions.record import Moving, Rotor
+from robodyn.dynamics.lump import Lump
+from robodyn.dynamics.vectors import ZERO, Mark, Vector, cross, dot, named, plus, scaled, unmarked
+from robodyn.effects.scalars import is_zero
+from robodyn.ir.program import Label
+
+HALF = Fraction(1, 2)
+
+
+@dataclass(frozen=True, slots=True)
+class Twist:
+    """Velocities of a link [rad/s, m/s]: its own ``w`` and its origin's ``v`` along its own axes; along those
+    in which it begins to turn ``start_w``, ``start_v`` and the angular velocity ``carrier`` of what carries
+    the joint, or its chain."""
+
+    w: Vector
+    v: Vector
+    start_w: Vector
+    start_v: Vector
+    carrier: Vector
+
+
+def twists(at: Moving, mark: Mark = unmarked) -> list[Twist]:
+    """Velocities of the links [n]."""
+    links: list[Twist] = []
+    turns = at.turns
+    for i, body in enumerate(at.arm.bodies):
+        c, s = turns.c[i], turns.s[i]
+        w = v = ZERO
+        if i:
+            before, p = links[-1], origin(body, at.motion.d[i])
+            if turns.follows[i]:
+                reach = about_z(turns.c[i - 1], turns.s[i - 1], p)
+                w, v = before.carrier, plus(before.start_v, cross(before.start_w, reach))
+            else:
+                w, v = before.w, plus(before.v, cross(before.w, p))
+        carrier, v = (about_x(body.cos_alpha, -body.sin_alpha, u) for u in (w, v))
+        w = carrier
+        if body.revolute:
+            w = plus(w, (0, 0, turns.rate[i]))
+        else:
+            v = plus(v, (0, 0, at.motion.qd[i]))
+        own_w = named(mark, about_z(c, -s, w), i + 1, "w")
+        links.append(Twist(own_w, named(mark, about_z(c, -s, v), i + 1, "vo"), w, v, carrier))
+    return links
+
+
+def kinetic_energy(at: Moving, rotors: Sequence[Rotor], mark: Mark = unmarked) -> Any:
+    """Kinetic energy [J] of the links and ``rotors``."""
+    total: Any = 0
+    for rotor in rotors:
+        rate = _rate(rotor, at.motion.qd)
+        total = total + HALF * rotor.inertia * (rate * rate)
+    for i, (lump, twist) in enumerate(zip(at.lumps, twists(at, mark), strict=True), 1):
+        (x, y, z), v, (hx, hy, hz), j = twist.w, twist.v, lump.first, lump.inertia()
+        # w . (J w / 2 + h x v) + m v . v / 2
+        total = total + HALF * j.zz * (z * z)
+        total = total + x * (HALF * j.xx * x + j.xy * y + j.xz * z) + y * (HALF * j.yy * y + j.yz * z)
+        total = total + hx * (v[1] * z - v[2] * y) + hy * (v[2] * x - v[0] * z) + hz * (v[0] * y - v[1] * x)
+        if not is_zero(lump.mass):
+            total = total + HALF * lump.mass * dot(v, v)
+        total = mark(total, Label(i, "ke", ""))
+    return total
+
+
+def momenta(at: Moving, rotors: Sequence[Rotor], mark: Mark = unmarked) -> tuple[list[Any], list[Any]]:
+    """``M qd`` [n], and the kinetic energy's derivatives [n] by the joint positions at fixed rates.
+
+    A joint turns all that it carries along: at a unit of its position, their velocities, seen from where they
+    are, change by those of the carrier crossed with the joint's axis, and the energy by that times their
+    momentum.
+    """
+    arm, turns = at.arm, at.turns
+    n = len(arm.bodies)
+    links = twists(at, mark)
+    momentum: list[Any] = [0] * n
+    slope: list[Any] = [0] * n
+    linear: Vector | None = None
+    angular = ZERO
+    for i in reversed(range(n)):
+        body, twist, c, s = arm.bodies[i], links[i], turns.c[i], turns.s[i]
+        inner, inner_n = _momentum(at.lumps[i], twist)
+        outer, outer_n = ZERO, ZERO
+        if linear is not None:
+            child = arm.bodies[i + 1]
+            f, moment = (about_x(child.cos_alpha, child.sin_alpha, u) for u in (linear, angular))
+            p = origin(child, at.motion.d[i + 1])
+            if turns.follows[i + 1]:
+                outer, outer_n = f, plus(moment, cross(about_z(c, s, p), f))
+            else:
+                inner, inner_n = plus(inner, f), plus(inner_n, moment, cross(p, f))
+        linear = named(mark, plus(about_z(c, s, inner), outer), i + 1, "pl")
+        angular = named(mark, plus(about_z(c, s, inner_n), outer_n), i + 1, "pa")
+        (wx, wy, _), (vx, vy, _) = twist.start_w, twist.start_v
+        if body.revolute:
+            momentum[i] = angular[2]
+            slope[i] = (angular[0] * wy - angular[1] * wx) + (linear[0] * vy - linear[1] * vx)
+        else:
+            momentum[i] = linear[2]
+            slope[i] = linear[0] * wy - linear[1] * wx
+    for rotor in rotors:
+        for joint, ratio in rotor.rates:
+            momentum[joint] = momentum[joint] + ratio * (rotor.inertia * _rate(rotor, at.motion.qd))
+    return momentum, slope
+
+
+def _momentum(lump: Lump, twist: Twist) -> tuple[Vector, Vector]:
+    """Linear momentum of a link [kg m/s], and angular about its frame's origin [kg m^2/s]."""
+    linear = plus(scaled(lump.mass, twist.v), cross(twist.w, lump.first))
+    return linear, plus(lump.inertia().times(twist.w), cross(lump.first, twist.v))
+
+
+def _rate(rotor: Rotor, qd: Sequence[Any]) -> Any:
+    """How fast a rotor turns [rad/s, m/s]."""
+    return sum(ratio * qd[joint] for joint, ratio in rotor.rates)
+
+
+def potential_outward(at: Moving, mark: Mark = unmarked) -> Any:
+    """Potential energy [J], that of the base's origin 0: gravity carried from base to tip."""
+    arm, turns = at.arm, at.turns
+    height: Any = 0  # of the frame's origin: -g . position
+    own = start = arm.gravity
+    total: Any = -dot(own, at.ground.first)
+    for i, (body, lump) in enumerate(zip(arm.bodies, at.lumps, strict=True)):
+        p = origin(body, at.motion.d[i])
+        if turns.follows[i]:
+            height = height - dot(start, about_z(turns.c[i - 1], turns.s[i - 1], p))
+        else:
+            height, start = height - dot(own, p), own
+        start = about_x(body.cos_alpha, -body.sin_alpha, start)
+        own = about_z(turns.c[i], -turns.s[i], start)
+        total = mark(total + (lump.mass * height - dot(own, lump.first)), Label(i + 1, "pe", ""))
+    return total
+
+
+def potential_inward(at: Moving, mark: Mark = unmarked) -> Any:
+    """The same, the first moment of what each joint carries gathered from tip to base."""
+    arm, turns = at.arm, at.turns
+    first, mass = ZERO, 0
+    for i in reversed(range(len(arm.bodies))):
+        inner, outer = at.lumps[i].first, ZERO
+        if i + 1 < len(arm.bodies):
+            child = arm.bodies[i + 1]
+            p = scaled(mass, origin(child, at.motion.d[i + 1]))
+            beyond = about_x(child.cos_alpha, child.sin_alpha, first)
+            if turns.follows[i + 1]:
+                outer = plus(beyond, about_z(turns.c[i], turns.s[i], p))
+            else:
+                inner = plus(inner, beyond, p)
+        first = named(mark, plus(about_z(turns.c[i], turns.s[i], inner), outer), i + 1, "hc")
+        mass = mass + at.lumps[i].mass
+    body = arm.bodies[0]
+    first = about_x(body.cos_alpha, body.sin_alpha, first)
+    whole = plus(first, scaled(mass, origin(body, at.motion.d[0])), at.ground.first)
+    return -dot(arm.gravity, whole)

@@ -1,0 +1,154 @@
+"""An arm as sections between which axes change direction: what kinematics with few operations is written in.
+
+A section is a joint with the parallel ones that follow it: its links turn about one direction, so that axes
+need not turn from link to link (see :mod:`robodyn.dynamics.parallel`). An offset between sections is along
+the axes behind the twist, where none of its numbers is multiplied by the twist's.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+from robodyn.dynamics.arm import Arm, Motion, about_x, about_z, origin
+from robodyn.dynamics.frame import Frame
+from robodyn.dynamics.parallel import Turns
+from robodyn.dynamics.vectors import ZERO, Mark, Vector, named, plus, scaled, unmarked
+from robodyn.effects.scalars import is_zero
+
+#: Three unit axes along those of another frame.
+Axes = tuple[Vector, Vector, Vector]
+SAME: Axes = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """A link (from 0) in its section: the turn ``c, s`` of its frame about z from the section's axes, behind
+    which its y and z axes are those times ``way`` (1, or -1 where its axis points against the section's);
+    ``reach`` [m], along the link's axes, to the origin of the section's next link, or to the tool."""
+
+    link: int
+    c: Any
+    s: Any
+    way: int
+    reach: Vector
+
+    def outward(self, axes: Axes) -> Axes:
+        """The link's axes from those of its section."""
+        x, y, z = axes
+        y, z = (scaled(self.way, u) for u in (y, z))
+        return plus(scaled(self.c, x), scaled(self.s, y)), plus(scaled(self.c, y), scaled(-self.s, x)), z
+
+    def inward(self, axes: Axes) -> Axes:
+        """The section's axes from those of the link."""
+        x, y, z = axes
+        x, y = plus(scaled(self.c, x), scaled(-self.s, y)), plus(scaled(self.c, y), scaled(self.s, x))
+        return x, scaled(self.way, y), scaled(self.way, z)
+
+    def turned(self, u: Vector) -> Vector:
+        """``u`` of the link's axes along the section's."""
+        x, y, z = about_z(self.c, self.s, u)
+        return x, self.way * y, self.way * z
+
+
+@dataclass(frozen=True, slots=True)
+class Section:
+    """Links whose joints turn about one direction. ``twist`` (cosine, sine) leads from the axes of the link
+    before to the section's, about x; ``offset`` [m], along the section's axes, from that link's origin to the
+    first one's."""
+
+    steps: tuple[Step, ...]
+    twist: tuple[Any, Any]
+    offset: Vector
+
+    @property
+    def last(self) -> Step:
+        """The link that carries the next section."""
+        return self.steps[-1]
+
+    def outward(self, axes: Axes) -> Axes:
+        """The section's axes from those of the link that carries it."""
+        x, y, z = axes
+        c, s = self.twist
+        return x, plus(scaled(c, y), scaled(s, z)), plus(scaled(c, z), scaled(-s, y))
+
+    def inward(self, axes: Axes) -> Axes:
+        """The axes of the link that carries the section from its own."""
+        x, y, z = axes
+        c, s = self.twist
+        return x, plus(scaled(c, y), scaled(-s, z)), plus(scaled(c, z), scaled(s, y))
+
+    def untwisted(self, u: Vector) -> Vector:
+        """``u`` of the section's axes along those of the link that carries it."""
+        return about_x(*self.twist, u)
+
+
+def sections_of(arm: Arm, motion: Motion, turns: Turns) -> list[Section]:
+    """The sections of ``arm``, base to tip; the last link's ``reach`` is to the tool."""
+    groups: list[list[int]] = []
+    for i, follows in enumerate(turns.follows):
+        if follows:
+            groups[-1].append(i)
+        else:
+            groups.append([i])
+    sections = []
+    for group in groups:
+        steps: list[Step] = []
+        for i in group:
+            way = steps[-1].way * int(arm.bodies[i].cos_alpha) if steps else 1
+            reach = origin(arm.bodies[i + 1], motion.d[i + 1]) if i != group[-1] else ZERO
+            steps.append(Step(i, turns.c[i], turns.s[i], way, reach))
+        first = arm.bodies[group[0]]
+        twist = (first.cos_alpha, first.sin_alpha)
+        sections.append(Section(tuple(steps), twist, (first.a, first.b, motion.d[group[0]])))
+    tip = sections[-1]
+    steps = [*tip.steps[:-1], replace(tip.last, reach=arm.tool.origin)]
+    return [*sections[:-1], replace(tip, steps=tuple(steps))]
+
+
+@dataclass(frozen=True, slots=True)
+class Placed:
+    """Sections with the ``axes`` of each, and those of ``links`` (from 0), along the axes of one frame."""
+
+    sections: Sequence[Section]
+    axes: Sequence[Axes]
+    links: Mapping[int, Axes]
+
+
+def placed_in(base: Frame, sections: Sequence[Section], mark: Mark = unmarked) -> Placed:
+    """``sections`` along the axes of the frame that ``base`` is in."""
+    carrier: Axes = (base.x, base.y, base.z)
+    axes: list[Axes] = []
+    links: dict[int, Axes] = {}
+    for section in sections:
+        own = section.outward(carrier)
+        axes.append(own)
+        for step in section.steps:
+            carrier = _marked(mark, step.outward(own), step.link + 1)
+            links[step.link] = carrier
+    return Placed(sections, axes, links)
+
+
+def placed_in_tool(tool: Frame, sections: Sequence[Section], mark: Mark = unmarked) -> Placed:
+    """``sections`` along the axes of the ``tool``, which is in the last link's frame. Of links only the last
+    of each section are there, the others turn along with it."""
+    link: Axes = tool.rotation()
+    axes: list[Axes] = []
+    links: dict[int, Axes] = {}
+    for section in reversed(sections):
+        links[section.last.link] = link
+        own = _marked(mark, section.last.inward(link), section.last.link + 1)
+        axes.append(own)
+        link = section.inward(own)
+    return Placed(sections, axes[::-1], links)
+
+
+def _marked(mark: Mark, axes: Axes, link: int) -> Axes:
+    x, y, z = (named(mark, u, link, quantity) for u, quantity in zip(axes, ("ex", "ey", "ez"), strict=True))
+    return x, y, z
+
+
+def along(axes: Axes, u: Vector) -> Vector:
+    """``u`` of the ``axes`` along those that they are along."""
+    return plus(*(scaled(x, axis) for x, axis in zip(u, axes, strict=True) if not is_zero(x)), ZERO)

@@ -1,0 +1,10 @@
+"""Which functions tests go through."""
+
+from __future__ import annotations
+
+from robodyn.dynamics.functions import FUNCTIONS
+
+#: They need gears, which the arms of tests seldom have; tests/dynamics/test_motors.py is about them.
+OF_MOTORS = ("motor_torque", "motor_current")
+#: Functions that an arm has whatever is stated of it, but where a joint moves without inertia.
+OF_ANY_ARM = tuple(name for name in FUNCTIONS if name not in OF_MOTORS)
