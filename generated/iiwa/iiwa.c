@@ -32,7 +32,7 @@
  *   gravity: 60 multiplications, 36 additions = 96; 2 unary minus; 12 sine/cosine
  *   bias: 244 multiplications, 227 additions = 471; 6 unary minus; 12 sine/cosine
  *   mass_matrix: 161 multiplications, 137 additions = 298; 2 unary minus; 12 sine/cosine
- *   forward_dynamics: 531 multiplications, 469 additions, 7 divisions = 1007; 23 unary minus; 12
+ *   forward_dynamics: 531 multiplications, 469 additions, 6 divisions = 1006; 20 unary minus; 12
  *       sine/cosine
  */
 #include "iiwa.h"
@@ -927,7 +927,7 @@ void iiwa_mass_matrix(const iiwa_real q[7], iiwa_real M[49])
 }
 
 /* accelerations that the torques tau give
- * 531 multiplications, 469 additions, 7 divisions = 1007; 23 unary minus; 12 sine/cosine */
+ * 531 multiplications, 469 additions, 6 divisions = 1006; 20 unary minus; 12 sine/cosine */
 void iiwa_forward_dynamics(
     const iiwa_real q[7],
     const iiwa_real qd[7],
@@ -1210,82 +1210,83 @@ void iiwa_forward_dynamics(
     const iiwa_real t74 = h5_y - 0.04389618410240257;
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
     const iiwa_real neg_h3_x = c3*t73 + s3*t74;
+    const iiwa_real t75 = t67 + 1.846595961484861*h7_y;
     /* link 6: mass matrix, its row of this joint */
-    const iiwa_real m6_7 = -0.11539123059695529*(t67 + 1.846595961484861*h7_y);
-    const iiwa_real t75 = 0.4228495651372064*c7;
-    const iiwa_real t76 = c7*t75;
-    const iiwa_real t77 = s7*t75;
-    const iiwa_real t78 = t76 - (0.23972911266611452*t77 + 0.25435035786215276);
-    const iiwa_real t79 = 0.0870114460092663 + m6_7;
+    const iiwa_real m6_7 = -0.11539123059695529*t75;
+    const iiwa_real t76 = 0.4228495651372064*c7;
+    const iiwa_real t77 = c7*t76;
+    const iiwa_real t78 = s7*t76;
+    const iiwa_real t79 = t77 - (0.23972911266611452*t78 + 0.25435035786215276);
+    const iiwa_real t80 = 0.0870114460092663 + m6_7;
     /* link 6: second moment of the composite body [kg m^2] */
-    const iiwa_real k6_xz = c6*t78 - s6*t79;
-    const iiwa_real k6_yz = s6*t78 + c6*t79;
-    const iiwa_real t80 = c6*c6;
-    const iiwa_real t81 = 0.15093419333331276*h7_y - 0.4353636338505884*c7;
-    const iiwa_real t82 = 2.0*t81 - 0.7228858454933149;
-    const iiwa_real t83 = t77 + (0.23972911266611452*t76 + 1.3126829026743974);
-    const iiwa_real t84 = c6*s6;
-    const iiwa_real t85 = t80*t82 - (t81 - 0.4025907649653271 + t83*t84);
-    const iiwa_real t86 = k6_yz + 0.05680835589544868;
+    const iiwa_real k6_xz = c6*t79 - s6*t80;
+    const iiwa_real k6_yz = s6*t79 + c6*t80;
+    const iiwa_real t81 = c6*c6;
+    const iiwa_real t82 = 0.15093419333331276*h7_y - 0.4353636338505884*c7;
+    const iiwa_real t83 = 2.0*t82 - 0.7228858454933149;
+    const iiwa_real t84 = t78 + (0.23972911266611452*t77 + 1.3126829026743974);
+    const iiwa_real t85 = c6*s6;
+    const iiwa_real t86 = t81*t83 - (t82 - 0.4025907649653271 + t84*t85);
+    const iiwa_real t87 = k6_yz + 0.05680835589544868;
     /* link 4: mass matrix, its row of this joint */
-    const iiwa_real m4_5 = 0.4*h5_y - s5*t85 - c5*t86;
-    const iiwa_real t87 = c5*c5;
-    const iiwa_real t88 = 0.06569252332896146 - k6_xz - k6_xz;
-    const iiwa_real t89 = c5*s5;
-    const iiwa_real t90 = t80*t83 + t82*t84;
-    const iiwa_real t91 = t90 + (t83 - 3.0389236225643885);
-    const iiwa_real t92 = t87*t88 + (k6_xz + (t89*t91 - 0.045970484393963854));
-    const iiwa_real t93 = m4_5 - 0.09675036990607108;
+    const iiwa_real m4_5 = 0.4*h5_y - s5*t86 - c5*t87;
+    const iiwa_real t88 = c5*c5;
+    const iiwa_real t89 = 0.06569252332896146 - k6_xz - k6_xz;
+    const iiwa_real t90 = c5*s5;
+    const iiwa_real t91 = t81*t84 + t83*t85;
+    const iiwa_real t92 = t91 + (t84 - 3.0389236225643885);
+    const iiwa_real t93 = t88*t89 + (k6_xz + (t90*t92 - 0.045970484393963854));
+    const iiwa_real t94 = m4_5 - 0.09675036990607108;
     /* link 4: second moment of the composite body [kg m^2] */
-    const iiwa_real k4_yz = s4*t92 - c4*t93;
+    const iiwa_real k4_yz = s4*t93 - c4*t94;
     /* link 5: mass matrix, its row of this joint */
-    const iiwa_real m5_5 = t83 + 1.2084869398413365 - t90;
-    const iiwa_real t94 = k4_yz + 0.06405373385272267;
-    const iiwa_real t95 = c4*s4;
-    const iiwa_real t96 = t90 - (t87*t91 + 7.016595671833826 - t88*t89);
-    const iiwa_real t97 = t96 - 4.4699270629915056 - 0.8*h6_y;
-    const iiwa_real t98 = -2.0*(m5_5 + (t96 - 3.067723445330515));
-    const iiwa_real t99 = t97 + t98;
-    const iiwa_real t100 = c5*t85 - 0.4*h5_x - s5*t86;
-    const iiwa_real t101 = t100 + (t100 + 0.4184224417415877);
-    const iiwa_real t102 = s4*s4;
-    const iiwa_real t103 = t95*t99 + 0.04690977756007243 + (t100 - t101*t102);
+    const iiwa_real m5_5 = t84 + 1.2084869398413365 - t91;
+    const iiwa_real t95 = k4_yz + 0.06405373385272267;
+    const iiwa_real t96 = c4*s4;
+    const iiwa_real t97 = t91 - (t88*t92 + 7.016595671833826 - t89*t90);
+    const iiwa_real t98 = t97 - 4.4699270629915056 - 0.8*h6_y;
+    const iiwa_real t99 = -2.0*(m5_5 + (t97 - 3.067723445330515));
+    const iiwa_real t100 = t98 + t99;
+    const iiwa_real t101 = c5*t86 - 0.4*h5_x - s5*t87;
+    const iiwa_real t102 = t101 + (t101 + 0.4184224417415877);
+    const iiwa_real t103 = s4*s4;
+    const iiwa_real t104 = t96*t100 + 0.04690977756007243 + (t101 - t102*t103);
     /* link 3: second moment of the composite body [kg m^2] */
-    const iiwa_real k3_xz = s3*t94 - c3*t103;
-    const iiwa_real t104 = t95*t101 + (t99*t102 + 0.9030127193018334);
+    const iiwa_real k3_xz = s3*t95 - c3*t104;
+    const iiwa_real t105 = t96*t102 + (t100*t103 + 0.9030127193018334);
     /* link 3: mass matrix, its row of this joint */
-    const iiwa_real m3_3 = m5_5 + t104;
-    const iiwa_real t105 = s2*(k3_xz - 0.4*neg_h3_x);
+    const iiwa_real m3_3 = m5_5 + t105;
+    const iiwa_real t106 = s2*(k3_xz - 0.4*neg_h3_x);
     /* link 2: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu2_y = -(c2*m3_3) - t105;
+    const iiwa_real neg_nu2_y = c2*m3_3 + t106;
     /* link 4: second moment of the composite body [kg m^2] */
-    const iiwa_real k4_xz = c4*t92 + s4*t93;
+    const iiwa_real k4_xz = c4*t93 + s4*t94;
     /* link 4: mass matrix, its row of this joint */
-    const iiwa_real m4_4 = t97 + 16.41827590041618;
+    const iiwa_real m4_4 = t98 + 16.41827590041618;
     /* link 4: first moment of the composite body, about the frame's origin [kg m] */
     const iiwa_real h4_y = c4*t72 - s4*t71;
-    const iiwa_real t106 = c3*c3;
-    const iiwa_real t107 = t98 - (t104 + (15.016072282755191 - m5_5));
-    const iiwa_real t108 = c3*s3;
-    const iiwa_real t109 = k4_xz + (k4_xz + 0.2010530685596562);
-    const iiwa_real t110 = t106*t107 - (t108*t109 - 3.9137257607425155);
-    const iiwa_real t111 = 0.4*h4_y;
-    const iiwa_real t112 = m4_4 + t111;
-    const iiwa_real t113 = t111 + t112;
-    const iiwa_real t114 = t110 + t113;
+    const iiwa_real t107 = c3*c3;
+    const iiwa_real t108 = t99 - (t105 + (15.016072282755191 - m5_5));
+    const iiwa_real t109 = c3*s3;
+    const iiwa_real t110 = k4_xz + (k4_xz + 0.2010530685596562);
+    const iiwa_real t111 = t107*t108 - (t109*t110 - 3.9137257607425155);
+    const iiwa_real t112 = 0.4*h4_y;
+    const iiwa_real t113 = m4_4 + t112;
+    const iiwa_real t114 = t112 + t113;
+    const iiwa_real t115 = t111 + t114;
     /* link 1: mass matrix, its row of this joint */
-    const iiwa_real m1_1 = t114 + (c2*(t105 - nu2_y - (c2*t114 - 1.0437049982058304*s2)) +
+    const iiwa_real m1_1 = t115 + (c2*(t106 + neg_nu2_y - (c2*t115 - 1.0437049982058304*s2)) +
         1.3323985656347848);
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
     const iiwa_real h3_y = c3*t74 - s3*t73;
     /* link 2: mass matrix, its row of this joint */
-    const iiwa_real m2_3 = s3*t103 - 0.4*h3_y + c3*t94;
+    const iiwa_real m2_3 = s3*t104 - 0.4*h3_y + c3*t95;
     /* link 2: second moment of the composite body [kg m^2] */
-    const iiwa_real k2_yz = c2*(m2_3 + 0.26458063578324464) + s2*(k4_xz - (t107*t108 + (t106*t109 +
+    const iiwa_real k2_yz = c2*(m2_3 + 0.26458063578324464) + s2*(k4_xz - (t108*t109 + (t107*t110 +
         0.10039183707333973)));
     /* link 4: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu4_y = s4*t100 + c4*m5_5;
-    const iiwa_real nu4_x = c4*t100 - s4*m5_5;
+    const iiwa_real nu4_y = s4*t101 + c4*m5_5;
+    const iiwa_real nu4_x = c4*t101 - s4*m5_5;
     /* link 3: moment for a unit acceleration of a joint further out */
     const iiwa_real nu3_x = c3*nu4_x + s3*m4_5;
     /* link 4: force for a unit acceleration of a joint further out */
@@ -1293,19 +1294,19 @@ void iiwa_forward_dynamics(
     /* link 3: force for a unit acceleration of a joint further out */
     const iiwa_real fu3_y = s3*fu4_x + c3*h5_x;
     /* link 6: mass matrix, its row of this joint */
-    const iiwa_real m6_6 = 4.057912786784775 - t83;
-    const iiwa_real t115 = 0.4*h6_y;
-    const iiwa_real t116 = t115 - m6_6;
+    const iiwa_real m6_6 = 4.057912786784775 - t84;
+    const iiwa_real t116 = 0.4*h6_y;
+    const iiwa_real t117 = t116 - m6_6;
     /* link 4: mass matrix, its row of this joint */
-    const iiwa_real m4_6 = s5*k6_xz + c5*t116;
+    const iiwa_real m4_6 = s5*k6_xz + c5*t117;
     /* link 6: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu6_x = 0.48318719298539553*s6 + c6*t81;
+    const iiwa_real nu6_x = 0.48318719298539553*s6 + c6*t82;
     /* link 5: moment for a unit acceleration of a joint further out */
     const iiwa_real nu5_x = c5*nu6_x - s5*m6_7;
     /* link 5: force for a unit acceleration of a joint further out */
     const iiwa_real fu5_y = s5*fu6_x + c5*h7_x;
     /* link 6: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu6_y = s6*t81 - 0.48318719298539553*c6;
+    const iiwa_real nu6_y = s6*t82 - 0.48318719298539553*c6;
     /* link 5: force for a unit acceleration of a joint further out */
     const iiwa_real neg_fu5_x = s5*h7_x - c5*fu6_x;
     /* link 5: moment for a unit acceleration of a joint further out */
@@ -1313,115 +1314,110 @@ void iiwa_forward_dynamics(
     /* link 4: mass matrix, its row of this joint */
     const iiwa_real m4_7 = 0.4*neg_fu5_x - nu5_y;
     /* link 2: mass matrix, its row of this joint */
-    const iiwa_real m2_2 = -t96 - (t110 + (m3_3 + (t96 - t113)));
-    const iiwa_real t117 = -c3;
-    const iiwa_real m2_4 = t117*t112 - s3*k4_xz;
+    const iiwa_real neg_m2_2 = t97 + (t111 + (m3_3 + (t97 - t114)));
+    const iiwa_real t118 = -c3;
+    const iiwa_real m2_4 = t118*t113 - s3*k4_xz;
     /* link 3: moment for a unit acceleration of a joint further out */
     const iiwa_real nu3_y = s3*nu4_x - c3*m4_5;
     /* link 3: force for a unit acceleration of a joint further out */
     const iiwa_real fu3_x = c3*fu4_x - s3*h5_x;
     /* link 2: mass matrix, its row of this joint */
     const iiwa_real m2_5 = nu3_y + 0.4*fu3_x;
-    const iiwa_real t118 = 0.4*(s4*h6_x - h6_y*(c4*c5)) - m4_6;
-    const iiwa_real t119 = s5*t116 - c5*k6_xz;
-    const iiwa_real t120 = c4*t119 - (s4*k6_yz - s5*t115);
-    const iiwa_real m2_6 = c3*t118 + s3*t120;
-    const iiwa_real t121 = h7_y*(-s4*s6) - c4*neg_fu5_x;
-    const iiwa_real t122 = nu5_x - 0.4*fu5_y;
-    const iiwa_real t123 = c4*t122 + s4*nu6_y;
-    const iiwa_real m2_7 = 0.4*(c3*t121 - s3*fu5_y) + (s3*t123 - c3*m4_7);
-    /* factorisation M = L D L^T */
-    const iiwa_real ld4_1 = s2*(c3*k4_xz - s3*t112) - c2*k4_yz;
-    const iiwa_real ld5_1 = c2*nu4_y - s2*(nu3_x - 0.4*fu3_y);
-    const iiwa_real t124 = c4*k6_yz + s4*t119;
-    const iiwa_real ld6_1 = c2*t124 - s2*(c3*t120 - s3*t118);
-    const iiwa_real t125 = s4*t122 - c4*nu6_y;
-    const iiwa_real ld7_1 = c2*t125 - s2*(c3*t123 + (0.4*(t117*fu5_y - s3*t121) + s3*m4_7));
-    /* link 1: forward substitution */
-    const iiwa_real y1 = tau[0] - n1_z;
-    /* factorisation M = L D L^T */
-    const iiwa_real ipivot1 = 1.0 / m1_1;
-    const iiwa_real l2_1 = k2_yz*ipivot1;
-    const iiwa_real l3_1 = -nu2_y*ipivot1;
-    const iiwa_real l4_1 = ld4_1*ipivot1;
-    const iiwa_real l5_1 = ld5_1*ipivot1;
-    const iiwa_real l6_1 = ld6_1*ipivot1;
-    const iiwa_real l7_1 = ld7_1*ipivot1;
-    const iiwa_real pivot2 = m2_2 - k2_yz*l2_1;
-    const iiwa_real ipivot2 = 1.0 / pivot2;
-    const iiwa_real ld3_2 = m2_3 - k2_yz*l3_1;
-    const iiwa_real l3_2 = ipivot2*ld3_2;
-    const iiwa_real ld4_2 = m2_4 - k2_yz*l4_1;
-    const iiwa_real l4_2 = ipivot2*ld4_2;
-    const iiwa_real ld5_2 = m2_5 - k2_yz*l5_1;
-    const iiwa_real l5_2 = ipivot2*ld5_2;
-    const iiwa_real ld6_2 = m2_6 - k2_yz*l6_1;
-    const iiwa_real l6_2 = ipivot2*ld6_2;
-    const iiwa_real ld7_2 = m2_7 - k2_yz*l7_1;
-    const iiwa_real l7_2 = ipivot2*ld7_2;
-    const iiwa_real pivot3 = m3_3 + nu2_y*l3_1 - ld3_2*l3_2;
-    const iiwa_real ipivot3 = 1.0 / pivot3;
-    const iiwa_real ld4_3 = -ld3_2*l4_2 - (k4_yz - nu2_y*l4_1);
-    const iiwa_real l4_3 = ipivot3*ld4_3;
-    const iiwa_real ld5_3 = nu4_y + nu2_y*l5_1 - ld3_2*l5_2;
-    const iiwa_real l5_3 = ipivot3*ld5_3;
-    const iiwa_real ld6_3 = t124 + nu2_y*l6_1 - ld3_2*l6_2;
-    const iiwa_real l6_3 = ipivot3*ld6_3;
-    const iiwa_real ld7_3 = t125 + nu2_y*l7_1 - ld3_2*l7_2;
-    const iiwa_real l7_3 = ipivot3*ld7_3;
-    const iiwa_real pivot4 = m4_4 - ld4_1*l4_1 - ld4_2*l4_2 - ld4_3*l4_3;
-    const iiwa_real ipivot4 = 1.0 / pivot4;
-    const iiwa_real ld5_4 = m4_5 - ld4_1*l5_1 - ld4_2*l5_2 - ld4_3*l5_3;
-    const iiwa_real l5_4 = ipivot4*ld5_4;
-    const iiwa_real neg_ld6_4 = ld4_2*l6_2 - (m4_6 - ld4_1*l6_1) + ld4_3*l6_3;
-    const iiwa_real l6_4 = -ipivot4*neg_ld6_4;
-    const iiwa_real ld7_4 = -ld4_3*l7_3 - (ld4_2*l7_2 - (m4_7 - ld4_1*l7_1));
-    const iiwa_real l7_4 = ipivot4*ld7_4;
-    const iiwa_real pivot5 = -ld5_4*l5_4 - (ld5_1*l5_1 - m5_5 + ld5_2*l5_2 + ld5_3*l5_3);
-    const iiwa_real ipivot5 = 1.0 / pivot5;
-    const iiwa_real ld6_5 = k6_yz - ld5_1*l6_1 - ld5_2*l6_2 - ld5_3*l6_3 - ld5_4*l6_4;
-    const iiwa_real l6_5 = ipivot5*ld6_5;
-    const iiwa_real ld7_5 = -ld5_2*l7_2 - (nu6_y + ld5_1*l7_1) - ld5_3*l7_3 - ld5_4*l7_4;
-    const iiwa_real l7_5 = ipivot5*ld7_5;
-    const iiwa_real pivot6 = neg_ld6_4*l6_4 - (ld6_1*l6_1 - m6_6 + ld6_2*l6_2 + ld6_3*l6_3) -
-        ld6_5*l6_5;
-    const iiwa_real ipivot6 = 1.0 / pivot6;
-    const iiwa_real ld7_6 = neg_ld6_4*l7_4 - (ld6_1*l7_1 - m6_7 + ld6_2*l7_2 + ld6_3*l7_3) -
-        ld6_5*l7_5;
-    const iiwa_real l7_6 = ipivot6*ld7_6;
-    const iiwa_real t126 = 0.48318719298539553 - ld7_1*l7_1 - ld7_2*l7_2 - ld7_3*l7_3 - ld7_4*l7_4 -
-        ld7_5*l7_5;
-    const iiwa_real pivot7 = t126 - ld7_6*l7_6;
-    const iiwa_real ipivot7 = 1.0 / pivot7;
-    /* link 2: forward substitution */
-    const iiwa_real y2 = tau[1] - n2_z - y1*l2_1;
-    /* link 3: forward substitution */
-    const iiwa_real y3 = -l3_2*y2 - (n3_z - tau[2] + y1*l3_1);
-    /* link 4: forward substitution */
-    const iiwa_real y4 = -(n4_z - tau[3] + y1*l4_1 + l4_2*y2) - l4_3*y3;
-    /* link 5: forward substitution */
-    const iiwa_real neg_y5 = n5_z - tau[4] + y1*l5_1 + l5_2*y2 + l5_3*y3 + l5_4*y4;
-    /* link 6: forward substitution */
-    const iiwa_real y6 = l6_5*neg_y5 - (n6_z - tau[5] + y1*l6_1 + l6_2*y2 + l6_3*y3 + l6_4*y4);
-    const iiwa_real t127 = l7_5*neg_y5 - (nc7_z - tau[6] + y1*l7_1 + l7_2*y2 + l7_3*y3 + l7_4*y4);
+    const iiwa_real t119 = 0.4*(s4*h6_x - h6_y*(c4*c5)) - m4_6;
+    const iiwa_real t120 = s5*t117 - c5*k6_xz;
+    const iiwa_real t121 = c4*t120 - (s4*k6_yz - s5*t116);
+    const iiwa_real m2_6 = c3*t119 + s3*t121;
+    const iiwa_real t122 = h7_y*(-s4*s6) - c4*neg_fu5_x;
+    const iiwa_real t123 = nu5_x - 0.4*fu5_y;
+    const iiwa_real t124 = c4*t123 + s4*nu6_y;
+    const iiwa_real m2_7 = 0.4*(c3*t122 - s3*fu5_y) + (s3*t124 - c3*m4_7);
+    /* factorisation M = U D U^T */
+    const iiwa_real ud3_7 = s4*t123 - c4*nu6_y;
+    const iiwa_real ud1_7 = c2*ud3_7 - s2*(c3*t124 + (0.4*(t118*fu5_y - s3*t122) + s3*m4_7));
     /* link 7: forward substitution */
-    const iiwa_real y7 = t127 - l7_6*y6;
-    /* link 7: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const iiwa_real qdd7 = ipivot7*y7;
-    /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const iiwa_real qdd6 = ipivot6*y6 - l7_6*qdd7;
-    /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const iiwa_real qdd5 = -l6_5*qdd6 - ipivot5*neg_y5 - l7_5*qdd7;
-    /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const iiwa_real qdd4 = -l7_4*qdd7 - (l5_4*qdd5 - ipivot4*y4 + l6_4*qdd6);
-    /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const iiwa_real qdd3 = ipivot3*y3 - l4_3*qdd4 - l5_3*qdd5 - l6_3*qdd6 - l7_3*qdd7;
-    /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const iiwa_real qdd2 = ipivot2*y2 - l3_2*qdd3 - l4_2*qdd4 - l5_2*qdd5 - l6_2*qdd6 - l7_2*qdd7;
-    const iiwa_real t128 = -l6_1*qdd6 - (l2_1*qdd2 - y1*ipivot1 + l3_1*qdd3 + l4_1*qdd4 +
-        l5_1*qdd5);
+    const iiwa_real y7 = tau[6] - nc7_z;
+    /* factorisation M = U D U^T */
+    const iiwa_real u6_7 = -0.2388126843429044*t75;
+    const iiwa_real u5_7 = -2.069591277495274*nu6_y;
+    const iiwa_real u4_7 = 2.069591277495274*m4_7;
+    const iiwa_real u3_7 = 2.069591277495274*ud3_7;
+    const iiwa_real u2_7 = 2.069591277495274*m2_7;
+    const iiwa_real u1_7 = 2.069591277495274*ud1_7;
+    const iiwa_real pivot6 = m6_6 - m6_7*u6_7;
+    const iiwa_real ipivot6 = 1.0 / pivot6;
+    const iiwa_real ud5_6 = k6_yz - m6_7*u5_7;
+    const iiwa_real u5_6 = ipivot6*ud5_6;
+    const iiwa_real ud4_6 = m4_6 - m6_7*u4_7;
+    const iiwa_real u4_6 = ipivot6*ud4_6;
+    const iiwa_real t125 = c4*k6_yz + s4*t120;
+    const iiwa_real ud3_6 = t125 - m6_7*u3_7;
+    const iiwa_real u3_6 = ipivot6*ud3_6;
+    const iiwa_real ud2_6 = m2_6 - m6_7*u2_7;
+    const iiwa_real u2_6 = ipivot6*ud2_6;
+    const iiwa_real ud1_6 = c2*t125 - s2*(c3*t121 - s3*t119) - m6_7*u1_7;
+    const iiwa_real u1_6 = ipivot6*ud1_6;
+    const iiwa_real pivot5 = m5_5 + nu6_y*u5_7 - ud5_6*u5_6;
+    const iiwa_real ipivot5 = 1.0 / pivot5;
+    const iiwa_real ud4_5 = m4_5 + nu6_y*u4_7 - ud5_6*u4_6;
+    const iiwa_real u4_5 = ipivot5*ud4_5;
+    const iiwa_real ud3_5 = nu4_y + nu6_y*u3_7 - ud5_6*u3_6;
+    const iiwa_real u3_5 = ipivot5*ud3_5;
+    const iiwa_real ud2_5 = m2_5 + nu6_y*u2_7 - ud5_6*u2_6;
+    const iiwa_real u2_5 = ipivot5*ud2_5;
+    const iiwa_real ud1_5 = c2*nu4_y - s2*(nu3_x - 0.4*fu3_y) + nu6_y*u1_7 - ud5_6*u1_6;
+    const iiwa_real u1_5 = ipivot5*ud1_5;
+    const iiwa_real pivot4 = m4_4 - m4_7*u4_7 - ud4_6*u4_6 - ud4_5*u4_5;
+    const iiwa_real ipivot4 = 1.0 / pivot4;
+    const iiwa_real neg_ud3_4 = k4_yz + m4_7*u3_7 + ud4_6*u3_6 + ud4_5*u3_5;
+    const iiwa_real u3_4 = -ipivot4*neg_ud3_4;
+    const iiwa_real ud2_4 = m2_4 - m4_7*u2_7 - ud4_6*u2_6 - ud4_5*u2_5;
+    const iiwa_real u2_4 = ipivot4*ud2_4;
+    const iiwa_real t126 = -ud4_6*u1_6 - (c2*k4_yz - s2*(c3*k4_xz - s3*t113) + m4_7*u1_7);
+    const iiwa_real ud1_4 = t126 - ud4_5*u1_5;
+    const iiwa_real u1_4 = ipivot4*ud1_4;
+    const iiwa_real pivot3 = neg_ud3_4*u3_4 - (ud3_7*u3_7 - m3_3 + ud3_6*u3_6 + ud3_5*u3_5);
+    const iiwa_real ipivot3 = 1.0 / pivot3;
+    const iiwa_real ud2_3 = m2_3 - ud3_7*u2_7 - ud3_6*u2_6 - ud3_5*u2_5 + neg_ud3_4*u2_4;
+    const iiwa_real u2_3 = ipivot3*ud2_3;
+    const iiwa_real ud1_3 = neg_ud3_4*u1_4 - (ud3_7*u1_7 - neg_nu2_y + ud3_6*u1_6 + ud3_5*u1_5);
+    const iiwa_real u1_3 = ipivot3*ud1_3;
+    const iiwa_real pivot2 = -ud2_4*u2_4 - (neg_m2_2 + m2_7*u2_7 + ud2_6*u2_6 + ud2_5*u2_5) -
+        ud2_3*u2_3;
+    const iiwa_real ipivot2 = 1.0 / pivot2;
+    const iiwa_real ud1_2 = k2_yz - m2_7*u1_7 - ud2_6*u1_6 - ud2_5*u1_5 - ud2_4*u1_4 - ud2_3*u1_3;
+    const iiwa_real u1_2 = ipivot2*ud1_2;
+    const iiwa_real t127 = m1_1 - ud1_7*u1_7 - ud1_6*u1_6 - ud1_5*u1_5 - ud1_4*u1_4 - ud1_3*u1_3;
+    const iiwa_real pivot1 = t127 - ud1_2*u1_2;
+    const iiwa_real ipivot1 = 1.0 / pivot1;
+    /* link 6: forward substitution */
+    const iiwa_real y6 = -y7*u6_7 - (n6_z - tau[5]);
+    /* link 5: forward substitution */
+    const iiwa_real y5 = -u5_6*y6 - (n5_z - tau[4] + y7*u5_7);
+    /* link 4: forward substitution */
+    const iiwa_real y4 = -u4_5*y5 - (n4_z - tau[3] + y7*u4_7 + u4_6*y6);
+    /* link 3: forward substitution */
+    const iiwa_real y3 = -u3_4*y4 - (n3_z - tau[2] + y7*u3_7 + u3_6*y6 + u3_5*y5);
+    /* link 2: forward substitution */
+    const iiwa_real neg_y2 = n2_z - tau[1] + y7*u2_7 + u2_6*y6 + u2_5*y5 + u2_4*y4 + u2_3*y3;
+    const iiwa_real t128 = n1_z - tau[0] + y7*u1_7 + u1_6*y6 + u1_5*y5 + u1_4*y4 + u1_3*y3;
+    /* link 1: forward substitution */
+    const iiwa_real y1 = u1_2*neg_y2 - t128;
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const iiwa_real qdd1 = t128 - l7_1*qdd7;
+    const iiwa_real qdd1 = ipivot1*y1;
+    /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const iiwa_real qdd2 = -u1_2*qdd1 - ipivot2*neg_y2;
+    /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const iiwa_real qdd3 = ipivot3*y3 - u2_3*qdd2 - u1_3*qdd1;
+    /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const iiwa_real qdd4 = -u1_4*qdd1 - (u3_4*qdd3 - ipivot4*y4 + u2_4*qdd2);
+    /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const iiwa_real qdd5 = ipivot5*y5 - u4_5*qdd4 - u3_5*qdd3 - u2_5*qdd2 - u1_5*qdd1;
+    /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const iiwa_real qdd6 = ipivot6*y6 - u5_6*qdd5 - u4_6*qdd4 - u3_6*qdd3 - u2_6*qdd2 - u1_6*qdd1;
+    const iiwa_real t129 = -u2_7*qdd2 - (u6_7*qdd6 - 2.069591277495274*y7 + u5_7*qdd5 + u4_7*qdd4 +
+        u3_7*qdd3);
+    /* link 7: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const iiwa_real qdd7 = t129 - u1_7*qdd1;
     qdd[0] = qdd1;
     qdd[1] = qdd2;
     qdd[2] = qdd3;

@@ -31,7 +31,7 @@
 !   gravity: 60 multiplications, 36 additions = 96; 2 unary minus; 12 sine/cosine
 !   bias: 244 multiplications, 227 additions = 471; 6 unary minus; 12 sine/cosine
 !   mass_matrix: 161 multiplications, 137 additions = 298; 2 unary minus; 12 sine/cosine
-!   forward_dynamics: 531 multiplications, 469 additions, 7 divisions = 1007; 23 unary minus; 12
+!   forward_dynamics: 531 multiplications, 469 additions, 6 divisions = 1006; 20 unary minus; 12
 !       sine/cosine
 module iiwa_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -979,7 +979,7 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 531 multiplications, 469 additions, 7 divisions = 1007; 23 unary minus; 12 sine/cosine
+  ! 531 multiplications, 469 additions, 6 divisions = 1006; 20 unary minus; 12 sine/cosine
   pure subroutine iiwa_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="iiwa_forward_dynamics_f")
     real(rk), intent(in) :: q(7)
@@ -1000,19 +1000,19 @@ contains
     real(rk) :: n5_x, lam4_23, lam4_13, lam5_23, lam5_13, t44, n5_z, t45, t46, t47, t48, t49, t50
     real(rk) :: n4_z, lam3_12, ww2_zz, t51, t52, t53, t54, t55, t56, t57, t58, t59, n3_z, t60, t61
     real(rk) :: t62, t63, t64, t65, t66, n1_z, n2_z, t67, h7_y, fu6_x, h7_x, t68, h6_x, t69, t70
-    real(rk) :: h5_x, h6_y, h5_y, t71, t72, t73, t74, neg_h3_x, m6_7, t75, t76, t77, t78, t79
-    real(rk) :: k6_xz, k6_yz, t80, t81, t82, t83, t84, t85, t86, m4_5, t87, t88, t89, t90, t91, t92
-    real(rk) :: t93, k4_yz, m5_5, t94, t95, t96, t97, t98, t99, t100, t101, t102, t103, k3_xz, t104
-    real(rk) :: m3_3, t105, nu2_y, k4_xz, m4_4, h4_y, t106, t107, t108, t109, t110, t111, t112
-    real(rk) :: t113, t114, m1_1, h3_y, m2_3, k2_yz, nu4_y, nu4_x, nu3_x, fu4_x, fu3_y, m6_6, t115
-    real(rk) :: t116, m4_6, nu6_x, nu5_x, fu5_y, nu6_y, neg_fu5_x, nu5_y, m4_7, m2_2, t117, m2_4
-    real(rk) :: nu3_y, fu3_x, m2_5, t118, t119, t120, m2_6, t121, t122, t123, m2_7, ld4_1, ld5_1
-    real(rk) :: t124, ld6_1, t125, ld7_1, y1, ipivot1, l2_1, l3_1, l4_1, l5_1, l6_1, l7_1, pivot2
-    real(rk) :: ipivot2, ld3_2, l3_2, ld4_2, l4_2, ld5_2, l5_2, ld6_2, l6_2, ld7_2, l7_2, pivot3
-    real(rk) :: ipivot3, ld4_3, l4_3, ld5_3, l5_3, ld6_3, l6_3, ld7_3, l7_3, pivot4, ipivot4, ld5_4
-    real(rk) :: l5_4, neg_ld6_4, l6_4, ld7_4, l7_4, pivot5, ipivot5, ld6_5, l6_5, ld7_5, l7_5
-    real(rk) :: pivot6, ipivot6, ld7_6, l7_6, t126, pivot7, ipivot7, y2, y3, y4, neg_y5, y6, t127
-    real(rk) :: y7, qdd7, qdd6, qdd5, qdd4, qdd3, qdd2, t128, qdd1
+    real(rk) :: h5_x, h6_y, h5_y, t71, t72, t73, t74, neg_h3_x, t75, m6_7, t76, t77, t78, t79, t80
+    real(rk) :: k6_xz, k6_yz, t81, t82, t83, t84, t85, t86, t87, m4_5, t88, t89, t90, t91, t92, t93
+    real(rk) :: t94, k4_yz, m5_5, t95, t96, t97, t98, t99, t100, t101, t102, t103, t104, k3_xz
+    real(rk) :: t105, m3_3, t106, neg_nu2_y, k4_xz, m4_4, h4_y, t107, t108, t109, t110, t111, t112
+    real(rk) :: t113, t114, t115, m1_1, h3_y, m2_3, k2_yz, nu4_y, nu4_x, nu3_x, fu4_x, fu3_y, m6_6
+    real(rk) :: t116, t117, m4_6, nu6_x, nu5_x, fu5_y, nu6_y, neg_fu5_x, nu5_y, m4_7, neg_m2_2
+    real(rk) :: t118, m2_4, nu3_y, fu3_x, m2_5, t119, t120, t121, m2_6, t122, t123, t124, m2_7
+    real(rk) :: ud3_7, ud1_7, y7, u6_7, u5_7, u4_7, u3_7, u2_7, u1_7, pivot6, ipivot6, ud5_6, u5_6
+    real(rk) :: ud4_6, u4_6, t125, ud3_6, u3_6, ud2_6, u2_6, ud1_6, u1_6, pivot5, ipivot5, ud4_5
+    real(rk) :: u4_5, ud3_5, u3_5, ud2_5, u2_5, ud1_5, u1_5, pivot4, ipivot4, neg_ud3_4, u3_4
+    real(rk) :: ud2_4, u2_4, t126, ud1_4, u1_4, pivot3, ipivot3, ud2_3, u2_3, ud1_3, u1_3, pivot2
+    real(rk) :: ipivot2, ud1_2, u1_2, t127, pivot1, ipivot1, y6, y5, y4, y3, neg_y2, t128, y1, qdd1
+    real(rk) :: qdd2, qdd3, qdd4, qdd5, qdd6, t129, qdd7
 
     ! sines and cosines of the joint angles
     s2 = sin(q(2))
@@ -1288,82 +1288,83 @@ contains
     t74 = h5_y - 0.04389618410240257_rk
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
     neg_h3_x = c3*t73 + s3*t74
+    t75 = t67 + 1.846595961484861_rk*h7_y
     ! link 6: mass matrix, its row of this joint
-    m6_7 = -0.11539123059695529_rk*(t67 + 1.846595961484861_rk*h7_y)
-    t75 = 0.4228495651372064_rk*c7
-    t76 = c7*t75
-    t77 = s7*t75
-    t78 = t76 - (0.23972911266611452_rk*t77 + 0.25435035786215276_rk)
-    t79 = 0.0870114460092663_rk + m6_7
+    m6_7 = -0.11539123059695529_rk*t75
+    t76 = 0.4228495651372064_rk*c7
+    t77 = c7*t76
+    t78 = s7*t76
+    t79 = t77 - (0.23972911266611452_rk*t78 + 0.25435035786215276_rk)
+    t80 = 0.0870114460092663_rk + m6_7
     ! link 6: second moment of the composite body [kg m^2]
-    k6_xz = c6*t78 - s6*t79
-    k6_yz = s6*t78 + c6*t79
-    t80 = c6*c6
-    t81 = 0.15093419333331276_rk*h7_y - 0.4353636338505884_rk*c7
-    t82 = 2.0_rk*t81 - 0.7228858454933149_rk
-    t83 = t77 + (0.23972911266611452_rk*t76 + 1.3126829026743974_rk)
-    t84 = c6*s6
-    t85 = t80*t82 - (t81 - 0.4025907649653271_rk + t83*t84)
-    t86 = k6_yz + 0.05680835589544868_rk
+    k6_xz = c6*t79 - s6*t80
+    k6_yz = s6*t79 + c6*t80
+    t81 = c6*c6
+    t82 = 0.15093419333331276_rk*h7_y - 0.4353636338505884_rk*c7
+    t83 = 2.0_rk*t82 - 0.7228858454933149_rk
+    t84 = t78 + (0.23972911266611452_rk*t77 + 1.3126829026743974_rk)
+    t85 = c6*s6
+    t86 = t81*t83 - (t82 - 0.4025907649653271_rk + t84*t85)
+    t87 = k6_yz + 0.05680835589544868_rk
     ! link 4: mass matrix, its row of this joint
-    m4_5 = 0.4_rk*h5_y - s5*t85 - c5*t86
-    t87 = c5*c5
-    t88 = 0.06569252332896146_rk - k6_xz - k6_xz
-    t89 = c5*s5
-    t90 = t80*t83 + t82*t84
-    t91 = t90 + (t83 - 3.0389236225643885_rk)
-    t92 = t87*t88 + (k6_xz + (t89*t91 - 0.045970484393963854_rk))
-    t93 = m4_5 - 0.09675036990607108_rk
+    m4_5 = 0.4_rk*h5_y - s5*t86 - c5*t87
+    t88 = c5*c5
+    t89 = 0.06569252332896146_rk - k6_xz - k6_xz
+    t90 = c5*s5
+    t91 = t81*t84 + t83*t85
+    t92 = t91 + (t84 - 3.0389236225643885_rk)
+    t93 = t88*t89 + (k6_xz + (t90*t92 - 0.045970484393963854_rk))
+    t94 = m4_5 - 0.09675036990607108_rk
     ! link 4: second moment of the composite body [kg m^2]
-    k4_yz = s4*t92 - c4*t93
+    k4_yz = s4*t93 - c4*t94
     ! link 5: mass matrix, its row of this joint
-    m5_5 = t83 + 1.2084869398413365_rk - t90
-    t94 = k4_yz + 0.06405373385272267_rk
-    t95 = c4*s4
-    t96 = t90 - (t87*t91 + 7.016595671833826_rk - t88*t89)
-    t97 = t96 - 4.4699270629915056_rk - 0.8_rk*h6_y
-    t98 = -2.0_rk*(m5_5 + (t96 - 3.067723445330515_rk))
-    t99 = t97 + t98
-    t100 = c5*t85 - 0.4_rk*h5_x - s5*t86
-    t101 = t100 + (t100 + 0.4184224417415877_rk)
-    t102 = s4*s4
-    t103 = t95*t99 + 0.04690977756007243_rk + (t100 - t101*t102)
+    m5_5 = t84 + 1.2084869398413365_rk - t91
+    t95 = k4_yz + 0.06405373385272267_rk
+    t96 = c4*s4
+    t97 = t91 - (t88*t92 + 7.016595671833826_rk - t89*t90)
+    t98 = t97 - 4.4699270629915056_rk - 0.8_rk*h6_y
+    t99 = -2.0_rk*(m5_5 + (t97 - 3.067723445330515_rk))
+    t100 = t98 + t99
+    t101 = c5*t86 - 0.4_rk*h5_x - s5*t87
+    t102 = t101 + (t101 + 0.4184224417415877_rk)
+    t103 = s4*s4
+    t104 = t96*t100 + 0.04690977756007243_rk + (t101 - t102*t103)
     ! link 3: second moment of the composite body [kg m^2]
-    k3_xz = s3*t94 - c3*t103
-    t104 = t95*t101 + (t99*t102 + 0.9030127193018334_rk)
+    k3_xz = s3*t95 - c3*t104
+    t105 = t96*t102 + (t100*t103 + 0.9030127193018334_rk)
     ! link 3: mass matrix, its row of this joint
-    m3_3 = m5_5 + t104
-    t105 = s2*(k3_xz - 0.4_rk*neg_h3_x)
+    m3_3 = m5_5 + t105
+    t106 = s2*(k3_xz - 0.4_rk*neg_h3_x)
     ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y = -(c2*m3_3) - t105
+    neg_nu2_y = c2*m3_3 + t106
     ! link 4: second moment of the composite body [kg m^2]
-    k4_xz = c4*t92 + s4*t93
+    k4_xz = c4*t93 + s4*t94
     ! link 4: mass matrix, its row of this joint
-    m4_4 = t97 + 16.41827590041618_rk
+    m4_4 = t98 + 16.41827590041618_rk
     ! link 4: first moment of the composite body, about the frame's origin [kg m]
     h4_y = c4*t72 - s4*t71
-    t106 = c3*c3
-    t107 = t98 - (t104 + (15.016072282755191_rk - m5_5))
-    t108 = c3*s3
-    t109 = k4_xz + (k4_xz + 0.2010530685596562_rk)
-    t110 = t106*t107 - (t108*t109 - 3.9137257607425155_rk)
-    t111 = 0.4_rk*h4_y
-    t112 = m4_4 + t111
-    t113 = t111 + t112
-    t114 = t110 + t113
+    t107 = c3*c3
+    t108 = t99 - (t105 + (15.016072282755191_rk - m5_5))
+    t109 = c3*s3
+    t110 = k4_xz + (k4_xz + 0.2010530685596562_rk)
+    t111 = t107*t108 - (t109*t110 - 3.9137257607425155_rk)
+    t112 = 0.4_rk*h4_y
+    t113 = m4_4 + t112
+    t114 = t112 + t113
+    t115 = t111 + t114
     ! link 1: mass matrix, its row of this joint
-    m1_1 = t114 + (c2*(t105 - nu2_y - (c2*t114 - 1.0437049982058304_rk*s2)) + &
+    m1_1 = t115 + (c2*(t106 + neg_nu2_y - (c2*t115 - 1.0437049982058304_rk*s2)) + &
         1.3323985656347848_rk)
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
     h3_y = c3*t74 - s3*t73
     ! link 2: mass matrix, its row of this joint
-    m2_3 = s3*t103 - 0.4_rk*h3_y + c3*t94
+    m2_3 = s3*t104 - 0.4_rk*h3_y + c3*t95
     ! link 2: second moment of the composite body [kg m^2]
-    k2_yz = c2*(m2_3 + 0.26458063578324464_rk) + s2*(k4_xz - (t107*t108 + (t106*t109 + &
+    k2_yz = c2*(m2_3 + 0.26458063578324464_rk) + s2*(k4_xz - (t108*t109 + (t107*t110 + &
         0.10039183707333973_rk)))
     ! link 4: moment for a unit acceleration of a joint further out
-    nu4_y = s4*t100 + c4*m5_5
-    nu4_x = c4*t100 - s4*m5_5
+    nu4_y = s4*t101 + c4*m5_5
+    nu4_x = c4*t101 - s4*m5_5
     ! link 3: moment for a unit acceleration of a joint further out
     nu3_x = c3*nu4_x + s3*m4_5
     ! link 4: force for a unit acceleration of a joint further out
@@ -1371,19 +1372,19 @@ contains
     ! link 3: force for a unit acceleration of a joint further out
     fu3_y = s3*fu4_x + c3*h5_x
     ! link 6: mass matrix, its row of this joint
-    m6_6 = 4.057912786784775_rk - t83
-    t115 = 0.4_rk*h6_y
-    t116 = t115 - m6_6
+    m6_6 = 4.057912786784775_rk - t84
+    t116 = 0.4_rk*h6_y
+    t117 = t116 - m6_6
     ! link 4: mass matrix, its row of this joint
-    m4_6 = s5*k6_xz + c5*t116
+    m4_6 = s5*k6_xz + c5*t117
     ! link 6: moment for a unit acceleration of a joint further out
-    nu6_x = 0.48318719298539553_rk*s6 + c6*t81
+    nu6_x = 0.48318719298539553_rk*s6 + c6*t82
     ! link 5: moment for a unit acceleration of a joint further out
     nu5_x = c5*nu6_x - s5*m6_7
     ! link 5: force for a unit acceleration of a joint further out
     fu5_y = s5*fu6_x + c5*h7_x
     ! link 6: moment for a unit acceleration of a joint further out
-    nu6_y = s6*t81 - 0.48318719298539553_rk*c6
+    nu6_y = s6*t82 - 0.48318719298539553_rk*c6
     ! link 5: force for a unit acceleration of a joint further out
     neg_fu5_x = s5*h7_x - c5*fu6_x
     ! link 5: moment for a unit acceleration of a joint further out
@@ -1391,111 +1392,108 @@ contains
     ! link 4: mass matrix, its row of this joint
     m4_7 = 0.4_rk*neg_fu5_x - nu5_y
     ! link 2: mass matrix, its row of this joint
-    m2_2 = -t96 - (t110 + (m3_3 + (t96 - t113)))
-    t117 = -c3
-    m2_4 = t117*t112 - s3*k4_xz
+    neg_m2_2 = t97 + (t111 + (m3_3 + (t97 - t114)))
+    t118 = -c3
+    m2_4 = t118*t113 - s3*k4_xz
     ! link 3: moment for a unit acceleration of a joint further out
     nu3_y = s3*nu4_x - c3*m4_5
     ! link 3: force for a unit acceleration of a joint further out
     fu3_x = c3*fu4_x - s3*h5_x
     ! link 2: mass matrix, its row of this joint
     m2_5 = nu3_y + 0.4_rk*fu3_x
-    t118 = 0.4_rk*(s4*h6_x - h6_y*(c4*c5)) - m4_6
-    t119 = s5*t116 - c5*k6_xz
-    t120 = c4*t119 - (s4*k6_yz - s5*t115)
-    m2_6 = c3*t118 + s3*t120
-    t121 = h7_y*(-s4*s6) - c4*neg_fu5_x
-    t122 = nu5_x - 0.4_rk*fu5_y
-    t123 = c4*t122 + s4*nu6_y
-    m2_7 = 0.4_rk*(c3*t121 - s3*fu5_y) + (s3*t123 - c3*m4_7)
-    ! factorisation M = L D L^T
-    ld4_1 = s2*(c3*k4_xz - s3*t112) - c2*k4_yz
-    ld5_1 = c2*nu4_y - s2*(nu3_x - 0.4_rk*fu3_y)
-    t124 = c4*k6_yz + s4*t119
-    ld6_1 = c2*t124 - s2*(c3*t120 - s3*t118)
-    t125 = s4*t122 - c4*nu6_y
-    ld7_1 = c2*t125 - s2*(c3*t123 + (0.4_rk*(t117*fu5_y - s3*t121) + s3*m4_7))
-    ! link 1: forward substitution
-    y1 = tau(1) - n1_z
-    ! factorisation M = L D L^T
-    ipivot1 = 1.0_rk / m1_1
-    l2_1 = k2_yz*ipivot1
-    l3_1 = -nu2_y*ipivot1
-    l4_1 = ld4_1*ipivot1
-    l5_1 = ld5_1*ipivot1
-    l6_1 = ld6_1*ipivot1
-    l7_1 = ld7_1*ipivot1
-    pivot2 = m2_2 - k2_yz*l2_1
-    ipivot2 = 1.0_rk / pivot2
-    ld3_2 = m2_3 - k2_yz*l3_1
-    l3_2 = ipivot2*ld3_2
-    ld4_2 = m2_4 - k2_yz*l4_1
-    l4_2 = ipivot2*ld4_2
-    ld5_2 = m2_5 - k2_yz*l5_1
-    l5_2 = ipivot2*ld5_2
-    ld6_2 = m2_6 - k2_yz*l6_1
-    l6_2 = ipivot2*ld6_2
-    ld7_2 = m2_7 - k2_yz*l7_1
-    l7_2 = ipivot2*ld7_2
-    pivot3 = m3_3 + nu2_y*l3_1 - ld3_2*l3_2
-    ipivot3 = 1.0_rk / pivot3
-    ld4_3 = -ld3_2*l4_2 - (k4_yz - nu2_y*l4_1)
-    l4_3 = ipivot3*ld4_3
-    ld5_3 = nu4_y + nu2_y*l5_1 - ld3_2*l5_2
-    l5_3 = ipivot3*ld5_3
-    ld6_3 = t124 + nu2_y*l6_1 - ld3_2*l6_2
-    l6_3 = ipivot3*ld6_3
-    ld7_3 = t125 + nu2_y*l7_1 - ld3_2*l7_2
-    l7_3 = ipivot3*ld7_3
-    pivot4 = m4_4 - ld4_1*l4_1 - ld4_2*l4_2 - ld4_3*l4_3
-    ipivot4 = 1.0_rk / pivot4
-    ld5_4 = m4_5 - ld4_1*l5_1 - ld4_2*l5_2 - ld4_3*l5_3
-    l5_4 = ipivot4*ld5_4
-    neg_ld6_4 = ld4_2*l6_2 - (m4_6 - ld4_1*l6_1) + ld4_3*l6_3
-    l6_4 = -ipivot4*neg_ld6_4
-    ld7_4 = -ld4_3*l7_3 - (ld4_2*l7_2 - (m4_7 - ld4_1*l7_1))
-    l7_4 = ipivot4*ld7_4
-    pivot5 = -ld5_4*l5_4 - (ld5_1*l5_1 - m5_5 + ld5_2*l5_2 + ld5_3*l5_3)
-    ipivot5 = 1.0_rk / pivot5
-    ld6_5 = k6_yz - ld5_1*l6_1 - ld5_2*l6_2 - ld5_3*l6_3 - ld5_4*l6_4
-    l6_5 = ipivot5*ld6_5
-    ld7_5 = -ld5_2*l7_2 - (nu6_y + ld5_1*l7_1) - ld5_3*l7_3 - ld5_4*l7_4
-    l7_5 = ipivot5*ld7_5
-    pivot6 = neg_ld6_4*l6_4 - (ld6_1*l6_1 - m6_6 + ld6_2*l6_2 + ld6_3*l6_3) - ld6_5*l6_5
-    ipivot6 = 1.0_rk / pivot6
-    ld7_6 = neg_ld6_4*l7_4 - (ld6_1*l7_1 - m6_7 + ld6_2*l7_2 + ld6_3*l7_3) - ld6_5*l7_5
-    l7_6 = ipivot6*ld7_6
-    t126 = 0.48318719298539553_rk - ld7_1*l7_1 - ld7_2*l7_2 - ld7_3*l7_3 - ld7_4*l7_4 - ld7_5*l7_5
-    pivot7 = t126 - ld7_6*l7_6
-    ipivot7 = 1.0_rk / pivot7
-    ! link 2: forward substitution
-    y2 = tau(2) - n2_z - y1*l2_1
-    ! link 3: forward substitution
-    y3 = -l3_2*y2 - (n3_z - tau(3) + y1*l3_1)
-    ! link 4: forward substitution
-    y4 = -(n4_z - tau(4) + y1*l4_1 + l4_2*y2) - l4_3*y3
-    ! link 5: forward substitution
-    neg_y5 = n5_z - tau(5) + y1*l5_1 + l5_2*y2 + l5_3*y3 + l5_4*y4
-    ! link 6: forward substitution
-    y6 = l6_5*neg_y5 - (n6_z - tau(6) + y1*l6_1 + l6_2*y2 + l6_3*y3 + l6_4*y4)
-    t127 = l7_5*neg_y5 - (nc7_z - tau(7) + y1*l7_1 + l7_2*y2 + l7_3*y3 + l7_4*y4)
+    t119 = 0.4_rk*(s4*h6_x - h6_y*(c4*c5)) - m4_6
+    t120 = s5*t117 - c5*k6_xz
+    t121 = c4*t120 - (s4*k6_yz - s5*t116)
+    m2_6 = c3*t119 + s3*t121
+    t122 = h7_y*(-s4*s6) - c4*neg_fu5_x
+    t123 = nu5_x - 0.4_rk*fu5_y
+    t124 = c4*t123 + s4*nu6_y
+    m2_7 = 0.4_rk*(c3*t122 - s3*fu5_y) + (s3*t124 - c3*m4_7)
+    ! factorisation M = U D U^T
+    ud3_7 = s4*t123 - c4*nu6_y
+    ud1_7 = c2*ud3_7 - s2*(c3*t124 + (0.4_rk*(t118*fu5_y - s3*t122) + s3*m4_7))
     ! link 7: forward substitution
-    y7 = t127 - l7_6*y6
-    ! link 7: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd7 = ipivot7*y7
-    ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd6 = ipivot6*y6 - l7_6*qdd7
-    ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd5 = -l6_5*qdd6 - ipivot5*neg_y5 - l7_5*qdd7
-    ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd4 = -l7_4*qdd7 - (l5_4*qdd5 - ipivot4*y4 + l6_4*qdd6)
-    ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd3 = ipivot3*y3 - l4_3*qdd4 - l5_3*qdd5 - l6_3*qdd6 - l7_3*qdd7
-    ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd2 = ipivot2*y2 - l3_2*qdd3 - l4_2*qdd4 - l5_2*qdd5 - l6_2*qdd6 - l7_2*qdd7
-    t128 = -l6_1*qdd6 - (l2_1*qdd2 - y1*ipivot1 + l3_1*qdd3 + l4_1*qdd4 + l5_1*qdd5)
+    y7 = tau(7) - nc7_z
+    ! factorisation M = U D U^T
+    u6_7 = -0.2388126843429044_rk*t75
+    u5_7 = -2.069591277495274_rk*nu6_y
+    u4_7 = 2.069591277495274_rk*m4_7
+    u3_7 = 2.069591277495274_rk*ud3_7
+    u2_7 = 2.069591277495274_rk*m2_7
+    u1_7 = 2.069591277495274_rk*ud1_7
+    pivot6 = m6_6 - m6_7*u6_7
+    ipivot6 = 1.0_rk / pivot6
+    ud5_6 = k6_yz - m6_7*u5_7
+    u5_6 = ipivot6*ud5_6
+    ud4_6 = m4_6 - m6_7*u4_7
+    u4_6 = ipivot6*ud4_6
+    t125 = c4*k6_yz + s4*t120
+    ud3_6 = t125 - m6_7*u3_7
+    u3_6 = ipivot6*ud3_6
+    ud2_6 = m2_6 - m6_7*u2_7
+    u2_6 = ipivot6*ud2_6
+    ud1_6 = c2*t125 - s2*(c3*t121 - s3*t119) - m6_7*u1_7
+    u1_6 = ipivot6*ud1_6
+    pivot5 = m5_5 + nu6_y*u5_7 - ud5_6*u5_6
+    ipivot5 = 1.0_rk / pivot5
+    ud4_5 = m4_5 + nu6_y*u4_7 - ud5_6*u4_6
+    u4_5 = ipivot5*ud4_5
+    ud3_5 = nu4_y + nu6_y*u3_7 - ud5_6*u3_6
+    u3_5 = ipivot5*ud3_5
+    ud2_5 = m2_5 + nu6_y*u2_7 - ud5_6*u2_6
+    u2_5 = ipivot5*ud2_5
+    ud1_5 = c2*nu4_y - s2*(nu3_x - 0.4_rk*fu3_y) + nu6_y*u1_7 - ud5_6*u1_6
+    u1_5 = ipivot5*ud1_5
+    pivot4 = m4_4 - m4_7*u4_7 - ud4_6*u4_6 - ud4_5*u4_5
+    ipivot4 = 1.0_rk / pivot4
+    neg_ud3_4 = k4_yz + m4_7*u3_7 + ud4_6*u3_6 + ud4_5*u3_5
+    u3_4 = -ipivot4*neg_ud3_4
+    ud2_4 = m2_4 - m4_7*u2_7 - ud4_6*u2_6 - ud4_5*u2_5
+    u2_4 = ipivot4*ud2_4
+    t126 = -ud4_6*u1_6 - (c2*k4_yz - s2*(c3*k4_xz - s3*t113) + m4_7*u1_7)
+    ud1_4 = t126 - ud4_5*u1_5
+    u1_4 = ipivot4*ud1_4
+    pivot3 = neg_ud3_4*u3_4 - (ud3_7*u3_7 - m3_3 + ud3_6*u3_6 + ud3_5*u3_5)
+    ipivot3 = 1.0_rk / pivot3
+    ud2_3 = m2_3 - ud3_7*u2_7 - ud3_6*u2_6 - ud3_5*u2_5 + neg_ud3_4*u2_4
+    u2_3 = ipivot3*ud2_3
+    ud1_3 = neg_ud3_4*u1_4 - (ud3_7*u1_7 - neg_nu2_y + ud3_6*u1_6 + ud3_5*u1_5)
+    u1_3 = ipivot3*ud1_3
+    pivot2 = -ud2_4*u2_4 - (neg_m2_2 + m2_7*u2_7 + ud2_6*u2_6 + ud2_5*u2_5) - ud2_3*u2_3
+    ipivot2 = 1.0_rk / pivot2
+    ud1_2 = k2_yz - m2_7*u1_7 - ud2_6*u1_6 - ud2_5*u1_5 - ud2_4*u1_4 - ud2_3*u1_3
+    u1_2 = ipivot2*ud1_2
+    t127 = m1_1 - ud1_7*u1_7 - ud1_6*u1_6 - ud1_5*u1_5 - ud1_4*u1_4 - ud1_3*u1_3
+    pivot1 = t127 - ud1_2*u1_2
+    ipivot1 = 1.0_rk / pivot1
+    ! link 6: forward substitution
+    y6 = -y7*u6_7 - (n6_z - tau(6))
+    ! link 5: forward substitution
+    y5 = -u5_6*y6 - (n5_z - tau(5) + y7*u5_7)
+    ! link 4: forward substitution
+    y4 = -u4_5*y5 - (n4_z - tau(4) + y7*u4_7 + u4_6*y6)
+    ! link 3: forward substitution
+    y3 = -u3_4*y4 - (n3_z - tau(3) + y7*u3_7 + u3_6*y6 + u3_5*y5)
+    ! link 2: forward substitution
+    neg_y2 = n2_z - tau(2) + y7*u2_7 + u2_6*y6 + u2_5*y5 + u2_4*y4 + u2_3*y3
+    t128 = n1_z - tau(1) + y7*u1_7 + u1_6*y6 + u1_5*y5 + u1_4*y4 + u1_3*y3
+    ! link 1: forward substitution
+    y1 = u1_2*neg_y2 - t128
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = t128 - l7_1*qdd7
+    qdd1 = ipivot1*y1
+    ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd2 = -u1_2*qdd1 - ipivot2*neg_y2
+    ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd3 = ipivot3*y3 - u2_3*qdd2 - u1_3*qdd1
+    ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd4 = -u1_4*qdd1 - (u3_4*qdd3 - ipivot4*y4 + u2_4*qdd2)
+    ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd5 = ipivot5*y5 - u4_5*qdd4 - u3_5*qdd3 - u2_5*qdd2 - u1_5*qdd1
+    ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd6 = ipivot6*y6 - u5_6*qdd5 - u4_6*qdd4 - u3_6*qdd3 - u2_6*qdd2 - u1_6*qdd1
+    t129 = -u2_7*qdd2 - (u6_7*qdd6 - 2.069591277495274_rk*y7 + u5_7*qdd5 + u4_7*qdd4 + u3_7*qdd3)
+    ! link 7: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd7 = t129 - u1_7*qdd1
     qdd(1) = qdd1
     qdd(2) = qdd2
     qdd(3) = qdd3

@@ -32,7 +32,7 @@
  *   gravity: 60 multiplications, 36 additions = 96; 2 unary minus; 12 sine/cosine
  *   bias: 244 multiplications, 227 additions = 471; 6 unary minus; 12 sine/cosine
  *   mass_matrix: 161 multiplications, 137 additions = 298; 2 unary minus; 12 sine/cosine
- *   forward_dynamics: 531 multiplications, 469 additions, 7 divisions = 1007; 23 unary minus; 12
+ *   forward_dynamics: 531 multiplications, 469 additions, 6 divisions = 1006; 20 unary minus; 12
  *       sine/cosine
  */
 #ifndef IIWA_H

@@ -33,7 +33,7 @@
  *   gravity: 60 multiplications, 36 additions = 96; 2 unary minus; 12 sine/cosine
  *   bias: 257 multiplications, 242 additions = 499; 1 unary minus; 12 sine/cosine
  *   mass_matrix: 184 multiplications, 166 additions = 350; 3 unary minus; 12 sine/cosine
- *   forward_dynamics: 567 multiplications, 513 additions, 7 divisions = 1087; 7 unary minus; 12
+ *   forward_dynamics: 567 multiplications, 513 additions, 6 divisions = 1086; 22 unary minus; 12
  *       sine/cosine
  */
 #include "panda.h"
@@ -992,7 +992,7 @@ void panda_mass_matrix(const panda_real q[7], panda_real M[49])
 }
 
 /* accelerations that the torques tau give
- * 567 multiplications, 513 additions, 7 divisions = 1087; 7 unary minus; 12 sine/cosine */
+ * 567 multiplications, 513 additions, 6 divisions = 1086; 22 unary minus; 12 sine/cosine */
 void panda_forward_dynamics(
     const panda_real q[7],
     const panda_real qd[7],
@@ -1004,26 +1004,27 @@ void panda_forward_dynamics(
     const volatile panda_real *const again = q;
     /* sines and cosines of the joint angles */
     const panda_real s2 = sin(again[1]);
+    const panda_real t1 = -s2;
     /* link 2: angular velocity [rad/s] */
-    const panda_real neg_w2_x = s2*qd[0];
+    const panda_real w2_x = t1*qd[0];
     /* sines and cosines of the joint angles */
     const panda_real c2 = cos(q[1]);
     /* link 2: angular velocity [rad/s] */
-    const panda_real neg_w2_y = qd[0]*c2;
+    const panda_real w2_y = -qd[0]*c2;
     /* link 2: products of the angular velocity [1/s^2] */
-    const panda_real neg_ww2_yz = neg_w2_y*qd[1];
+    const panda_real ww2_yz = w2_y*qd[1];
     /* sines and cosines of the joint angles */
     const panda_real c3 = cos(q[2]);
     const panda_real s3 = sin(again[2]);
     /* link 3: angular velocity [rad/s] */
-    const panda_real neg_w3_x = neg_w2_x*c3 - qd[1]*s3;
-    const panda_real w3_z = neg_w2_y + qd[2];
-    const panda_real w3_y = qd[1]*c3 + neg_w2_x*s3;
+    const panda_real w3_x = w2_x*c3 + qd[1]*s3;
+    const panda_real w3_z = qd[2] - w2_y;
+    const panda_real w3_y = qd[1]*c3 - w2_x*s3;
     /* link 3: products of the angular velocity [1/s^2] */
     const panda_real ww3_yy = w3_y*w3_y;
     const panda_real ww3_zz = w3_z*w3_z;
-    const panda_real neg_ww3_zx = neg_w3_x*w3_z;
-    const panda_real neg_ww3_xy = neg_w3_x*w3_y;
+    const panda_real ww3_zx = w3_x*w3_z;
+    const panda_real ww3_xy = w3_x*w3_y;
     const panda_real ww3_yz = w3_z*w3_y;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
     const panda_real neg_lam3_11 = ww3_yy + ww3_zz;
@@ -1031,26 +1032,26 @@ void panda_forward_dynamics(
     const panda_real c4 = cos(q[3]);
     const panda_real s4 = sin(again[3]);
     /* link 4: angular velocity [rad/s] */
-    const panda_real neg_w4_x = w3_z*s4 - neg_w3_x*c4;
-    const panda_real neg_w4_z = w3_y - qd[3];
-    const panda_real neg_w4_y = neg_w3_x*s4 + w3_z*c4;
+    const panda_real w4_x = -w3_z*s4 - w3_x*c4;
+    const panda_real w4_z = qd[3] - w3_y;
+    const panda_real w4_y = w3_x*s4 - w3_z*c4;
     /* link 4: products of the angular velocity [1/s^2] */
-    const panda_real ww4_zz = neg_w4_z*neg_w4_z;
-    const panda_real ww4_zx = neg_w4_x*neg_w4_z;
-    const panda_real ww4_xy = neg_w4_x*neg_w4_y;
-    const panda_real ww4_xx = neg_w4_x*neg_w4_x;
-    const panda_real ww4_yz = neg_w4_z*neg_w4_y;
+    const panda_real ww4_zz = w4_z*w4_z;
+    const panda_real ww4_zx = w4_x*w4_z;
+    const panda_real ww4_xy = w4_x*w4_y;
+    const panda_real ww4_xx = w4_x*w4_x;
+    const panda_real ww4_yz = w4_z*w4_y;
     /* sines and cosines of the joint angles */
     const panda_real c5 = cos(q[4]);
     const panda_real s5 = sin(again[4]);
     /* link 5: angular velocity [rad/s] */
-    const panda_real w5_x = neg_w4_x*c5 + neg_w4_z*s5;
-    const panda_real w5_z = neg_w4_y + qd[4];
-    const panda_real neg_w5_y = neg_w4_x*s5 - neg_w4_z*c5;
+    const panda_real w5_x = -w4_z*s5 - w4_x*c5;
+    const panda_real w5_z = qd[4] - w4_y;
+    const panda_real w5_y = w4_x*s5 - w4_z*c5;
     /* link 5: products of the angular velocity [1/s^2] */
-    const panda_real neg_ww5_yz = w5_z*neg_w5_y;
+    const panda_real ww5_yz = w5_z*w5_y;
     const panda_real ww5_zx = w5_x*w5_z;
-    const panda_real neg_ww5_xy = w5_x*neg_w5_y;
+    const panda_real ww5_xy = w5_x*w5_y;
     const panda_real ww5_xx = w5_x*w5_x;
     const panda_real ww5_zz = w5_z*w5_z;
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
@@ -1062,497 +1063,482 @@ void panda_forward_dynamics(
     const panda_real s6 = sin(again[5]);
     /* link 6: angular velocity [rad/s] */
     const panda_real w6_x = w5_x*c6 + w5_z*s6;
-    const panda_real w6_z = neg_w5_y + qd[5];
+    const panda_real w6_z = qd[5] - w5_y;
     const panda_real w6_y = w5_z*c6 - w5_x*s6;
     /* link 6: products of the angular velocity [1/s^2] */
     const panda_real ww6_zz = w6_z*w6_z;
     const panda_real ww6_xy = w6_x*w6_y;
     const panda_real ww6_yy = w6_y*w6_y;
     /* link 7: angular velocity [rad/s] */
-    const panda_real w7_z = qd[6] - w6_y;
+    const panda_real neg_w7_z = w6_y - qd[6];
     /* sines and cosines of the joint angles */
     const panda_real c7 = cos(q[6]);
     const panda_real s7 = sin(again[6]);
     /* link 2: products of the angular velocity [1/s^2] */
     const panda_real ww2_zz = qd[1]*qd[1];
     /* link 3: angular acceleration [rad/s^2] */
-    const panda_real alpha3_y = neg_ww2_yz*s3 + neg_w3_x*qd[2];
+    const panda_real alpha3_y = -w3_x*qd[2] - ww2_yz*s3;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const panda_real neg_lam3_13 = neg_ww3_zx - alpha3_y;
+    const panda_real lam3_13 = ww3_zx + alpha3_y;
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
     const panda_real lam4_21 = ww4_xy - alpha3_y;
     /* link 3: angular acceleration [rad/s^2] */
-    const panda_real alpha3_x = qd[2]*w3_y - neg_ww2_yz*c3;
+    const panda_real alpha3_x = qd[2]*w3_y + ww2_yz*c3;
     /* link 2: products of the angular velocity [1/s^2] */
-    const panda_real neg_ww2_zx = neg_w2_x*qd[1];
+    const panda_real ww2_zx = w2_x*qd[1];
     /* link 4: angular acceleration [rad/s^2] */
-    const panda_real alpha4_y = s4*alpha3_x + (neg_w4_x*qd[3] + c4*neg_ww2_zx);
+    const panda_real alpha4_y = s4*alpha3_x + (-c4*ww2_zx - w4_x*qd[3]);
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const panda_real neg_lam5_21 = neg_ww5_xy + alpha4_y;
+    const panda_real lam5_21 = ww5_xy - alpha4_y;
     /* link 4: angular acceleration [rad/s^2] */
-    const panda_real neg_alpha4_x = qd[3]*neg_w4_y + (c4*alpha3_x - s4*neg_ww2_zx);
+    const panda_real alpha4_x = qd[3]*w4_y - (c4*alpha3_x + s4*ww2_zx);
     /* link 5: angular acceleration [rad/s^2] */
-    const panda_real neg_alpha5_x = qd[4]*neg_w5_y - s5*alpha3_y - c5*neg_alpha4_x;
+    const panda_real alpha5_x = qd[4]*w5_y + s5*alpha3_y - c5*alpha4_x;
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const panda_real neg_lam5_32 = neg_ww5_yz + neg_alpha5_x;
+    const panda_real lam5_32 = ww5_yz + alpha5_x;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const panda_real neg_lam3_31 = neg_ww3_zx + alpha3_y;
-    const panda_real t1 = s2*neg_w2_x;
+    const panda_real lam3_31 = ww3_zx - alpha3_y;
+    const panda_real t2 = t1*w2_x;
     /* link 2: products of the angular velocity [1/s^2] */
-    const panda_real ww2_xx = qd[0]*t1;
+    const panda_real ww2_xx = qd[0]*t2;
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
     const panda_real neg_lam2_22 = ww2_zz + ww2_xx;
-    const panda_real t2 = ww3_yy - ww3_zz;
+    const panda_real t3 = ww3_yy - ww3_zz;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const panda_real lam3_22 = t2 - neg_lam2_22;
-    const panda_real t3 = ww4_zz - ww4_xx;
+    const panda_real lam3_22 = t3 - neg_lam2_22;
+    const panda_real t4 = ww4_zz - ww4_xx;
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const panda_real neg_lam4_11 = t3 - lam3_22;
+    const panda_real neg_lam4_11 = t4 - lam3_22;
     const panda_real lam4_31 = ww4_zx - alpha4_y;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
     const panda_real lam3_23 = ww3_yz - alpha3_x;
-    const panda_real neg_lam3_21 = neg_ww3_xy + neg_ww2_zx;
+    const panda_real lam3_21 = ww3_xy + ww2_zx;
     /* link 5: angular acceleration [rad/s^2] */
-    const panda_real alpha5_y = c5*alpha3_y - (w5_x*qd[4] + s5*neg_alpha4_x);
+    const panda_real alpha5_y = c5*alpha3_y - (w5_x*qd[4] - s5*alpha4_x);
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
     const panda_real lam5_13 = ww5_zx + alpha5_y;
     /* link 6: lambda matrix: takes a position to its acceleration [1/s^2] */
     const panda_real lam6_21 = ww6_xy - alpha5_y;
-    const panda_real t4 = qd[5] + w6_z;
-    const panda_real t5 = c6*alpha4_y - s6*neg_alpha5_x;
-    const panda_real lam6_31 = w6_x*t4 + t5;
+    const panda_real t5 = qd[5] + w6_z;
+    const panda_real t6 = c6*alpha4_y + s6*alpha5_x;
+    const panda_real lam6_31 = w6_x*t5 + t6;
     /* link 7: products of the angular velocity [1/s^2] */
-    const panda_real ww7_zz = w7_z*w7_z;
+    const panda_real ww7_zz = neg_w7_z*neg_w7_z;
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const panda_real neg_lam5_23 = neg_ww5_yz - neg_alpha5_x;
-    const panda_real t6 = s6*alpha4_y + c6*neg_alpha5_x;
+    const panda_real lam5_23 = ww5_yz - alpha5_x;
+    const panda_real t7 = s6*alpha4_y - c6*alpha5_x;
     /* link 6: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const panda_real lam6_32 = w6_y*t4 - t6;
+    const panda_real lam6_32 = w6_y*t5 - t7;
     const panda_real lam6_12 = ww6_xy + alpha5_y;
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
     const panda_real lam5_31 = ww5_zx - alpha5_y;
-    const panda_real t7 = ww5_xx - ww5_zz;
-    const panda_real lam5_11 = t7 - neg_lam4_22;
-    const panda_real t8 = ww6_zz - ww6_yy;
+    const panda_real t8 = ww5_xx - ww5_zz;
+    const panda_real lam5_11 = t8 - neg_lam4_22;
+    const panda_real t9 = ww6_zz - ww6_yy;
     /* link 6: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const panda_real neg_lam6_22 = neg_lam5_22 + t8;
-    const panda_real t9 = ww6_zz - ww7_zz;
-    const panda_real t10 = ww6_zz + ww7_zz;
-    const panda_real t11 = neg_lam6_22 - t10;
-    const panda_real t12 = t9 - t11;
-    const panda_real neg_lam6_11 = neg_lam5_22 + t12;
-    const panda_real neg_lam6_13 = t5 - neg_w5_y*w6_x;
-    const panda_real t13 = 0.0002123224431354016*s7;
-    const panda_real t14 = t13 + 0.00016784129658960374*c7;
-    const panda_real t15 = neg_lam3_31 - 118.9090909090909*c2 + 3.83030303030303*neg_lam2_22;
-    const panda_real t16 = 118.9090909090909*s2;
-    const panda_real t17 = c3*t16;
-    const panda_real t18 = neg_lam3_11 + t17 + 3.83030303030303*neg_lam3_13;
-    const panda_real t19 = s4*t15 + c4*t18;
-    const panda_real t20 = neg_lam4_11 - t19;
-    const panda_real t21 = 3.83030303030303*lam3_23 - (neg_lam3_21 - s3*t16);
-    const panda_real t22 = lam4_31 - t21;
-    const panda_real t23 = c5*t20 - s5*t22;
-    const panda_real t24 = t23 + 4.654545454545454*lam5_13;
-    const panda_real t25 = s4*t18 - c4*t15;
-    const panda_real t26 = lam4_21 - t25;
-    const panda_real t27 = 4.654545454545454*neg_lam4_22 + t26;
-    const panda_real t28 = c6*t24 - s6*t27;
-    const panda_real t29 = 1.0666666666666667*neg_lam6_11 - t28;
-    const panda_real t30 = 11.402203849817942*c7;
-    const panda_real t31 = t13*t30;
-    const panda_real t32 = 0.0002123224431354016*c7;
-    const panda_real t33 = t30*t32;
-    const panda_real t34 = 0.32333777029991095*t31 - (t33 + 0.00213160409441986);
-    const panda_real t35 = 0.0009653051699191118*s7 + 0.0012555365982729084*c7;
-    const panda_real t36 = t31 + (0.32333777029991095*t33 - 0.0003913912816842475);
-    const panda_real t37 = t34 + 0.006684151967360947;
-    const panda_real t38 = s5*t20 + c5*t22;
-    const panda_real t39 = t38 + (4.654545454545454*neg_lam5_23 + 1.0666666666666667*lam6_31);
-    const panda_real t40 = t32 - 0.00016784129658960374*s7;
-    const panda_real t41 = t14*t29 - (neg_lam6_13*t34 - (lam6_12*t35 - (t12*t36 - lam6_31*t37))) +
-        t39*t40;
-    const panda_real t42 = 0.0009653051699191118*c7 - 0.0012555365982729084*s7;
+    const panda_real neg_lam6_22 = neg_lam5_22 + t9;
+    const panda_real t10 = ww6_zz - ww7_zz;
+    const panda_real t11 = ww6_zz + ww7_zz;
+    const panda_real t12 = t11 - neg_lam6_22;
+    const panda_real t13 = t10 + t12;
+    const panda_real neg_lam6_11 = neg_lam5_22 + t13;
+    const panda_real lam6_13 = -t6 - w5_y*w6_x;
+    const panda_real t14 = 0.0002123224431354016*s7;
+    const panda_real t15 = t14 + 0.00016784129658960374*c7;
+    const panda_real t16 = 3.83030303030303*neg_lam2_22 - (lam3_31 + 118.9090909090909*c2);
+    const panda_real t17 = 118.9090909090909*s2;
+    const panda_real t18 = c3*t17;
+    const panda_real t19 = neg_lam3_11 + t18 - 3.83030303030303*lam3_13;
+    const panda_real t20 = s4*t16 + c4*t19;
+    const panda_real t21 = neg_lam4_11 - t20;
+    const panda_real t22 = 3.83030303030303*lam3_23 + (lam3_21 + s3*t17);
+    const panda_real t23 = lam4_31 - t22;
+    const panda_real t24 = c5*t21 - s5*t23;
+    const panda_real t25 = t24 + 4.654545454545454*lam5_13;
+    const panda_real t26 = s4*t19 - c4*t16;
+    const panda_real t27 = lam4_21 - t26;
+    const panda_real t28 = 4.654545454545454*neg_lam4_22 + t27;
+    const panda_real t29 = c6*t25 - s6*t28;
+    const panda_real t30 = 1.0666666666666667*neg_lam6_11 - t29;
+    const panda_real t31 = 11.402203849817942*c7;
+    const panda_real t32 = t14*t31;
+    const panda_real t33 = 0.0002123224431354016*c7;
+    const panda_real t34 = t31*t33;
+    const panda_real t35 = t32 + (0.32333777029991095*t34 - 0.0003913912816842475);
+    const panda_real t36 = 0.32333777029991095*t32 - (t34 + 0.00213160409441986);
+    const panda_real t37 = t36 + 0.006684151967360947;
+    const panda_real t38 = 0.0009653051699191118*s7 + 0.0012555365982729084*c7;
+    const panda_real t39 = s5*t21 + c5*t23;
+    const panda_real t40 = t39 + (1.0666666666666667*lam6_31 - 4.654545454545454*lam5_23);
+    const panda_real t41 = t33 - 0.00016784129658960374*s7;
+    const panda_real t42 = t15*t30 - (t13*t35 - lam6_31*t37 - lam6_12*t38 - lam6_13*t36) + t40*t41;
+    const panda_real t43 = 0.0009653051699191118*c7 - 0.0012555365982729084*s7;
     /* link 7: moment that turns the link [N m] */
-    const panda_real nc7_z = t41 - lam6_32*t42;
+    const panda_real nc7_z = t42 - lam6_32*t43;
     /* link 6: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const panda_real lam6_23 = t6 + neg_w5_y*w6_y;
+    const panda_real lam6_23 = t7 - w5_y*w6_y;
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const panda_real neg_lam5_12 = neg_ww5_xy - alpha4_y;
-    const panda_real t43 = -2.0*w7_z;
-    const panda_real t44 = lam6_12 - w6_x*t43;
-    const panda_real t45 = s6*t24 + c6*t27;
-    const panda_real t46 = t45 - 1.0666666666666667*lam6_21;
-    const panda_real t47 = lam6_32 - w6_z*t43;
-    const panda_real t48 = t14*t47 - (0.014338888209442497*neg_lam6_22 - 0.017931959153753906*t46 -
-        t40*t44);
-    const panda_real t49 = 0.0001037589172186853*lam6_23 + (t11*t42 - (t40*t46 - (t36*t47 -
-        (1.0666666666666667*t48 + 0.014338888209442497*t29))));
+    const panda_real lam5_12 = ww5_xy + alpha4_y;
+    const panda_real t44 = 2.0*neg_w7_z;
+    const panda_real t45 = lam6_12 - w6_x*t44;
+    const panda_real t46 = lam6_32 - w6_z*t44;
+    const panda_real t47 = s6*t25 + c6*t28;
+    const panda_real t48 = t47 - 1.0666666666666667*lam6_21;
+    const panda_real t49 = t15*t46 - (0.014338888209442497*neg_lam6_22 - 0.017931959153753906*t48 -
+        t41*t45);
+    const panda_real t50 = 0.0001037589172186853*lam6_23 + (t35*t46 - (1.0666666666666667*t49 +
+        0.014338888209442497*t30) - t41*t48 - t12*t43);
     /* link 6: moment through the joint, about the frame's origin [N m] */
-    const panda_real neg_n6_z = t37*t44 + (0.0005462437073966822*(neg_lam6_22 - neg_lam6_11) +
-        (0.028934422545659907*lam6_12 - (0.0011196707334275547*lam6_21 + t49))) + neg_lam6_13*(t35 +
+    const panda_real neg_n6_z = t37*t45 + (0.0005462437073966822*(neg_lam6_22 - neg_lam6_11) +
+        (0.028934422545659907*lam6_12 - (0.0011196707334275547*lam6_21 + t50))) - lam6_13*(t38 +
         9.35690973146064e-05);
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const panda_real lam4_32 = ww4_yz - neg_alpha4_x;
-    const panda_real t50 = 0.028934422545659907*lam6_32 - (0.014338888209442497*t39 + (t9*t35 +
-        (9.35690973146064e-05*t8 + (0.0055993270925625*t45 + 0.0001037589172186853*lam6_21))));
-    const panda_real t51 = t34*t47 + (t36*t44 - (t14*t46 + t50)) + lam6_31*(t42 -
+    const panda_real lam4_32 = ww4_yz + alpha4_x;
+    const panda_real t51 = 0.028934422545659907*lam6_32 - (0.014338888209442497*t40 + (t10*t38 +
+        (9.35690973146064e-05*t9 + (0.0055993270925625*t47 + 0.0001037589172186853*lam6_21))));
+    const panda_real t52 = t36*t46 + (t35*t45 - (t15*t48 + t51)) + lam6_31*(t43 -
         0.0005462437073966822);
-    const panda_real t52 = neg_lam5_22 + lam5_11;
-    const panda_real t53 = 0.017931959153753906*t39 + (lam6_31*t40 - (0.014338888209442497*lam6_32 +
-        t14*(t10 - t12)));
-    const panda_real t54 = 0.0055993270925625*neg_lam5_22 + t53;
-    const panda_real t55 = nc7_z + 0.0005462437073966822*lam6_32 + (9.35690973146064e-05*lam6_12 +
-        0.0001037589172186853*t12 + 1.0666666666666667*(t53 + 0.005249369149277343*t28));
-    const panda_real t56 = t55 + 0.0011196707334275547*lam6_31;
-    const panda_real t57 = 0.010045187828321245*neg_lam5_32 + c6*t51 - 0.00151524447332703*lam5_31 -
-        0.0021640520520981327*(t7 - t52) - (4.654545454545454*t54 + s6*t56);
-    const panda_real t58 = 0.0010267877770288932*neg_lam5_21 + t57;
-    const panda_real t59 = 0.017931959153753906*t29 + (0.014338888209442497*lam6_12 + t10*t40) +
-        neg_lam6_13*(t14 - 0.0055993270925625);
-    const panda_real t60 = t48 + 0.0055993270925625*lam6_23;
-    const panda_real t61 = c6*t59 - s6*t60;
-    const panda_real t62 = 0.0010267877770288932*t7 + (0.001208932934385*t26 + 4.654545454545454*t61
-        - (0.00151524447332703*neg_lam5_32 + (neg_n6_z + 0.0021640520520981327*neg_lam5_12)));
-    const panda_real t63 = 0.001451156065026714*lam5_31 + t62;
-    const panda_real t64 = neg_lam4_22 + lam3_22;
-    const panda_real t65 = 0.0039053550262761055*lam4_21 - c5*t58 + 0.07937575371526083*lam4_31 +
-        (s5*t63 - (0.08256807420204747*t21 - 0.00164448757736928*t64));
+    const panda_real t53 = neg_lam5_22 + lam5_11;
+    const panda_real t54 = 0.017931959153753906*t40 + (lam6_31*t41 - (0.014338888209442497*lam6_32 +
+        t15*(t11 - t13)));
+    const panda_real t55 = 0.0055993270925625*neg_lam5_22 + t54;
+    const panda_real t56 = nc7_z + 0.0005462437073966822*lam6_32 + (9.35690973146064e-05*lam6_12 +
+        0.0001037589172186853*t13 + 1.0666666666666667*(t54 + 0.005249369149277343*t29));
+    const panda_real t57 = t56 + 0.0011196707334275547*lam6_31;
+    const panda_real t58 = c6*t52 - 0.010045187828321245*lam5_32 - 0.00151524447332703*lam5_31 -
+        0.0021640520520981327*(t8 - t53) - (4.654545454545454*t55 + s6*t57);
+    const panda_real t59 = t58 - 0.0010267877770288932*lam5_21;
+    const panda_real t60 = 0.017931959153753906*t30 + (0.014338888209442497*lam6_12 + t11*t41) -
+        lam6_13*(t15 - 0.0055993270925625);
+    const panda_real t61 = t49 + 0.0055993270925625*lam6_23;
+    const panda_real t62 = c6*t60 - s6*t61;
+    const panda_real t63 = 0.0010267877770288932*t8 + (0.001208932934385*t27 + 4.654545454545454*t62
+        - (neg_n6_z - 0.0021640520520981327*lam5_12 - 0.00151524447332703*lam5_32));
+    const panda_real t64 = 0.001451156065026714*lam5_31 + t63;
+    const panda_real t65 = neg_lam4_22 + lam3_22;
+    const panda_real t66 = 0.0039053550262761055*lam4_21 - c5*t59 + 0.07937575371526083*lam4_31 +
+        (s5*t64 - (0.08256807420204747*t22 - 0.00164448757736928*t65));
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const panda_real n4_x = 0.30879988491513166*lam4_32 - t65;
+    const panda_real n4_x = 0.30879988491513166*lam4_32 - t66;
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const panda_real lam4_23 = ww4_yz + neg_alpha4_x;
+    const panda_real lam4_23 = ww4_yz - alpha4_x;
     const panda_real lam4_13 = ww4_zx + alpha4_y;
     const panda_real lam4_12 = ww4_xy + alpha3_y;
-    const panda_real t66 = 0.0010267877770288932*neg_lam5_23 + 0.0021640520520981327*lam5_13 -
-        (c6*t56 + s6*t51) - (0.001451156065026714*neg_lam5_21 - 0.010045187828321245*neg_lam5_12);
+    const panda_real t67 = 0.0021640520520981327*lam5_13 - 0.0010267877770288932*lam5_23 - (c6*t57 +
+        s6*t52) - (0.010045187828321245*lam5_12 - 0.001451156065026714*lam5_21);
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const panda_real n5_z = t66 - (0.00151524447332703*t52 - 0.001208932934385*t38);
-    const panda_real t67 = n4_x - 0.022178148964878252*lam4_23;
-    const panda_real t68 = t61 - (0.02767241350487109*t23 - 0.001208932934385*lam5_11);
-    const panda_real t69 = t54 - (0.001208932934385*neg_lam5_21 - 0.02767241350487109*t38);
-    const panda_real t70 = s5*t68 + c5*t69;
-    const panda_real t71 = n5_z - (0.02759391246306875*lam4_13 - 0.00164448757736928*lam4_12 - t70)
-        + (0.010831526996380998*ww4_zx + (0.0039053550262761055*t3 - 0.07937575371526083*lam4_32));
-    const panda_real t72 = t70 - (0.08256807420204747*lam4_32 + 0.016011409030815008*t21);
-    const panda_real t73 = c4*t71 + 0.0001219124209507298*(neg_lam3_11 + lam3_22) +
-        (0.005487648106562251*lam3_23 + (0.002328735327434986*t17 + 1.3360662912304e-05*neg_lam3_21
-        - t72));
+    const panda_real n5_z = t67 - (0.00151524447332703*t53 - 0.001208932934385*t39);
+    const panda_real t68 = n4_x - 0.022178148964878252*lam4_23;
+    const panda_real t69 = t62 - (0.02767241350487109*t24 - 0.001208932934385*lam5_11);
+    const panda_real t70 = t55 - (-0.001208932934385*lam5_21 - 0.02767241350487109*t39);
+    const panda_real t71 = s5*t69 + c5*t70;
+    const panda_real t72 = n5_z - (0.02759391246306875*lam4_13 - 0.00164448757736928*lam4_12 - t71)
+        + (0.010831526996380998*ww4_zx + (0.0039053550262761055*t4 - 0.07937575371526083*lam4_32));
+    const panda_real t73 = t71 - (0.08256807420204747*lam4_32 + 0.016011409030815008*t22);
+    const panda_real t74 = c4*t72 + 0.0001219124209507298*(neg_lam3_11 + lam3_22) +
+        (0.005487648106562251*lam3_23 + (0.002328735327434986*t18 - 1.3360662912304e-05*lam3_21 -
+        t73));
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const panda_real n3_z = 0.013297019103287523*neg_lam3_13 - (s4*t67 - t73);
+    const panda_real n3_z = -0.013297019103287523*lam3_13 - (s4*t68 - t74);
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const panda_real lam3_12 = neg_ww2_zx - neg_ww3_xy;
-    const panda_real t74 = 0.001208932934385*lam5_31 + (s6*t59 + 0.02767241350487109*t26 + c6*t60);
-    const panda_real t75 = 0.0039053550262761055*lam4_23 + c5*t63 - (0.30879988491513166*lam4_12 -
-        (0.00164448757736928*lam4_13 - 0.07937575371526083*(t3 - t64) +
+    const panda_real lam3_12 = ww3_xy - ww2_zx;
+    const panda_real t75 = 0.001208932934385*lam5_31 + (s6*t60 + 0.02767241350487109*t27 + c6*t61);
+    const panda_real t76 = 0.0039053550262761055*lam4_23 + c5*t64 - (0.30879988491513166*lam4_12 -
+        (0.00164448757736928*lam4_13 - 0.07937575371526083*(t4 - t65) +
         0.005415763498190499*lam4_21));
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const panda_real n4_z = t74 + (s5*t58 + 0.08256807420204747*t19) + t75;
+    const panda_real n4_z = t75 + (s5*t59 + 0.08256807420204747*t20) + t76;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
     const panda_real lam3_32 = ww3_yz + alpha3_x;
-    const panda_real t76 = t1 - (qd[0] - t1);
-    const panda_real t77 = 3.83030303030303*t72 - (s4*t71 + c4*t67) - (0.10510540975539216*lam3_23 -
-        (0.27690780075317833*c2 - (0.013297019103287523*t2 - 0.005487648106562251*neg_lam3_21 +
-        0.0001219124209507298*neg_lam3_31)));
-    const panda_real t78 = 0.016011409030815008*t19 - 0.08256807420204747*lam4_12 + (c5*t68 -
-        s5*t69);
-    const panda_real t79 = 0.08256807420204747*neg_lam4_22 + (t74 - 0.016011409030815008*t25);
-    const panda_real t80 = s4*t78 + c4*t79 - 3.83030303030303*(c4*t78 - s4*t79) +
+    const panda_real t77 = t2 - (qd[0] - t2);
+    const panda_real t78 = 3.83030303030303*t73 - (s4*t72 + c4*t68) - (0.10510540975539216*lam3_23 -
+        (0.27690780075317833*c2 - (0.013297019103287523*t3 + 0.005487648106562251*lam3_21 -
+        0.0001219124209507298*lam3_31)));
+    const panda_real t79 = 0.016011409030815008*t20 - 0.08256807420204747*lam4_12 + (c5*t69 -
+        s5*t70);
+    const panda_real t80 = 0.08256807420204747*neg_lam4_22 + (t75 - 0.016011409030815008*t26);
+    const panda_real t81 = s4*t79 + c4*t80 - 3.83030303030303*(c4*t79 - s4*t80) +
         0.013297019103287523*lam3_12;
-    const panda_real t81 = t80 - (n4_z + (0.005487648106562251*(0.0024346792383292625*neg_lam3_31 +
-        (neg_lam3_11 - neg_lam2_22)) + (0.0001219124209507298*lam3_32 +
-        0.10510540975539216*neg_lam3_13)));
-    const panda_real t82 = ww2_zz*(0.010261101821008168*c2 - 0.0007689361029464017*s2) - c2*n3_z +
-        s2*(c3*t77 - s3*t81);
+    const panda_real t82 = t81 - (n4_z + (0.005487648106562251*(-0.0024346792383292625*lam3_31 -
+        (neg_lam2_22 - neg_lam3_11)) + (0.0001219124209507298*lam3_32 -
+        0.10510540975539216*lam3_13)));
+    const panda_real t83 = ww2_zz*(0.010261101821008168*c2 - 0.0007689361029464017*s2) - c2*n3_z +
+        s2*(c3*t78 - s3*t82);
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const panda_real n1_z = 0.007966717767871044*qd[1]*t76 - t82;
+    const panda_real n1_z = 0.007966717767871044*qd[1]*t77 - t83;
     /* link 2: moment through the joint, about the frame's origin [N m] */
-    const panda_real n2_z = c3*t81 - (t76*(0.003983358883935522*qd[0]) - s3*t77 +
+    const panda_real n2_z = c3*t82 - (t77*(0.003983358883935522*qd[0]) - s3*t78 +
         (4.746153896127808*s2 - 0.01993386669246*c2));
-    const panda_real t83 = s7 - 1.2650190832031087*c7;
+    const panda_real t84 = s7 - 1.2650190832031087*c7;
     /* link 7: first moment of the composite body, about the frame's origin [kg m] */
-    const panda_real neg_h7_x = 0.0020344399586618637*t83;
-    const panda_real t84 = neg_h7_x - 0.231847552695;
+    const panda_real neg_h7_x = 0.0020344399586618637*t84;
+    const panda_real t85 = neg_h7_x - 0.231847552695;
     /* link 6: first moment of the composite body, about the frame's origin [kg m] */
-    const panda_real h6_x = 0.17380470556899996*s6 - c6*t84;
-    const panda_real t85 = s7 + 1.5495146829101907*t83;
+    const panda_real h6_x = 0.17380470556899996*s6 - c6*t85;
+    const panda_real t86 = s7 + 1.5495146829101907*t84;
     /* link 7: first moment of the composite body, about the frame's origin [kg m] */
-    const panda_real h7_y = 0.0010094491271572172*t85 + 0.00401312745666211*c7;
-    const panda_real t86 = h6_x - 0.014653732538;
-    const panda_real t87 = h7_y - 0.067870631425;
+    const panda_real h7_y = 0.0010094491271572172*t86 + 0.00401312745666211*c7;
+    const panda_real t87 = 0.014653732538 - h6_x;
+    const panda_real t88 = 0.067870631425 - h7_y;
     /* link 5: first moment of the composite body, about the frame's origin [kg m] */
-    const panda_real neg_h5_x = c5*t86 + s5*t87;
+    const panda_real h5_x = c5*t87 + s5*t88;
     /* link 6: first moment of the composite body, about the frame's origin [kg m] */
-    const panda_real neg_h6_y = 0.17380470556899996*c6 + s6*t84;
-    const panda_real t88 = neg_h5_x - 0.5527802746499999;
-    const panda_real t89 = neg_h6_y - 2.0125235536029997;
+    const panda_real neg_h6_y = 0.17380470556899996*c6 + s6*t85;
+    const panda_real t89 = -h5_x - 0.5527802746499999;
+    const panda_real t90 = neg_h6_y - 2.0125235536029997;
     /* link 4: first moment of the composite body, about the frame's origin [kg m] */
-    const panda_real h4_y = s4*t88 - c4*t89;
-    const panda_real h4_x = c4*t88 + s4*t89;
+    const panda_real h4_y = s4*t89 - c4*t90;
+    const panda_real h4_x = c4*t89 + s4*t90;
     /* link 7: second moment of the composite body [kg m^2] */
-    const panda_real neg_k7_xz = 0.0004924610188319264*t85;
-    const panda_real k7_yz = 0.0009653051699191118*t83 + 0.0024766660593352045*c7;
-    const panda_real t90 = 9.35690973146064e-05 + k7_yz;
-    const panda_real t91 = 0.002420943778521227*c7;
-    const panda_real t92 = c7*t91;
-    const panda_real t93 = s7*t91;
-    const panda_real t94 = 0.32333777029991095*t92 + (t93 - 0.088*h7_y - 0.0004951501989029328);
+    const panda_real neg_k7_xz = 0.0004924610188319264*t86;
+    const panda_real k7_yz = 0.0009653051699191118*t84 + 0.0024766660593352045*c7;
+    const panda_real t91 = 9.35690973146064e-05 + k7_yz;
+    const panda_real t92 = 0.002420943778521227*c7;
+    const panda_real t93 = c7*t92;
+    const panda_real t94 = s7*t92;
+    const panda_real t95 = 0.32333777029991095*t93 + (t94 - 0.088*h7_y - 0.0004951501989029328);
     /* link 6: second moment of the composite body [kg m^2] */
-    const panda_real k6_xz = s6*t90 - c6*t94;
-    const panda_real t95 = c5*c5;
-    const panda_real t96 = t92 + 0.012176791922741105 - 0.32333777029991095*t93;
-    const panda_real t97 = c6*s6;
-    const panda_real t98 = neg_k7_xz + (neg_k7_xz - 0.029497140765350628);
-    const panda_real t99 = c6*c6;
-    const panda_real t100 = 0.000179030716362244*t83;
-    const panda_real t101 = t100 + (t96 + (t100 - 0.00931717262060984));
-    const panda_real t102 = t97*t98 + 0.6173375163284962 + t99*t101;
-    const panda_real t103 = t102 - 0.6477230949391829;
-    const panda_real t104 = t96 + t103;
-    const panda_real t105 = c5*s5;
-    const panda_real t106 = k6_xz + (k6_xz - 0.00303048894665406);
+    const panda_real k6_xz = s6*t91 - c6*t95;
+    const panda_real t96 = c5*c5;
+    const panda_real t97 = t93 + 0.012176791922741105 - 0.32333777029991095*t94;
+    const panda_real t98 = c6*s6;
+    const panda_real t99 = neg_k7_xz - (0.029497140765350628 - neg_k7_xz);
+    const panda_real t100 = c6*c6;
+    const panda_real t101 = 0.000179030716362244*t84;
+    const panda_real t102 = t101 + (t97 + (t101 - 0.00931717262060984));
+    const panda_real t103 = t98*t99 + 0.6173375163284962 + t100*t102;
+    const panda_real t104 = t103 - 0.6477230949391829;
+    const panda_real t105 = t97 + t104;
+    const panda_real t106 = c5*s5;
+    const panda_real t107 = k6_xz + (k6_xz - 0.00303048894665406);
     /* link 5: second moment of the composite body [kg m^2] */
-    const panda_real k5_yy = t95*t104 - (t103 + t105*t106);
+    const panda_real k5_yy = t96*t105 - (t104 + t106*t107);
     /* link 5: mass matrix, its row of this joint */
-    const panda_real m5_5 = t96 - t103;
+    const panda_real m5_5 = t97 - t104;
     /* link 6: second moment of the composite body [kg m^2] */
-    const panda_real neg_k6_yz = s6*t94 + c6*t90;
+    const panda_real neg_k6_yz = s6*t95 + c6*t91;
     /* link 6: mass matrix, its row of this joint */
-    const panda_real m6_6 = 0.057868845091319815 - t101;
+    const panda_real m6_6 = 0.057868845091319815 - t102;
     /* link 5: first moment of the composite body, about the frame's origin [kg m] */
-    const panda_real neg_h5_y = s5*t86 - c5*t87;
-    const panda_real t107 = t97*t101 - 0.004600245517563107 - t98*(t99 - 0.5);
-    const panda_real t108 = neg_k6_yz - 0.0021640520520981327;
+    const panda_real h5_y = s5*t87 - c5*t88;
+    const panda_real t108 = t98*t102 - 0.004600245517563107 - t99*(t100 - 0.5);
+    const panda_real t109 = neg_k6_yz - 0.0021640520520981327;
     /* link 5: second moment of the composite body [kg m^2] */
-    const panda_real k5_yz = s5*t107 - c5*t108;
+    const panda_real k5_yz = s5*t108 - c5*t109;
     /* link 4: mass matrix, its row of this joint */
-    const panda_real neg_m4_5 = k5_yz - 0.384*neg_h5_y;
-    const panda_real t109 = 0.0825*neg_h5_y;
-    const panda_real t110 = t104*t105 + (t106*(t95 - 0.5) + (t109 - 0.0039053550262761055));
-    const panda_real t111 = neg_m4_5 + 0.00164448757736928;
+    const panda_real m4_5 = -0.384*h5_y - k5_yz;
+    const panda_real t110 = -0.0825*h5_y;
+    const panda_real t111 = t105*t106 + (t107*(t96 - 0.5) + (t110 - 0.0039053550262761055));
+    const panda_real t112 = 0.00164448757736928 - m4_5;
     /* link 4: second moment of the composite body [kg m^2] */
-    const panda_real k4_xz = c4*t110 - s4*t111;
-    const panda_real t112 = 0.384*neg_h6_y;
-    const panda_real t113 = t112 - m6_6;
-    const panda_real t114 = t102 - (t112 + t113);
-    const panda_real t115 = 0.0825*neg_h5_x;
-    const panda_real t116 = m5_5 - t115;
-    const panda_real t117 = t115 + (k5_yy - t116);
+    const panda_real k4_xz = c4*t111 - s4*t112;
+    const panda_real t113 = 0.384*neg_h6_y;
+    const panda_real t114 = t113 - m6_6;
+    const panda_real t115 = t103 - (t113 + t114);
+    const panda_real t116 = 0.0825*h5_x;
+    const panda_real t117 = m5_5 + t116;
+    const panda_real t118 = k5_yy - t117 - t116;
     /* link 4: mass matrix, its row of this joint */
-    const panda_real m4_4 = t114 - (t117 - 0.10204027231363098);
+    const panda_real m4_4 = t115 - (t118 - 0.10204027231363098);
     /* link 4: second moment of the composite body [kg m^2] */
-    const panda_real k4_yz = c4*t111 + s4*t110;
-    const panda_real t118 = h4_x + 0.746857959872;
-    const panda_real t119 = neg_h5_y + 0.028227094877999827;
+    const panda_real k4_yz = c4*t112 + s4*t111;
+    const panda_real t119 = h4_x + 0.746857959872;
+    const panda_real t120 = 0.028227094877999827 - h5_y;
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const panda_real h3_x = c3*t118 - s3*t119;
-    const panda_real t120 = k5_yy + 0.022178148964878252;
-    const panda_real t121 = 0.0825*h4_x;
-    const panda_real t122 = c4*s4;
-    const panda_real t123 = c5*t107 - (0.384*neg_h5_x - s5*t108);
-    const panda_real t124 = 0.0825*neg_h6_y;
-    const panda_real t125 = t123 + 0.16284087268546082 - t124;
-    const panda_real t126 = t122*t125;
-    const panda_real t127 = 0.316*h4_y;
-    const panda_real t128 = c4*c4;
-    const panda_real t129 = t114 + t117;
-    const panda_real t130 = t121 + (t117 + t126) - (t127 - (t126 - (t128*t129 -
+    const panda_real h3_x = c3*t119 - s3*t120;
+    const panda_real t121 = k5_yy + 0.022178148964878252;
+    const panda_real t122 = 0.0825*h4_x;
+    const panda_real t123 = c4*s4;
+    const panda_real t124 = c5*t108 - (-0.384*h5_x - s5*t109);
+    const panda_real t125 = -0.0825*neg_h6_y;
+    const panda_real t126 = t124 + 0.16284087268546082 + t125;
+    const panda_real t127 = t123*t126;
+    const panda_real t128 = 0.316*h4_y;
+    const panda_real t129 = c4*c4;
+    const panda_real t130 = t115 + t118;
+    const panda_real t131 = t122 + (t118 + t127) - (t128 - (t127 - (t129*t130 -
         0.010582284869712202)));
-    const panda_real t131 = t121 + t127;
-    const panda_real t132 = m4_4 + t131;
-    const panda_real t133 = t130 + t132;
+    const panda_real t132 = t122 + t128;
+    const panda_real t133 = m4_4 + t132;
+    const panda_real t134 = t131 + t133;
     /* link 3: mass matrix, its row of this joint */
-    const panda_real m3_3 = t120 + t133;
-    const panda_real t134 = t131 - (t130 - 1.0937644822584085);
-    const panda_real t135 = c3*s3;
-    const panda_real t136 = k4_xz - (t109 + 0.0001219124209507298);
-    const panda_real t137 = t135*t136;
-    const panda_real t138 = c3*c3;
-    const panda_real t139 = t120 - t133;
-    const panda_real t140 = t120 + (t137 + (t137 + 0.023077882494931805 - t138*t139));
-    const panda_real t141 = t134 - t140;
-    const panda_real t142 = k4_yz - 0.0043772571218395765;
-    const panda_real t143 = t125*t128;
-    const panda_real t144 = t122*t129 + (t143 - 0.0825*h4_y - (t125 - (t143 -
+    const panda_real m3_3 = t121 + t134;
+    const panda_real t135 = t132 - (t131 - 1.0937644822584085);
+    const panda_real t136 = c3*s3;
+    const panda_real t137 = k4_xz - (t110 + 0.0001219124209507298);
+    const panda_real t138 = t136*t137;
+    const panda_real t139 = c3*c3;
+    const panda_real t140 = t121 - t134;
+    const panda_real t141 = t121 + (t138 + (t138 + 0.023077882494931805 - t139*t140));
+    const panda_real t142 = t135 - t141;
+    const panda_real t143 = k4_yz - 0.0043772571218395765;
+    const panda_real t144 = t126*t129;
+    const panda_real t145 = t123*t130 + (t144 - 0.0825*h4_y - (t126 - (t144 -
         0.005487648106562251)));
-    const panda_real t145 = s3*t142 + (0.316*h3_x - c3*t144);
+    const panda_real t146 = s3*t143 + (0.316*h3_x - c3*t145);
     /* link 1: mass matrix, its row of this joint */
-    const panda_real m1_1 = t141 + (c2*(s2*(2.0*(t145 - 0.003983358883935522))) + (m3_3 -
-        t141*(c2*c2)) + 0.03733744848940618);
+    const panda_real m1_1 = t142 + (c2*(s2*(2.0*(t146 - 0.003983358883935522))) + (m3_3 -
+        t142*(c2*c2)) + 0.03733744848940618);
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const panda_real h3_y = s3*t118 + c3*t119;
+    const panda_real h3_y = s3*t119 + c3*t120;
     /* link 2: mass matrix, its row of this joint */
-    const panda_real m2_3 = s3*t144 - 0.316*h3_y + c3*t142;
+    const panda_real m2_3 = s3*t145 - 0.316*h3_y + c3*t143;
     /* link 2: second moment of the composite body [kg m^2] */
-    const panda_real k2_yz = s2*(2.0*(t136*t138) + t135*t139 - (t136 - 0.010261101821008168)) -
+    const panda_real k2_yz = s2*(2.0*(t137*t139) + t136*t140 - (t137 - 0.010261101821008168)) -
         c2*(m2_3 - 0.0007689361029464017);
     /* link 2: moment for a unit acceleration of a joint further out */
-    const panda_real nu2_y = c2*m3_3 + s2*t145;
+    const panda_real nu2_y = c2*m3_3 + s2*t146;
     /* link 3: mass matrix, its row of this joint */
-    const panda_real m3_5 = s4*t123 + (t115 + c4*t116);
+    const panda_real m3_5 = s4*t124 + (c4*t117 - t116);
     /* link 4: force for a unit acceleration of a joint further out */
-    const panda_real neg_fu4_x = c4*neg_h5_y;
+    const panda_real fu4_x = c4*h5_y;
     /* link 3: force for a unit acceleration of a joint further out */
-    const panda_real fu3_y = c3*neg_h5_x - s3*neg_fu4_x;
+    const panda_real fu3_y = s3*fu4_x - c3*h5_x;
     /* link 4: moment for a unit acceleration of a joint further out */
-    const panda_real nu4_x = c4*t123 - s4*t116;
-    const panda_real t146 = s5*t124;
-    const panda_real t147 = neg_k6_yz - t146;
-    const panda_real t148 = s5*t113 + c5*k6_xz;
+    const panda_real nu4_x = c4*t124 - s4*t117;
+    const panda_real t147 = s5*t125;
+    const panda_real t148 = neg_k6_yz + t147;
+    const panda_real t149 = s5*t114 + c5*k6_xz;
     /* link 3: mass matrix, its row of this joint */
-    const panda_real m3_6 = t146 + c4*t147 - s4*t148;
+    const panda_real m3_6 = c4*t148 - t147 - s4*t149;
     /* link 5: force for a unit acceleration of a joint further out */
-    const panda_real neg_fu5_x = c5*neg_h6_y;
+    const panda_real fu5_x = -c5*neg_h6_y;
     /* link 4: force for a unit acceleration of a joint further out */
-    const panda_real fu4_y = s4*neg_fu5_x + c4*h6_x;
+    const panda_real fu4_y = c4*h6_x - s4*fu5_x;
     /* link 4: mass matrix, its row of this joint */
-    const panda_real m4_6 = s5*k6_xz - c5*t113 - 0.0825*h6_x;
+    const panda_real m4_6 = s5*k6_xz - c5*t114 - 0.0825*h6_x;
     /* link 5: force for a unit acceleration of a joint further out */
-    const panda_real neg_fu5_y = 12.121212121212121*t146;
-    const panda_real t149 = 0.006684151967360947 - t100;
+    const panda_real fu5_y = 12.121212121212121*t147;
+    const panda_real t150 = t101 - 0.006684151967360947;
     /* link 6: moment for a unit acceleration of a joint further out */
-    const panda_real neg_nu6_y = c6*t149 - s6*neg_k7_xz;
+    const panda_real nu6_y = c6*t150 + s6*neg_k7_xz;
     /* link 6: force for a unit acceleration of a joint further out */
     const panda_real neg_fu6_x = c6*h7_y;
     /* link 6: moment for a unit acceleration of a joint further out */
-    const panda_real nu6_x = s6*t149 + c6*neg_k7_xz;
-    const panda_real t150 = c5*neg_h7_x - s5*neg_fu6_x;
-    const panda_real t151 = 0.0825*t150;
-    const panda_real t152 = neg_nu6_y + t151;
-    const panda_real t153 = c5*nu6_x - (0.384*t150 + s5*k7_yz);
+    const panda_real nu6_x = c6*neg_k7_xz - s6*t150;
+    const panda_real t151 = c5*neg_h7_x - s5*neg_fu6_x;
+    const panda_real t152 = 0.0825*t151;
+    const panda_real t153 = c5*nu6_x - (0.384*t151 + s5*k7_yz);
+    const panda_real t154 = t152 - nu6_y;
     /* link 3: mass matrix, its row of this joint */
-    const panda_real neg_m3_7 = c4*t152 - (t151 + s4*t153);
+    const panda_real m3_7 = t152 + s4*t153 - c4*t154;
     /* link 6: force for a unit acceleration of a joint further out */
-    const panda_real neg_fu6_y = s6*h7_y;
-    const panda_real t154 = s5*neg_h7_x + c5*neg_fu6_x;
+    const panda_real fu6_y = -s6*h7_y;
+    const panda_real t155 = s5*neg_h7_x + c5*neg_fu6_x;
     /* link 4: mass matrix, its row of this joint */
-    const panda_real m4_7 = 0.0825*neg_fu6_y - s5*nu6_x - (c5*k7_yz - 0.384*t154);
+    const panda_real m4_7 = -0.0825*fu6_y - s5*nu6_x - (c5*k7_yz - 0.384*t155);
     /* link 2: mass matrix, its row of this joint */
-    const panda_real m2_2 = t134 + t140;
-    const panda_real neg_m2_4 = c3*t132 + s3*k4_xz;
+    const panda_real m2_2 = t135 + t141;
+    const panda_real m2_4 = -s3*k4_xz - c3*t133;
     /* link 3: force for a unit acceleration of a joint further out */
-    const panda_real neg_fu3_x = c3*neg_fu4_x + s3*neg_h5_x;
-    const panda_real t155 = neg_m4_5 + s4*t109;
+    const panda_real fu3_x = c3*fu4_x + s3*h5_x;
+    const panda_real t156 = s4*t110 - m4_5;
     /* link 2: mass matrix, its row of this joint */
-    const panda_real m2_5 = s3*nu4_x + (c3*t155 - 0.316*neg_fu3_x);
-    const panda_real t156 = c4*t148 + s4*t147;
-    const panda_real t157 = s4*h6_x - c4*neg_fu5_x;
-    const panda_real t158 = m4_6 + 0.0825*fu4_y;
-    const panda_real neg_m2_6 = s3*t156 + 0.316*(c3*t157 + s3*neg_fu5_y) + c3*t158;
-    const panda_real t159 = c4*t153 + s4*t152;
-    const panda_real t160 = m4_7 - 0.0825*(c4*neg_fu6_y + s4*t154);
+    const panda_real m2_5 = s3*nu4_x + (c3*t156 + 0.316*fu3_x);
+    const panda_real t157 = c4*t149 + s4*t148;
+    const panda_real t158 = s4*h6_x + c4*fu5_x;
+    const panda_real t159 = m4_6 + 0.0825*fu4_y;
+    const panda_real neg_m2_6 = s3*t157 + 0.316*(c3*t158 - s3*fu5_y) + c3*t159;
+    const panda_real t160 = c4*t153 + s4*t154;
+    const panda_real t161 = m4_7 - 0.0825*(s4*t155 - c4*fu6_y);
     /* link 3: moment for a unit acceleration of a joint further out */
-    const panda_real nu3_y = s3*t159 - c3*t160;
-    const panda_real t161 = c4*t154 - s4*neg_fu6_y;
+    const panda_real nu3_y = s3*t160 - c3*t161;
+    const panda_real t162 = c4*t155 + s4*fu6_y;
     /* link 2: mass matrix, its row of this joint */
-    const panda_real m2_7 = nu3_y - 0.316*(c3*t161 + s3*t150);
-    /* factorisation M = L D L^T */
-    const panda_real neg_ld4_1 = c2*k4_yz - s2*(c3*k4_xz - s3*t132);
-    const panda_real ld5_1 = c2*m3_5 - s2*(c3*nu4_x - 0.316*fu3_y - s3*t155);
-    const panda_real ld6_1 = c2*m3_6 - s2*(s3*t158 + (0.316*(s3*t157 - c3*neg_fu5_y) - c3*t156));
-    const panda_real neg_ld7_1 = c2*neg_m3_7 + s2*(c3*t159 - (0.316*(c3*t150 - s3*t161) - s3*t160));
-    /* link 1: forward substitution */
-    const panda_real neg_y1 = n1_z - tau[0];
-    /* factorisation M = L D L^T */
-    const panda_real ipivot1 = 1.0 / m1_1;
-    const panda_real neg_l2_1 = k2_yz*ipivot1;
-    const panda_real l3_1 = nu2_y*ipivot1;
-    const panda_real neg_l4_1 = neg_ld4_1*ipivot1;
-    const panda_real l5_1 = ld5_1*ipivot1;
-    const panda_real l6_1 = ld6_1*ipivot1;
-    const panda_real neg_l7_1 = neg_ld7_1*ipivot1;
-    const panda_real pivot2 = m2_2 - k2_yz*neg_l2_1;
-    const panda_real ipivot2 = 1.0 / pivot2;
-    const panda_real ld3_2 = m2_3 + k2_yz*l3_1;
-    const panda_real l3_2 = ipivot2*ld3_2;
-    const panda_real neg_ld4_2 = neg_m2_4 + k2_yz*neg_l4_1;
-    const panda_real neg_l4_2 = ipivot2*neg_ld4_2;
-    const panda_real ld5_2 = m2_5 + k2_yz*l5_1;
-    const panda_real l5_2 = ipivot2*ld5_2;
-    const panda_real neg_ld6_2 = neg_m2_6 - k2_yz*l6_1;
-    const panda_real neg_l6_2 = ipivot2*neg_ld6_2;
-    const panda_real neg_ld7_2 = k2_yz*neg_l7_1 - m2_7;
-    const panda_real neg_l7_2 = ipivot2*neg_ld7_2;
-    const panda_real pivot3 = m3_3 - nu2_y*l3_1 - ld3_2*l3_2;
-    const panda_real ipivot3 = 1.0 / pivot3;
-    const panda_real neg_ld4_3 = k4_yz - nu2_y*neg_l4_1 - ld3_2*neg_l4_2;
-    const panda_real neg_l4_3 = ipivot3*neg_ld4_3;
-    const panda_real ld5_3 = m3_5 - nu2_y*l5_1 - ld3_2*l5_2;
-    const panda_real l5_3 = ipivot3*ld5_3;
-    const panda_real ld6_3 = m3_6 - nu2_y*l6_1 + ld3_2*neg_l6_2;
-    const panda_real l6_3 = ipivot3*ld6_3;
-    const panda_real neg_ld7_3 = neg_m3_7 - nu2_y*neg_l7_1 - ld3_2*neg_l7_2;
-    const panda_real neg_l7_3 = ipivot3*neg_ld7_3;
-    const panda_real pivot4 = m4_4 - neg_ld4_1*neg_l4_1 - neg_ld4_2*neg_l4_2 - neg_ld4_3*neg_l4_3;
-    const panda_real ipivot4 = 1.0 / pivot4;
-    const panda_real neg_ld5_4 = neg_m4_5 - neg_ld4_1*l5_1 - neg_ld4_2*l5_2 - neg_ld4_3*l5_3;
-    const panda_real neg_l5_4 = ipivot4*neg_ld5_4;
-    const panda_real ld6_4 = m4_6 + neg_ld4_1*l6_1 - neg_ld4_2*neg_l6_2 + neg_ld4_3*l6_3;
-    const panda_real l6_4 = ipivot4*ld6_4;
-    const panda_real ld7_4 = m4_7 - neg_ld4_1*neg_l7_1 - neg_ld4_2*neg_l7_2 - neg_ld4_3*neg_l7_3;
-    const panda_real l7_4 = ipivot4*ld7_4;
-    const panda_real pivot5 = m5_5 - ld5_1*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 - neg_ld5_4*neg_l5_4;
-    const panda_real ipivot5 = 1.0 / pivot5;
-    const panda_real ld6_5 = neg_k6_yz - ld5_1*l6_1 + ld5_2*neg_l6_2 - ld5_3*l6_3 + neg_ld5_4*l6_4;
-    const panda_real l6_5 = ipivot5*ld6_5;
-    const panda_real neg_ld7_5 = neg_nu6_y - ld5_1*neg_l7_1 - ld5_2*neg_l7_2 - ld5_3*neg_l7_3 -
-        neg_ld5_4*l7_4;
-    const panda_real neg_l7_5 = ipivot5*neg_ld7_5;
-    const panda_real neg_pivot6 = ld6_1*l6_1 - m6_6 + neg_ld6_2*neg_l6_2 + ld6_3*l6_3 + ld6_4*l6_4 +
-        ld6_5*l6_5;
-    const panda_real neg_ipivot6 = 1.0 / neg_pivot6;
-    const panda_real neg_ld7_6 = k7_yz - ld6_1*neg_l7_1 + neg_ld6_2*neg_l7_2 - ld6_3*neg_l7_3 +
-        ld6_4*l7_4 - ld6_5*neg_l7_5;
-    const panda_real l7_6 = neg_ipivot6*neg_ld7_6;
-    const panda_real t162 = 0.006684151967360947 - neg_ld7_1*neg_l7_1 - neg_ld7_2*neg_l7_2 -
-        neg_ld7_3*neg_l7_3 - ld7_4*l7_4 - neg_ld7_5*neg_l7_5;
-    const panda_real pivot7 = t162 + neg_ld7_6*l7_6;
-    const panda_real ipivot7 = 1.0 / pivot7;
-    /* link 2: forward substitution */
-    const panda_real neg_y2 = n2_z - tau[1] + neg_y1*neg_l2_1;
-    /* link 3: forward substitution */
-    const panda_real neg_y3 = n3_z - tau[2] - neg_y1*l3_1 - l3_2*neg_y2;
-    /* link 4: forward substitution */
-    const panda_real neg_y4 = n4_z - tau[3] + neg_y1*neg_l4_1 + neg_l4_2*neg_y2 + neg_l4_3*neg_y3;
-    /* link 5: forward substitution */
-    const panda_real neg_y5 = n5_z - tau[4] - neg_y1*l5_1 - l5_2*neg_y2 - l5_3*neg_y3 +
-        neg_l5_4*neg_y4;
-    /* link 6: forward substitution */
-    const panda_real y6 = neg_n6_z + tau[5] + neg_y1*l6_1 - neg_l6_2*neg_y2 + l6_3*neg_y3 +
-        l6_4*neg_y4 + l6_5*neg_y5;
-    const panda_real t163 = nc7_z - tau[6] + neg_y1*neg_l7_1 + neg_l7_2*neg_y2 + neg_l7_3*neg_y3 -
-        l7_4*neg_y4 + neg_l7_5*neg_y5;
+    const panda_real m2_7 = nu3_y - 0.316*(c3*t162 + s3*t151);
+    /* factorisation M = U D U^T */
+    const panda_real ud1_7 = c2*m3_7 + s2*(0.316*(c3*t151 - s3*t162) - s3*t161 - c3*t160);
     /* link 7: forward substitution */
-    const panda_real neg_y7 = t163 + l7_6*y6;
-    /* link 7: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const panda_real neg_qdd7 = ipivot7*neg_y7;
-    /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const panda_real neg_qdd6 = neg_ipivot6*y6 - l7_6*neg_qdd7;
-    /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const panda_real neg_qdd5 = ipivot5*neg_y5 - l6_5*neg_qdd6 + neg_l7_5*neg_qdd7;
-    /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const panda_real neg_qdd4 = ipivot4*neg_y4 + neg_l5_4*neg_qdd5 - l6_4*neg_qdd6 - l7_4*neg_qdd7;
-    /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const panda_real neg_qdd3 = ipivot3*neg_y3 + neg_l4_3*neg_qdd4 - l5_3*neg_qdd5 - l6_3*neg_qdd6 +
-        neg_l7_3*neg_qdd7;
-    /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const panda_real neg_qdd2 = ipivot2*neg_y2 - l3_2*neg_qdd3 + neg_l4_2*neg_qdd4 - l5_2*neg_qdd5 +
-        neg_l6_2*neg_qdd6 + neg_l7_2*neg_qdd7;
-    const panda_real t164 = neg_y1*ipivot1 + neg_l2_1*neg_qdd2 - l3_1*neg_qdd3 + neg_l4_1*neg_qdd4 -
-        l5_1*neg_qdd5 - l6_1*neg_qdd6;
+    const panda_real y7 = tau[6] - nc7_z;
+    /* factorisation M = U D U^T */
+    const panda_real u6_7 = -149.60760989322964*k7_yz;
+    const panda_real u5_7 = 149.60760989322964*nu6_y;
+    const panda_real u4_7 = 149.60760989322964*m4_7;
+    const panda_real u3_7 = 149.60760989322964*m3_7;
+    const panda_real u2_7 = 149.60760989322964*m2_7;
+    const panda_real u1_7 = 149.60760989322964*ud1_7;
+    const panda_real pivot6 = m6_6 + k7_yz*u6_7;
+    const panda_real ipivot6 = 1.0 / pivot6;
+    const panda_real ud5_6 = neg_k6_yz + k7_yz*u5_7;
+    const panda_real u5_6 = ipivot6*ud5_6;
+    const panda_real ud4_6 = m4_6 + k7_yz*u4_7;
+    const panda_real u4_6 = ipivot6*ud4_6;
+    const panda_real ud3_6 = m3_6 + k7_yz*u3_7;
+    const panda_real u3_6 = ipivot6*ud3_6;
+    const panda_real ud2_6 = k7_yz*u2_7 - neg_m2_6;
+    const panda_real u2_6 = ipivot6*ud2_6;
+    const panda_real t163 = c2*m3_6 - s2*(s3*t159 + (0.316*(s3*t158 + c3*fu5_y) - c3*t157));
+    const panda_real ud1_6 = t163 + k7_yz*u1_7;
+    const panda_real u1_6 = ipivot6*ud1_6;
+    const panda_real pivot5 = m5_5 - nu6_y*u5_7 - ud5_6*u5_6;
+    const panda_real ipivot5 = 1.0 / pivot5;
+    const panda_real ud4_5 = m4_5 - nu6_y*u4_7 - ud5_6*u4_6;
+    const panda_real u4_5 = ipivot5*ud4_5;
+    const panda_real ud3_5 = m3_5 - nu6_y*u3_7 - ud5_6*u3_6;
+    const panda_real u3_5 = ipivot5*ud3_5;
+    const panda_real ud2_5 = m2_5 - nu6_y*u2_7 - ud5_6*u2_6;
+    const panda_real u2_5 = ipivot5*ud2_5;
+    const panda_real t164 = c2*m3_5 - s2*(c3*nu4_x - 0.316*fu3_y - s3*t156) - nu6_y*u1_7;
+    const panda_real ud1_5 = t164 - ud5_6*u1_6;
+    const panda_real u1_5 = ipivot5*ud1_5;
+    const panda_real pivot4 = m4_4 - m4_7*u4_7 - ud4_6*u4_6 - ud4_5*u4_5;
+    const panda_real ipivot4 = 1.0 / pivot4;
+    const panda_real ud3_4 = -(k4_yz + m4_7*u3_7 + ud4_6*u3_6) - ud4_5*u3_5;
+    const panda_real u3_4 = ipivot4*ud3_4;
+    const panda_real ud2_4 = m2_4 - m4_7*u2_7 - ud4_6*u2_6 - ud4_5*u2_5;
+    const panda_real u2_4 = ipivot4*ud2_4;
+    const panda_real t165 = c2*k4_yz - s2*(c3*k4_xz - s3*t133) + m4_7*u1_7 + ud4_6*u1_6;
+    const panda_real ud1_4 = -t165 - ud4_5*u1_5;
+    const panda_real u1_4 = ipivot4*ud1_4;
+    const panda_real pivot3 = m3_3 - m3_7*u3_7 - ud3_6*u3_6 - ud3_5*u3_5 - ud3_4*u3_4;
+    const panda_real ipivot3 = 1.0 / pivot3;
+    const panda_real ud2_3 = m2_3 - m3_7*u2_7 - ud3_6*u2_6 - ud3_5*u2_5 - ud3_4*u2_4;
+    const panda_real u2_3 = ipivot3*ud2_3;
+    const panda_real ud1_3 = nu2_y - m3_7*u1_7 - ud3_6*u1_6 - ud3_5*u1_5 - ud3_4*u1_4;
+    const panda_real u1_3 = ipivot3*ud1_3;
+    const panda_real pivot2 = m2_2 - m2_7*u2_7 - ud2_6*u2_6 - ud2_5*u2_5 - ud2_4*u2_4 - ud2_3*u2_3;
+    const panda_real ipivot2 = 1.0 / pivot2;
+    const panda_real ud1_2 = -ud2_3*u1_3 - (k2_yz + m2_7*u1_7 + ud2_6*u1_6 + ud2_5*u1_5 +
+        ud2_4*u1_4);
+    const panda_real u1_2 = ipivot2*ud1_2;
+    const panda_real t166 = m1_1 - ud1_7*u1_7 - ud1_6*u1_6 - ud1_5*u1_5 - ud1_4*u1_4 - ud1_3*u1_3;
+    const panda_real pivot1 = t166 - ud1_2*u1_2;
+    const panda_real ipivot1 = 1.0 / pivot1;
+    /* link 6: forward substitution */
+    const panda_real y6 = neg_n6_z + tau[5] - y7*u6_7;
+    /* link 5: forward substitution */
+    const panda_real y5 = -y7*u5_7 - (n5_z - tau[4]) - u5_6*y6;
+    /* link 4: forward substitution */
+    const panda_real y4 = -u4_5*y5 - (n4_z - tau[3] + y7*u4_7 + u4_6*y6);
+    /* link 3: forward substitution */
+    const panda_real y3 = -u3_4*y4 - (n3_z - tau[2] + y7*u3_7 + u3_6*y6 + u3_5*y5);
+    /* link 2: forward substitution */
+    const panda_real neg_y2 = n2_z - tau[1] + y7*u2_7 + u2_6*y6 + u2_5*y5 + u2_4*y4 + u2_3*y3;
+    const panda_real t167 = n1_z - tau[0] + y7*u1_7 + u1_6*y6 + u1_5*y5 + u1_4*y4 + u1_3*y3;
+    /* link 1: forward substitution */
+    const panda_real y1 = u1_2*neg_y2 - t167;
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const panda_real qdd1 = -neg_l7_1*neg_qdd7 - t164;
-    const panda_real t165 = -neg_qdd2;
-    const panda_real t166 = -neg_qdd3;
-    const panda_real t167 = -neg_qdd4;
-    const panda_real t168 = -neg_qdd5;
-    const panda_real t169 = -neg_qdd6;
-    const panda_real t170 = -neg_qdd7;
+    const panda_real qdd1 = ipivot1*y1;
+    /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const panda_real qdd2 = -(ipivot2*neg_y2) - u1_2*qdd1;
+    /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const panda_real qdd3 = ipivot3*y3 - u2_3*qdd2 - u1_3*qdd1;
+    /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const panda_real qdd4 = -u1_4*qdd1 - (u3_4*qdd3 - ipivot4*y4 + u2_4*qdd2);
+    /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const panda_real qdd5 = -(u4_5*qdd4 - ipivot5*y5 + u3_5*qdd3 + u2_5*qdd2) - u1_5*qdd1;
+    /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const panda_real qdd6 = -u1_6*qdd1 - (u5_6*qdd5 - ipivot6*y6 + u4_6*qdd4 + u3_6*qdd3 +
+        u2_6*qdd2);
+    const panda_real t168 = u6_7*qdd6 - 149.60760989322964*y7 + u5_7*qdd5 + u4_7*qdd4 + u3_7*qdd3 +
+        u2_7*qdd2;
+    /* link 7: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const panda_real qdd7 = -u1_7*qdd1 - t168;
     qdd[0] = qdd1;
-    qdd[1] = t165;
-    qdd[2] = t166;
-    qdd[3] = t167;
-    qdd[4] = t168;
-    qdd[5] = t169;
-    qdd[6] = t170;
+    qdd[1] = qdd2;
+    qdd[2] = qdd3;
+    qdd[3] = qdd4;
+    qdd[4] = qdd5;
+    qdd[5] = qdd6;
+    qdd[6] = qdd7;
 }

@@ -32,7 +32,7 @@
 !   gravity: 60 multiplications, 36 additions = 96; 2 unary minus; 12 sine/cosine
 !   bias: 257 multiplications, 242 additions = 499; 1 unary minus; 12 sine/cosine
 !   mass_matrix: 184 multiplications, 166 additions = 350; 3 unary minus; 12 sine/cosine
-!   forward_dynamics: 567 multiplications, 513 additions, 7 divisions = 1087; 7 unary minus; 12
+!   forward_dynamics: 567 multiplications, 513 additions, 6 divisions = 1086; 22 unary minus; 12
 !       sine/cosine
 module panda_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -1043,70 +1043,67 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 567 multiplications, 513 additions, 7 divisions = 1087; 7 unary minus; 12 sine/cosine
+  ! 567 multiplications, 513 additions, 6 divisions = 1086; 22 unary minus; 12 sine/cosine
   pure subroutine panda_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="panda_forward_dynamics_f")
     real(rk), intent(in) :: q(7)
     real(rk), intent(in) :: qd(7)
     real(rk), intent(in) :: tau(7)
     real(rk), intent(out) :: qdd(7)
-    real(rk) :: s2, neg_w2_x, c2, neg_w2_y, neg_ww2_yz, c3, s3, neg_w3_x, w3_z, w3_y, ww3_yy
-    real(rk) :: ww3_zz, neg_ww3_zx, neg_ww3_xy, ww3_yz, neg_lam3_11, c4, s4, neg_w4_x, neg_w4_z
-    real(rk) :: neg_w4_y, ww4_zz, ww4_zx, ww4_xy, ww4_xx, ww4_yz, c5, s5, w5_x, w5_z, neg_w5_y
-    real(rk) :: neg_ww5_yz, ww5_zx, neg_ww5_xy, ww5_xx, ww5_zz, neg_lam4_22, neg_lam5_22, c6, s6
-    real(rk) :: w6_x, w6_z, w6_y, ww6_zz, ww6_xy, ww6_yy, w7_z, c7, s7, ww2_zz, alpha3_y
-    real(rk) :: neg_lam3_13, lam4_21, alpha3_x, neg_ww2_zx, alpha4_y, neg_lam5_21, neg_alpha4_x
-    real(rk) :: neg_alpha5_x, neg_lam5_32, neg_lam3_31, t1, ww2_xx, neg_lam2_22, t2, lam3_22, t3
-    real(rk) :: neg_lam4_11, lam4_31, lam3_23, neg_lam3_21, alpha5_y, lam5_13, lam6_21, t4, t5
-    real(rk) :: lam6_31, ww7_zz, neg_lam5_23, t6, lam6_32, lam6_12, lam5_31, t7, lam5_11, t8
-    real(rk) :: neg_lam6_22, t9, t10, t11, t12, neg_lam6_11, neg_lam6_13, t13, t14, t15, t16, t17
-    real(rk) :: t18, t19, t20, t21, t22, t23, t24, t25, t26, t27, t28, t29, t30, t31, t32, t33, t34
-    real(rk) :: t35, t36, t37, t38, t39, t40, t41, t42, nc7_z, lam6_23, neg_lam5_12, t43, t44, t45
-    real(rk) :: t46, t47, t48, t49, neg_n6_z, lam4_32, t50, t51, t52, t53, t54, t55, t56, t57, t58
-    real(rk) :: t59, t60, t61, t62, t63, t64, t65, n4_x, lam4_23, lam4_13, lam4_12, t66, n5_z, t67
-    real(rk) :: t68, t69, t70, t71, t72, t73, n3_z, lam3_12, t74, t75, n4_z, lam3_32, t76, t77, t78
-    real(rk) :: t79, t80, t81, t82, n1_z, n2_z, t83, neg_h7_x, t84, h6_x, t85, h7_y, t86, t87
-    real(rk) :: neg_h5_x, neg_h6_y, t88, t89, h4_y, h4_x, neg_k7_xz, k7_yz, t90, t91, t92, t93, t94
-    real(rk) :: k6_xz, t95, t96, t97, t98, t99, t100, t101, t102, t103, t104, t105, t106, k5_yy
-    real(rk) :: m5_5, neg_k6_yz, m6_6, neg_h5_y, t107, t108, k5_yz, neg_m4_5, t109, t110, t111
-    real(rk) :: k4_xz, t112, t113, t114, t115, t116, t117, m4_4, k4_yz, t118, t119, h3_x, t120
-    real(rk) :: t121, t122, t123, t124, t125, t126, t127, t128, t129, t130, t131, t132, t133, m3_3
-    real(rk) :: t134, t135, t136, t137, t138, t139, t140, t141, t142, t143, t144, t145, m1_1, h3_y
-    real(rk) :: m2_3, k2_yz, nu2_y, m3_5, neg_fu4_x, fu3_y, nu4_x, t146, t147, t148, m3_6
-    real(rk) :: neg_fu5_x, fu4_y, m4_6, neg_fu5_y, t149, neg_nu6_y, neg_fu6_x, nu6_x, t150, t151
-    real(rk) :: t152, t153, neg_m3_7, neg_fu6_y, t154, m4_7, m2_2, neg_m2_4, neg_fu3_x, t155, m2_5
-    real(rk) :: t156, t157, t158, neg_m2_6, t159, t160, nu3_y, t161, m2_7, neg_ld4_1, ld5_1, ld6_1
-    real(rk) :: neg_ld7_1, neg_y1, ipivot1, neg_l2_1, l3_1, neg_l4_1, l5_1, l6_1, neg_l7_1, pivot2
-    real(rk) :: ipivot2, ld3_2, l3_2, neg_ld4_2, neg_l4_2, ld5_2, l5_2, neg_ld6_2, neg_l6_2
-    real(rk) :: neg_ld7_2, neg_l7_2, pivot3, ipivot3, neg_ld4_3, neg_l4_3, ld5_3, l5_3, ld6_3, l6_3
-    real(rk) :: neg_ld7_3, neg_l7_3, pivot4, ipivot4, neg_ld5_4, neg_l5_4, ld6_4, l6_4, ld7_4, l7_4
-    real(rk) :: pivot5, ipivot5, ld6_5, l6_5, neg_ld7_5, neg_l7_5, neg_pivot6, neg_ipivot6
-    real(rk) :: neg_ld7_6, l7_6, t162, pivot7, ipivot7, neg_y2, neg_y3, neg_y4, neg_y5, y6, t163
-    real(rk) :: neg_y7, neg_qdd7, neg_qdd6, neg_qdd5, neg_qdd4, neg_qdd3, neg_qdd2, t164, qdd1
-    real(rk) :: t165, t166, t167, t168, t169, t170
+    real(rk) :: s2, t1, w2_x, c2, w2_y, ww2_yz, c3, s3, w3_x, w3_z, w3_y, ww3_yy, ww3_zz, ww3_zx
+    real(rk) :: ww3_xy, ww3_yz, neg_lam3_11, c4, s4, w4_x, w4_z, w4_y, ww4_zz, ww4_zx, ww4_xy
+    real(rk) :: ww4_xx, ww4_yz, c5, s5, w5_x, w5_z, w5_y, ww5_yz, ww5_zx, ww5_xy, ww5_xx, ww5_zz
+    real(rk) :: neg_lam4_22, neg_lam5_22, c6, s6, w6_x, w6_z, w6_y, ww6_zz, ww6_xy, ww6_yy
+    real(rk) :: neg_w7_z, c7, s7, ww2_zz, alpha3_y, lam3_13, lam4_21, alpha3_x, ww2_zx, alpha4_y
+    real(rk) :: lam5_21, alpha4_x, alpha5_x, lam5_32, lam3_31, t2, ww2_xx, neg_lam2_22, t3, lam3_22
+    real(rk) :: t4, neg_lam4_11, lam4_31, lam3_23, lam3_21, alpha5_y, lam5_13, lam6_21, t5, t6
+    real(rk) :: lam6_31, ww7_zz, lam5_23, t7, lam6_32, lam6_12, lam5_31, t8, lam5_11, t9
+    real(rk) :: neg_lam6_22, t10, t11, t12, t13, neg_lam6_11, lam6_13, t14, t15, t16, t17, t18, t19
+    real(rk) :: t20, t21, t22, t23, t24, t25, t26, t27, t28, t29, t30, t31, t32, t33, t34, t35, t36
+    real(rk) :: t37, t38, t39, t40, t41, t42, t43, nc7_z, lam6_23, lam5_12, t44, t45, t46, t47, t48
+    real(rk) :: t49, t50, neg_n6_z, lam4_32, t51, t52, t53, t54, t55, t56, t57, t58, t59, t60, t61
+    real(rk) :: t62, t63, t64, t65, t66, n4_x, lam4_23, lam4_13, lam4_12, t67, n5_z, t68, t69, t70
+    real(rk) :: t71, t72, t73, t74, n3_z, lam3_12, t75, t76, n4_z, lam3_32, t77, t78, t79, t80, t81
+    real(rk) :: t82, t83, n1_z, n2_z, t84, neg_h7_x, t85, h6_x, t86, h7_y, t87, t88, h5_x, neg_h6_y
+    real(rk) :: t89, t90, h4_y, h4_x, neg_k7_xz, k7_yz, t91, t92, t93, t94, t95, k6_xz, t96, t97
+    real(rk) :: t98, t99, t100, t101, t102, t103, t104, t105, t106, t107, k5_yy, m5_5, neg_k6_yz
+    real(rk) :: m6_6, h5_y, t108, t109, k5_yz, m4_5, t110, t111, t112, k4_xz, t113, t114, t115
+    real(rk) :: t116, t117, t118, m4_4, k4_yz, t119, t120, h3_x, t121, t122, t123, t124, t125, t126
+    real(rk) :: t127, t128, t129, t130, t131, t132, t133, t134, m3_3, t135, t136, t137, t138, t139
+    real(rk) :: t140, t141, t142, t143, t144, t145, t146, m1_1, h3_y, m2_3, k2_yz, nu2_y, m3_5
+    real(rk) :: fu4_x, fu3_y, nu4_x, t147, t148, t149, m3_6, fu5_x, fu4_y, m4_6, fu5_y, t150, nu6_y
+    real(rk) :: neg_fu6_x, nu6_x, t151, t152, t153, t154, m3_7, fu6_y, t155, m4_7, m2_2, m2_4
+    real(rk) :: fu3_x, t156, m2_5, t157, t158, t159, neg_m2_6, t160, t161, nu3_y, t162, m2_7, ud1_7
+    real(rk) :: y7, u6_7, u5_7, u4_7, u3_7, u2_7, u1_7, pivot6, ipivot6, ud5_6, u5_6, ud4_6, u4_6
+    real(rk) :: ud3_6, u3_6, ud2_6, u2_6, t163, ud1_6, u1_6, pivot5, ipivot5, ud4_5, u4_5, ud3_5
+    real(rk) :: u3_5, ud2_5, u2_5, t164, ud1_5, u1_5, pivot4, ipivot4, ud3_4, u3_4, ud2_4, u2_4
+    real(rk) :: t165, ud1_4, u1_4, pivot3, ipivot3, ud2_3, u2_3, ud1_3, u1_3, pivot2, ipivot2
+    real(rk) :: ud1_2, u1_2, t166, pivot1, ipivot1, y6, y5, y4, y3, neg_y2, t167, y1, qdd1, qdd2
+    real(rk) :: qdd3, qdd4, qdd5, qdd6, t168, qdd7
 
     ! sines and cosines of the joint angles
     s2 = sin(q(2))
+    t1 = -s2
     ! link 2: angular velocity [rad/s]
-    neg_w2_x = s2*qd(1)
+    w2_x = t1*qd(1)
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
     ! link 2: angular velocity [rad/s]
-    neg_w2_y = qd(1)*c2
+    w2_y = -qd(1)*c2
     ! link 2: products of the angular velocity [1/s^2]
-    neg_ww2_yz = neg_w2_y*qd(2)
+    ww2_yz = w2_y*qd(2)
     ! sines and cosines of the joint angles
     c3 = cos(q(3))
     s3 = sin(q(3))
     ! link 3: angular velocity [rad/s]
-    neg_w3_x = neg_w2_x*c3 - qd(2)*s3
-    w3_z = neg_w2_y + qd(3)
-    w3_y = qd(2)*c3 + neg_w2_x*s3
+    w3_x = w2_x*c3 + qd(2)*s3
+    w3_z = qd(3) - w2_y
+    w3_y = qd(2)*c3 - w2_x*s3
     ! link 3: products of the angular velocity [1/s^2]
     ww3_yy = w3_y*w3_y
     ww3_zz = w3_z*w3_z
-    neg_ww3_zx = neg_w3_x*w3_z
-    neg_ww3_xy = neg_w3_x*w3_y
+    ww3_zx = w3_x*w3_z
+    ww3_xy = w3_x*w3_y
     ww3_yz = w3_z*w3_y
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam3_11 = ww3_yy + ww3_zz
@@ -1114,26 +1111,26 @@ contains
     c4 = cos(q(4))
     s4 = sin(q(4))
     ! link 4: angular velocity [rad/s]
-    neg_w4_x = w3_z*s4 - neg_w3_x*c4
-    neg_w4_z = w3_y - qd(4)
-    neg_w4_y = neg_w3_x*s4 + w3_z*c4
+    w4_x = -w3_z*s4 - w3_x*c4
+    w4_z = qd(4) - w3_y
+    w4_y = w3_x*s4 - w3_z*c4
     ! link 4: products of the angular velocity [1/s^2]
-    ww4_zz = neg_w4_z*neg_w4_z
-    ww4_zx = neg_w4_x*neg_w4_z
-    ww4_xy = neg_w4_x*neg_w4_y
-    ww4_xx = neg_w4_x*neg_w4_x
-    ww4_yz = neg_w4_z*neg_w4_y
+    ww4_zz = w4_z*w4_z
+    ww4_zx = w4_x*w4_z
+    ww4_xy = w4_x*w4_y
+    ww4_xx = w4_x*w4_x
+    ww4_yz = w4_z*w4_y
     ! sines and cosines of the joint angles
     c5 = cos(q(5))
     s5 = sin(q(5))
     ! link 5: angular velocity [rad/s]
-    w5_x = neg_w4_x*c5 + neg_w4_z*s5
-    w5_z = neg_w4_y + qd(5)
-    neg_w5_y = neg_w4_x*s5 - neg_w4_z*c5
+    w5_x = -w4_z*s5 - w4_x*c5
+    w5_z = qd(5) - w4_y
+    w5_y = w4_x*s5 - w4_z*c5
     ! link 5: products of the angular velocity [1/s^2]
-    neg_ww5_yz = w5_z*neg_w5_y
+    ww5_yz = w5_z*w5_y
     ww5_zx = w5_x*w5_z
-    neg_ww5_xy = w5_x*neg_w5_y
+    ww5_xy = w5_x*w5_y
     ww5_xx = w5_x*w5_x
     ww5_zz = w5_z*w5_z
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
@@ -1145,491 +1142,476 @@ contains
     s6 = sin(q(6))
     ! link 6: angular velocity [rad/s]
     w6_x = w5_x*c6 + w5_z*s6
-    w6_z = neg_w5_y + qd(6)
+    w6_z = qd(6) - w5_y
     w6_y = w5_z*c6 - w5_x*s6
     ! link 6: products of the angular velocity [1/s^2]
     ww6_zz = w6_z*w6_z
     ww6_xy = w6_x*w6_y
     ww6_yy = w6_y*w6_y
     ! link 7: angular velocity [rad/s]
-    w7_z = qd(7) - w6_y
+    neg_w7_z = w6_y - qd(7)
     ! sines and cosines of the joint angles
     c7 = cos(q(7))
     s7 = sin(q(7))
     ! link 2: products of the angular velocity [1/s^2]
     ww2_zz = qd(2)*qd(2)
     ! link 3: angular acceleration [rad/s^2]
-    alpha3_y = neg_ww2_yz*s3 + neg_w3_x*qd(3)
+    alpha3_y = -w3_x*qd(3) - ww2_yz*s3
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam3_13 = neg_ww3_zx - alpha3_y
+    lam3_13 = ww3_zx + alpha3_y
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
     lam4_21 = ww4_xy - alpha3_y
     ! link 3: angular acceleration [rad/s^2]
-    alpha3_x = qd(3)*w3_y - neg_ww2_yz*c3
+    alpha3_x = qd(3)*w3_y + ww2_yz*c3
     ! link 2: products of the angular velocity [1/s^2]
-    neg_ww2_zx = neg_w2_x*qd(2)
+    ww2_zx = w2_x*qd(2)
     ! link 4: angular acceleration [rad/s^2]
-    alpha4_y = s4*alpha3_x + (neg_w4_x*qd(4) + c4*neg_ww2_zx)
+    alpha4_y = s4*alpha3_x + (-c4*ww2_zx - w4_x*qd(4))
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam5_21 = neg_ww5_xy + alpha4_y
+    lam5_21 = ww5_xy - alpha4_y
     ! link 4: angular acceleration [rad/s^2]
-    neg_alpha4_x = qd(4)*neg_w4_y + (c4*alpha3_x - s4*neg_ww2_zx)
+    alpha4_x = qd(4)*w4_y - (c4*alpha3_x + s4*ww2_zx)
     ! link 5: angular acceleration [rad/s^2]
-    neg_alpha5_x = qd(5)*neg_w5_y - s5*alpha3_y - c5*neg_alpha4_x
+    alpha5_x = qd(5)*w5_y + s5*alpha3_y - c5*alpha4_x
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam5_32 = neg_ww5_yz + neg_alpha5_x
+    lam5_32 = ww5_yz + alpha5_x
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam3_31 = neg_ww3_zx + alpha3_y
-    t1 = s2*neg_w2_x
+    lam3_31 = ww3_zx - alpha3_y
+    t2 = t1*w2_x
     ! link 2: products of the angular velocity [1/s^2]
-    ww2_xx = qd(1)*t1
+    ww2_xx = qd(1)*t2
     ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam2_22 = ww2_zz + ww2_xx
-    t2 = ww3_yy - ww3_zz
+    t3 = ww3_yy - ww3_zz
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam3_22 = t2 - neg_lam2_22
-    t3 = ww4_zz - ww4_xx
+    lam3_22 = t3 - neg_lam2_22
+    t4 = ww4_zz - ww4_xx
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam4_11 = t3 - lam3_22
+    neg_lam4_11 = t4 - lam3_22
     lam4_31 = ww4_zx - alpha4_y
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
     lam3_23 = ww3_yz - alpha3_x
-    neg_lam3_21 = neg_ww3_xy + neg_ww2_zx
+    lam3_21 = ww3_xy + ww2_zx
     ! link 5: angular acceleration [rad/s^2]
-    alpha5_y = c5*alpha3_y - (w5_x*qd(5) + s5*neg_alpha4_x)
+    alpha5_y = c5*alpha3_y - (w5_x*qd(5) - s5*alpha4_x)
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
     lam5_13 = ww5_zx + alpha5_y
     ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
     lam6_21 = ww6_xy - alpha5_y
-    t4 = qd(6) + w6_z
-    t5 = c6*alpha4_y - s6*neg_alpha5_x
-    lam6_31 = w6_x*t4 + t5
+    t5 = qd(6) + w6_z
+    t6 = c6*alpha4_y + s6*alpha5_x
+    lam6_31 = w6_x*t5 + t6
     ! link 7: products of the angular velocity [1/s^2]
-    ww7_zz = w7_z*w7_z
+    ww7_zz = neg_w7_z*neg_w7_z
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam5_23 = neg_ww5_yz - neg_alpha5_x
-    t6 = s6*alpha4_y + c6*neg_alpha5_x
+    lam5_23 = ww5_yz - alpha5_x
+    t7 = s6*alpha4_y - c6*alpha5_x
     ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam6_32 = w6_y*t4 - t6
+    lam6_32 = w6_y*t5 - t7
     lam6_12 = ww6_xy + alpha5_y
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
     lam5_31 = ww5_zx - alpha5_y
-    t7 = ww5_xx - ww5_zz
-    lam5_11 = t7 - neg_lam4_22
-    t8 = ww6_zz - ww6_yy
+    t8 = ww5_xx - ww5_zz
+    lam5_11 = t8 - neg_lam4_22
+    t9 = ww6_zz - ww6_yy
     ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam6_22 = neg_lam5_22 + t8
-    t9 = ww6_zz - ww7_zz
-    t10 = ww6_zz + ww7_zz
-    t11 = neg_lam6_22 - t10
-    t12 = t9 - t11
-    neg_lam6_11 = neg_lam5_22 + t12
-    neg_lam6_13 = t5 - neg_w5_y*w6_x
-    t13 = 0.0002123224431354016_rk*s7
-    t14 = t13 + 0.00016784129658960374_rk*c7
-    t15 = neg_lam3_31 - 118.9090909090909_rk*c2 + 3.83030303030303_rk*neg_lam2_22
-    t16 = 118.9090909090909_rk*s2
-    t17 = c3*t16
-    t18 = neg_lam3_11 + t17 + 3.83030303030303_rk*neg_lam3_13
-    t19 = s4*t15 + c4*t18
-    t20 = neg_lam4_11 - t19
-    t21 = 3.83030303030303_rk*lam3_23 - (neg_lam3_21 - s3*t16)
-    t22 = lam4_31 - t21
-    t23 = c5*t20 - s5*t22
-    t24 = t23 + 4.654545454545454_rk*lam5_13
-    t25 = s4*t18 - c4*t15
-    t26 = lam4_21 - t25
-    t27 = 4.654545454545454_rk*neg_lam4_22 + t26
-    t28 = c6*t24 - s6*t27
-    t29 = 1.0666666666666667_rk*neg_lam6_11 - t28
-    t30 = 11.402203849817942_rk*c7
-    t31 = t13*t30
-    t32 = 0.0002123224431354016_rk*c7
-    t33 = t30*t32
-    t34 = 0.32333777029991095_rk*t31 - (t33 + 0.00213160409441986_rk)
-    t35 = 0.0009653051699191118_rk*s7 + 0.0012555365982729084_rk*c7
-    t36 = t31 + (0.32333777029991095_rk*t33 - 0.0003913912816842475_rk)
-    t37 = t34 + 0.006684151967360947_rk
-    t38 = s5*t20 + c5*t22
-    t39 = t38 + (4.654545454545454_rk*neg_lam5_23 + 1.0666666666666667_rk*lam6_31)
-    t40 = t32 - 0.00016784129658960374_rk*s7
-    t41 = t14*t29 - (neg_lam6_13*t34 - (lam6_12*t35 - (t12*t36 - lam6_31*t37))) + t39*t40
-    t42 = 0.0009653051699191118_rk*c7 - 0.0012555365982729084_rk*s7
+    neg_lam6_22 = neg_lam5_22 + t9
+    t10 = ww6_zz - ww7_zz
+    t11 = ww6_zz + ww7_zz
+    t12 = t11 - neg_lam6_22
+    t13 = t10 + t12
+    neg_lam6_11 = neg_lam5_22 + t13
+    lam6_13 = -t6 - w5_y*w6_x
+    t14 = 0.0002123224431354016_rk*s7
+    t15 = t14 + 0.00016784129658960374_rk*c7
+    t16 = 3.83030303030303_rk*neg_lam2_22 - (lam3_31 + 118.9090909090909_rk*c2)
+    t17 = 118.9090909090909_rk*s2
+    t18 = c3*t17
+    t19 = neg_lam3_11 + t18 - 3.83030303030303_rk*lam3_13
+    t20 = s4*t16 + c4*t19
+    t21 = neg_lam4_11 - t20
+    t22 = 3.83030303030303_rk*lam3_23 + (lam3_21 + s3*t17)
+    t23 = lam4_31 - t22
+    t24 = c5*t21 - s5*t23
+    t25 = t24 + 4.654545454545454_rk*lam5_13
+    t26 = s4*t19 - c4*t16
+    t27 = lam4_21 - t26
+    t28 = 4.654545454545454_rk*neg_lam4_22 + t27
+    t29 = c6*t25 - s6*t28
+    t30 = 1.0666666666666667_rk*neg_lam6_11 - t29
+    t31 = 11.402203849817942_rk*c7
+    t32 = t14*t31
+    t33 = 0.0002123224431354016_rk*c7
+    t34 = t31*t33
+    t35 = t32 + (0.32333777029991095_rk*t34 - 0.0003913912816842475_rk)
+    t36 = 0.32333777029991095_rk*t32 - (t34 + 0.00213160409441986_rk)
+    t37 = t36 + 0.006684151967360947_rk
+    t38 = 0.0009653051699191118_rk*s7 + 0.0012555365982729084_rk*c7
+    t39 = s5*t21 + c5*t23
+    t40 = t39 + (1.0666666666666667_rk*lam6_31 - 4.654545454545454_rk*lam5_23)
+    t41 = t33 - 0.00016784129658960374_rk*s7
+    t42 = t15*t30 - (t13*t35 - lam6_31*t37 - lam6_12*t38 - lam6_13*t36) + t40*t41
+    t43 = 0.0009653051699191118_rk*c7 - 0.0012555365982729084_rk*s7
     ! link 7: moment that turns the link [N m]
-    nc7_z = t41 - lam6_32*t42
+    nc7_z = t42 - lam6_32*t43
     ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam6_23 = t6 + neg_w5_y*w6_y
+    lam6_23 = t7 - w5_y*w6_y
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam5_12 = neg_ww5_xy - alpha4_y
-    t43 = -2.0_rk*w7_z
-    t44 = lam6_12 - w6_x*t43
-    t45 = s6*t24 + c6*t27
-    t46 = t45 - 1.0666666666666667_rk*lam6_21
-    t47 = lam6_32 - w6_z*t43
-    t48 = t14*t47 - (0.014338888209442497_rk*neg_lam6_22 - 0.017931959153753906_rk*t46 - t40*t44)
-    t49 = 0.0001037589172186853_rk*lam6_23 + (t11*t42 - (t40*t46 - (t36*t47 - &
-        (1.0666666666666667_rk*t48 + 0.014338888209442497_rk*t29))))
+    lam5_12 = ww5_xy + alpha4_y
+    t44 = 2.0_rk*neg_w7_z
+    t45 = lam6_12 - w6_x*t44
+    t46 = lam6_32 - w6_z*t44
+    t47 = s6*t25 + c6*t28
+    t48 = t47 - 1.0666666666666667_rk*lam6_21
+    t49 = t15*t46 - (0.014338888209442497_rk*neg_lam6_22 - 0.017931959153753906_rk*t48 - t41*t45)
+    t50 = 0.0001037589172186853_rk*lam6_23 + (t35*t46 - (1.0666666666666667_rk*t49 + &
+        0.014338888209442497_rk*t30) - t41*t48 - t12*t43)
     ! link 6: moment through the joint, about the frame's origin [N m]
-    neg_n6_z = t37*t44 + (0.0005462437073966822_rk*(neg_lam6_22 - neg_lam6_11) + &
-        (0.028934422545659907_rk*lam6_12 - (0.0011196707334275547_rk*lam6_21 + t49))) + &
-        neg_lam6_13*(t35 + 9.35690973146064e-05_rk)
+    neg_n6_z = t37*t45 + (0.0005462437073966822_rk*(neg_lam6_22 - neg_lam6_11) + &
+        (0.028934422545659907_rk*lam6_12 - (0.0011196707334275547_rk*lam6_21 + t50))) - &
+        lam6_13*(t38 + 9.35690973146064e-05_rk)
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam4_32 = ww4_yz - neg_alpha4_x
-    t50 = 0.028934422545659907_rk*lam6_32 - (0.014338888209442497_rk*t39 + (t9*t35 + &
-        (9.35690973146064e-05_rk*t8 + (0.0055993270925625_rk*t45 + &
+    lam4_32 = ww4_yz + alpha4_x
+    t51 = 0.028934422545659907_rk*lam6_32 - (0.014338888209442497_rk*t40 + (t10*t38 + &
+        (9.35690973146064e-05_rk*t9 + (0.0055993270925625_rk*t47 + &
         0.0001037589172186853_rk*lam6_21))))
-    t51 = t34*t47 + (t36*t44 - (t14*t46 + t50)) + lam6_31*(t42 - 0.0005462437073966822_rk)
-    t52 = neg_lam5_22 + lam5_11
-    t53 = 0.017931959153753906_rk*t39 + (lam6_31*t40 - (0.014338888209442497_rk*lam6_32 + t14*(t10 &
-        - t12)))
-    t54 = 0.0055993270925625_rk*neg_lam5_22 + t53
-    t55 = nc7_z + 0.0005462437073966822_rk*lam6_32 + (9.35690973146064e-05_rk*lam6_12 + &
-        0.0001037589172186853_rk*t12 + 1.0666666666666667_rk*(t53 + 0.005249369149277343_rk*t28))
-    t56 = t55 + 0.0011196707334275547_rk*lam6_31
-    t57 = 0.010045187828321245_rk*neg_lam5_32 + c6*t51 - 0.00151524447332703_rk*lam5_31 - &
-        0.0021640520520981327_rk*(t7 - t52) - (4.654545454545454_rk*t54 + s6*t56)
-    t58 = 0.0010267877770288932_rk*neg_lam5_21 + t57
-    t59 = 0.017931959153753906_rk*t29 + (0.014338888209442497_rk*lam6_12 + t10*t40) + &
-        neg_lam6_13*(t14 - 0.0055993270925625_rk)
-    t60 = t48 + 0.0055993270925625_rk*lam6_23
-    t61 = c6*t59 - s6*t60
-    t62 = 0.0010267877770288932_rk*t7 + (0.001208932934385_rk*t26 + 4.654545454545454_rk*t61 - &
-        (0.00151524447332703_rk*neg_lam5_32 + (neg_n6_z + 0.0021640520520981327_rk*neg_lam5_12)))
-    t63 = 0.001451156065026714_rk*lam5_31 + t62
-    t64 = neg_lam4_22 + lam3_22
-    t65 = 0.0039053550262761055_rk*lam4_21 - c5*t58 + 0.07937575371526083_rk*lam4_31 + (s5*t63 - &
-        (0.08256807420204747_rk*t21 - 0.00164448757736928_rk*t64))
+    t52 = t36*t46 + (t35*t45 - (t15*t48 + t51)) + lam6_31*(t43 - 0.0005462437073966822_rk)
+    t53 = neg_lam5_22 + lam5_11
+    t54 = 0.017931959153753906_rk*t40 + (lam6_31*t41 - (0.014338888209442497_rk*lam6_32 + t15*(t11 &
+        - t13)))
+    t55 = 0.0055993270925625_rk*neg_lam5_22 + t54
+    t56 = nc7_z + 0.0005462437073966822_rk*lam6_32 + (9.35690973146064e-05_rk*lam6_12 + &
+        0.0001037589172186853_rk*t13 + 1.0666666666666667_rk*(t54 + 0.005249369149277343_rk*t29))
+    t57 = t56 + 0.0011196707334275547_rk*lam6_31
+    t58 = c6*t52 - 0.010045187828321245_rk*lam5_32 - 0.00151524447332703_rk*lam5_31 - &
+        0.0021640520520981327_rk*(t8 - t53) - (4.654545454545454_rk*t55 + s6*t57)
+    t59 = t58 - 0.0010267877770288932_rk*lam5_21
+    t60 = 0.017931959153753906_rk*t30 + (0.014338888209442497_rk*lam6_12 + t11*t41) - lam6_13*(t15 &
+        - 0.0055993270925625_rk)
+    t61 = t49 + 0.0055993270925625_rk*lam6_23
+    t62 = c6*t60 - s6*t61
+    t63 = 0.0010267877770288932_rk*t8 + (0.001208932934385_rk*t27 + 4.654545454545454_rk*t62 - &
+        (neg_n6_z - 0.0021640520520981327_rk*lam5_12 - 0.00151524447332703_rk*lam5_32))
+    t64 = 0.001451156065026714_rk*lam5_31 + t63
+    t65 = neg_lam4_22 + lam3_22
+    t66 = 0.0039053550262761055_rk*lam4_21 - c5*t59 + 0.07937575371526083_rk*lam4_31 + (s5*t64 - &
+        (0.08256807420204747_rk*t22 - 0.00164448757736928_rk*t65))
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = 0.30879988491513166_rk*lam4_32 - t65
+    n4_x = 0.30879988491513166_rk*lam4_32 - t66
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam4_23 = ww4_yz + neg_alpha4_x
+    lam4_23 = ww4_yz - alpha4_x
     lam4_13 = ww4_zx + alpha4_y
     lam4_12 = ww4_xy + alpha3_y
-    t66 = 0.0010267877770288932_rk*neg_lam5_23 + 0.0021640520520981327_rk*lam5_13 - (c6*t56 + &
-        s6*t51) - (0.001451156065026714_rk*neg_lam5_21 - 0.010045187828321245_rk*neg_lam5_12)
+    t67 = 0.0021640520520981327_rk*lam5_13 - 0.0010267877770288932_rk*lam5_23 - (c6*t57 + s6*t52) &
+        - (0.010045187828321245_rk*lam5_12 - 0.001451156065026714_rk*lam5_21)
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_z = t66 - (0.00151524447332703_rk*t52 - 0.001208932934385_rk*t38)
-    t67 = n4_x - 0.022178148964878252_rk*lam4_23
-    t68 = t61 - (0.02767241350487109_rk*t23 - 0.001208932934385_rk*lam5_11)
-    t69 = t54 - (0.001208932934385_rk*neg_lam5_21 - 0.02767241350487109_rk*t38)
-    t70 = s5*t68 + c5*t69
-    t71 = n5_z - (0.02759391246306875_rk*lam4_13 - 0.00164448757736928_rk*lam4_12 - t70) + &
-        (0.010831526996380998_rk*ww4_zx + (0.0039053550262761055_rk*t3 - &
+    n5_z = t67 - (0.00151524447332703_rk*t53 - 0.001208932934385_rk*t39)
+    t68 = n4_x - 0.022178148964878252_rk*lam4_23
+    t69 = t62 - (0.02767241350487109_rk*t24 - 0.001208932934385_rk*lam5_11)
+    t70 = t55 - (-0.001208932934385_rk*lam5_21 - 0.02767241350487109_rk*t39)
+    t71 = s5*t69 + c5*t70
+    t72 = n5_z - (0.02759391246306875_rk*lam4_13 - 0.00164448757736928_rk*lam4_12 - t71) + &
+        (0.010831526996380998_rk*ww4_zx + (0.0039053550262761055_rk*t4 - &
         0.07937575371526083_rk*lam4_32))
-    t72 = t70 - (0.08256807420204747_rk*lam4_32 + 0.016011409030815008_rk*t21)
-    t73 = c4*t71 + 0.0001219124209507298_rk*(neg_lam3_11 + lam3_22) + &
-        (0.005487648106562251_rk*lam3_23 + (0.002328735327434986_rk*t17 + &
-        1.3360662912304e-05_rk*neg_lam3_21 - t72))
+    t73 = t71 - (0.08256807420204747_rk*lam4_32 + 0.016011409030815008_rk*t22)
+    t74 = c4*t72 + 0.0001219124209507298_rk*(neg_lam3_11 + lam3_22) + &
+        (0.005487648106562251_rk*lam3_23 + (0.002328735327434986_rk*t18 - &
+        1.3360662912304e-05_rk*lam3_21 - t73))
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_z = 0.013297019103287523_rk*neg_lam3_13 - (s4*t67 - t73)
+    n3_z = -0.013297019103287523_rk*lam3_13 - (s4*t68 - t74)
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam3_12 = neg_ww2_zx - neg_ww3_xy
-    t74 = 0.001208932934385_rk*lam5_31 + (s6*t59 + 0.02767241350487109_rk*t26 + c6*t60)
-    t75 = 0.0039053550262761055_rk*lam4_23 + c5*t63 - (0.30879988491513166_rk*lam4_12 - &
-        (0.00164448757736928_rk*lam4_13 - 0.07937575371526083_rk*(t3 - t64) + &
+    lam3_12 = ww3_xy - ww2_zx
+    t75 = 0.001208932934385_rk*lam5_31 + (s6*t60 + 0.02767241350487109_rk*t27 + c6*t61)
+    t76 = 0.0039053550262761055_rk*lam4_23 + c5*t64 - (0.30879988491513166_rk*lam4_12 - &
+        (0.00164448757736928_rk*lam4_13 - 0.07937575371526083_rk*(t4 - t65) + &
         0.005415763498190499_rk*lam4_21))
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_z = t74 + (s5*t58 + 0.08256807420204747_rk*t19) + t75
+    n4_z = t75 + (s5*t59 + 0.08256807420204747_rk*t20) + t76
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
     lam3_32 = ww3_yz + alpha3_x
-    t76 = t1 - (qd(1) - t1)
-    t77 = 3.83030303030303_rk*t72 - (s4*t71 + c4*t67) - (0.10510540975539216_rk*lam3_23 - &
-        (0.27690780075317833_rk*c2 - (0.013297019103287523_rk*t2 - &
-        0.005487648106562251_rk*neg_lam3_21 + 0.0001219124209507298_rk*neg_lam3_31)))
-    t78 = 0.016011409030815008_rk*t19 - 0.08256807420204747_rk*lam4_12 + (c5*t68 - s5*t69)
-    t79 = 0.08256807420204747_rk*neg_lam4_22 + (t74 - 0.016011409030815008_rk*t25)
-    t80 = s4*t78 + c4*t79 - 3.83030303030303_rk*(c4*t78 - s4*t79) + &
+    t77 = t2 - (qd(1) - t2)
+    t78 = 3.83030303030303_rk*t73 - (s4*t72 + c4*t68) - (0.10510540975539216_rk*lam3_23 - &
+        (0.27690780075317833_rk*c2 - (0.013297019103287523_rk*t3 + 0.005487648106562251_rk*lam3_21 &
+        - 0.0001219124209507298_rk*lam3_31)))
+    t79 = 0.016011409030815008_rk*t20 - 0.08256807420204747_rk*lam4_12 + (c5*t69 - s5*t70)
+    t80 = 0.08256807420204747_rk*neg_lam4_22 + (t75 - 0.016011409030815008_rk*t26)
+    t81 = s4*t79 + c4*t80 - 3.83030303030303_rk*(c4*t79 - s4*t80) + &
         0.013297019103287523_rk*lam3_12
-    t81 = t80 - (n4_z + (0.005487648106562251_rk*(0.0024346792383292625_rk*neg_lam3_31 + &
-        (neg_lam3_11 - neg_lam2_22)) + (0.0001219124209507298_rk*lam3_32 + &
-        0.10510540975539216_rk*neg_lam3_13)))
-    t82 = ww2_zz*(0.010261101821008168_rk*c2 - 0.0007689361029464017_rk*s2) - c2*n3_z + s2*(c3*t77 &
-        - s3*t81)
+    t82 = t81 - (n4_z + (0.005487648106562251_rk*(-0.0024346792383292625_rk*lam3_31 - (neg_lam2_22 &
+        - neg_lam3_11)) + (0.0001219124209507298_rk*lam3_32 - 0.10510540975539216_rk*lam3_13)))
+    t83 = ww2_zz*(0.010261101821008168_rk*c2 - 0.0007689361029464017_rk*s2) - c2*n3_z + s2*(c3*t78 &
+        - s3*t82)
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = 0.007966717767871044_rk*qd(2)*t76 - t82
+    n1_z = 0.007966717767871044_rk*qd(2)*t77 - t83
     ! link 2: moment through the joint, about the frame's origin [N m]
-    n2_z = c3*t81 - (t76*(0.003983358883935522_rk*qd(1)) - s3*t77 + (4.746153896127808_rk*s2 - &
+    n2_z = c3*t82 - (t77*(0.003983358883935522_rk*qd(1)) - s3*t78 + (4.746153896127808_rk*s2 - &
         0.01993386669246_rk*c2))
-    t83 = s7 - 1.2650190832031087_rk*c7
+    t84 = s7 - 1.2650190832031087_rk*c7
     ! link 7: first moment of the composite body, about the frame's origin [kg m]
-    neg_h7_x = 0.0020344399586618637_rk*t83
-    t84 = neg_h7_x - 0.231847552695_rk
+    neg_h7_x = 0.0020344399586618637_rk*t84
+    t85 = neg_h7_x - 0.231847552695_rk
     ! link 6: first moment of the composite body, about the frame's origin [kg m]
-    h6_x = 0.17380470556899996_rk*s6 - c6*t84
-    t85 = s7 + 1.5495146829101907_rk*t83
+    h6_x = 0.17380470556899996_rk*s6 - c6*t85
+    t86 = s7 + 1.5495146829101907_rk*t84
     ! link 7: first moment of the composite body, about the frame's origin [kg m]
-    h7_y = 0.0010094491271572172_rk*t85 + 0.00401312745666211_rk*c7
-    t86 = h6_x - 0.014653732538_rk
-    t87 = h7_y - 0.067870631425_rk
+    h7_y = 0.0010094491271572172_rk*t86 + 0.00401312745666211_rk*c7
+    t87 = 0.014653732538_rk - h6_x
+    t88 = 0.067870631425_rk - h7_y
     ! link 5: first moment of the composite body, about the frame's origin [kg m]
-    neg_h5_x = c5*t86 + s5*t87
+    h5_x = c5*t87 + s5*t88
     ! link 6: first moment of the composite body, about the frame's origin [kg m]
-    neg_h6_y = 0.17380470556899996_rk*c6 + s6*t84
-    t88 = neg_h5_x - 0.5527802746499999_rk
-    t89 = neg_h6_y - 2.0125235536029997_rk
+    neg_h6_y = 0.17380470556899996_rk*c6 + s6*t85
+    t89 = -h5_x - 0.5527802746499999_rk
+    t90 = neg_h6_y - 2.0125235536029997_rk
     ! link 4: first moment of the composite body, about the frame's origin [kg m]
-    h4_y = s4*t88 - c4*t89
-    h4_x = c4*t88 + s4*t89
+    h4_y = s4*t89 - c4*t90
+    h4_x = c4*t89 + s4*t90
     ! link 7: second moment of the composite body [kg m^2]
-    neg_k7_xz = 0.0004924610188319264_rk*t85
-    k7_yz = 0.0009653051699191118_rk*t83 + 0.0024766660593352045_rk*c7
-    t90 = 9.35690973146064e-05_rk + k7_yz
-    t91 = 0.002420943778521227_rk*c7
-    t92 = c7*t91
-    t93 = s7*t91
-    t94 = 0.32333777029991095_rk*t92 + (t93 - 0.088_rk*h7_y - 0.0004951501989029328_rk)
+    neg_k7_xz = 0.0004924610188319264_rk*t86
+    k7_yz = 0.0009653051699191118_rk*t84 + 0.0024766660593352045_rk*c7
+    t91 = 9.35690973146064e-05_rk + k7_yz
+    t92 = 0.002420943778521227_rk*c7
+    t93 = c7*t92
+    t94 = s7*t92
+    t95 = 0.32333777029991095_rk*t93 + (t94 - 0.088_rk*h7_y - 0.0004951501989029328_rk)
     ! link 6: second moment of the composite body [kg m^2]
-    k6_xz = s6*t90 - c6*t94
-    t95 = c5*c5
-    t96 = t92 + 0.012176791922741105_rk - 0.32333777029991095_rk*t93
-    t97 = c6*s6
-    t98 = neg_k7_xz + (neg_k7_xz - 0.029497140765350628_rk)
-    t99 = c6*c6
-    t100 = 0.000179030716362244_rk*t83
-    t101 = t100 + (t96 + (t100 - 0.00931717262060984_rk))
-    t102 = t97*t98 + 0.6173375163284962_rk + t99*t101
-    t103 = t102 - 0.6477230949391829_rk
-    t104 = t96 + t103
-    t105 = c5*s5
-    t106 = k6_xz + (k6_xz - 0.00303048894665406_rk)
+    k6_xz = s6*t91 - c6*t95
+    t96 = c5*c5
+    t97 = t93 + 0.012176791922741105_rk - 0.32333777029991095_rk*t94
+    t98 = c6*s6
+    t99 = neg_k7_xz - (0.029497140765350628_rk - neg_k7_xz)
+    t100 = c6*c6
+    t101 = 0.000179030716362244_rk*t84
+    t102 = t101 + (t97 + (t101 - 0.00931717262060984_rk))
+    t103 = t98*t99 + 0.6173375163284962_rk + t100*t102
+    t104 = t103 - 0.6477230949391829_rk
+    t105 = t97 + t104
+    t106 = c5*s5
+    t107 = k6_xz + (k6_xz - 0.00303048894665406_rk)
     ! link 5: second moment of the composite body [kg m^2]
-    k5_yy = t95*t104 - (t103 + t105*t106)
+    k5_yy = t96*t105 - (t104 + t106*t107)
     ! link 5: mass matrix, its row of this joint
-    m5_5 = t96 - t103
+    m5_5 = t97 - t104
     ! link 6: second moment of the composite body [kg m^2]
-    neg_k6_yz = s6*t94 + c6*t90
+    neg_k6_yz = s6*t95 + c6*t91
     ! link 6: mass matrix, its row of this joint
-    m6_6 = 0.057868845091319815_rk - t101
+    m6_6 = 0.057868845091319815_rk - t102
     ! link 5: first moment of the composite body, about the frame's origin [kg m]
-    neg_h5_y = s5*t86 - c5*t87
-    t107 = t97*t101 - 0.004600245517563107_rk - t98*(t99 - 0.5_rk)
-    t108 = neg_k6_yz - 0.0021640520520981327_rk
+    h5_y = s5*t87 - c5*t88
+    t108 = t98*t102 - 0.004600245517563107_rk - t99*(t100 - 0.5_rk)
+    t109 = neg_k6_yz - 0.0021640520520981327_rk
     ! link 5: second moment of the composite body [kg m^2]
-    k5_yz = s5*t107 - c5*t108
+    k5_yz = s5*t108 - c5*t109
     ! link 4: mass matrix, its row of this joint
-    neg_m4_5 = k5_yz - 0.384_rk*neg_h5_y
-    t109 = 0.0825_rk*neg_h5_y
-    t110 = t104*t105 + (t106*(t95 - 0.5_rk) + (t109 - 0.0039053550262761055_rk))
-    t111 = neg_m4_5 + 0.00164448757736928_rk
+    m4_5 = -0.384_rk*h5_y - k5_yz
+    t110 = -0.0825_rk*h5_y
+    t111 = t105*t106 + (t107*(t96 - 0.5_rk) + (t110 - 0.0039053550262761055_rk))
+    t112 = 0.00164448757736928_rk - m4_5
     ! link 4: second moment of the composite body [kg m^2]
-    k4_xz = c4*t110 - s4*t111
-    t112 = 0.384_rk*neg_h6_y
-    t113 = t112 - m6_6
-    t114 = t102 - (t112 + t113)
-    t115 = 0.0825_rk*neg_h5_x
-    t116 = m5_5 - t115
-    t117 = t115 + (k5_yy - t116)
+    k4_xz = c4*t111 - s4*t112
+    t113 = 0.384_rk*neg_h6_y
+    t114 = t113 - m6_6
+    t115 = t103 - (t113 + t114)
+    t116 = 0.0825_rk*h5_x
+    t117 = m5_5 + t116
+    t118 = k5_yy - t117 - t116
     ! link 4: mass matrix, its row of this joint
-    m4_4 = t114 - (t117 - 0.10204027231363098_rk)
+    m4_4 = t115 - (t118 - 0.10204027231363098_rk)
     ! link 4: second moment of the composite body [kg m^2]
-    k4_yz = c4*t111 + s4*t110
-    t118 = h4_x + 0.746857959872_rk
-    t119 = neg_h5_y + 0.028227094877999827_rk
+    k4_yz = c4*t112 + s4*t111
+    t119 = h4_x + 0.746857959872_rk
+    t120 = 0.028227094877999827_rk - h5_y
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_x = c3*t118 - s3*t119
-    t120 = k5_yy + 0.022178148964878252_rk
-    t121 = 0.0825_rk*h4_x
-    t122 = c4*s4
-    t123 = c5*t107 - (0.384_rk*neg_h5_x - s5*t108)
-    t124 = 0.0825_rk*neg_h6_y
-    t125 = t123 + 0.16284087268546082_rk - t124
-    t126 = t122*t125
-    t127 = 0.316_rk*h4_y
-    t128 = c4*c4
-    t129 = t114 + t117
-    t130 = t121 + (t117 + t126) - (t127 - (t126 - (t128*t129 - 0.010582284869712202_rk)))
-    t131 = t121 + t127
-    t132 = m4_4 + t131
-    t133 = t130 + t132
+    h3_x = c3*t119 - s3*t120
+    t121 = k5_yy + 0.022178148964878252_rk
+    t122 = 0.0825_rk*h4_x
+    t123 = c4*s4
+    t124 = c5*t108 - (-0.384_rk*h5_x - s5*t109)
+    t125 = -0.0825_rk*neg_h6_y
+    t126 = t124 + 0.16284087268546082_rk + t125
+    t127 = t123*t126
+    t128 = 0.316_rk*h4_y
+    t129 = c4*c4
+    t130 = t115 + t118
+    t131 = t122 + (t118 + t127) - (t128 - (t127 - (t129*t130 - 0.010582284869712202_rk)))
+    t132 = t122 + t128
+    t133 = m4_4 + t132
+    t134 = t131 + t133
     ! link 3: mass matrix, its row of this joint
-    m3_3 = t120 + t133
-    t134 = t131 - (t130 - 1.0937644822584085_rk)
-    t135 = c3*s3
-    t136 = k4_xz - (t109 + 0.0001219124209507298_rk)
-    t137 = t135*t136
-    t138 = c3*c3
-    t139 = t120 - t133
-    t140 = t120 + (t137 + (t137 + 0.023077882494931805_rk - t138*t139))
-    t141 = t134 - t140
-    t142 = k4_yz - 0.0043772571218395765_rk
-    t143 = t125*t128
-    t144 = t122*t129 + (t143 - 0.0825_rk*h4_y - (t125 - (t143 - 0.005487648106562251_rk)))
-    t145 = s3*t142 + (0.316_rk*h3_x - c3*t144)
+    m3_3 = t121 + t134
+    t135 = t132 - (t131 - 1.0937644822584085_rk)
+    t136 = c3*s3
+    t137 = k4_xz - (t110 + 0.0001219124209507298_rk)
+    t138 = t136*t137
+    t139 = c3*c3
+    t140 = t121 - t134
+    t141 = t121 + (t138 + (t138 + 0.023077882494931805_rk - t139*t140))
+    t142 = t135 - t141
+    t143 = k4_yz - 0.0043772571218395765_rk
+    t144 = t126*t129
+    t145 = t123*t130 + (t144 - 0.0825_rk*h4_y - (t126 - (t144 - 0.005487648106562251_rk)))
+    t146 = s3*t143 + (0.316_rk*h3_x - c3*t145)
     ! link 1: mass matrix, its row of this joint
-    m1_1 = t141 + (c2*(s2*(2.0_rk*(t145 - 0.003983358883935522_rk))) + (m3_3 - t141*(c2*c2)) + &
+    m1_1 = t142 + (c2*(s2*(2.0_rk*(t146 - 0.003983358883935522_rk))) + (m3_3 - t142*(c2*c2)) + &
         0.03733744848940618_rk)
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_y = s3*t118 + c3*t119
+    h3_y = s3*t119 + c3*t120
     ! link 2: mass matrix, its row of this joint
-    m2_3 = s3*t144 - 0.316_rk*h3_y + c3*t142
+    m2_3 = s3*t145 - 0.316_rk*h3_y + c3*t143
     ! link 2: second moment of the composite body [kg m^2]
-    k2_yz = s2*(2.0_rk*(t136*t138) + t135*t139 - (t136 - 0.010261101821008168_rk)) - c2*(m2_3 - &
+    k2_yz = s2*(2.0_rk*(t137*t139) + t136*t140 - (t137 - 0.010261101821008168_rk)) - c2*(m2_3 - &
         0.0007689361029464017_rk)
     ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y = c2*m3_3 + s2*t145
+    nu2_y = c2*m3_3 + s2*t146
     ! link 3: mass matrix, its row of this joint
-    m3_5 = s4*t123 + (t115 + c4*t116)
+    m3_5 = s4*t124 + (c4*t117 - t116)
     ! link 4: force for a unit acceleration of a joint further out
-    neg_fu4_x = c4*neg_h5_y
+    fu4_x = c4*h5_y
     ! link 3: force for a unit acceleration of a joint further out
-    fu3_y = c3*neg_h5_x - s3*neg_fu4_x
+    fu3_y = s3*fu4_x - c3*h5_x
     ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x = c4*t123 - s4*t116
-    t146 = s5*t124
-    t147 = neg_k6_yz - t146
-    t148 = s5*t113 + c5*k6_xz
+    nu4_x = c4*t124 - s4*t117
+    t147 = s5*t125
+    t148 = neg_k6_yz + t147
+    t149 = s5*t114 + c5*k6_xz
     ! link 3: mass matrix, its row of this joint
-    m3_6 = t146 + c4*t147 - s4*t148
+    m3_6 = c4*t148 - t147 - s4*t149
     ! link 5: force for a unit acceleration of a joint further out
-    neg_fu5_x = c5*neg_h6_y
+    fu5_x = -c5*neg_h6_y
     ! link 4: force for a unit acceleration of a joint further out
-    fu4_y = s4*neg_fu5_x + c4*h6_x
+    fu4_y = c4*h6_x - s4*fu5_x
     ! link 4: mass matrix, its row of this joint
-    m4_6 = s5*k6_xz - c5*t113 - 0.0825_rk*h6_x
+    m4_6 = s5*k6_xz - c5*t114 - 0.0825_rk*h6_x
     ! link 5: force for a unit acceleration of a joint further out
-    neg_fu5_y = 12.121212121212121_rk*t146
-    t149 = 0.006684151967360947_rk - t100
+    fu5_y = 12.121212121212121_rk*t147
+    t150 = t101 - 0.006684151967360947_rk
     ! link 6: moment for a unit acceleration of a joint further out
-    neg_nu6_y = c6*t149 - s6*neg_k7_xz
+    nu6_y = c6*t150 + s6*neg_k7_xz
     ! link 6: force for a unit acceleration of a joint further out
     neg_fu6_x = c6*h7_y
     ! link 6: moment for a unit acceleration of a joint further out
-    nu6_x = s6*t149 + c6*neg_k7_xz
-    t150 = c5*neg_h7_x - s5*neg_fu6_x
-    t151 = 0.0825_rk*t150
-    t152 = neg_nu6_y + t151
-    t153 = c5*nu6_x - (0.384_rk*t150 + s5*k7_yz)
+    nu6_x = c6*neg_k7_xz - s6*t150
+    t151 = c5*neg_h7_x - s5*neg_fu6_x
+    t152 = 0.0825_rk*t151
+    t153 = c5*nu6_x - (0.384_rk*t151 + s5*k7_yz)
+    t154 = t152 - nu6_y
     ! link 3: mass matrix, its row of this joint
-    neg_m3_7 = c4*t152 - (t151 + s4*t153)
+    m3_7 = t152 + s4*t153 - c4*t154
     ! link 6: force for a unit acceleration of a joint further out
-    neg_fu6_y = s6*h7_y
-    t154 = s5*neg_h7_x + c5*neg_fu6_x
+    fu6_y = -s6*h7_y
+    t155 = s5*neg_h7_x + c5*neg_fu6_x
     ! link 4: mass matrix, its row of this joint
-    m4_7 = 0.0825_rk*neg_fu6_y - s5*nu6_x - (c5*k7_yz - 0.384_rk*t154)
+    m4_7 = -0.0825_rk*fu6_y - s5*nu6_x - (c5*k7_yz - 0.384_rk*t155)
     ! link 2: mass matrix, its row of this joint
-    m2_2 = t134 + t140
-    neg_m2_4 = c3*t132 + s3*k4_xz
+    m2_2 = t135 + t141
+    m2_4 = -s3*k4_xz - c3*t133
     ! link 3: force for a unit acceleration of a joint further out
-    neg_fu3_x = c3*neg_fu4_x + s3*neg_h5_x
-    t155 = neg_m4_5 + s4*t109
+    fu3_x = c3*fu4_x + s3*h5_x
+    t156 = s4*t110 - m4_5
     ! link 2: mass matrix, its row of this joint
-    m2_5 = s3*nu4_x + (c3*t155 - 0.316_rk*neg_fu3_x)
-    t156 = c4*t148 + s4*t147
-    t157 = s4*h6_x - c4*neg_fu5_x
-    t158 = m4_6 + 0.0825_rk*fu4_y
-    neg_m2_6 = s3*t156 + 0.316_rk*(c3*t157 + s3*neg_fu5_y) + c3*t158
-    t159 = c4*t153 + s4*t152
-    t160 = m4_7 - 0.0825_rk*(c4*neg_fu6_y + s4*t154)
+    m2_5 = s3*nu4_x + (c3*t156 + 0.316_rk*fu3_x)
+    t157 = c4*t149 + s4*t148
+    t158 = s4*h6_x + c4*fu5_x
+    t159 = m4_6 + 0.0825_rk*fu4_y
+    neg_m2_6 = s3*t157 + 0.316_rk*(c3*t158 - s3*fu5_y) + c3*t159
+    t160 = c4*t153 + s4*t154
+    t161 = m4_7 - 0.0825_rk*(s4*t155 - c4*fu6_y)
     ! link 3: moment for a unit acceleration of a joint further out
-    nu3_y = s3*t159 - c3*t160
-    t161 = c4*t154 - s4*neg_fu6_y
+    nu3_y = s3*t160 - c3*t161
+    t162 = c4*t155 + s4*fu6_y
     ! link 2: mass matrix, its row of this joint
-    m2_7 = nu3_y - 0.316_rk*(c3*t161 + s3*t150)
-    ! factorisation M = L D L^T
-    neg_ld4_1 = c2*k4_yz - s2*(c3*k4_xz - s3*t132)
-    ld5_1 = c2*m3_5 - s2*(c3*nu4_x - 0.316_rk*fu3_y - s3*t155)
-    ld6_1 = c2*m3_6 - s2*(s3*t158 + (0.316_rk*(s3*t157 - c3*neg_fu5_y) - c3*t156))
-    neg_ld7_1 = c2*neg_m3_7 + s2*(c3*t159 - (0.316_rk*(c3*t150 - s3*t161) - s3*t160))
-    ! link 1: forward substitution
-    neg_y1 = n1_z - tau(1)
-    ! factorisation M = L D L^T
-    ipivot1 = 1.0_rk / m1_1
-    neg_l2_1 = k2_yz*ipivot1
-    l3_1 = nu2_y*ipivot1
-    neg_l4_1 = neg_ld4_1*ipivot1
-    l5_1 = ld5_1*ipivot1
-    l6_1 = ld6_1*ipivot1
-    neg_l7_1 = neg_ld7_1*ipivot1
-    pivot2 = m2_2 - k2_yz*neg_l2_1
-    ipivot2 = 1.0_rk / pivot2
-    ld3_2 = m2_3 + k2_yz*l3_1
-    l3_2 = ipivot2*ld3_2
-    neg_ld4_2 = neg_m2_4 + k2_yz*neg_l4_1
-    neg_l4_2 = ipivot2*neg_ld4_2
-    ld5_2 = m2_5 + k2_yz*l5_1
-    l5_2 = ipivot2*ld5_2
-    neg_ld6_2 = neg_m2_6 - k2_yz*l6_1
-    neg_l6_2 = ipivot2*neg_ld6_2
-    neg_ld7_2 = k2_yz*neg_l7_1 - m2_7
-    neg_l7_2 = ipivot2*neg_ld7_2
-    pivot3 = m3_3 - nu2_y*l3_1 - ld3_2*l3_2
-    ipivot3 = 1.0_rk / pivot3
-    neg_ld4_3 = k4_yz - nu2_y*neg_l4_1 - ld3_2*neg_l4_2
-    neg_l4_3 = ipivot3*neg_ld4_3
-    ld5_3 = m3_5 - nu2_y*l5_1 - ld3_2*l5_2
-    l5_3 = ipivot3*ld5_3
-    ld6_3 = m3_6 - nu2_y*l6_1 + ld3_2*neg_l6_2
-    l6_3 = ipivot3*ld6_3
-    neg_ld7_3 = neg_m3_7 - nu2_y*neg_l7_1 - ld3_2*neg_l7_2
-    neg_l7_3 = ipivot3*neg_ld7_3
-    pivot4 = m4_4 - neg_ld4_1*neg_l4_1 - neg_ld4_2*neg_l4_2 - neg_ld4_3*neg_l4_3
-    ipivot4 = 1.0_rk / pivot4
-    neg_ld5_4 = neg_m4_5 - neg_ld4_1*l5_1 - neg_ld4_2*l5_2 - neg_ld4_3*l5_3
-    neg_l5_4 = ipivot4*neg_ld5_4
-    ld6_4 = m4_6 + neg_ld4_1*l6_1 - neg_ld4_2*neg_l6_2 + neg_ld4_3*l6_3
-    l6_4 = ipivot4*ld6_4
-    ld7_4 = m4_7 - neg_ld4_1*neg_l7_1 - neg_ld4_2*neg_l7_2 - neg_ld4_3*neg_l7_3
-    l7_4 = ipivot4*ld7_4
-    pivot5 = m5_5 - ld5_1*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 - neg_ld5_4*neg_l5_4
-    ipivot5 = 1.0_rk / pivot5
-    ld6_5 = neg_k6_yz - ld5_1*l6_1 + ld5_2*neg_l6_2 - ld5_3*l6_3 + neg_ld5_4*l6_4
-    l6_5 = ipivot5*ld6_5
-    neg_ld7_5 = neg_nu6_y - ld5_1*neg_l7_1 - ld5_2*neg_l7_2 - ld5_3*neg_l7_3 - neg_ld5_4*l7_4
-    neg_l7_5 = ipivot5*neg_ld7_5
-    neg_pivot6 = ld6_1*l6_1 - m6_6 + neg_ld6_2*neg_l6_2 + ld6_3*l6_3 + ld6_4*l6_4 + ld6_5*l6_5
-    neg_ipivot6 = 1.0_rk / neg_pivot6
-    neg_ld7_6 = k7_yz - ld6_1*neg_l7_1 + neg_ld6_2*neg_l7_2 - ld6_3*neg_l7_3 + ld6_4*l7_4 - &
-        ld6_5*neg_l7_5
-    l7_6 = neg_ipivot6*neg_ld7_6
-    t162 = 0.006684151967360947_rk - neg_ld7_1*neg_l7_1 - neg_ld7_2*neg_l7_2 - neg_ld7_3*neg_l7_3 &
-        - ld7_4*l7_4 - neg_ld7_5*neg_l7_5
-    pivot7 = t162 + neg_ld7_6*l7_6
-    ipivot7 = 1.0_rk / pivot7
-    ! link 2: forward substitution
-    neg_y2 = n2_z - tau(2) + neg_y1*neg_l2_1
-    ! link 3: forward substitution
-    neg_y3 = n3_z - tau(3) - neg_y1*l3_1 - l3_2*neg_y2
-    ! link 4: forward substitution
-    neg_y4 = n4_z - tau(4) + neg_y1*neg_l4_1 + neg_l4_2*neg_y2 + neg_l4_3*neg_y3
-    ! link 5: forward substitution
-    neg_y5 = n5_z - tau(5) - neg_y1*l5_1 - l5_2*neg_y2 - l5_3*neg_y3 + neg_l5_4*neg_y4
-    ! link 6: forward substitution
-    y6 = neg_n6_z + tau(6) + neg_y1*l6_1 - neg_l6_2*neg_y2 + l6_3*neg_y3 + l6_4*neg_y4 + &
-        l6_5*neg_y5
-    t163 = nc7_z - tau(7) + neg_y1*neg_l7_1 + neg_l7_2*neg_y2 + neg_l7_3*neg_y3 - l7_4*neg_y4 + &
-        neg_l7_5*neg_y5
+    m2_7 = nu3_y - 0.316_rk*(c3*t162 + s3*t151)
+    ! factorisation M = U D U^T
+    ud1_7 = c2*m3_7 + s2*(0.316_rk*(c3*t151 - s3*t162) - s3*t161 - c3*t160)
     ! link 7: forward substitution
-    neg_y7 = t163 + l7_6*y6
-    ! link 7: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd7 = ipivot7*neg_y7
-    ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd6 = neg_ipivot6*y6 - l7_6*neg_qdd7
-    ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd5 = ipivot5*neg_y5 - l6_5*neg_qdd6 + neg_l7_5*neg_qdd7
-    ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd4 = ipivot4*neg_y4 + neg_l5_4*neg_qdd5 - l6_4*neg_qdd6 - l7_4*neg_qdd7
-    ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd3 = ipivot3*neg_y3 + neg_l4_3*neg_qdd4 - l5_3*neg_qdd5 - l6_3*neg_qdd6 + &
-        neg_l7_3*neg_qdd7
-    ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd2 = ipivot2*neg_y2 - l3_2*neg_qdd3 + neg_l4_2*neg_qdd4 - l5_2*neg_qdd5 + &
-        neg_l6_2*neg_qdd6 + neg_l7_2*neg_qdd7
-    t164 = neg_y1*ipivot1 + neg_l2_1*neg_qdd2 - l3_1*neg_qdd3 + neg_l4_1*neg_qdd4 - l5_1*neg_qdd5 &
-        - l6_1*neg_qdd6
+    y7 = tau(7) - nc7_z
+    ! factorisation M = U D U^T
+    u6_7 = -149.60760989322964_rk*k7_yz
+    u5_7 = 149.60760989322964_rk*nu6_y
+    u4_7 = 149.60760989322964_rk*m4_7
+    u3_7 = 149.60760989322964_rk*m3_7
+    u2_7 = 149.60760989322964_rk*m2_7
+    u1_7 = 149.60760989322964_rk*ud1_7
+    pivot6 = m6_6 + k7_yz*u6_7
+    ipivot6 = 1.0_rk / pivot6
+    ud5_6 = neg_k6_yz + k7_yz*u5_7
+    u5_6 = ipivot6*ud5_6
+    ud4_6 = m4_6 + k7_yz*u4_7
+    u4_6 = ipivot6*ud4_6
+    ud3_6 = m3_6 + k7_yz*u3_7
+    u3_6 = ipivot6*ud3_6
+    ud2_6 = k7_yz*u2_7 - neg_m2_6
+    u2_6 = ipivot6*ud2_6
+    t163 = c2*m3_6 - s2*(s3*t159 + (0.316_rk*(s3*t158 + c3*fu5_y) - c3*t157))
+    ud1_6 = t163 + k7_yz*u1_7
+    u1_6 = ipivot6*ud1_6
+    pivot5 = m5_5 - nu6_y*u5_7 - ud5_6*u5_6
+    ipivot5 = 1.0_rk / pivot5
+    ud4_5 = m4_5 - nu6_y*u4_7 - ud5_6*u4_6
+    u4_5 = ipivot5*ud4_5
+    ud3_5 = m3_5 - nu6_y*u3_7 - ud5_6*u3_6
+    u3_5 = ipivot5*ud3_5
+    ud2_5 = m2_5 - nu6_y*u2_7 - ud5_6*u2_6
+    u2_5 = ipivot5*ud2_5
+    t164 = c2*m3_5 - s2*(c3*nu4_x - 0.316_rk*fu3_y - s3*t156) - nu6_y*u1_7
+    ud1_5 = t164 - ud5_6*u1_6
+    u1_5 = ipivot5*ud1_5
+    pivot4 = m4_4 - m4_7*u4_7 - ud4_6*u4_6 - ud4_5*u4_5
+    ipivot4 = 1.0_rk / pivot4
+    ud3_4 = -(k4_yz + m4_7*u3_7 + ud4_6*u3_6) - ud4_5*u3_5
+    u3_4 = ipivot4*ud3_4
+    ud2_4 = m2_4 - m4_7*u2_7 - ud4_6*u2_6 - ud4_5*u2_5
+    u2_4 = ipivot4*ud2_4
+    t165 = c2*k4_yz - s2*(c3*k4_xz - s3*t133) + m4_7*u1_7 + ud4_6*u1_6
+    ud1_4 = -t165 - ud4_5*u1_5
+    u1_4 = ipivot4*ud1_4
+    pivot3 = m3_3 - m3_7*u3_7 - ud3_6*u3_6 - ud3_5*u3_5 - ud3_4*u3_4
+    ipivot3 = 1.0_rk / pivot3
+    ud2_3 = m2_3 - m3_7*u2_7 - ud3_6*u2_6 - ud3_5*u2_5 - ud3_4*u2_4
+    u2_3 = ipivot3*ud2_3
+    ud1_3 = nu2_y - m3_7*u1_7 - ud3_6*u1_6 - ud3_5*u1_5 - ud3_4*u1_4
+    u1_3 = ipivot3*ud1_3
+    pivot2 = m2_2 - m2_7*u2_7 - ud2_6*u2_6 - ud2_5*u2_5 - ud2_4*u2_4 - ud2_3*u2_3
+    ipivot2 = 1.0_rk / pivot2
+    ud1_2 = -ud2_3*u1_3 - (k2_yz + m2_7*u1_7 + ud2_6*u1_6 + ud2_5*u1_5 + ud2_4*u1_4)
+    u1_2 = ipivot2*ud1_2
+    t166 = m1_1 - ud1_7*u1_7 - ud1_6*u1_6 - ud1_5*u1_5 - ud1_4*u1_4 - ud1_3*u1_3
+    pivot1 = t166 - ud1_2*u1_2
+    ipivot1 = 1.0_rk / pivot1
+    ! link 6: forward substitution
+    y6 = neg_n6_z + tau(6) - y7*u6_7
+    ! link 5: forward substitution
+    y5 = -y7*u5_7 - (n5_z - tau(5)) - u5_6*y6
+    ! link 4: forward substitution
+    y4 = -u4_5*y5 - (n4_z - tau(4) + y7*u4_7 + u4_6*y6)
+    ! link 3: forward substitution
+    y3 = -u3_4*y4 - (n3_z - tau(3) + y7*u3_7 + u3_6*y6 + u3_5*y5)
+    ! link 2: forward substitution
+    neg_y2 = n2_z - tau(2) + y7*u2_7 + u2_6*y6 + u2_5*y5 + u2_4*y4 + u2_3*y3
+    t167 = n1_z - tau(1) + y7*u1_7 + u1_6*y6 + u1_5*y5 + u1_4*y4 + u1_3*y3
+    ! link 1: forward substitution
+    y1 = u1_2*neg_y2 - t167
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = -neg_l7_1*neg_qdd7 - t164
-    t165 = -neg_qdd2
-    t166 = -neg_qdd3
-    t167 = -neg_qdd4
-    t168 = -neg_qdd5
-    t169 = -neg_qdd6
-    t170 = -neg_qdd7
+    qdd1 = ipivot1*y1
+    ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd2 = -(ipivot2*neg_y2) - u1_2*qdd1
+    ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd3 = ipivot3*y3 - u2_3*qdd2 - u1_3*qdd1
+    ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd4 = -u1_4*qdd1 - (u3_4*qdd3 - ipivot4*y4 + u2_4*qdd2)
+    ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd5 = -(u4_5*qdd4 - ipivot5*y5 + u3_5*qdd3 + u2_5*qdd2) - u1_5*qdd1
+    ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd6 = -u1_6*qdd1 - (u5_6*qdd5 - ipivot6*y6 + u4_6*qdd4 + u3_6*qdd3 + u2_6*qdd2)
+    t168 = u6_7*qdd6 - 149.60760989322964_rk*y7 + u5_7*qdd5 + u4_7*qdd4 + u3_7*qdd3 + u2_7*qdd2
+    ! link 7: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd7 = -u1_7*qdd1 - t168
     qdd(1) = qdd1
-    qdd(2) = t165
-    qdd(3) = t166
-    qdd(4) = t167
-    qdd(5) = t168
-    qdd(6) = t169
-    qdd(7) = t170
+    qdd(2) = qdd2
+    qdd(3) = qdd3
+    qdd(4) = qdd4
+    qdd(5) = qdd5
+    qdd(6) = qdd6
+    qdd(7) = qdd7
   end subroutine
 end module

@@ -33,7 +33,7 @@
  *   gravity: 60 multiplications, 36 additions = 96; 2 unary minus; 12 sine/cosine
  *   bias: 257 multiplications, 242 additions = 499; 1 unary minus; 12 sine/cosine
  *   mass_matrix: 184 multiplications, 166 additions = 350; 3 unary minus; 12 sine/cosine
- *   forward_dynamics: 567 multiplications, 513 additions, 7 divisions = 1087; 7 unary minus; 12
+ *   forward_dynamics: 567 multiplications, 513 additions, 6 divisions = 1086; 22 unary minus; 12
  *       sine/cosine
  */
 #ifndef PANDA_H

@@ -42,7 +42,7 @@
  *   gravity: 16 multiplications, 7 additions = 23; 1 unary minus; 8 sine/cosine
  *   bias: 128 multiplications, 92 additions = 220; 0 unary minus; 8 sine/cosine
  *   mass_matrix: 58 multiplications, 55 additions = 113; 1 unary minus; 8 sine/cosine
- *   forward_dynamics: 271 multiplications, 215 additions, 6 divisions = 492; 3 unary minus; 8
+ *   forward_dynamics: 249 multiplications, 204 additions, 4 divisions = 457; 2 unary minus; 8
  *       sine/cosine
  */
 #include "puma560.h"
@@ -547,7 +547,7 @@ void puma560_mass_matrix(const puma560_real q[6], puma560_real M[36])
 
 /* accelerations that the torques tau give
  * with rotor inertia
- * 271 multiplications, 215 additions, 6 divisions = 492; 3 unary minus; 8 sine/cosine */
+ * 249 multiplications, 204 additions, 4 divisions = 457; 2 unary minus; 8 sine/cosine */
 void puma560_forward_dynamics(
     const puma560_real q[6],
     const puma560_real qd[6],
@@ -717,7 +717,7 @@ void puma560_forward_dynamics(
     const puma560_real t60 = s23*(s23*(t50 + 0.298375024 + t52)) + t59 + (t59 + (c2*(1.601861202*c2
         - 0.0141984*s2) - 6.010691657));
     /* link 1: mass matrix, its row of this joint */
-    const puma560_real neg_m1_1 = m4_4 - t60;
+    const puma560_real m1_1 = t60 - m4_4;
     /* link 3: mass matrix, its row of this joint */
     const puma560_real neg_m3_4 = t45*t54;
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
@@ -737,95 +737,87 @@ void puma560_forward_dynamics(
     const puma560_real t67 = 7.394088669950739*(s23*t42 - c4*t65);
     /* link 1: mass matrix, its row of this joint */
     const puma560_real neg_m1_5 = nu2_y - t67;
+    const puma560_real t68 = t57 - t65;
     /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_real nu3_y = 0.6841817186644773*(t57 - t65);
-    const puma560_real t68 = t53 + 6.458114002 + t10*t61;
-    const puma560_real t69 = t52 - (t50 - 6.124668753);
+    const puma560_real nu3_y = 0.6841817186644773*t68;
+    const puma560_real t69 = t53 + 6.458114002 + t10*t61;
+    const puma560_real t70 = t52 - (t50 - 6.124668753);
     /* link 2: mass matrix, its row of this joint */
-    const puma560_real m2_3 = t68 - t69;
-    const puma560_real m2_2 = t68 + m2_3;
-    const puma560_real t70 = t42*t64;
-    const puma560_real neg_m2_4 = neg_m3_4 - (c23*t63 - t62*t70);
-    const puma560_real m2_5 = t10*t67 + (m3_5 + (c4*(s23*t66) + c23*t70));
+    const puma560_real m2_3 = t69 - t70;
+    const puma560_real m2_2 = t69 + m2_3;
+    const puma560_real t71 = t42*t64;
+    const puma560_real m2_4 = c23*t63 - t62*t71 - neg_m3_4;
+    const puma560_real m2_5 = t10*t67 + (m3_5 + (c4*(s23*t66) + c23*t71));
     /* link 4: moment for a unit acceleration of a joint further out */
     const puma560_real nu4_y = 0.6841817186644773*t54;
     /* link 3: mass matrix, its row of this joint */
-    const puma560_real neg_m3_3 = t69 - 7.288114002;
-    /* link 1: forward substitution */
-    const puma560_real neg_y1 = tau1 - tau[0];
-    /* factorisation M = L D L^T */
-    const puma560_real neg_ipivot1 = 1.0 / neg_m1_1;
-    const puma560_real neg_l2_1 = m1_2*neg_ipivot1;
-    const puma560_real neg_l3_1 = m1_3*neg_ipivot1;
-    const puma560_real neg_l4_1 = m1_4*neg_ipivot1;
-    const puma560_real l5_1 = neg_m1_5*neg_ipivot1;
-    const puma560_real l6_1 = nu3_y*neg_ipivot1;
-    const puma560_real pivot2 = m2_2 + m1_2*neg_l2_1;
-    const puma560_real ipivot2 = 1.0 / pivot2;
-    const puma560_real ld3_2 = m2_3 + m1_2*neg_l3_1;
-    const puma560_real l3_2 = ipivot2*ld3_2;
-    const puma560_real neg_ld4_2 = neg_m2_4 - m1_2*neg_l4_1;
-    const puma560_real neg_l4_2 = ipivot2*neg_ld4_2;
-    const puma560_real ld5_2 = m2_5 - m1_2*l5_1;
-    const puma560_real l5_2 = ipivot2*ld5_2;
-    const puma560_real ld6_2 = nu4_y - m1_2*l6_1;
-    const puma560_real l6_2 = ipivot2*ld6_2;
-    const puma560_real neg_pivot3 = neg_m3_3 - m1_3*neg_l3_1 + ld3_2*l3_2;
-    const puma560_real neg_ipivot3 = 1.0 / neg_pivot3;
-    const puma560_real neg_ld4_3 = neg_m3_4 - m1_3*neg_l4_1 - ld3_2*neg_l4_2;
-    const puma560_real l4_3 = neg_ipivot3*neg_ld4_3;
-    const puma560_real ld5_3 = m3_5 - m1_3*l5_1 - ld3_2*l5_2;
-    const puma560_real neg_l5_3 = neg_ipivot3*ld5_3;
-    const puma560_real ld6_3 = nu4_y - m1_3*l6_1 - ld3_2*l6_2;
-    const puma560_real neg_l6_3 = neg_ipivot3*ld6_3;
-    const puma560_real pivot4 = m4_4 + m1_4*neg_l4_1 - neg_ld4_2*neg_l4_2 + neg_ld4_3*l4_3;
-    const puma560_real ipivot4 = 1.0 / pivot4;
-    const puma560_real neg_ld5_4 = m1_4*l5_1 - neg_ld4_2*l5_2 + neg_ld4_3*neg_l5_3;
-    const puma560_real neg_l5_4 = ipivot4*neg_ld5_4;
-    const puma560_real ld6_4 = neg_nu5_y - m1_4*l6_1 + neg_ld4_2*l6_2 - neg_ld4_3*neg_l6_3;
-    const puma560_real l6_4 = ipivot4*ld6_4;
-    const puma560_real pivot5 = neg_m1_5*l5_1 + 0.17964216 - ld5_2*l5_2 + ld5_3*neg_l5_3 -
-        neg_ld5_4*neg_l5_4;
-    const puma560_real ipivot5 = 1.0 / pivot5;
-    const puma560_real ld6_5 = neg_m1_5*l6_1 - ld5_2*l6_2 + ld5_3*neg_l6_3 + neg_ld5_4*l6_4;
-    const puma560_real l6_5 = ipivot5*ld6_5;
-    const puma560_real pivot6 = nu3_y*l6_1 + 0.19304 - ld6_2*l6_2 + ld6_3*neg_l6_3 - ld6_4*l6_4 -
-        ld6_5*l6_5;
-    const puma560_real ipivot6 = 1.0 / pivot6;
-    /* link 2: forward substitution */
-    const puma560_real neg_y2 = tau2 - tau[1] + neg_y1*neg_l2_1;
-    /* link 3: forward substitution */
-    const puma560_real neg_y3 = n3_z - tau[2] + neg_y1*neg_l3_1 - l3_2*neg_y2;
-    /* link 4: forward substitution */
-    const puma560_real neg_y4 = n4_z - tau[3] + neg_y1*neg_l4_1 + neg_l4_2*neg_y2 - l4_3*neg_y3;
+    const puma560_real m3_3 = 7.288114002 - t70;
     /* link 5: forward substitution */
-    const puma560_real neg_y5 = n5_z - tau[4] - neg_y1*l5_1 - l5_2*neg_y2 + neg_l5_3*neg_y3 +
-        neg_l5_4*neg_y4;
+    const puma560_real neg_y5 = n5_z - tau[4];
     /* link 6: forward substitution */
-    const puma560_real y6 = tau[5] - n06_z + neg_y1*l6_1 + l6_2*neg_y2 - neg_l6_3*neg_y3 +
-        l6_4*neg_y4 + l6_5*neg_y5;
-    /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_real qdd6 = ipivot6*y6;
-    /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_real neg_qdd5 = ipivot5*neg_y5 + l6_5*qdd6;
-    /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_real neg_qdd4 = ipivot4*neg_y4 + neg_l5_4*neg_qdd5 + l6_4*qdd6;
-    /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_real qdd3 = neg_ipivot3*neg_y3 + l4_3*neg_qdd4 - neg_l5_3*neg_qdd5 +
-        neg_l6_3*qdd6;
-    /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_real neg_qdd2 = ipivot2*neg_y2 + l3_2*qdd3 + neg_l4_2*neg_qdd4 - l5_2*neg_qdd5 +
-        l6_2*qdd6;
+    const puma560_real y6 = tau[5] - n06_z;
+    /* factorisation M = U D U^T */
+    const puma560_real u4_6 = 0.00020721094073767094*c5;
+    const puma560_real u3_6 = 3.5442484389995714*t54;
+    const puma560_real neg_u1_6 = 3.5442484389995714*t68;
+    const puma560_real u3_5 = 5.566622000091738*m3_5;
+    const puma560_real u2_5 = 5.566622000091738*m2_5;
+    const puma560_real neg_u1_5 = 5.566622000091738*neg_m1_5;
+    const puma560_real pivot4 = m4_4 - neg_nu5_y*u4_6;
+    const puma560_real ipivot4 = 1.0 / pivot4;
+    const puma560_real t72 = neg_nu5_y*u3_6;
+    const puma560_real neg_ud3_4 = neg_m3_4 + t72;
+    const puma560_real neg_u3_4 = ipivot4*neg_ud3_4;
+    const puma560_real neg_ud2_4 = t72 - m2_4;
+    const puma560_real neg_u2_4 = ipivot4*neg_ud2_4;
+    const puma560_real ud1_4 = m1_4 + neg_nu5_y*neg_u1_6;
+    const puma560_real u1_4 = ipivot4*ud1_4;
+    const puma560_real t73 = nu4_y*u3_6;
+    const puma560_real neg_pivot3 = t73 - m3_3 + m3_5*u3_5 + neg_ud3_4*neg_u3_4;
+    const puma560_real neg_ipivot3 = 1.0 / neg_pivot3;
+    const puma560_real ud2_3 = m2_3 - t73 - m3_5*u2_5 - neg_ud3_4*neg_u2_4;
+    const puma560_real neg_u2_3 = neg_ipivot3*ud2_3;
+    const puma560_real t74 = nu4_y*neg_u1_6;
+    const puma560_real ud1_3 = m1_3 + t74 + m3_5*neg_u1_5 + neg_ud3_4*u1_4;
+    const puma560_real neg_u1_3 = neg_ipivot3*ud1_3;
+    const puma560_real pivot2 = m2_2 - t73 - m2_5*u2_5 - neg_ud2_4*neg_u2_4 + ud2_3*neg_u2_3;
+    const puma560_real ipivot2 = 1.0 / pivot2;
+    const puma560_real ud1_2 = m1_2 + t74 + m2_5*neg_u1_5 + neg_ud2_4*u1_4 + ud2_3*neg_u1_3;
+    const puma560_real u1_2 = ipivot2*ud1_2;
+    const puma560_real neg_pivot1 = nu3_y*neg_u1_6 - m1_1 + neg_m1_5*neg_u1_5 + ud1_4*u1_4 -
+        ud1_3*neg_u1_3 + ud1_2*u1_2;
+    const puma560_real neg_ipivot1 = 1.0 / neg_pivot1;
+    /* link 4: forward substitution */
+    const puma560_real neg_y4 = n4_z - tau[3] + y6*u4_6;
+    const puma560_real t75 = y6*u3_6;
+    /* link 3: forward substitution */
+    const puma560_real neg_y3 = n3_z - tau[2] + t75 - neg_y5*u3_5 + neg_u3_4*neg_y4;
+    /* link 2: forward substitution */
+    const puma560_real neg_y2 = tau2 - tau[1] + t75 - neg_y5*u2_5 + neg_u2_4*neg_y4 +
+        neg_u2_3*neg_y3;
+    /* link 1: forward substitution */
+    const puma560_real neg_y1 = tau1 - tau[0] - y6*neg_u1_6 + neg_y5*neg_u1_5 - u1_4*neg_y4 +
+        neg_u1_3*neg_y3 - u1_2*neg_y2;
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_real qdd1 = neg_y1*neg_ipivot1 - neg_l2_1*neg_qdd2 + neg_l3_1*qdd3 -
-        neg_l4_1*neg_qdd4 + l5_1*neg_qdd5 - l6_1*qdd6;
-    const puma560_real t71 = -neg_qdd2;
-    const puma560_real t72 = -neg_qdd4;
-    const puma560_real t73 = -neg_qdd5;
+    const puma560_real qdd1 = neg_ipivot1*neg_y1;
+    /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const puma560_real neg_qdd2 = ipivot2*neg_y2 + u1_2*qdd1;
+    /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const puma560_real qdd3 = neg_ipivot3*neg_y3 - neg_u2_3*neg_qdd2 + neg_u1_3*qdd1;
+    /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const puma560_real neg_qdd4 = ipivot4*neg_y4 - neg_u3_4*qdd3 + neg_u2_4*neg_qdd2 + u1_4*qdd1;
+    /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const puma560_real qdd5 = neg_u1_5*qdd1 - (5.566622000091738*neg_y5 + u3_5*qdd3 -
+        u2_5*neg_qdd2);
+    /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const puma560_real qdd6 = neg_u1_6*qdd1 + (5.180273518441774*y6 + u4_6*neg_qdd4) +
+        u3_6*(neg_qdd2 - qdd3);
+    const puma560_real t76 = -neg_qdd2;
+    const puma560_real t77 = -neg_qdd4;
     qdd[0] = qdd1;
-    qdd[1] = t71;
+    qdd[1] = t76;
     qdd[2] = qdd3;
-    qdd[3] = t72;
-    qdd[4] = t73;
+    qdd[3] = t77;
+    qdd[4] = qdd5;
     qdd[5] = qdd6;
 }

@@ -41,7 +41,7 @@
 !   gravity: 16 multiplications, 7 additions = 23; 1 unary minus; 8 sine/cosine
 !   bias: 128 multiplications, 92 additions = 220; 0 unary minus; 8 sine/cosine
 !   mass_matrix: 58 multiplications, 55 additions = 113; 1 unary minus; 8 sine/cosine
-!   forward_dynamics: 271 multiplications, 215 additions, 6 divisions = 492; 3 unary minus; 8
+!   forward_dynamics: 249 multiplications, 204 additions, 4 divisions = 457; 2 unary minus; 8
 !       sine/cosine
 module puma560_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -573,7 +573,7 @@ contains
 
   ! accelerations that the torques tau give
   ! with rotor inertia
-  ! 271 multiplications, 215 additions, 6 divisions = 492; 3 unary minus; 8 sine/cosine
+  ! 249 multiplications, 204 additions, 4 divisions = 457; 2 unary minus; 8 sine/cosine
   pure subroutine puma560_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="puma560_forward_dynamics_f")
     real(rk), intent(in) :: q(6)
@@ -588,14 +588,13 @@ contains
     real(rk) :: t22, t23, t24, t25, t26, t27, neg_n3_y, n4_x, t28, lam3_22, t29, t30, n5_z, nc4_y
     real(rk) :: t31, t32, n3_x, t33, t34, t35, t36, t37, t38, t39, tau1, n3_z, tau2, neg_nu5_y, t40
     real(rk) :: t41, t42, m3_5, t43, h4_x, t44, t45, t46, h3_x, t47, t48, t49, m4_4, t50, t51, t52
-    real(rk) :: t53, t54, t55, t56, t57, t58, t59, t60, neg_m1_1, neg_m3_4, h3_y, t61, t62, m1_3
-    real(rk) :: t63, m1_2, t64, m1_4, t65, t66, nu2_y, t67, neg_m1_5, nu3_y, t68, t69, m2_3, m2_2
-    real(rk) :: t70, neg_m2_4, m2_5, nu4_y, neg_m3_3, neg_y1, neg_ipivot1, neg_l2_1, neg_l3_1
-    real(rk) :: neg_l4_1, l5_1, l6_1, pivot2, ipivot2, ld3_2, l3_2, neg_ld4_2, neg_l4_2, ld5_2
-    real(rk) :: l5_2, ld6_2, l6_2, neg_pivot3, neg_ipivot3, neg_ld4_3, l4_3, ld5_3, neg_l5_3, ld6_3
-    real(rk) :: neg_l6_3, pivot4, ipivot4, neg_ld5_4, neg_l5_4, ld6_4, l6_4, pivot5, ipivot5, ld6_5
-    real(rk) :: l6_5, pivot6, ipivot6, neg_y2, neg_y3, neg_y4, neg_y5, y6, qdd6, neg_qdd5, neg_qdd4
-    real(rk) :: qdd3, neg_qdd2, qdd1, t71, t72, t73
+    real(rk) :: t53, t54, t55, t56, t57, t58, t59, t60, m1_1, neg_m3_4, h3_y, t61, t62, m1_3, t63
+    real(rk) :: m1_2, t64, m1_4, t65, t66, nu2_y, t67, neg_m1_5, t68, nu3_y, t69, t70, m2_3, m2_2
+    real(rk) :: t71, m2_4, m2_5, nu4_y, m3_3, neg_y5, y6, u4_6, u3_6, neg_u1_6, u3_5, u2_5
+    real(rk) :: neg_u1_5, pivot4, ipivot4, t72, neg_ud3_4, neg_u3_4, neg_ud2_4, neg_u2_4, ud1_4
+    real(rk) :: u1_4, t73, neg_pivot3, neg_ipivot3, ud2_3, neg_u2_3, t74, ud1_3, neg_u1_3, pivot2
+    real(rk) :: ipivot2, ud1_2, u1_2, neg_pivot1, neg_ipivot1, neg_y4, t75, neg_y3, neg_y2, neg_y1
+    real(rk) :: qdd1, neg_qdd2, qdd3, neg_qdd4, qdd5, qdd6, t76, t77
 
     ! link 3: angular velocity [rad/s]
     w3_z = qd(2) + qd(3)
@@ -756,7 +755,7 @@ contains
     t60 = s23*(s23*(t50 + 0.298375024_rk + t52)) + t59 + (t59 + (c2*(1.601861202_rk*c2 - &
         0.0141984_rk*s2) - 6.010691657_rk))
     ! link 1: mass matrix, its row of this joint
-    neg_m1_1 = m4_4 - t60
+    m1_1 = t60 - m4_4
     ! link 3: mass matrix, its row of this joint
     neg_m3_4 = t45*t54
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
@@ -776,90 +775,85 @@ contains
     t67 = 7.394088669950739_rk*(s23*t42 - c4*t65)
     ! link 1: mass matrix, its row of this joint
     neg_m1_5 = nu2_y - t67
+    t68 = t57 - t65
     ! link 3: moment for a unit acceleration of a joint further out
-    nu3_y = 0.6841817186644773_rk*(t57 - t65)
-    t68 = t53 + 6.458114002_rk + t10*t61
-    t69 = t52 - (t50 - 6.124668753_rk)
+    nu3_y = 0.6841817186644773_rk*t68
+    t69 = t53 + 6.458114002_rk + t10*t61
+    t70 = t52 - (t50 - 6.124668753_rk)
     ! link 2: mass matrix, its row of this joint
-    m2_3 = t68 - t69
-    m2_2 = t68 + m2_3
-    t70 = t42*t64
-    neg_m2_4 = neg_m3_4 - (c23*t63 - t62*t70)
-    m2_5 = t10*t67 + (m3_5 + (c4*(s23*t66) + c23*t70))
+    m2_3 = t69 - t70
+    m2_2 = t69 + m2_3
+    t71 = t42*t64
+    m2_4 = c23*t63 - t62*t71 - neg_m3_4
+    m2_5 = t10*t67 + (m3_5 + (c4*(s23*t66) + c23*t71))
     ! link 4: moment for a unit acceleration of a joint further out
     nu4_y = 0.6841817186644773_rk*t54
     ! link 3: mass matrix, its row of this joint
-    neg_m3_3 = t69 - 7.288114002_rk
-    ! link 1: forward substitution
-    neg_y1 = tau1 - tau(1)
-    ! factorisation M = L D L^T
-    neg_ipivot1 = 1.0_rk / neg_m1_1
-    neg_l2_1 = m1_2*neg_ipivot1
-    neg_l3_1 = m1_3*neg_ipivot1
-    neg_l4_1 = m1_4*neg_ipivot1
-    l5_1 = neg_m1_5*neg_ipivot1
-    l6_1 = nu3_y*neg_ipivot1
-    pivot2 = m2_2 + m1_2*neg_l2_1
-    ipivot2 = 1.0_rk / pivot2
-    ld3_2 = m2_3 + m1_2*neg_l3_1
-    l3_2 = ipivot2*ld3_2
-    neg_ld4_2 = neg_m2_4 - m1_2*neg_l4_1
-    neg_l4_2 = ipivot2*neg_ld4_2
-    ld5_2 = m2_5 - m1_2*l5_1
-    l5_2 = ipivot2*ld5_2
-    ld6_2 = nu4_y - m1_2*l6_1
-    l6_2 = ipivot2*ld6_2
-    neg_pivot3 = neg_m3_3 - m1_3*neg_l3_1 + ld3_2*l3_2
-    neg_ipivot3 = 1.0_rk / neg_pivot3
-    neg_ld4_3 = neg_m3_4 - m1_3*neg_l4_1 - ld3_2*neg_l4_2
-    l4_3 = neg_ipivot3*neg_ld4_3
-    ld5_3 = m3_5 - m1_3*l5_1 - ld3_2*l5_2
-    neg_l5_3 = neg_ipivot3*ld5_3
-    ld6_3 = nu4_y - m1_3*l6_1 - ld3_2*l6_2
-    neg_l6_3 = neg_ipivot3*ld6_3
-    pivot4 = m4_4 + m1_4*neg_l4_1 - neg_ld4_2*neg_l4_2 + neg_ld4_3*l4_3
-    ipivot4 = 1.0_rk / pivot4
-    neg_ld5_4 = m1_4*l5_1 - neg_ld4_2*l5_2 + neg_ld4_3*neg_l5_3
-    neg_l5_4 = ipivot4*neg_ld5_4
-    ld6_4 = neg_nu5_y - m1_4*l6_1 + neg_ld4_2*l6_2 - neg_ld4_3*neg_l6_3
-    l6_4 = ipivot4*ld6_4
-    pivot5 = neg_m1_5*l5_1 + 0.17964216_rk - ld5_2*l5_2 + ld5_3*neg_l5_3 - neg_ld5_4*neg_l5_4
-    ipivot5 = 1.0_rk / pivot5
-    ld6_5 = neg_m1_5*l6_1 - ld5_2*l6_2 + ld5_3*neg_l6_3 + neg_ld5_4*l6_4
-    l6_5 = ipivot5*ld6_5
-    pivot6 = nu3_y*l6_1 + 0.19304_rk - ld6_2*l6_2 + ld6_3*neg_l6_3 - ld6_4*l6_4 - ld6_5*l6_5
-    ipivot6 = 1.0_rk / pivot6
-    ! link 2: forward substitution
-    neg_y2 = tau2 - tau(2) + neg_y1*neg_l2_1
-    ! link 3: forward substitution
-    neg_y3 = n3_z - tau(3) + neg_y1*neg_l3_1 - l3_2*neg_y2
-    ! link 4: forward substitution
-    neg_y4 = n4_z - tau(4) + neg_y1*neg_l4_1 + neg_l4_2*neg_y2 - l4_3*neg_y3
+    m3_3 = 7.288114002_rk - t70
     ! link 5: forward substitution
-    neg_y5 = n5_z - tau(5) - neg_y1*l5_1 - l5_2*neg_y2 + neg_l5_3*neg_y3 + neg_l5_4*neg_y4
+    neg_y5 = n5_z - tau(5)
     ! link 6: forward substitution
-    y6 = tau(6) - n06_z + neg_y1*l6_1 + l6_2*neg_y2 - neg_l6_3*neg_y3 + l6_4*neg_y4 + l6_5*neg_y5
-    ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd6 = ipivot6*y6
-    ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd5 = ipivot5*neg_y5 + l6_5*qdd6
-    ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd4 = ipivot4*neg_y4 + neg_l5_4*neg_qdd5 + l6_4*qdd6
-    ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd3 = neg_ipivot3*neg_y3 + l4_3*neg_qdd4 - neg_l5_3*neg_qdd5 + neg_l6_3*qdd6
-    ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd2 = ipivot2*neg_y2 + l3_2*qdd3 + neg_l4_2*neg_qdd4 - l5_2*neg_qdd5 + l6_2*qdd6
+    y6 = tau(6) - n06_z
+    ! factorisation M = U D U^T
+    u4_6 = 0.00020721094073767094_rk*c5
+    u3_6 = 3.5442484389995714_rk*t54
+    neg_u1_6 = 3.5442484389995714_rk*t68
+    u3_5 = 5.566622000091738_rk*m3_5
+    u2_5 = 5.566622000091738_rk*m2_5
+    neg_u1_5 = 5.566622000091738_rk*neg_m1_5
+    pivot4 = m4_4 - neg_nu5_y*u4_6
+    ipivot4 = 1.0_rk / pivot4
+    t72 = neg_nu5_y*u3_6
+    neg_ud3_4 = neg_m3_4 + t72
+    neg_u3_4 = ipivot4*neg_ud3_4
+    neg_ud2_4 = t72 - m2_4
+    neg_u2_4 = ipivot4*neg_ud2_4
+    ud1_4 = m1_4 + neg_nu5_y*neg_u1_6
+    u1_4 = ipivot4*ud1_4
+    t73 = nu4_y*u3_6
+    neg_pivot3 = t73 - m3_3 + m3_5*u3_5 + neg_ud3_4*neg_u3_4
+    neg_ipivot3 = 1.0_rk / neg_pivot3
+    ud2_3 = m2_3 - t73 - m3_5*u2_5 - neg_ud3_4*neg_u2_4
+    neg_u2_3 = neg_ipivot3*ud2_3
+    t74 = nu4_y*neg_u1_6
+    ud1_3 = m1_3 + t74 + m3_5*neg_u1_5 + neg_ud3_4*u1_4
+    neg_u1_3 = neg_ipivot3*ud1_3
+    pivot2 = m2_2 - t73 - m2_5*u2_5 - neg_ud2_4*neg_u2_4 + ud2_3*neg_u2_3
+    ipivot2 = 1.0_rk / pivot2
+    ud1_2 = m1_2 + t74 + m2_5*neg_u1_5 + neg_ud2_4*u1_4 + ud2_3*neg_u1_3
+    u1_2 = ipivot2*ud1_2
+    neg_pivot1 = nu3_y*neg_u1_6 - m1_1 + neg_m1_5*neg_u1_5 + ud1_4*u1_4 - ud1_3*neg_u1_3 + &
+        ud1_2*u1_2
+    neg_ipivot1 = 1.0_rk / neg_pivot1
+    ! link 4: forward substitution
+    neg_y4 = n4_z - tau(4) + y6*u4_6
+    t75 = y6*u3_6
+    ! link 3: forward substitution
+    neg_y3 = n3_z - tau(3) + t75 - neg_y5*u3_5 + neg_u3_4*neg_y4
+    ! link 2: forward substitution
+    neg_y2 = tau2 - tau(2) + t75 - neg_y5*u2_5 + neg_u2_4*neg_y4 + neg_u2_3*neg_y3
+    ! link 1: forward substitution
+    neg_y1 = tau1 - tau(1) - y6*neg_u1_6 + neg_y5*neg_u1_5 - u1_4*neg_y4 + neg_u1_3*neg_y3 - &
+        u1_2*neg_y2
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = neg_y1*neg_ipivot1 - neg_l2_1*neg_qdd2 + neg_l3_1*qdd3 - neg_l4_1*neg_qdd4 + &
-        l5_1*neg_qdd5 - l6_1*qdd6
-    t71 = -neg_qdd2
-    t72 = -neg_qdd4
-    t73 = -neg_qdd5
+    qdd1 = neg_ipivot1*neg_y1
+    ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    neg_qdd2 = ipivot2*neg_y2 + u1_2*qdd1
+    ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd3 = neg_ipivot3*neg_y3 - neg_u2_3*neg_qdd2 + neg_u1_3*qdd1
+    ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    neg_qdd4 = ipivot4*neg_y4 - neg_u3_4*qdd3 + neg_u2_4*neg_qdd2 + u1_4*qdd1
+    ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd5 = neg_u1_5*qdd1 - (5.566622000091738_rk*neg_y5 + u3_5*qdd3 - u2_5*neg_qdd2)
+    ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd6 = neg_u1_6*qdd1 + (5.180273518441774_rk*y6 + u4_6*neg_qdd4) + u3_6*(neg_qdd2 - qdd3)
+    t76 = -neg_qdd2
+    t77 = -neg_qdd4
     qdd(1) = qdd1
-    qdd(2) = t71
+    qdd(2) = t76
     qdd(3) = qdd3
-    qdd(4) = t72
-    qdd(5) = t73
+    qdd(4) = t77
+    qdd(5) = qdd5
     qdd(6) = qdd6
   end subroutine
 end module

@@ -42,7 +42,7 @@
  *   gravity: 16 multiplications, 7 additions = 23; 1 unary minus; 8 sine/cosine
  *   bias: 128 multiplications, 92 additions = 220; 0 unary minus; 8 sine/cosine
  *   mass_matrix: 58 multiplications, 55 additions = 113; 1 unary minus; 8 sine/cosine
- *   forward_dynamics: 271 multiplications, 215 additions, 6 divisions = 492; 3 unary minus; 8
+ *   forward_dynamics: 249 multiplications, 204 additions, 4 divisions = 457; 2 unary minus; 8
  *       sine/cosine
  */
 #ifndef PUMA560_H

@@ -32,7 +32,7 @@
  *   gravity: 3 multiplications, 3 additions = 6; 0 unary minus; 3 sine/cosine
  *   bias: 30 multiplications, 18 additions = 48; 1 unary minus; 4 sine/cosine
  *   mass_matrix: 12 multiplications, 12 additions = 24; 0 unary minus; 4 sine/cosine
- *   forward_dynamics: 57 multiplications, 42 additions, 3 divisions = 102; 0 unary minus; 4
+ *   forward_dynamics: 57 multiplications, 42 additions, 2 divisions = 101; 2 unary minus; 4
  *       sine/cosine
  */
 #include "puma560_3dof.h"
@@ -206,7 +206,7 @@ void puma560_3dof_mass_matrix(const puma560_3dof_real q[3], puma560_3dof_real M[
 
 /* accelerations that the torques tau give
  * with rotor inertia
- * 57 multiplications, 42 additions, 3 divisions = 102; 0 unary minus; 4 sine/cosine */
+ * 57 multiplications, 42 additions, 2 divisions = 101; 2 unary minus; 4 sine/cosine */
 void puma560_3dof_forward_dynamics(
     const puma560_3dof_real q[3],
     const puma560_3dof_real qd[3],
@@ -239,46 +239,45 @@ void puma560_3dof_forward_dynamics(
     const puma560_3dof_real tau1 = 404.8626213771833*(ww2_zz*t1) + (0.0551376*(s23*ww3_zz) +
         2.0*((c23*(w3_z*t4) - qd[1]*t6)*qd[0]));
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_3dof_real neg_lam2_33 = qd[0]*qd[0];
+    const puma560_3dof_real lam2_33 = -qd[0]*qd[0];
     const puma560_3dof_real t7 = c23*t3 + s23*t5;
     /* link 3: moment that turns the link [N m] */
-    const puma560_3dof_real neg_nc3_z = c23*(t4*neg_lam2_33) + 3.2928*s23 + ww2_zz*t7;
+    const puma560_3dof_real neg_nc3_z = 3.2928*s23 - c23*(t4*lam2_33) + ww2_zz*t7;
     /* link 2: joint torque [N m], at a prismatic joint force [N] */
-    const puma560_3dof_real neg_tau2 = neg_nc3_z - 1.02312*s2 - t6*neg_lam2_33 + (31.907232*c2 -
+    const puma560_3dof_real neg_tau2 = t6*lam2_33 - (1.02312*s2 - neg_nc3_z) + (31.907232*c2 -
         ww3_zz*t7);
     /* link 1: mass matrix, its row of this joint */
-    const puma560_3dof_real neg_m1_3 = 0.0551376*c23;
+    const puma560_3dof_real m1_3 = -0.0551376*c23;
     const puma560_3dof_real t8 = s23*t3;
     const puma560_3dof_real t9 = t8 + 0.10952;
     const puma560_3dof_real t10 = 0.09786276715410573*s2;
-    const puma560_3dof_real m1_1 = t9 + (t3*(9.434462824499878*c2 - t10) + (t8 + 2.630443438 -
-        1.3968689242912278*(c23*neg_m1_3)));
-    const puma560_3dof_real neg_m1_2 = neg_m1_3 - (0.023751*c2 + 0.609298224*s2);
+    const puma560_3dof_real m1_1 = t9 + (t3*(9.434462824499878*c2 - t10) + (t8 + 2.630443438 +
+        1.3968689242912278*(c23*m1_3)));
+    const puma560_3dof_real m1_2 = m1_3 + (0.023751*c2 + 0.609298224*s2);
     /* link 2: mass matrix, its row of this joint */
     const puma560_3dof_real m2_3 = t9 - t10*(1.4825331862068964*c23);
     const puma560_3dof_real m2_2 = m2_3 + (m2_3 + 6.115529952);
-    /* link 1: forward substitution */
-    const puma560_3dof_real neg_y1 = tau1 - tau[0];
-    /* factorisation M = L D L^T */
-    const puma560_3dof_real ipivot1 = 1.0 / m1_1;
-    const puma560_3dof_real neg_l2_1 = neg_m1_2*ipivot1;
-    const puma560_3dof_real neg_l3_1 = neg_m1_3*ipivot1;
-    const puma560_3dof_real pivot2 = m2_2 - neg_m1_2*neg_l2_1;
-    const puma560_3dof_real ipivot2 = 1.0 / pivot2;
-    const puma560_3dof_real ld3_2 = m2_3 - neg_m1_2*neg_l3_1;
-    const puma560_3dof_real l3_2 = ipivot2*ld3_2;
-    const puma560_3dof_real neg_pivot3 = neg_m1_3*neg_l3_1 - 0.93952 + ld3_2*l3_2;
-    const puma560_3dof_real neg_ipivot3 = 1.0 / neg_pivot3;
-    /* link 2: forward substitution */
-    const puma560_3dof_real y2 = neg_tau2 + tau[1] - neg_y1*neg_l2_1;
     /* link 3: forward substitution */
-    const puma560_3dof_real neg_y3 = l3_2*y2 - (neg_nc3_z + tau[2] - neg_y1*neg_l3_1);
-    /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_3dof_real qdd3 = neg_ipivot3*neg_y3;
-    /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_3dof_real qdd2 = ipivot2*y2 - l3_2*qdd3;
+    const puma560_3dof_real y3 = neg_nc3_z + tau[2];
+    /* factorisation M = U D U^T */
+    const puma560_3dof_real u2_3 = 1.0643732970027249*m2_3;
+    const puma560_3dof_real u1_3 = -0.05868698910081744*c23;
+    const puma560_3dof_real pivot2 = m2_2 - m2_3*u2_3;
+    const puma560_3dof_real ipivot2 = 1.0 / pivot2;
+    const puma560_3dof_real ud1_2 = m1_2 - m2_3*u1_3;
+    const puma560_3dof_real u1_2 = ipivot2*ud1_2;
+    const puma560_3dof_real pivot1 = m1_1 - m1_3*u1_3 - ud1_2*u1_2;
+    const puma560_3dof_real ipivot1 = 1.0 / pivot1;
+    /* link 2: forward substitution */
+    const puma560_3dof_real y2 = neg_tau2 + tau[1] - y3*u2_3;
+    /* link 1: forward substitution */
+    const puma560_3dof_real y1 = -(tau1 - tau[0] + y3*u1_3) - u1_2*y2;
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_3dof_real qdd1 = neg_l3_1*qdd3 - (neg_y1*ipivot1 - neg_l2_1*qdd2);
+    const puma560_3dof_real qdd1 = ipivot1*y1;
+    /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const puma560_3dof_real qdd2 = ipivot2*y2 - u1_2*qdd1;
+    /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const puma560_3dof_real qdd3 = 1.0643732970027249*y3 - u2_3*qdd2 - u1_3*qdd1;
     qdd[0] = qdd1;
     qdd[1] = qdd2;
     qdd[2] = qdd3;

@@ -31,7 +31,7 @@
 !   gravity: 3 multiplications, 3 additions = 6; 0 unary minus; 3 sine/cosine
 !   bias: 30 multiplications, 18 additions = 48; 1 unary minus; 4 sine/cosine
 !   mass_matrix: 12 multiplications, 12 additions = 24; 0 unary minus; 4 sine/cosine
-!   forward_dynamics: 57 multiplications, 42 additions, 3 divisions = 102; 0 unary minus; 4
+!   forward_dynamics: 57 multiplications, 42 additions, 2 divisions = 101; 2 unary minus; 4
 !       sine/cosine
 module puma560_3dof_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -213,7 +213,7 @@ contains
 
   ! accelerations that the torques tau give
   ! with rotor inertia
-  ! 57 multiplications, 42 additions, 3 divisions = 102; 0 unary minus; 4 sine/cosine
+  ! 57 multiplications, 42 additions, 2 divisions = 101; 2 unary minus; 4 sine/cosine
   pure subroutine puma560_3dof_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="puma560_3dof_forward_dynamics_f")
     real(rk), intent(in) :: q(3)
@@ -221,9 +221,8 @@ contains
     real(rk), intent(in) :: tau(3)
     real(rk), intent(out) :: qdd(3)
     real(rk) :: c2, s2, angle23, c23, s23, ww2_zz, w3_z, ww3_zz, t1, t2, t3, t4, t5, t6, tau1
-    real(rk) :: neg_lam2_33, t7, neg_nc3_z, neg_tau2, neg_m1_3, t8, t9, t10, m1_1, neg_m1_2, m2_3
-    real(rk) :: m2_2, neg_y1, ipivot1, neg_l2_1, neg_l3_1, pivot2, ipivot2, ld3_2, l3_2, neg_pivot3
-    real(rk) :: neg_ipivot3, y2, neg_y3, qdd3, qdd2, qdd1
+    real(rk) :: lam2_33, t7, neg_nc3_z, neg_tau2, m1_3, t8, t9, t10, m1_1, m1_2, m2_3, m2_2, y3
+    real(rk) :: u2_3, u1_3, pivot2, ipivot2, ud1_2, u1_2, pivot1, ipivot1, y2, y1, qdd1, qdd2, qdd3
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -247,45 +246,44 @@ contains
     tau1 = 404.8626213771833_rk*(ww2_zz*t1) + (0.0551376_rk*(s23*ww3_zz) + 2.0_rk*((c23*(w3_z*t4) &
         - qd(2)*t6)*qd(1)))
     ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam2_33 = qd(1)*qd(1)
+    lam2_33 = -qd(1)*qd(1)
     t7 = c23*t3 + s23*t5
     ! link 3: moment that turns the link [N m]
-    neg_nc3_z = c23*(t4*neg_lam2_33) + 3.2928_rk*s23 + ww2_zz*t7
+    neg_nc3_z = 3.2928_rk*s23 - c23*(t4*lam2_33) + ww2_zz*t7
     ! link 2: joint torque [N m], at a prismatic joint force [N]
-    neg_tau2 = neg_nc3_z - 1.02312_rk*s2 - t6*neg_lam2_33 + (31.907232_rk*c2 - ww3_zz*t7)
+    neg_tau2 = t6*lam2_33 - (1.02312_rk*s2 - neg_nc3_z) + (31.907232_rk*c2 - ww3_zz*t7)
     ! link 1: mass matrix, its row of this joint
-    neg_m1_3 = 0.0551376_rk*c23
+    m1_3 = -0.0551376_rk*c23
     t8 = s23*t3
     t9 = t8 + 0.10952_rk
     t10 = 0.09786276715410573_rk*s2
-    m1_1 = t9 + (t3*(9.434462824499878_rk*c2 - t10) + (t8 + 2.630443438_rk - &
-        1.3968689242912278_rk*(c23*neg_m1_3)))
-    neg_m1_2 = neg_m1_3 - (0.023751_rk*c2 + 0.609298224_rk*s2)
+    m1_1 = t9 + (t3*(9.434462824499878_rk*c2 - t10) + (t8 + 2.630443438_rk + &
+        1.3968689242912278_rk*(c23*m1_3)))
+    m1_2 = m1_3 + (0.023751_rk*c2 + 0.609298224_rk*s2)
     ! link 2: mass matrix, its row of this joint
     m2_3 = t9 - t10*(1.4825331862068964_rk*c23)
     m2_2 = m2_3 + (m2_3 + 6.115529952_rk)
-    ! link 1: forward substitution
-    neg_y1 = tau1 - tau(1)
-    ! factorisation M = L D L^T
-    ipivot1 = 1.0_rk / m1_1
-    neg_l2_1 = neg_m1_2*ipivot1
-    neg_l3_1 = neg_m1_3*ipivot1
-    pivot2 = m2_2 - neg_m1_2*neg_l2_1
-    ipivot2 = 1.0_rk / pivot2
-    ld3_2 = m2_3 - neg_m1_2*neg_l3_1
-    l3_2 = ipivot2*ld3_2
-    neg_pivot3 = neg_m1_3*neg_l3_1 - 0.93952_rk + ld3_2*l3_2
-    neg_ipivot3 = 1.0_rk / neg_pivot3
-    ! link 2: forward substitution
-    y2 = neg_tau2 + tau(2) - neg_y1*neg_l2_1
     ! link 3: forward substitution
-    neg_y3 = l3_2*y2 - (neg_nc3_z + tau(3) - neg_y1*neg_l3_1)
-    ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd3 = neg_ipivot3*neg_y3
-    ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd2 = ipivot2*y2 - l3_2*qdd3
+    y3 = neg_nc3_z + tau(3)
+    ! factorisation M = U D U^T
+    u2_3 = 1.0643732970027249_rk*m2_3
+    u1_3 = -0.05868698910081744_rk*c23
+    pivot2 = m2_2 - m2_3*u2_3
+    ipivot2 = 1.0_rk / pivot2
+    ud1_2 = m1_2 - m2_3*u1_3
+    u1_2 = ipivot2*ud1_2
+    pivot1 = m1_1 - m1_3*u1_3 - ud1_2*u1_2
+    ipivot1 = 1.0_rk / pivot1
+    ! link 2: forward substitution
+    y2 = neg_tau2 + tau(2) - y3*u2_3
+    ! link 1: forward substitution
+    y1 = -(tau1 - tau(1) + y3*u1_3) - u1_2*y2
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = neg_l3_1*qdd3 - (neg_y1*ipivot1 - neg_l2_1*qdd2)
+    qdd1 = ipivot1*y1
+    ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd2 = ipivot2*y2 - u1_2*qdd1
+    ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd3 = 1.0643732970027249_rk*y3 - u2_3*qdd2 - u1_3*qdd1
     qdd(1) = qdd1
     qdd(2) = qdd2
     qdd(3) = qdd3

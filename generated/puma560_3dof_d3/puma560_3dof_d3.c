@@ -29,7 +29,7 @@
  *   gravity: 2 multiplications, 2 additions = 4; 0 unary minus; 2 sine/cosine
  *   bias: 25 multiplications, 14 additions = 39; 1 unary minus; 4 sine/cosine
  *   mass_matrix: 10 multiplications, 9 additions = 19; 0 unary minus; 4 sine/cosine
- *   forward_dynamics: 51 multiplications, 35 additions, 3 divisions = 89; 1 unary minus; 4
+ *   forward_dynamics: 50 multiplications, 34 additions, 2 divisions = 86; 2 unary minus; 4
  *       sine/cosine
  */
 #include "puma560_3dof_d3.h"
@@ -184,7 +184,7 @@ void puma560_3dof_d3_mass_matrix(const puma560_3dof_d3_real q[3], puma560_3dof_d
 }
 
 /* accelerations that the torques tau give
- * 51 multiplications, 35 additions, 3 divisions = 89; 1 unary minus; 4 sine/cosine */
+ * 50 multiplications, 34 additions, 2 divisions = 86; 2 unary minus; 4 sine/cosine */
 void puma560_3dof_d3_forward_dynamics(
     const puma560_3dof_d3_real q[3],
     const puma560_3dof_d3_real qd[3],
@@ -225,35 +225,33 @@ void puma560_3dof_d3_forward_dynamics(
     const puma560_3dof_d3_real n02_z = s2*t7 + c2*(w3_z*t4 - 8.716512) - neg_nc3_z - t6*lam2_33;
     /* link 1: mass matrix, its row of this joint */
     const puma560_3dof_d3_real m1_3 = -0.0504336*c23;
-    const puma560_3dof_d3_real m1_1 = 1.449223552*(c2*(c2 + 0.20022418183830343*s23)) + 2.854449198
-        + m1_3*(1.5093112528155832*c23);
     const puma560_3dof_d3_real m1_2 = m1_3 + 0.022994064*s2;
     const puma560_3dof_d3_real t8 = 0.1450848*(s2*c23 - c2*s23);
     /* link 2: mass matrix, its row of this joint */
     const puma560_3dof_d3_real m2_2 = 7.268543552 - t8 - t8;
     const puma560_3dof_d3_real m2_3 = 0.96302 - t8;
-    /* link 1: forward substitution */
-    const puma560_3dof_d3_real y1 = tau[0] - n1_z;
-    /* factorisation M = L D L^T */
-    const puma560_3dof_d3_real ipivot1 = 1.0 / m1_1;
-    const puma560_3dof_d3_real l2_1 = m1_2*ipivot1;
-    const puma560_3dof_d3_real l3_1 = m1_3*ipivot1;
-    const puma560_3dof_d3_real pivot2 = m2_2 - m1_2*l2_1;
-    const puma560_3dof_d3_real ipivot2 = 1.0 / pivot2;
-    const puma560_3dof_d3_real ld3_2 = m2_3 - m1_2*l3_1;
-    const puma560_3dof_d3_real l3_2 = ipivot2*ld3_2;
-    const puma560_3dof_d3_real pivot3 = 0.96302 - m1_3*l3_1 - ld3_2*l3_2;
-    const puma560_3dof_d3_real ipivot3 = 1.0 / pivot3;
-    /* link 2: forward substitution */
-    const puma560_3dof_d3_real y2 = tau[1] - n02_z - y1*l2_1;
     /* link 3: forward substitution */
-    const puma560_3dof_d3_real y3 = neg_nc3_z + tau[2] - y1*l3_1 - l3_2*y2;
-    /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_3dof_d3_real qdd3 = ipivot3*y3;
-    /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_3dof_d3_real qdd2 = ipivot2*y2 - l3_2*qdd3;
+    const puma560_3dof_d3_real y3 = neg_nc3_z + tau[2];
+    /* factorisation M = U D U^T */
+    const puma560_3dof_d3_real u2_3 = 1.038400033228801*m2_3;
+    const puma560_3dof_d3_real u1_3 = -0.052370251915848064*c23;
+    const puma560_3dof_d3_real pivot2 = m2_2 - m2_3*u2_3;
+    const puma560_3dof_d3_real ipivot2 = 1.0 / pivot2;
+    const puma560_3dof_d3_real ud1_2 = m1_2 - m2_3*u1_3;
+    const puma560_3dof_d3_real u1_2 = ipivot2*ud1_2;
+    const puma560_3dof_d3_real pivot1 = 1.449223552*(c2*(c2 + 0.20022418183830343*s23)) +
+        2.854449198 - ud1_2*u1_2 + m1_3*(1.5616815047314314*c23);
+    const puma560_3dof_d3_real ipivot1 = 1.0 / pivot1;
+    /* link 2: forward substitution */
+    const puma560_3dof_d3_real y2 = tau[1] - n02_z - y3*u2_3;
+    /* link 1: forward substitution */
+    const puma560_3dof_d3_real y1 = -u1_2*y2 - (n1_z - tau[0] + y3*u1_3);
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_3dof_d3_real qdd1 = y1*ipivot1 - l2_1*qdd2 - l3_1*qdd3;
+    const puma560_3dof_d3_real qdd1 = ipivot1*y1;
+    /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const puma560_3dof_d3_real qdd2 = ipivot2*y2 - u1_2*qdd1;
+    /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const puma560_3dof_d3_real qdd3 = 1.038400033228801*y3 - u2_3*qdd2 - u1_3*qdd1;
     qdd[0] = qdd1;
     qdd[1] = qdd2;
     qdd[2] = qdd3;

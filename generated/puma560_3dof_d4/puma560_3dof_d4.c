@@ -29,7 +29,7 @@
  *   gravity: 2 multiplications, 2 additions = 4; 0 unary minus; 2 sine/cosine
  *   bias: 25 multiplications, 14 additions = 39; 1 unary minus; 4 sine/cosine
  *   mass_matrix: 10 multiplications, 9 additions = 19; 0 unary minus; 4 sine/cosine
- *   forward_dynamics: 51 multiplications, 35 additions, 3 divisions = 89; 1 unary minus; 4
+ *   forward_dynamics: 50 multiplications, 34 additions, 2 divisions = 86; 2 unary minus; 4
  *       sine/cosine
  */
 #include "puma560_3dof_d4.h"
@@ -184,7 +184,7 @@ void puma560_3dof_d4_mass_matrix(const puma560_3dof_d4_real q[3], puma560_3dof_d
 }
 
 /* accelerations that the torques tau give
- * 51 multiplications, 35 additions, 3 divisions = 89; 1 unary minus; 4 sine/cosine */
+ * 50 multiplications, 34 additions, 2 divisions = 86; 2 unary minus; 4 sine/cosine */
 void puma560_3dof_d4_forward_dynamics(
     const puma560_3dof_d4_real q[3],
     const puma560_3dof_d4_real qd[3],
@@ -225,35 +225,33 @@ void puma560_3dof_d4_forward_dynamics(
     const puma560_3dof_d4_real n02_z = s2*t7 + c2*(w3_z*t4 - 56.322462) - neg_nc3_z - t6*lam2_33;
     /* link 1: mass matrix, its row of this joint */
     const puma560_3dof_d4_real m1_3 = -0.711649617*c23;
-    const puma560_3dof_d4_real m1_1 = 3.467000002*(c2*(c2 + 1.18098483116182*s23)) + 6.4703454285 +
-        m1_3*(4.8361631001903564*c23);
     const puma560_3dof_d4_real m1_2 = m1_3 + 0.752142339*s2;
     const puma560_3dof_d4_real t8 = 2.047237206*(s2*c23 - c2*s23);
     /* link 2: mass matrix, its row of this joint */
     const puma560_3dof_d4_real m2_2 = 12.62905362 - t8 - t8;
     const puma560_3dof_d4_real m2_3 = 4.307053618 - t8;
-    /* link 1: forward substitution */
-    const puma560_3dof_d4_real y1 = tau[0] - n1_z;
-    /* factorisation M = L D L^T */
-    const puma560_3dof_d4_real ipivot1 = 1.0 / m1_1;
-    const puma560_3dof_d4_real l2_1 = m1_2*ipivot1;
-    const puma560_3dof_d4_real l3_1 = m1_3*ipivot1;
-    const puma560_3dof_d4_real pivot2 = m2_2 - m1_2*l2_1;
-    const puma560_3dof_d4_real ipivot2 = 1.0 / pivot2;
-    const puma560_3dof_d4_real ld3_2 = m2_3 - m1_2*l3_1;
-    const puma560_3dof_d4_real l3_2 = ipivot2*ld3_2;
-    const puma560_3dof_d4_real pivot3 = 4.307053618 - m1_3*l3_1 - ld3_2*l3_2;
-    const puma560_3dof_d4_real ipivot3 = 1.0 / pivot3;
-    /* link 2: forward substitution */
-    const puma560_3dof_d4_real y2 = tau[1] - n02_z - y1*l2_1;
     /* link 3: forward substitution */
-    const puma560_3dof_d4_real y3 = neg_nc3_z + tau[2] - y1*l3_1 - l3_2*y2;
-    /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_3dof_d4_real qdd3 = ipivot3*y3;
-    /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_3dof_d4_real qdd2 = ipivot2*y2 - l3_2*qdd3;
+    const puma560_3dof_d4_real y3 = neg_nc3_z + tau[2];
+    /* factorisation M = U D U^T */
+    const puma560_3dof_d4_real u2_3 = 0.23217728142988722*m2_3;
+    const puma560_3dof_d4_real u1_3 = -0.16522887340568046*c23;
+    const puma560_3dof_d4_real pivot2 = m2_2 - m2_3*u2_3;
+    const puma560_3dof_d4_real ipivot2 = 1.0 / pivot2;
+    const puma560_3dof_d4_real ud1_2 = m1_2 - m2_3*u1_3;
+    const puma560_3dof_d4_real u1_2 = ipivot2*ud1_2;
+    const puma560_3dof_d4_real pivot1 = 3.467000002*(c2*(c2 + 1.18098483116182*s23)) + 6.4703454285
+        - ud1_2*u1_2 + m1_3*(5.0013919735960375*c23);
+    const puma560_3dof_d4_real ipivot1 = 1.0 / pivot1;
+    /* link 2: forward substitution */
+    const puma560_3dof_d4_real y2 = tau[1] - n02_z - y3*u2_3;
+    /* link 1: forward substitution */
+    const puma560_3dof_d4_real y1 = -u1_2*y2 - (n1_z - tau[0] + y3*u1_3);
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_3dof_d4_real qdd1 = y1*ipivot1 - l2_1*qdd2 - l3_1*qdd3;
+    const puma560_3dof_d4_real qdd1 = ipivot1*y1;
+    /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const puma560_3dof_d4_real qdd2 = ipivot2*y2 - u1_2*qdd1;
+    /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const puma560_3dof_d4_real qdd3 = 0.23217728142988722*y3 - u2_3*qdd2 - u1_3*qdd1;
     qdd[0] = qdd1;
     qdd[1] = qdd2;
     qdd[2] = qdd3;

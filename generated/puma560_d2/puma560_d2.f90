@@ -31,7 +31,7 @@
 !   gravity: 15 multiplications, 6 additions = 21; 1 unary minus; 7 sine/cosine
 !   bias: 119 multiplications, 83 additions = 202; 0 unary minus; 8 sine/cosine
 !   mass_matrix: 56 multiplications, 49 additions = 105; 0 unary minus; 8 sine/cosine
-!   forward_dynamics: 260 multiplications, 200 additions, 6 divisions = 466; 3 unary minus; 8
+!   forward_dynamics: 237 multiplications, 189 additions, 4 divisions = 430; 2 unary minus; 8
 !       sine/cosine
 module puma560_d2_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -533,7 +533,7 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 260 multiplications, 200 additions, 6 divisions = 466; 3 unary minus; 8 sine/cosine
+  ! 237 multiplications, 189 additions, 4 divisions = 430; 2 unary minus; 8 sine/cosine
   pure subroutine puma560_d2_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="puma560_d2_forward_dynamics_f")
     real(rk), intent(in) :: q(6)
@@ -550,12 +550,11 @@ contains
     real(rk) :: nu5_x, nu4_y, t32, h4_x, t33, t34, t35, t36, t37, h3_x, t38, t39, t40, t41, t42
     real(rk) :: t43, t44, t45, t46, t47, t48, t49, t50, m1_1, m3_4, h3_y, t51, t52, m1_3, t53, m1_2
     real(rk) :: m4_4, t54, t55, neg_m1_4, t56, t57, t58, t59, m1_5, nu3_y, m3_3, t60, m2_3, m2_2
-    real(rk) :: m2_4, neg_m3_5, m2_5, neg_y1, ipivot1, l2_1, l3_1, neg_l4_1, l5_1, neg_l6_1
-    real(rk) :: neg_pivot2, neg_ipivot2, neg_ld3_2, l3_2, ld4_2, neg_l4_2, ld5_2, neg_l5_2, ld6_2
-    real(rk) :: neg_l6_2, neg_pivot3, neg_ipivot3, ld4_3, neg_l4_3, neg_ld5_3, l5_3, ld6_3
-    real(rk) :: neg_l6_3, pivot4, ipivot4, ld5_4, l5_4, ld6_4, l6_4, pivot5, ipivot5, ld6_5, l6_5
-    real(rk) :: neg_pivot6, neg_ipivot6, neg_y2, neg_y3, y4, neg_y5, y6, neg_qdd6, neg_qdd5, qdd4
-    real(rk) :: qdd3, qdd2, qdd1, t61, t62
+    real(rk) :: m2_4, neg_m3_5, m2_5, neg_y5, y6, u3_6, neg_u1_6, neg_u3_5, u2_5, u1_5, pivot4
+    real(rk) :: ipivot4, t61, ud3_4, u3_4, ud2_4, u2_4, neg_ud1_4, neg_u1_4, t62, neg_pivot3
+    real(rk) :: neg_ipivot3, neg_ud2_3, u2_3, t63, ud1_3, neg_u1_3, neg_pivot2, neg_ipivot2, ud1_2
+    real(rk) :: neg_u1_2, pivot1, ipivot1, y4, t64, neg_y3, neg_y2, neg_y1, neg_qdd1, qdd2, qdd3
+    real(rk) :: qdd4, qdd5, qdd6, t65
 
     ! link 3: angular velocity [rad/s]
     w3_z = qd(2) + qd(3)
@@ -742,77 +741,68 @@ contains
     neg_m3_5 = t20 - c4*t34
     ! link 2: mass matrix, its row of this joint
     m2_5 = t53*t58 - (neg_m3_5 - (t43*t59 + c23*t55))
-    ! link 1: forward substitution
-    neg_y1 = n1_z - tau(1)
-    ! factorisation M = L D L^T
-    ipivot1 = 1.0_rk / m1_1
-    l2_1 = m1_2*ipivot1
-    l3_1 = m1_3*ipivot1
-    neg_l4_1 = neg_m1_4*ipivot1
-    l5_1 = m1_5*ipivot1
-    neg_l6_1 = nu3_y*ipivot1
-    neg_pivot2 = m1_2*l2_1 - m2_2
-    neg_ipivot2 = 1.0_rk / neg_pivot2
-    neg_ld3_2 = m1_2*l3_1 - m2_3
-    l3_2 = neg_ipivot2*neg_ld3_2
-    ld4_2 = m2_4 + m1_2*neg_l4_1
-    neg_l4_2 = neg_ipivot2*ld4_2
-    ld5_2 = m2_5 - m1_2*l5_1
-    neg_l5_2 = neg_ipivot2*ld5_2
-    ld6_2 = nu4_y + m1_2*neg_l6_1
-    neg_l6_2 = neg_ipivot2*ld6_2
-    neg_pivot3 = m1_3*l3_1 - m3_3 - neg_ld3_2*l3_2
-    neg_ipivot3 = 1.0_rk / neg_pivot3
-    ld4_3 = m3_4 + m1_3*neg_l4_1 - neg_ld3_2*neg_l4_2
-    neg_l4_3 = neg_ipivot3*ld4_3
-    neg_ld5_3 = neg_m3_5 + m1_3*l5_1 + neg_ld3_2*neg_l5_2
-    l5_3 = neg_ipivot3*neg_ld5_3
-    ld6_3 = nu4_y + m1_3*neg_l6_1 - neg_ld3_2*neg_l6_2
-    neg_l6_3 = neg_ipivot3*ld6_3
-    pivot4 = m4_4 - neg_m1_4*neg_l4_1 + ld4_2*neg_l4_2 + ld4_3*neg_l4_3
-    ipivot4 = 1.0_rk / pivot4
-    ld5_4 = neg_m1_4*l5_1 + ld4_2*neg_l5_2 - ld4_3*l5_3
-    l5_4 = ipivot4*ld5_4
-    ld6_4 = neg_nu5_y - neg_m1_4*neg_l6_1 + ld4_2*neg_l6_2 + ld4_3*neg_l6_3
-    l6_4 = ipivot4*ld6_4
-    pivot5 = 0.17973436_rk - m1_5*l5_1 + ld5_2*neg_l5_2 + neg_ld5_3*l5_3 - ld5_4*l5_4
-    ipivot5 = 1.0_rk / pivot5
-    ld6_5 = m1_5*neg_l6_1 + ld5_2*neg_l6_2 - neg_ld5_3*neg_l6_3 - ld5_4*l6_4
-    l6_5 = ipivot5*ld6_5
-    neg_pivot6 = nu3_y*neg_l6_1 - 0.193_rk - ld6_2*neg_l6_2 - ld6_3*neg_l6_3 + ld6_4*l6_4 + &
-        ld6_5*l6_5
-    neg_ipivot6 = 1.0_rk / neg_pivot6
-    ! link 2: forward substitution
-    neg_y2 = n02_z - tau(2) - neg_y1*l2_1
-    ! link 3: forward substitution
-    neg_y3 = n3_z - tau(3) - neg_y1*l3_1 - l3_2*neg_y2
-    ! link 4: forward substitution
-    y4 = neg_n4_z + tau(4) - neg_y1*neg_l4_1 - neg_l4_2*neg_y2 - neg_l4_3*neg_y3
     ! link 5: forward substitution
-    neg_y5 = n5_z - tau(5) - neg_y1*l5_1 + neg_l5_2*neg_y2 - l5_3*neg_y3 + l5_4*y4
+    neg_y5 = n5_z - tau(5)
     ! link 6: forward substitution
-    y6 = tau(6) - n06_z - neg_y1*neg_l6_1 - neg_l6_2*neg_y2 - neg_l6_3*neg_y3 - l6_4*y4 + &
-        l6_5*neg_y5
-    ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd6 = neg_ipivot6*y6
-    ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd5 = ipivot5*neg_y5 - l6_5*neg_qdd6
-    ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd4 = ipivot4*y4 + l5_4*neg_qdd5 + l6_4*neg_qdd6
-    ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd3 = neg_ipivot3*neg_y3 + neg_l4_3*qdd4 + l5_3*neg_qdd5 - neg_l6_3*neg_qdd6
-    ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd2 = neg_ipivot2*neg_y2 - l3_2*qdd3 + neg_l4_2*qdd4 - neg_l5_2*neg_qdd5 - neg_l6_2*neg_qdd6
+    y6 = tau(6) - n06_z
+    ! factorisation M = U D U^T
+    u3_6 = 5.181347150259067_rk*nu4_y
+    neg_u1_6 = 5.181347150259067_rk*nu3_y
+    neg_u3_5 = 5.56376643842613_rk*neg_m3_5
+    u2_5 = 5.56376643842613_rk*m2_5
+    u1_5 = 5.56376643842613_rk*m1_5
+    pivot4 = m4_4 - c5*neg_nu5_y
+    ipivot4 = 1.0_rk / pivot4
+    t61 = neg_nu5_y*u3_6
+    ud3_4 = m3_4 - t61
+    u3_4 = ipivot4*ud3_4
+    ud2_4 = m2_4 - t61
+    u2_4 = ipivot4*ud2_4
+    neg_ud1_4 = neg_m1_4 - neg_nu5_y*neg_u1_6
+    neg_u1_4 = ipivot4*neg_ud1_4
+    t62 = nu4_y*u3_6
+    neg_pivot3 = t62 - m3_3 + neg_m3_5*neg_u3_5 + ud3_4*u3_4
+    neg_ipivot3 = 1.0_rk / neg_pivot3
+    neg_ud2_3 = t62 - m2_3 - neg_m3_5*u2_5 + ud3_4*u2_4
+    u2_3 = neg_ipivot3*neg_ud2_3
+    t63 = nu4_y*neg_u1_6
+    ud1_3 = m1_3 + t63 + neg_m3_5*u1_5 + ud3_4*neg_u1_4
+    neg_u1_3 = neg_ipivot3*ud1_3
+    neg_pivot2 = t62 - m2_2 + m2_5*u2_5 + ud2_4*u2_4 - neg_ud2_3*u2_3
+    neg_ipivot2 = 1.0_rk / neg_pivot2
+    ud1_2 = m1_2 + t63 - m2_5*u1_5 + ud2_4*neg_u1_4 - neg_ud2_3*neg_u1_3
+    neg_u1_2 = neg_ipivot2*ud1_2
+    pivot1 = m1_1 - nu3_y*neg_u1_6 - m1_5*u1_5 - neg_ud1_4*neg_u1_4 + ud1_3*neg_u1_3 + &
+        ud1_2*neg_u1_2
+    ipivot1 = 1.0_rk / pivot1
+    ! link 4: forward substitution
+    y4 = neg_n4_z + tau(4) - c5*y6
+    t64 = y6*u3_6
+    ! link 3: forward substitution
+    neg_y3 = n3_z - tau(3) + t64 + neg_y5*neg_u3_5 + u3_4*y4
+    ! link 2: forward substitution
+    neg_y2 = n02_z - tau(2) + t64 - neg_y5*u2_5 + u2_4*y4 - u2_3*neg_y3
+    ! link 1: forward substitution
+    neg_y1 = n1_z - tau(1) - y6*neg_u1_6 - neg_y5*u1_5 - neg_u1_4*y4 + neg_u1_3*neg_y3 + &
+        neg_u1_2*neg_y2
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = -neg_l6_1*neg_qdd6 - (neg_y1*ipivot1 + l2_1*qdd2 + l3_1*qdd3 - neg_l4_1*qdd4 - &
-        l5_1*neg_qdd5)
-    t61 = -neg_qdd5
-    t62 = -neg_qdd6
-    qdd(1) = qdd1
+    neg_qdd1 = ipivot1*neg_y1
+    ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd2 = neg_ipivot2*neg_y2 - neg_u1_2*neg_qdd1
+    ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd3 = neg_ipivot3*neg_y3 - u2_3*qdd2 - neg_u1_3*neg_qdd1
+    ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd4 = ipivot4*y4 - u3_4*qdd3 - u2_4*qdd2 - neg_u1_4*neg_qdd1
+    ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd5 = u1_5*neg_qdd1 - (5.56376643842613_rk*neg_y5 - neg_u3_5*qdd3 + u2_5*qdd2)
+    ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd6 = u3_6*(-qdd2 - qdd3) - (neg_u1_6*neg_qdd1 - (5.181347150259067_rk*y6 - c5*qdd4))
+    t65 = -neg_qdd1
+    qdd(1) = t65
     qdd(2) = qdd2
     qdd(3) = qdd3
     qdd(4) = qdd4
-    qdd(5) = t61
-    qdd(6) = t62
+    qdd(5) = qdd5
+    qdd(6) = qdd6
   end subroutine
 end module

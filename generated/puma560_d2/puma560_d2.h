@@ -32,7 +32,7 @@
  *   gravity: 15 multiplications, 6 additions = 21; 1 unary minus; 7 sine/cosine
  *   bias: 119 multiplications, 83 additions = 202; 0 unary minus; 8 sine/cosine
  *   mass_matrix: 56 multiplications, 49 additions = 105; 0 unary minus; 8 sine/cosine
- *   forward_dynamics: 260 multiplications, 200 additions, 6 divisions = 466; 3 unary minus; 8
+ *   forward_dynamics: 237 multiplications, 189 additions, 4 divisions = 430; 2 unary minus; 8
  *       sine/cosine
  */
 #ifndef PUMA560_D2_H

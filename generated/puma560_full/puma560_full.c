@@ -32,7 +32,7 @@
  *   gravity: 38 multiplications, 23 additions = 61; 2 unary minus; 10 sine/cosine
  *   bias: 198 multiplications, 181 additions = 379; 0 unary minus; 10 sine/cosine
  *   mass_matrix: 120 multiplications, 109 additions = 229; 1 unary minus; 10 sine/cosine
- *   forward_dynamics: 403 multiplications, 359 additions, 6 divisions = 768; 14 unary minus; 10
+ *   forward_dynamics: 403 multiplications, 359 additions, 5 divisions = 767; 3 unary minus; 10
  *       sine/cosine
  */
 #include "puma560_full.h"
@@ -775,7 +775,7 @@ void puma560_full_mass_matrix(const puma560_full_real q[6], puma560_full_real M[
 }
 
 /* accelerations that the torques tau give
- * 403 multiplications, 359 additions, 6 divisions = 768; 14 unary minus; 10 sine/cosine */
+ * 403 multiplications, 359 additions, 5 divisions = 767; 3 unary minus; 10 sine/cosine */
 void puma560_full_forward_dynamics(
     const puma560_full_real q[6],
     const puma560_full_real qd[6],
@@ -792,52 +792,51 @@ void puma560_full_forward_dynamics(
     /* sines and cosines of the joint angles */
     const volatile puma560_full_real angle23 = q[1] + q[2];
     const puma560_full_real s23 = sin(angle23);
-    const puma560_full_real t1 = -qd[0];
     /* link 3: angular velocity [rad/s] */
-    const puma560_full_real w3_x = t1*s23;
+    const puma560_full_real neg_w3_x = qd[0]*s23;
     /* sines and cosines of the joint angles */
     const puma560_full_real c23 = cos(angle23);
     /* link 3: angular velocity [rad/s] */
-    const puma560_full_real w3_y = t1*c23;
+    const puma560_full_real neg_w3_y = qd[0]*c23;
     /* link 3: products of the angular velocity [1/s^2] */
-    const puma560_full_real ww3_yz = w3_z*w3_y;
-    const puma560_full_real ww3_zx = w3_z*w3_x;
-    const puma560_full_real ww3_yy = w3_y*w3_y;
+    const puma560_full_real neg_ww3_yz = w3_z*neg_w3_y;
+    const puma560_full_real neg_ww3_zx = w3_z*neg_w3_x;
+    const puma560_full_real ww3_yy = neg_w3_y*neg_w3_y;
     const puma560_full_real ww3_zz = w3_z*w3_z;
-    const puma560_full_real ww3_xy = w3_x*w3_y;
+    const puma560_full_real ww3_xy = neg_w3_x*neg_w3_y;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
     const puma560_full_real neg_lam3_11 = ww3_yy + ww3_zz;
-    const puma560_full_real lam3_32 = 2.0*ww3_yz;
+    const puma560_full_real lam3_32 = -2.0*neg_ww3_yz;
     /* sines and cosines of the joint angles */
     const puma560_full_real c4 = cos(q[3]);
     const puma560_full_real s4 = sin(again[3]);
     /* link 4: angular velocity [rad/s] */
-    const puma560_full_real w4_x = w3_x*c4 + w3_z*s4;
-    const puma560_full_real w4_z = qd[3] - w3_y;
-    const puma560_full_real w4_y = w3_z*c4 - w3_x*s4;
+    const puma560_full_real neg_w4_x = neg_w3_x*c4 - w3_z*s4;
+    const puma560_full_real w4_z = neg_w3_y + qd[3];
+    const puma560_full_real w4_y = neg_w3_x*s4 + w3_z*c4;
     /* link 4: products of the angular velocity [1/s^2] */
-    const puma560_full_real ww4_xy = w4_x*w4_y;
+    const puma560_full_real neg_ww4_xy = neg_w4_x*w4_y;
     const puma560_full_real ww4_zz = w4_z*w4_z;
     const puma560_full_real ww4_yy = w4_y*w4_y;
     const puma560_full_real ww4_yz = w4_z*w4_y;
-    const puma560_full_real ww4_zx = w4_x*w4_z;
+    const puma560_full_real neg_ww4_zx = neg_w4_x*w4_z;
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real lam4_21 = ww3_zx + ww4_xy;
+    const puma560_full_real neg_lam4_21 = neg_ww3_zx + neg_ww4_xy;
     const puma560_full_real neg_lam4_11 = ww4_zz + ww4_yy;
-    const puma560_full_real lam4_12 = ww4_xy - ww3_zx;
+    const puma560_full_real lam4_12 = neg_ww3_zx - neg_ww4_xy;
     /* sines and cosines of the joint angles */
     const puma560_full_real c5 = cos(q[4]);
     const puma560_full_real s5 = sin(again[4]);
     /* link 5: angular velocity [rad/s] */
-    const puma560_full_real w5_x = w4_x*c5 - w4_z*s5;
+    const puma560_full_real neg_w5_x = neg_w4_x*c5 + w4_z*s5;
     const puma560_full_real w5_z = w4_y + qd[4];
-    const puma560_full_real w5_y = -w4_z*c5 - w4_x*s5;
+    const puma560_full_real w5_y = neg_w4_x*s5 - w4_z*c5;
     /* link 5: products of the angular velocity [1/s^2] */
-    const puma560_full_real ww5_zx = w5_x*w5_z;
-    const puma560_full_real ww5_xx = w5_x*w5_x;
+    const puma560_full_real neg_ww5_zx = neg_w5_x*w5_z;
+    const puma560_full_real ww5_xx = neg_w5_x*neg_w5_x;
     const puma560_full_real ww5_zz = w5_z*w5_z;
     const puma560_full_real ww5_yz = w5_z*w5_y;
-    const puma560_full_real ww5_xy = w5_x*w5_y;
+    const puma560_full_real neg_ww5_xy = neg_w5_x*w5_y;
     /* link 6: angular velocity [rad/s] */
     const puma560_full_real w6_z = qd[5] - w5_y;
     /* sines and cosines of the joint angles */
@@ -846,336 +845,343 @@ void puma560_full_forward_dynamics(
     const puma560_full_real c2 = cos(q[1]);
     const puma560_full_real s2 = sin(again[1]);
     /* link 4: angular acceleration [rad/s^2] */
-    const puma560_full_real alpha4_x = ww3_yz*c4 + qd[3]*w4_y;
+    const puma560_full_real neg_alpha4_x = neg_ww3_yz*c4 - qd[3]*w4_y;
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real lam4_23 = ww4_yz - alpha4_x;
+    const puma560_full_real lam4_23 = ww4_yz + neg_alpha4_x;
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real lam5_13 = w4_y*w5_x + (-s5*alpha4_x - ww3_zx*c5);
+    const puma560_full_real neg_lam5_13 = w4_y*neg_w5_x - (neg_ww3_zx*c5 + s5*neg_alpha4_x);
     /* link 4: angular acceleration [rad/s^2] */
-    const puma560_full_real alpha4_y = -w4_x*qd[3] - ww3_yz*s4;
+    const puma560_full_real alpha4_y = neg_ww3_yz*s4 + neg_w4_x*qd[3];
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real lam5_12 = ww5_xy - alpha4_y;
+    const puma560_full_real neg_lam5_12 = neg_ww5_xy + alpha4_y;
     /* link 5: angular acceleration [rad/s^2] */
-    const puma560_full_real alpha5_x = qd[4]*w5_y + c5*alpha4_x - ww3_zx*s5;
+    const puma560_full_real alpha5_x = neg_ww3_zx*s5 + (qd[4]*w5_y - c5*neg_alpha4_x);
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
     const puma560_full_real lam5_32 = ww5_yz + alpha5_x;
     /* link 6: products of the angular velocity [1/s^2] */
     const puma560_full_real ww6_zz = w6_z*w6_z;
     /* link 2: products of the angular velocity [1/s^2] */
     const puma560_full_real ww2_zz = qd[1]*qd[1];
-    const puma560_full_real t2 = ww3_yy - ww3_zz;
-    const puma560_full_real t3 = ww1_zz - neg_lam3_11;
-    const puma560_full_real t4 = t2 - t3;
+    const puma560_full_real t1 = ww3_yy - ww3_zz;
+    const puma560_full_real t2 = ww1_zz - neg_lam3_11;
+    const puma560_full_real t3 = t1 - t2;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real lam3_22 = t4 - neg_lam3_11;
+    const puma560_full_real neg_lam3_22 = neg_lam3_11 - t3;
     /* link 6: angular acceleration [rad/s^2] */
-    const puma560_full_real alpha6_z = ww5_zx - lam5_13;
+    const puma560_full_real alpha6_z = neg_lam5_13 - neg_ww5_zx;
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real lam5_31 = ww5_zx + alpha6_z;
+    const puma560_full_real neg_lam5_31 = neg_ww5_zx - alpha6_z;
+    const puma560_full_real t4 = 0.2519035474197792*c6 - 0.1902613160848803*s6;
     const puma560_full_real t5 = 0.1902613160848803*c6 + 0.2519035474197792*s6;
-    const puma560_full_real t6 = 0.2519035474197792*c6 - 0.1902613160848803*s6;
-    const puma560_full_real t7 = 0.561954526137403*c6;
-    const puma560_full_real t8 = 0.062417998297925076*c6;
-    const puma560_full_real t9 = t7*t8 + 0.43637196239865417;
-    const puma560_full_real t10 = 0.561954526137403*s6;
-    const puma560_full_real t11 = t8*t10;
-    const puma560_full_real t12 = t9 + 22.918482381900507*t11;
-    const puma560_full_real t13 = t12 - 0.907820001453264;
-    const puma560_full_real t14 = 0.9969983837450935*s2;
-    const puma560_full_real t15 = ww2_zz*t14 + 22.627568690833527;
-    const puma560_full_real t16 = 0.9969983837450935*c2;
-    const puma560_full_real t17 = t16*(ww1_zz + ww2_zz);
-    const puma560_full_real t18 = s23*t15 + c23*t17;
-    const puma560_full_real t19 = 0.04687139228815516*neg_lam3_11 - (ww3_xy + t18);
-    const puma560_full_real t20 = qd[0]*qd[1];
-    const puma560_full_real t21 = 0.07491193080123078*s2;
-    const puma560_full_real t22 = 0.3465712306626645*ww1_zz + 26.617879771127544*(t20*t21);
-    const puma560_full_real t23 = -0.09374278457631031*ww3_zx - t22 - lam3_32;
-    const puma560_full_real t24 = s4*t19 - c4*t23;
-    const puma560_full_real t25 = t10 + 0.4844385865269322*c6;
-    const puma560_full_real t26 = -lam5_32*t5 - lam5_12*t6 - (-lam5_31*t12 - lam5_13*t13 - t24*t25);
-    const puma560_full_real t27 = 0.04687139228815516*ww3_xy - s23*t17 + (lam3_22 + c23*t15);
-    const puma560_full_real t28 = c4*t19 + s4*t23;
-    const puma560_full_real t29 = s5*t27 - c5*t28;
-    const puma560_full_real t30 = t7 - 0.4844385865269322*s6;
-    const puma560_full_real t31 = ww5_xx + ww6_zz;
-    const puma560_full_real t32 = ww5_zz + ww6_zz;
-    const puma560_full_real t33 = t31 - t32;
-    const puma560_full_real t34 = t11 - (22.918482381900507*t9 - 10.402928354621762);
+    const puma560_full_real t6 = 0.561954526137403*c6;
+    const puma560_full_real t7 = 0.062417998297925076*c6;
+    const puma560_full_real t8 = t6*t7 + 0.43637196239865417;
+    const puma560_full_real t9 = 0.561954526137403*s6;
+    const puma560_full_real t10 = t7*t9;
+    const puma560_full_real t11 = t8 + 22.918482381900507*t10;
+    const puma560_full_real t12 = t11 - 0.907820001453264;
+    const puma560_full_real t13 = 0.9969983837450935*s2;
+    const puma560_full_real t14 = ww2_zz*t13 + 22.627568690833527;
+    const puma560_full_real t15 = 0.9969983837450935*c2;
+    const puma560_full_real t16 = t15*(ww1_zz + ww2_zz);
+    const puma560_full_real t17 = s23*t14 + c23*t16;
+    const puma560_full_real t18 = 0.04687139228815516*neg_lam3_11 - (ww3_xy + t17);
+    const puma560_full_real t19 = qd[0]*qd[1];
+    const puma560_full_real t20 = 0.07491193080123078*s2;
+    const puma560_full_real t21 = 0.3465712306626645*ww1_zz + 26.617879771127544*(t19*t20);
+    const puma560_full_real t22 = 0.09374278457631031*neg_ww3_zx - t21 - lam3_32;
+    const puma560_full_real t23 = s4*t18 - c4*t22;
+    const puma560_full_real t24 = t9 + 0.4844385865269322*c6;
+    const puma560_full_real t25 = 0.04687139228815516*ww3_xy - s23*t16 - (neg_lam3_22 - c23*t14);
+    const puma560_full_real t26 = c4*t18 + s4*t22;
+    const puma560_full_real t27 = s5*t25 - c5*t26;
+    const puma560_full_real t28 = t6 - 0.4844385865269322*s6;
+    const puma560_full_real t29 = ww5_xx + ww6_zz;
+    const puma560_full_real t30 = ww5_zz + ww6_zz;
+    const puma560_full_real t31 = t29 - t30;
+    const puma560_full_real t32 = t10 - (22.918482381900507*t8 - 10.402928354621762);
     /* link 6: moment that turns the link [N m] */
-    const puma560_full_real nc6_z = t26 + (t29*t30 - t33*t34);
+    const puma560_full_real nc6_z = neg_lam5_12*t4 - lam5_32*t5 - (neg_lam5_13*t12 + neg_lam5_31*t11
+        - t23*t24) + (t27*t28 - t31*t32);
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real lam4_13 = ww4_zx + alpha4_y;
+    const puma560_full_real lam4_13 = alpha4_y - neg_ww4_zx;
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real lam5_21 = ww5_xy + alpha4_y;
+    const puma560_full_real neg_lam5_21 = neg_ww5_xy - alpha4_y;
     const puma560_full_real neg_lam5_22 = ww5_xx + ww5_zz;
-    const puma560_full_real t35 = ww4_zz - ww4_yy;
+    const puma560_full_real t33 = ww4_zz - ww4_yy;
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real lam4_22 = lam3_22 - t35;
+    const puma560_full_real neg_lam4_22 = neg_lam3_22 + t33;
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
     const puma560_full_real lam5_23 = ww5_yz - alpha5_x;
-    const puma560_full_real t36 = 0.08058935149735619*lam5_32;
-    const puma560_full_real t37 = 0.37765802516131436*t29;
-    const puma560_full_real t38 = -0.18116108322165295*lam5_12 - t36 - (nc6_z +
-        (0.1558184212675505*t33 + t37 + 0.1513642331069161*lam5_31 + 0.2064157143738513*t24));
-    const puma560_full_real t39 = -0.2788425785236688*lam5_13 - t38;
-    const puma560_full_real t40 = neg_lam4_11 + lam3_22;
-    const puma560_full_real t41 = qd[5] + w6_z;
-    const puma560_full_real t42 = alpha5_x + w5_z*t41;
-    const puma560_full_real t43 = neg_lam5_22 + lam4_22;
-    const puma560_full_real t44 = t30 + 0.37765802516131436;
-    const puma560_full_real t45 = s5*t28 + c5*t27;
-    const puma560_full_real t46 = alpha4_y - w5_x*t41;
-    const puma560_full_real t47 = t6*(t31 - neg_lam5_22) + (0.18116108322165295*t43 - (t44*t45 -
-        (t34*t46 + (-0.1558184212675505*lam5_21 - 0.06568070130666698*t24))));
-    const puma560_full_real t48 = 0.2788425785236688*lam5_23 - (0.3901127773977262*lam5_32 -
-        (t13*t42 + t47)) + lam5_31*(t5 - 0.08058935149735619);
-    const puma560_full_real t49 = -0.3473260245772809*lam4_21 - (c5*t39 -
-        0.10734691974802549*lam4_13 - 0.05337162017689789*(t35 - t40)) - s5*t48;
+    const puma560_full_real t34 = 0.08058935149735619*lam5_32;
+    const puma560_full_real t35 = 0.37765802516131436*t27;
+    const puma560_full_real t36 = 0.18116108322165295*neg_lam5_12 - t34 - (nc6_z +
+        (0.1558184212675505*t31 + t35 - 0.1513642331069161*neg_lam5_31 + 0.2064157143738513*t23));
+    const puma560_full_real t37 = 0.2788425785236688*neg_lam5_13 - t36;
+    const puma560_full_real t38 = neg_lam4_11 - neg_lam3_22;
+    const puma560_full_real t39 = qd[5] + w6_z;
+    const puma560_full_real t40 = alpha5_x + w5_z*t39;
+    const puma560_full_real t41 = neg_lam5_22 - neg_lam4_22;
+    const puma560_full_real t42 = t28 + 0.37765802516131436;
+    const puma560_full_real t43 = s5*t26 + c5*t25;
+    const puma560_full_real t44 = alpha4_y + neg_w5_x*t39;
+    const puma560_full_real t45 = t4*(t29 - neg_lam5_22) + (0.18116108322165295*t41 - (t42*t43 -
+        (t32*t44 + (0.1558184212675505*neg_lam5_21 - 0.06568070130666698*t23))));
+    const puma560_full_real t46 = 0.2788425785236688*lam5_23 - (0.3901127773977262*lam5_32 -
+        (t12*t40 + t45)) - neg_lam5_31*(t5 - 0.08058935149735619);
+    const puma560_full_real t47 = 0.3473260245772809*neg_lam4_21 - (c5*t37 -
+        0.10734691974802549*lam4_13 - 0.05337162017689789*(t33 - t38)) - s5*t46;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n4_z = 0.2837491060266096*lam4_23 - (t49 + 0.33686216557830156*t24);
-    const puma560_full_real t50 = t33 + t43;
+    const puma560_full_real n4_z = 0.2837491060266096*lam4_23 - (t47 + 0.33686216557830156*t23);
+    const puma560_full_real t48 = t31 + t41;
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real lam5_11 = t50 - neg_lam5_22;
-    const puma560_full_real t51 = t25*t46 - (0.06568070130666698*neg_lam5_22 +
-        (0.37765802516131436*lam5_23 - 0.2064157143738513*lam5_21)) + t30*t42;
-    const puma560_full_real t52 = t25*t32 - 0.2064157143738513*lam5_11 - 0.06568070130666698*lam5_12
-        + lam5_13*t44;
-    const puma560_full_real t53 = 0.33686216557830156*neg_lam4_11 + (9.668724351427649*t28 - s5*t51
-        - c5*t52);
-    const puma560_full_real t54 = t30*t31 - (9.668724351427649*t24 - lam5_31*t25 -
-        0.8150047132321409*(t36 + 0.2532693504989058*lam5_31)) - 0.37765802516131436*lam4_22;
-    const puma560_full_real t55 = t54 - 0.33686216557830156*lam4_21;
-    const puma560_full_real t56 = s4*t53 + c4*t55;
+    const puma560_full_real lam5_11 = t48 - neg_lam5_22;
+    const puma560_full_real t49 = t24*t44 - (0.06568070130666698*neg_lam5_22 +
+        (0.37765802516131436*lam5_23 + 0.2064157143738513*neg_lam5_21)) + t28*t40;
+    const puma560_full_real t50 = 0.06568070130666698*neg_lam5_12 + (t24*t30 -
+        0.2064157143738513*lam5_11) - neg_lam5_13*t42;
+    const puma560_full_real t51 = 0.33686216557830156*neg_lam4_11 + (9.668724351427649*t26 - s5*t49
+        - c5*t50);
+    const puma560_full_real t52 = t28*t29 - (9.668724351427649*t23 + neg_lam5_31*t24 -
+        0.8150047132321409*(t34 - 0.2532693504989058*neg_lam5_31)) +
+        0.37765802516131436*neg_lam4_22;
+    const puma560_full_real t53 = 0.33686216557830156*neg_lam4_21 + t52;
+    const puma560_full_real t54 = s4*t51 + c4*t53;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n3_y = -1.4786909445136986*ww3_yz - (0.04687139228815516*t56 -
-        0.01894848286257894*t3) - 0.9860113289194135*ww3_zx - (n4_z - 0.060845712710754084*ww3_xy);
+    const puma560_full_real neg_n3_y = n4_z - 0.060845712710754084*ww3_xy -
+        (0.9860113289194135*neg_ww3_zx + (1.4786909445136986*neg_ww3_yz - (0.04687139228815516*t54 -
+        0.01894848286257894*t2)));
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real lam4_31 = ww4_zx - alpha4_y;
+    const puma560_full_real neg_lam4_31 = neg_ww4_zx + alpha4_y;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n4_x = s5*t39 + 0.05337162017689789*lam4_31 + (0.10734691974802549*t35 -
-        0.2837491060266096*lam4_21) - c5*t48;
-    const puma560_full_real t57 = 0.17391580988809086*(t37 + 0.8959416706728075*lam5_23) - (t12*t46
-        + (t5*(ww5_xx - ww6_zz) + 0.1513642331069161*lam5_21));
+    const puma560_full_real neg_n4_x = c5*t46 - (s5*t37 - 0.05337162017689789*neg_lam4_31 +
+        (0.2837491060266096*neg_lam4_21 + 0.10734691974802549*t33));
+    const puma560_full_real t55 = 0.17391580988809086*(t35 + 0.8959416706728075*lam5_23) - (t11*t44
+        + (t5*(ww5_xx - ww6_zz) - 0.1513642331069161*neg_lam5_21));
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n5_z = -0.3901127773977262*lam5_12 - (t34*t42 - (t45*(t25 +
-        0.2064157143738513) - t57)) - 0.08058935149735619*t50 - lam5_13*(t6 - 0.18116108322165295);
+    const puma560_full_real n5_z = neg_lam5_13*(t4 - 0.18116108322165295) - (0.08058935149735619*t48
+        - (0.3901127773977262*neg_lam5_12 - (t32*t40 - (t43*(t24 + 0.2064157143738513) - t55))));
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real lam4_32 = ww4_yz + alpha4_x;
+    const puma560_full_real lam4_32 = ww4_yz - neg_alpha4_x;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n4_y = n5_z + 0.10734691974802549*lam4_12 - 0.2837491060266096*t40 -
-        0.3473260245772809*lam4_31 - (0.05337162017689789*lam4_32 + 0.33686216557830156*t27);
-    const puma560_full_real t58 = t56 - s4*n4_y - (0.060845712710754084*(t2 -
-        432.2163900256032*ww3_yz) - 1.4786909445136986*ww3_zx - 12.150081500837414*t22);
+    const puma560_full_real n4_y = n5_z + 0.10734691974802549*lam4_12 - 0.2837491060266096*t38 +
+        0.3473260245772809*neg_lam4_31 - (0.05337162017689789*lam4_32 + 0.33686216557830156*t25);
+    const puma560_full_real t56 = t54 - s4*n4_y - (1.4786909445136986*neg_ww3_zx +
+        0.060845712710754084*(t1 + 432.2163900256032*neg_ww3_yz) - 12.150081500837414*t21);
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n3_x = t58 - (0.01894848286257894*ww3_xy - c4*n4_x);
-    const puma560_full_real t59 = 0.2348119600832282*c2;
-    const puma560_full_real t60 = 55.04847880816545*(s2*t59) + (c2*t59 - 0.1174059800416141);
-    const puma560_full_real t61 = t20*t60;
-    const puma560_full_real t62 = t16*(t56 + 24.30016300167483*ww3_yz) + (ww2_zz*(t21 -
-        4.508184091221399*c2) + (t61 + s23*n3_x));
-    const puma560_full_real t63 = c4*t53 - s4*t55;
-    const puma560_full_real t64 = 12.150081500837414*ww3_xy + t63;
-    const puma560_full_real t65 = s5*t52 - c5*t51 + 9.668724351427649*t27 -
-        0.33686216557830156*lam4_31;
-    const puma560_full_real t66 = t65 - 12.150081500837414*lam3_22;
-    const puma560_full_real t67 = c23*t64 + s23*t66;
+    const puma560_full_real neg_n3_x = 0.01894848286257894*ww3_xy + c4*neg_n4_x - t56;
+    const puma560_full_real t57 = 0.2348119600832282*c2;
+    const puma560_full_real t58 = 55.04847880816545*(s2*t57) + (c2*t57 - 0.1174059800416141);
+    const puma560_full_real t59 = t19*t58;
+    const puma560_full_real t60 = t15*(t54 - 24.30016300167483*neg_ww3_yz) + (ww2_zz*(t20 -
+        4.508184091221399*c2) + (t59 - s23*neg_n3_x));
+    const puma560_full_real t61 = c4*t51 - s4*t53;
+    const puma560_full_real t62 = 12.150081500837414*ww3_xy + t61;
+    const puma560_full_real t63 = 0.33686216557830156*neg_lam4_31 + (s5*t50 - c5*t49 +
+        9.668724351427649*t25);
+    const puma560_full_real t64 = t63 + 12.150081500837414*neg_lam3_22;
+    const puma560_full_real t65 = c23*t62 + s23*t64;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real neg_n1_z = t62 + (t61 - 0.3465712306626645*t67) + c23*n3_y;
-    const puma560_full_real t68 = 0.04687139228815516*t65 - (0.7393454722568493*t4 -
-        (12.150081500837414*t18 - (c4*n4_y - (t63 - s4*n4_x))));
+    const puma560_full_real n1_z = c23*neg_n3_y - (t60 + (t59 - 0.3465712306626645*t65));
+    const puma560_full_real t66 = 0.04687139228815516*t63 - (0.7393454722568493*t3 -
+        (12.150081500837414*t17 - (c4*n4_y - (t61 + s4*neg_n4_x))));
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real neg_n3_z = 12.656251483728838*ww3_xy + t68;
-    const puma560_full_real t69 = neg_n3_z + t16*(s23*t64 - c23*t66) + (293.22217760906653*(c2 -
-        0.005370026967362786*s2) - t14*t67);
+    const puma560_full_real neg_n3_z = 12.656251483728838*ww3_xy + t66;
+    const puma560_full_real t67 = neg_n3_z + t15*(s23*t62 - c23*t64) + (293.22217760906653*(c2 -
+        0.005370026967362786*s2) - t13*t65);
     /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_full_real n02_z = ww1_zz*t60 - t69;
-    const puma560_full_real t70 = 1.1185374890947408*s6;
+    const puma560_full_real n02_z = ww1_zz*t58 - t67;
+    const puma560_full_real t68 = 1.1185374890947408*s6;
     /* link 6: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_full_real neg_h6_y = t70 - 1.2975168001325401*c6;
+    const puma560_full_real neg_h6_y = t68 - 1.2975168001325401*c6;
     /* link 5: force for a unit acceleration of a joint further out */
     const puma560_full_real fu5_x = c5*neg_h6_y;
     const puma560_full_real fu5_y = s5*neg_h6_y;
-    const puma560_full_real t71 = t70 - 8.074308788029867*neg_h6_y;
-    const puma560_full_real t72 = t71 - 17.297929233919618*c6;
+    const puma560_full_real t69 = t68 - 8.074308788029867*neg_h6_y;
+    const puma560_full_real t70 = t69 - 17.297929233919618*c6;
     /* link 6: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_full_real h6_x = 0.1639752994550661*t72;
-    const puma560_full_real t73 = h6_x - 0.47660058733283606;
+    const puma560_full_real h6_x = 0.1639752994550661*t70;
+    const puma560_full_real t71 = h6_x - 0.47660058733283606;
     /* link 5: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_full_real h5_x = 0.15165250821211493*s5 + c5*t73;
-    const puma560_full_real t74 = neg_h6_y - 0.8719880516308344;
-    const puma560_full_real t75 = h5_x + 0.7777930398944852;
+    const puma560_full_real h5_x = 0.15165250821211493*s5 + c5*t71;
+    const puma560_full_real t72 = neg_h6_y - 0.8719880516308344;
+    const puma560_full_real t73 = h5_x + 0.7777930398944852;
     /* link 4: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_full_real h4_x = s4*t74 + c4*t75;
+    const puma560_full_real h4_x = s4*t72 + c4*t73;
     /* link 6: second moment of the composite body [kg m^2] */
-    const puma560_full_real k6_yz = -0.02404451046533376*t71;
-    const puma560_full_real t76 = 0.8038904448657128*c6;
-    const puma560_full_real t77 = s6*t76 - 0.7502906175782786;
-    const puma560_full_real t78 = c6*t76;
-    const puma560_full_real t79 = 0.04363290654837309*t77 + 0.27886416156622007 - t78;
-    const puma560_full_real t80 = 0.18116108322165295 + k6_yz;
+    const puma560_full_real neg_k6_yz = 0.02404451046533376*t69;
+    const puma560_full_real t74 = 0.8038904448657128*c6;
+    const puma560_full_real t75 = s6*t74 - 0.7502906175782786;
+    const puma560_full_real t76 = c6*t74;
+    const puma560_full_real t77 = 0.04363290654837309*t75 + 0.27886416156622007 - t76;
+    const puma560_full_real t78 = 0.18116108322165295 - neg_k6_yz;
     /* link 5: second moment of the composite body [kg m^2] */
-    const puma560_full_real k5_xz = c5*t79 + s5*t80;
+    const puma560_full_real k5_xz = c5*t77 + s5*t78;
     /* link 6: second moment of the composite body [kg m^2] */
-    const puma560_full_real k6_xz = 0.02789191831646398*(t70 - t72);
-    const puma560_full_real t81 = c5*(0.08058935149735619 - k6_xz);
-    const puma560_full_real t82 = t77 + 0.04363290654837309*t78;
-    const puma560_full_real t83 = t82 + 0.9479140356861228;
-    const puma560_full_real t84 = t81 + (t81 + s5*t83);
-    const puma560_full_real t85 = s5*t84;
+    const puma560_full_real k6_xz = 0.02789191831646398*(t68 - t70);
+    const puma560_full_real t79 = c5*(0.08058935149735619 - k6_xz);
+    const puma560_full_real t80 = t75 + 0.04363290654837309*t76;
+    const puma560_full_real t81 = t80 + 0.9479140356861228;
+    const puma560_full_real t82 = t79 + (t79 + s5*t81);
+    const puma560_full_real t83 = s5*t82;
     /* link 4: mass matrix, its row of this joint */
-    const puma560_full_real m4_4 = 1.6853528376611298 - t85;
+    const puma560_full_real m4_4 = 1.6853528376611298 - t83;
     /* link 5: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_full_real neg_h5_y = 0.15165250821211493*c5 - s5*t73;
+    const puma560_full_real neg_h5_y = 0.15165250821211493*c5 - s5*t71;
     /* link 5: second moment of the composite body [kg m^2] */
-    const puma560_full_real k5_yz = s5*t79 - c5*t80;
+    const puma560_full_real k5_yz = s5*t77 - c5*t78;
     /* link 4: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_full_real h4_y = s4*t75 - c4*t74;
-    const puma560_full_real t86 = 0.0203*h4_x;
-    const puma560_full_real t87 = c4*s4;
-    const puma560_full_real t88 = k5_xz + 0.10674324035379577;
-    const puma560_full_real t89 = k5_xz + t88;
-    const puma560_full_real t90 = c4*c4;
-    const puma560_full_real t91 = t82 + (t82 + m4_4);
-    const puma560_full_real t92 = t86 + (t83 + t87*t89) - (t90*t91 - (t86 - 1.4196782145498086));
-    const puma560_full_real t93 = t85 + 3.8706455741586216 + 0.8662*neg_h5_y;
-    const puma560_full_real t94 = h4_x + 1.046378600789203;
-    const puma560_full_real t95 = 0.4318*c2;
-    const puma560_full_real t96 = c23*t95;
-    const puma560_full_real t97 = s23*t95;
-    const puma560_full_real t98 = neg_h5_y + 5.729293810689829;
-    const puma560_full_real t99 = t94*t96 + t97*t98;
-    const puma560_full_real t100 = 0.0203*neg_h5_y;
-    const puma560_full_real t101 = k5_yz - 0.10734691974802549;
-    const puma560_full_real t102 = k6_xz - 0.36433845752396576 + c5*t84;
-    const puma560_full_real t103 = s4*t101 - (c4*t102 - 0.4331*h4_x);
-    const puma560_full_real t104 = t99 - c23*(s23*(t100 + 0.28615890025504537 - t103));
-    const puma560_full_real t105 = 0.4318*s2;
-    const puma560_full_real t106 = t86 - 0.1501*h4_y;
-    const puma560_full_real t107 = 0.07491193080123078*c2;
-    const puma560_full_real t108 = t106 - m4_4;
+    const puma560_full_real h4_y = s4*t73 - c4*t72;
+    const puma560_full_real t84 = 0.0203*h4_x;
+    const puma560_full_real t85 = c4*s4;
+    const puma560_full_real t86 = k5_xz + 0.10674324035379577;
+    const puma560_full_real t87 = k5_xz + t86;
+    const puma560_full_real t88 = c4*c4;
+    const puma560_full_real t89 = t80 + (t80 + m4_4);
+    const puma560_full_real t90 = t84 + (t81 + t85*t87) - (t88*t89 - (t84 - 1.4196782145498086));
+    const puma560_full_real t91 = t83 + 3.8706455741586216 + 0.8662*neg_h5_y;
+    const puma560_full_real t92 = h4_x + 1.046378600789203;
+    const puma560_full_real t93 = 0.4318*c2;
+    const puma560_full_real t94 = c23*t93;
+    const puma560_full_real t95 = s23*t93;
+    const puma560_full_real t96 = neg_h5_y + 5.729293810689829;
+    const puma560_full_real t97 = t92*t94 + t95*t96;
+    const puma560_full_real t98 = k6_xz - 0.36433845752396576 + c5*t82;
+    const puma560_full_real t99 = 0.10734691974802549 - k5_yz;
+    const puma560_full_real t100 = c4*t98 - 0.4331*h4_x + s4*t99;
+    const puma560_full_real t101 = 0.0203*neg_h5_y;
+    const puma560_full_real t102 = t97 - c23*(s23*(t100 + (t101 + 0.28615890025504537)));
+    const puma560_full_real t103 = 0.4318*s2;
+    const puma560_full_real t104 = t84 - 0.1501*h4_y;
+    const puma560_full_real t105 = 0.07491193080123078*c2;
+    const puma560_full_real t106 = t104 - m4_4;
     /* link 1: mass matrix, its row of this joint */
-    const puma560_full_real m1_1 = (t92 + t93)*(s23*s23) + (t104 - 0.5437979622122006*(c2*t105)) +
-        (t104 - t106 + (102.49099587639564*(t95*t107) - (t108 - 3.3083718390798666)));
+    const puma560_full_real m1_1 = (t90 + t91)*(s23*s23) + (t102 - 0.5437979622122006*(c2*t103)) +
+        (t102 - t104 + (102.49099587639564*(t93*t105) - (t106 - 3.3083718390798666)));
     /* link 3: mass matrix, its row of this joint */
-    const puma560_full_real m3_4 = s4*t102 - (0.4331*h4_y - c4*t101);
+    const puma560_full_real m3_4 = s4*t98 - (c4*t99 + 0.4331*h4_y);
     /* link 3: second moment of the composite body [kg m^2] */
-    const puma560_full_real k3_yz = c23*(m3_4 + 0.060845712710754084) - s23*(t88 - (t87*t91 +
-        (t89*t90 - (0.0203*h4_y - 0.07232010303947682))));
+    const puma560_full_real k3_yz = c23*(m3_4 + 0.060845712710754084) - s23*(t86 - (t85*t89 +
+        (t87*t88 - (0.0203*h4_y - 0.07232010303947682))));
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_full_real h3_y = s23*t94 - c23*t98;
+    const puma560_full_real h3_y = s23*t92 - c23*t96;
     /* link 1: mass matrix, its row of this joint */
     const puma560_full_real m1_3 = k3_yz + 0.1501*h3_y;
-    const puma560_full_real t109 = h4_y*t105;
-    const puma560_full_real m1_2 = m1_3 + (t107 + 1.1673405148125928*s2) + t109;
-    const puma560_full_real m1_4 = s23*t103 - (c23*t108 - h4_x*t95);
+    const puma560_full_real t107 = h4_y*t103;
+    const puma560_full_real m1_2 = m1_3 + (t105 + 1.1673405148125928*s2) + t107;
+    const puma560_full_real neg_m1_4 = c23*t106 - h4_x*t93 + s23*t100;
     /* link 5: mass matrix, its row of this joint */
-    const puma560_full_real m5_5 = t82 + 1.728139590481575;
+    const puma560_full_real m5_5 = t80 + 1.728139590481575;
     /* link 4: force for a unit acceleration of a joint further out */
     const puma560_full_real fu4_x = c4*neg_h5_y;
     /* link 3: force for a unit acceleration of a joint further out */
     const puma560_full_real fu3_x = c23*fu4_x - s23*h5_x;
-    const puma560_full_real t110 = m5_5 + 0.4331*neg_h5_y;
-    const puma560_full_real t111 = s4*t100;
+    const puma560_full_real t108 = m5_5 + 0.4331*neg_h5_y;
+    const puma560_full_real t109 = s4*t101;
     /* link 1: mass matrix, its row of this joint */
-    const puma560_full_real m1_5 = s23*(s4*t110 + c4*k5_xz) -
-        (21.27093596059113*(0.007056577119036591*fu3_x - c2*t111) + c23*(t111 - k5_yz));
+    const puma560_full_real m1_5 = s23*(s4*t108 + c4*k5_xz) -
+        (21.27093596059113*(0.007056577119036591*fu3_x - c2*t109) + c23*(t109 - k5_yz));
     /* link 5: moment for a unit acceleration of a joint further out */
     const puma560_full_real neg_nu5_y = 0.907820001453264*c5 + s5*k6_xz;
     /* link 4: force for a unit acceleration of a joint further out */
     const puma560_full_real fu4_y = s4*fu5_x + c4*h6_x;
     /* link 5: moment for a unit acceleration of a joint further out */
     const puma560_full_real nu5_x = 0.907820001453264*s5 - c5*k6_xz;
-    const puma560_full_real t112 = c4*fu5_x - s4*h6_x;
-    const puma560_full_real t113 = s23*fu5_y - c23*t112;
+    const puma560_full_real t110 = c4*fu5_x - s4*h6_x;
+    const puma560_full_real t111 = s23*fu5_y - c23*t110;
     /* link 1: mass matrix, its row of this joint */
-    const puma560_full_real m1_6 = 0.1501*t113 - c23*(0.0203*fu4_y - neg_nu5_y) - (s23*(c4*nu5_x -
-        0.4331*fu4_y + s4*k6_yz) - t95*fu4_y);
+    const puma560_full_real m1_6 = 0.1501*t111 + c23*(neg_nu5_y - 0.0203*fu4_y) - (s23*(c4*nu5_x -
+        0.4331*fu4_y - s4*neg_k6_yz) - t93*fu4_y);
     /* link 3: mass matrix, its row of this joint */
-    const puma560_full_real m3_3 = t93 - t92;
-    const puma560_full_real t114 = t99 + t105*h3_y;
+    const puma560_full_real m3_3 = t91 - t90;
+    const puma560_full_real t112 = t97 + t103*h3_y;
     /* link 2: mass matrix, its row of this joint */
-    const puma560_full_real m2_3 = m3_3 + t114;
-    const puma560_full_real m2_2 = m2_3 + (t114 + 3.7298822532370677);
-    const puma560_full_real m2_4 = m3_4 - h4_y*t97 + c23*t109;
+    const puma560_full_real m2_3 = m3_3 + t112;
+    const puma560_full_real m2_2 = m2_3 + (t112 + 3.7298822532370677);
+    const puma560_full_real m2_4 = m3_4 - h4_y*t95 + c23*t107;
     /* link 3: force for a unit acceleration of a joint further out */
     const puma560_full_real fu3_y = s23*fu4_x + c23*h5_x;
     /* link 3: mass matrix, its row of this joint */
-    const puma560_full_real m3_5 = c4*t110 - 0.0203*h5_x - s4*k5_xz;
+    const puma560_full_real m3_5 = c4*t108 - 0.0203*h5_x - s4*k5_xz;
     /* link 2: mass matrix, its row of this joint */
-    const puma560_full_real m2_5 = m3_5 + t95*fu3_y - t105*fu3_x;
+    const puma560_full_real m2_5 = m3_5 + t93*fu3_y - t103*fu3_x;
     /* link 3: mass matrix, its row of this joint */
-    const puma560_full_real m3_6 = s4*nu5_x + (0.4331*t112 - (0.0203*fu5_y + c4*k6_yz));
+    const puma560_full_real m3_6 = s4*nu5_x + (0.4331*t110 - (0.0203*fu5_y - c4*neg_k6_yz));
     /* link 2: mass matrix, its row of this joint */
-    const puma560_full_real m2_6 = t97*t112 + (m3_6 + (t105*t113 + fu5_y*t96));
-    /* link 1: forward substitution */
-    const puma560_full_real y1 = neg_n1_z + tau[0];
-    /* factorisation M = L D L^T */
-    const puma560_full_real ipivot1 = 1.0 / m1_1;
-    const puma560_full_real l2_1 = m1_2*ipivot1;
-    const puma560_full_real l3_1 = m1_3*ipivot1;
-    const puma560_full_real l4_1 = m1_4*ipivot1;
-    const puma560_full_real l5_1 = m1_5*ipivot1;
-    const puma560_full_real l6_1 = m1_6*ipivot1;
-    const puma560_full_real pivot2 = m2_2 - m1_2*l2_1;
-    const puma560_full_real ipivot2 = 1.0 / pivot2;
-    const puma560_full_real ld3_2 = m2_3 - m1_2*l3_1;
-    const puma560_full_real l3_2 = ipivot2*ld3_2;
-    const puma560_full_real ld4_2 = m2_4 - m1_2*l4_1;
-    const puma560_full_real l4_2 = ipivot2*ld4_2;
-    const puma560_full_real ld5_2 = m2_5 - m1_2*l5_1;
-    const puma560_full_real l5_2 = ipivot2*ld5_2;
-    const puma560_full_real ld6_2 = m2_6 - m1_2*l6_1;
-    const puma560_full_real l6_2 = ipivot2*ld6_2;
-    const puma560_full_real pivot3 = m3_3 - m1_3*l3_1 - ld3_2*l3_2;
-    const puma560_full_real ipivot3 = 1.0 / pivot3;
-    const puma560_full_real ld4_3 = m3_4 - m1_3*l4_1 - ld3_2*l4_2;
-    const puma560_full_real l4_3 = ipivot3*ld4_3;
-    const puma560_full_real ld5_3 = m3_5 - m1_3*l5_1 - ld3_2*l5_2;
-    const puma560_full_real l5_3 = ipivot3*ld5_3;
-    const puma560_full_real ld6_3 = m3_6 - m1_3*l6_1 - ld3_2*l6_2;
-    const puma560_full_real l6_3 = ipivot3*ld6_3;
-    const puma560_full_real pivot4 = -(m1_4*l4_1 - m4_4 + ld4_2*l4_2) - ld4_3*l4_3;
-    const puma560_full_real ipivot4 = 1.0 / pivot4;
-    const puma560_full_real ld5_4 = k5_yz - m1_4*l5_1 - ld4_2*l5_2 - ld4_3*l5_3;
-    const puma560_full_real l5_4 = ipivot4*ld5_4;
-    const puma560_full_real ld6_4 = -ld4_2*l6_2 - (m1_4*l6_1 - neg_nu5_y) - ld4_3*l6_3;
-    const puma560_full_real l6_4 = ipivot4*ld6_4;
-    const puma560_full_real pivot5 = m5_5 - m1_5*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 - ld5_4*l5_4;
-    const puma560_full_real ipivot5 = 1.0 / pivot5;
-    const puma560_full_real ld6_5 = -ld5_2*l6_2 - (k6_yz + m1_5*l6_1) - ld5_3*l6_3 - ld5_4*l6_4;
-    const puma560_full_real l6_5 = ipivot5*ld6_5;
-    const puma560_full_real pivot6 = 0.907820001453264 - m1_6*l6_1 - ld6_2*l6_2 - ld6_3*l6_3 -
-        ld6_4*l6_4 - ld6_5*l6_5;
-    const puma560_full_real ipivot6 = 1.0 / pivot6;
-    /* link 2: forward substitution */
-    const puma560_full_real y2 = -y1*l2_1 - (n02_z - tau[1]);
-    /* link 3: forward substitution */
-    const puma560_full_real y3 = neg_n3_z + tau[2] - y1*l3_1 - l3_2*y2;
-    /* link 4: forward substitution */
-    const puma560_full_real y4 = -l4_2*y2 - (n4_z - tau[3] + y1*l4_1) - l4_3*y3;
-    /* link 5: forward substitution */
-    const puma560_full_real y5 = -(n5_z - tau[4] + y1*l5_1 + l5_2*y2 + l5_3*y3) - l5_4*y4;
-    const puma560_full_real t115 = -l6_4*y4 - (nc6_z - tau[5] + y1*l6_1 + l6_2*y2 + l6_3*y3);
+    const puma560_full_real m2_6 = t95*t110 + (m3_6 + (t103*t111 + fu5_y*t94));
     /* link 6: forward substitution */
-    const puma560_full_real y6 = t115 - l6_5*y5;
-    /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_full_real qdd6 = ipivot6*y6;
-    /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_full_real qdd5 = ipivot5*y5 - l6_5*qdd6;
-    /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_full_real qdd4 = ipivot4*y4 - l5_4*qdd5 - l6_4*qdd6;
-    /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_full_real qdd3 = -l6_3*qdd6 - (l4_3*qdd4 - ipivot3*y3 + l5_3*qdd5);
-    /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_full_real qdd2 = ipivot2*y2 - l3_2*qdd3 - l4_2*qdd4 - l5_2*qdd5 - l6_2*qdd6;
+    const puma560_full_real neg_y6 = nc6_z - tau[5];
+    /* factorisation M = U D U^T */
+    const puma560_full_real u5_6 = 0.026485988881983898*t69;
+    const puma560_full_real u4_6 = 1.1015399510907136*neg_nu5_y;
+    const puma560_full_real u3_6 = 1.1015399510907136*m3_6;
+    const puma560_full_real u2_6 = 1.1015399510907136*m2_6;
+    const puma560_full_real u1_6 = 1.1015399510907136*m1_6;
+    const puma560_full_real pivot5 = m5_5 - neg_k6_yz*u5_6;
+    const puma560_full_real ipivot5 = 1.0 / pivot5;
+    const puma560_full_real neg_ud4_5 = neg_k6_yz*u4_6 - k5_yz;
+    const puma560_full_real neg_u4_5 = ipivot5*neg_ud4_5;
+    const puma560_full_real ud3_5 = m3_5 - neg_k6_yz*u3_6;
+    const puma560_full_real u3_5 = ipivot5*ud3_5;
+    const puma560_full_real ud2_5 = m2_5 - neg_k6_yz*u2_6;
+    const puma560_full_real u2_5 = ipivot5*ud2_5;
+    const puma560_full_real ud1_5 = m1_5 - neg_k6_yz*u1_6;
+    const puma560_full_real u1_5 = ipivot5*ud1_5;
+    const puma560_full_real neg_pivot4 = neg_nu5_y*u4_6 - m4_4 + neg_ud4_5*neg_u4_5;
+    const puma560_full_real neg_ipivot4 = 1.0 / neg_pivot4;
+    const puma560_full_real ud3_4 = m3_4 - neg_nu5_y*u3_6 + neg_ud4_5*u3_5;
+    const puma560_full_real neg_u3_4 = neg_ipivot4*ud3_4;
+    const puma560_full_real ud2_4 = m2_4 - neg_nu5_y*u2_6 + neg_ud4_5*u2_5;
+    const puma560_full_real neg_u2_4 = neg_ipivot4*ud2_4;
+    const puma560_full_real neg_ud1_4 = neg_m1_4 + neg_nu5_y*u1_6 - neg_ud4_5*u1_5;
+    const puma560_full_real u1_4 = neg_ipivot4*neg_ud1_4;
+    const puma560_full_real neg_pivot3 = m3_6*u3_6 - m3_3 + ud3_5*u3_5 - ud3_4*neg_u3_4;
+    const puma560_full_real neg_ipivot3 = 1.0 / neg_pivot3;
+    const puma560_full_real neg_ud2_3 = m3_6*u2_6 - m2_3 + ud3_5*u2_5 - ud3_4*neg_u2_4;
+    const puma560_full_real u2_3 = neg_ipivot3*neg_ud2_3;
+    const puma560_full_real ud1_3 = m1_3 - m3_6*u1_6 - ud3_5*u1_5 - ud3_4*u1_4;
+    const puma560_full_real neg_u1_3 = neg_ipivot3*ud1_3;
+    const puma560_full_real neg_pivot2 = m2_6*u2_6 - m2_2 + ud2_5*u2_5 - ud2_4*neg_u2_4 -
+        neg_ud2_3*u2_3;
+    const puma560_full_real neg_ipivot2 = 1.0 / neg_pivot2;
+    const puma560_full_real ud1_2 = m1_2 - m2_6*u1_6 - ud2_5*u1_5 - ud2_4*u1_4 - neg_ud2_3*neg_u1_3;
+    const puma560_full_real neg_u1_2 = neg_ipivot2*ud1_2;
+    const puma560_full_real pivot1 = m1_1 - m1_6*u1_6 - ud1_5*u1_5 + neg_ud1_4*u1_4 + ud1_3*neg_u1_3
+        + ud1_2*neg_u1_2;
+    const puma560_full_real ipivot1 = 1.0 / pivot1;
+    /* link 5: forward substitution */
+    const puma560_full_real neg_y5 = n5_z - tau[4] - neg_y6*u5_6;
+    /* link 4: forward substitution */
+    const puma560_full_real neg_y4 = n4_z - tau[3] - neg_y6*u4_6 + neg_u4_5*neg_y5;
+    /* link 3: forward substitution */
+    const puma560_full_real y3 = neg_n3_z + tau[2] + neg_y6*u3_6 + u3_5*neg_y5 - neg_u3_4*neg_y4;
+    /* link 2: forward substitution */
+    const puma560_full_real neg_y2 = n02_z - tau[1] - neg_y6*u2_6 - u2_5*neg_y5 + neg_u2_4*neg_y4 +
+        u2_3*y3;
+    /* link 1: forward substitution */
+    const puma560_full_real y1 = tau[0] - n1_z + neg_y6*u1_6 + u1_5*neg_y5 + u1_4*neg_y4 +
+        neg_u1_3*y3 - neg_u1_2*neg_y2;
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_full_real qdd1 = y1*ipivot1 - l2_1*qdd2 - l3_1*qdd3 - l4_1*qdd4 - l5_1*qdd5 -
-        l6_1*qdd6;
+    const puma560_full_real qdd1 = ipivot1*y1;
+    /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const puma560_full_real qdd2 = neg_ipivot2*neg_y2 + neg_u1_2*qdd1;
+    /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const puma560_full_real neg_qdd3 = neg_ipivot3*y3 + u2_3*qdd2 - neg_u1_3*qdd1;
+    /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const puma560_full_real qdd4 = neg_ipivot4*neg_y4 - neg_u3_4*neg_qdd3 + neg_u2_4*qdd2 -
+        u1_4*qdd1;
+    /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const puma560_full_real neg_qdd5 = ipivot5*neg_y5 - neg_u4_5*qdd4 - u3_5*neg_qdd3 + u2_5*qdd2 +
+        u1_5*qdd1;
+    /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const puma560_full_real qdd6 = -u1_6*qdd1 - (1.1015399510907136*neg_y6 - u5_6*neg_qdd5 +
+        u4_6*qdd4 - u3_6*neg_qdd3 + u2_6*qdd2);
+    const puma560_full_real t113 = -neg_qdd3;
+    const puma560_full_real t114 = -neg_qdd5;
     qdd[0] = qdd1;
     qdd[1] = qdd2;
-    qdd[2] = qdd3;
+    qdd[2] = t113;
     qdd[3] = qdd4;
-    qdd[4] = qdd5;
+    qdd[4] = t114;
     qdd[5] = qdd6;
 }

@@ -31,7 +31,7 @@
 !   gravity: 38 multiplications, 23 additions = 61; 2 unary minus; 10 sine/cosine
 !   bias: 198 multiplications, 181 additions = 379; 0 unary minus; 10 sine/cosine
 !   mass_matrix: 120 multiplications, 109 additions = 229; 1 unary minus; 10 sine/cosine
-!   forward_dynamics: 403 multiplications, 359 additions, 6 divisions = 768; 14 unary minus; 10
+!   forward_dynamics: 403 multiplications, 359 additions, 5 divisions = 767; 3 unary minus; 10
 !       sine/cosine
 module puma560_full_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -808,34 +808,36 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 403 multiplications, 359 additions, 6 divisions = 768; 14 unary minus; 10 sine/cosine
+  ! 403 multiplications, 359 additions, 5 divisions = 767; 3 unary minus; 10 sine/cosine
   pure subroutine puma560_full_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="puma560_full_forward_dynamics_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(in) :: qd(6)
     real(rk), intent(in) :: tau(6)
     real(rk), intent(out) :: qdd(6)
-    real(rk) :: ww1_zz, w3_z, angle23, s23, t1, w3_x, c23, w3_y, ww3_yz, ww3_zx, ww3_yy, ww3_zz
-    real(rk) :: ww3_xy, neg_lam3_11, lam3_32, c4, s4, w4_x, w4_z, w4_y, ww4_xy, ww4_zz, ww4_yy
-    real(rk) :: ww4_yz, ww4_zx, lam4_21, neg_lam4_11, lam4_12, c5, s5, w5_x, w5_z, w5_y, ww5_zx
-    real(rk) :: ww5_xx, ww5_zz, ww5_yz, ww5_xy, w6_z, c6, s6, c2, s2, alpha4_x, lam4_23, lam5_13
-    real(rk) :: alpha4_y, lam5_12, alpha5_x, lam5_32, ww6_zz, ww2_zz, t2, t3, t4, lam3_22, alpha6_z
-    real(rk) :: lam5_31, t5, t6, t7, t8, t9, t10, t11, t12, t13, t14, t15, t16, t17, t18, t19, t20
-    real(rk) :: t21, t22, t23, t24, t25, t26, t27, t28, t29, t30, t31, t32, t33, t34, nc6_z
-    real(rk) :: lam4_13, lam5_21, neg_lam5_22, t35, lam4_22, lam5_23, t36, t37, t38, t39, t40, t41
-    real(rk) :: t42, t43, t44, t45, t46, t47, t48, t49, n4_z, t50, lam5_11, t51, t52, t53, t54, t55
-    real(rk) :: t56, n3_y, lam4_31, n4_x, t57, n5_z, lam4_32, n4_y, t58, n3_x, t59, t60, t61, t62
-    real(rk) :: t63, t64, t65, t66, t67, neg_n1_z, t68, neg_n3_z, t69, n02_z, t70, neg_h6_y, fu5_x
-    real(rk) :: fu5_y, t71, t72, h6_x, t73, h5_x, t74, t75, h4_x, k6_yz, t76, t77, t78, t79, t80
-    real(rk) :: k5_xz, k6_xz, t81, t82, t83, t84, t85, m4_4, neg_h5_y, k5_yz, h4_y, t86, t87, t88
-    real(rk) :: t89, t90, t91, t92, t93, t94, t95, t96, t97, t98, t99, t100, t101, t102, t103, t104
-    real(rk) :: t105, t106, t107, t108, m1_1, m3_4, k3_yz, h3_y, m1_3, t109, m1_2, m1_4, m5_5
-    real(rk) :: fu4_x, fu3_x, t110, t111, m1_5, neg_nu5_y, fu4_y, nu5_x, t112, t113, m1_6, m3_3
-    real(rk) :: t114, m2_3, m2_2, m2_4, fu3_y, m3_5, m2_5, m3_6, m2_6, y1, ipivot1, l2_1, l3_1
-    real(rk) :: l4_1, l5_1, l6_1, pivot2, ipivot2, ld3_2, l3_2, ld4_2, l4_2, ld5_2, l5_2, ld6_2
-    real(rk) :: l6_2, pivot3, ipivot3, ld4_3, l4_3, ld5_3, l5_3, ld6_3, l6_3, pivot4, ipivot4
-    real(rk) :: ld5_4, l5_4, ld6_4, l6_4, pivot5, ipivot5, ld6_5, l6_5, pivot6, ipivot6, y2, y3, y4
-    real(rk) :: y5, t115, y6, qdd6, qdd5, qdd4, qdd3, qdd2, qdd1
+    real(rk) :: ww1_zz, w3_z, angle23, s23, neg_w3_x, c23, neg_w3_y, neg_ww3_yz, neg_ww3_zx, ww3_yy
+    real(rk) :: ww3_zz, ww3_xy, neg_lam3_11, lam3_32, c4, s4, neg_w4_x, w4_z, w4_y, neg_ww4_xy
+    real(rk) :: ww4_zz, ww4_yy, ww4_yz, neg_ww4_zx, neg_lam4_21, neg_lam4_11, lam4_12, c5, s5
+    real(rk) :: neg_w5_x, w5_z, w5_y, neg_ww5_zx, ww5_xx, ww5_zz, ww5_yz, neg_ww5_xy, w6_z, c6, s6
+    real(rk) :: c2, s2, neg_alpha4_x, lam4_23, neg_lam5_13, alpha4_y, neg_lam5_12, alpha5_x
+    real(rk) :: lam5_32, ww6_zz, ww2_zz, t1, t2, t3, neg_lam3_22, alpha6_z, neg_lam5_31, t4, t5, t6
+    real(rk) :: t7, t8, t9, t10, t11, t12, t13, t14, t15, t16, t17, t18, t19, t20, t21, t22, t23
+    real(rk) :: t24, t25, t26, t27, t28, t29, t30, t31, t32, nc6_z, lam4_13, neg_lam5_21
+    real(rk) :: neg_lam5_22, t33, neg_lam4_22, lam5_23, t34, t35, t36, t37, t38, t39, t40, t41, t42
+    real(rk) :: t43, t44, t45, t46, t47, n4_z, t48, lam5_11, t49, t50, t51, t52, t53, t54, neg_n3_y
+    real(rk) :: neg_lam4_31, neg_n4_x, t55, n5_z, lam4_32, n4_y, t56, neg_n3_x, t57, t58, t59, t60
+    real(rk) :: t61, t62, t63, t64, t65, n1_z, t66, neg_n3_z, t67, n02_z, t68, neg_h6_y, fu5_x
+    real(rk) :: fu5_y, t69, t70, h6_x, t71, h5_x, t72, t73, h4_x, neg_k6_yz, t74, t75, t76, t77
+    real(rk) :: t78, k5_xz, k6_xz, t79, t80, t81, t82, t83, m4_4, neg_h5_y, k5_yz, h4_y, t84, t85
+    real(rk) :: t86, t87, t88, t89, t90, t91, t92, t93, t94, t95, t96, t97, t98, t99, t100, t101
+    real(rk) :: t102, t103, t104, t105, t106, m1_1, m3_4, k3_yz, h3_y, m1_3, t107, m1_2, neg_m1_4
+    real(rk) :: m5_5, fu4_x, fu3_x, t108, t109, m1_5, neg_nu5_y, fu4_y, nu5_x, t110, t111, m1_6
+    real(rk) :: m3_3, t112, m2_3, m2_2, m2_4, fu3_y, m3_5, m2_5, m3_6, m2_6, neg_y6, u5_6, u4_6
+    real(rk) :: u3_6, u2_6, u1_6, pivot5, ipivot5, neg_ud4_5, neg_u4_5, ud3_5, u3_5, ud2_5, u2_5
+    real(rk) :: ud1_5, u1_5, neg_pivot4, neg_ipivot4, ud3_4, neg_u3_4, ud2_4, neg_u2_4, neg_ud1_4
+    real(rk) :: u1_4, neg_pivot3, neg_ipivot3, neg_ud2_3, u2_3, ud1_3, neg_u1_3, neg_pivot2
+    real(rk) :: neg_ipivot2, ud1_2, neg_u1_2, pivot1, ipivot1, neg_y5, neg_y4, y3, neg_y2, y1, qdd1
+    real(rk) :: qdd2, neg_qdd3, qdd4, neg_qdd5, qdd6, t113, t114
 
     ! link 1: products of the angular velocity [1/s^2]
     ww1_zz = qd(1)*qd(1)
@@ -844,52 +846,51 @@ contains
     ! sines and cosines of the joint angles
     angle23 = q(2) + q(3)
     s23 = sin(angle23)
-    t1 = -qd(1)
     ! link 3: angular velocity [rad/s]
-    w3_x = t1*s23
+    neg_w3_x = qd(1)*s23
     ! sines and cosines of the joint angles
     c23 = cos(angle23)
     ! link 3: angular velocity [rad/s]
-    w3_y = t1*c23
+    neg_w3_y = qd(1)*c23
     ! link 3: products of the angular velocity [1/s^2]
-    ww3_yz = w3_z*w3_y
-    ww3_zx = w3_z*w3_x
-    ww3_yy = w3_y*w3_y
+    neg_ww3_yz = w3_z*neg_w3_y
+    neg_ww3_zx = w3_z*neg_w3_x
+    ww3_yy = neg_w3_y*neg_w3_y
     ww3_zz = w3_z*w3_z
-    ww3_xy = w3_x*w3_y
+    ww3_xy = neg_w3_x*neg_w3_y
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam3_11 = ww3_yy + ww3_zz
-    lam3_32 = 2.0_rk*ww3_yz
+    lam3_32 = -2.0_rk*neg_ww3_yz
     ! sines and cosines of the joint angles
     c4 = cos(q(4))
     s4 = sin(q(4))
     ! link 4: angular velocity [rad/s]
-    w4_x = w3_x*c4 + w3_z*s4
-    w4_z = qd(4) - w3_y
-    w4_y = w3_z*c4 - w3_x*s4
+    neg_w4_x = neg_w3_x*c4 - w3_z*s4
+    w4_z = neg_w3_y + qd(4)
+    w4_y = neg_w3_x*s4 + w3_z*c4
     ! link 4: products of the angular velocity [1/s^2]
-    ww4_xy = w4_x*w4_y
+    neg_ww4_xy = neg_w4_x*w4_y
     ww4_zz = w4_z*w4_z
     ww4_yy = w4_y*w4_y
     ww4_yz = w4_z*w4_y
-    ww4_zx = w4_x*w4_z
+    neg_ww4_zx = neg_w4_x*w4_z
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam4_21 = ww3_zx + ww4_xy
+    neg_lam4_21 = neg_ww3_zx + neg_ww4_xy
     neg_lam4_11 = ww4_zz + ww4_yy
-    lam4_12 = ww4_xy - ww3_zx
+    lam4_12 = neg_ww3_zx - neg_ww4_xy
     ! sines and cosines of the joint angles
     c5 = cos(q(5))
     s5 = sin(q(5))
     ! link 5: angular velocity [rad/s]
-    w5_x = w4_x*c5 - w4_z*s5
+    neg_w5_x = neg_w4_x*c5 + w4_z*s5
     w5_z = w4_y + qd(5)
-    w5_y = -w4_z*c5 - w4_x*s5
+    w5_y = neg_w4_x*s5 - w4_z*c5
     ! link 5: products of the angular velocity [1/s^2]
-    ww5_zx = w5_x*w5_z
-    ww5_xx = w5_x*w5_x
+    neg_ww5_zx = neg_w5_x*w5_z
+    ww5_xx = neg_w5_x*neg_w5_x
     ww5_zz = w5_z*w5_z
     ww5_yz = w5_z*w5_y
-    ww5_xy = w5_x*w5_y
+    neg_ww5_xy = neg_w5_x*w5_y
     ! link 6: angular velocity [rad/s]
     w6_z = qd(6) - w5_y
     ! sines and cosines of the joint angles
@@ -898,334 +899,337 @@ contains
     c2 = cos(q(2))
     s2 = sin(q(2))
     ! link 4: angular acceleration [rad/s^2]
-    alpha4_x = ww3_yz*c4 + qd(4)*w4_y
+    neg_alpha4_x = neg_ww3_yz*c4 - qd(4)*w4_y
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam4_23 = ww4_yz - alpha4_x
+    lam4_23 = ww4_yz + neg_alpha4_x
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam5_13 = w4_y*w5_x + (-s5*alpha4_x - ww3_zx*c5)
+    neg_lam5_13 = w4_y*neg_w5_x - (neg_ww3_zx*c5 + s5*neg_alpha4_x)
     ! link 4: angular acceleration [rad/s^2]
-    alpha4_y = -w4_x*qd(4) - ww3_yz*s4
+    alpha4_y = neg_ww3_yz*s4 + neg_w4_x*qd(4)
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam5_12 = ww5_xy - alpha4_y
+    neg_lam5_12 = neg_ww5_xy + alpha4_y
     ! link 5: angular acceleration [rad/s^2]
-    alpha5_x = qd(5)*w5_y + c5*alpha4_x - ww3_zx*s5
+    alpha5_x = neg_ww3_zx*s5 + (qd(5)*w5_y - c5*neg_alpha4_x)
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
     lam5_32 = ww5_yz + alpha5_x
     ! link 6: products of the angular velocity [1/s^2]
     ww6_zz = w6_z*w6_z
     ! link 2: products of the angular velocity [1/s^2]
     ww2_zz = qd(2)*qd(2)
-    t2 = ww3_yy - ww3_zz
-    t3 = ww1_zz - neg_lam3_11
-    t4 = t2 - t3
+    t1 = ww3_yy - ww3_zz
+    t2 = ww1_zz - neg_lam3_11
+    t3 = t1 - t2
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam3_22 = t4 - neg_lam3_11
+    neg_lam3_22 = neg_lam3_11 - t3
     ! link 6: angular acceleration [rad/s^2]
-    alpha6_z = ww5_zx - lam5_13
+    alpha6_z = neg_lam5_13 - neg_ww5_zx
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam5_31 = ww5_zx + alpha6_z
+    neg_lam5_31 = neg_ww5_zx - alpha6_z
+    t4 = 0.2519035474197792_rk*c6 - 0.1902613160848803_rk*s6
     t5 = 0.1902613160848803_rk*c6 + 0.2519035474197792_rk*s6
-    t6 = 0.2519035474197792_rk*c6 - 0.1902613160848803_rk*s6
-    t7 = 0.561954526137403_rk*c6
-    t8 = 0.062417998297925076_rk*c6
-    t9 = t7*t8 + 0.43637196239865417_rk
-    t10 = 0.561954526137403_rk*s6
-    t11 = t8*t10
-    t12 = t9 + 22.918482381900507_rk*t11
-    t13 = t12 - 0.907820001453264_rk
-    t14 = 0.9969983837450935_rk*s2
-    t15 = ww2_zz*t14 + 22.627568690833527_rk
-    t16 = 0.9969983837450935_rk*c2
-    t17 = t16*(ww1_zz + ww2_zz)
-    t18 = s23*t15 + c23*t17
-    t19 = 0.04687139228815516_rk*neg_lam3_11 - (ww3_xy + t18)
-    t20 = qd(1)*qd(2)
-    t21 = 0.07491193080123078_rk*s2
-    t22 = 0.3465712306626645_rk*ww1_zz + 26.617879771127544_rk*(t20*t21)
-    t23 = -0.09374278457631031_rk*ww3_zx - t22 - lam3_32
-    t24 = s4*t19 - c4*t23
-    t25 = t10 + 0.4844385865269322_rk*c6
-    t26 = -lam5_32*t5 - lam5_12*t6 - (-lam5_31*t12 - lam5_13*t13 - t24*t25)
-    t27 = 0.04687139228815516_rk*ww3_xy - s23*t17 + (lam3_22 + c23*t15)
-    t28 = c4*t19 + s4*t23
-    t29 = s5*t27 - c5*t28
-    t30 = t7 - 0.4844385865269322_rk*s6
-    t31 = ww5_xx + ww6_zz
-    t32 = ww5_zz + ww6_zz
-    t33 = t31 - t32
-    t34 = t11 - (22.918482381900507_rk*t9 - 10.402928354621762_rk)
+    t6 = 0.561954526137403_rk*c6
+    t7 = 0.062417998297925076_rk*c6
+    t8 = t6*t7 + 0.43637196239865417_rk
+    t9 = 0.561954526137403_rk*s6
+    t10 = t7*t9
+    t11 = t8 + 22.918482381900507_rk*t10
+    t12 = t11 - 0.907820001453264_rk
+    t13 = 0.9969983837450935_rk*s2
+    t14 = ww2_zz*t13 + 22.627568690833527_rk
+    t15 = 0.9969983837450935_rk*c2
+    t16 = t15*(ww1_zz + ww2_zz)
+    t17 = s23*t14 + c23*t16
+    t18 = 0.04687139228815516_rk*neg_lam3_11 - (ww3_xy + t17)
+    t19 = qd(1)*qd(2)
+    t20 = 0.07491193080123078_rk*s2
+    t21 = 0.3465712306626645_rk*ww1_zz + 26.617879771127544_rk*(t19*t20)
+    t22 = 0.09374278457631031_rk*neg_ww3_zx - t21 - lam3_32
+    t23 = s4*t18 - c4*t22
+    t24 = t9 + 0.4844385865269322_rk*c6
+    t25 = 0.04687139228815516_rk*ww3_xy - s23*t16 - (neg_lam3_22 - c23*t14)
+    t26 = c4*t18 + s4*t22
+    t27 = s5*t25 - c5*t26
+    t28 = t6 - 0.4844385865269322_rk*s6
+    t29 = ww5_xx + ww6_zz
+    t30 = ww5_zz + ww6_zz
+    t31 = t29 - t30
+    t32 = t10 - (22.918482381900507_rk*t8 - 10.402928354621762_rk)
     ! link 6: moment that turns the link [N m]
-    nc6_z = t26 + (t29*t30 - t33*t34)
+    nc6_z = neg_lam5_12*t4 - lam5_32*t5 - (neg_lam5_13*t12 + neg_lam5_31*t11 - t23*t24) + (t27*t28 &
+        - t31*t32)
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam4_13 = ww4_zx + alpha4_y
+    lam4_13 = alpha4_y - neg_ww4_zx
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam5_21 = ww5_xy + alpha4_y
+    neg_lam5_21 = neg_ww5_xy - alpha4_y
     neg_lam5_22 = ww5_xx + ww5_zz
-    t35 = ww4_zz - ww4_yy
+    t33 = ww4_zz - ww4_yy
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam4_22 = lam3_22 - t35
+    neg_lam4_22 = neg_lam3_22 + t33
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
     lam5_23 = ww5_yz - alpha5_x
-    t36 = 0.08058935149735619_rk*lam5_32
-    t37 = 0.37765802516131436_rk*t29
-    t38 = -0.18116108322165295_rk*lam5_12 - t36 - (nc6_z + (0.1558184212675505_rk*t33 + t37 + &
-        0.1513642331069161_rk*lam5_31 + 0.2064157143738513_rk*t24))
-    t39 = -0.2788425785236688_rk*lam5_13 - t38
-    t40 = neg_lam4_11 + lam3_22
-    t41 = qd(6) + w6_z
-    t42 = alpha5_x + w5_z*t41
-    t43 = neg_lam5_22 + lam4_22
-    t44 = t30 + 0.37765802516131436_rk
-    t45 = s5*t28 + c5*t27
-    t46 = alpha4_y - w5_x*t41
-    t47 = t6*(t31 - neg_lam5_22) + (0.18116108322165295_rk*t43 - (t44*t45 - (t34*t46 + &
-        (-0.1558184212675505_rk*lam5_21 - 0.06568070130666698_rk*t24))))
-    t48 = 0.2788425785236688_rk*lam5_23 - (0.3901127773977262_rk*lam5_32 - (t13*t42 + t47)) + &
-        lam5_31*(t5 - 0.08058935149735619_rk)
-    t49 = -0.3473260245772809_rk*lam4_21 - (c5*t39 - 0.10734691974802549_rk*lam4_13 - &
-        0.05337162017689789_rk*(t35 - t40)) - s5*t48
+    t34 = 0.08058935149735619_rk*lam5_32
+    t35 = 0.37765802516131436_rk*t27
+    t36 = 0.18116108322165295_rk*neg_lam5_12 - t34 - (nc6_z + (0.1558184212675505_rk*t31 + t35 - &
+        0.1513642331069161_rk*neg_lam5_31 + 0.2064157143738513_rk*t23))
+    t37 = 0.2788425785236688_rk*neg_lam5_13 - t36
+    t38 = neg_lam4_11 - neg_lam3_22
+    t39 = qd(6) + w6_z
+    t40 = alpha5_x + w5_z*t39
+    t41 = neg_lam5_22 - neg_lam4_22
+    t42 = t28 + 0.37765802516131436_rk
+    t43 = s5*t26 + c5*t25
+    t44 = alpha4_y + neg_w5_x*t39
+    t45 = t4*(t29 - neg_lam5_22) + (0.18116108322165295_rk*t41 - (t42*t43 - (t32*t44 + &
+        (0.1558184212675505_rk*neg_lam5_21 - 0.06568070130666698_rk*t23))))
+    t46 = 0.2788425785236688_rk*lam5_23 - (0.3901127773977262_rk*lam5_32 - (t12*t40 + t45)) - &
+        neg_lam5_31*(t5 - 0.08058935149735619_rk)
+    t47 = 0.3473260245772809_rk*neg_lam4_21 - (c5*t37 - 0.10734691974802549_rk*lam4_13 - &
+        0.05337162017689789_rk*(t33 - t38)) - s5*t46
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_z = 0.2837491060266096_rk*lam4_23 - (t49 + 0.33686216557830156_rk*t24)
-    t50 = t33 + t43
+    n4_z = 0.2837491060266096_rk*lam4_23 - (t47 + 0.33686216557830156_rk*t23)
+    t48 = t31 + t41
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam5_11 = t50 - neg_lam5_22
-    t51 = t25*t46 - (0.06568070130666698_rk*neg_lam5_22 + (0.37765802516131436_rk*lam5_23 - &
-        0.2064157143738513_rk*lam5_21)) + t30*t42
-    t52 = t25*t32 - 0.2064157143738513_rk*lam5_11 - 0.06568070130666698_rk*lam5_12 + lam5_13*t44
-    t53 = 0.33686216557830156_rk*neg_lam4_11 + (9.668724351427649_rk*t28 - s5*t51 - c5*t52)
-    t54 = t30*t31 - (9.668724351427649_rk*t24 - lam5_31*t25 - 0.8150047132321409_rk*(t36 + &
-        0.2532693504989058_rk*lam5_31)) - 0.37765802516131436_rk*lam4_22
-    t55 = t54 - 0.33686216557830156_rk*lam4_21
-    t56 = s4*t53 + c4*t55
+    lam5_11 = t48 - neg_lam5_22
+    t49 = t24*t44 - (0.06568070130666698_rk*neg_lam5_22 + (0.37765802516131436_rk*lam5_23 + &
+        0.2064157143738513_rk*neg_lam5_21)) + t28*t40
+    t50 = 0.06568070130666698_rk*neg_lam5_12 + (t24*t30 - 0.2064157143738513_rk*lam5_11) - &
+        neg_lam5_13*t42
+    t51 = 0.33686216557830156_rk*neg_lam4_11 + (9.668724351427649_rk*t26 - s5*t49 - c5*t50)
+    t52 = t28*t29 - (9.668724351427649_rk*t23 + neg_lam5_31*t24 - 0.8150047132321409_rk*(t34 - &
+        0.2532693504989058_rk*neg_lam5_31)) + 0.37765802516131436_rk*neg_lam4_22
+    t53 = 0.33686216557830156_rk*neg_lam4_21 + t52
+    t54 = s4*t51 + c4*t53
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_y = -1.4786909445136986_rk*ww3_yz - (0.04687139228815516_rk*t56 - &
-        0.01894848286257894_rk*t3) - 0.9860113289194135_rk*ww3_zx - (n4_z - &
-        0.060845712710754084_rk*ww3_xy)
+    neg_n3_y = n4_z - 0.060845712710754084_rk*ww3_xy - (0.9860113289194135_rk*neg_ww3_zx + &
+        (1.4786909445136986_rk*neg_ww3_yz - (0.04687139228815516_rk*t54 - &
+        0.01894848286257894_rk*t2)))
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam4_31 = ww4_zx - alpha4_y
+    neg_lam4_31 = neg_ww4_zx + alpha4_y
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = s5*t39 + 0.05337162017689789_rk*lam4_31 + (0.10734691974802549_rk*t35 - &
-        0.2837491060266096_rk*lam4_21) - c5*t48
-    t57 = 0.17391580988809086_rk*(t37 + 0.8959416706728075_rk*lam5_23) - (t12*t46 + (t5*(ww5_xx - &
-        ww6_zz) + 0.1513642331069161_rk*lam5_21))
+    neg_n4_x = c5*t46 - (s5*t37 - 0.05337162017689789_rk*neg_lam4_31 + &
+        (0.2837491060266096_rk*neg_lam4_21 + 0.10734691974802549_rk*t33))
+    t55 = 0.17391580988809086_rk*(t35 + 0.8959416706728075_rk*lam5_23) - (t11*t44 + (t5*(ww5_xx - &
+        ww6_zz) - 0.1513642331069161_rk*neg_lam5_21))
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_z = -0.3901127773977262_rk*lam5_12 - (t34*t42 - (t45*(t25 + 0.2064157143738513_rk) - t57)) &
-        - 0.08058935149735619_rk*t50 - lam5_13*(t6 - 0.18116108322165295_rk)
+    n5_z = neg_lam5_13*(t4 - 0.18116108322165295_rk) - (0.08058935149735619_rk*t48 - &
+        (0.3901127773977262_rk*neg_lam5_12 - (t32*t40 - (t43*(t24 + 0.2064157143738513_rk) - &
+        t55))))
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam4_32 = ww4_yz + alpha4_x
+    lam4_32 = ww4_yz - neg_alpha4_x
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_y = n5_z + 0.10734691974802549_rk*lam4_12 - 0.2837491060266096_rk*t40 - &
-        0.3473260245772809_rk*lam4_31 - (0.05337162017689789_rk*lam4_32 + &
-        0.33686216557830156_rk*t27)
-    t58 = t56 - s4*n4_y - (0.060845712710754084_rk*(t2 - 432.2163900256032_rk*ww3_yz) - &
-        1.4786909445136986_rk*ww3_zx - 12.150081500837414_rk*t22)
+    n4_y = n5_z + 0.10734691974802549_rk*lam4_12 - 0.2837491060266096_rk*t38 + &
+        0.3473260245772809_rk*neg_lam4_31 - (0.05337162017689789_rk*lam4_32 + &
+        0.33686216557830156_rk*t25)
+    t56 = t54 - s4*n4_y - (1.4786909445136986_rk*neg_ww3_zx + 0.060845712710754084_rk*(t1 + &
+        432.2163900256032_rk*neg_ww3_yz) - 12.150081500837414_rk*t21)
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = t58 - (0.01894848286257894_rk*ww3_xy - c4*n4_x)
-    t59 = 0.2348119600832282_rk*c2
-    t60 = 55.04847880816545_rk*(s2*t59) + (c2*t59 - 0.1174059800416141_rk)
-    t61 = t20*t60
-    t62 = t16*(t56 + 24.30016300167483_rk*ww3_yz) + (ww2_zz*(t21 - 4.508184091221399_rk*c2) + (t61 &
-        + s23*n3_x))
-    t63 = c4*t53 - s4*t55
-    t64 = 12.150081500837414_rk*ww3_xy + t63
-    t65 = s5*t52 - c5*t51 + 9.668724351427649_rk*t27 - 0.33686216557830156_rk*lam4_31
-    t66 = t65 - 12.150081500837414_rk*lam3_22
-    t67 = c23*t64 + s23*t66
+    neg_n3_x = 0.01894848286257894_rk*ww3_xy + c4*neg_n4_x - t56
+    t57 = 0.2348119600832282_rk*c2
+    t58 = 55.04847880816545_rk*(s2*t57) + (c2*t57 - 0.1174059800416141_rk)
+    t59 = t19*t58
+    t60 = t15*(t54 - 24.30016300167483_rk*neg_ww3_yz) + (ww2_zz*(t20 - 4.508184091221399_rk*c2) + &
+        (t59 - s23*neg_n3_x))
+    t61 = c4*t51 - s4*t53
+    t62 = 12.150081500837414_rk*ww3_xy + t61
+    t63 = 0.33686216557830156_rk*neg_lam4_31 + (s5*t50 - c5*t49 + 9.668724351427649_rk*t25)
+    t64 = t63 + 12.150081500837414_rk*neg_lam3_22
+    t65 = c23*t62 + s23*t64
     ! link 1: moment through the joint, about the frame's origin [N m]
-    neg_n1_z = t62 + (t61 - 0.3465712306626645_rk*t67) + c23*n3_y
-    t68 = 0.04687139228815516_rk*t65 - (0.7393454722568493_rk*t4 - (12.150081500837414_rk*t18 - &
-        (c4*n4_y - (t63 - s4*n4_x))))
+    n1_z = c23*neg_n3_y - (t60 + (t59 - 0.3465712306626645_rk*t65))
+    t66 = 0.04687139228815516_rk*t63 - (0.7393454722568493_rk*t3 - (12.150081500837414_rk*t17 - &
+        (c4*n4_y - (t61 + s4*neg_n4_x))))
     ! link 3: moment through the joint, about the frame's origin [N m]
-    neg_n3_z = 12.656251483728838_rk*ww3_xy + t68
-    t69 = neg_n3_z + t16*(s23*t64 - c23*t66) + (293.22217760906653_rk*(c2 - &
-        0.005370026967362786_rk*s2) - t14*t67)
+    neg_n3_z = 12.656251483728838_rk*ww3_xy + t66
+    t67 = neg_n3_z + t15*(s23*t62 - c23*t64) + (293.22217760906653_rk*(c2 - &
+        0.005370026967362786_rk*s2) - t13*t65)
     ! link 2: moment through the joint, along the axes that its turn starts from [N m]
-    n02_z = ww1_zz*t60 - t69
-    t70 = 1.1185374890947408_rk*s6
+    n02_z = ww1_zz*t58 - t67
+    t68 = 1.1185374890947408_rk*s6
     ! link 6: first moment of the composite body, about the frame's origin [kg m]
-    neg_h6_y = t70 - 1.2975168001325401_rk*c6
+    neg_h6_y = t68 - 1.2975168001325401_rk*c6
     ! link 5: force for a unit acceleration of a joint further out
     fu5_x = c5*neg_h6_y
     fu5_y = s5*neg_h6_y
-    t71 = t70 - 8.074308788029867_rk*neg_h6_y
-    t72 = t71 - 17.297929233919618_rk*c6
+    t69 = t68 - 8.074308788029867_rk*neg_h6_y
+    t70 = t69 - 17.297929233919618_rk*c6
     ! link 6: first moment of the composite body, about the frame's origin [kg m]
-    h6_x = 0.1639752994550661_rk*t72
-    t73 = h6_x - 0.47660058733283606_rk
+    h6_x = 0.1639752994550661_rk*t70
+    t71 = h6_x - 0.47660058733283606_rk
     ! link 5: first moment of the composite body, about the frame's origin [kg m]
-    h5_x = 0.15165250821211493_rk*s5 + c5*t73
-    t74 = neg_h6_y - 0.8719880516308344_rk
-    t75 = h5_x + 0.7777930398944852_rk
+    h5_x = 0.15165250821211493_rk*s5 + c5*t71
+    t72 = neg_h6_y - 0.8719880516308344_rk
+    t73 = h5_x + 0.7777930398944852_rk
     ! link 4: first moment of the composite body, about the frame's origin [kg m]
-    h4_x = s4*t74 + c4*t75
+    h4_x = s4*t72 + c4*t73
     ! link 6: second moment of the composite body [kg m^2]
-    k6_yz = -0.02404451046533376_rk*t71
-    t76 = 0.8038904448657128_rk*c6
-    t77 = s6*t76 - 0.7502906175782786_rk
-    t78 = c6*t76
-    t79 = 0.04363290654837309_rk*t77 + 0.27886416156622007_rk - t78
-    t80 = 0.18116108322165295_rk + k6_yz
+    neg_k6_yz = 0.02404451046533376_rk*t69
+    t74 = 0.8038904448657128_rk*c6
+    t75 = s6*t74 - 0.7502906175782786_rk
+    t76 = c6*t74
+    t77 = 0.04363290654837309_rk*t75 + 0.27886416156622007_rk - t76
+    t78 = 0.18116108322165295_rk - neg_k6_yz
     ! link 5: second moment of the composite body [kg m^2]
-    k5_xz = c5*t79 + s5*t80
+    k5_xz = c5*t77 + s5*t78
     ! link 6: second moment of the composite body [kg m^2]
-    k6_xz = 0.02789191831646398_rk*(t70 - t72)
-    t81 = c5*(0.08058935149735619_rk - k6_xz)
-    t82 = t77 + 0.04363290654837309_rk*t78
-    t83 = t82 + 0.9479140356861228_rk
-    t84 = t81 + (t81 + s5*t83)
-    t85 = s5*t84
+    k6_xz = 0.02789191831646398_rk*(t68 - t70)
+    t79 = c5*(0.08058935149735619_rk - k6_xz)
+    t80 = t75 + 0.04363290654837309_rk*t76
+    t81 = t80 + 0.9479140356861228_rk
+    t82 = t79 + (t79 + s5*t81)
+    t83 = s5*t82
     ! link 4: mass matrix, its row of this joint
-    m4_4 = 1.6853528376611298_rk - t85
+    m4_4 = 1.6853528376611298_rk - t83
     ! link 5: first moment of the composite body, about the frame's origin [kg m]
-    neg_h5_y = 0.15165250821211493_rk*c5 - s5*t73
+    neg_h5_y = 0.15165250821211493_rk*c5 - s5*t71
     ! link 5: second moment of the composite body [kg m^2]
-    k5_yz = s5*t79 - c5*t80
+    k5_yz = s5*t77 - c5*t78
     ! link 4: first moment of the composite body, about the frame's origin [kg m]
-    h4_y = s4*t75 - c4*t74
-    t86 = 0.0203_rk*h4_x
-    t87 = c4*s4
-    t88 = k5_xz + 0.10674324035379577_rk
-    t89 = k5_xz + t88
-    t90 = c4*c4
-    t91 = t82 + (t82 + m4_4)
-    t92 = t86 + (t83 + t87*t89) - (t90*t91 - (t86 - 1.4196782145498086_rk))
-    t93 = t85 + 3.8706455741586216_rk + 0.8662_rk*neg_h5_y
-    t94 = h4_x + 1.046378600789203_rk
-    t95 = 0.4318_rk*c2
-    t96 = c23*t95
-    t97 = s23*t95
-    t98 = neg_h5_y + 5.729293810689829_rk
-    t99 = t94*t96 + t97*t98
-    t100 = 0.0203_rk*neg_h5_y
-    t101 = k5_yz - 0.10734691974802549_rk
-    t102 = k6_xz - 0.36433845752396576_rk + c5*t84
-    t103 = s4*t101 - (c4*t102 - 0.4331_rk*h4_x)
-    t104 = t99 - c23*(s23*(t100 + 0.28615890025504537_rk - t103))
-    t105 = 0.4318_rk*s2
-    t106 = t86 - 0.1501_rk*h4_y
-    t107 = 0.07491193080123078_rk*c2
-    t108 = t106 - m4_4
+    h4_y = s4*t73 - c4*t72
+    t84 = 0.0203_rk*h4_x
+    t85 = c4*s4
+    t86 = k5_xz + 0.10674324035379577_rk
+    t87 = k5_xz + t86
+    t88 = c4*c4
+    t89 = t80 + (t80 + m4_4)
+    t90 = t84 + (t81 + t85*t87) - (t88*t89 - (t84 - 1.4196782145498086_rk))
+    t91 = t83 + 3.8706455741586216_rk + 0.8662_rk*neg_h5_y
+    t92 = h4_x + 1.046378600789203_rk
+    t93 = 0.4318_rk*c2
+    t94 = c23*t93
+    t95 = s23*t93
+    t96 = neg_h5_y + 5.729293810689829_rk
+    t97 = t92*t94 + t95*t96
+    t98 = k6_xz - 0.36433845752396576_rk + c5*t82
+    t99 = 0.10734691974802549_rk - k5_yz
+    t100 = c4*t98 - 0.4331_rk*h4_x + s4*t99
+    t101 = 0.0203_rk*neg_h5_y
+    t102 = t97 - c23*(s23*(t100 + (t101 + 0.28615890025504537_rk)))
+    t103 = 0.4318_rk*s2
+    t104 = t84 - 0.1501_rk*h4_y
+    t105 = 0.07491193080123078_rk*c2
+    t106 = t104 - m4_4
     ! link 1: mass matrix, its row of this joint
-    m1_1 = (t92 + t93)*(s23*s23) + (t104 - 0.5437979622122006_rk*(c2*t105)) + (t104 - t106 + &
-        (102.49099587639564_rk*(t95*t107) - (t108 - 3.3083718390798666_rk)))
+    m1_1 = (t90 + t91)*(s23*s23) + (t102 - 0.5437979622122006_rk*(c2*t103)) + (t102 - t104 + &
+        (102.49099587639564_rk*(t93*t105) - (t106 - 3.3083718390798666_rk)))
     ! link 3: mass matrix, its row of this joint
-    m3_4 = s4*t102 - (0.4331_rk*h4_y - c4*t101)
+    m3_4 = s4*t98 - (c4*t99 + 0.4331_rk*h4_y)
     ! link 3: second moment of the composite body [kg m^2]
-    k3_yz = c23*(m3_4 + 0.060845712710754084_rk) - s23*(t88 - (t87*t91 + (t89*t90 - &
+    k3_yz = c23*(m3_4 + 0.060845712710754084_rk) - s23*(t86 - (t85*t89 + (t87*t88 - &
         (0.0203_rk*h4_y - 0.07232010303947682_rk))))
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_y = s23*t94 - c23*t98
+    h3_y = s23*t92 - c23*t96
     ! link 1: mass matrix, its row of this joint
     m1_3 = k3_yz + 0.1501_rk*h3_y
-    t109 = h4_y*t105
-    m1_2 = m1_3 + (t107 + 1.1673405148125928_rk*s2) + t109
-    m1_4 = s23*t103 - (c23*t108 - h4_x*t95)
+    t107 = h4_y*t103
+    m1_2 = m1_3 + (t105 + 1.1673405148125928_rk*s2) + t107
+    neg_m1_4 = c23*t106 - h4_x*t93 + s23*t100
     ! link 5: mass matrix, its row of this joint
-    m5_5 = t82 + 1.728139590481575_rk
+    m5_5 = t80 + 1.728139590481575_rk
     ! link 4: force for a unit acceleration of a joint further out
     fu4_x = c4*neg_h5_y
     ! link 3: force for a unit acceleration of a joint further out
     fu3_x = c23*fu4_x - s23*h5_x
-    t110 = m5_5 + 0.4331_rk*neg_h5_y
-    t111 = s4*t100
+    t108 = m5_5 + 0.4331_rk*neg_h5_y
+    t109 = s4*t101
     ! link 1: mass matrix, its row of this joint
-    m1_5 = s23*(s4*t110 + c4*k5_xz) - (21.27093596059113_rk*(0.007056577119036591_rk*fu3_x - &
-        c2*t111) + c23*(t111 - k5_yz))
+    m1_5 = s23*(s4*t108 + c4*k5_xz) - (21.27093596059113_rk*(0.007056577119036591_rk*fu3_x - &
+        c2*t109) + c23*(t109 - k5_yz))
     ! link 5: moment for a unit acceleration of a joint further out
     neg_nu5_y = 0.907820001453264_rk*c5 + s5*k6_xz
     ! link 4: force for a unit acceleration of a joint further out
     fu4_y = s4*fu5_x + c4*h6_x
     ! link 5: moment for a unit acceleration of a joint further out
     nu5_x = 0.907820001453264_rk*s5 - c5*k6_xz
-    t112 = c4*fu5_x - s4*h6_x
-    t113 = s23*fu5_y - c23*t112
+    t110 = c4*fu5_x - s4*h6_x
+    t111 = s23*fu5_y - c23*t110
     ! link 1: mass matrix, its row of this joint
-    m1_6 = 0.1501_rk*t113 - c23*(0.0203_rk*fu4_y - neg_nu5_y) - (s23*(c4*nu5_x - 0.4331_rk*fu4_y + &
-        s4*k6_yz) - t95*fu4_y)
+    m1_6 = 0.1501_rk*t111 + c23*(neg_nu5_y - 0.0203_rk*fu4_y) - (s23*(c4*nu5_x - 0.4331_rk*fu4_y - &
+        s4*neg_k6_yz) - t93*fu4_y)
     ! link 3: mass matrix, its row of this joint
-    m3_3 = t93 - t92
-    t114 = t99 + t105*h3_y
+    m3_3 = t91 - t90
+    t112 = t97 + t103*h3_y
     ! link 2: mass matrix, its row of this joint
-    m2_3 = m3_3 + t114
-    m2_2 = m2_3 + (t114 + 3.7298822532370677_rk)
-    m2_4 = m3_4 - h4_y*t97 + c23*t109
+    m2_3 = m3_3 + t112
+    m2_2 = m2_3 + (t112 + 3.7298822532370677_rk)
+    m2_4 = m3_4 - h4_y*t95 + c23*t107
     ! link 3: force for a unit acceleration of a joint further out
     fu3_y = s23*fu4_x + c23*h5_x
     ! link 3: mass matrix, its row of this joint
-    m3_5 = c4*t110 - 0.0203_rk*h5_x - s4*k5_xz
+    m3_5 = c4*t108 - 0.0203_rk*h5_x - s4*k5_xz
     ! link 2: mass matrix, its row of this joint
-    m2_5 = m3_5 + t95*fu3_y - t105*fu3_x
+    m2_5 = m3_5 + t93*fu3_y - t103*fu3_x
     ! link 3: mass matrix, its row of this joint
-    m3_6 = s4*nu5_x + (0.4331_rk*t112 - (0.0203_rk*fu5_y + c4*k6_yz))
+    m3_6 = s4*nu5_x + (0.4331_rk*t110 - (0.0203_rk*fu5_y - c4*neg_k6_yz))
     ! link 2: mass matrix, its row of this joint
-    m2_6 = t97*t112 + (m3_6 + (t105*t113 + fu5_y*t96))
-    ! link 1: forward substitution
-    y1 = neg_n1_z + tau(1)
-    ! factorisation M = L D L^T
-    ipivot1 = 1.0_rk / m1_1
-    l2_1 = m1_2*ipivot1
-    l3_1 = m1_3*ipivot1
-    l4_1 = m1_4*ipivot1
-    l5_1 = m1_5*ipivot1
-    l6_1 = m1_6*ipivot1
-    pivot2 = m2_2 - m1_2*l2_1
-    ipivot2 = 1.0_rk / pivot2
-    ld3_2 = m2_3 - m1_2*l3_1
-    l3_2 = ipivot2*ld3_2
-    ld4_2 = m2_4 - m1_2*l4_1
-    l4_2 = ipivot2*ld4_2
-    ld5_2 = m2_5 - m1_2*l5_1
-    l5_2 = ipivot2*ld5_2
-    ld6_2 = m2_6 - m1_2*l6_1
-    l6_2 = ipivot2*ld6_2
-    pivot3 = m3_3 - m1_3*l3_1 - ld3_2*l3_2
-    ipivot3 = 1.0_rk / pivot3
-    ld4_3 = m3_4 - m1_3*l4_1 - ld3_2*l4_2
-    l4_3 = ipivot3*ld4_3
-    ld5_3 = m3_5 - m1_3*l5_1 - ld3_2*l5_2
-    l5_3 = ipivot3*ld5_3
-    ld6_3 = m3_6 - m1_3*l6_1 - ld3_2*l6_2
-    l6_3 = ipivot3*ld6_3
-    pivot4 = -(m1_4*l4_1 - m4_4 + ld4_2*l4_2) - ld4_3*l4_3
-    ipivot4 = 1.0_rk / pivot4
-    ld5_4 = k5_yz - m1_4*l5_1 - ld4_2*l5_2 - ld4_3*l5_3
-    l5_4 = ipivot4*ld5_4
-    ld6_4 = -ld4_2*l6_2 - (m1_4*l6_1 - neg_nu5_y) - ld4_3*l6_3
-    l6_4 = ipivot4*ld6_4
-    pivot5 = m5_5 - m1_5*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 - ld5_4*l5_4
-    ipivot5 = 1.0_rk / pivot5
-    ld6_5 = -ld5_2*l6_2 - (k6_yz + m1_5*l6_1) - ld5_3*l6_3 - ld5_4*l6_4
-    l6_5 = ipivot5*ld6_5
-    pivot6 = 0.907820001453264_rk - m1_6*l6_1 - ld6_2*l6_2 - ld6_3*l6_3 - ld6_4*l6_4 - ld6_5*l6_5
-    ipivot6 = 1.0_rk / pivot6
-    ! link 2: forward substitution
-    y2 = -y1*l2_1 - (n02_z - tau(2))
-    ! link 3: forward substitution
-    y3 = neg_n3_z + tau(3) - y1*l3_1 - l3_2*y2
-    ! link 4: forward substitution
-    y4 = -l4_2*y2 - (n4_z - tau(4) + y1*l4_1) - l4_3*y3
-    ! link 5: forward substitution
-    y5 = -(n5_z - tau(5) + y1*l5_1 + l5_2*y2 + l5_3*y3) - l5_4*y4
-    t115 = -l6_4*y4 - (nc6_z - tau(6) + y1*l6_1 + l6_2*y2 + l6_3*y3)
+    m2_6 = t95*t110 + (m3_6 + (t103*t111 + fu5_y*t94))
     ! link 6: forward substitution
-    y6 = t115 - l6_5*y5
-    ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd6 = ipivot6*y6
-    ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd5 = ipivot5*y5 - l6_5*qdd6
-    ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd4 = ipivot4*y4 - l5_4*qdd5 - l6_4*qdd6
-    ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd3 = -l6_3*qdd6 - (l4_3*qdd4 - ipivot3*y3 + l5_3*qdd5)
-    ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd2 = ipivot2*y2 - l3_2*qdd3 - l4_2*qdd4 - l5_2*qdd5 - l6_2*qdd6
+    neg_y6 = nc6_z - tau(6)
+    ! factorisation M = U D U^T
+    u5_6 = 0.026485988881983898_rk*t69
+    u4_6 = 1.1015399510907136_rk*neg_nu5_y
+    u3_6 = 1.1015399510907136_rk*m3_6
+    u2_6 = 1.1015399510907136_rk*m2_6
+    u1_6 = 1.1015399510907136_rk*m1_6
+    pivot5 = m5_5 - neg_k6_yz*u5_6
+    ipivot5 = 1.0_rk / pivot5
+    neg_ud4_5 = neg_k6_yz*u4_6 - k5_yz
+    neg_u4_5 = ipivot5*neg_ud4_5
+    ud3_5 = m3_5 - neg_k6_yz*u3_6
+    u3_5 = ipivot5*ud3_5
+    ud2_5 = m2_5 - neg_k6_yz*u2_6
+    u2_5 = ipivot5*ud2_5
+    ud1_5 = m1_5 - neg_k6_yz*u1_6
+    u1_5 = ipivot5*ud1_5
+    neg_pivot4 = neg_nu5_y*u4_6 - m4_4 + neg_ud4_5*neg_u4_5
+    neg_ipivot4 = 1.0_rk / neg_pivot4
+    ud3_4 = m3_4 - neg_nu5_y*u3_6 + neg_ud4_5*u3_5
+    neg_u3_4 = neg_ipivot4*ud3_4
+    ud2_4 = m2_4 - neg_nu5_y*u2_6 + neg_ud4_5*u2_5
+    neg_u2_4 = neg_ipivot4*ud2_4
+    neg_ud1_4 = neg_m1_4 + neg_nu5_y*u1_6 - neg_ud4_5*u1_5
+    u1_4 = neg_ipivot4*neg_ud1_4
+    neg_pivot3 = m3_6*u3_6 - m3_3 + ud3_5*u3_5 - ud3_4*neg_u3_4
+    neg_ipivot3 = 1.0_rk / neg_pivot3
+    neg_ud2_3 = m3_6*u2_6 - m2_3 + ud3_5*u2_5 - ud3_4*neg_u2_4
+    u2_3 = neg_ipivot3*neg_ud2_3
+    ud1_3 = m1_3 - m3_6*u1_6 - ud3_5*u1_5 - ud3_4*u1_4
+    neg_u1_3 = neg_ipivot3*ud1_3
+    neg_pivot2 = m2_6*u2_6 - m2_2 + ud2_5*u2_5 - ud2_4*neg_u2_4 - neg_ud2_3*u2_3
+    neg_ipivot2 = 1.0_rk / neg_pivot2
+    ud1_2 = m1_2 - m2_6*u1_6 - ud2_5*u1_5 - ud2_4*u1_4 - neg_ud2_3*neg_u1_3
+    neg_u1_2 = neg_ipivot2*ud1_2
+    pivot1 = m1_1 - m1_6*u1_6 - ud1_5*u1_5 + neg_ud1_4*u1_4 + ud1_3*neg_u1_3 + ud1_2*neg_u1_2
+    ipivot1 = 1.0_rk / pivot1
+    ! link 5: forward substitution
+    neg_y5 = n5_z - tau(5) - neg_y6*u5_6
+    ! link 4: forward substitution
+    neg_y4 = n4_z - tau(4) - neg_y6*u4_6 + neg_u4_5*neg_y5
+    ! link 3: forward substitution
+    y3 = neg_n3_z + tau(3) + neg_y6*u3_6 + u3_5*neg_y5 - neg_u3_4*neg_y4
+    ! link 2: forward substitution
+    neg_y2 = n02_z - tau(2) - neg_y6*u2_6 - u2_5*neg_y5 + neg_u2_4*neg_y4 + u2_3*y3
+    ! link 1: forward substitution
+    y1 = tau(1) - n1_z + neg_y6*u1_6 + u1_5*neg_y5 + u1_4*neg_y4 + neg_u1_3*y3 - neg_u1_2*neg_y2
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = y1*ipivot1 - l2_1*qdd2 - l3_1*qdd3 - l4_1*qdd4 - l5_1*qdd5 - l6_1*qdd6
+    qdd1 = ipivot1*y1
+    ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd2 = neg_ipivot2*neg_y2 + neg_u1_2*qdd1
+    ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    neg_qdd3 = neg_ipivot3*y3 + u2_3*qdd2 - neg_u1_3*qdd1
+    ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd4 = neg_ipivot4*neg_y4 - neg_u3_4*neg_qdd3 + neg_u2_4*qdd2 - u1_4*qdd1
+    ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    neg_qdd5 = ipivot5*neg_y5 - neg_u4_5*qdd4 - u3_5*neg_qdd3 + u2_5*qdd2 + u1_5*qdd1
+    ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd6 = -u1_6*qdd1 - (1.1015399510907136_rk*neg_y6 - u5_6*neg_qdd5 + u4_6*qdd4 - u3_6*neg_qdd3 &
+        + u2_6*qdd2)
+    t113 = -neg_qdd3
+    t114 = -neg_qdd5
     qdd(1) = qdd1
     qdd(2) = qdd2
-    qdd(3) = qdd3
+    qdd(3) = t113
     qdd(4) = qdd4
-    qdd(5) = qdd5
+    qdd(5) = t114
     qdd(6) = qdd6
   end subroutine
 end module

@@ -32,7 +32,7 @@
  *   gravity: 38 multiplications, 23 additions = 61; 2 unary minus; 10 sine/cosine
  *   bias: 198 multiplications, 181 additions = 379; 0 unary minus; 10 sine/cosine
  *   mass_matrix: 120 multiplications, 109 additions = 229; 1 unary minus; 10 sine/cosine
- *   forward_dynamics: 403 multiplications, 359 additions, 6 divisions = 768; 14 unary minus; 10
+ *   forward_dynamics: 403 multiplications, 359 additions, 5 divisions = 767; 3 unary minus; 10
  *       sine/cosine
  */
 #ifndef PUMA560_FULL_H

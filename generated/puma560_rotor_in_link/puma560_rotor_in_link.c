@@ -32,7 +32,7 @@
  *   gravity: 16 multiplications, 7 additions = 23; 1 unary minus; 8 sine/cosine
  *   bias: 125 multiplications, 90 additions = 215; 1 unary minus; 8 sine/cosine
  *   mass_matrix: 60 multiplications, 54 additions = 114; 0 unary minus; 8 sine/cosine
- *   forward_dynamics: 270 multiplications, 212 additions, 6 divisions = 488; 3 unary minus; 8
+ *   forward_dynamics: 247 multiplications, 201 additions, 4 divisions = 452; 3 unary minus; 8
  *       sine/cosine
  */
 #include "puma560_rotor_in_link.h"
@@ -540,7 +540,7 @@ void puma560_rotor_in_link_mass_matrix(
 }
 
 /* accelerations that the torques tau give
- * 270 multiplications, 212 additions, 6 divisions = 488; 3 unary minus; 8 sine/cosine */
+ * 247 multiplications, 201 additions, 4 divisions = 452; 3 unary minus; 8 sine/cosine */
 void puma560_rotor_in_link_forward_dynamics(
     const puma560_rotor_in_link_real q[6],
     const puma560_rotor_in_link_real qd[6],
@@ -747,86 +747,77 @@ void puma560_rotor_in_link_forward_dynamics(
     const puma560_rotor_in_link_real neg_m2_5 = neg_m3_5 - (t57*neg_fu3_x + t42*fu3_y);
     /* link 4: moment for a unit acceleration of a joint further out */
     const puma560_rotor_in_link_real nu4_y = 67.02777777777777*h4_y;
-    /* factorisation M = L D L^T */
-    const puma560_rotor_in_link_real neg_ld6_1 = 67.02777777777777*(t51 - t59);
-    /* link 1: forward substitution */
-    const puma560_rotor_in_link_real neg_y1 = n1_z - tau[0];
-    /* factorisation M = L D L^T */
-    const puma560_rotor_in_link_real ipivot1 = 1.0 / m1_1;
-    const puma560_rotor_in_link_real l2_1 = m1_2*ipivot1;
-    const puma560_rotor_in_link_real l3_1 = m1_3*ipivot1;
-    const puma560_rotor_in_link_real neg_l4_1 = neg_m1_4*ipivot1;
-    const puma560_rotor_in_link_real neg_l5_1 = neg_m1_5*ipivot1;
-    const puma560_rotor_in_link_real neg_l6_1 = neg_ld6_1*ipivot1;
-    const puma560_rotor_in_link_real pivot2 = m2_2 - m1_2*l2_1;
-    const puma560_rotor_in_link_real ipivot2 = 1.0 / pivot2;
-    const puma560_rotor_in_link_real neg_ld3_2 = neg_m2_3 + m1_2*l3_1;
-    const puma560_rotor_in_link_real neg_l3_2 = ipivot2*neg_ld3_2;
-    const puma560_rotor_in_link_real ld4_2 = m2_4 + m1_2*neg_l4_1;
-    const puma560_rotor_in_link_real l4_2 = ipivot2*ld4_2;
-    const puma560_rotor_in_link_real neg_ld5_2 = neg_m2_5 - m1_2*neg_l5_1;
-    const puma560_rotor_in_link_real neg_l5_2 = ipivot2*neg_ld5_2;
-    const puma560_rotor_in_link_real ld6_2 = nu4_y + m1_2*neg_l6_1;
-    const puma560_rotor_in_link_real l6_2 = ipivot2*ld6_2;
-    const puma560_rotor_in_link_real neg_pivot3 = neg_m3_3 + m1_3*l3_1 + neg_ld3_2*neg_l3_2;
-    const puma560_rotor_in_link_real neg_ipivot3 = 1.0 / neg_pivot3;
-    const puma560_rotor_in_link_real ld4_3 = m3_4 + m1_3*neg_l4_1 + neg_ld3_2*l4_2;
-    const puma560_rotor_in_link_real neg_l4_3 = neg_ipivot3*ld4_3;
-    const puma560_rotor_in_link_real neg_ld5_3 = neg_m3_5 - m1_3*neg_l5_1 + neg_ld3_2*neg_l5_2;
-    const puma560_rotor_in_link_real l5_3 = neg_ipivot3*neg_ld5_3;
-    const puma560_rotor_in_link_real ld6_3 = nu4_y + m1_3*neg_l6_1 + neg_ld3_2*l6_2;
-    const puma560_rotor_in_link_real neg_l6_3 = neg_ipivot3*ld6_3;
-    const puma560_rotor_in_link_real pivot4 = m4_4 - neg_m1_4*neg_l4_1 - ld4_2*l4_2 +
-        ld4_3*neg_l4_3;
-    const puma560_rotor_in_link_real ipivot4 = 1.0 / pivot4;
-    const puma560_rotor_in_link_real neg_ld5_4 = neg_m1_4*neg_l5_1 - ld4_2*neg_l5_2 + ld4_3*l5_3;
-    const puma560_rotor_in_link_real neg_l5_4 = ipivot4*neg_ld5_4;
-    const puma560_rotor_in_link_real ld6_4 = neg_nu5_y - neg_m1_4*neg_l6_1 - ld4_2*l6_2 +
-        ld4_3*neg_l6_3;
-    const puma560_rotor_in_link_real l6_4 = ipivot4*ld6_4;
-    const puma560_rotor_in_link_real pivot5 = 0.17964216 - neg_m1_5*neg_l5_1 - neg_ld5_2*neg_l5_2 +
-        neg_ld5_3*l5_3 - neg_ld5_4*neg_l5_4;
-    const puma560_rotor_in_link_real ipivot5 = 1.0 / pivot5;
-    const puma560_rotor_in_link_real neg_ld6_5 = neg_m1_5*neg_l6_1 - neg_ld5_2*l6_2 +
-        neg_ld5_3*neg_l6_3 - neg_ld5_4*l6_4;
-    const puma560_rotor_in_link_real neg_l6_5 = ipivot5*neg_ld6_5;
-    const puma560_rotor_in_link_real neg_pivot6 = neg_ld6_1*neg_l6_1 - 0.19304 + ld6_2*l6_2 -
-        ld6_3*neg_l6_3 + ld6_4*l6_4 + neg_ld6_5*neg_l6_5;
-    const puma560_rotor_in_link_real neg_ipivot6 = 1.0 / neg_pivot6;
-    /* link 2: forward substitution */
-    const puma560_rotor_in_link_real neg_y2 = n02_z - tau[1] - neg_y1*l2_1;
-    /* link 3: forward substitution */
-    const puma560_rotor_in_link_real neg_y3 = n3_z - tau[2] - neg_y1*l3_1 + neg_l3_2*neg_y2;
-    /* link 4: forward substitution */
-    const puma560_rotor_in_link_real y4 = neg_n4_z + tau[3] - neg_y1*neg_l4_1 + l4_2*neg_y2 -
-        neg_l4_3*neg_y3;
+    const puma560_rotor_in_link_real t63 = t51 - t59;
+    /* factorisation M = U D U^T */
+    const puma560_rotor_in_link_real neg_ud1_6 = 67.02777777777777*t63;
     /* link 5: forward substitution */
-    const puma560_rotor_in_link_real neg_y5 = n5_z - tau[4] + neg_y1*neg_l5_1 + neg_l5_2*neg_y2 -
-        l5_3*neg_y3 - neg_l5_4*y4;
+    const puma560_rotor_in_link_real neg_y5 = n5_z - tau[4];
     /* link 6: forward substitution */
-    const puma560_rotor_in_link_real y6 = tau[5] - n06_z - neg_y1*neg_l6_1 + l6_2*neg_y2 -
-        neg_l6_3*neg_y3 - l6_4*y4 - neg_l6_5*neg_y5;
-    /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_rotor_in_link_real neg_qdd6 = neg_ipivot6*y6;
-    /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_rotor_in_link_real neg_qdd5 = ipivot5*neg_y5 + neg_l6_5*neg_qdd6;
-    /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_rotor_in_link_real qdd4 = ipivot4*y4 - neg_l5_4*neg_qdd5 + l6_4*neg_qdd6;
-    /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_rotor_in_link_real qdd3 = neg_ipivot3*neg_y3 + neg_l4_3*qdd4 + l5_3*neg_qdd5 -
-        neg_l6_3*neg_qdd6;
-    /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_rotor_in_link_real qdd2 = l6_2*neg_qdd6 - (ipivot2*neg_y2 - neg_l3_2*qdd3 +
-        l4_2*qdd4 + neg_l5_2*neg_qdd5);
+    const puma560_rotor_in_link_real y6 = tau[5] - n06_z;
+    /* factorisation M = U D U^T */
+    const puma560_rotor_in_link_real u3_6 = 347.22222222222223*h4_y;
+    const puma560_rotor_in_link_real neg_u1_6 = 347.22222222222223*t63;
+    const puma560_rotor_in_link_real neg_u3_5 = 5.566622000091738*neg_m3_5;
+    const puma560_rotor_in_link_real neg_u2_5 = 5.566622000091738*neg_m2_5;
+    const puma560_rotor_in_link_real neg_u1_5 = 5.566622000091738*neg_m1_5;
+    const puma560_rotor_in_link_real pivot4 = m4_4 - c5*neg_nu5_y;
+    const puma560_rotor_in_link_real ipivot4 = 1.0 / pivot4;
+    const puma560_rotor_in_link_real t64 = neg_nu5_y*u3_6;
+    const puma560_rotor_in_link_real ud3_4 = m3_4 - t64;
+    const puma560_rotor_in_link_real u3_4 = ipivot4*ud3_4;
+    const puma560_rotor_in_link_real ud2_4 = m2_4 - t64;
+    const puma560_rotor_in_link_real u2_4 = ipivot4*ud2_4;
+    const puma560_rotor_in_link_real neg_ud1_4 = neg_m1_4 - neg_nu5_y*neg_u1_6;
+    const puma560_rotor_in_link_real neg_u1_4 = ipivot4*neg_ud1_4;
+    const puma560_rotor_in_link_real t65 = nu4_y*u3_6;
+    const puma560_rotor_in_link_real neg_pivot3 = neg_m3_3 + t65 + neg_m3_5*neg_u3_5 + ud3_4*u3_4;
+    const puma560_rotor_in_link_real neg_ipivot3 = 1.0 / neg_pivot3;
+    const puma560_rotor_in_link_real neg_ud2_3 = neg_m2_3 + t65 + neg_m3_5*neg_u2_5 + ud3_4*u2_4;
+    const puma560_rotor_in_link_real u2_3 = neg_ipivot3*neg_ud2_3;
+    const puma560_rotor_in_link_real t66 = nu4_y*neg_u1_6;
+    const puma560_rotor_in_link_real ud1_3 = m1_3 + t66 - neg_m3_5*neg_u1_5 + ud3_4*neg_u1_4;
+    const puma560_rotor_in_link_real neg_u1_3 = neg_ipivot3*ud1_3;
+    const puma560_rotor_in_link_real pivot2 = m2_2 - t65 - neg_m2_5*neg_u2_5 - ud2_4*u2_4 +
+        neg_ud2_3*u2_3;
+    const puma560_rotor_in_link_real ipivot2 = 1.0 / pivot2;
+    const puma560_rotor_in_link_real ud1_2 = m1_2 + t66 - neg_m2_5*neg_u1_5 + ud2_4*neg_u1_4 -
+        neg_ud2_3*neg_u1_3;
+    const puma560_rotor_in_link_real u1_2 = ipivot2*ud1_2;
+    const puma560_rotor_in_link_real pivot1 = m1_1 - neg_ud1_6*neg_u1_6 - neg_m1_5*neg_u1_5 -
+        neg_ud1_4*neg_u1_4 + ud1_3*neg_u1_3 - ud1_2*u1_2;
+    const puma560_rotor_in_link_real ipivot1 = 1.0 / pivot1;
+    /* link 4: forward substitution */
+    const puma560_rotor_in_link_real y4 = neg_n4_z + tau[3] - c5*y6;
+    const puma560_rotor_in_link_real t67 = y6*u3_6;
+    /* link 3: forward substitution */
+    const puma560_rotor_in_link_real neg_y3 = n3_z - tau[2] + t67 + neg_y5*neg_u3_5 + u3_4*y4;
+    /* link 2: forward substitution */
+    const puma560_rotor_in_link_real neg_y2 = n02_z - tau[1] + t67 + neg_y5*neg_u2_5 + u2_4*y4 -
+        u2_3*neg_y3;
+    /* link 1: forward substitution */
+    const puma560_rotor_in_link_real neg_y1 = n1_z - tau[0] - y6*neg_u1_6 + neg_y5*neg_u1_5 -
+        neg_u1_4*y4 + neg_u1_3*neg_y3 - u1_2*neg_y2;
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_rotor_in_link_real qdd1 = -neg_l6_1*neg_qdd6 - (neg_y1*ipivot1 + l2_1*qdd2 +
-        l3_1*qdd3 - neg_l4_1*qdd4 + neg_l5_1*neg_qdd5);
-    const puma560_rotor_in_link_real t63 = -neg_qdd5;
-    const puma560_rotor_in_link_real t64 = -neg_qdd6;
-    qdd[0] = qdd1;
-    qdd[1] = qdd2;
+    const puma560_rotor_in_link_real neg_qdd1 = ipivot1*neg_y1;
+    /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const puma560_rotor_in_link_real neg_qdd2 = ipivot2*neg_y2 - u1_2*neg_qdd1;
+    /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const puma560_rotor_in_link_real qdd3 = neg_ipivot3*neg_y3 + u2_3*neg_qdd2 - neg_u1_3*neg_qdd1;
+    /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const puma560_rotor_in_link_real qdd4 = ipivot4*y4 - u3_4*qdd3 + u2_4*neg_qdd2 -
+        neg_u1_4*neg_qdd1;
+    /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const puma560_rotor_in_link_real qdd5 = -neg_u1_5*neg_qdd1 - (5.566622000091738*neg_y5 -
+        neg_u3_5*qdd3 + neg_u2_5*neg_qdd2);
+    /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const puma560_rotor_in_link_real qdd6 = u3_6*(neg_qdd2 - qdd3) - (neg_u1_6*neg_qdd1 -
+        (5.180273518441774*y6 - c5*qdd4));
+    const puma560_rotor_in_link_real t68 = -neg_qdd1;
+    const puma560_rotor_in_link_real t69 = -neg_qdd2;
+    qdd[0] = t68;
+    qdd[1] = t69;
     qdd[2] = qdd3;
     qdd[3] = qdd4;
-    qdd[4] = t63;
-    qdd[5] = t64;
+    qdd[4] = qdd5;
+    qdd[5] = qdd6;
 }

@@ -31,7 +31,7 @@
 !   gravity: 16 multiplications, 7 additions = 23; 1 unary minus; 8 sine/cosine
 !   bias: 125 multiplications, 90 additions = 215; 1 unary minus; 8 sine/cosine
 !   mass_matrix: 60 multiplications, 54 additions = 114; 0 unary minus; 8 sine/cosine
-!   forward_dynamics: 270 multiplications, 212 additions, 6 divisions = 488; 3 unary minus; 8
+!   forward_dynamics: 247 multiplications, 201 additions, 4 divisions = 452; 3 unary minus; 8
 !       sine/cosine
 module puma560_rotor_in_link_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -556,7 +556,7 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 270 multiplications, 212 additions, 6 divisions = 488; 3 unary minus; 8 sine/cosine
+  ! 247 multiplications, 201 additions, 4 divisions = 452; 3 unary minus; 8 sine/cosine
   pure subroutine puma560_rotor_in_link_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="puma560_rotor_in_link_forward_dynamics_f")
     real(rk), intent(in) :: q(6)
@@ -573,13 +573,11 @@ contains
     real(rk) :: neg_h5_y, h4_x, h4_y, t37, t38, t39, h3_x, h3_y, t40, t41, m4_4, t42, t43, t44, t45
     real(rk) :: t46, t47, t48, t49, t50, t51, t52, t53, t54, t55, m1_1, m3_4, t56, k3_yz, m1_3, t57
     real(rk) :: t58, m1_2, neg_m1_4, t59, neg_fu3_x, t60, nu3_y, t61, nu2_y, neg_m1_5, neg_m3_3
-    real(rk) :: t62, neg_m2_3, m2_2, m2_4, neg_m3_5, fu3_y, neg_m2_5, nu4_y, neg_ld6_1, neg_y1
-    real(rk) :: ipivot1, l2_1, l3_1, neg_l4_1, neg_l5_1, neg_l6_1, pivot2, ipivot2, neg_ld3_2
-    real(rk) :: neg_l3_2, ld4_2, l4_2, neg_ld5_2, neg_l5_2, ld6_2, l6_2, neg_pivot3, neg_ipivot3
-    real(rk) :: ld4_3, neg_l4_3, neg_ld5_3, l5_3, ld6_3, neg_l6_3, pivot4, ipivot4, neg_ld5_4
-    real(rk) :: neg_l5_4, ld6_4, l6_4, pivot5, ipivot5, neg_ld6_5, neg_l6_5, neg_pivot6
-    real(rk) :: neg_ipivot6, neg_y2, neg_y3, y4, neg_y5, y6, neg_qdd6, neg_qdd5, qdd4, qdd3, qdd2
-    real(rk) :: qdd1, t63, t64
+    real(rk) :: t62, neg_m2_3, m2_2, m2_4, neg_m3_5, fu3_y, neg_m2_5, nu4_y, t63, neg_ud1_6, neg_y5
+    real(rk) :: y6, u3_6, neg_u1_6, neg_u3_5, neg_u2_5, neg_u1_5, pivot4, ipivot4, t64, ud3_4, u3_4
+    real(rk) :: ud2_4, u2_4, neg_ud1_4, neg_u1_4, t65, neg_pivot3, neg_ipivot3, neg_ud2_3, u2_3
+    real(rk) :: t66, ud1_3, neg_u1_3, pivot2, ipivot2, ud1_2, u1_2, pivot1, ipivot1, y4, t67
+    real(rk) :: neg_y3, neg_y2, neg_y1, neg_qdd1, neg_qdd2, qdd3, qdd4, qdd5, qdd6, t68, t69
 
     ! link 3: angular velocity [rad/s]
     w3_z = qd(2) + qd(3)
@@ -776,80 +774,72 @@ contains
     neg_m2_5 = neg_m3_5 - (t57*neg_fu3_x + t42*fu3_y)
     ! link 4: moment for a unit acceleration of a joint further out
     nu4_y = 67.02777777777777_rk*h4_y
-    ! factorisation M = L D L^T
-    neg_ld6_1 = 67.02777777777777_rk*(t51 - t59)
-    ! link 1: forward substitution
-    neg_y1 = n1_z - tau(1)
-    ! factorisation M = L D L^T
-    ipivot1 = 1.0_rk / m1_1
-    l2_1 = m1_2*ipivot1
-    l3_1 = m1_3*ipivot1
-    neg_l4_1 = neg_m1_4*ipivot1
-    neg_l5_1 = neg_m1_5*ipivot1
-    neg_l6_1 = neg_ld6_1*ipivot1
-    pivot2 = m2_2 - m1_2*l2_1
-    ipivot2 = 1.0_rk / pivot2
-    neg_ld3_2 = neg_m2_3 + m1_2*l3_1
-    neg_l3_2 = ipivot2*neg_ld3_2
-    ld4_2 = m2_4 + m1_2*neg_l4_1
-    l4_2 = ipivot2*ld4_2
-    neg_ld5_2 = neg_m2_5 - m1_2*neg_l5_1
-    neg_l5_2 = ipivot2*neg_ld5_2
-    ld6_2 = nu4_y + m1_2*neg_l6_1
-    l6_2 = ipivot2*ld6_2
-    neg_pivot3 = neg_m3_3 + m1_3*l3_1 + neg_ld3_2*neg_l3_2
-    neg_ipivot3 = 1.0_rk / neg_pivot3
-    ld4_3 = m3_4 + m1_3*neg_l4_1 + neg_ld3_2*l4_2
-    neg_l4_3 = neg_ipivot3*ld4_3
-    neg_ld5_3 = neg_m3_5 - m1_3*neg_l5_1 + neg_ld3_2*neg_l5_2
-    l5_3 = neg_ipivot3*neg_ld5_3
-    ld6_3 = nu4_y + m1_3*neg_l6_1 + neg_ld3_2*l6_2
-    neg_l6_3 = neg_ipivot3*ld6_3
-    pivot4 = m4_4 - neg_m1_4*neg_l4_1 - ld4_2*l4_2 + ld4_3*neg_l4_3
-    ipivot4 = 1.0_rk / pivot4
-    neg_ld5_4 = neg_m1_4*neg_l5_1 - ld4_2*neg_l5_2 + ld4_3*l5_3
-    neg_l5_4 = ipivot4*neg_ld5_4
-    ld6_4 = neg_nu5_y - neg_m1_4*neg_l6_1 - ld4_2*l6_2 + ld4_3*neg_l6_3
-    l6_4 = ipivot4*ld6_4
-    pivot5 = 0.17964216_rk - neg_m1_5*neg_l5_1 - neg_ld5_2*neg_l5_2 + neg_ld5_3*l5_3 - &
-        neg_ld5_4*neg_l5_4
-    ipivot5 = 1.0_rk / pivot5
-    neg_ld6_5 = neg_m1_5*neg_l6_1 - neg_ld5_2*l6_2 + neg_ld5_3*neg_l6_3 - neg_ld5_4*l6_4
-    neg_l6_5 = ipivot5*neg_ld6_5
-    neg_pivot6 = neg_ld6_1*neg_l6_1 - 0.19304_rk + ld6_2*l6_2 - ld6_3*neg_l6_3 + ld6_4*l6_4 + &
-        neg_ld6_5*neg_l6_5
-    neg_ipivot6 = 1.0_rk / neg_pivot6
-    ! link 2: forward substitution
-    neg_y2 = n02_z - tau(2) - neg_y1*l2_1
-    ! link 3: forward substitution
-    neg_y3 = n3_z - tau(3) - neg_y1*l3_1 + neg_l3_2*neg_y2
-    ! link 4: forward substitution
-    y4 = neg_n4_z + tau(4) - neg_y1*neg_l4_1 + l4_2*neg_y2 - neg_l4_3*neg_y3
+    t63 = t51 - t59
+    ! factorisation M = U D U^T
+    neg_ud1_6 = 67.02777777777777_rk*t63
     ! link 5: forward substitution
-    neg_y5 = n5_z - tau(5) + neg_y1*neg_l5_1 + neg_l5_2*neg_y2 - l5_3*neg_y3 - neg_l5_4*y4
+    neg_y5 = n5_z - tau(5)
     ! link 6: forward substitution
-    y6 = tau(6) - n06_z - neg_y1*neg_l6_1 + l6_2*neg_y2 - neg_l6_3*neg_y3 - l6_4*y4 - &
-        neg_l6_5*neg_y5
-    ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd6 = neg_ipivot6*y6
-    ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd5 = ipivot5*neg_y5 + neg_l6_5*neg_qdd6
-    ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd4 = ipivot4*y4 - neg_l5_4*neg_qdd5 + l6_4*neg_qdd6
-    ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd3 = neg_ipivot3*neg_y3 + neg_l4_3*qdd4 + l5_3*neg_qdd5 - neg_l6_3*neg_qdd6
-    ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd2 = l6_2*neg_qdd6 - (ipivot2*neg_y2 - neg_l3_2*qdd3 + l4_2*qdd4 + neg_l5_2*neg_qdd5)
+    y6 = tau(6) - n06_z
+    ! factorisation M = U D U^T
+    u3_6 = 347.22222222222223_rk*h4_y
+    neg_u1_6 = 347.22222222222223_rk*t63
+    neg_u3_5 = 5.566622000091738_rk*neg_m3_5
+    neg_u2_5 = 5.566622000091738_rk*neg_m2_5
+    neg_u1_5 = 5.566622000091738_rk*neg_m1_5
+    pivot4 = m4_4 - c5*neg_nu5_y
+    ipivot4 = 1.0_rk / pivot4
+    t64 = neg_nu5_y*u3_6
+    ud3_4 = m3_4 - t64
+    u3_4 = ipivot4*ud3_4
+    ud2_4 = m2_4 - t64
+    u2_4 = ipivot4*ud2_4
+    neg_ud1_4 = neg_m1_4 - neg_nu5_y*neg_u1_6
+    neg_u1_4 = ipivot4*neg_ud1_4
+    t65 = nu4_y*u3_6
+    neg_pivot3 = neg_m3_3 + t65 + neg_m3_5*neg_u3_5 + ud3_4*u3_4
+    neg_ipivot3 = 1.0_rk / neg_pivot3
+    neg_ud2_3 = neg_m2_3 + t65 + neg_m3_5*neg_u2_5 + ud3_4*u2_4
+    u2_3 = neg_ipivot3*neg_ud2_3
+    t66 = nu4_y*neg_u1_6
+    ud1_3 = m1_3 + t66 - neg_m3_5*neg_u1_5 + ud3_4*neg_u1_4
+    neg_u1_3 = neg_ipivot3*ud1_3
+    pivot2 = m2_2 - t65 - neg_m2_5*neg_u2_5 - ud2_4*u2_4 + neg_ud2_3*u2_3
+    ipivot2 = 1.0_rk / pivot2
+    ud1_2 = m1_2 + t66 - neg_m2_5*neg_u1_5 + ud2_4*neg_u1_4 - neg_ud2_3*neg_u1_3
+    u1_2 = ipivot2*ud1_2
+    pivot1 = m1_1 - neg_ud1_6*neg_u1_6 - neg_m1_5*neg_u1_5 - neg_ud1_4*neg_u1_4 + ud1_3*neg_u1_3 - &
+        ud1_2*u1_2
+    ipivot1 = 1.0_rk / pivot1
+    ! link 4: forward substitution
+    y4 = neg_n4_z + tau(4) - c5*y6
+    t67 = y6*u3_6
+    ! link 3: forward substitution
+    neg_y3 = n3_z - tau(3) + t67 + neg_y5*neg_u3_5 + u3_4*y4
+    ! link 2: forward substitution
+    neg_y2 = n02_z - tau(2) + t67 + neg_y5*neg_u2_5 + u2_4*y4 - u2_3*neg_y3
+    ! link 1: forward substitution
+    neg_y1 = n1_z - tau(1) - y6*neg_u1_6 + neg_y5*neg_u1_5 - neg_u1_4*y4 + neg_u1_3*neg_y3 - &
+        u1_2*neg_y2
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = -neg_l6_1*neg_qdd6 - (neg_y1*ipivot1 + l2_1*qdd2 + l3_1*qdd3 - neg_l4_1*qdd4 + &
-        neg_l5_1*neg_qdd5)
-    t63 = -neg_qdd5
-    t64 = -neg_qdd6
-    qdd(1) = qdd1
-    qdd(2) = qdd2
+    neg_qdd1 = ipivot1*neg_y1
+    ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    neg_qdd2 = ipivot2*neg_y2 - u1_2*neg_qdd1
+    ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd3 = neg_ipivot3*neg_y3 + u2_3*neg_qdd2 - neg_u1_3*neg_qdd1
+    ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd4 = ipivot4*y4 - u3_4*qdd3 + u2_4*neg_qdd2 - neg_u1_4*neg_qdd1
+    ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd5 = -neg_u1_5*neg_qdd1 - (5.566622000091738_rk*neg_y5 - neg_u3_5*qdd3 + neg_u2_5*neg_qdd2)
+    ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd6 = u3_6*(neg_qdd2 - qdd3) - (neg_u1_6*neg_qdd1 - (5.180273518441774_rk*y6 - c5*qdd4))
+    t68 = -neg_qdd1
+    t69 = -neg_qdd2
+    qdd(1) = t68
+    qdd(2) = t69
     qdd(3) = qdd3
     qdd(4) = qdd4
-    qdd(5) = t63
-    qdd(6) = t64
+    qdd(5) = qdd5
+    qdd(6) = qdd6
   end subroutine
 end module

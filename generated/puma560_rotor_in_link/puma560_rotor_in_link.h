@@ -32,7 +32,7 @@
  *   gravity: 16 multiplications, 7 additions = 23; 1 unary minus; 8 sine/cosine
  *   bias: 125 multiplications, 90 additions = 215; 1 unary minus; 8 sine/cosine
  *   mass_matrix: 60 multiplications, 54 additions = 114; 0 unary minus; 8 sine/cosine
- *   forward_dynamics: 270 multiplications, 212 additions, 6 divisions = 488; 3 unary minus; 8
+ *   forward_dynamics: 247 multiplications, 201 additions, 4 divisions = 452; 3 unary minus; 8
  *       sine/cosine
  */
 #ifndef PUMA560_ROTOR_IN_LINK_H

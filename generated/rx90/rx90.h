@@ -31,7 +31,7 @@
  *   gravity: 38 multiplications, 23 additions = 61; 1 unary minus; 10 sine/cosine
  *   bias: 193 multiplications, 173 additions = 366; 0 unary minus; 10 sine/cosine
  *   mass_matrix: 105 multiplications, 94 additions = 199; 1 unary minus; 10 sine/cosine
- *   forward_dynamics: 378 multiplications, 336 additions, 6 divisions = 720; 14 unary minus; 10
+ *   forward_dynamics: 378 multiplications, 336 additions, 5 divisions = 719; 2 unary minus; 10
  *       sine/cosine
  */
 #ifndef RX90_H

@@ -36,7 +36,7 @@
  *   gravity: 18 multiplications, 6 additions = 24; 0 unary minus; 6 sine/cosine
  *   bias: 104 multiplications, 70 additions = 174; 0 unary minus; 6 sine/cosine
  *   mass_matrix: 41 multiplications, 32 additions = 73; 2 unary minus; 6 sine/cosine
- *   forward_dynamics: 229 multiplications, 169 additions, 6 divisions = 404; 3 unary minus; 6
+ *   forward_dynamics: 201 multiplications, 149 additions, 4 divisions = 354; 2 unary minus; 6
  *       sine/cosine
  */
 #include "stanford.h"
@@ -529,7 +529,7 @@ void stanford_mass_matrix(const stanford_real q[6], stanford_real M[36])
 
 /* accelerations that the torques tau give
  * with rotor inertia
- * 229 multiplications, 169 additions, 6 divisions = 404; 3 unary minus; 6 sine/cosine */
+ * 201 multiplications, 149 additions, 4 divisions = 354; 2 unary minus; 6 sine/cosine */
 void stanford_forward_dynamics(
     const stanford_real q[6],
     const stanford_real qd[6],
@@ -671,7 +671,7 @@ void stanford_forward_dynamics(
     /* link 2: joint torque [N m], at a prismatic joint force [N] */
     const stanford_real tau2 = s4*n4_x + c4*n4_y - (4.2795532937*ww2_xy + q[2]*neg_f3_x - nc3_y);
     /* link 5: moment for a unit acceleration of a joint further out */
-    const stanford_real nu5_y = -0.0003*c5;
+    const stanford_real neg_nu5_y = 0.0003*c5;
     const stanford_real t8 = c4*h5_x;
     /* link 4: first moment of the composite body, about the frame's origin [kg m] */
     const stanford_real h4_x = t8 + 0.005832*s4;
@@ -721,82 +721,68 @@ void stanford_forward_dynamics(
     const stanford_real nu4_y = 0.0026106934001670842*t9;
     /* link 4: mass matrix, its row of this joint */
     const stanford_real m4_4 = 0.1373658072 - t14;
-    /* factorisation M = L D L^T */
-    const stanford_real neg_ld6_1 = 0.0026106934001670842*t25;
-    /* link 1: forward substitution */
-    const stanford_real neg_y1 = tau1 - tau[0];
-    /* factorisation M = L D L^T */
-    const stanford_real ipivot1 = 1.0 / m1_1;
-    const stanford_real neg_l2_1 = neg_m1_2*ipivot1;
-    const stanford_real l3_1 = m1_3*ipivot1;
-    const stanford_real l4_1 = m1_4*ipivot1;
-    const stanford_real l5_1 = m1_5*ipivot1;
-    const stanford_real neg_l6_1 = neg_ld6_1*ipivot1;
-    const stanford_real neg_pivot2 = neg_m1_2*neg_l2_1 - m2_2;
-    const stanford_real neg_ipivot2 = 1.0 / neg_pivot2;
-    const stanford_real neg_ld3_2 = h4_x - neg_m1_2*l3_1;
-    const stanford_real l3_2 = neg_ipivot2*neg_ld3_2;
-    const stanford_real neg_ld4_2 = neg_m2_4 - neg_m1_2*l4_1;
-    const stanford_real l4_2 = neg_ipivot2*neg_ld4_2;
-    const stanford_real ld5_2 = m2_5 + neg_m1_2*l5_1;
-    const stanford_real neg_l5_2 = neg_ipivot2*ld5_2;
-    const stanford_real ld6_2 = nu4_y - neg_m1_2*neg_l6_1;
-    const stanford_real neg_l6_2 = neg_ipivot2*ld6_2;
-    const stanford_real neg_pivot3 = m1_3*l3_1 - 7.252 - neg_ld3_2*l3_2;
-    const stanford_real neg_ipivot3 = 1.0 / neg_pivot3;
-    const stanford_real neg_ld4_3 = m1_3*l4_1 - neg_ld3_2*l4_2;
-    const stanford_real l4_3 = neg_ipivot3*neg_ld4_3;
-    const stanford_real neg_ld5_3 = h5_x + m1_3*l5_1 + neg_ld3_2*neg_l5_2;
-    const stanford_real l5_3 = neg_ipivot3*neg_ld5_3;
-    const stanford_real ld6_3 = m1_3*neg_l6_1 - neg_ld3_2*neg_l6_2;
-    const stanford_real neg_l6_3 = neg_ipivot3*ld6_3;
-    const stanford_real neg_pivot4 = m1_4*l4_1 - m4_4 - neg_ld4_2*l4_2 - neg_ld4_3*l4_3;
-    const stanford_real neg_ipivot4 = 1.0 / neg_pivot4;
-    const stanford_real neg_ld5_4 = m1_4*l5_1 + neg_ld4_2*neg_l5_2 - neg_ld4_3*l5_3;
-    const stanford_real l5_4 = neg_ipivot4*neg_ld5_4;
-    const stanford_real ld6_4 = m1_4*neg_l6_1 - nu5_y - neg_ld4_2*neg_l6_2 - neg_ld4_3*neg_l6_3;
-    const stanford_real neg_l6_4 = neg_ipivot4*ld6_4;
-    const stanford_real neg_pivot5 = m1_5*l5_1 - 0.1273343144 - ld5_2*neg_l5_2 - neg_ld5_3*l5_3 -
-        neg_ld5_4*l5_4;
-    const stanford_real neg_ipivot5 = 1.0 / neg_pivot5;
-    const stanford_real ld6_5 = m1_5*neg_l6_1 + ld5_2*neg_l6_2 - neg_ld5_3*neg_l6_3 -
-        neg_ld5_4*neg_l6_4;
-    const stanford_real neg_l6_5 = neg_ipivot5*ld6_5;
-    const stanford_real neg_pivot6 = neg_ld6_1*neg_l6_1 - 0.0203 - ld6_2*neg_l6_2 - ld6_3*neg_l6_3 -
-        ld6_4*neg_l6_4 - ld6_5*neg_l6_5;
-    const stanford_real neg_ipivot6 = 1.0 / neg_pivot6;
-    /* link 2: forward substitution */
-    const stanford_real neg_y2 = tau2 - tau[1] + neg_y1*neg_l2_1;
-    /* link 3: forward substitution */
-    const stanford_real neg_y3 = f3_z - tau[2] - neg_y1*l3_1 - l3_2*neg_y2;
-    /* link 4: forward substitution */
-    const stanford_real y4 = neg_n4_z + tau[3] + neg_y1*l4_1 + l4_2*neg_y2 + l4_3*neg_y3;
+    /* factorisation M = U D U^T */
+    const stanford_real neg_ud1_6 = 0.0026106934001670842*t25;
     /* link 5: forward substitution */
-    const stanford_real neg_y5 = n5_z - tau[4] - neg_y1*l5_1 + neg_l5_2*neg_y2 - l5_3*neg_y3 +
-        l5_4*y4;
+    const stanford_real neg_y5 = n5_z - tau[4];
     /* link 6: forward substitution */
-    const stanford_real y6 = tau[5] - n06_z - neg_y1*neg_l6_1 - neg_l6_2*neg_y2 - neg_l6_3*neg_y3 +
-        neg_l6_4*y4 - neg_l6_5*neg_y5;
-    /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_real neg_qdd6 = neg_ipivot6*y6;
-    /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_real qdd5 = neg_ipivot5*neg_y5 - neg_l6_5*neg_qdd6;
-    /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_real neg_qdd4 = neg_ipivot4*y4 + l5_4*qdd5 + neg_l6_4*neg_qdd6;
-    /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_real qdd3 = neg_ipivot3*neg_y3 + l4_3*neg_qdd4 - l5_3*qdd5 - neg_l6_3*neg_qdd6;
-    /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_real qdd2 = neg_ipivot2*neg_y2 - l3_2*qdd3 + l4_2*neg_qdd4 + neg_l5_2*qdd5 -
-        neg_l6_2*neg_qdd6;
+    const stanford_real y6 = tau[5] - n06_z;
+    /* factorisation M = U D U^T */
+    const stanford_real u4_6 = 0.014778325123152709*c5;
+    const stanford_real u2_6 = 0.1286055862151273*t9;
+    const stanford_real neg_u1_6 = 0.1286055862151273*t25;
+    const stanford_real neg_u3_5 = 0.9024433087142769*s5;
+    const stanford_real u2_5 = 7.853342633617698*m2_5;
+    const stanford_real u1_5 = 7.853342633617698*m1_5;
+    const stanford_real neg_pivot4 = neg_nu5_y*u4_6 - m4_4;
+    const stanford_real neg_ipivot4 = 1.0 / neg_pivot4;
+    const stanford_real neg_ud2_4 = neg_m2_4 + neg_nu5_y*u2_6;
+    const stanford_real u2_4 = neg_ipivot4*neg_ud2_4;
+    const stanford_real ud1_4 = m1_4 + neg_nu5_y*neg_u1_6;
+    const stanford_real neg_u1_4 = neg_ipivot4*ud1_4;
+    const stanford_real neg_pivot3 = h5_x*neg_u3_5 - 7.252;
+    const stanford_real neg_ipivot3 = 1.0 / neg_pivot3;
+    const stanford_real neg_ud2_3 = h4_x - h5_x*u2_5;
+    const stanford_real u2_3 = neg_ipivot3*neg_ud2_3;
+    const stanford_real ud1_3 = m1_3 + h5_x*u1_5;
+    const stanford_real neg_u1_3 = neg_ipivot3*ud1_3;
+    const stanford_real neg_pivot2 = nu4_y*u2_6 - m2_2 + m2_5*u2_5 - neg_ud2_4*u2_4 -
+        neg_ud2_3*u2_3;
+    const stanford_real neg_ipivot2 = 1.0 / neg_pivot2;
+    const stanford_real neg_ud1_2 = neg_m1_2 - nu4_y*neg_u1_6 + m2_5*u1_5 + neg_ud2_4*neg_u1_4 +
+        neg_ud2_3*neg_u1_3;
+    const stanford_real u1_2 = neg_ipivot2*neg_ud1_2;
+    const stanford_real pivot1 = m1_1 - neg_ud1_6*neg_u1_6 - m1_5*u1_5 + ud1_4*neg_u1_4 +
+        ud1_3*neg_u1_3 + neg_ud1_2*u1_2;
+    const stanford_real ipivot1 = 1.0 / pivot1;
+    /* link 4: forward substitution */
+    const stanford_real y4 = neg_n4_z + tau[3] - y6*u4_6;
+    /* link 3: forward substitution */
+    const stanford_real neg_y3 = f3_z - tau[2] + neg_y5*neg_u3_5;
+    /* link 2: forward substitution */
+    const stanford_real neg_y2 = tau2 - tau[1] + y6*u2_6 - neg_y5*u2_5 + u2_4*y4 - u2_3*neg_y3;
+    /* link 1: forward substitution */
+    const stanford_real neg_y1 = tau1 - tau[0] - y6*neg_u1_6 - neg_y5*u1_5 - neg_u1_4*y4 +
+        neg_u1_3*neg_y3 - u1_2*neg_y2;
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_real qdd1 = -neg_l6_1*neg_qdd6 - (neg_y1*ipivot1 - neg_l2_1*qdd2 + l3_1*qdd3 -
-        l4_1*neg_qdd4 + l5_1*qdd5);
-    const stanford_real t26 = -neg_qdd4;
-    const stanford_real t27 = -neg_qdd6;
-    qdd[0] = qdd1;
+    const stanford_real neg_qdd1 = ipivot1*neg_y1;
+    /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const stanford_real qdd2 = neg_ipivot2*neg_y2 + u1_2*neg_qdd1;
+    /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const stanford_real qdd3 = neg_ipivot3*neg_y3 - u2_3*qdd2 - neg_u1_3*neg_qdd1;
+    /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const stanford_real neg_qdd4 = neg_ipivot4*y4 + u2_4*qdd2 + neg_u1_4*neg_qdd1;
+    /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const stanford_real qdd5 = u1_5*neg_qdd1 - (7.853342633617698*neg_y5 - neg_u3_5*qdd3 +
+        u2_5*qdd2);
+    /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const stanford_real qdd6 = 49.26108374384236*y6 + u4_6*neg_qdd4 - u2_6*qdd2 - neg_u1_6*neg_qdd1;
+    const stanford_real t26 = -neg_qdd1;
+    const stanford_real t27 = -neg_qdd4;
+    qdd[0] = t26;
     qdd[1] = qdd2;
     qdd[2] = qdd3;
-    qdd[3] = t26;
+    qdd[3] = t27;
     qdd[4] = qdd5;
-    qdd[5] = t27;
+    qdd[5] = qdd6;
 }

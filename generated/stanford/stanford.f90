@@ -35,7 +35,7 @@
 !   gravity: 18 multiplications, 6 additions = 24; 0 unary minus; 6 sine/cosine
 !   bias: 104 multiplications, 70 additions = 174; 0 unary minus; 6 sine/cosine
 !   mass_matrix: 41 multiplications, 32 additions = 73; 2 unary minus; 6 sine/cosine
-!   forward_dynamics: 229 multiplications, 169 additions, 6 divisions = 404; 3 unary minus; 6
+!   forward_dynamics: 201 multiplications, 149 additions, 4 divisions = 354; 2 unary minus; 6
 !       sine/cosine
 module stanford_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -555,7 +555,7 @@ contains
 
   ! accelerations that the torques tau give
   ! with rotor inertia
-  ! 229 multiplications, 169 additions, 6 divisions = 404; 3 unary minus; 6 sine/cosine
+  ! 201 multiplications, 149 additions, 4 divisions = 354; 2 unary minus; 6 sine/cosine
   pure subroutine stanford_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="stanford_forward_dynamics_f")
     real(rk), intent(in) :: q(6)
@@ -569,15 +569,13 @@ contains
     real(rk) :: lam4_13, alpha5_z, lam5_12, fc4_x, neg_h5_y, h5_x, neg_f4_x, neg_lam2_33, t4, a3_y
     real(rk) :: fc3_y, f3_y, t5, neg_lam2_22, a3_z, fc4_z, f3_z, neg_a3_x, a4_y, alpha5_y, n06_z
     real(rk) :: t6, t7, n4_x, nc4_y, neg_a4_x, n5_z, n4_y, neg_n2_x, neg_n4_z, nc2_y, neg_f3_x
-    real(rk) :: n2_y, tau1, nc3_y, tau2, nu5_y, t8, h4_x, t9, neg_h4_y, h3_z, t10, m1_3, t11, t12
-    real(rk) :: h2_y, t13, t14, t15, t16, t17, t18, t19, t20, t21, t22, t23, m1_1, k4_yz, neg_m2_4
-    real(rk) :: neg_m1_2, m1_4, t24, neg_nu2_y, t25, neg_fu2_x, m1_5, m2_2, m2_5, nu4_y, m4_4
-    real(rk) :: neg_ld6_1, neg_y1, ipivot1, neg_l2_1, l3_1, l4_1, l5_1, neg_l6_1, neg_pivot2
-    real(rk) :: neg_ipivot2, neg_ld3_2, l3_2, neg_ld4_2, l4_2, ld5_2, neg_l5_2, ld6_2, neg_l6_2
-    real(rk) :: neg_pivot3, neg_ipivot3, neg_ld4_3, l4_3, neg_ld5_3, l5_3, ld6_3, neg_l6_3
-    real(rk) :: neg_pivot4, neg_ipivot4, neg_ld5_4, l5_4, ld6_4, neg_l6_4, neg_pivot5, neg_ipivot5
-    real(rk) :: ld6_5, neg_l6_5, neg_pivot6, neg_ipivot6, neg_y2, neg_y3, y4, neg_y5, y6, neg_qdd6
-    real(rk) :: qdd5, neg_qdd4, qdd3, qdd2, qdd1, t26, t27
+    real(rk) :: n2_y, tau1, nc3_y, tau2, neg_nu5_y, t8, h4_x, t9, neg_h4_y, h3_z, t10, m1_3, t11
+    real(rk) :: t12, h2_y, t13, t14, t15, t16, t17, t18, t19, t20, t21, t22, t23, m1_1, k4_yz
+    real(rk) :: neg_m2_4, neg_m1_2, m1_4, t24, neg_nu2_y, t25, neg_fu2_x, m1_5, m2_2, m2_5, nu4_y
+    real(rk) :: m4_4, neg_ud1_6, neg_y5, y6, u4_6, u2_6, neg_u1_6, neg_u3_5, u2_5, u1_5, neg_pivot4
+    real(rk) :: neg_ipivot4, neg_ud2_4, u2_4, ud1_4, neg_u1_4, neg_pivot3, neg_ipivot3, neg_ud2_3
+    real(rk) :: u2_3, ud1_3, neg_u1_3, neg_pivot2, neg_ipivot2, neg_ud1_2, u1_2, pivot1, ipivot1
+    real(rk) :: y4, neg_y3, neg_y2, neg_y1, neg_qdd1, qdd2, qdd3, neg_qdd4, qdd5, qdd6, t26, t27
 
     ! sines and cosines of the joint angles
     s2 = sin(q(2))
@@ -710,7 +708,7 @@ contains
     ! link 2: joint torque [N m], at a prismatic joint force [N]
     tau2 = s4*n4_x + c4*n4_y - (4.2795532937_rk*ww2_xy + q(3)*neg_f3_x - nc3_y)
     ! link 5: moment for a unit acceleration of a joint further out
-    nu5_y = -0.0003_rk*c5
+    neg_nu5_y = 0.0003_rk*c5
     t8 = c4*h5_x
     ! link 4: first moment of the composite body, about the frame's origin [kg m]
     h4_x = t8 + 0.005832_rk*s4
@@ -760,79 +758,66 @@ contains
     nu4_y = 0.0026106934001670842_rk*t9
     ! link 4: mass matrix, its row of this joint
     m4_4 = 0.1373658072_rk - t14
-    ! factorisation M = L D L^T
-    neg_ld6_1 = 0.0026106934001670842_rk*t25
-    ! link 1: forward substitution
-    neg_y1 = tau1 - tau(1)
-    ! factorisation M = L D L^T
-    ipivot1 = 1.0_rk / m1_1
-    neg_l2_1 = neg_m1_2*ipivot1
-    l3_1 = m1_3*ipivot1
-    l4_1 = m1_4*ipivot1
-    l5_1 = m1_5*ipivot1
-    neg_l6_1 = neg_ld6_1*ipivot1
-    neg_pivot2 = neg_m1_2*neg_l2_1 - m2_2
-    neg_ipivot2 = 1.0_rk / neg_pivot2
-    neg_ld3_2 = h4_x - neg_m1_2*l3_1
-    l3_2 = neg_ipivot2*neg_ld3_2
-    neg_ld4_2 = neg_m2_4 - neg_m1_2*l4_1
-    l4_2 = neg_ipivot2*neg_ld4_2
-    ld5_2 = m2_5 + neg_m1_2*l5_1
-    neg_l5_2 = neg_ipivot2*ld5_2
-    ld6_2 = nu4_y - neg_m1_2*neg_l6_1
-    neg_l6_2 = neg_ipivot2*ld6_2
-    neg_pivot3 = m1_3*l3_1 - 7.252_rk - neg_ld3_2*l3_2
-    neg_ipivot3 = 1.0_rk / neg_pivot3
-    neg_ld4_3 = m1_3*l4_1 - neg_ld3_2*l4_2
-    l4_3 = neg_ipivot3*neg_ld4_3
-    neg_ld5_3 = h5_x + m1_3*l5_1 + neg_ld3_2*neg_l5_2
-    l5_3 = neg_ipivot3*neg_ld5_3
-    ld6_3 = m1_3*neg_l6_1 - neg_ld3_2*neg_l6_2
-    neg_l6_3 = neg_ipivot3*ld6_3
-    neg_pivot4 = m1_4*l4_1 - m4_4 - neg_ld4_2*l4_2 - neg_ld4_3*l4_3
-    neg_ipivot4 = 1.0_rk / neg_pivot4
-    neg_ld5_4 = m1_4*l5_1 + neg_ld4_2*neg_l5_2 - neg_ld4_3*l5_3
-    l5_4 = neg_ipivot4*neg_ld5_4
-    ld6_4 = m1_4*neg_l6_1 - nu5_y - neg_ld4_2*neg_l6_2 - neg_ld4_3*neg_l6_3
-    neg_l6_4 = neg_ipivot4*ld6_4
-    neg_pivot5 = m1_5*l5_1 - 0.1273343144_rk - ld5_2*neg_l5_2 - neg_ld5_3*l5_3 - neg_ld5_4*l5_4
-    neg_ipivot5 = 1.0_rk / neg_pivot5
-    ld6_5 = m1_5*neg_l6_1 + ld5_2*neg_l6_2 - neg_ld5_3*neg_l6_3 - neg_ld5_4*neg_l6_4
-    neg_l6_5 = neg_ipivot5*ld6_5
-    neg_pivot6 = neg_ld6_1*neg_l6_1 - 0.0203_rk - ld6_2*neg_l6_2 - ld6_3*neg_l6_3 - ld6_4*neg_l6_4 &
-        - ld6_5*neg_l6_5
-    neg_ipivot6 = 1.0_rk / neg_pivot6
-    ! link 2: forward substitution
-    neg_y2 = tau2 - tau(2) + neg_y1*neg_l2_1
-    ! link 3: forward substitution
-    neg_y3 = f3_z - tau(3) - neg_y1*l3_1 - l3_2*neg_y2
-    ! link 4: forward substitution
-    y4 = neg_n4_z + tau(4) + neg_y1*l4_1 + l4_2*neg_y2 + l4_3*neg_y3
+    ! factorisation M = U D U^T
+    neg_ud1_6 = 0.0026106934001670842_rk*t25
     ! link 5: forward substitution
-    neg_y5 = n5_z - tau(5) - neg_y1*l5_1 + neg_l5_2*neg_y2 - l5_3*neg_y3 + l5_4*y4
+    neg_y5 = n5_z - tau(5)
     ! link 6: forward substitution
-    y6 = tau(6) - n06_z - neg_y1*neg_l6_1 - neg_l6_2*neg_y2 - neg_l6_3*neg_y3 + neg_l6_4*y4 - &
-        neg_l6_5*neg_y5
-    ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd6 = neg_ipivot6*y6
-    ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd5 = neg_ipivot5*neg_y5 - neg_l6_5*neg_qdd6
-    ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd4 = neg_ipivot4*y4 + l5_4*qdd5 + neg_l6_4*neg_qdd6
-    ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd3 = neg_ipivot3*neg_y3 + l4_3*neg_qdd4 - l5_3*qdd5 - neg_l6_3*neg_qdd6
-    ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd2 = neg_ipivot2*neg_y2 - l3_2*qdd3 + l4_2*neg_qdd4 + neg_l5_2*qdd5 - neg_l6_2*neg_qdd6
+    y6 = tau(6) - n06_z
+    ! factorisation M = U D U^T
+    u4_6 = 0.014778325123152709_rk*c5
+    u2_6 = 0.1286055862151273_rk*t9
+    neg_u1_6 = 0.1286055862151273_rk*t25
+    neg_u3_5 = 0.9024433087142769_rk*s5
+    u2_5 = 7.853342633617698_rk*m2_5
+    u1_5 = 7.853342633617698_rk*m1_5
+    neg_pivot4 = neg_nu5_y*u4_6 - m4_4
+    neg_ipivot4 = 1.0_rk / neg_pivot4
+    neg_ud2_4 = neg_m2_4 + neg_nu5_y*u2_6
+    u2_4 = neg_ipivot4*neg_ud2_4
+    ud1_4 = m1_4 + neg_nu5_y*neg_u1_6
+    neg_u1_4 = neg_ipivot4*ud1_4
+    neg_pivot3 = h5_x*neg_u3_5 - 7.252_rk
+    neg_ipivot3 = 1.0_rk / neg_pivot3
+    neg_ud2_3 = h4_x - h5_x*u2_5
+    u2_3 = neg_ipivot3*neg_ud2_3
+    ud1_3 = m1_3 + h5_x*u1_5
+    neg_u1_3 = neg_ipivot3*ud1_3
+    neg_pivot2 = nu4_y*u2_6 - m2_2 + m2_5*u2_5 - neg_ud2_4*u2_4 - neg_ud2_3*u2_3
+    neg_ipivot2 = 1.0_rk / neg_pivot2
+    neg_ud1_2 = neg_m1_2 - nu4_y*neg_u1_6 + m2_5*u1_5 + neg_ud2_4*neg_u1_4 + neg_ud2_3*neg_u1_3
+    u1_2 = neg_ipivot2*neg_ud1_2
+    pivot1 = m1_1 - neg_ud1_6*neg_u1_6 - m1_5*u1_5 + ud1_4*neg_u1_4 + ud1_3*neg_u1_3 + &
+        neg_ud1_2*u1_2
+    ipivot1 = 1.0_rk / pivot1
+    ! link 4: forward substitution
+    y4 = neg_n4_z + tau(4) - y6*u4_6
+    ! link 3: forward substitution
+    neg_y3 = f3_z - tau(3) + neg_y5*neg_u3_5
+    ! link 2: forward substitution
+    neg_y2 = tau2 - tau(2) + y6*u2_6 - neg_y5*u2_5 + u2_4*y4 - u2_3*neg_y3
+    ! link 1: forward substitution
+    neg_y1 = tau1 - tau(1) - y6*neg_u1_6 - neg_y5*u1_5 - neg_u1_4*y4 + neg_u1_3*neg_y3 - &
+        u1_2*neg_y2
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = -neg_l6_1*neg_qdd6 - (neg_y1*ipivot1 - neg_l2_1*qdd2 + l3_1*qdd3 - l4_1*neg_qdd4 + &
-        l5_1*qdd5)
-    t26 = -neg_qdd4
-    t27 = -neg_qdd6
-    qdd(1) = qdd1
+    neg_qdd1 = ipivot1*neg_y1
+    ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd2 = neg_ipivot2*neg_y2 + u1_2*neg_qdd1
+    ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd3 = neg_ipivot3*neg_y3 - u2_3*qdd2 - neg_u1_3*neg_qdd1
+    ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    neg_qdd4 = neg_ipivot4*y4 + u2_4*qdd2 + neg_u1_4*neg_qdd1
+    ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd5 = u1_5*neg_qdd1 - (7.853342633617698_rk*neg_y5 - neg_u3_5*qdd3 + u2_5*qdd2)
+    ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd6 = 49.26108374384236_rk*y6 + u4_6*neg_qdd4 - u2_6*qdd2 - neg_u1_6*neg_qdd1
+    t26 = -neg_qdd1
+    t27 = -neg_qdd4
+    qdd(1) = t26
     qdd(2) = qdd2
     qdd(3) = qdd3
-    qdd(4) = t26
+    qdd(4) = t27
     qdd(5) = qdd5
-    qdd(6) = t27
+    qdd(6) = qdd6
   end subroutine
 end module

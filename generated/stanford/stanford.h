@@ -36,7 +36,7 @@
  *   gravity: 18 multiplications, 6 additions = 24; 0 unary minus; 6 sine/cosine
  *   bias: 104 multiplications, 70 additions = 174; 0 unary minus; 6 sine/cosine
  *   mass_matrix: 41 multiplications, 32 additions = 73; 2 unary minus; 6 sine/cosine
- *   forward_dynamics: 229 multiplications, 169 additions, 6 divisions = 404; 3 unary minus; 6
+ *   forward_dynamics: 201 multiplications, 149 additions, 4 divisions = 354; 2 unary minus; 6
  *       sine/cosine
  */
 #ifndef STANFORD_H

@@ -33,7 +33,7 @@
  *   gravity: 4 multiplications, 1 addition = 5; 0 unary minus; 2 sine/cosine
  *   bias: 21 multiplications, 9 additions = 30; 0 unary minus; 2 sine/cosine
  *   mass_matrix: 7 multiplications, 5 additions = 12; 0 unary minus; 2 sine/cosine
- *   forward_dynamics: 44 multiplications, 26 additions, 3 divisions = 73; 0 unary minus; 2
+ *   forward_dynamics: 39 multiplications, 23 additions, 2 divisions = 64; 0 unary minus; 2
  *       sine/cosine
  */
 #include "stanford_3dof.h"
@@ -181,7 +181,7 @@ void stanford_3dof_mass_matrix(const stanford_3dof_real q[3], stanford_3dof_real
 
 /* accelerations that the torques tau give
  * with rotor inertia
- * 44 multiplications, 26 additions, 3 divisions = 73; 0 unary minus; 2 sine/cosine */
+ * 39 multiplications, 23 additions, 2 divisions = 64; 0 unary minus; 2 sine/cosine */
 void stanford_3dof_forward_dynamics(
     const stanford_3dof_real q[3],
     const stanford_3dof_real qd[3],
@@ -224,28 +224,24 @@ void stanford_3dof_forward_dynamics(
     const stanford_3dof_real neg_m1_2 = 0.32385*(c2*(q[2] + t6));
     /* link 2: mass matrix, its row of this joint */
     const stanford_3dof_real m2_2 = t7 + 6.4874618825;
-    /* link 1: forward substitution */
-    const stanford_3dof_real neg_y1 = tau1 - tau[0];
-    /* factorisation M = L D L^T */
-    const stanford_3dof_real ipivot1 = 1.0 / m1_1;
-    const stanford_3dof_real neg_l2_1 = neg_m1_2*ipivot1;
-    const stanford_3dof_real neg_l3_1 = neg_m1_3*ipivot1;
-    const stanford_3dof_real pivot2 = m2_2 - neg_m1_2*neg_l2_1;
-    const stanford_3dof_real ipivot2 = 1.0 / pivot2;
-    const stanford_3dof_real neg_ld3_2 = neg_m1_2*neg_l3_1;
-    const stanford_3dof_real neg_l3_2 = ipivot2*neg_ld3_2;
-    const stanford_3dof_real neg_pivot3 = neg_m1_3*neg_l3_1 - 5.032 + neg_ld3_2*neg_l3_2;
-    const stanford_3dof_real neg_ipivot3 = 1.0 / neg_pivot3;
     /* link 2: forward substitution */
-    const stanford_3dof_real neg_y2 = tau2 - tau[1] + neg_y1*neg_l2_1;
+    const stanford_3dof_real y2 = tau[1] - tau2;
     /* link 3: forward substitution */
-    const stanford_3dof_real neg_y3 = tau3 - tau[2] + neg_y1*neg_l3_1 + neg_l3_2*neg_y2;
-    /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_3dof_real qdd3 = neg_ipivot3*neg_y3;
-    /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_3dof_real qdd2 = neg_l3_2*qdd3 - ipivot2*neg_y2;
+    const stanford_3dof_real neg_y3 = tau3 - tau[2];
+    /* factorisation M = U D U^T */
+    const stanford_3dof_real neg_u1_3 = 0.1287162162162162*s2;
+    const stanford_3dof_real ipivot2 = 1.0 / m2_2;
+    const stanford_3dof_real neg_u1_2 = neg_m1_2*ipivot2;
+    const stanford_3dof_real pivot1 = m1_1 - neg_m1_3*neg_u1_3 - neg_m1_2*neg_u1_2;
+    const stanford_3dof_real ipivot1 = 1.0 / pivot1;
+    /* link 1: forward substitution */
+    const stanford_3dof_real y1 = y2*neg_u1_2 - (tau1 - tau[0] + neg_y3*neg_u1_3);
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_3dof_real qdd1 = neg_l3_1*qdd3 - (neg_y1*ipivot1 - neg_l2_1*qdd2);
+    const stanford_3dof_real qdd1 = ipivot1*y1;
+    /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const stanford_3dof_real qdd2 = y2*ipivot2 + neg_u1_2*qdd1;
+    /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const stanford_3dof_real qdd3 = neg_u1_3*qdd1 - 0.1987281399046105*neg_y3;
     qdd[0] = qdd1;
     qdd[1] = qdd2;
     qdd[2] = qdd3;

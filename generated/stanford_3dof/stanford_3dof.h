@@ -33,7 +33,7 @@
  *   gravity: 4 multiplications, 1 addition = 5; 0 unary minus; 2 sine/cosine
  *   bias: 21 multiplications, 9 additions = 30; 0 unary minus; 2 sine/cosine
  *   mass_matrix: 7 multiplications, 5 additions = 12; 0 unary minus; 2 sine/cosine
- *   forward_dynamics: 44 multiplications, 26 additions, 3 divisions = 73; 0 unary minus; 2
+ *   forward_dynamics: 39 multiplications, 23 additions, 2 divisions = 64; 0 unary minus; 2
  *       sine/cosine
  */
 #ifndef STANFORD_3DOF_H

@@ -30,7 +30,7 @@
  *   gravity: 4 multiplications, 1 addition = 5; 0 unary minus; 2 sine/cosine
  *   bias: 23 multiplications, 9 additions = 32; 0 unary minus; 2 sine/cosine
  *   mass_matrix: 7 multiplications, 5 additions = 12; 0 unary minus; 2 sine/cosine
- *   forward_dynamics: 46 multiplications, 26 additions, 3 divisions = 75; 0 unary minus; 2
+ *   forward_dynamics: 41 multiplications, 23 additions, 2 divisions = 66; 0 unary minus; 2
  *       sine/cosine
  */
 #include "stanford_3dof_d3.h"
@@ -165,7 +165,7 @@ void stanford_3dof_d3_mass_matrix(const stanford_3dof_d3_real q[3], stanford_3do
 }
 
 /* accelerations that the torques tau give
- * 46 multiplications, 26 additions, 3 divisions = 75; 0 unary minus; 2 sine/cosine */
+ * 41 multiplications, 23 additions, 2 divisions = 66; 0 unary minus; 2 sine/cosine */
 void stanford_3dof_d3_forward_dynamics(
     const stanford_3dof_d3_real q[3],
     const stanford_3dof_d3_real qd[3],
@@ -200,28 +200,24 @@ void stanford_3dof_d3_forward_dynamics(
     const stanford_3dof_d3_real neg_m1_2 = 0.493014*(c2*(q[2] + t7));
     /* link 2: mass matrix, its row of this joint */
     const stanford_3dof_d3_real m2_2 = t8 + 7.4101784423;
-    /* link 1: forward substitution */
-    const stanford_3dof_d3_real neg_y1 = n1_z - tau[0];
-    /* factorisation M = L D L^T */
-    const stanford_3dof_d3_real ipivot1 = 1.0 / m1_1;
-    const stanford_3dof_d3_real neg_l2_1 = neg_m1_2*ipivot1;
-    const stanford_3dof_d3_real neg_l3_1 = neg_m1_3*ipivot1;
-    const stanford_3dof_d3_real pivot2 = m2_2 - neg_m1_2*neg_l2_1;
-    const stanford_3dof_d3_real ipivot2 = 1.0 / pivot2;
-    const stanford_3dof_d3_real neg_ld3_2 = neg_m1_2*neg_l3_1;
-    const stanford_3dof_d3_real neg_l3_2 = ipivot2*neg_ld3_2;
-    const stanford_3dof_d3_real neg_pivot3 = neg_m1_3*neg_l3_1 - 6.47 + neg_ld3_2*neg_l3_2;
-    const stanford_3dof_d3_real neg_ipivot3 = 1.0 / neg_pivot3;
     /* link 2: forward substitution */
-    const stanford_3dof_d3_real neg_y2 = n2_z - tau[1] + neg_y1*neg_l2_1;
+    const stanford_3dof_d3_real y2 = tau[1] - n2_z;
     /* link 3: forward substitution */
-    const stanford_3dof_d3_real neg_y3 = fc3_z - tau[2] + neg_y1*neg_l3_1 + neg_l3_2*neg_y2;
-    /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_3dof_d3_real qdd3 = neg_ipivot3*neg_y3;
-    /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_3dof_d3_real qdd2 = neg_l3_2*qdd3 - ipivot2*neg_y2;
+    const stanford_3dof_d3_real neg_y3 = fc3_z - tau[2];
+    /* factorisation M = U D U^T */
+    const stanford_3dof_d3_real neg_u1_3 = 0.1524*s2;
+    const stanford_3dof_d3_real ipivot2 = 1.0 / m2_2;
+    const stanford_3dof_d3_real neg_u1_2 = neg_m1_2*ipivot2;
+    const stanford_3dof_d3_real pivot1 = m1_1 - neg_m1_3*neg_u1_3 - neg_m1_2*neg_u1_2;
+    const stanford_3dof_d3_real ipivot1 = 1.0 / pivot1;
+    /* link 1: forward substitution */
+    const stanford_3dof_d3_real y1 = y2*neg_u1_2 - (n1_z - tau[0] + neg_y3*neg_u1_3);
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_3dof_d3_real qdd1 = neg_l3_1*qdd3 - (neg_y1*ipivot1 - neg_l2_1*qdd2);
+    const stanford_3dof_d3_real qdd1 = ipivot1*y1;
+    /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const stanford_3dof_d3_real qdd2 = y2*ipivot2 + neg_u1_2*qdd1;
+    /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const stanford_3dof_d3_real qdd3 = neg_u1_3*qdd1 - 0.1545595054095827*neg_y3;
     qdd[0] = qdd1;
     qdd[1] = qdd2;
     qdd[2] = qdd3;

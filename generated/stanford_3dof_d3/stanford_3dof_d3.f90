@@ -29,7 +29,7 @@
 !   gravity: 4 multiplications, 1 addition = 5; 0 unary minus; 2 sine/cosine
 !   bias: 23 multiplications, 9 additions = 32; 0 unary minus; 2 sine/cosine
 !   mass_matrix: 7 multiplications, 5 additions = 12; 0 unary minus; 2 sine/cosine
-!   forward_dynamics: 46 multiplications, 26 additions, 3 divisions = 75; 0 unary minus; 2
+!   forward_dynamics: 41 multiplications, 23 additions, 2 divisions = 66; 0 unary minus; 2
 !       sine/cosine
 module stanford_3dof_d3_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -171,7 +171,7 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 46 multiplications, 26 additions, 3 divisions = 75; 0 unary minus; 2 sine/cosine
+  ! 41 multiplications, 23 additions, 2 divisions = 66; 0 unary minus; 2 sine/cosine
   pure subroutine stanford_3dof_d3_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="stanford_3dof_d3_forward_dynamics_f")
     real(rk), intent(in) :: q(3)
@@ -179,8 +179,8 @@ contains
     real(rk), intent(in) :: tau(3)
     real(rk), intent(out) :: qdd(3)
     real(rk) :: c2, s2, neg_w2_x, t1, t2, t3, t4, t5, t6, n1_z, n2_z, fc3_z, neg_m1_3, t7, t8, m1_1
-    real(rk) :: neg_m1_2, m2_2, neg_y1, ipivot1, neg_l2_1, neg_l3_1, pivot2, ipivot2, neg_ld3_2
-    real(rk) :: neg_l3_2, neg_pivot3, neg_ipivot3, neg_y2, neg_y3, qdd3, qdd2, qdd1
+    real(rk) :: neg_m1_2, m2_2, y2, neg_y3, neg_u1_3, ipivot2, neg_u1_2, pivot1, ipivot1, y1, qdd1
+    real(rk) :: qdd2, qdd3
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -207,28 +207,24 @@ contains
     neg_m1_2 = 0.493014_rk*(c2*(q(3) + t7))
     ! link 2: mass matrix, its row of this joint
     m2_2 = t8 + 7.4101784423_rk
-    ! link 1: forward substitution
-    neg_y1 = n1_z - tau(1)
-    ! factorisation M = L D L^T
-    ipivot1 = 1.0_rk / m1_1
-    neg_l2_1 = neg_m1_2*ipivot1
-    neg_l3_1 = neg_m1_3*ipivot1
-    pivot2 = m2_2 - neg_m1_2*neg_l2_1
-    ipivot2 = 1.0_rk / pivot2
-    neg_ld3_2 = neg_m1_2*neg_l3_1
-    neg_l3_2 = ipivot2*neg_ld3_2
-    neg_pivot3 = neg_m1_3*neg_l3_1 - 6.47_rk + neg_ld3_2*neg_l3_2
-    neg_ipivot3 = 1.0_rk / neg_pivot3
     ! link 2: forward substitution
-    neg_y2 = n2_z - tau(2) + neg_y1*neg_l2_1
+    y2 = tau(2) - n2_z
     ! link 3: forward substitution
-    neg_y3 = fc3_z - tau(3) + neg_y1*neg_l3_1 + neg_l3_2*neg_y2
-    ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd3 = neg_ipivot3*neg_y3
-    ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd2 = neg_l3_2*qdd3 - ipivot2*neg_y2
+    neg_y3 = fc3_z - tau(3)
+    ! factorisation M = U D U^T
+    neg_u1_3 = 0.1524_rk*s2
+    ipivot2 = 1.0_rk / m2_2
+    neg_u1_2 = neg_m1_2*ipivot2
+    pivot1 = m1_1 - neg_m1_3*neg_u1_3 - neg_m1_2*neg_u1_2
+    ipivot1 = 1.0_rk / pivot1
+    ! link 1: forward substitution
+    y1 = y2*neg_u1_2 - (n1_z - tau(1) + neg_y3*neg_u1_3)
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = neg_l3_1*qdd3 - (neg_y1*ipivot1 - neg_l2_1*qdd2)
+    qdd1 = ipivot1*y1
+    ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd2 = y2*ipivot2 + neg_u1_2*qdd1
+    ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd3 = neg_u1_3*qdd1 - 0.1545595054095827_rk*neg_y3
     qdd(1) = qdd1
     qdd(2) = qdd2
     qdd(3) = qdd3

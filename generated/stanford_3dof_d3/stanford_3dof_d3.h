@@ -30,7 +30,7 @@
  *   gravity: 4 multiplications, 1 addition = 5; 0 unary minus; 2 sine/cosine
  *   bias: 23 multiplications, 9 additions = 32; 0 unary minus; 2 sine/cosine
  *   mass_matrix: 7 multiplications, 5 additions = 12; 0 unary minus; 2 sine/cosine
- *   forward_dynamics: 46 multiplications, 26 additions, 3 divisions = 75; 0 unary minus; 2
+ *   forward_dynamics: 41 multiplications, 23 additions, 2 divisions = 66; 0 unary minus; 2
  *       sine/cosine
  */
 #ifndef STANFORD_3DOF_D3_H

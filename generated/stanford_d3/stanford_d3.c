@@ -33,7 +33,7 @@
  *   gravity: 18 multiplications, 6 additions = 24; 0 unary minus; 6 sine/cosine
  *   bias: 110 multiplications, 71 additions = 181; 0 unary minus; 6 sine/cosine
  *   mass_matrix: 40 multiplications, 32 additions = 72; 2 unary minus; 6 sine/cosine
- *   forward_dynamics: 236 multiplications, 170 additions, 6 divisions = 412; 2 unary minus; 6
+ *   forward_dynamics: 207 multiplications, 150 additions, 4 divisions = 361; 1 unary minus; 6
  *       sine/cosine
  */
 #include "stanford_d3.h"
@@ -529,7 +529,7 @@ void stanford_d3_mass_matrix(const stanford_d3_real q[6], stanford_d3_real M[36]
 }
 
 /* accelerations that the torques tau give
- * 236 multiplications, 170 additions, 6 divisions = 412; 2 unary minus; 6 sine/cosine */
+ * 207 multiplications, 150 additions, 4 divisions = 361; 1 unary minus; 6 sine/cosine */
 void stanford_d3_forward_dynamics(
     const stanford_d3_real q[6],
     const stanford_d3_real qd[6],
@@ -677,7 +677,7 @@ void stanford_d3_forward_dynamics(
     /* link 2: moment through the joint, about the frame's origin [N m] */
     const stanford_d3_real n2_z = q[2]*f3_x + (nc3_y + (c4*t9 - s4*t8)) - 4.1795532937*ww2_xy;
     /* link 5: moment for a unit acceleration of a joint further out */
-    const stanford_d3_real nu5_y = -0.0203*c5;
+    const stanford_d3_real neg_nu5_y = 0.0203*c5;
     /* link 5: first moment of the composite body, about the frame's origin [kg m] */
     const stanford_d3_real h5_x = 0.114912*s5;
     const stanford_d3_real neg_h5_y = 0.114912*c5;
@@ -696,9 +696,9 @@ void stanford_d3_forward_dynamics(
     const stanford_d3_real t14 = 0.08384080339738234*c5;
     const stanford_d3_real t15 = neg_h5_y*t14;
     /* link 4: mass matrix, its row of this joint */
-    const stanford_d3_real neg_m4_4 = t15 - 0.1373658072;
+    const stanford_d3_real m4_4 = 0.1373658072 - t15;
     const stanford_d3_real t16 = 0.1524*neg_h4_y;
-    const stanford_d3_real t17 = neg_m4_4 + t16;
+    const stanford_d3_real t17 = t16 - m4_4;
     const stanford_d3_real t18 = s2*s4;
     const stanford_d3_real t19 = s2*h5_x;
     const stanford_d3_real t20 = c4*t19;
@@ -723,88 +723,71 @@ void stanford_d3_forward_dynamics(
     /* link 1: mass matrix, its row of this joint */
     const stanford_d3_real m1_5 = neg_nu2_y - 0.1524*fu2_x;
     /* link 2: mass matrix, its row of this joint */
-    const stanford_d3_real neg_m2_2 = t23 - t24;
+    const stanford_d3_real m2_2 = t24 - t23;
     const stanford_d3_real m2_5 = c4*t26;
     /* link 4: moment for a unit acceleration of a joint further out */
     const stanford_d3_real nu4_y = 0.1766569200779727*t11;
-    /* factorisation M = L D L^T */
-    const stanford_d3_real neg_ld6_1 = 0.1766569200779727*(t20 - t27);
-    /* link 1: forward substitution */
-    const stanford_d3_real neg_y1 = n1_z - tau[0];
-    /* factorisation M = L D L^T */
-    const stanford_d3_real neg_ipivot1 = 1.0 / neg_m1_1;
-    const stanford_d3_real neg_l2_1 = m1_2*neg_ipivot1;
-    const stanford_d3_real neg_l3_1 = m1_3*neg_ipivot1;
-    const stanford_d3_real l4_1 = neg_m1_4*neg_ipivot1;
-    const stanford_d3_real neg_l5_1 = m1_5*neg_ipivot1;
-    const stanford_d3_real l6_1 = neg_ld6_1*neg_ipivot1;
-    const stanford_d3_real neg_pivot2 = neg_m2_2 - m1_2*neg_l2_1;
-    const stanford_d3_real neg_ipivot2 = 1.0 / neg_pivot2;
-    const stanford_d3_real neg_ld3_2 = h4_x - m1_2*neg_l3_1;
-    const stanford_d3_real l3_2 = neg_ipivot2*neg_ld3_2;
-    const stanford_d3_real ld4_2 = m2_4 - m1_2*l4_1;
-    const stanford_d3_real neg_l4_2 = neg_ipivot2*ld4_2;
-    const stanford_d3_real ld5_2 = m2_5 + m1_2*neg_l5_1;
-    const stanford_d3_real neg_l5_2 = neg_ipivot2*ld5_2;
-    const stanford_d3_real ld6_2 = nu4_y - m1_2*l6_1;
-    const stanford_d3_real neg_l6_2 = neg_ipivot2*ld6_2;
-    const stanford_d3_real pivot3 = m1_3*neg_l3_1 + 6.47 + neg_ld3_2*l3_2;
-    const stanford_d3_real ipivot3 = 1.0 / pivot3;
-    const stanford_d3_real neg_ld4_3 = m1_3*l4_1 + neg_ld3_2*neg_l4_2;
-    const stanford_d3_real neg_l4_3 = ipivot3*neg_ld4_3;
-    const stanford_d3_real neg_ld5_3 = h5_x - m1_3*neg_l5_1 + neg_ld3_2*neg_l5_2;
-    const stanford_d3_real neg_l5_3 = ipivot3*neg_ld5_3;
-    const stanford_d3_real neg_ld6_3 = m1_3*l6_1 + neg_ld3_2*neg_l6_2;
-    const stanford_d3_real neg_l6_3 = ipivot3*neg_ld6_3;
-    const stanford_d3_real neg_pivot4 = neg_m4_4 - neg_m1_4*l4_1 - ld4_2*neg_l4_2 +
-        neg_ld4_3*neg_l4_3;
-    const stanford_d3_real neg_ipivot4 = 1.0 / neg_pivot4;
-    const stanford_d3_real neg_ld5_4 = neg_m1_4*neg_l5_1 - ld4_2*neg_l5_2 + neg_ld4_3*neg_l5_3;
-    const stanford_d3_real l5_4 = neg_ipivot4*neg_ld5_4;
-    const stanford_d3_real ld6_4 = neg_m1_4*l6_1 - nu5_y + ld4_2*neg_l6_2 - neg_ld4_3*neg_l6_3;
-    const stanford_d3_real neg_l6_4 = neg_ipivot4*ld6_4;
-    const stanford_d3_real pivot5 = 0.1273343144 + m1_5*neg_l5_1 + ld5_2*neg_l5_2 -
-        neg_ld5_3*neg_l5_3 + neg_ld5_4*l5_4;
-    const stanford_d3_real ipivot5 = 1.0 / pivot5;
-    const stanford_d3_real neg_ld6_5 = m1_5*l6_1 - ld5_2*neg_l6_2 + neg_ld5_3*neg_l6_3 +
-        neg_ld5_4*neg_l6_4;
-    const stanford_d3_real neg_l6_5 = ipivot5*neg_ld6_5;
-    const stanford_d3_real pivot6 = neg_ld6_1*l6_1 + 0.0203 + ld6_2*neg_l6_2 - neg_ld6_3*neg_l6_3 +
-        ld6_4*neg_l6_4 - neg_ld6_5*neg_l6_5;
-    const stanford_d3_real ipivot6 = 1.0 / pivot6;
-    /* link 2: forward substitution */
-    const stanford_d3_real neg_y2 = n2_z - tau[1] + neg_y1*neg_l2_1;
-    /* link 3: forward substitution */
-    const stanford_d3_real neg_y3 = f3_z - tau[2] + neg_y1*neg_l3_1 - l3_2*neg_y2;
-    /* link 4: forward substitution */
-    const stanford_d3_real neg_y4 = n4_z - tau[3] - neg_y1*l4_1 + neg_l4_2*neg_y2 + neg_l4_3*neg_y3;
+    const stanford_d3_real t28 = t20 - t27;
+    /* factorisation M = U D U^T */
+    const stanford_d3_real neg_ud1_6 = 0.1766569200779727*t28;
     /* link 5: forward substitution */
-    const stanford_d3_real neg_y5 = n5_z - tau[4] + neg_y1*neg_l5_1 + neg_l5_2*neg_y2 +
-        neg_l5_3*neg_y3 - l5_4*neg_y4;
+    const stanford_d3_real neg_y5 = n5_z - tau[4];
     /* link 6: forward substitution */
-    const stanford_d3_real y6 = tau[5] - n06_z + neg_y1*l6_1 - neg_l6_2*neg_y2 - neg_l6_3*neg_y3 -
-        neg_l6_4*neg_y4 - neg_l6_5*neg_y5;
-    /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_d3_real qdd6 = ipivot6*y6;
-    /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_d3_real neg_qdd5 = ipivot5*neg_y5 - neg_l6_5*qdd6;
-    /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_d3_real qdd4 = neg_ipivot4*neg_y4 + l5_4*neg_qdd5 + neg_l6_4*qdd6;
-    /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_d3_real neg_qdd3 = ipivot3*neg_y3 - neg_l4_3*qdd4 + neg_l5_3*neg_qdd5 -
-        neg_l6_3*qdd6;
-    /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_d3_real qdd2 = neg_ipivot2*neg_y2 + l3_2*neg_qdd3 + neg_l4_2*qdd4 -
-        neg_l5_2*neg_qdd5 + neg_l6_2*qdd6;
+    const stanford_d3_real y6 = tau[5] - n06_z;
+    /* factorisation M = U D U^T */
+    const stanford_d3_real u2_6 = 8.70231133389028*t11;
+    const stanford_d3_real neg_u1_6 = 8.70231133389028*t28;
+    const stanford_d3_real neg_u3_5 = 0.9024433087142769*s5;
+    const stanford_d3_real u2_5 = 7.853342633617698*m2_5;
+    const stanford_d3_real u1_5 = 7.853342633617698*m1_5;
+    const stanford_d3_real neg_pivot4 = c5*neg_nu5_y - m4_4;
+    const stanford_d3_real neg_ipivot4 = 1.0 / neg_pivot4;
+    const stanford_d3_real ud2_4 = m2_4 - neg_nu5_y*u2_6;
+    const stanford_d3_real neg_u2_4 = neg_ipivot4*ud2_4;
+    const stanford_d3_real neg_ud1_4 = neg_m1_4 - neg_nu5_y*neg_u1_6;
+    const stanford_d3_real u1_4 = neg_ipivot4*neg_ud1_4;
+    const stanford_d3_real neg_pivot3 = h5_x*neg_u3_5 - 6.47;
+    const stanford_d3_real neg_ipivot3 = 1.0 / neg_pivot3;
+    const stanford_d3_real neg_ud2_3 = h4_x - h5_x*u2_5;
+    const stanford_d3_real u2_3 = neg_ipivot3*neg_ud2_3;
+    const stanford_d3_real ud1_3 = m1_3 + h5_x*u1_5;
+    const stanford_d3_real neg_u1_3 = neg_ipivot3*ud1_3;
+    const stanford_d3_real neg_pivot2 = nu4_y*u2_6 - m2_2 + m2_5*u2_5 - ud2_4*neg_u2_4 -
+        neg_ud2_3*u2_3;
+    const stanford_d3_real neg_ipivot2 = 1.0 / neg_pivot2;
+    const stanford_d3_real ud1_2 = m1_2 + nu4_y*neg_u1_6 - m2_5*u1_5 - ud2_4*u1_4 -
+        neg_ud2_3*neg_u1_3;
+    const stanford_d3_real neg_u1_2 = neg_ipivot2*ud1_2;
+    const stanford_d3_real neg_pivot1 = neg_m1_1 + neg_ud1_6*neg_u1_6 + m1_5*u1_5 - neg_ud1_4*u1_4 -
+        ud1_3*neg_u1_3 - ud1_2*neg_u1_2;
+    const stanford_d3_real neg_ipivot1 = 1.0 / neg_pivot1;
+    /* link 4: forward substitution */
+    const stanford_d3_real neg_y4 = n4_z - tau[3] + c5*y6;
+    /* link 3: forward substitution */
+    const stanford_d3_real neg_y3 = f3_z - tau[2] + neg_y5*neg_u3_5;
+    /* link 2: forward substitution */
+    const stanford_d3_real neg_y2 = n2_z - tau[1] + y6*u2_6 - neg_y5*u2_5 + neg_u2_4*neg_y4 -
+        u2_3*neg_y3;
+    /* link 1: forward substitution */
+    const stanford_d3_real neg_y1 = n1_z - tau[0] - y6*neg_u1_6 - neg_y5*u1_5 - u1_4*neg_y4 +
+        neg_u1_3*neg_y3 + neg_u1_2*neg_y2;
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_d3_real qdd1 = neg_y1*neg_ipivot1 + neg_l2_1*qdd2 - neg_l3_1*neg_qdd3 - l4_1*qdd4
-        - neg_l5_1*neg_qdd5 - l6_1*qdd6;
-    const stanford_d3_real t28 = -neg_qdd3;
-    const stanford_d3_real t29 = -neg_qdd5;
+    const stanford_d3_real qdd1 = neg_ipivot1*neg_y1;
+    /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const stanford_d3_real qdd2 = neg_ipivot2*neg_y2 + neg_u1_2*qdd1;
+    /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const stanford_d3_real qdd3 = neg_ipivot3*neg_y3 - u2_3*qdd2 + neg_u1_3*qdd1;
+    /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const stanford_d3_real qdd4 = neg_ipivot4*neg_y4 + neg_u2_4*qdd2 - u1_4*qdd1;
+    /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const stanford_d3_real qdd5 = -u1_5*qdd1 - (7.853342633617698*neg_y5 - neg_u3_5*qdd3 +
+        u2_5*qdd2);
+    /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const stanford_d3_real qdd6 = 49.26108374384236*y6 - c5*qdd4 - u2_6*qdd2 + neg_u1_6*qdd1;
     qdd[0] = qdd1;
     qdd[1] = qdd2;
-    qdd[2] = t28;
+    qdd[2] = qdd3;
     qdd[3] = qdd4;
-    qdd[4] = t29;
+    qdd[4] = qdd5;
     qdd[5] = qdd6;
 }

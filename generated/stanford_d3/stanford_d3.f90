@@ -32,7 +32,7 @@
 !   gravity: 18 multiplications, 6 additions = 24; 0 unary minus; 6 sine/cosine
 !   bias: 110 multiplications, 71 additions = 181; 0 unary minus; 6 sine/cosine
 !   mass_matrix: 40 multiplications, 32 additions = 72; 2 unary minus; 6 sine/cosine
-!   forward_dynamics: 236 multiplications, 170 additions, 6 divisions = 412; 2 unary minus; 6
+!   forward_dynamics: 207 multiplications, 150 additions, 4 divisions = 361; 1 unary minus; 6
 !       sine/cosine
 module stanford_d3_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -547,7 +547,7 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 236 multiplications, 170 additions, 6 divisions = 412; 2 unary minus; 6 sine/cosine
+  ! 207 multiplications, 150 additions, 4 divisions = 361; 1 unary minus; 6 sine/cosine
   pure subroutine stanford_d3_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="stanford_d3_forward_dynamics_f")
     real(rk), intent(in) :: q(6)
@@ -561,15 +561,14 @@ contains
     real(rk) :: neg_lam4_32, t3, alpha5_y, n06_z, neg_a3_z, a2_x, neg_a3_x, a4_y, lam4_13, alpha4_y
     real(rk) :: lam5_12, neg_a4_x, a5_x, n5_z, neg_fc5_x, fc3_z, fc4_z, f3_z, neg_fc3_y, fc4_x
     real(rk) :: neg_f05_x, neg_f4_x, fc4_y, t4, t5, fc5_z, f4_y, f04_y, neg_f3_y, fc3_x, f3_x, t6
-    real(rk) :: t7, n4_z, t8, t9, t10, n1_z, nc3_y, n2_z, nu5_y, h5_x, neg_h5_y, h4_x, t11
-    real(rk) :: neg_h4_y, h3_z, m1_3, t12, t13, h2_y, t14, t15, neg_m4_4, t16, t17, t18, t19, t20
-    real(rk) :: t21, neg_m1_4, t22, t23, t24, t25, neg_m1_1, m2_4, m1_2, t26, neg_nu2_y, t27, fu2_x
-    real(rk) :: m1_5, neg_m2_2, m2_5, nu4_y, neg_ld6_1, neg_y1, neg_ipivot1, neg_l2_1, neg_l3_1
-    real(rk) :: l4_1, neg_l5_1, l6_1, neg_pivot2, neg_ipivot2, neg_ld3_2, l3_2, ld4_2, neg_l4_2
-    real(rk) :: ld5_2, neg_l5_2, ld6_2, neg_l6_2, pivot3, ipivot3, neg_ld4_3, neg_l4_3, neg_ld5_3
-    real(rk) :: neg_l5_3, neg_ld6_3, neg_l6_3, neg_pivot4, neg_ipivot4, neg_ld5_4, l5_4, ld6_4
-    real(rk) :: neg_l6_4, pivot5, ipivot5, neg_ld6_5, neg_l6_5, pivot6, ipivot6, neg_y2, neg_y3
-    real(rk) :: neg_y4, neg_y5, y6, qdd6, neg_qdd5, qdd4, neg_qdd3, qdd2, qdd1, t28, t29
+    real(rk) :: t7, n4_z, t8, t9, t10, n1_z, nc3_y, n2_z, neg_nu5_y, h5_x, neg_h5_y, h4_x, t11
+    real(rk) :: neg_h4_y, h3_z, m1_3, t12, t13, h2_y, t14, t15, m4_4, t16, t17, t18, t19, t20, t21
+    real(rk) :: neg_m1_4, t22, t23, t24, t25, neg_m1_1, m2_4, m1_2, t26, neg_nu2_y, t27, fu2_x
+    real(rk) :: m1_5, m2_2, m2_5, nu4_y, t28, neg_ud1_6, neg_y5, y6, u2_6, neg_u1_6, neg_u3_5, u2_5
+    real(rk) :: u1_5, neg_pivot4, neg_ipivot4, ud2_4, neg_u2_4, neg_ud1_4, u1_4, neg_pivot3
+    real(rk) :: neg_ipivot3, neg_ud2_3, u2_3, ud1_3, neg_u1_3, neg_pivot2, neg_ipivot2, ud1_2
+    real(rk) :: neg_u1_2, neg_pivot1, neg_ipivot1, neg_y4, neg_y3, neg_y2, neg_y1, qdd1, qdd2, qdd3
+    real(rk) :: qdd4, qdd5, qdd6
 
     ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam2_33 = qd(1)*qd(1)
@@ -706,7 +705,7 @@ contains
     ! link 2: moment through the joint, about the frame's origin [N m]
     n2_z = q(3)*f3_x + (nc3_y + (c4*t9 - s4*t8)) - 4.1795532937_rk*ww2_xy
     ! link 5: moment for a unit acceleration of a joint further out
-    nu5_y = -0.0203_rk*c5
+    neg_nu5_y = 0.0203_rk*c5
     ! link 5: first moment of the composite body, about the frame's origin [kg m]
     h5_x = 0.114912_rk*s5
     neg_h5_y = 0.114912_rk*c5
@@ -725,9 +724,9 @@ contains
     t14 = 0.08384080339738234_rk*c5
     t15 = neg_h5_y*t14
     ! link 4: mass matrix, its row of this joint
-    neg_m4_4 = t15 - 0.1373658072_rk
+    m4_4 = 0.1373658072_rk - t15
     t16 = 0.1524_rk*neg_h4_y
-    t17 = neg_m4_4 + t16
+    t17 = t16 - m4_4
     t18 = s2*s4
     t19 = s2*h5_x
     t20 = c4*t19
@@ -752,84 +751,68 @@ contains
     ! link 1: mass matrix, its row of this joint
     m1_5 = neg_nu2_y - 0.1524_rk*fu2_x
     ! link 2: mass matrix, its row of this joint
-    neg_m2_2 = t23 - t24
+    m2_2 = t24 - t23
     m2_5 = c4*t26
     ! link 4: moment for a unit acceleration of a joint further out
     nu4_y = 0.1766569200779727_rk*t11
-    ! factorisation M = L D L^T
-    neg_ld6_1 = 0.1766569200779727_rk*(t20 - t27)
-    ! link 1: forward substitution
-    neg_y1 = n1_z - tau(1)
-    ! factorisation M = L D L^T
-    neg_ipivot1 = 1.0_rk / neg_m1_1
-    neg_l2_1 = m1_2*neg_ipivot1
-    neg_l3_1 = m1_3*neg_ipivot1
-    l4_1 = neg_m1_4*neg_ipivot1
-    neg_l5_1 = m1_5*neg_ipivot1
-    l6_1 = neg_ld6_1*neg_ipivot1
-    neg_pivot2 = neg_m2_2 - m1_2*neg_l2_1
-    neg_ipivot2 = 1.0_rk / neg_pivot2
-    neg_ld3_2 = h4_x - m1_2*neg_l3_1
-    l3_2 = neg_ipivot2*neg_ld3_2
-    ld4_2 = m2_4 - m1_2*l4_1
-    neg_l4_2 = neg_ipivot2*ld4_2
-    ld5_2 = m2_5 + m1_2*neg_l5_1
-    neg_l5_2 = neg_ipivot2*ld5_2
-    ld6_2 = nu4_y - m1_2*l6_1
-    neg_l6_2 = neg_ipivot2*ld6_2
-    pivot3 = m1_3*neg_l3_1 + 6.47_rk + neg_ld3_2*l3_2
-    ipivot3 = 1.0_rk / pivot3
-    neg_ld4_3 = m1_3*l4_1 + neg_ld3_2*neg_l4_2
-    neg_l4_3 = ipivot3*neg_ld4_3
-    neg_ld5_3 = h5_x - m1_3*neg_l5_1 + neg_ld3_2*neg_l5_2
-    neg_l5_3 = ipivot3*neg_ld5_3
-    neg_ld6_3 = m1_3*l6_1 + neg_ld3_2*neg_l6_2
-    neg_l6_3 = ipivot3*neg_ld6_3
-    neg_pivot4 = neg_m4_4 - neg_m1_4*l4_1 - ld4_2*neg_l4_2 + neg_ld4_3*neg_l4_3
-    neg_ipivot4 = 1.0_rk / neg_pivot4
-    neg_ld5_4 = neg_m1_4*neg_l5_1 - ld4_2*neg_l5_2 + neg_ld4_3*neg_l5_3
-    l5_4 = neg_ipivot4*neg_ld5_4
-    ld6_4 = neg_m1_4*l6_1 - nu5_y + ld4_2*neg_l6_2 - neg_ld4_3*neg_l6_3
-    neg_l6_4 = neg_ipivot4*ld6_4
-    pivot5 = 0.1273343144_rk + m1_5*neg_l5_1 + ld5_2*neg_l5_2 - neg_ld5_3*neg_l5_3 + &
-        neg_ld5_4*l5_4
-    ipivot5 = 1.0_rk / pivot5
-    neg_ld6_5 = m1_5*l6_1 - ld5_2*neg_l6_2 + neg_ld5_3*neg_l6_3 + neg_ld5_4*neg_l6_4
-    neg_l6_5 = ipivot5*neg_ld6_5
-    pivot6 = neg_ld6_1*l6_1 + 0.0203_rk + ld6_2*neg_l6_2 - neg_ld6_3*neg_l6_3 + ld6_4*neg_l6_4 - &
-        neg_ld6_5*neg_l6_5
-    ipivot6 = 1.0_rk / pivot6
-    ! link 2: forward substitution
-    neg_y2 = n2_z - tau(2) + neg_y1*neg_l2_1
-    ! link 3: forward substitution
-    neg_y3 = f3_z - tau(3) + neg_y1*neg_l3_1 - l3_2*neg_y2
-    ! link 4: forward substitution
-    neg_y4 = n4_z - tau(4) - neg_y1*l4_1 + neg_l4_2*neg_y2 + neg_l4_3*neg_y3
+    t28 = t20 - t27
+    ! factorisation M = U D U^T
+    neg_ud1_6 = 0.1766569200779727_rk*t28
     ! link 5: forward substitution
-    neg_y5 = n5_z - tau(5) + neg_y1*neg_l5_1 + neg_l5_2*neg_y2 + neg_l5_3*neg_y3 - l5_4*neg_y4
+    neg_y5 = n5_z - tau(5)
     ! link 6: forward substitution
-    y6 = tau(6) - n06_z + neg_y1*l6_1 - neg_l6_2*neg_y2 - neg_l6_3*neg_y3 - neg_l6_4*neg_y4 - &
-        neg_l6_5*neg_y5
-    ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd6 = ipivot6*y6
-    ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd5 = ipivot5*neg_y5 - neg_l6_5*qdd6
-    ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd4 = neg_ipivot4*neg_y4 + l5_4*neg_qdd5 + neg_l6_4*qdd6
-    ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd3 = ipivot3*neg_y3 - neg_l4_3*qdd4 + neg_l5_3*neg_qdd5 - neg_l6_3*qdd6
-    ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd2 = neg_ipivot2*neg_y2 + l3_2*neg_qdd3 + neg_l4_2*qdd4 - neg_l5_2*neg_qdd5 + neg_l6_2*qdd6
+    y6 = tau(6) - n06_z
+    ! factorisation M = U D U^T
+    u2_6 = 8.70231133389028_rk*t11
+    neg_u1_6 = 8.70231133389028_rk*t28
+    neg_u3_5 = 0.9024433087142769_rk*s5
+    u2_5 = 7.853342633617698_rk*m2_5
+    u1_5 = 7.853342633617698_rk*m1_5
+    neg_pivot4 = c5*neg_nu5_y - m4_4
+    neg_ipivot4 = 1.0_rk / neg_pivot4
+    ud2_4 = m2_4 - neg_nu5_y*u2_6
+    neg_u2_4 = neg_ipivot4*ud2_4
+    neg_ud1_4 = neg_m1_4 - neg_nu5_y*neg_u1_6
+    u1_4 = neg_ipivot4*neg_ud1_4
+    neg_pivot3 = h5_x*neg_u3_5 - 6.47_rk
+    neg_ipivot3 = 1.0_rk / neg_pivot3
+    neg_ud2_3 = h4_x - h5_x*u2_5
+    u2_3 = neg_ipivot3*neg_ud2_3
+    ud1_3 = m1_3 + h5_x*u1_5
+    neg_u1_3 = neg_ipivot3*ud1_3
+    neg_pivot2 = nu4_y*u2_6 - m2_2 + m2_5*u2_5 - ud2_4*neg_u2_4 - neg_ud2_3*u2_3
+    neg_ipivot2 = 1.0_rk / neg_pivot2
+    ud1_2 = m1_2 + nu4_y*neg_u1_6 - m2_5*u1_5 - ud2_4*u1_4 - neg_ud2_3*neg_u1_3
+    neg_u1_2 = neg_ipivot2*ud1_2
+    neg_pivot1 = neg_m1_1 + neg_ud1_6*neg_u1_6 + m1_5*u1_5 - neg_ud1_4*u1_4 - ud1_3*neg_u1_3 - &
+        ud1_2*neg_u1_2
+    neg_ipivot1 = 1.0_rk / neg_pivot1
+    ! link 4: forward substitution
+    neg_y4 = n4_z - tau(4) + c5*y6
+    ! link 3: forward substitution
+    neg_y3 = f3_z - tau(3) + neg_y5*neg_u3_5
+    ! link 2: forward substitution
+    neg_y2 = n2_z - tau(2) + y6*u2_6 - neg_y5*u2_5 + neg_u2_4*neg_y4 - u2_3*neg_y3
+    ! link 1: forward substitution
+    neg_y1 = n1_z - tau(1) - y6*neg_u1_6 - neg_y5*u1_5 - u1_4*neg_y4 + neg_u1_3*neg_y3 + &
+        neg_u1_2*neg_y2
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = neg_y1*neg_ipivot1 + neg_l2_1*qdd2 - neg_l3_1*neg_qdd3 - l4_1*qdd4 - neg_l5_1*neg_qdd5 &
-        - l6_1*qdd6
-    t28 = -neg_qdd3
-    t29 = -neg_qdd5
+    qdd1 = neg_ipivot1*neg_y1
+    ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd2 = neg_ipivot2*neg_y2 + neg_u1_2*qdd1
+    ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd3 = neg_ipivot3*neg_y3 - u2_3*qdd2 + neg_u1_3*qdd1
+    ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd4 = neg_ipivot4*neg_y4 + neg_u2_4*qdd2 - u1_4*qdd1
+    ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd5 = -u1_5*qdd1 - (7.853342633617698_rk*neg_y5 - neg_u3_5*qdd3 + u2_5*qdd2)
+    ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd6 = 49.26108374384236_rk*y6 - c5*qdd4 - u2_6*qdd2 + neg_u1_6*qdd1
     qdd(1) = qdd1
     qdd(2) = qdd2
-    qdd(3) = t28
+    qdd(3) = qdd3
     qdd(4) = qdd4
-    qdd(5) = t29
+    qdd(5) = qdd5
     qdd(6) = qdd6
   end subroutine
 end module

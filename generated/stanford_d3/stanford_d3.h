@@ -33,7 +33,7 @@
  *   gravity: 18 multiplications, 6 additions = 24; 0 unary minus; 6 sine/cosine
  *   bias: 110 multiplications, 71 additions = 181; 0 unary minus; 6 sine/cosine
  *   mass_matrix: 40 multiplications, 32 additions = 72; 2 unary minus; 6 sine/cosine
- *   forward_dynamics: 236 multiplications, 170 additions, 6 divisions = 412; 2 unary minus; 6
+ *   forward_dynamics: 207 multiplications, 150 additions, 4 divisions = 361; 1 unary minus; 6
  *       sine/cosine
  */
 #ifndef STANFORD_D3_H

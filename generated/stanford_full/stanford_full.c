@@ -31,7 +31,7 @@
  *   gravity: 39 multiplications, 21 additions = 60; 1 unary minus; 8 sine/cosine
  *   bias: 184 multiplications, 164 additions = 348; 0 unary minus; 8 sine/cosine
  *   mass_matrix: 90 multiplications, 84 additions = 174; 3 unary minus; 8 sine/cosine
- *   forward_dynamics: 360 multiplications, 318 additions, 6 divisions = 684; 4 unary minus; 8
+ *   forward_dynamics: 360 multiplications, 318 additions, 5 divisions = 683; 3 unary minus; 8
  *       sine/cosine
  */
 #include "stanford_full.h"
@@ -710,7 +710,7 @@ void stanford_full_mass_matrix(const stanford_full_real q[6], stanford_full_real
 }
 
 /* accelerations that the torques tau give
- * 360 multiplications, 318 additions, 6 divisions = 684; 4 unary minus; 8 sine/cosine */
+ * 360 multiplications, 318 additions, 5 divisions = 683; 3 unary minus; 8 sine/cosine */
 void stanford_full_forward_dynamics(
     const stanford_full_real q[6],
     const stanford_full_real qd[6],
@@ -944,49 +944,50 @@ void stanford_full_forward_dynamics(
     const stanford_full_real t51 = 0.28054187970758354 + h6_y;
     /* link 4: first moment of the composite body, about the frame's origin [kg m] */
     const stanford_full_real neg_h4_y = s4*t50 - c4*t51;
+    const stanford_full_real t52 = t42 - t49;
     /* link 6: second moment of the composite body [kg m^2] */
-    const stanford_full_real neg_k6_yz = 0.9802333058883194*(t42 - t49);
-    const stanford_full_real t52 = 0.23560176217086468 - neg_k6_yz;
-    const stanford_full_real t53 = t41 + 0.01601128863729661*t40;
+    const stanford_full_real neg_k6_yz = 0.9802333058883194*t52;
+    const stanford_full_real t53 = 0.23560176217086468 - neg_k6_yz;
+    const stanford_full_real t54 = t41 + 0.01601128863729661*t40;
     /* link 5: second moment of the composite body [kg m^2] */
-    const stanford_full_real k5_xz = s5*t52 - c5*t53;
-    const stanford_full_real t54 = c4*t50 + (s4*t51 - 0.3708972318890874);
+    const stanford_full_real k5_xz = s5*t53 - c5*t54;
+    const stanford_full_real t55 = c4*t50 + (s4*t51 - 0.3708972318890874);
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const stanford_full_real neg_h3_x = t54 + 0.14889539863184567;
+    const stanford_full_real neg_h3_x = t55 + 0.14889539863184567;
     /* link 5: second moment of the composite body [kg m^2] */
-    const stanford_full_real neg_k5_yz = c5*t52 + s5*t53;
-    const stanford_full_real t55 = 0.1524*neg_h4_y;
-    const stanford_full_real t56 = m4_4 - t55;
-    const stanford_full_real t57 = 19.732838668844984*q[2] + (neg_h5_y + 0.5680405719686789);
-    const stanford_full_real t58 = q[2]*neg_h5_y;
-    const stanford_full_real t59 = m4_4 - q[2]*(t57 - 0.5437030679742136) - t58;
-    const stanford_full_real t60 = c4*c4;
-    const stanford_full_real t61 = t47 + (m5_5 - 5.295713586161873);
-    const stanford_full_real t62 = c4*s4;
-    const stanford_full_real t63 = k5_xz + (k5_xz - 0.13568152518631954);
-    const stanford_full_real t64 = t48 - t60*t61 + t62*t63;
-    const stanford_full_real t65 = t46*(t43 - 0.5) + (t44*t45 + 0.002655628796226608);
-    const stanford_full_real t66 = neg_k5_yz - 0.23523950726161555;
-    const stanford_full_real t67 = c4*t65 + q[2]*neg_h3_x + s4*t66;
+    const stanford_full_real neg_k5_yz = c5*t53 + s5*t54;
+    const stanford_full_real t56 = 0.1524*neg_h4_y;
+    const stanford_full_real t57 = m4_4 - t56;
+    const stanford_full_real t58 = 19.732838668844984*q[2] + (neg_h5_y + 0.5680405719686789);
+    const stanford_full_real t59 = q[2]*neg_h5_y;
+    const stanford_full_real t60 = m4_4 - q[2]*(t58 - 0.5437030679742136) - t59;
+    const stanford_full_real t61 = c4*c4;
+    const stanford_full_real t62 = t47 + (m5_5 - 5.295713586161873);
+    const stanford_full_real t63 = c4*s4;
+    const stanford_full_real t64 = k5_xz + (k5_xz - 0.13568152518631954);
+    const stanford_full_real t65 = t48 - t61*t62 + t63*t64;
+    const stanford_full_real t66 = t46*(t43 - 0.5) + (t44*t45 + 0.002655628796226608);
+    const stanford_full_real t67 = neg_k5_yz - 0.23523950726161555;
+    const stanford_full_real t68 = c4*t66 + q[2]*neg_h3_x + s4*t67;
     /* link 1: mass matrix, its row of this joint */
-    const stanford_full_real m1_1 = t56 - (s2*(s2*(t59 - t64) + c2*(t67 + (t67 +
-        0.09822440530186452))) + (t55 - 1.8329821847328702));
+    const stanford_full_real m1_1 = t57 - (s2*(s2*(t60 - t65) + c2*(t68 + (t68 +
+        0.09822440530186452))) + (t56 - 1.8329821847328702));
     /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const stanford_full_real neg_h2_y = s2*t54 + c2*t57;
+    const stanford_full_real neg_h2_y = s2*t55 + c2*t58;
     /* link 4: second moment of the composite body [kg m^2] */
-    const stanford_full_real k4_yz = c4*t66 - s4*t65;
+    const stanford_full_real k4_yz = c4*t67 - s4*t66;
     /* link 2: mass matrix, its row of this joint */
     const stanford_full_real m2_4 = q[2]*neg_h4_y - k4_yz;
     /* link 1: mass matrix, its row of this joint */
     const stanford_full_real m1_2 = c2*(m2_4 - 0.06807816021551473 - 0.4516316755890639*q[2]) +
-        (s2*(t63*(t60 - 0.5) + (t61*t62 + 0.0511982033036484)) - 0.1524*neg_h2_y);
+        (s2*(t64*(t61 - 0.5) + (t62*t63 + 0.0511982033036484)) - 0.1524*neg_h2_y);
     const stanford_full_real m1_3 = s2*(neg_h4_y - 3.45891628872104);
-    const stanford_full_real m1_4 = c2*t56 - s2*(t67 + 0.22200183325724177*q[2]);
+    const stanford_full_real m1_4 = c2*t57 - s2*(t68 + 0.22200183325724177*q[2]);
     /* link 2: force for a unit acceleration of a joint further out */
     const stanford_full_real fu2_x = s2*neg_h5_x + neg_h5_y*(c2*c4);
-    const stanford_full_real t68 = m5_5 + t58;
+    const stanford_full_real t69 = m5_5 + t59;
     /* link 2: moment for a unit acceleration of a joint further out */
-    const stanford_full_real neg_nu2_y = s2*(c4*k5_xz + s4*t68) - c2*neg_k5_yz;
+    const stanford_full_real neg_nu2_y = s2*(c4*k5_xz + s4*t69) - c2*neg_k5_yz;
     /* link 1: mass matrix, its row of this joint */
     const stanford_full_real m1_5 = neg_nu2_y - 0.1524*fu2_x;
     /* link 5: force for a unit acceleration of a joint further out */
@@ -1004,87 +1005,84 @@ void stanford_full_forward_dynamics(
     const stanford_full_real m1_6 = 0.1524*(c2*neg_fu4_x - s2*neg_fu5_y) + (c2*neg_nu5_y -
         s2*(c4*nu5_x - (s4*neg_k6_yz + q[2]*fu4_y)));
     /* link 2: mass matrix, its row of this joint */
-    const stanford_full_real neg_m2_2 = t59 + (t64 - 6.387260437773931);
-    const stanford_full_real m2_5 = c4*t68 - s4*k5_xz;
+    const stanford_full_real neg_m2_2 = t60 + (t65 - 6.387260437773931);
+    const stanford_full_real m2_5 = c4*t69 - s4*k5_xz;
     const stanford_full_real m2_6 = s4*nu5_x - q[2]*neg_fu4_x + c4*neg_k6_yz;
-    /* link 1: forward substitution */
-    const stanford_full_real neg_y1 = n1_z - tau[0];
-    /* factorisation M = L D L^T */
-    const stanford_full_real ipivot1 = 1.0 / m1_1;
-    const stanford_full_real l2_1 = m1_2*ipivot1;
-    const stanford_full_real l3_1 = m1_3*ipivot1;
-    const stanford_full_real l4_1 = m1_4*ipivot1;
-    const stanford_full_real l5_1 = m1_5*ipivot1;
-    const stanford_full_real l6_1 = m1_6*ipivot1;
-    const stanford_full_real neg_pivot2 = neg_m2_2 + m1_2*l2_1;
-    const stanford_full_real neg_ipivot2 = 1.0 / neg_pivot2;
-    const stanford_full_real ld3_2 = neg_h3_x - m1_2*l3_1;
-    const stanford_full_real neg_l3_2 = neg_ipivot2*ld3_2;
-    const stanford_full_real ld4_2 = m2_4 - m1_2*l4_1;
-    const stanford_full_real neg_l4_2 = neg_ipivot2*ld4_2;
-    const stanford_full_real ld5_2 = m2_5 - m1_2*l5_1;
-    const stanford_full_real neg_l5_2 = neg_ipivot2*ld5_2;
-    const stanford_full_real ld6_2 = m2_6 - m1_2*l6_1;
-    const stanford_full_real neg_l6_2 = neg_ipivot2*ld6_2;
-    const stanford_full_real neg_pivot3 = m1_3*l3_1 - 19.732838668844984 - ld3_2*neg_l3_2;
-    const stanford_full_real neg_ipivot3 = 1.0 / neg_pivot3;
-    const stanford_full_real neg_ld4_3 = m1_3*l4_1 - ld3_2*neg_l4_2;
-    const stanford_full_real l4_3 = neg_ipivot3*neg_ld4_3;
-    const stanford_full_real ld5_3 = neg_h5_x - m1_3*l5_1 + ld3_2*neg_l5_2;
-    const stanford_full_real neg_l5_3 = neg_ipivot3*ld5_3;
-    const stanford_full_real ld6_3 = neg_fu5_y - m1_3*l6_1 + ld3_2*neg_l6_2;
-    const stanford_full_real neg_l6_3 = neg_ipivot3*ld6_3;
-    const stanford_full_real pivot4 = m4_4 - m1_4*l4_1 + ld4_2*neg_l4_2 + neg_ld4_3*l4_3;
-    const stanford_full_real ipivot4 = 1.0 / pivot4;
-    const stanford_full_real neg_ld5_4 = neg_k5_yz + m1_4*l5_1 - ld4_2*neg_l5_2 +
-        neg_ld4_3*neg_l5_3;
-    const stanford_full_real neg_l5_4 = ipivot4*neg_ld5_4;
-    const stanford_full_real ld6_4 = neg_nu5_y - m1_4*l6_1 + ld4_2*neg_l6_2 - neg_ld4_3*neg_l6_3;
-    const stanford_full_real l6_4 = ipivot4*ld6_4;
-    const stanford_full_real pivot5 = m5_5 - m1_5*l5_1 + ld5_2*neg_l5_2 + ld5_3*neg_l5_3 -
-        neg_ld5_4*neg_l5_4;
-    const stanford_full_real ipivot5 = 1.0 / pivot5;
-    const stanford_full_real ld6_5 = neg_k6_yz - m1_5*l6_1 + ld5_2*neg_l6_2 + ld5_3*neg_l6_3 +
-        neg_ld5_4*l6_4;
-    const stanford_full_real l6_5 = ipivot5*ld6_5;
-    const stanford_full_real pivot6 = 0.6921471349584476 - m1_6*l6_1 + ld6_2*neg_l6_2 +
-        ld6_3*neg_l6_3 - ld6_4*l6_4 - ld6_5*l6_5;
-    const stanford_full_real ipivot6 = 1.0 / pivot6;
-    /* link 2: forward substitution */
-    const stanford_full_real neg_y2 = n2_z - tau[1] - neg_y1*l2_1;
-    /* link 3: forward substitution */
-    const stanford_full_real y3 = neg_f3_z + tau[2] + neg_y1*l3_1 - neg_l3_2*neg_y2;
-    /* link 4: forward substitution */
-    const stanford_full_real neg_y4 = n4_z - tau[3] - neg_y1*l4_1 + neg_l4_2*neg_y2 + l4_3*y3;
-    /* link 5: forward substitution */
-    const stanford_full_real neg_y5 = n5_z - tau[4] - neg_y1*l5_1 + neg_l5_2*neg_y2 - neg_l5_3*y3 +
-        neg_l5_4*neg_y4;
     /* link 6: forward substitution */
-    const stanford_full_real neg_y6 = nc6_z - tau[5] - neg_y1*l6_1 + neg_l6_2*neg_y2 - neg_l6_3*y3 -
-        l6_4*neg_y4 - l6_5*neg_y5;
-    /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_full_real neg_qdd6 = ipivot6*neg_y6;
-    /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_full_real neg_qdd5 = ipivot5*neg_y5 - l6_5*neg_qdd6;
-    /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_full_real neg_qdd4 = ipivot4*neg_y4 + neg_l5_4*neg_qdd5 - l6_4*neg_qdd6;
-    /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_full_real neg_qdd3 = neg_ipivot3*y3 - l4_3*neg_qdd4 + neg_l5_3*neg_qdd5 +
-        neg_l6_3*neg_qdd6;
-    /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_full_real qdd2 = neg_ipivot2*neg_y2 - neg_l3_2*neg_qdd3 - neg_l4_2*neg_qdd4 -
-        neg_l5_2*neg_qdd5 - neg_l6_2*neg_qdd6;
+    const stanford_full_real neg_y6 = nc6_z - tau[5];
+    /* factorisation M = U D U^T */
+    const stanford_full_real u5_6 = 1.4162209975010107*t52;
+    const stanford_full_real u4_6 = 1.4447795121770373*neg_nu5_y;
+    const stanford_full_real u3_6 = 1.4447795121770373*neg_fu5_y;
+    const stanford_full_real u2_6 = 1.4447795121770373*m2_6;
+    const stanford_full_real u1_6 = 1.4447795121770373*m1_6;
+    const stanford_full_real pivot5 = m5_5 - neg_k6_yz*u5_6;
+    const stanford_full_real ipivot5 = 1.0 / pivot5;
+    const stanford_full_real neg_ud4_5 = neg_k5_yz + neg_k6_yz*u4_6;
+    const stanford_full_real neg_u4_5 = ipivot5*neg_ud4_5;
+    const stanford_full_real ud3_5 = neg_h5_x - neg_k6_yz*u3_6;
+    const stanford_full_real u3_5 = ipivot5*ud3_5;
+    const stanford_full_real ud2_5 = m2_5 - neg_k6_yz*u2_6;
+    const stanford_full_real u2_5 = ipivot5*ud2_5;
+    const stanford_full_real ud1_5 = m1_5 - neg_k6_yz*u1_6;
+    const stanford_full_real u1_5 = ipivot5*ud1_5;
+    const stanford_full_real pivot4 = m4_4 - neg_nu5_y*u4_6 - neg_ud4_5*neg_u4_5;
+    const stanford_full_real ipivot4 = 1.0 / pivot4;
+    const stanford_full_real neg_ud3_4 = neg_nu5_y*u3_6 - neg_ud4_5*u3_5;
+    const stanford_full_real neg_u3_4 = ipivot4*neg_ud3_4;
+    const stanford_full_real ud2_4 = m2_4 - neg_nu5_y*u2_6 + neg_ud4_5*u2_5;
+    const stanford_full_real u2_4 = ipivot4*ud2_4;
+    const stanford_full_real ud1_4 = m1_4 - neg_nu5_y*u1_6 + neg_ud4_5*u1_5;
+    const stanford_full_real u1_4 = ipivot4*ud1_4;
+    const stanford_full_real neg_pivot3 = neg_fu5_y*u3_6 - 19.732838668844984 + ud3_5*u3_5 +
+        neg_ud3_4*neg_u3_4;
+    const stanford_full_real neg_ipivot3 = 1.0 / neg_pivot3;
+    const stanford_full_real ud2_3 = neg_h3_x - neg_fu5_y*u2_6 - ud3_5*u2_5 + neg_ud3_4*u2_4;
+    const stanford_full_real neg_u2_3 = neg_ipivot3*ud2_3;
+    const stanford_full_real ud1_3 = m1_3 - neg_fu5_y*u1_6 - ud3_5*u1_5 + neg_ud3_4*u1_4;
+    const stanford_full_real neg_u1_3 = neg_ipivot3*ud1_3;
+    const stanford_full_real neg_pivot2 = neg_m2_2 + m2_6*u2_6 + ud2_5*u2_5 + ud2_4*u2_4 -
+        ud2_3*neg_u2_3;
+    const stanford_full_real neg_ipivot2 = 1.0 / neg_pivot2;
+    const stanford_full_real ud1_2 = m1_2 - m2_6*u1_6 - ud2_5*u1_5 - ud2_4*u1_4 + ud2_3*neg_u1_3;
+    const stanford_full_real neg_u1_2 = neg_ipivot2*ud1_2;
+    const stanford_full_real pivot1 = m1_1 - m1_6*u1_6 - ud1_5*u1_5 - ud1_4*u1_4 + ud1_3*neg_u1_3 +
+        ud1_2*neg_u1_2;
+    const stanford_full_real ipivot1 = 1.0 / pivot1;
+    /* link 5: forward substitution */
+    const stanford_full_real neg_y5 = n5_z - tau[4] - neg_y6*u5_6;
+    /* link 4: forward substitution */
+    const stanford_full_real neg_y4 = n4_z - tau[3] - neg_y6*u4_6 + neg_u4_5*neg_y5;
+    /* link 3: forward substitution */
+    const stanford_full_real y3 = neg_f3_z + tau[2] + neg_y6*u3_6 + u3_5*neg_y5 - neg_u3_4*neg_y4;
+    /* link 2: forward substitution */
+    const stanford_full_real neg_y2 = n2_z - tau[1] - neg_y6*u2_6 - u2_5*neg_y5 - u2_4*neg_y4 -
+        neg_u2_3*y3;
+    /* link 1: forward substitution */
+    const stanford_full_real neg_y1 = n1_z - tau[0] - neg_y6*u1_6 - u1_5*neg_y5 - u1_4*neg_y4 -
+        neg_u1_3*y3 + neg_u1_2*neg_y2;
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_full_real qdd1 = l6_1*neg_qdd6 - (neg_y1*ipivot1 + l2_1*qdd2 - l3_1*neg_qdd3 -
-        l4_1*neg_qdd4 - l5_1*neg_qdd5);
-    const stanford_full_real t69 = -neg_qdd3;
-    const stanford_full_real t70 = -neg_qdd4;
-    const stanford_full_real t71 = -neg_qdd5;
-    const stanford_full_real t72 = -neg_qdd6;
-    qdd[0] = qdd1;
+    const stanford_full_real neg_qdd1 = ipivot1*neg_y1;
+    /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const stanford_full_real qdd2 = neg_ipivot2*neg_y2 - neg_u1_2*neg_qdd1;
+    /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const stanford_full_real neg_qdd3 = neg_ipivot3*y3 - neg_u2_3*qdd2 + neg_u1_3*neg_qdd1;
+    /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const stanford_full_real neg_qdd4 = ipivot4*neg_y4 + neg_u3_4*neg_qdd3 + u2_4*qdd2 -
+        u1_4*neg_qdd1;
+    /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const stanford_full_real qdd5 = u1_5*neg_qdd1 - (ipivot5*neg_y5 + neg_u4_5*neg_qdd4 -
+        u3_5*neg_qdd3 + u2_5*qdd2);
+    /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const stanford_full_real qdd6 = u1_6*neg_qdd1 - (1.4447795121770373*neg_y6 + u5_6*qdd5 -
+        u4_6*neg_qdd4 - u3_6*neg_qdd3 + u2_6*qdd2);
+    const stanford_full_real t70 = -neg_qdd1;
+    const stanford_full_real t71 = -neg_qdd3;
+    const stanford_full_real t72 = -neg_qdd4;
+    qdd[0] = t70;
     qdd[1] = qdd2;
-    qdd[2] = t69;
-    qdd[3] = t70;
-    qdd[4] = t71;
-    qdd[5] = t72;
+    qdd[2] = t71;
+    qdd[3] = t72;
+    qdd[4] = qdd5;
+    qdd[5] = qdd6;
 }

@@ -30,7 +30,7 @@
 !   gravity: 39 multiplications, 21 additions = 60; 1 unary minus; 8 sine/cosine
 !   bias: 184 multiplications, 164 additions = 348; 0 unary minus; 8 sine/cosine
 !   mass_matrix: 90 multiplications, 84 additions = 174; 3 unary minus; 8 sine/cosine
-!   forward_dynamics: 360 multiplications, 318 additions, 6 divisions = 684; 4 unary minus; 8
+!   forward_dynamics: 360 multiplications, 318 additions, 5 divisions = 683; 3 unary minus; 8
 !       sine/cosine
 module stanford_full_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -742,7 +742,7 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 360 multiplications, 318 additions, 6 divisions = 684; 4 unary minus; 8 sine/cosine
+  ! 360 multiplications, 318 additions, 5 divisions = 683; 3 unary minus; 8 sine/cosine
   pure subroutine stanford_full_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="stanford_full_forward_dynamics_f")
     real(rk), intent(in) :: q(6)
@@ -761,15 +761,15 @@ contains
     real(rk) :: lam4_11, neg_f4_x, f3_y, t31, n5_z, neg_n4_y, lam4_13, lam4_23, t32, n4_z, t33
     real(rk) :: neg_f3_x, t34, t35, t36, n1_z, t37, n2_z, h6_x, t38, neg_h5_x, neg_h5_y, t39, t40
     real(rk) :: t41, m5_5, t42, neg_k6_xz, t43, t44, t45, t46, t47, t48, m4_4, t49, h6_y, t50, t51
-    real(rk) :: neg_h4_y, neg_k6_yz, t52, t53, k5_xz, t54, neg_h3_x, neg_k5_yz, t55, t56, t57, t58
-    real(rk) :: t59, t60, t61, t62, t63, t64, t65, t66, t67, m1_1, neg_h2_y, k4_yz, m2_4, m1_2
-    real(rk) :: m1_3, m1_4, fu2_x, t68, neg_nu2_y, m1_5, neg_fu5_x, neg_fu4_x, neg_fu5_y, neg_nu5_y
-    real(rk) :: nu5_x, fu4_y, m1_6, neg_m2_2, m2_5, m2_6, neg_y1, ipivot1, l2_1, l3_1, l4_1, l5_1
-    real(rk) :: l6_1, neg_pivot2, neg_ipivot2, ld3_2, neg_l3_2, ld4_2, neg_l4_2, ld5_2, neg_l5_2
-    real(rk) :: ld6_2, neg_l6_2, neg_pivot3, neg_ipivot3, neg_ld4_3, l4_3, ld5_3, neg_l5_3, ld6_3
-    real(rk) :: neg_l6_3, pivot4, ipivot4, neg_ld5_4, neg_l5_4, ld6_4, l6_4, pivot5, ipivot5, ld6_5
-    real(rk) :: l6_5, pivot6, ipivot6, neg_y2, y3, neg_y4, neg_y5, neg_y6, neg_qdd6, neg_qdd5
-    real(rk) :: neg_qdd4, neg_qdd3, qdd2, qdd1, t69, t70, t71, t72
+    real(rk) :: neg_h4_y, t52, neg_k6_yz, t53, t54, k5_xz, t55, neg_h3_x, neg_k5_yz, t56, t57, t58
+    real(rk) :: t59, t60, t61, t62, t63, t64, t65, t66, t67, t68, m1_1, neg_h2_y, k4_yz, m2_4, m1_2
+    real(rk) :: m1_3, m1_4, fu2_x, t69, neg_nu2_y, m1_5, neg_fu5_x, neg_fu4_x, neg_fu5_y, neg_nu5_y
+    real(rk) :: nu5_x, fu4_y, m1_6, neg_m2_2, m2_5, m2_6, neg_y6, u5_6, u4_6, u3_6, u2_6, u1_6
+    real(rk) :: pivot5, ipivot5, neg_ud4_5, neg_u4_5, ud3_5, u3_5, ud2_5, u2_5, ud1_5, u1_5, pivot4
+    real(rk) :: ipivot4, neg_ud3_4, neg_u3_4, ud2_4, u2_4, ud1_4, u1_4, neg_pivot3, neg_ipivot3
+    real(rk) :: ud2_3, neg_u2_3, ud1_3, neg_u1_3, neg_pivot2, neg_ipivot2, ud1_2, neg_u1_2, pivot1
+    real(rk) :: ipivot1, neg_y5, neg_y4, y3, neg_y2, neg_y1, neg_qdd1, qdd2, neg_qdd3, neg_qdd4
+    real(rk) :: qdd5, qdd6, t70, t71, t72
 
     ! sines and cosines of the joint angles
     s2 = sin(q(2))
@@ -993,49 +993,50 @@ contains
     t51 = 0.28054187970758354_rk + h6_y
     ! link 4: first moment of the composite body, about the frame's origin [kg m]
     neg_h4_y = s4*t50 - c4*t51
+    t52 = t42 - t49
     ! link 6: second moment of the composite body [kg m^2]
-    neg_k6_yz = 0.9802333058883194_rk*(t42 - t49)
-    t52 = 0.23560176217086468_rk - neg_k6_yz
-    t53 = t41 + 0.01601128863729661_rk*t40
+    neg_k6_yz = 0.9802333058883194_rk*t52
+    t53 = 0.23560176217086468_rk - neg_k6_yz
+    t54 = t41 + 0.01601128863729661_rk*t40
     ! link 5: second moment of the composite body [kg m^2]
-    k5_xz = s5*t52 - c5*t53
-    t54 = c4*t50 + (s4*t51 - 0.3708972318890874_rk)
+    k5_xz = s5*t53 - c5*t54
+    t55 = c4*t50 + (s4*t51 - 0.3708972318890874_rk)
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    neg_h3_x = t54 + 0.14889539863184567_rk
+    neg_h3_x = t55 + 0.14889539863184567_rk
     ! link 5: second moment of the composite body [kg m^2]
-    neg_k5_yz = c5*t52 + s5*t53
-    t55 = 0.1524_rk*neg_h4_y
-    t56 = m4_4 - t55
-    t57 = 19.732838668844984_rk*q(3) + (neg_h5_y + 0.5680405719686789_rk)
-    t58 = q(3)*neg_h5_y
-    t59 = m4_4 - q(3)*(t57 - 0.5437030679742136_rk) - t58
-    t60 = c4*c4
-    t61 = t47 + (m5_5 - 5.295713586161873_rk)
-    t62 = c4*s4
-    t63 = k5_xz + (k5_xz - 0.13568152518631954_rk)
-    t64 = t48 - t60*t61 + t62*t63
-    t65 = t46*(t43 - 0.5_rk) + (t44*t45 + 0.002655628796226608_rk)
-    t66 = neg_k5_yz - 0.23523950726161555_rk
-    t67 = c4*t65 + q(3)*neg_h3_x + s4*t66
+    neg_k5_yz = c5*t53 + s5*t54
+    t56 = 0.1524_rk*neg_h4_y
+    t57 = m4_4 - t56
+    t58 = 19.732838668844984_rk*q(3) + (neg_h5_y + 0.5680405719686789_rk)
+    t59 = q(3)*neg_h5_y
+    t60 = m4_4 - q(3)*(t58 - 0.5437030679742136_rk) - t59
+    t61 = c4*c4
+    t62 = t47 + (m5_5 - 5.295713586161873_rk)
+    t63 = c4*s4
+    t64 = k5_xz + (k5_xz - 0.13568152518631954_rk)
+    t65 = t48 - t61*t62 + t63*t64
+    t66 = t46*(t43 - 0.5_rk) + (t44*t45 + 0.002655628796226608_rk)
+    t67 = neg_k5_yz - 0.23523950726161555_rk
+    t68 = c4*t66 + q(3)*neg_h3_x + s4*t67
     ! link 1: mass matrix, its row of this joint
-    m1_1 = t56 - (s2*(s2*(t59 - t64) + c2*(t67 + (t67 + 0.09822440530186452_rk))) + (t55 - &
+    m1_1 = t57 - (s2*(s2*(t60 - t65) + c2*(t68 + (t68 + 0.09822440530186452_rk))) + (t56 - &
         1.8329821847328702_rk))
     ! link 2: first moment of the composite body, about the frame's origin [kg m]
-    neg_h2_y = s2*t54 + c2*t57
+    neg_h2_y = s2*t55 + c2*t58
     ! link 4: second moment of the composite body [kg m^2]
-    k4_yz = c4*t66 - s4*t65
+    k4_yz = c4*t67 - s4*t66
     ! link 2: mass matrix, its row of this joint
     m2_4 = q(3)*neg_h4_y - k4_yz
     ! link 1: mass matrix, its row of this joint
-    m1_2 = c2*(m2_4 - 0.06807816021551473_rk - 0.4516316755890639_rk*q(3)) + (s2*(t63*(t60 - &
-        0.5_rk) + (t61*t62 + 0.0511982033036484_rk)) - 0.1524_rk*neg_h2_y)
+    m1_2 = c2*(m2_4 - 0.06807816021551473_rk - 0.4516316755890639_rk*q(3)) + (s2*(t64*(t61 - &
+        0.5_rk) + (t62*t63 + 0.0511982033036484_rk)) - 0.1524_rk*neg_h2_y)
     m1_3 = s2*(neg_h4_y - 3.45891628872104_rk)
-    m1_4 = c2*t56 - s2*(t67 + 0.22200183325724177_rk*q(3))
+    m1_4 = c2*t57 - s2*(t68 + 0.22200183325724177_rk*q(3))
     ! link 2: force for a unit acceleration of a joint further out
     fu2_x = s2*neg_h5_x + neg_h5_y*(c2*c4)
-    t68 = m5_5 + t58
+    t69 = m5_5 + t59
     ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_y = s2*(c4*k5_xz + s4*t68) - c2*neg_k5_yz
+    neg_nu2_y = s2*(c4*k5_xz + s4*t69) - c2*neg_k5_yz
     ! link 1: mass matrix, its row of this joint
     m1_5 = neg_nu2_y - 0.1524_rk*fu2_x
     ! link 5: force for a unit acceleration of a joint further out
@@ -1053,83 +1054,79 @@ contains
     m1_6 = 0.1524_rk*(c2*neg_fu4_x - s2*neg_fu5_y) + (c2*neg_nu5_y - s2*(c4*nu5_x - (s4*neg_k6_yz &
         + q(3)*fu4_y)))
     ! link 2: mass matrix, its row of this joint
-    neg_m2_2 = t59 + (t64 - 6.387260437773931_rk)
-    m2_5 = c4*t68 - s4*k5_xz
+    neg_m2_2 = t60 + (t65 - 6.387260437773931_rk)
+    m2_5 = c4*t69 - s4*k5_xz
     m2_6 = s4*nu5_x - q(3)*neg_fu4_x + c4*neg_k6_yz
-    ! link 1: forward substitution
-    neg_y1 = n1_z - tau(1)
-    ! factorisation M = L D L^T
-    ipivot1 = 1.0_rk / m1_1
-    l2_1 = m1_2*ipivot1
-    l3_1 = m1_3*ipivot1
-    l4_1 = m1_4*ipivot1
-    l5_1 = m1_5*ipivot1
-    l6_1 = m1_6*ipivot1
-    neg_pivot2 = neg_m2_2 + m1_2*l2_1
-    neg_ipivot2 = 1.0_rk / neg_pivot2
-    ld3_2 = neg_h3_x - m1_2*l3_1
-    neg_l3_2 = neg_ipivot2*ld3_2
-    ld4_2 = m2_4 - m1_2*l4_1
-    neg_l4_2 = neg_ipivot2*ld4_2
-    ld5_2 = m2_5 - m1_2*l5_1
-    neg_l5_2 = neg_ipivot2*ld5_2
-    ld6_2 = m2_6 - m1_2*l6_1
-    neg_l6_2 = neg_ipivot2*ld6_2
-    neg_pivot3 = m1_3*l3_1 - 19.732838668844984_rk - ld3_2*neg_l3_2
-    neg_ipivot3 = 1.0_rk / neg_pivot3
-    neg_ld4_3 = m1_3*l4_1 - ld3_2*neg_l4_2
-    l4_3 = neg_ipivot3*neg_ld4_3
-    ld5_3 = neg_h5_x - m1_3*l5_1 + ld3_2*neg_l5_2
-    neg_l5_3 = neg_ipivot3*ld5_3
-    ld6_3 = neg_fu5_y - m1_3*l6_1 + ld3_2*neg_l6_2
-    neg_l6_3 = neg_ipivot3*ld6_3
-    pivot4 = m4_4 - m1_4*l4_1 + ld4_2*neg_l4_2 + neg_ld4_3*l4_3
-    ipivot4 = 1.0_rk / pivot4
-    neg_ld5_4 = neg_k5_yz + m1_4*l5_1 - ld4_2*neg_l5_2 + neg_ld4_3*neg_l5_3
-    neg_l5_4 = ipivot4*neg_ld5_4
-    ld6_4 = neg_nu5_y - m1_4*l6_1 + ld4_2*neg_l6_2 - neg_ld4_3*neg_l6_3
-    l6_4 = ipivot4*ld6_4
-    pivot5 = m5_5 - m1_5*l5_1 + ld5_2*neg_l5_2 + ld5_3*neg_l5_3 - neg_ld5_4*neg_l5_4
-    ipivot5 = 1.0_rk / pivot5
-    ld6_5 = neg_k6_yz - m1_5*l6_1 + ld5_2*neg_l6_2 + ld5_3*neg_l6_3 + neg_ld5_4*l6_4
-    l6_5 = ipivot5*ld6_5
-    pivot6 = 0.6921471349584476_rk - m1_6*l6_1 + ld6_2*neg_l6_2 + ld6_3*neg_l6_3 - ld6_4*l6_4 - &
-        ld6_5*l6_5
-    ipivot6 = 1.0_rk / pivot6
-    ! link 2: forward substitution
-    neg_y2 = n2_z - tau(2) - neg_y1*l2_1
-    ! link 3: forward substitution
-    y3 = neg_f3_z + tau(3) + neg_y1*l3_1 - neg_l3_2*neg_y2
-    ! link 4: forward substitution
-    neg_y4 = n4_z - tau(4) - neg_y1*l4_1 + neg_l4_2*neg_y2 + l4_3*y3
-    ! link 5: forward substitution
-    neg_y5 = n5_z - tau(5) - neg_y1*l5_1 + neg_l5_2*neg_y2 - neg_l5_3*y3 + neg_l5_4*neg_y4
     ! link 6: forward substitution
-    neg_y6 = nc6_z - tau(6) - neg_y1*l6_1 + neg_l6_2*neg_y2 - neg_l6_3*y3 - l6_4*neg_y4 - &
-        l6_5*neg_y5
-    ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd6 = ipivot6*neg_y6
-    ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd5 = ipivot5*neg_y5 - l6_5*neg_qdd6
-    ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd4 = ipivot4*neg_y4 + neg_l5_4*neg_qdd5 - l6_4*neg_qdd6
-    ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd3 = neg_ipivot3*y3 - l4_3*neg_qdd4 + neg_l5_3*neg_qdd5 + neg_l6_3*neg_qdd6
-    ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd2 = neg_ipivot2*neg_y2 - neg_l3_2*neg_qdd3 - neg_l4_2*neg_qdd4 - neg_l5_2*neg_qdd5 - &
-        neg_l6_2*neg_qdd6
+    neg_y6 = nc6_z - tau(6)
+    ! factorisation M = U D U^T
+    u5_6 = 1.4162209975010107_rk*t52
+    u4_6 = 1.4447795121770373_rk*neg_nu5_y
+    u3_6 = 1.4447795121770373_rk*neg_fu5_y
+    u2_6 = 1.4447795121770373_rk*m2_6
+    u1_6 = 1.4447795121770373_rk*m1_6
+    pivot5 = m5_5 - neg_k6_yz*u5_6
+    ipivot5 = 1.0_rk / pivot5
+    neg_ud4_5 = neg_k5_yz + neg_k6_yz*u4_6
+    neg_u4_5 = ipivot5*neg_ud4_5
+    ud3_5 = neg_h5_x - neg_k6_yz*u3_6
+    u3_5 = ipivot5*ud3_5
+    ud2_5 = m2_5 - neg_k6_yz*u2_6
+    u2_5 = ipivot5*ud2_5
+    ud1_5 = m1_5 - neg_k6_yz*u1_6
+    u1_5 = ipivot5*ud1_5
+    pivot4 = m4_4 - neg_nu5_y*u4_6 - neg_ud4_5*neg_u4_5
+    ipivot4 = 1.0_rk / pivot4
+    neg_ud3_4 = neg_nu5_y*u3_6 - neg_ud4_5*u3_5
+    neg_u3_4 = ipivot4*neg_ud3_4
+    ud2_4 = m2_4 - neg_nu5_y*u2_6 + neg_ud4_5*u2_5
+    u2_4 = ipivot4*ud2_4
+    ud1_4 = m1_4 - neg_nu5_y*u1_6 + neg_ud4_5*u1_5
+    u1_4 = ipivot4*ud1_4
+    neg_pivot3 = neg_fu5_y*u3_6 - 19.732838668844984_rk + ud3_5*u3_5 + neg_ud3_4*neg_u3_4
+    neg_ipivot3 = 1.0_rk / neg_pivot3
+    ud2_3 = neg_h3_x - neg_fu5_y*u2_6 - ud3_5*u2_5 + neg_ud3_4*u2_4
+    neg_u2_3 = neg_ipivot3*ud2_3
+    ud1_3 = m1_3 - neg_fu5_y*u1_6 - ud3_5*u1_5 + neg_ud3_4*u1_4
+    neg_u1_3 = neg_ipivot3*ud1_3
+    neg_pivot2 = neg_m2_2 + m2_6*u2_6 + ud2_5*u2_5 + ud2_4*u2_4 - ud2_3*neg_u2_3
+    neg_ipivot2 = 1.0_rk / neg_pivot2
+    ud1_2 = m1_2 - m2_6*u1_6 - ud2_5*u1_5 - ud2_4*u1_4 + ud2_3*neg_u1_3
+    neg_u1_2 = neg_ipivot2*ud1_2
+    pivot1 = m1_1 - m1_6*u1_6 - ud1_5*u1_5 - ud1_4*u1_4 + ud1_3*neg_u1_3 + ud1_2*neg_u1_2
+    ipivot1 = 1.0_rk / pivot1
+    ! link 5: forward substitution
+    neg_y5 = n5_z - tau(5) - neg_y6*u5_6
+    ! link 4: forward substitution
+    neg_y4 = n4_z - tau(4) - neg_y6*u4_6 + neg_u4_5*neg_y5
+    ! link 3: forward substitution
+    y3 = neg_f3_z + tau(3) + neg_y6*u3_6 + u3_5*neg_y5 - neg_u3_4*neg_y4
+    ! link 2: forward substitution
+    neg_y2 = n2_z - tau(2) - neg_y6*u2_6 - u2_5*neg_y5 - u2_4*neg_y4 - neg_u2_3*y3
+    ! link 1: forward substitution
+    neg_y1 = n1_z - tau(1) - neg_y6*u1_6 - u1_5*neg_y5 - u1_4*neg_y4 - neg_u1_3*y3 + &
+        neg_u1_2*neg_y2
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = l6_1*neg_qdd6 - (neg_y1*ipivot1 + l2_1*qdd2 - l3_1*neg_qdd3 - l4_1*neg_qdd4 - &
-        l5_1*neg_qdd5)
-    t69 = -neg_qdd3
-    t70 = -neg_qdd4
-    t71 = -neg_qdd5
-    t72 = -neg_qdd6
-    qdd(1) = qdd1
+    neg_qdd1 = ipivot1*neg_y1
+    ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd2 = neg_ipivot2*neg_y2 - neg_u1_2*neg_qdd1
+    ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    neg_qdd3 = neg_ipivot3*y3 - neg_u2_3*qdd2 + neg_u1_3*neg_qdd1
+    ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    neg_qdd4 = ipivot4*neg_y4 + neg_u3_4*neg_qdd3 + u2_4*qdd2 - u1_4*neg_qdd1
+    ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd5 = u1_5*neg_qdd1 - (ipivot5*neg_y5 + neg_u4_5*neg_qdd4 - u3_5*neg_qdd3 + u2_5*qdd2)
+    ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd6 = u1_6*neg_qdd1 - (1.4447795121770373_rk*neg_y6 + u5_6*qdd5 - u4_6*neg_qdd4 - &
+        u3_6*neg_qdd3 + u2_6*qdd2)
+    t70 = -neg_qdd1
+    t71 = -neg_qdd3
+    t72 = -neg_qdd4
+    qdd(1) = t70
     qdd(2) = qdd2
-    qdd(3) = t69
-    qdd(4) = t70
-    qdd(5) = t71
-    qdd(6) = t72
+    qdd(3) = t71
+    qdd(4) = t72
+    qdd(5) = qdd5
+    qdd(6) = qdd6
   end subroutine
 end module

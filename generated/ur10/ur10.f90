@@ -31,7 +31,7 @@
 !   gravity: 3 multiplications, 4 additions = 7; 0 unary minus; 3 sine/cosine
 !   bias: 84 multiplications, 57 additions = 141; 0 unary minus; 10 sine/cosine
 !   mass_matrix: 34 multiplications, 32 additions = 66; 0 unary minus; 10 sine/cosine
-!   forward_dynamics: 204 multiplications, 157 additions, 6 divisions = 367; 3 unary minus; 10
+!   forward_dynamics: 168 multiplications, 149 additions, 5 divisions = 322; 3 unary minus; 10
 !       sine/cosine
 module ur10_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -429,7 +429,7 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 204 multiplications, 157 additions, 6 divisions = 367; 3 unary minus; 10 sine/cosine
+  ! 168 multiplications, 149 additions, 5 divisions = 322; 3 unary minus; 10 sine/cosine
   pure subroutine ur10_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="ur10_forward_dynamics_f")
     real(rk), intent(in) :: q(6)
@@ -442,13 +442,12 @@ contains
     real(rk) :: neg_lam2_33, nc6_z, t4, t5, t6, t7, t8, t9, t10, t11, t12, t13, t14, t15, t16, t17
     real(rk) :: t18, t19, t20, t21, t22, t23, n1_z, t24, t25, n4_z, t26, n03_z, n02_z, nu5_y, t27
     real(rk) :: k6_xy, neg_k5_xz, t28, neg_m5_5, t29, nu4_y, t30, t31, t32, t33, t34, t35, t36, t37
-    real(rk) :: t38, m1_1, neg_k5_yz, t39, m1_4, t40, m1_3, m1_2, m4_4, t41, m3_4, m3_3, t42, t43
-    real(rk) :: m2_3, m2_2, m2_4, neg_ld6_1, neg_y1, ipivot1, l2_1, l3_1, l4_1, l5_1, neg_l6_1
-    real(rk) :: pivot2, ipivot2, ld3_2, l3_2, ld4_2, l4_2, ld5_2, l5_2, ld6_2, l6_2, pivot3
-    real(rk) :: ipivot3, ld4_3, l4_3, ld5_3, l5_3, ld6_3, l6_3, pivot4, ipivot4, ld5_4, l5_4, ld6_4
-    real(rk) :: l6_4, neg_pivot5, neg_ipivot5, ld6_5, neg_l6_5, neg_pivot6, neg_ipivot6, neg_y2
-    real(rk) :: neg_y3, neg_y4, neg_y5, neg_y6, qdd6, qdd5, neg_qdd4, neg_qdd3, neg_qdd2, qdd1, t44
-    real(rk) :: t45, t46
+    real(rk) :: t38, m1_1, neg_k5_yz, neg_u1_6, m1_4, t39, m1_3, m1_2, m4_4, t40, m3_4, m3_3, t41
+    real(rk) :: t42, m2_3, m2_2, m2_4, neg_ud1_6, neg_y5, neg_y6, neg_ipivot5, neg_u4_5, neg_u1_5
+    real(rk) :: t43, t44, pivot4, ipivot4, ud3_4, u3_4, ud2_4, u2_4, t45, t46, ud1_4, u1_4, pivot3
+    real(rk) :: ipivot3, ud2_3, u2_3, ud1_3, u1_3, pivot2, ipivot2, ud1_2, u1_2, pivot1, ipivot1
+    real(rk) :: t47, t48, neg_y4, neg_y3, neg_y2, neg_y1, neg_qdd1, neg_qdd2, neg_qdd3, qdd4, t49
+    real(rk) :: qdd5, qdd6, t50, t51, t52
 
     ! link 3: angular velocity [rad/s]
     w3_z = qd(2) + qd(3)
@@ -567,97 +566,90 @@ contains
     m1_1 = 1.7671354615519999_rk*(c23*c23) + t38
     ! link 5: second moment of the composite body [kg m^2]
     neg_k5_yz = s5*k6_xy
-    t39 = s2to4*s5
+    ! factorisation M = U D U^T
+    neg_u1_6 = s2to4*s5
     ! link 1: mass matrix, its row of this joint
-    m1_4 = t36*t39 - c2to4*(neg_k5_yz - 0.0038315306874_rk)
-    t40 = 0.3121639749051_rk*s23
-    m1_3 = m1_4 + t40
+    m1_4 = t36*neg_u1_6 - c2to4*(neg_k5_yz - 0.0038315306874_rk)
+    t39 = 0.3121639749051_rk*s23
+    m1_3 = m1_4 + t39
     m1_2 = m1_3 + 1.266064618644_rk*s2
     ! link 4: mass matrix, its row of this joint
     m4_4 = t28 - t37 + 0.013447029182815_rk
-    t41 = t32 - 0.04284752019853101_rk*(c2to4*t40)
+    t40 = t32 - 0.04284752019853101_rk*(c2to4*t39)
     ! link 3: mass matrix, its row of this joint
-    m3_4 = m4_4 - t41
-    m3_3 = m3_4 - (t41 - 1.7780198365519997_rk)
-    t42 = t34 - 0.0143032968_rk*(c2to4*s2)
-    t43 = s23*(2.1214497131999996_rk*s2) + (t33 - t42)
+    m3_4 = m4_4 - t40
+    m3_3 = m3_4 - (t40 - 1.7780198365519997_rk)
+    t41 = t34 - 0.0143032968_rk*(c2to4*s2)
+    t42 = s23*(2.1214497131999996_rk*s2) + (t33 - t41)
     ! link 2: mass matrix, its row of this joint
-    m2_3 = m3_3 + t43
-    m2_2 = t43 + (m2_3 + 4.625822931798_rk)
-    m2_4 = m3_4 - t42
-    ! factorisation M = L D L^T
-    neg_ld6_1 = 0.000526462289415_rk*t39
-    ! link 1: forward substitution
-    neg_y1 = n1_z - tau(1)
-    ! factorisation M = L D L^T
-    ipivot1 = 1.0_rk / m1_1
-    l2_1 = m1_2*ipivot1
-    l3_1 = m1_3*ipivot1
-    l4_1 = m1_4*ipivot1
-    l5_1 = nu4_y*ipivot1
-    neg_l6_1 = neg_ld6_1*ipivot1
-    pivot2 = m2_2 - m1_2*l2_1
-    ipivot2 = 1.0_rk / pivot2
-    ld3_2 = m2_3 - m1_2*l3_1
-    l3_2 = ipivot2*ld3_2
-    ld4_2 = m2_4 - m1_2*l4_1
-    l4_2 = ipivot2*ld4_2
-    ld5_2 = neg_k5_yz - m1_2*l5_1
-    l5_2 = ipivot2*ld5_2
-    ld6_2 = nu5_y + m1_2*neg_l6_1
-    l6_2 = ipivot2*ld6_2
-    pivot3 = m3_3 - m1_3*l3_1 - ld3_2*l3_2
-    ipivot3 = 1.0_rk / pivot3
-    ld4_3 = m3_4 - m1_3*l4_1 - ld3_2*l4_2
-    l4_3 = ipivot3*ld4_3
-    ld5_3 = neg_k5_yz - m1_3*l5_1 - ld3_2*l5_2
-    l5_3 = ipivot3*ld5_3
-    ld6_3 = nu5_y + m1_3*neg_l6_1 - ld3_2*l6_2
-    l6_3 = ipivot3*ld6_3
-    pivot4 = m4_4 - m1_4*l4_1 - ld4_2*l4_2 - ld4_3*l4_3
-    ipivot4 = 1.0_rk / pivot4
-    ld5_4 = neg_k5_yz - m1_4*l5_1 - ld4_2*l5_2 - ld4_3*l5_3
-    l5_4 = ipivot4*ld5_4
-    ld6_4 = nu5_y + m1_4*neg_l6_1 - ld4_2*l6_2 - ld4_3*l6_3
-    l6_4 = ipivot4*ld6_4
-    neg_pivot5 = neg_m5_5 + nu4_y*l5_1 + ld5_2*l5_2 + ld5_3*l5_3 + ld5_4*l5_4
-    neg_ipivot5 = 1.0_rk / neg_pivot5
-    ld6_5 = nu4_y*neg_l6_1 - ld5_2*l6_2 - ld5_3*l6_3 - ld5_4*l6_4
-    neg_l6_5 = neg_ipivot5*ld6_5
-    neg_pivot6 = neg_ld6_1*neg_l6_1 - 0.000526462289415_rk + ld6_2*l6_2 + ld6_3*l6_3 + ld6_4*l6_4 &
-        - ld6_5*neg_l6_5
-    neg_ipivot6 = 1.0_rk / neg_pivot6
-    ! link 2: forward substitution
-    neg_y2 = n02_z - tau(2) - neg_y1*l2_1
-    ! link 3: forward substitution
-    neg_y3 = n03_z - tau(3) - neg_y1*l3_1 - l3_2*neg_y2
-    ! link 4: forward substitution
-    neg_y4 = n4_z - tau(4) - neg_y1*l4_1 - l4_2*neg_y2 - l4_3*neg_y3
+    m2_3 = m3_3 + t42
+    m2_2 = t42 + (m2_3 + 4.625822931798_rk)
+    m2_4 = m3_4 - t41
+    ! factorisation M = U D U^T
+    neg_ud1_6 = 0.000526462289415_rk*neg_u1_6
     ! link 5: forward substitution
-    neg_y5 = n5_z - tau(5) - neg_y1*l5_1 - l5_2*neg_y2 - l5_3*neg_y3 - l5_4*neg_y4
+    neg_y5 = n5_z - tau(5)
     ! link 6: forward substitution
-    neg_y6 = nc6_z - tau(6) + neg_y1*neg_l6_1 - l6_2*neg_y2 - l6_3*neg_y3 - l6_4*neg_y4 + &
-        neg_l6_5*neg_y5
-    ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd6 = neg_ipivot6*neg_y6
-    ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd5 = neg_ipivot5*neg_y5 + neg_l6_5*qdd6
-    ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd4 = ipivot4*neg_y4 + l5_4*qdd5 + l6_4*qdd6
-    ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd3 = ipivot3*neg_y3 - l4_3*neg_qdd4 + l5_3*qdd5 + l6_3*qdd6
-    ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd2 = ipivot2*neg_y2 - l3_2*neg_qdd3 - l4_2*neg_qdd4 + l5_2*qdd5 + l6_2*qdd6
+    neg_y6 = nc6_z - tau(6)
+    ! factorisation M = U D U^T
+    neg_ipivot5 = 1.0_rk / neg_m5_5
+    neg_u4_5 = neg_k5_yz*neg_ipivot5
+    neg_u1_5 = nu4_y*neg_ipivot5
+    t43 = c5*nu5_y
+    t44 = neg_k5_yz*neg_u4_5
+    pivot4 = m4_4 - t43 + t44
+    ipivot4 = 1.0_rk / pivot4
+    ud3_4 = t44 + (m3_4 - t43)
+    u3_4 = ipivot4*ud3_4
+    ud2_4 = t44 + (m2_4 - t43)
+    u2_4 = ipivot4*ud2_4
+    t45 = nu5_y*neg_u1_6
+    t46 = neg_k5_yz*neg_u1_5
+    ud1_4 = m1_4 + t45 + t46
+    u1_4 = ipivot4*ud1_4
+    pivot3 = t44 + (m3_3 - t43) - ud3_4*u3_4
+    ipivot3 = 1.0_rk / pivot3
+    ud2_3 = t44 + (m2_3 - t43) - ud3_4*u2_4
+    u2_3 = ipivot3*ud2_3
+    ud1_3 = t46 + (m1_3 + t45) - ud3_4*u1_4
+    u1_3 = ipivot3*ud1_3
+    pivot2 = t44 + (m2_2 - t43) - ud2_4*u2_4 - ud2_3*u2_3
+    ipivot2 = 1.0_rk / pivot2
+    ud1_2 = t46 + (m1_2 + t45) - ud2_4*u1_4 - ud2_3*u1_3
+    u1_2 = ipivot2*ud1_2
+    pivot1 = m1_1 - neg_u1_6*neg_ud1_6 + nu4_y*neg_u1_5 - ud1_4*u1_4 - ud1_3*u1_3 - ud1_2*u1_2
+    ipivot1 = 1.0_rk / pivot1
+    t47 = c5*neg_y6
+    t48 = neg_y5*neg_u4_5
+    ! link 4: forward substitution
+    neg_y4 = n4_z - tau(4) - t47 + t48
+    ! link 3: forward substitution
+    neg_y3 = t48 + (n03_z - tau(3) - t47) - u3_4*neg_y4
+    ! link 2: forward substitution
+    neg_y2 = t48 + (n02_z - tau(2) - t47) - u2_4*neg_y4 - u2_3*neg_y3
+    ! link 1: forward substitution
+    neg_y1 = n1_z - tau(1) + neg_u1_6*neg_y6 + neg_y5*neg_u1_5 - u1_4*neg_y4 - u1_3*neg_y3 - &
+        u1_2*neg_y2
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = neg_l6_1*qdd6 - (neg_y1*ipivot1 - l2_1*neg_qdd2 - l3_1*neg_qdd3 - l4_1*neg_qdd4 + &
-        l5_1*qdd5)
-    t44 = -neg_qdd2
-    t45 = -neg_qdd3
-    t46 = -neg_qdd4
-    qdd(1) = qdd1
-    qdd(2) = t44
-    qdd(3) = t45
-    qdd(4) = t46
+    neg_qdd1 = ipivot1*neg_y1
+    ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    neg_qdd2 = ipivot2*neg_y2 - u1_2*neg_qdd1
+    ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    neg_qdd3 = ipivot3*neg_y3 - u2_3*neg_qdd2 - u1_3*neg_qdd1
+    ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd4 = u1_4*neg_qdd1 - (ipivot4*neg_y4 - u3_4*neg_qdd3 - u2_4*neg_qdd2)
+    t49 = neg_qdd2 + (neg_qdd3 - qdd4)
+    ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd5 = neg_y5*neg_ipivot5 - neg_u1_5*neg_qdd1 - neg_u4_5*t49
+    ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd6 = c5*t49 - (1899.4712823803404_rk*neg_y6 + neg_u1_6*neg_qdd1)
+    t50 = -neg_qdd1
+    t51 = -neg_qdd2
+    t52 = -neg_qdd3
+    qdd(1) = t50
+    qdd(2) = t51
+    qdd(3) = t52
+    qdd(4) = qdd4
     qdd(5) = qdd5
     qdd(6) = qdd6
   end subroutine

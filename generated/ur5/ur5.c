@@ -32,7 +32,7 @@
  *   gravity: 3 multiplications, 4 additions = 7; 0 unary minus; 3 sine/cosine
  *   bias: 87 multiplications, 54 additions = 141; 2 unary minus; 10 sine/cosine
  *   mass_matrix: 34 multiplications, 32 additions = 66; 0 unary minus; 10 sine/cosine
- *   forward_dynamics: 207 multiplications, 154 additions, 6 divisions = 367; 3 unary minus; 10
+ *   forward_dynamics: 171 multiplications, 146 additions, 5 divisions = 322; 3 unary minus; 10
  *       sine/cosine
  */
 #include "ur5.h"
@@ -410,7 +410,7 @@ void ur5_mass_matrix(const ur5_real q[6], ur5_real M[36])
 }
 
 /* accelerations that the torques tau give
- * 207 multiplications, 154 additions, 6 divisions = 367; 3 unary minus; 10 sine/cosine */
+ * 171 multiplications, 146 additions, 5 divisions = 322; 3 unary minus; 10 sine/cosine */
 void ur5_forward_dynamics(
     const ur5_real q[6],
     const ur5_real qd[6],
@@ -538,98 +538,91 @@ void ur5_forward_dynamics(
     const ur5_real m1_1 = 0.59155695167475*(c23*c23) + t38;
     /* link 5: second moment of the composite body [kg m^2] */
     const ur5_real neg_k5_yz = s5*k6_xy;
-    const ur5_real t39 = s2to4*s5;
+    /* factorisation M = U D U^T */
+    const ur5_real neg_u1_6 = s2to4*s5;
     /* link 1: mass matrix, its row of this joint */
-    const ur5_real m1_4 = t36*t39 - c2to4*(neg_k5_yz - 0.00194120382525);
-    const ur5_real t40 = 0.07714261911624999*s23;
-    const ur5_real m1_3 = m1_4 + t40;
+    const ur5_real m1_4 = t36*neg_u1_6 - c2to4*(neg_k5_yz - 0.00194120382525);
+    const ur5_real t39 = 0.07714261911624999*s23;
+    const ur5_real m1_3 = m1_4 + t39;
     const ur5_real m1_2 = m1_3 + 0.408499208875*s2;
     /* link 4: mass matrix, its row of this joint */
     const ur5_real m4_4 = t28 - t37 + 0.24116530937515;
-    const ur5_real t41 = t32 - 0.09043071629752977*(c2to4*t40);
+    const ur5_real t40 = t32 - 0.09043071629752977*(c2to4*t39);
     /* link 3: mass matrix, its row of this joint */
-    const ur5_real m3_4 = m4_4 - t41;
-    const ur5_real m3_3 = m3_4 - (t41 - 0.5956519516747499);
-    const ur5_real t42 = t34 - 0.007558512375*(c2to4*s2);
-    const ur5_real t43 = s23*(0.6794726918749999*s2) + (t33 - t42);
+    const ur5_real m3_4 = m4_4 - t40;
+    const ur5_real m3_3 = m3_4 - (t40 - 0.5956519516747499);
+    const ur5_real t41 = t34 - 0.007558512375*(c2to4*s2);
+    const ur5_real t42 = s23*(0.6794726918749999*s2) + (t33 - t41);
     /* link 2: mass matrix, its row of this joint */
-    const ur5_real m2_3 = m3_3 + t43;
-    const ur5_real m2_2 = t43 + (m2_3 + 1.77012693841);
-    const ur5_real m2_4 = m3_4 - t42;
-    /* factorisation M = L D L^T */
-    const ur5_real neg_ld6_1 = 0.0171364731454*t39;
-    /* link 1: forward substitution */
-    const ur5_real neg_y1 = n1_z - tau[0];
-    /* factorisation M = L D L^T */
-    const ur5_real ipivot1 = 1.0 / m1_1;
-    const ur5_real l2_1 = m1_2*ipivot1;
-    const ur5_real l3_1 = m1_3*ipivot1;
-    const ur5_real l4_1 = m1_4*ipivot1;
-    const ur5_real l5_1 = nu4_y*ipivot1;
-    const ur5_real neg_l6_1 = neg_ld6_1*ipivot1;
-    const ur5_real pivot2 = m2_2 - m1_2*l2_1;
-    const ur5_real ipivot2 = 1.0 / pivot2;
-    const ur5_real ld3_2 = m2_3 - m1_2*l3_1;
-    const ur5_real l3_2 = ipivot2*ld3_2;
-    const ur5_real ld4_2 = m2_4 - m1_2*l4_1;
-    const ur5_real l4_2 = ipivot2*ld4_2;
-    const ur5_real ld5_2 = neg_k5_yz - m1_2*l5_1;
-    const ur5_real l5_2 = ipivot2*ld5_2;
-    const ur5_real ld6_2 = nu5_y + m1_2*neg_l6_1;
-    const ur5_real l6_2 = ipivot2*ld6_2;
-    const ur5_real pivot3 = m3_3 - m1_3*l3_1 - ld3_2*l3_2;
-    const ur5_real ipivot3 = 1.0 / pivot3;
-    const ur5_real ld4_3 = m3_4 - m1_3*l4_1 - ld3_2*l4_2;
-    const ur5_real l4_3 = ipivot3*ld4_3;
-    const ur5_real ld5_3 = neg_k5_yz - m1_3*l5_1 - ld3_2*l5_2;
-    const ur5_real l5_3 = ipivot3*ld5_3;
-    const ur5_real ld6_3 = nu5_y + m1_3*neg_l6_1 - ld3_2*l6_2;
-    const ur5_real l6_3 = ipivot3*ld6_3;
-    const ur5_real pivot4 = m4_4 - m1_4*l4_1 - ld4_2*l4_2 - ld4_3*l4_3;
-    const ur5_real ipivot4 = 1.0 / pivot4;
-    const ur5_real ld5_4 = neg_k5_yz - m1_4*l5_1 - ld4_2*l5_2 - ld4_3*l5_3;
-    const ur5_real l5_4 = ipivot4*ld5_4;
-    const ur5_real ld6_4 = nu5_y + m1_4*neg_l6_1 - ld4_2*l6_2 - ld4_3*l6_3;
-    const ur5_real l6_4 = ipivot4*ld6_4;
-    const ur5_real neg_pivot5 = neg_m5_5 + nu4_y*l5_1 + ld5_2*l5_2 + ld5_3*l5_3 + ld5_4*l5_4;
-    const ur5_real neg_ipivot5 = 1.0 / neg_pivot5;
-    const ur5_real ld6_5 = nu4_y*neg_l6_1 - ld5_2*l6_2 - ld5_3*l6_3 - ld5_4*l6_4;
-    const ur5_real neg_l6_5 = neg_ipivot5*ld6_5;
-    const ur5_real neg_pivot6 = neg_ld6_1*neg_l6_1 - 0.0171364731454 + ld6_2*l6_2 + ld6_3*l6_3 +
-        ld6_4*l6_4 - ld6_5*neg_l6_5;
-    const ur5_real neg_ipivot6 = 1.0 / neg_pivot6;
-    /* link 2: forward substitution */
-    const ur5_real neg_y2 = n02_z - tau[1] - neg_y1*l2_1;
-    /* link 3: forward substitution */
-    const ur5_real neg_y3 = n03_z - tau[2] - neg_y1*l3_1 - l3_2*neg_y2;
-    /* link 4: forward substitution */
-    const ur5_real neg_y4 = n4_z - tau[3] - neg_y1*l4_1 - l4_2*neg_y2 - l4_3*neg_y3;
+    const ur5_real m2_3 = m3_3 + t42;
+    const ur5_real m2_2 = t42 + (m2_3 + 1.77012693841);
+    const ur5_real m2_4 = m3_4 - t41;
+    /* factorisation M = U D U^T */
+    const ur5_real neg_ud1_6 = 0.0171364731454*neg_u1_6;
     /* link 5: forward substitution */
-    const ur5_real neg_y5 = n5_z - tau[4] - neg_y1*l5_1 - l5_2*neg_y2 - l5_3*neg_y3 - l5_4*neg_y4;
+    const ur5_real neg_y5 = n5_z - tau[4];
     /* link 6: forward substitution */
-    const ur5_real neg_y6 = nc6_z - tau[5] + neg_y1*neg_l6_1 - l6_2*neg_y2 - l6_3*neg_y3 -
-        l6_4*neg_y4 + neg_l6_5*neg_y5;
-    /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const ur5_real qdd6 = neg_ipivot6*neg_y6;
-    /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const ur5_real qdd5 = neg_ipivot5*neg_y5 + neg_l6_5*qdd6;
-    /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const ur5_real neg_qdd4 = ipivot4*neg_y4 + l5_4*qdd5 + l6_4*qdd6;
-    /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const ur5_real neg_qdd3 = ipivot3*neg_y3 - l4_3*neg_qdd4 + l5_3*qdd5 + l6_3*qdd6;
-    /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const ur5_real neg_qdd2 = ipivot2*neg_y2 - l3_2*neg_qdd3 - l4_2*neg_qdd4 + l5_2*qdd5 +
-        l6_2*qdd6;
+    const ur5_real neg_y6 = nc6_z - tau[5];
+    /* factorisation M = U D U^T */
+    const ur5_real neg_ipivot5 = 1.0 / neg_m5_5;
+    const ur5_real neg_u4_5 = neg_k5_yz*neg_ipivot5;
+    const ur5_real neg_u1_5 = nu4_y*neg_ipivot5;
+    const ur5_real t43 = c5*nu5_y;
+    const ur5_real t44 = neg_k5_yz*neg_u4_5;
+    const ur5_real pivot4 = m4_4 - t43 + t44;
+    const ur5_real ipivot4 = 1.0 / pivot4;
+    const ur5_real ud3_4 = t44 + (m3_4 - t43);
+    const ur5_real u3_4 = ipivot4*ud3_4;
+    const ur5_real ud2_4 = t44 + (m2_4 - t43);
+    const ur5_real u2_4 = ipivot4*ud2_4;
+    const ur5_real t45 = nu5_y*neg_u1_6;
+    const ur5_real t46 = neg_k5_yz*neg_u1_5;
+    const ur5_real ud1_4 = m1_4 + t45 + t46;
+    const ur5_real u1_4 = ipivot4*ud1_4;
+    const ur5_real pivot3 = t44 + (m3_3 - t43) - ud3_4*u3_4;
+    const ur5_real ipivot3 = 1.0 / pivot3;
+    const ur5_real ud2_3 = t44 + (m2_3 - t43) - ud3_4*u2_4;
+    const ur5_real u2_3 = ipivot3*ud2_3;
+    const ur5_real ud1_3 = t46 + (m1_3 + t45) - ud3_4*u1_4;
+    const ur5_real u1_3 = ipivot3*ud1_3;
+    const ur5_real pivot2 = t44 + (m2_2 - t43) - ud2_4*u2_4 - ud2_3*u2_3;
+    const ur5_real ipivot2 = 1.0 / pivot2;
+    const ur5_real ud1_2 = t46 + (m1_2 + t45) - ud2_4*u1_4 - ud2_3*u1_3;
+    const ur5_real u1_2 = ipivot2*ud1_2;
+    const ur5_real pivot1 = m1_1 - neg_u1_6*neg_ud1_6 + nu4_y*neg_u1_5 - ud1_4*u1_4 - ud1_3*u1_3 -
+        ud1_2*u1_2;
+    const ur5_real ipivot1 = 1.0 / pivot1;
+    const ur5_real t47 = c5*neg_y6;
+    const ur5_real t48 = neg_y5*neg_u4_5;
+    /* link 4: forward substitution */
+    const ur5_real neg_y4 = n4_z - tau[3] - t47 + t48;
+    /* link 3: forward substitution */
+    const ur5_real neg_y3 = t48 + (n03_z - tau[2] - t47) - u3_4*neg_y4;
+    /* link 2: forward substitution */
+    const ur5_real neg_y2 = t48 + (n02_z - tau[1] - t47) - u2_4*neg_y4 - u2_3*neg_y3;
+    /* link 1: forward substitution */
+    const ur5_real neg_y1 = n1_z - tau[0] + neg_u1_6*neg_y6 + neg_y5*neg_u1_5 - u1_4*neg_y4 -
+        u1_3*neg_y3 - u1_2*neg_y2;
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const ur5_real qdd1 = neg_l6_1*qdd6 - (neg_y1*ipivot1 - l2_1*neg_qdd2 - l3_1*neg_qdd3 -
-        l4_1*neg_qdd4 + l5_1*qdd5);
-    const ur5_real t44 = -neg_qdd2;
-    const ur5_real t45 = -neg_qdd3;
-    const ur5_real t46 = -neg_qdd4;
-    qdd[0] = qdd1;
-    qdd[1] = t44;
-    qdd[2] = t45;
-    qdd[3] = t46;
+    const ur5_real neg_qdd1 = ipivot1*neg_y1;
+    /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const ur5_real neg_qdd2 = ipivot2*neg_y2 - u1_2*neg_qdd1;
+    /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const ur5_real neg_qdd3 = ipivot3*neg_y3 - u2_3*neg_qdd2 - u1_3*neg_qdd1;
+    /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const ur5_real qdd4 = u1_4*neg_qdd1 - (ipivot4*neg_y4 - u3_4*neg_qdd3 - u2_4*neg_qdd2);
+    const ur5_real t49 = neg_qdd2 + (neg_qdd3 - qdd4);
+    /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const ur5_real qdd5 = neg_y5*neg_ipivot5 - neg_u1_5*neg_qdd1 - neg_u4_5*t49;
+    /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const ur5_real qdd6 = c5*t49 - (58.355064750790525*neg_y6 + neg_u1_6*neg_qdd1);
+    const ur5_real t50 = -neg_qdd1;
+    const ur5_real t51 = -neg_qdd2;
+    const ur5_real t52 = -neg_qdd3;
+    qdd[0] = t50;
+    qdd[1] = t51;
+    qdd[2] = t52;
+    qdd[3] = qdd4;
     qdd[4] = qdd5;
     qdd[5] = qdd6;
 }

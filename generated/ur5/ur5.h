@@ -32,7 +32,7 @@
  *   gravity: 3 multiplications, 4 additions = 7; 0 unary minus; 3 sine/cosine
  *   bias: 87 multiplications, 54 additions = 141; 2 unary minus; 10 sine/cosine
  *   mass_matrix: 34 multiplications, 32 additions = 66; 0 unary minus; 10 sine/cosine
- *   forward_dynamics: 207 multiplications, 154 additions, 6 divisions = 367; 3 unary minus; 10
+ *   forward_dynamics: 171 multiplications, 146 additions, 5 divisions = 322; 3 unary minus; 10
  *       sine/cosine
  */
 #ifndef UR5_H

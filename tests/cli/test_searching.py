@@ -101,7 +101,7 @@ def test_a_worse_record_is_not_used(here: Path, capsys: Capture) -> None:
 @pytest.mark.parametrize(
     ("old", "new", "hint"),
     [
-        ("%5 = ", "%6 = ", f"records/{NAME}:13: "),
+        ("%5 = ", "%6 = ", f"records/{NAME}:14: "),
         (" = sub ", " = add ", f"records/{NAME}: the record of elbow does not compute its inverse_dynamics"),
         ("tau = ", "tau = $other ", f"records/{NAME}: the record of elbow does not compute"),
         ("tau = ", "tau = \x00 ", f"records/{NAME}:"),

@@ -13,6 +13,7 @@ from dynamics.direct import State
 from dynamics.evaluated import BUNDLED, RANDOM, by_program, robot_named
 from ir.programs import Point
 from peers import mujoco_peer, pinocchio_peer
+from peers.compared import WORST_CONDITION, worst_condition
 from robodyn.dynamics.dual import Dual
 from robodyn.dynamics.equality import same_in_field
 from robodyn.dynamics.functions import FUNCTIONS
@@ -108,6 +109,23 @@ class Along:
             function, self.state.arm, Choice(), self.inputs, self.trigonometry, Fraction, unmarked
         )
         return [x.slope if isinstance(x, Dual) else Fraction(0) for x in outputs]
+
+
+@pytest.mark.parametrize("name", sampled([*BUNDLED, *RANDOM], every=25))
+def test_the_inverse_mass_matrix_is_what_pinocchio_says(name: str) -> None:
+    pin = require_module("pinocchio")
+    robot = robot_named(name)
+    q = random_states(robot, STATES, 5)[0]
+    model = pinocchio_peer.pinocchio_model(robot)
+    M = pinocchio_peer.mass_matrix(model, robot, q)
+    if worst_condition(M) > WORST_CONDITION:
+        pytest.skip("a joint moves nearly without inertia")
+    data = model.createData()
+    for one, actual in zip(q, by_program(robot, "inverse_mass_matrix", q=q), strict=True):
+        pin.computeMinverse(model, data, one)
+        expected = np.triu(data.Minv) + np.triu(data.Minv, 1).T
+        scale = np.abs(expected).max()
+        np.testing.assert_allclose(actual.reshape(robot.n, -1), expected, rtol=0, atol=1e-10 * scale)
 
 
 def product(x: Any, y: Any) -> Any:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from fractions import Fraction
+from operator import mul
 
 import pytest
 
@@ -102,7 +103,7 @@ def test_an_arm_of_nothing(joints: int, engine: str) -> None:
 
 
 def test_solving_takes_as_many_divisions_as_there_are_joints() -> None:
-    """``L D L^T``: n divisions, no square root, and the solution on fractions."""
+    """``U D U^T``: n divisions, no square root, and the solution on fractions."""
     n = 4
     half = [[Fraction(1, 1 + i + j) for j in range(n)] for i in range(n)]  # Hilbert: positive definite
     right = [Fraction(i + 1, 7) for i in range(n)]
@@ -115,3 +116,21 @@ def test_solving_takes_as_many_divisions_as_there_are_joints() -> None:
     solve_symmetric(matrix, [graph.input("b", i) for i in range(n)])
     assert [key[0] for key in graph.keys].count("div") == n
     assert "sqrt" not in {key[0] for key in graph.keys}
+
+
+@pytest.mark.parametrize(
+    "robot", sampled([*ARMS, *map(bundled, BUNDLED)], every=4), ids=lambda robot: robot.name
+)
+def test_the_inverse_mass_matrix_is_one(robot: Robot) -> None:
+    """Exactly: the mass matrix times it is the identity, and it is symmetric."""
+    if robot.name == "tx40":
+        with pytest.raises(SingularArm, match="tx40 has no inverse mass matrix"):
+            program(robot, "inverse_mass_matrix")
+        return
+    n, at = robot.n, Point(10)
+    matrix, inverse = (values(robot, name, at) for name in ("mass_matrix", "inverse_mass_matrix"))
+    assert [inverse[j * n + i] for i in range(n) for j in range(n)] == inverse
+    rows = [matrix[n * i : n * (i + 1)] for i in range(n)]
+    assert [[sum(map(mul, row, inverse[j::n])) for j in range(n)] for row in rows] == [
+        [int(i == j) for j in range(n)] for i in range(n)
+    ]

@@ -18,13 +18,15 @@ from robodyn.ir.program import Input, Label, Program
 Beneath = Callable[[Graph, Mapping[str, Vector]], Dynamics]
 
 
-def composed(function: Function, programs: Mapping[str, Program], n: int, beneath: Beneath) -> Program:
-    """``function`` of ``n`` joints, put together from ``programs``: one for each of its parts, by name; what
-    is of no part comes from the dynamics ``beneath``."""
-    graph = Graph()
-    write = function.by_parts or function.outputs
-    elements = write(_OfParts(graph, function, programs, n, beneath))
-    return lower(graph, function.split(elements, n))
+def composed(function: Function, programs: Mapping[str, Program], n: int, beneath: Beneath) -> list[Program]:
+    """``function`` of ``n`` joints, put together from ``programs`` in all ways that it has: one for each of
+    its parts, by name; what is of no part comes from the dynamics ``beneath``."""
+    ways = []
+    for write in function.compositions(n):
+        graph = Graph()
+        elements = write(_OfParts(graph, function, programs, n, beneath))
+        ways.append(lower(graph, function.split(elements, n)))
+    return ways
 
 
 def side_by_side(function: Function, programs: Sequence[Program], n: int) -> Program:
@@ -79,9 +81,9 @@ class _OfParts:
         """How its joints turn."""
         return self._beneath.turns(qd, qdd)
 
-    def cheapest(self, ways: Sequence[Sequence[Any]]) -> Sequence[Any]:
-        """Of several ways the one that takes the fewest operations."""
-        return self._beneath.cheapest(ways)
+    def cheapest(self, choices: Sequence[Sequence[Sequence[Any]]]) -> Sequence[Sequence[Any]]:
+        """Of the ways to write each of some vectors those that take the fewest operations."""
+        return self._beneath.cheapest(choices)
 
     def links(self, qd: Sequence[Any], qdd: Sequence[Any], form: MomentForm = "second_moment") -> Moving:
         """The same, with the links' masses."""

@@ -79,63 +79,66 @@ def _marked(lump: Lump, link: int, mark: Mark) -> Lump:
 
 
 class Factored:
-    """A positive definite matrix [n, n] as ``L D L^T``; n divisions, no square root.
+    """A positive definite matrix [n, n] as ``U D U^T``; n divisions at most, no square root.
 
-    ``matrix`` is read on and below its diagonal.
+    ``matrix`` is read on and below its diagonal. Joints are eliminated from tip to base: near the tip a mass
+    matrix has its zeros and numbers, and a number divides when the program is written.
     """
 
     def __init__(self, matrix: Sequence[Sequence[Any]], mark: Mark = unmarked) -> None:
         n = len(matrix)
-        lower: list[list[Any]] = [[0] * n for _ in range(n)]
-        scaled: list[list[Any]] = [[0] * n for _ in range(n)]  # L D
+        order = range(n - 1, -1, -1)
+        factor: list[list[Any]] = [[0] * n for _ in range(n)]
+        scaled: list[list[Any]] = [[0] * n for _ in range(n)]  # U D
         inverse: list[Any] = [0] * n
         for j in range(n):
-            pivot = matrix[j][j]
+            row = order[j]
+            pivot = matrix[row][row]
             for k in range(j):
-                pivot = pivot - lower[j][k] * scaled[j][k]
-            inverse[j] = mark(
-                Fraction(1) / mark(pivot, Label(j + 1, "pivot", "")), Label(j + 1, "ipivot", "")
-            )
+                pivot = pivot - factor[j][k] * scaled[j][k]
+            pivot = mark(pivot, Label(row + 1, "pivot", ""))
+            inverse[j] = mark(Fraction(1) / pivot, Label(row + 1, "ipivot", ""))
             for i in range(j + 1, n):
-                entry = matrix[i][j]
+                entry = matrix[row][order[i]]
                 for k in range(j):
-                    entry = entry - lower[i][k] * scaled[j][k]
-                scaled[i][j] = mark(entry, Label(i + 1, "ld", str(j + 1)))
-                lower[i][j] = mark(entry * inverse[j], Label(i + 1, "l", str(j + 1)))
-        self._lower, self._inverse, self._mark = lower, inverse, mark
+                    entry = entry - factor[i][k] * scaled[j][k]
+                scaled[i][j] = mark(entry, Label(order[i] + 1, "ud", str(row + 1)))
+                factor[i][j] = mark(entry * inverse[j], Label(order[i] + 1, "u", str(row + 1)))
+        self._factor, self._inverse, self._mark, self._order = factor, inverse, mark, order
 
     def solve(self, right: Sequence[Any], quantity: str = "qdd") -> list[Any]:
         """The solution [n] of ``matrix x = right``; emitted code calls it ``quantity``."""
-        lower, mark, n = self._lower, self._mark, len(right)
+        factor, mark, order, n = self._factor, self._mark, self._order, len(right)
         y: list[Any] = []
         for i in range(n):
-            total = right[i]
+            total = right[order[i]]
             for k in range(i):
-                total = total - lower[i][k] * y[k]
-            y.append(mark(total, Label(i + 1, "y", "")))
+                total = total - factor[i][k] * y[k]
+            y.append(mark(total, Label(order[i] + 1, "y", "")))
         x = [y[i] * self._inverse[i] for i in range(n)]
         for i in reversed(range(n)):
             for k in range(i + 1, n):
-                x[i] = x[i] - lower[k][i] * x[k]
-            x[i] = mark(x[i], Label(i + 1, quantity, ""))
-        return x
+                x[i] = x[i] - factor[k][i] * x[k]
+            x[i] = mark(x[i], Label(order[i] + 1, quantity, ""))
+        return [x[order[i]] for i in range(n)]
 
     def inverse(self) -> list[list[Any]]:
         """The inverse [n][n]; each entry and its mirror image are one."""
-        lower, n = self._lower, len(self._inverse)
+        factor, order, n = self._factor, self._order, len(self._inverse)
         inverse: list[list[Any]] = [[0] * n for _ in range(n)]
-        # Row i of L^T X = D^-1 L^-1, whose right side is 0 above the diagonal.
+        # Backwards as they are here, row i of U^T X = D^-1 U^-1, whose right side is 0 above the diagonal.
         for i in reversed(range(n)):
             for j in reversed(range(i, n)):
                 total = self._inverse[i] if i == j else 0
                 for k in range(i + 1, n):
-                    total = total - lower[k][i] * inverse[k][j]
-                inverse[i][j] = inverse[j][i] = self._mark(total, Label(i + 1, "minv", str(j + 1)))
-        return inverse
+                    total = total - factor[k][i] * inverse[k][j]
+                label = Label(order[j] + 1, "minv", str(order[i] + 1))
+                inverse[i][j] = inverse[j][i] = self._mark(total, label)
+        return [[inverse[order[i]][order[j]] for j in range(n)] for i in range(n)]
 
 
 def solve_symmetric(
     matrix: Sequence[Sequence[Any]], right: Sequence[Any], mark: Mark = unmarked
 ) -> list[Any]:
-    """Solution [n] of a positive definite system by ``L D L^T``."""
+    """Solution [n] of a positive definite system by ``U D U^T``."""
     return Factored(matrix, mark).solve(right)

@@ -10,28 +10,35 @@ on how many numbers of which offset are zero.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
+from typing import Any
 
 from robodyn.dynamics.functions.record import Dynamics
 from robodyn.dynamics.sections import Axes, Placed, Section, along, placed_in, sections_of
 from robodyn.dynamics.vectors import ZERO, Vector, named, plus
 
 
+def sections(at: Dynamics) -> list[Section]:
+    """The sections of the arm at rest."""
+    return sections_of(at.arm, at.motion(at.rest, at.rest), at.turns(at.rest, at.rest))
+
+
 def placed(at: Dynamics) -> Placed:
     """The sections of the arm, along the world's axes."""
-    sections = sections_of(at.arm, at.motion(at.rest, at.rest), at.turns(at.rest, at.rest))
-    return placed_in(at.arm.base, sections, at.mark)
+    return placed_in(at.arm.base, sections(at), at.mark)
 
 
 def tool_axes(at: Dynamics, arm: Placed) -> Axes:
     """The axes of the tool."""
-    x, y, z = (along(arm.links[-1], axis) for axis in (at.arm.tool.x, at.arm.tool.y, at.arm.tool.z))
+    x, y, z = (
+        along(arm.links[len(arm.links) - 1], axis) for axis in (at.arm.tool.x, at.arm.tool.y, at.arm.tool.z)
+    )
     return x, y, z
 
 
 def tool_place(at: Dynamics, arm: Placed) -> Vector:
     """The tool's origin [m]."""
     ways = [_summed(at, arm, turned) for turned in _where_to_turn(len(arm.sections))]
-    x, y, z = at.cheapest(ways)
+    ((x, y, z),) = at.cheapest([ways])
     return named(at.mark, (x, y, z), len(arm.links), "p")
 
 
@@ -67,11 +74,48 @@ def _from_carrier(section: Section, beyond: Vector) -> Vector:
     return total
 
 
+def link_places(at: Dynamics, arm: Placed) -> list[Vector]:
+    """The origins of the links [m]."""
+    places: list[Vector] = []
+    starts: list[Vector] = []  # of the sections: origins of the links that carry them
+    before = at.arm.base.origin
+    for k, section in enumerate(arm.sections):
+        starts.append(before)
+        for step in section.steps:
+            ways = [
+                plus(starts[j], along(arm.axes[j], _to_link(arm.sections[j : k + 1], step.link)))
+                for j in reversed(range(k + 1))
+            ]
+            if step.link in arm.links and step is not section.steps[0]:
+                reach = section.steps[step.link - section.steps[0].link - 1].reach
+                ways.append(plus(before, along(arm.links[step.link - 1], reach)))
+            ((x, y, z),) = at.cheapest([ways])
+            before = named(at.mark, (x, y, z), step.link + 1, "p")
+            places.append(before)
+    return places
+
+
+def _to_link(sections: Sequence[Section], link: int) -> Vector:
+    """From what carries the first of ``sections`` to the origin of ``link`` in the last [m], along the axes
+    of the first."""
+    beyond: Vector = ZERO
+    for section in reversed(sections):
+        total: Vector = ZERO
+        for step in reversed(section.steps):
+            if step.link < link and step is not section.last:
+                total = plus(step.turned(step.reach), total)
+        if section is not sections[-1]:
+            total = plus(total, section.last.turned(beyond))
+        beyond = plus(section.offset, total)
+        beyond = section.untwisted(beyond) if section is not sections[0] else beyond
+    return beyond
+
+
 def rows_of(axes: Axes) -> list[Vector]:
     """The rotation whose columns are ``axes``, row by row."""
     return list(zip(*axes, strict=True))
 
 
-def flat(rows: Sequence[Sequence[object]]) -> list[object]:
+def flat(rows: Sequence[Sequence[Any]]) -> list[Any]:
     """Rows one after another."""
     return [x for row in rows for x in row]

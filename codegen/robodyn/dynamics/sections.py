@@ -7,7 +7,7 @@ the axes behind the twist, where none of its numbers is multiplied by the twist'
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -109,24 +109,39 @@ def sections_of(arm: Arm, motion: Motion, turns: Turns) -> list[Section]:
 
 @dataclass(frozen=True, slots=True)
 class Placed:
-    """Sections with the ``axes`` of each, and those of the ``links``, along the axes of one frame."""
+    """Sections with the ``axes`` of each, and those of ``links`` (from 0), along the axes of one frame."""
 
     sections: Sequence[Section]
     axes: Sequence[Axes]
-    links: Sequence[Axes]
+    links: Mapping[int, Axes]
 
 
 def placed_in(base: Frame, sections: Sequence[Section], mark: Mark = unmarked) -> Placed:
     """``sections`` along the axes of the frame that ``base`` is in."""
     carrier: Axes = (base.x, base.y, base.z)
-    axes, links = [], []
+    axes: list[Axes] = []
+    links: dict[int, Axes] = {}
     for section in sections:
         own = section.outward(carrier)
         axes.append(own)
         for step in section.steps:
             carrier = _marked(mark, step.outward(own), step.link + 1)
-            links.append(carrier)
+            links[step.link] = carrier
     return Placed(sections, axes, links)
+
+
+def placed_in_tool(tool: Frame, sections: Sequence[Section], mark: Mark = unmarked) -> Placed:
+    """``sections`` along the axes of the ``tool``, which is in the last link's frame. Of links only the last
+    of each section are there, the others turn along with it."""
+    link: Axes = tool.rotation()
+    axes: list[Axes] = []
+    links: dict[int, Axes] = {}
+    for section in reversed(sections):
+        links[section.last.link] = link
+        own = _marked(mark, section.last.inward(link), section.last.link + 1)
+        axes.append(own)
+        link = section.inward(own)
+    return Placed(sections, axes[::-1], links)
 
 
 def _marked(mark: Mark, axes: Axes, link: int) -> Axes:

@@ -69,7 +69,7 @@ QUANTITIES: dict[str, str] = {
     "fu": "force for a unit acceleration of a joint further out",
     "nu": "moment for a unit acceleration of a joint further out",
     "m": "mass matrix, its row of this joint",
-    "pivot": "factorisation M = L D L^T",
+    "pivot": "factorisation M = U D U^T",
     "y": "forward substitution",
     "qdd": "joint acceleration [rad/s^2], at a prismatic joint [m/s^2]",
 }
@@ -209,7 +209,7 @@ def _heading(label: Label | None) -> str | None:
         return None
     if label.quantity.removesuffix("to").rstrip("0123456789") in ("c", "s", "angle"):
         return QUANTITIES["sc"]
-    family = {"ipivot": "pivot", "l": "pivot", "ld": "pivot"}.get(label.quantity, label.quantity)
+    family = {"ipivot": "pivot", "u": "pivot", "ud": "pivot"}.get(label.quantity, label.quantity)
     meaning = QUANTITIES.get(family)
     if meaning is None:
         return None

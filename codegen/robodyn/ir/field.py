@@ -31,17 +31,17 @@ class Vanishes(ArithmeticError):
 
 class Field:
     """The integers modulo a prime of 120 bits. Random values are drawn from ``seed``, and so is the prime,
-    unless ``prime_seed`` is there for it.
+    unless ``prime_seed`` is there for it; or it is ``prime``, 3 modulo 4 and of any length.
 
     The prime is 3 modulo 4: ``1 + t * t`` is never 0, and every ``t`` gives a point of the circle.
     """
 
     __slots__ = ("_circles", "_inverses", "_key", "prime")
 
-    def __init__(self, seed: str | bytes, prime_seed: bytes | None = None) -> None:
+    def __init__(self, seed: str | bytes, prime_seed: bytes | None = None, prime: int | None = None) -> None:
         text = seed.encode() if isinstance(seed, str) else seed
         self._key = hashlib.blake2b(text, digest_size=32).digest()
-        self.prime = drawn_prime(text if prime_seed is None else prime_seed)
+        self.prime = prime or drawn_prime(text if prime_seed is None else prime_seed)
         self._circles: dict[str, tuple[int, int]] = {}
         self._inverses: dict[int, int] = {1: 1}
 

@@ -93,12 +93,12 @@ class Layered:
     def _drafts(self, record: Function) -> list[Program]:
         """All ways to write ``record``: from its parts, and straight."""
         writings = range(len(record.writings(self.robot.n)))
-        drafts = []
+        drafts: list[Program] = []
         if record.parts:
             parts = {part: self.program(part) for part in record.parts}
-            drafts.append(composed(record, parts, self.robot.n, self._beneath))
+            drafts = composed(record, parts, self.robot.n, self._beneath)
             if record.by_parts is None:
-                writings = writings[1:]
+                return drafts
         straight = (
             layered(self.robot, record, self._rigid, self.options.formulation, writing=k) for k in writings
         )

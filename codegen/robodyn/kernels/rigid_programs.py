@@ -190,7 +190,8 @@ class RigidPrograms:
         def beneath(graph: Graph, inputs: Mapping[str, Sequence[Any]]) -> Recursion:
             return recursion_in(graph, self.robot, self.choice, inputs)
 
-        return unchecked(composed(function, parts, self.robot.n, beneath), FRESH)
+        ways = composed(function, parts, self.robot.n, beneath)
+        return min((unchecked(way, FRESH) for way in ways), key=self._cost)
 
     def _record(self, function: str) -> Record | None:
         if function not in self._records:

@@ -130,9 +130,9 @@ class _Layered:
         """How its joints turn."""
         return self._beneath.turns(qd, qdd)
 
-    def cheapest(self, ways: Sequence[Sequence[Any]]) -> Sequence[Any]:
-        """Of several ways the one that takes the fewest operations."""
-        return self._beneath.cheapest(ways)
+    def cheapest(self, choices: Sequence[Sequence[Sequence[Any]]]) -> Sequence[Sequence[Any]]:
+        """Of the ways to write each of some vectors those that take the fewest operations."""
+        return self._beneath.cheapest(choices)
 
     def links(self, qd: Sequence[Any], qdd: Sequence[Any], form: MomentForm = "second_moment") -> Moving:
         """The same, with the links' masses."""

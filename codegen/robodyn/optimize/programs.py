@@ -227,9 +227,9 @@ class Recursion:
             return single_turns(motion)
         return chain_turns(self.arm, motion, self._trigonometry)
 
-    def cheapest(self, ways: Sequence[Sequence[Any]]) -> Sequence[Any]:
-        """Of ``ways`` to write the same values the one that takes the fewest further operations."""
-        return self._cheapest(ways)
+    def cheapest(self, choices: Sequence[Sequence[Sequence[Any]]]) -> list[Sequence[Any]]:
+        """Of the ways to write each of some vectors those that take the fewest further operations."""
+        return self._cheapest(choices)
 
     def links(self, qd: Sequence[Any], qdd: Sequence[Any], form: MomentForm = "second_moment") -> Moving:
         """The same, regrouped where the choice has it, chains of parallel joints turning as one."""

@@ -33,6 +33,7 @@ from robodyn.passes import SPELLING, run
 from robodyn.robot.model import Robot
 from robodyn.search.climb import Climbed, climb
 from robodyn.search.structured import search
+from robodyn.search.transfer import transferred
 from robodyn.search.walk import library
 from robodyn.toolchain.cache import default_root
 
@@ -44,6 +45,8 @@ BUDGET = {"search": 60.0, "full": 180.0}
 _SAVE_AFTER = 10.0
 #: The share of the time that goes to formulation variants; the rest is for the walk.
 _WRITINGS = {"search": 0.85, "full": 0.4}
+#: The share of the time that records of arms which are built alike may take.
+_ALIKE = 0.3
 #: How hard closed forms are looked for, by second of the budget: ten seconds of work for a minute.
 _EFFORT, _LEAST_EFFORT = 1 / 60, 0.08
 #: Closed forms are written out for so many joints at the most.
@@ -91,9 +94,11 @@ def improved(
     recursion = generated(robot, function, Options((function,), optimize="fast"))
     known = _known(robot, function, objective, folders, recursion) if resume else []
     starts = [recursion, *(record.program for record in known)]
+    if resume and not known:
+        starts += transferred(robot, function, time.monotonic() + _ALIKE * budget)
     # A variant knows the inverse dynamics only; the other functions are walked from where they stand.
     # Where a record is known already, most of the time goes to walking on from it.
-    written = (_WRITINGS[level] if not known else 0.5 * _WRITINGS[level]) * budget
+    written = (_WRITINGS[level] if len(starts) == 1 else 0.5 * _WRITINGS[level]) * budget
     if function_named(function).is_recursion:
         starts += _written(robot, written, seed, objective, processes, progress)
         if robot.n <= _SHORT and cost(recursion, objective) > 0:

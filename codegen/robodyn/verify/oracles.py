@@ -130,9 +130,9 @@ class _Columns:
         """How its joints turn, each for itself."""
         return single_turns(self.motion(qd, qdd))
 
-    def cheapest(self, ways: Sequence[Sequence[Any]]) -> Sequence[Any]:
-        """The first: nothing is counted."""
-        return ways[0]
+    def cheapest(self, choices: Sequence[Sequence[Sequence[Any]]]) -> list[Sequence[Any]]:
+        """The first of each: nothing is counted."""
+        return [ways[0] for ways in choices]
 
     def links(self, qd: Sequence[Any], qdd: Sequence[Any], form: MomentForm = "second_moment") -> Moving:
         """The same, as described."""

@@ -1,43 +1,160 @@
-"""Kinematics: where the tool is, and how it moves."""
+"""Kinematics: where the tool and the links are, and how the tool moves."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from typing import Any
 
-from robodyn.dynamics.functions.record import Array, Dynamics, Function, Q
-from robodyn.dynamics.poses import flat, placed, rows_of, tool_axes, tool_place
-from robodyn.dynamics.transforms import IDENTITY_4, product, transform
+from robodyn.dynamics.arm import Motion
+from robodyn.dynamics.drift import tool_drift
+from robodyn.dynamics.dual import Dual, moving_along, slopes
+from robodyn.dynamics.functions.record import QD, Array, Dynamics, Function, Pair, Q, Vector
+from robodyn.dynamics.jacobians import columns
+from robodyn.dynamics.poses import flat, link_places, placed, rows_of, sections, tool_axes, tool_place
+from robodyn.dynamics.sections import Placed, placed_in_tool
+from robodyn.dynamics.transforms import Matrix, applied, product, transform, transposed
 
 POSITION = Array("position", "origin of the tool in the world", "m", shape=(3,))
 ROTATION = Array("rotation", "turns vectors of the tool's frame into the world's", "", shape=(3, 3))
+LINK_POSITIONS = Array("link_positions", "origins of the links in the world", "m", shape=("n", 3))
+LINK_ROTATIONS = Array(
+    "link_rotations", "turn vectors of the links' frames into the world's", "", shape=("n", 3, 3)
+)
+_UNITS = "m, 1 and, prismatic, 1, 0"
+JAC = Array(
+    "jac",
+    "velocity and angular velocity of the tool along the world's axes, for each rate",
+    _UNITS,
+    shape=(6, "n"),
+)
+JAC_TOOL = Array(
+    "jac_tool",
+    "velocity and angular velocity of the tool along its own axes, for each rate",
+    _UNITS,
+    shape=(6, "n"),
+)
+DRIFT = Array(
+    "drift",
+    "acceleration and angular acceleration of the tool at qdd = 0 in the world",
+    "m/s^2, rad/s^2",
+    shape=(6,),
+)
 
 
 def _forward_kinematics(at: Dynamics) -> Sequence[Any]:
     arm = placed(at)
     axes = tool_axes(at, arm)
-    at.cheapest([flat(axes)])
+    at.cheapest([[flat(axes)]])
     return [*tool_place(at, arm), *flat(rows_of(axes))]
 
 
-def _by_transforms(at: Dynamics) -> Sequence[Any]:
-    """The product of all transforms, entry by entry."""
-    T = _poses(at)[-1]
+def _link_poses(at: Dynamics) -> Sequence[Any]:
+    arm = placed(at)
+    rotations = [rows_of(arm.links[i]) for i in range(len(arm.links))]
+    at.cheapest([[flat(flat(rotations))]])
+    return [*flat(link_places(at, arm)), *flat(flat(rotations))]
+
+
+def _jacobian(at: Dynamics) -> Sequence[Any]:
+    return _by_rows(at, placed(at))
+
+
+def _nested_jacobian(at: Dynamics) -> Sequence[Any]:
+    return _by_rows(at, placed(at), nested_only=True)
+
+
+def _tool_jacobian(at: Dynamics) -> Sequence[Any]:
+    return _by_rows(at, placed_in_tool(at.arm.tool, sections(at), at.mark))
+
+
+def _nested_tool_jacobian(at: Dynamics) -> Sequence[Any]:
+    return _by_rows(at, placed_in_tool(at.arm.tool, sections(at), at.mark), nested_only=True)
+
+
+def _by_rows(at: Dynamics, arm: Placed, *, nested_only: bool = False) -> list[Any]:
+    return flat(transposed(tuple((*v, *w) for v, w in columns(at, arm, nested_only=nested_only))))
+
+
+def _drift(at: Dynamics) -> Sequence[Any]:
+    return tool_drift(at)
+
+
+# --- by other ways: transforms, and poses differentiated ----------------------------------------------------
+
+
+def _tool_pose(at: Dynamics) -> Sequence[Any]:
+    T = _poses(at, at.motion(at.rest, at.rest))[-1]
     return [*(row[3] for row in T[:3]), *(x for row in T[:3] for x in row[:3])]
 
 
-def _poses(at: Dynamics) -> list[Any]:
-    """Transforms [4, 4] of the links, and of the tool."""
-    arm, motion = at.arm, at.motion(at.rest, at.rest)
-    ends = [
-        tuple((*row, p) for row, p in zip(f.rotation(), f.origin, strict=True)) for f in (arm.base, arm.tool)
-    ]
-    base, tool = (product(IDENTITY_4, (*rows, (0, 0, 0, 1))) for rows in ends)
+def _all_poses(at: Dynamics) -> Sequence[Any]:
+    poses = _poses(at, at.motion(at.rest, at.rest))[:-1]
+    return [*(row[3] for T in poses for row in T[:3]), *(x for T in poses for row in T[:3] for x in row[:3])]
+
+
+def _poses(at: Dynamics, motion: Motion) -> list[Matrix]:
+    """Transforms [4, 4] of the links, and of the tool: products of one a joint."""
+    base, tool = (
+        (*((*row, p) for row, p in zip(frame.rotation(), frame.origin, strict=True)), (0, 0, 0, 1))
+        for frame in (at.arm.base, at.arm.tool)
+    )
     poses, last = [], base
-    for body, c, s, d in zip(arm.bodies, motion.c, motion.s, motion.d, strict=True):
+    for body, c, s, d in zip(at.arm.bodies, motion.c, motion.s, motion.d, strict=True):
         last = product(last, transform(body, c, s, d))
         poses.append(last)
     return [*poses, product(last, tool)]
+
+
+def _along(at: Dynamics, motion: Motion, rates: Sequence[Any]) -> Motion:
+    """``motion`` as duals that move at ``rates``."""
+    return moving_along(at.arm, motion, rates, at.rest, at.rest)
+
+
+def _velocity(at: Dynamics, rates: Sequence[Any]) -> tuple[list[Any], list[Any], Matrix]:
+    """Velocity, angular velocity and rotation of the tool at the rates, by differentiating its pose."""
+    T = _poses(at, _along(at, at.motion(at.rest, at.rest), rates))[-1]
+    R = tuple(tuple(map(_value, row[:3])) for row in T[:3])
+    R_rate = tuple(tuple(slopes(row[:3])) for row in T[:3])
+    return slopes([row[3] for row in T[:3]]), _axial(product(R_rate, transposed(R))), R
+
+
+def _value(x: Any) -> Any:
+    return x.value if isinstance(x, Dual) else x
+
+
+def _axial(W: Matrix) -> list[Any]:
+    """The vector of a skew matrix."""
+    return [W[2][1], W[0][2], W[1][0]]
+
+
+def _moves_the_tool(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
+    """Velocities at random rates: as telling as all columns, at a fraction of the cost."""
+    velocity, spin, _ = _velocity(at, x)
+    return _times(result, x), [*velocity, *spin]
+
+
+def _moves_the_tool_along_its_axes(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
+    velocity, spin, R = _velocity(at, x)
+    return _times(result, x), [y for u in (velocity, spin) for y in applied(transposed(R), tuple(u))]
+
+
+def _times(rows: Sequence[Any], x: Vector) -> list[Any]:
+    n = len(x)
+    return [sum(rows[n * i + j] * x[j] for j in range(n)) for i in range(len(rows) // n)]
+
+
+def _second_derivative(at: Dynamics) -> Sequence[Any]:
+    """The tool's pose differentiated twice at constant rates."""
+    qd = at.inputs["qd"]
+    T = _poses(at, _along(at, _along(at, at.motion(at.rest, at.rest), qd), qd))[-1]
+    R = tuple(tuple(_value(_value(x)) for x in row[:3]) for row in T[:3])
+    rate, again = (tuple(tuple(slopes(part(row[:3]))) for row in T[:3]) for part in (_values, slopes))
+    spun = zip(_axial(product(again, transposed(R))), _axial(product(rate, transposed(rate))), strict=True)
+    return [*slopes(slopes([row[3] for row in T[:3]])), *(x + y for x, y in spun)]
+
+
+def _values(row: Sequence[Any]) -> list[Any]:
+    return [_value(x) for x in row]
 
 
 FUNCTIONS = (
@@ -47,7 +164,45 @@ FUNCTIONS = (
         (Q,),
         (POSITION, ROTATION),
         _forward_kinematics,
-        expected=_by_transforms,
+        expected=_tool_pose,
+        geometric=True,
+    ),
+    Function(
+        "link_poses",
+        "positions and rotations of the links",
+        (Q,),
+        (LINK_POSITIONS, LINK_ROTATIONS),
+        _link_poses,
+        expected=_all_poses,
+        geometric=True,
+    ),
+    Function(
+        "jacobian",
+        "geometric Jacobian of the tool's origin along the world's axes: three linear rows, three angular",
+        (Q,),
+        (JAC,),
+        _jacobian,
+        condition=_moves_the_tool,
+        others=(_nested_jacobian,),
+        geometric=True,
+    ),
+    Function(
+        "tool_jacobian",
+        "the Jacobian along the tool's axes",
+        (Q,),
+        (JAC_TOOL,),
+        _tool_jacobian,
+        condition=_moves_the_tool_along_its_axes,
+        others=(_nested_tool_jacobian,),
+        geometric=True,
+    ),
+    Function(
+        "jacobian_dot_qd",
+        "how the tool is accelerated while no joint is: the Jacobian's rate times qd",
+        (Q, QD),
+        (DRIFT,),
+        _drift,
+        expected=_second_derivative,
         geometric=True,
     ),
 )

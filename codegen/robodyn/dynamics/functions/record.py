@@ -134,9 +134,9 @@ class Dynamics(Protocol):
         """How its joints turn: parallel ones as one where that takes fewer operations."""
         ...
 
-    def cheapest(self, ways: Sequence[Vector]) -> Vector:
-        """Of several ways to write the same values the one that takes the fewest operations, beside what this
-        has chosen before; the first where operations are not counted."""
+    def cheapest(self, choices: Sequence[Sequence[Vector]]) -> Sequence[Vector]:
+        """Of several ways to write each of some vectors those that together take the fewest operations,
+        beside what this has chosen before; the first of each where operations are not counted."""
         ...
 
     def links(self, qd: Vector, qdd: Vector, form: MomentForm = "second_moment") -> Moving:
@@ -201,7 +201,7 @@ class Function:
     fuses: functions that it is the results of, one after another, see :mod:`robodyn.dynamics.fusing`.
     others: other ways to write ``outputs``; what is emitted is the one that takes the fewest operations.
     small: the same, for arms of few joints.
-    by_parts: how it is put together from its parts; None: as ``outputs`` has it.
+    by_parts: how it is put together from its parts; None: in any of the ways to write ``outputs``.
     drives: whether it depends on what drives do; if not, robots with effects have the rigid arm's.
     geometric: whether it is of the links' places and motion alone: drives and effects have no part in it.
     """
@@ -277,6 +277,10 @@ class Function:
     def input_names(self) -> tuple[str, ...]:
         """Names of the inputs."""
         return tuple(array.name for array in self.inputs)
+
+    def compositions(self, n: int) -> tuple[Callable[[Dynamics], Sequence[Any]], ...]:
+        """All ways to put it together from its parts."""
+        return self.writings(n) if self.by_parts is None else (self.by_parts,)
 
     def writings(self, n: int) -> tuple[Callable[[Dynamics], Sequence[Any]], ...]:
         """All ways to write the outputs of ``n`` joints."""

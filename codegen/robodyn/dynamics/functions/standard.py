@@ -6,9 +6,10 @@ from collections.abc import Sequence
 from typing import Any
 
 from robodyn.dynamics.functions.record import QD, QDD, TAU, Array, Dynamics, Function, Pair, Q, Vector
-from robodyn.dynamics.mass_matrix import solve_symmetric
+from robodyn.dynamics.mass_matrix import Factored, solve_symmetric
 
 M = Array("M", "mass matrix", "kg m^2, kg m, kg", shape=("n", "n"))
+M_INVERSE = Array("M_inverse", "inverse mass matrix", "1/(kg m^2), 1/(kg m), 1/kg", shape=("n", "n"))
 
 
 def _inverse_dynamics(at: Dynamics) -> Sequence[Any]:
@@ -47,6 +48,18 @@ def _needs_the_torques(at: Dynamics, result: Sequence[Any], _: Vector) -> Pair:
     """The torques that the accelerations need: to compare accelerations would measure the condition of the
     mass matrix instead."""
     return at.torques(at.inputs["qd"], result), at.inputs["tau"]
+
+
+def _inverse(at: Dynamics) -> Sequence[Any]:
+    return [entry for row in Factored(at.mass_matrix(), at.mark).inverse() for entry in row]
+
+
+def _undoes_the_matrix(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
+    """The torques of the accelerations that the inverse makes of ``x``, less those at rest, are ``x``."""
+    n = len(x)
+    accelerations = [sum(result[n * i + j] * x[j] for j in range(n)) for i in range(n)]
+    moving, still = at.torques(at.rest, accelerations), at.torques(at.rest, at.rest)
+    return [one - other for one, other in zip(moving, still, strict=True)], x
 
 
 FUNCTIONS = (
@@ -99,6 +112,16 @@ FUNCTIONS = (
         condition=_needs_the_torques,
         by_default=True,
         parts=("bias", "mass_matrix"),
+        solves=True,
+    ),
+    Function(
+        "inverse_mass_matrix",
+        "inverse of the mass matrix, rotors included",
+        (Q,),
+        (M_INVERSE,),
+        _inverse,
+        condition=_undoes_the_matrix,
+        parts=("mass_matrix",),
         solves=True,
     ),
 )

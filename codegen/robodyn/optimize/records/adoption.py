@@ -52,7 +52,7 @@ def adopted(
             try:
                 record = record_at(path)
                 if joints is not None:
-                    record = replace(record, program=_sum(record.program, joints))
+                    record = replace(record, program=summed(record.program, joints))
                 check_length(record, recursion)
                 check_reading(record, rounding_of(function))
                 validated(record.program, recursion, record, rounding=rounding_of(function))
@@ -74,13 +74,13 @@ def _of_joints(robot: Robot, function: str) -> Iterator[tuple[str, Program | Non
     joints = [link.joint for link in robot.links]
     friction = any(joint.viscous or joint.coulomb for joint in joints)
     if friction:
-        yield ", with friction", build(_massless(robot, rotors=False), function, Choice())
+        yield ", with friction", build(joints_of(robot), function, Choice())
     if any(joint.motor_inertia for joint in joints):
         words = ", with friction and rotors" if friction else ", with rotors"
-        yield words, build(_massless(robot, rotors=True), function, Choice())
+        yield words, build(joints_of(robot, rotors=True), function, Choice())
 
 
-def _massless(robot: Robot, *, rotors: bool) -> Robot:
+def joints_of(robot: Robot, *, rotors: bool = False) -> Robot:
     """``robot`` with its friction, with its rotors if asked for, and nothing else that needs a torque."""
     links = [
         replace(
@@ -95,7 +95,13 @@ def _massless(robot: Robot, *, rotors: bool) -> Robot:
     return replace(robot, links=tuple(links), effects=())
 
 
-def _sum(one: Program, other: Program) -> Program:
+def frictionless(robot: Robot) -> Robot:
+    """``robot`` without viscous and Coulomb friction."""
+    links = [replace(link, joint=replace(link.joint, viscous=ZERO, coulomb=ZERO)) for link in robot.links]
+    return replace(robot, links=tuple(links))
+
+
+def summed(one: Program, other: Program) -> Program:
     """The program of both, output by output."""
     graph = Graph()
     values = [x + y for x, y in zip(graph.replay(one), graph.replay(other), strict=True)]

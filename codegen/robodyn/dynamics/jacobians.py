@@ -1,0 +1,99 @@
+"""Geometric Jacobian of the tool's origin, over any scalar, in few operations.
+
+Column j is ``z x r`` and ``z``: the joint's axis, and the lever ``r`` from its frame's origin to the tool. A
+lever may be nested from the tip, along the axes of the section or link that it begins in, where the cross
+product is only a swap; the two axes across the joint's, seen from the frame that is asked for, turn it there.
+Or it is put together in that frame, out of offsets along axes that are there in any case, and multiplied by
+the joint's axis. Which takes fewer operations depends on the arm, and is counted.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from robodyn.dynamics.functions.record import Dynamics
+from robodyn.dynamics.sections import Placed, Section, along
+from robodyn.dynamics.vectors import ZERO, Vector, cross, named, plus, scaled
+
+#: Velocity of the tool's origin, and angular velocity, at a unit rate of a joint.
+Column = tuple[Vector, Vector]
+
+
+@dataclass(frozen=True, slots=True)
+class Lever:
+    """From a link's origin to the tool's [m], along the axes of its section and, where it is the last one of
+    that, along its own."""
+
+    in_section: Vector
+    own: Vector | None
+
+
+def levers(sections: Sequence[Section]) -> list[Lever]:
+    """The levers of all links, nested from the tip."""
+    result: list[Lever] = []
+    beyond: Vector = ZERO
+    for section in reversed(sections):
+        *inner, last = section.steps
+        own = plus(last.reach, beyond)
+        lever = last.turned(own)
+        result.append(Lever(lever, own))
+        for step in reversed(inner):
+            lever = plus(step.turned(step.reach), lever)
+            result.append(Lever(lever, None))
+        beyond = section.untwisted(plus(section.offset, lever))
+    return result[::-1]
+
+
+def levers_outside(arm: Placed, nested: Sequence[Lever], first: int) -> list[Vector]:
+    """The levers of all links along the axes that ``arm`` is placed along: nested in the sections from number
+    ``first`` on, turned there by the axes of that section, and put together there before it."""
+    result: list[Vector] = []
+    beyond: Vector = ZERO
+    for k in reversed(range(len(arm.sections))):
+        section, axes = arm.sections[k], arm.axes[k]
+        if k >= first:
+            result += [along(axes, nested[step.link].in_section) for step in reversed(section.steps)]
+            start = nested[section.steps[0].link].in_section
+            beyond = along(axes, plus(section.offset, start))
+            continue
+        inside = section.last.turned(section.last.reach)
+        for step in reversed(section.steps):
+            if step is not section.last:
+                inside = plus(step.turned(step.reach), inside)
+            result.append(plus(along(axes, inside), beyond))
+        beyond = plus(along(axes, plus(section.offset, inside)), beyond)
+    return result[::-1]
+
+
+def columns(at: Dynamics, arm: Placed, *, nested_only: bool = False) -> list[Column]:
+    """The columns [n] of the Jacobian along the axes that ``arm`` is placed along; with ``nested_only`` no
+    lever is put together there."""
+    nested = levers(arm.sections)
+    starts = () if nested_only else range(len(arm.sections) + 1)
+    outside = [levers_outside(arm, nested, k) for k in starts]
+    choices: list[list[Vector]] = []
+    angular: list[Vector] = []
+    for section, axes in zip(arm.sections, arm.axes, strict=True):
+        for step in section.steps:
+            link, axis = step.link, scaled(step.way, axes[2])
+            if not at.arm.bodies[link].revolute:
+                choices.append([axis])
+                angular.append(ZERO)
+                continue
+            lever = nested[link]
+            ways = [_across(axes[0], axes[1], lever.in_section, step.way)]
+            if lever.own is not None:
+                ways.append(_across(arm.links[link][0], arm.links[link][1], lever.own, 1))
+            ways += [cross(axis, reach[link]) for reach in outside]
+            choices.append(ways)
+            angular.append(axis)
+    at.cheapest([[axis] for axis in angular])
+    linear = at.cheapest(choices)
+    marked = [named(at.mark, (x, y, z), i, "v") for i, (x, y, z) in enumerate(linear, 1)]
+    return list(zip(marked, angular, strict=True))
+
+
+def _across(x: Vector, y: Vector, lever: Vector, way: int) -> Vector:
+    """``z x lever``, the lever along the axes ``x``, ``y`` (and ``z``, times ``way``)."""
+    return plus(scaled(way * lever[0], y), scaled(-(way * lever[1]), x))

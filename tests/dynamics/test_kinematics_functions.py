@@ -1,0 +1,133 @@
+"""Poses, Jacobians and their rates: identities between them, exactly, and wrong formulas."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Sequence
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+import pytest
+
+from robodyn.dynamics import functions as registry
+from robodyn.dynamics.functions import FUNCTIONS, Dynamics
+from robodyn.ir.evaluate import evaluate_exact
+from robodyn.ir.program import Input, Program
+from robodyn.kernels.generate import Options, generate
+from robodyn.kernels.proof import Unequal
+from robodyn.robot import read_text
+from robodyn.robot.bundled import load
+from robodyn.robot.model import Robot
+from robodyn.robot.values import circle_point
+
+#: An arm on a wall, with parallel joints, one of them upside down, a slide, a name and a tool.
+ARM = """\
+name: on_a_wall
+base: {xyz: [0.1, -0.2, 1], rpy: [0, pi/2, 0.3]}
+tool: {xyz: [0.02, 0, 0.1], rpy: [0, 0, 0.7]}
+gravity: [0, 0, -9.81]
+links:
+  - {joint: revolute, d: 0.3, mass: 1}
+  - {joint: revolute, alpha: -pi/2, a: 0.1, mass: 1}
+  - {joint: revolute, alpha: pi, a: reach, d: 0.05, theta: pi/2, mass: 1}
+  - {joint: prismatic, alpha: 0.4, a: 0.2, d: 0.1, mass: 1}
+  - {joint: revolute, alpha: pi/2, d: 0.2, theta: 0.3, mass: 1}
+"""
+NAMES = ("forward_kinematics", "link_poses", "jacobian", "tool_jacobian", "jacobian_dot_qd")
+
+
+def programs(robot: Robot, names: Sequence[str] = NAMES) -> dict[str, Program]:
+    unit = generate(robot, Options(functions=tuple(names), optimize="fast")).unit
+    return {interface.function: program for interface, program in unit.functions}
+
+
+def at_a_point(robot: Robot, seed: int) -> dict[str, list[Fraction]]:
+    """Every result, exactly."""
+    rng = random.Random(seed)
+
+    def number() -> Fraction:
+        return Fraction(rng.randint(-99, 99), rng.randint(1, 9))
+
+    inputs = {Input(name, i): number() for name in ("q", "qd") for i in range(robot.n)}
+    inputs |= {Input(name, None): number() for name in robot.parameters}
+    points = {Input("q", i): circle_point(number()) for i in range(robot.n)}
+    results = {"qd": [inputs[Input("qd", i)] for i in range(robot.n)]}
+    for program in programs(robot).values():
+        results |= evaluate_exact(program, inputs, points, circle_point)
+    return results
+
+
+@pytest.mark.parametrize("text", ["panda", "stanford", ARM], ids=lambda text: text[:8].strip())
+def test_the_tools_jacobian_is_the_other_along_its_axes(text: str) -> None:
+    robot = load(text, warn=lambda _: None) if "\n" not in text else read_text(text)
+    at = at_a_point(robot, 3)
+    n, R = robot.n, at["rotation"]
+    for half in (0, 3):
+        for j in range(n):
+            column = [at["jac"][n * (half + k) + j] for k in range(3)]
+            along = [sum(R[3 * k + i] * column[k] for k in range(3)) for i in range(3)]
+            assert along == [at["jac_tool"][n * (half + i) + j] for i in range(3)]
+    assert [sum(R[3 * k + i] * R[3 * k + j] for k in range(3)) for i in range(3) for j in range(3)] == [
+        int(i == j) for i in range(3) for j in range(3)
+    ]
+
+
+def test_where_the_last_link_and_the_tool_are() -> None:
+    """The tool's frame stands in the last link's."""
+    robot = read_text(ARM)
+    assert robot.tool is not None
+    at = at_a_point(robot, 5)
+    R, p = at["link_rotations"][-9:], at["link_positions"][-3:]
+    place = [p[i] + sum(R[3 * i + k] * x for k, x in enumerate(robot.tool.xyz)) for i in range(3)]
+    assert place == at["position"]
+
+
+def test_numbers_of_a_flat_arm() -> None:
+    """Craig, example 3.3 and 5.3: a planar arm of two links; and what its tool is accelerated by."""
+    flat = read_text("""\
+name: flat
+tool: {xyz: [2, 0, 0], rpy: [0, 0, 0]}
+links:
+  - {joint: revolute, mass: 1}
+  - {joint: revolute, a: 3, mass: 1}
+""")
+    inputs: dict[Input, Any] = {Input("q", 0): 0.0, Input("q", 1): 0.0}
+    inputs |= {Input("qd", 0): Fraction(5), Input("qd", 1): Fraction(7)}
+    c, s = Fraction(3, 5), Fraction(4, 5)  # of joint 1; joint 2 at a right angle
+    points = {Input("q", 0): (c, s), Input("q", 1): (Fraction(0), Fraction(1))}
+    at = {
+        name: values
+        for program in programs(flat).values()
+        for name, values in evaluate_exact(program, inputs, points, circle_point).items()
+    }
+    x, y = 3 * c - 2 * s, 3 * s + 2 * c
+    assert at["position"] == [x, y, 0]
+    assert at["jac"] == [-y, -2 * c, x, -2 * s, 0, 0, 0, 0, 0, 0, 1, 1]
+    assert at["drift"][:2] == [-(25 * 3 * c - 144 * 2 * s), -(25 * 3 * s + 144 * 2 * c)]
+    assert at["jac_tool"][:4] == [3, 0, 2, 2]  # r1 (s2, c2) + r2 (0, 1)
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("place", [0, -1])
+def test_a_wrong_element_is_no_program(name: str, place: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """One element a little off, and nothing is written."""
+    right = FUNCTIONS[name].outputs
+
+    def wrong(at: Dynamics) -> Sequence[Any]:
+        elements = list(right(at))
+        k = next(k for k in range(len(elements))[:: 1 if place == 0 else -1] if elements[k] != 0)
+        elements[k] = elements[k] + Fraction(1, 10**9)
+        return elements
+
+    monkeypatch.setitem(registry.FUNCTIONS, name, replace(FUNCTIONS[name], outputs=wrong, others=()))
+    with pytest.raises(Unequal):
+        programs(load("stanford", warn=lambda _: None), [name])
+
+
+def test_nothing_of_drives_is_in_it() -> None:
+    """An arm whose drives have losses and play has the programs of the arm alone."""
+    loss = "effects: [{effect: transmission_loss, breakaway: 0.1}, {effect: backlash, gap: 0.01}]"
+    loaded = read_text(ARM.replace("theta: 0.3, mass: 1}", f"theta: 0.3, mass: 1, {loss}}}"))
+    assert loaded.effects
+    assert programs(loaded) == programs(read_text(ARM))
