@@ -6,9 +6,11 @@ import numpy as np
 import pytest
 
 from diagnose.hidden.cases import Case
+from diagnose.hidden.logs import effect, hidden_log
 from robodyn.diagnose.run import diagnose
 from robodyn.diagnose.select.selection import select
 from robodyn.identify.rigid import Model
+from robodyn.robot.model import EffectEntry
 from robodyn.verify import Reference
 from robodyn_testing import sampled
 from robodyn_testing.effect_arms import arm
@@ -43,6 +45,26 @@ def test_what_is_hidden_is_named_first(
     hidden = Case(arm_name, ((effect, joint),), seed, ratio).make()
     found = select(hidden.given, hidden.train).findings
     assert [(one.trial.candidate.effect, one.trial.candidate.joint) for one in found] == [(effect, joint)]
+
+
+@pytest.mark.parametrize(
+    "hidden",
+    [
+        [effect("power_law_friction", 1, level=0.5, exponent=0.6)],
+        [effect("viscous_friction", 1, coefficient=0.4), effect("coulomb_friction", 1, level=0.1)],
+    ],
+    ids=["a power", "a line"],
+)
+def test_one_law_of_friction_stands_in_the_place_of_two_where_the_log_says_so(
+    hidden: list[EffectEntry],
+) -> None:
+    logs = hidden_log(
+        "puma560_3dof", hidden, seed=5, duration=6.0, noise_share=0.015, validation=False, friction=False
+    )
+    named = select(logs.given, logs.train).findings
+    assert {(one.trial.candidate.effect, one.trial.candidate.joint) for one in named} == {
+        (each.effect, each.joint) for each in hidden
+    }
 
 
 def test_nothing_is_named_where_nothing_is_hidden() -> None:

@@ -9,9 +9,9 @@ from dataclasses import asdict
 from robodyn.counts.count import Count, count
 from robodyn.diagnose.limits import MOST_TRIED
 from robodyn.diagnose.result import Finding, Tried, Window
-from robodyn.diagnose.select.choice import Trial
 from robodyn.diagnose.select.limits import TIE_LOSS
 from robodyn.diagnose.select.selection import Selection
+from robodyn.diagnose.select.trial import Trial
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.gate import Gate
 from robodyn.robot.model import Robot

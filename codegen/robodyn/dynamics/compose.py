@@ -53,7 +53,7 @@ class _OfParts:
         self._graph, self._function, self._programs = graph, function, programs
         self._values: dict[str, list[Any]] = {part: graph.replay(programs[part]) for part in function.parts}
         self.rest: Sequence[Any] = [0] * n
-        self.inputs = {name: [graph.input(name, i) for i in range(n)] for name in function.input_names}
+        self.inputs = function.nodes(graph.input, n)
         self._beneath = beneath(graph, self.inputs)
 
     def mark(self, value: Any, label: Label) -> Any:

@@ -38,8 +38,6 @@ Point = tuple[Any, Any]
 #: Numbers that stay integers: a recursion over them asks which are 0.
 _FEW = (0, 1, -1)
 
-_ARRAYS = tuple(array.name for array in INPUTS)
-
 #: Points at which a program is compared, each in a field of its own.
 _FIELDS = (b"one", b"two")
 #: Rational points are drawn from so many numbers.
@@ -93,7 +91,7 @@ def _check_rigid(robot: Robot) -> None:
 
 
 def _inputs(robot: Robot) -> list[Input]:
-    arrays = [Input(array, i) for array in _ARRAYS for i in range(robot.n)]
+    arrays = [Input(array.name, i) for array in INPUTS for i in range(array.size_at(robot.n))]
     return arrays + [Input(name, None) for name in robot.parameters]
 
 
@@ -145,7 +143,10 @@ class _Plain:
 
     def __init__(self, robot: Robot, arm: Arm, state: _State) -> None:
         n = len(arm.bodies)
-        self.inputs = {array: [state.inputs[Input(array, i)] for i in range(n)] for array in _ARRAYS}
+        self.inputs = {
+            array.name: [state.inputs[Input(array.name, i)] for i in range(array.size_at(n))]
+            for array in INPUTS
+        }
         self.rest = [0] * n
         self.arm, self._state, self._robot = arm, state, robot
 

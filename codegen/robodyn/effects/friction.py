@@ -97,6 +97,13 @@ def _power_level(p: Values, speed: float) -> dict[str, float | str]:
     return {"level": float(p["level"]) * (speed / velocity) ** float(p["exponent"])}
 
 
+_POWER = Law(
+    lambda values, at: (_power_law({"level": 1.0, "velocity": 1.0, **values}, at),), (1,),
+    lambda x, values: {"level": float(x[0]), **values}, 3,
+    grid=tuple({"exponent": a} for a in (0.3, 0.4, 0.5, 0.6, 0.7, 0.85, 1.3, 1.6, 2.0)),
+    spread=(1.1, 1.01), in_place=True, feasible=lambda x: bool(x[0] > 0),
+)  # fmt: skip
+
 POWER_LAW = Effect(
     id="power_law_friction",
     title="Friction by a power of the speed",
@@ -126,13 +133,12 @@ POWER_LAW = Effect(
     dissipative=True,
     traits=Traits(
         candidates=(
-            # A rival of everything until viscous and dry friction are identified: what they leave is curved.
-            Law(
-                lambda values, at: (_power_law({"level": 1.0, "velocity": 1.0, **values}, at),), (1,),
-                lambda x, values: {"level": float(x[0]), **values}, 6,
-                grid=tuple({"exponent": a} for a in (0.4, 0.6, 1.6, 2.0)),
-                beside=("viscous_friction", "coulomb_friction"), feasible=lambda x: bool(x[0] > 0),
-                rubbing=True, rough=True,
+            # A rival of everything until viscous and dry friction are identified: then it is one law in the
+            # place of two, or what they leave is curved.
+            _POWER,
+            replace(
+                _POWER, order=6, grid=tuple({"exponent": a} for a in (0.4, 0.6, 1.6, 2.0)), in_place=False,
+                beside=("viscous_friction", "coulomb_friction"), rubbing=True, rough=True,
             ),
         ),
         contains=("coulomb_friction", "viscous_friction"),

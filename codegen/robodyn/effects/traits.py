@@ -98,9 +98,10 @@ class Law:
     parameters of the numbers. ``order``: of two that explain alike the lower one is the simpler. ``grid``:
     values of what is not linear that are tried, where ``suits`` them the top speed of the joint; steps of
     their refinement begin at the factor ``spread[0]`` and end at ``spread[1]``. ``beside``: effects (with one
-    parameter) that are fitted along. ``rubbing``: only where the model has friction at the joint; ``rough``:
-    only where nothing explains all there is. ``kind``: of the joint. ``relief``: only at joints that carry
-    gravity, and where the torque takes this share of gravity's off the joint (RMS).
+    parameter) that are fitted along. ``in_place``: only in the place of what it has as special cases
+    (``Traits.contains``), where that was chosen before. ``rubbing``: only where the model has friction at the
+    joint; ``rough``: only where nothing explains all there is. ``kind``: of the joint. ``relief``: only at
+    joints that carry gravity, and where the torque takes this share of gravity's off the joint (RMS).
     """
 
     columns: Callable[[Mapping[str, float], Site], Sequence[Any]]
@@ -111,6 +112,7 @@ class Law:
     suits: Callable[[Mapping[str, float], float], bool] = any_speed
     spread: tuple[float, float] = (1.5, 1.03)
     beside: tuple[str, ...] = ()
+    in_place: bool = False
     feasible: Callable[[Any], bool] = anything
     rubbing: bool = False
     rough: bool = False

@@ -121,9 +121,7 @@ class _Layered:
         #: The states after the step.
         self.states: list[Any] = []
         self.rest: Sequence[Any] = [0] * robot.n
-        self.inputs = {
-            name: [self.graph.input(name, i) for i in range(robot.n)] for name in function.input_names
-        }
+        self.inputs = function.nodes(self.graph.input, robot.n)
         self._beneath = recursion_in(self.graph, rigid_part(robot), choice, self.inputs)
         self.arm = self._beneath.arm
 

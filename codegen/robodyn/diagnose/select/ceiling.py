@@ -27,7 +27,8 @@ def unexplained(p: Problem, library: Library) -> Floats:
         seen: dict[tuple[str, int | None], int] = {}
         for k, candidate in enumerate(library.candidates):
             key = (candidate.effect, candidate.joint)
-            if j in candidate.rows and not candidate.fixed and seen.get(key, 0) < 2:
+            is_plain = not candidate.fixed and not candidate.in_place
+            if j in candidate.rows and is_plain and seen.get(key, 0) < 2:
                 seen[key] = seen.get(key, 0) + 1
                 x = library.of_candidate(k)
                 columns.append(x[:, candidate.rows.index(j)] * (p.weight[:, j, None] / p.sigma[j]))

@@ -1,20 +1,18 @@
-"""One candidate beside what is known already, and the best of all: which pass, and which are rivals."""
+"""The best of all candidates: which pass, and which are rivals."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.select.beside import Library, fits
-from robodyn.diagnose.select.fit import Columns, Fit, Problem
+from robodyn.diagnose.select.beside import Library
+from robodyn.diagnose.select.fit import Fit, Problem
 from robodyn.diagnose.select.library import Candidate, Context
 from robodyn.diagnose.select.library.prepared import prepared
 from robodyn.diagnose.select.limits import (
     BLOCKS,
-    BODY_NUMBERS,
     CLOSE,
     LEAST_SHARE,
     LEAST_T,
@@ -25,16 +23,17 @@ from robodyn.diagnose.select.limits import (
     OSCILLATOR_GAIN,
     OSCILLATOR_STARTS,
     REFINING_ROUNDS,
-    RELIEF,
     REPLACING_SHARE,
     REPLACING_T,
     ROUGH,
     ROUGH_SHARE,
     ROUGH_T,
     ROUGH_TIE,
+    SURE,
     TIE,
     TIE_LOSS,
 )
+from robodyn.diagnose.select.trial import Trial, evidence_threshold, numbers_of, trials
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.limits import ONE_WAY_SHARE
 
@@ -42,99 +41,6 @@ Floats = NDArray[np.float64]
 
 #: What is the same in a joint that moves in one direction only.
 _LEVELS = [id for id, known in CATALOGUE.items() if known.traits.one_way == "level"]
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Trial:
-    """A candidate beside what was chosen before: its columns [N, rows, c], the fit, the ``gain`` in units of
-    log-likelihood, its ``t`` over the parts, the RMS that it explains at its best joint, as a share of what
-    would matter; ``share``: of the mean square that is left at its best joint, in parts that were not fitted,
-    what it takes away; ``beside``: gives the problem in which it was tried, with its fit (they are as large
-    as the log, and made again where they are needed); ``replaced``: the places in the list of what was chosen
-    before of those that it stands for."""
-
-    candidate: Candidate
-    columns: Columns
-    fit: Fit
-    gain: float
-    t: float
-    matters: float
-    per_part: Floats
-    share: float = 1.0
-    beside: Callable[[], tuple[Problem, Fit]] | None = None
-    replaced: tuple[int, ...] = ()
-
-
-def without_columns(one: Trial) -> Trial:
-    """The trial without its columns [0, rows, c] and the problem it was tried in, which take memory."""
-    return replace(one, columns=one.columns[:0].copy(), beside=None)
-
-
-def trials(
-    now: Problem,
-    current: Fit,
-    library: Library,
-    least: Floats,
-    which: Sequence[int] | None = None,
-    *,
-    against: Fit | None = None,
-    replaced: tuple[int, ...] = (),
-    again: Callable[[], tuple[Problem, Fit]] | None = None,
-) -> list[Trial]:
-    """Each candidate of the library (or those ``which``) beside what is known in ``now``, with its fit
-    ``current``, best first; ``against``: the fit that it is compared with, if that has more in it, which is
-    ``replaced``; ``again``: makes ``now`` and ``current`` again, if they are not to be kept."""
-    outcome = fits(now, current, library, range(len(library)) if which is None else which)
-    if not outcome.which:
-        return []
-    base = against or current
-    held_out = np.array([fit.held_out for fit in outcome.fits])
-    per_part = _per_part(now, base, held_out)
-    relief = base.prior_penalty - np.array([fit.prior_penalty for fit in outcome.fits])
-    relief -= [
-        _own_penalty(library.candidates[k], f) for k, f in zip(outcome.which, outcome.fits, strict=True)
-    ]
-    gains = per_part.sum(axis=1) + relief
-    errors = per_part.std(axis=1, ddof=1) / np.sqrt(BLOCKS) + 1e-12
-    ts = per_part.mean(axis=1) / errors
-    shares = 1 - held_out.mean(axis=1) / np.maximum(base.held_out.mean(axis=0), 1e-300)
-    # The residual is small either way: the arm's numbers would be wrong.
-    relieved = relief > np.maximum(0.5 * gains, RELIEF)
-    ts = np.where(relieved, np.maximum(ts, LEAST_T), ts)
-    tried = []
-    for m, (k, fit, explained) in enumerate(zip(outcome.which, outcome.fits, outcome.explained, strict=True)):
-        candidate = library.candidates[k]
-        rows = list(candidate.rows)
-        matters = float(np.max(explained / least[rows]))
-        share = 1.0 if relieved[m] else float(shares[m, rows].max())
-        columns = library.of_candidate(k)
-        tried.append(
-            Trial(
-                candidate, columns, fit, float(gains[m]), float(ts[m]), matters, per_part[m], share,
-                again or (lambda: (now, current)), replaced,
-            )
-        )  # fmt: skip
-    # Those that gain alike stay in the catalogue's order.
-    order = np.lexsort((outcome.which, -gains))
-    return [tried[m] for m in order]
-
-
-def _own_penalty(candidate: Candidate, fit: Fit) -> float:
-    """How far the coefficients are from their own prior, in units of log-likelihood."""
-    return 0.0 if candidate.scale is None else float(np.sum((fit.x / candidate.scale) ** 2)) / 2
-
-
-def _per_part(now: Problem, base: Fit, held_out: Floats) -> Floats:
-    """What fits with errors ``held_out`` [..., BLOCKS, n] explain more than ``base`` of each part
-    [..., BLOCKS], in units of log-likelihood."""
-    floor = np.maximum(held_out.mean(axis=-2, keepdims=True), 1.0)
-    change = (base.held_out - held_out) / floor
-    return np.asarray(now.independent / BLOCKS / 2 * change.sum(axis=-1))
-
-
-def gain_of(now: Problem, base: Fit, fit: Fit) -> float:
-    """What ``fit`` explains more than ``base`` of all parts, in units of log-likelihood."""
-    return float(_per_part(now, base, fit.held_out).sum()) + base.prior_penalty - fit.prior_penalty
 
 
 def best_of(
@@ -146,6 +52,9 @@ def best_of(
 
     def passes(one: Trial) -> bool:
         c = one.candidate
+        if one.is_as_simple:  # no name more: the evidence decides
+            is_better = one.gain > CLOSE and one.t >= REPLACING_T
+            return bool(is_better and one.matters >= 1 and c.feasible(one.fit.x))
         wanted = evidence_threshold(now, numbers_of(one))
         if c.definition.coupler is not None:  # a link moves smoother than its motor and hides encoder noise
             wanted += now.independent / 2 * float(np.sum((now.encoder_noise / now.sigma) ** 2))
@@ -204,8 +113,12 @@ def best_of(
     if one_way[simplest.candidate.rows[0]] and simplest.candidate.effect in _LEVELS:
         names += _LEVELS
     rivals = tuple(dict.fromkeys(name for name in names if name != simplest.candidate.effect))
-    confidence = 0.95 if not rivals else max(0.5, 0.9 / (1 + 0.3 * len(rivals)))
-    return simplest, rivals, confidence
+    return simplest, rivals, confidence_of(rivals)
+
+
+def confidence_of(rivals: Sequence[str]) -> float:
+    """How sure a name is that has these rivals."""
+    return SURE if not rivals else max(0.5, 0.9 / (1 + 0.3 * len(rivals)))
 
 
 def _one_way(contexts: Sequence[Context]) -> NDArray[np.bool_]:
@@ -213,17 +126,6 @@ def _one_way(contexts: Sequence[Context]) -> NDArray[np.bool_]:
     forth = sum(np.maximum(c.signals.qd, 0).sum(axis=0) for c in contexts)
     back = sum(np.maximum(-c.signals.qd, 0).sum(axis=0) for c in contexts)
     return np.asarray(np.minimum(forth, back) < ONE_WAY_SHARE * np.maximum(forth, back))
-
-
-def numbers_of(one: Trial) -> int:
-    """Number of free parameters of a candidate that most motions can show."""
-    return min(len(one.candidate.signs), BODY_NUMBERS) + len(one.candidate.values)
-
-
-def evidence_threshold(now: Problem, numbers: int) -> float:
-    """The gain [log-likelihood] that a candidate with so many free parameters must reach: as in BIC, with the
-    cost of the choice."""
-    return float((numbers + 3) * np.log(now.independent) / 2)
 
 
 def nearest(
@@ -281,7 +183,14 @@ def _refined(current: Fit, one: Trial, least: Floats, contexts: Sequence[Context
         columns = zip(*(prepared(c, each) for c, each in zip(contexts, several, strict=True)), strict=True)
         pairs = [(parts[0][0], np.concatenate([part for _, part in parts])) for parts in columns]
         return trials(
-            problem, fit, Library.of(pairs), least, against=current, replaced=one.replaced, again=beside
+            problem,
+            fit,
+            Library.of(pairs),
+            least,
+            against=current,
+            again=beside,
+            replaced=one.replaced,
+            numbers_replaced=one.numbers_replaced,
         )
 
     if one.candidate.reach:

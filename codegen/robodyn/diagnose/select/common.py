@@ -14,10 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.select.beside import Library
-from robodyn.diagnose.select.choice import Trial, evidence_threshold, gain_of, trials
 from robodyn.diagnose.select.fit import Fit, Problem, fitted
 from robodyn.diagnose.select.library import Candidate
 from robodyn.diagnose.select.limits import BLOCKS, COMMON_JOINTS, COMMON_PARTS, COMMON_T
+from robodyn.diagnose.select.trial import Trial, evidence_threshold, gain_of, trials
 
 Floats = NDArray[np.float64]
 

@@ -10,11 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.select.beside import Library
-from robodyn.diagnose.select.choice import Trial, best_of, trials, without_columns
+from robodyn.diagnose.select.choice import best_of, confidence_of
 from robodyn.diagnose.select.common import Group, common
 from robodyn.diagnose.select.fit import Fit, Problem, covariance, fitted, less
 from robodyn.diagnose.select.library import Candidate, Context
-from robodyn.diagnose.select.limits import MOST_EFFECTS, MOST_KINDS, MOST_VAGUE, SURE
+from robodyn.diagnose.select.limits import CLOSE, MOST_EFFECTS, MOST_KINDS, MOST_VAGUE, SURE
+from robodyn.diagnose.select.trial import Trial, numbers_of, trials, without_columns
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Effect
 
@@ -108,7 +109,19 @@ def forward(
         tell(one.candidate.name)
         if one.candidate.definition.traits.reevaluate:
             break  # the model is to be evaluated anew before more is looked for
-    return Chosen(findings, now, current, begun)
+    return Chosen(_with_as_simple(findings, tried or ()), now, current, begun)
+
+
+def _with_as_simple(findings: list[Named], tried: Iterable[Trial]) -> list[Named]:
+    """The findings with further rivals: laws that are as simple as they are, and of which the log does not
+    say that they are worse; ``tried`` beside all of them."""
+    for one in tried:
+        name = one.candidate.effect
+        for k in one.replaced if one.is_as_simple and one.gain > -CLOSE else ():
+            if name not in findings[k].rivals:
+                rivals = (*findings[k].rivals, name)
+                findings[k] = replace(findings[k], rivals=rivals, confidence=confidence_of(rivals))
+    return findings
 
 
 def _untaken(
@@ -129,6 +142,8 @@ def _untaken(
         for k, c in enumerate(library.candidates)
         if (c.effect, c.joint) not in taken
         and (rough or not c.rough)
+        # There is more in such a friction than one law.
+        and not (rough and c.in_place)
         # In a log with more in it than the catalogue has, whatever is cut off explains something.
         and not (rough and c.local and c.values)
         and (links or not _is_of_link(c))
@@ -231,10 +246,15 @@ def _tried(
     tried = []
     for replaced, group in groups.items():
         if not replaced:
+            group = [k for k in group if not library.candidates[k].in_place]
             tried += trials(now, current, library, least, group)
             continue
         again = partial(_fitted_without, start, tuple(findings), replaced)
-        tried += trials(*again(), library, least, group, against=current, replaced=replaced, again=again)
+        numbers = sum(numbers_of(findings[k].trial) for k in replaced)
+        tried += trials(
+            *again(), library, least, group, against=current, again=again, replaced=replaced,
+            numbers_replaced=numbers,
+        )  # fmt: skip
     return sorted(tried, key=lambda one: -one.gain)
 
 
@@ -247,7 +267,9 @@ def _fitted_without(
 
 
 def special_cases(candidate: Candidate) -> set[str]:
-    """Ids of the effects that a law has as special cases."""
+    """Ids of the effects that a law has as special cases, and in whose place it stands."""
+    if candidate.in_place:
+        return set(candidate.definition.traits.contains)
     return set() if candidate.joint is None else special_cases_of(candidate.definition)
 
 

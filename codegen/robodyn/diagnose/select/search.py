@@ -11,13 +11,13 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.amend.amend import Amendment, amended
 from robodyn.diagnose.result import Bounds
-from robodyn.diagnose.select.choice import evidence_threshold, numbers_of
 from robodyn.diagnose.select.forward import Key, Named, special_cases
 from robodyn.diagnose.select.library import Candidate
 from robodyn.diagnose.select.limits import FEW, PASSES, PASSES_ROUGH, PRICE, STANDING
 from robodyn.diagnose.select.refine import costs, refined
 from robodyn.diagnose.select.scope import EVERYTHING, Scope
 from robodyn.diagnose.select.selection import Selection, select
+from robodyn.diagnose.select.trial import evidence_threshold, numbers_of
 from robodyn.diagnose.select.uncertainty import uncertainties
 from robodyn.diagnose.select.walk import walked
 from robodyn.effects.catalogue import CATALOGUE

@@ -19,13 +19,7 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.select.beside import Library
 from robodyn.diagnose.select.ceiling import unexplained
-from robodyn.diagnose.select.choice import (
-    Trial,
-    evidence_threshold,
-    nearest,
-    numbers_of,
-    trials,
-)
+from robodyn.diagnose.select.choice import nearest
 from robodyn.diagnose.select.fit import (
     Fit,
     Problem,
@@ -54,6 +48,7 @@ from robodyn.diagnose.select.limits import (
     UNSTATED,
 )
 from robodyn.diagnose.select.scope import EVERYTHING, Scope
+from robodyn.diagnose.select.trial import Trial, evidence_threshold, numbers_of, trials
 from robodyn.identify.rigid import Model
 from robodyn.logs.limits import MOTION_WIDER
 from robodyn.logs.log import Log
@@ -270,6 +265,9 @@ def _factor(start: Problem, library: Library, least: Floats, contexts: Sequence[
     tried = trials(start, current, library, least)
     for one in nearest(start, current, tried, least, contexts):
         left = np.sqrt(np.median(one.fit.held_out, axis=0))
+        # A law in the place of others tells nothing of them, unless nothing is left beside it.
+        if one.candidate.in_place and np.any(left >= STANDS_OUT):
+            continue
         factor = np.minimum(factor, np.where(left < STANDS_OUT, 1.0, left))
     return factor
 

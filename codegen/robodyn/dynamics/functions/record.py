@@ -74,14 +74,18 @@ class Array(NamedTuple):
         return f"{self.holds}, {units}" if units else self.holds
 
 
-#: What a function may be given, for each joint.
+#: What a function may be given.
 Q = Array("q", "joint positions", "rad", "m")
 QD = Array("qd", "joint velocities", "rad/s", "m/s")
 QDD = Array("qdd", "joint accelerations", "rad/s^2", "m/s^2")
 TAU = Array("tau", "joint torques", "N m", "N")
 #: In q's place, where sines and cosines are given.
 SC = Array("sc", "sines and cosines, as listed below", "")
-INPUTS = (Q, QD, QDD, TAU)
+#: What pushes the tool, on request.
+WRENCH = Array("wrench", "force and moment on the tool, at its origin along its axes", "N, N m", shape=(6,))
+#: What a function is called that has the wrench as a further input, behind the name of the one without.
+WITH_WRENCH = "_with_wrench"
+INPUTS = (Q, QD, QDD, TAU, WRENCH)
 #: Names of other arguments: run-time parameters, memory, time step, states of a batch.
 _TAKEN = {"p", "state", "dt", "N", "n"}
 
@@ -105,7 +109,7 @@ class Dynamics(Protocol):
 
     Attributes
     ----------
-    inputs: by name the arrays ``[n]`` that the function is given, see :data:`INPUTS`.
+    inputs: by name the arrays that the function is given, see :data:`INPUTS`.
     rest: ``[n]``, zeros: no velocity, no acceleration.
     mark: gives a quantity its name in emitted code; where nothing is emitted it does nothing.
     arm: the links as they are described, the base in the world, and the tool.
@@ -266,6 +270,10 @@ class Function:
         """Whether fewer operations are searched for, and recorded: not for what is made of other functions,
         and not for what divides again and again, whose terms have too many factors."""
         return not self.parts and not self.fuses and not self.solves
+
+    def nodes(self, node: Callable[[str, int], Any], n: int) -> dict[str, list[Any]]:
+        """Its inputs by name, each element a ``node`` of name and index."""
+        return {array.name: [node(array.name, i) for i in range(array.size_at(n))] for array in self.inputs}
 
     @property
     def has_parameters(self) -> bool:

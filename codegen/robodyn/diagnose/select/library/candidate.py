@@ -49,6 +49,8 @@ class Candidate:
     local: bool = False
     #: Effects whose columns stand beside its own.
     beside: tuple[str, ...] = ()
+    #: Only in the place of its special cases, where they were chosen before.
+    in_place: bool = False
     #: Factors between which what is not linear is refined, or how far steps in random directions go.
     spread: tuple[float, float] = (1.5, 1.03)
     reach: Mapping[str, float] = field(default_factory=dict)

@@ -47,7 +47,7 @@ def _fitted(c: Context, effect: Effect, law: Law, j: int, settings: Values) -> C
     return single(
         effect.id, j, columns, (*law.signs, *(0 for _ in law.beside)), lambda x: law.read(x, settings),
         law.order, values=settings, beside=law.beside, spread=law.spread, rough=law.rough,
-        feasible=law.feasible, likely=likely,
+        in_place=law.in_place, feasible=law.feasible, likely=likely,
         again=lambda c, values: _fitted(c, effect, law, j, values),
     )  # fmt: skip
 
