@@ -84,7 +84,7 @@ class Generated:
         return tuple(interface for interface, _ in self.unit.functions)
 
     def base_parameters(self) -> dict[str, Any]:
-        """What the columns of a regressor are, as JSON has it; nothing where no function has base parameters."""
+        """What the columns of a regressor are, as JSON has it; nothing without base parameters."""
         if not any(signature.columns for signature in self.signatures):
             return {}
         return {"base_parameters": [parameter.to_dict() for parameter in base_set_of(self.unit.robot)]}
