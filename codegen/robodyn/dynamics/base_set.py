@@ -81,13 +81,11 @@ def base_set(arm: Arm) -> tuple[BaseParameter, ...]:
 
     Raises
     ------
-    NoSuchFunction: a length is a run-time parameter.
+    InputError: a length is a run-time parameter.
     """
     lengths = [x for body in arm.bodies for x in (body.a, body.b, body.d)]
     if not all(isinstance(x, (int, Fraction)) for x in lengths):
-        from robodyn.dynamics.functions.record import NoSuchFunction
-
-        raise NoSuchFunction(
+        raise InputError(
             "base parameters depend on the arm's lengths",
             found="a length that is a run-time parameter",
             remedy="state it as a number; masses may stay run-time parameters",

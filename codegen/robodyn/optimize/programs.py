@@ -156,7 +156,10 @@ def base_set_of(robot: Robot) -> tuple[BaseParameter, ...]:
             found="drives with effects",
             remedy="leave the effects out, or state torque_side: link",
         )
-    return base_set(build_arm(robot, exact, Graph().input))
+    try:
+        return base_set(build_arm(robot, exact, Graph().input))
+    except InputError as error:
+        raise NoSuchFunction(error.what, found=error.found, remedy=error.remedy) from None
 
 
 def _states(robot: Robot) -> tuple[str, ...]:
