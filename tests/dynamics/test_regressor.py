@@ -14,7 +14,7 @@ from dynamics.direct import State
 from dynamics.evaluated import BUNDLED, RANDOM, by_program, robot_named
 from ir.programs import Point
 from peers import pinocchio_peer
-from robodyn.dynamics.base_set import DRIVE, BaseParameter, numbers_of
+from robodyn.dynamics.base_parameter import DRIVE, BaseParameter, numbers_of
 from robodyn.dynamics.equality import same_in_field
 from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.dynamics.regroup import lumps_of

@@ -15,7 +15,7 @@ from robodyn.ir.lowering import lower
 from robodyn.ir.program import Input, Label, Program
 
 if TYPE_CHECKING:
-    from robodyn.dynamics.base_set import BaseParameter
+    from robodyn.dynamics.base_parameter import BaseParameter
 
 #: The dynamics in a graph, at inputs ``[n]`` by name.
 Beneath = Callable[[Graph, Mapping[str, Vector]], Dynamics]

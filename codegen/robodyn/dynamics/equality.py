@@ -15,7 +15,8 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, JointAngle, Motion, build_arm, build_motion, inertial
-from robodyn.dynamics.base_set import BaseParameter, base_set
+from robodyn.dynamics.base_parameter import BaseParameter
+from robodyn.dynamics.base_set import base_set
 from robodyn.dynamics.functions import INPUTS, Moving, Rotor, function_named
 from robodyn.dynamics.joints import rotors_of
 from robodyn.dynamics.lump import NO_LUMP, MomentForm

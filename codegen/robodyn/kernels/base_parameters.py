@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.dynamics.arm import build_arm
-from robodyn.dynamics.base_set import BaseParameter, numbers_of
+from robodyn.dynamics.base_parameter import BaseParameter, numbers_of
 from robodyn.dynamics.regroup import lumps_of
 from robodyn.formats.loading import robot_of
 from robodyn.kernels.arrays import read_parameters

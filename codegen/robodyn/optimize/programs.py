@@ -46,7 +46,7 @@ from robodyn.robot.identity import identity
 from robodyn.robot.model import Robot
 
 if TYPE_CHECKING:
-    from robodyn.dynamics.base_set import BaseParameter
+    from robodyn.dynamics.base_parameter import BaseParameter
 
 #: Formulations of the inverse dynamics, from the description as it stands.
 FORMULATIONS = (

@@ -36,7 +36,7 @@ from robodyn.verify.numbers import Parameters, filled, real
 from robodyn.verify.reference import Floats, Reference
 
 if TYPE_CHECKING:
-    from robodyn.dynamics.base_set import BaseParameter
+    from robodyn.dynamics.base_parameter import BaseParameter
 
 #: float64, or Fractions in an array of objects.
 Numbers = NDArray[Any]

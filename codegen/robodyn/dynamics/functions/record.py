@@ -14,7 +14,7 @@ from robodyn.errors import InputError
 
 if TYPE_CHECKING:
     from robodyn.dynamics.arm import Arm, Motion
-    from robodyn.dynamics.base_set import BaseParameter
+    from robodyn.dynamics.base_parameter import BaseParameter
     from robodyn.dynamics.lump import Lump, MomentForm
     from robodyn.dynamics.parallel import Turns
 

@@ -13,7 +13,7 @@ from robodyn.dynamics.regressor import unit_torques
 from robodyn.dynamics.regroup import lumps_of
 
 if TYPE_CHECKING:
-    from robodyn.dynamics.base_set import Standard
+    from robodyn.dynamics.base_parameter import Standard
 
 Y = Array("Y", "torques by base parameters, a column each", "SI units", shape=("n", "p"))
 
@@ -62,7 +62,7 @@ def _drawn(x: Vector) -> Callable[[], Any]:
 
 def _standard(arm: Arm) -> dict[Standard, Any]:
     """The numbers of the links of ``arm`` by name."""
-    from robodyn.dynamics.base_set import numbers_of
+    from robodyn.dynamics.base_parameter import numbers_of
 
     return numbers_of(arm, lumps_of(arm))
 
