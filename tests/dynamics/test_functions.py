@@ -141,13 +141,12 @@ def test_the_inverse_mass_matrix_is_one(robot: Robot) -> None:
 
 
 def test_long_arms_have_forward_dynamics_by_articulated_bodies() -> None:
-    """Operations grow with the joints and not with their cube; both ways are the same function, or one of them
-    would not leave."""
+    """Operations grow with the joints and not with their cube."""
     arm = exact_arm(3, joints=24, prismatic=0.2, parallel=0.3)
     record = function_named("forward_dynamics")
     by_matrix, by_bodies = (
         count(run(build(arm, "forward_dynamics", Choice(), writing), FRESH)).total
-        for writing in record.writings(arm.n)
+        for writing in (record.outputs, *record.of_rigid_arms)
     )
     assert by_bodies < 0.7 * by_matrix
     assert count(program(arm, "forward_dynamics", Options(optimize="fast"))).total <= by_bodies
@@ -160,7 +159,7 @@ def test_articulated_bodies_undo_inverse_dynamics(robot: Robot) -> None:
     at = Point(9)
     for choice in (Choice(), Choice(regroup=False, chains=False)):
         try:
-            written = build(robot, "forward_dynamics", choice, record.writings(robot.n)[1])
+            written = build(robot, "forward_dynamics", choice, record.of_rigid_arms[0])
         except ZeroDivisionError:  # a joint moves without inertia
             continue
         qdd = exactly(written, at)["qdd"]

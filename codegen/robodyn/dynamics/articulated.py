@@ -57,7 +57,8 @@ class _Body:
 @dataclass(frozen=True, slots=True)
 class _Joint:
     """How a joint gives way: the moment and force ``along`` which the body resists a unit of its
-    acceleration, the ``inverse`` of what that is along the joint itself, and the torque ``left`` for acceleration."""
+    acceleration, the ``inverse`` of what that is along the joint itself, and the torque that is ``left``
+    for acceleration."""
 
     along: tuple[Vector, Vector]
     inverse: Any

@@ -119,7 +119,7 @@ FUNCTIONS = (
         by_default=True,
         parts=("bias", "mass_matrix"),
         solves=True,
-        others=(_articulated,),
+        of_rigid_arms=(_articulated,),
     ),
     Function(
         "inverse_mass_matrix",
