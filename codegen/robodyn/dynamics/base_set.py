@@ -72,9 +72,9 @@ def _base_set(arm: Arm) -> tuple[BaseParameter, ...]:
                 for i in joints
             }
         )
-    kept, relations = _independent(arm, candidates)
+    independent, relations = _independent(arm, candidates)
     parameters = []
-    for own in kept:
+    for own in independent:
         form = dict(forms[own])
         for other, factors in relations.items():
             if own in factors:
@@ -135,12 +135,12 @@ def _independent(arm: Arm, candidates: Sequence[Standard]) -> tuple[list[Standar
     modulus = 1
     residues: dict[tuple[Standard, Standard], int] = {}
     for k in range(MOST_FIELDS):
-        field, kept, factors = in_drawn_field(
+        field, independent, factors = in_drawn_field(
             lambda field: (field, *_reduced(field, arm, candidates)), repr(arm).encode(), b"%d" % k
         )
-        if known is not None and kept != known:
+        if known is not None and independent != known:
             raise AssertionError("two fields differ in what is independent")
-        known = kept
+        known = independent
         inverse = pow(modulus, -1, field.prime)
         for place, value in factors.items():
             before = residues.get(place, 0)
@@ -149,7 +149,7 @@ def _independent(arm: Arm, candidates: Sequence[Standard]) -> tuple[list[Standar
         relations = {place: _rational(value, modulus) for place, value in residues.items()}
         if k and all(x is not None for x in relations.values()):
             # One field more than it takes to write them down: it agrees.
-            table: dict[Standard, _Form] = {x: {} for x in candidates if x not in kept}
+            table: dict[Standard, _Form] = {x: {} for x in candidates if x not in independent}
             for (other, own), factor in relations.items():
                 assert factor is not None
                 table[other][own] = factor
@@ -185,7 +185,7 @@ def _reduced(
                 factor = other[column]
                 rows[r] = [(x - factor * y) % p for x, y in zip(other, mine, strict=True)]
         pivots.append((column, row))
-    kept = [candidates[column] for column, _ in pivots]
+    independent = [candidates[column] for column, _ in pivots]
     places = {column for column, _ in pivots}
     factors = {
         (candidates[column], candidates[pivot]): rows[row][column]
@@ -194,7 +194,7 @@ def _reduced(
         for pivot, row in pivots
         if rows[row][column]
     }
-    return kept, factors
+    return independent, factors
 
 
 def _somewhere(field: Field, arm: Arm, k: int) -> tuple[Arm, Motion, Any]:

@@ -37,8 +37,8 @@ def base_parameters(
     """
     robot = robot_of(robot)
     columns = base_set_of(robot)
-    given = read_parameters(robot.name, robot.parameters, params, np.dtype(np.float64))
-    known = dict(zip(robot.parameters, given.tolist(), strict=True))
+    entries = read_parameters(robot.name, robot.parameters, params, np.dtype(np.float64))
+    known = dict(zip(robot.parameters, entries.tolist(), strict=True))
     arm = build_arm(robot, lambda x: x, lambda name: known[name])
     numbers: dict[Any, Any] = numbers_of(arm, lumps_of(arm))
     return BaseParameters(columns, np.array([float(column.value(numbers)) for column in columns]))
