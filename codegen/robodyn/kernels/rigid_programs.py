@@ -248,7 +248,7 @@ class RigidPrograms:
 
             return build_through_sympy(self.robot, function, self.choice)
         known = function_named(function)
-        writings = known.writings(self.robot.n)
+        writings = (*known.writings(self.robot.n), *known.of_rigid_arms)
         if known.fuses:
             drafts = self._fused(known)
         else:
