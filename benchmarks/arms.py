@@ -1,18 +1,33 @@
 """Puts the operations of the arms of examples/arms into the table of their README.
 
-python -m benchmarks.arms
+    python -m benchmarks.arms
+    python -m benchmarks.arms --records      and before that: their records, from arms that are built alike
+
+Records are of the arms without friction, which is put on top: an arm of the same make has the same record.
 """
 
 from __future__ import annotations
 
 import sys
+import time
+from collections.abc import Iterator
 from pathlib import Path
 
-from robodyn import count, load
+from robodyn import Options, count, load, program
+from robodyn.counts.objective import Objective
 from robodyn.formats.writers.parts import parts_of
+from robodyn.optimize.records import Record
+from robodyn.optimize.records.adoption import frictionless
+from robodyn.optimize.records.find import records_of_arms
+from robodyn.search.improve import cost, proved, write_record
+from robodyn.search.transfer import transferred
 
 FOLDER = Path(__file__).parents[1] / "examples" / "arms"
 FUNCTIONS = ("inverse_dynamics", "gravity", "mass_matrix", "forward_dynamics")
+RECORDED = ("inverse_dynamics", "mass_matrix")
+HOW = "robodyn --optimize search, from the record of an arm that is built alike"
+#: [s] For the records of one function of one arm.
+BUDGET = 300.0
 START, END = "<!-- operations -->\n", "<!-- end -->"
 
 
@@ -31,8 +46,23 @@ def table() -> str:
     return "\n".join([head, "|---" + "|---:" * (2 + len(FUNCTIONS)) + "|", *rows, ""])
 
 
+def records() -> Iterator[Record]:
+    """The records of all arms that are built like bundled ones, without friction."""
+    for path in sorted(FOLDER.glob("*.yaml")):
+        robot = frictionless(load(path))
+        for function in RECORDED:
+            fast = program(robot, function, Options((function,), optimize="fast"))
+            programs = [fast, *transferred(robot, function, time.monotonic() + BUDGET)]
+            best = min(programs, key=lambda each: cost(each, Objective()))
+            if best is not fast and (record := proved(robot, function, best, fast, Objective(), HOW)):
+                yield record
+
+
 def main() -> int:
-    """Write the table."""
+    """Write the table, and before that, if asked for, the records."""
+    if "--records" in sys.argv[1:]:
+        for record in records():
+            print(write_record(record, records_of_arms()).name)
     readme = FOLDER / "README.md"
     head, start, rest = readme.read_text(encoding="utf-8").partition(START)
     if not start:

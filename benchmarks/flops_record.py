@@ -20,9 +20,12 @@ from robodyn.counts import count
 from robodyn.dynamics.equality import equals_recursion
 from robodyn.kernels.generate import Options, program
 from robodyn.optimize.records import Record, best_record, bundled_records, parse_record
-from robodyn.robot import bundled_names, load
+from robodyn.optimize.records.adoption import frictionless
+from robodyn.optimize.records.find import records_of_arms
+from robodyn.robot import Robot, bundled_names, load
 from robodyn.robot.identity import identity
 
+ARMS = Path(__file__).parents[1] / "examples" / "arms"
 COUNTS = bundled_records() / "counts.csv"
 FIELDS = ("robot", "function", "level", "mul", "add", "total", "sincos")
 Row = dict[str, str]
@@ -49,20 +52,22 @@ def unproved() -> list[str]:
     robots = {
         identity(robot): robot for robot in (load(name, warn=lambda text: None) for name in bundled_names())
     }
-    for path in sorted(bundled_records().glob("*.record")):
+    for arm in sorted(ARMS.glob("*.yaml")):
+        bare = frictionless(load(arm))
+        robots.setdefault(identity(bare), bare)
+    for path in sorted([*bundled_records().glob("*.record"), *records_of_arms().glob("*.record")]):
         record = parse_record(path.read_text(encoding="utf-8"), str(path))
         robot = robots.get(record.identity)
         if robot is None:
-            faults.append(f"{path.name}: no bundled robot has these parameters any more")
-        elif _found(record) != record.program:
+            faults.append(f"{path.name}: no bundled robot or example has these parameters any more")
+        elif _found(robot, record) != record.program:
             faults.append(f"{path.name}: another record stands in its way")
         elif not equals_recursion(robot, record.function, record.program, points=3):
             faults.append(f"{path.name}: not equal to the plain recursion")
     return faults
 
 
-def _found(record: Record) -> object:
-    robot = load(record.robot, warn=lambda text: None)
+def _found(robot: Robot, record: Record) -> object:
     best = best_record(robot, record.function, record.objective)
     return best and best.program
 

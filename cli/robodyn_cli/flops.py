@@ -32,6 +32,7 @@ def command(
     robot: str,
     functions: str,
     fuse: tuple[str, ...],
+    wrench: bool,
     budget: str | None,
     formulation: str,
     optimize: str,
@@ -63,7 +64,9 @@ def command(
     from robodyn.optimize.prune import Pruning
 
     limit = None if budget is None else parse_budget(budget)
-    chosen = with_fused(tuple(FUNCTIONS) if functions == "all" else listed(functions), fuse) or ()
+    chosen = (
+        with_fused(tuple(FUNCTIONS) if functions == "all" else listed(functions), fuse, wrench=wrench) or ()
+    )
     formulations = FORMULATIONS if formulation == "all" else (formulation,)
     options = Options(chosen, formulations[0], optimize, not no_regroup, engine=engine)  # type: ignore[arg-type]
     options = replace(options, prune=tolerance(prune))

@@ -190,12 +190,19 @@ def functions_option(default: str | None = None, text: str | None = None) -> Cal
         show_default=default or False,
         cls=_Functions,
         callback=_joined,
-        help=text or f"Functions, separated by commas.{without}",
+        help=text or f"Functions, separated by commas, or all that ROBOT has.{without}",
     )
 
 
 def fuse_option(command: Command) -> Command:
-    """Add ``--fuse``, passed to the command as ``fuse: tuple[str, ...]``, see :func:`with_fused`."""
+    """Add ``--fuse`` and ``--wrench``, passed as ``fuse: tuple[str, ...]`` and ``wrench: bool``,
+    see :func:`with_fused`."""
+    command = click.option(
+        "--wrench",
+        is_flag=True,
+        help="Torques and accelerations with a wrench on the tool as a further input: the functions "
+        "..._with_wrench in place of those without.",
+    )(command)
     return click.option(
         "--fuse",
         metavar="A,B",
@@ -205,12 +212,20 @@ def fuse_option(command: Command) -> Command:
     )(command)
 
 
-def with_fused(functions: Sequence[str] | None, fuse: Sequence[str]) -> tuple[str, ...] | None:
-    """``functions``, and those that ``--fuse`` asks for; None where nothing is asked for."""
+def with_fused(
+    functions: Sequence[str] | None, fuse: Sequence[str], *, wrench: bool
+) -> tuple[str, ...] | None:
+    """``functions``, and those that ``--fuse`` asks for, with a ``wrench`` if there is one; None where
+    nothing is asked for."""
     from robodyn.dynamics.fusing import AND
 
-    if functions is None and not fuse:
+    if functions is None and not fuse and not wrench:
         return None
+    if wrench:
+        from robodyn.dynamics.functions import by_default, pushed
+
+        functions = [pushed(name) for name in functions or (() if fuse else by_default())]
+        fuse = [",".join(pushed(name) for name in listed(text)) for text in fuse]
     for text in fuse:
         if len(listed(text)) < 2:
             from robodyn.errors import InputError

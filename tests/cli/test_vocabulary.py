@@ -121,9 +121,9 @@ def completed(*arguments: str) -> list[str]:
 def test_completion_offers_what_there_is() -> None:
     for command in ("gen", "flops", "simulate", "diagnose", "verify", "prove", "plan", "bench", "excite"):
         assert set(bundled_names()) <= set(completed(command, "")), command
-    assert completed("gen", "puma560", "--functions", "grav") == ["gravity"]
+    assert completed("gen", "puma560", "--functions", "grav") == ["gravity", "gravity_with_wrench"]
     assert set(completed("flops", "puma560", "--functions", "")) >= set(FUNCTIONS)
-    assert completed("verify", "puma560", "--functions", "bias,gr") == ["bias,gravity"]
+    assert "bias,gravity" in completed("verify", "puma560", "--functions", "bias,gr")
     assert completed("gen", "puma560", "--target", "cortex-m4f") == ["cortex-m4f"]
     assert {target.name for target in all_targets()} >= set(completed("plan", "puma560", "--target", ""))
     assert completed("plan", "puma560", "--target", "")

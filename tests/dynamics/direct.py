@@ -11,6 +11,7 @@ from hypothesis import Phase
 
 from ir.programs import Point
 from robodyn.dynamics.arm import Arm, JointAngle, Motion, build_arm, build_motion
+from robodyn.dynamics.functions import INPUTS
 from robodyn.dynamics.vectors import Mark, unmarked
 from robodyn.ir import Input, Label
 from robodyn.optimize.programs import Choice, outputs_of
@@ -35,7 +36,8 @@ class State:
         self.robot, self.at = robot, at
         self.arm: Arm = build_arm(robot, lambda x: x, lambda name: at.number(Input(name, None)))
         self.given: dict[str, list[Any]] = {
-            name: [at.number(Input(name, i)) for i in range(robot.n)] for name in ("q", "qd", "qdd", "tau")
+            array.name: [at.number(Input(array.name, i)) for i in range(array.size_at(robot.n))]
+            for array in INPUTS
         }
         if qd is not None:
             self.given["qd"] = list(qd)

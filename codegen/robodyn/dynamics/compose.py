@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robodyn.dynamics.arm import Arm, Motion
 from robodyn.dynamics.functions import Dynamics, Function, Moving, Rotor, torques_at
@@ -13,6 +13,9 @@ from robodyn.dynamics.parallel import Turns
 from robodyn.ir.graph import Graph
 from robodyn.ir.lowering import lower
 from robodyn.ir.program import Input, Label, Program
+
+if TYPE_CHECKING:
+    from robodyn.dynamics.base_parameter import BaseParameter
 
 #: The dynamics in a graph, at inputs ``[n]`` by name.
 Beneath = Callable[[Graph, Mapping[str, Vector]], Dynamics]
@@ -50,7 +53,7 @@ class _OfParts:
         self._graph, self._function, self._programs = graph, function, programs
         self._values: dict[str, list[Any]] = {part: graph.replay(programs[part]) for part in function.parts}
         self.rest: Sequence[Any] = [0] * n
-        self.inputs = {name: [graph.input(name, i) for i in range(n)] for name in function.input_names}
+        self.inputs = function.nodes(graph.input, n)
         self._beneath = beneath(graph, self.inputs)
 
     def mark(self, value: Any, label: Label) -> Any:
@@ -91,6 +94,10 @@ class _OfParts:
 
     def differentiated(self, values: Sequence[Any], array: str) -> None:
         """The parts' results are not differentiated."""
+
+    def base_set(self) -> Sequence[BaseParameter]:
+        """The base parameters."""
+        return self._beneath.base_set()
 
     def rotors(self) -> Sequence[Rotor]:
         """The rotors."""

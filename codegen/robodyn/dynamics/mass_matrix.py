@@ -106,6 +106,20 @@ class Factored:
                 factor[i][j] = mark(entry * inverse[j], Label(order[i] + 1, "u", str(row + 1)))
         self._factor, self._inverse, self._mark, self._order = factor, inverse, mark, order
 
+    def halved(self, right: Sequence[Any]) -> list[Any]:
+        """``U^-1 right`` [n], from tip to base; what is zero at the tip stays zero there."""
+        half: list[Any] = []
+        for i, row in enumerate(self._order):
+            total = right[row]
+            for k in range(i):
+                total = total - self._factor[i][k] * half[k]
+            half.append(total)
+        return half
+
+    def divided(self, half: Sequence[Any]) -> list[Any]:
+        """``D^-1 half``."""
+        return [x * inverse for x, inverse in zip(half, self._inverse, strict=True)]
+
     def solve(self, right: Sequence[Any], quantity: str = "qdd") -> list[Any]:
         """The solution [n] of ``matrix x = right``; emitted code calls it ``quantity``."""
         factor, mark, order, n = self._factor, self._mark, self._order, len(right)

@@ -10,13 +10,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from robodyn.dynamics.functions import INPUTS
 from robodyn.emit.statements import Apply, Body, Expression, Statement
 from robodyn.errors import InputError
 from robodyn.ir.program import Input
 from robodyn.ir.signature import Signature
 
 #: Inputs in whose place results may be written.
-_IN_PLACE = ("q", "qd", "qdd", "tau")
+_IN_PLACE = tuple(array.name for array in INPUTS)
 
 
 class Result(NamedTuple):

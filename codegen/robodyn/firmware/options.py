@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Sequence
 
+from robodyn.dynamics.functions import function_named
 from robodyn.errors import InputError
 from robodyn.ir.signature import ScalarType
 from robodyn.kernels.generate import Generated, Options
@@ -52,6 +53,14 @@ def firmware_options(
     if scalar is None:
         scalar = "double" if all("double" in target.hardware for target in named) else "float"
     functions = options.functions or FUNCTIONS
+    for function in functions:
+        unknown = set(function_named(function).input_names) - {"q", "qd", "qdd", "tau"}
+        if unknown:
+            raise InputError(
+                f"no firmware tests {function}",
+                found=f"its input {', '.join(sorted(unknown))}, of which no joint has limits",
+                remedy="leave it out of --functions, or out of --firmware",
+            )
     return dataclasses.replace(options, functions=functions, scalar=scalar, trig="builtin")
 
 

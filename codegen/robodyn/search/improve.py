@@ -115,14 +115,14 @@ def improved(
                 progress(Progress("algebra", at.seconds, left, at.best))
             if resume and at.best < saved[1] and at.seconds > saved[0] + _SAVE_AFTER:
                 saved = (at.seconds, at.best)
-                if (better := _proved(robot, function, at.program, recursion, objective, how)) is not None:
+                if (better := proved(robot, function, at.program, recursion, objective, how)) is not None:
                     _keep(better)
 
         distinct = climb(
             distinct, seconds=left, seed=seed, objective=objective, threads=processes, progress=tell
         )
     for program in distinct:
-        record = _proved(robot, function, program, recursion, objective, how)
+        record = proved(robot, function, program, recursion, objective, how)
         if record is not None:
             kept = [old for old in known if old.program.operations == record.program.operations]
             record = kept[0] if kept else record
@@ -183,11 +183,11 @@ def _distinct(programs: Sequence[Program], objective: Objective) -> list[Program
     return sorted(distinct.values(), key=lambda program: cost(program, objective))
 
 
-def _proved(
+def proved(
     robot: Robot, function: str, program: Program, recursion: Program, objective: Objective, how: str
 ) -> Record | None:
-    """``program`` as a record, named and spelled; None where it is not what the recursion is, or loses too
-    many digits to rounding."""
+    """``program`` as a record that was found ``how``, named and spelled; None where it is not what the
+    recursion is, or loses too many digits to rounding."""
     named = labelled(run(replace(program, origin=None), SPELLING), recursion)
     record = Record(robot.name, identity(robot), function, objective.key, how, named)
     try:
@@ -257,4 +257,4 @@ def write_record(record: Record, folder: Path) -> Path:
     return path
 
 
-__all__ = ["BUDGET", "Progress", "cost", "improved", "kept_folder", "write_record"]
+__all__ = ["BUDGET", "Progress", "cost", "improved", "kept_folder", "proved", "write_record"]

@@ -52,6 +52,8 @@ Trig = Callable[[Floats], Floats]
 
 #: A step of what remembers [s], and how far memories are from rest [rad, m, per second ...].
 _STEP, _DEFLECTION = 1e-3, 1e-3
+#: How hard tools are pushed [N, N m].
+_PUSH = 10.0
 
 
 @np.errstate(all="ignore")  # what overflows is judged, not warned of
@@ -153,7 +155,10 @@ class _Run:
         self._reference = reference_oracle(robot, values)
         self._largest: dict[str, Floats] = {}
         rounded = tau.astype(kernel.dtype).astype(np.float64)
-        self.inputs: dict[str, Floats] = {"q": sample.q, "qd": sample.qd, "qdd": sample.qdd, "tau": rounded}
+        pushes = np.random.default_rng([seed, 3]).uniform(-_PUSH, _PUSH, (states, 6))
+        wrench = pushes.astype(kernel.dtype).astype(np.float64)
+        drawn = (sample.q, sample.qd, sample.qdd, rounded, wrench)
+        self.inputs: dict[str, Floats] = dict(zip((array.name for array in INPUTS), drawn, strict=True))
         if any(name == "sc" for s in kernel.signatures.values() for name, _ in s.inputs):
             if trig is None:
                 raise InputError(
@@ -186,7 +191,7 @@ class _Run:
         """``function`` against ``oracle`` at ``count`` states, evenly picked; of what is fused the worst
         part."""
         record, n = function_named(function), self.inputs["q"].shape[1]
-        elements = range(record.size_at(n))
+        elements = range(sum(length for _, length in self.kernel.signatures[function].outputs))
         parts = parts_of(record.fuses, elements, n) if record.fuses else [(record, elements)]
         compared = [self._compare(function, part, list(own), oracle, count) for part, own in parts]
         return max(compared, key=lambda comparison: (not comparison.passed, comparison.error))

@@ -13,6 +13,7 @@ from typing import Any
 from robodyn.dynamics.functions.record import (
     INPUTS,
     SC,
+    WITH_WRENCH,
     Array,
     Dynamics,
     Function,
@@ -39,6 +40,7 @@ __all__ = [
     "arrays",
     "by_default",
     "function_named",
+    "pushed",
     "recursion",
     "registered",
     "torques_at",
@@ -134,6 +136,13 @@ def torques_at(qd: Sequence[Any], qdd: Sequence[Any]) -> Function:
 def recursion() -> Function:
     """The inverse dynamics, which formulations and ways of writing are of."""
     return next(function for function in FUNCTIONS.values() if function.is_recursion)
+
+
+def pushed(name: str) -> str:
+    """The function like ``name`` that has a wrench on the tool as a further input; ``name`` where there is
+    none."""
+    other = name + WITH_WRENCH
+    return other if other in FUNCTIONS else name
 
 
 def by_default() -> tuple[str, ...]:

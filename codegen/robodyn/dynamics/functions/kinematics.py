@@ -10,6 +10,8 @@ from robodyn.dynamics.drift import tool_drift
 from robodyn.dynamics.dual import Dual, moving_along, slopes
 from robodyn.dynamics.functions.record import QD, Array, Dynamics, Function, Pair, Q, Vector
 from robodyn.dynamics.jacobians import columns
+from robodyn.dynamics.kinematics import frames, jacobian
+from robodyn.dynamics.operational import by_elimination, lambda_inverse
 from robodyn.dynamics.poses import flat, link_places, placed, rows_of, sections, tool_axes, tool_place
 from robodyn.dynamics.sections import Placed, placed_in_tool
 from robodyn.dynamics.transforms import Matrix, applied, product, transform, transposed
@@ -39,12 +41,14 @@ DRIFT = Array(
     "m/s^2, rad/s^2",
     shape=(6,),
 )
+LAMBDA_INVERSE = Array(
+    "lambda_inv", "inverse of the tool's mass matrix", "1/kg, 1/(kg m), 1/(kg m^2)", shape=(6, 6)
+)
 
 
 def _forward_kinematics(at: Dynamics) -> Sequence[Any]:
     arm = placed(at)
     axes = tool_axes(at, arm)
-    at.cheapest([[flat(axes)]])
     return [*tool_place(at, arm), *flat(rows_of(axes))]
 
 
@@ -77,6 +81,10 @@ def _by_rows(at: Dynamics, arm: Placed, *, nested_only: bool = False) -> list[An
 
 def _drift(at: Dynamics) -> Sequence[Any]:
     return tool_drift(at)
+
+
+def _lambda_inverse(at: Dynamics) -> Sequence[Any]:
+    return flat(lambda_inverse(at))
 
 
 # --- by other ways: transforms, and poses differentiated ----------------------------------------------------
@@ -157,6 +165,14 @@ def _values(row: Sequence[Any]) -> list[Any]:
     return [_value(x) for x in row]
 
 
+def _solved_for(at: Dynamics) -> Sequence[Any]:
+    """Joint accelerations for a force or moment at the tool, and the tool's for those."""
+    links = frames(at.arm, at.motion(at.rest, at.rest), at.arm.base)
+    J = jacobian(at.arm, links, at.arm.tool.origin)
+    X = by_elimination(at.mass_matrix(), list(zip(*J, strict=True)))
+    return [sum(x * row[k] for x, row in zip(y, X, strict=True)) for y in J for k in range(6)]
+
+
 FUNCTIONS = (
     Function(
         "forward_kinematics",
@@ -195,6 +211,16 @@ FUNCTIONS = (
         condition=_moves_the_tool_along_its_axes,
         others=(_nested_tool_jacobian,),
         geometric=True,
+    ),
+    Function(
+        "lambda_inverse",
+        "inverse of the tool's mass matrix, J M^-1 J^T, along the world's axes",
+        (Q,),
+        (LAMBDA_INVERSE,),
+        _lambda_inverse,
+        expected=_solved_for,
+        parts=("mass_matrix",),
+        solves=True,
     ),
     Function(
         "jacobian_dot_qd",

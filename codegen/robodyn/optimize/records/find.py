@@ -27,6 +27,11 @@ def bundled_records() -> Path:
     return data_dir("robots") / FOLDER
 
 
+def records_of_arms() -> Path:
+    """The folder of those of arms in public files (examples/arms), which come with it as well."""
+    return bundled_records() / "arms"
+
+
 def folder_beside(robot: Robot) -> Path:
     """The folder of the records beside the file that ``robot`` was read from; the bundled one for a robot
     that came from no file."""
@@ -72,7 +77,7 @@ def _headers(
     robot: Robot, function: str, objective: str, folders: Sequence[Path]
 ) -> Iterator[tuple[Path, dict[str, str]]]:
     """The records of ``function`` for ``objective`` of any robot, and what their heads say."""
-    for folder in dict.fromkeys((*folders, folder_beside(robot), bundled_records())):
+    for folder in dict.fromkeys((*folders, folder_beside(robot), bundled_records(), records_of_arms())):
         for spelling in _spellings(objective):
             for path in _candidates(folder, robot.name, function, spelling):
                 fields = header(_read(path, _HEAD))

@@ -1,0 +1,98 @@
+"""Torques and accelerations of an arm whose tool is pushed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from robodyn.dynamics.functions.record import (
+    QD,
+    QDD,
+    TAU,
+    WITH_WRENCH,
+    WRENCH,
+    Array,
+    Dynamics,
+    Function,
+    Pair,
+    Q,
+    Vector,
+)
+from robodyn.dynamics.functions.standard import FUNCTIONS as STANDARD
+from robodyn.dynamics.kinematics import frames, jacobian
+from robodyn.dynamics.mass_matrix import solve_symmetric
+from robodyn.dynamics.wrenches import torques_of_wrench
+
+TAU_WRENCH = Array("tau_wrench", "joint torques of the wrench, J^T w", "N m", "N")
+
+
+def _carried(at: Dynamics) -> list[Any]:
+    """Force and moment carried from link to link."""
+    turns = at.turns(at.rest, at.rest)
+    return torques_of_wrench(at.arm, at.motion(at.rest, at.rest), turns, at.inputs["wrench"], at.mark)
+
+
+def _through_the_jacobian(at: Dynamics) -> list[Any]:
+    """``J^T w``, both along the world's axes."""
+    arm, w = at.arm, at.inputs["wrench"]
+    placed = frames(arm, at.motion(at.rest, at.rest), arm.base)
+    tool = arm.tool.within(placed[-1])
+    along = [*tool.turned((w[0], w[1], w[2])), *tool.turned((w[3], w[4], w[5]))]
+    columns = zip(*jacobian(arm, placed, arm.tool.origin), strict=True)
+    return [sum(x * y for x, y in zip(column, along, strict=True)) for column in columns]
+
+
+def _less(torques: Vector, wrench: Vector) -> list[Any]:
+    return [tau - pushed for tau, pushed in zip(torques, wrench, strict=True)]
+
+
+def _with_wrench(function: Function) -> Function:
+    """Torques of ``function`` that hold the wrench as well."""
+    expected = function.expected
+    assert expected is not None
+    return Function(
+        function.name + WITH_WRENCH,
+        f"{function.purpose}, and bear a wrench on the tool",
+        (*function.inputs, WRENCH),
+        (TAU,),
+        lambda at: _less(function.outputs(at), _carried(at)),
+        expected=lambda at: _less(expected(at), _through_the_jacobian(at)),
+        parts=(function.name,),
+    )
+
+
+def _forward(at: Dynamics) -> Sequence[Any]:
+    """``qdd = M^-1 (tau + J^T w - h)``."""
+    bias = at.torques(at.inputs["qd"], at.rest)
+    right = zip(at.inputs["tau"], _carried(at), bias, strict=True)
+    return solve_symmetric(at.mass_matrix(), [tau + w - h for tau, w, h in right], at.mark)
+
+
+def _needs_the_torques(at: Dynamics, result: Sequence[Any], _: Vector) -> Pair:
+    """The torques that the accelerations need beside the wrench."""
+    needed = at.torques(at.inputs["qd"], result)
+    return _less(needed, _through_the_jacobian(at)), at.inputs["tau"]
+
+
+FUNCTIONS = (
+    Function(
+        "wrench_torques",
+        "joint torques that a wrench on the tool does work with",
+        (Q, WRENCH),
+        (TAU_WRENCH,),
+        _carried,
+        expected=_through_the_jacobian,
+        geometric=True,
+    ),
+    *(_with_wrench(function) for function in STANDARD if function.gives_torques),
+    Function(
+        "forward_dynamics" + WITH_WRENCH,
+        "accelerations that the torques tau and a wrench on the tool give",
+        (Q, QD, TAU, WRENCH),
+        (QDD,),
+        _forward,
+        condition=_needs_the_torques,
+        parts=("bias", "mass_matrix"),
+        solves=True,
+    ),
+)
