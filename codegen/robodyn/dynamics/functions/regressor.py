@@ -64,13 +64,14 @@ def _drawn(x: Vector) -> Callable[[], Any]:
 
 def _from_parameters(at: Dynamics) -> Sequence[Any]:
     qd, qdd = at.inputs["qd"], at.inputs["qdd"]
-    numbers = dict(zip((parameter.own for parameter in at.base_set()), at.inputs["pi"], strict=True))
+    owns: list[tuple[str, int]] = [parameter.own for parameter in at.base_set()]
+    numbers = dict(zip(owns, at.inputs["pi"], strict=True))
     return torques_from(at.arm, at.motion(qd, qdd), at.turns(qd, qdd), numbers, at.mark)
 
 
 def _of_an_arm_with_them(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
     """The torques of an arm that has these base parameters, and of all else that its links have anything."""
-    numbers: dict[tuple[str, int], Any] = dict(_standard(_with_masses(at.arm, x)))
+    numbers = _standard(_with_masses(at.arm, x))
     parameters = at.base_set()
     for parameter in parameters:
         numbers[parameter.own] = 0
@@ -82,11 +83,11 @@ def _of_an_arm_with_them(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair
     return list(result), newton_euler(replace(at.arm, bodies=bodies), motion)
 
 
-def _with_numbers(body: Body, numbers: Mapping[tuple[str, int], Any], link: int) -> Body:
+def _with_numbers(body: Body, numbers: Mapping[Standard, Any], link: int) -> Body:
     """``body`` with these moments of mass about its frame's origin, rotor and friction."""
-    from robodyn.dynamics.base_parameter import DRIVE, MOMENTS
+    from robodyn.dynamics.base_parameter import DRIVE, MOMENTS, Standard
 
-    m, x, y, z, *second = (numbers[quantity, link] for quantity in MOMENTS)
+    m, x, y, z, *second = (numbers[Standard(quantity, link)] for quantity in MOMENTS)
     com = tuple(quotient(h, m) for h in (x, y, z))
     i = Lump(m, (x, y, z), Symmetric(*second)).inertia()
     cx, cy, cz = com
@@ -98,7 +99,7 @@ def _with_numbers(body: Body, numbers: Mapping[tuple[str, int], Any], link: int)
         i.xz + x * cz,
         i.yz + y * cz,
     )
-    rotor, viscous, coulomb = (numbers[quantity, link] for quantity in DRIVE)
+    rotor, viscous, coulomb = (numbers[Standard(quantity, link)] for quantity in DRIVE)
     return replace(
         body, mass=m, com=com, inertia=central, motor_inertia=rotor, viscous=viscous, coulomb=coulomb
     )
