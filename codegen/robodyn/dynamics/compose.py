@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robodyn.dynamics.arm import Arm, Motion
 from robodyn.dynamics.functions import Dynamics, Function, Moving, Rotor, torques_at
@@ -14,6 +14,9 @@ from robodyn.ir.derivative import jacobian
 from robodyn.ir.graph import Graph
 from robodyn.ir.lowering import lower
 from robodyn.ir.program import Input, Label, Program
+
+if TYPE_CHECKING:
+    from robodyn.dynamics.base_parameter import BaseParameter
 
 #: The dynamics in a graph, at inputs ``[n]`` by name.
 Beneath = Callable[[Graph, Mapping[str, Vector]], Dynamics]
@@ -93,6 +96,10 @@ class _OfParts:
     def differentiated(self, values: Sequence[Any], array: str) -> list[list[Any]]:
         """Derivatives of ``values`` by the elements of ``array``."""
         return jacobian(self._graph, values, [Input(array, i) for i in range(len(self.rest))])
+
+    def base_set(self) -> Sequence[BaseParameter]:
+        """The base parameters."""
+        return self._beneath.base_set()
 
     def rotors(self) -> Sequence[Rotor]:
         """The rotors."""
