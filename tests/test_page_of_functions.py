@@ -1,4 +1,4 @@
-"""docs/functions.md: every function stands there; figures are those of the code and of the last comparison."""
+"""docs/functions.md: every function stands there; its figures are the code's and the last comparison's."""
 
 from __future__ import annotations
 
