@@ -148,7 +148,6 @@ def command(
     They are in C and Fortran unless --lang says otherwise: DIR gets NAME.h, NAME.c and NAME.f90 (a crate with
     --lang rust) with the functions of --functions. The same input gives the same bytes on any machine.
     """
-    from robodyn.dynamics.functions import by_default
     from robodyn.errors import CheckError, InputError
     from robodyn.kernels.generate import generate
 
@@ -182,7 +181,7 @@ def command(
     described = load(robot, strict=strict, fold_rotor=fold_rotor)
     folder = output_folder(output) if output is not None else Path("generated") / described.name
     options = Search(budget_seconds, seed, options.objective, keep).applied(
-        described, options, options.functions or by_default()
+        described, options, options.function_names
     )
     with pruning_progress() as tell:
         generated = generate(described, options, progress=_progress(described), pruning=tell)

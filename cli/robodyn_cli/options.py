@@ -190,7 +190,7 @@ def functions_option(default: str | None = None, text: str | None = None) -> Cal
         show_default=default or False,
         cls=_Functions,
         callback=_joined,
-        help=text or f"Functions, separated by commas.{without}",
+        help=text or f"Functions, separated by commas, or all that ROBOT has.{without}",
     )
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from cli.generated import FILES, TOOL, Capture, gen, tree
+from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.kernels.generate import Options, generate
 from robodyn.robot import load
 
@@ -214,3 +215,23 @@ def test_check_compares_what_is_asked_for(capsys: Capture) -> None:
     gen(capsys, "stanford_3dof", "--scalar", "float", "--functions", "gravity", "-o", "out", "--check")
     gen(capsys, "stanford_3dof", "--functions", "gravity", "-o", "out", "--check", code=1)
     gen(capsys, "stanford_3dof", "--scalar", "float", "-o", "out", "--check", code=1)
+
+
+def test_all_functions_are_those_that_the_robot_has(elsewhere: Path, capsys: Capture) -> None:
+    """No inertia at a joint, no gears: what solves and what motors do is left out, with the reason."""
+    text = """\
+name: hanging
+links:
+  - {joint: revolute, mass: 1, com: [0.1, 0, 0], inertia: {xx: 0.1, yy: 0.1, zz: 0.1}}
+  - {joint: revolute, alpha: pi/2, a: 0.3, mass: 1}
+"""
+    (elsewhere / "hanging.yaml").write_text(text, encoding="utf-8")
+    _, err = gen(capsys, "hanging.yaml", "--functions", "all", "-o", "all")
+    written = (elsewhere / "all" / "hanging.h").read_text(encoding="utf-8")
+    for name, function in FUNCTIONS.items():
+        declared = f"void hanging_{name}(" in written
+        assert declared != (f"hanging has no {name}: " in err), name
+        assert declared or function.solves or "gear" in err
+    assert "void hanging_jacobian(" in written
+    assert "--functions all" in written
+    assert Options(functions=("all", "bias")).function_names == tuple(FUNCTIONS)

@@ -11,9 +11,13 @@ import pytest
 from dynamics.direct import exact_arm
 from ir.programs import Point, exactly
 from robodyn import InputError, Options, load, program
+from robodyn.counts import count
+from robodyn.dynamics.functions import function_named
 from robodyn.dynamics.mass_matrix import solve_symmetric
 from robodyn.ir import Graph, Input
 from robodyn.kernels.generate import SingularArm, generate
+from robodyn.optimize.programs import Choice, build
+from robodyn.passes import FRESH, run
 from robodyn.robot import Robot, read_text
 from robodyn_testing import sampled
 
@@ -134,3 +138,30 @@ def test_the_inverse_mass_matrix_is_one(robot: Robot) -> None:
     assert [[sum(map(mul, row, inverse[j::n])) for j in range(n)] for row in rows] == [
         [int(i == j) for j in range(n)] for i in range(n)
     ]
+
+
+def test_long_arms_have_forward_dynamics_by_articulated_bodies() -> None:
+    """Operations grow with the joints and not with their cube."""
+    arm = exact_arm(3, joints=24, prismatic=0.2, parallel=0.3)
+    record = function_named("forward_dynamics")
+    by_matrix, by_bodies = (
+        count(run(build(arm, "forward_dynamics", Choice(), writing), FRESH)).total
+        for writing in (record.outputs, *record.of_rigid_arms)
+    )
+    assert by_bodies < 0.7 * by_matrix
+    assert count(program(arm, "forward_dynamics", Options(optimize="fast"))).total <= by_bodies
+
+
+@pytest.mark.parametrize("robot", [*ARMS[:4], bundled("stanford"), bundled("puma560")], ids=lambda r: r.name)
+def test_articulated_bodies_undo_inverse_dynamics(robot: Robot) -> None:
+    """Exactly, on the links as described and regrouped."""
+    record = function_named("forward_dynamics")
+    at = Point(9)
+    for choice in (Choice(), Choice(regroup=False, chains=False)):
+        try:
+            written = build(robot, "forward_dynamics", choice, record.of_rigid_arms[0])
+        except ZeroDivisionError:  # a joint moves without inertia
+            continue
+        qdd = exactly(written, at)["qdd"]
+        tau = values(robot, "inverse_dynamics", at, qdd=qdd)
+        assert tau == [at.number(Input("tau", i)) for i in range(robot.n)]

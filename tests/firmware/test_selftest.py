@@ -19,15 +19,22 @@ from robodyn.ir.program import Input, Program
 from robodyn_testing import representative, require_machine, require_module, require_tool
 
 ALL = ("inverse_dynamics", "gravity", "bias", "mass_matrix", "forward_dynamics")
+#: With several results, and with one.
+KINEMATIC = ("forward_kinematics", "link_poses", "tool_jacobian")
 VECTOR, DIGEST, GUARD = 1, 2, 4
 
 
 @pytest.mark.parametrize(
     ("name", "functions", "scalar"),
     representative(
-        [(*arm, scalar) for arm in (("puma560", ()), ("stanford", ALL), ("tool", ALL)) for scalar in SCALARS],
+        [
+            (*arm, scalar)
+            for arm in (("puma560", ()), ("stanford", ALL), ("tool", ALL), ("tool", KINEMATIC))
+            for scalar in SCALARS
+        ],
         ("puma560", (), "float"),
         ("tool", ALL, "double"),
+        ("tool", KINEMATIC, "float"),
     ),
 )
 def test_c_and_fortran_pass_with_the_digest_of_numpy(

@@ -319,7 +319,8 @@ def test_python_goes_on_while_a_batch_runs(waiting: Kernel) -> None:
 
 
 def _in_a_child(given: list[Array]) -> Array:
-    return kernel("puma560").batch(*given, threads=2)
+    tau: Array = kernel("puma560").batch(*given, threads=2)
+    return tau
 
 
 def test_a_forked_child_makes_threads_of_its_own() -> None:

@@ -28,12 +28,12 @@ class Composite:
     def turned_x(self, c: Any, s: Any) -> Composite:
         """The same along axes turned back about x."""
         p, f, n = (about_x(c, s, u) for u in (self.p, self.f, self.n))
-        return Composite(about_axis_x(self.lump, c, s), p, _about_x(c, s, self.N), f, n)
+        return Composite(about_axis_x(self.lump, c, s), p, rows_about_x(c, s, self.N), f, n)
 
     def turned_z(self, c: Any, s: Any) -> Composite:
         """The same along axes turned back about z."""
         p, f, n = (about_z(c, s, u) for u in (self.p, self.f, self.n))
-        return Composite(about_axis_z(self.lump, c, s), p, _about_z(c, s, self.N), f, n)
+        return Composite(about_axis_z(self.lump, c, s), p, rows_about_z(c, s, self.N), f, n)
 
     def about(self, r: Vector) -> Composite:
         """The same about a point from which the origin lies at ``r``."""
@@ -89,14 +89,14 @@ def moving(composite: Composite, arm: Arm, i: int, rate: Any) -> Composite:
     return Composite(lump, p, (x, y, z), composite.f, composite.n)
 
 
-def _about_x(c: Any, s: Any, N: Rows) -> Rows:
+def rows_about_x(c: Any, s: Any, N: Rows) -> Rows:
     """``R N R^T``, R turning about x."""
     columns = [about_x(c, s, (N[0][k], N[1][k], N[2][k])) for k in range(3)]
     rows = [about_x(c, s, (columns[0][k], columns[1][k], columns[2][k])) for k in range(3)]
     return rows[0], rows[1], rows[2]
 
 
-def _about_z(c: Any, s: Any, N: Rows) -> Rows:
+def rows_about_z(c: Any, s: Any, N: Rows) -> Rows:
     """``R N R^T``, R turning about z: what of the upper block changes with the angle is formed once."""
     (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = N
     cc, cs = c * c, c * s

@@ -105,38 +105,38 @@ def merged(one: Lump, other: Lump) -> Lump:
 def about_axis_z(lump: Lump, c: Any, s: Any) -> Lump:
     """``lump`` turned about z by the angle of cosine ``c`` and sine ``s``."""
     x, y, z = lump.first
-    k = lump.second
+    return Lump(lump.mass, (c * x - s * y, s * x + c * y, z), tensor_about_z(lump.second, c, s))
+
+
+def tensor_about_z(k: Symmetric, c: Any, s: Any) -> Symmetric:
+    """``k`` turned about z by the angle of cosine ``c`` and sine ``s``."""
     turned = c * c * (k.xx - k.yy) - 2 * (c * s) * k.xy  # the part of xx that comes and goes with the angle
-    return Lump(
-        lump.mass,
-        (c * x - s * y, s * x + c * y, z),
-        Symmetric(
-            k.yy + turned,
-            k.xx - turned,
-            k.zz,
-            c * s * (k.xx - k.yy) + (2 * (c * c) - 1) * k.xy,
-            c * k.xz - s * k.yz,
-            s * k.xz + c * k.yz,
-        ),
+    return Symmetric(
+        k.yy + turned,
+        k.xx - turned,
+        k.zz,
+        c * s * (k.xx - k.yy) + (2 * (c * c) - 1) * k.xy,
+        c * k.xz - s * k.yz,
+        s * k.xz + c * k.yz,
     )
 
 
 def about_axis_x(lump: Lump, c: Any, s: Any) -> Lump:
     """``lump`` turned about x by the angle of cosine ``c`` and sine ``s``."""
     x, y, z = lump.first
-    k = lump.second
+    return Lump(lump.mass, (x, c * y - s * z, s * y + c * z), tensor_about_x(lump.second, c, s))
+
+
+def tensor_about_x(k: Symmetric, c: Any, s: Any) -> Symmetric:
+    """``k`` turned about x by the angle of cosine ``c`` and sine ``s``."""
     turned = c * c * (k.yy - k.zz) - 2 * (c * s) * k.yz
-    return Lump(
-        lump.mass,
-        (x, c * y - s * z, s * y + c * z),
-        Symmetric(
-            k.xx,
-            k.zz + turned,
-            k.yy - turned,
-            c * k.xy - s * k.xz,
-            s * k.xy + c * k.xz,
-            c * s * (k.yy - k.zz) + (2 * (c * c) - 1) * k.yz,
-        ),
+    return Symmetric(
+        k.xx,
+        k.zz + turned,
+        k.yy - turned,
+        c * k.xy - s * k.xz,
+        s * k.xy + c * k.xz,
+        c * s * (k.yy - k.zz) + (2 * (c * c) - 1) * k.yz,
     )
 
 

@@ -11,7 +11,6 @@ import numpy as np
 from robodyn.errors import InputError
 from robodyn.kernels.arrays import (
     Array,
-    check_output,
     common_lead,
     laid_out,
     read_parameters,
@@ -44,9 +43,9 @@ class Batch:
         arrays: Sequence[object],
         *,
         params: Mapping[str, float] | None,
-        out: Array | None,
+        out: Array | Sequence[Array] | None,
         threads: int,
-    ) -> Array:
+    ) -> Any:
         function, where, dtype = self.function, self.function.where, self.function.dtype
         asked: object = threads  # nobody checks what is passed from Python
         if isinstance(asked, bool) or not isinstance(asked, (int, np.integer)) or asked < 1:
@@ -59,39 +58,47 @@ class Batch:
             for (name, length), value in zip(function.signature.inputs, arrays, strict=True)
         ]
         (count,) = common_lead(where, names, passed)
-        result, columns = self._result(count, out, passed, dict(zip(names, arrays, strict=True)))
+        results, columns = self._results(count, out, passed, arrays)
         inputs = [laid_out(array, dtype, columns=columns) for array in passed]
         values: Any = self.library.ffi.NULL
         if function.parameters or params:
             values = self._view(read_parameters(where, function.parameters, params, dtype))
         if count:
-            self._run(count, int(threads), inputs, result, values, columns=columns)
-        return result
+            self._run(count, int(threads), [*inputs, *results], values, columns=columns)
+        return results[0] if len(results) == 1 else tuple(results)
 
-    def _result(
-        self, count: int, out: Array | None, arrays: Sequence[Array], busy: Mapping[str, object]
-    ) -> tuple[Array, bool]:
-        """The array to write to, and whether the arrays go column by column."""
+    def _results(
+        self,
+        count: int,
+        out: Array | Sequence[Array] | None,
+        passed: Sequence[Array],
+        arrays: Sequence[object],
+    ) -> tuple[list[Array], bool]:
+        """The arrays to write to, and whether all arrays go column by column."""
         function = self.function
-        (name, shape), dtype = function.results[0], function.dtype
-        if out is not None:
-            checked = check_output(function.where, name, (count, *shape), out, dtype, busy, columns=True)
-            return checked, not checked.flags.c_contiguous
-        if all(array.flags.f_contiguous and not array.flags.c_contiguous for array in arrays):
-            return np.moveaxis(np.empty((*shape, count), dtype), -1, 0), True
-        return np.empty((count, *shape), dtype), False
+        columns = all(array.flags.f_contiguous and not array.flags.c_contiguous for array in passed)
+        if out is None and columns:
+            empty = (np.empty((*shape, count), function.dtype) for _, shape in function.results)
+            return [np.moveaxis(array, -1, 0) for array in empty], True
+        results = function.arrays_to_write((count,), out, arrays, columns=True)
+        columns = not all(array.flags.c_contiguous for array in results)
+        if columns and not all(states_last(array).flags.c_contiguous for array in results):
+            raise InputError(
+                f"{function.where}: out does not fit",
+                found="arrays row by row and column by column",
+                expected="one order for all",
+            )
+        return results, columns
 
     def _run(
         self,
         count: int,
         threads: int,
-        inputs: Sequence[Array],
-        result: Array,
+        arrays: Sequence[Array],
         values: Any,
         *,
         columns: bool,
     ) -> None:
-        arrays = [*inputs, result]
         if columns:
             pointers = [self._view(states_last(array)) for array in arrays]
             call, steps = partial(self._columns_of, count), [1] * len(arrays)

@@ -78,7 +78,7 @@ class Function:
         lead = common_lead(where, self._inputs, inputs)
         if (state is not None or dt is not None) and not self.signature.states:
             raise InputError(f"{where} remembers nothing", found="state or dt", expected="neither")
-        results = self._arrays(lead, out, arrays)
+        results = self.arrays_to_write(lead, out, arrays)
         values = self._null
         pointer, view = self._pointer, self._view
         if self.parameters or params:
@@ -130,8 +130,11 @@ class Function:
             )
         return tuple({**bound, **named}[name] for name in names)
 
-    def _arrays(self, lead: Shape, out: object, arrays: Sequence[object]) -> list[Array]:
-        """Arrays to write to: new ones, or those of ``out``."""
+    def arrays_to_write(
+        self, lead: Shape, out: object, arrays: Sequence[object], *, columns: bool = False
+    ) -> list[Array]:
+        """Arrays to write to: new ones, or those of ``out``; ``columns``: those may also hold the values of
+        each element one after another."""
         if out is None:
             return [np.empty(lead + shape, self.dtype) for _, shape in self.results]
         shapes = [lead + shape for _, shape in self.results]
@@ -143,7 +146,7 @@ class Function:
         busy = dict(zip(self._inputs, arrays, strict=True))
         checked: list[Array] = []
         for (name, _), shape, array in zip(self.results, shapes, outputs, strict=True):
-            checked.append(check_output(self.where, name, shape, array, self.dtype, busy))
+            checked.append(check_output(self.where, name, shape, array, self.dtype, busy, columns=columns))
             busy[name] = array
         return checked
 

@@ -13,7 +13,7 @@ from os import PathLike
 from typing import TYPE_CHECKING
 
 from robodyn.counts import Count, count
-from robodyn.dynamics.functions import NoSuchFunction, by_default, function_named
+from robodyn.dynamics.functions import NoSuchFunction, function_named
 from robodyn.emit import Unit, render
 from robodyn.emit.languages import defaults, languages_named, require
 from robodyn.formats.loading import robot_of
@@ -125,13 +125,13 @@ def generate(
     drafts = builder if isinstance(builder, RigidPrograms) else builder.rigid
     programs: dict[str, Program] = {}
     left_out: dict[str, str] = {}
-    for function in options.functions or by_default():
+    for function in options.function_names:
         if progress is not None:
             progress(function)
         try:
             programs[function] = builder.program(function)
         except NoSuchFunction as reason:
-            if options.functions is not None:
+            if options.insists_on(function):
                 raise
             left_out[function] = (reason.found or reason.what).partition(":")[0]
     interfaces = {f: signature(robot, f, options.scalar) for f in programs}

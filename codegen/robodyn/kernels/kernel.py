@@ -157,12 +157,12 @@ class Kernel:
     def batch(
         self,
         *arrays: object,
-        out: Array | None = None,
+        out: Array | Sequence[Array] | None = None,
         threads: int = 1,
         params: Mapping[str, float] | None = None,
         function: str = "inverse_dynamics",
         **named: object,
-    ) -> Array:
+    ) -> Any:
         """``function`` on N states in one call, with the vectors that this processor has.
 
         The C for it is compiled when it is first asked for, and kept like the kernels. It uses sine and
@@ -174,8 +174,9 @@ class Kernel:
         arrays, named: the inputs of the function, ``[N, n]`` each. Where all are of the kernel's type and row
             by row (C order), or all column by column (Fortran order: ``[n, N]`` transposed; the fastest),
             they are read in place; else they are copied.
-        out: array to write to, ``[N, ...]``, of the kernel's type, in C order or with N running fastest.
-            Without it there is a new one in the order of the inputs.
+        out: array to write to, ``[N, ...]``, of the kernel's type, in C order or with N running fastest; a
+            tuple of them, all in one order, if there is more than one result. Without it there are new ones
+            in the order of the inputs.
         threads: how many threads at most share the work; few states are not shared.
         params: run-time parameters, the same for all states.
 

@@ -8,7 +8,7 @@ from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from robodyn.dynamics.functions import FUNCTIONS, function_named
+from robodyn.dynamics.functions import FUNCTIONS, by_default, function_named
 from robodyn.errors import InputError
 from robodyn.ir.signature import ScalarType
 from robodyn.optimize.programs import FORMULATIONS, Choice
@@ -33,6 +33,9 @@ CHOSEN = ("scalar", "trig", "order", "contraction", "objective")
 
 
 #: Options that the head of a file names where they are not as usual.
+#: In place of a function's name: all that the robot has.
+ALL = "all"
+
 _SHOWN = ("functions", "formulation", "engine", "order", "objective", "target", "contraction", "prune")
 
 
@@ -40,8 +43,8 @@ _SHOWN = ("functions", "formulation", "engine", "order", "objective", "target", 
 class Options:
     """What to generate and how; the defaults are those of ``robodyn gen``.
 
-    ``functions`` None is those that are written by default, as far as the robot has them: an arm with a
-    joint that moves without inertia has no forward dynamics.
+    ``functions`` None is those that are written by default, ``("all",)`` all there are, as far as the robot
+    has them: an arm with a joint that moves without inertia has no forward dynamics.
     ``optimize="none"`` is the recursion as it stands in the book, equal nodes merged and zeros gone;
     ``"fast"`` takes milliseconds; ``"record"`` is the committed best for exactly this arm, else
     fast; ``"search"`` and ``"full"`` ask for a better one (:func:`robodyn.search.improved`) and take the one
@@ -99,7 +102,19 @@ class Options:
         if self.prune is not None:
             from robodyn.optimize.prune import check_asked
 
-            check_asked(self.prune, self.functions)
+            check_asked(self.prune, self.functions and self.function_names)
+
+    @property
+    def function_names(self) -> tuple[str, ...]:
+        """Names of the functions that are asked for, or would be if the robot had them."""
+        if self.functions is None:
+            return by_default()
+        others = () if ALL not in self.functions else tuple(FUNCTIONS)
+        return tuple(dict.fromkeys((*others, *(name for name in self.functions if name != ALL))))
+
+    def insists_on(self, function: str) -> bool:
+        """Whether ``function`` is asked for by its name: a robot that does not have it is refused."""
+        return self.functions is not None and function in self.functions
 
     def _as_in_the_book(self) -> None:
         """Take what ``readable`` stands for, or refuse what contradicts it."""
@@ -194,7 +209,8 @@ def _check_functions(functions: tuple[str, ...]) -> None:
     if not functions:
         raise InputError("no function asked for", expected=f"some of {', '.join(FUNCTIONS)}")
     for function in functions:
-        function_named(function)
+        if function != ALL:
+            function_named(function)
     if len(set(functions)) != len(functions):
         raise InputError("a function is asked for twice", found=", ".join(functions))
 

@@ -248,7 +248,7 @@ class RigidPrograms:
 
             return build_through_sympy(self.robot, function, self.choice)
         known = function_named(function)
-        writings = known.writings(self.robot.n)
+        writings = (*known.writings(self.robot.n), *known.of_rigid_arms)
         if known.fuses:
             drafts = self._fused(known)
         else:
@@ -260,7 +260,7 @@ class RigidPrograms:
         self._after_passes[function] = passed[k]
         self._writings[function] = known.outputs if known.fuses else writings[k]
         if known.fuses and k == 0:  # the best programs of the parts are not in it
-            for part in set(self.taken) - set(self.options.functions or ()):
+            for part in set(self.taken) - set(self.options.function_names if self.options.functions else ()):
                 del self.taken[part]
         return drafts[k]
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from robodyn.dynamics.articulated import articulated_bodies
 from robodyn.dynamics.functions.record import QD, QDD, TAU, Array, Dynamics, Function, Pair, Q, Vector
 from robodyn.dynamics.mass_matrix import Factored, solve_symmetric
 
@@ -42,6 +43,11 @@ def _forward_dynamics(at: Dynamics) -> Sequence[Any]:
     bias = at.torques(at.inputs["qd"], at.rest)
     right = [tau - h for tau, h in zip(at.inputs["tau"], bias, strict=True)]
     return solve_symmetric(matrix, right, at.mark)
+
+
+def _articulated(at: Dynamics) -> Sequence[Any]:
+    """Without a mass matrix: what takes fewer operations for long arms."""
+    return articulated_bodies(at.links(at.inputs["qd"], at.rest), at.inputs["tau"], at.mark)
 
 
 def _needs_the_torques(at: Dynamics, result: Sequence[Any], _: Vector) -> Pair:
@@ -113,6 +119,7 @@ FUNCTIONS = (
         by_default=True,
         parts=("bias", "mass_matrix"),
         solves=True,
+        of_rigid_arms=(_articulated,),
     ),
     Function(
         "inverse_mass_matrix",

@@ -1,0 +1,87 @@
+"""Functions with several results in Python: tuples, arrays to write to, workspaces, batches, Fortran."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import robodyn
+from robodyn.errors import InputError
+from robodyn.kernels import kernel as kernels
+
+NAMES = ("forward_kinematics", "link_poses", "jacobian")
+N = 5
+
+
+@pytest.fixture(scope="module")
+def kernel(tmp_path_factory: pytest.TempPathFactory) -> kernels.Kernel:
+    cache = tmp_path_factory.mktemp("cache")
+    return robodyn.compile("stanford_3dof", functions=NAMES, trig="builtin", mode="abi", cache=cache)
+
+
+@pytest.fixture
+def q() -> NDArray[np.float64]:
+    return np.random.default_rng(4).uniform(-1, 1, (N, 3))
+
+
+def same(one: Any, other: Any) -> bool:
+    return len(one) == len(other) and all(np.array_equal(x, y) for x, y in zip(one, other, strict=True))
+
+
+def test_results_are_a_tuple_each_of_its_shape(kernel: kernels.Kernel, q: NDArray[np.float64]) -> None:
+    position, rotation = kernel.forward_kinematics(q)
+    assert (position.shape, rotation.shape) == ((N, 3), (N, 3, 3))
+    places, turns = kernel.link_poses(q)
+    assert (places.shape, turns.shape) == ((N, 3, 3), (N, 3, 3, 3))
+    assert kernel.jacobian(q).shape == (N, 6, 3)
+    assert same(kernel.forward_kinematics(q[2]), (position[2], rotation[2]))
+    assert np.allclose(rotation @ rotation.swapaxes(1, 2), np.eye(3), atol=1e-15)
+    assert np.array_equal(turns[:, -1], rotation)  # the robot has no tool of its own
+    assert "position: [3] or [N, 3], double; origin of the tool in the world, m" in str(
+        kernel.forward_kinematics.__doc__
+    )
+
+
+def test_they_are_written_to_arrays(kernel: kernels.Kernel, q: NDArray[np.float64]) -> None:
+    out = np.empty((N, 3)), np.empty((N, 3, 3))
+    returned = kernel.forward_kinematics(q, out=out)
+    assert returned[0] is out[0]
+    assert returned[1] is out[1]
+    assert same(out, kernel.forward_kinematics(q))
+    with pytest.raises(InputError, match=r"rotation.*\[5, 3\]"):
+        kernel.forward_kinematics(q, out=(out[0], out[0]))
+
+
+def test_workspaces_have_them_by_name(kernel: kernels.Kernel, q: NDArray[np.float64]) -> None:
+    work = kernel.workspace("forward_kinematics")
+    work.q[:] = q[1]
+    work()
+    assert same((work.position, work.rotation), kernel.forward_kinematics(q[1]))
+
+
+def test_a_batch_gives_the_same_bits(kernel: kernels.Kernel, q: NDArray[np.float64]) -> None:
+    for name in NAMES[:2]:
+        assert same(kernel.batch(q, function=name), getattr(kernel, name)(q)), name
+
+
+def test_fortran_gives_the_same_bits(kernel: kernels.Kernel, q: NDArray[np.float64], tmp_path: Path) -> None:
+    fortran = robodyn.compile(
+        "stanford_3dof", functions=NAMES, trig="builtin", mode="abi", cache=tmp_path, language="fortran"
+    )
+    for name in NAMES[:2]:
+        assert same(getattr(fortran, name)(q), getattr(kernel, name)(q)), name
+
+
+def test_batches_write_to_arrays_of_one_order(kernel: kernels.Kernel, q: NDArray[np.float64]) -> None:
+    expected = kernel.forward_kinematics(q)
+    last = np.empty((3, N)).T, np.moveaxis(np.empty((3, 3, N)), -1, 0)
+    for columns in (q, np.asfortranarray(q)):
+        assert same(kernel.batch(columns, function="forward_kinematics"), expected)
+        assert same(kernel.batch(columns, function="forward_kinematics", out=last), expected)
+        last[1][:] = np.nan
+    with pytest.raises(InputError, match="one order for all"):
+        kernel.batch(q, function="forward_kinematics", out=(last[0], np.empty((N, 3, 3))))
