@@ -225,6 +225,7 @@ def command(
                     for f, c in generated.counts.items()
                 ],
                 "compiled": built,
+                **generated.base_parameters(),
             }
         )
         return

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from robodyn.errors import CheckError, InputError, RobodynError, ToolError
     from robodyn.formats.loading import load
     from robodyn.identify.run import identify
+    from robodyn.kernels.base_parameters import base_parameters
     from robodyn.kernels.generate import Generated, Options, generate, program
     from robodyn.kernels.operations import count
     from robodyn.kernels.robot_kernel import compile
@@ -46,6 +47,7 @@ _HOMES = {
     "RobodynError": "robodyn.errors",
     "Robot": "robodyn.robot",
     "ToolError": "robodyn.errors",
+    "base_parameters": "robodyn.kernels.base_parameters",
     "compile": "robodyn.kernels.robot_kernel",
     "count": "robodyn.kernels.operations",
     "excite": "robodyn.diagnose.excite",
@@ -63,6 +65,7 @@ __all__ = [
     "RobodynError",
     "Robot",
     "ToolError",
+    "base_parameters",
     "compile",
     "count",
     "diagnose",

@@ -19,6 +19,10 @@ BUNDLED: Final = tuple(sorted(path.stem for path in (Path(__file__).parents[2] /
 RANDOM: Final = tuple(f"random {seed}" for seed in range(200))
 
 
+#: Functions of arrays.
+FUNCTIONS: Final = {"sin": np.sin, "cos": np.cos, "sign": np.sign, "tanh": np.tanh}
+
+
 @cache
 def robot_named(name: str, *, friction: bool = True) -> Robot:
     """A bundled robot, or ``random 7``; its friction left out if that is asked for."""
@@ -46,5 +50,5 @@ def by_program(robot: Robot, function: str, **arrays: Any) -> Any:
     def leaf(x: Input) -> Any:
         return arrays[x.array][:, x.index]
 
-    results = interpreted(program(robot, function), leaf, {"sin": np.sin, "cos": np.cos}, float)
+    results = interpreted(program(robot, function), leaf, FUNCTIONS, float)
     return np.stack([np.broadcast_to(x, (count,)) for x in results], axis=-1)

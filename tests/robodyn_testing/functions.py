@@ -6,5 +6,7 @@ from robodyn.dynamics.functions import FUNCTIONS
 
 #: They need gears, which the arms of tests seldom have; tests/dynamics/test_motors.py is about them.
 OF_MOTORS = ("motor_torque", "motor_current")
+#: Base parameters depend on lengths, which are numbers then; tests/dynamics/test_regressor.py is about them.
+OF_PARAMETERS = tuple(name for name, function in FUNCTIONS.items() if function.has_parameters)
 #: Functions that an arm has whatever is stated of it, but where a joint moves without inertia.
-OF_ANY_ARM = tuple(name for name in FUNCTIONS if name not in OF_MOTORS)
+OF_ANY_ARM = tuple(name for name in FUNCTIONS if name not in (*OF_MOTORS, *OF_PARAMETERS))

@@ -68,7 +68,8 @@ class Body:
 @dataclass(frozen=True, slots=True)
 class Arm:
     """Bodies from base to tip and gravity [m/s^2] in the base frame; the base frame in the world, and the
-    tool in the last link's frame."""
+    tool in the last link's frame. ``motors``: whether torques are the motors', with rotors and friction in
+    them."""
 
     bodies: tuple[Body, ...]
     gravity: Vector
@@ -76,6 +77,7 @@ class Arm:
     dead_band: Any | None = None
     base: Frame = BASE
     tool: Frame = BASE
+    motors: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -182,7 +184,7 @@ def build_arm(robot: Robot, constant: Callable[[Fraction], Any], parameter: Call
     if loads:
         bodies[-1] = _loaded(bodies[-1], loads)
     base, tool = (BASE if place is None else _frame(constant, place) for place in (robot.base, robot.tool))
-    return Arm(tuple(bodies), (constant(gx), constant(gy), constant(gz)), rest, band, base, tool)
+    return Arm(tuple(bodies), (constant(gx), constant(gy), constant(gz)), rest, band, base, tool, motor)
 
 
 def inertial(arm: Arm) -> Arm:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robodyn.dynamics.arm import Arm, Motion
 from robodyn.dynamics.functions import Dynamics, Function, Moving, Rotor, torques_at
@@ -13,6 +13,9 @@ from robodyn.dynamics.parallel import Turns
 from robodyn.ir.graph import Graph
 from robodyn.ir.lowering import lower
 from robodyn.ir.program import Input, Label, Program
+
+if TYPE_CHECKING:
+    from robodyn.dynamics.base_parameter import BaseParameter
 
 #: The dynamics in a graph, at inputs ``[n]`` by name.
 Beneath = Callable[[Graph, Mapping[str, Vector]], Dynamics]
@@ -91,6 +94,10 @@ class _OfParts:
 
     def differentiated(self, values: Sequence[Any], array: str) -> None:
         """The parts' results are not differentiated."""
+
+    def base_set(self) -> Sequence[BaseParameter]:
+        """The base parameters."""
+        return self._beneath.base_set()
 
     def rotors(self) -> Sequence[Rotor]:
         """The rotors."""

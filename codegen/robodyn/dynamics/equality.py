@@ -15,6 +15,8 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, JointAngle, Motion, build_arm, build_motion, inertial
+from robodyn.dynamics.base_parameter import BaseParameter
+from robodyn.dynamics.base_set import base_set
 from robodyn.dynamics.functions import INPUTS, Moving, Rotor, function_named
 from robodyn.dynamics.joints import rotors_of
 from robodyn.dynamics.lump import NO_LUMP, MomentForm
@@ -25,6 +27,7 @@ from robodyn.dynamics.vectors import unmarked
 from robodyn.ir.evaluate import evaluate_exact, turn
 from robodyn.ir.field import Field
 from robodyn.ir.fingerprint import digest, fingerprint, in_drawn_field
+from robodyn.ir.graph import Graph
 from robodyn.ir.program import Input, Program
 from robodyn.ir.residue import Residue
 from robodyn.robot.identity import identity
@@ -129,7 +132,7 @@ def _rational_state(robot: Robot, chance: random.Random) -> _State:
 def _equal(robot: Robot, function: str, program: Program, state: _State) -> bool:
     record = function_named(function)
     arm = build_arm(robot, state.constant, lambda name: state.inputs[Input(name, None)])
-    plain = _Plain(arm, state)
+    plain = _Plain(robot, arm, state)
     one, other = record.compared(plain, list(state.run(program)), plain.inputs["qdd"])
     return list(one) == list(other)
 
@@ -139,14 +142,14 @@ class _Plain:
 
     mark = staticmethod(unmarked)
 
-    def __init__(self, arm: Arm, state: _State) -> None:
+    def __init__(self, robot: Robot, arm: Arm, state: _State) -> None:
         n = len(arm.bodies)
         self.inputs = {
             array.name: [state.inputs[Input(array.name, i)] for i in range(array.size_at(n))]
             for array in INPUTS
         }
         self.rest = [0] * n
-        self.arm, self._state = arm, state
+        self.arm, self._state, self._robot = arm, state, robot
 
     def torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
         """Joint torques [n]."""
@@ -175,6 +178,10 @@ class _Plain:
 
     def differentiated(self, values: Sequence[Any], array: str) -> None:
         """The rigid arm's derivatives are written out."""
+
+    def base_set(self) -> tuple[BaseParameter, ...]:
+        """The base parameters, by the exact numbers of the robot."""
+        return base_set(build_arm(self._robot, lambda x: x, Graph().input))
 
     def rotors(self) -> list[Rotor]:
         """The rotors of the joints."""

@@ -6,7 +6,14 @@ from collections.abc import Callable, Sequence
 from functools import cache
 from typing import Any
 
-from robodyn.dynamics.functions.record import INPUTS, Dynamics, Function, Pair, Vector
+from robodyn.dynamics.functions.record import (
+    INPUTS,
+    Dynamics,
+    Function,
+    Pair,
+    Vector,
+    parameters_of,
+)
 from robodyn.errors import InputError
 
 #: What stands between the names of functions that are fused.
@@ -80,9 +87,9 @@ def parts_of(
     functions: Sequence[Function], elements: Sequence[Any], n: int
 ) -> list[tuple[Function, Sequence[Any]]]:
     """Each function with its part of ``elements``, one after another, for ``n`` joints."""
-    parts, start = [], 0
+    parts, start, p = [], 0, parameters_of(functions, len(elements), n)
     for function in functions:
-        end = start + function.size_at(n)
+        end = start + function.size_at(n, p)
         parts.append((function, elements[start:end]))
         start = end
     return parts

@@ -6,3 +6,6 @@ from __future__ import annotations
 #: (``Function.small``): over the whole mass matrix, whose entries grow with the square of the joints, where
 #: a recursion grows with the joints. At 6 joints the recursion takes two thirds of the operations.
 FEW_JOINTS: int = 4
+
+#: Finite fields at most, of 120 bits each, whose residues together write a factor of a base parameter down.
+MOST_FIELDS: int = 40

@@ -12,14 +12,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from robodyn.dynamics.arm import about_x, about_z, origin
-from robodyn.dynamics.functions.record import Moving, Rotor
+from robodyn.dynamics.arm import Arm, Motion, about_x, about_z, origin
 from robodyn.dynamics.lump import Lump
+from robodyn.dynamics.rotor import Rotor
 from robodyn.dynamics.vectors import ZERO, Mark, Vector, cross, dot, named, plus, scaled, unmarked
 from robodyn.effects.scalars import is_zero
 from robodyn.ir.program import Label
+
+if TYPE_CHECKING:
+    from robodyn.dynamics.functions.record import Moving
+    from robodyn.dynamics.parallel import Turns
 
 HALF = Fraction(1, 2)
 
@@ -37,15 +41,14 @@ class Twist:
     carrier: Vector
 
 
-def twists(at: Moving, mark: Mark = unmarked) -> list[Twist]:
+def twists(arm: Arm, motion: Motion, turns: Turns, mark: Mark = unmarked) -> list[Twist]:
     """Velocities of the links [n]."""
     links: list[Twist] = []
-    turns = at.turns
-    for i, body in enumerate(at.arm.bodies):
+    for i, body in enumerate(arm.bodies):
         c, s = turns.c[i], turns.s[i]
         w = v = ZERO
         if i:
-            before, p = links[-1], origin(body, at.motion.d[i])
+            before, p = links[-1], origin(body, motion.d[i])
             if turns.follows[i]:
                 reach = about_z(turns.c[i - 1], turns.s[i - 1], p)
                 w, v = before.carrier, plus(before.start_v, cross(before.start_w, reach))
@@ -56,7 +59,7 @@ def twists(at: Moving, mark: Mark = unmarked) -> list[Twist]:
         if body.revolute:
             w = plus(w, (0, 0, turns.rate[i]))
         else:
-            v = plus(v, (0, 0, at.motion.qd[i]))
+            v = plus(v, (0, 0, motion.qd[i]))
         own_w = named(mark, about_z(c, -s, w), i + 1, "w")
         links.append(Twist(own_w, named(mark, about_z(c, -s, v), i + 1, "vo"), w, v, carrier))
     return links
@@ -68,7 +71,7 @@ def kinetic_energy(at: Moving, rotors: Sequence[Rotor], mark: Mark = unmarked) -
     for rotor in rotors:
         rate = _rate(rotor, at.motion.qd)
         total = total + HALF * rotor.inertia * (rate * rate)
-    for i, (lump, twist) in enumerate(zip(at.lumps, twists(at, mark), strict=True), 1):
+    for i, (lump, twist) in enumerate(zip(at.lumps, _twists(at, mark), strict=True), 1):
         (x, y, z), v, (hx, hy, hz), j = twist.w, twist.v, lump.first, lump.inertia()
         # w . (J w / 2 + h x v) + m v . v / 2
         total = total + HALF * j.zz * (z * z)
@@ -89,7 +92,7 @@ def momenta(at: Moving, rotors: Sequence[Rotor], mark: Mark = unmarked) -> tuple
     """
     arm, turns = at.arm, at.turns
     n = len(arm.bodies)
-    links = twists(at, mark)
+    links = _twists(at, mark)
     momentum: list[Any] = [0] * n
     slope: list[Any] = [0] * n
     linear: Vector | None = None
@@ -119,6 +122,10 @@ def momenta(at: Moving, rotors: Sequence[Rotor], mark: Mark = unmarked) -> tuple
         for joint, ratio in rotor.rates:
             momentum[joint] = momentum[joint] + ratio * (rotor.inertia * _rate(rotor, at.motion.qd))
     return momentum, slope
+
+
+def _twists(at: Moving, mark: Mark) -> list[Twist]:
+    return twists(at.arm, at.motion, at.turns, mark)
 
 
 def _momentum(lump: Lump, twist: Twist) -> tuple[Vector, Vector]:

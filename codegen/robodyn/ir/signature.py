@@ -24,6 +24,10 @@ class Signature:
     scalar: ScalarType = "double"
     #: Members of ``NAME_state``: a function that has any takes ``NAME_state *state, NAME_real dt`` last.
     states: tuple[str, ...] = ()
+    #: How many joints the robot has; 0 where it is not known.
+    joints: int = 0
+    #: What each base parameter is, where a function has any: a column of the regressor.
+    columns: tuple[str, ...] = ()
 
     @property
     def symbol(self) -> str:

@@ -51,7 +51,8 @@ class Function:
         self.library = library
         self._inputs = tuple(name for name, _ in signature.inputs)
         self.results = tuple(
-            (name, _array(name, length).shape_of(length)) for name, length in signature.outputs
+            (name, _array(name, length).shape_of(length, signature.joints))
+            for name, length in signature.outputs
         )
         self.where = f"{signature.robot}.{signature.function}"
         self._call = getattr(library.lib, f"{signature.function}_robodyn_batch")

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from os import PathLike
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from robodyn.counts import Count, count
 from robodyn.dynamics.functions import NoSuchFunction, function_named
@@ -32,7 +32,7 @@ from robodyn.kernels.options import (
     Trigonometry,
 )
 from robodyn.kernels.rigid_programs import RigidPrograms, SingularArm
-from robodyn.optimize.programs import Choice, NoForwardDynamics, signature
+from robodyn.optimize.programs import Choice, NoForwardDynamics, base_set_of, signature
 from robodyn.passes.angles import angles_first
 from robodyn.passes.registers import registers
 from robodyn.passes.trig_given import describe, given_layout, trig_given
@@ -82,6 +82,12 @@ class Generated:
     def signatures(self) -> tuple[Signature, ...]:
         """Interfaces of the functions, in order."""
         return tuple(interface for interface, _ in self.unit.functions)
+
+    def base_parameters(self) -> dict[str, Any]:
+        """What the columns of a regressor are, as JSON has it; nothing without base parameters."""
+        if not any(signature.columns for signature in self.signatures):
+            return {}
+        return {"base_parameters": [parameter.to_dict() for parameter in base_set_of(self.unit.robot)]}
 
     def files(self, languages: Sequence[str] | None = None, *, batch: bool = False) -> dict[str, str]:
         """The files in ``languages`` (default: :func:`robodyn.emit.languages.defaults`): text by file name;
@@ -155,7 +161,8 @@ def generate(
         notes=_notes(drafts)
         + (() if isinstance(builder, RigidPrograms) else builder.notes)
         + _pruned(drafts)
-        + (("sc is not read: there is no angle.",) if no_angle else ()),
+        + (("sc is not read: there is no angle.",) if no_angle else ())
+        + _columns(tuple(interfaces.values())),
         target=_target_note(options),
         options=options.text,
         misra=options.misra,
@@ -240,6 +247,18 @@ def _notes(drafts: RigidPrograms) -> tuple[str, ...]:
         f"Of {', '.join(functions)} the best program known for these parameters, equal to the recursion "
         f"without being written like it: {record}."
         for record, functions in notes.items()
+    )
+
+
+def _columns(interfaces: Sequence[Signature]) -> tuple[str, ...]:
+    """What the head of the files says of base parameters."""
+    columns = next((interface.columns for interface in interfaces if interface.columns), ())
+    if not columns:
+        return ()
+    return (
+        "Base parameters, from masses m, first moments mx my mz and second moments Kxx .. Kyz of the links "
+        "about the origins of their frames (inertia: xx = Kyy + Kzz, xy = -Kxy ...), rotors and friction:",
+        *(f"  {k}: {text}" for k, text in enumerate(columns, 1)),
     )
 
 

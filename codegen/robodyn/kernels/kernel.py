@@ -117,6 +117,7 @@ class Kernel:
     functions: names of the functions.
     signatures: ``{name: Signature}``.
     parameters: names of the run-time parameters.
+    base_parameters: what each column of a regressor is, in numbers of the links; ``()`` without one.
     mode, path, compiler, flags: how it was built, and where it lies.
     """
 
@@ -130,6 +131,7 @@ class Kernel:
         self.signatures = {s.function: s for s in signatures}
         self.functions = tuple(self.signatures)
         self.parameters = parameters_of(signatures)
+        self.base_parameters = next((s.columns for s in signatures if s.columns), ())
         self.mode, self.path = library.mode, library.path
         self.compiler, self.flags = library.compiler, library.flags
         self._recipe = recipe

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robodyn.drives.coupling import TwistState, link_rates, memory_of, motor_rates, next_twist
 from robodyn.drives.drive import (
@@ -30,8 +30,11 @@ from robodyn.ir.derivative import jacobian
 from robodyn.ir.graph import Graph
 from robodyn.ir.lowering import lower
 from robodyn.ir.program import Input, Label, Program
-from robodyn.optimize.programs import Choice, NoForwardDynamics, exact, recursion_in, turned
+from robodyn.optimize.programs import Choice, NoForwardDynamics, base_set_of, exact, recursion_in, turned
 from robodyn.robot.model import Robot
+
+if TYPE_CHECKING:
+    from robodyn.dynamics.base_parameter import BaseParameter
 
 #: Recursions that pass by the force and the moment in every joint.
 REACTIONS = {"modified_newton_euler": modified_newton_euler, "newton_euler": newton_euler}
@@ -141,6 +144,10 @@ class _Layered:
     def differentiated(self, values: Sequence[Any], array: str) -> list[list[Any]]:
         """Derivatives of ``values`` by the elements of ``array``, through all effects."""
         return jacobian(self.graph, values, [Input(array, i) for i in range(self._robot.n)])
+
+    def base_set(self) -> tuple[BaseParameter, ...]:
+        """There are none: torques are not linear in any."""
+        return base_set_of(self._robot)
 
     def rotors(self) -> list[Rotor]:
         """The rotors of the drives."""

@@ -9,7 +9,7 @@ import importlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robodyn.dynamics.arm import (
     Arm,
@@ -44,6 +44,9 @@ from robodyn.optimize.suited import suited_variant
 from robodyn.optimize.variant import Variant
 from robodyn.robot.identity import identity
 from robodyn.robot.model import Robot
+
+if TYPE_CHECKING:
+    from robodyn.dynamics.base_parameter import BaseParameter
 
 #: Formulations of the inverse dynamics, from the description as it stands.
 FORMULATIONS = (
@@ -122,15 +125,41 @@ def choice_from(data: Any) -> Choice:
 def signature(robot: Robot, function: str, scalar: ScalarType = "double") -> Signature:
     """The interface of ``function`` of ``robot``; :class:`InputError` for an unknown function."""
     record, n = function_named(function), robot.n
+    columns = base_set_of(robot) if record.has_parameters else ()
+    p = len(columns)
     return Signature(
         robot=robot.name,
         function=function,
-        inputs=tuple((array.name, array.size_at(n)) for array in record.inputs),
-        outputs=tuple((array.name, array.size_at(n)) for array in record.results),
+        inputs=tuple((array.name, array.size_at(n, p)) for array in record.inputs),
+        outputs=tuple((array.name, array.size_at(n, p)) for array in record.results),
         parameters=robot.parameters,
         scalar=scalar,
         states=_states(robot) if record.is_recursion and robot.effects else (),
+        joints=n,
+        columns=tuple(map(str, columns)),
     )
+
+
+def base_set_of(robot: Robot) -> tuple[BaseParameter, ...]:
+    """The base parameters of ``robot``, base to tip.
+
+    Raises
+    ------
+    NoSuchFunction: its drives have effects, or a length is a run-time parameter.
+    """
+    from robodyn.drives.drive import has_drive_effects
+    from robodyn.dynamics.base_set import base_set
+
+    if has_drive_effects(robot):
+        raise NoSuchFunction(
+            f"{robot.name}: torques are not linear in base parameters",
+            found="drives with effects",
+            remedy="leave the effects out, or state torque_side: link",
+        )
+    try:
+        return base_set(build_arm(robot, exact, Graph().input))
+    except InputError as error:
+        raise NoSuchFunction(error.what, found=error.found, remedy=error.remedy) from None
 
 
 def _states(robot: Robot) -> tuple[str, ...]:
@@ -244,6 +273,12 @@ class Recursion:
 
     def differentiated(self, values: Sequence[Any], array: str) -> None:
         """The rigid arm's derivatives are written out."""
+
+    def base_set(self) -> tuple[BaseParameter, ...]:
+        """The base parameters."""
+        from robodyn.dynamics.base_set import base_set
+
+        return base_set(self.arm)
 
     def rotors(self) -> list[Rotor]:
         """The rotors of the joints."""

@@ -191,7 +191,7 @@ class _Run:
         """``function`` against ``oracle`` at ``count`` states, evenly picked; of what is fused the worst
         part."""
         record, n = function_named(function), self.inputs["q"].shape[1]
-        elements = range(record.size_at(n))
+        elements = range(sum(length for _, length in self.kernel.signatures[function].outputs))
         parts = parts_of(record.fuses, elements, n) if record.fuses else [(record, elements)]
         compared = [self._compare(function, part, list(own), oracle, count) for part, own in parts]
         return max(compared, key=lambda comparison: (not comparison.passed, comparison.error))

@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,12 +27,16 @@ from robodyn.dynamics.parallel import Turns, single_turns
 from robodyn.dynamics.regroup import lumps_of
 from robodyn.dynamics.vectors import unmarked
 from robodyn.ir.evaluate import turn
+from robodyn.optimize.programs import base_set_of
 from robodyn.robot.model import Robot
 from robodyn.robot.values import ZERO, circle_point
 from robodyn.verify.exact import exact_torque
 from robodyn.verify.lagrangian import lagrangian
 from robodyn.verify.numbers import Parameters, filled, real
 from robodyn.verify.reference import Floats, Reference
+
+if TYPE_CHECKING:
+    from robodyn.dynamics.base_parameter import BaseParameter
 
 #: float64, or Fractions in an array of objects.
 Numbers = NDArray[Any]
@@ -141,6 +145,10 @@ class _Columns:
 
     def differentiated(self, values: Sequence[Any], array: str) -> None:
         """The rigid arm's derivatives are written out."""
+
+    def base_set(self) -> tuple[BaseParameter, ...]:
+        """The base parameters."""
+        return base_set_of(self._oracle.robot)
 
     def rotors(self) -> list[Rotor]:
         """The rotors of the drives."""

@@ -8,16 +8,18 @@ from math import prod
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol
 
 from robodyn.dynamics.limits import FEW_JOINTS
+from robodyn.dynamics.rotor import Rotor as Rotor
 from robodyn.dynamics.vectors import Mark
 from robodyn.errors import InputError
 
 if TYPE_CHECKING:
     from robodyn.dynamics.arm import Arm, Motion
+    from robodyn.dynamics.base_parameter import BaseParameter
     from robodyn.dynamics.lump import Lump, MomentForm
     from robodyn.dynamics.parallel import Turns
 
-#: Elements of a state along one axis: a number, or as many as there are joints.
-Length = int | Literal["n"]
+#: Elements of a state along one axis: a number, or as many as there are joints (n) or base parameters (p).
+Length = int | Literal["n", "p"]
 #: Scalars of any kind, one for each joint.
 Vector = Sequence[Any]
 
@@ -33,26 +35,30 @@ class Array(NamedTuple):
     prismatic: str = ""
     shape: tuple[Length, ...] = ("n",)
 
-    def shape_at(self, n: int) -> tuple[int, ...]:
-        """The shape for ``n`` joints."""
-        return tuple(n if length == "n" else length for length in self.shape)
+    def shape_at(self, n: int, p: int = 0) -> tuple[int, ...]:
+        """The shape for ``n`` joints and ``p`` base parameters."""
+        return tuple(n if length == "n" else p if length == "p" else length for length in self.shape)
 
-    def size_at(self, n: int) -> int:
-        """How many numbers these are for ``n`` joints."""
-        return prod(self.shape_at(n))
+    def size_at(self, n: int, p: int = 0) -> int:
+        """How many numbers these are."""
+        return prod(self.shape_at(n, p))
 
-    def shape_of(self, size: int) -> tuple[int, ...]:
-        """The shape of so many numbers.
+    def shape_of(self, size: int, n: int = 0) -> tuple[int, ...]:
+        """The shape of so many numbers, for ``n`` joints if that is known.
 
         Raises
         ------
         ValueError: the array has not so many, whatever the number of joints.
         """
-        free = self.shape.count("n")
-        n = round((size / self.size_at(1)) ** (1 / free)) if free else 0
-        if self.size_at(n) != size:
+        p = 0
+        if "p" in self.shape:
+            p = size // max(1, self.size_at(n, 1))
+        else:
+            free = self.shape.count("n")
+            n = round((size / self.size_at(1)) ** (1 / free)) if free else 0
+        if self.size_at(n, p) != size:
             raise ValueError(f"{self.name} is {list(self.shape)}, and not of {size} numbers")
-        return self.shape_at(n)
+        return self.shape_at(n, p)
 
     @property
     def text(self) -> str:
@@ -97,14 +103,6 @@ class Moving:
     ground: Lump
 
 
-class Rotor(NamedTuple):
-    """A rotor: its inertia [kg m^2, kg], and the joints (from 0) whose rates add up to its own, each with a
-    ratio."""
-
-    inertia: Any
-    rates: tuple[tuple[int, Any], ...]
-
-
 class Dynamics(Protocol):
     """An arm at one state, over any scalar: nodes of a graph, fractions, elements of a field, columns of
     numbers, sympy expressions. All that functions are written in terms of, and checked by.
@@ -147,6 +145,15 @@ class Dynamics(Protocol):
     def differentiated(self, values: Vector, array: str) -> Sequence[Vector] | None:
         """Derivatives of ``values`` by the elements of an input, as rows; None for the rigid arm, whose
         derivatives are written out."""
+        ...
+
+    def base_set(self) -> Sequence[BaseParameter]:
+        """The combinations of the links' numbers that the torques depend on.
+
+        Raises
+        ------
+        InputError: they are not linear in any, or a length is a run-time parameter.
+        """
         ...
 
     def rotors(self) -> Sequence[Rotor]:
@@ -271,6 +278,11 @@ class Function:
         return {array.name: [node(array.name, i) for i in range(array.size_at(n))] for array in self.inputs}
 
     @property
+    def has_parameters(self) -> bool:
+        """Whether a shape depends on how many base parameters there are."""
+        return any("p" in array.shape for array in (*self.inputs, *self.results))
+
+    @property
     def words(self) -> str:
         """Its name in a sentence."""
         return self.name.replace("_", " ")
@@ -288,15 +300,15 @@ class Function:
         """All ways to write the outputs of ``n`` joints."""
         return (self.outputs, *self.others, *(self.small if n <= FEW_JOINTS else ()))
 
-    def size_at(self, n: int) -> int:
-        """How many numbers the results are for ``n`` joints."""
-        return sum(array.size_at(n) for array in self.results)
+    def size_at(self, n: int, p: int = 0) -> int:
+        """How many numbers the results are for ``n`` joints and ``p`` base parameters."""
+        return sum(array.size_at(n, p) for array in self.results)
 
     def split(self, elements: Sequence[Any], n: int) -> list[tuple[str, Sequence[Any]]]:
         """``elements``, one after another, as ``(name, elements)`` of each result."""
-        parts, start = [], 0
+        parts, start, p = [], 0, parameters_of([self], len(elements), n)
         for array in self.results:
-            end = start + array.size_at(n)
+            end = start + array.size_at(n, p)
             parts.append((array.name, elements[start:end]))
             start = end
         return parts
@@ -308,3 +320,10 @@ class Function:
             return self.condition(dynamics, result, anywhere)
         assert self.expected is not None
         return result, self.expected(dynamics)
+
+
+def parameters_of(functions: Sequence[Function], size: int, n: int) -> int:
+    """How many base parameters an arm of ``n`` joints has if results of ``functions`` are ``size`` numbers;
+    0 where these do not depend on them."""
+    known, more = (sum(function.size_at(n, p) for function in functions) for p in (0, 1))
+    return (size - known) // (more - known) if more > known else 0

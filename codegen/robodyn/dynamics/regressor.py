@@ -1,0 +1,131 @@
+"""Torques of a rigid arm by its inertial numbers, one column for each; over any scalar.
+
+Moments of mass about a frame's origin give a force and a moment of the link; virtual work carries them to the
+joints: a unit rate of joint i moves link j, and what the force and the moment do then is the torque. So only
+unit motions go out along the arm, six numbers a pair of joint and link, and no wrench comes back.
+
+Source: Atkeson, An and Hollerbach 1986, with second moments in place of inertias: lambda times one is what
+resists to turn (:mod:`~robodyn.dynamics.modified_newton_euler`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+from robodyn.dynamics.arm import Arm, Motion, about_x, about_z, origin
+from robodyn.dynamics.joints import smoothed_sign
+from robodyn.dynamics.modified_newton_euler import NO_ROTATION, Lambda, lambda_matrix
+from robodyn.dynamics.momenta import Twist, twists
+from robodyn.dynamics.parallel import Turns
+from robodyn.dynamics.vectors import ZERO, Mark, Vector, named, plus, unmarked
+
+
+@dataclass(frozen=True, slots=True)
+class _Accelerated:
+    """A link: ``lam`` and ``a``, the acceleration of its origin less gravity, along its own axes; along those
+    in which it begins to turn ``start_a`` and the angular acceleration of what carries it."""
+
+    lam: Lambda
+    a: Vector
+    alpha: Vector
+    start_a: Vector
+    carrier: Vector
+
+
+def unit_torques(
+    arm: Arm, motion: Motion, turns: Turns, columns: Sequence[tuple[str, int]], mark: Mark = unmarked
+) -> list[list[Any]]:
+    """Torques [n][columns] that a unit of each of ``columns`` takes: a quantity and its link (from 1)."""
+    n = len(arm.bodies)
+    links = _accelerated(arm, motion, turns, mark)
+    rows: list[list[Any]] = []
+    for i in range(n):
+        units = _unit_motion(arm, motion, turns, i)
+        row: list[Any] = []
+        for quantity, link in columns:
+            if quantity in _DRIVE:
+                row.append(_DRIVE[quantity](arm, motion, i) if link == i + 1 else 0)
+            elif link <= i:
+                row.append(0)
+            else:
+                at, unit = links[link - 1], units[link - 1]
+                row.append(_WORK[quantity](unit.w, unit.v, at.lam.rows, at.a))
+        rows.append(row)
+    return rows
+
+
+def _unit_motion(arm: Arm, motion: Motion, turns: Turns, i: int) -> list[Twist]:
+    """Velocities of the links at a unit rate of joint ``i`` (from 0) alone."""
+    qd = [int(j == i) for j in range(len(arm.bodies))]
+    rate: list[Any] = []
+    for j, body in enumerate(arm.bodies):
+        rate.append(body.cos_alpha * rate[j - 1] + qd[j] if turns.follows[j] else qd[j])
+    moved = replace(motion, qd=tuple(qd))
+    return twists(arm, moved, replace(turns, rate=tuple(rate)))
+
+
+def _accelerated(arm: Arm, motion: Motion, turns: Turns, mark: Mark) -> list[_Accelerated]:
+    gx, gy, gz = arm.gravity
+    velocities = twists(arm, motion, turns, mark)
+    before = _Accelerated(NO_ROTATION, (-gx, -gy, -gz), ZERO, ZERO, ZERO)
+    links = []
+    for i, (body, twist) in enumerate(zip(arm.bodies, velocities, strict=True)):
+        c, s, p = turns.c[i], turns.s[i], origin(body, motion.d[i])
+        if turns.follows[i]:
+            step = about_z(turns.c[i - 1], turns.s[i - 1], before.lam.times(p))
+            alpha, a = before.carrier, plus(before.start_a, step)
+        else:
+            alpha, a = before.alpha, plus(before.a, before.lam.times(p))
+        carrier, start_a = (about_x(body.cos_alpha, -body.sin_alpha, u) for u in (alpha, a))
+        own_alpha = about_z(c, -s, carrier)
+        (wx, wy, _), rate = twist.w, turns.rate[i]
+        if body.revolute:
+            own_alpha = plus(own_alpha, (wy * rate, -(wx * rate), turns.acceleration[i]))
+        else:
+            twice = 2 * motion.qd[i]
+            wx, wy, _ = twist.start_w
+            start_a = plus(start_a, (twice * wy, -(twice * wx), motion.qdd[i]))
+        own_alpha = named(mark, own_alpha, i + 1, "alpha")
+        own_a = named(mark, about_z(c, -s, start_a), i + 1, "a")
+        lam = lambda_matrix(twist.w, own_alpha, i + 1, mark)
+        before = _Accelerated(lam, own_a, own_alpha, start_a, carrier)
+        links.append(before)
+    return links
+
+
+#: The power of the force and the moment that a unit of a quantity takes, at the velocities ``w`` and ``v`` of
+#: the link and its origin: ``L`` is its lambda, ``a`` the acceleration of its origin.
+_Work = Callable[[Vector, Vector, Sequence[Vector], Vector], Any]
+
+
+def _first(k: int) -> _Work:
+    """A first moment along axis ``k``: the force is a column of lambda, the moment ``k x a``."""
+    x, y = (k + 1) % 3, (k + 2) % 3
+    return lambda w, v, L, a: v[0] * L[0][k] + v[1] * L[1][k] + v[2] * L[2][k] + (w[y] * a[x] - w[x] * a[y])
+
+
+def _square(k: int) -> _Work:
+    """A second moment along axis ``k``."""
+    x, y = (k + 1) % 3, (k + 2) % 3
+    return lambda w, v, L, a: w[y] * L[x][k] - w[x] * L[y][k]
+
+
+def _product(k: int) -> _Work:
+    """The mixed second moment of the axes other than ``k``."""
+    x, y = (k + 1) % 3, (k + 2) % 3
+    return lambda w, v, L, a: w[k] * (L[y][y] - L[x][x]) + w[x] * L[k][x] - w[y] * L[k][y]
+
+
+_WORK: dict[str, _Work] = {
+    "m": lambda w, v, L, a: v[0] * a[0] + v[1] * a[1] + v[2] * a[2],
+    **{f"m{axis}": _first(k) for k, axis in enumerate("xyz")},
+    **{f"K{axis}{axis}": _square(k) for k, axis in enumerate("xyz")},
+    **{f"K{axes}": _product(k) for k, axes in enumerate(("yz", "xz", "xy"))},
+}
+_DRIVE: dict[str, Callable[[Arm, Motion, int], Any]] = {
+    "rotor": lambda arm, motion, i: motion.qdd[i],
+    "viscous": lambda arm, motion, i: motion.qd[i],
+    "coulomb": lambda arm, motion, i: smoothed_sign(motion.qd[i], arm.rest_velocity, arm.dead_band),
+}
