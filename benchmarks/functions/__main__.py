@@ -108,8 +108,7 @@ def of_robot(
     for function in functions:
         try:
             shipped, fast = (
-                program(robot, function, Options((function,), optimize=level))  # type: ignore[arg-type]
-                for level in ("record", "fast")
+                program(robot, function, Options((function,), optimize=level)) for level in ("record", "fast")
             )
         except NoSuchFunction as reason:
             print(f"{name} has no {function}: {reason.found}", file=sys.stderr)
@@ -118,7 +117,7 @@ def of_robot(
         expected[function] = values_of(shipped, states)
     for tool in tools:
         if tool == "pinocchio":
-            traced(folder, list(table))
+            traced(folder, [name + ending for name in table for ending in ("", "_world")])
         for answers in asked(tool, folder, list(table), options.seconds):
             table[answers.function][tool] = _fewest(tool, answers, expected[answers.function])
     return table

@@ -12,7 +12,6 @@ TITLES = {
     "wrenfold": "wrenfold",
     "pinocchio": "Pinocchio -> CasADi, `cse`",
 }
-_LEVELS = {"record": "as shipped", "fast": "fast"}
 START, END = "<!-- counts -->\n", "<!-- end -->"
 #: The arms whose operations stand in the documents, one with zeros in its model and one without.
 SHOWN = ("puma560", "panda")
@@ -88,27 +87,30 @@ def ratio(row: Mapping[str, Any], own: str = "record") -> tuple[float, str] | No
     return (fewest / ours if ours else float("inf") if fewest else 1.0), tool
 
 
-def not_below(figures: Mapping[str, Any]) -> Iterator[tuple[str, str, str, int, str, int]]:
-    """Where ours is not below a peer: robot, function, our level, our operations, the peer and its."""
-    for robot, table in figures["robots"].items():
-        for function, row in table.items():
-            for level in _LEVELS:
-                for tool in TITLES:
-                    other = row.get(tool, {}).get("total")
-                    if other is not None and other <= row[level]["total"]:
-                        yield robot, function, level, row[level]["total"], tool, other
+def not_below(figures: Mapping[str, Any]) -> Iterator[tuple[str, str, int, str, int]]:
+    """Where ours is not below a peer: function, robot, our operations, the best peer and its."""
+    for function in functions(figures):
+        for robot, table in figures["robots"].items():
+            best = ratio(table[function]) if function in table else None
+            if best is not None and best[0] <= 1:
+                row, tool = table[function], best[1]
+                yield function, robot, row["record"]["total"], tool, row[tool]["total"]
 
 
 def _not_below(figures: Mapping[str, Any]) -> Iterator[str]:
-    lines = [
-        f"- `{robot}`, {function}, {_LEVELS[level]}: {ours}, {TITLES[tool]} {other}"
-        for robot, function, level, ours, tool, other in not_below(figures)
-    ]
-    yield (
-        "Ours is below every peer, in every function of every robot."
-        if not lines
-        else ("Where ours is not below a peer:\n\n" + "\n".join(lines))
-    )
+    more: dict[str, list[str]] = {}
+    equal: dict[str, list[str]] = {}
+    for function, robot, ours, tool, theirs in not_below(figures):
+        if theirs < ours:
+            more.setdefault(function, []).append(f"`{robot}` {ours} ({TITLES[tool]} {theirs})")
+        else:
+            equal.setdefault(function, []).append(f"`{robot}` {ours}")
+    for what, table in (
+        ("Where another takes fewer operations than ours", more),
+        ("Where the best of the others takes as many", equal),
+    ):
+        lines = [f"- {function}: {', '.join(robots)}" for function, robots in table.items()]
+        yield f"{what}:\n\n" + "\n".join(lines) if lines else f"{what}: nowhere."
 
 
 def summary(figures: Mapping[str, Any]) -> str:

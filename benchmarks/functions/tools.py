@@ -40,7 +40,8 @@ def casadi(arm: Numbers, function: str, states: Floats, folder: Path) -> Iterato
             return _rows(ca.jacobian(ca.vertcat(*values), ca.vertcat(*by)))
 
         def substituted(self, values: Sequence[Any], symbols: Sequence[Any], by: Sequence[Any]) -> Values:
-            return ca.vertsplit(ca.substitute(ca.vertcat(*values), ca.vertcat(*symbols), ca.vertcat(*by)))
+            replaced = ca.substitute(ca.vertcat(*values), ca.vertcat(*symbols), ca.vertcat(*by))
+            return list(ca.vertsplit(replaced))
 
         def solved(self, matrix: Rows, right: Rows) -> Rows:
             left, other = (ca.vertcat(*(ca.horzcat(*row) for row in rows)) for rows in (matrix, right))
@@ -61,7 +62,7 @@ def pinocchio(arm: Numbers, function: str, states: Floats, folder: Path) -> Iter
     import casadi as ca
 
     for path in sorted(folder.glob(f"pinocchio_{function}*.casadi")):
-        if path.stem.removeprefix(f"pinocchio_{function}") in ("", "_local"):
+        if path.stem.removeprefix(f"pinocchio_{function}") in ("", "_world"):
             made = ca.Function.load(str(path))
             yield of_casadi(made), _values_of_casadi(made, states)
 

@@ -31,13 +31,13 @@ WANTED_CASADI = 2.5
 #: What Pinocchio calls them, where its own name says more; those that it has in two conventions race in both.
 ALGORITHMS = {
     "inverse_dynamics": ("rnea",),
-    "mass_matrix": ("crba, WORLD", "crba, LOCAL"),
-    "forward_dynamics": ("aba, WORLD", "aba, LOCAL"),
+    "mass_matrix": ("crba", "crba, Convention::WORLD"),
+    "forward_dynamics": ("aba", "aba, Convention::WORLD"),
     "inverse_dynamics_derivatives": ("computeRNEADerivatives",),
     "forward_dynamics_derivatives": ("computeABADerivatives",),
     "jacobian_and_forward_kinematics": ("computeJointJacobians, getJointJacobian",),
 }
-_ENDINGS = ("", "_local")
+_ENDINGS = ("", "_world")
 REFERENCE = "robodyn"
 
 

@@ -130,14 +130,14 @@ def _functions(found: Mapping[str, Any]) -> Iterable[str]:
     yield _table(
         ("robot", "function", "times faster than", "ours compiled with", "wanted", "measured"), lines
     )
-    lines = []
+    rows = []
     for race in races:
         for row in race["rows"]:
             title = f"**{row['title']}**" if row["ours"] else row["title"]
             counted = "-" if row["instructions"] is None else f"{row['instructions']:.0f}"
-            cells = (f"{row['ns']:.0f}", _ratio(row["ratio"]), counted, f"`{row['flags']}`")
-            lines.append((race["robot"], race["function"], title, *cells))
-    yield _table(("robot", "function", "", "ns", "ratio", "instructions", "compiled with"), lines)
+            figures = (f"{row['ns']:.0f}", _ratio(row["ratio"]), counted, f"`{row['flags']}`")
+            rows.append((race["robot"], race["function"], title, *figures))
+    yield _table(("robot", "function", "", "ns", "ratio", "instructions", "compiled with"), rows)
     absent = {f"- {one['title']}: {one['why']}" for race in races for one in race["missing"]}
     if absent:
         yield "\n".join(sorted(absent))

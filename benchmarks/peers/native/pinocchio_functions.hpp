@@ -86,16 +86,16 @@ FUNCTION_OF(inverse_dynamics, n, { arm.rows(pinocchio::rnea(model, data, q, v, a
 FUNCTION_OF(gravity, n, { arm.rows(pinocchio::computeGeneralizedGravity(model, data, q), out); })
 FUNCTION_OF(bias, n, { arm.rows(pinocchio::nonLinearEffects(model, data, q, v), out); })
 FUNCTION_OF(mass_matrix, n *n, {
+    pinocchio::crba(model, data, q);
+    arm.mirrored(data.M, out);
+})
+FUNCTION_OF(mass_matrix_world, n *n, {
     pinocchio::crba(model, data, q, pinocchio::Convention::WORLD);
     arm.mirrored(data.M, out);
 })
-FUNCTION_OF(mass_matrix_local, n *n, {
-    pinocchio::crba(model, data, q, pinocchio::Convention::LOCAL);
-    arm.mirrored(data.M, out);
-})
-FUNCTION_OF(forward_dynamics, n, { arm.rows(pinocchio::aba(model, data, q, v, a, pinocchio::Convention::WORLD), out); })
-FUNCTION_OF(forward_dynamics_local, n,
-            { arm.rows(pinocchio::aba(model, data, q, v, a, pinocchio::Convention::LOCAL), out); })
+FUNCTION_OF(forward_dynamics, n, { arm.rows(pinocchio::aba(model, data, q, v, a), out); })
+FUNCTION_OF(forward_dynamics_world, n,
+            { arm.rows(pinocchio::aba(model, data, q, v, a, pinocchio::Convention::WORLD), out); })
 FUNCTION_OF(coriolis_matrix, n *n, { arm.rows(pinocchio::computeCoriolisMatrix(model, data, q, v), out); })
 FUNCTION_OF(inverse_dynamics_derivatives, 2 * n * n, {
     pinocchio::computeRNEADerivatives(model, data, q, v, a);
@@ -163,9 +163,9 @@ FUNCTION_OF(regressor, 10 * n *n, { arm.rows(pinocchio::computeJointTorqueRegres
     CALL(gravity)                                                                                                      \
     CALL(bias)                                                                                                         \
     CALL(mass_matrix)                                                                                                  \
-    CALL(mass_matrix_local)                                                                                            \
+    CALL(mass_matrix_world)                                                                                            \
     CALL(forward_dynamics)                                                                                             \
-    CALL(forward_dynamics_local)                                                                                       \
+    CALL(forward_dynamics_world)                                                                                       \
     CALL(coriolis_matrix)                                                                                              \
     CALL(inverse_dynamics_derivatives)                                                                                 \
     CALL(forward_dynamics_derivatives)                                                                                 \

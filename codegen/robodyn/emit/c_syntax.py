@@ -9,8 +9,8 @@ from robodyn.emit.spelling import Spelling
 from robodyn.emit.syntax import Syntax
 from robodyn.emit.trig import trig_context
 
-#: Compilations that would not round as written, and what is said of them. 16 is 0 but for _Float16: gcc has it
-#: with -march=native where the processor computes in half precision.
+#: Compilations that would not round as written, and what is said of them. 16 is 0 but for _Float16: gcc
+#: has it with -march=native where the processor computes in half precision.
 REFUSED = (
     ("defined(__FAST_MATH__)", "sine and cosine are for arithmetic as written: no -ffast-math"),
     (
