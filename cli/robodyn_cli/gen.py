@@ -222,6 +222,7 @@ def command(
                         with_rigid(record(described, f, formulation, c), generated.rigid_counts.get(f)),
                         generated.prunings.get(f),
                     )
+                    | {"zeros": generated.zeros[f]}
                     for f, c in generated.counts.items()
                 ],
                 "compiled": built,

@@ -11,12 +11,13 @@ import pytest
 from ir.programs import Point, exactly
 from peers.numbers import Array, armature, number
 from robodyn import Options, load, program
+from robodyn.counts import count
 from robodyn.dynamics.functions import derivatives
 from robodyn.ir import Graph, Input, Program
 from robodyn.ir.derivative import jacobian
 from robodyn.ir.evaluate import evaluate
 from robodyn.ir.lowering import lower
-from robodyn.kernels.generate import NoForwardDynamics
+from robodyn.kernels.generate import NoForwardDynamics, generate
 from robodyn.kernels.proof import Unequal
 from robodyn.robot import Robot, bundled_names, read_text
 from robodyn_testing import require_module, sampled
@@ -203,3 +204,20 @@ def test_a_wrong_formula_is_noticed(function: str, monkeypatch: pytest.MonkeyPat
     monkeypatch.setattr(derivatives, "_flat", wrong)
     with pytest.raises(Unequal):
         program(robot, function, FAST)
+
+
+def test_what_is_always_zero_is_listed() -> None:
+    """Nothing depends on how far the first joint has turned about the vertical, whatever its program says."""
+    made = generate(load("puma560"), Options(("inverse_dynamics_derivatives", "gravity"), optimize="fast"))
+    assert set(range(0, 36, 6)) <= set(made.zeros["inverse_dynamics_derivatives"]["dtau_dq"])
+    listed = made.files(["c"])["puma560.h"].partition("Always 0, elements counted from 0:")[2]
+    assert "inverse_dynamics_derivatives: dtau_dq is 0 at 0, 5, 6, 11, 12," in listed.partition("*/")[0]
+    assert "gravity: tau is 0" not in listed
+
+
+def test_of_a_record_they_are_taken_where_that_is_less() -> None:
+    robot = load("ur10")
+    written, taken = (
+        program(robot, "inverse_dynamics_derivatives", options) for options in (FAST, Options())
+    )
+    assert count(taken).total < count(written).total

@@ -76,6 +76,7 @@ def test_a_wrong_part_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
             r"unknown function 'mass_matri'; expected one of .*did you mean 'mass_matrix'\?",
         ),
         ("bias_and_bias", "bias and bias cannot be fused"),
+        ("bias_and_forward_dynamics", "found tau is a result of one and an input of the other"),
     ],
 )
 def test_what_cannot_be_fused(name: str, message: str) -> None:

@@ -19,6 +19,7 @@ from robodyn.dynamics.equality import same_in_field
 from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.dynamics.regroup import lumps_of
 from robodyn.errors import InputError
+from robodyn.ir import Input
 from robodyn.optimize.programs import Choice, base_set_of, build
 from robodyn.robot import Robot, read_text
 from robodyn.robot.values import parameter
@@ -172,3 +173,60 @@ def test_what_has_none_says_so() -> None:
     assert robodyn.program(loose, "regressor") == robodyn.program(masses, "regressor")
     values = robodyn.base_parameters(loose, {"m": 4.25}).values
     np.testing.assert_allclose(values, robodyn.base_parameters(masses).values)
+
+
+@pytest.mark.parametrize("name", sampled([*BUNDLED, *RANDOM], every=10))
+def test_torques_by_parameters_are_the_regressor_times_them(name: str) -> None:
+    """Exactly, for any parameters."""
+    robot = robot_named(name)
+    state = State(robot, Point(22))
+    p = len(base_set_of(robot))
+    pi = [state.at.number(Input("pi", k)) for k in range(p)]
+    entries = state.outputs("regressor", Choice())
+    rows = [entries[k : k + p] for k in range(0, len(entries), p)]
+    torques = [sum(x * value for x, value in zip(row, pi, strict=True)) for row in rows]
+    state.given["pi"] = pi
+    actual = state.outputs("inverse_dynamics_from_parameters", Choice())
+    if robot.rest_velocity is None:
+        assert actual == torques
+    else:  # tanh is rounded
+        np.testing.assert_allclose(np.array(actual, float), np.array(torques, float), rtol=1e-11)
+
+
+def test_an_error_in_torques_by_parameters_is_caught() -> None:
+    robot, name = robot_named("stanford_3dof"), "inverse_dynamics_from_parameters"
+    right = FUNCTIONS[name]
+    assert same_in_field(robot, name, build(robot, name, Choice()))
+
+    def wrong(at: Any) -> Any:
+        first, *others = right.outputs(at)
+        return [first + Fraction(1, 10**9) * at.inputs["pi"][4], *others]
+
+    FUNCTIONS[name] = replace(right, outputs=wrong)
+    try:
+        assert not same_in_field(robot, name, build(robot, name, Choice()))
+    finally:
+        FUNCTIONS[name] = right
+
+
+def test_compiled_they_take_and_give_arrays_of_their_own_length() -> None:
+    functions = ("regressor", "inverse_dynamics_from_parameters", "inverse_dynamics")
+    kernel = robodyn.compile("stanford_3dof", functions=functions, mode="abi", trig="builtin")
+    columns, values = robodyn.base_parameters("stanford_3dof")
+    q, qd, qdd = random_states(robot_named("stanford_3dof"), 5, 2)
+    Y = kernel.regressor(q, qd, qdd)
+    assert Y.shape == (5, 3, len(columns))
+    assert kernel.base_parameters == tuple(map(str, columns))
+    tau = kernel.inverse_dynamics(q, qd, qdd)
+    pi = np.tile(values, (5, 1))
+    np.testing.assert_allclose(Y @ values, tau, rtol=0, atol=1e-11)
+    np.testing.assert_allclose(
+        kernel.inverse_dynamics_from_parameters(q, qd, qdd, pi), tau, rtol=0, atol=1e-11
+    )
+    assert np.array_equal(kernel.batch(q, qd, qdd, function="regressor"), Y)
+    work = kernel.workspace("regressor")
+    work.q, work.qd, work.qdd = q[2], qd[2], qdd[2]
+    work()
+    assert np.array_equal(work.Y, Y[2])
+    with pytest.raises(InputError, match=r"pi has the wrong shape; found \[3\]"):
+        kernel.inverse_dynamics_from_parameters(q[0], qd[0], qdd[0], q[0])

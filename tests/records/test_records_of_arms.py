@@ -21,7 +21,8 @@ RECORDS = sorted(records_of_arms().glob("*.record"))
 
 
 def test_there_are_some() -> None:
-    assert {path.name.partition(".")[0] for path in RECORDS} == {"panda_hand", "ur10_cb3", "ur3", "ur5_cb3"}
+    names = {path.name.partition(".")[0] for path in RECORDS}
+    assert names == {"iiwa7", "panda_hand", "ur10_cb3", "ur3", "ur5_cb3"}
 
 
 @pytest.mark.parametrize("path", RECORDS, ids=lambda path: path.name)
@@ -39,7 +40,7 @@ def test_a_record_is_of_the_arm_without_friction(path: Path) -> None:
 @pytest.mark.parametrize(
     ("file", "tip", "torques", "matrix"),
     [
-        ("ur_description/urdf/ur3_robot.urdf", "tool0", 185, 97),
+        ("ur_description/urdf/ur3_robot.urdf", "tool0", 185, 66),
         ("ur_description/urdf/ur5_robot.urdf", "ee_link", 185, 66),
         ("ur_description/urdf/ur10_robot.urdf", "tool0", 185, 66),
         ("panda_description/urdf/panda.urdf", "panda_hand_tcp", 530 + 2 * 7, 350),

@@ -164,12 +164,13 @@ def test_a_series_that_is_too_short_tells_nothing() -> None:
 
 def test_a_system_is_solved_or_has_no_solution() -> None:
     chance = random.Random(2)
-    rows = [[chance.randrange(PRIME) for _ in range(4)] for _ in range(3)]
-    rows = [[*row, sum(row) % PRIME] for row in rows]  # the last column depends on the others
+    rows = [[chance.randrange(PRIME) for _ in range(3)] for _ in range(3)]
+    rows = [[*row, sum(row) % PRIME, row[0]] for row in rows]  # the last two depend on the others
     rows.append([sum(column) % PRIME for column in zip(*rows, strict=True)])
-    system = Elimination(rows, PRIME)
+    system = Elimination(5, PRIME)
+    assert [system.add(row) for row in rows] == [True, True, True, False]
     solution = system.solve([1, 2, 3, 6])
     assert solution is not None
     assert [sum(x * y for x, y in zip(row, solution, strict=True)) % PRIME for row in rows] == [1, 2, 3, 6]
-    assert solution[3:] == [0, 0], "columns that depend on those before stay as they are"
+    assert solution[3:] == [0, 0], "unknowns that depend on those before stay as they are"
     assert system.solve([1, 2, 3, 7]) is None

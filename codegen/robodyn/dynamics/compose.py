@@ -10,6 +10,7 @@ from robodyn.dynamics.functions import Dynamics, Function, Moving, Rotor, torque
 from robodyn.dynamics.functions.record import Vector
 from robodyn.dynamics.lump import MomentForm
 from robodyn.dynamics.parallel import Turns
+from robodyn.ir.derivative import jacobian
 from robodyn.ir.graph import Graph
 from robodyn.ir.lowering import lower
 from robodyn.ir.program import Input, Label, Program
@@ -92,8 +93,9 @@ class _OfParts:
         """The same, with the links' masses."""
         return self._beneath.links(qd, qdd, form)
 
-    def differentiated(self, values: Sequence[Any], array: str) -> None:
-        """The parts' results are not differentiated."""
+    def differentiated(self, values: Sequence[Any], array: str) -> list[list[Any]]:
+        """Derivatives of ``values`` by the elements of ``array``."""
+        return jacobian(self._graph, values, [Input(array, i) for i in range(len(self.rest))])
 
     def base_set(self) -> Sequence[BaseParameter]:
         """The base parameters."""

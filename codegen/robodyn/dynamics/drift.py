@@ -14,7 +14,7 @@ from typing import Any
 
 from robodyn.dynamics.arm import about_z
 from robodyn.dynamics.functions.record import Dynamics
-from robodyn.dynamics.sections import Section, Step, along, sections_of
+from robodyn.dynamics.sections import Section, Step, along, grounded, sections_of
 from robodyn.dynamics.vectors import ZERO, Vector, named, plus
 
 
@@ -35,8 +35,7 @@ def tool_drift(at: Dynamics) -> list[Any]:
     world's axes."""
     qd = at.inputs["qd"]
     motion, turns = at.motion(qd, at.rest), at.turns(qd, at.rest)
-    sections = sections_of(at.arm, motion, turns)
-    base = at.arm.base
+    base, sections = grounded(at.arm.base, sections_of(at.arm, motion, turns))
     tool = Relative(ZERO, ZERO, ZERO, ZERO, ZERO)
     for section in sections[:0:-1]:
         tool = _relative_to_carrier(at, section, turns.rate, tool, early=False)

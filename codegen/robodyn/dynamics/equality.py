@@ -64,8 +64,11 @@ def same_in_field(robot: Robot, function: str, program: Program) -> bool:
     """
     _check_rigid(robot)
     seed = (identity(robot).encode(), function.encode(), digest(program))
+    p = _parameters_of(robot, function)
     return all(
-        in_drawn_field(lambda field: _equal(robot, function, program, _field_state(robot, field)), *seed, tag)
+        in_drawn_field(
+            lambda field: _equal(robot, function, program, _field_state(robot, field, p)), *seed, tag
+        )
         for tag in _FIELDS
     )
 
@@ -83,7 +86,8 @@ def equals_recursion(
         raise ValueError("tanh has no exact value")
     _check_rigid(robot)
     chance = random.Random(f"{digest(program).hex()} {identity(robot)} {function} {seed}")
-    return all(_equal(robot, function, program, _rational_state(robot, chance)) for _ in range(points))
+    p = _parameters_of(robot, function)
+    return all(_equal(robot, function, program, _rational_state(robot, chance, p)) for _ in range(points))
 
 
 def _check_rigid(robot: Robot) -> None:
@@ -91,12 +95,19 @@ def _check_rigid(robot: Robot) -> None:
         raise ValueError("the plain recursion is that of the rigid arm")
 
 
-def _inputs(robot: Robot) -> list[Input]:
-    arrays = [Input(array.name, i) for array in INPUTS for i in range(array.size_at(robot.n))]
+def _inputs(robot: Robot, p: int) -> list[Input]:
+    arrays = [Input(array.name, i) for array in INPUTS for i in range(array.size_at(robot.n, p))]
     return arrays + [Input(name, None) for name in robot.parameters]
 
 
-def _field_state(robot: Robot, field: Field) -> _State:
+def _parameters_of(robot: Robot, function: str) -> int:
+    """How many base parameters ``function`` depends on."""
+    if not function_named(function).has_parameters:
+        return 0
+    return len(base_set(build_arm(robot, lambda x: x, Graph().input)))
+
+
+def _field_state(robot: Robot, field: Field, p: int) -> _State:
     def element(value: int) -> Residue:
         return Residue(field, value)
 
@@ -106,17 +117,17 @@ def _field_state(robot: Robot, field: Field) -> _State:
     points = [field.angle(Input("q", i)) for i in range(robot.n)]
     return _State(
         number,
-        {x: element(field.variable(x)) for x in _inputs(robot)},
+        {x: element(field.variable(x)) for x in _inputs(robot, p)},
         [(element(c), element(s)) for c, s in points],
         lambda program: [element(value) for value in fingerprint(program, field, circle_point)],
     )
 
 
-def _rational_state(robot: Robot, chance: random.Random) -> _State:
+def _rational_state(robot: Robot, chance: random.Random, p: int) -> _State:
     def number() -> Fraction:
         return Fraction(chance.randint(-_RANGE, _RANGE), chance.randint(1, 99))
 
-    inputs = {x: number() if x.index is not None else abs(number()) + 1 for x in _inputs(robot)}
+    inputs = {x: number() if x.index is not None else abs(number()) + 1 for x in _inputs(robot, p)}
     circle = []
     for _ in range(robot.n):
         t = Fraction(chance.randint(-_RANGE, _RANGE), chance.randint(1, _RANGE))
@@ -145,7 +156,7 @@ class _Plain:
     def __init__(self, robot: Robot, arm: Arm, state: _State) -> None:
         n = len(arm.bodies)
         self.inputs = {
-            array.name: [state.inputs[Input(array.name, i)] for i in range(array.size_at(n))]
+            array.name: [value for x, value in state.inputs.items() if x.array == array.name]
             for array in INPUTS
         }
         self.rest = [0] * n

@@ -46,6 +46,14 @@ def _fused(functions: tuple[Function, ...]) -> Function:
                     remedy="leave one of them out",
                 )
             results[array.name] = function.name
+    for function in functions:
+        for array in function.inputs:
+            if array.name in results:
+                raise InputError(
+                    f"{results[array.name]} and {function.name} cannot be fused",
+                    found=f"{array.name} is a result of one and an input of the other",
+                    remedy="leave one of them out",
+                )
     known = [array for array in INPUTS if any(array in function.inputs for function in functions)]
     more = {array: None for function in functions for array in function.inputs if array not in known}
     unconditional = all(f.expected is not None and f.condition is None for f in functions)

@@ -90,38 +90,55 @@ def momenta(at: Moving, rotors: Sequence[Rotor], mark: Mark = unmarked) -> tuple
     are, change by those of the carrier crossed with the joint's axis, and the energy by that times their
     momentum.
     """
-    arm, turns = at.arm, at.turns
-    n = len(arm.bodies)
+    arm = at.arm
     links = _twists(at, mark)
-    momentum: list[Any] = [0] * n
-    slope: list[Any] = [0] * n
-    linear: Vector | None = None
-    angular = ZERO
-    for i in reversed(range(n)):
-        body, twist, c, s = arm.bodies[i], links[i], turns.c[i], turns.s[i]
-        inner, inner_n = _momentum(at.lumps[i], twist)
-        outer, outer_n = ZERO, ZERO
-        if linear is not None:
-            child = arm.bodies[i + 1]
-            f, moment = (about_x(child.cos_alpha, child.sin_alpha, u) for u in (linear, angular))
-            p = origin(child, at.motion.d[i + 1])
-            if turns.follows[i + 1]:
-                outer, outer_n = f, plus(moment, cross(about_z(c, s, p), f))
-            else:
-                inner, inner_n = plus(inner, f), plus(inner_n, moment, cross(p, f))
-        linear = named(mark, plus(about_z(c, s, inner), outer), i + 1, "pl")
-        angular = named(mark, plus(about_z(c, s, inner_n), outer_n), i + 1, "pa")
+    own = [_momentum(lump, twist) for lump, twist in zip(at.lumps, links, strict=True)]
+    carried = gathered(arm, at.motion, at.turns, own, mark, ("pl", "pa"))
+    momentum: list[Any] = []
+    slope: list[Any] = []
+    for body, twist, (linear, angular) in zip(arm.bodies, links, carried, strict=True):
         (wx, wy, _), (vx, vy, _) = twist.start_w, twist.start_v
         if body.revolute:
-            momentum[i] = angular[2]
-            slope[i] = (angular[0] * wy - angular[1] * wx) + (linear[0] * vy - linear[1] * vx)
+            momentum.append(angular[2])
+            slope.append((angular[0] * wy - angular[1] * wx) + (linear[0] * vy - linear[1] * vx))
         else:
-            momentum[i] = linear[2]
-            slope[i] = linear[0] * wy - linear[1] * wx
+            momentum.append(linear[2])
+            slope.append(linear[0] * wy - linear[1] * wx)
     for rotor in rotors:
         for joint, ratio in rotor.rates:
             momentum[joint] = momentum[joint] + ratio * (rotor.inertia * _rate(rotor, at.motion.qd))
     return momentum, slope
+
+
+def gathered(
+    arm: Arm,
+    motion: Motion,
+    turns: Turns,
+    own: Sequence[tuple[Vector, Vector]],
+    mark: Mark = unmarked,
+    names: tuple[str, str] = ("f0", "n0"),
+) -> list[tuple[Vector, Vector]]:
+    """For each joint [n] the sum over all that it carries of a vector and its moment (of momentum, of force),
+    along the axes in which the joint begins to turn. ``own`` are the links', along their own axes; emitted
+    code calls the sums ``names``."""
+    n = len(arm.bodies)
+    sums: list[tuple[Vector, Vector]] = [(ZERO, ZERO)] * n
+    for i in reversed(range(n)):
+        c, s = turns.c[i], turns.s[i]
+        inner, inner_n = own[i]
+        outer, outer_n = ZERO, ZERO
+        if i + 1 < n:
+            child = arm.bodies[i + 1]
+            f, moment = (about_x(child.cos_alpha, child.sin_alpha, u) for u in sums[i + 1])
+            p = origin(child, motion.d[i + 1])
+            if turns.follows[i + 1]:
+                outer, outer_n = f, plus(moment, cross(about_z(c, s, p), f))
+            else:
+                inner, inner_n = plus(inner, f), plus(inner_n, moment, cross(p, f))
+        linear = named(mark, plus(about_z(c, s, inner), outer), i + 1, names[0])
+        angular = named(mark, plus(about_z(c, s, inner_n), outer_n), i + 1, names[1])
+        sums[i] = linear, angular
+    return sums
 
 
 def _twists(at: Moving, mark: Mark) -> list[Twist]:

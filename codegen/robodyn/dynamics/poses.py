@@ -10,11 +10,13 @@ on how many numbers of which offset are zero.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
 from typing import Any
 
 from robodyn.dynamics.functions.record import Dynamics
-from robodyn.dynamics.sections import Axes, Placed, Section, along, placed_in, sections_of
+from robodyn.dynamics.sections import Axes, Placed, Section, along, grounded, placed_in, sections_of
 from robodyn.dynamics.vectors import ZERO, Vector, named, plus
+from robodyn.effects.scalars import is_zero
 
 
 def sections(at: Dynamics) -> list[Section]:
@@ -24,14 +26,25 @@ def sections(at: Dynamics) -> list[Section]:
 
 def placed(at: Dynamics) -> Placed:
     """The sections of the arm, along the world's axes."""
-    return placed_in(at.arm.base, sections(at), at.mark)
+    return placed_in(*grounded(at.arm.base, sections(at)), at.mark)
 
 
 def tool_axes(at: Dynamics, arm: Placed) -> Axes:
-    """The axes of the tool."""
-    x, y, z = (
-        along(arm.links[len(arm.links) - 1], axis) for axis in (at.arm.tool.x, at.arm.tool.y, at.arm.tool.z)
-    )
+    """The axes of the tool; one that is turned about the last joint's axis only may turn with the joint."""
+    tool, last = at.arm.tool, arm.sections[-1].last
+    ways = [_along_each(arm.links[last.link], (tool.x, tool.y, tool.z))]
+    if is_zero(tool.z[0]) and is_zero(tool.z[1]):
+        c, s = tool.x[0], tool.x[1]
+        joined = replace(last, c=c * last.c - s * last.s, s=s * last.c + c * last.s)
+        flip = ((1, 0, 0), (0, tool.z[2], 0), tool.z)
+        ways.append(_along_each(joined.outward(arm.axes[-1]), flip))
+    (chosen,) = at.cheapest([[flat(axes) for axes in ways]])
+    x, y, z = ((chosen[k], chosen[k + 1], chosen[k + 2]) for k in (0, 3, 6))
+    return x, y, z
+
+
+def _along_each(axes: Axes, vectors: Axes) -> Axes:
+    x, y, z = (along(axes, u) for u in vectors)
     return x, y, z
 
 

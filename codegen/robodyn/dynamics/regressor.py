@@ -10,20 +10,22 @@ resists to turn (:mod:`~robodyn.dynamics.modified_newton_euler`).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, Motion, about_x, about_z, origin
 from robodyn.dynamics.joints import smoothed_sign
 from robodyn.dynamics.modified_newton_euler import NO_ROTATION, Lambda, lambda_matrix
-from robodyn.dynamics.momenta import Twist, twists
+from robodyn.dynamics.momenta import Twist, gathered, twists
 from robodyn.dynamics.parallel import Turns
-from robodyn.dynamics.vectors import ZERO, Mark, Vector, named, plus, unmarked
+from robodyn.dynamics.vectors import ZERO, Mark, Vector, cross, named, plus, scaled, unmarked
+from robodyn.effects.scalars import is_zero
+from robodyn.ir.program import Label
 
 
 @dataclass(frozen=True, slots=True)
-class _Accelerated:
+class Accelerated:
     """A link: ``lam`` and ``a``, the acceleration of its origin less gravity, along its own axes; along those
     in which it begins to turn ``start_a`` and the angular acceleration of what carries it."""
 
@@ -39,7 +41,7 @@ def unit_torques(
 ) -> list[list[Any]]:
     """Torques [n][columns] that a unit of each of ``columns`` takes: a quantity and its link (from 1)."""
     n = len(arm.bodies)
-    links = _accelerated(arm, motion, turns, mark)
+    links = accelerated(arm, motion, turns, mark)
     rows: list[list[Any]] = []
     for i in range(n):
         units = _unit_motion(arm, motion, turns, i)
@@ -56,6 +58,37 @@ def unit_torques(
     return rows
 
 
+def torques_from(
+    arm: Arm,
+    motion: Motion,
+    turns: Turns,
+    numbers: Mapping[tuple[str, int], Any],
+    mark: Mark = unmarked,
+) -> list[Any]:
+    """Torques [n] of an arm whose links (from 1) and drives have these ``numbers`` by quantity and link; what
+    is missing is 0."""
+    own: list[tuple[Vector, Vector]] = []
+    for i, at in enumerate(accelerated(arm, motion, turns, mark), 1):
+        m, x, y, z, xx, yy, zz, xy, xz, yz = (numbers.get((quantity, i), 0) for quantity in _MOMENTS)
+        L, h, a = at.lam.rows, (x, y, z), at.a
+        force = plus(scaled(m, a), at.lam.times(h))
+        moment = (
+            yy * L[2][1] - zz * L[1][2] + xy * L[2][0] - xz * L[1][0] + yz * (L[2][2] - L[1][1]),
+            zz * L[0][2] - xx * L[2][0] + yz * L[0][1] - xy * L[2][1] + xz * (L[0][0] - L[2][2]),
+            xx * L[1][0] - yy * L[0][1] + xz * L[1][2] - yz * L[0][2] + xy * (L[1][1] - L[0][0]),
+        )
+        own.append((named(mark, force, i, "fc"), named(mark, plus(moment, cross(h, a)), i, "nc")))
+    torques = []
+    for i, (f, n) in enumerate(gathered(arm, motion, turns, own, mark)):
+        torque = n[2] if arm.bodies[i].revolute else f[2]
+        for quantity, column in _DRIVE.items():
+            value = numbers.get((quantity, i + 1), 0)
+            if not is_zero(value):
+                torque = torque + value * column(arm, motion, i)
+        torques.append(mark(torque, Label(i + 1, "tau", "")))
+    return torques
+
+
 def _unit_motion(arm: Arm, motion: Motion, turns: Turns, i: int) -> list[Twist]:
     """Velocities of the links at a unit rate of joint ``i`` (from 0) alone."""
     qd = [int(j == i) for j in range(len(arm.bodies))]
@@ -66,10 +99,10 @@ def _unit_motion(arm: Arm, motion: Motion, turns: Turns, i: int) -> list[Twist]:
     return twists(arm, moved, replace(turns, rate=tuple(rate)))
 
 
-def _accelerated(arm: Arm, motion: Motion, turns: Turns, mark: Mark) -> list[_Accelerated]:
+def accelerated(arm: Arm, motion: Motion, turns: Turns, mark: Mark) -> list[Accelerated]:
     gx, gy, gz = arm.gravity
     velocities = twists(arm, motion, turns, mark)
-    before = _Accelerated(NO_ROTATION, (-gx, -gy, -gz), ZERO, ZERO, ZERO)
+    before = Accelerated(NO_ROTATION, (-gx, -gy, -gz), ZERO, ZERO, ZERO)
     links = []
     for i, (body, twist) in enumerate(zip(arm.bodies, velocities, strict=True)):
         c, s, p = turns.c[i], turns.s[i], origin(body, motion.d[i])
@@ -90,7 +123,7 @@ def _accelerated(arm: Arm, motion: Motion, turns: Turns, mark: Mark) -> list[_Ac
         own_alpha = named(mark, own_alpha, i + 1, "alpha")
         own_a = named(mark, about_z(c, -s, start_a), i + 1, "a")
         lam = lambda_matrix(twist.w, own_alpha, i + 1, mark)
-        before = _Accelerated(lam, own_a, own_alpha, start_a, carrier)
+        before = Accelerated(lam, own_a, own_alpha, start_a, carrier)
         links.append(before)
     return links
 
@@ -122,8 +155,9 @@ _WORK: dict[str, _Work] = {
     "m": lambda w, v, L, a: v[0] * a[0] + v[1] * a[1] + v[2] * a[2],
     **{f"m{axis}": _first(k) for k, axis in enumerate("xyz")},
     **{f"K{axis}{axis}": _square(k) for k, axis in enumerate("xyz")},
-    **{f"K{axes}": _product(k) for k, axes in enumerate(("yz", "xz", "xy"))},
+    **{f"K{axes}": _product(k) for axes, k in (("xy", 2), ("xz", 1), ("yz", 0))},
 }
+_MOMENTS = tuple(_WORK)
 _DRIVE: dict[str, Callable[[Arm, Motion, int], Any]] = {
     "rotor": lambda arm, motion, i: motion.qdd[i],
     "viscous": lambda arm, motion, i: motion.qd[i],

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, Motion, about_x, about_z, origin
-from robodyn.dynamics.frame import Frame
+from robodyn.dynamics.frame import BASE, Frame
 from robodyn.dynamics.parallel import Turns
 from robodyn.dynamics.vectors import ZERO, Mark, Vector, named, plus, scaled, unmarked
 from robodyn.effects.scalars import is_zero
@@ -105,6 +105,20 @@ def sections_of(arm: Arm, motion: Motion, turns: Turns) -> list[Section]:
     tip = sections[-1]
     steps = [*tip.steps[:-1], replace(tip.last, reach=arm.tool.origin)]
     return [*sections[:-1], replace(tip, steps=tuple(steps))]
+
+
+def grounded(base: Frame, sections: Sequence[Section]) -> tuple[Frame, list[Section]]:
+    """The same with a ``base`` along the world's axes, if it is turned about the first joint's axis only:
+    the turn is taken into the joint's."""
+    first, *others = sections
+    x, _, z = first.outward((base.x, base.y, base.z))
+    if not (is_zero(z[0]) and is_zero(z[1])):
+        return base, list(sections)
+    c, s, way = x[0], z[2] * x[1], z[2]
+    (step,) = first.steps
+    step = replace(step, c=c * step.c - s * step.s, s=s * step.c + c * step.s)
+    turned = Section((step,), (way, 0), about_z(c, s, first.offset))
+    return replace(BASE, origin=base.origin), [turned, *others]
 
 
 @dataclass(frozen=True, slots=True)

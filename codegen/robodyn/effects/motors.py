@@ -154,7 +154,8 @@ COUPLING = Effect(
     linear=("inertia", "viscous", "coulomb"),
     dissipative=True,
     traits=Traits(
-        candidates=(Shown(5),),
+        # Without the motor's inertia it is two joints that rub alike.
+        candidates=(Shown(5, feasible=lambda x: bool(x[0] > 0)),),
         contains=("rotor_inertia", "viscous_friction", "coulomb_friction"),
         chosen=("with", "ratio"),
         wide=True,

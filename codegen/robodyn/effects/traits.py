@@ -172,10 +172,12 @@ class Twist:
 @dataclass(frozen=True, slots=True)
 class Shown:
     """What the ``channel`` does, what the pair of joints adds (by its equation), what the rigid arm's numbers
-    change: ``order`` at a joint, and of the whole robot."""
+    change: ``order`` at a joint, and of the whole robot; ``feasible``: whether a pair may have these
+    numbers."""
 
     order: int
     of_all: int | None = None
+    feasible: Callable[[Any], bool] = anything
 
 
 Candidates = Law | Line | Wave | Dahl | Twist | Shown

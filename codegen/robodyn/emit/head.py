@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.counts.count import count
-from robodyn.dynamics.functions import array_named
+from robodyn.dynamics.functions import array_named, function_named
 from robodyn.emit.language import Language
 from robodyn.emit.spelling import WIDTH
 from robodyn.emit.unit import Unit, counted_text
@@ -83,7 +83,19 @@ def head_lines(unit: Unit, language: Language) -> list[str]:
     say("Operations (every binary * is a multiplication, every binary + or - an addition):")
     for signature, program in unit.functions:
         say(f"  {signature.function}: {counted_text(count(program))}", "    ")
+    for line in _zeros(unit):
+        say(line, "    ")
     return lines
+
+
+def _zeros(unit: Unit) -> list[str]:
+    """Which elements of results are always 0, of functions on request: solvers of sparse systems ask."""
+    lines = []
+    for signature, program in unit.functions:
+        if not function_named(signature.function).by_default:
+            for array, places in program.zeros().items():
+                lines.append(f"  {signature.function}: {array} is 0 at {', '.join(map(str, places))}")
+    return ["Always 0, elements counted from 0:", *lines] if lines else []
 
 
 def state_members(unit: Unit) -> tuple[str, ...]:

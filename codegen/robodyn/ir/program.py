@@ -100,6 +100,14 @@ class Program:
                 count[operand] += 1
         return count
 
+    def zeros(self) -> dict[str, tuple[int, ...]]:
+        """By output the elements (from 0) that are 0 whatever the inputs; not outputs without any."""
+        places = {
+            name: tuple(i for i, x in enumerate(elements) if isinstance(x, Fraction) and not x)
+            for name, elements in self.outputs
+        }
+        return {name: zeros for name, zeros in places.items() if zeros}
+
     def with_results(self, results: tuple[Operand, ...]) -> Program:
         """The same operations with other outputs, given one after another."""
         position = 0

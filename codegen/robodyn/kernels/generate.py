@@ -79,6 +79,11 @@ class Generated:
     rigid_counts: dict[str, Count | None] = field(default_factory=dict)
 
     @property
+    def zeros(self) -> dict[str, dict[str, tuple[int, ...]]]:
+        """By function and result the elements (from 0, row by row) that are 0 at every state."""
+        return {interface.function: program.zeros() for interface, program in self.unit.functions}
+
+    @property
     def signatures(self) -> tuple[Signature, ...]:
         """Interfaces of the functions, in order."""
         return tuple(interface for interface, _ in self.unit.functions)

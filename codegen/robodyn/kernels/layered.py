@@ -94,7 +94,7 @@ class Layered:
         """All ways to write ``record``: from its parts, and straight."""
         writings = range(len(record.writings(self.robot.n)))
         drafts: list[Program] = []
-        if record.parts:
+        if record.parts and not record.rigid:
             parts = {part: self.program(part) for part in record.parts}
             drafts = composed(record, parts, self.robot.n, self._beneath)
             if record.by_parts is None:

@@ -14,50 +14,45 @@ _SPARE = 64
 
 
 class Elimination:
-    """A linear system modulo ``prime``, its rows eliminated once: columns that come first are solved for, and
-    those that depend on them stay 0."""
+    """A linear system modulo ``prime`` of so many unknowns, eliminated row by row as they come. Each row is
+    solved for its first unknown that is left; unknowns that no row is solved for are 0."""
 
-    def __init__(self, rows: Sequence[Sequence[int]], prime: int) -> None:
-        self._prime = prime
-        self._columns: list[int] = []
-        self._steps: list[tuple[int, int, int]] = []  # row, of which so many times another row is taken off
-        self._pivots: list[tuple[int, int]] = []  # row, and the inverse of its leading entry
-        left = [list(row) for row in rows]
-        free = list(range(len(left)))
-        self._width = len(left[0]) if left else 0
-        for column in range(self._width):
-            pivot = next((i for i in free if left[i][column]), None)
-            if pivot is None:
-                continue
-            free.remove(pivot)
-            first = left[pivot]
-            inverse = pow(first[column], -1, prime)
-            entries = [k for k in range(column, self._width) if first[k]]
-            for i in free:
-                row = left[i]
-                if row[column]:
-                    factor = row[column] * inverse % prime
-                    for k in entries:
-                        row[k] = (row[k] - factor * first[k]) % prime
-                    self._steps.append((i, pivot, factor))
-            self._columns.append(column)
-            self._pivots.append((pivot, inverse))
-        self._rest = free
-        self._rows = left
+    def __init__(self, width: int, prime: int) -> None:
+        self._width, self._prime = width, prime
+        #: Of each row: which other rows were taken off, how often; its unknown, None where nothing is left.
+        self._taken: list[list[tuple[int, int]]] = []
+        self._unknowns: list[int | None] = []
+        #: Of the rows with an unknown: place, unknown, what is left, and the inverse of what stands there.
+        self._pivots: list[tuple[int, int, list[int], int]] = []
+
+    def add(self, row: Sequence[int]) -> bool:
+        """Whether ``row`` says something that the rows before do not."""
+        p, left = self._prime, list(row)
+        taken = []
+        for place, unknown, other, inverse in self._pivots:
+            if left[unknown]:
+                factor = left[unknown] * inverse % p
+                left = [(x - factor * y) % p if y else x for x, y in zip(left, other, strict=True)]
+                taken.append((place, factor))
+        unknown_left = next((k for k, x in enumerate(left) if x), None)
+        if unknown_left is not None:
+            inverse = pow(left[unknown_left], -1, p)
+            self._pivots.append((len(self._taken), unknown_left, left, inverse))
+        self._taken.append(taken)
+        self._unknowns.append(unknown_left)
+        return unknown_left is not None
 
     def solve(self, right: Sequence[int]) -> list[int] | None:
-        """The solution for the right-hand side; None: there is none."""
+        """The solution for the right-hand sides of all rows; None: there is none."""
         p, b = self._prime, list(right)
-        for i, j, factor in self._steps:
-            if b[j]:
-                b[i] = (b[i] - factor * b[j]) % p
-        if any(b[i] for i in self._rest):
-            return None
+        for i, taken in enumerate(self._taken):
+            b[i] = (b[i] - sum([factor * b[j] for j, factor in taken])) % p
+            if b[i] and self._unknowns[i] is None:
+                return None
         solution = [0] * self._width
-        for column, (i, inverse) in zip(reversed(self._columns), reversed(self._pivots), strict=True):
-            row = self._rows[i]
-            known = sum(row[k] * solution[k] for k in self._columns if k > column)
-            solution[column] = (b[i] - known) * inverse % p
+        for place, unknown, row, inverse in reversed(self._pivots):
+            known = sum([x * y for x, y in zip(row, solution, strict=True) if y])
+            solution[unknown] = (b[place] - known) * inverse % p
         return solution
 
 

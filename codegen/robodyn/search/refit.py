@@ -28,8 +28,8 @@ from robodyn.search.modular import Elimination, fraction_of, value_at_one
 _PRIMES: Final = (2**607 - 1, 2**2203 - 1)
 #: Lengths of the series after which their functions are looked for; of six joints, degrees are up to 9.
 _LENGTHS: Final = (8, 16, 28)
-#: So many more equations than constants, at the least: what has no solution shows by them.
-_MORE: Final = 8
+#: Points are added until so many in a row say nothing new: what has no solution shows by them.
+_IDLE: Final = 2
 _FIXED: Final = ("sin", "cos")
 _OPERATIONS: Final = frozenset(("add", "sub", "mul", "neg", *_FIXED))
 
@@ -129,20 +129,29 @@ class _Refit:
         self._steps = steps = _steps(program)
         numbers = Field("refit", prime=prime)
         self._series = [[numbers.number(x)] for x in steps.constants]
-        everything = replace(program, outputs=(("all", tuple(range(len(program.operations)))),), origin=None)
         self._points: list[list[list[int]]] = []
         self._wanted: list[list[int]] = []
-        for k in range(-(-(len(steps.constants) + _MORE) // len(steps.ends)) + 1):
-            field = Field(f"refit {k}", prime=prime)
-            first = fingerprint(everything, field, circle_point)
-            fixed = [field.variable(x) if isinstance(x, Input) else 0 for x in steps.leaves]
-            self._points.append([*([x] for x in first), *self._series, *([x] for x in fixed)])
-            values = [fingerprint(each, field, circle_point) for each in path]
-            self._wanted += [_coefficients([row[i] for row in values], prime) for i in steps.firsts]
-        rows = [row for point in self._points for row in self._gradients(point)]
         # Constants with many digits are the arm's and are solved for; plain ones stay where they can.
-        self._order = sorted(range(len(steps.constants)), key=lambda k: -_digits(steps.constants[k]))
-        self._system = Elimination([[row[k] for k in self._order] for row in rows], prime)
+        self._order = sorted(range(len(self._series)), key=lambda k: -_digits(steps.constants[k]))
+        self._system = Elimination(len(self._series), prime)
+        idle = 0
+        for k in range(len(self._series) + _IDLE):
+            idle = 0 if self._another_point(program, path, f"refit {k}") else idle + 1
+            if idle == _IDLE:
+                break
+
+    def _another_point(self, program: Program, path: Sequence[Program], seed: str) -> bool:
+        """Whether one point more says more of the constants."""
+        field, steps = Field(seed, prime=self._prime), self._steps
+        everything = replace(program, outputs=(("all", tuple(range(len(program.operations)))),), origin=None)
+        first = fingerprint(everything, field, circle_point)
+        fixed = [field.variable(x) if isinstance(x, Input) else 0 for x in steps.leaves]
+        point = [*([x] for x in first), *self._series, *([x] for x in fixed)]
+        self._points.append(point)
+        values = [fingerprint(each, field, circle_point) for each in path]
+        self._wanted += [_coefficients([row[i] for row in values], self._prime) for i in steps.firsts]
+        news = [self._system.add([row[k] for k in self._order]) for row in self._gradients(point)]
+        return any(news)
 
     def constants(self, late: Callable[[], bool]) -> list[Fraction] | None:
         """The constants at t = 1; None where a larger prime may tell.

@@ -15,6 +15,7 @@ from robodyn.ir.program import Program
 from robodyn.optimize.programs import Choice, build
 from robodyn.optimize.records import best_record
 from robodyn.optimize.records.adoption import frictionless, joints_of, summed
+from robodyn.passes import FAST, unchecked
 from robodyn.robot.bundled import bundled_names, load
 from robodyn.robot.model import Inertia, Link, Robot
 from robodyn.robot.parts import AXES
@@ -49,8 +50,11 @@ def transferred(robot: Robot, function: str, end: float) -> Iterator[Program]:
         arms = [_between(start, arm, t) for t in range(_DEGREE + 1)]
         path = [build(each, function, Choice()) for each in arms]
         program = refitted(record.program, path, end)
-        if program is not None:
-            yield program if bare == robot else summed(program, build(joints_of(robot), function, Choice()))
+        if program is None:
+            continue
+        if bare != robot:
+            program = summed(program, build(joints_of(robot), function, Choice()))
+        yield unchecked(program, FAST)  # some of the constants may be 0 or 1 now
 
 
 def _in_own_frames(robot: Robot) -> Robot:

@@ -36,7 +36,7 @@ from robodyn.verify.oracles import (
 )
 from robodyn.verify.reference import Floats, Reference
 from robodyn.verify.report import Comparison, VerifyReport
-from robodyn.verify.sample import draw, draw_parameters
+from robodyn.verify.sample import draw, draw_parameters, drawn_besides
 from robodyn.verify.stepping import Stepping
 
 if TYPE_CHECKING:
@@ -52,8 +52,6 @@ Trig = Callable[[Floats], Floats]
 
 #: A step of what remembers [s], and how far memories are from rest [rad, m, per second ...].
 _STEP, _DEFLECTION = 1e-3, 1e-3
-#: How hard tools are pushed [N, N m].
-_PUSH = 10.0
 
 
 @np.errstate(all="ignore")  # what overflows is judged, not warned of
@@ -155,9 +153,8 @@ class _Run:
         self._reference = reference_oracle(robot, values)
         self._largest: dict[str, Floats] = {}
         rounded = tau.astype(kernel.dtype).astype(np.float64)
-        pushes = np.random.default_rng([seed, 3]).uniform(-_PUSH, _PUSH, (states, 6))
-        wrench = pushes.astype(kernel.dtype).astype(np.float64)
-        drawn = (sample.q, sample.qd, sample.qdd, rounded, wrench)
+        more = drawn_besides(kernel.signatures.values(), states, seed, kernel.dtype)
+        drawn = (sample.q, sample.qd, sample.qdd, rounded, *more)
         self.inputs: dict[str, Floats] = dict(zip((array.name for array in INPUTS), drawn, strict=True))
         if any(name == "sc" for s in kernel.signatures.values() for name, _ in s.inputs):
             if trig is None:

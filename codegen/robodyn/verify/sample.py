@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 import numpy as np
 
+from robodyn.dynamics.functions.record import PI
 from robodyn.errors import InputError
+from robodyn.ir.signature import Signature
 from robodyn.robot.filling import parameter_values
 from robodyn.robot.model import Joint, Robot
 from robodyn.verify.numbers import Parameters, real
@@ -89,3 +92,17 @@ def bounds_of(joint: Joint) -> list[tuple[float, float]]:
         (real(max(low, min(high, -far))), real(min(high, max(low, far))))
         for (low, high), far in zip(stated, _FARTHEST, strict=True)
     ]
+
+
+#: How hard tools are pushed [N, N m].
+_PUSH = 10.0
+
+
+def drawn_besides(
+    signatures: Iterable[Signature], states: int, seed: int, dtype: np.dtype[Any]
+) -> tuple[Floats, Floats]:
+    """Wrenches ``[states, 6]`` and as many base parameters as the kernels take, in ``dtype``."""
+    p = max((size for s in signatures for name, size in s.inputs if name == PI.name), default=0)
+    wrench = np.random.default_rng([seed, 3]).uniform(-_PUSH, _PUSH, (states, 6))
+    pi = np.random.default_rng([seed, 4]).uniform(0.5, 1.5, (states, p))
+    return wrench.astype(dtype).astype(np.float64), pi.astype(dtype).astype(np.float64)

@@ -64,7 +64,7 @@ def best_of(
         if rough and c.definition.kind != "sensor":  # parts differ by what is not in the library
             steady = steady or (one.t >= ROUGH_T and one.gain > 2 * wanted)
         least_share = (ROUGH_SHARE if rough else REPLACING_SHARE) if one.replaced else LEAST_SHARE
-        if one.share < least_share and (rough or not c.local):
+        if one.share < max(least_share, c.least_share) and (rough or not c.local):
             return False
         if one.replaced and one.t < REPLACING_T:
             return False
@@ -117,8 +117,8 @@ def best_of(
 
 
 def confidence_of(rivals: Sequence[str]) -> float:
-    """How sure a name is that has these rivals."""
-    return SURE if not rivals else max(0.5, 0.9 / (1 + 0.3 * len(rivals)))
+    """How sure a name is that has these rivals: beside three or more it is no claim."""
+    return SURE if not rivals else 0.9 / (1 + 0.3 * len(rivals))
 
 
 def _one_way(contexts: Sequence[Context]) -> NDArray[np.bool_]:

@@ -32,7 +32,8 @@ def _flat(*matrices: Sequence[Vector]) -> list[Any]:
 
 
 def _by_q_and_qd(at: Dynamics, qdd: Vector) -> tuple[Sequence[Vector], Sequence[Vector]]:
-    """Derivatives of the torques by positions and by velocities, as rows."""
+    """Derivatives of the torques by positions and by velocities, as rows: written out, or of a program that
+    is there already."""
     qd = at.inputs["qd"]
     if at.differentiated((), "q") is not None:
         torques = at.torques(qd, qdd)
@@ -135,6 +136,7 @@ FUNCTIONS = (
         (DTAU_DQ, DTAU_DQD),
         _of_torques,
         condition=_torques_change,
+        parts=("inverse_dynamics",),
         rigid=True,
     ),
     Function(

@@ -15,7 +15,7 @@ from robodyn.dynamics.momenta import HALF, kinetic_energy, momenta, potential_in
 T = Array("T", "kinetic energy", "J", shape=())
 V = Array("V", "potential energy, 0 at the origin of the base frame", "J", shape=())
 P = Array("momentum", "generalised momentum M qd", "kg m^2/s", "kg m/s")
-C_QD = Array("c", "Coriolis and centrifugal torques C qd", "N m", "N")
+C_QD = Array("cqd", "Coriolis and centrifugal torques C qd", "N m", "N")
 BETA = Array("beta", "C^T qd - g", "N m", "N")
 
 

@@ -49,7 +49,6 @@ LAMBDA_INVERSE = Array(
 def _forward_kinematics(at: Dynamics) -> Sequence[Any]:
     arm = placed(at)
     axes = tool_axes(at, arm)
-    at.cheapest([[flat(axes)]])
     return [*tool_place(at, arm), *flat(rows_of(axes))]
 
 

@@ -85,7 +85,8 @@ SC = Array("sc", "sines and cosines, as listed below", "")
 WRENCH = Array("wrench", "force and moment on the tool, at its origin along its axes", "N, N m", shape=(6,))
 #: What a function is called that has the wrench as a further input, behind the name of the one without.
 WITH_WRENCH = "_with_wrench"
-INPUTS = (Q, QD, QDD, TAU, WRENCH)
+PI = Array("pi", "base parameters, as listed below", "SI units", shape=("p",))
+INPUTS = (Q, QD, QDD, TAU, WRENCH, PI)
 #: Names of other arguments: run-time parameters, memory, time step, states of a batch.
 _TAKEN = {"p", "state", "dt", "N", "n"}
 

@@ -54,6 +54,8 @@ class Candidate:
     #: Factors between which what is not linear is refined, or how far steps in random directions go.
     spread: tuple[float, float] = (1.5, 1.03)
     reach: Mapping[str, float] = field(default_factory=dict)
+    #: What it must take away, as a share of the mean square left at a joint, if that is more than usual.
+    least_share: float = 0.0
     feasible: Callable[[Floats], bool] = anything
     #: Whether it is so likely that it may be named; a rival of others it is without.
     likely: Callable[[Floats], bool] = anything

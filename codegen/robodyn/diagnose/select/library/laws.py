@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.select.library.candidate import Candidate, Context, rubs, single, site, unit_column
-from robodyn.diagnose.select.limits import GRAVITY_SAMPLES, GRAVITY_SHARE
+from robodyn.diagnose.select.library.limits import GRAVITY_SAMPLES, GRAVITY_SHARE
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Effect, Site
 from robodyn.effects.traits import Dahl, Law, anything

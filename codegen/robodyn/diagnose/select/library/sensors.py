@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.select.library.candidate import Candidate, Context, single
-from robodyn.diagnose.select.limits import (
+from robodyn.diagnose.select.library.limits import (
     DRIVE_LIMITS,
     ENCODER_OFF,
     GAIN_MOST,

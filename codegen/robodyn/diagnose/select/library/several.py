@@ -10,7 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.select.library.candidate import Candidate, Context
-from robodyn.diagnose.select.limits import (
+from robodyn.diagnose.select.library.limits import (
+    COUPLED_BEYOND_SHARE,
+    COUPLED_FARTHEST,
     LINK_WRONG,
     LOAD_REACH,
     LOAD_SHARE,
@@ -31,6 +33,9 @@ def pairs(c: Context, effect: Effect, shown: Shown, j: int, k: int) -> Iterator[
     """A motor of joint ``j`` that turns with ``k``, further in: on both joints."""
     s, equation = c.signals, effect.equation
     assert equation is not None
+    if j - k > COUPLED_FARTHEST:
+        return
+    share = COUPLED_BEYOND_SHARE if j - k > 1 else 0.0
     for ratio in PAIR_RATIOS:
         u, rate = s.qd[:, j] + ratio * s.qd[:, k], s.qdd[:, j] + ratio * s.qdd[:, k]
         site = Site(True, qd=u, qdd=rate, direction=np.sign(u))
@@ -44,7 +49,10 @@ def pairs(c: Context, effect: Effect, shown: Shown, j: int, k: int) -> Iterator[
             names = dict(zip(effect.linear, (float(v) for v in x), strict=True))
             return {"with": float(k + 1), "ratio": ratio, **names}
 
-        yield Candidate(effect.id, j + 1, (j, k), columns, tuple(1 for _ in parts), read, shown.order)
+        yield Candidate(
+            effect.id, j + 1, (j, k), columns, tuple(1 for _ in parts), read, shown.order,
+            feasible=shown.feasible, least_share=share,
+        )  # fmt: skip
 
 
 def numbers(c: Context, effect: Effect, shown: Shown) -> Iterator[Candidate]:
