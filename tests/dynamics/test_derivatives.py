@@ -27,7 +27,7 @@ FUNCTIONS = ("inverse_dynamics_derivatives", "forward_dynamics_derivatives", "co
 FAST = Options(optimize="fast")
 BUNDLED = sampled([load(name, warn=lambda _: None) for name in bundled_names()], every=5)
 #: Some of them thorough.
-SEEDS = sampled(range(200), every=25)
+SEEDS = sampled(range(200), every=50)
 
 DRIVES = """\
 name: driven

@@ -26,7 +26,7 @@ from robodyn.passes import FRESH, run
 from robodyn.robot import Robot, bundled_names
 from robodyn.robot.values import circle_point
 from robodyn.verify.exact import exact_torque
-from robodyn_testing.functions import OF_ANY_ARM
+from robodyn_testing.functions import SAMPLED
 
 ARMS = [exact_arm(seed, joints=1 + seed % 9) for seed in range(14)]
 FORMS: tuple[MomentForm, ...] = ("inertia", "second_moment")
@@ -161,7 +161,7 @@ def test_programs_of_the_bundled_robots_give_what_the_recursion_gives(name: str)
         assert exactly(build(robot, "inverse_dynamics", choice), state.at)["tau"] == expected, choice
 
 
-@pytest.mark.parametrize("function", OF_ANY_ARM)
+@pytest.mark.parametrize("function", SAMPLED)
 @pytest.mark.parametrize("choice", CHOICES)
 def test_every_named_value_is_the_quantity_of_that_name(choice: str, function: str) -> None:
     """``w3_x`` in the emitted code is the x component of link 3's angular velocity, with its sign.

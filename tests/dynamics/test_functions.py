@@ -140,6 +140,7 @@ def test_the_inverse_mass_matrix_is_one(robot: Robot) -> None:
     ]
 
 
+@pytest.mark.thorough
 def test_long_arms_have_forward_dynamics_by_articulated_bodies() -> None:
     """Operations grow with the joints and not with their cube."""
     arm = exact_arm(3, joints=24, prismatic=0.2, parallel=0.3)

@@ -19,7 +19,7 @@ from robodyn.ir.evaluate import evaluate
 from robodyn.ir.fingerprint import fingerprint
 from robodyn.robot import Robot, fold_rotor, read_text
 from robodyn.robot.values import circle_point
-from robodyn_testing.functions import OF_ANY_ARM
+from robodyn_testing.functions import SAMPLED
 
 ARMS = [exact_arm(seed, joints=3, motors=0, friction=0) for seed in range(40, 44)]
 MOTOR, VISCOUS, COULOMB = (Fraction(x) for x in ("1.7", "0.9", "2.3"))
@@ -81,7 +81,7 @@ def test_friction_at_rest_is_nothing_and_changes_sign_with_the_velocity() -> Non
         assert found[1] - without[1] == way * COULOMB
 
 
-@pytest.mark.parametrize("function", OF_ANY_ARM)
+@pytest.mark.parametrize("function", SAMPLED)
 def test_torques_of_the_links_side_have_neither_rotor_nor_friction(function: str) -> None:
     for bare in ARMS:
         robot = bare

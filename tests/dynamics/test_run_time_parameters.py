@@ -13,7 +13,7 @@ from ir.programs import Point, exactly
 from robodyn import Options, load, program
 from robodyn.ir import Input
 from robodyn.robot import Robot, read_text
-from robodyn_testing.functions import OF_ANY_ARM
+from robodyn_testing.functions import OF_ANY_ARM, SAMPLED
 
 TOOL = """
 name: gripper
@@ -45,7 +45,7 @@ def filled(words: dict[str, str]) -> Robot:
 
 
 @pytest.mark.parametrize("regroup", [True, False])
-@pytest.mark.parametrize("function", OF_ANY_ARM)
+@pytest.mark.parametrize("function", SAMPLED)
 def test_every_kind_of_number_may_be_a_name(function: str, regroup: bool) -> None:
     named, plain = filled(NAMES), filled(NUMBERS)
     assert sorted(named.parameters) == sorted(NAMES.values())

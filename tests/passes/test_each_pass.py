@@ -19,7 +19,7 @@ from robodyn.ir import Graph, Input, Label, Operation, Program
 from robodyn.ir.lowering import lower
 from robodyn.optimize.programs import Choice, build
 from robodyn.passes import FRESH, cse, dce, factor, fold, negate, order, run
-from robodyn_testing.functions import OF_ANY_ARM
+from robodyn_testing.functions import SAMPLED
 
 A, B, C, X, Y = (Input(name, None) for name in "abcxy")
 
@@ -174,7 +174,7 @@ def test_signs_move_and_operations_stay(made: Program) -> None:
     assert count(after).add == count(merged).add
 
 
-@pytest.mark.parametrize("function", OF_ANY_ARM)
+@pytest.mark.parametrize("function", SAMPLED)
 def test_choosing_signs_leaves_fewer_minuses(function: str) -> None:
     """Than where every value is computed with the sign that it happens to have, a named quantity that stands
     with its sign reversed counting for a third of a minus."""

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from robodyn.dynamics.functions import FUNCTIONS
+from robodyn.dynamics.functions import FUNCTIONS, by_default
+from robodyn_testing.cases import representative
 
 #: They need gears, which the arms of tests seldom have; tests/dynamics/test_motors.py is about them.
 OF_MOTORS = ("motor_torque", "motor_current")
@@ -10,3 +11,5 @@ OF_MOTORS = ("motor_torque", "motor_current")
 OF_PARAMETERS = tuple(name for name, function in FUNCTIONS.items() if function.has_parameters)
 #: Functions that an arm has whatever is stated of it, but where a joint moves without inertia.
 OF_ANY_ARM = tuple(name for name in FUNCTIONS if name not in (*OF_MOTORS, *OF_PARAMETERS))
+#: The same as parameters: those that are written by default, and the others thorough.
+SAMPLED = representative(OF_ANY_ARM, *by_default())

@@ -31,7 +31,7 @@ from robodyn.search.network import (
 )
 from robodyn.search.reconstruction import fraction
 from robodyn.search.recovery import rebuilt
-from robodyn_testing.functions import OF_ANY_ARM
+from robodyn_testing.functions import SAMPLED
 from search.arms import SPECIAL, bundled, random_arms
 
 X, Y, Q, R = Input("qd", 0), Input("qd", 1), Input("q", 0), Input("q", 1)
@@ -95,7 +95,7 @@ def test_other_functions_of_every_robot(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", SPECIAL)
-@pytest.mark.parametrize("function", OF_ANY_ARM)
+@pytest.mark.parametrize("function", SAMPLED)
 def test_special_arms(name: str, function: str) -> None:
     try:
         check(SPECIAL[name], function)

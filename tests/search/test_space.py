@@ -28,7 +28,7 @@ from robodyn.optimize.variant import LINK_VALUES, LinkVariant, Variant
 from robodyn.robot import Robot
 from robodyn.search.candidate import Candidates
 from robodyn.search.space import Space
-from robodyn_testing.functions import OF_ANY_ARM
+from robodyn_testing.functions import SAMPLED
 
 pytestmark = pytest.mark.thorough  # whole searches: CI runs them
 
@@ -80,7 +80,7 @@ def test_writings_of_the_bundled_robots(name: str) -> None:
         assert counted(robot, variant, made)
 
 
-@pytest.mark.parametrize("function", OF_ANY_ARM)
+@pytest.mark.parametrize("function", SAMPLED)
 def test_writings_of_every_function(function: str) -> None:
     for seed in (3, 4):
         robot = replace(exact_arm(seed, joints=4, motors=1), torque_side="motor")

@@ -19,7 +19,7 @@ from robodyn import InputError
 from robodyn.counts import count
 from robodyn.counts.objective import operations_of
 from robodyn.dynamics.equality import equals_recursion
-from robodyn.dynamics.functions import function_named
+from robodyn.dynamics.functions import by_default, function_named
 from robodyn.ir import Input, Operation, Program
 from robodyn.ir.evaluate import evaluate
 from robodyn.ir.fingerprint import fingerprint
@@ -31,7 +31,6 @@ from robodyn.robot.values import circle_point
 from robodyn.search.network import NoWalk
 from robodyn.search.walk import CHAIN, FUSED, SUM, TOLERANCE, Walk
 from robodyn_testing import require_module
-from robodyn_testing.functions import OF_ANY_ARM
 from robodyn_testing.random_robots import random_states
 from search.arms import SPECIAL, bundled, random_arms
 
@@ -144,7 +143,7 @@ def test_thousands_of_steps_of_random_arms(robot: Robot) -> None:
 
 @pytest.mark.parametrize("name", SPECIAL)
 def test_special_arms(name: str) -> None:
-    for function in OF_ANY_ARM:
+    for function in by_default():
         try:
             check(SPECIAL[name], function, 300)
         except NoWalk as nothing:
