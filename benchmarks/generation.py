@@ -1,11 +1,17 @@
 """How long it takes from a robot description to its kernels, in seconds and milliseconds of CPU.
 
     python benchmarks/generation.py [ROBOT] [-n RUNS] [--check]
+    python benchmarks/generation.py --long [-n RUNS] [--check]
 
 Measured is the CPU time, of user and system, of ``robodyn gen ROBOT`` as a whole process (start of Python
 and writing of the files included), and within a process that of the model and the passes alone. The median of
 RUNS is what counts; the smallest stands beside it. With ``--check`` the exit code is 1 where a limit is
 exceeded: half a second for the process, 50 ms for the model and the passes of the inverse dynamics.
+
+``--long`` measures whole processes with ``--optimize fast``: every function of an arm of 7 joints, every
+function that is no derivative of one of 30, the inverse dynamics of one of 100; and how large the C of both
+derivatives of the arm of 7 joints is. The long arms are made by rule: axes parallel or perpendicular as arms
+have them, full inertias.
 """
 
 from __future__ import annotations
@@ -19,9 +25,15 @@ import tempfile
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 PROCESS_LIMIT = 0.5
 MODEL_LIMIT = 0.05
+#: Arms of --long, which of their functions, and the limit [s].
+SEVEN = "panda"
+LONG = ((SEVEN, "all", 2.0), (30, "all but derivatives", 5.0), (100, "inverse_dynamics", 10.0))
+DERIVATIVES = ("inverse_dynamics_derivatives", "forward_dynamics_derivatives")
+TEXT_LIMIT = 250_000
 
 
 @dataclass(frozen=True)
@@ -97,6 +109,47 @@ def measured(robot: str, runs: int) -> list[Timing]:
     ]
 
 
+def long_arm(joints: int) -> str:
+    """The description of an arm of so many joints; every fifth axis is parallel to the one before it."""
+    lines = [f"name: arm{joints}", "links:"]
+    for i in range(joints):
+        alpha, a, d = ("pi/2", "0", "-pi/2", "pi/2", "-pi/2")[i % 5], i % 3 / 10, i % 2 / 10
+        com = [(1 + i % 7) / 100, (2 - i % 5) / 100, (3 - i % 4) / 100]
+        moments = f"xx: {(40 + i % 9) / 100}, yy: {(45 + i % 7) / 100}, zz: {(50 - i % 5) / 100}"
+        lines += [
+            "  - joint: revolute",
+            f"    alpha: {alpha}\n    a: {a}\n    d: {d}",
+            f"    mass: {1 + i % 5}\n    com: {com}",
+            f"    inertia: {{{moments}, xy: 0.01, xz: -0.02, yz: 0.005}}",
+        ]
+    return "\n".join(lines) + "\n"
+
+
+def measured_long(runs: int) -> tuple[list[Timing], int]:
+    """The times, and the size of the C of both derivatives of the arm of 7 joints [bytes]."""
+    from robodyn.dynamics.functions import FUNCTIONS
+    from robodyn.kernels.generate import Options, generate
+    from robodyn.robot import load
+
+    timings = []
+    with tempfile.TemporaryDirectory() as folder:
+        for arm, which, limit in LONG:
+            path, functions = arm, which
+            if isinstance(arm, int):
+                path = str(Path(folder) / f"arm{arm}.yaml")
+                Path(path).write_text(long_arm(arm), encoding="utf-8")
+            if which == "all but derivatives":
+                # neither those of motors, which the arm does not have
+                names = (name for name in FUNCTIONS if name not in DERIVATIVES and "motor" not in name)
+                functions = ",".join(names)
+            command = [sys.executable, "-m", "robodyn", "gen", str(path), "-o", "out"]
+            command += ["--functions", functions, "--optimize", "fast"]
+            joints = arm if isinstance(arm, int) else load(arm, warn=lambda _: None).n
+            timings.append(Timing(f"{joints} joints, {which}", of_process(command, runs), limit))
+    made = generate(load(SEVEN, warn=lambda _: None), Options(DERIVATIVES, optimize="fast"))
+    return timings, len(made.files(("c",))[f"{SEVEN}.c"].encode())
+
+
 def table(timings: Sequence[Timing]) -> str:
     """A table for people."""
     rows = [("CPU time [ms]", "median", "least", "limit", ""), *(timing.row() for timing in timings)]
@@ -114,13 +167,21 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("robot", nargs="?", default="puma560", help="a bundled robot or a file")
     parser.add_argument("-n", "--runs", type=int, default=7, help="how often each is measured (default: 7)")
+    parser.add_argument("--long", action="store_true", help="arms of 7, 30 and 100 joints")
     parser.add_argument("--check", action="store_true", help="exit 1 where a limit is exceeded")
     options = parser.parse_args(arguments)
     if options.runs < 1:
         parser.error("RUNS must be at least 1")
-    timings = measured(options.robot, options.runs)
-    print(table(timings))
-    return 1 if options.check and any(timing.exceeded for timing in timings) else 0
+    size = 0
+    if options.long:
+        timings, size = measured_long(options.runs)
+        print(table(timings))
+        print(f"C of both derivatives of {SEVEN}: {size / 1000:.0f} kB, limit {TEXT_LIMIT / 1000:.0f} kB")
+    else:
+        timings = measured(options.robot, options.runs)
+        print(table(timings))
+    exceeded = size > TEXT_LIMIT or any(timing.exceeded for timing in timings)
+    return 1 if options.check and exceeded else 0
 
 
 if __name__ == "__main__":

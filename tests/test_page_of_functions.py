@@ -38,7 +38,7 @@ def test_operations(robot: str, names: tuple[str, ...]) -> None:
     assert {name: shown[name] for name in names} == {name: f"{x:,}" for name, x in counted.items()}
 
 
-@pytest.mark.parametrize("mark, of", [("casadi", kinematics), ("casadi dynamics", dynamics)])
+@pytest.mark.parametrize(("mark", "of"), [("casadi", kinematics), ("casadi dynamics", dynamics)])
 def test_casadis_figures_are_those_of_the_last_comparison(mark: str, of: ModuleType) -> None:
     results = json.loads(of.RESULTS.read_text(encoding="utf-8"))
     rows = {row[0]: row[1:] for row in table(mark)}

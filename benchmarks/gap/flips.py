@@ -17,7 +17,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from benchmarks.gap.pushes import ALL_ARMS, made
+from benchmarks.gap.pushes import ALL_ARMS, pushed_by
 
 from robodyn.errors import InputError
 from robodyn.gate.gate import inspect
@@ -62,7 +62,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     counts: dict[str, Counter[str]] = {}
     for seed in range(first, end):
         for arm in options.arms.split(","):
-            pushed = made(arm, "calm", seed, options.cache)
+            pushed = pushed_by(arm, "calm", seed, options.cache)
             log = pushed.log
             sound = answer(log, pushed.given, "nothing is wrong")
             counts.setdefault("sound", Counter())[

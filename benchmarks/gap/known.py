@@ -132,10 +132,10 @@ def stiffness(wanted: Mapping[int, float], *, needed: bool) -> Callable[[Answer]
     """Stiffness [N m/rad] of joints, to 25 %; where it is not ``needed``, at least no other."""
 
     def judge(answer: Answer) -> tuple[str, bool]:
-        found = {f["joint"]: f["parameters"]["stiffness"]["value"] for f in answer.of("joint_elasticity")}
-        near = [j for j, k in wanted.items() if j in found and abs(found[j] / k - 1) <= 0.25]
-        text = ", ".join(f"{j}: {k / 1e6:.3g} MN m/rad" for j, k in sorted(found.items())) or "not claimed"
-        return text, len(near) == (len(wanted) if needed else len(set(found) & set(wanted)))
+        springs = {f["joint"]: f["parameters"]["stiffness"]["value"] for f in answer.of("joint_elasticity")}
+        near = [j for j, k in wanted.items() if j in springs and abs(springs[j] / k - 1) <= 0.25]
+        text = ", ".join(f"{j}: {k / 1e6:.3g} MN m/rad" for j, k in sorted(springs.items())) or "not claimed"
+        return text, len(near) == (len(wanted) if needed else len(set(springs) & set(wanted)))
 
     return judge
 

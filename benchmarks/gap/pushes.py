@@ -50,7 +50,7 @@ PUSHES = 3
 INERTIA_ERROR = 0.3
 
 
-def made(arm: str, kind: str, seed: int, cache: Path | None = None) -> Pushed:
+def pushed_by(arm: str, kind: str, seed: int, cache: Path | None = None) -> Pushed:
     """The log of an arm, from the cache where it is in it."""
     path = cache / f"{arm}_{kind}_{seed}.pickle" if cache else None
     # What another version wrote may have other fields.
@@ -83,11 +83,11 @@ def untouched(arm: str, seed: int) -> Iterator[tuple[str, Pushed]]:
     for kind in UNTOUCHED:
         for trial in trials(kind, (arm,), range(seed, seed + 1)):
             if trial.effect != "external_contact":
-                made = trial.make()
-                given = misjudged(made.given, INERTIA_ERROR, seed)
+                hidden = trial.make()
+                robot = misjudged(hidden.given, INERTIA_ERROR, seed)
                 yield (
                     f"{trial.effect}@{trial.joint or 'all'}",
-                    Pushed(given, made.train, (), made.truth.noise),
+                    Pushed(robot, hidden.train, (), hidden.truth.noise),
                 )
 
 
@@ -146,7 +146,7 @@ def rows_of(arm: str, kind: str, seed: int, options: argparse.Namespace) -> Iter
     """The lines of the results of an arm: one, or one for each effect."""
     head = {"arm": arm, "kind": kind, "seed": seed}
     if kind != "effects":
-        yield head | run(made(arm, kind, seed, options.cache), whole=options.whole)
+        yield head | run(pushed_by(arm, kind, seed, options.cache), whole=options.whole)
     elif arm in KNOWN_ARMS:
         for hidden, pushed in untouched(arm, seed):
             yield head | {"hidden": hidden} | run(pushed, whole=options.whole)

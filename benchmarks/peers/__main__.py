@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from benchmarks.peers import from_python, growth
+from benchmarks.peers import every_function, from_python, growth
 from benchmarks.peers.building import compiler
 from benchmarks.peers.candidates import MAKERS, Candidate, Missing, peers
 from benchmarks.peers.ours import BUILDS, batches, kernels, reference
@@ -33,6 +33,7 @@ from robodyn.robot import load
 
 RESULTS = Path(__file__).resolve().parents[1] / "results"
 REFERENCE = "robodyn-builtin"
+SEVEN_JOINTS = "panda"
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -40,14 +41,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = _parser()
     options = parser.parse_args(arguments)
     out = Path(options.out)
-    if options.render:
+    work = Path(options.work).resolve()
+    work.mkdir(parents=True, exist_ok=True)
+    if options.render or options.only_functions:
         if not (out / "peers.json").is_file():
-            parser.error(f"{out} has no peers.json; leave out --render to measure")
+            parser.error(f"{out} has no peers.json; leave out --render and --only-functions to measure")
         found = json.loads((out / "peers.json").read_text(encoding="utf-8"))
+        if options.only_functions:
+            found["functions"] = functions(options, work, harness(work))
         write(found, out)
     else:
-        work = Path(options.work).resolve()
-        work.mkdir(parents=True, exist_ok=True)
         for found in measured(options, work):
             write(found, out)
     print((out / "peers.md").read_text(encoding="utf-8"))
@@ -74,6 +77,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--out", default=str(RESULTS), help="where results go (default: benchmarks/results)")
     parser.add_argument("--peers", default=",".join(MAKERS), help="which peers, with commas (default: all)")
     parser.add_argument("--no-growth", action="store_true", help="leave out the arms of 1 to 30 joints")
+    parser.add_argument("--only-functions", action="store_true", help="measure the other functions alone")
     parser.add_argument("--render", action="store_true", help="measure nothing, write anew from peers.json")
     return parser
 
@@ -86,10 +90,21 @@ def measured(options: argparse.Namespace, work: Path) -> Iterator[dict[str, Any]
     folder = work / Path(options.robot).stem
     found, pinocchio = native(options.robot, folder, race_harness, asked, options.rounds)
     found = {"machine": machine(), **found, "python": python(options.robot, runs), "growth": []}
+    found["functions"] = {}
+    yield found
+    found["functions"] = functions(options, work, race_harness)
     yield found
     if not options.no_growth:
         found["growth"] = growth.measured(work, race_harness, pinocchio, runs, 3)
         yield found
+
+
+def functions(options: argparse.Namespace, work: Path, race_harness: Path) -> dict[str, Any]:
+    """The races of every function, of the robot and of an arm of seven joints."""
+    runs = max(20, options.rounds // 4)
+    robots = dict.fromkeys((options.robot, SEVEN_JOINTS))
+    races = [one for robot in robots for one in every_function.measured(robot, work, race_harness, runs)]
+    return {"machine": machine(), "races": races}
 
 
 def native(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import subprocess
 import sys
 import sysconfig
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -61,18 +61,14 @@ _MPL = (
 
 def pinocchio(arm: Numbers, folder: Path) -> Candidate:
     """Pinocchio's rnea, compiled from its headers with the flags that everything is compiled with."""
-    source = Source(
-        ("pinocchio.cpp",), (*_RELEASE, *_MPL, *_pinocchio_headers()), packages=("pin", "cmeel-eigen")
-    )
+    source = Source(("pinocchio.cpp",), (*_RELEASE, *pinocchio_headers()), packages=("pin", "cmeel-eigen"))
     title = f"Pinocchio {version('pin')}, rnea, C++"
-    return _both("pinocchio", title, source, folder)
+    return both("pinocchio", title, source, folder)
 
 
 def pinocchio_checked(arm: Numbers, folder: Path) -> Candidate:
     """The same without ``-DNDEBUG``, as who forgets it has it: Eigen checks sizes all the time."""
-    source = Source(
-        ("pinocchio.cpp",), (*_CXX, *_MPL, *_pinocchio_headers()), packages=("pin", "cmeel-eigen")
-    )
+    source = Source(("pinocchio.cpp",), (*_CXX, *pinocchio_headers()), packages=("pin", "cmeel-eigen"))
     made = library(folder / "pinocchio-checked.so", source, NATIVE)
     title = f"Pinocchio {version('pin')}, rnea, C++, without -DNDEBUG"
     return Candidate("pinocchio-checked", title, " ".join(NATIVE), made, None)
@@ -81,7 +77,7 @@ def pinocchio_checked(arm: Numbers, folder: Path) -> Candidate:
 def pinocchio_wheel(arm: Numbers, folder: Path) -> Candidate:
     """Pinocchio's rnea as it lies compiled in the wheel."""
     prefix = package_folder("libpinocchio", "cmeel.prefix")
-    flags = (*_RELEASE, *_MPL, *_pinocchio_headers(), "-DPINOCCHIO_ENABLE_TEMPLATE_INSTANTIATION")
+    flags = (*_RELEASE, *pinocchio_headers(), "-DPINOCCHIO_ENABLE_TEMPLATE_INSTANTIATION")
     links = (f"-L{prefix / 'lib'}", "-lpinocchio_default", f"-Wl,-rpath,{prefix / 'lib'}")
     source = Source(("pinocchio.cpp",), flags, links, packages=("pin", "cmeel-eigen"))
     made = library(folder / "pinocchio-wheel.so", source, ("-O3",))
@@ -91,35 +87,49 @@ def pinocchio_wheel(arm: Numbers, folder: Path) -> Candidate:
 
 def pinocchio_casadi(arm: Numbers, folder: Path) -> Candidate:
     """Pinocchio's rnea run over CasADi's SX, and the C that CasADi writes."""
-    return _through_casadi(folder, "pinocchio_casadi", "0", "Pinocchio -> CasADi C")
+    return _through_casadi(folder, "pinocchio_casadi", "", "Pinocchio -> CasADi C")
 
 
 def pinocchio_casadi_cse(arm: Numbers, folder: Path) -> Candidate:
     """The same after ``casadi.cse``."""
-    return _through_casadi(folder, "pinocchio_casadi_cse", "1", "Pinocchio -> CasADi C, after casadi.cse")
+    return _through_casadi(folder, "pinocchio_casadi_cse", "_cse", "Pinocchio -> CasADi C, after casadi.cse")
 
 
 def _through_casadi(folder: Path, name: str, cse: str, title: str) -> Candidate:
+    pinocchio_traced(folder, ("inverse_dynamics",), folder.parent)
+    called = f"pinocchio_inverse_dynamics{cse}"
+    source = Source(("casadi.c", folder / f"{called}.c"), defines=(("FUNCTION", called),))
+    return both(name, f"{title} {version('casadi')}", source, folder, STRICT)
+
+
+def pinocchio_traced(folder: Path, functions: Iterable[str], work: Path) -> None:
+    """Pinocchio's algorithms run over CasADi's SX for the arm of ``folder``: there is then the C that CasADi
+    writes, ``pinocchio_NAME.c`` and after its cse ``pinocchio_NAME_cse.c``, and ``pinocchio_NAME.casadi``.
+    What traces them is compiled in ``work``.
+
+    Raises
+    ------
+    Lacking: it cannot be had here.
+    """
     casadi = package_folder("casadi", "casadi")
     source = Source(
         ("pinocchio_casadi.cpp",),
-        (*_CXX, *_MPL, *_pinocchio_headers(), f"-I{casadi / 'include'}"),
+        (*_CXX, *pinocchio_headers(), f"-I{casadi / 'include'}"),
         (f"-L{casadi}", "-lcasadi", f"-Wl,-rpath,{casadi}"),
         packages=("pin", "casadi", "cmeel-eigen"),
     )
-    writer = program(folder / "pinocchio-to-casadi", source, ("-O0",))
-    made = folder / f"{name}.c"
-    done = subprocess.run([str(writer), str(folder), name, cse], cwd=folder, capture_output=True, check=False)
-    if done.returncode or not made.is_file():
-        raise Lacking(f"the program that writes the C fails: {done.stderr[-200:]!r}")
-    source = Source(("casadi.c", made), defines=(("FUNCTION", name),))
-    return _both(name, f"{title} {version('casadi')}", source, folder, STRICT)
+    writer = program(work / "pinocchio-to-casadi", source, ("-O0",))
+    command = [str(writer), str(folder), *functions]
+    done = subprocess.run(command, cwd=folder, capture_output=True, check=False)
+    if done.returncode:
+        raise Lacking(f"the program that traces Pinocchio fails: {done.stderr[-200:]!r}")
 
 
-def _pinocchio_headers() -> tuple[str, ...]:
+def pinocchio_headers() -> tuple[str, ...]:
+    """What compilers need to find Pinocchio's headers, and to get through them."""
     prefix = package_folder("libpinocchio", "cmeel.prefix/include")
     eigen = package_folder("cmeel-eigen", "cmeel.prefix/include/eigen3")
-    return f"-I{prefix}", f"-I{eigen}"
+    return *_MPL, f"-I{prefix}", f"-I{eigen}"
 
 
 def casadi_sx(arm: Numbers, folder: Path) -> Candidate:
@@ -127,7 +137,7 @@ def casadi_sx(arm: Numbers, folder: Path) -> Candidate:
     version("casadi")
     _written(arm, folder, "casadi", "casadi_sx.c")
     source = Source(("casadi.c", folder / "casadi_sx.c"), defines=(("FUNCTION", "casadi_sx"),))
-    return _both("casadi-sx", f"CasADi {version('casadi')} SX, textbook", source, folder, STRICT)
+    return both("casadi-sx", f"CasADi {version('casadi')} SX, textbook", source, folder, STRICT)
 
 
 def symforce(arm: Numbers, folder: Path) -> Candidate:
@@ -137,7 +147,7 @@ def symforce(arm: Numbers, folder: Path) -> Candidate:
     eigen = package_folder("cmeel-eigen", "cmeel.prefix/include/eigen3")
     flags = (*_RELEASE, f"-I{eigen}", f"-I{folder / 'symforce'}")
     source = Source(("symforce.cpp",), flags, defines=(("JOINTS", str(arm.n)), _stamp(folder / "symforce")))
-    return _both("symforce", title, source, folder)
+    return both("symforce", title, source, folder)
 
 
 def wrenfold(arm: Numbers, folder: Path) -> Candidate:
@@ -146,7 +156,7 @@ def wrenfold(arm: Numbers, folder: Path) -> Candidate:
     _written(arm, folder / "wrenfold", "wrenfold", "generated.h")
     flags = (*_RELEASE, f"-I{folder / 'wrenfold'}")
     source = Source(("wrenfold.cpp",), flags, defines=(("JOINTS", str(arm.n)), _stamp(folder / "wrenfold")))
-    return _both("wrenfold", title, source, folder)
+    return both("wrenfold", title, source, folder)
 
 
 def mujoco(arm: Numbers, folder: Path) -> Candidate:
@@ -159,7 +169,7 @@ def mujoco(arm: Numbers, folder: Path) -> Candidate:
     links = (str(shared), f"-Wl,-rpath,{place}")
     source = Source(("mujoco.c",), (f"-I{place / 'include'}",), links, packages=("mujoco",))
     note = "factors the mass matrix on its way"
-    return _both("mujoco", f"MuJoCo {version('mujoco')}, mj_inverse", source, folder, AVX2, note)
+    return both("mujoco", f"MuJoCo {version('mujoco')}, mj_inverse", source, folder, AVX2, note)
 
 
 def kdl(arm: Numbers, folder: Path) -> Candidate:
@@ -170,7 +180,7 @@ def kdl(arm: Numbers, folder: Path) -> Candidate:
     if header is None:
         raise Lacking("KDL's headers are not there: apt-get install liborocos-kdl-dev")
     source = Source(("kdl.cpp",), (*_RELEASE, f"-I{header / 'eigen3'}"), ("-lorocos-kdl",))
-    return _both("kdl", f"KDL {_kdl_version(header)}, ChainIdSolver_RNE", source, folder)
+    return both("kdl", f"KDL {_kdl_version(header)}, ChainIdSolver_RNE", source, folder)
 
 
 def _kdl_version(header: Path) -> str:
@@ -190,7 +200,7 @@ def toolbox(arm: Numbers, folder: Path) -> Candidate:
     files = ("toolbox.c", place / "ne.c", place / "vmath.c")
     source = Source(files, (f"-I{place}", f"-I{include}"), packages=("roboticstoolbox-python",))
     title = f"Robotics Toolbox {version('roboticstoolbox-python')}, ne.c"
-    return _both("toolbox", title, source, folder)
+    return both("toolbox", title, source, folder)
 
 
 MAKERS: dict[str, tuple[str, Maker]] = {
@@ -221,7 +231,7 @@ def peers(
             yield Missing(key, title, str(lacking))
 
 
-def _both(
+def both(
     key: str,
     title: str,
     source: Source,

@@ -11,6 +11,8 @@ from benchmarks.peers.building import NATIVE, STRICT, Source, library
 from benchmarks.peers.candidates import Candidate
 from benchmarks.peers.race import Floats, States
 
+from robodyn.ir.evaluate import evaluate
+from robodyn.ir.program import Input, Program
 from robodyn.kernels.generate import Options, generate, program
 from robodyn.passes.trig_given import given_layout
 from robodyn.robot import Robot
@@ -43,7 +45,7 @@ def kernels(
     for trig, title in _TRIG.items():
         options = Options(("inverse_dynamics",), trig=trig, optimize=optimize)  # type: ignore[arg-type]
         place = folder / trig
-        files = _write(place, generate(robot, options).files(("c",)))
+        files = written(place, generate(robot, options).files(("c",)))
         defines = _defines(robot, f"{robot.name}.h", "")
         if trig == "given":
             width = write_given(robot, states, folder / "given.bin", optimize)
@@ -66,7 +68,7 @@ def batches(robot: Robot, folder: Path) -> list[Candidate]:
             options = Options(("inverse_dynamics",), trig=trig, scalar=scalar)
             generated = generate(robot, options)
             place = folder / f"batch-{trig}-{scalar}"
-            files = _write(place, generated.files(("c",), batch=True))
+            files = written(place, generated.files(("c",), batch=True))
             defines = _defines(robot, f"{robot.name}_batch.h", "_batch")
             if trig == "given":
                 defines = (*defines, ("GIVEN", str(dict(generated.signatures[0].inputs)["sc"])))
@@ -101,6 +103,16 @@ def write_given(robot: Robot, states: States, path: Path, optimize: str = "recor
     return len(layout)
 
 
+def values_of(own: Program, states: Floats) -> Floats:
+    """What a program of ours gives [N, m] at ``states`` [3, N, n]: positions, velocities, and accelerations
+    or torques."""
+    place = {"q": 0, "qd": 1, "qdd": 2, "tau": 2}
+    inputs = {Input(name, i): states[k, :, i] for name, k in place.items() for i in range(states.shape[2])}
+    functions = {"sin": np.sin, "cos": np.cos, "sqrt": np.sqrt}
+    columns = [x for values in evaluate(own, inputs, functions=functions).values() for x in values]
+    return np.stack([np.broadcast_to(x, states.shape[1]) for x in columns], axis=1)
+
+
 def reference(robot: Robot, states: States) -> Floats:
     """Torques [N, n] of the plain textbook in double precision, which shares nothing with the kernels."""
     from robodyn.verify.reference import Reference
@@ -114,7 +126,7 @@ def _defines(robot: Robot, header: str, ending: str) -> tuple[tuple[str, str], .
     return ("HEADER", f'"{header}"'), ("REAL", f"{name}_real"), ("KERNEL", kernel)
 
 
-def _write(folder: Path, files: dict[str, str]) -> list[Path]:
+def written(folder: Path, files: dict[str, str]) -> list[Path]:
     """Write the files; those in C that are compiled by themselves."""
     folder.mkdir(parents=True, exist_ok=True)
     for name, text in files.items():

@@ -52,6 +52,8 @@ def markdown(found: Mapping[str, Any]) -> str:
         parts += ["## Not raced", "\n".join(f"- {one['title']}: {one['why']}" for one in missing)]
     if found["growth"]:
         parts += _growth(found["growth"])
+    if found.get("functions"):
+        parts += _functions(found["functions"])
     return "\n\n".join(parts) + "\n"
 
 
@@ -106,6 +108,39 @@ def _growth(rows: Sequence[Mapping[str, Any]]) -> list[str]:
         "![Growth](growth.svg)",
         _table(head, lines),
     ]
+
+
+def _functions(found: Mapping[str, Any]) -> Iterable[str]:
+    """Every function: what was to be shown first, then all who raced."""
+    races = found["races"]
+    yield "## Every function"
+    yield (
+        f"{found['machine']['processor']}, {found['machine']['compiler']}; load {found['machine']['load']} "
+        f"on {found['machine']['cores']} cores. As above: the same arms and states, results held against "
+        "ours, one process for all of a function, ratios round by round; C++ with `-DNDEBUG`, results stored "
+        "as ours are. Of Pinocchio's two conventions the faster one is meant."
+    )
+    lines = []
+    for race in races:
+        titles = {row["key"]: (row["title"], row["flags"]) for row in race["rows"]}
+        for demand in race["demands"]:
+            verdict = "" if demand["ratio"][0] >= demand["wanted"] else ", **missed**"
+            cells = (titles[demand["peer"]][0], f"`{titles[demand['ours']][1]}`", f"{demand['wanted']:g}")
+            lines.append((race["robot"], race["function"], *cells, _ratio(demand["ratio"]) + verdict))
+    yield _table(
+        ("robot", "function", "times faster than", "ours compiled with", "wanted", "measured"), lines
+    )
+    rows = []
+    for race in races:
+        for row in race["rows"]:
+            title = f"**{row['title']}**" if row["ours"] else row["title"]
+            counted = "-" if row["instructions"] is None else f"{row['instructions']:.0f}"
+            figures = (f"{row['ns']:.0f}", _ratio(row["ratio"]), counted, f"`{row['flags']}`")
+            rows.append((race["robot"], race["function"], title, *figures))
+    yield _table(("robot", "function", "", "ns", "ratio", "instructions", "compiled with"), rows)
+    absent = {f"- {one['title']}: {one['why']}" for race in races for one in race["missing"]}
+    if absent:
+        yield "\n".join(sorted(absent))
 
 
 def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:

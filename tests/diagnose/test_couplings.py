@@ -23,7 +23,9 @@ def couplings() -> list[Candidate]:
 
 
 def test_no_motor_reaches_over_two_joints(couplings: list[Candidate]) -> None:
-    shares = {(k, j): one.least_share for one in couplings for j, k in [one.rows]}
+    likely = [one for one in couplings if one.likely(np.ones(3))]
+    assert len(likely) < len(couplings)
+    shares = {(k, j): one.least_share for one in likely for j, k in [one.rows]}
     near = {(j, j + 1): 0.0 for j in range(5)}
     assert shares == near | {(j, j + 2): COUPLED_BEYOND_SHARE for j in range(4)}
 

@@ -199,6 +199,18 @@ def test_arithmetic_that_is_not_as_written_is_refused(scalar: str, tmp_path: Pat
     assert "no -ffast-math" in done.stderr
 
 
+@pytest.mark.parametrize(("method", "refused"), [(0, False), (16, False), (1, True), (2, True), (-1, True)])
+def test_arithmetic_in_a_wider_type_is_refused(method: int, refused: bool, tmp_path: Path) -> None:
+    """16 is what gcc says with -march=native on processors that compute in half precision."""
+    for name, text in made("double").files(("c",)).items():
+        (tmp_path / name).write_text(text, encoding="ascii")
+    says = ["-U__FLT_EVAL_METHOD__", f"-D__FLT_EVAL_METHOD__={method}"]
+    command = [require_tool("gcc"), "-w", *says, "-fsyntax-only", f"{NAME}.c"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert (done.returncode != 0) == refused, done.stderr
+    assert ("no x87" in done.stderr) == refused
+
+
 @pytest.mark.parametrize("scalar", SCALARS)
 def test_objects_need_no_library(scalar: str, tmp_path: Path) -> None:
     files = made(scalar).files()

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 from benchmarks.gap.flips import answer, wrong
-from benchmarks.gap.pushes import made
+from benchmarks.gap.pushes import pushed_by
 
 
 def test_each_joint_is_flipped_and_exchanged_with_the_next() -> None:
-    log = made("puma560_3dof", "calm", 1).log
+    log = pushed_by("puma560_3dof", "calm", 1).log
     changed = list(wrong(log))
     assert [what for what, _, _ in changed].count("tau flipped") == 3
     assert [what for what, _, _ in changed].count("q exchanged") == 2
@@ -19,7 +19,7 @@ def test_each_joint_is_flipped_and_exchanged_with_the_next() -> None:
 
 
 def test_answers_are_scored_by_their_remedy() -> None:
-    pushed = made("puma560_3dof", "calm", 1)
+    pushed = pushed_by("puma560_3dof", "calm", 1)
     _, remedy, other = next(x for x in wrong(pushed.log) if x[0] == "tau flipped")
     assert answer(other, pushed.given, remedy) == "right"
     assert answer(other, pushed.given, "change the sign of tau9") == "wrong"

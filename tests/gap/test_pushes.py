@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from benchmarks.gap.pushes import angle, graded, made, overlap, run, summary, untouched
+from benchmarks.gap.pushes import angle, graded, overlap, pushed_by, run, summary, untouched
 
 from diagnose.hidden.pushed import Push, Pushed
 from robodyn.identify.contact.contact import Contact
@@ -20,7 +20,7 @@ def window(start: float, end: float, force: tuple[float, float, float] = (0.0, 9
 
 
 def pushed(*pushes: Push) -> Pushed:
-    log = made("puma560_3dof", "calm", 1).log
+    log = pushed_by("puma560_3dof", "calm", 1).log
     return Pushed(load("puma560_3dof", warn=lambda _: None), log, pushes, np.zeros(3))
 
 
@@ -48,7 +48,7 @@ def test_a_wrong_sign_and_a_false_window_are_counted() -> None:
 
 
 def test_pushes_vary_and_are_the_same_for_the_same_seed() -> None:
-    one, again, other = (made("puma560_3dof", "rest", seed) for seed in (2, 2, 3))
+    one, again, other = (pushed_by("puma560_3dof", "rest", seed) for seed in (2, 2, 3))
     np.testing.assert_array_equal(one.log.tau, again.log.tau)
     assert [p.start for p in one.pushes] != [p.start for p in other.pushes]
     assert all(p.rise > 0 for p in one.pushes)

@@ -1,7 +1,7 @@
 /*
  * Races runners (shared libraries, see peer.h) in one process.
  *
- *   harness check STATES FOLDER OUT LIB...          torques of all, one after another, to OUT
+ *   harness check STATES FOLDER OUT LIB...          results of all, one after another, to OUT
  *   harness time STATES FOLDER ROUNDS NS LIB...     a line a round: nanoseconds a state of every runner
  *   harness count STATES FOLDER PASSES LIB          so many passes and nothing else, for callgrind
  *
@@ -20,6 +20,7 @@ typedef struct {
     int (*open)(const char *, int, int, const double *, const double *, const double *);
     void (*run)(void);
     void (*result)(double *);
+    size_t size; /* of a state's results */
     long repeats;
 } runner;
 
@@ -58,6 +59,7 @@ static void read_states(const char *path)
 static runner open_runner(const char *path, const char *folder)
 {
     runner r;
+    int (*size)(int);
     size_t block = (size_t)count * (size_t)n;
     void *library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
     if (!library)
@@ -69,6 +71,8 @@ static runner open_runner(const char *path, const char *folder)
         fail("is no runner", path);
     if (r.open(folder, count, n, states, states + block, states + 2 * block))
         fail("cannot be set up", path);
+    *(void **)&size = dlsym(library, "peer_size");
+    r.size = (size_t)(size ? size(n) : n);
     r.repeats = 1;
     return r;
 }
@@ -84,17 +88,20 @@ static double block_time(const runner *r)
 
 static void check(runner *all, int runners, const char *path)
 {
-    size_t block = (size_t)count * (size_t)n;
-    double *tau = malloc(block * sizeof(double));
     FILE *file = fopen(path, "wb");
     int i;
-    if (!file || !tau)
+    if (!file)
         fail("cannot be written", path);
     for (i = 0; i < runners; i++) {
+        size_t block = (size_t)count * all[i].size;
+        double *results = malloc(block * sizeof(double));
+        if (!results)
+            fail("has too many results", path);
         all[i].run();
-        all[i].result(tau);
-        if (fwrite(tau, sizeof(double), block, file) != block)
+        all[i].result(results);
+        if (fwrite(results, sizeof(double), block, file) != block)
             fail("cannot be written", path);
+        free(results);
     }
     fclose(file);
 }

@@ -2,7 +2,7 @@
  * What every runner in this folder offers to the harness, and the arm that they are given.
  *
  * A runner takes the states once and may keep them in its own layout; peer_run, which is what is timed, computes
- * the torques of all of them in a loop; peer_result hands them out.
+ * the results of all of them in a loop, torques where nothing else is said; peer_result hands them out.
  */
 #ifndef PEER_H
 #define PEER_H
@@ -17,7 +17,8 @@ extern "C" {
 /* folder: where arm.txt (and what else a runner needs) lies; q, qd, qdd: [count][n]. 0, or not for an error. */
 int peer_open(const char *folder, int count, int n, const double *q, const double *qd, const double *qdd);
 void peer_run(void);
-void peer_result(double *tau); /* [count][n] */
+void peer_result(double *results); /* [count][peer_size] */
+int peer_size(int n);              /* numbers that a state has; not there: n */
 
 /* Links as robodyn.report.peers.numbers writes them; angles as (radians, cosine, sine). */
 typedef struct {

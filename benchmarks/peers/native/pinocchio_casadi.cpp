@@ -1,32 +1,65 @@
-// Writes the C that CasADi makes of Pinocchio's rnea: pinocchio_casadi FOLDER NAME CSE
+// Traces Pinocchio's algorithms over CasADi's SX: pinocchio_casadi FOLDER NAME...
+// Of each function NAME of pinocchio_functions.hpp it leaves in the working folder pinocchio_NAME.casadi, which CasADi
+// loads, and what CasADi writes: pinocchio_NAME.c, and after casadi.cse pinocchio_NAME_cse.c.
 #include <pinocchio/autodiff/casadi.hpp>
 
-#include "pinocchio_arm.hpp"
-#include <pinocchio/algorithm/rnea.hpp>
+#include "pinocchio_functions.hpp"
 
-int main(int, char **argv)
+#include <cstring>
+
+using Scalar = casadi::SX;
+
+template <typename S, int O> struct TwoJoints {
+    static constexpr int Options = O;
+    using JointModelRZ = pinocchio::JointModelRevoluteTpl<S, O, 2>;
+    using JointModelPZ = pinocchio::JointModelPrismaticTpl<S, O, 2>;
+    using JointDataRZ = pinocchio::JointDataRevoluteTpl<S, O, 2>;
+    using JointDataPZ = pinocchio::JointDataPrismaticTpl<S, O, 2>;
+    using JointModelMimic = pinocchio::JointModelMimicTpl<S, O, TwoJoints>; // which Pinocchio asks for by name
+    using JointDataMimic = pinocchio::JointDataMimicTpl<S, O, TwoJoints>;
+    using JointModelVariant = boost::variant<JointModelRZ, JointModelPZ, boost::recursive_wrapper<JointModelMimic>>;
+    using JointDataVariant = boost::variant<JointDataRZ, JointDataPZ, boost::recursive_wrapper<JointDataMimic>>;
+};
+
+using Numbers = pinocchio::ModelTpl<double, 0, TwoJoints>;
+using Traced = Arm<Scalar, TwoJoints>;
+
+template <typename F> static void trace(const Numbers &numbers, const std::string &name)
 {
-    using Scalar = casadi::SX;
-    using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
-    peer_arm arm;
-    if (peer_read_arm(argv[1], &arm))
-        return 2;
-    const auto model = pinocchio_arm(arm).cast<Scalar>();
-    pinocchio::DataTpl<Scalar> data(model);
-    const Scalar q = Scalar::sym("q", arm.n), qd = Scalar::sym("qd", arm.n), qdd = Scalar::sym("qdd", arm.n);
-    Vector eq(arm.n), eqd(arm.n), eqdd(arm.n);
-    for (int i = 0; i < arm.n; i++) {
-        eq[i] = q(i);
-        eqd[i] = qd(i);
-        eqdd[i] = qdd(i);
+    Traced arm(numbers);
+    const int n = arm.n(), size = F::size(n);
+    const Scalar q = Scalar::sym("q", n), qd = Scalar::sym("qd", n), third = Scalar::sym("third", n);
+    Traced::Vector x(n), v(n), a(n);
+    for (int i = 0; i < n; i++) {
+        x[i] = q(i);
+        v[i] = qd(i);
+        a[i] = third(i);
     }
-    pinocchio::rnea(model, data, eq, eqd, eqdd);
-    Scalar tau(arm.n, 1);
-    for (int i = 0; i < arm.n; i++)
-        tau(i) = data.tau[i];
-    casadi::Dict options;
-    options["cse"] = argv[3][0] == '1';
-    casadi::Function function(argv[2], {q, qd, qdd}, {tau}, options);
-    function.generate(std::string(argv[2]) + ".c");
+    std::vector<Scalar> results(size);
+    F::run(arm, x, v, a, results.data());
+    const Scalar all = Scalar::vertcat(results);
+    for (const bool merged : {false, true}) {
+        const std::string called = "pinocchio_" + name + (merged ? "_cse" : "");
+        casadi::Dict options;
+        options["cse"] = merged;
+        casadi::Function function(called, {q, qd, third}, {casadi::SX::densify(all)}, options);
+        function.generate(called + ".c");
+        if (merged)
+            function.save("pinocchio_" + name + ".casadi");
+    }
+}
+
+int main(int argc, char **argv)
+{
+    peer_arm arm;
+    if (argc < 3 || peer_read_arm(argv[1], &arm))
+        return 2;
+    const auto numbers = pinocchio_arm<Numbers>(arm);
+    for (int k = 2; k < argc; k++) {
+#define TRACED(NAME)                                                                                                   \
+    if (!std::strcmp(argv[k], #NAME))                                                                                  \
+        trace<functions::NAME>(numbers, #NAME);
+        EVERY_FUNCTION(TRACED)
+    }
     return 0;
 }

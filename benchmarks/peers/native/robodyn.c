@@ -1,5 +1,6 @@
 /* Our kernel, one state a call, or with BATCH all in one, every joint's values one after another. HEADER, REAL,
- * KERNEL: of the kernel; GIVEN: sines and cosines are in given.bin. */
+ * KERNEL: of the kernel; GIVEN: sines and cosines are in given.bin. Of another function than the inverse dynamics:
+ * SIZE, numbers of its results; ARGUMENTS(k) and RESULTS(k) of the state k. */
 #include HEADER
 #include "peer.h"
 
@@ -9,8 +10,20 @@
 #define AT(k, j, size) ((k) * (size) + (j))
 #endif
 
+#ifndef SIZE
+#define SIZE n
+#define ARGUMENTS(k) angle + (k) * width, qd + (k) * n, qdd + (k) * n
+#define RESULTS(k) results + (k) * n
+#endif
+
 static int count, n, width;
-static REAL *angle, *qd, *qdd, *tau;
+static REAL *angle, *qd, *qdd, *results;
+
+int peer_size(int joints)
+{
+    n = joints;
+    return SIZE;
+}
 
 static REAL *kept(const double *from, int size)
 {
@@ -50,18 +63,18 @@ int peer_open(const char *folder, int states, int joints, const double *q, const
 #endif
     qd = kept(v, n);
     qdd = kept(a, n);
-    tau = calloc((size_t)count * (size_t)n, sizeof(REAL));
-    return !tau;
+    results = calloc((size_t)count * (size_t)(SIZE), sizeof(REAL));
+    return !results;
 }
 
 void peer_run(void)
 {
 #ifdef BATCH
-    KERNEL((size_t)count, (size_t)count, angle, qd, qdd, tau);
+    KERNEL((size_t)count, (size_t)count, angle, qd, qdd, results);
 #else
     int k;
     for (k = 0; k < count; k++)
-        KERNEL(angle + k * width, qd + k * n, qdd + k * n, tau + k * n);
+        KERNEL(ARGUMENTS(k), RESULTS(k));
 #endif
 }
 
@@ -69,6 +82,6 @@ void peer_result(double *out)
 {
     int k, j;
     for (k = 0; k < count; k++)
-        for (j = 0; j < n; j++)
-            out[k * n + j] = (double)tau[AT(k, j, n)];
+        for (j = 0; j < SIZE; j++)
+            out[k * (SIZE) + j] = (double)results[AT(k, j, SIZE)];
 }

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
 from os import PathLike
 from typing import Any
 
@@ -21,27 +20,18 @@ from robodyn.diagnose.evidence import (
     why_not,
     windows,
 )
-from robodyn.diagnose.judgement import Lacking, gap_of, holds, left_over, may_stand, rms, verdict_of, words_of
+from robodyn.diagnose.judgement import Lacking, may_stand, words_of
 from robodyn.diagnose.limits import DRAWN_POINTS, FITTED_ROWS, FITTED_SAMPLES, FITTED_WINDOWS, WITHDRAWN
 from robodyn.diagnose.one_body import one_body
-from robodyn.diagnose.refit import (
-    Renumbered,
-    amendment,
-    no_worse,
-    refitted_places,
-    renumbered,
-    share_allowed,
-    with_known_errors,
-    without_vague_claim,
-)
+from robodyn.diagnose.refit import refitted_places, share_allowed, without_vague_claim
 from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Rival, Series
-from robodyn.diagnose.select.contact import contact_findings, standing, without_contacts
-from robodyn.diagnose.select.encoders import elastic_findings
+from robodyn.diagnose.select.contact import without_contacts
 from robodyn.diagnose.select.forward import Named
 from robodyn.diagnose.select.library import Candidate
 from robodyn.diagnose.select.scope import scope_of
-from robodyn.diagnose.select.search import Detected, search
+from robodyn.diagnose.select.search import Detected, Outcome, search
 from robodyn.diagnose.select.selection import what_matters
+from robodyn.diagnose.settle import Completed, Logs, completed, settled
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.formats.loading import robot_of, text_of
 from robodyn.gate.gate import Gate, inspect
@@ -90,107 +80,82 @@ def diagnose(
         text = text_of(robot)
     robot = robot_of(robot).at(parameters or {})
     tell("looking at the logs")
-    n = robot.n
-    scope = scope_of(n, only, without, joints, most)
+    scope = scope_of(robot.n, only, without, joints, most)
     share, rows = (count // max(1, len(logs)) for count in (FITTED_SAMPLES, FITTED_ROWS))
-    gates = [
+    whole = [
         inspect(
-            log_of(log, n), robot, source=_name(names, k), most=share, windows=FITTED_WINDOWS, thinned=rows
+            log_of(log, robot.n), robot, source=_name(names, k), most=share, windows=FITTED_WINDOWS,
+            thinned=rows,
         )
         for k, log in enumerate([*logs, *([] if validate is None else [validate])])
-    ]
-    whole = gates
+    ]  # fmt: skip
     digests = [hashes[k] if k < len(hashes) else f"log {k + 1}" for k in range(len(whole))]
     cleaned, touched = without_contacts(robot, whole, digests) if scope.has_contact else (whole, ())
     gates = cleaned[: len(logs)]
-    seen = gates if validate is None else cleaned[len(logs) :]
+    passed = Logs(
+        gates, gates if validate is None else cleaned[len(logs) :], dict(zip(digests, whole, strict=True))
+    )
     outcome = search(robot, gates, tell, scope.at_rest() if all(g.stands for g in gates) else scope)
-    model, accepted, last, first = outcome.model, outcome.findings, outcome.last, outcome.first
     tell("validating the result")
-    unsure = doubtful(gates)
-    checked = [(one, not unsure and may_stand(one, first, last)) for one in accepted.values()]
-    named = (without_vague_claim(_finding(robot, one, sure)) for one, sure in checked)
-    findings = tuple(sorted(named, key=lambda f: -f.gain))
-    left = left_over(last)
-    verdict = verdict_of(findings, last, left)
-    lacks = Lacking()
+    named, lacks = _findings(robot, outcome, is_doubtful=doubtful(gates)), Lacking()
     tell("fitting the arm's own numbers")
-
-    def renumber(named: Sequence[Finding], *, unexplained: bool) -> Renumbered:
-        return renumbered(
-            robot, named, gates, lambda arm: (rms(lacks, arm, gates), rms(lacks, arm, seen)),
-            unstated=first.unstated,
-            # A log with more in it than can be named still has the arm's numbers in it.
-            everywhere=any(each.is_common for each in first.findings) or unexplained,
-            may_load=scope.joints is None and scope.only is None and not unexplained,
-        )  # fmt: skip
-
-    own = Renumbered(robot, tuple(range(len(robot.effects))), (), is_refitted=False)
-    if verdict != "unexplained":
-        own = renumber(findings, unexplained=False)
-        # The arm's own numbers may be so wrong that what is named shows beside better ones only.
-        if verdict == "missing_effect" and not (
-            holds(lacks, robot, model, gates, seen)
-            or holds(lacks, renumber((), unexplained=False).robot, own.robot, gates, seen)
-        ):
-            verdict = "unexplained"
-            findings = tuple(replace(f, confidence=WITHDRAWN) for f in findings)
-    if verdict != "unexplained":
-        findings = tuple(map(without_vague_claim, own.findings))
-        verdict = verdict_of(findings, last, left)  # of better numbers, and perhaps a load
-    if verdict == "unexplained" and (first.rough or own.findings):
-        own = renumber((), unexplained=True)
-    model, origins, amendments = own.robot, own.origins, [amendment(f) for f in own.findings]
-    gap = gap_of(lacks, robot, model, gates, seen)
+    by_torque = settled(robot, named, outcome, passed, scope, lacks)
+    own, left = by_torque.own, by_torque.left
+    result = completed(robot, by_torque, touched, passed, scope, lacks)
+    model, findings = result.model, result.findings
     is_loaded = any(CATALOGUE[f.effect].traits.body for f in own.findings)
-    heavier = one_body(robot, model, gates) if own.is_refitted and not is_loaded else None
-    extra: dict[str, Any] = {"refitted": share_allowed(robot, first.unstated)} if own.is_refitted else {}
+    heavier = one_body(robot, own.robot, gates) if own.is_refitted and not is_loaded else None
+    remarks: dict[str, Any] = {}
+    if own.is_refitted:
+        remarks["refitted"] = share_allowed(robot, outcome.first.unstated)
     if heavier:
-        extra["one_body"] = heavier.words()
-    springs = [f for f in elastic_findings(model, gates) if scope.allows(f.effect, f.joint)]
-    findings = tuple(map(with_known_errors, findings))
-    touched = standing(touched, dict(zip(digests, whole, strict=True)), lambda gate: lacks(model, gate))
-    findings = (*findings, *springs, *(added := contact_findings(touched)))  # not by a fit to torques
-    stiff = apply_amendments(model, [amendment(f) for f in springs]).robot
-    logs_of = (gates, seen)
-    if springs and all(no_worse(*(rms(lacks, arm, which) for arm in (model, stiff))) for which in logs_of):
-        added, gap = (*springs, *added), gap_of(lacks, robot, stiff, gates, seen)
-    if added:
-        more = apply_amendments(model, [amendment(f) for f in added])
-        model, amendments = more.robot, [*amendments, *(amendment(f) for f in added)]
-        origins = tuple(None if k is None else origins[k] for k in more.origins)
-        verdict = "missing_effect" if verdict == "consistent" else verdict
+        remarks["one_body"] = heavier.words()
     old = text if text is not None and parameters is None else to_yaml(robot)
     new = old
     if model != robot:
-        note = f"robodyn diagnose: {', '.join(hashes[: len(logs)]) or 'a log'}"
-        notes = dict.fromkeys(range(len(amendments)), note)
-        comments = comments_of(apply_amendments(robot, amendments), amendments, notes)
-        if own.is_refitted:
-            comments += [(refitted_places(robot, model), [f"{note}: fitted within their confidence"])]
-        new = to_yaml(model) if parameters else rewritten(old, robot, model, origins, comments)
-    described = tuple(
-        {
-            "name": _name(names, k) or f"log {k + 1}",
-            "sha256": hashes[k] if k < len(hashes) else "",
-            **log_facts(whole[k]),
-        }
-        for k in range(len(logs) + (validate is not None))
-    )
+        comments = _comments(robot, result, hashes[: len(logs)], is_refitted=own.is_refitted)
+        new = to_yaml(model) if parameters else rewritten(old, robot, model, result.origins, comments)
     before, after = operations(robot), operations(model)
-    flags = tuple(str(f) for gate in whole for f in gate.flags)
     drawn = (("train", whole[0]), ("validate", whole[-1]))
-    seen_names = _shown(digests, validated=validate is not None)
+    words = (*words_of(result.verdict, left), *([heavier.words()] if heavier else []), *scope.words())
     return Diagnosis(
-        verdict, findings, gap, robot, model, new, difference(old, new),
-        flags, left, (*words_of(verdict, left), *([heavier.words()] if heavier else []), *scope.words()),
-        described,
+        result.verdict, findings, result.gap, robot, model, new, difference(old, new),
+        tuple(str(flag) for gate in whole for flag in gate.flags), left, words,
+        tuple(_described(gate, k, names, hashes) for k, gate in enumerate(whole)),
         tuple(_series(lacks, name, robot, model, gate) for name, gate in drawn),
         (before.total, after.total),
-        windows(whole[0], findings, seen_names), tried(last, findings), what_matters(last.context),
+        windows(whole[0], findings, _shown(digests, validated=validate is not None)),
+        tried(outcome.last, findings), what_matters(outcome.last.context),
         (by_kind(before), by_kind(after)), agreement(model, gates[0]), to_record(robot, gates),
-        extra,
+        remarks,
     )  # fmt: skip
+
+
+def _findings(robot: Robot, outcome: Outcome, *, is_doubtful: bool) -> tuple[Finding, ...]:
+    """What was detected as findings, the one that explains most first; claims if the logs are not
+    ``is_doubtful``."""
+    findings = []
+    for one in outcome.findings.values():
+        is_sure = not is_doubtful and may_stand(one, outcome.first, outcome.last)
+        findings.append(without_vague_claim(_finding(robot, one, is_sure)))
+    return tuple(sorted(findings, key=lambda f: -f.gain))
+
+
+def _comments(robot: Robot, result: Completed, hashes: Sequence[str], *, is_refitted: bool) -> list[Any]:
+    """What stands beside the numbers that are new."""
+    note = f"robodyn diagnose: {', '.join(hashes) or 'a log'}"
+    notes = dict.fromkeys(range(len(result.amendments)), note)
+    comments: list[Any] = [*comments_of(apply_amendments(robot, result.amendments), result.amendments, notes)]
+    if is_refitted:
+        places = refitted_places(robot, result.model)
+        comments.append((places, [f"{note}: fitted within their confidence"]))
+    return comments
+
+
+def _described(gate: Gate, k: int, names: Sequence[str], hashes: Sequence[str]) -> dict[str, str]:
+    """Log ``k`` (from 0) as the report has it."""
+    digest = hashes[k] if k < len(hashes) else ""
+    return {"name": _name(names, k) or f"log {k + 1}", "sha256": digest, **log_facts(gate)}
 
 
 def _name(names: Sequence[str], k: int) -> str | None:

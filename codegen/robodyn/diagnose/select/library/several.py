@@ -30,11 +30,10 @@ Floats = NDArray[np.float64]
 
 
 def pairs(c: Context, effect: Effect, shown: Shown, j: int, k: int) -> Iterator[Candidate]:
-    """A motor of joint ``j`` that turns with ``k``, further in: on both joints."""
+    """A motor of joint ``j`` that turns with ``k``, further in: on both joints. No shaft reaches far, but
+    what far ones would explain is not noise either."""
     s, equation = c.signals, effect.equation
     assert equation is not None
-    if j - k > COUPLED_FARTHEST:
-        return
     share = COUPLED_BEYOND_SHARE if j - k > 1 else 0.0
     for ratio in PAIR_RATIOS:
         u, rate = s.qd[:, j] + ratio * s.qd[:, k], s.qdd[:, j] + ratio * s.qdd[:, k]
@@ -51,7 +50,7 @@ def pairs(c: Context, effect: Effect, shown: Shown, j: int, k: int) -> Iterator[
 
         yield Candidate(
             effect.id, j + 1, (j, k), columns, tuple(1 for _ in parts), read, shown.order,
-            feasible=shown.feasible, least_share=share,
+            feasible=shown.feasible, least_share=share, likely=lambda x: j - k <= COUPLED_FARTHEST,
         )  # fmt: skip
 
 

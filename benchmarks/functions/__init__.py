@@ -1,0 +1,1 @@
+"""Operations of every function, ours beside those of CasADi, SymForce, wrenfold and Pinocchio traced."""

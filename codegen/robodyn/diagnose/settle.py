@@ -1,0 +1,127 @@
+"""What names come to, beside numbers of the arm that are fitted along: findings, verdict, model."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.diagnose.amend.amend import Amendment, apply_amendments
+from robodyn.diagnose.judgement import Lacking, gap_of, holds, left_over, rms, verdict_of
+from robodyn.diagnose.limits import WITHDRAWN
+from robodyn.diagnose.refit import (
+    Renumbered,
+    amendment,
+    no_worse,
+    renumbered,
+    with_known_errors,
+    without_vague_claim,
+)
+from robodyn.diagnose.result import Finding, Gap, Verdict
+from robodyn.diagnose.select.contact import Touched, contact_findings, standing
+from robodyn.diagnose.select.encoders import elastic_findings
+from robodyn.diagnose.select.scope import Scope
+from robodyn.diagnose.select.search import Outcome
+from robodyn.gate.gate import Gate
+from robodyn.robot.model import Robot
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Logs:
+    """Logs that have passed: those that are ``fitted``, and those that names are ``judged`` in, without the
+    windows of contacts; all of them ``whole``, by their hashes or names."""
+
+    fitted: Sequence[Gate]
+    judged: Sequence[Gate]
+    whole: dict[str, Gate]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Settled:
+    """The ``verdict`` with its ``findings``; the arm's ``own`` numbers with those of them that go with a fit
+    to torques; what nothing explains, ``left`` [n], in units of what would matter."""
+
+    verdict: Verdict
+    findings: tuple[Finding, ...]
+    own: Renumbered
+    left: Floats
+
+
+def settled(
+    robot: Robot, findings: tuple[Finding, ...], outcome: Outcome, logs: Logs, scope: Scope, lacks: Lacking
+) -> Settled:
+    """The ``findings`` of a search and its ``outcome``, with the arm's own numbers; names that do not hold in
+    the logs they are judged in are withdrawn."""
+    last, first = outcome.last, outcome.first
+    left = left_over(last)
+    verdict = verdict_of(findings, last, left)
+
+    def renumber(named: Sequence[Finding], *, unexplained: bool) -> Renumbered:
+        return renumbered(
+            robot, named, logs.fitted,
+            lambda arm: (rms(lacks, arm, logs.fitted), rms(lacks, arm, logs.judged)),
+            unstated=first.unstated,
+            # A log with more in it than can be named still has the arm's numbers in it.
+            everywhere=any(each.is_common for each in first.findings) or unexplained,
+            may_load=scope.joints is None and scope.only is None and not unexplained,
+        )  # fmt: skip
+
+    own = Renumbered(robot, tuple(range(len(robot.effects))), (), is_refitted=False)
+    if verdict != "unexplained":
+        own = renumber(findings, unexplained=False)
+        # The arm's own numbers may be so wrong that what is named shows beside better ones only.
+        if verdict == "missing_effect" and not (
+            holds(lacks, robot, outcome.model, logs.fitted, logs.judged)
+            or holds(lacks, renumber((), unexplained=False).robot, own.robot, logs.fitted, logs.judged)
+        ):
+            verdict = "unexplained"
+            findings = tuple(replace(f, confidence=WITHDRAWN) for f in findings)
+    if verdict != "unexplained":
+        findings = tuple(map(without_vague_claim, own.findings))
+        verdict = verdict_of(findings, last, left)  # of better numbers, and perhaps a load
+    if verdict == "unexplained" and (first.rough or own.findings):
+        own = renumber((), unexplained=True)
+    return Settled(verdict, findings, own, left)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Completed:
+    """The amended ``model``, the ``origins`` of its effects among those of the description (None: new), the
+    ``amendments`` that it has, the ``gap`` that it leaves, ``findings`` and ``verdict``."""
+
+    model: Robot
+    origins: tuple[int | None, ...]
+    amendments: tuple[Amendment, ...]
+    gap: Gap
+    findings: tuple[Finding, ...]
+    verdict: Verdict
+
+
+def completed(
+    robot: Robot, by_torque: Settled, touched: Sequence[Touched], logs: Logs, scope: Scope, lacks: Lacking
+) -> Completed:
+    """What was settled ``by_torque``, with what no fit to torques finds: springs that second encoders show,
+    where the torques fit no worse with them, and contacts that still stand out."""
+    own, verdict = by_torque.own, by_torque.verdict
+    model, origins = own.robot, own.origins
+    amendments = [amendment(f) for f in own.findings]
+    gap = gap_of(lacks, robot, model, logs.fitted, logs.judged)
+    springs = [f for f in elastic_findings(model, logs.fitted) if scope.allows(f.effect, f.joint)]
+    contacts = contact_findings(standing(touched, logs.whole, lambda gate: lacks(own.robot, gate)))
+    findings = (*map(with_known_errors, by_torque.findings), *springs, *contacts)
+    stiff = apply_amendments(model, [amendment(f) for f in springs]).robot
+    added = list(contacts)
+    if springs and all(
+        no_worse(*(rms(lacks, arm, which) for arm in (model, stiff))) for which in (logs.fitted, logs.judged)
+    ):
+        added, gap = [*springs, *contacts], gap_of(lacks, robot, stiff, logs.fitted, logs.judged)
+    if added:
+        more = apply_amendments(model, [amendment(f) for f in added])
+        model, amendments = more.robot, [*amendments, *(amendment(f) for f in added)]
+        origins = tuple(None if k is None else origins[k] for k in more.origins)
+        verdict = "missing_effect" if verdict == "consistent" else verdict
+    return Completed(model, origins, tuple(amendments), gap, findings, verdict)
