@@ -91,7 +91,8 @@ def casadi_counts(robot: Robot) -> dict[str, int]:
     _, potential = energies(arm, motion(rest, rest))
     gravity = newton_euler(arm, motion(rest, rest))
     slope = ca.vertsplit(ca.gradient(kinetic, symbols["q"]))
-    numbers = {column.own: symbols["pi"][k] for k, column in enumerate(columns)}
+    owns: list[tuple[str, int]] = [column.own for column in columns]
+    numbers = {own: symbols["pi"][k] for k, own in enumerate(owns)}
     torques = torques_from(arm, motion(qd, qdd), single_turns(motion(qd, qdd)), numbers)
     ways = {
         "kinetic_energy": [[kinetic]],
