@@ -131,3 +131,10 @@ def test_nothing_of_drives_is_in_it() -> None:
     loaded = read_text(ARM.replace("theta: 0.3, mass: 1}", f"theta: 0.3, mass: 1, {loss}}}"))
     assert loaded.effects
     assert programs(loaded) == programs(read_text(ARM))
+
+
+def test_the_head_speaks_of_no_formulation_where_there_is_none() -> None:
+    robot = load("stanford_3dof", warn=lambda _: None)
+    heads = [generate(robot, Options(functions=names)).unit.notes for names in (("jacobian",), ("gravity",))]
+    assert heads[0] == ()
+    assert heads[1][0].startswith("Formulation: ")

@@ -7,7 +7,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from os import PathLike
 from typing import TYPE_CHECKING, Any
@@ -163,7 +163,7 @@ def generate(
         robot=robot,
         functions=tuple((interfaces[f], programs[f]) for f in programs),
         sc=described,
-        notes=_notes(drafts)
+        notes=_notes(drafts, programs)
         + (() if isinstance(builder, RigidPrograms) else builder.notes)
         + _pruned(drafts)
         + (("sc is not read: there is no angle.",) if no_angle else ())
@@ -242,7 +242,10 @@ def _pruned(drafts: RigidPrograms) -> tuple[str, ...]:
     return notes_of(tuple(drafts.prunings.values()))
 
 
-def _notes(drafts: RigidPrograms) -> tuple[str, ...]:
+def _notes(drafts: RigidPrograms, functions: Iterable[str]) -> tuple[str, ...]:
+    """What the head of the files says of how the programs were built."""
+    if all(function_named(function).geometric for function in functions):
+        return ()  # they are of no formulation of the dynamics
     if not drafts.taken:
         return _method(drafts.choice)
     notes: dict[str, list[str]] = {}

@@ -22,23 +22,24 @@ LINK_POSITIONS = Array("link_positions", "origins of the links in the world", "m
 LINK_ROTATIONS = Array(
     "link_rotations", "turn vectors of the links' frames into the world's", "", shape=("n", 3, 3)
 )
-_UNITS = "m, 1 and, prismatic, 1, 0"
 JAC = Array(
     "jac",
     "velocity and angular velocity of the tool along the world's axes, for each rate",
-    _UNITS,
+    "m and 1",
+    "1 and 0",
     shape=(6, "n"),
 )
 JAC_TOOL = Array(
     "jac_tool",
     "velocity and angular velocity of the tool along its own axes, for each rate",
-    _UNITS,
+    "m and 1",
+    "1 and 0",
     shape=(6, "n"),
 )
 DRIFT = Array(
     "drift",
     "acceleration and angular acceleration of the tool at qdd = 0 in the world",
-    "m/s^2, rad/s^2",
+    "m/s^2 and rad/s^2",
     shape=(6,),
 )
 LAMBDA_INVERSE = Array(
