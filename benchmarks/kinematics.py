@@ -104,7 +104,7 @@ def casadi_counts(robot: Robot) -> dict[str, int]:
     rows = [ca.horzcat(*row) for row in J]
     matrices = [ca.vertcat(*rows), *(ca.vertcat(D, *rows[3:]) for D in by_derivative)]
     ways = {
-        "forward_kinematics": [_placed([T]) for T in (tool, tips[0])],
+        "forward_kinematics": [[x for row in T[:3] for x in row] for T in (tool, tips[0])],
         "link_poses": [_placed(poses[:-1])],
         "jacobian": jacobians,
         "tool_jacobian": [_tool_jacobian(arm, tips), _turned_back(tool, J)],

@@ -25,7 +25,7 @@ def poses(at: State) -> tuple[list[Rows], list[Vector]]:
 
 def forward_kinematics(at: State) -> Values:
     rotations, places = poses(at)
-    return [*places[-1], *flat(rotations[-1])]
+    return [x for row, p in zip(rotations[-1], places[-1], strict=True) for x in (*row, p)]
 
 
 def link_poses(at: State) -> Values:

@@ -50,7 +50,7 @@ def test_such_a_question_is_found() -> None:
 def test_what_is_unknown_is_an_error_that_says_what_there_is() -> None:
     with pytest.raises(InputError, match=r"unknown function 'bais'; expected one of .*mean 'bias'\?"):
         function_named("bais")
-    with pytest.raises(InputError, match="unknown array 'Z'; expected one of q, qd, qdd, tau, wrench, pi"):
+    with pytest.raises(InputError, match="unknown array 'Z'; expected one of q, qd, qdd, tau, w, pi"):
         array_named("Z")
 
 

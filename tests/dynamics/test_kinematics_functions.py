@@ -62,7 +62,7 @@ def at_a_point(robot: Robot, seed: int) -> dict[str, list[Fraction]]:
 def test_the_tools_jacobian_is_the_other_along_its_axes(text: str) -> None:
     robot = load(text, warn=lambda _: None) if "\n" not in text else read_text(text)
     at = at_a_point(robot, 3)
-    n, R = robot.n, at["rotation"]
+    n, R = robot.n, [x for k in range(3) for x in at["T"][4 * k : 4 * k + 3]]
     for half in (0, 3):
         for j in range(n):
             column = [at["jac"][n * (half + k) + j] for k in range(3)]
@@ -80,7 +80,7 @@ def test_where_the_last_link_and_the_tool_are() -> None:
     at = at_a_point(robot, 5)
     R, p = at["link_rotations"][-9:], at["link_positions"][-3:]
     place = [p[i] + sum(R[3 * i + k] * x for k, x in enumerate(robot.tool.xyz)) for i in range(3)]
-    assert place == at["position"]
+    assert place == at["T"][3::4]
 
 
 def test_numbers_of_a_flat_arm() -> None:
@@ -102,7 +102,7 @@ links:
         for name, values in evaluate_exact(program, inputs, points, circle_point).items()
     }
     x, y = 3 * c - 2 * s, 3 * s + 2 * c
-    assert at["position"] == [x, y, 0]
+    assert at["T"][3::4] == [x, y, 0]
     assert at["jac"] == [-y, -2 * c, x, -2 * s, 0, 0, 0, 0, 0, 0, 1, 1]
     assert at["drift"][:2] == [-(25 * 3 * c - 144 * 2 * s), -(25 * 3 * s + 144 * 2 * c)]
     assert at["jac_tool"][:4] == [3, 0, 2, 2]  # r1 (s2, c2) + r2 (0, 1)

@@ -12,6 +12,7 @@ from robodyn import InputError, Options, compile, load, program
 from robodyn.firmware.options import firmware_options
 from robodyn.ir import Input
 from robodyn.ir.evaluate import evaluate
+from robodyn.kernels.generate import generate
 from robodyn.robot import Robot, read_text
 from robodyn_cli.main import main
 from robodyn_testing import require_module, sampled
@@ -46,15 +47,18 @@ def test_as_pinocchio_has_external_forces(seed: int) -> None:
     made = [program(robot, name, Options(optimize="fast")) for name in FUNCTIONS[:3]]
     for q, qd, qdd in zip(*random_states(robot, 3, 1), strict=True):
         wrench = np.random.default_rng(seed).uniform(-5, 5, 6)
-        state = {"q": q, "qd": qd, "qdd": qdd, "wrench": wrench}
+        state = {"q": q, "qd": qd, "qdd": qdd, "w": wrench}
         inputs = {Input(a, i): float(x) for a, array in state.items() for i, x in enumerate(array)}
         torques, free, pushed = (
             np.array([x for row in evaluate(one, inputs, constant=float).values() for x in row], float)
             for one in made
         )
+        pin.forwardKinematics(model, data, q)
+        turned = pin.SE3((data.oMi[robot.n] * tool).rotation.T, np.zeros(3))
+        own = tool.act(turned.act(pin.Force(wrench)))  # along the tool's axes, then the last link's
         forces = pin.StdVec_Force()
         for joint in range(robot.n + 1):
-            forces.append(tool.act(pin.Force(wrench)) if joint == robot.n else pin.Force.Zero())
+            forces.append(own if joint == robot.n else pin.Force.Zero())
         expected = pin.rnea(model, data, q, qd, qdd, forces) - pin.rnea(model, data, q, qd, qdd)
         largest = max(1.0, np.abs(free).max(), np.abs(expected).max())
         np.testing.assert_allclose(-torques, expected, atol=1e-11 * largest)
@@ -80,6 +84,17 @@ def test_the_command_line_takes_the_functions_with_a_wrench(capsys: pytest.Captu
     assert "bias_with_wrench_and_mass_matrix" in capsys.readouterr().out
 
 
+def test_in_c_they_are_called_like_those_without() -> None:
+    alone = generate(load("puma560_3dof"), Options(("inverse_dynamics_with_wrench",), optimize="fast"))
+    header = " ".join(alone.files(["c"])["puma560_3dof.h"].split()).replace("puma560_3dof_real", "real")
+    arguments = "q[3], qd[3], qdd[3], w[6]".replace(", ", ", const real ")
+    assert f"inverse_dynamics( const real {arguments}, real tau[3]);" in header
+    both = generate(
+        load("puma560_3dof"), Options(("inverse_dynamics", "inverse_dynamics_with_wrench"), optimize="fast")
+    )
+    assert "puma560_3dof_inverse_dynamics_with_wrench(" in both.files(["c"])["puma560_3dof.h"]
+
+
 def test_firmware_has_no_limits_of_a_wrench() -> None:
-    with pytest.raises(InputError, match="no firmware tests bias_with_wrench; found its input wrench"):
+    with pytest.raises(InputError, match="no firmware tests bias_with_wrench; found its input w,"):
         firmware_options(Options(("bias_with_wrench",)), ("cortex-m4f",))

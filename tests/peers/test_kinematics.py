@@ -72,8 +72,7 @@ def by_pinocchio(robot: Robot, q: Array, qd: Array) -> dict[str, Array]:
         pin.updateFramePlacements(model, data)
         frame, links = data.oMf[tool], [data.oMi[i] for i in range(1, robot.n + 1)]
         row = {
-            "position": frame.translation,
-            "rotation": frame.rotation,
+            "T": np.column_stack([frame.rotation, frame.translation]),
             "link_positions": [link.translation for link in links],
             "link_rotations": [link.rotation for link in links],
             "drift": pin.getFrameClassicalAcceleration(model, data, tool, world).vector,

@@ -58,7 +58,9 @@ template <typename S, template <typename, int> class Joints = pinocchio::JointCo
     S *pose(S *out) const
     {
         const auto &place = data.oMi[last()];
-        return rows(place.rotation(), rows(place.translation(), out));
+        Eigen::Matrix<S, 3, 4> pose;
+        pose << place.rotation(), place.translation();
+        return rows(pose, out);
     }
 };
 

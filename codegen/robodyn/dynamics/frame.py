@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from robodyn.dynamics.vectors import ZERO, Vector, plus, scaled
+from robodyn.dynamics.vectors import ZERO, Vector, dot, plus, scaled
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,6 +28,10 @@ class Frame:
     def turned(self, u: Vector) -> Vector:
         """A vector of the frame along the other's axes."""
         return plus(scaled(u[0], self.x), scaled(u[1], self.y), scaled(u[2], self.z))
+
+    def back(self, u: Vector) -> Vector:
+        """A vector along the other's axes, along the frame's own."""
+        return dot(self.x, u), dot(self.y, u), dot(self.z, u)
 
     def within(self, outer: Frame) -> Frame:
         """The same frame where the other one lies in ``outer``."""

@@ -128,20 +128,20 @@ class _Function:
         reads_parameters = any(j is None for _, j in read)
         inputs = [array for array, _ in s.inputs]
         return {
-            "name": s.function,
+            "name": s.called,
             "purpose": function_named(s.function).purpose,
             "columns": _prototype(
                 f"void {s.symbol}_batch(", ["size_t count, size_t stride", *arguments, *parameter]
             ),
             "rows": _prototype(f"void {s.symbol}_batch_rows(", ["size_t count", *arguments, *parameter]),
             "kernel": _prototype(
-                f"static void LANES_NAME({s.function})(", ["size_t count, size_t stride", *own, *parameter]
+                f"static void LANES_NAME({s.called})(", ["size_t count, size_t stride", *own, *parameter]
             ),
             "kernel_rows": _prototype(
-                f"static void LANES_NAME({s.function}_rows)(", ["size_t count", *own, *parameter]
+                f"static void LANES_NAME({s.called}_rows)(", ["size_t count", *own, *parameter]
             ),
             "kernel_columns": _prototype(
-                f"static void LANES_NAME({s.function}_columns)(",
+                f"static void LANES_NAME({s.called}_columns)(",
                 ["size_t count, size_t stride", *own, *parameter],
             ),
             "inputs": [

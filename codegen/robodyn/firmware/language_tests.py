@@ -164,7 +164,7 @@ def _spelled(
         return [float(inputs[Input(array, i)][k]) for i in range(size)]
 
     return {
-        "name": signature.function,
+        "name": signature.called,
         "symbol": signature.symbol,
         "inputs": [array for array, _ in signature.inputs],
         "outputs": signature.outputs,

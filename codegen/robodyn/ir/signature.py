@@ -29,7 +29,15 @@ class Signature:
     #: What each base parameter is, where a function has any: a column of the regressor.
     columns: tuple[str, ...] = ()
 
+    #: What the function is called in emitted code, if not by its own name.
+    alias: str = ""
+
+    @property
+    def called(self) -> str:
+        """What the function is called in emitted code."""
+        return self.alias or self.function
+
     @property
     def symbol(self) -> str:
         """The C symbol."""
-        return f"{self.robot}_{self.function}"
+        return f"{self.robot}_{self.called}"

@@ -8,12 +8,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
 from robodyn.counts import Count, count
-from robodyn.dynamics.functions import NoSuchFunction, function_named
+from robodyn.dynamics.functions import NoSuchFunction, emitted_name, function_named
 from robodyn.emit import Unit, render
 from robodyn.emit.languages import defaults, languages_named, require
 from robodyn.formats.loading import robot_of
@@ -145,7 +145,10 @@ def generate(
             if options.insists_on(function):
                 raise
             left_out[function] = (reason.found or reason.what).partition(":")[0]
-    interfaces = {f: signature(robot, f, options.scalar) for f in programs}
+    interfaces = {
+        f: replace(signature(robot, f, options.scalar), alias=emitted_name(f, tuple(programs)))
+        for f in programs
+    }
     described: tuple[str, ...] = ()
     no_angle = False
     if options.trig == "given":

@@ -6,7 +6,7 @@ Nothing else knows a function by name. To add one is to add a file (CONTRIBUTING
 from __future__ import annotations
 
 import importlib
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -39,6 +39,7 @@ __all__ = [
     "array_named",
     "arrays",
     "by_default",
+    "emitted_name",
     "function_named",
     "pushed",
     "recursion",
@@ -143,6 +144,13 @@ def pushed(name: str) -> str:
     none."""
     other = name + WITH_WRENCH
     return other if other in FUNCTIONS else name
+
+
+def emitted_name(name: str, others: Collection[str]) -> str:
+    """What the function ``name`` is called in code that has functions called ``others``: one with a wrench
+    like the one without, unless that is there as well."""
+    without = AND.join(part.removesuffix(WITH_WRENCH) for part in name.split(AND))
+    return name if without in others else without
 
 
 def by_default() -> tuple[str, ...]:

@@ -12,8 +12,8 @@ from robodyn.dynamics.functions.record import QD, Array, Dynamics, Function, Pai
 from robodyn.dynamics.joints import joint_torque
 from robodyn.dynamics.momenta import HALF, kinetic_energy, momenta, potential_inward, potential_outward
 
-T = Array("T", "kinetic energy", "J", shape=())
-V = Array("V", "potential energy, 0 at the origin of the base frame", "J", shape=())
+T = Array("E_kin", "kinetic energy", "J", shape=())
+V = Array("E_pot", "potential energy, 0 at the origin of the base frame", "J", shape=())
 P = Array("momentum", "generalised momentum M qd", "kg m^2/s", "kg m/s")
 C_QD = Array("cqd", "Coriolis and centrifugal torques C qd", "N m", "N")
 BETA = Array("beta", "C^T qd - g", "N m", "N")

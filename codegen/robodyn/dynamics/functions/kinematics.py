@@ -16,8 +16,7 @@ from robodyn.dynamics.poses import flat, link_places, placed, rows_of, sections,
 from robodyn.dynamics.sections import Placed, placed_in_tool
 from robodyn.dynamics.transforms import Matrix, applied, product, transform, transposed
 
-POSITION = Array("position", "origin of the tool in the world", "m", shape=(3,))
-ROTATION = Array("rotation", "turns vectors of the tool's frame into the world's", "", shape=(3, 3))
+POSE = Array("T", "frame of the tool in the world, [R p]", "1 and m", shape=(3, 4))
 LINK_POSITIONS = Array("link_positions", "origins of the links in the world", "m", shape=("n", 3))
 LINK_ROTATIONS = Array(
     "link_rotations", "turn vectors of the links' frames into the world's", "", shape=("n", 3, 3)
@@ -50,7 +49,8 @@ LAMBDA_INVERSE = Array(
 def _forward_kinematics(at: Dynamics) -> Sequence[Any]:
     arm = placed(at)
     axes = tool_axes(at, arm)
-    return [*tool_place(at, arm), *flat(rows_of(axes))]
+    place = tool_place(at, arm)
+    return flat([(*row, p) for row, p in zip(rows_of(axes), place, strict=True)])
 
 
 def _link_poses(at: Dynamics) -> Sequence[Any]:
@@ -93,7 +93,7 @@ def _lambda_inverse(at: Dynamics) -> Sequence[Any]:
 
 def _tool_pose(at: Dynamics) -> Sequence[Any]:
     T = _poses(at, at.motion(at.rest, at.rest))[-1]
-    return [*(row[3] for row in T[:3]), *(x for row in T[:3] for x in row[:3])]
+    return flat(T[:3])
 
 
 def _all_poses(at: Dynamics) -> Sequence[Any]:
@@ -177,9 +177,9 @@ def _solved_for(at: Dynamics) -> Sequence[Any]:
 FUNCTIONS = (
     Function(
         "forward_kinematics",
-        "position and rotation of the tool",
+        "frame of the tool: its rotation and, in the last column, its position",
         (Q,),
-        (POSITION, ROTATION),
+        (POSE,),
         _forward_kinematics,
         expected=_tool_pose,
         geometric=True,

@@ -82,11 +82,13 @@ TAU = Array("tau", "joint torques", "N m", "N")
 #: In q's place, where sines and cosines are given.
 SC = Array("sc", "sines and cosines, as listed below", "")
 #: What pushes the tool, on request.
-WRENCH = Array("wrench", "force and moment on the tool, at its origin along its axes", "N, N m", shape=(6,))
-#: What a function is called that has the wrench as a further input, behind the name of the one without.
-WITH_WRENCH = "_with_wrench"
+WRENCH = Array(
+    "w", "force and moment on the tool at its origin, along the world's axes", "N, N m", shape=(6,)
+)
 PI = Array("pi", "base parameters, as listed below", "SI units", shape=("p",))
 INPUTS = (Q, QD, QDD, TAU, WRENCH, PI)
+#: What a function is called that has the wrench as a further input, behind the name of the one without.
+WITH_WRENCH = "_with_wrench"
 #: Names of other arguments: run-time parameters, memory, time step, states of a batch.
 _TAKEN = {"p", "state", "dt", "N", "n"}
 

@@ -21,25 +21,17 @@ from robodyn.dynamics.functions.record import (
 from robodyn.dynamics.functions.standard import FUNCTIONS as STANDARD
 from robodyn.dynamics.kinematics import frames, jacobian
 from robodyn.dynamics.mass_matrix import solve_symmetric
-from robodyn.dynamics.wrenches import torques_of_wrench
+from robodyn.dynamics.wrenches import by_jacobian, carried_outward
 
 TAU_WRENCH = Array("tau_wrench", "joint torques of the wrench, J^T w", "N m", "N")
 
 
-def _carried(at: Dynamics) -> list[Any]:
-    """Force and moment carried from link to link."""
-    turns = at.turns(at.rest, at.rest)
-    return torques_of_wrench(at.arm, at.motion(at.rest, at.rest), turns, at.inputs["wrench"], at.mark)
-
-
 def _through_the_jacobian(at: Dynamics) -> list[Any]:
-    """``J^T w``, both along the world's axes."""
-    arm, w = at.arm, at.inputs["wrench"]
+    """``J^T w`` by the textbook's Jacobian."""
+    arm, w = at.arm, at.inputs["w"]
     placed = frames(arm, at.motion(at.rest, at.rest), arm.base)
-    tool = arm.tool.within(placed[-1])
-    along = [*tool.turned((w[0], w[1], w[2])), *tool.turned((w[3], w[4], w[5]))]
     columns = zip(*jacobian(arm, placed, arm.tool.origin), strict=True)
-    return [sum(x * y for x, y in zip(column, along, strict=True)) for column in columns]
+    return [sum(x * y for x, y in zip(column, w, strict=True)) for column in columns]
 
 
 def _less(torques: Vector, wrench: Vector) -> list[Any]:
@@ -55,16 +47,25 @@ def _with_wrench(function: Function) -> Function:
         f"{function.purpose}, and bear a wrench on the tool",
         (*function.inputs, WRENCH),
         (TAU,),
-        lambda at: _less(function.outputs(at), _carried(at)),
+        lambda at: _less(function.outputs(at), by_jacobian(at)),
         expected=lambda at: _less(expected(at), _through_the_jacobian(at)),
         parts=(function.name,),
+        others=(lambda at: _less(function.outputs(at), carried_outward(at)),),
     )
 
 
 def _forward(at: Dynamics) -> Sequence[Any]:
+    return _solved(at, by_jacobian(at))
+
+
+def _forward_outward(at: Dynamics) -> Sequence[Any]:
+    return _solved(at, carried_outward(at))
+
+
+def _solved(at: Dynamics, pushed: Vector) -> Sequence[Any]:
     """``qdd = M^-1 (tau + J^T w - h)``."""
     bias = at.torques(at.inputs["qd"], at.rest)
-    right = zip(at.inputs["tau"], _carried(at), bias, strict=True)
+    right = zip(at.inputs["tau"], pushed, bias, strict=True)
     return solve_symmetric(at.mass_matrix(), [tau + w - h for tau, w, h in right], at.mark)
 
 
@@ -80,8 +81,9 @@ FUNCTIONS = (
         "joint torques that a wrench on the tool does work with",
         (Q, WRENCH),
         (TAU_WRENCH,),
-        _carried,
+        by_jacobian,
         expected=_through_the_jacobian,
+        others=(carried_outward,),
         geometric=True,
     ),
     *(_with_wrench(function) for function in STANDARD if function.gives_torques),
@@ -92,6 +94,7 @@ FUNCTIONS = (
         (QDD,),
         _forward,
         condition=_needs_the_torques,
+        others=(_forward_outward,),
         parts=("bias", "mass_matrix"),
         solves=True,
     ),

@@ -134,11 +134,11 @@ def _function(text: FunctionText) -> dict[str, Any]:
         arguments.append("p: &Params")
     if signature.states:
         arguments += ["state: &mut State", "dt: Real"]
-    one_line = f"pub fn {signature.function}({', '.join(arguments)}) {{"
-    broken = [f"pub fn {signature.function}(", *(f"    {argument}," for argument in arguments), ") {"]
+    one_line = f"pub fn {signature.called}({', '.join(arguments)}) {{"
+    broken = [f"pub fn {signature.called}(", *(f"    {argument}," for argument in arguments), ") {"]
     unread = [array for array in (SINES, COSINES) if array in lines.arrays and array not in lines.reads]
     return {
-        "name": signature.function,
+        "name": signature.called,
         "head": [one_line] if len(one_line) <= WIDTH else broken,
         "lines": lines.angles + lines.statements,
         "results": lines.results,
