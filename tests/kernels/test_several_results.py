@@ -10,8 +10,11 @@ import pytest
 from numpy.typing import NDArray
 
 import robodyn
+from robodyn.emit.results import check_one_result
 from robodyn.errors import InputError
 from robodyn.kernels import kernel as kernels
+from robodyn.optimize.programs import signature
+from robodyn.robot import load
 
 NAMES = ("forward_kinematics", "link_poses", "jacobian")
 N = 5
@@ -85,3 +88,13 @@ def test_batches_write_to_arrays_of_one_order(kernel: kernels.Kernel, q: NDArray
         last[1][:] = np.nan
     with pytest.raises(InputError, match="one order for all"):
         kernel.batch(q, function="forward_kinematics", out=(last[0], np.empty((N, 3, 3))))
+
+
+def test_threads_and_lanes_refuse_several_results() -> None:
+    interface = signature(load("stanford_3dof"), "forward_kinematics")
+    for how in ("in parallel", "packed"):
+        with pytest.raises(
+            InputError, match=f"has several results, and is not emitted {how}; found position, "
+        ):
+            check_one_result(interface, how)
+    check_one_result(signature(load("stanford_3dof"), "jacobian"), "packed")

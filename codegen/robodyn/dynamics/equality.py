@@ -156,7 +156,7 @@ class _Plain:
     def __init__(self, robot: Robot, arm: Arm, state: _State) -> None:
         n = len(arm.bodies)
         self.inputs = {
-            array.name: [value for x, value in state.inputs.items() if x.array == array.name]
+            array.name: [value for x, value in state.inputs.items() if x.is_of(array.name)]
             for array in INPUTS
         }
         self.rest = [0] * n
