@@ -135,10 +135,11 @@ def markdown(found: Mapping[str, Any]) -> str:
         cycles = [ghz * row[key] for key in ("ns", "target_ns")] + [whole["steady"], whole["units"]]
         chains = [part["latency"] for part in (whole, sines, rest)]
         counts = whole["instructions"], whole["operations"]
-        lines.append((row["robot"], row["function"], *(f"{x:.0f}" for x in (*cycles, *chains, *counts))))
+        figures = (f"{x:.0f}" for x in (*cycles, *chains, *counts))
+        lines.append((row["robot"], row["function"], *figures, verdict(*cycles)))
     head = (
         "robot", "function", "measured", "wanted", "simulated", "units alone", "latency of a call",
-        "of its sines", "of the rest", "instructions", "micro-operations",
+        "of its sines", "of the rest", "instructions", "micro-operations", "what limits",
     )  # fmt: skip
     parts = (
         "# What limits the kernels",
@@ -150,12 +151,20 @@ def markdown(found: Mapping[str, Any]) -> str:
         "what the busiest execution unit needs, if nothing ever waited; *latency*, one call from its "
         "first to its last instruction, and its two parts.",
         table(head, lines),
-        "Where *measured* is near *simulated* and far above *units alone*, the chain of sine, "
-        "recursion and result is what takes the time: its operations wait for each other, and the "
-        "buffer holds too few calls at once to fill the gaps. Operations that are not on the chain "
-        "cost little there, and a shorter sine would pay.",
+        "*What limits*: where the units alone need more than is wanted, only fewer operations would "
+        "get there. Elsewhere it is latency: *measured* is near *simulated* and well above *units "
+        "alone*, so the chain of sine, recursion and result is what takes the time. Its operations "
+        "wait for each other, and the buffer holds too few calls at once to fill the gaps; operations"
+        " that are not on the chain cost little there, and a shorter sine would pay.",
     )
     return "\n\n".join(parts) + "\n"
+
+
+def verdict(measured: float, wanted: float, simulated: float, units: float) -> str:
+    """Why ``measured`` cycles are more than are wanted."""
+    if measured <= wanted:
+        return "reached"
+    return "the units: too many operations" if units > wanted else "latency"
 
 
 def _said(*command: str) -> str:

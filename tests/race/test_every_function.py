@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from benchmarks.peers import every_function, limits
+from benchmarks.peers import every_function, limits, ours
 from benchmarks.peers.building import Lacking
 from benchmarks.peers.candidates import Candidate
 from benchmarks.peers.race import Race, harness
@@ -23,7 +23,7 @@ FUNCTION = "jacobian_and_forward_kinematics"
 @pytest.fixture
 def quick(monkeypatch: pytest.MonkeyPatch) -> None:
     require_tool("gcc")
-    monkeypatch.setattr(every_function, "BUILDS", dict.fromkeys(every_function.BUILDS, ("-O1",)))
+    monkeypatch.setattr(every_function, "BUILDS", dict.fromkeys(ours.BUILDS, ("-O1",)))
     monkeypatch.setattr(every_function, "WANTED", {FUNCTION: 8.0})
     monkeypatch.setattr(Race, "instructions", lambda *_: None)
 
@@ -38,7 +38,7 @@ def test_all_results_of_a_function_are_checked(tmp_path: Path, monkeypatch: pyte
     assert [row["key"] for row in race["rows"]] == ["robodyn", "robodyn-scheduled", "pinocchio-ours"]
     assert all(row["worst"] < 1e-12 for row in race["rows"])
     assert [(demand["peer"], demand["wanted"]) for demand in race["demands"]] == [("pinocchio-ours", 8.0)] * 2
-    plain = every_function.values_of
+    plain = ours.values_of
 
     def off(*arguments: Any) -> Any:
         values = plain(*arguments).copy()
@@ -80,6 +80,12 @@ def test_a_chain_is_longer_than_its_units() -> None:
     assert chain.latency >= 80  # four cycles each
     assert chain.units <= 20
     assert apart.steady < 14 < chain.steady
+
+
+def test_what_limits() -> None:
+    assert limits.verdict(100, 110, 90, 80) == "reached"
+    assert limits.verdict(100, 70, 90, 80).startswith("the units")
+    assert limits.verdict(100, 85, 90, 80) == "latency"
 
 
 def test_the_committed_table_is_made_of_the_committed_figures() -> None:

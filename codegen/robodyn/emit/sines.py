@@ -30,9 +30,9 @@ class Together:
 
 def together(body: Body, lanes: int) -> Together:
     """``body`` with one call a distinct angle; from three angles on an even number of them if there are
-    ``lanes``, so that no compiler leaves one alone: it takes four at a time and two for the rest, or two. What
-    is added repeats an angle: gcc puts constants beside angles through memory, where a wide load waits for
-    narrow stores, and zeros cost a quarter of a Jacobian's time."""
+    ``lanes``, so that no compiler leaves one alone: it takes four at a time and two for the rest,
+    or two. What is added repeats an angle: gcc puts constants beside angles through memory, where a
+    wide load waits for narrow stores, and zeros cost a quarter of a Jacobian's time."""
     expressions = {s.name: s.expression for s in body.statements}
     first: dict[Expression, int] = {}
     later: dict[Expression, str] = {}
