@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import json
 import re
+from types import ModuleType
 
 import pytest
-from benchmarks.kinematics import NAMES, PAGE, RESULTS, SHOWN, functions_table, ours
+from benchmarks import dynamics, kinematics
+from benchmarks.kinematics import PAGE, SHOWN, functions_table, ours
 
 from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.robot import bundled_names
@@ -28,19 +30,21 @@ def test_every_function_stands_there_as_it_is() -> None:
 
 
 @pytest.mark.parametrize("robot", SHOWN)
-def test_operations_of_kinematics(robot: str) -> None:
+@pytest.mark.parametrize("names", [kinematics.NAMES, dynamics.NAMES], ids=["kinematics", "dynamics"])
+def test_operations(robot: str, names: tuple[str, ...]) -> None:
     column = 2 + SHOWN.index(robot)
     shown = {row[0].partition("(")[0].strip("`"): row[column] for row in table("functions")}
-    counted = ours(robot, NAMES)
-    assert {name: shown[name] for name in NAMES} == {name: f"{x:,}" for name, x in counted.items()}
+    counted = ours(robot, names)
+    assert {name: shown[name] for name in names} == {name: f"{x:,}" for name, x in counted.items()}
 
 
-def test_casadis_figures_are_those_of_the_last_comparison() -> None:
-    results = json.loads(RESULTS.read_text(encoding="utf-8"))
-    rows = {row[0]: row[1:] for row in table("casadi")}
+@pytest.mark.parametrize(("mark", "of"), [("casadi", kinematics), ("casadi dynamics", dynamics)])
+def test_casadis_figures_are_those_of_the_last_comparison(mark: str, of: ModuleType) -> None:
+    results = json.loads(of.RESULTS.read_text(encoding="utf-8"))
+    rows = {row[0]: row[1:] for row in table(mark)}
     assert list(rows) == list(bundled_names()) == list(results)
     for robot, cells in rows.items():
-        for name, cell in zip(NAMES, cells, strict=True):
+        for name, cell in zip(of.NAMES, cells, strict=True):
             if name not in results[robot]:
                 assert cell == ""
                 continue

@@ -185,3 +185,23 @@ def test_an_error_in_any_is_caught() -> None:
             assert not same_in_field(robot, name, build(robot, name, Choice()))
         finally:
             FUNCTIONS[name] = right
+
+
+@pytest.mark.parametrize("name", sampled([*BUNDLED, *RANDOM], every=40))
+def test_products_of_velocities_make_the_coriolis_torques(name: str) -> None:
+    """Exactly: ``h_ikm qd_k qd_m``, and ``h_ikm = h_imk``; and h is half the slopes of the mass matrix."""
+    robot = robot_named(name, friction=False)
+    at, n = Along(robot), robot.n
+    h = at.values("christoffel_symbols")
+    rows = [h[n * n * i : n * n * (i + 1)] for i in range(n)]
+    squares = [x * y for x in at.qd for y in at.qd]
+    assert [product(row, squares) for row in rows] == at.values("coriolis")
+    assert all(row[n * k + m] == row[n * m + k] for row in rows for k in range(n) for m in range(k))
+    # dM_ij/dt = sum over k of (h_ijk + h_jik) qd_k
+    slopes = at.rates("mass_matrix")
+    for i in range(n):
+        for j in range(n):
+            both = [
+                x + y for x, y in zip(rows[i][n * j : n * (j + 1)], rows[j][n * i : n * (i + 1)], strict=True)
+            ]
+            assert slopes[n * i + j] == product(both, at.qd)

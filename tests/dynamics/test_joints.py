@@ -25,7 +25,13 @@ ARMS = [exact_arm(seed, joints=3, motors=0, friction=0) for seed in range(40, 44
 MOTOR, VISCOUS, COULOMB = (Fraction(x) for x in ("1.7", "0.9", "2.3"))
 SIGN = Program((Operation("sign", (Input("x", None),)),), (("t", (0,)),))
 #: Functions that drives have no part in.
-WITHOUT_DRIVES = ("gravity", "potential_energy", "coriolis", "momentum_observer_term")
+WITHOUT_DRIVES = (
+    "gravity",
+    "potential_energy",
+    "coriolis",
+    "momentum_observer_term",
+    "christoffel_symbols",
+)
 WAYS = (Options(), Options(regroup=False, optimize="none"), Options(formulation="newton_euler"))
 
 

@@ -62,17 +62,16 @@ def _base_set(arm: Arm) -> tuple[BaseParameter, ...]:
     candidates = [
         Standard(quantity, i) for i, body in enumerate(arm.bodies, 1) for quantity in _OWN[body.revolute]
     ]
+    joints = range(1, len(arm.bodies) + 1)
     if arm.motors:
-        joints = range(1, len(arm.bodies) + 1)
-        candidates += [Standard(quantity, i) for quantity in DRIVE for i in joints]
-        forms.update(
-            {
-                Standard(quantity, i): {Standard(quantity, i): Fraction(1)}
-                for quantity in DRIVE
-                for i in joints
-            }
-        )
+        rotors = [Standard(DRIVE[0], i) for i in joints]
+        candidates += rotors
+        forms.update({x: {x: Fraction(1)} for x in rotors})
     independent, relations = _independent(arm, candidates)
+    if arm.motors:  # friction is odd in the rates, all else is even
+        friction = [Standard(quantity, i) for quantity in DRIVE[1:] for i in joints]
+        forms.update({x: {x: Fraction(1)} for x in friction})
+        independent += friction
     parameters = []
     for own in independent:
         form = dict(forms[own])
@@ -179,21 +178,20 @@ def _reduced(
             continue
         free.remove(row)
         inverse = pow(rows[row][column], -1, p)
-        mine = rows[row] = [x * inverse % p for x in rows[row]]
-        for r, other in enumerate(rows):
-            if r != row and other[column]:
-                factor = other[column]
-                rows[r] = [(x - factor * y) % p for x, y in zip(other, mine, strict=True)]
+        mine = rows[row][column:] = [x * inverse % p for x in rows[row][column:]]
+        for r in free:
+            if factor := rows[r][column]:
+                rows[r][column:] = [(x - factor * y) % p for x, y in zip(rows[r][column:], mine, strict=True)]
         pivots.append((column, row))
     independent = [candidates[column] for column, _ in pivots]
-    places = {column for column, _ in pivots}
-    factors = {
-        (candidates[column], candidates[pivot]): rows[row][column]
-        for column in range(len(candidates))
-        if column not in places
-        for pivot, row in pivots
-        if rows[row][column]
-    }
+    factors: dict[tuple[Standard, Standard], int] = {}
+    for other in sorted(set(range(len(candidates))) - {column for column, _ in pivots}):
+        shares: dict[int, int] = {}
+        for column, row in reversed(pivots):
+            if column < other:
+                share = rows[row][other] - sum(rows[row][k] * x for k, x in shares.items())
+                shares[column] = share % p
+        factors.update({(candidates[other], candidates[k]): x for k, x in shares.items() if x})
     return independent, factors
 
 
