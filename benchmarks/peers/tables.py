@@ -20,7 +20,7 @@ def markdown(found: Mapping[str, Any]) -> str:
         "its peers are; in brackets the interval that has that median with 95 %. Below 1 is faster.",
         "![Times as ratios](peers.svg)",
         "## One state after another",
-        _table(("", "ns", "ratio", "instructions", "compiled with"), _native(native["rows"], batch=False)),
+        table(("", "ns", "ratio", "instructions", "compiled with"), _native(native["rows"], batch=False)),
         "Instructions by callgrind, the loop around the call included, on builds for AVX2 (valgrind knows no "
         "AVX-512): ours and the C of CasADi with `-std=c99 -O2 -march=x86-64-v3`, the rest with "
         "`-O3 -march=x86-64-v3`; what lies compiled in a wheel as it is. C++ "
@@ -32,17 +32,17 @@ def markdown(found: Mapping[str, Any]) -> str:
         parts += [
             "## Batches, a state",
             f"{native['states']} states in one call, structure of arrays, one core.",
-            _table(("", "ns", "ratio", "instructions", "compiled with"), batches),
+            table(("", "ns", "ratio", "instructions", "compiled with"), batches),
         ]
     parts += [
         "## From Python",
-        _table(
+        table(
             ("", "µs a state", "ratio"),
             ((row["title"], f"{row['ns'] / 1000:.3f}", _ratio(row["ratio"])) for row in python["rows"]),
         ),
         f"{python['rounds']} rounds, in turn, in one process; ratio to the call through `Workspace`.",
         "## What was to be shown",
-        _table(
+        table(
             ("how many times faster", "wanted", "measured"),
             (_demand(row, found) for row in [*native["demands"], *python["demands"]]),
         ),
@@ -106,7 +106,7 @@ def _growth(rows: Sequence[Mapping[str, Any]]) -> list[str]:
         "no record, no search. Generation is the CPU time of the whole process `robodyn gen` of the inverse "
         f"dynamics in C; {start:.2f} s of it are the start of Python.",
         "![Growth](growth.svg)",
-        _table(head, lines),
+        table(head, lines),
     ]
 
 
@@ -127,9 +127,7 @@ def _functions(found: Mapping[str, Any]) -> Iterable[str]:
             verdict = "" if demand["ratio"][0] >= demand["wanted"] else ", **missed**"
             cells = (titles[demand["peer"]][0], f"`{titles[demand['ours']][1]}`", f"{demand['wanted']:g}")
             lines.append((race["robot"], race["function"], *cells, _ratio(demand["ratio"]) + verdict))
-    yield _table(
-        ("robot", "function", "times faster than", "ours compiled with", "wanted", "measured"), lines
-    )
+    yield table(("robot", "function", "times faster than", "ours compiled with", "wanted", "measured"), lines)
     rows = []
     for race in races:
         for row in race["rows"]:
@@ -137,12 +135,13 @@ def _functions(found: Mapping[str, Any]) -> Iterable[str]:
             counted = "-" if row["instructions"] is None else f"{row['instructions']:.0f}"
             figures = (f"{row['ns']:.0f}", _ratio(row["ratio"]), counted, f"`{row['flags']}`")
             rows.append((race["robot"], race["function"], title, *figures))
-    yield _table(("robot", "function", "", "ns", "ratio", "instructions", "compiled with"), rows)
+    yield table(("robot", "function", "", "ns", "ratio", "instructions", "compiled with"), rows)
     absent = {f"- {one['title']}: {one['why']}" for race in races for one in race["missing"]}
     if absent:
         yield "\n".join(sorted(absent))
 
 
-def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+def table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    """A table in Markdown."""
     lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
     return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows])

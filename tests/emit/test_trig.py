@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import math
+import re
 import subprocess
 from collections.abc import Callable
 from fractions import Fraction
@@ -209,6 +210,19 @@ def test_arithmetic_in_a_wider_type_is_refused(method: int, refused: bool, tmp_p
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
     assert (done.returncode != 0) == refused, done.stderr
     assert ("no x87" in done.stderr) == refused
+
+
+@pytest.mark.parametrize(
+    ("robot", "function", "wanted"),
+    [("panda", "forward_kinematics", 8), ("stanford", "forward_kinematics", 6), ("puma560", "jacobian", 6)],
+)
+def test_sines_are_taken_of_an_even_number_of_angles(robot: str, function: str, wanted: int) -> None:
+    """And of nothing but angles: constants beside them cost more than the sines."""
+    text = generate(robot, Options((function,), trig="builtin")).files(("c",))[f"{robot}.c"]
+    ((size, listed),) = re.findall(r"angles\[(\d+)\] = \{(.*?)\};", text, flags=re.DOTALL)
+    angles = [angle.strip() for angle in listed.split(",")]
+    assert (int(size), len(angles)) == (wanted, wanted)
+    assert all(re.fullmatch(r"q\[\d\]|[a-z]\w*", angle) for angle in angles)
 
 
 @pytest.mark.parametrize("scalar", SCALARS)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from fractions import Fraction
 
 from robodyn.emit.statements import Apply, Body, Expression, Statement
 from robodyn.ir.program import Input
@@ -30,7 +29,10 @@ class Together:
 
 
 def together(body: Body, lanes: int) -> Together:
-    """``body`` with one call a distinct angle; from three angles on as many as fill ``lanes`` at a time."""
+    """``body`` with one call a distinct angle; from three angles on an even number of them if there are
+    ``lanes``, so that no compiler leaves one alone: it takes four at a time and two for the rest,
+    or two. What is added repeats an angle: gcc puts constants beside angles through memory, where a
+    wide load waits for narrow stores, and zeros cost a quarter of a Jacobian's time."""
     expressions = {s.name: s.expression for s in body.statements}
     first: dict[Expression, int] = {}
     later: dict[Expression, str] = {}
@@ -53,8 +55,8 @@ def together(body: Body, lanes: int) -> Together:
             continue
         statements.append(replace(statement, expression=pair))
     angles = list(first)
-    while len(angles) > 2 and len(angles) % lanes:
-        angles.append(Fraction(0))
+    if lanes > 1 and len(angles) > 2 and len(angles) % 2:
+        angles.append(angles[0])
     rest = [replace(s, expression=_called(s.expression, called)) for s in statements if s.name not in needed]
     outputs = tuple((array, tuple(_called(x, called) for x in elements)) for array, elements in body.outputs)
     return Together(

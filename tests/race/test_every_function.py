@@ -1,0 +1,107 @@
+"""The race of every function: all results are checked, and the tables and bounds are those of the figures."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from benchmarks.peers import every_function, limits, ours
+from benchmarks.peers.building import Lacking
+from benchmarks.peers.candidates import Candidate
+from benchmarks.peers.race import Race, harness
+
+from robodyn.bench.peers import Disagreement
+from robodyn_testing import require_tool
+
+RESULTS = Path(__file__).parents[2] / "benchmarks" / "results"
+FUNCTION = "jacobian_and_forward_kinematics"
+
+
+@pytest.fixture
+def quick(monkeypatch: pytest.MonkeyPatch) -> None:
+    require_tool("gcc")
+    monkeypatch.setattr(every_function, "BUILDS", dict.fromkeys(ours.BUILDS, ("-O1",)))
+    monkeypatch.setattr(every_function, "WANTED", {FUNCTION: 8.0})
+    monkeypatch.setattr(Race, "instructions", lambda *_: None)
+
+
+@pytest.mark.usefixtures("quick")
+def test_all_results_of_a_function_are_checked(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def peers(function: str, folder: Path, size: int) -> list[Candidate]:
+        return [Candidate("pinocchio-ours", "ours again", "", folder / "robodyn-native.so", None)]
+
+    monkeypatch.setattr(every_function, "_peers", peers)
+    (race,) = every_function.measured("stanford_3dof", tmp_path, harness(tmp_path), 4)
+    assert [row["key"] for row in race["rows"]] == ["robodyn", "robodyn-scheduled", "pinocchio-ours"]
+    assert all(row["worst"] < 1e-12 for row in race["rows"])
+    assert [(demand["peer"], demand["wanted"]) for demand in race["demands"]] == [("pinocchio-ours", 8.0)] * 2
+    plain = ours.values_of
+
+    def off(*arguments: Any) -> Any:
+        values = plain(*arguments).copy()
+        values[5, -1] += 1e-6  # the last entry of the last result of one state
+        return values
+
+    monkeypatch.setattr(every_function, "values_of", off)
+    with pytest.raises(Disagreement, match="state 5"):
+        list(every_function.measured("stanford_3dof", tmp_path, harness(tmp_path), 4))
+
+
+LISTING = """
+0000 <arm_f_given_>:
+	vmulpd %ymm0,%ymm1,%ymm2        # 2010 <_fini+0x10>
+	ret
+
+<arm_f>:
+	push   %rbp
+	vaddpd %ymm0,%ymm1,%ymm2
+	call   <arm_f_given_>
+	ret
+
+"""
+
+
+def test_instructions_without_beginnings_and_ends() -> None:
+    listing = LISTING.replace("0000 ", "")
+    both = limits.instructions_of(listing, ("arm_f", "arm_f_given_"))
+    assert both == ["vaddpd %ymm0,%ymm1,%ymm2", "vmulpd %ymm0,%ymm1,%ymm2"]
+    with pytest.raises(Lacking, match="arm_g"):
+        limits.instructions_of(listing, ("arm_g",))
+
+
+def test_a_chain_is_longer_than_its_units() -> None:
+    require_tool("llvm-mca")
+    chain = limits.bound_of(["vaddsd %xmm0,%xmm1,%xmm1"] * 20)
+    apart = limits.bound_of([f"vaddsd %xmm0,%xmm0,%xmm{k}" for k in range(1, 15)])
+    assert (chain.instructions, chain.operations) == (20, 20)
+    assert chain.latency >= 80  # four cycles each
+    assert chain.units <= 20
+    assert apart.steady < 14 < chain.steady
+
+
+def test_what_limits() -> None:
+    assert limits.verdict(100, 110, 90, 80) == "reached"
+    assert limits.verdict(100, 70, 90, 80).startswith("the units")
+    assert limits.verdict(100, 85, 90, 80) == "latency"
+
+
+def test_the_committed_table_is_made_of_the_committed_figures() -> None:
+    figures = json.loads((RESULTS / "limits.json").read_text(encoding="utf-8"))
+    assert (RESULTS / "limits.md").read_text(encoding="utf-8") == limits.markdown(figures)
+    races = json.loads((RESULTS / "peers.json").read_text(encoding="utf-8"))["functions"]["races"]
+    assert [(row["robot"], row["function"]) for row in figures["rows"]] == [
+        (race["robot"], race["function"]) for race in races
+    ]
+
+
+def test_every_function_raced_on_an_arm_of_six_joints_and_one_of_seven() -> None:
+    found = json.loads((RESULTS / "peers.json").read_text(encoding="utf-8"))["functions"]
+    raced = {(race["robot"], race["function"]) for race in found["races"]}
+    assert raced == {
+        (robot, function) for robot in ("puma560", "panda") for function in every_function.WANTED
+    }
+    for race in found["races"]:
+        assert all(np.isfinite(row["ratio"]).all() for row in race["rows"])
