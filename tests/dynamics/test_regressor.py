@@ -217,6 +217,11 @@ def test_compiled_they_take_and_give_arrays_of_their_own_length() -> None:
     Y = kernel.regressor(q, qd, qdd)
     assert Y.shape == (5, 3, len(columns))
     assert kernel.base_parameters == tuple(map(str, columns))
+    header = robodyn.generate("stanford_3dof", robodyn.Options(("regressor",))).files(["c"])[
+        "stanford_3dof.h"
+    ]
+    for name in ("stanford_3dof", "STANFORD_3DOF"):
+        assert f"#define {name}_REGRESSOR_COLUMNS {len(columns)}\n" in header
     tau = kernel.inverse_dynamics(q, qd, qdd)
     pi = np.tile(values, (5, 1))
     np.testing.assert_allclose(Y @ values, tau, rtol=0, atol=1e-11)

@@ -105,7 +105,15 @@ def _context(unit: Unit) -> dict[str, Any]:
         "contraction": None if unit.contraction is None else unit.contraction.upper(),
         "math": not unit.builtin or bool(calls(unit) & OF_LIBM),
         "guard": f"{name.upper()}_H",
+        "macros": _macros(unit),
     }
+
+
+def _macros(unit: Unit) -> list[str]:
+    """How many columns a regressor has, under the robot's name as it is and in capitals."""
+    columns = max(len(interface.columns) for interface, _ in unit.functions)
+    names = dict.fromkeys((unit.robot.name, unit.robot.name.upper()))
+    return [f"#define {name}_REGRESSOR_COLUMNS {columns}" for name in names] if columns else []
 
 
 def _notes(unit: Unit) -> tuple[str, ...]:
