@@ -45,7 +45,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     )
     parser.add_argument("--robots", default=",".join(bundled_names()), help="with commas (default: all)")
     parser.add_argument("--functions", default=",".join(NATURAL), help="with commas (default: all)")
-    parser.add_argument("--tools", default=",".join(TOOLS), help="with commas (default: all)")
+    parser.add_argument("--tools", default=",".join(TOOLS), help="with commas (default: all; '': only ours)")
     parser.add_argument("--seconds", type=int, default=8, help="of CPU for a function (default: 8)")
     parser.add_argument("--work", default="build/functions", help="where tools write")
     parser.add_argument("--out", default=str(RESULTS), help="where results go (default: benchmarks/results)")
@@ -62,7 +62,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         robots = dict(before.get("robots", {}))
         figures = {"versions": versions(), "seconds": options.seconds, "states": STATES, "robots": robots}
         for name in options.robots.split(","):
-            table = of_robot(name, options.functions.split(","), options.tools.split(","), options)
+            tools = [tool for tool in options.tools.split(",") if tool]
+            table = of_robot(name, options.functions.split(","), tools, options)
             earlier = robots.get(name, {})
             robots[name] = earlier | {f: earlier.get(f, {}) | row for f, row in table.items()}
             print(f"{name}: counted", file=sys.stderr, flush=True)
