@@ -84,6 +84,23 @@ def test_the_command_line_takes_the_functions_with_a_wrench(capsys: pytest.Captu
     assert "bias_with_wrench_and_mass_matrix" in capsys.readouterr().out
 
 
+def test_drives_that_remember_are_in_their_steady_form() -> None:
+    """Their step is the inverse dynamics' own: with a wrench they are as they are at rest in their states."""
+    text = """
+name: remembering
+links:
+  - {joint: revolute, mass: 2, com: [0.1, 0, 0.1], motor_inertia: 0.1, effects: [
+      {effect: presliding_hysteresis, level: 1.0, stiffness: 100.0}]}
+  - {joint: revolute, alpha: pi/2, a: 0.3, mass: 2, com: [0.1, 0, 0.1]}
+"""
+    kernel = compile(read_text(text), functions=FUNCTIONS[:3])
+    random = np.random.default_rng(2)
+    q, qd, qdd, w = (random.uniform(-1, 1, (4, size)) for size in (2, 2, 2, 6))
+    free = kernel.inverse_dynamics_with_wrench(q, qd, qdd, 0 * w)
+    pushed = kernel.inverse_dynamics_with_wrench(q, qd, qdd, w)
+    np.testing.assert_allclose(free - pushed, kernel.wrench_torques(q, w), atol=1e-12)
+
+
 def test_in_c_they_are_called_like_those_without() -> None:
     alone = generate(load("puma560_3dof"), Options(("inverse_dynamics_with_wrench",), optimize="fast"))
     header = " ".join(alone.files(["c"])["puma560_3dof.h"].split()).replace("puma560_3dof_real", "real")

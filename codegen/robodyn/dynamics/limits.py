@@ -7,5 +7,9 @@ from __future__ import annotations
 #: a recursion grows with the joints. At 6 joints the recursion takes two thirds of the operations.
 FEW_JOINTS: int = 4
 
+#: Joints of an arm at most whose Christoffel's symbols are written: there are as many as the joints' cube,
+#: and operations grow faster.
+SYMBOLS_JOINTS: int = 12
+
 #: Finite fields at most, of 120 bits each, whose residues together write a factor of a base parameter down.
 MOST_FIELDS: int = 40

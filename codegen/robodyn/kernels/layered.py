@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from robodyn.counts import Count, count
-from robodyn.drives.drive import rigid_part
+from robodyn.drives.drive import layer_of, rigid_part
 from robodyn.dynamics.compose import composed
 from robodyn.dynamics.functions import FUNCTIONS, Function, function_named
 from robodyn.errors import InputError
@@ -94,7 +94,9 @@ class Layered:
         """All ways to write ``record``: from its parts, and straight."""
         writings = range(len(record.writings(self.robot.n)))
         drafts: list[Program] = []
-        if record.parts and not record.rigid:
+        remembers = any(function_named(part).is_recursion for part in record.parts) and self._has_states
+        # A step of what remembers is the inverse dynamics' own: elsewhere effects are in their steady form.
+        if record.parts and not record.rigid and not remembers:
             parts = {part: self.program(part) for part in record.parts}
             drafts = composed(record, parts, self.robot.n, self._beneath)
             if record.by_parts is None:
@@ -103,6 +105,10 @@ class Layered:
             layered(self.robot, record, self._rigid, self.options.formulation, writing=k) for k in writings
         )
         return [*drafts, *straight]
+
+    @property
+    def _has_states(self) -> bool:
+        return bool(layer_of(self.robot, lambda x: x, lambda _: 1).state_names)
 
     def _beneath(self, graph: Graph, inputs: Mapping[str, Sequence[Any]]) -> Recursion:
         return recursion_in(graph, rigid_part(self.robot), Choice(), inputs)

@@ -10,7 +10,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from robodyn.dynamics.derivatives import coriolis_matrix
-from robodyn.dynamics.functions.record import Array, Dynamics, Function, Pair, Q, Vector
+from robodyn.dynamics.functions.record import Array, Dynamics, Function, NoSuchFunction, Pair, Q, Vector
+from robodyn.dynamics.limits import SYMBOLS_JOINTS
 
 H = Array("h", "torques by products of velocities qd_k qd_m", "N m s^2/rad^2", shape=("n", "n", "n"))
 
@@ -18,6 +19,13 @@ H = Array("h", "torques by products of velocities qd_k qd_m", "N m s^2/rad^2", s
 def _symbols(at: Dynamics) -> Sequence[Any]:
     """Column k of the Coriolis matrix of a unit of the rate m is h_ikm."""
     n = len(at.rest)
+    if n > SYMBOLS_JOINTS:
+        raise NoSuchFunction(
+            "Christoffel's symbols of so many joints are too many numbers",
+            found=f"{n} joints, {n**3} numbers",
+            expected=f"at most {SYMBOLS_JOINTS} joints",
+            remedy="take coriolis or coriolis_matrix",
+        )
     units = ([int(j == m) for j in range(n)] for m in range(n))
     matrices = [coriolis_matrix(at.links(unit, at.rest), at.mark) for unit in units]
     # h_ikm = h_imk: each pair of rates is read once.

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from robodyn.dynamics.articulated import articulated_bodies
 from robodyn.dynamics.functions.record import (
     QD,
     QDD,
@@ -62,6 +63,12 @@ def _forward_outward(at: Dynamics) -> Sequence[Any]:
     return _solved(at, carried_outward(at))
 
 
+def _articulated(at: Dynamics) -> Sequence[Any]:
+    """Without a mass matrix: what takes fewer operations for long arms."""
+    pushed = [tau + w for tau, w in zip(at.inputs["tau"], carried_outward(at), strict=True)]
+    return articulated_bodies(at.links(at.inputs["qd"], at.rest), pushed, at.mark)
+
+
 def _solved(at: Dynamics, pushed: Vector) -> Sequence[Any]:
     """``qdd = M^-1 (tau + J^T w - h)``."""
     bias = at.torques(at.inputs["qd"], at.rest)
@@ -95,6 +102,7 @@ FUNCTIONS = (
         _forward,
         condition=_needs_the_torques,
         others=(_forward_outward,),
+        of_rigid_arms=(_articulated,),
         parts=("bias", "mass_matrix"),
         solves=True,
     ),
