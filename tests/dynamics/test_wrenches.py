@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from robodyn import InputError, Options, compile, load, program
+from robodyn.counts import count
 from robodyn.firmware.options import firmware_options
 from robodyn.ir import Input
 from robodyn.ir.evaluate import evaluate
@@ -99,6 +100,15 @@ links:
     free = kernel.inverse_dynamics_with_wrench(q, qd, qdd, 0 * w)
     pushed = kernel.inverse_dynamics_with_wrench(q, qd, qdd, w)
     np.testing.assert_allclose(free - pushed, kernel.wrench_torques(q, w), atol=1e-12)
+
+
+@pytest.mark.parametrize("options", [Options(), Options(optimize="fast")], ids=["record", "fast"])
+def test_a_wrench_costs_what_its_torques_cost(options: Options) -> None:
+    robot = load("panda")
+    alone = count(program(robot, "wrench_torques", options)).total
+    for name in ("gravity", "bias", "inverse_dynamics"):
+        free, pushed = (count(program(robot, f, options)).total for f in (name, f"{name}_with_wrench"))
+        assert pushed <= free + alone + robot.n, name
 
 
 def test_in_c_they_are_called_like_those_without() -> None:

@@ -181,17 +181,21 @@ class RigidPrograms:
         sources = {source for part in function.parts for source in _sources(function_named(part))}
         if all(self._record(source) is None for source in sources):
             return None
-        parts = {part: self.best(part) for part in function.parts}
-        known = [self.taken[part] for part in parts if part in self.taken]
+        ways = self._of_parts(function)
+        known = [self.taken[part] for part in function.parts if part in self.taken]
         if not known:
             return None
         self.taken[function.name] = known[0]
+        return min((unchecked(way, FRESH) for way in ways), key=self._cost)
+
+    def _of_parts(self, function: Function) -> list[Program]:
+        """``function`` put together from the best programs of its parts, in all ways that it has."""
 
         def beneath(graph: Graph, inputs: Mapping[str, Sequence[Any]]) -> Recursion:
             return recursion_in(graph, self.robot, self.choice, inputs)
 
-        ways = composed(function, parts, self.robot.n, beneath)
-        return min((unchecked(way, FRESH) for way in ways), key=self._cost)
+        parts = {part: self.best(part) for part in function.parts}
+        return composed(function, parts, self.robot.n, beneath)
 
     def _record(self, function: str) -> Record | None:
         if function not in self._records:
@@ -253,12 +257,14 @@ class RigidPrograms:
             drafts = self._fused(known)
         else:
             drafts = [build(self.robot, function, self.choice, writing) for writing in writings]
+        if known.apart:
+            drafts += self._of_parts(known)
         if len(drafts) == 1:
             return drafts[0]
         passed = [self._passes(draft) for draft in drafts]
         k = min(range(len(drafts)), key=lambda k: self._cost(passed[k]))
         self._after_passes[function] = passed[k]
-        self._writings[function] = known.outputs if known.fuses else writings[k]
+        self._writings[function] = known.outputs if known.fuses or k >= len(writings) else writings[k]
         if known.fuses and k == 0:  # the best programs of the parts are not in it
             for part in set(self.taken) - set(self.options.function_names if self.options.functions else ()):
                 del self.taken[part]

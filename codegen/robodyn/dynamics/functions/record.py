@@ -212,6 +212,7 @@ class Function:
     others: other ways to write ``outputs``; what is emitted is the one that takes the fewest operations.
     small: the same, for arms of few joints.
     of_rigid_arms: the same, for arms whose drives have no effects.
+    apart: whether it is put together from its parts even where there is no record of them.
     by_parts: how it is put together from its parts; None: in any of the ways to write ``outputs``.
     drives: whether it depends on what drives do; if not, robots with effects have the rigid arm's.
     geometric: whether it is of the links' places and motion alone: drives and effects have no part in it.
@@ -233,6 +234,7 @@ class Function:
     others: tuple[Callable[[Dynamics], Sequence[Any]], ...] = ()
     small: tuple[Callable[[Dynamics], Sequence[Any]], ...] = ()
     of_rigid_arms: tuple[Callable[[Dynamics], Sequence[Any]], ...] = ()
+    apart: bool = False
     by_parts: Callable[[Dynamics], Sequence[Any]] | None = None
     drives: bool = True
     geometric: bool = False

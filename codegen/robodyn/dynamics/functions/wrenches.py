@@ -51,6 +51,7 @@ def _with_wrench(function: Function) -> Function:
         lambda at: _less(function.outputs(at), by_jacobian(at)),
         expected=lambda at: _less(expected(at), _through_the_jacobian(at)),
         parts=(function.name,),
+        apart=True,
         others=(lambda at: _less(function.outputs(at), carried_outward(at)),),
     )
 
