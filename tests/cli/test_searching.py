@@ -270,6 +270,7 @@ def test_functions_that_have_no_writings(function: str, capsys: Capture) -> None
     assert found <= total(capsys, "--functions", function, "--optimize", "fast")
 
 
+@pytest.mark.thorough
 def test_rotors_folded_make_another_robot(here: Path, capsys: Capture) -> None:
     (here / "elbow.yaml").write_text(ELBOW.replace("mass: 2,", "mass: 2, motor_inertia: 0.5,"))
     more = ["--optimize", "search", "--budget-seconds", "0.1", "--keep"]

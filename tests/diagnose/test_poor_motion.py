@@ -40,6 +40,7 @@ def test_noise_of_the_encoders_is_no_elastic_joint() -> None:
     assert {(f.effect, f.joint) for f in found.findings} == {("viscous_friction", 2)}
 
 
+@pytest.mark.thorough
 def test_a_joint_that_sets_out_is_not_touched() -> None:
     found = diagnosed(Case("puma560_3dof", (("coulomb_friction", 3),), 1, 6.0, motion="one_way"))
     assert "external_contact" not in {f.effect for f in found.findings}

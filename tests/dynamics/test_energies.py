@@ -51,7 +51,7 @@ def by_pinocchio(robot: Robot, q: Any, qd: Any) -> dict[str, Any]:
     }
 
 
-@pytest.mark.parametrize("name", sampled([*BUNDLED, *RANDOM], every=25))
+@pytest.mark.parametrize("name", sampled([*BUNDLED, *RANDOM], every=60))
 def test_they_are_what_pinocchio_says(name: str) -> None:
     robot = robot_named(name)
     q, qd, _ = random_states(robot, STATES, 3)
@@ -112,7 +112,7 @@ class Along:
         return [x.slope if isinstance(x, Dual) else Fraction(0) for x in outputs]
 
 
-@pytest.mark.parametrize("name", sampled([*BUNDLED, *RANDOM], every=25))
+@pytest.mark.parametrize("name", sampled([*BUNDLED, *RANDOM], every=60))
 def test_the_inverse_mass_matrix_is_what_pinocchio_says(name: str) -> None:
     pin = require_module("pinocchio")
     robot = robot_named(name)

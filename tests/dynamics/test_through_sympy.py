@@ -138,6 +138,7 @@ def test_functions_and_formulations_must_be_known() -> None:
 # --- the engine -------------------------------------------------------------------------------------------
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     "name",
     representative(

@@ -112,6 +112,7 @@ def borrowed() -> str:
     return os.pathsep.join(folders)
 
 
+@pytest.mark.thorough
 def test_other_pythons_make_no_difference() -> None:
     """Those that are at hand and can import what is needed; the rest are passed over."""
     path = borrowed()

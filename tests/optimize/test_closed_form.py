@@ -108,6 +108,7 @@ def test_a_whole_search_takes_fewer(name: str, most: int) -> None:
     assert count(closed_forms(bundled(name))[0]).total <= most
 
 
+@pytest.mark.thorough
 def test_it_is_below_the_recursion_on_most_arms() -> None:
     better = 0
     for number, robot in enumerate(ARMS):

@@ -55,5 +55,6 @@ def calls(joints: int) -> int:
     return made
 
 
+@pytest.mark.thorough
 def test_generation_grows_with_the_number_of_joints() -> None:
     assert calls(30) <= 2.15 * calls(15)

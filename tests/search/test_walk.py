@@ -317,6 +317,7 @@ def test_a_walk_lets_other_threads_work() -> None:
     assert (done.stdout, done.stderr) == ("still here\n", "")
 
 
+@pytest.mark.thorough
 def test_a_walk_gives_its_room_back() -> None:
     resource = require_module("resource")
     plain = fast(bundled("stanford_3dof"))

@@ -58,6 +58,7 @@ print("done")
 """
 
 
+@pytest.mark.thorough
 def test_no_step_out_of_bounds(tmp_path: Path) -> None:
     sanitized(tmp_path, steps=60)
 

@@ -255,6 +255,7 @@ def test_claims(tables: dict[str, Table]) -> None:
     assert table.row("lambda form").ours["revolute"] == 29.0
 
 
+@pytest.mark.thorough
 def test_claims_follow_the_graphs_edges(monkeypatch: Patch) -> None:
     """Nothing handed back from the tip: the chain grows shorter. a besides waiting for lambda: longer."""
     fewer = tuple(replace(task, after=()) if task.row in (30, 31, 39, 40) else task for task in TASKS)
