@@ -6,6 +6,7 @@ PYTHON ?= python3
 ROBOT ?= puma560.yaml
 WORKERS ?= 2
 EXTRAS ?= test,lint
+AXE := 4.14.1
 
 VENV := .venv
 PEERS := .venv-peers
@@ -68,6 +69,10 @@ lint: $(VENV)/.installed-dev  ## ruff and mypy
 format: $(VENV)/.installed-dev  ## let ruff mend what it can
 	$(BIN)/ruff check --fix .
 	$(BIN)/ruff format .
+
+.PHONY: axe
+axe:  ## axe-core from npm: with it the tests of pages look for what is not accessible
+	@npm install --silent --no-audit --no-fund --no-save --prefix build/npm axe-core@$(AXE)
 
 .PHONY: clean
 clean:  ## remove the environment, build outputs and caches; generated/ stays

@@ -39,10 +39,8 @@ def relinked(text: str, page: str) -> str:
     def link(match: re.Match[str]) -> str:
         path = normpath(join(here, match[2]))
         target = _SITE_OF.get(path, path.removeprefix("docs/") if path.startswith("docs/") else "")
-        return (
-            f"{match[1]}{relpath(target, folder_of(page) or '.')}{match[3] or ''}{match[4]}"
-            if target
-            else match[0]
-        )
+        if not target:
+            return match[0]
+        return f"{match[1]}{relpath(target, folder_of(page) or '.')}{match[3] or ''}{match[4]}"
 
     return _LINK.sub(link, text)
