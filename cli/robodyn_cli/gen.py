@@ -342,7 +342,8 @@ def _same_bits(generated: Generated, one: Any, other: Any) -> bool:
     for interface in generated.signatures:
         arrays = [random.uniform(-1, 1, (100, size)) for _, size in interface.inputs]
         dt = 1e-3 if interface.states else None
-        mine, theirs = (getattr(k, interface.function)(*arrays, params=params, dt=dt) for k in (one, other))
-        if not np.array_equal(mine, theirs, equal_nan=True):
+        both = (getattr(k, interface.function)(*arrays, params=params, dt=dt) for k in (one, other))
+        mine, theirs = (results if isinstance(results, tuple) else (results,) for results in both)
+        if not all(np.array_equal(x, y, equal_nan=True) for x, y in zip(mine, theirs, strict=True)):
             return False
     return True

@@ -167,6 +167,19 @@ def test_through_sympy_comes_the_same_program(name: str) -> None:
                 assert prints[0] == prints[1], (function, options)
 
 
+@pytest.mark.parametrize("function", representative(list(FUNCTIONS), "regressor"))
+def test_every_function_comes_through_sympy(function: str) -> None:
+    robot = bundled("stanford_3dof")
+    try:
+        one = program(robot, function)
+    except InputError as reason:  # no motors
+        with pytest.raises(InputError, match=reason.what):
+            program(robot, function, Options(engine="sympy"))
+        return
+    other = program(robot, function, Options(engine="sympy"))
+    assert fingerprint(one, 1, circle_point) == fingerprint(other, 1, circle_point)
+
+
 def test_sympy_is_no_smaller() -> None:
     """What the graph is for: no more operations than sympy's ``cse`` leaves, and usually fewer. In sympy sums
     stand in another order, from which factoring may come out one better."""

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import ast
+import subprocess
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -10,6 +12,9 @@ import pytest
 from emit.kernels import in_single, made
 from robodyn.emit.languages import LANGUAGES, compiled_language, defaults, language_named, languages_named
 from robodyn.errors import InputError
+from robodyn.kernels.generate import Options, generate
+from robodyn.robot import load
+from robodyn_testing import require_tool
 
 TOP = Path(__file__).parents[2]
 FILES = sorted(
@@ -61,6 +66,22 @@ def test_what_cannot_be_called_is_refused() -> None:
         InputError, match="Rust is written, and cannot be called from Python; expected c or fo"
     ):
         compiled_language("rust")
+
+
+def test_names_that_a_language_does_not_allow(tmp_path: Path) -> None:
+    robot = replace(load("stanford_3dof"), name="a" * 40)
+    generated = generate(robot, Options(("gravity", "inverse_dynamics_derivatives")))
+    with pytest.raises(
+        InputError, match=r"Fortran allows names of 63 characters; found 69 in .*; shorten the"
+    ) as error:
+        generated.files(("c", "fortran"))
+    assert "name to 34 characters, or leave fortran out" in str(error.value)
+    assert generated.files(("c",))
+    fitting = generate(replace(robot, name="a" * 34), generated.options).files(("fortran",))
+    (text,) = fitting.values()
+    (tmp_path / "a.f90").write_text(text)
+    compiler = require_tool("gfortran")
+    subprocess.run([compiler, "-std=f2018", "-fsyntax-only", tmp_path / "a.f90"], check=True)
 
 
 @pytest.mark.parametrize("name", LANGUAGES)
