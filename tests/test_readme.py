@@ -26,18 +26,11 @@ def test_every_road_ends_in_a_link() -> None:
         assert "](docs/" in last, road
 
 
-def test_every_page_is_linked_or_linked_from_one_that_is() -> None:
-    """Whoever clicks can reach all documents."""
-    seen: set[Path] = set()
-    waiting = [ROOT / "README.md"]
-    while waiting:
-        page = waiting.pop()
-        if page in seen or page.suffix != ".md":
-            continue
-        seen.add(page)
-        targets = re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", page.read_text(encoding="utf-8"))
-        waiting += [(page.parent / target).resolve() for target in targets]
-    assert {path.resolve() for path in (ROOT / "docs").glob("*.md")} <= seen
+def test_its_links_and_pictures_are_there() -> None:
+    targets = re.findall(r"\]\(([^)#:]+)\)", README)
+    assert len(targets) > 20
+    for target in targets:
+        assert (ROOT / target).is_file(), target
 
 
 def test_it_says_what_the_default_sine_costs() -> None:

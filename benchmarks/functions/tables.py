@@ -118,10 +118,10 @@ def summary(figures: Mapping[str, Any]) -> str:
     lines = []
     for function in functions(figures):
         rows = [table[function] for table in figures["robots"].values() if function in table]
-        found = [best for best in map(ratio, rows) if best is not None]
-        if not found:
+        bests = [best for best in map(ratio, rows) if best is not None]
+        if not bests:
             continue
-        ratios, tools = [best[0] for best in found], [best[1] for best in found]
+        ratios, tools = [best[0] for best in bests], [best[1] for best in bests]
         often = max(TITLES, key=tools.count)
         others = f"{TITLES[often]} ({tools.count(often)} of {len(tools)})"
         cells = (min(ratios), median(ratios), max(ratios))

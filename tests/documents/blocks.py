@@ -35,7 +35,7 @@ PAGES = tuple(
     path.relative_to(ROOT).as_posix()
     for path in (ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("**/*.md")))
 )
-_FENCE = re.compile(
+FENCE = re.compile(
     r"^(?:[ ]*<!--[ ](?P<mark>[^\n]*?)[ ]-->\n)?"
     r"^(?P<indent>[ ]*)```(?P<language>\w*)\n(?P<text>.*?)^(?P=indent)```[ ]*$",
     re.DOTALL | re.MULTILINE,
@@ -75,7 +75,7 @@ class Command:
 def blocks(page: str) -> list[Block]:
     """All fenced blocks of the text ``page``."""
     matches = []
-    for match in _FENCE.finditer(page):
+    for match in FENCE.finditer(page):
         mark = _MARK.fullmatch(match["mark"] or "")
         line = page.count("\n", 0, match.start("language")) + 1
         kind, detail = (mark[1].rstrip(":"), mark[2]) if mark else ("", "")
