@@ -64,7 +64,7 @@ if TYPE_CHECKING:
     metavar="HOW",
     default="libm",
     show_default=True,
-    help="Sine and cosine: libm, builtin (no library; the default of rust), or given (passed in sc).",
+    help="Sine and cosine: libm, builtin (no library; the default of rust and javascript), given (in sc).",
 )
 @click.option("--batch", is_flag=True, help="Also write NAME_batch.c: many states per call, with SIMD.")
 @click.option(
@@ -146,7 +146,8 @@ def command(
     """Write the kernels of a robot, and print the operation counts.
 
     They are in C and Fortran unless --lang says otherwise: DIR gets NAME.h, NAME.c and NAME.f90 (a crate with
-    --lang rust) with the functions of --functions. The same input gives the same bytes on any machine.
+    --lang rust, a module with --lang javascript) with the functions of --functions. The same input gives the
+    same bytes on any machine.
     """
     from robodyn.errors import CheckError, InputError
     from robodyn.kernels.generate import generate
