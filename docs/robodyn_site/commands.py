@@ -23,7 +23,7 @@ def pages() -> dict[str, str]:
 def of_command(name: str) -> str:
     """The page of one command."""
     command: click.Command = importlib.import_module(COMMANDS[name][0]).command
-    context = click.Context(command, info_name=f"robodyn {name}", **HELP)
+    context = click.Context(command, info_name=f"robodyn {name}", help_option_names=HELP["help_option_names"])
     paragraphs = (command.help or "").replace("\b\n", "").split("\n\n")
     records = [parameter.get_help_record(context) for parameter in command.get_params(context)]
     return page(

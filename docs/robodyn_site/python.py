@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import importlib
 import inspect
-from collections.abc import Iterator
 from typing import Any, Final
 
 import robodyn
@@ -113,8 +112,9 @@ def _signature(name: str, value: Any) -> str:
 
 
 def _argument(parameter: inspect.Parameter) -> str:
-    stars = {parameter.VAR_POSITIONAL: "*", parameter.VAR_KEYWORD: "**"}.get(parameter.kind, "")
-    text = f"{stars}{parameter.name}"
+    text = parameter.name
+    if parameter.kind in (parameter.VAR_POSITIONAL, parameter.VAR_KEYWORD):
+        text = ("*" if parameter.kind is parameter.VAR_POSITIONAL else "**") + text
     if parameter.annotation is not parameter.empty:
         text += f": {parameter.annotation}"
     if parameter.default is not parameter.empty:
@@ -123,7 +123,7 @@ def _argument(parameter: inspect.Parameter) -> str:
     return text
 
 
-def _members(value: type) -> Iterator[tuple[str, str]] | list[tuple[str, str]]:
+def _members(value: type) -> list[tuple[str, str]]:
     """Methods and properties of a class that have a docstring."""
     members = []
     for name, member in vars(value).items():
