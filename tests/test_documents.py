@@ -92,7 +92,7 @@ def test_the_exit_codes_are_those_of_the_errors() -> None:
 
 
 def test_the_lines_without_a_name_are_counted() -> None:
-    said = re.search(r"(\d+) of the (\d+) values in `puma560`", DOCUMENTS["python.md"])
+    said = re.search(r"(\d+) of the (\d+) values in `puma560`", DOCUMENTS["from-c-and-python.md"])
     assert said is not None
     source = (ROOT / "generated" / "puma560" / "puma560.c").read_text(encoding="ascii")
     (body,) = re.findall(r"^void puma560_inverse_dynamics\(.*?^}", source, flags=re.DOTALL | re.MULTILINE)

@@ -20,7 +20,7 @@ EXAMPLES = {page: [block for block in read(page) if block.is_example] for page i
 RUN = [page for page, found in EXAMPLES.items() if any(block.is_run for block in found)]
 
 
-@pytest.mark.parametrize("page", representative(RUN, "docs/operation-counts.md", "docs/python.md"))
+@pytest.mark.parametrize("page", representative(RUN, "docs/operation-counts.md", "docs/from-c-and-python.md"))
 def test_the_examples_print_what_is_shown(page: str, tmp_path: Path) -> None:
     for block in EXAMPLES[page]:
         if block.mark == "needs":
