@@ -54,6 +54,11 @@ flops-record: $(VENV)/.installed  ## recompute and prove the shipped record; fai
 benchmarks: $(PEERS)/.peers  ## race our kernels against their peers; writes benchmarks/results/
 	$(PEERS)/bin/python -m benchmarks.peers $(BENCHMARKS)
 
+.PHONY: docs
+docs: $(VENV)/.installed-docs  ## build the documentation site into build/site; a warning is an error
+	@NO_MKDOCS_2_WARNING=1 $(BIN)/python -m mkdocs build --strict --quiet
+	@echo "build/site/index.html opens without a server"
+
 .PHONY: lint
 lint: $(VENV)/.installed-dev  ## ruff and mypy
 	$(BIN)/ruff check .
@@ -112,4 +117,9 @@ $(VENV)/.installed: pyproject.toml $(VENV)/.created
 $(VENV)/.installed-dev: pyproject.toml $(VENV)/.created
 	@echo "Installing robodyn with what its tests need" >&2
 	@$(PIP) --editable '.[$(EXTRAS)]'
+	@touch $@ $(VENV)/.installed
+
+$(VENV)/.installed-docs: pyproject.toml $(VENV)/.created
+	@echo "Installing robodyn with what its documentation site needs" >&2
+	@$(PIP) --editable '.[docs]'
 	@touch $@ $(VENV)/.installed

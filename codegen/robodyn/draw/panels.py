@@ -38,10 +38,11 @@ class Curve:
 
 @dataclass(frozen=True, slots=True)
 class Bars:
-    """A bar in each category of a panel, from 0 up to ``heights``; ``pale``: outlined in its colour only."""
+    """A bar in each category of a panel, from 0 up to ``heights`` (None: no bar); ``pale``: outlined in its
+    colour only."""
 
     name: str
-    heights: Sequence[float]
+    heights: Sequence[float | None]
     colour: str | None = None
     pale: bool = False
 
@@ -86,7 +87,7 @@ class _Axes:
         places = [v for curve in panel.curves for v in curve.x] or [0, 1]
         across = ticks(places, tight=True, whole=all(v == int(v) for v in places))
         values = [v for curve in panel.curves for v in curve.y]
-        values += [v for bars in panel.bars for v in bars.heights]
+        values += [v for bars in panel.bars for v in bars.heights if v is not None]
         values += [0.0] if panel.bars or panel.from_zero else []
         return cls(width, across, decades(values) if panel.logarithmic else ticks(values), panel.logarithmic)
 
@@ -167,13 +168,18 @@ def _bars(panel: Panel, axes: _Axes) -> list[dict[str, Any]]:
         return []
     slot = axes.width / len(panel.categories)
     wide = min(_BAR, _FILLED * slot / len(panel.bars))
-    longest = max((f"{height:g}" for bars in panel.bars for height in bars.heights), key=len)
-    fit = style.text_width(longest, _FIGURE) <= wide + 6
+    figures = [f"{height:g}" for bars in panel.bars for height in bars.heights if height is not None]
+    fit = style.text_width(max(figures, key=len, default=""), _FIGURE) <= wide + 6
     drawn = []
     for k, category in enumerate(panel.categories):
-        for i, (bars, colour) in enumerate(zip(panel.bars, _colours(panel.bars), strict=True)):
-            x, y = slot * (k + 0.5) + (i - len(panel.bars) / 2) * wide, axes.y(bars.heights[k])
-            text = f"{bars.heights[k]:g}"
+        group = [
+            (bars, colour, height)
+            for bars, colour in zip(panel.bars, _colours(panel.bars), strict=True)
+            if (height := bars.heights[k]) is not None
+        ]
+        for i, (bars, colour, height) in enumerate(group):
+            x, y = slot * (k + 0.5) + (i - len(group) / 2) * wide, axes.y(height)
+            text = f"{height:g}"
             drawn.append(
                 {
                     "x": f"{x + 1:.1f}", "y": f"{y:.1f}", "width": f"{wide - 2:.1f}",
