@@ -10,7 +10,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from robodyn.draw.curves import share, ticks
+from robodyn.draw.scales import label, share, ticks
 from robodyn.effects.effect import Effect
 from robodyn.effects.site import Site
 from robodyn.effects.traits import Usual
@@ -93,8 +93,10 @@ def picture(effect: Effect, values: Values) -> Picture | None:
 
     def torque(x: float, way: float) -> float:
         direction = math.copysign(1.0, x) if reads == "qd" else way
-        load = {"f": (x, 0.0, 0.0), "n": (0.0, 0.0, x)} if reads == "tau" else {}
-        return float(equation(every, Site(True, **{reads: x}, direction=direction, **load)))
+        state: dict[str, Any] = {reads: x, "direction": direction}
+        if reads == "tau":
+            state |= {"f": (x, 0.0, 0.0), "n": (0.0, 0.0, x)}
+        return float(equation(every, Site(True, **state)))
 
     lines = [[(x, torque(x, way)) for x in _spaced(reach)] for way in ((1.0, -1.0) if ways else (1.0,))]
     names = ("moving forward", "moving backward") if ways else ()
@@ -112,12 +114,12 @@ def svg(title: str, shown: Picture) -> str:
     bottom, right = _TOP + _HEIGHT, _LEFT + _WIDTH
     marks = [
         f'<path class="grid" d="M{at(x, 0)[0]} {_TOP}V{bottom}"/>'
-        f'<text x="{at(x, 0)[0]}" y="{bottom + 16}" text-anchor="middle">{x:g}</text>'
+        f'<text x="{at(x, 0)[0]}" y="{bottom + 16}" text-anchor="middle">{label(x)}</text>'
         for x in across
     ]
     marks += [
         f'<path class="grid" d="M{_LEFT} {at(across[0], y)[1]}H{right}"/>'
-        f'<text x="{_LEFT - 6}" y="{at(across[0], y)[1] + 4}" text-anchor="end">{y:g}</text>'
+        f'<text x="{_LEFT - 6}" y="{at(across[0], y)[1] + 4}" text-anchor="end">{label(y)}</text>'
         for y in up
     ]
     paths = [" ".join(f"{a},{b}" for a, b in (at(*point) for point in line)) for line in shown.lines]

@@ -5,12 +5,14 @@ from __future__ import annotations
 import importlib
 import re
 import textwrap
+from typing import Any
 
 import click
 import pytest
 
 import robodyn
 from robodyn.effects.catalogue import CATALOGUE
+from robodyn.effects.effect import Effect
 from robodyn.robot import read_text
 from robodyn_cli.main import COMMANDS
 from robodyn_site import python
@@ -34,7 +36,7 @@ def test_the_page_of_a_command_has_each_of_its_options(name: str) -> None:
 
 
 @pytest.mark.parametrize("effect", SHOWN, ids=lambda effect: effect.id)
-def test_the_example_of_an_effect_is_part_of_a_description(effect: robodyn.effects.effect.Effect) -> None:
+def test_the_example_of_an_effect_is_part_of_a_description(effect: Effect) -> None:
     values = usual_values(effect)
     listed = entry(effect, values)
     text = ARM + (listed if effect.level == "robot" else textwrap.indent(listed, "    "))
@@ -44,7 +46,7 @@ def test_the_example_of_an_effect_is_part_of_a_description(effect: robodyn.effec
         assert (robot.links, robot.gravity) != (plain_arm.links, plain_arm.gravity)
         return
     (read,) = robot.effects
-    settings = dict(read.settings)
+    settings: dict[str, Any] = dict(read.settings)
     assert read.effect == effect.id
     assert {name: pytest.approx(x) for name, x in values.items()} == {
         name: settings[name] if isinstance(x, str) else float(settings[name]) for name, x in values.items()
