@@ -7,36 +7,37 @@ from __future__ import annotations
 
 from typing import Any, Final
 
+from robodyn.draw.panels import Bars, Panel, figure
+from robodyn.draw.style import OURS
 from robodyn.thesis.printed_counts import METHODS
 from robodyn.thesis.tables import table_2_10
-from robodyn.thesis.tables.bars import OURS, Series, grouped_bars
 from robodyn.thesis.tables.table import Table
 
 _ROW: Final = "puma_6"
-_SERIES: Final = (
-    Series("printed", "printed in Table 2.10", "#c6d8ec"),
-    Series("ours", "ours: by that method where it is known (I, IV, VI), else what robodyn gen writes", OURS),
-)
+_WIDTH: Final = 720
 
 
 def figure_2_9_svg(table: Table | None = None) -> str:
     """The picture; of ``table`` 2.10 where it is at hand."""
     rows = table or table_2_10.table()
-    groups = {
-        f"{method}, {who}": (
-            int(row.printed["operations"]["total"]),
-            _total(row.ours.get("method") or row.ours["default"]),
-        )
-        for method, who in METHODS.items()
+    totals = [
+        (row.printed["operations"]["total"], _total(row.ours.get("method") or row.ours["default"]))
+        for method in METHODS
         for row in [rows.row(f"{_ROW}, {method}")]
-    }
-    return grouped_bars(
-        groups,
-        _SERIES,
-        title="Figure 2.9, redrawn: operations by published methods",
-        description="Totals of Table 2.10 for the PUMA 560 with six joints, printed and recomputed.",
-        heading="Six joints of the PUMA 560",
-    )
+    ]
+    printed, ours = zip(*totals, strict=True)
+    return figure(
+        "Figure 2.9, redrawn: operations by published methods",
+        "Totals of Table 2.10; ours: by that method where it is known (I, IV, VI), else by robodyn gen",
+        [
+            Panel(
+                "PUMA 560, six joints", "method, by whom", "multiplications and additions",
+                bars=(Bars("printed in Table 2.10", printed, OURS, pale=True), Bars("ours", ours, OURS)),
+                categories=tuple(f"{method}, {who}" for method, who in METHODS.items()),
+            )
+        ],
+        width=_WIDTH,
+    )  # fmt: skip
 
 
 def _total(operations: Any) -> int:
