@@ -19,7 +19,7 @@ def plan_text(
     deadline_ns: float,
     function: str = "inverse_dynamics",
 ) -> str:
-    """All plans for a person, those that meet the deadline marked; ``source`` is how ``robot`` was asked for."""
+    """All plans for a person, those that meet the deadline marked; ``source`` names ``robot`` in commands."""
     best = chosen(candidates, deadline_ns)
     lines = [f"{robot.name}: deadline {time_text(deadline_ns)}", ""]
     lines.append(
