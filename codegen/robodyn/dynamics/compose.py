@@ -33,11 +33,15 @@ def composed(function: Function, programs: Mapping[str, Program], n: int, beneat
     return ways
 
 
-def side_by_side(function: Function, programs: Sequence[Program], n: int) -> Program:
-    """The fused ``function`` of ``n`` joints: what its functions' ``programs`` have in common is worked out
-    once."""
+def side_by_side(function: Function, programs: Sequence[Program]) -> Program:
+    """The fused ``function``: what the ``programs`` of its functions, or of several of them together, have in
+    common is worked out once."""
     graph = Graph()
-    return lower(graph, function.split([x for program in programs for x in graph.replay(program)], n))
+    results: dict[str, Sequence[Any]] = {}
+    for program in programs:
+        values = iter(graph.replay(program))
+        results |= {name: [next(values) for _ in elements] for name, elements in program.outputs}
+    return lower(graph, [(array.name, results[array.name]) for array in function.results])
 
 
 class _OfParts:
@@ -56,6 +60,7 @@ class _OfParts:
         self.rest: Sequence[Any] = [0] * n
         self.inputs = function.nodes(graph.input, n)
         self._beneath = beneath(graph, self.inputs)
+        self.cheapest = self._beneath.cheapest
 
     def mark(self, value: Any, label: Label) -> Any:
         """Name ``value``."""
@@ -84,10 +89,6 @@ class _OfParts:
     def turns(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Turns:
         """How its joints turn."""
         return self._beneath.turns(qd, qdd)
-
-    def cheapest(self, choices: Sequence[Sequence[Sequence[Any]]]) -> Sequence[Sequence[Any]]:
-        """Of the ways to write each of some vectors those that take the fewest operations."""
-        return self._beneath.cheapest(choices)
 
     def links(self, qd: Sequence[Any], qdd: Sequence[Any], form: MomentForm = "second_moment") -> Moving:
         """The same, with the links' masses."""

@@ -17,6 +17,7 @@ from typing import Any
 from robodyn.dynamics.arm import Arm, JointAngle, Motion, build_arm, build_motion, inertial
 from robodyn.dynamics.base_parameter import BaseParameter
 from robodyn.dynamics.base_set import base_set
+from robodyn.dynamics.choosing import First
 from robodyn.dynamics.functions import INPUTS, Moving, Rotor, function_named
 from robodyn.dynamics.joints import rotors_of
 from robodyn.dynamics.lump import NO_LUMP, MomentForm
@@ -152,6 +153,7 @@ class _Plain:
     """Conventional Newton-Euler at a state, see :class:`robodyn.dynamics.functions.Dynamics`."""
 
     mark = staticmethod(unmarked)
+    cheapest = First()
 
     def __init__(self, robot: Robot, arm: Arm, state: _State) -> None:
         n = len(arm.bodies)
@@ -177,10 +179,6 @@ class _Plain:
     def turns(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Turns:
         """How its joints turn, each for itself."""
         return single_turns(self.motion(qd, qdd))
-
-    def cheapest(self, choices: Sequence[Sequence[Sequence[Any]]]) -> list[Sequence[Any]]:
-        """The first of each: nothing is counted."""
-        return [ways[0] for ways in choices]
 
     def links(self, qd: Sequence[Any], qdd: Sequence[Any], form: MomentForm = "second_moment") -> Moving:
         """The same, as described."""

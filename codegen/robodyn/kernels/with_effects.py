@@ -123,7 +123,7 @@ class _Layered:
         self.rest: Sequence[Any] = [0] * robot.n
         self.inputs = function.nodes(self.graph.input, robot.n)
         self._beneath = recursion_in(self.graph, rigid_part(robot), choice, self.inputs)
-        self.arm = self._beneath.arm
+        self.arm, self.cheapest = self._beneath.arm, self._beneath.cheapest
 
     def motion(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Motion:
         """The rigid arm at ``q``, with these rates and accelerations."""
@@ -132,10 +132,6 @@ class _Layered:
     def turns(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Turns:
         """How its joints turn."""
         return self._beneath.turns(qd, qdd)
-
-    def cheapest(self, choices: Sequence[Sequence[Sequence[Any]]]) -> Sequence[Sequence[Any]]:
-        """Of the ways to write each of some vectors those that take the fewest operations."""
-        return self._beneath.cheapest(choices)
 
     def links(self, qd: Sequence[Any], qdd: Sequence[Any], form: MomentForm = "second_moment") -> Moving:
         """The same, with the links' masses."""

@@ -20,6 +20,7 @@ from robodyn.dynamics.arm import (
     build_motion,
     trigonometry_at,
 )
+from robodyn.dynamics.choosing import First
 from robodyn.dynamics.functions import Function, Moving, Rotor
 from robodyn.dynamics.joints import rotors_of
 from robodyn.dynamics.lump import NO_LUMP, MomentForm
@@ -113,6 +114,7 @@ class _Columns:
     """A reference over columns ``[N]`` of states; see :class:`robodyn.dynamics.functions.Dynamics`."""
 
     mark = staticmethod(unmarked)
+    cheapest = First()
 
     def __init__(self, oracle: Oracle, inputs: Mapping[str, Floats]) -> None:
         self._oracle, self._q = oracle, inputs["q"]
@@ -133,10 +135,6 @@ class _Columns:
     def turns(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Turns:
         """How its joints turn, each for itself."""
         return single_turns(self.motion(qd, qdd))
-
-    def cheapest(self, choices: Sequence[Sequence[Sequence[Any]]]) -> list[Sequence[Any]]:
-        """The first of each: nothing is counted."""
-        return [ways[0] for ways in choices]
 
     def links(self, qd: Sequence[Any], qdd: Sequence[Any], form: MomentForm = "second_moment") -> Moving:
         """The same, as described."""
