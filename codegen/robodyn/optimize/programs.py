@@ -172,7 +172,8 @@ def build(robot: Robot, function: str, choice: Choice, writing: Writing | None =
     """The program of ``function`` as the recursion leaves it: equal nodes merged, constants folded,
     nothing dead, no pass run yet. ``writing`` says how its outputs are written, if not as usual."""
     # Where equal values are one node whichever way they were written, there is nothing to choose from.
-    if choice.variant is None or function_named(function).geometric:
+    known = function_named(function)
+    if choice.variant is None or known.geometric or known.at_rest:
         return _built(Graph(), robot, function, choice, writing)
     numbers = identity(robot).encode()
     program: Program = in_drawn_field(

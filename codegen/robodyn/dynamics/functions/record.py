@@ -98,13 +98,15 @@ _TAKEN = {"p", "state", "dt", "N", "n"}
 class Moving:
     """An arm in motion, its joints' ``turns``, and the mass, first and second moments of each link about its
     frame's origin: those described, or others that move alike (then a mass may be 0 or less), what they lack
-    of mass and first moment being that of ``ground``, at rest, about the base's origin."""
+    of mass and first moment being that of ``ground``, at rest, about the base's origin. Where they are
+    ``weighed``, masses are times the largest component of gravity, and the arm's gravity in units of that."""
 
     arm: Arm
     motion: Motion
     turns: Turns
     lumps: Sequence[Lump]
     ground: Lump
+    weighed: bool = False
 
 
 class Dynamics(Protocol):
