@@ -140,7 +140,7 @@ def test_pictures(capsys: Capture, tmp_path: Path) -> None:
     for picture in (gantt, layers):
         root = ET.parse(picture).getroot()
         boxes = list(root.iter("{http://www.w3.org/2000/svg}rect"))
-        assert len(boxes) == 155  # 154 tasks and the ground
+        assert len(boxes) == 154  # tasks
     again = gantt.read_bytes()
     run(capsys, "stanford", "-p", "4", "--picture", str(gantt))
     assert gantt.read_bytes() == again
