@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from robodyn.emit.readable import steps_served
-from robodyn.ir.program import Input, Label, Operand, Program
+from robodyn.ir.program import Input, Label, Program
 from robodyn.robot.names import is_reserved
 
 #: What a quantity is, and its unit, for headings.
@@ -99,10 +99,35 @@ class Statement:
 
 @dataclass(frozen=True, slots=True)
 class Body:
-    """The statements of a function and its results, one expression an element, array by array."""
+    """The statements of a function, its results, one expression an element, array by array, and the inputs
+    that these read."""
 
     statements: tuple[Statement, ...]
     outputs: tuple[tuple[str, tuple[Expression, ...]], ...]
+    inputs: frozenset[Input]
+
+    @property
+    def arrays(self) -> set[str]:
+        """Names of the arrays that are read."""
+        return {x.array for x in self.inputs if x.index is not None}
+
+    @property
+    def reads_parameters(self) -> bool:
+        """Whether a run-time parameter is read; it may be called like an array."""
+        return any(x.index is None for x in self.inputs)
+
+
+def inputs_of(*expressions: Expression) -> list[Input]:
+    """The inputs that ``expressions`` read, from left to right."""
+    inputs: list[Input] = []
+    stack = list(reversed(expressions))
+    while stack:
+        expression = stack.pop()
+        if isinstance(expression, Apply):
+            stack += expression.args[::-1]
+        elif isinstance(expression, Input):
+            inputs.append(expression)
+    return inputs
 
 
 #: Steps written into one statement at most, so that a line can be read.
@@ -132,12 +157,9 @@ def statements(program: Program, *, in_order: bool = False, readable: bool = Fal
     serial = 0
     following = _written_in_order(program) if in_order else None
 
-    def expression(operand: Operand) -> Expression:
-        return text[operand] if isinstance(operand, int) else operand
-
     for i, (op, args, label) in enumerate(operations):
-        whole = Apply(op, tuple(expression(arg) for arg in args))
-        steps = 1 + sum(size[arg] for arg in args if isinstance(arg, int))
+        whole = Apply(op, tuple([text[arg] if isinstance(arg, int) else arg for arg in args]))
+        steps = 1 + sum([size[arg] for arg in args if isinstance(arg, int)])
         is_trig = op in ("sin", "cos")
         named = (
             label is not None
@@ -169,8 +191,11 @@ def statements(program: Program, *, in_order: bool = False, readable: bool = Fal
         heading = group if group is not None else heading
         text.append(name)
         size.append(0)
-    outputs = tuple((name, tuple(map(expression, elements))) for name, elements in program.outputs)
-    return Body(tuple(written), outputs)
+    outputs = tuple(
+        (name, tuple([text[x] if isinstance(x, int) else x for x in elements]))
+        for name, elements in program.outputs
+    )
+    return Body(tuple(written), outputs, frozenset(program.inputs()))
 
 
 def _written_in_order(program: Program) -> set[int]:

@@ -5,13 +5,18 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
+from robodyn.ir.copying import copied
 from robodyn.ir.graph import Graph, Node, Scalar
-from robodyn.ir.lowering import children, lower, needed
+from robodyn.ir.lowering import lower, needed
 from robodyn.ir.program import Program
 from robodyn.passes.replay import as_graph
 
 #: Each round frees sums for the next; on long arms the later rounds gain little.
 _ROUNDS = 8
+
+#: What a round makes fewer of.
+_COUNTED = frozenset(("add", "mul", "scale", "div"))
+_PRODUCTS = ("mul", "scale")
 
 Term = tuple[int, int]  # position and sign
 Outputs = list[tuple[str, list[Any]]]
@@ -37,16 +42,17 @@ class _Factoring:
 
     def __init__(self, graph: Graph, outputs: Outputs) -> None:
         self.graph, self.outputs = graph, outputs
-        keys = graph.keys
+        keys, reads = graph.keys, graph.reads
         self.positions = needed(graph, outputs)
-        self.cost = sum(keys[p][0] in ("add", "mul", "scale", "div") for p in self.positions)
         self.uses = uses = [0] * len(keys)
+        self.cost = 0
         sums = []
         for p in self.positions:
-            key = keys[p]
-            for child in children(key):
+            for child in reads[p]:
                 uses[child] += 1
-            if key[0] == "add":
+            op = keys[p][0]
+            self.cost += op in _COUNTED
+            if op == "add":
                 sums.append(p)
         for _, values in outputs:
             for v in values:
@@ -78,7 +84,7 @@ class _Factoring:
         for p in self.positions:
             if p in dissolved:
                 continue
-            copies[p] = self._factored(*sums[p], copies) if p in sums else target.copied(keys[p], copies)
+            copies[p] = self._factored(*sums[p], copies) if p in sums else copied(target, keys[p], copies)
             if p in labels:
                 target.label(copies[p], labels[p])
         outputs = [
@@ -116,13 +122,17 @@ class _Factoring:
 
     def _common(self, terms: list[Term]) -> Any:
         """The factor that most products of ``terms`` share, or None."""
+        keys, uses = self.graph.keys, self.uses
+        products = [_factors(keys[p]) for p, _ in terms if uses[p] == 1 and keys[p][0] in _PRODUCTS]
+        if len(products) < 2:
+            return None
         counts: dict[Any, int] = {}
-        for p, _ in terms:
-            if self.uses[p] == 1:
-                for f in dict.fromkeys(_factors(self.graph.keys[p])):
-                    counts[f] = counts.get(f, 0) + 1
-        best = max(counts, key=lambda f: counts[f], default=None)
-        return best if best is not None and counts[best] > 1 else None
+        for one, other in products:
+            counts[one] = counts.get(one, 0) + 1
+            if other != one:
+                counts[other] = counts.get(other, 0) + 1
+        best = max(counts, key=counts.__getitem__)
+        return best if counts[best] > 1 else None
 
     def _factored(self, terms: list[Term], common: Any, copies: dict[int, Scalar]) -> Any:
         group: Scalar = 0
