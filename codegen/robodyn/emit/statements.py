@@ -145,10 +145,17 @@ def statements(program: Program, *, in_order: bool = False, readable: bool = Fal
     arrays = {name for name, _ in program.outputs}
     uses = program.uses()
     operations = program.operations
-    in_output = {x for x in program.results() if isinstance(x, int)}
-    arguments = {x for op in operations if op.op in ("sin", "cos") for x in op.args if isinstance(x, int)}
-    # C writes the argument of a sign twice.
-    compared = {x for op in operations if op.op == "sign" for x in op.args if isinstance(x, int)}
+    arguments: set[int] = set()
+    named = {x for x in program.results() if isinstance(x, int)}
+    for i, (op, args, label) in enumerate(operations):
+        if op in ("sin", "cos"):
+            arguments.update(x for x in args if isinstance(x, int))
+            named.add(i)
+        elif op == "sign":  # C writes its argument twice
+            named.update(x for x in args if isinstance(x, int))
+        if label is not None or uses[i] > 1:
+            named.add(i)
+    named |= arguments
     size: list[int] = []
     text: list[Expression] = []
     written: list[Statement] = []
@@ -160,18 +167,8 @@ def statements(program: Program, *, in_order: bool = False, readable: bool = Fal
     for i, (op, args, label) in enumerate(operations):
         whole = Apply(op, tuple([text[arg] if isinstance(arg, int) else arg for arg in args]))
         steps = 1 + sum([size[arg] for arg in args if isinstance(arg, int)])
-        is_trig = op in ("sin", "cos")
-        named = (
-            label is not None
-            or uses[i] > 1
-            or is_trig
-            or i in in_output
-            or i in arguments
-            or i in compared
-            or steps >= _LONGEST
-            or (following is not None and i not in following)
-        )
-        if not named:
+        alone = i in named or steps >= _LONGEST or (following is not None and i not in following)
+        if not alone:
             text.append(whole)
             size.append(steps)
             continue

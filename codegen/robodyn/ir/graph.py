@@ -53,24 +53,24 @@ class Node:
         return Node(self.graph, self.position, -self.sign)
 
     def __add__(self, other: Scalar) -> Scalar:
-        if isinstance(other, (Node, Fraction, int)):
+        if isinstance(other, (Node, int, Fraction)):
             return self.graph.add(self, other)
         return NotImplemented
 
     __radd__ = __add__
 
     def __sub__(self, other: Scalar) -> Scalar:
-        if isinstance(other, (Node, Fraction, int)):
+        if isinstance(other, (Node, int, Fraction)):
             return self.graph.add(self, -other)
         return NotImplemented
 
     def __rsub__(self, other: Fraction | int) -> Scalar:
-        if isinstance(other, (Fraction, int)):
+        if isinstance(other, (int, Fraction)):
             return self.graph.add(-self, other)
         return NotImplemented
 
     def __mul__(self, other: Scalar) -> Scalar:
-        if isinstance(other, (Node, Fraction, int)):
+        if isinstance(other, (Node, int, Fraction)):
             return self.graph.mul(self, other)
         return NotImplemented
 
@@ -79,12 +79,12 @@ class Node:
     def __truediv__(self, other: Scalar) -> Scalar:
         if isinstance(other, Node):
             return self.graph.div(self, other)
-        if isinstance(other, (Fraction, int)):
+        if isinstance(other, (int, Fraction)):
             return self.graph.mul(self, 1 / Fraction(other))
         return NotImplemented
 
     def __rtruediv__(self, other: Fraction | int) -> Scalar:
-        if isinstance(other, (Fraction, int)):
+        if isinstance(other, (int, Fraction)):
             return self.graph.div(other, self)
         return NotImplemented
 
@@ -166,24 +166,26 @@ class Graph:
         if isinstance(b, Node):
             i, j = a.position, b.position
             return self._node(("mul", i, j) if i <= j else ("mul", j, i), a.sign * b.sign)
-        if not b:
+        numerator, denominator = b.as_integer_ratio()  # arithmetic of Fractions is slow
+        if not numerator:
             return 0
-        sign = a.sign if b > 0 else -a.sign
-        if b == 1 or b == -1:
-            return Node(self, a.position, sign)
-        factor = Fraction(b if b > 0 else -b)
-        position = a.position
+        sign, position, factor = a.sign, a.position, b
+        if numerator < 0:
+            sign, factor, numerator = -sign, -b, -numerator
+        if numerator == 1 == denominator:
+            return Node(self, position, sign)
         if self.fold:
             key = self.keys[position]
             if key[0] == "const":
                 constant: Fraction = sign * factor * key[1]
                 return constant
             if key[0] == "scale":
-                factor *= key[1]
-                position = key[2]
-                if factor == 1:
+                factor, position = factor * key[1], key[2]
+                numerator, denominator = factor.as_integer_ratio()
+                if numerator == 1 == denominator:
                     return Node(self, position, sign)
-        known = ("scale", *factor.as_integer_ratio(), position)
+        known = ("scale", numerator, denominator, position)
+        factor = Fraction(factor) if isinstance(factor, int) else factor
         return self._node(("scale", factor, position), sign, known)
 
     def div(self, a: Scalar, b: Scalar) -> Scalar:
@@ -314,13 +316,10 @@ class Graph:
         known = known or key
         position = self._table.get(known)
         if position is None:
-            position = self._table[known] = self._appended(key)
+            position = self._table[known] = len(self.keys)
+            self.keys.append(key)
+            self.reads.append(children(key))
         return Node(self, position, sign)
-
-    def _appended(self, key: Key) -> int:
-        self.keys.append(key)
-        self.reads.append(children(key))
-        return len(self.keys) - 1
 
     def _odd(self, op: str, a: Scalar) -> Scalar:
         if not isinstance(a, Node):

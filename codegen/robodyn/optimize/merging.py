@@ -12,8 +12,13 @@ from __future__ import annotations
 from fractions import Fraction
 
 from robodyn.ir.field import Field
-from robodyn.ir.graph import Graph, Key, Node, Scalar
+from robodyn.ir.graph import Graph, Key, Node, Scalar, children
 from robodyn.robot.values import circle_point
+
+#: Operations that are found by their values.
+_BY_VALUE = ("add", "mul", "scale")
+#: What stands for position 0, beyond the numbers that stand for themselves.
+_FIRST = 2
 
 
 class MergingGraph(Graph):
@@ -27,8 +32,8 @@ class MergingGraph(Graph):
         self.field = field
         self._prime = field.prime
         self._value: list[int] = []
-        #: What has a value already: a number 0 or 1, a node, or the negative of one.
-        self._by_value: dict[int, Scalar] = {0: 0, 1: 1, field.prime - 1: -1}
+        #: What has a value already: a number -1, 0 or 1, or ``_FIRST`` + position, negative of minus a node.
+        self._by_value: dict[int, int] = {0: 0, 1: 1, field.prime - 1: -1}
 
     def _of(self, a: Scalar) -> int:
         if isinstance(a, Node):
@@ -36,29 +41,54 @@ class MergingGraph(Graph):
             return value if a.sign > 0 else self._prime - value
         return self.field.number(a)
 
+    def _known(self, known: int) -> Scalar:
+        """What stands in the table as ``known``."""
+        if known >= _FIRST:
+            return Node(self, known - _FIRST, 1)
+        return known if known > -_FIRST else Node(self, -known - _FIRST, -1)
+
     def add(self, a: Scalar, b: Scalar) -> Scalar:
         """``a + b``."""
         if isinstance(a, Node) or isinstance(b, Node):
             known = self._by_value.get((self._of(a) + self._of(b)) % self._prime)
             if known is not None:
-                return known
+                return self._known(known)
         return super().add(a, b)
 
     def mul(self, a: Scalar, b: Scalar) -> Scalar:
         """``a * b``."""
+        if isinstance(a, Node) and isinstance(b, Node):
+            i, j = a.position, b.position
+            sign = a.sign * b.sign
+            value = self._value[i] * self._value[j] % self._prime
+            known = self._by_value.get(value)
+            if known is not None:
+                return self._known(known * sign)
+            return Node(self, self._appended(("mul", i, j) if i <= j else ("mul", j, i), value), sign)
         if isinstance(a, Node) or isinstance(b, Node):
             known = self._by_value.get(self._of(a) * self._of(b) % self._prime)
             if known is not None:
-                return known
+                return self._known(known)
         return super().mul(a, b)
 
-    def _appended(self, key: Key) -> int:
-        position = super()._appended(key)
-        value = self._evaluated(key)
+    def _node(self, key: Key, sign: int = 1, known: Key | None = None) -> Node:
+        # Sums and products come here with new values only.
+        if key[0] in _BY_VALUE:
+            return Node(self, self._appended(key, self._evaluated(key)), sign)
+        known = known or key
+        position = self._table.get(known)
+        if position is None:
+            position = self._table[known] = self._appended(key, self._evaluated(key))
+        return Node(self, position, sign)
+
+    def _appended(self, key: Key, value: int) -> int:
+        position = len(self.keys)
+        self.keys.append(key)
+        self.reads.append(children(key))
         self._value.append(value)
         if key[0] != "const" and value not in self._by_value:
-            self._by_value[value] = Node(self, position, 1)
-            self._by_value[self._prime - value] = Node(self, position, -1)
+            self._by_value[value] = _FIRST + position
+            self._by_value[self._prime - value] = -_FIRST - position
         return position
 
     def _evaluated(self, key: Key) -> int:

@@ -43,14 +43,18 @@ class _Signs:
         for p in self.positions:
             for child in dict.fromkeys(graph.reads[p]):
                 self.users[child].append(p)
-        self.wanted: dict[int, list[int]] = {}
-        for _, values in outputs:
-            for value in values:
-                if isinstance(value, Node):
-                    self.wanted.setdefault(value.position, []).append(value.sign)
         labels = graph.labels
         self.named = {p: -1 if labels[p].negative else 1 for p in self.positions if p in labels}
         self.sign = [1] * len(keys)
+        #: What a sign, 1 or -1 (the last), of a position costs at outputs, and a little for a named quantity
+        #: that stands with its sign reversed.
+        self.own: tuple[list[int], ...] = ([], [0] * len(keys), [0] * len(keys))
+        for _, values in outputs:
+            for value in values:
+                if isinstance(value, Node):
+                    self.own[-value.sign][value.position] += _MINUS
+        for p, sign in self.named.items():
+            self.own[-sign][p] += 1
 
     def of_names(self) -> list[int]:
         """The signs with which each quantity stands as its name says."""
@@ -64,6 +68,7 @@ class _Signs:
         """Coordinate descent from ``start``: flip a sign where that saves something, or once where it
         costs nothing; then look at its neighbours. The cost reached, and the signs."""
         self.sign = sign = start
+        own, users, reads = self.own, self.users, self.reads
         at = [0] * len(self.keys)
         for p in self.positions:
             at[p] = self._at(p)
@@ -74,15 +79,17 @@ class _Signs:
         while queue and flips < 20 * len(self.positions):
             p = queue.pop()
             waiting[p] = 0
-            touched = [p, *self.users[p]]
-            costs = [at[q] for q in touched]
-            before = sum(costs) + self._own(p)
+            before = at[p] + own[sign[p]][p]
+            for q in users[p]:
+                before += at[q]
             if not before:
                 continue
             sign[p] = -sign[p]
+            touched = [p, *users[p]]
+            costs = [at[q] for q in touched]
             for q in touched:
                 at[q] = self._at(q)
-            after = sum([at[q] for q in touched]) + self._own(p)
+            after = sum([at[q] for q in touched]) + own[sign[p]][p]
             if after > before or (after == before and p in sidestepped):
                 sign[p] = -sign[p]
                 for q, cost in zip(touched, costs, strict=True):
@@ -91,24 +98,12 @@ class _Signs:
             if after == before:
                 sidestepped.add(p)
             flips += 1
-            near = [*dict.fromkeys(self.reads[p]), *self.users[p]]
-            near += [child for user in self.users[p] for child in dict.fromkeys(self.reads[user])]
-            for q in near:
+            near = [child for user in users[p] for child in reads[user]]
+            for q in (*reads[p], *users[p], *near):
                 if self.is_free[q] and not waiting[q]:
                     waiting[q] = 1
                     queue.append(q)
-        return sum(at) + sum(map(self._own, {*self.named, *self.wanted})), sign
-
-    def _own(self, p: int) -> int:
-        """What the sign of ``p`` costs at outputs, and a little for a named quantity that stands with its
-        sign reversed."""
-        own = self.sign[p]
-        total = 0
-        if p in self.wanted:
-            total = sum([_MINUS for sign in self.wanted[p] if sign != own])
-        if self.named.get(p, own) != own:
-            total += 1
-        return total
+        return sum(at) + sum([own[sign[p]][p] for p in self.positions]), sign
 
     def _at(self, p: int) -> int:
         """What computing ``p`` with its sign costs: minuses there, and a little for a constant that stands
