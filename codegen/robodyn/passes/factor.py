@@ -44,7 +44,7 @@ class _Factoring:
         self.graph, self.outputs = graph, outputs
         keys, reads = graph.keys, graph.reads
         self.positions = needed(graph, outputs)
-        self.uses = uses = [0] * len(keys)
+        uses = [0] * len(keys)
         self.cost = 0
         sums = []
         for p in self.positions:
@@ -58,14 +58,20 @@ class _Factoring:
             for v in values:
                 if isinstance(v, Node):
                     uses[v.position] += 1
-        # Additions that serve one other addition only are part of that one's sum.
-        self.inner = {
-            child
-            for p in sums
-            for child in (keys[p][1], keys[p][3])
-            if keys[child][0] == "add" and uses[child] == 1
-        }
-        self.roots = [p for p in sums if p not in self.inner]
+        # Additions that serve one other addition only are part of that one's sum; products that serve one
+        # thing only may be taken apart.
+        self.inner = inner = bytearray(len(keys))
+        self.single = single = bytearray(len(keys))
+        for p in sums:
+            for child in reads[p]:
+                if uses[child] == 1:
+                    inner[child] = keys[child][0] == "add"
+                    single[child] = keys[child][0] in _PRODUCTS
+        self.roots = []
+        for p in sums:
+            one, other = reads[p]
+            if not inner[p] and (inner[one] or inner[other] or (single[one] and single[other])):
+                self.roots.append(p)
 
     def factored(self) -> tuple[Graph, Outputs] | None:
         """The graph with every factorable sum factored, and its outputs; None if there is none."""
@@ -100,7 +106,7 @@ class _Factoring:
         stack: list[Term] = [(root, 1)]
         while stack:
             p, sign = stack.pop()
-            if p == root or p in self.inner:
+            if p == root or self.inner[p]:
                 _, i, relative, j = keys[p]
                 stack.append((j, sign * relative))
                 stack.append((i, sign))
@@ -115,15 +121,15 @@ class _Factoring:
         while stack:
             key = self.graph.keys[stack.pop()]
             for child in (key[1], key[3]):
-                if child in self.inner:
+                if self.inner[child]:
                     inside.append(child)
                     stack.append(child)
         return inside
 
     def _common(self, terms: list[Term]) -> Any:
         """The factor that most products of ``terms`` share, or None."""
-        keys, uses = self.graph.keys, self.uses
-        products = [_factors(keys[p]) for p, _ in terms if uses[p] == 1 and keys[p][0] in _PRODUCTS]
+        keys = self.graph.keys
+        products = [_factors(keys[p]) for p, _ in terms if self.single[p]]
         if len(products) < 2:
             return None
         counts: dict[Any, int] = {}
@@ -139,7 +145,7 @@ class _Factoring:
         rest: Scalar = 0
         for p, sign in terms:
             factors = _factors(self.graph.keys[p])
-            if self.uses[p] == 1 and common in factors:
+            if self.single[p] and common in factors:
                 cofactor = factors[1] if factors[0] == common else factors[0]
                 group = group + sign * _value(cofactor, copies)
             else:
