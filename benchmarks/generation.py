@@ -146,8 +146,8 @@ def measured_long(runs: int) -> tuple[list[Timing], int]:
             command += ["--functions", functions, "--optimize", "fast"]
             joints = arm if isinstance(arm, int) else load(arm, warn=lambda _: None).n
             timings.append(Timing(f"{joints} joints, {which}", of_process(command, runs), limit))
-    made = generate(load(SEVEN, warn=lambda _: None), Options(DERIVATIVES, optimize="fast"))
-    return timings, len(made.files(("c",))[f"{SEVEN}.c"].encode())
+    kernels = generate(load(SEVEN, warn=lambda _: None), Options(DERIVATIVES, optimize="fast"))
+    return timings, len(kernels.files(("c",))[f"{SEVEN}.c"].encode())
 
 
 def table(timings: Sequence[Timing]) -> str:

@@ -17,6 +17,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from numbers import Rational
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, Motion, Symmetric
@@ -36,24 +37,42 @@ _OWN = {True: ("Kxx", "Kyy", "Kxy", "Kxz", "Kyz", "mx", "my"), False: ("m", "mx"
 
 
 def base_set(arm: Arm) -> tuple[BaseParameter, ...]:
-    """The base parameters of ``arm``, base to tip; its lengths and angles are integers and fractions.
+    """The base parameters of ``arm``, base to tip; its lengths and angles are rational numbers of any kind.
 
     Raises
     ------
     InputError: a length is a run-time parameter.
     """
-    lengths = [x for body in arm.bodies for x in (body.a, body.b, body.d)]
-    if not all(isinstance(x, (int, Fraction)) for x in lengths):
+    if not all(isinstance(x, Rational) for body in arm.bodies for x in (body.a, body.b, body.d)):
         raise InputError(
             "base parameters depend on the arm's lengths",
             found="a length that is a run-time parameter",
             remedy="state it as a number; masses may stay run-time parameters",
         )
     bodies = tuple(
-        replace(body, mass=0, com=(0, 0, 0), inertia=NO_LUMP.second, motor_inertia=0, viscous=0, coulomb=0)
+        replace(
+            body,
+            cos_alpha=_fraction(body.cos_alpha),
+            sin_alpha=_fraction(body.sin_alpha),
+            a=_fraction(body.a),
+            b=_fraction(body.b),
+            d=_fraction(body.d),
+            mass=0,
+            com=(0, 0, 0),
+            inertia=NO_LUMP.second,
+            motor_inertia=0,
+            viscous=0,
+            coulomb=0,
+        )
         for body in arm.bodies
     )
-    return _base_set(Arm(bodies, arm.gravity, arm.rest_velocity, arm.dead_band, motors=arm.motors))
+    gravity = (_fraction(arm.gravity[0]), _fraction(arm.gravity[1]), _fraction(arm.gravity[2]))
+    return _base_set(Arm(bodies, gravity, arm.rest_velocity, arm.dead_band, motors=arm.motors))
+
+
+def _fraction(x: Any) -> Any:
+    """``x`` as a fraction if it is a rational number of any kind, sympy's too; else as it is."""
+    return Fraction(int(x.numerator), int(x.denominator)) if isinstance(x, Rational) else x
 
 
 @functools.lru_cache(maxsize=64)

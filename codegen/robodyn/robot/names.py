@@ -11,7 +11,7 @@ from collections.abc import Iterable
 from robodyn.errors import InputError
 from robodyn.robot.macros import macro_of
 
-#: Longest name of a robot. Fortran allows 63 characters, and the longest suffix takes 20 of them.
+#: Longest name of a robot. Fortran allows 63 characters, and no function of the default set takes over 17.
 ROBOT_NAME_LENGTH = 40
 #: Longest name of a run-time parameter: what C99 promises to tell apart.
 PARAMETER_NAME_LENGTH = 31
