@@ -28,7 +28,7 @@ def markdown(figures: Mapping[str, Any]) -> str:
         *_not_below(figures),
     ]
     for function in functions(figures):
-        parts += [f"## {function}", _of_function(figures, function)]
+        parts += [f"## {function}", of_function(figures, function)]
     parts += ["## Not counted", _missing(figures)]
     return "\n\n".join(part for part in parts if part) + "\n"
 
@@ -129,7 +129,7 @@ def summary(figures: Mapping[str, Any]) -> str:
     return table_of(("function", "least ratio", "median", "largest", "best of the others, most often"), lines)
 
 
-def _of_function(figures: Mapping[str, Any], function: str) -> str:
+def of_function(figures: Mapping[str, Any], function: str) -> str:
     lines = [
         (f"`{robot}`", *_cells(table[function]))
         for robot, table in figures["robots"].items()

@@ -10,17 +10,18 @@ from robodyn_site.outside import ROOT
 DOCS: Final = ROOT / "docs"
 
 
-def documents() -> set[str]:
-    """The documents in this folder, by their paths in the site."""
-    return {path.relative_to(DOCS).as_posix() for path in DOCS.rglob("*.md")}
+def documents() -> list[str]:
+    """The documents in this folder, by their paths in the site, in the order of their names."""
+    return sorted(path.relative_to(DOCS).as_posix() for path in DOCS.rglob("*.md"))
 
 
 def expanded(nav: Any, pages: Iterable[str]) -> Any:
-    """``nav`` of mkdocs.yml with the pages of each folder that it names: the index first, the rest by name.
+    """``nav`` of mkdocs.yml with the pages of each folder that it names: the index, the others as they come.
 
     What is named by itself is left out of its folder, and a section without a page is left out.
     """
-    return _expanded(nav, sorted(set(pages) - set(named(nav)), key=_index_first))
+    alone = set(named(nav))
+    return _expanded(nav, sorted((page for page in pages if page not in alone), key=_is_no_index))
 
 
 def named(nav: Any) -> list[str]:
@@ -31,8 +32,8 @@ def named(nav: Any) -> list[str]:
     return [path for item in items for path in named(item)]
 
 
-def _index_first(path: str) -> tuple[bool, str]:
-    return not path.endswith(("/index.md", "/README.md")), path
+def _is_no_index(path: str) -> bool:
+    return not path.endswith(("/index.md", "/README.md"))
 
 
 def _expanded(items: list[Any], pages: list[str]) -> list[Any]:

@@ -14,13 +14,19 @@ ROOT: Final = Path(__file__).parents[2]
 DOCUMENTS: Final = {
     "contributing.md": "CONTRIBUTING.md",
     "changelog.md": "CHANGELOG.md",
-    "benchmarks/functions.md": "benchmarks/results/functions.md",
+    "benchmarks/index.md": "benchmarks/README.md",
+    "robots.md": "robots/README.md",
 }
 #: Picture of the site -> picture of the repository.
 PICTURES: Final = {
-    "benchmarks/gap.svg": "benchmarks/results/gap.svg",
+    f"benchmarks/{name}.svg": f"benchmarks/results/{name}.svg" for name in ("gap", "growth", "peers")
 }
-_SITE_OF: Final = {source: page for page, source in (DOCUMENTS | PICTURES).items()}
+#: Made from results: page of the site -> document of the repository that the same code has written.
+RESULTS: Final = {
+    f"benchmarks/{name}.md": f"benchmarks/results/{name}.md"
+    for name in ("functions", "gap", "limits", "peers")
+}
+_SITE_OF: Final = {source: page for page, source in (DOCUMENTS | PICTURES | RESULTS).items()}
 _LINK: Final = re.compile(r"(\]\()([^)#:\s]+)(#[^)\s]*)?(\))")
 
 
@@ -34,7 +40,7 @@ def relinked(text: str, page: str) -> str:
 
     A link to what is not in the site stays as it is, and the strict build refuses it.
     """
-    here = folder_of(DOCUMENTS.get(page, f"docs/{page}"))
+    here = folder_of((DOCUMENTS | RESULTS).get(page, f"docs/{page}"))
 
     def link(match: re.Match[str]) -> str:
         path = normpath(join(here, match[2]))

@@ -81,6 +81,7 @@ def test_bench_names_what_is_not_measured(capsys: Capture, monkeypatch: pytest.M
     assert "pin.rnea" not in out
 
 
+@pytest.mark.thorough
 def test_bench_beside_peers_that_do_not_know_the_robot(capsys: Capture, tmp_path: Path) -> None:
     require_tool("gcc")
     before, at, after = bundled_text("puma560_3dof").partition("    motor_inertia: 1.14\n")

@@ -86,7 +86,7 @@ def test_what_the_language_lacks_is_refused(run: Run, options: list[str], messag
 
 
 def test_every_command_of_the_recipe_works(run: Run, copy: Path) -> None:
-    commands = [line.split() for line in _block("sh").splitlines()]
+    commands = [line.removeprefix("$ ").split() for line in _block("console").splitlines()]
     assert [command[:2] for command in commands] == [["robodyn", "gen"]] * 2
     for command in commands:
         run(*command[1:])

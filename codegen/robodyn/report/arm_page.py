@@ -22,7 +22,8 @@ from robodyn.draw.mathml import of_latex
 from robodyn.emit.render import environment
 from robodyn.report.arm_data import Arm
 from robodyn.report.diagnosis_frames import Chart, Frame, Mark, span
-from robodyn.report.gantt import gantt_svg, layers_svg
+from robodyn.report.gantt import gantt_svg
+from robodyn.report.layers import layers_svg
 
 #: What the script is told of an arm; the rest of its data stands in the page.
 _LIVE: Final = ("robot", "base", "reach", "joints", "links", "home", "kernel", "motion")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from fractions import Fraction
 from typing import Any
 
@@ -67,17 +67,24 @@ calls. A velocity that is merely wrong bends a bristle to its level at most.
 def page(ids: Iterable[str] = CATALOGUE) -> str:
     """The page of all effects, or of ``ids``, in Markdown."""
     chosen = [CATALOGUE[id] for id in ids]
-    index = "".join(f"- [`{e.id}`](#{e.id}): {e.title}\n" for e in chosen)
-    head = _HEAD + index + "\n" if len(chosen) > 1 else ""
+    head = overview(chosen, lambda id: f"#{id}") + "\n" if len(chosen) > 1 else ""
     return head + "\n".join(map(section, chosen))
+
+
+def overview(effects: Iterable[Effect], link: Callable[[str], str]) -> str:
+    """What holds of all effects, and a list of them, each with a ``link``, in Markdown."""
+    return _HEAD + "".join(f"- [`{effect.id}`]({link(effect.id)}): {effect.title}\n" for effect in effects)
 
 
 def section(effect: Effect) -> str:
     """One effect in Markdown."""
+    return f"## {effect.id}\n\n{body(effect, f'**{effect.title}**', lambda id: f'`{id}`')}"
+
+
+def body(effect: Effect, name: str, rival: Callable[[str], str]) -> str:
+    """One effect in Markdown without its heading, ``name`` and each ``rival`` as they shall be shown."""
     lines = [
-        f"## {effect.id}",
-        "",
-        f"**{effect.title}**: {_WHERE[effect.level]}; acts {_PLACES[effect.place]}; {_KINDS[effect.kind]}.",
+        f"{name}: {_WHERE[effect.level]}; acts {_PLACES[effect.place]}; {_KINDS[effect.kind]}.",
         "",
         f"$${effect.latex}$$",
         "",
@@ -88,7 +95,7 @@ def section(effect: Effect) -> str:
         *map(_row, effect.parameters),
         "",
         f"- In a log: {effect.signature}.",
-        f"- Rivals: {', '.join(f'`{rival}`' for rival in effect.rivals) or 'none'}.",
+        f"- Rivals: {', '.join(map(rival, effect.rivals)) or 'none'}.",
         f"- What separates them: {effect.separates}.",
         f"- Source: {effect.source}.",
     ]
