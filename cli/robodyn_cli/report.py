@@ -31,7 +31,6 @@ if TYPE_CHECKING:
 @click.argument("other", type=ROBOTS, metavar="[ROBOT]", required=False)
 @click.option(
     "-o",
-    "--out",
     "--output",
     "out",
     metavar="PATH",

@@ -200,3 +200,5 @@ def test_names_and_expressions() -> None:
     difference = Apply("sub", (q, Apply("add", ("s2", Fraction(-1, 2)))))
     text = of_expression(Apply("mul", (difference, Fraction(5, 2))))
     assert re.sub("<[^>]*>", "", text) == "(q1−(s2+(−0.5)))·2.5"
+    signed = Apply("sub", (Apply("mul", (Fraction(-2), "s2")), Apply("mul", ("neg_c2", q))))
+    assert re.sub("<[^>]*>|&#x2062;", "", of_expression(signed)) == "−2s2−(−c2q1)"

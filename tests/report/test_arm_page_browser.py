@@ -44,7 +44,7 @@ OUTSIDE = """
 const wide = document.documentElement.clientWidth;
 return [...document.querySelectorAll("body *")].filter(e => {
   const b = e.getBoundingClientRect();
-  const apart = e.closest(".scroll, .law, .group-of, label, pre, .ink");
+  const apart = e.closest(".scroll, .law, .steps-of, label, pre, .ink");
   return b.width > 0 && (b.right > wide + 0.5 || b.left < -0.5) && !apart;
 }).map(e => e.outerHTML.slice(0, 120));
 """
@@ -56,18 +56,24 @@ def robot(name: str) -> Robot:
     return load(name, warn=lambda _: None)
 
 
+class Pages(dict[str, Path]):
+    """Pages by the arm's name, made when they are asked for; "two": a page of two arms."""
+
+    def __init__(self, folder: Path) -> None:
+        super().__init__()
+        self.folder = folder
+
+    def __missing__(self, name: str) -> Path:
+        arms = [arm_of(robot(one)) for one in (PAIR if name == "two" else (name,))]
+        comparison = to_dict(compare(arms[0].robot, arms[1].robot)) if name == "two" else None
+        self[name] = self.folder / f"{name}.html"
+        self[name].write_text(page(arms, comparison), encoding="utf-8")
+        return self[name]
+
+
 @pytest.fixture(scope="module")
-def files(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
-    """Pages by the arm's name, and one of two arms."""
-    folder = tmp_path_factory.mktemp("arms")
-    texts = {name: page([arm_of(robot(name))]) for name in NAMES}
-    two = [arm_of(robot(name)) for name in PAIR]
-    texts["two"] = page(two, to_dict(compare(two[0].robot, two[1].robot)))
-    places = {}
-    for name, text in texts.items():
-        places[name] = folder / f"{name}.html"
-        places[name].write_text(text, encoding="utf-8")
-    return places
+def files(tmp_path_factory: pytest.TempPathFactory) -> Pages:
+    return Pages(tmp_path_factory.mktemp("arms"))
 
 
 def moved(browser: Browser, *state: list[float]) -> list[dict[str, Any]]:
@@ -76,9 +82,7 @@ def moved(browser: Browser, *state: list[float]) -> list[dict[str, Any]]:
 
 
 @pytest.mark.parametrize("name", [*NAMES, "two"])
-def test_it_asks_for_nothing_and_nothing_goes_wrong(
-    browser: Browser, files: dict[str, Path], name: str
-) -> None:
+def test_it_asks_for_nothing_and_nothing_goes_wrong(browser: Browser, files: Pages, name: str) -> None:
     """Nor is it large."""
     visit = browser.open(files[name])
     assert visit.complaints == ()
@@ -90,7 +94,7 @@ def test_it_asks_for_nothing_and_nothing_goes_wrong(
 
 
 @pytest.mark.parametrize("name", bundled_names())
-def test_sliders_give_the_torques_of_the_c(browser: Browser, files: dict[str, Path], name: str) -> None:
+def test_sliders_give_the_torques_of_the_c(browser: Browser, files: Pages, name: str) -> None:
     """Within 1e-12 of the largest; the same bits, in fact, with the same sine."""
     browser.open(files[name])
     arm = robot(name)
@@ -113,7 +117,7 @@ def test_sliders_give_the_torques_of_the_c(browser: Browser, files: dict[str, Pa
         np.testing.assert_allclose(shown, expected, rtol=1e-2, atol=1e-2 * np.abs(expected).max())
 
 
-def test_two_arms_are_moved_alike(browser: Browser, files: dict[str, Path]) -> None:
+def test_two_arms_are_moved_alike(browser: Browser, files: Pages) -> None:
     browser.open(files["two"])
     q = [0.3, -0.4, 0.5, 0.1, -0.2, 0.6]
     for seen, name in zip(moved(browser, q, [0.0] * 6, [0.0] * 6), PAIR, strict=True):
@@ -124,7 +128,7 @@ def test_two_arms_are_moved_alike(browser: Browser, files: dict[str, Path]) -> N
     assert len(browser.all("#differences ~ .scroll tbody tr")) > 5
 
 
-def test_a_drag_turns_it_and_draws_once_a_frame(browser: Browser, files: dict[str, Path]) -> None:
+def test_a_drag_turns_it_and_draws_once_a_frame(browser: Browser, files: Pages) -> None:
     """However many events come: benchmarks/pages.py measures what a frame takes."""
     browser.open(files["panda"])
     actions = require_module("selenium.webdriver").ActionChains(browser.driver)
@@ -141,7 +145,7 @@ def test_a_drag_turns_it_and_draws_once_a_frame(browser: Browser, files: dict[st
     assert 1 <= frames <= 3
 
 
-def test_the_motion_is_played(browser: Browser, files: dict[str, Path]) -> None:
+def test_the_motion_is_played(browser: Browser, files: Pages) -> None:
     """What remembers is carried from frame to frame; sliders, clock and curves follow."""
     browser.open(files[RUBBING_ARM])
     before = browser.run("return robodyn.panel.read()[0]")
@@ -161,7 +165,7 @@ def test_the_motion_is_played(browser: Browser, files: dict[str, Path]) -> None:
     assert browser.run("return robodyn.panel.read()[0]") == before
 
 
-def test_it_is_used_by_keys(browser: Browser, files: dict[str, Path]) -> None:
+def test_it_is_used_by_keys(browser: Browser, files: Pages) -> None:
     """Tab comes to the drawing and to every control; arrows turn and move."""
     keys = require_module("selenium.webdriver.common.keys").Keys
     browser.open(files["puma560"])
@@ -186,9 +190,7 @@ def test_it_is_used_by_keys(browser: Browser, files: dict[str, Path]) -> None:
 
 @pytest.mark.parametrize("width", [1280, 700, PHONE, 320])
 @pytest.mark.parametrize("name", ["panda", "stanford", RUBBING_ARM, "two"])
-def test_nothing_is_wider_than_the_window(
-    browser: Browser, files: dict[str, Path], name: str, width: int
-) -> None:
+def test_nothing_is_wider_than_the_window(browser: Browser, files: Pages, name: str, width: int) -> None:
     browser.open(files[name], width=width)
     browser.unfold()
     assert browser.run("return document.documentElement.scrollWidth") <= width
@@ -198,9 +200,7 @@ def test_nothing_is_wider_than_the_window(
 @pytest.mark.parametrize("scheme", SCHEMES)
 @pytest.mark.parametrize("width", [1280, PHONE])
 @pytest.mark.parametrize("name", ["panda", "stanford", RUBBING_ARM, "two"])
-def test_it_is_accessible(
-    browser: Browser, files: dict[str, Path], name: str, width: int, scheme: str
-) -> None:
+def test_it_is_accessible(browser: Browser, files: Pages, name: str, width: int, scheme: str) -> None:
     browser.open(files[name], width=width, scheme=scheme)
     browser.screenshot(f"arm-{name}-{width}-{scheme}")
     assert browser.violations() == []
@@ -208,7 +208,7 @@ def test_it_is_accessible(
     assert browser.violations() == []
 
 
-def test_it_prints(browser: Browser, files: dict[str, Path]) -> None:
+def test_it_prints(browser: Browser, files: Pages) -> None:
     """On paper nothing is wider than the sheet, and there are no controls."""
     browser.open(files["puma560"], width=760, media="print", scheme="dark")
     assert browser.run("return document.documentElement.scrollWidth") <= 760

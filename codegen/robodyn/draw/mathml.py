@@ -9,7 +9,6 @@ holds it to every effect.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
 from fractions import Fraction
 from typing import Final
 
@@ -28,6 +27,8 @@ _SPACES: Final = {"quad": "1em", "qquad": "2em", ",": "0.17em", " ": "0.33em"}
 _FUNCTIONS: Final = frozenset({"cos", "sin", "tanh", "exp", "max", "min", "sgn"})
 _ACCENTS: Final = {"dot": "˙", "ddot": "¨"}
 _MATH: Final = {True: '<math display="block">', False: "<math>"}
+#: A function and the thin space before what it is of.
+_APPLIED: Final = '<mi>{}</mi><mo>&#x2061;</mo><mspace width="0.17em"></mspace>'
 _SIZES: Final = frozenset({"left", "right", "bigl", "bigr", "Bigl", "Bigr"})
 
 
@@ -105,7 +106,7 @@ class _Reader:
         if name in _GREEK:
             return f"<mi>{_GREEK[name]}</mi>"
         if name in _FUNCTIONS:
-            return f"<mi>{name}</mi><mo>&#x2061;</mo>" if len(name) > 1 else f"<mi>{name}</mi>"
+            return _APPLIED.format(name)
         if name in _SPACES:
             return f'<mspace width="{_SPACES[name]}"></mspace>'
         if name in _ACCENTS:
@@ -140,7 +141,7 @@ class _Reader:
         words = self._name()
         if command == "text":
             return f"<mtext>{words.replace(' ', chr(160))}</mtext>"
-        return f"<mi>{words}</mi><mo>&#x2061;</mo>"
+        return _APPLIED.format(words)
 
     def _rows(self, kind: str) -> str:
         """``cases`` or ``aligned``: rows of cells."""
@@ -179,7 +180,8 @@ _QUANTITIES: Final = {
 _ACCENTED: Final = {"qd": ("q", "˙"), "qdd": ("q", "¨")}
 _NAME: Final = re.compile(r"(neg_)?([A-Za-z]+)(\d+(?:to\d+)?)?(?:_([A-Za-z]+|\d+))?(?:_(\d+))?\Z")
 _PART: Final = re.compile(r"(.*)_part(\d+)\Z")
-_SUM, _PRODUCT, _ATOM = 1, 2, 3
+#: How strongly parts of an expression bind; what has a sign in front may begin a sum or product.
+_SUM, _SIGNED, _PRODUCT, _ATOM = 1, 2, 3, 4
 
 
 def equation(left: str, right: str) -> str:
@@ -227,33 +229,34 @@ def of_input(array: str, place: int | None) -> str:
     return f"<msub>{symbol}<mn>{place + 1}</mn></msub>"
 
 
-def of_expression(expression: Expression, known: Mapping[str, str] | None = None) -> str:
-    """``expression`` as MathML; ``known``: what names stand for, in the place of their symbols."""
-    return _of(expression, known or {})[0]
+def of_expression(expression: Expression) -> str:
+    """``expression`` as MathML."""
+    return _of(expression)[0]
 
 
-def _of(expression: Expression, known: Mapping[str, str]) -> tuple[str, int]:
+def _of(expression: Expression) -> tuple[str, int]:
     if isinstance(expression, str):
-        # The value is minus the quantity, which reads as such within a sum.
-        return known.get(expression, of_name(expression)), _SUM if expression.startswith("neg_") else _ATOM
+        # The value is minus the quantity.
+        strength = _SIGNED if expression.startswith("neg_") else _ATOM
+        return of_name(expression), strength
     if isinstance(expression, Input):
         return of_input(expression.array, expression.index), _ATOM
     if isinstance(expression, Fraction):
-        return of_number(expression), _ATOM if expression >= 0 else _SUM
+        return of_number(expression), _ATOM if expression >= 0 else _SIGNED
     op, args = expression
-    parts = [_of(arg, known) for arg in args]
+    parts = [_of(arg) for arg in args]
     if op in ("add", "sub"):
         second = _bracketed(parts[1], _PRODUCT)
         sign = "+" if op == "add" else "−"
         return f"<mrow>{parts[0][0]}<mo>{sign}</mo>{second}</mrow>", _SUM
     if op == "mul":
-        factors = [_bracketed(part, _PRODUCT) for part in parts]
+        left, right = _bracketed(parts[0], _SIGNED), _bracketed(parts[1], _PRODUCT)
         times = "·" if isinstance(args[1], Fraction) else "&#x2062;"
-        return f"<mrow>{factors[0]}<mo>{times}</mo>{factors[1]}</mrow>", _PRODUCT
+        return f"<mrow>{left}<mo>{times}</mo>{right}</mrow>", min(_PRODUCT, max(_SIGNED, parts[0][1]))
     if op == "div":
         return f"<mfrac>{parts[0][0]}{parts[1][0]}</mfrac>", _ATOM
     if op == "neg":
-        return f"<mrow><mo>−</mo>{_bracketed(parts[0], _PRODUCT)}</mrow>", _SUM
+        return f"<mrow><mo>−</mo>{_bracketed(parts[0], _PRODUCT)}</mrow>", _SIGNED
     if op == "sqrt":
         return f"<msqrt>{parts[0][0]}</msqrt>", _ATOM
     if op == "abs":
@@ -261,7 +264,7 @@ def _of(expression: Expression, known: Mapping[str, str]) -> tuple[str, int]:
     if op == "pow":
         return f"<msup>{_bracketed(parts[0], _ATOM)}{parts[1][0]}</msup>", _ATOM
     name = {"sign": "sgn"}.get(op, op)
-    return f"<mrow><mi>{name}</mi><mo>&#x2061;</mo>{_bracketed(parts[0], _ATOM)}</mrow>", _PRODUCT
+    return f"<mrow>{_APPLIED.format(name)}{_bracketed(parts[0], _ATOM)}</mrow>", _PRODUCT
 
 
 def _bracketed(part: tuple[str, int], least: int) -> str:
