@@ -13,7 +13,7 @@ ARM = "name: arm\nlinks: [{joint: revolute, mass: m_tool, com: [1, 0, 0]}]\n"
 
 
 def test_it_writes_a_page_and_says_so(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["report", "stanford_3dof", "--out", str(tmp_path / "pages")]) == 0
+    assert main(["report", "stanford_3dof", "-o", str(tmp_path / "pages")]) == 0
     out, err = capsys.readouterr()
     (file,) = (tmp_path / "pages").iterdir()
     assert file.name == "stanford_3dof.html"
