@@ -6,6 +6,7 @@ PYTHON ?= python3
 ROBOT ?= puma560.yaml
 WORKERS ?= 2
 EXTRAS ?= test,lint
+AXE := 4.14.1
 
 VENV := .venv
 PEERS := .venv-peers
@@ -53,6 +54,15 @@ flops-record: $(VENV)/.installed  ## recompute and prove the shipped record; fai
 benchmarks: $(PEERS)/.peers  ## race our kernels against their peers; writes benchmarks/results/
 	$(PEERS)/bin/python -m benchmarks.peers $(BENCHMARKS)
 
+.PHONY: tutorials
+tutorials: $(VENV)/.installed-dev  ## follow the tutorials literally, in a fresh environment with a home of its own
+	$(BIN)/python -m pytest -m thorough tests/documents/test_tutorials.py
+
+.PHONY: docs
+docs: $(VENV)/.installed-docs  ## build the documentation site into build/site; a warning is an error
+	@NO_MKDOCS_2_WARNING=1 $(BIN)/python -m mkdocs build --strict --quiet
+	@echo "build/site/index.html opens without a server"
+
 .PHONY: lint
 lint: $(VENV)/.installed-dev  ## ruff and mypy
 	$(BIN)/ruff check .
@@ -63,6 +73,10 @@ lint: $(VENV)/.installed-dev  ## ruff and mypy
 format: $(VENV)/.installed-dev  ## let ruff mend what it can
 	$(BIN)/ruff check --fix .
 	$(BIN)/ruff format .
+
+.PHONY: axe
+axe:  ## axe-core from npm: with it the tests of pages look for what is not accessible
+	@npm install --silent --no-audit --no-fund --no-save --prefix build/npm axe-core@$(AXE)
 
 .PHONY: clean
 clean:  ## remove the environment, build outputs and caches; generated/ stays
@@ -107,4 +121,9 @@ $(VENV)/.installed: pyproject.toml $(VENV)/.created
 $(VENV)/.installed-dev: pyproject.toml $(VENV)/.created
 	@echo "Installing robodyn with what its tests need" >&2
 	@$(PIP) --editable '.[$(EXTRAS)]'
+	@touch $@ $(VENV)/.installed
+
+$(VENV)/.installed-docs: pyproject.toml $(VENV)/.created
+	@echo "Installing robodyn with what its documentation site needs" >&2
+	@$(PIP) --editable '.[docs]'
 	@touch $@ $(VENV)/.installed

@@ -1,4 +1,5 @@
-"""Skips loudly what a machine lacks the tools for, and ends every run with the list of it."""
+"""Skips loudly what a machine lacks the tools for, and ends every run with the list of it; one browser for
+the tests of all pages."""
 
 from __future__ import annotations
 
@@ -9,6 +10,9 @@ from pathlib import Path
 import pytest
 
 from robodyn_testing import wanted
+from robodyn_testing.browser import browser
+
+__all__ = ["browser"]  # a fixture for all folders
 
 try:
     from hypothesis import HealthCheck, settings

@@ -2,29 +2,25 @@
 
 from __future__ import annotations
 
-import importlib
 import json
 import re
-import shlex
 import subprocess
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-import click
 import pytest
+from benchmarks import counts
 from benchmarks.gap.documents import shown as shown_table
 from benchmarks.gap.documents import tables
 
 from diagnose.hidden.cases import INSIDE
 from robodyn import errors
-from robodyn.counts.thesis import TABLE_2_10
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.kernels.generate import Options, generate
-from robodyn.kernels.generate import program as program_of
-from robodyn.robot import bundled_names, load
-from robodyn.thesis.other_tools import OPENSYMORO, PEERS
-from robodyn_cli.main import COMMANDS
+from robodyn.robot import load
+from robodyn.thesis.tables import make
+from robodyn.thesis.tables.picture_robots import robots_svg
 from robodyn_testing import require_machine, require_tool
 
 ROOT = Path(__file__).parents[1]
@@ -32,7 +28,6 @@ DOCUMENTS = {
     path.name: path.read_text(encoding="utf-8")
     for path in (ROOT / "README.md", *(ROOT / "docs").glob("*.md"))
 }
-README = DOCUMENTS["README.md"]
 
 
 def cells(text: str) -> list[list[str]]:
@@ -42,34 +37,26 @@ def cells(text: str) -> list[list[str]]:
 
 
 def test_there_are_as_many_effects_as_it_says() -> None:
-    assert re.findall(r"(\d+) effects", README) == [str(len(CATALOGUE))]
+    for page in ("README.md", "describe-a-robot.md"):
+        assert re.findall(r"(\d+) effects", DOCUMENTS[page]) == [str(len(CATALOGUE))]
     ((of, every),) = re.findall(r"\((\d+) of (\d+)\), which were added later", DOCUMENTS["diagnose.md"])
     assert (int(of), int(every)) == (len(INSIDE), len(CATALOGUE))
     later = [f"`{id}`" for id in CATALOGUE if id not in INSIDE]
     assert f"catalogue but {' and '.join(later)}" in DOCUMENTS["diagnose.md"]
 
 
-def test_the_table_of_counts_has_every_robot_its_joints_and_its_thesis() -> None:
-    (table,) = re.findall(r"<!-- counts -->\n(.*?)<!-- end -->", README, flags=re.DOTALL)
-    rows = {row[0].strip("`"): row for row in cells(table)}
-    assert list(rows) == sorted(bundled_names())
-    for name, (_, joints, none, *_, thesis) in rows.items():
-        robot = load(name, warn=lambda _: None)
-        assert joints == "".join(link.joint.kind[0].upper() for link in robot.links)
-        made = program_of(robot, "inverse_dynamics", Options(optimize="none"))
-        counted = sum(operation.op in ("add", "sub", "mul", "div") for operation in made.operations)
-        assert none == str(counted), name
-        others = {peer.tool: peer.total for peer in PEERS.get(name, ())}
-        assert rows[name][5] == str(others.get(OPENSYMORO, "")), name
-        compared = robot.compare
-        printed = TABLE_2_10.get(compared.row) if compared is not None and compared.table == "2.10" else None
-        assert thesis == ("" if printed is None else str(printed[0] + printed[1])), name
+def test_the_operations_of_all_robots_are_recomputed() -> None:
+    assert (
+        counts.page(DOCUMENTS["operation-counts.md"], table := make("robots"))
+        == DOCUMENTS["operation-counts.md"]
+    ), "run python -m benchmarks.counts"
+    assert counts.PICTURE.read_text(encoding="utf-8") == robots_svg(table)
 
 
 def test_ratios_to_peers_are_those_of_the_last_race() -> None:
     results = json.loads((ROOT / "benchmarks" / "results" / "peers.json").read_text(encoding="utf-8"))
     ratio = {row["key"]: row["ratio"][0] for row in results["native"]["rows"]}
-    text = " ".join(README.split())
+    text = " ".join(DOCUMENTS["speed.md"].split())
     for shown, value in (
         (f"Pinocchio's C++ takes {ratio['pinocchio']:.0f} times as long", ratio["pinocchio"]),
         (f"({ratio['pinocchio-checked']:.0f} times without `-DNDEBUG`)", ratio["pinocchio-checked"]),
@@ -93,7 +80,7 @@ def test_tables_of_benchmarks_are_those_of_the_results(
 
 
 def test_the_exit_codes_are_those_of_the_errors() -> None:
-    section = README.partition("## Exit codes")[2].partition("\n## ")[0]
+    section = DOCUMENTS["tour.md"].partition("## Exit codes")[2].partition("\n## ")[0]
     codes = {int(code) for row in cells(section) for code in row[0].split(",")}
     raised = {
         one.exit_code
@@ -101,11 +88,11 @@ def test_the_exit_codes_are_those_of_the_errors() -> None:
         if isinstance(one, type) and issubclass(one, errors.RobodynError)
     }
     assert raised <= codes
-    assert codes - raised == {0, 4, 129, 130, 143}
+    assert codes - raised == {0, 4, 70, 129, 130, 143}
 
 
 def test_the_lines_without_a_name_are_counted() -> None:
-    said = re.search(r"(\d+) of the (\d+) values in `puma560`", README)
+    said = re.search(r"(\d+) of the (\d+) values in `puma560`", DOCUMENTS["from-c-and-python.md"])
     assert said is not None
     source = (ROOT / "generated" / "puma560" / "puma560.c").read_text(encoding="ascii")
     (body,) = re.findall(r"^void puma560_inverse_dynamics\(.*?^}", source, flags=re.DOTALL | re.MULTILINE)
@@ -119,29 +106,6 @@ def test_the_readable_lines_in_kernels_are_emitted() -> None:
     (shown,) = re.findall(r"```c\n(.*?)```", section.partition("\n## ")[0], flags=re.DOTALL)
     options = Options(functions=("inverse_dynamics",), readable=True)
     assert shown in generate(load("puma560", warn=lambda _: None), options).files(("c",))["puma560.c"]
-
-
-def command_lines() -> list[tuple[str, list[str]]]:
-    """Every ``robodyn ...`` of the documents: where it stands, and its words."""
-    lines = []
-    for name, text in DOCUMENTS.items():
-        blocks = re.findall(r"```sh\n(.*?)```", text, flags=re.DOTALL)
-        indented = re.findall(r"^    (robodyn [a-z].*)$", text, flags=re.MULTILINE)
-        for line in [*"\n".join(blocks).splitlines(), *indented]:
-            if line.startswith("robodyn "):
-                lines.append((name, shlex.split(line, comments=True)[1:]))
-    return lines
-
-
-def test_every_command_shown_has_the_options_that_it_is_shown_with() -> None:
-    shown = command_lines()
-    assert len(shown) > 50
-    for where, (name, *words) in shown:
-        assert name in COMMANDS, f"{where}: robodyn {name}"
-        command: click.Command = importlib.import_module(COMMANDS[name][0]).command
-        known = {option for one in command.params for option in (*one.opts, *one.secondary_opts)}
-        used = {word.partition("=")[0] for word in words if re.match(r"--?[a-z]", word)}
-        assert used <= known | {"--help"}, f"{where}: robodyn {name} {' '.join(words)}"
 
 
 @pytest.mark.thorough
@@ -160,4 +124,4 @@ def test_the_instructions_are_measured(trig: str, options: tuple[str, ...]) -> N
         counted = measure("puma560", trig, scalar, "x86-64-v3")
         assert counted.call == int(figure)
     if trig == "builtin":
-        assert f"a call takes {row[1]}\ninstructions" in README
+        assert f"takes {row[1]} instructions" in DOCUMENTS["speed.md"]

@@ -26,7 +26,7 @@ LATE = {"sympy", "numpy", "scipy", "matplotlib"}
 LEAN = {"ir", "robot", "dynamics", "passes", "counts", "optimize", "emit"}
 FACADE = {"__init__", "__main__"}
 #: Folders whose files are held to a length, and that length.
-TOPS, LINES = ("codegen", "cli", "tests", "benchmarks"), 350
+TOPS, LINES = ("codegen", "cli", "docs", "tests", "benchmarks"), 350
 FILES = sorted(path.relative_to(ROOT) for path in ROOT.rglob("*.py"))
 
 

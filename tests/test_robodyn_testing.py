@@ -18,6 +18,7 @@ from robodyn_testing import (
     representative,
     require_machine,
     require_module,
+    require_npm_package,
     require_tool,
     sampled,
     wanted,
@@ -43,7 +44,7 @@ def test_what_is_there_is_returned() -> None:
     assert require_tool("sh") == shutil.which("sh")
 
 
-@pytest.mark.parametrize("require", [require_tool, require_module])
+@pytest.mark.parametrize("require", [require_tool, require_module, require_npm_package])
 @pytest.mark.parametrize(
     ("ci", "outcome"),
     [(None, pytest.skip.Exception), ("", pytest.skip.Exception), ("true", pytest.fail.Exception)],
@@ -57,7 +58,7 @@ def test_what_is_missing_is_named(
     monkeypatch.delenv("CI", raising=False)
     if ci is not None:
         monkeypatch.setenv("CI", ci)
-    with pytest.raises(outcome, match=r"^missing: (program|module) no_such_thing.*; .*install"):
+    with pytest.raises(outcome, match=r"^missing: (program|module|npm package) no_such_thing.*; .*install"):
         require("no_such_thing")
 
 

@@ -45,17 +45,17 @@ def _until_stopped(tool: str, folder: Path, functions: Sequence[str], seconds: i
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
         ways: list[Any] = []
-        left = iter(functions)
+        waiting = iter(functions)
         for line in process.stdout:
             if not line.startswith("{"):  # a tool may say something itself
                 continue
-            said = json.loads(line)
-            if "count" in said:
-                ways.append((said["count"], said["values"]))
+            answer = json.loads(line)
+            if "count" in answer:
+                ways.append((answer["count"], answer["values"]))
             else:
-                yield Answers(next(left), tuple(ways), said.get("why"))
+                yield Answers(next(waiting), tuple(ways), answer.get("why"))
                 ways = []
-    stopped = next(left, None)
+    stopped = next(waiting, None)
     if stopped is not None:
         late = process.returncode == -signal.SIGXCPU
         yield Answers(stopped, tuple(ways), f"not done within {seconds} s" if late else "the tool has died")

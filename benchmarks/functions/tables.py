@@ -28,7 +28,7 @@ def markdown(figures: Mapping[str, Any]) -> str:
         *_not_below(figures),
     ]
     for function in functions(figures):
-        parts += [f"## {function}", _of_function(figures, function)]
+        parts += [f"## {function}", of_function(figures, function)]
     parts += ["## Not counted", _missing(figures)]
     return "\n\n".join(part for part in parts if part) + "\n"
 
@@ -118,10 +118,10 @@ def summary(figures: Mapping[str, Any]) -> str:
     lines = []
     for function in functions(figures):
         rows = [table[function] for table in figures["robots"].values() if function in table]
-        found = [best for best in map(ratio, rows) if best is not None]
-        if not found:
+        bests = [best for best in map(ratio, rows) if best is not None]
+        if not bests:
             continue
-        ratios, tools = [best[0] for best in found], [best[1] for best in found]
+        ratios, tools = [best[0] for best in bests], [best[1] for best in bests]
         often = max(TITLES, key=tools.count)
         others = f"{TITLES[often]} ({tools.count(often)} of {len(tools)})"
         cells = (min(ratios), median(ratios), max(ratios))
@@ -129,7 +129,7 @@ def summary(figures: Mapping[str, Any]) -> str:
     return table_of(("function", "least ratio", "median", "largest", "best of the others, most often"), lines)
 
 
-def _of_function(figures: Mapping[str, Any], function: str) -> str:
+def of_function(figures: Mapping[str, Any], function: str) -> str:
     lines = [
         (f"`{robot}`", *_cells(table[function]))
         for robot, table in figures["robots"].items()

@@ -53,8 +53,8 @@ def casadi(arm: Numbers, function: str, states: Floats, folder: Path) -> Iterato
     for write in NATURAL[function]:
         values = write(State(arm, SX(), *(ca.vertsplit(x) for x in symbols)))
         if values is not None:
-            made = ca.Function("f", symbols, [ca.cse(ca.densify(ca.vertcat(*map(ca.SX, values))))])
-            yield of_casadi(made), _values_of_casadi(made, states)
+            traced = ca.Function("f", symbols, [ca.cse(ca.densify(ca.vertcat(*map(ca.SX, values))))])
+            yield of_casadi(traced), _values_of_casadi(traced, states)
 
 
 def pinocchio(arm: Numbers, function: str, states: Floats, folder: Path) -> Iterator[Result]:
@@ -63,8 +63,8 @@ def pinocchio(arm: Numbers, function: str, states: Floats, folder: Path) -> Iter
 
     for path in sorted(folder.glob(f"pinocchio_{function}*.casadi")):
         if path.stem.removeprefix(f"pinocchio_{function}") in ("", "_world"):
-            made = ca.Function.load(str(path))
-            yield of_casadi(made), _values_of_casadi(made, states)
+            traced = ca.Function.load(str(path))
+            yield of_casadi(traced), _values_of_casadi(traced, states)
 
 
 def _values_of_casadi(function: Any, states: Floats) -> Floats:
@@ -103,14 +103,14 @@ def symforce(arm: Numbers, function: str, states: Floats, folder: Path) -> Itera
         if values is None:
             continue
         with tempfile.TemporaryDirectory() as name:
-            made = codegen.Codegen(
+            generated = codegen.Codegen(
                 inputs=Named(**{key: sf.Matrix([[x] for x in symbols]) for key, symbols in arrays.items()}),
                 outputs=Named(out=sf.Matrix([[x] for x in values])),
                 config=codegen.PythonConfig(),
                 name="f",
                 return_key="out",
             ).generate_function(output_dir=Path(name), skip_directory_nesting=True)
-            text = Path(made.generated_files[0]).read_text(encoding="utf-8")
+            text = Path(generated.generated_files[0]).read_text(encoding="utf-8")
         yield of_python(text), _values_of_python(text, states)
 
 
@@ -166,9 +166,9 @@ def _values_of_python(text: str, states: Floats) -> Floats:
     """What the function that ``text`` defines computes: it is run, as any peer's code is that we race."""
     import math
 
-    kept = "\n".join(line for line in text.splitlines() if line.strip() != "import sym")
+    source = "\n".join(line for line in text.splitlines() if line.strip() != "import sym")
     names: dict[str, Any] = {"np": np, "numpy": np, "math": math}
-    exec(compile(kept, "generated", "exec"), names)
+    exec(compile(source, "generated", "exec"), names)
     return np.array([np.array(names["f"](*state)).ravel() for state in states.swapaxes(0, 1)])
 
 

@@ -6,9 +6,15 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-_OURS, _THEIRS = "#1f6f8b", "#b0b0b0"
-_PLAIN: Any = {"svg.hashsalt": "robodyn", "svg.fonttype": "none", "font.size": 9}
+from robodyn.draw.panels import Bars, Panel, figure
+from robodyn.draw.style import GREEN, GREY, OURS, PURPLE, SKY
+
 Results = Mapping[str, Any]
+#: Colour of a tool, and whether it is pale.
+_LOOKS = {
+    "before": (GREY, True), "least_squares": (GREY, False), "mujoco_sysid": (GREEN, False),
+    "sparse": (PURPLE, False), "identify": (SKY, False), "diagnose": (OURS, False),
+}  # fmt: skip
 
 
 def markdown(results: Results) -> str:
@@ -67,53 +73,29 @@ def _most_joints(results: Results) -> int:
     return max(len(_shares(one)) for arm in results["arms"].values() for one in arm["rows"])
 
 
-def _legend(axes: Any) -> tuple[list[str], list[Any]]:
-    handles, labels = axes.get_legend_handles_labels()
-    return labels, handles
-
-
 def _shares(row: Mapping[str, Any]) -> list[float]:
     return row["held_out"]["percent"] if "held_out" in row else []
 
 
 def picture(results: Results, path: Path) -> None:
     """Bars of held-out shares of each joint, a panel for each arm."""
-    import matplotlib
-
-    matplotlib.use("svg")
-    import matplotlib.pyplot as plt
-
-    greys = {"before": "#e4e4e4", "least_squares": "#9a9a9a", "mujoco_sysid": "#c9b48a", "sparse": "#c98a8a"}
-    ours = {"identify": "#7fb3c4", "diagnose": _OURS}
     joints = _most_joints(results)
-    with plt.rc_context(_PLAIN):
-        figure, panels = plt.subplots(
-            len(results["arms"]),
-            1,
-            figsize=(9, 1.7 * len(results["arms"]) + 0.6),
-            layout="constrained",
-            squeeze=False,
+    panels = [
+        Panel(
+            name,
+            "joint",
+            "residual / torque, RMS [%]",
+            bars=tuple(
+                Bars(one["title"].replace("`", ""), _shares(one), *_LOOKS.get(one["tool"], (GREY, False)))
+                for one in rows
+            ),
+            categories=tuple(str(j + 1) for j in range(len(_shares(rows[0])))),
         )
-        for axes, (name, arm) in zip(panels[:, 0], results["arms"].items(), strict=True):
-            rows = [one for one in arm["rows"] if _shares(one)]
-            width = 0.8 / len(rows)
-            for k, one in enumerate(rows):
-                places = [j + 1 + (k - (len(rows) - 1) / 2) * width for j in range(len(_shares(one)))]
-                colour = (greys | ours).get(one["tool"], _THEIRS)
-                axes.bar(places, _shares(one), width, color=colour, label=one["title"].replace("`", ""))
-            axes.set(
-                xlim=(0.4, joints + 0.6),
-                ylim=(0, 100),
-                xticks=range(1, len(_shares(rows[0])) + 1),
-                ylabel=f"{name}\n% of torque",
-            )
-            axes.spines[["top", "right"]].set_visible(False)
-        panels[-1, 0].set_xlabel("joint")
-        shown = dict(pair for axes in panels[:, 0] for pair in zip(*_legend(axes), strict=True))
-        panels[0, 0].legend(
-            shown.values(), shown.keys(), frameon=False, ncols=3, loc="lower center", bbox_to_anchor=(0.5, 1)
-        )
-        figure.savefig(path, format="svg", metadata={"Date": None, "Creator": None})
-        plt.close(figure)
-    lines = path.read_text(encoding="utf-8").splitlines()
-    path.write_text("\n".join(line.rstrip() for line in lines) + "\n", encoding="utf-8")
+        for name, arm in results["arms"].items()
+        for rows in [[one for one in arm["rows"] if _shares(one)]]
+    ]
+    drawn = figure(
+        "What is left of real logs", "Samples that nobody fitted; shorter is better", panels, columns=1,
+        width=90 * joints,
+    )  # fmt: skip
+    path.write_text(drawn, encoding="utf-8")

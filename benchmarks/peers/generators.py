@@ -50,14 +50,14 @@ def _symforce(arm: Numbers, folder: Path) -> None:
 
     q, qd, qdd = (sf.Matrix([[sf.Symbol(f"{name}{i}")] for i in range(arm.n)]) for name in ("q", "qd", "qdd"))
     tau = inverse_dynamics(arm, list(q), list(qd), list(qdd), sf.sin, sf.cos)
-    made = codegen.Codegen(
+    generated = codegen.Codegen(
         inputs=Values(q=q, qd=qd, qdd=qdd),
         outputs=Values(tau=sf.Matrix([[x] for x in tau])),
         config=codegen.CppConfig(),
         name="inverse_dynamics",
         return_key="tau",
     ).generate_function(output_dir=folder / "out", skip_directory_nesting=True)
-    (folder / "generated.h").write_text(Path(made.generated_files[0]).read_text())
+    (folder / "generated.h").write_text(Path(generated.generated_files[0]).read_text())
 
 
 def _wrenfold(arm: Numbers, folder: Path) -> None:

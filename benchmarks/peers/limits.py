@@ -71,7 +71,8 @@ def bound_of(instructions: Sequence[str]) -> Bound:
         source = Path(folder) / "kernel.s"
         source.write_text("\n".join(instructions) + "\n", encoding="ascii")
         once, often = (
-            _said("llvm-mca", f"-mcpu={MODEL}", f"-iterations={calls}", str(source)) for calls in (1, CALLS)
+            output_of("llvm-mca", f"-mcpu={MODEL}", f"-iterations={calls}", str(source))
+            for calls in (1, CALLS)
         )
     return parsed(once, often)
 
@@ -79,11 +80,11 @@ def bound_of(instructions: Sequence[str]) -> Bound:
 def parsed(once: str, often: str) -> Bound:
     """The summaries that llvm-mca prints of one call and of :data:`CALLS`."""
 
-    def figure(said: str, name: str) -> float:
-        number = re.search(rf"^{name}:\s+([\d.]+)", said, flags=re.MULTILINE)
-        if number is None:
+    def figure(summary: str, name: str) -> float:
+        match = re.search(rf"^{name}:\s+([\d.]+)", summary, flags=re.MULTILINE)
+        if match is None:
             raise Lacking(f"llvm-mca says nothing of {name}")
-        return float(number[1])
+        return float(match[1])
 
     return Bound(
         instructions=int(figure(once, "Instructions")),
@@ -100,7 +101,7 @@ def measured(figures: Mapping[str, Any], work: Path) -> dict[str, Any]:
     for race in figures["functions"]["races"]:
         name, function = race["robot"], race["function"]
         library = work / name / function / "robodyn-native.so"
-        text = _said("objdump", "-d", "--no-show-raw-insn", "--no-addresses", str(library))
+        text = output_of("objdump", "-d", "--no-show-raw-insn", "--no-addresses", str(library))
         symbol = f"{name}_{function}"
         parts = {"sines": (symbol,), "rest": (f"{symbol}_given_",), "all": (symbol, f"{symbol}_given_")}
         bounds = {part: bound_of(instructions_of(text, symbols)) for part, symbols in parts.items()}
@@ -123,14 +124,14 @@ def measured(figures: Mapping[str, Any], work: Path) -> dict[str, Any]:
 def clock(work: Path) -> float:
     """The fastest of several loops of additions that wait for each other [GHz]: one takes a cycle."""
     ticks = program(work / "clock", Source(("clock.c",)), ("-O1",))
-    return max(float(x) for x in _said(str(ticks)).split())
+    return max(float(x) for x in output_of(str(ticks)).split())
 
 
-def markdown(found: Mapping[str, Any]) -> str:
+def markdown(bounds: Mapping[str, Any]) -> str:
     """limits.md."""
-    ghz = found["ghz"]
+    ghz = bounds["ghz"]
     lines = []
-    for row in found["rows"]:
+    for row in bounds["rows"]:
         whole, sines, rest = (row[part] for part in ("all", "sines", "rest"))
         cycles = [ghz * row[key] for key in ("ns", "target_ns")] + [whole["steady"], whole["units"]]
         chains = [part["latency"] for part in (whole, sines, rest)]
@@ -146,7 +147,7 @@ def markdown(found: Mapping[str, Any]) -> str:
         f"Cycles a call, at {ghz:.2f} GHz. Written by `python -m benchmarks.peers.limits`; made from "
         "`limits.json`. *Measured* is the race of `peers.json`, kernels compiled with `-O3 "
         "-march=native`; *wanted* what the strictest of the ratios asked for there comes to. The rest"
-        f" is llvm-mca's account of the compiled kernels ({found['model']}): *simulated*, {CALLS} "
+        f" is llvm-mca's account of the compiled kernels ({bounds['model']}): *simulated*, {CALLS} "
         "calls one after another, which overlap as far as the reorder buffer reaches; *units alone*, "
         "what the busiest execution unit needs, if nothing ever waited; *latency*, one call from its "
         "first to its last instruction, and its two parts.",
@@ -167,7 +168,7 @@ def verdict(measured: float, wanted: float, simulated: float, units: float) -> s
     return "the units: too many operations" if units > wanted else "latency"
 
 
-def _said(*command: str) -> str:
+def output_of(*command: str) -> str:
     if shutil.which(command[0]) is None:
         raise Lacking(f"there is no {command[0]}: apt-get install llvm binutils")
     done = subprocess.run(command, capture_output=True, text=True, check=False)
@@ -185,9 +186,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options = parser.parse_args(arguments)
     out = Path(options.out)
     figures = json.loads((out / "peers.json").read_text(encoding="utf-8"))
-    found = measured(figures, Path(options.work).resolve())
-    (out / "limits.json").write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")
-    (out / "limits.md").write_text(markdown(found), encoding="utf-8")
+    bounds = measured(figures, Path(options.work).resolve())
+    (out / "limits.json").write_text(json.dumps(bounds, indent=1) + "\n", encoding="utf-8")
+    (out / "limits.md").write_text(markdown(bounds), encoding="utf-8")
     print((out / "limits.md").read_text(encoding="utf-8"))
     return 0
 

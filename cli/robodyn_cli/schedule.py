@@ -71,7 +71,8 @@ def _forms(asked: Asked, as_json: bool) -> None:
 
 
 def _schedule(asked: Asked, as_json: bool) -> None:
-    from robodyn.report.gantt import gantt_svg, layers_svg, sweep_svg
+    from robodyn.report.gantt import gantt_svg, sweep_svg
+    from robodyn.report.layers import layers_svg
     from robodyn.report.schedules import processors_of, sweep_text, to_dict, to_text
     from robodyn.schedule import Machine, solve
     from robodyn.schedule.methods import SEARCHES

@@ -17,7 +17,7 @@ from robodyn_cli.common import echo_json, json_option, printable, talk, write_fi
 @click.option(
     "--picture",
     metavar="FILE.svg",
-    help="Write a picture: of 2.9 what a joint costs, of 2.10 Figure 2.9 redrawn, ours beside.",
+    help="Write a picture: of 2.9 what a joint costs, of 2.10 Figure 2.9 redrawn, of robots the counts.",
 )
 @json_option
 def command(table_id: str | None, picture: str | None, as_json: bool) -> None:
@@ -45,12 +45,17 @@ def command(table_id: str | None, picture: str | None, as_json: bool) -> None:
     if as_json:
         echo_json(tables if table_id is None else tables[0])
     if target is not None:
-        from robodyn.thesis.tables.picture import operations_svg
-        from robodyn.thesis.tables.picture_2_9 import figure_2_9_svg
-
-        drawn = figure_2_9_svg() if ids == ("2.10",) else operations_svg()
-        write_files(target.parent, {target.name: drawn})
+        write_files(target.parent, {target.name: _picture(ids)})
         talk(f"robodyn: wrote {printable(target)}")
+
+
+def _picture(ids: tuple[str, ...]) -> str:
+    """The picture of one table; with all of them that of 2.9."""
+    from robodyn.thesis.tables import picture, picture_2_9, picture_robots
+
+    if ids == ("2.10",):
+        return picture_2_9.figure_2_9_svg()
+    return picture_robots.robots_svg() if ids == ("robots",) else picture.operations_svg()
 
 
 def _picture_file(text: str, ids: tuple[str, ...]) -> Path:
@@ -62,9 +67,11 @@ def _picture_file(text: str, ids: tuple[str, ...]) -> Path:
     """
     from robodyn.errors import InputError
 
-    if not {"2.9", "2.10"} & set(ids):
+    if not {"2.9", "2.10", "robots"} & set(ids):
         raise InputError(
-            "this table has no picture", found=ids[0], remedy="use robodyn tables 2.9, or 2.10 for Figure 2.9"
+            "this table has no picture",
+            found=ids[0],
+            remedy="use robodyn tables 2.9, 2.10 (for Figure 2.9) or robots",
         )
     if not text.endswith(".svg") or text == ".svg":
         raise InputError("pictures are written as SVG", found=repr(text), expected="a name that ends in .svg")

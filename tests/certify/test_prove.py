@@ -215,6 +215,7 @@ def test_c_for_misra_is_the_same_program(tmp_path: Path) -> None:
     assert objects[0] == objects[1]
 
 
+@pytest.mark.thorough
 def test_the_command_writes_a_proof(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     for tool in ("gappa", "frama-c", "gcc", "cppcheck"):
         require_tool(tool)

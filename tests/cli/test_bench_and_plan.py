@@ -81,6 +81,7 @@ def test_bench_names_what_is_not_measured(capsys: Capture, monkeypatch: pytest.M
     assert "pin.rnea" not in out
 
 
+@pytest.mark.thorough
 def test_bench_beside_peers_that_do_not_know_the_robot(capsys: Capture, tmp_path: Path) -> None:
     require_tool("gcc")
     before, at, after = bundled_text("puma560_3dof").partition("    motor_inertia: 1.14\n")
@@ -168,6 +169,13 @@ def test_a_plan_ends_in_a_command(capsys: Capture) -> None:
     text = run(capsys, "plan", "puma560_3dof", "-p", "3", "--deadline", "3ms", "--target", "thesis-1990")[0]
     assert "take record on thesis-1990" in text
     assert "robodyn schedule puma560_3dof -p" in text or "robodyn gen puma560_3dof" in text
+
+
+def test_the_command_names_the_file_that_was_planned(capsys: Capture, tmp_path: Path) -> None:
+    arm = tmp_path / "an arm.yaml"
+    arm.write_text(bundled_text("stanford_3dof"), encoding="utf-8")
+    text = run(capsys, "plan", str(arm), "--deadline", "1ms", "--target", "cortex-m4f")[0]
+    assert f"robodyn gen '{arm}'\n" in text
 
 
 def test_this_machine_is_measured(capsys: Capture) -> None:

@@ -208,6 +208,13 @@ def test_compile_with_given_sines_in_float(capsys: Capture) -> None:
     assert out.splitlines()[-1] == "c and fortran: the same bits on 100 states"
 
 
+def test_compile_compares_functions_with_results_of_different_shapes(capsys: Capture) -> None:
+    require_tool("gcc")
+    require_tool("gfortran")
+    out, _ = gen(capsys, "stanford_3dof", "--compile", "--functions", "link_poses,controller")
+    assert out.splitlines()[-1] == "c and fortran: the same bits on 100 states"
+
+
 def test_without_compile_no_compiler_is_looked_for(capsys: Capture, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("CC", "/nonexistent")
     monkeypatch.setenv("FC", "/nonexistent")

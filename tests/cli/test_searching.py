@@ -22,6 +22,7 @@ from robodyn.search import improve as improving
 from robodyn.search.improve import write_record
 from robodyn_cli import searching
 from robodyn_cli.main import main
+from robodyn_testing import representative
 from search.moment import search_for_a_moment
 
 pytestmark = pytest.mark.usefixtures("here")
@@ -181,7 +182,7 @@ def test_keep_on_a_full_disk(here: Path, capsys: Capture, monkeypatch: pytest.Mo
     assert files(here) == {"elbow.yaml"}
 
 
-@pytest.mark.parametrize("objective", ["depth", "weighted:cortex-m4f"])
+@pytest.mark.parametrize("objective", representative(["depth", "weighted:cortex-m4f"], "weighted:cortex-m4f"))
 def test_objectives(objective: str, here: Path, capsys: Capture) -> None:
     more = ["--optimize", "search", "--budget-seconds", "0.1", "--objective", objective, "--keep"]
     total(capsys, *more)

@@ -153,6 +153,7 @@ def test_counts_beat_the_thesis(name: str, total: int, mul: int | None) -> None:
     assert mul is None or found.mul <= mul
 
 
+@pytest.mark.thorough
 def test_gravity_is_never_more_than_bias_nor_bias_than_inverse_dynamics() -> None:
     for name in bundled_names():
         robot = load(name, warn=lambda _: None)

@@ -10,12 +10,12 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from robodyn.draw.curves import Curve, Panel, figure
 from robodyn.draw.markup import markup_template
+from robodyn.draw.panels import Curve, Panel, figure
 from robodyn.logs.log import Log
 from robodyn.report.motion import motion_picture
 from robodyn.robot import load
-from robodyn_testing import require_module
+from robodyn_testing import representative, require_module
 
 CODE = Path(__file__).parents[2] / "codegen"
 HOSTILE = "</title><script>alert(1)</script> & \" ' \x00\x0b\x1b\x85\u2028\u202e\ud800 {{ 7 * 7 }}"
@@ -23,10 +23,10 @@ HOSTILE = "</title><script>alert(1)</script> & \" ' \x00\x0b\x1b\x85\u2028\u202e
 
 def test_texts_in_pictures_are_texts() -> None:
     curve = Curve(HOSTILE, [0.0, 1.0], [0.0, 2.0], dashed=True)
-    picture = figure(HOSTILE, HOSTILE, [Panel(HOSTILE, HOSTILE, (curve,))])
+    picture = figure(HOSTILE, HOSTILE, [Panel(HOSTILE, HOSTILE, HOSTILE, (curve,))])
     root = ElementTree.fromstring(picture)
-    shown = [text for text in root.itertext() if "alert" in text]
-    assert len(shown) == 7
+    shown = [text for text in root.itertext() if "alert" in text and "{{" in text]
+    assert len(shown) == 8, "title and text, note and text, three labels, the curve"
     assert {re.sub("\ufffd+", " ", text) for text in shown} == {
         "</title><script>alert(1)</script> & \" '   {{ 7 * 7 }}"
     }
@@ -47,7 +47,9 @@ def test_every_page_and_picture_is_of_the_same_environment() -> None:
     assert said == "<b>&lt;i&gt;\ufffd\n</b>"
 
 
-@pytest.mark.parametrize("title", ["costs $5", "$\\frac{$", "$x$ and $", "\\$", "$"])
+@pytest.mark.parametrize(
+    "title", representative(["costs $5", "$\\frac{$", "$x$ and $", "\\$", "$"], "$\\frac{$")
+)
 def test_a_title_is_no_formula(title: str) -> None:
     require_module("matplotlib")
     robot = replace(load("stanford_3dof"), title=title)

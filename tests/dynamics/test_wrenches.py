@@ -10,6 +10,7 @@ import pytest
 
 from robodyn import InputError, Options, compile, load, program
 from robodyn.counts import count
+from robodyn.dynamics.functions import function_named
 from robodyn.firmware.options import firmware_options
 from robodyn.ir import Input
 from robodyn.ir.evaluate import evaluate
@@ -125,3 +126,6 @@ def test_in_c_they_are_called_like_those_without() -> None:
 def test_firmware_has_no_limits_of_a_wrench() -> None:
     with pytest.raises(InputError, match="no firmware tests bias_with_wrench; found its input w,"):
         firmware_options(Options(("bias_with_wrench",)), ("cortex-m4f",))
+    everything = firmware_options(Options(("all",)), ("cortex-m4f",)).function_names
+    assert "gravity" in everything
+    assert not [name for name in everything if "w" in function_named(name).input_names]

@@ -81,12 +81,13 @@ def test_c_is_clean(compiler: str, double: Path) -> None:
     check(compiler, (*STRICT, "-O2"), sources(double, ".c"), double)
 
 
-@pytest.mark.parametrize("compiler", ["gcc", "clang"])
+@pytest.mark.parametrize("compiler", representative(["gcc", "clang"], "gcc"))
 def test_c_is_clean_without_optimisation(compiler: str, double: Path) -> None:
     """Here, too, all robots in one program: no two kernels get in each other's way."""
     check_together(compiler, ("-x", "c", *STRICT, "-O0"), sources(double, ".c"), double)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("compiler", ["gcc", "clang"])
 def test_c_is_clean_in_float_and_with_given_sines(compiler: str, single: Path, given: Path) -> None:
     for folder in (single, given):
@@ -111,6 +112,7 @@ def test_fortran_is_clean(double: Path) -> None:
     check("gfortran", STRICT_FORTRAN, sources(double, ".f90"), double)
 
 
+@pytest.mark.thorough
 def test_fortran_is_clean_optimised_in_float_and_with_given_sines(
     double: Path, single: Path, given: Path
 ) -> None:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import ast
+import subprocess
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -10,6 +12,9 @@ import pytest
 from emit.kernels import in_single, made
 from robodyn.emit.languages import LANGUAGES, compiled_language, defaults, language_named, languages_named
 from robodyn.errors import InputError
+from robodyn.kernels.generate import Options, generate
+from robodyn.robot import load
+from robodyn_testing import require_tool
 
 TOP = Path(__file__).parents[2]
 FILES = sorted(
@@ -27,11 +32,11 @@ NAMES = {
 
 
 def test_the_table() -> None:
-    assert list(LANGUAGES) == ["c", "fortran", "rust"]
+    assert list(LANGUAGES) == ["c", "fortran", "javascript", "rust"]
     assert defaults() == ("c", "fortran")
     assert language_named("f90") is LANGUAGES["fortran"]
     assert language_named("rs") is LANGUAGES["rust"]
-    assert {"rust", "rs", ".rs", "fortran", "f90", ".f90", ".f"} == NAMES
+    assert {"rust", "rs", ".rs", "fortran", "f90", ".f90", ".f", "javascript", "js", ".mjs"} == NAMES
 
 
 @pytest.mark.parametrize("file", FILES, ids=str)
@@ -47,7 +52,7 @@ def test_no_other_file_names_a_language(file: Path) -> None:
     [
         (["c", "fortran", "f90"], "a language is asked for twice"),
         (["rost"], "did you mean 'rust'?"),
-        (["cobol"], "expected one of c, fortran, rust"),
+        (["cobol"], "expected one of c, fortran, javascript, rust"),
     ],
 )
 def test_what_is_no_choice_of_languages(names: list[str], message: str) -> None:
@@ -63,11 +68,28 @@ def test_what_cannot_be_called_is_refused() -> None:
         compiled_language("rust")
 
 
+def test_names_that_a_language_does_not_allow(tmp_path: Path) -> None:
+    robot = replace(load("stanford_3dof"), name="a" * 40)
+    generated = generate(robot, Options(("gravity", "inverse_dynamics_derivatives")))
+    with pytest.raises(
+        InputError, match=r"Fortran allows names of 63 characters; found 69 in .*; shorten the"
+    ) as error:
+        generated.files(("c", "fortran"))
+    assert "name to 34 characters, or leave fortran out" in str(error.value)
+    assert generated.files(("c",))
+    fitting = generate(replace(robot, name="a" * 34), generated.options).files(("fortran",))
+    (text,) = fitting.values()
+    (tmp_path / "a.f90").write_text(text)
+    compiler = require_tool("gfortran")
+    subprocess.run([compiler, "-std=f2018", "-fsyntax-only", tmp_path / "a.f90"], check=True)
+
+
 @pytest.mark.parametrize("name", LANGUAGES)
 def test_every_language_writes_every_kind_of_kernel(name: str) -> None:
-    """Each function is there, and float is not double."""
+    """Each function is there, and float, where there is one, is not double."""
     for trig in ("libm", "builtin", "given"):
         double = made("tool", trig)
         text = "".join(double.files((name,)).values())
         assert all(signature.symbol in text for signature in double.signatures)
-        assert text != "".join(in_single(double).files((name,)).values())
+        if "float" in LANGUAGES[name].scalars:
+            assert text != "".join(in_single(double).files((name,)).values())

@@ -100,7 +100,7 @@ def test_macros_from_elsewhere_are_refused_at_their_place() -> None:
             read_text(text, "arm.yaml")
 
 
-@pytest.mark.parametrize("way", representative(WAYS, "kernels", "schedule"))
+@pytest.mark.parametrize("way", representative(WAYS, "schedule"))
 def test_names_that_are_accepted_compile(way: str, tmp_path: Path) -> None:
     """With every header of the standard before the emitted ones."""
     files = WAYS[way](arm("zq", GOOD))

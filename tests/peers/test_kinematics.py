@@ -141,7 +141,7 @@ def test_bundled_robots(name: str) -> None:
     assert complaints(load(name, warn=lambda _: None), 1) == []
 
 
-@pytest.mark.parametrize("chunk", sampled(range(RANDOM // CHUNK), every=10))
+@pytest.mark.parametrize("chunk", sampled(range(RANDOM // CHUNK), every=20))
 def test_random_robots(chunk: int) -> None:
     wrong = []
     for seed in range(CHUNK * chunk, CHUNK * (chunk + 1)):

@@ -92,7 +92,7 @@ def test_bundled_robot(name: str) -> None:
     assert found == []
 
 
-@pytest.mark.parametrize("chunk", sampled(range(RANDOM_ROBOTS // CHUNK), every=10))
+@pytest.mark.parametrize("chunk", sampled(range(RANDOM_ROBOTS // CHUNK), every=20))
 def test_random_robots(chunk: int) -> None:
     """Torques of every robot in double and float; by turns the other functions, and without regrouping.
 

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from benchmarks.functions.__main__ import DOCUMENT, REACH, RESULTS, _fewest
+from benchmarks.functions.__main__ import DOCUMENT, PEERS, REACH, RESULTS, _fewest, peers_text
 from benchmarks.functions.asked import Answers
 from benchmarks.functions.counting import Uncounted, of_python
 from benchmarks.functions.natural import NATURAL
@@ -26,6 +26,10 @@ from robodyn.kernels.generate import Options, program
 from robodyn.robot import load
 
 
+class NoDerivatives(Exception):
+    """Floats have none."""
+
+
 class Numerically:
     """A tool that computes with floats; it differentiates nothing."""
 
@@ -36,10 +40,10 @@ class Numerically:
         return math.cos(x)
 
     def jacobian(self, values: Sequence[Any], by: Sequence[Any]) -> Rows:
-        raise NotImplementedError
+        raise NoDerivatives
 
     def substituted(self, values: Sequence[Any], symbols: Sequence[Any], by: Sequence[Any]) -> Values:
-        raise NotImplementedError
+        raise NoDerivatives
 
     def solved(self, matrix: Rows, right: Rows) -> Rows:
         return np.linalg.solve(np.array(matrix, float), np.array(right, float)).tolist()  # type: ignore[no-any-return]
@@ -57,7 +61,7 @@ def test_what_tools_are_given_has_our_values(name: str) -> None:
         for write in NATURAL[function]:
             try:
                 rows = [write(State(arm, Numerically(), *state.tolist())) for state in states.swapaxes(0, 1)]
-            except NotImplementedError:
+            except NoDerivatives:
                 continue
             assert np.array(rows, float) == pytest.approx(expected, rel=1e-9, abs=1e-9), (function, write)
             compared.add(function)
@@ -102,6 +106,7 @@ def test_the_documents_are_made_of_the_committed_figures(figures: Any) -> None:
     assert (RESULTS / "functions.md").read_text(encoding="utf-8") == markdown(figures)
     document = DOCUMENT.read_text(encoding="utf-8")
     assert in_document(figures, document) == document
+    assert PEERS.read_text(encoding="utf-8") == peers_text(figures)
 
 
 def test_tables_follow_the_figures(figures: Any) -> None:

@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
-import json
 import os
 import re
+import runpy
 import shutil
 import subprocess
 import sys
 import textwrap
 from collections.abc import Callable
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 import robodyn
-from robodyn_testing import require_tool
 
 TOP = Path(__file__).parents[2]
 Run = Callable[..., "subprocess.CompletedProcess[str]"]
@@ -41,7 +41,7 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
     for name in ("codegen", "cli", "templates", "robots"):
         shutil.copytree(TOP / name, folder / name, ignore=shutil.ignore_patterns("__pycache__"))
     for place, block in re.findall(
-        r"`((?:codegen|templates)/[^`]*javascript[^`]*)`.*?```(\w+)", _section(), re.S
+        r"`((?:codegen|templates)/[^`]*python[^`]*)`.*?```(\w+)", _section(), re.S
     ):
         path = folder / place
         path.parent.mkdir(exist_ok=True)
@@ -65,33 +65,34 @@ def run(copy: Path) -> Run:
 
 
 def test_help_and_errors_know_the_language(run: Run) -> None:
-    assert re.search(r"javascript", run("gen", "--help").stdout)
-    assert "one of c, fortran, javascript, rust" in run("gen", "puma560", "--lang", "basic", code=2).stderr
-    assert "did you mean 'javascript'?" in run("gen", "puma560", "--lang", "javascrip", code=2).stderr
+    assert re.search(r"python \(py\)", run("gen", "--help").stdout)
+    expected = "one of c, fortran, javascript, python, rust"
+    assert expected in run("gen", "puma560", "--lang", "basic", code=2).stderr
+    assert "did you mean 'python'?" in run("gen", "puma560", "--lang", "pyton", code=2).stderr
 
 
 @pytest.mark.parametrize(
     ("options", "message"),
     [
         (["--batch"], "batches are in C only"),
-        (["--scalar", "float"], "JavaScript is not written with --scalar float; expected --scalar double"),
-        (["--trig", "builtin"], "JavaScript is not written with --trig builtin"),
-        (["--firmware"], "a firmware folder is not written in JavaScript"),
-        (["--compile"], "JavaScript is written, and cannot be called from Python"),
+        (["--scalar", "float"], "Python is not written with --scalar float; expected --scalar double"),
+        (["--trig", "builtin"], "Python is not written with --trig builtin"),
+        (["--firmware"], "a firmware folder is not written in Python"),
+        (["--compile"], "Python is written, and cannot be called from Python"),
     ],
 )
 def test_what_the_language_lacks_is_refused(run: Run, options: list[str], message: str) -> None:
-    assert message in run("gen", "puma560", "--lang", "js", *options, code=2).stderr
+    assert message in run("gen", "puma560", "--lang", "py", *options, code=2).stderr
 
 
 def test_every_command_of_the_recipe_works(run: Run, copy: Path) -> None:
-    commands = [line.split() for line in _block("sh").splitlines()]
+    commands = [line.removeprefix("$ ").split() for line in _block("console").splitlines()]
     assert [command[:2] for command in commands] == [["robodyn", "gen"]] * 2
     for command in commands:
         run(*command[1:])
-    assert (copy / "generated/puma560/puma560.mjs").is_file()
-    assert {p.name for p in (copy / "both").iterdir()} == {"puma560.h", "puma560.c", "puma560.mjs"}
-    run("gen", "puma560", "--lang", "js", "-o", "both", "--check")
+    assert (copy / "generated/puma560/puma560.py").is_file()
+    assert {p.name for p in (copy / "both").iterdir()} == {"puma560.h", "puma560.c", "puma560.py"}
+    run("gen", "puma560", "--lang", "py", "-o", "both", "--check")
 
 
 TOOL = """
@@ -104,32 +105,22 @@ links:
 
 @pytest.mark.parametrize("name", ["puma560", "tool"])
 def test_the_module_gives_the_right_torques(run: Run, copy: Path, name: str) -> None:
-    """In node, every function, run-time parameters too; Math's sines may differ in the last bit."""
-    node = require_tool("node")
+    """Every function, run-time parameters too, to the bits of the C: math's sines are those of libm."""
     (copy / "tool.yaml").write_text(TOOL)
     source = {"tool": "tool.yaml"}.get(name, name)
-    run("gen", source, "--lang", "js", "-o", name)
+    run("gen", source, "--lang", "py", "-o", name)
     place = copy / "tool.yaml" if name == "tool" else copy / "robots" / f"{name}.yaml"
     kernel = robodyn.compile(robot := robodyn.load(str(place), warn=lambda _: None))
     parameters = dict.fromkeys(robot.parameters, 0.7)
-    calls = []
+    module = runpy.run_path(str(copy / name / f"{name}.py"))
     rng = np.random.default_rng(5)
     for function, interface in kernel.signatures.items():
         ((_, size),) = interface.outputs
         for _ in range(STATES):
             inputs = [rng.uniform(-2, 2, length).tolist() for _, length in interface.inputs]
-            calls.append((function, inputs, size))
-    script = (
-        f'import * as arm from "./{name}/{name}.mjs";\n'
-        f"const calls = {json.dumps(calls)}, p = {json.dumps(parameters)};\n"
-        "console.log(JSON.stringify(calls.map(([name, inputs, size]) => {\n"
-        f'    const out = new Array(size); arm["{name}_" + name](...inputs, out, p); return out;\n'
-        "})));\n"
-    )
-    (copy / "main.mjs").write_text(script)
-    done = subprocess.run([node, "main.mjs"], cwd=copy, capture_output=True, text=True, timeout=60)
-    assert done.returncode == 0, done.stderr
-    for (function, inputs, _), result in zip(calls, json.loads(done.stdout), strict=True):
-        expected = np.asarray(getattr(kernel, function)(*inputs, params=parameters or None)).ravel()
-        np.testing.assert_allclose(result, expected, rtol=1e-10, atol=1e-9)
-        assert np.abs(expected).max() > 0
+            result = [0.0] * size
+            rest = [SimpleNamespace(**parameters)] if parameters else []
+            module[f"{name}_{function}"](*inputs, result, *rest)
+            expected = np.asarray(getattr(kernel, function)(*inputs, params=parameters or None)).ravel()
+            assert result == expected.tolist()
+            assert np.abs(expected).max() > 0

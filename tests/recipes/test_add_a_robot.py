@@ -63,7 +63,7 @@ def test_the_robot_is_listed(run: Run) -> None:
 
 
 def test_every_command_of_the_recipe_works(run: Run) -> None:
-    commands = [line.split() for line in _block("sh").splitlines()]
+    commands = [line.removeprefix("$ ").split() for line in _block("console").splitlines()]
     assert [command[1] for command in commands] == ["robots", "gen", "verify", "flops"]
     for command in commands:
         assert command[0] == "robodyn"

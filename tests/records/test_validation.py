@@ -291,6 +291,7 @@ def test_gravity_and_bias_with_friction_and_names() -> None:
     check_what_is_made_of(robot, better(robot))
 
 
+@pytest.mark.thorough
 def test_committed_records_are_trusted_exact_and_better() -> None:
     paths = sorted(bundled_records().glob("*.record"))
     for path in paths:

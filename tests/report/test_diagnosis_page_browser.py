@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import itertools
-import json
-from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -16,14 +14,13 @@ from report.made_up import made, series
 from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Rival, Tried, Window
 from robodyn.report.diagnosis import page
 from robodyn.robot import Robot, load
-from robodyn_testing import require_module, require_tool
+from robodyn_testing import require_module
+from robodyn_testing.browser import PHONE, SCHEMES, Browser
 
-FLAGS = """
-    headless no-sandbox disable-gpu disable-quic no-first-run disable-background-networking
-    disable-component-update disable-sync hide-scrollbars
-""".split()  # noqa: SIM905 (it reads as the list that it is)
+pytestmark = pytest.mark.thorough
+
 HOSTILE = "<script>alert(1)</script>\"><img src=x onerror='alert(2)'>"
-WIDTHS = (1280, 700, 400, 320)
+WIDTHS = (1280, 700, PHONE, 320)
 
 #: Boxes of what was drawn: text of charts, by chart, and whether each is seen.
 LABELS = """
@@ -44,20 +41,6 @@ return [...document.querySelectorAll("body *")].filter(e => {
   return b.width > 0 && (b.right > wide + 0.5 || b.left < -0.5) && !e.closest(".scroll, pre.diff, .ink");
 }).map(e => e.outerHTML.slice(0, 120));
 """
-
-
-@pytest.fixture(scope="module")
-def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
-    """Chromium without a network: whatever it is asked for that is no file would be seen in its log."""
-    webdriver = require_module("selenium.webdriver")
-    options, service = webdriver.ChromeOptions(), require_module("selenium.webdriver.chrome.service")
-    options.binary_location = require_tool("chromium")
-    for flag in (*FLAGS, f"user-data-dir={tmp_path_factory.mktemp('profile')}", "window-size=1280,900"):
-        options.add_argument(f"--{flag}")
-    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
-    driver = webdriver.Chrome(options=options, service=service.Service(require_tool("chromedriver")))
-    yield driver
-    driver.quit()
 
 
 def robot() -> Robot:
@@ -142,56 +125,35 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     return written
 
 
-def opened(browser: Any, file: Path, width: int = 1280, **features: str) -> None:
-    """Show a page in a window of ``width``, as one who wants ``features`` sees it."""
-    wanted = [{"name": k.replace("_", "-"), "value": v} for k, v in features.items()]
-    browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "", "features": wanted})
-    size = {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": False}
-    browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
-    browser.get(file.as_uri())
-
-
-def heard(browser: Any) -> tuple[list[str], list[str]]:
-    """What the browser complained of, and what it asked for, since the last time."""
-    complaints = [entry["message"] for entry in browser.get_log("browser")]
-    messages = [json.loads(entry["message"])["message"] for entry in browser.get_log("performance")]
-    sent = [m["params"] for m in messages if m["method"] == "Network.requestWillBeSent"]
-    # The browser's own first page may still be asking for its parts.
-    asked = [m["request"]["url"] for m in sent if not m["documentURL"].startswith("chrome://")]
-    return complaints, asked
-
-
 @pytest.mark.parametrize("name", ["missing_effect", "consistent", "unexplained", "hostile"])
-def test_it_asks_for_nothing_and_nothing_goes_wrong(browser: Any, files: dict[str, Path], name: str) -> None:
-    heard(browser)
-    opened(browser, files[name])
-    complaints, asked = heard(browser)
-    assert complaints == []
-    assert {url for url in asked if not url.startswith("data:")} == {files[name].as_uri()}
-    assert browser.execute_script("return document.scripts.length + document.images.length") == 0
+def test_it_asks_for_nothing_and_nothing_goes_wrong(
+    browser: Browser, files: dict[str, Path], name: str
+) -> None:
+    visit = browser.open(files[name])
+    assert visit.complaints == ()
+    assert visit.requests == ()
+    assert browser.run("return document.scripts.length + document.images.length") == 0
     with pytest.raises(require_module("selenium.common.exceptions").NoAlertPresentException):
-        browser.switch_to.alert.dismiss()
+        browser.driver.switch_to.alert.dismiss()
 
 
 @pytest.mark.parametrize("name", ["missing_effect", "consistent", "unexplained"])
-def test_every_section_is_there_and_seen(browser: Any, files: dict[str, Path], name: str) -> None:
-    opened(browser, files[name])
+def test_every_section_is_there_and_seen(browser: Browser, files: dict[str, Path], name: str) -> None:
+    browser.open(files[name])
     sections = {"gap", "findings", "next", "where", "residual", "model", "motion", "data"}
     asked = {"missing_effect": set(), "consistent": {"next"}, "unexplained": set()}[name]
-    for link in browser.find_elements("css selector", "nav a"):
-        target = browser.find_element("css selector", link.get_attribute("hash"))
+    for link in browser.all("nav a"):
+        target = browser.one(link.get_attribute("hash"))
         assert target.is_displayed()
         assert target.size["height"] > 10
         sections.discard(target.get_attribute("id"))
     assert sections <= asked
-    tiles = [tile.text.split("\n")[0] for tile in browser.find_elements("css selector", ".tiles > div")]
+    tiles = [tile.text.split("\n")[0] for tile in browser.all(".tiles > div")]
     assert tiles[:3] == ["What is missing", "At which joint", "How sure"]
     assert tiles[-1] == "What to record next"
-    tall = browser.execute_script(
-        "return document.querySelector('.tiles').getBoundingClientRect().bottom + scrollY"
-    )
+    tall = browser.run("return document.querySelector('.tiles').getBoundingClientRect().bottom + scrollY")
     assert tall < 500, "the answers are not seen at once"
-    for curve in browser.find_elements("css selector", "details[open] .strip path.curve"):
+    for curve in browser.all("details[open] .strip path.curve"):
         assert curve.size["width"] > 900
         assert curve.size["height"] > 1
 
@@ -199,20 +161,22 @@ def test_every_section_is_there_and_seen(browser: Any, files: dict[str, Path], n
 @pytest.mark.parametrize("width", WIDTHS)
 @pytest.mark.parametrize("name", ["missing_effect", "consistent", "unexplained", "hostile"])
 def test_nothing_is_wider_than_the_window(
-    browser: Any, files: dict[str, Path], name: str, width: int
+    browser: Browser, files: dict[str, Path], name: str, width: int
 ) -> None:
-    opened(browser, files[name], width)
-    browser.execute_script("document.querySelectorAll('details').forEach(d => d.open = true)")
-    assert browser.execute_script("return document.documentElement.scrollWidth") <= width
-    assert browser.execute_script(OUTSIDE) == []
+    browser.open(files[name], width=width)
+    browser.unfold()
+    assert browser.run("return document.documentElement.scrollWidth") <= width
+    assert browser.run(OUTSIDE) == []
 
 
 @pytest.mark.parametrize("width", WIDTHS)
 @pytest.mark.parametrize("name", ["missing_effect", "unexplained"])
-def test_labels_of_charts_do_not_overlap(browser: Any, files: dict[str, Path], name: str, width: int) -> None:
-    opened(browser, files[name], width)
-    browser.execute_script("document.querySelectorAll('details').forEach(d => d.open = true)")
-    charts = browser.execute_script(LABELS)
+def test_labels_of_charts_do_not_overlap(
+    browser: Browser, files: dict[str, Path], name: str, width: int
+) -> None:
+    browser.open(files[name], width=width)
+    browser.unfold()
+    charts = browser.run(LABELS)
     assert len(charts) > 30
     for chart in charts:
         assert chart["boxes"], chart["name"]
@@ -220,6 +184,19 @@ def test_labels_of_charts_do_not_overlap(browser: Any, files: dict[str, Path], n
             across = min(one[3], other[3]) - max(one[1], other[1])
             down = min(one[4], other[4]) - max(one[2], other[2])
             assert across <= 0.5 or down <= 2, (chart["name"], one, other)
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+@pytest.mark.parametrize("width", [1280, PHONE])
+@pytest.mark.parametrize("name", ["missing_effect", "consistent", "unexplained", "hostile"])
+def test_it_is_accessible(
+    browser: Browser, files: dict[str, Path], name: str, width: int, scheme: str
+) -> None:
+    browser.open(files[name], width=width, scheme=scheme)
+    browser.screenshot(f"diagnosis-{name}-{width}-{scheme}")
+    assert browser.violations() == []
+    browser.unfold()
+    assert browser.violations() == []
 
 
 def luminance(colour: list[float]) -> float:
@@ -245,13 +222,13 @@ return [...document.querySelectorAll("body *")].filter(e => e.checkVisibility()
 """
 
 
-@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("scheme", SCHEMES)
 @pytest.mark.parametrize("name", ["missing_effect", "consistent", "unexplained"])
 def test_text_stands_out_by_day_and_by_night(
-    browser: Any, files: dict[str, Path], name: str, scheme: str
+    browser: Browser, files: dict[str, Path], name: str, scheme: str
 ) -> None:
-    opened(browser, files[name], prefers_color_scheme=scheme)
-    seen = browser.execute_script(COLOURS.replace("\\\\", "\\"))
+    browser.open(files[name], scheme=scheme)
+    seen = browser.run(COLOURS.replace("\\\\", "\\"))
     assert len(seen) > 100
     papers = {round(luminance(paper), 1) for _, _, paper in seen}
     assert max(papers) <= 0.2 if scheme == "dark" else min(papers) >= 0.7
@@ -260,30 +237,30 @@ def test_text_stands_out_by_day_and_by_night(
         assert (high + 0.05) / (low + 0.05) >= 4.5, (text, ink, paper)
 
 
-def test_what_is_drawn_is_chosen_by_click_and_by_key(browser: Any, files: dict[str, Path]) -> None:
+def test_what_is_drawn_is_chosen_by_click_and_by_key(browser: Browser, files: dict[str, Path]) -> None:
     keys = require_module("selenium.webdriver.common.keys").Keys
-    opened(browser, files["missing_effect"])
+    browser.open(files["missing_effect"])
 
     def shown(selector: str) -> bool:
         script = "return [...document.querySelectorAll(arguments[0])].some(e => e.checkVisibility())"
-        return bool(browser.execute_script(script, f".residual .ink {selector}"))
+        return bool(browser.run(script, f".residual .ink {selector}"))
 
     for box, selectors in (
         ("show-before", ["path.curve.before", "path.mean.before"]), ("show-after", ["path.curve.after"]),
         ("show-dots", ["path.dots", "path.band"]), ("show-noise", ["path.noise"]),
     ):  # fmt: skip
         assert all(shown(selector) for selector in selectors)
-        browser.find_element("css selector", f"label:has(#{box})").click()
+        browser.one(f"label:has(#{box})").click()
         assert not any(shown(selector) for selector in selectors)
-        browser.find_element("id", box).send_keys(keys.SPACE)
+        browser.one(f"#{box}").send_keys(keys.SPACE)
         assert all(shown(selector) for selector in selectors)
-    assert browser.find_element("css selector", ".card .ink path.mean.before").is_displayed()
+    assert browser.one(".card .ink path.mean.before").is_displayed()
 
 
-def test_what_is_folded_opens_by_click_and_by_key(browser: Any, files: dict[str, Path]) -> None:
+def test_what_is_folded_opens_by_click_and_by_key(browser: Browser, files: dict[str, Path]) -> None:
     keys = require_module("selenium.webdriver.common.keys").Keys
-    opened(browser, files["missing_effect"])
-    folded = [d for d in browser.find_elements("tag name", "details") if d.get_attribute("open") is None]
+    browser.open(files["missing_effect"])
+    folded = [d for d in browser.all("details") if d.get_attribute("open") is None]
     assert len(folded) == 3, "tables, a suspicion, the other log"
     for k, details in enumerate(folded):
         summary = details.find_element("tag name", "summary")
@@ -296,13 +273,13 @@ def test_what_is_folded_opens_by_click_and_by_key(browser: Any, files: dict[str,
         assert inner.is_displayed()
 
 
-def test_keys_reach_everything_in_order(browser: Any, files: dict[str, Path]) -> None:
+def test_keys_reach_everything_in_order(browser: Browser, files: dict[str, Path]) -> None:
     keys = require_module("selenium.webdriver.common.keys").Keys
-    opened(browser, files["missing_effect"])
+    browser.open(files["missing_effect"])
     reached = []
     for _ in range(80):
-        browser.switch_to.active_element.send_keys(keys.TAB)
-        focused = browser.switch_to.active_element
+        browser.driver.switch_to.active_element.send_keys(keys.TAB)
+        focused = browser.driver.switch_to.active_element
         if focused.tag_name == "body":
             break
         outline = focused.value_of_css_property("outline-style")
@@ -316,17 +293,16 @@ def test_keys_reach_everything_in_order(browser: Any, files: dict[str, Path]) ->
     assert sum(tag == "pre" for tag, _ in reached) == 1
 
 
-def test_on_paper_it_is_light_and_whole(browser: Any, files: dict[str, Path]) -> None:
-    opened(browser, files["missing_effect"], prefers_color_scheme="dark")
-    browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
-    paper = browser.execute_script("return getComputedStyle(document.body).backgroundColor")
+def test_on_paper_it_is_light_and_whole(browser: Browser, files: dict[str, Path]) -> None:
+    browser.open(files["missing_effect"], scheme="dark", media="print")
+    paper = browser.run("return getComputedStyle(document.body).backgroundColor")
     assert paper == "rgb(255, 255, 255)"
-    assert not browser.find_element("tag name", "nav").is_displayed()
-    printed = browser.execute_cdp_cmd("Page.printToPDF", {"printBackground": True})
+    assert not browser.one("nav").is_displayed()
+    printed = browser.command("Page.printToPDF", printBackground=True)
     assert len(printed["data"]) > 20_000
 
 
-def test_attacks_are_shown_as_the_text_that_they_are(browser: Any, files: dict[str, Path]) -> None:
-    opened(browser, files["hostile"])
+def test_attacks_are_shown_as_the_text_that_they_are(browser: Browser, files: dict[str, Path]) -> None:
+    browser.open(files["hostile"])
     script = "return document.body.innerText.split(arguments[0]).length - 1"
-    assert browser.execute_script(script, HOSTILE) >= 12
+    assert browser.run(script, HOSTILE) >= 12

@@ -22,7 +22,13 @@ from __future__ import annotations
 
 from robodyn_testing.cases import covering, representative, sampled
 from robodyn_testing.exactly import constant, exactly
-from robodyn_testing.wanted import require_distribution, require_machine, require_module, require_tool
+from robodyn_testing.wanted import (
+    require_distribution,
+    require_machine,
+    require_module,
+    require_npm_package,
+    require_tool,
+)
 
 __all__ = [
     "constant",
@@ -32,6 +38,7 @@ __all__ = [
     "require_distribution",
     "require_machine",
     "require_module",
+    "require_npm_package",
     "require_tool",
     "sampled",
 ]

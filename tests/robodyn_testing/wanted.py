@@ -25,13 +25,18 @@ __all__ = [
     "OPTIONAL",
     "PACKAGES",
     "PREFIX",
+    "ROOT",
     "require_distribution",
     "require_machine",
     "require_module",
+    "require_npm_package",
     "require_tool",
     "skip_what_lacks_a_package",
     "summary",
 ]
+
+ROOT: Final = Path(__file__).resolve().parents[2]
+"""The repository."""
 
 PREFIX: Final = "missing: "
 """How the reason of every skip made here begins; :func:`summary` lists those skips."""
@@ -117,6 +122,16 @@ def require_distribution(name: str) -> None:
     except importlib.metadata.PackageNotFoundError:
         pass
     _missing(f"distribution {name}", f"to run this test, pip install {name}")
+
+
+def require_npm_package(name: str) -> Path:
+    """Return the folder of npm's package `name` as `make axe` installs it; without it, skip the test (fail it
+    in CI)."""
+    __tracebackhide__ = True
+    folder = ROOT / "build" / "npm" / "node_modules" / name
+    if not (folder / "package.json").is_file():
+        _missing(f"npm package {name}", "to run this test, install npm, then: make axe")
+    return folder
 
 
 def require_machine(present: bool, what: str) -> None:

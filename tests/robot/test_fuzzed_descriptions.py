@@ -37,7 +37,7 @@ _SEEDS = (
 )
 
 
-def _answer(data: bytes | str) -> None:
+def assert_answered(data: bytes | str) -> None:
     try:
         if isinstance(data, bytes):
             robot = read_bytes(data, "f.yaml", warn=lambda _: None)
@@ -55,20 +55,20 @@ def _answer(data: bytes | str) -> None:
 
 @given(st.binary(max_size=300))
 def test_random_bytes(data: bytes) -> None:
-    _answer(data)
+    assert_answered(data)
 
 
 @given(st.text(max_size=200))
 def test_random_text(text: str) -> None:
-    _answer(text)
+    assert_answered(text)
 
 
 @settings(max_examples=300, deadline=None)
 @given(st.lists(_WORDS, max_size=60))
 def test_random_words_of_the_format(words: list[str]) -> None:
-    _answer("".join(words))
-    _answer("name: arm\nlinks:\n  - joint: revolute\n    " + "".join(words))
-    _answer("name: arm\nlinks:\n  - joint: revolute\n    effects:\n    - effect: " + "".join(words))
+    assert_answered("".join(words))
+    assert_answered("name: arm\nlinks:\n  - joint: revolute\n    " + "".join(words))
+    assert_answered("name: arm\nlinks:\n  - joint: revolute\n    effects:\n    - effect: " + "".join(words))
 
 
 _LEAVES = st.one_of(st.text(max_size=6), _WORDS, st.integers().map(str), st.floats().map(str))
@@ -84,7 +84,7 @@ _TREES = st.recursive(
 @settings(deadline=None)
 @given(st.dictionaries(_WORDS, _TREES, max_size=5), st.dictionaries(_WORDS, _TREES, max_size=5))
 def test_random_trees_in_json(robot: dict[str, object], link: dict[str, object]) -> None:
-    _answer(json.dumps({"name": "arm", "links": [{"joint": "revolute", **link}], **robot}))
+    assert_answered(json.dumps({"name": "arm", "links": [{"joint": "revolute", **link}], **robot}))
 
 
 @settings(max_examples=50, deadline=None)
@@ -92,8 +92,10 @@ def test_random_trees_in_json(robot: dict[str, object], link: dict[str, object])
 def test_random_trees_as_parameters_of_an_effect(id: str, data: st.DataObject) -> None:
     drawn = data.draw(st.dictionaries(st.sampled_from(CATALOGUE[id].names) | _WORDS, _TREES, max_size=5))
     link = {"joint": "revolute", "effects": [{"effect": id, **drawn}]}
-    _answer(json.dumps({"name": "arm", "links": [link]}))
-    _answer(json.dumps({"name": "arm", "links": [{"joint": "prismatic"}], "effects": link["effects"]}))
+    assert_answered(json.dumps({"name": "arm", "links": [link]}))
+    assert_answered(
+        json.dumps({"name": "arm", "links": [{"joint": "prismatic"}], "effects": link["effects"]})
+    )
 
 
 def test_the_fourth_seed_is_a_robot() -> None:
@@ -115,4 +117,4 @@ def test_robots_with_a_few_changed_characters(which: int, seed: int) -> None:
         else:
             m = chance.randrange(len(data))
             data[k:k] = data[m : m + chance.randint(1, 60)]
-    _answer(bytes(data))
+    assert_answered(bytes(data))

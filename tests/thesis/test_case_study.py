@@ -8,7 +8,6 @@ import json
 import math
 import re
 import xml.etree.ElementTree as ET
-from fractions import Fraction
 from itertools import pairwise
 from pathlib import Path
 
@@ -16,7 +15,7 @@ import numpy as np
 import pytest
 
 from robodyn import InputError
-from robodyn.draw.curves import Curve, Panel, figure, share, ticks
+from robodyn.draw.panels import HEIGHT, WIDTH
 from robodyn.thesis.case_arm import D4_START, FOREARM, efficiency_curve, led, led_at, robots
 from robodyn.thesis.case_pictures import pictures
 from robodyn.thesis.case_study import (
@@ -261,20 +260,10 @@ def test_pictures_are_labelled_and_stay_in_their_frames(study: Study) -> None:
         assert lines
         for line in lines:
             points = [tuple(map(float, pair.split(","))) for pair in line.attrib["points"].split()]
-            assert all(-0.1 <= x <= 430.1 and -0.1 <= y <= 230.1 for x, y in points), name
+            assert all(-0.1 <= x <= WIDTH + 0.1 and -0.1 <= y <= HEIGHT + 0.1 for x, y in points), name
         width, height = (float(root.attrib[side]) for side in ("width", "height"))
         for panel in root.iter(f"{SVG}g"):
             x, y = map(float, panel.attrib["transform"][len("translate(") : -1].split())
-            assert x + 430 < width
+            assert x + WIDTH < width
             assert y + max(float(e.attrib["y"]) for e in panel.iter(f"{SVG}text")) < height
     assert pictures(study) == found
-
-
-def test_a_curve_is_drawn_where_its_numbers_are() -> None:
-    text = figure("t", "n", (Panel("p", "s", (Curve("c", [0, 1, 2], [-1.0, 0.0, 3.0], dashed=True),)),))
-    (line,) = ET.fromstring(text).iter(f"{SVG}polyline")
-    assert line.attrib["points"] == "0.0,230.0 215.0,172.5 430.0,0.0"
-    assert "stroke-dasharray" in line.attrib
-    assert ticks([-1, 3]) == [-1, 0, 1, 2, 3]
-    assert ticks([5.0, 5.0])[0] < 5 < ticks([5.0, 5.0])[-1]
-    assert share(2, [1, 2, 5]) == float(Fraction(1, 4))

@@ -3,20 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from robodyn.dynamics.arm import Arm, Motion
-from robodyn.dynamics.functions import Dynamics, Function, Moving, Rotor, torques_at
+from robodyn.dynamics.functions import Dynamics, Function, torques_at
 from robodyn.dynamics.functions.record import Vector
-from robodyn.dynamics.lump import MomentForm
-from robodyn.dynamics.parallel import Turns
+from robodyn.dynamics.upon import Upon
 from robodyn.ir.derivative import jacobian
 from robodyn.ir.graph import Graph
 from robodyn.ir.lowering import lower
 from robodyn.ir.program import Input, Label, Program
-
-if TYPE_CHECKING:
-    from robodyn.dynamics.base_parameter import BaseParameter
 
 #: The dynamics in a graph, at inputs ``[n]`` by name.
 Beneath = Callable[[Graph, Mapping[str, Vector]], Dynamics]
@@ -44,7 +39,7 @@ def side_by_side(function: Function, programs: Sequence[Program]) -> Program:
     return lower(graph, [(array.name, results[array.name]) for array in function.results])
 
 
-class _OfParts:
+class _OfParts(Upon):
     """The dynamics that programs give, see :class:`robodyn.dynamics.functions.Dynamics`."""
 
     def __init__(
@@ -59,8 +54,7 @@ class _OfParts:
         self._values: dict[str, list[Any]] = {part: graph.replay(programs[part]) for part in function.parts}
         self.rest: Sequence[Any] = [0] * n
         self.inputs = function.nodes(graph.input, n)
-        self._beneath = beneath(graph, self.inputs)
-        self.cheapest = self._beneath.cheapest
+        super().__init__(beneath(graph, self.inputs))
 
     def mark(self, value: Any, label: Label) -> Any:
         """Name ``value``."""
@@ -77,38 +71,9 @@ class _OfParts:
         inputs = {Input(name, i): x for name in other for i, x in enumerate(rates[name])}
         return self._graph.replay(self._programs[part], inputs=inputs)
 
-    @property
-    def arm(self) -> Arm:
-        """The links as they are described."""
-        return self._beneath.arm
-
-    def motion(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Motion:
-        """The arm at ``q``, with these rates and accelerations."""
-        return self._beneath.motion(qd, qdd)
-
-    def turns(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Turns:
-        """How its joints turn."""
-        return self._beneath.turns(qd, qdd)
-
-    def links(self, qd: Sequence[Any], qdd: Sequence[Any], form: MomentForm = "second_moment") -> Moving:
-        """The same, with the links' masses."""
-        return self._beneath.links(qd, qdd, form)
-
     def differentiated(self, values: Sequence[Any], array: str) -> list[list[Any]]:
         """Derivatives of ``values`` by the elements of ``array``."""
         return jacobian(self._graph, values, [Input(array, i) for i in range(len(self.rest))])
-
-    def base_set(self) -> Sequence[BaseParameter]:
-        """The base parameters."""
-        return self._beneath.base_set()
-
-    def rotors(self) -> Sequence[Rotor]:
-        """The rotors."""
-        return self._beneath.rotors()
-
-    def inertial_torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Sequence[Any]:
-        """Joint torques [n] without gravity and what drives do besides."""
-        return self._beneath.inertial_torques(qd, qdd)
 
     def mass_matrix(self) -> list[list[Any]]:
         """Mass matrix [n][n]."""

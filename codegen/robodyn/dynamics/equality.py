@@ -17,14 +17,10 @@ from typing import Any
 from robodyn.dynamics.arm import Arm, JointAngle, Motion, build_arm, build_motion, inertial
 from robodyn.dynamics.base_parameter import BaseParameter
 from robodyn.dynamics.base_set import base_set
-from robodyn.dynamics.choosing import First
-from robodyn.dynamics.functions import INPUTS, Moving, Rotor, function_named
+from robodyn.dynamics.described import AsDescribed
+from robodyn.dynamics.functions import INPUTS, Rotor, function_named
 from robodyn.dynamics.joints import rotors_of
-from robodyn.dynamics.lump import NO_LUMP, MomentForm
 from robodyn.dynamics.newton_euler import newton_euler
-from robodyn.dynamics.parallel import Turns, single_turns
-from robodyn.dynamics.regroup import lumps_of
-from robodyn.dynamics.vectors import unmarked
 from robodyn.ir.evaluate import evaluate_exact, turn
 from robodyn.ir.field import Field
 from robodyn.ir.fingerprint import digest, fingerprint, in_drawn_field
@@ -149,11 +145,8 @@ def _equal(robot: Robot, function: str, program: Program, state: _State) -> bool
     return list(one) == list(other)
 
 
-class _Plain:
+class _Plain(AsDescribed):
     """Conventional Newton-Euler at a state, see :class:`robodyn.dynamics.functions.Dynamics`."""
-
-    mark = staticmethod(unmarked)
-    cheapest = First()
 
     def __init__(self, robot: Robot, arm: Arm, state: _State) -> None:
         n = len(arm.bodies)
@@ -176,18 +169,6 @@ class _Plain:
         """The arm at ``q``, with these rates and accelerations."""
         return _motion(self.arm, self.inputs["q"], qd, qdd, self._state)
 
-    def turns(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Turns:
-        """How its joints turn, each for itself."""
-        return single_turns(self.motion(qd, qdd))
-
-    def links(self, qd: Sequence[Any], qdd: Sequence[Any], form: MomentForm = "second_moment") -> Moving:
-        """The same, as described."""
-        motion = self.motion(qd, qdd)
-        return Moving(self.arm, motion, single_turns(motion), lumps_of(self.arm), NO_LUMP)
-
-    def differentiated(self, values: Sequence[Any], array: str) -> None:
-        """The rigid arm's derivatives are written out."""
-
     def base_set(self) -> tuple[BaseParameter, ...]:
         """The base parameters, by the exact numbers of the robot."""
         return base_set(build_arm(self._robot, lambda x: x, Graph().input))
@@ -197,11 +178,10 @@ class _Plain:
         return rotors_of(self.arm)
 
     def mass_matrix(self) -> list[list[Any]]:
-        """Mass matrix [n][n]: torques of unit accelerations less those of none."""
+        """Mass matrix [n][n]: torques of unit accelerations, without gravity, of the arm at rest."""
         n = len(self.rest)
-        still = self.torques(self.rest, self.rest)
-        columns = [self.torques(self.rest, [int(i == j) for i in range(n)]) for j in range(n)]
-        return [[columns[j][i] - still[i] for j in range(n)] for i in range(n)]
+        columns = [self.inertial_torques(self.rest, [int(i == j) for i in range(n)]) for j in range(n)]
+        return [list(row) for row in zip(*columns, strict=True)]
 
 
 def _motion(arm: Arm, q: Sequence[Any], qd: Sequence[Any], qdd: Sequence[Any], state: _State) -> Motion:

@@ -16,11 +16,8 @@ from typing import Any
 
 from robodyn.dynamics.functions.record import Dynamics
 from robodyn.dynamics.poses import placed
-from robodyn.dynamics.sections import ROWS, Placed, Row, Section, along
+from robodyn.dynamics.sections import ROWS, Placed, Row, Section, along, tried
 from robodyn.dynamics.vectors import ZERO, Vector, cross, named, plus, scaled
-
-#: About so many sections are tried to put levers together from; more gain next to nothing on long arms.
-_STARTS = 10
 
 #: Velocity of the tool's origin, and angular velocity, at a unit rate of a joint.
 Column = tuple[Vector, Vector]
@@ -88,7 +85,7 @@ def columns(
 
 def _columns(at: Dynamics, arm: Placed, *, nested_only: bool) -> list[Column]:
     nested = levers(arm.sections)
-    starts = () if nested_only else range(0, len(arm.sections) + 1, 1 + len(arm.sections) // _STARTS)
+    starts = () if nested_only else tried(range(len(arm.sections) + 1))
     outside = [levers_outside(arm, nested, k) for k in starts]
     choices: list[list[Vector]] = []
     angular: list[Vector] = []

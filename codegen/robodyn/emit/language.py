@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Literal
 
 from robodyn.emit.spelling import Spelling
 from robodyn.emit.syntax import Syntax
 from robodyn.errors import InputError
+from robodyn.robot.names import shown
 
 if TYPE_CHECKING:
     from robodyn.emit.body import Lines
@@ -93,6 +94,8 @@ class Language:
     scalars: tuple[ScalarType, ...] = ("double", "float")
     #: Whose sines and cosines it can have; our own ask for ``syntax`` with ``sines``.
     trigonometry: tuple[str, ...] = ("libm", "builtin", "given")
+    #: How many characters a name may have, where the language says.
+    longest_name: int | None = None
     #: What it can do beyond plain kernels.
     features: frozenset[Feature] = frozenset()
     #: Files of batches, by name.
@@ -102,8 +105,9 @@ class Language:
     #: What a firmware folder has of it beside the kernel; that of C is the folder itself.
     selftest: SelfTest | None = None
 
-    def check(self, scalar: str, trig: str) -> None:
-        """:class:`InputError` where it has no such numbers, or no such sines and cosines."""
+    def check(self, scalar: str, trig: str, signatures: Sequence[Signature]) -> None:
+        """:class:`InputError` where it has no such numbers, no such sines and cosines, or no names as long as
+        those of the functions."""
         options = (("--scalar", scalar, self.scalars), ("--trig", trig, self.trigonometry))
         for option, value, able in options:
             if value not in able:
@@ -111,3 +115,12 @@ class Language:
                     f"{self.title} is not written with {option} {value}",
                     expected=f"{option} {' or '.join(able)}",
                 )
+        longest = max(signatures, key=lambda signature: len(signature.symbol))
+        if self.longest_name is not None and len(longest.symbol) > self.longest_name:
+            room = self.longest_name - len(longest.symbol) + len(longest.robot)
+            raise InputError(
+                f"{self.title} allows names of {self.longest_name} characters",
+                found=f"{len(longest.symbol)} in {shown(longest.symbol, self.longest_name)}",
+                remedy=(f"shorten the robot's name to {room} characters, or " if room > 0 else "")
+                + f"leave {self.name} out of the languages (--lang)",
+            )

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.emit.head import state_members
 from robodyn.emit.language import Language
 from robodyn.emit.languages import languages_named
 from robodyn.emit.lines import head_of
@@ -69,6 +70,8 @@ def language_tests(generated: Generated, languages: Sequence[str]) -> dict[str, 
     for language in chosen:
         spelling = language.spelling(scalar == "float")
         context = {
+            "parameters": robot.parameters,
+            "states": state_members(generated.unit),
             **language.context(generated.unit),
             "name": robot.name,
             "head": head_of(robot, [head]),

@@ -36,8 +36,8 @@ def firmware_options(
     options: Options, targets: Sequence[str], *, scalar: ScalarType | None = None, trig: str | None = None
 ) -> Options:
     """``options`` for the processors called ``targets``, none for all: built-in sine and cosine; inverse
-    dynamics alone unless functions are named; float, unless ``scalar`` says otherwise or every processor
-    has a floating-point unit for double.
+    dynamics alone unless functions are named, and ``all`` without those that cannot be tested; float, unless
+    ``scalar`` says otherwise or every processor has a floating-point unit for double.
 
     Raises
     ------
@@ -52,16 +52,23 @@ def firmware_options(
         )
     if scalar is None:
         scalar = "double" if all("double" in target.hardware for target in named) else "float"
-    functions = options.functions or FUNCTIONS
-    for function in functions:
-        unknown = set(function_named(function).input_names) - {"q", "qd", "qdd", "tau"}
-        if unknown:
+    options = dataclasses.replace(
+        options, functions=options.functions or FUNCTIONS, scalar=scalar, trig="builtin"
+    )
+    untested = {name: inputs for name in options.function_names if (inputs := _without_limits(name))}
+    for function, inputs in untested.items():
+        if options.insists_on(function):
             raise InputError(
                 f"no firmware tests {function}",
-                found=f"its input {', '.join(sorted(unknown))}, of which no joint has limits",
+                found=f"its input {', '.join(inputs)}, of which no joint has limits",
                 remedy="leave it out of --functions, or out of --firmware",
             )
-    return dataclasses.replace(options, functions=functions, scalar=scalar, trig="builtin")
+    return dataclasses.replace(options, without=tuple(untested))
+
+
+def _without_limits(function: str) -> list[str]:
+    """The inputs of ``function`` that no joint has limits of: there is no telling what to test them with."""
+    return sorted(set(function_named(function).input_names) - {"q", "qd", "qdd", "tau"})
 
 
 def check_firmware(generated: Generated) -> None:

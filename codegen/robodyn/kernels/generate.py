@@ -104,7 +104,7 @@ class Generated:
         """
         chosen = languages_named(defaults() if languages is None else languages)
         for language in chosen:
-            language.check(self.options.scalar, self.options.trig)
+            language.check(self.options.scalar, self.options.trig, self.signatures)
         if self.unit.misra:
             require("misra", chosen)
         if batch:

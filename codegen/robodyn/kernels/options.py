@@ -44,7 +44,7 @@ class Options:
     """What to generate and how; the defaults are those of ``robodyn gen``.
 
     ``functions`` None is those that are written by default, ``("all",)`` all there are, as far as the robot
-    has them: an arm with a joint that moves without inertia has no forward dynamics.
+    has them, but ``without`` these: an arm with a joint that moves without inertia has no forward dynamics.
     ``optimize="none"`` is the recursion as it stands in the book, equal nodes merged and zeros gone;
     ``"fast"`` takes milliseconds; ``"record"`` is the committed best for exactly this arm, else
     fast; ``"search"`` and ``"full"`` ask for a better one (:func:`robodyn.search.improved`) and take the one
@@ -81,6 +81,7 @@ class Options:
     prune: Fraction | None = None
     misra: bool = False
     readable: bool = False
+    without: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         if self.functions is not None:
@@ -109,8 +110,8 @@ class Options:
         """Names of the functions that are asked for, or would be if the robot had them."""
         if self.functions is None:
             return by_default()
-        others = () if ALL not in self.functions else tuple(FUNCTIONS)
-        return tuple(dict.fromkeys((*others, *(name for name in self.functions if name != ALL))))
+        all_there_are = (name for name in FUNCTIONS if ALL in self.functions and name not in self.without)
+        return tuple(dict.fromkeys((*all_there_are, *(name for name in self.functions if name != ALL))))
 
     def insists_on(self, function: str) -> bool:
         """Whether ``function`` is asked for by its name: a robot that does not have it is refused."""

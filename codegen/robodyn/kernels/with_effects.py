@@ -18,12 +18,12 @@ from robodyn.drives.drive import (
     passed_on,
     rigid_part,
 )
-from robodyn.dynamics.arm import JointAngle, Motion, build_arm, build_motion
-from robodyn.dynamics.functions import Function, Moving, Rotor, function_named, torques_at
-from robodyn.dynamics.lump import MomentForm
+from robodyn.dynamics.arm import JointAngle, build_arm, build_motion
+from robodyn.dynamics.functions import Function, Rotor, function_named, torques_at
 from robodyn.dynamics.modified_newton_euler import modified_newton_euler
 from robodyn.dynamics.newton_euler import newton_euler
-from robodyn.dynamics.parallel import Turns
+from robodyn.dynamics.rotor import with_rotors
+from robodyn.dynamics.upon import Upon
 from robodyn.effects.effect import Site
 from robodyn.errors import InputError
 from robodyn.ir.derivative import jacobian
@@ -102,7 +102,7 @@ def layered(
     return lower(at.graph, outputs + ([("state", at.states)] if at.states else []))
 
 
-class _Layered:
+class _Layered(Upon):
     """Drives on a rigid arm, in a graph; see :class:`robodyn.dynamics.functions.Dynamics`."""
 
     def __init__(
@@ -122,20 +122,7 @@ class _Layered:
         self.states: list[Any] = []
         self.rest: Sequence[Any] = [0] * robot.n
         self.inputs = function.nodes(self.graph.input, robot.n)
-        self._beneath = recursion_in(self.graph, rigid_part(robot), choice, self.inputs)
-        self.arm, self.cheapest = self._beneath.arm, self._beneath.cheapest
-
-    def motion(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Motion:
-        """The rigid arm at ``q``, with these rates and accelerations."""
-        return self._beneath.motion(qd, qdd)
-
-    def turns(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Turns:
-        """How its joints turn."""
-        return self._beneath.turns(qd, qdd)
-
-    def links(self, qd: Sequence[Any], qdd: Sequence[Any], form: MomentForm = "second_moment") -> Moving:
-        """The same, with the links' masses."""
-        return self._beneath.links(qd, qdd, form)
+        super().__init__(recursion_in(self.graph, rigid_part(robot), choice, self.inputs))
 
     def differentiated(self, values: Sequence[Any], array: str) -> list[list[Any]]:
         """Derivatives of ``values`` by the elements of ``array``, through all effects."""
@@ -147,16 +134,11 @@ class _Layered:
 
     def rotors(self) -> list[Rotor]:
         """The rotors of the drives."""
-        return self._beneath.rotors() + self._layer.rotors()
+        return [*super().rotors(), *self._layer.rotors()]
 
     def inertial_torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
         """Torques [n] of the rigid arm and all rotors, without gravity and what drives do besides."""
-        tau = self._beneath.inertial_torques(qd, qdd)
-        for rotor in self._layer.rotors():
-            acceleration = sum(ratio * qdd[joint] for joint, ratio in rotor.rates)
-            for joint, ratio in rotor.rates:
-                tau[joint] = tau[joint] + ratio * (rotor.inertia * acceleration)
-        return tau
+        return with_rotors(super().inertial_torques(qd, qdd), self._layer.rotors(), qdd)
 
     def mark(self, value: Any, label: Label) -> Any:
         """Name ``value``."""

@@ -14,7 +14,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.draw.curves import ticks
+from robodyn.draw.scales import ticks
 
 Floats = NDArray[np.float64]
 

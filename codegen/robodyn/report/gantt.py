@@ -1,23 +1,27 @@
-"""Schedules and task graphs as pictures: who does what when, and which task waits for which. SVG, the same
-bytes at any time."""
+"""Schedules as pictures: who does what when, what more processors bring. SVG, the same bytes at any time."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Final
+from typing import Any, Final
 
-from robodyn.draw.curves import Curve, Panel, figure
+from robodyn.draw import style
 from robodyn.draw.markup import markup_template
+from robodyn.draw.panels import Curve, Panel, figure
 from robodyn.report.schedule_sources import Source
 from robodyn.schedule import Solved
 from robodyn.thesis.printed_tasks import TIMES_OTHERS, TIMES_STANFORD
 
-_CELL, _ROW, _LEFT, _TOP = 34, 26, 60, 70
+#: A unit of time, a row, what is left of the rows and above them, a colour of the key, in px.
+_CELL, _ROW, _LEFT, _TOP, _SWATCH = 34, 26, 50, 92, 70
+_PROCESSORS: Final = "processors"
 #: Pixels of the longest schedule.
 _WIDEST: Final = 13600
-_BOX, _STEP = (36, 18), (46, 40)
-#: Colours of links, again from the first where there are more.
-_PALE: Final = ("#c6d8ec", "#f6dfc5", "#cfe8d8", "#f0c9cd", "#dddddd", "#e4d7ef", "#d3ecec", "#eeeac0")
+
+
+def colour_of(link: int) -> str:
+    """The colour of a box that belongs to ``link`` (from 1): again the first where there are more."""
+    return style.pale(style.SERIES[(link - 1) % len(style.SERIES)])
 
 
 def gantt_svg(source: Source, solved: Solved) -> str:
@@ -29,7 +33,9 @@ def gantt_svg(source: Source, solved: Solved) -> str:
             "x": f"{scale * one.start:.1f}",
             "y": _ROW * one.processor,
             "width": f"{max(0.5, scale * (one.finish - one.start) - 1):.1f}",
-            "fill": _PALE[(graph.link(one.task) - 1) % len(_PALE)],
+            "fill": colour_of(graph.link(one.task)),
+            "name": f"task {one.task}, link {graph.link(one.task)}, P{one.processor + 1}, "
+            f"{one.start} to {one.finish}",
             "label": str(one.task) if scale * (one.finish - one.start) >= 24 else "",
             "middle": f"{scale * (one.start + one.finish) / 2:.1f}",
         }
@@ -37,16 +43,20 @@ def gantt_svg(source: Source, solved: Solved) -> str:
     ]
     p = table.machine.processors
     every = max(1, -(-table.span // 30))
+    links = sorted({graph.link(task) for task in graph.tasks})
     unit = "levels" if table.machine.synchronised else "units of time"
     return markup_template("gantt.svg.j2").render(
-        width=_LEFT + round(scale * table.span) + 30,
-        height=_TOP + _ROW * p + 50,
+        style=style,
+        width=_LEFT + max(round(scale * table.span), _SWATCH * min(len(links), len(style.SERIES)), 420) + 30,
+        height=_TOP + _ROW * p + 56,
+        key=_key(links),
+        unit=f"time [{unit}]",
         left=_LEFT,
         top=_TOP,
         row=_ROW - 2,
         title=f"{source.name}: {len(graph)} tasks on {p} processors",
         note=f"{table.levels} {unit}, speed-up {solved.speedup:.3f}, "
-        f"efficiency {100 * solved.efficiency:.2f} %; colours are links",
+        f"efficiency {100 * solved.efficiency:.2f} %",
         boxes=boxes,
         rows=[{"y": _ROW * k + _ROW / 2, "label": f"P{k + 1}"} for k in range(p)],
         ticks=[{"x": f"{scale * t:.1f}", "label": str(t)} for t in range(0, table.span + 1, every)],
@@ -55,44 +65,21 @@ def gantt_svg(source: Source, solved: Solved) -> str:
     )
 
 
-def layers_svg(source: Source) -> str:
-    """The layered graph: tasks in the earliest layer that they can be in, lines to what they wait for."""
-    graph = source.graph
-    level = graph.levels()
-    rows: list[list[int]] = [[] for _ in range(graph.critical_path)]
-    for task in graph.tasks:
-        rows[level[task] - 1].append(task)
-    widest = max(map(len, rows), default=1)
-    at: dict[int, tuple[float, float]] = {}
-    for k, row in enumerate(rows):
-        shift = (widest - len(row)) * _STEP[0] / 2
-        for i, task in enumerate(row):
-            at[task] = (shift + i * _STEP[0], k * _STEP[1])
-    lines = [
+def _key(links: Sequence[int]) -> list[dict[str, Any]]:
+    """Colours and the links that have them."""
+    by_colour: dict[str, list[str]] = {}
+    for link in links:
+        by_colour.setdefault(colour_of(link), []).append(str(link))
+    return [
         {
-            "x1": at[other][0] + _BOX[0] / 2,
-            "y1": at[other][1] + _BOX[1],
-            "x2": at[task][0] + _BOX[0] / 2,
-            "y2": at[task][1],
+            "x": _SWATCH * k,
+            "fill": fill,
+            "label": f"link {some[0]}"
+            if len(some) == 1
+            else f"{some[0]}, {some[1]}" + " ..." * (len(some) > 2),
         }
-        for task, needed in graph.after.items()
-        for other in sorted(needed)
+        for k, (fill, some) in enumerate(by_colour.items())
     ]
-    return markup_template("layers.svg.j2").render(
-        width=_LEFT + widest * _STEP[0] + 30,
-        height=_TOP + len(rows) * _STEP[1] + 20,
-        left=_LEFT,
-        top=_TOP,
-        title=f"{source.name}: layered graph",
-        note=f"{len(graph)} {source.tasks} in {len(rows)} layers, at most {widest} in one; colours are links",
-        lines=lines,
-        boxes=[
-            {"x": x, "y": y, "fill": _PALE[(graph.link(task) - 1) % len(_PALE)], "label": str(task)}
-            for task, (x, y) in at.items()
-        ],
-        box={"width": _BOX[0], "height": _BOX[1]},
-        rows=[{"y": k * _STEP[1] + _BOX[1] / 2, "label": str(k + 1)} for k in range(len(rows))],
-    )
 
 
 def sweep_svg(source: Source, solutions: Sequence[Solved], others: Sequence[Solved] = ()) -> str:
@@ -124,11 +111,12 @@ def sweep_svg(source: Source, solutions: Sequence[Solved], others: Sequence[Solv
         share.append(
             Curve("printed levels", at, [100 * work / levels / k for k, levels in printed], dashed=True)
         )
-    speed.append(Curve("a task a processor and level", p, [float(k) for k in p], dashed=True))
+    speed.append(Curve("ideal", p, [float(k) for k in p], dashed=True))
+    unit = "levels" if solutions[0].timetable.machine.synchronised else "units of time"
     panels = [
-        Panel("Processing time", "levels by processors", tuple(times)),
-        Panel("Speed-up", "by processors", tuple(speed)),
-        Panel("Efficiency", "% by processors", tuple(share)),
+        Panel("Processing time", _PROCESSORS, f"time [{unit}]", tuple(times)),
+        Panel("Speed-up", _PROCESSORS, "speed-up over one processor", tuple(speed)),
+        Panel("Efficiency", _PROCESSORS, "efficiency [%]", tuple(share)),
     ]
     if source.figures is not None:
         panels.append(_of_others())
@@ -141,7 +129,8 @@ def _of_others() -> Panel:
     columns = {"Dhanaraj 1990": TIMES_STANFORD, **TIMES_OTHERS}
     return Panel(
         "Processing time, Table 4.8",
-        "ms by processors, as printed",
+        _PROCESSORS,
+        "time [ms], as printed",
         tuple(
             Curve(name, sorted(times), [times[k] for k in sorted(times)], dashed=True)
             for name, times in columns.items()

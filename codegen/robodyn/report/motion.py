@@ -1,15 +1,16 @@
-"""A simulated motion as a picture: positions, velocities and torques of all joints over time."""
+"""A simulated motion as a picture: a row a joint with its position, velocity and torque over time."""
 
 from __future__ import annotations
 
 import importlib
 import io
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.draw import style
 from robodyn.errors import ToolError
 from robodyn.logs.log import Log
 from robodyn.robot.model import Robot
@@ -18,50 +19,86 @@ from robodyn.simulate.trajectories.trajectory import Trajectory
 Floats = NDArray[np.float64]
 
 #: Points of a line at most.
-POINTS = 4000
-_SIZE = (9.0, 7.5)  # inches
-_OWN = {"revolute": ("rad", "rad/s", "N m"), "prismatic": ("m", "m/s", "N")}
+POINTS: Final = 2000
+#: Sizes in px: a panel, what is between panels, and the margins of the picture.
+_PANEL, _BETWEEN = (290, 84), (70, 22)
+_LEFT, _RIGHT, _TOP, _BOTTOM = 118, 20, 84, 52
+#: What is left of the panels where joints of both kinds have their units there.
+_LEFT_MIXED: Final = 178
+_UNITS: Final = {
+    "revolute": {"position": "rad", "velocity": "rad/s", "torque": "N m"},
+    "prismatic": {"position": "m", "velocity": "m/s", "torque": "N"},
+}
 
 
 def motion_picture(robot: Robot, log: Log, kind: str, reference: Trajectory | None = None) -> bytes:
     """The picture of ``log`` as ``kind`` svg or png, the same bytes for the same log.
 
-    A column for revolute joints and one for prismatic ones, a line a joint; the positions of ``reference``
-    are dashed. A log without velocities gets no velocities.
+    Each panel has a scale of its own; the positions of ``reference`` are dashed. A log without velocities
+    gets no velocities.
 
     Raises
     ------
     ToolError: matplotlib is missing.
     """
     matplotlib, backend = _matplotlib(kind)
-    kinds = [name for name in _OWN if any(link.joint.kind == name for link in robot.links)]
-    rows = [("position", log.q), ("velocity", log.qd), ("torque", log.tau)]
-    shown = [(name, values, i) for i, (name, values) in enumerate(rows) if values is not None]
-    settings = {"svg.hashsalt": "robodyn", "svg.fonttype": "path", "axes.grid": True, "grid.alpha": 0.3}
-    with matplotlib.style.context(["default", settings]):
-        figure = matplotlib.figure.Figure(figsize=_SIZE, layout="constrained")
+    known = (("position", log.q), ("velocity", log.qd), ("torque", log.tau))
+    shown = [(name, values) for name, values in known if values is not None]
+    left = _LEFT if len({link.joint.kind for link in robot.links}) == 1 else _LEFT_MIXED
+    sizes = [
+        before + count * size + (count - 1) * between + after
+        for before, count, size, between, after in (
+            (left, len(shown), _PANEL[0], _BETWEEN[0], _RIGHT),
+            (_TOP, robot.n, _PANEL[1], _BETWEEN[1], _BOTTOM),
+        )
+    ]
+    with matplotlib.style.context(["default", style.matplotlib_settings()]):
+        figure = matplotlib.figure.Figure(figsize=[style.PX * size for size in sizes])
         canvas = backend(figure)
-        axes = figure.subplots(len(shown), len(kinds), sharex=True, squeeze=False)
+        grid = figure.add_gridspec(
+            robot.n, len(shown), left=left / sizes[0], right=1 - _RIGHT / sizes[0],
+            top=1 - _TOP / sizes[1], bottom=_BOTTOM / sizes[1],
+            wspace=_BETWEEN[0] / _PANEL[0], hspace=_BETWEEN[1] / _PANEL[1],
+        )  # fmt: skip
+        axes = grid.subplots(sharex=True, squeeze=False)
+        _words(figure, axes, robot, [name for name, _ in shown], left, reference is not None)
         places = _thinned(len(log.t))
-        for column, joint_kind in enumerate(kinds):
-            joints = [j for j, link in enumerate(robot.links) if link.joint.kind == joint_kind]
-            for row, (name, values, unit) in enumerate(shown):
-                panel = axes[row][column]
-                what = "force" if name == "torque" and joint_kind == "prismatic" else name
-                panel.set_ylabel(f"{what} [{_OWN[joint_kind][unit]}]")
-                for j in joints:
-                    colour = f"C{j % 10}" if robot.n <= 10 else matplotlib.colormaps["viridis"](j / robot.n)
-                    panel.plot(log.t[places], values[places, j], color=colour, lw=1, label=f"joint {j + 1}")
-                    if name == "position" and reference is not None:
-                        seen = _thinned(len(reference.t))
-                        panel.plot(reference.t[seen], reference.q[seen, j], "--", color=colour, lw=0.7)
-            axes[0][column].legend(fontsize="small", ncols=3, loc="best")
-            axes[-1][column].set_xlabel("t [s]")
-        figure.suptitle((robot.title or robot.name).replace("$", r"\$"))  # $ begins a formula
+        for j in range(robot.n):
+            for panel, (name, values) in zip(axes[j], shown, strict=True):
+                if name == "position" and reference is not None:
+                    there = _thinned(len(reference.t))
+                    drawn = panel.plot(reference.t[there], reference.q[there, j], color=style.VERMILION)
+                    drawn[0].set(dashes=(4, 2), zorder=3)
+                panel.plot(log.t[places], values[places, j], color=style.BLUE)
+                panel.margins(x=0)
+                panel.locator_params(axis="y", nbins=4, min_n_ticks=3)
         stream = io.BytesIO()
         metadata = {"Date": None} if kind == "svg" else {"Software": None}
-        canvas.print_figure(stream, format=kind, metadata=metadata, dpi=120)
+        canvas.print_figure(stream, format=kind, metadata=metadata, dpi=1.25 / style.PX)
     return stream.getvalue()
+
+
+def _words(figure: Any, axes: Any, robot: Robot, names: Sequence[str], left: int, followed: bool) -> None:
+    """Title, what each column and each row is, units and time."""
+    high = figure.get_figheight()
+    x, right = style.PX * 16 / figure.get_figwidth(), 1 - style.PX * _RIGHT / figure.get_figwidth()
+    title = (robot.title or robot.name).replace("$", r"\$")  # $ begins a formula
+    figure.suptitle(title, x=x, y=1 - style.PX * 14 / high, ha="left", va="top")
+    if followed:
+        words = {"size": style.POINT * style.TEXT, "color": style.SOFT, "ha": "right", "va": "top"}
+        figure.text(right, 1 - style.PX * 18 / high, "dashed: the reference", **words)
+    kinds = {link.joint.kind for link in robot.links}
+    for panel, name in zip(axes[0], names, strict=True):
+        what = "torque, force" if name == "torque" and "prismatic" in kinds else name
+        unit = f" [{_UNITS[next(iter(kinds))][name]}]" if len(kinds) == 1 else ""
+        panel.set_title(f"{what}{unit}", pad=style.POINT * 12)
+    for j, link in enumerate(robot.links):
+        units = ", ".join(_UNITS[link.joint.kind][name] for name in names)
+        own = f"joint {j + 1}" if len(kinds) == 1 else f"joint {j + 1}\n[{units}]"
+        axes[j][0].set_ylabel(own, rotation=0, ha="left", va="center", color=style.INK)
+        axes[j][0].yaxis.set_label_coords((16 - left) / _PANEL[0], 0.5)
+    for panel in axes[-1]:
+        panel.set_xlabel("t [s]")
 
 
 def _thinned(samples: int) -> Sequence[int] | Floats:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from robodyn.draw.curves import Curve, Panel, figure
+from robodyn.draw.panels import Curve, Panel, figure
 from robodyn.effects import thesis_friction as friction
 from robodyn.effects.efficiency import efficiency_at
 from robodyn.thesis.case_arm import efficiency_curve, efficiency_points
@@ -10,6 +10,7 @@ from robodyn.thesis.case_study import LABEL, Floats, Study
 from robodyn.thesis.printed_counts import TABLE_3_4
 
 _JOINTS = (1, 2, 3)
+_TIME = "t [s]"
 _LOADS = [k / 200 for k in range(201)]
 
 
@@ -33,13 +34,14 @@ def path(study: Study) -> str:
         "Path of the point",
         LABEL,
         (
-            Panel("The line", "z over y in m, at x = 0.4 m", (_curve("path", point[:, 1], point[:, 2]),)),
+            Panel("The line, at x = 0.4 m", "y [m]", "z [m]", (_curve("", point[:, 1], point[:, 2]),)),
             Panel(
                 "Along the line",
-                "m and m/s over s",
+                _TIME,
+                "y = z [m], and its rate [m/s]",
                 (
                     Curve("y = z", t, point[:, 1].tolist()),
-                    Curve("rate of y = z", t, speed[:, 1, 0].tolist(), dashed=True),
+                    Curve("rate", t, speed[:, 1, 0].tolist(), dashed=True),
                 ),
             ),
         ),
@@ -50,11 +52,11 @@ def joints(study: Study) -> str:
     """Positions, velocities and accelerations of the joints."""
     motion = study.motion
     panels = tuple(
-        Panel(title, unit, tuple(_over(study, f"joint {k}", values[:, k - 1]) for k in _JOINTS))
+        Panel(title, _TIME, unit, tuple(_over(study, f"joint {k}", values[:, k - 1]) for k in _JOINTS))
         for title, unit, values in (
-            ("Positions", "rad over s", motion.q),
-            ("Velocities", "rad/s over s", motion.qd),
-            ("Accelerations", "rad/s^2 over s", motion.qdd),
+            ("Positions", "position [rad]", motion.q),
+            ("Velocities", "velocity [rad/s]", motion.qd),
+            ("Accelerations", "acceleration [rad/s^2]", motion.qdd),
         )
     )
     return figure("Joint trajectories", LABEL, panels)
@@ -70,25 +72,28 @@ def torques(study: Study, joint: int) -> str:
         (
             Panel(
                 f"Joint {joint}: with and without friction",
-                "N m over s",
+                _TIME,
+                "torque [N m]",
                 (
                     _over(study, "without friction", series.rigid[:, k]),
                     _over(study, "with joint friction", series.joint[:, k]),
-                    _over(study, "with joint friction and transmission", series.input[:, k]),
+                    _over(study, "with transmission as well", series.input[:, k]),
                 ),
             ),
             Panel(
                 f"Joint {joint}: parts of the friction",
-                "N m over s",
+                _TIME,
+                "torque [N m]",
                 (
                     _over(study, "bearings, Eq 3.3", series.bearing[:, k]),
                     _over(study, "breakaway torque", series.breakaway[:, k]),
-                    _over(study, "efficiency of the transmission", series.loss[:, k]),
+                    _over(study, "loss of the transmission", series.loss[:, k]),
                 ),
             ),
             Panel(
                 f"Joint {joint}: through the transmission",
-                "torque that goes in over torque at the joint, N m",
+                "torque at the joint [N m]",
+                "torque that goes in [N m]",
                 (
                     _curve("input torque", series.joint[1:-1, k], series.input[1:-1, k]),
                     Curve("without loss", ends, ends, dashed=True),
@@ -96,7 +101,8 @@ def torques(study: Study, joint: int) -> str:
             ),
             Panel(
                 f"Joint {joint}: efficiency",
-                "share over s",
+                _TIME,
+                "share",
                 (
                     _over(study, "efficiency", series.efficiency[:, k]),
                     _over(study, "load, share of the largest torque", series.load[:, k]),
@@ -113,10 +119,11 @@ def efficiency() -> str:
     curve = [float(efficiency_at(x, knots, "cubic")) for x in _LOADS]
     panel = Panel(
         "Efficiency of the transmissions",
-        "share over load, a share of the largest torque",
+        "load, as a share of the largest torque",
+        "efficiency",
         (
-            Curve("assumed: through the three points, then load^0.2; level below them", _LOADS, curve),
-            Curve("the three points of Table 3.5", [x for x, _ in known], [y for _, y in known]),
+            Curve("assumed: through the points, load^0.2 above, level below", _LOADS, curve),
+            Curve("three points of Table 3.5", [x for x, _ in known], [y for _, y in known]),
         ),
     )
     return figure("Efficiency curve", LABEL, (panel,))
@@ -138,17 +145,22 @@ def transmission() -> str:
                 inputs.append(float(law(torque, efficiency, breakaway, direction)))
             curves.append(Curve(name, outputs, inputs))
         curves.append(Curve("without loss", outputs, outputs, dashed=True))
-        title = f"Joint {joint}: driving where torque and motion agree, else braking"
-        panels.append(Panel(title, "torque in over torque at the joint, N m", tuple(curves)))
-    return figure("Figure 3.5, redrawn: the transmission in four quadrants", LABEL, panels)
+        panels.append(
+            Panel(f"Joint {joint}", "torque at the joint [N m]", "torque that goes in [N m]", tuple(curves))
+        )
+    return figure(
+        "Figure 3.5, redrawn: the transmission, driving where torque and motion agree, else braking",
+        LABEL,
+        panels,
+    )
 
 
 def following(study: Study) -> str:
     """How far the simulated arm is from its motion."""
     t, off = study.deviation
     panel = Panel(
-        "Forward check", "deviation of the point in mm over s, PD controller and fed torques",
-        (_curve("deviation", t[::10], 1000 * off[::10]),),
+        "Forward check: PD controller and fed torques", _TIME, "deviation of the point [mm]",
+        (_curve("", t[::10], 1000 * off[::10]),),
     )  # fmt: skip
     return figure("The simulated arm on the line", LABEL, (panel,))
 

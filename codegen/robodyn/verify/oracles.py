@@ -20,13 +20,10 @@ from robodyn.dynamics.arm import (
     build_motion,
     trigonometry_at,
 )
-from robodyn.dynamics.choosing import First
-from robodyn.dynamics.functions import Function, Moving, Rotor
+from robodyn.dynamics.described import AsDescribed
+from robodyn.dynamics.functions import Function, Rotor
 from robodyn.dynamics.joints import rotors_of
-from robodyn.dynamics.lump import NO_LUMP, MomentForm
-from robodyn.dynamics.parallel import Turns, single_turns
-from robodyn.dynamics.regroup import lumps_of
-from robodyn.dynamics.vectors import unmarked
+from robodyn.dynamics.rotor import with_rotors
 from robodyn.ir.evaluate import turn
 from robodyn.optimize.programs import base_set_of
 from robodyn.robot.model import Robot
@@ -110,11 +107,8 @@ class Oracle:
         return rows if self.exact else rows.astype(np.float64)
 
 
-class _Columns:
+class _Columns(AsDescribed):
     """A reference over columns ``[N]`` of states; see :class:`robodyn.dynamics.functions.Dynamics`."""
-
-    mark = staticmethod(unmarked)
-    cheapest = First()
 
     def __init__(self, oracle: Oracle, inputs: Mapping[str, Floats]) -> None:
         self._oracle, self._q = oracle, inputs["q"]
@@ -131,18 +125,6 @@ class _Columns:
         q, scalar = self.inputs["q"], self._scalar
         trigonometry = _exact_trigonometry(q) if self._oracle.exact else trigonometry_at(q)
         return build_motion(self.arm, q, qd, qdd, trigonometry, scalar)
-
-    def turns(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Turns:
-        """How its joints turn, each for itself."""
-        return single_turns(self.motion(qd, qdd))
-
-    def links(self, qd: Sequence[Any], qdd: Sequence[Any], form: MomentForm = "second_moment") -> Moving:
-        """The same, as described."""
-        motion = self.motion(qd, qdd)
-        return Moving(self.arm, motion, single_turns(motion), lumps_of(self.arm), NO_LUMP)
-
-    def differentiated(self, values: Sequence[Any], array: str) -> None:
-        """The rigid arm's derivatives are written out."""
 
     def base_set(self) -> tuple[BaseParameter, ...]:
         """The base parameters."""
@@ -163,12 +145,7 @@ class _Columns:
         """The reference's torques of links in no gravity, and what accelerates the rotors."""
         links = self._oracle.links()
         speeds, accelerations = (self._oracle._rows(x, len(self._q)) for x in (qd, qdd))
-        tau = list(links.torque(self._q, speeds, accelerations).T)
-        for rotor in self.rotors():
-            acceleration = sum(ratio * qdd[joint] for joint, ratio in rotor.rates)
-            for joint, ratio in rotor.rates:
-                tau[joint] = tau[joint] + ratio * (rotor.inertia * acceleration)
-        return tau
+        return with_rotors(list(links.torque(self._q, speeds, accelerations).T), self.rotors(), qdd)
 
     def mass_matrix(self) -> list[list[Any]]:
         """Mass matrix ``[n][n]``, of columns."""

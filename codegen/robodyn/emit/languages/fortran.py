@@ -82,7 +82,7 @@ def _function(text: FunctionText) -> dict[str, Any]:
         arguments += ["state", "dt"]
     return {
         "bound": _bound(signature),
-        "arguments": ", ".join(arguments),
+        "arguments": " &\n      ".join(textwrap.wrap(", ".join(arguments), WIDTH - 16)),
         "inputs": signature.inputs,
         "outputs": signature.outputs,
         "states": signature.states,
@@ -129,6 +129,7 @@ LANGUAGE = Language(
     function=_function,
     context=_context,
     advice=advice,
+    longest_name=63,
     features=frozenset({"firmware"}),
     compiled=Compiled(
         variable="FC",

@@ -1,0 +1,40 @@
+"""Dynamics of an arm just as it is described, nothing chosen to save operations: references."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from typing import Any
+
+from robodyn.dynamics.arm import Arm, Motion
+from robodyn.dynamics.choosing import First
+from robodyn.dynamics.functions.record import Moving
+from robodyn.dynamics.lump import NO_LUMP, MomentForm
+from robodyn.dynamics.parallel import Turns, single_turns
+from robodyn.dynamics.regroup import lumps_of
+from robodyn.dynamics.vectors import unmarked
+
+
+class AsDescribed(ABC):
+    """Turns and masses of ``arm``; see :class:`robodyn.dynamics.functions.Dynamics`."""
+
+    mark = staticmethod(unmarked)
+    cheapest = First()
+    arm: Arm
+
+    @abstractmethod
+    def motion(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Motion:
+        """The arm at ``q``, with these rates and accelerations."""
+
+    def turns(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Turns:
+        """How its joints turn, each for itself."""
+        return single_turns(self.motion(qd, qdd))
+
+    def links(self, qd: Sequence[Any], qdd: Sequence[Any], form: MomentForm = "second_moment") -> Moving:
+        """The same, as described."""
+        motion = self.motion(qd, qdd)
+        return Moving(self.arm, motion, single_turns(motion), lumps_of(self.arm), NO_LUMP)
+
+    def differentiated(self, values: Sequence[Any], array: str) -> None:
+        """None: the rigid arm's derivatives are written out."""
+        return

@@ -1,0 +1,140 @@
+"""JavaScript: a module without dependencies, for browsers and node.
+
+Numbers are doubles and no product is fused with a sum, so a kernel with its own sine and cosine gives the
+bits of the C. The functions of ``Math`` beyond ``abs`` and ``sqrt`` are an engine's own: their last bits may
+differ from those of C's library and of another engine.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import Any
+
+from robodyn.emit.language import FunctionText, Language
+from robodyn.emit.sines import ANGLES, COSINES, SINES
+from robodyn.emit.spelling import Spelling
+from robodyn.emit.statements import Expression
+from robodyn.emit.syntax import Sines, Syntax
+from robodyn.emit.trig import trig_context
+from robodyn.emit.unit import Unit, calls
+from robodyn.ir.signature import Signature
+
+#: Operations whose last bits are the engine's; sine and cosine too unless they are built in.
+_INEXACT = frozenset({"exp", "pow", "tanh"})
+
+
+def javascript_spelling(*, states: Sequence[str] = ()) -> Spelling:
+    """``states`` are the members of ``state``, where a function has one; it has ``dt`` then."""
+
+    def element(array: str, i: int) -> str:
+        if array == "dt":
+            return array
+        return f"state.{states[i]}" if array == "state" else f"{array}[{i}]"
+
+    def of_math(name: str) -> Callable[..., str]:
+        return lambda *arguments: f"Math.{name}({', '.join(arguments)})"
+
+    names = ("sin", "cos", "tanh", "sqrt", "exp", "pow", "abs")
+    return Spelling(
+        literal=lambda digits: digits,
+        element=element,
+        member=lambda name: f"p.{name}",
+        functions={
+            **{name: of_math(name) for name in names},
+            # Math.sign keeps the sign of -0, which C's comparison does not.
+            "sign": lambda x: f"({x} > 0.0 ? 1.0 : {x} < 0.0 ? -1.0 : 0.0)",
+        },
+        single=False,
+        continuation="",
+        times=" * ",
+    )
+
+
+def _plain_syntax(spelling: Spelling) -> Syntax:
+    return Syntax(
+        spelling,
+        comment="// %s",
+        declare=lambda name, text: f"const {name} = {text};",
+        assign=lambda target, text: f"{target} = {text};",
+    )
+
+
+def _syntax(signature: Signature, unit: Unit) -> Syntax:
+    syntax = _plain_syntax(javascript_spelling(states=signature.states))
+    return replace(syntax, sines=_sines(syntax))
+
+
+def _sines(syntax: Syntax) -> Sines:
+    """``sincos`` of an angle is the array of both."""
+    spelling = syntax.spelling
+
+    def loop(angles: Sequence[Expression]) -> list[str]:
+        size = len(angles)
+        arrays = [f"    const {array} = new Float64Array({size});" for array in (SINES, COSINES)]
+        if size == 1:
+            return [
+                *arrays,
+                *syntax.line(f"[{SINES}[0], {COSINES}[0]] = sincos({spelling.text(angles[0])});"),
+            ]
+        return [
+            *syntax.line(f"const {ANGLES} = [{', '.join(spelling.text(angle) for angle in angles)}];"),
+            *arrays,
+            f"    for (let i = 0; i < {size}; ++i) [{SINES}[i], {COSINES}[i]] = sincos({ANGLES}[i]);",
+        ]
+
+    def pair(array: str, angle: Expression) -> list[str]:
+        return syntax.line(f"const {array} = sincos({spelling.text(angle)});")
+
+    return Sines(loop, pair)
+
+
+def _function(text: FunctionText) -> dict[str, Any]:
+    signature, lines = text.signature, text.lines
+    arguments = [array for array, _ in (*signature.inputs, *signature.outputs)]
+    arguments += ["p"] if signature.parameters else []
+    arguments += ["state", "dt"] if signature.states else []
+    return {
+        "name": signature.called,
+        "arguments": ", ".join(arguments),
+        "lines": lines.angles + lines.statements,
+        "results": lines.results,
+    }
+
+
+def _context(unit: Unit) -> dict[str, Any]:
+    return {"trig": trig_context(_plain_syntax(javascript_spelling()))}
+
+
+def _advice(unit: Unit) -> tuple[str, ...]:
+    advice: tuple[str, ...] = (
+        "Arrays are those of the caller: any that can be indexed, results are written into them.",
+    )
+    if unit.builtin:
+        advice += (
+            "Sine and cosine are built in. The same bits in every engine, and those of the C with "
+            "-ffp-contract=off.",
+        )
+    if calls(unit) & (_INEXACT if unit.builtin else _INEXACT | {"sin", "cos"}):
+        advice += (
+            "Functions of Math are called; but for sqrt and abs their last bits are the engine's own.",
+        )
+    return advice
+
+
+LANGUAGE = Language(
+    name="javascript",
+    title="JavaScript",
+    aliases=("js",),
+    suffixes=(".mjs",),
+    files={"NAME.mjs": "javascript/kernel.mjs.j2"},
+    tests={"NAME.test.mjs": "javascript/vectors.mjs.j2"},
+    spelling=lambda single: javascript_spelling(),
+    syntax=_syntax,
+    function=_function,
+    context=_context,
+    advice=_advice,
+    type_name=lambda robot, kind: {"params": "p"}.get(kind, kind),
+    trig="builtin",
+    scalars=("double",),
+)

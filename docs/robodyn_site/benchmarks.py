@@ -1,0 +1,31 @@
+"""The tables of the benchmarks, made from what the last measurements wrote."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping
+from typing import Any, Final
+
+from benchmarks.functions import tables as functions
+from benchmarks.gap import tables as gap
+from benchmarks.peers import limits
+from benchmarks.peers import tables as peers
+
+from robodyn_site.outside import RESULTS, ROOT
+
+_WRITERS: Final[Mapping[str, Callable[[Any], str]]] = {
+    "benchmarks/peers.md": peers.markdown,
+    "benchmarks/functions.md": functions.markdown,
+    "benchmarks/limits.md": limits.markdown,
+    "benchmarks/gap.md": gap.markdown,
+}
+
+
+def pages() -> dict[str, str]:
+    """A page for each file of results."""
+    return {page: _WRITERS[page](_results(source)) for page, source in RESULTS.items()}
+
+
+def _results(document: str) -> Any:
+    """The figures that a document is made from."""
+    return json.loads((ROOT / document).with_suffix(".json").read_text(encoding="utf-8"))

@@ -1,0 +1,28 @@
+"""All pages that are made when the site is built."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Final
+
+from robodyn_site import (
+    benchmarks,
+    commands,
+    description,
+    effects,
+    functions,
+    languages,
+    outside,
+    python,
+    targets,
+)
+
+#: What the repository has in one page, and the site in a page each and an overview.
+REPLACED: Final = frozenset({"effects.md"})
+_MAKERS: Final = (outside, commands, effects, functions, targets, languages, description, python, benchmarks)
+
+
+@cache
+def pages() -> dict[str, str]:
+    """Path in the site -> Markdown."""
+    return {path: text for maker in _MAKERS for path, text in maker.pages().items()}

@@ -1,0 +1,199 @@
+"""Every example of README, CONTRIBUTING and documents is carried out, and prints what is shown."""
+
+from __future__ import annotations
+
+import importlib
+import re
+import shlex
+from pathlib import Path
+
+import click
+import pytest
+
+from documents.blocks import FENCE, PAGES, ROOT, TUTORIALS, Block, blocks, commands, matches, read
+from documents.running import Reader, checkout, program_folder
+from robodyn.robot import read_text
+from robodyn_cli.main import COMMANDS, HELP
+from robodyn_testing import representative, require_tool
+
+EXAMPLES = {page: [block for block in read(page) if block.is_example] for page in PAGES}
+#: test_tutorials.py follows the tutorials.
+RUN = [
+    page for page, found in EXAMPLES.items() if page not in TUTORIALS and any(block.is_run for block in found)
+]
+
+
+@pytest.mark.parametrize("page", representative(RUN, "docs/operation-counts.md", "docs/from-c-and-python.md"))
+def test_the_examples_print_what_is_shown(page: str, tmp_path: Path) -> None:
+    for block in EXAMPLES[page]:
+        if block.mark == "needs":
+            for tool in block.detail.split(", "):
+                require_tool(tool)
+    reader = Reader(checkout(tmp_path / "checkout"), (program_folder(tmp_path / "bin"),))
+    faults = [fault for block in read(page) for fault in reader.follow(block)]
+    assert not faults, f"{page}\n" + "\n".join(faults)
+
+
+def test_nothing_else_looks_like_an_example() -> None:
+    """Shell commands stand in console blocks, where they are run."""
+    for page in PAGES:
+        languages = {block.language for block in read(page) if block.mark != "file"}
+        assert not languages & {"sh", "bash", "shell", "pycon"}, page
+        prose = FENCE.sub("", (ROOT / page).read_text(encoding="utf-8"))
+        assert not re.findall(r"^    (?:\$|robodyn|make|python) .*$", prose, flags=re.MULTILINE), page
+
+
+def test_what_is_not_run_has_a_reason_and_what_others_run_is_there() -> None:
+    marked = [(page, block) for page, found in EXAMPLES.items() for block in found if not block.is_run]
+    assert marked
+    for page, block in marked:
+        where = f"{page}, line {block.line}"
+        if block.mark == "run by":
+            assert (ROOT / block.detail).is_file(), where
+        else:
+            assert len(block.detail.split()) > 2, where
+
+
+def robodyn_lines() -> list[tuple[str, list[str]]]:
+    """Every ``robodyn ...`` of the documents: where it stands, and its words."""
+    return [
+        (f"{page}, line {command.line}", shlex.split(command.text, comments=True)[1:])
+        for page, found in EXAMPLES.items()
+        for block in found
+        if block.language == "console"
+        for command in commands(block)
+        if command.text.startswith("robodyn ")
+    ]
+
+
+def test_every_command_shown_has_the_options_that_it_is_shown_with() -> None:
+    """Also where it is not run."""
+    lines = robodyn_lines()
+    assert len(lines) > 50
+    for where, (name, *words) in lines:
+        assert name in COMMANDS, where
+        command: click.Command = importlib.import_module(COMMANDS[name][0]).command
+        context = click.Context(command, help_option_names=HELP["help_option_names"])
+        try:
+            command.make_parser(context).parse_args(list(words))
+        except click.UsageError as error:
+            pytest.fail(f"{where}: {error.format_message()}")
+
+
+def test_the_tour_visits_every_command() -> None:
+    visited = {
+        command.text.split()[1]
+        for block in EXAMPLES["docs/tour.md"]
+        for command in commands(block)
+        if command.text.startswith("robodyn ")
+    }
+    assert visited == set(COMMANDS), "docs/tour.md shows every command once at least"
+
+
+def test_descriptions_of_robots_are_robots() -> None:
+    found = [
+        block.text
+        for page in PAGES
+        for block in read(page)
+        if block.language == "yaml" and block.text.startswith("name: ")
+    ]
+    assert found
+    assert read_text(found[-1]).n > 0
+    for text in found:
+        assert read_text(text).n > 0
+
+
+# --- the mechanism itself --------------------------------------------------------------------------------
+
+PAGE = """\
+Text.
+
+<!-- file note.txt -->
+```text
+one
+two
+```
+
+```console
+$ cat note.txt
+one
+...
+$ echo a b c \\
+    d
+a ... d
+$ false
+$ echo $?
+1
+```
+
+1. A list:
+
+   <!-- not run: takes an hour -->
+   ```console
+   $ sleep 3600
+   ```
+
+```python
+>>> x = 2
+>>> x + 1
+3
+```
+
+```python
+assert x == 2
+```
+"""
+
+
+def faults(page: str, folder: Path) -> list[str]:
+    reader = Reader(folder)
+    return [fault for block in blocks(page) for fault in reader.follow(block)]
+
+
+def test_what_is_right_passes(tmp_path: Path) -> None:
+    assert [block.language for block in blocks(PAGE)] == ["text", "console", "console", "python", "python"]
+    assert [block.line for block in blocks(PAGE)][:2] == [4, 9]
+    assert faults(PAGE, tmp_path) == []
+    assert (tmp_path / "note.txt").read_text() == "one\ntwo\n"
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "says"),
+    [
+        ("a ... d", "a ... e", "printed:\na b c d"),
+        ("one\n...\n", "two\n...\n", "printed:\none\ntwo"),
+        ("$ echo $?\n1\n", "", "exit code 1"),
+        ("$ echo $?\n1\n", "$ echo $?\n0\n", "shown:\n0"),
+        (">>> x + 1\n3", ">>> x + 1\n4", "Expected:\n    4\nGot:\n    3"),
+    ],
+)
+def test_what_is_wrong_is_reported(right: str, wrong: str, says: str, tmp_path: Path) -> None:
+    assert right in PAGE
+    (fault,) = faults(PAGE.replace(right, wrong), tmp_path)
+    assert says in fault
+
+
+def test_python_that_fails_is_reported(tmp_path: Path) -> None:
+    with pytest.raises(AssertionError):
+        faults(PAGE.replace("assert x == 2", "assert x == 3"), tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("expected", "output", "same"),
+    [
+        ("a\n...", "a\n", True),
+        ("a\n...", "a\nb\nc\n", True),
+        ("...\nc", "a\nb\nc\n", True),
+        ("a ... c", "a\nc\n", False),
+        ("a  ", "a\n\n", True),
+        ("a", "a\nb\n", False),
+        ("1.5 (...)", "115 (x)\n", False),
+    ],
+)
+def test_dots_stand_for_what_varies(expected: str, output: str, same: bool) -> None:
+    assert matches(expected, output) is same
+
+
+def test_a_block_begins_with_a_command() -> None:
+    with pytest.raises(ValueError, match="begins with a command"):
+        list(commands(Block("console", "robodyn gen\n", 3)))

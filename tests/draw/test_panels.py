@@ -1,0 +1,116 @@
+"""Panels: curves and bars to scale, names beside what they name and not over each other, round scales."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+from itertools import pairwise
+
+import pytest
+
+from robodyn.draw import style
+from robodyn.draw.dots import Dot, dots
+from robodyn.draw.panels import HEIGHT, WIDTH, Bars, Curve, Panel, figure, spread
+from robodyn.draw.scales import decades, label, share, ticks
+
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def drawn(*panels: Panel) -> ET.Element:
+    return ET.fromstring(figure("t", "n", panels))
+
+
+def texts(root: ET.Element) -> dict[str, ET.Element]:
+    return {element.text or "": element for element in root.iter(f"{SVG}text")}
+
+
+def test_a_curve_is_drawn_where_its_numbers_are() -> None:
+    curve = Curve("c", [0, 1, 2], [-1.0, 0.0, 3.0], dashed=True)
+    (line,) = drawn(Panel("p", "x", "y", (curve,))).iter(f"{SVG}polyline")
+    assert line.attrib["points"] == f"0.0,{HEIGHT:.1f} {WIDTH / 2:.1f},{HEIGHT * 3 / 4:.1f} {WIDTH:.1f},0.0"
+    assert line.attrib["stroke-dasharray"] == style.DASHES
+
+
+def test_bars_begin_at_zero_and_say_what_they_are() -> None:
+    bars = (Bars("ours", [30.0, 60.0]), Bars("theirs", [90.0, 120.0], pale=True))
+    root = drawn(Panel("p", "x", "y", bars=bars, categories=("a", "b")))
+    heights = {
+        rect.findtext(f"{SVG}title"): float(rect.attrib["height"])
+        for rect in root.iter(f"{SVG}rect")
+        if rect.find(f"{SVG}title") is not None
+    }
+    assert heights == {
+        "a, ours: 30": HEIGHT / 4, "b, ours: 60": HEIGHT / 2, "a, theirs: 90": 3 * HEIGHT / 4,
+        "b, theirs: 120": HEIGHT,
+    }  # fmt: skip
+    assert {"a", "b", "ours", "theirs", "30", "120"} <= set(texts(root))
+
+
+def test_bars_are_never_on_a_logarithmic_axis() -> None:
+    with pytest.raises(ValueError, match="bars begin at 0, which a logarithmic axis does not have"):
+        Panel("p", "x", "y", bars=(Bars("b", [1.0]),), categories=("a",), logarithmic=True)
+    with pytest.raises(ValueError, match="a bar for each of 2 categories"):
+        Panel("p", "x", "y", bars=(Bars("b", [1.0]),), categories=("a", "b"))
+
+
+def test_a_logarithmic_axis_has_a_step_a_power_of_ten() -> None:
+    root = drawn(Panel("p", "x", "y", (Curve("c", [0, 1], [1.0, 1000.0]),), logarithmic=True))
+    assert {"1", "10", "100", "1 000"} <= set(texts(root))
+    (line,) = root.iter(f"{SVG}polyline")
+    assert line.attrib["points"] == f"0.0,{HEIGHT:.1f} {WIDTH:.1f},0.0"
+
+
+def test_names_stand_at_the_ends_of_curves_in_their_order() -> None:
+    curves = tuple(Curve(name, [0, 1], [0, end]) for name, end in (("low", 1), ("high", 3), ("middle", 2.9)))
+    root = drawn(Panel("p", "x", "y", curves))
+    y = {name: float(texts(root)[name].attrib["y"]) for name in ("low", "high", "middle")}
+    assert y["high"] + style.LEADING <= y["middle"] <= y["low"] - style.LEADING
+    assert y["low"] == pytest.approx(HEIGHT * 2 / 3, abs=0.1), "where there is room it is level with its end"
+
+
+def test_ends_that_meet_are_told_apart_before() -> None:
+    """As torques of friction that end at 0: the names are in the order in which the curves came there."""
+    x = [k / 100 for k in range(101)]
+    curves = tuple(Curve(f"c{k}", x, [k * (a < 1) for a in x]) for k in range(3))
+    root = drawn(Panel("p", "x", "y", curves))
+    y = [float(texts(root)[f"c{k}"].attrib["y"]) for k in range(3)]
+    assert y[2] < y[1] < y[0]
+    assert y[1] == pytest.approx(HEIGHT / 2, abs=0.1)
+
+
+def test_things_are_spread_without_touching() -> None:
+    assert spread([(50, 10), (20, 10)], 100) == [50, 20]
+    assert spread([(50, 10), (52, 10), (99, 10)], 100) == [50, 60, 95]
+    crowded = spread([(0, 40), (0, 40), (0, 40)], 100)
+    assert [b - a for a, b in pairwise(crowded)] == [40, 40]
+
+
+def test_scales_are_round_and_readable() -> None:
+    assert ticks([-1, 3]) == [-1, 0, 1, 2, 3]
+    assert ticks([5.0, 5.0])[0] < 5 < ticks([5.0, 5.0])[-1]
+    assert ticks([1, 6], tight=True, whole=True) == [1, 2, 3, 4, 5, 6]
+    assert decades([3.0, 40.0]) == [1, 10, 100]
+    assert decades([1.0, 1.0]) == [1, 10]
+    assert [label(v) for v in (1e6, -2000.0, 0.05, 0.0)] == ["1 000 000", "-2 000", "0.05", "0"]
+    assert share(2, [1, 2, 5]) == 0.25
+
+
+def test_dots_are_where_their_logarithms_are() -> None:
+    root = ET.fromstring(dots("t", "n", "x", [Dot("a", 0.1, ours=True), Dot("b", 1.0), Dot("c", 10.0)]))
+    places = [float(circle.attrib["cx"]) for circle in root.iter(f"{SVG}circle")]
+    assert places[0] == 0
+    assert places[1] == pytest.approx(places[2] / 2)
+    fills = [circle.attrib["fill"] for circle in root.iter(f"{SVG}circle")]
+    assert fills == [style.OURS, style.OTHERS, style.OTHERS]
+
+
+def luminance(colour: str) -> float:
+    parts = [int(colour[k : k + 2], 16) / 255 for k in (1, 3, 5)]
+    linear = [c / 12.92 if c <= 0.03928 else ((c + 0.055) / 1.055) ** 2.4 for c in parts]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+
+@pytest.mark.parametrize("colour", style.SERIES)
+def test_text_stands_out_from_boxes_of_every_colour(colour: str) -> None:
+    paper, ink = luminance(style.pale(colour)), luminance(style.INK)
+    assert (paper + 0.05) / (ink + 0.05) >= 7
+    assert (1.05) / (luminance(style.SOFT) + 0.05) >= 4.5

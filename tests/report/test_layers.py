@@ -1,0 +1,57 @@
+"""The layered graph: a lane a link, a row a layer, waits between neighbouring layers, a critical path."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+from itertools import pairwise
+
+import pytest
+
+from robodyn.draw import style
+from robodyn.report.layers import critical_chain, layers_svg
+from robodyn.report.schedule_sources import links_source
+
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+@pytest.fixture(scope="module")
+def root() -> ET.Element:
+    return ET.fromstring(layers_svg(links_source(4)))
+
+
+def test_every_task_is_in_the_lane_of_its_link_and_the_row_of_its_layer(root: ET.Element) -> None:
+    graph = links_source(4).graph
+    level = graph.levels()
+    at = {
+        int(group.findtext(f"{SVG}text") or 0): (float(rect.attrib["x"]), float(rect.attrib["y"]))
+        for group in root.iter(f"{SVG}g")
+        for rect in group.findall(f"{SVG}rect")
+    }
+    assert set(at) == set(graph.tasks)
+    assert len(set(at.values())) == len(at), "no box on another"
+    for other, task in ((a, b) for a in graph.tasks for b in graph.tasks):
+        if graph.link(other) < graph.link(task):
+            assert at[other][0] < at[task][0]
+        if level[other] < level[task]:
+            assert at[other][1] < at[task][1]
+
+
+def test_drawn_are_the_waits_that_make_the_layers(root: ET.Element) -> None:
+    graph = links_source(4).graph
+    level = graph.levels()
+    last = [(a, b) for b, needed in graph.after.items() for a in needed if level[a] == level[b] - 1]
+    lines = list(root.iter(f"{SVG}line"))
+    assert len(lines) == len(last)
+    thick = [line for line in lines if line.attrib["stroke"] == style.VERMILION]
+    assert len(thick) == graph.critical_path - 1
+    assert lines[-len(thick) :] == thick, "on top of the others"
+    ends = {(line.attrib["x2"], line.attrib["y2"]) for line in thick}
+    assert len(ends) == len(thick), "one after the other"
+
+
+def test_the_critical_path_is_a_chain_of_waits() -> None:
+    graph = links_source(4).graph
+    chain = critical_chain(graph)
+    assert len(chain) == graph.critical_path
+    assert not graph.after[chain[0]]
+    assert all(a in graph.after[b] for a, b in pairwise(chain))
