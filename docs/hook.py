@@ -6,7 +6,7 @@ from typing import Any
 
 from mkdocs.structure.files import File, Files
 
-from robodyn_site import equations, navigation, outside
+from robodyn_site import equations, navigation, outside, tables
 from robodyn_site.pages import pages
 
 
@@ -33,5 +33,5 @@ def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
 
 
 def on_page_content(html: str, **_: Any) -> str:
-    """Typeset the equations."""
-    return equations.typeset(html)
+    """Typeset the equations, and mend the tables."""
+    return tables.without_empty_heads(equations.typeset(html))

@@ -90,7 +90,7 @@ def command(
             }
         )
     else:
-        click.echo(plan_text(described, candidates, wanted, limit, function), nl=False)
+        click.echo(plan_text(described, robot, candidates, wanted, limit, function), nl=False)
     if best is None:
         raise CheckError(
             f"nothing meets {time_text(limit)}",

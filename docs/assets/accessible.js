@@ -5,7 +5,7 @@
   const all = (selector) => document.querySelectorAll(selector);
 
   const mend = () => {
-    all("pre > code, .md-typeset__scrollwrap").forEach((box) => {
+    all("pre > code, .md-typeset__scrollwrap, .equation").forEach((box) => {
       if (box.scrollWidth > box.clientWidth && !box.hasAttribute("tabindex")) box.tabIndex = 0; // keys scroll it
     });
     all(".md-code__nav:not([aria-label])").forEach((nav, k) => nav.setAttribute("aria-label", `Code block ${k + 1}`));

@@ -52,7 +52,7 @@ def _index() -> str:
 
 def _seen_in(name: str) -> str:
     """Links to the documents in which the command is run."""
-    run = re.compile(rf"^ *robodyn {name}\b", re.MULTILINE)
+    run = re.compile(rf"^ *\$ robodyn {name}\b", re.MULTILINE)
     links = []
     for path in sorted([*(ROOT / "docs").glob("*.md"), *(ROOT / "docs" / "tutorials").glob("*.md")]):
         text = path.read_text(encoding="utf-8")

@@ -7,7 +7,8 @@ from typing import Final
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Effect
 from robodyn.report.effects import body, overview
-from robodyn_site.markdown import page
+from robodyn_site.curves import entry, picture, svg, usual_values
+from robodyn_site.markdown import fenced, page
 
 FOLDER: Final = "effects"
 
@@ -20,9 +21,14 @@ def pages() -> dict[str, str]:
 
 def of_effect(effect: Effect) -> str:
     """The page of one effect."""
+    values = usual_values(effect)
+    shown = picture(effect, values) if values else None
     return page(
         f"# {effect.title}",
         body(effect, name=f"`{effect.id}`", rival=lambda id: f"[`{id}`]({id}.md)"),
+        "## For example" if values else "",
+        fenced(entry(effect, values), "yaml") if values else "",
+        svg(effect.title, shown) if shown else "",
         "[All effects](../effects.md), and the order in which they act. `robodyn effects "
         f"{effect.id}` prints this page.",
     )

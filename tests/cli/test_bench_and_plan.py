@@ -171,6 +171,13 @@ def test_a_plan_ends_in_a_command(capsys: Capture) -> None:
     assert "robodyn schedule puma560_3dof -p" in text or "robodyn gen puma560_3dof" in text
 
 
+def test_the_command_names_the_file_that_was_planned(capsys: Capture, tmp_path: Path) -> None:
+    arm = tmp_path / "an arm.yaml"
+    arm.write_text(bundled_text("stanford_3dof"), encoding="utf-8")
+    text = run(capsys, "plan", str(arm), "--deadline", "1ms", "--target", "cortex-m4f")[0]
+    assert f"robodyn gen '{arm}'\n" in text
+
+
 def test_this_machine_is_measured(capsys: Capture) -> None:
     require_tool("cc")
     found = planned(capsys, "puma560_3dof", "-p", "2", "--deadline", "1s", "--target", "here")

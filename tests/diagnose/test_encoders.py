@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from robodyn.diagnose.run import diagnose
-from robodyn.diagnose.select.encoders import elastic_findings, elasticity
+from robodyn.diagnose.select.encoders import elastic_findings, elasticity, stiff_words
 from robodyn.gate.gate import Gate, inspect
 from robodyn.identify.rigid import Model
 from robodyn.logs.log import Log
@@ -82,11 +82,16 @@ def test_a_stiff_gear_is_not_called_elastic(arm: Robot) -> None:
     (one,) = elasticity(arm, gates(arm, 1, stiffness=1e9))
     assert not one.is_identifiable
     assert one.least_stiffness > 1e5
-    assert elastic_findings(arm, gates(arm, 1, stiffness=1e9)) == ()
+    assert elastic_findings(arm, [one]) == ()
+    (words,) = stiff_words(arm, [one])
+    assert words.startswith("joint 2: its second encoder is read about 3 ms late, and beside that no spring")
+    assert words.endswith("if it were not")
 
 
 def test_a_finding_has_the_stiffness_and_its_unit(arm: Robot) -> None:
-    (finding,) = elastic_findings(arm, gates(arm, 1))
+    seen = elasticity(arm, gates(arm, 1))
+    (finding,) = elastic_findings(arm, seen)
+    assert stiff_words(arm, seen) == ()
     assert (finding.effect, finding.joint) == ("joint_elasticity", 2)
     stiffness = finding.parameters["stiffness"]
     assert stiffness.unit == "N m/rad"
@@ -101,7 +106,7 @@ def test_without_second_encoders_nothing_is_said(arm: Robot) -> None:
     described = read_text(
         to_yaml(arm).replace("motor_inertia: 2\n", f"motor_inertia: 2{soft}\n"), warn=lambda _: None
     )
-    assert elastic_findings(described, gates(arm, 1)) == ()
+    assert elastic_findings(described, elasticity(described, gates(arm, 1))) == ()
 
 
 @pytest.mark.thorough

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
+from urllib.parse import urlsplit
 
 import pytest
 import yaml
@@ -81,3 +82,15 @@ def test_links_of_the_repository_are_links_of_the_site(page: str, text: str, exp
 def test_what_lies_elsewhere_is_there() -> None:
     for source in [*outside.DOCUMENTS.values(), *outside.PICTURES.values()]:
         assert (ROOT / source).is_file()
+
+
+def test_links_elsewhere_are_whole() -> None:
+    """They are not opened here: an address is https, of a host, and without what ends a sentence."""
+    texts = [path.read_text(encoding="utf-8") for path in (ROOT / "docs").rglob("*.md")]
+    links = re.findall(r"https?:[^\s)>\"'`]*", "\n".join([*texts, *pages().values()]))
+    assert links
+    for link in links:
+        address = urlsplit(link)
+        assert address.scheme == "https", link
+        assert re.fullmatch(r"[a-z0-9-]+(\.[a-z0-9-]+)+", address.netloc), link
+        assert link[-1] not in ".,;:", link

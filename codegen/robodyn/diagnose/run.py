@@ -117,7 +117,12 @@ def diagnose(
         new = to_yaml(model) if parameters else rewritten(old, robot, model, result.origins, comments)
     before, after = operations(robot), operations(model)
     drawn = (("train", whole[0]), ("validate", whole[-1]))
-    words = (*words_of(result.verdict, left), *([heavier.words()] if heavier else []), *scope.words())
+    words = (
+        *words_of(result.verdict, left),
+        *([heavier.words()] if heavier else []),
+        *result.words,
+        *scope.words(),
+    )
     return Diagnosis(
         result.verdict, findings, result.gap, robot, model, new, difference(old, new),
         tuple(str(flag) for gate in whole for flag in gate.flags), left, words,

@@ -21,7 +21,7 @@ from robodyn.diagnose.refit import (
 )
 from robodyn.diagnose.result import Finding, Gap, Verdict
 from robodyn.diagnose.select.contact import Touched, contact_findings, standing
-from robodyn.diagnose.select.encoders import elastic_findings
+from robodyn.diagnose.select.encoders import elastic_findings, elasticity, stiff_words
 from robodyn.diagnose.select.scope import Scope
 from robodyn.diagnose.select.search import Outcome
 from robodyn.gate.gate import Gate
@@ -91,7 +91,8 @@ def settled(
 @dataclass(frozen=True, slots=True, eq=False)
 class Completed:
     """The amended ``model``, the ``origins`` of its effects among those of the description (None: new), the
-    ``amendments`` that it has, the ``gap`` that it leaves, ``findings`` and ``verdict``."""
+    ``amendments`` that it has, the ``gap`` that it leaves, ``findings`` and ``verdict``; ``words`` for people
+    of what second encoders show no spring."""
 
     model: Robot
     origins: tuple[int | None, ...]
@@ -99,6 +100,7 @@ class Completed:
     gap: Gap
     findings: tuple[Finding, ...]
     verdict: Verdict
+    words: tuple[str, ...]
 
 
 def completed(
@@ -110,7 +112,8 @@ def completed(
     model, origins = own.robot, own.origins
     amendments = [amendment(f) for f in own.findings]
     gap = gap_of(lacks, robot, model, logs.fitted, logs.judged)
-    springs = [f for f in elastic_findings(model, logs.fitted) if scope.allows(f.effect, f.joint)]
+    by_encoders = elasticity(model, logs.fitted)
+    springs = [f for f in elastic_findings(model, by_encoders) if scope.allows(f.effect, f.joint)]
     contacts = contact_findings(standing(touched, logs.whole, lambda gate: lacks(own.robot, gate)))
     findings = (*map(with_known_errors, by_torque.findings), *springs, *contacts)
     stiff = apply_amendments(model, [amendment(f) for f in springs]).robot
@@ -124,4 +127,5 @@ def completed(
         model, amendments = more.robot, [*amendments, *(amendment(f) for f in added)]
         origins = tuple(None if k is None else origins[k] for k in more.origins)
         verdict = "missing_effect" if verdict == "consistent" else verdict
-    return Completed(model, origins, tuple(amendments), gap, findings, verdict)
+    words = stiff_words(robot, by_encoders)
+    return Completed(model, origins, tuple(amendments), gap, findings, verdict, words)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Sequence
 
 from robodyn.bench.plan import FORMULATIONS, Plan, chip_of, chosen
@@ -12,12 +13,13 @@ from robodyn.targets import Target
 
 def plan_text(
     robot: Robot,
+    source: str,
     candidates: Sequence[Plan],
     targets: Sequence[Target],
     deadline_ns: float,
     function: str = "inverse_dynamics",
 ) -> str:
-    """All plans for a person, those that meet the deadline marked."""
+    """All plans for a person, those that meet the deadline marked; ``source`` names ``robot`` in commands."""
     best = chosen(candidates, deadline_ns)
     lines = [f"{robot.name}: deadline {time_text(deadline_ns)}", ""]
     lines.append(
@@ -35,7 +37,7 @@ def plan_text(
     if best is None:
         lines.append(f"nothing meets it; the shortest is {time_text(candidates[0].time_ns)}")
     else:
-        lines.append(f"take {best.formulation} on {best.target}, {_how(robot, best, function)}")
+        lines.append(f"take {best.formulation} on {best.target}, {_how(source, best, function)}")
     lines += [
         f"{target.name}: {chip.cores} cores, {chip.mhz:.4g} MHz; {chip.source}"
         for target, chip in ((target, chip_of(target)) for target in targets)
@@ -46,7 +48,8 @@ def plan_text(
     return "\n".join(lines) + "\n"
 
 
-def _how(robot: Robot, plan: Plan, function: str) -> str:
+def _how(source: str, plan: Plan, function: str) -> str:
+    robot = shlex.quote(source)
     known = function_named(function)
     options = FORMULATIONS[plan.formulation]
     switches = "".join(
@@ -54,11 +57,11 @@ def _how(robot: Robot, plan: Plan, function: str) -> str:
     )
     if plan.cut is None:
         named = "" if known.by_default else f" --functions {function}"
-        return f"one core: robodyn gen {robot.name}{named}{switches}"
+        return f"one core: robodyn gen {robot}{named}{switches}"
     waits = "" if plan.levels else " --no-levels"
     waits += "" if known.is_recursion else f" --functions {function}"
     return (
-        f"{plan.processors} cores: robodyn schedule {robot.name} -p {plan.processors} --cut "
+        f"{plan.processors} cores: robodyn schedule {robot} -p {plan.processors} --cut "
         f"{plan.cut}{waits}{switches} "
         "-o DIR"
     )

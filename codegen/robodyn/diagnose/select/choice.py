@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +12,7 @@ from robodyn.diagnose.select.fit import Fit, Problem
 from robodyn.diagnose.select.library import Candidate, Context
 from robodyn.diagnose.select.library.prepared import prepared
 from robodyn.diagnose.select.limits import (
+    ALONE,
     BLOCKS,
     CLOSE,
     LEAST_SHARE,
@@ -92,8 +93,12 @@ def best_of(
     for key, one in best.items():
         if one.candidate.values and one.gain > 0.5 * top:
             best[key] = _refined(current, one, least, contexts)
-    unlikely = [one for one in best.values() if not one.candidate.likely(one.fit.x)]
-    best = {key: one for key, one in best.items() if one.candidate.likely(one.fit.x)}
+    unlikely = [
+        one
+        for one in best.values()
+        if not (one.candidate.likely(one.fit.x) or (not rough and _stands_alone(now, one, best.values())))
+    ]
+    best = {key: one for key, one in best.items() if not any(one is each for each in unlikely)}
     if not best:
         return None
     most = max(best.values(), key=lambda one: one.gain)
@@ -145,6 +150,13 @@ def nearest(
         if count[key] <= OSCILLATOR_STARTS and sum(count.values()) <= 2 * OSCILLATOR_STARTS:
             kept.append(_refined(current, one, least, contexts))
     return sorted(kept, key=lambda one: -one.gain)
+
+
+def _stands_alone(now: Problem, one: Trial, others: Iterable[Trial]) -> bool:
+    """Whether a candidate leaves its joints no more than noise, and none of the others as little."""
+    rows = list(one.candidate.rows)
+    left = float(np.median(one.fit.held_out[:, rows], axis=0).max())
+    return left < ALONE and not any(_tied(now, one, each, TIE_LOSS) for each in others if each is not one)
 
 
 def _contains(wide: Candidate, narrow: Candidate) -> bool:

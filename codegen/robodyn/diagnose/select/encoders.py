@@ -89,12 +89,12 @@ def elasticity(robot: Robot, gates: Sequence[Gate]) -> tuple[Elasticity, ...]:
     return tuple(one for j in linked if (one := _of_joint(robot, gates, j)) is not None)
 
 
-def elastic_findings(robot: Robot, gates: Sequence[Gate]) -> tuple[Finding, ...]:
+def elastic_findings(robot: Robot, seen: Sequence[Elasticity]) -> tuple[Finding, ...]:
     """The joints of ``robot`` whose second encoders show their elasticity, as findings; a joint that is
     described as elastic already is none."""
     effect = next(each for each in CATALOGUE.values() if each.traits.twist)
     findings = []
-    for one in elasticity(robot, gates):
+    for one in seen:
         entries = robot.effects_at(one.joint)
         if not one.is_identifiable or any(entry.definition.coupler is not None for entry in entries):
             continue
@@ -114,6 +114,23 @@ def elastic_findings(robot: Robot, gates: Sequence[Gate]) -> tuple[Finding, ...]
             )
         )  # fmt: skip
     return tuple(findings)
+
+
+def stiff_words(robot: Robot, seen: Sequence[Elasticity]) -> tuple[str, ...]:
+    """Of each joint whose second encoder shows no spring: how stiff it is at least, and which spring there
+    would be, were the encoders read at one time."""
+    words = []
+    for one in seen:
+        if one.is_identifiable or not math.isfinite(one.least_stiffness):
+            continue
+        unit = "N m/rad" if robot.links[one.joint - 1].joint.kind == "revolute" else "N/m"
+        late = f"about {abs(1e3 * one.skew):.2g} ms {'late' if one.skew > 0 else 'early'}"
+        plain = f"; {one.without_skew:.2g} if it were not" if math.isfinite(one.without_skew) else ""
+        words.append(
+            f"joint {one.joint}: its second encoder is read {late}, and beside that no spring is seen: at "
+            f"least {one.least_stiffness:.2g} {unit}{plain}"
+        )
+    return tuple(words)
 
 
 def _of_joint(robot: Robot, gates: Sequence[Gate], j: int) -> Elasticity | None:

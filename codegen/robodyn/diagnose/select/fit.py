@@ -29,8 +29,9 @@ class Problem:
     precisions; ``parts`` their slices; by part and joint the products of the columns
     ``gram`` [BLOCKS, n, p, p], with the rest ``right`` [BLOCKS, n, p], and of the rest ``square``
     [BLOCKS, n]; ``thin``: how many neighbouring samples are correlated; ``nuisance``: how many of the columns
-    are nuisance; ``basis`` [all, nuisance] the directions that they are of the arm's own numbers;
-    ``encoder_noise`` [n]: the part of ``sigma`` that comes from the encoders."""
+    are nuisance; ``basis`` [all, nuisance] the directions that they are of the arm's own numbers, which are
+    known to ``sizes`` [all], in their own units; ``encoder_noise`` [n]: the part of ``sigma`` that comes from
+    the encoders."""
 
     rest: Floats
     A: Floats
@@ -44,6 +45,7 @@ class Problem:
     thin: float
     nuisance: int
     basis: Floats
+    sizes: Floats
     encoder_noise: Floats
 
     @property
@@ -138,14 +140,16 @@ def tighter(p: Problem, share: float) -> Problem:
     """The problem with a nuisance that is known better: its standard deviations are a ``share``."""
     prior = p.prior.copy()
     prior[: p.nuisance] /= share**2
-    return replace(p, prior=prior)
+    return replace(p, prior=prior, sizes=share * p.sizes)
 
 
 def wider(p: Problem, fresh: Problem) -> Problem:
     """The problem with the nuisance of ``fresh``, which is of the same log: its columns in the weights and
     without the rows that no longer count."""
     A = fresh.A * (fresh.sigma / p.sigma)[:, None] * p.counted[:, None, None]
-    return _summed(replace(p, A=A, prior=fresh.prior, nuisance=fresh.nuisance, basis=fresh.basis))
+    return _summed(
+        replace(p, A=A, prior=fresh.prior, nuisance=fresh.nuisance, basis=fresh.basis, sizes=fresh.sizes)
+    )
 
 
 def problem(
@@ -155,10 +159,11 @@ def problem(
     thin: float,
     encoder_noise: Floats | None = None,
     weight: Floats | None = None,
+    sizes: Floats | None = None,
 ) -> Problem:
     """The problem of the residual ``rest`` [N, n] and the nuisance ``Y`` [N, n, p], a unit of each column
-    being a standard deviation of its prior; ``encoder_noise`` [n] is the part of ``sigma`` that comes from
-    the encoders; ``weight`` [N, n]: what the rows count (1).
+    being a standard deviation of its prior, ``sizes`` [p] in its own unit (1); ``encoder_noise`` [n] is the
+    part of ``sigma`` that comes from the encoders; ``weight`` [N, n]: what the rows count (1).
 
     All units being alike, the columns may be turned: those that do not show along the log are left out, which
     changes no fit."""
@@ -166,23 +171,24 @@ def problem(
     parts = tuple(slice(int(a), int(b)) for a, b in pairwise(edges))
     weight = np.ones_like(rest) if weight is None else weight
     A, b = Y * (weight / sigma)[:, :, None], rest * (weight / sigma)
-    basis = _directions(A)
+    basis = directions(A)
+    sizes = np.ones(Y.shape[2]) if sizes is None else sizes
     A, p = A @ basis, basis.shape[1]
     by_encoders = np.zeros_like(sigma) if encoder_noise is None else encoder_noise
     none = np.zeros((BLOCKS, len(sigma), p))
     return _summed(
         Problem(
             b, A, np.full(p, thin), sigma, weight, parts, none[..., None], none, none[..., 0], thin, p, basis,
-            by_encoders,
+            sizes, by_encoders,
         )
     )  # fmt: skip
 
 
-def _directions(A: Floats) -> Floats:
+def directions(A: Floats) -> Floats:
     """The principal directions [all, p] of columns [N, n, all], without those that show nothing."""
     gram = sum((a.T @ a for a in np.swapaxes(A, 0, 1)), np.zeros((A.shape[2], A.shape[2])))
-    sizes, directions = np.linalg.eigh(gram)
-    return np.asarray(directions[:, sizes > UNSEEN_NUISANCE])
+    sizes, ways = np.linalg.eigh(gram)
+    return np.asarray(ways[:, sizes > UNSEEN_NUISANCE])
 
 
 def _summed(p: Problem) -> Problem:

@@ -146,7 +146,7 @@ def _untaken(
         and not (rough and c.in_place)
         # In a log with more in it than the catalogue has, whatever is cut off explains something.
         and not (rough and c.local and c.values)
-        and (links or not _is_of_link(c))
+        and (links or not is_of_link(c))
         and (len(kinds) < most or c.effect in kinds)
         and not _is_covered(c, taken)
     ]
@@ -224,7 +224,7 @@ def _kinds(trials: Sequence[Trial], most: int) -> list[Trial]:
     return [one for one in trials if one.candidate.effect in kinds]
 
 
-def _is_of_link(candidate: Candidate) -> bool:
+def is_of_link(candidate: Candidate) -> bool:
     """Whether it is an error of the arm's own numbers."""
     fold = candidate.definition.traits.fold
     return fold is not None and fold.into == "link"

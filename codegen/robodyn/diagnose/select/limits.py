@@ -74,6 +74,9 @@ NEARLY: Final = 0.9
 ROUGH: Final = 3.0
 """[mean squares of the noise] If no candidate leaves less, the log has what is not in the catalogue."""
 
+ALONE: Final = 1.5
+"""[mean squares of the noise] A candidate that is not likely is named if it alone leaves less."""
+
 REPLACING_T: Final = 2.0
 """[standard errors] The least paired t of a law that takes the place of a plainer one."""
 
@@ -271,8 +274,9 @@ OF_TORQUE: Final = 0.004
 OF_ENCODER_NOISE: Final = 2.0
 """[-] and of what the encoders' noise makes of the torque."""
 
-TIGHT: Final = 0.1
-"""[-] How much better the arm's numbers may be than they are said to be (docs/decisions/0012),"""
+TIGHT: Final = (0.1, 0.01)
+"""[-] How much better the arm's numbers may be than they are said to be (docs/decisions/0012): those of an
+identified arm foresee its torques to some thousandths, whatever its description has said of each of them;"""
 
 TIGHT_EVIDENCE: Final = 5.0
 """[log-likelihood] and how much better the evidence for it must be."""

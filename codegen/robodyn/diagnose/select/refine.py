@@ -23,6 +23,7 @@ from robodyn.diagnose.select.limits import (
     REFINE_STEP,
     REFINE_WORTH,
 )
+from robodyn.diagnose.select.own_numbers import own_numbers_of
 from robodyn.effects.catalogue import effect
 from robodyn.effects.effect import Effect
 from robodyn.effects.traits import Dahl
@@ -93,6 +94,11 @@ class Freed:
         left = (rows * self.start.weight).reshape(-1)
         return left if np.isfinite(left).all() else None
 
+    def own_numbers(self, x: Floats) -> tuple[Floats, Floats]:
+        """Columns [N n, p] of the arm's own numbers beside values ``x`` [P], and how they are held [p, p]."""
+        arm = amended(self.robot, self.changed(x))
+        return own_numbers_of(arm, self.robot, self.contexts, self.start)
+
     def slopes(self, x: Floats, left: Floats) -> Floats:
         """Of what is ``left`` [N n] the derivatives [N n, P] by ``x`` [P]; 0 where there is no robot."""
         columns = []
@@ -112,12 +118,12 @@ def refined(
     freed = Freed.of(robot, amendments, contexts, start)
     if not freed.places:
         return list(amendments)
-    nuisance, prior = own_numbers(start)
     x, sizes = freed.x, freed.sizes
     begun, now = x, freed.missed(x)
     if now is None:
         return list(amendments)
     for _ in range(REFINE_ROUNDS):
+        nuisance, prior = freed.own_numbers(x)
         weight, _ = weights(now.reshape(-1, start.n), nuisance, prior)
         best = _least(weight * now, weight[:, None] * nuisance, prior)[0]
         J = freed.slopes(x, now)
@@ -147,11 +153,12 @@ def costs(
 ) -> list[float]:
     """What ``robot`` with all of each of the ``models`` leaves of the logs, in units of log-likelihood;
     bursts, by the measure of the first model, count by their size (Huber 1964)."""
-    nuisance, prior = own_numbers(start)
     usual: Floats | None = None
     residuals = []
     for model in models:
-        left = np.concatenate([_rest(amended(robot, model), c) for c in contexts])
+        arm = amended(robot, model)
+        nuisance, prior = own_numbers_of(arm, robot, contexts, start)
+        left = np.concatenate([_rest(arm, c) for c in contexts])
         left *= start.weight / start.sigma
         weight, usual = weights(left, nuisance, prior, usual)
         least = _least(weight * left.reshape(-1), weight[:, None] * nuisance, prior)[0]
@@ -165,12 +172,6 @@ def _is_refined(known: Effect, name: str) -> bool:
     fold = known.traits.fold
     is_body = known.traits.body or (fold is not None and fold.into == "link")
     return known.place != "outside" and not is_body and name not in known.traits.chosen
-
-
-def own_numbers(start: Problem) -> tuple[Floats, Floats]:
-    """Columns [N n, p] of the arm's own numbers, and how they are held [p, p]."""
-    nuisance = start.A[:, :, : start.nuisance].reshape(-1, start.nuisance)
-    return nuisance, np.diag(np.sqrt(start.prior[: start.nuisance]))
 
 
 def _usual(left: Floats) -> Floats:

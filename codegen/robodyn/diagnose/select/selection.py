@@ -30,7 +30,7 @@ from robodyn.diagnose.select.fit import (
     tighter,
     wider,
 )
-from robodyn.diagnose.select.forward import Chosen, Key, Named, forward
+from robodyn.diagnose.select.forward import Chosen, Key, Named, forward, is_of_link
 from robodyn.diagnose.select.library import Context, context_of, regressor_seen
 from robodyn.diagnose.select.library.several import usual_sizes
 from robodyn.diagnose.select.limits import (
@@ -108,11 +108,10 @@ def start_of(contexts: Sequence[Context], scale: Floats, weight: Floats | None =
         rests.append(c.signals.thinned(c.signals.filtered(c.signals.tau - c.at.total)))
         nuisances.append(regressor_seen(c) * scale.reshape(-1))
     Y = np.concatenate(nuisances)
-    Y = Y[:, :, np.abs(Y).max(axis=(0, 1)) > 0]
     thin = max(1.0, 1 / (2 * s.cutoff * s.period * s.every))
     by_encoders = encoder_torque_noise(contexts[0])
     sigma = np.hypot(passed_noise(s), by_encoders)
-    return problem(np.concatenate(rests), Y, sigma, thin, by_encoders, weight)
+    return problem(np.concatenate(rests), Y, sigma, thin, by_encoders, weight, scale.reshape(-1))
 
 
 def weight_of(resting: Mask) -> Floats:
@@ -211,18 +210,23 @@ def select(
         chosen = choose(start, links=False)
     else:
         chosen = choose(start)
-        # Perhaps the arm's numbers are better than they are said to be, and something else shows (not their
-        # errors, which are within what is said of them); or, where nothing is said of them, they are worse.
+        # Perhaps the arm's numbers are better than they are said to be, and something else shows; or, where
+        # nothing is said of them, they are worse.
         others: list[tuple[float | None, Problem]] = []
-        if not chosen.findings:
-            others = [(None, tighter(start, TIGHT))]
-        elif any(link.confidence is None for link in robot.links):
+        is_stated = all(link.confidence is not None for link in robot.links)
+        if not chosen.findings or (is_stated and not known):
+            others = [(None, tighter(start, share)) for share in TIGHT]
+        elif not is_stated:
             others = [(share, wide(share)) for share in UNSTATED]
         evidence = _evidence(start, chosen)
         for share, other in others:
-            again = choose(other, links=False)
+            again = choose(other, links=share is None)
             better = _evidence(other, again)
-            if (again.findings or share) and better > evidence + TIGHT_EVIDENCE:
+            if (
+                (again.findings or share)
+                and not _within_what_is_said(robot, again)
+                and better > evidence + TIGHT_EVIDENCE
+            ):
                 start, chosen, unstated, evidence = other, again, share, better
     now, current, findings = chosen.now, chosen.current, chosen.findings
     first = fitted(start)
@@ -233,6 +237,13 @@ def select(
     return Selection(
         tuple(contexts), start, estimated, first, current, tuple(chosen.trials), residue, unstated, rough
     )
+
+
+def _within_what_is_said(robot: Robot, chosen: Chosen) -> bool:
+    """Whether it is a link's own numbers that are wrong, and by no more than its description says."""
+    candidates = [each.trial.candidate for each in chosen.findings]
+    joints = [c.joint for c in candidates if is_of_link(c)]
+    return any(j is not None and robot.links[j - 1].confidence is not None for j in joints)
 
 
 def _evidence(start: Problem, chosen: Chosen) -> float:

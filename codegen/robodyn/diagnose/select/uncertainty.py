@@ -35,7 +35,7 @@ from robodyn.diagnose.select.limits import (
     PROFILE_TRIES,
     SCORE_PARTS,
 )
-from robodyn.diagnose.select.refine import Freed, own_numbers, weights
+from robodyn.diagnose.select.refine import Freed, weights
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.identify.intervals import correlations
 from robodyn.robot.model import Robot
@@ -100,7 +100,7 @@ class LocalFit:
         if left is None:
             return None
         start = freed.start
-        nuisance, prior = own_numbers(start)
+        nuisance, prior = freed.own_numbers(x)
         weight, _ = weights(left.reshape(-1, start.n), nuisance, prior)
         J, A = weight[:, None] * freed.slopes(x, left), weight[:, None] * nuisance
         inverse = _inverse(A.T @ A + prior.T @ prior)

@@ -1,0 +1,51 @@
+"""The rigid arm's own numbers as a nuisance: their columns, where findings have moved the arm.
+
+What a number of a link does to the torques depends on how the arm stands. Of a base that is level, a vertical
+first joint feels no centre of mass; of one that leans it does, and nobody has known the centre so far. So the
+columns beside findings are those of the arm with these findings.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.diagnose.select.fit import Problem, directions
+from robodyn.diagnose.select.library import Context
+from robodyn.identify.predict import offsets
+from robodyn.identify.rigid import Model
+from robodyn.robot.model import Robot
+
+Floats = NDArray[np.float64]
+
+
+def own_numbers(start: Problem) -> tuple[Floats, Floats]:
+    """Columns [N n, p] of the arm's own numbers, as it is described, and how they are held [p, p]."""
+    columns = start.A[:, :, : start.nuisance].reshape(-1, start.nuisance)
+    return columns, np.diag(np.sqrt(start.prior[: start.nuisance]))
+
+
+def own_numbers_of(
+    arm: Robot, robot: Robot, contexts: Sequence[Context], start: Problem
+) -> tuple[Floats, Floats]:
+    """The same of ``arm``, which is ``robot`` with findings; ``contexts`` and ``start`` are of ``robot``."""
+    if not _stands_otherwise(arm, robot):
+        return own_numbers(start)
+    model, shift = Model(arm), offsets(arm)
+    scale = (start.weight / start.sigma)[:, :, None]
+    columns = np.concatenate([_along(model, shift, c) for c in contexts]) * scale * start.sizes
+    columns = columns @ directions(columns)
+    p = columns.shape[2]
+    return columns.reshape(-1, p), np.sqrt(start.thin) * np.eye(p)
+
+
+def _stands_otherwise(arm: Robot, robot: Robot) -> bool:
+    return arm.gravity != robot.gravity or not np.array_equal(offsets(arm), offsets(robot))
+
+
+def _along(model: Model, shift: Floats, c: Context) -> Floats:
+    """Torques [N, n, 10 n] by the numbers of all links, filtered and thinned."""
+    s = c.slow
+    return s.thinned(s.filtered(model.regressor(s.q - shift, s.qd, s.qdd).reshape(len(s.q), c.n, -1)))

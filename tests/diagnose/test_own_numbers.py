@@ -1,0 +1,60 @@
+"""The arm's own numbers beside findings that move the arm: a base that leans shows what a level one hides."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from robodyn.diagnose.amend.amend import Amendment, amended
+from robodyn.diagnose.select.fit import Problem
+from robodyn.diagnose.select.library import Context, context_of
+from robodyn.diagnose.select.own_numbers import own_numbers, own_numbers_of
+from robodyn.diagnose.select.selection import prior_scales, start_of
+from robodyn.diagnose.select.uncertainty import uncertainties
+from robodyn.identify.rigid import Model
+from robodyn.logs.log import Log
+from robodyn.logs.signals import signals_of
+from robodyn.robot import load
+
+ARM = load("puma560_3dof", warn=lambda _: None)
+TILT = Amendment("base_tilt", None, {"tilt_x": 0.02, "tilt_y": -0.03})
+
+
+def along(share: float) -> tuple[list[Context], Problem]:
+    """A log of the leaning arm, as a search of the level one sees it, whose numbers are known to a share."""
+    t = np.arange(0, 6, 0.01)
+    phase = np.array([0.0, 1.0, 2.0])
+    q, qd, qdd = (
+        0.9 * (2 * np.pi * 0.4) ** k * np.sin(2 * np.pi * 0.4 * t[:, None] + phase + k * np.pi / 2)
+        for k in range(3)
+    )
+    tau = Model(amended(ARM, [TILT])).torque(q, qd, qdd)
+    tau += 0.01 * np.random.default_rng(1).standard_normal(tau.shape)
+    contexts = [context_of(Model(ARM), signals_of(Log(t, q, None, None, tau)))]
+    return contexts, start_of(contexts, prior_scales(contexts[0].model, share))
+
+
+def test_columns_are_those_of_the_arm_as_it_stands() -> None:
+    contexts, start = along(0.1)
+    leaning = amended(ARM, [TILT])
+    columns, prior = own_numbers_of(leaning, ARM, contexts, start)
+    assert (
+        len(prior) == columns.shape[1] > start.nuisance
+    )  # a centre of mass that the level arm does not feel
+    Y = Model(leaning).regressor(contexts[0].slow.q, contexts[0].slow.qd, contexts[0].slow.qdd)
+    seen = contexts[0].slow.thinned(contexts[0].slow.filtered(Y.reshape(len(Y), 3, -1)))
+    units = (seen * start.sizes / start.sigma[:, None]).reshape(len(columns), -1)
+    some = slice(None, None, 20)
+    np.testing.assert_allclose(columns[some] @ columns[some].T, units[some] @ units[some].T, atol=1e-4)
+    again, _ = own_numbers_of(ARM, ARM, contexts, start)
+    assert np.shares_memory(again, own_numbers(start)[0])
+
+
+def test_a_tilt_is_known_no_better_than_the_centre_of_mass_that_it_shows() -> None:
+    errors = []
+    for share in (0.003, 0.3):
+        contexts, start = along(share)
+        _, (sure,) = uncertainties(ARM, [TILT], contexts, start)
+        stderr = sure["tilt_y"].stderr
+        assert stderr is not None
+        errors.append(stderr)
+    assert errors[1] > 2 * errors[0]

@@ -1,0 +1,108 @@
+"""Pages that are made from the code say what the code says."""
+
+from __future__ import annotations
+
+import importlib
+import re
+import textwrap
+from typing import Any
+
+import click
+import pytest
+
+import robodyn
+from robodyn.effects.catalogue import CATALOGUE
+from robodyn.effects.effect import Effect
+from robodyn.robot import read_text
+from robodyn_cli.main import COMMANDS
+from robodyn_site import python
+from robodyn_site.curves import entry, picture, usual_values
+from robodyn_site.docstrings import markdown
+from robodyn_site.markdown import plain
+from robodyn_site.pages import pages
+
+LINK = "  - {joint: revolute, mass: 1, inertia: {xx: 1, yy: 1, zz: 1}, motor_inertia: 0.1}\n"
+LAST = "  - joint: revolute\n    mass: 1\n    inertia: {xx: 1, yy: 1, zz: 1}\n    motor_inertia: 0.1\n"
+ARM = f"name: arm\nlinks:\n{5 * LINK}{LAST}"
+SHOWN = [effect for effect in CATALOGUE.values() if usual_values(effect)]
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_the_page_of_a_command_has_each_of_its_options(name: str) -> None:
+    command: click.Command = importlib.import_module(COMMANDS[name][0]).command
+    options = [option for one in command.params if isinstance(one, click.Option) for option in one.opts]
+    shown = re.findall(r"^`(-[^`]+)`$", pages()[f"commands/{name}.md"], flags=re.MULTILINE)
+    assert {"-h", "--help", *options} <= {word for line in shown for word in re.split(r"[ ,]+", line)}
+
+
+@pytest.mark.parametrize("effect", SHOWN, ids=lambda effect: effect.id)
+def test_the_example_of_an_effect_is_part_of_a_description(effect: Effect) -> None:
+    values = usual_values(effect)
+    listed = entry(effect, values)
+    text = ARM + (listed if effect.level == "robot" else textwrap.indent(listed, "    "))
+    robot = read_text(text, warn=lambda _: None)
+    if effect.traits.fold is not None:  # numbers of the arm itself take it
+        plain_arm = read_text(ARM)
+        assert (robot.links, robot.gravity) != (plain_arm.links, plain_arm.gravity)
+        return
+    (read,) = robot.effects
+    settings: dict[str, Any] = dict(read.settings)
+    assert read.effect == effect.id
+    assert {name: pytest.approx(x) for name, x in values.items()} == {
+        name: settings[name] if isinstance(x, str) else float(settings[name]) for name, x in values.items()
+    }
+
+
+def test_most_effects_have_an_example_and_a_curve() -> None:
+    assert len(SHOWN) >= 20
+    assert sum(picture(effect, usual_values(effect)) is not None for effect in SHOWN) >= 16
+
+
+@pytest.mark.parametrize(
+    ("id", "values", "expected"),
+    [
+        ("viscous_friction", {"coefficient": 2.0}, {-1.5: -3.0, 0.0: 0.0, 1.5: 3.0}),
+        ("coulomb_friction", {"level": 2.0}, {-1.5: -2.0, 1.5: 2.0}),
+        ("joint_elasticity", {"stiffness": 1000.0, "damping": 1.0}, {-100.0: -0.1, 100.0: 0.1}),
+    ],
+)
+def test_curves_are_those_of_the_equation(
+    id: str, values: dict[str, float], expected: dict[float, float]
+) -> None:
+    drawn = picture(CATALOGUE[id], values)
+    assert drawn is not None
+    points = {round(x, 9): y for x, y in drawn.lines[0]}
+    assert {x: pytest.approx(points[x]) for x in expected} == expected
+
+
+def test_what_remembers_is_drawn_as_a_loop() -> None:
+    drawn = picture(CATALOGUE["presliding_hysteresis"], {"level": 3.0, "stiffness": 300.0, "damping": 0.0})
+    assert drawn is not None
+    (points,) = drawn.lines
+    near = [y for q, y in points[20:] if abs(q) < 0.01]
+    assert min(near) < -1.5
+    assert max(near) > 1.5
+
+
+def test_every_public_name_has_its_place() -> None:
+    names = [name for _, _, group in python.GROUPS.values() for name in group]
+    assert {name for name in names if "." not in name} == set(robodyn.__all__)
+    assert len(names) == len(set(names))
+
+
+@pytest.mark.parametrize(
+    ("docstring", "expected"),
+    [
+        ("One ``a_b`` [n] of :class:`~robodyn.x.Y`.", "One `a_b` &#91;n&#93; of `x.Y`."),
+        ("A.\n\nRaises\n------\nE: no\n    such name.", "A.\n\n**Raises**\n\n`E`\n:   no such name."),
+        ("So::\n\n    a = 1\n    b = 2", "So:\n\n```text\na = 1\nb = 2\n```"),
+        (">>> f(1)\n2\n\nThen.", "```pycon\n>>> f(1)\n2\n```\n\nThen."),
+        ("a < b\nand *c*", "a &lt; b and &#42;c&#42;"),
+    ],
+)  # fmt: skip
+def test_docstrings_are_markdown(docstring: str, expected: str) -> None:
+    assert markdown(docstring) == expected
+
+
+def test_nothing_in_plain_text_is_markup() -> None:
+    assert re.fullmatch(r"[\w &;#]*", plain("a*b_c[d]{e}<f>|g$h`i\\j~k^l"))
