@@ -80,7 +80,7 @@ def heights(path: str) -> list[int]:
     """Vertical places of the points of a line, in the box of a chart."""
     start, _, steps = path.partition("l")
     numbers = [int(x) for x in re.findall(r"-?\d+", start + " " + steps)]
-    return np.cumsum(np.reshape(numbers, (-1, 2)), axis=0)[:, 1].tolist()
+    return [int(y) for y in np.cumsum(np.reshape(numbers, (-1, 2)), axis=0)[:, 1]]
 
 
 def test_the_model_is_drawn_beside_what_was_logged() -> None:

@@ -94,8 +94,8 @@ def anchor(joint: int | None) -> str:
 
 
 def _joints(findings: Sequence[Finding]) -> list[int | None]:
-    joints: list[int | None] = sorted({f.joint for f in findings if f.joint is not None})
-    return [*joints, None] if any(f.joint is None for f in findings) else joints
+    joints = sorted({f.joint for f in findings if f.joint is not None})
+    return [*joints, *([None] if any(f.joint is None for f in findings) else [])]
 
 
 def _place(joint: int | None) -> str:
