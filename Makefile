@@ -54,6 +54,10 @@ flops-record: $(VENV)/.installed  ## recompute and prove the shipped record; fai
 benchmarks: $(PEERS)/.peers  ## race our kernels against their peers; writes benchmarks/results/
 	$(PEERS)/bin/python -m benchmarks.peers $(BENCHMARKS)
 
+.PHONY: tutorials
+tutorials: $(VENV)/.installed-dev  ## follow the tutorials literally, in a fresh environment with a home of its own
+	$(BIN)/python -m pytest -m thorough tests/documents/test_tutorials.py
+
 .PHONY: docs
 docs: $(VENV)/.installed-docs  ## build the documentation site into build/site; a warning is an error
 	@NO_MKDOCS_2_WARNING=1 $(BIN)/python -m mkdocs build --strict --quiet

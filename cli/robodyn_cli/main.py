@@ -61,6 +61,7 @@ COMMANDS: Final[dict[str, tuple[str, str]]] = {
     "import": ("robodyn_cli.import_", "Import a serial arm from URDF, MJCF, SDF or xacro as a description."),
     "export": ("robodyn_cli.export", "Export a robot to URDF, MJCF or SDF."),
     "diff": ("robodyn_cli.diff", "Compare two robots: numbers, frames, torques, operation counts."),
+    "report": ("robodyn_cli.report", "Write a page that shows an arm, or two beside each other."),
     "schema": ("robodyn_cli.schema", "Print the JSON Schema of the robot description."),
     "new": ("robodyn_cli.new", "Write a commented starter file to fill in."),
 }

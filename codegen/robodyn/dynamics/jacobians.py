@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from robodyn.dynamics.functions.record import Dynamics
-from robodyn.dynamics.sections import Placed, Section, along
+from robodyn.dynamics.sections import Placed, Section, along, tried
 from robodyn.dynamics.vectors import ZERO, Vector, cross, named, plus, scaled
 
 #: Velocity of the tool's origin, and angular velocity, at a unit rate of a joint.
@@ -70,7 +70,7 @@ def columns(at: Dynamics, arm: Placed, *, nested_only: bool = False) -> list[Col
     """The columns [n] of the Jacobian along the axes that ``arm`` is placed along; with ``nested_only`` no
     lever is put together there."""
     nested = levers(arm.sections)
-    starts = () if nested_only else range(len(arm.sections) + 1)
+    starts = () if nested_only else tried(range(len(arm.sections) + 1))
     outside = [levers_outside(arm, nested, k) for k in starts]
     choices: list[list[Vector]] = []
     angular: list[Vector] = []

@@ -14,7 +14,8 @@ from dataclasses import replace
 from typing import Any
 
 from robodyn.dynamics.functions.record import Dynamics
-from robodyn.dynamics.sections import Axes, Placed, Section, along, grounded, placed_in, sections_of
+from robodyn.dynamics.limits import SECTIONS_TRIED
+from robodyn.dynamics.sections import Axes, Placed, Section, along, grounded, placed_in, sections_of, tried
 from robodyn.dynamics.vectors import ZERO, Vector, named, plus
 from robodyn.effects.scalars import is_zero
 
@@ -58,8 +59,8 @@ def tool_place(at: Dynamics, arm: Placed) -> Vector:
 def _where_to_turn(count: int) -> Iterator[Collection[int]]:
     """Sections at which the sum of what lies further out is turned into the world at once: all from one on,
     or one."""
-    yield from (range(k, count) for k in range(1, count + 1))
-    yield from ((k,) for k in range(1, count - 1))
+    yield from (range(k, count) for k in tried(range(1, count + 1)))
+    yield from ((k,) for k in tried(range(1, count - 1)))
 
 
 def _summed(at: Dynamics, arm: Placed, turned: Collection[int]) -> Vector:
@@ -97,7 +98,7 @@ def link_places(at: Dynamics, arm: Placed) -> list[Vector]:
         for step in section.steps:
             ways = [
                 plus(starts[j], along(arm.axes[j], _to_link(arm.sections[j : k + 1], step.link)))
-                for j in reversed(range(k + 1))
+                for j in range(k, max(-1, k - SECTIONS_TRIED), -1)
             ]
             if step.link in arm.links and step is not section.steps[0]:
                 reach = section.steps[step.link - section.steps[0].link - 1].reach

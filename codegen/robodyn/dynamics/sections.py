@@ -13,6 +13,7 @@ from typing import Any
 
 from robodyn.dynamics.arm import Arm, Motion, about_x, about_z, origin
 from robodyn.dynamics.frame import BASE, Frame
+from robodyn.dynamics.limits import SECTIONS_TRIED
 from robodyn.dynamics.parallel import Turns
 from robodyn.dynamics.vectors import ZERO, Mark, Vector, named, plus, scaled, unmarked
 from robodyn.effects.scalars import is_zero
@@ -166,3 +167,9 @@ def _marked(mark: Mark, axes: Axes, link: int) -> Axes:
 def along(axes: Axes, u: Vector) -> Vector:
     """``u`` of the ``axes`` along those that they are along."""
     return plus(*(scaled(x, axis) for x, axis in zip(u, axes, strict=True) if not is_zero(x)), ZERO)
+
+
+def tried(places: Sequence[int]) -> Sequence[int]:
+    """Of the sections ``places`` those that are worth trying: of many the first and the last."""
+    half = SECTIONS_TRIED // 2
+    return places if len(places) <= SECTIONS_TRIED else (*places[:half], *places[-half:])
