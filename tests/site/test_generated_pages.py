@@ -32,7 +32,8 @@ def test_the_page_of_a_command_has_each_of_its_options(name: str) -> None:
     command: click.Command = importlib.import_module(COMMANDS[name][0]).command
     options = [option for one in command.params if isinstance(one, click.Option) for option in one.opts]
     shown = re.findall(r"^`(-[^`]+)`$", pages()[f"commands/{name}.md"], flags=re.MULTILINE)
-    assert {"-h", "--help", *options} <= {word for line in shown for word in re.split(r"[ ,]+", line)}
+    assert options
+    assert set(options) <= {word for line in shown for word in re.split(r"[ ,]+", line)}
 
 
 @pytest.mark.parametrize("effect", SHOWN, ids=lambda effect: effect.id)

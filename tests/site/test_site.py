@@ -74,10 +74,10 @@ def test_a_page_needs_no_network_and_is_accessible(
 
 @pytest.mark.slow
 def test_every_page_is_accessible(browser: Browser, site: Path) -> None:
-    pages = sorted(path.relative_to(site) for path in site.rglob("*.html"))
+    pages = {path.relative_to(site) for path in site.rglob("*.html")} - {Path("404.html")}  # of servers alone
     assert len(pages) > 150
     violations = {}
-    for page in pages:
+    for page in sorted(pages):
         for width in (1280, PHONE):
             browser.open(site / page, width=width)
             violations[f"{page} at {width} px"] = browser.violations()
