@@ -154,7 +154,7 @@ def write_files(folder: Path, files: Mapping[str, str | bytes]) -> list[Path]:
                     remedy=_ELSEWHERE,
                 )
             end.parent.mkdir(parents=True, exist_ok=True)
-            temporary.append(end.parent / f".robodyn.{os.getpid()}.{len(temporary)}.tmp")
+            temporary.append(end.parent / _TEMPORARY.format(process=os.getpid(), file=len(temporary)))
             if isinstance(content, bytes):
                 temporary[-1].write_bytes(content)
             else:
@@ -169,6 +169,14 @@ def write_files(folder: Path, files: Mapping[str, str | bytes]) -> list[Path]:
     return targets
 
 
+def remove_leftovers(folders: Iterable[Path]) -> None:
+    """Remove the temporary files that a killed process has left in ``folders``; none may be writing there."""
+    _remove(
+        [path for folder in folders for path in folder.glob(_TEMPORARY.format(process="*", file="*"))], []
+    )
+
+
+_TEMPORARY: Final = ".robodyn.{process}.{file}.tmp"
 _ELSEWHERE: Final = "choose another path with -o, or free some space there"
 
 
