@@ -96,6 +96,7 @@ def test_every_public_name_has_its_place() -> None:
     [
         ("One ``a_b`` [n] of :class:`~robodyn.x.Y`.", "One `a_b` &#91;n&#93; of `x.Y`."),
         ("A.\n\nRaises\n------\nE: no\n    such name.", "A.\n\n**Raises**\n\n`E`\n:   no such name."),
+        ("Raises\n------\nE: no such\nname.\nF: b.", "**Raises**\n\n`E`\n:   no such name.\n\n`F`\n:   b."),
         ("So::\n\n    a = 1\n    b = 2", "So:\n\n```text\na = 1\nb = 2\n```"),
         (">>> f(1)\n2\n\nThen.", "```pycon\n>>> f(1)\n2\n```\n\nThen."),
         ("a < b\nand *c*", "a &lt; b and &#42;c&#42;"),

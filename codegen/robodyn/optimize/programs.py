@@ -172,7 +172,8 @@ def build(robot: Robot, function: str, choice: Choice, writing: Writing | None =
     """The program of ``function`` as the recursion leaves it: equal nodes merged, constants folded,
     nothing dead, no pass run yet. ``writing`` says how its outputs are written, if not as usual."""
     # Where equal values are one node whichever way they were written, there is nothing to choose from.
-    if choice.variant is None or function_named(function).geometric:
+    known = function_named(function)
+    if choice.variant is None or known.geometric or known.at_rest:
         return _built(Graph(), robot, function, choice, writing)
     numbers = identity(robot).encode()
     program: Program = in_drawn_field(
@@ -225,7 +226,7 @@ class Recursion:
         self.rest: Sequence[Any] = [0] * len(arm.bodies)
         self.arm, self._choice, self._trigonometry, self._number = arm, choice, trigonometry, constant
         self._inverse: Inverse | None = None
-        self._cheapest = Cheapest()
+        self.cheapest = Cheapest()
 
     def torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
         """Joint torques [n]."""
@@ -255,10 +256,6 @@ class Recursion:
         if not self._choice.regroup:
             return single_turns(motion)
         return chain_turns(self.arm, motion, self._trigonometry)
-
-    def cheapest(self, choices: Sequence[Sequence[Sequence[Any]]]) -> list[Sequence[Any]]:
-        """Of the ways to write each of some vectors those that take the fewest further operations."""
-        return self._cheapest(choices)
 
     def links(self, qd: Sequence[Any], qdd: Sequence[Any], form: MomentForm = "second_moment") -> Moving:
         """The same, regrouped where the choice has it, chains of parallel joints turning as one."""
