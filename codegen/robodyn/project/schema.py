@@ -15,7 +15,7 @@ Schema = dict[str, Any]
 def project_schema(keys: Mapping[str, Key]) -> Schema:
     """The schema of a project whose options are ``keys``."""
     options = {name: _of_key(key) for name, key in keys.items()}
-    own = {
+    own: dict[str, Schema] = {
         "robot": {
             "type": "string",
             "minLength": 1,
