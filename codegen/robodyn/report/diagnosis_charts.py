@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.result import Series, Window
 from robodyn.report.diagnosis_frames import Chart, Frame, Mark, Shade, percent, runs, span
+from robodyn.report.diagnosis_text import formatted
 
 Floats = NDArray[np.float64]
 
@@ -135,8 +136,8 @@ def range_text(series: Series, j: int, unit: str) -> str:
     """The residual of joint ``j`` (from 0) in words."""
     rms = [size for _, size in _sizes(series, j)]
     if len(rms) == 1:
-        return f"RMS {rms[0]:.3g} {unit}, unchanged"
-    return f"RMS {rms[0]:.3g} {unit} before, {rms[1]:.3g} {unit} after"
+        return f"RMS {formatted(rms[0])} {unit}, unchanged"
+    return f"RMS {formatted(rms[0])} {unit} before, {formatted(rms[1])} {unit} after"
 
 
 def _sizes(series: Series, j: int) -> list[tuple[str, float]]:
