@@ -22,11 +22,16 @@ def main() -> int:
     parser = argparse.ArgumentParser(prog="documents", description=(__doc__ or "").partition("\n")[0])
     parser.add_argument("pages", nargs="*", metavar="PAGE.md")
     parser.add_argument("--update", action="store_true", help="replace what is shown; not where it has dots")
+    parser.add_argument(
+        "--installed",
+        action="store_true",
+        help="use the robodyn that is installed, and copies of what the checkout ships",
+    )
     parser.add_argument("--list", action="store_true", help="count the examples")
     asked = parser.parse_args()
     if asked.list:
         return _list()
-    return max((_follow(page, asked.update) for page in asked.pages or PAGES), default=0)
+    return max(_follow(page, asked.update, asked.installed) for page in asked.pages or PAGES)
 
 
 def _list() -> int:
@@ -44,12 +49,13 @@ def _list() -> int:
     return 0
 
 
-def _follow(page: str, update: bool) -> int:
+def _follow(page: str, update: bool, installed: bool) -> int:
     faults: list[str] = []
     text = (ROOT / page).read_text(encoding="utf-8")
     start = sum(os.times()[:4])
     with tempfile.TemporaryDirectory() as folder:
-        reader = Reader(checkout(Path(folder) / "checkout"), (program_folder(Path(folder) / "bin"),))
+        root = checkout(Path(folder) / "checkout", copy=installed)
+        reader = Reader(root, () if installed else (program_folder(Path(folder) / "bin"),))
         for block in read(page):
             if update and block.is_run and block.language == "console":
                 text = text.replace(block.text, _printed(reader, block))

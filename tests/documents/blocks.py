@@ -35,6 +35,7 @@ PAGES = tuple(
     path.relative_to(ROOT).as_posix()
     for path in (ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("**/*.md")))
 )
+TUTORIALS = tuple(page for page in PAGES if "/tutorials/" in page and not page.endswith("README.md"))
 FENCE = re.compile(
     r"^(?:[ ]*<!--[ ](?P<mark>[^\n]*?)[ ]-->\n)?"
     r"^(?P<indent>[ ]*)```(?P<language>\w*)\n(?P<text>.*?)^(?P=indent)```[ ]*$",

@@ -7,6 +7,7 @@ import doctest
 import io
 import os
 import re
+import shutil
 import subprocess
 import sys
 from collections.abc import Mapping
@@ -84,7 +85,7 @@ class Reader:
                 exec(compile(block.text, f"<line {block.line}>", "exec"), self.names)
                 return []
             test = doctest.DocTestParser().get_doctest(
-                block.text, self.names, "example", str(ROOT), block.line
+                block.text, self.names, "example", "the document", block.line
             )
             text = io.StringIO()
             options = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
@@ -108,9 +109,12 @@ def program_folder(folder: Path) -> Path:
     return folder
 
 
-def checkout(folder: Path) -> Path:
-    """A folder that looks like a checkout to who reads its examples and robots."""
+def checkout(folder: Path, *, copy: bool = False) -> Path:
+    """A folder that has the examples and robots of a checkout; with ``copy`` they are copies."""
     folder.mkdir()
     for name in SHIPPED:
-        (folder / name).symlink_to(ROOT / name)
+        if copy:
+            shutil.copytree(ROOT / name, folder / name)
+        else:
+            (folder / name).symlink_to(ROOT / name)
     return folder

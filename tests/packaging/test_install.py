@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
 import sys
 import tarfile
 import zipfile
 from pathlib import Path
 
 import pytest
+
+from robodyn_testing.environments import clean_environment, pip_install, run
 
 ROOT = Path(__file__).parents[2]
 DATA = {
@@ -20,20 +20,6 @@ DATA = {
 }
 
 pytestmark = pytest.mark.xdist_group("packaging")  # one worker: the environment is built once
-
-
-def run(*command: str | Path, cwd: Path) -> str:
-    """Run `command` in `cwd`, away from the checkout's own environment, and return its stdout."""
-    hidden = {"PYTHONPATH", "PYTHONHOME", "VIRTUAL_ENV"}
-    environment = {name: value for name, value in os.environ.items() if name not in hidden}
-    done = subprocess.run([*command], cwd=cwd, env=environment, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, f"{command}\n{done.stdout}\n{done.stderr}"
-    return done.stdout
-
-
-def pip_install(environment: Path, *arguments: str | Path) -> None:
-    pip: list[str | Path] = [sys.executable, "-m", "pip", "--python", environment / "bin" / "python"]
-    run(*pip, "install", "--quiet", "--disable-pip-version-check", *arguments, cwd=environment)
 
 
 def use(environment: Path, folder: Path) -> Path:
@@ -60,9 +46,7 @@ def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="module")
 def environment(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A clean virtual environment, without even pip."""
-    folder = tmp_path_factory.mktemp("clean") / "venv"
-    run(sys.executable, "-m", "venv", "--without-pip", folder, cwd=folder.parent)
-    return folder
+    return clean_environment(tmp_path_factory.mktemp("clean") / "venv")
 
 
 def wheel_of(folder: Path) -> Path:

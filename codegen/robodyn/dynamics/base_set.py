@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from numbers import Rational
@@ -24,8 +24,8 @@ from robodyn.dynamics.arm import Arm, Motion, Symmetric
 from robodyn.dynamics.base_parameter import DRIVE, MOMENTS, BaseParameter, Standard
 from robodyn.dynamics.limits import MOST_FIELDS
 from robodyn.dynamics.lump import NO_LUMP, Lump
-from robodyn.dynamics.parallel import single_turns
-from robodyn.dynamics.regressor import unit_torques
+from robodyn.dynamics.parallel import Turns, single_turns
+from robodyn.dynamics.regressor import Accelerated, accelerated, unit_torques_at
 from robodyn.dynamics.regroup import about_axis_z, in_parent
 from robodyn.errors import InputError
 from robodyn.ir.field import Field
@@ -182,40 +182,87 @@ def _independent(arm: Arm, candidates: Sequence[Standard]) -> tuple[list[Standar
 def _reduced(
     field: Field, arm: Arm, candidates: Sequence[Standard]
 ) -> tuple[list[Standard], dict[tuple[Standard, Standard], int]]:
-    """Which columns are independent at random points of ``field``, and the factors of the others."""
+    """Which columns are independent at random points of ``field``, and the factors of the others.
+
+    A joint feels only what it carries. So combinations of columns that no joint feels are looked for from tip
+    to base: those that none further out feels, and the next link's own. Of most arms none is left at any
+    joint, and of a row no more is worked out than the columns of one link.
+    """
     p = field.prime
     n = len(arm.bodies)
-    rows: list[list[int]] = []
-    for k in range(len(candidates) // n + 2):
-        values = unit_torques(*_somewhere(field, arm, k), candidates)
-        rows += [[x.value if isinstance(x, Residue) else x % p for x in row] for row in values]
-    pivots: list[tuple[int, int]] = []
-    free = list(range(len(rows)))
-    for column in range(len(candidates)):
-        row = next((r for r in free if rows[r][column]), None)
-        if row is None:
-            continue
-        free.remove(row)
-        inverse = pow(rows[row][column], -1, p)
-        mine = rows[row][column:] = [x * inverse % p for x in rows[row][column:]]
-        for r in free:
-            if factor := rows[r][column]:
-                rows[r][column:] = [(x - factor * y) % p for x, y in zip(rows[r][column:], mine, strict=True)]
-        pivots.append((column, row))
-    independent = [candidates[column] for column, _ in pivots]
-    factors: dict[tuple[Standard, Standard], int] = {}
-    for other in sorted(set(range(len(candidates))) - {column for column, _ in pivots}):
-        shares: dict[int, int] = {}
-        for column, row in reversed(pivots):
-            if column < other:
-                share = rows[row][other] - sum(rows[row][k] * x for k, x in shares.items())
-                shares[column] = share % p
-        factors.update({(candidates[other], candidates[k]): x for k, x in shares.items() if x})
+    points = [_somewhere(field, arm, k) for k in range(len(candidates) // n + 2)]
+    unfelt: list[_Combination] = []
+    for i in reversed(range(n)):
+        unfelt += [{column: 1} for column, x in enumerate(candidates) if x.link == i + 1]
+        for point in points:
+            columns = sorted({column for combination in unfelt for column in combination})
+            row = unit_torques_at(i, *point, [candidates[column] for column in columns])
+            torques = [x.value if isinstance(x, Residue) else x % p for x in row]
+            unfelt = _without_torque(unfelt, dict(zip(columns, torques, strict=True)), p)
+            if not unfelt:
+                break
+    last = _by_last_column(unfelt, p)
+    independent = [x for column, x in enumerate(candidates) if column not in last]
+    factors = {
+        (candidates[other], candidates[column]): -share % p
+        for other in sorted(last)
+        for column, share in last[other].items()
+        if column != other
+    }
     return independent, factors
 
 
-def _somewhere(field: Field, arm: Arm, k: int) -> tuple[Arm, Motion, Any]:
-    """``arm`` in the field, at a random point."""
+#: A combination of columns: a factor by column, none of them 0.
+_Combination = dict[int, int]
+
+
+def _without_torque(
+    combinations: Sequence[_Combination], torques: Mapping[int, int], p: int
+) -> list[_Combination]:
+    """Of all combinations of ``combinations`` those, as few as span them, whose torque is 0, that of each
+    column being one of ``torques``."""
+    totals = [sum(torques[column] * x for column, x in one.items()) % p for one in combinations]
+    pivot = next((k for k, total in enumerate(totals) if total), None)
+    if pivot is None:
+        return list(combinations)
+    inverse = pow(totals[pivot], -1, p)
+    return [
+        _less(one, total * inverse, combinations[pivot], p)
+        for k, (one, total) in enumerate(zip(combinations, totals, strict=True))
+        if k != pivot
+    ]
+
+
+def _by_last_column(combinations: Sequence[_Combination], p: int) -> dict[int, _Combination]:
+    """Combinations that span the same, each by its last column: that is 1 in it and 0 in all others."""
+    last: dict[int, _Combination] = {}
+    for one in combinations:
+        for column, other in last.items():
+            one = _less(one, one.get(column, 0), other, p)
+        end = max(one)
+        inverse = pow(one[end], -1, p)
+        one = {column: x * inverse % p for column, x in one.items()}
+        last = {column: _less(other, other.get(end, 0), one, p) for column, other in last.items()}
+        last[end] = one
+    return last
+
+
+def _less(one: _Combination, factor: int, other: _Combination, p: int) -> _Combination:
+    """``one - factor * other``."""
+    if not factor:
+        return one
+    result = dict(one)
+    for column, x in other.items():
+        value = (result.get(column, 0) - factor * x) % p
+        if value:
+            result[column] = value
+        else:
+            result.pop(column, None)
+    return result
+
+
+def _somewhere(field: Field, arm: Arm, k: int) -> tuple[Arm, Motion, Turns, list[Accelerated]]:
+    """``arm`` in the field, at a random point, and the motion of its links there."""
 
     def number(x: Any) -> Any:
         return x if x in (0, 1, -1) else Residue(field, field.number(x))
@@ -241,7 +288,8 @@ def _somewhere(field: Field, arm: Arm, k: int) -> tuple[Arm, Motion, Any]:
     rest, band = (None if speed is None else number(speed) for speed in (arm.rest_velocity, arm.dead_band))
     moved = Arm(tuple(bodies), (x, y, z), rest, band)
     motion = Motion(tuple(c), tuple(s), tuple(d), qd, qdd)
-    return moved, motion, single_turns(motion)
+    turns = single_turns(motion)
+    return moved, motion, turns, accelerated(moved, motion, turns)
 
 
 def _rational(value: int, modulus: int) -> Fraction | None:

@@ -178,11 +178,10 @@ class _Plain(AsDescribed):
         return rotors_of(self.arm)
 
     def mass_matrix(self) -> list[list[Any]]:
-        """Mass matrix [n][n]: torques of unit accelerations less those of none."""
+        """Mass matrix [n][n]: torques of unit accelerations, without gravity, of the arm at rest."""
         n = len(self.rest)
-        still = self.torques(self.rest, self.rest)
-        columns = [self.torques(self.rest, [int(i == j) for i in range(n)]) for j in range(n)]
-        return [[columns[j][i] - still[i] for j in range(n)] for i in range(n)]
+        columns = [self.inertial_torques(self.rest, [int(i == j) for i in range(n)]) for j in range(n)]
+        return [list(row) for row in zip(*columns, strict=True)]
 
 
 def _motion(arm: Arm, q: Sequence[Any], qd: Sequence[Any], qdd: Sequence[Any], state: _State) -> Motion:

@@ -11,5 +11,10 @@ FEW_JOINTS: int = 4
 #: and operations grow faster.
 SYMBOLS_JOINTS: int = 12
 
+#: Sections of an arm at most (joints and the parallel ones that follow each) at all of which it is tried
+#: whether places and levers take fewer operations when they are put together from there: the work grows with
+#: the square of the sections, or their cube. Of longer arms the first and the last sections are tried.
+SECTIONS_TRIED: int = 12
+
 #: Finite fields at most, of 120 bits each, whose residues together write a factor of a base parameter down.
 MOST_FIELDS: int = 40

@@ -40,22 +40,30 @@ def unit_torques(
     arm: Arm, motion: Motion, turns: Turns, columns: Sequence[tuple[str, int]], mark: Mark = unmarked
 ) -> list[list[Any]]:
     """Torques [n][columns] that a unit of each of ``columns`` takes: a quantity and its link (from 1)."""
-    n = len(arm.bodies)
     links = accelerated(arm, motion, turns, mark)
-    rows: list[list[Any]] = []
-    for i in range(n):
-        units = _unit_motion(arm, motion, turns, i)
-        row: list[Any] = []
-        for quantity, link in columns:
-            if quantity in _DRIVE:
-                row.append(_DRIVE[quantity](arm, motion, i) if link == i + 1 else 0)
-            elif link <= i:
-                row.append(0)
-            else:
-                at, unit = links[link - 1], units[link - 1]
-                row.append(_WORK[quantity](unit.w, unit.v, at.lam.rows, at.a))
-        rows.append(row)
-    return rows
+    return [unit_torques_at(i, arm, motion, turns, links, columns) for i in range(len(arm.bodies))]
+
+
+def unit_torques_at(
+    i: int,
+    arm: Arm,
+    motion: Motion,
+    turns: Turns,
+    links: Sequence[Accelerated],
+    columns: Sequence[tuple[str, int]],
+) -> list[Any]:
+    """The row of joint ``i`` (from 0), from the motion of ``links``: as far out as ``columns`` go."""
+    units = _unit_motion(arm, motion, turns, i, max((link for _, link in columns), default=0))
+    row: list[Any] = []
+    for quantity, link in columns:
+        if quantity in _DRIVE:
+            row.append(_DRIVE[quantity](arm, motion, i) if link == i + 1 else 0)
+        elif link <= i:
+            row.append(0)
+        else:
+            at, unit = links[link - 1], units[link - 1 - i]
+            row.append(_WORK[quantity](unit.w, unit.v, at.lam.rows, at.a))
+    return row
 
 
 def torques_from(
@@ -89,17 +97,23 @@ def torques_from(
     return torques
 
 
-def _unit_motion(arm: Arm, motion: Motion, turns: Turns, i: int) -> list[Twist]:
-    """Velocities of the links at a unit rate of joint ``i`` (from 0) alone."""
-    qd = [int(j == i) for j in range(len(arm.bodies))]
+def _unit_motion(arm: Arm, motion: Motion, turns: Turns, i: int, end: int) -> list[Twist]:
+    """Velocities of the links from ``i`` (from 0) to before ``end`` at a unit rate of joint ``i`` alone: all
+    before it is at rest."""
+    some = slice(i, end)
+    bodies = arm.bodies[some]
+    qd = [int(j == 0) for j in range(len(bodies))]
+    follows = turns.follows[some]
     rate: list[Any] = []
-    for j, body in enumerate(arm.bodies):
-        rate.append(body.cos_alpha * rate[j - 1] + qd[j] if turns.follows[j] else qd[j])
-    moved = replace(motion, qd=tuple(qd))
-    return twists(arm, moved, replace(turns, rate=tuple(rate)))
+    for j, body in enumerate(bodies):
+        rate.append(body.cos_alpha * rate[-1] + qd[j] if rate and follows[j] else qd[j])
+    moved = Motion(motion.c[some], motion.s[some], motion.d[some], tuple(qd), motion.qdd[some])
+    turned = Turns(turns.c[some], turns.s[some], tuple(rate), turns.acceleration[some], follows)
+    return twists(replace(arm, bodies=bodies), moved, turned)
 
 
-def accelerated(arm: Arm, motion: Motion, turns: Turns, mark: Mark) -> list[Accelerated]:
+def accelerated(arm: Arm, motion: Motion, turns: Turns, mark: Mark = unmarked) -> list[Accelerated]:
+    """The links [n] in motion."""
     gx, gy, gz = arm.gravity
     velocities = twists(arm, motion, turns, mark)
     before = Accelerated(NO_ROTATION, (-gx, -gy, -gz), ZERO, ZERO, ZERO)

@@ -49,5 +49,7 @@ def dot(u: Vector, v: Vector) -> Any:
 
 def named(mark: Mark, vector: Vector, link: int, quantity: str) -> Vector:
     """``vector`` with each component marked."""
+    if mark is unmarked:
+        return vector
     x, y, z = (mark(value, Label(link, quantity, axis)) for value, axis in zip(vector, AXES, strict=True))
     return x, y, z

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from robodyn.emit.results import Result, inputs_of, results_after
+from robodyn.emit.results import Result, results_after
 from robodyn.emit.sines import ANGLES, COSINES, SINES, together
-from robodyn.emit.statements import Body, Expression
+from robodyn.emit.statements import Body, inputs_of
 from robodyn.emit.syntax import Syntax
-from robodyn.ir.program import Input
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,35 +50,14 @@ def body_lines(body: Body, syntax: Syntax, *, builtin: bool, lanes: int, early_w
             angles += sines.all(joined.angles)
             arrays |= dict.fromkeys((ANGLES, SINES, COSINES), len(joined.angles))
         arrays |= dict.fromkeys(joined.later, 2)
-    expressions = [*_expressions(body), *waiting.values()]
-    inputs = [x for expression in expressions for x in inputs_of(expression)]
-    reads = {x.array for x in inputs if x.index is not None}
-    parameters = any(x.index is None for x in inputs)
+    body = replace(body, inputs=body.inputs.union(inputs_of(*waiting.values())))
     results = results_after(body.statements, body, early_writes=early_writes)
     for k, statement in enumerate(body.statements):
-        for read in (x.array for x in inputs_of(statement.expression)):
-            if sines is not None and read in waiting:
-                lines += sines.pair(read, waiting.pop(read))
+        for read in inputs_of(statement.expression) if waiting else ():
+            if sines is not None and read.array in waiting:
+                lines += sines.pair(read.array, waiting.pop(read.array))
         lines += syntax.statement(statement)
         for early in results.get(k, ()):
             lines += result(early)
     end = [line for last in results.get(-1, ()) for line in result(last)]
-    return Lines(angles, lines, end, names, arrays, reads, parameters)
-
-
-def _expressions(body: Body) -> list[Expression]:
-    return [s.expression for s in body.statements] + [e for _, es in body.outputs for e in es]
-
-
-def arrays_read(body: Body) -> set[str]:
-    """Names of the arrays that the statements and results read."""
-    return {x.array for x in _inputs(body) if x.index is not None}
-
-
-def reads_parameters(body: Body) -> bool:
-    """Whether a run-time parameter is read; it may be called like an array."""
-    return any(x.index is None for x in _inputs(body))
-
-
-def _inputs(body: Body) -> list[Input]:
-    return [x for expression in _expressions(body) for x in inputs_of(expression)]
+    return Lines(angles, lines, end, names, arrays, body.arrays, body.reads_parameters)

@@ -7,7 +7,7 @@ from typing import Any
 
 from robodyn.counts.count import Count
 from robodyn.dynamics.functions import function_named
-from robodyn.emit.body import arrays_read, body_lines, reads_parameters
+from robodyn.emit.body import body_lines
 from robodyn.emit.head import contained
 from robodyn.emit.language import FunctionText, Language
 from robodyn.emit.spelling import WIDTH
@@ -22,9 +22,9 @@ def function_text(
     """``body`` as ``language``'s templates place it."""
     syntax = language.syntax(signature, unit)
     lines = body_lines(body, syntax, builtin=unit.builtin, lanes=unit.lanes, early_writes=unit.early_writes)
-    read = arrays_read(body)
+    read = body.arrays
     unused = [array for array, _ in signature.inputs if array not in read]
-    if signature.parameters and not reads_parameters(body):
+    if signature.parameters and not body.reads_parameters:
         unused.append("p")
     if signature.states and "dt" not in read:
         unused.append("dt")

@@ -6,9 +6,8 @@ import textwrap
 from collections.abc import Collection, Sequence
 
 from robodyn.emit.render import comment
-from robodyn.emit.results import inputs_of
 from robodyn.emit.spelling import WIDTH
-from robodyn.emit.statements import Apply, Expression, Statement, unique
+from robodyn.emit.statements import Apply, Expression, Statement, inputs_of, unique
 from robodyn.emit.syntax import Syntax
 from robodyn.ir.program import Input, Operand, Program
 from robodyn.robot.model import Robot

@@ -11,9 +11,8 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from robodyn.dynamics.functions import INPUTS
-from robodyn.emit.statements import Apply, Body, Expression, Statement
+from robodyn.emit.statements import Body, Expression, Statement, inputs_of
 from robodyn.errors import InputError
-from robodyn.ir.program import Input
 from robodyn.ir.signature import Signature
 
 #: Inputs in whose place results may be written.
@@ -37,7 +36,7 @@ def results_after(
     """
     last: dict[int, int] = {}
     position: dict[str, int] = {}
-    for k, statement in enumerate(statements):
+    for k, statement in enumerate(statements if early_writes else ()):
         position[statement.name] = k
         for read in inputs_of(statement.expression):
             if read.index is not None and read.array in _IN_PLACE:
@@ -50,13 +49,6 @@ def results_after(
                 place = max(position.get(expression, -1), last.get(i, -1))
             results.setdefault(place, []).append(Result(array, i, expression))
     return results
-
-
-def inputs_of(expression: Expression) -> list[Input]:
-    """The inputs that ``expression`` reads."""
-    if isinstance(expression, Apply):
-        return [x for arg in expression.args for x in inputs_of(arg)]
-    return [expression] if isinstance(expression, Input) else []
 
 
 def check_one_result(signature: Signature, how: str) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from robodyn.emit.statements import Apply, Body, Expression, Statement
+from robodyn.emit.statements import Apply, Body, Expression, Statement, inputs_of
 from robodyn.ir.program import Input
 from robodyn.passes.angles import SUMS, is_position
 
@@ -59,10 +59,11 @@ def together(body: Body, lanes: int) -> Together:
         angles.append(angles[0])
     rest = [replace(s, expression=_called(s.expression, called)) for s in statements if s.name not in needed]
     outputs = tuple((array, tuple(_called(x, called) for x in elements)) for array, elements in body.outputs)
+    read = inputs_of(*(s.expression for s in rest), *(x for _, elements in outputs for x in elements))
     return Together(
         tuple(s for s in body.statements if s.name in needed),
         tuple(angles),
-        Body(tuple(rest), outputs),
+        Body(tuple(rest), outputs, frozenset(read)),
         {name: _called(angle, called) for angle, name in later.items()},
     )
 

@@ -44,13 +44,13 @@ class Spelling:
     def _text(self, expression: Expression) -> tuple[str, int]:
         if isinstance(expression, str):
             return expression, _ATOM
+        if isinstance(expression, Apply):
+            return self._operation(expression)
         if isinstance(expression, Input):
             if expression.index is None:
                 return self.member(expression.array), _ATOM
             return self.element(expression.array, expression.index), _ATOM
-        if isinstance(expression, Fraction):
-            return self.number(expression), (_UNARY if expression < 0 else _ATOM)
-        return self._operation(expression)
+        return self.number(expression), (_UNARY if expression < 0 else _ATOM)
 
     def _operation(self, expression: Apply) -> tuple[str, int]:
         op, args = expression
@@ -71,6 +71,8 @@ class Spelling:
 
     def wrapped(self, line: str, indent: str) -> list[str]:
         """``line`` on as many lines as it needs, broken at blanks."""
+        if len(indent) + len(line) <= WIDTH - len(self.continuation):
+            return [indent + line]
         lines: list[str] = []
         current = indent
         for word in line.split(" "):

@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from robodyn.emit.readable import steps_served
-from robodyn.ir.program import Input, Label, Operand, Program
+from robodyn.ir.program import Input, Label, Program
 from robodyn.robot.names import is_reserved
 
 #: What a quantity is, and its unit, for headings.
@@ -27,6 +27,7 @@ QUANTITIES: dict[str, str] = {
     "ke": "kinetic energy of the links up to this one [J]",
     "pe": "potential energy of the links up to this one [J]",
     "hc": "first moment of all that the joint carries, along the axes that its turn starts from [kg m]",
+    "hw": "first moment of all that the joint carries, before its turn, times gravity [N m]",
     "g": "gravity along the link's axes [m/s^2]",
     "E": "rotation to the base",
     "pb": "origin of the frame from that of the frame before, along the base's axes [m]",
@@ -99,10 +100,35 @@ class Statement:
 
 @dataclass(frozen=True, slots=True)
 class Body:
-    """The statements of a function and its results, one expression an element, array by array."""
+    """The statements of a function, its results, one expression an element, array by array, and the inputs
+    that these read."""
 
     statements: tuple[Statement, ...]
     outputs: tuple[tuple[str, tuple[Expression, ...]], ...]
+    inputs: frozenset[Input]
+
+    @property
+    def arrays(self) -> set[str]:
+        """Names of the arrays that are read."""
+        return {x.array for x in self.inputs if x.index is not None}
+
+    @property
+    def reads_parameters(self) -> bool:
+        """Whether a run-time parameter is read; it may be called like an array."""
+        return any(x.index is None for x in self.inputs)
+
+
+def inputs_of(*expressions: Expression) -> list[Input]:
+    """The inputs that ``expressions`` read, from left to right."""
+    inputs: list[Input] = []
+    stack = list(reversed(expressions))
+    while stack:
+        expression = stack.pop()
+        if isinstance(expression, Apply):
+            stack += expression.args[::-1]
+        elif isinstance(expression, Input):
+            inputs.append(expression)
+    return inputs
 
 
 #: Steps written into one statement at most, so that a line can be read.
@@ -120,10 +146,17 @@ def statements(program: Program, *, in_order: bool = False, readable: bool = Fal
     arrays = {name for name, _ in program.outputs}
     uses = program.uses()
     operations = program.operations
-    in_output = {x for x in program.results() if isinstance(x, int)}
-    arguments = {x for op in operations if op.op in ("sin", "cos") for x in op.args if isinstance(x, int)}
-    # C writes the argument of a sign twice.
-    compared = {x for op in operations if op.op == "sign" for x in op.args if isinstance(x, int)}
+    arguments: set[int] = set()
+    named = {x for x in program.results() if isinstance(x, int)}
+    for i, (op, args, label) in enumerate(operations):
+        if op in ("sin", "cos"):
+            arguments.update(x for x in args if isinstance(x, int))
+            named.add(i)
+        elif op == "sign":  # C writes its argument twice
+            named.update(x for x in args if isinstance(x, int))
+        if label is not None or uses[i] > 1:
+            named.add(i)
+    named |= arguments
     size: list[int] = []
     text: list[Expression] = []
     written: list[Statement] = []
@@ -132,24 +165,11 @@ def statements(program: Program, *, in_order: bool = False, readable: bool = Fal
     serial = 0
     following = _written_in_order(program) if in_order else None
 
-    def expression(operand: Operand) -> Expression:
-        return text[operand] if isinstance(operand, int) else operand
-
     for i, (op, args, label) in enumerate(operations):
-        whole = Apply(op, tuple(expression(arg) for arg in args))
-        steps = 1 + sum(size[arg] for arg in args if isinstance(arg, int))
-        is_trig = op in ("sin", "cos")
-        named = (
-            label is not None
-            or uses[i] > 1
-            or is_trig
-            or i in in_output
-            or i in arguments
-            or i in compared
-            or steps >= _LONGEST
-            or (following is not None and i not in following)
-        )
-        if not named:
+        whole = Apply(op, tuple([text[arg] if isinstance(arg, int) else arg for arg in args]))
+        steps = 1 + sum([size[arg] for arg in args if isinstance(arg, int)])
+        alone = i in named or steps >= _LONGEST or (following is not None and i not in following)
+        if not alone:
             text.append(whole)
             size.append(steps)
             continue
@@ -169,8 +189,11 @@ def statements(program: Program, *, in_order: bool = False, readable: bool = Fal
         heading = group if group is not None else heading
         text.append(name)
         size.append(0)
-    outputs = tuple((name, tuple(map(expression, elements))) for name, elements in program.outputs)
-    return Body(tuple(written), outputs)
+    outputs = tuple(
+        (name, tuple([text[x] if isinstance(x, int) else x for x in elements]))
+        for name, elements in program.outputs
+    )
+    return Body(tuple(written), outputs, frozenset(program.inputs()))
 
 
 def _written_in_order(program: Program) -> set[int]:

@@ -95,11 +95,12 @@ class Field:
         if isinstance(x, int):
             place = x % p
         else:
-            inverse = self._inverses.get(x.denominator)
+            numerator, denominator = x.as_integer_ratio()
+            inverse = self._inverses.get(denominator)
             if inverse is None:
-                self.prepare((x.denominator,))
-                inverse = self._inverses[x.denominator]
-            place = x.numerator * inverse % p
+                self.prepare((denominator,))
+                inverse = self._inverses[denominator]
+            place = numerator * inverse % p
         if not place and x:
             raise Vanishes(f"a constant is a multiple of the prime {p}")
         return place

@@ -18,6 +18,25 @@ from robodyn.ir.digits import check_digits
 from robodyn.ir.program import Input, Label, Operand, Program
 
 Scalar = Union["Node", Fraction, int]
+#: An operation over positions: ``("mul", i, j)``, ``("add", i, relative sign, j)``, ``("scale", factor, i)``,
+#: ``("sqrt", i, sign)``, ``("pow", i, sign, j, sign)``, ``("const", value)``, ``("input", Input)``.
+Key = tuple[Any, ...]
+
+
+def children(key: Key) -> tuple[int, ...]:
+    """Positions that ``key`` reads."""
+    op = key[0]
+    if op == "add":
+        return (key[1], key[3])
+    if op == "scale":
+        return (key[2],)
+    if op in ("input", "const"):
+        return ()
+    if op in ("sqrt", "exp"):
+        return (key[1],)
+    if op == "pow":
+        return (key[1], key[3])
+    return key[1:]
 
 
 class Node:
@@ -34,24 +53,24 @@ class Node:
         return Node(self.graph, self.position, -self.sign)
 
     def __add__(self, other: Scalar) -> Scalar:
-        if isinstance(other, (Node, Fraction, int)):
+        if isinstance(other, (Node, int, Fraction)):
             return self.graph.add(self, other)
         return NotImplemented
 
     __radd__ = __add__
 
     def __sub__(self, other: Scalar) -> Scalar:
-        if isinstance(other, (Node, Fraction, int)):
+        if isinstance(other, (Node, int, Fraction)):
             return self.graph.add(self, -other)
         return NotImplemented
 
     def __rsub__(self, other: Fraction | int) -> Scalar:
-        if isinstance(other, (Fraction, int)):
+        if isinstance(other, (int, Fraction)):
             return self.graph.add(-self, other)
         return NotImplemented
 
     def __mul__(self, other: Scalar) -> Scalar:
-        if isinstance(other, (Node, Fraction, int)):
+        if isinstance(other, (Node, int, Fraction)):
             return self.graph.mul(self, other)
         return NotImplemented
 
@@ -60,12 +79,12 @@ class Node:
     def __truediv__(self, other: Scalar) -> Scalar:
         if isinstance(other, Node):
             return self.graph.div(self, other)
-        if isinstance(other, (Fraction, int)):
+        if isinstance(other, (int, Fraction)):
             return self.graph.mul(self, 1 / Fraction(other))
         return NotImplemented
 
     def __rtruediv__(self, other: Fraction | int) -> Scalar:
-        if isinstance(other, (Fraction, int)):
+        if isinstance(other, (int, Fraction)):
             return self.graph.div(other, self)
         return NotImplemented
 
@@ -82,17 +101,21 @@ class Node:
         return f"{'-' if self.sign < 0 else ''}%{self.position}"
 
 
+#: What may be a value plus a constant.
+_OFFSET = ("add", "const")
+
+
 class Graph:
     """Owner of nodes. ``fold=False`` merges equal nodes and does no algebra besides."""
 
     def __init__(self, *, fold: bool = True) -> None:
         self.fold = fold
-        # A key is (op, ...) over positions; its place in the list is the position. Operands always
-        # have smaller positions, so the order of creation is an order of evaluation.
-        self.keys: list[tuple[Any, ...]] = []
-        #: What each position, taken with sign +1, is part of.
+        #: What each position is. Operands have smaller positions: the order of creation is one of evaluation.
+        self.keys: list[Key] = []
+        #: The positions that each one reads; what each, taken with sign +1, is part of.
+        self.reads: list[tuple[int, ...]] = []
         self.labels: dict[int, Label] = {}
-        self._table: dict[tuple[Any, ...], int] = {}
+        self._table: dict[Key, int] = {}
 
     # -- leaves ---------------------------------------------------------------------------------
     def input(self, array: str, index: int | None = None) -> Node:
@@ -101,7 +124,8 @@ class Graph:
 
     def constant(self, value: Fraction | int) -> Node:
         """A constant as a node; rarely needed, since constants mix with nodes as they are."""
-        return self._node(("const", abs(Fraction(value))), -1 if value < 0 else 1)
+        size = abs(Fraction(value))
+        return self._node(("const", size), -1 if value < 0 else 1, ("const", *size.as_integer_ratio()))
 
     def label(self, value: Any, label: Label) -> Any:
         """Name ``value`` if it is a node that has no name yet; hand it back."""
@@ -113,55 +137,56 @@ class Graph:
     def add(self, a: Scalar, b: Scalar) -> Scalar:
         """``a + b``."""
         if not isinstance(a, Node):
-            if not isinstance(b, Node):
-                return a + b
-            return self.add(b, a)
+            return self.add(b, a) if isinstance(b, Node) else a + b
         if not isinstance(b, Node):
             if b == 0:
                 return a
             b = self.constant(b)
+        i, j = a.position, b.position
         if self.fold:
-            keys = self.keys
-            if a.position == b.position:
-                return self.mul(Node(self, a.position, 1), a.sign + b.sign)
-            if keys[a.position][0] == "scale" or keys[b.position][0] == "scale":
+            if i == j:
+                return self.mul(Node(self, i, 1), a.sign + b.sign)
+            one, other = self.keys[i][0], self.keys[j][0]
+            if one == "scale" or other == "scale":
                 (ka, xa), (kb, xb) = self._scaled(a), self._scaled(b)
                 if xa == xb:  # k x + l x = (k + l) x
                     return self.mul(Node(self, xa, 1), ka + kb)
-            (rest_a, ca), (rest_b, cb) = self._offset(a), self._offset(b)
-            if ca and cb:  # (x + c) + (y + d) = (x + y) + (c + d)
-                return self.add(rest_a, rest_b) + (ca + cb)
-        if a.position > b.position:
-            a, b = b, a
-        return self._node(("add", a.position, a.sign * b.sign, b.position), a.sign)
+            elif one in _OFFSET and other in _OFFSET:
+                (rest_a, ca), (rest_b, cb) = self._offset(a), self._offset(b)
+                if ca and cb:  # (x + c) + (y + d) = (x + y) + (c + d)
+                    return self.add(rest_a, rest_b) + (ca + cb)
+        if i > j:
+            return self._node(("add", j, a.sign * b.sign, i), b.sign)
+        return self._node(("add", i, a.sign * b.sign, j), a.sign)
 
     def mul(self, a: Scalar, b: Scalar) -> Scalar:
         """``a * b``."""
         if not isinstance(a, Node):
-            if not isinstance(b, Node):
-                return a * b
-            return self.mul(b, a)
-        if not isinstance(b, Node):
-            if not b:
-                return 0
-            sign = a.sign if b > 0 else -a.sign
-            if b == 1 or b == -1:
-                return Node(self, a.position, sign)
-            factor = Fraction(b if b > 0 else -b)
-            position = a.position
-            if self.fold:
-                key = self.keys[position]
-                if key[0] == "const":
-                    constant: Fraction = sign * factor * key[1]
-                    return constant
-                if key[0] == "scale":
-                    factor *= key[1]
-                    position = key[2]
-                    if factor == 1:
-                        return Node(self, position, sign)
-            return self._node(("scale", factor, position), sign)
-        i, j = a.position, b.position
-        return self._node(("mul", i, j) if i <= j else ("mul", j, i), a.sign * b.sign)
+            return self.mul(b, a) if isinstance(b, Node) else a * b
+        if isinstance(b, Node):
+            i, j = a.position, b.position
+            return self._node(("mul", i, j) if i <= j else ("mul", j, i), a.sign * b.sign)
+        numerator, denominator = b.as_integer_ratio()  # arithmetic of Fractions is slow
+        if not numerator:
+            return 0
+        sign, position, factor = a.sign, a.position, b
+        if numerator < 0:
+            sign, factor, numerator = -sign, -b, -numerator
+        if numerator == 1 == denominator:
+            return Node(self, position, sign)
+        if self.fold:
+            key = self.keys[position]
+            if key[0] == "const":
+                constant: Fraction = sign * factor * key[1]
+                return constant
+            if key[0] == "scale":
+                factor, position = factor * key[1], key[2]
+                numerator, denominator = factor.as_integer_ratio()
+                if numerator == 1 == denominator:
+                    return Node(self, position, sign)
+        known = ("scale", numerator, denominator, position)
+        factor = Fraction(factor) if isinstance(factor, int) else factor
+        return self._node(("scale", factor, position), sign, known)
 
     def div(self, a: Scalar, b: Scalar) -> Scalar:
         """``a / b``."""
@@ -285,34 +310,15 @@ class Graph:
         if key[0] == "const" or key[0] == "scale":
             check_digits(key[1])
 
-    def copied(self, key: tuple[Any, ...], copies: Mapping[int, Scalar]) -> Scalar:
-        """What ``key`` of another graph is in this one, where its operands are ``copies``."""
-        op = key[0]
-        if op == "input":
-            return self.input(*key[1])
-        if op == "const":
-            constant: Fraction = key[1]
-            return constant
-        if op == "scale":
-            return self.mul(copies[key[2]], key[1])
-        if op == "add":
-            return self.add(copies[key[1]], copies[key[3]] * key[2])
-        if op in ("sqrt", "exp"):
-            return self.apply(op, [copies[key[1]] * key[2]])
-        if op == "pow":
-            return self.pow(copies[key[1]] * key[2], copies[key[3]] * key[4])
-        return self.apply(op, [copies[p] for p in key[1:]])
-
     # -- inside ---------------------------------------------------------------------------------
-    def _node(self, key: tuple[Any, ...], sign: int = 1) -> Node:
-        # Hashing a Fraction takes a modular inverse; its two integers do as well.
-        op = key[0]
-        known = (op, key[1].numerator, key[1].denominator, *key[2:]) if op in ("scale", "const") else key
+    def _node(self, key: Key, sign: int = 1, known: Key | None = None) -> Node:
+        # A Fraction's hash takes a modular inverse; its two integers, in ``known``, do as well.
+        known = known or key
         position = self._table.get(known)
         if position is None:
-            position = len(self.keys)
+            position = self._table[known] = len(self.keys)
             self.keys.append(key)
-            self._table[known] = position
+            self.reads.append(children(key))
         return Node(self, position, sign)
 
     def _odd(self, op: str, a: Scalar) -> Scalar:

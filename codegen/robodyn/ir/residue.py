@@ -26,7 +26,7 @@ class Residue:
         return self.field.number(other) if isinstance(other, (int, Fraction)) else None
 
     def __add__(self, other: Residue | Number) -> Residue:
-        value = self._of(other)
+        value = other.value if other.__class__ is Residue else self._of(other)
         if value is None:
             return NotImplemented
         return Residue(self.field, (self.value + value) % self.field.prime)
@@ -34,7 +34,7 @@ class Residue:
     __radd__ = __add__
 
     def __sub__(self, other: Residue | Number) -> Residue:
-        value = self._of(other)
+        value = other.value if other.__class__ is Residue else self._of(other)
         if value is None:
             return NotImplemented
         return Residue(self.field, (self.value - value) % self.field.prime)
@@ -46,7 +46,7 @@ class Residue:
         return Residue(self.field, (value - self.value) % self.field.prime)
 
     def __mul__(self, other: Residue | Number) -> Residue:
-        value = self._of(other)
+        value = other.value if other.__class__ is Residue else self._of(other)
         if value is None:
             return NotImplemented
         return Residue(self.field, self.value * value % self.field.prime)

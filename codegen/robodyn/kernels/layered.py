@@ -13,6 +13,7 @@ from robodyn.errors import InputError
 from robodyn.ir.fingerprint import agree
 from robodyn.ir.graph import Graph
 from robodyn.ir.program import Program
+from robodyn.kernels.drafts import least
 from robodyn.kernels.options import Options
 from robodyn.kernels.proof import Unequal
 from robodyn.kernels.rigid_programs import RigidPrograms
@@ -22,7 +23,7 @@ from robodyn.kernels.with_effects import (
     needs_reactions,
 )
 from robodyn.optimize.programs import Choice, Recursion, recursion_in
-from robodyn.passes import FRESH, SPELLING, Pass, unchecked
+from robodyn.passes import FRESH_SAVING
 from robodyn.robot.identity import identity
 from robodyn.robot.model import Robot
 from robodyn.robot.values import circle_point
@@ -77,18 +78,13 @@ class Layered:
         check_solvable(self.robot, record)
         try:
             drafts = self._drafts(record)
-            passed = [unchecked(draft, self._passes) for draft in drafts]
-            k = min(range(len(passed)), key=lambda k: count(passed[k]).total)
+            k, passed = least(drafts, () if self.options.optimize == "none" else FRESH_SAVING)
             # Of what is put together from parts there may be no other formula: its parts are compared.
             alone = record.parts and record.expected is None
-            self._compare(function, passed[k], drafts[k] if alone else self._plain(record))
+            self._compare(function, passed, drafts[k] if alone else self._plain(record))
         except ZeroDivisionError:  # a pivot that is zero as a number or, in a drawn field, as a function
             raise self.rigid.singular(function) from None
-        return passed[k]
-
-    @property
-    def _passes(self) -> Sequence[Pass]:
-        return SPELLING if self.options.optimize == "none" else FRESH
+        return passed
 
     def _drafts(self, record: Function) -> list[Program]:
         """All ways to write ``record``: from its parts, and straight."""

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from robodyn.counts import Count, count
+from robodyn.counts import Count
 from robodyn.counts.objective import operations_of, parse_objective
 from robodyn.dynamics.compose import composed, side_by_side
 from robodyn.dynamics.functions import Function, function_named, recursion
-from robodyn.dynamics.fusing import Writing, one_after_another
+from robodyn.dynamics.fusing import AND, Writing, one_after_another
 from robodyn.ir.graph import Graph
 from robodyn.ir.program import Input, Program
+from robodyn.kernels.drafts import CLEARLY, SMALL, least, total
 from robodyn.kernels.options import Options
 from robodyn.kernels.proof import prove
 from robodyn.optimize.fast import fast_choices
@@ -20,16 +21,11 @@ from robodyn.optimize.records import Record, best_record
 from robodyn.optimize.records.adoption import adopted
 from robodyn.optimize.records.rounding import Rounding
 from robodyn.optimize.records.validation import at_rest_of, check_length, check_reading, validated
-from robodyn.passes import FAST, FRESH, SPELLING, Pass, unchecked
+from robodyn.passes import FAST, FRESH_SAVING, SAVING, SPELLING, Pass
 from robodyn.robot.model import Robot
 
 if TYPE_CHECKING:
     from robodyn.optimize.prune import Pruning
-
-#: The passes take less than a tenth of a draft away; a record that is further below need not wait for them.
-_CLEARLY = 0.9
-#: Of so few operations, and of gravity's, they may save more.
-_SMALL = 100
 
 
 class SingularArm(NoForwardDynamics):
@@ -44,6 +40,8 @@ class RigidPrograms:
         self.robot, self.options = robot, options
         self._pruning = pruning
         choices = options.choices() or fast_choices(robot)
+        #: What a program costs by the objective asked for.
+        self._cost = total if options.objective == "total" else _by(options.objective)
         self._drafts: dict[str, Program] = {}
         self._after_passes: dict[str, Program] = {}
         self.choice = choices[0] if len(choices) == 1 else self._cheapest(choices)
@@ -60,10 +58,9 @@ class RigidPrograms:
     def _cheapest(self, choices: Sequence[Choice]) -> Choice:
         """Of ``choices`` the one whose inverse dynamics takes the fewest operations after the passes."""
         drafts = [build(self.robot, "inverse_dynamics", choice) for choice in choices]
-        passed = [unchecked(draft, FRESH) for draft in drafts]
-        k = min(range(len(choices)), key=lambda k: count(passed[k]).total)
+        k, passed = least(drafts, FRESH_SAVING)
         if self.options.engine == "graph":
-            self._drafts["inverse_dynamics"], self._after_passes["inverse_dynamics"] = drafts[k], passed[k]
+            self._drafts["inverse_dynamics"], self._after_passes["inverse_dynamics"] = drafts[k], passed
         return choices[k]
 
     def program(self, function: str) -> Program:
@@ -119,28 +116,23 @@ class RigidPrograms:
         """The program of ``function`` after the passes of its level."""
         draft = self.draft(function)  # may leave what the passes made of it
         if function not in self._after_passes:
-            self._after_passes[function] = self._passes(draft)
+            self._after_passes[function] = self._least([draft])[1]
         return self._after_passes[function]
 
-    def _passes(self, draft: Program) -> Program:
+    def _least(self, drafts: Sequence[Program]) -> tuple[int, Program]:
+        """Which of ``drafts`` costs the least after the passes of the level, and what they make of it."""
         if self.options.optimize == "none":
-            passes: Sequence[Pass] = SPELLING
+            saving: Sequence[Pass] = ()
         else:
-            passes = FAST if self.options.engine == "sympy" else FRESH
-        return unchecked(draft, passes)
+            saving = SAVING if self.options.engine == "sympy" else FRESH_SAVING
+        return least(drafts, saving, self._cost)
 
     def _clearly_better(self, function: str, program: Program) -> bool:
         """Whether no pass will bring the recursion down to what a record has."""
         if function_named(function).at_rest or self.options.objective != "total":
             return False
-        draft = count(self.draft(function)).total
-        return draft > _SMALL and count(program).total <= _CLEARLY * draft
-
-    def _cost(self, program: Program) -> float:
-        """What ``program`` costs by the objective asked for."""
-        if self.options.objective == "total":
-            return count(program).total
-        return parse_objective(self.options.objective).cost(operations_of(program))
+        draft = total(self.draft(function))
+        return draft > SMALL and total(program) <= CLEARLY * draft
 
     def _recorded(self, function: str) -> Program | None:
         """What the records have for ``function``, compared with the recursion: its own, for other torques
@@ -186,7 +178,7 @@ class RigidPrograms:
         if not known:
             return None
         self.taken[function.name] = known[0]
-        return min((unchecked(way, FRESH) for way in ways), key=self._cost)
+        return self._least(ways)[1]
 
     def _of_parts(self, function: Function) -> list[Program]:
         """``function`` put together from the best programs of its parts, in all ways that it has."""
@@ -235,8 +227,16 @@ class RigidPrograms:
         """``function`` written anew as a whole, and put together from the best programs of its parts."""
         best = {part.name: self.best(part.name) for part in function.fuses}
         writings = [self._writings.get(part.name, part.outputs) for part in function.fuses]
-        anew = build(self.robot, function.name, self.choice, one_after_another(writings))
-        return [anew, side_by_side(function, list(best.values()), self.robot.n)]
+        # What chooses first should be what has most to lose.
+        order = sorted(range(len(writings)), key=lambda k: -self._cost(best[function.fuses[k].name]))
+        anew = build(self.robot, function.name, self.choice, one_after_another(writings, order))
+        drafts = [anew, side_by_side(function, list(best.values()))]
+        # What records have is as it is; poses and Jacobians, which have none, still share their axes.
+        geometric = [part.name for part in function.fuses if part.geometric]
+        if len(geometric) > 1 and not self.taken.keys().isdisjoint(best):
+            others = [program for name, program in best.items() if name not in geometric]
+            drafts.append(side_by_side(function, [self._passed(AND.join(geometric)), *others]))
+        return drafts
 
     def singular(self, function: str) -> SingularArm:
         """The error of an arm in which a joint moves without inertia."""
@@ -261,14 +261,18 @@ class RigidPrograms:
             drafts += self._of_parts(known)
         if len(drafts) == 1:
             return drafts[0]
-        passed = [self._passes(draft) for draft in drafts]
-        k = min(range(len(drafts)), key=lambda k: self._cost(passed[k]))
-        self._after_passes[function] = passed[k]
+        k, self._after_passes[function] = self._least(drafts)
         self._writings[function] = known.outputs if known.fuses or k >= len(writings) else writings[k]
         if known.fuses and k == 0:  # the best programs of the parts are not in it
             for part in set(self.taken) - set(self.options.function_names if self.options.functions else ()):
                 del self.taken[part]
         return drafts[k]
+
+
+def _by(objective: str) -> Callable[[Program], float]:
+    """The cost of a program by ``objective``."""
+    cost = parse_objective(objective).cost
+    return lambda program: cost(operations_of(program))
 
 
 def _sources(function: Function) -> tuple[str, ...]:

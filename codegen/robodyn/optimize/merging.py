@@ -10,11 +10,15 @@ What is built so is compared with the plain recursion in other fields before it 
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import Any
 
 from robodyn.ir.field import Field
-from robodyn.ir.graph import Graph, Node, Scalar
+from robodyn.ir.graph import Graph, Key, Node, Scalar, children
 from robodyn.robot.values import circle_point
+
+#: Operations that are found by their values.
+_BY_VALUE = ("add", "mul", "scale")
+#: What stands for position 0, beyond the numbers that stand for themselves.
+_FIRST = 2
 
 
 class MergingGraph(Graph):
@@ -26,57 +30,68 @@ class MergingGraph(Graph):
     def __init__(self, field: Field) -> None:
         super().__init__()
         self.field = field
-        self._half = field.prime // 2
+        self._prime = field.prime
         self._value: list[int] = []
-        self._by_value: dict[int, tuple[int, int]] = {1: (-1, 1)}
-
-    def _known(self, value: int) -> Scalar | None:
-        """What has ``value`` already: a number 0 or 1, a node, or the negative of one."""
-        if not value:
-            return 0
-        large = value > self._half
-        entry = self._by_value.get(self.field.prime - value if large else value)
-        if entry is None:
-            return None
-        position, sign = entry
-        if large:
-            sign = -sign
-        return sign if position < 0 else Node(self, position, sign)
+        #: What has a value already: a number -1, 0 or 1, or ``_FIRST`` + position, negative of minus a node.
+        self._by_value: dict[int, int] = {0: 0, 1: 1, field.prime - 1: -1}
 
     def _of(self, a: Scalar) -> int:
         if isinstance(a, Node):
-            return self._value[a.position] if a.sign > 0 else self.field.prime - self._value[a.position]
+            value = self._value[a.position]
+            return value if a.sign > 0 else self._prime - value
         return self.field.number(a)
+
+    def _known(self, known: int) -> Scalar:
+        """What stands in the table as ``known``."""
+        if known >= _FIRST:
+            return Node(self, known - _FIRST, 1)
+        return known if known > -_FIRST else Node(self, -known - _FIRST, -1)
 
     def add(self, a: Scalar, b: Scalar) -> Scalar:
         """``a + b``."""
         if isinstance(a, Node) or isinstance(b, Node):
-            known = self._known((self._of(a) + self._of(b)) % self.field.prime)
+            known = self._by_value.get((self._of(a) + self._of(b)) % self._prime)
             if known is not None:
-                return known
+                return self._known(known)
         return super().add(a, b)
 
     def mul(self, a: Scalar, b: Scalar) -> Scalar:
         """``a * b``."""
-        if isinstance(a, Node) or isinstance(b, Node):
-            known = self._known(self._of(a) * self._of(b) % self.field.prime)
+        if isinstance(a, Node) and isinstance(b, Node):
+            i, j = a.position, b.position
+            sign = a.sign * b.sign
+            value = self._value[i] * self._value[j] % self._prime
+            known = self._by_value.get(value)
             if known is not None:
-                return known
+                return self._known(known * sign)
+            return Node(self, self._appended(("mul", i, j) if i <= j else ("mul", j, i), value), sign)
+        if isinstance(a, Node) or isinstance(b, Node):
+            known = self._by_value.get(self._of(a) * self._of(b) % self._prime)
+            if known is not None:
+                return self._known(known)
         return super().mul(a, b)
 
-    def _node(self, key: tuple[Any, ...], sign: int = 1) -> Node:
-        position = super()._node(key, 1).position
-        if position == len(self._value):
-            value = self._evaluated(key)
-            self._value.append(value)
-            if key[0] != "const":
-                large = value > self._half
-                self._by_value.setdefault(
-                    self.field.prime - value if large else value, (position, -1 if large else 1)
-                )
+    def _node(self, key: Key, sign: int = 1, known: Key | None = None) -> Node:
+        # Sums and products come here with new values only.
+        if key[0] in _BY_VALUE:
+            return Node(self, self._appended(key, self._evaluated(key)), sign)
+        known = known or key
+        position = self._table.get(known)
+        if position is None:
+            position = self._table[known] = self._appended(key, self._evaluated(key))
         return Node(self, position, sign)
 
-    def _evaluated(self, key: tuple[Any, ...]) -> int:
+    def _appended(self, key: Key, value: int) -> int:
+        position = len(self.keys)
+        self.keys.append(key)
+        self.reads.append(children(key))
+        self._value.append(value)
+        if key[0] != "const" and value not in self._by_value:
+            self._by_value[value] = _FIRST + position
+            self._by_value[self._prime - value] = -_FIRST - position
+        return position
+
+    def _evaluated(self, key: Key) -> int:
         value, field = self._value, self.field
         op: str = key[0]
         at: tuple[int, ...] = key[1:]

@@ -9,8 +9,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from robodyn.ir.copying import copied
 from robodyn.ir.graph import Graph, Node, Scalar
-from robodyn.ir.lowering import children, needed
+from robodyn.ir.lowering import needed
+from robodyn.passes.order import before_use
 
 #: Quantities of the forward and the backward pass, in order within a link.
 FORWARD = ("w", "alpha", "ww", "lam", "a")
@@ -28,20 +30,8 @@ def in_reading_order(graph: Graph, outputs: Sequence[Scalar]) -> tuple[Graph, li
     roots = [p for _, _, p in (*sorted(forward), *sorted(back))]
     target = Graph(fold=graph.fold)
     copies: dict[int, Any] = {}
-    stack: list[int] = []
-    for root in (*roots, *positions):
-        stack.append(root)
-        while stack:
-            p = stack[-1]
-            if p in copies:
-                stack.pop()
-                continue
-            waiting = [child for child in reversed(children(graph.keys[p])) if child not in copies]
-            if waiting:
-                stack += waiting
-                continue
-            stack.pop()
-            copies[p] = target.copied(graph.keys[p], copies)
-            if p in labels:
-                target.label(copies[p], labels[p])
+    for p in before_use((*roots, *positions), graph.reads):
+        copies[p] = copied(target, graph.keys[p], copies)
+        if p in labels:
+            target.label(copies[p], labels[p])
     return target, [copies[v.position] * v.sign if isinstance(v, Node) else v for v in outputs]

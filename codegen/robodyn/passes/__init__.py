@@ -10,14 +10,19 @@ from robodyn.passes.pipeline import Pass, PassError, run, unchecked
 
 #: Always run: they change signs and order, no operation.
 SPELLING: tuple[Pass, ...] = (negate, order)
-#: The passes of ``--optimize fast`` for any program.
-FAST: tuple[Pass, ...] = (fold, cse, dce, factor, negate, order)
+#: Those before them, which save operations of any program.
+SAVING: tuple[Pass, ...] = (fold, cse, dce, factor)
 #: The same for a program fresh from a graph, which has merged, folded and dropped already.
-FRESH: tuple[Pass, ...] = (factor, negate, order)
+FRESH_SAVING: tuple[Pass, ...] = (factor,)
+#: The passes of ``--optimize fast`` for any program, and for one fresh from a graph.
+FAST: tuple[Pass, ...] = (*SAVING, *SPELLING)
+FRESH: tuple[Pass, ...] = (*FRESH_SAVING, *SPELLING)
 
 __all__ = [
     "FAST",
     "FRESH",
+    "FRESH_SAVING",
+    "SAVING",
     "SPELLING",
     "Pass",
     "PassError",

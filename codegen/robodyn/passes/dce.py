@@ -19,14 +19,14 @@ def dce(program: Program) -> Program:
 
 def kept(program: Program, order: list[int]) -> Program:
     """``program`` with just the operations ``order``, in that order."""
-    place = {old: new for new, old in enumerate(order)}
+    place = dict(zip(order, range(len(order)), strict=True))
 
-    def moved(operand: Operand) -> Operand:
-        return place[operand] if isinstance(operand, int) else operand
+    def moved(operands: tuple[Operand, ...]) -> tuple[Operand, ...]:
+        return tuple([place[x] if isinstance(x, int) else x for x in operands])
 
-    operations = tuple(
-        Operation(op, tuple(map(moved, args)), label)
-        for op, args, label in (program.operations[i] for i in order)
-    )
-    outputs = tuple((name, tuple(map(moved, elements))) for name, elements in program.outputs)
-    return Program(operations, outputs)
+    operations = program.operations
+    moved_operations = [
+        Operation(op, moved(args), label) for op, args, label in (operations[i] for i in order)
+    ]
+    outputs = tuple((name, moved(elements)) for name, elements in program.outputs)
+    return Program(tuple(moved_operations), outputs)

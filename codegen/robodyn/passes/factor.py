@@ -5,13 +5,18 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
+from robodyn.ir.copying import copied
 from robodyn.ir.graph import Graph, Node, Scalar
-from robodyn.ir.lowering import children, lower, needed
+from robodyn.ir.lowering import lower, needed
 from robodyn.ir.program import Program
 from robodyn.passes.replay import as_graph
 
 #: Each round frees sums for the next; on long arms the later rounds gain little.
 _ROUNDS = 8
+
+#: What a round makes fewer of.
+_COUNTED = frozenset(("add", "mul", "scale", "div"))
+_PRODUCTS = ("mul", "scale")
 
 Term = tuple[int, int]  # position and sign
 Outputs = list[tuple[str, list[Any]]]
@@ -37,29 +42,36 @@ class _Factoring:
 
     def __init__(self, graph: Graph, outputs: Outputs) -> None:
         self.graph, self.outputs = graph, outputs
-        keys = graph.keys
+        keys, reads = graph.keys, graph.reads
         self.positions = needed(graph, outputs)
-        self.cost = sum(keys[p][0] in ("add", "mul", "scale", "div") for p in self.positions)
-        self.uses = uses = [0] * len(keys)
+        uses = [0] * len(keys)
+        self.cost = 0
         sums = []
         for p in self.positions:
-            key = keys[p]
-            for child in children(key):
+            for child in reads[p]:
                 uses[child] += 1
-            if key[0] == "add":
+            op = keys[p][0]
+            self.cost += op in _COUNTED
+            if op == "add":
                 sums.append(p)
         for _, values in outputs:
             for v in values:
                 if isinstance(v, Node):
                     uses[v.position] += 1
-        # Additions that serve one other addition only are part of that one's sum.
-        self.inner = {
-            child
-            for p in sums
-            for child in (keys[p][1], keys[p][3])
-            if keys[child][0] == "add" and uses[child] == 1
-        }
-        self.roots = [p for p in sums if p not in self.inner]
+        # Additions that serve one other addition only are part of that one's sum; products that serve one
+        # thing only may be taken apart.
+        self.inner = inner = bytearray(len(keys))
+        self.single = single = bytearray(len(keys))
+        for p in sums:
+            for child in reads[p]:
+                if uses[child] == 1:
+                    inner[child] = keys[child][0] == "add"
+                    single[child] = keys[child][0] in _PRODUCTS
+        self.roots = []
+        for p in sums:
+            one, other = reads[p]
+            if not inner[p] and (inner[one] or inner[other] or (single[one] and single[other])):
+                self.roots.append(p)
 
     def factored(self) -> tuple[Graph, Outputs] | None:
         """The graph with every factorable sum factored, and its outputs; None if there is none."""
@@ -78,7 +90,7 @@ class _Factoring:
         for p in self.positions:
             if p in dissolved:
                 continue
-            copies[p] = self._factored(*sums[p], copies) if p in sums else target.copied(keys[p], copies)
+            copies[p] = self._factored(*sums[p], copies) if p in sums else copied(target, keys[p], copies)
             if p in labels:
                 target.label(copies[p], labels[p])
         outputs = [
@@ -94,7 +106,7 @@ class _Factoring:
         stack: list[Term] = [(root, 1)]
         while stack:
             p, sign = stack.pop()
-            if p == root or p in self.inner:
+            if p == root or self.inner[p]:
                 _, i, relative, j = keys[p]
                 stack.append((j, sign * relative))
                 stack.append((i, sign))
@@ -109,27 +121,31 @@ class _Factoring:
         while stack:
             key = self.graph.keys[stack.pop()]
             for child in (key[1], key[3]):
-                if child in self.inner:
+                if self.inner[child]:
                     inside.append(child)
                     stack.append(child)
         return inside
 
     def _common(self, terms: list[Term]) -> Any:
         """The factor that most products of ``terms`` share, or None."""
+        keys = self.graph.keys
+        products = [_factors(keys[p]) for p, _ in terms if self.single[p]]
+        if len(products) < 2:
+            return None
         counts: dict[Any, int] = {}
-        for p, _ in terms:
-            if self.uses[p] == 1:
-                for f in dict.fromkeys(_factors(self.graph.keys[p])):
-                    counts[f] = counts.get(f, 0) + 1
-        best = max(counts, key=lambda f: counts[f], default=None)
-        return best if best is not None and counts[best] > 1 else None
+        for one, other in products:
+            counts[one] = counts.get(one, 0) + 1
+            if other != one:
+                counts[other] = counts.get(other, 0) + 1
+        best = max(counts, key=counts.__getitem__)
+        return best if counts[best] > 1 else None
 
     def _factored(self, terms: list[Term], common: Any, copies: dict[int, Scalar]) -> Any:
         group: Scalar = 0
         rest: Scalar = 0
         for p, sign in terms:
             factors = _factors(self.graph.keys[p])
-            if self.uses[p] == 1 and common in factors:
+            if self.single[p] and common in factors:
                 cofactor = factors[1] if factors[0] == common else factors[0]
                 group = group + sign * _value(cofactor, copies)
             else:

@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import Any
 
 from robodyn.ir.graph import Graph, Node
-from robodyn.ir.lowering import children, lower, needed
+from robodyn.ir.lowering import lower, needed
 from robodyn.ir.program import Program
 from robodyn.passes.replay import as_graph
 
@@ -34,18 +34,27 @@ class _Signs:
         keys = graph.keys
         self.keys = keys
         self.positions = needed(graph, outputs)
-        self.reads = {p: tuple(dict.fromkeys(children(keys[p]))) for p in self.positions}
-        self.users: dict[int, list[int]] = {p: [] for p in self.positions}
-        for p, read in self.reads.items():
-            for child in read:
+        self.free = [p for p in self.positions if keys[p][0] in _FREE]
+        self.is_free = bytearray(len(keys))
+        self.users: list[list[int]] = [[] for _ in keys]
+        self.reads = graph.reads
+        for p in self.free:
+            self.is_free[p] = 1
+        for p in self.positions:
+            for child in dict.fromkeys(graph.reads[p]):
                 self.users[child].append(p)
-        self.wanted: dict[int, list[int]] = {}
+        labels = graph.labels
+        self.named = {p: -1 if labels[p].negative else 1 for p in self.positions if p in labels}
+        self.sign = [1] * len(keys)
+        #: What a sign, 1 or -1 (the last), of a position costs at outputs, and a little for a named quantity
+        #: that stands with its sign reversed.
+        self.own: tuple[list[int], ...] = ([], [0] * len(keys), [0] * len(keys))
         for _, values in outputs:
             for value in values:
                 if isinstance(value, Node):
-                    self.wanted.setdefault(value.position, []).append(value.sign)
-        self.named = {p: -1 if label.negative else 1 for p, label in graph.labels.items()}
-        self.sign = [1] * len(keys)
+                    self.own[-value.sign][value.position] += _MINUS
+        for p, sign in self.named.items():
+            self.own[-sign][p] += 1
 
     def of_names(self) -> list[int]:
         """The signs with which each quantity stands as its name says."""
@@ -59,55 +68,46 @@ class _Signs:
         """Coordinate descent from ``start``: flip a sign where that saves something, or once where it
         costs nothing; then look at its neighbours. The cost reached, and the signs."""
         self.sign = sign = start
-        queue = list(self.positions)
-        waiting = set(queue)
+        own, users, reads = self.own, self.users, self.reads
+        at = [0] * len(self.keys)
+        for p in self.positions:
+            at[p] = self._at(p)
+        queue = list(self.free)
+        waiting = bytearray(self.is_free)
         sidestepped: set[int] = set()
         flips = 0
         while queue and flips < 20 * len(self.positions):
             p = queue.pop()
-            waiting.discard(p)
-            if self.keys[p][0] not in _FREE:
-                continue
-            before = self._cost(p)
+            waiting[p] = 0
+            before = at[p] + own[sign[p]][p]
+            for q in users[p]:
+                before += at[q]
             if not before:
                 continue
             sign[p] = -sign[p]
-            after = self._cost(p)
+            touched = [p, *users[p]]
+            costs = [at[q] for q in touched]
+            for q in touched:
+                at[q] = self._at(q)
+            after = sum([at[q] for q in touched]) + own[sign[p]][p]
             if after > before or (after == before and p in sidestepped):
                 sign[p] = -sign[p]
+                for q, cost in zip(touched, costs, strict=True):
+                    at[q] = cost
                 continue
             if after == before:
                 sidestepped.add(p)
             flips += 1
-            near = [*self.reads[p], *self.users[p]]
-            near += [child for user in self.users[p] for child in self.reads[user]]
-            for q in near:
-                if q not in waiting:
-                    waiting.add(q)
+            near = [child for user in users[p] for child in reads[user]]
+            for q in (*reads[p], *users[p], *near):
+                if self.is_free[q] and not waiting[q]:
+                    waiting[q] = 1
                     queue.append(q)
-        return self._total(), sign
-
-    def _total(self) -> int:
-        total = sum(self._at(p) for p in self.positions)
-        total += sum(_MINUS for p, signs in self.wanted.items() for sign in signs if sign != self.sign[p])
-        return total + sum(sign != self.sign[p] for p, sign in self.named.items() if p in self.users)
-
-    def _cost(self, p: int) -> int:
-        """What the sign of ``p`` costs: minuses there, at what reads it and at outputs; and a little for a
-        named quantity or a constant that stands with its sign reversed."""
-        own = self.sign[p]
-        total = self._at(p)
-        for user in self.users[p]:
-            total += self._at(user)
-        for sign in self.wanted.get(p, ()):
-            if sign != own:
-                total += _MINUS
-        if self.named.get(p, own) != own:
-            total += 1
-        return total
+        return sum(at) + sum([own[sign[p]][p] for p in self.positions]), sign
 
     def _at(self, p: int) -> int:
-        """What computing ``p`` with its sign costs."""
+        """What computing ``p`` with its sign costs: minuses there, and a little for a constant that stands
+        with its sign reversed."""
         sign, key = self.sign, self.keys[p]
         op = key[0]
         if op == "add":

@@ -14,9 +14,7 @@ from robodyn.passes.dce import kept
 
 def order(program: Program) -> Program:
     """``program`` in the order of its labelled quantities, each preceded by its own steps."""
-    read = [
-        [arg for arg in reversed(operation.args) if isinstance(arg, int)] for operation in program.operations
-    ]
+    read = [[arg for arg in operation.args if isinstance(arg, int)] for operation in program.operations]
     labelled = [i for i, operation in enumerate(program.operations) if operation.label is not None]
     results = [operand for operand in program.results() if isinstance(operand, int)]
     return kept(program, before_use([*labelled, *results], read))
@@ -24,19 +22,18 @@ def order(program: Program) -> Program:
 
 def before_use(roots: Iterable[int], read: Sequence[Sequence[int]]) -> list[int]:
     """The operations that ``roots`` need, root by root, each after those that it reads: depth first, the
-    last of ``read[i]`` first."""
+    first of ``read[i]`` first."""
     placed: list[int] = []
-    done: set[int] = set()
+    done = bytearray(len(read))
+    stack: list[int] = []
     for root in roots:
-        stack = [(root, False)]
+        stack.append(root)
         while stack:
-            i, ready = stack.pop()
-            if i in done:
-                continue
-            if ready:
-                done.add(i)
-                placed.append(i)
-                continue
-            stack.append((i, True))
-            stack.extend((x, False) for x in read[i])
+            i = stack.pop()
+            if i < 0:  # what ~i reads has been placed
+                placed.append(~i)
+            elif not done[i]:
+                done[i] = 1
+                stack.append(~i)
+                stack += read[i][::-1]
     return placed

@@ -75,7 +75,7 @@ class _Orders:
         self._trees: dict[int, list[int]] = {}
         self._read = [[x for x in op.args if isinstance(x, int)] for op in self.operations]
         for read in self._read:
-            read.sort(key=self.rank.__getitem__)
+            read.sort(key=self.rank.__getitem__, reverse=True)
 
     def _reading(self, operation: Operation) -> Operation:
         """``operation`` with the sines and cosines of positions as inputs: they are there before all else."""

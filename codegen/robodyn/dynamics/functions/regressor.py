@@ -31,7 +31,8 @@ def _of_any_masses(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
     """The regressor times the base parameters of an arm that moves like this one and has any masses, rotors
     and friction, beside the torques of that arm."""
     arm = _with_masses(at.arm, x)
-    parameters = [parameter.value(_standard(arm)) for parameter in at.base_set()]
+    numbers = _standard(arm)
+    parameters = [parameter.value(numbers) for parameter in at.base_set()]
     p = len(parameters)
     rows = [result[k : k + p] for k in range(0, len(result), p)]
     torques = [sum(y * value for y, value in zip(row, parameters, strict=True)) for row in rows]

@@ -1,0 +1,42 @@
+"""Of several drafts of a program the one that costs the least after the passes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from robodyn.counts import count
+from robodyn.ir.program import Program
+from robodyn.passes import SPELLING, Pass, unchecked
+
+#: The passes take less than a tenth of a draft away; what is further below need not wait for them.
+CLEARLY = 0.9
+#: Of so few operations, and of gravity's, they may save more.
+SMALL = 100
+
+
+def total(program: Program) -> float:
+    """How many operations ``program`` takes."""
+    return count(program).total
+
+
+def least(
+    drafts: Sequence[Program], saving: Sequence[Pass], cost: Callable[[Program], float] = total
+) -> tuple[int, Program]:
+    """Which of ``drafts`` costs the least after the passes, the first of equals, and what they make of it.
+
+    No ``cost`` depends on signs and order, so only the best draft is spelled; and ``saving`` passes are not
+    run on one that takes so many more operations that they cannot bring it down to another.
+    """
+    if len(drafts) == 1:
+        return 0, unchecked(drafts[0], (*saving, *SPELLING))
+    costs = list(map(cost, drafts))
+    passed: dict[int, Program] = {}
+    best = min(costs)
+    for k in sorted(range(len(drafts)), key=costs.__getitem__):
+        if cost is total and costs[k] > SMALL and CLEARLY * costs[k] >= best:
+            continue
+        passed[k] = unchecked(drafts[k], saving)
+        costs[k] = cost(passed[k])
+        best = min(best, costs[k])
+    k = min(passed, key=lambda k: (costs[k], k))
+    return k, unchecked(passed[k], SPELLING)
