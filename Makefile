@@ -74,7 +74,7 @@ format: $(VENV)/.installed-dev  ## let ruff mend what it can
 
 .PHONY: axe
 axe:  ## axe-core from npm: with it the tests of pages look for what is not accessible
-	@npm install --silent --no-audit --no-fund --no-save --prefix build/npm axe-core@$(AXE)
+	@npm install --loglevel=error --no-update-notifier --no-audit --no-fund --no-save --prefix build/npm axe-core@$(AXE)
 
 .PHONY: clean
 clean:  ## remove the environment, build outputs and caches; generated/ stays
