@@ -6,6 +6,7 @@ its drawing is turned the work of a frame and the time between two. Needs chromi
 
 from __future__ import annotations
 
+import shutil
 import statistics
 import sys
 import tempfile
@@ -75,10 +76,17 @@ def _driver(folder: str) -> Any:
     from selenium.webdriver.chrome.service import Service
 
     options = webdriver.ChromeOptions()
-    options.binary_location = "chromium"
+    options.binary_location = _program("chromium")
     for flag in (*_FLAGS, f"user-data-dir={folder}/profile"):
         options.add_argument(f"--{flag}")
-    return webdriver.Chrome(options=options, service=Service("chromedriver"))
+    return webdriver.Chrome(options=options, service=Service(_program("chromedriver")))
+
+
+def _program(name: str) -> str:
+    place = shutil.which(name)
+    if place is None:
+        raise SystemExit(f"{name} is missing (Debian: apt install chromium chromium-driver)")
+    return place
 
 
 if __name__ == "__main__":

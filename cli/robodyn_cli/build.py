@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import replace
@@ -95,7 +96,7 @@ def command(
     if against is not None and not Path(against).is_file():
         raise InputError("there is no lock file of this name", found=printable(against))
     with _alone(project.path, waits=not check):
-        before = read_lock(project.lock)
+        before = read_lock(project.lock) if check else _lock_before(project)
         base = before if against is None else read_lock(Path(against))
         products = Products(project, keys, workers)
         check_products(project, products.by_name)
@@ -149,6 +150,17 @@ def _alone(path: Path, *, waits: bool) -> Iterator[None]:
         yield
 
 
+def _lock_before(project: Project) -> Lock | None:
+    """The lock file as it is; one that cannot be read, as after a merge, is about to be replaced."""
+    from robodyn.project.lock import read_lock
+
+    try:
+        return read_lock(project.lock)
+    except InputError as error:
+        talk(f"robodyn: note: the lock file is written anew: {error}")
+        return None
+
+
 def _write(project: Project, products: Products) -> list[str]:
     """Write the files that are not as they should be, the lock file last, all or none; their paths."""
     from robodyn.project.compare import locked, outdated
@@ -166,7 +178,8 @@ def _write(project: Project, products: Products) -> list[str]:
     lock = lock_text(locked(project, products.by_name)).encode("utf-8")
     if not project.lock.is_file() or project.lock.read_bytes() != lock:
         files[project.lock.name] = lock
-    return [printable(path) for path in write_files(project.folder, files)]
+    remedy = f"choose another output in {printable(project.path)}, or free some space there"
+    return [printable(path) for path in write_files(project.folder, files, remedy=remedy)]
 
 
 def _name_leftovers(project: Project, before: Lock, now: Lock) -> None:
@@ -175,7 +188,8 @@ def _name_leftovers(project: Project, before: Lock, now: Lock) -> None:
         [project.folder / locked.output / name for locked in lock.values() for name in locked.files]
         for lock in (now, before)
     )
-    gone = [printable(path) for path in old if path not in files and path.is_file()]
+    written = {os.path.realpath(path) for path in files}
+    gone = [printable(path) for path in old if os.path.realpath(path) not in written and path.is_file()]
     if gone:
         talk(f"robodyn: note: no longer written: {', '.join(gone)}")
 

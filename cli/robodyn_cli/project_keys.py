@@ -31,7 +31,7 @@ def _key(option: click.Option) -> Key:
     words = option.type if isinstance(option.type, OneOf) else None
     return Key(
         name=option.opts[0].removeprefix("--"),
-        help=option.help or "",
+        help=lambda: (option.get_help_record(click.Context(gen)) or ("", ""))[1],
         flag=option.is_flag,
         several=option.multiple,
         listed="," in (option.metavar or ""),

@@ -100,7 +100,7 @@ void stanford_3dof_gravity(const stanford_3dof_real q[3], stanford_3dof_real tau
     /* sines and cosines of the joint angles */
     const stanford_3dof_real s2 = sin(again[1]);
     /* link 2: first moment of all that the joint carries, before its turn, times gravity [N m] */
-    const stanford_3dof_real hw2_x = s2*(41.65*q[2] + 26.851755);
+    const stanford_3dof_real hw2_x = s2*(41.65*(q[2] + 0.6447));
     const stanford_3dof_real t1 = -hw2_x;
     tau[0] = 0.0;
     tau[1] = t1;

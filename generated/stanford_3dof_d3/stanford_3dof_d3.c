@@ -93,7 +93,7 @@ void stanford_3dof_d3_gravity(const stanford_3dof_d3_real q[3], stanford_3dof_d3
     /* sines and cosines of the joint angles */
     const stanford_3dof_d3_real s2 = sin(again[1]);
     /* link 2: first moment of all that the joint carries, before its turn, times gravity [N m] */
-    const stanford_3dof_d3_real hw2_x = s2*(63.406*q[2] - 40.8778482);
+    const stanford_3dof_d3_real hw2_x = s2*(63.406*(q[2] - 0.6447));
     const stanford_3dof_d3_real t1 = -hw2_x;
     tau[0] = 0.0;
     tau[1] = t1;

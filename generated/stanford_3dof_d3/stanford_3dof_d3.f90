@@ -99,7 +99,7 @@ contains
     ! sines and cosines of the joint angles
     s2 = sin(q(2))
     ! link 2: first moment of all that the joint carries, before its turn, times gravity [N m]
-    hw2_x = s2*(63.406_rk*q(3) - 40.8778482_rk)
+    hw2_x = s2*(63.406_rk*(q(3) - 0.6447_rk))
     t1 = -hw2_x
     tau(1) = 0.0_rk
     tau(2) = t1

@@ -180,6 +180,7 @@ function fitted() {
         for (let k = 0; k < 24; ++k) {
             arm.locate(k ? arm.motion((k * motion.period) / 24)[0] : arm.data.home.position);
             points.push(arm.pose.base, ...arm.pose.origins, arm.pose.tool);
+            points.push(...arm.data.links.map((link, i) => centreOf(link, arm.pose.origins[i], arm.pose.axes[i])));
         }
     }
     scene.fit(points, Math.min(...arms.map((arm) => (arm.data.base ? arm.data.base.xyz[2] : 0))));

@@ -125,6 +125,10 @@ class Scene {
             if (this.shows.frames) this.frame(origins[i], axes[i], 4.2 * size(i), parts);
             if (this.shows.inertia) this.inertia(arm.data.links[i], origins[i], axes[i], parts);
         }
+        const last = arm.data.links[n - 1];
+        if (Math.hypot(...sub(tool, origins[n - 1])) < 1e-3 * this.radius) { // a pendulum's link ends nowhere
+            this.tube([origins[n - 1], centreOf(last, origins[n - 1], axes[n - 1])], size(n), colour, parts);
+        }
         this.gripper(tool, toolAxes, size(n), parts);
         if (this.shows.frames) this.frame(tool, toolAxes, 4.2 * size(n), parts);
         if (this.shows.velocity) this.velocity(arm, tool, which, parts);
@@ -225,7 +229,7 @@ class Scene {
 
     // The ellipsoid of equal inertia about the centre of mass.
     inertia(link, origin, axes, parts) {
-        const centre = axes.reduce((p, axis, k) => add(p, axis, link.com[k]), origin);
+        const centre = centreOf(link, origin, axes);
         const place = this.place(centre);
         if (link.ellipsoid) {
             const { semi_axes: sizes, directions } = link.ellipsoid;
@@ -287,6 +291,8 @@ const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const sub = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 const add = (a, b, s) => [a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]];
 const form = (m, u, v) => m.reduce((sum, row, i) => sum + u[i] * dot(row, v), 0);
+// Where the centre of mass of a link is.
+const centreOf = (link, origin, axes) => axes.reduce((p, axis, k) => add(p, axis, link.com[k]), origin);
 // The sum of v v^T.
 const square = (vectors) => [0, 1, 2].map((i) => [0, 1, 2].map((j) => vectors.reduce((s, v) => s + v[i] * v[j], 0)));
 

@@ -1,49 +1,19 @@
-"""``robodyn build``: what is written, that nothing is done twice, and what a killed build leaves."""
+"""``robodyn build``: what is written, that nothing is done twice, and what is refused."""
 
 from __future__ import annotations
 
 import json
 import os
-import subprocess
-import sys
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 import robodyn_cli.building
+from cli.built import FILES, PROJECT, build, outputs
 from cli.generated import Capture, tree
 from records.made import ELBOW
 from robodyn_cli.main import main
-from robodyn_testing import require_module
-
-PROJECT = """\
-[options]
-functions = ["inverse_dynamics", "gravity"]
-lang = "c"
-
-[robots.one]
-robot = "elbow.yaml"
-
-[robots.two]
-robot = "other.yaml"
-output = "firmware/two"
-scalar = "float"
-"""
-FILES = {
-    "generated/one/elbow.h", "generated/one/elbow.c", "firmware/two/other.h", "firmware/two/other.c",
-    "robodyn.lock",
-}  # fmt: skip
-
-
-@pytest.fixture
-def project(elsewhere: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A folder with a project of two robots, and an empty store."""
-    (elsewhere / "elbow.yaml").write_text(ELBOW)
-    (elsewhere / "other.yaml").write_text(ELBOW.replace("elbow", "other"))
-    (elsewhere / "robodyn.toml").write_text(PROJECT)
-    monkeypatch.setenv("ROBODYN_CACHE", str(tmp_path / "cache"))
-    return elsewhere
 
 
 @pytest.fixture
@@ -58,15 +28,6 @@ def generated(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 
     monkeypatch.setattr(robodyn_cli.building, "carry_out", noted)
     return names
-
-
-def build(*arguments: str, code: int = 0) -> None:
-    assert main(["build", "--workers", "1", *arguments]) == code
-
-
-def outputs(folder: Path) -> dict[str, str]:
-    """What was written, by path."""
-    return {name: text for name, text in tree(folder).items() if name in FILES}
 
 
 def test_it_writes_what_gen_writes(project: Path, capsys: Capture) -> None:
@@ -212,6 +173,41 @@ def test_what_no_build_can_do_is_refused(
     assert not set(tree(project)) & FILES
 
 
+@pytest.mark.parametrize("way", ["generated/../generated/one", "link", "generated/one/"])
+def test_two_robots_that_write_the_same_file_by_two_ways(way: str, project: Path, capsys: Capture) -> None:
+    (project / "link").symlink_to("generated/one", target_is_directory=True)
+    text = PROJECT.replace("other.yaml", "elbow.yaml").replace("firmware/two", way)
+    (project / "robodyn.toml").write_text(text)
+    build(code=2)
+    assert "robodyn.toml:8:1: two robots write the same file" in capsys.readouterr().err
+
+
+def test_what_stands_in_the_way_is_told(project: Path, capsys: Capture) -> None:
+    (project / "firmware").touch()
+    build(code=2)
+    err = capsys.readouterr().err
+    assert "cannot write firmware/two/other.h" in err
+    assert "choose another output in robodyn.toml" in err
+    assert not set(tree(project)) & FILES
+    (project / "firmware").unlink()
+    os.mkfifo(project / "firmware.pipe")
+    (project / "firmware" / "two").mkdir(parents=True)
+    (project / "firmware.pipe").rename(project / "firmware" / "two" / "other.c")
+    build(code=2)
+    assert "something that is not a file" in capsys.readouterr().err
+
+
+def test_a_lock_file_with_the_marks_of_a_merge_is_replaced(project: Path, capsys: Capture) -> None:
+    build()
+    wanted = (project / "robodyn.lock").read_text()
+    (project / "robodyn.lock").write_text(wanted.replace("[robots.one]", "<<<<<<< ours\n[robots.one]"))
+    build("--check", code=2)
+    assert "robodyn.lock:5:1: this is not TOML" in capsys.readouterr().err
+    build()
+    assert "note: the lock file is written anew: robodyn.lock:5:1:" in capsys.readouterr().err
+    assert (project / "robodyn.lock").read_text() == wanted
+
+
 def test_from_another_folder(project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     build()
     wanted = outputs(project)
@@ -244,55 +240,3 @@ def test_a_robot_that_left_leaves_the_lock_file_and_its_files_are_named(
     )
     assert "two" not in (project / "robodyn.lock").read_text()
     assert (project / "firmware/two/other.c").exists()
-
-
-#: A build that is killed when it is about to rename the NTH file that it writes.
-KILLED = """
-import os, signal, sys
-from pathlib import Path
-from robodyn_cli.main import main
-rename, left = Path.replace, [int(sys.argv[1])]
-def replace(self, target):
-    if not left[0]:
-        os.kill(os.getpid(), signal.SIGKILL)
-    left[0] -= 1
-    return rename(self, target)
-Path.replace = replace
-main(["build", "--workers", "1"])
-"""
-
-
-@pytest.mark.skipif(not hasattr(os, "killpg"), reason="missing: SIGKILL; only POSIX has it")
-@pytest.mark.parametrize("renamed", [0, pytest.param(2, marks=pytest.mark.thorough), 4])
-def test_a_killed_build_leaves_whole_files_old_or_new(renamed: int, project: Path) -> None:
-    build()
-    old = outputs(project)
-    (project / "robodyn.toml").write_text(PROJECT.replace('"gravity"', '"bias"'))
-    command = [sys.executable, "-c", KILLED, str(renamed)]
-    imports = {**os.environ, "PYTHONPATH": os.pathsep.join(path for path in sys.path if path)}
-    assert subprocess.run(command, env=imports, check=False).returncode == -9
-    between = outputs(project)
-    build()
-    new = outputs(project)
-    assert set(new) == set(old) == set(between) == FILES
-    assert all(text in (old[name], new[name]) for name, text in between.items())
-    assert sum(between[name] == new[name] != old[name] for name in FILES) == renamed
-    assert between["robodyn.lock"] == old["robodyn.lock"]
-    assert not list(project.rglob(".robodyn.*"))
-
-
-def test_two_builds_at_once_wait_for_each_other(project: Path, capsys: Capture) -> None:
-    fcntl = require_module("fcntl")
-    with (project / "robodyn.toml").open("rb") as file:
-        fcntl.flock(file, fcntl.LOCK_EX)
-        build("--check", code=1)  # writes nothing, and waits for nobody
-        command = [sys.executable, "-m", "robodyn", "build", "--workers", "1"]
-        imports = {**os.environ, "PYTHONPATH": os.pathsep.join(path for path in sys.path if path)}
-        with subprocess.Popen(command, env=imports, stderr=subprocess.PIPE, text=True) as other:
-            assert other.stderr is not None
-            assert "another build of robodyn.toml is running" in other.stderr.readline()
-            assert not set(tree(project)) & FILES
-            fcntl.flock(file, fcntl.LOCK_UN)
-            other.communicate()
-    assert other.returncode == 0
-    assert set(tree(project)) >= FILES

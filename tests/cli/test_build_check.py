@@ -214,7 +214,7 @@ def test_the_report_is_the_same_twice(project: Path, capsys: Capture) -> None:
         (["--format", "xml"], "unknown format 'xml'; expected one of text, json, junit, markdown"),
         (["--format", "junt"], "did you mean 'junit'?"),
         (["--format", "junit", "--json"], "--json is --format json"),
-        (["--file", "no.toml"], "no.toml: the file cannot be read"),
+        (["--file", "no.toml"], "no.toml: there is no project file of this name"),
         (["--workers", "0"], "--workers"),
     ],
 )

@@ -115,7 +115,7 @@ def test_what_is_wrong_is_told_with_its_place(text: str, message: str, tmp_path:
 
 
 def test_a_file_that_is_not_there(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match=r"no\.toml: the file cannot be read; found no such file"):
+    with pytest.raises(InputError, match=r"no\.toml: there is no project file of this name; name one with"):
         read_project(tmp_path / "no.toml", project_keys())
     with pytest.raises(InputError, match="this is the name of a lock file"):
         read_project(tmp_path / "robodyn.lock", project_keys())

@@ -202,7 +202,7 @@ def of_name(name: str) -> str:
     symbol = _symbol(letters)
     marks = [f"<mn>{mark}</mn>" for mark in (index or "").split("to") if mark]
     if axis:
-        marks.append(f"<mi>{axis}</mi>" if axis.isalpha() else f"<mn>{axis}</mn>")
+        marks += [f"<mi>{axis}</mi>"] if axis.isalpha() else ["<mo>,</mo>", f"<mn>{axis}</mn>"]
     marks += ["<mo>′</mo>"] * (int(again) - 1 if again else 0)
     text, below = f"<mi>{symbol}</mi>", f"<mrow>{''.join(marks)}</mrow>"
     if marks and above:

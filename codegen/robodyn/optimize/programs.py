@@ -39,7 +39,7 @@ from robodyn.optimize.costing import exact as exact
 from robodyn.optimize.gauge import regrouped_as, with_displacements
 from robodyn.optimize.merging import MergingGraph
 from robodyn.optimize.reading_order import in_reading_order
-from robodyn.optimize.slide import slid
+from robodyn.optimize.slide import centred, slid
 from robodyn.optimize.suited import suited_variant
 from robodyn.optimize.variant import Variant
 from robodyn.robot.identity import identity
@@ -260,7 +260,7 @@ class Recursion:
     def links(self, qd: Sequence[Any], qdd: Sequence[Any], form: MomentForm = "second_moment") -> Moving:
         """The same, regrouped where the choice has it, chains of parallel joints turning as one."""
         choice, trigonometry = self._choice, self._trigonometry
-        arm = slid(self.arm) if choice.regroup else self.arm
+        arm = centred(slid(self.arm)) if choice.regroup else self.arm
         lumps, ground = lumps_of(arm), NO_LUMP
         if choice.regroup:
             lumps, ground = regrouped_with_ground(arm, [form] * len(arm.bodies))

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
 from robodyn.errors import InputError
-from robodyn.files import label
+from robodyn.files import label, read_start
 from robodyn.project.fingerprint import digest
 from robodyn.project.keys import did_you_mean
+from robodyn.project.limits import LARGEST_OUTPUT
 from robodyn.project.lock import Lock, Locked
 from robodyn.project.product import Product
 from robodyn.project.reading import Budgets, Entry, Project
@@ -82,11 +84,11 @@ def check_products(project: Project, products: Mapping[str, Product]) -> None:
     ------
     InputError: two robots write the same file, or a budget is one of a function that is not written.
     """
-    owners: dict[Path, Entry] = {}
+    owners: dict[str, Entry] = {}
     for entry in project.entries:
         product = products[entry.name]
         for name in product.files:
-            other = owners.setdefault(project.output(entry) / name, entry)
+            other = owners.setdefault(os.path.realpath(project.output(entry) / name), entry)
             if other is not entry:
                 raise InputError(
                     "two robots write the same file",
@@ -109,12 +111,18 @@ def outdated(folder: Path, product: Product) -> dict[str, bool]:
     """The files of ``product`` that are not in ``folder`` as they should be, and whether they are there."""
     different = {}
     for name, sha256 in product.files.items():
-        try:
-            if digest((folder / name).read_bytes()) != sha256:
-                different[name] = True
-        except OSError:
-            different[name] = False
+        data = _contents(folder / name)
+        if data is None or digest(data) != sha256:
+            different[name] = data is not None
     return different
+
+
+def _contents(path: Path) -> bytes | None:
+    """What is in the file at ``path``; None where there is none that could be read."""
+    try:
+        return read_start(path, LARGEST_OUTPUT, "a file of kernels")
+    except (OSError, InputError):
+        return None
 
 
 def compare(
@@ -169,7 +177,7 @@ def _state(
     files = {
         label(folder / name): None
         if name not in different
-        else _difference((folder / name).read_bytes(), wanted[name])
+        else _difference(_contents(folder / name) or b"", wanted[name])
         if different[name]
         else "is missing"
         for name in product.files

@@ -15,11 +15,11 @@ class Key:
     """The key ``name`` stands for the option ``--name``.
 
     ``flag``: true or false. ``several``: a list repeats the option. ``listed``: a list is joined by commas.
-    ``words``: all values there are, if they are few; looked up when a value is checked.
+    ``words``: all values there are, if they are few. They and the ``help`` are looked up when needed.
     """
 
     name: str
-    help: str
+    help: Callable[[], str]
     flag: bool = False
     several: bool = False
     listed: bool = False

@@ -87,6 +87,12 @@ def read_project(path: Path, keys: Mapping[str, Key]) -> Project:
     name = label(path)
     if path.suffix == _LOCK:
         raise InputError("this is the name of a lock file", where=Place(name), expected=f"a name as {FILE}")
+    if not path.exists():
+        raise InputError(
+            "there is no project file of this name",
+            where=Place(name),
+            remedy="name one with --file, or write one: a line [robots.puma560], and robodyn build",
+        )
     text = read_text(path, LARGEST_FILE, "a project file, such as robodyn.toml", name)
     return Project(path, _Reader(parsed(text, name), Places(name, text), path.parent, keys).entries())
 

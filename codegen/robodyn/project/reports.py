@@ -156,8 +156,12 @@ def _summary(shown: Report) -> str:
     functions = [each for robot in robots for each in robot["functions"] if each["count"] is not None]
     total = sum(each["count"]["total"] for each in functions)
     changed = sum(each["status"] != "same" for robot in shown["robots"] for each in robot["functions"])
-    words = f"{len(robots)} robot{'s' * (len(robots) != 1)}, {len(functions)} functions, {total} operations"
+    words = f"{_many(len(robots), 'robot')}, {_many(len(functions), 'function')}, {_many(total, 'operation')}"
     return f"{words}; {changed} changed" if changed else f"{words}; no count changed"
+
+
+def _many(amount: int, noun: str) -> str:
+    return f"{amount} {noun}{'s' * (amount != 1)}"
 
 
 def _escaped(text: str) -> str:

@@ -9,7 +9,6 @@ from __future__ import annotations
 import base64
 import hashlib
 import json
-import math
 import re
 from collections.abc import Sequence
 from typing import Any, Final
@@ -22,6 +21,7 @@ from robodyn.draw.mathml import of_latex
 from robodyn.emit.render import environment
 from robodyn.report.arm_data import Arm
 from robodyn.report.diagnosis_frames import Chart, Frame, Mark, span
+from robodyn.report.diagnosis_text import formatted
 from robodyn.report.gantt import gantt_svg
 from robodyn.report.layers import layers_svg
 
@@ -33,6 +33,8 @@ _DYNAMICS: Final = r"\tau = M(q)\,\ddot q + h(q, \dot q) + g(q)"
 _MARKUP: Final = re.compile(r"<(?=/|!--|script)", re.IGNORECASE)
 #: Charts are drawn of so many joints at most.
 _MOST_CHARTS: Final = 16
+#: A task graph of more tasks, and a file of more characters, are too large to be looked at in a page.
+_MOST_TASKS, _MOST_CODE = 600, 400_000
 
 
 def page(arms: Sequence[Arm], comparison: dict[str, Any] | None = None) -> str:
@@ -96,8 +98,8 @@ def _shown(arm: Arm) -> dict[str, Any]:
         "name": data["robot"],
         "title": data["title"] or data["robot"],
         "kinds": _kinds(data["joints"]),
-        "mass": sum(link["mass"] for link in data["links"]),
-        "weight": math.hypot(*data["gravity"]),
+        "length": formatted(data["reach"]),
+        "mass": formatted(sum(link["mass"] for link in data["links"])),
         "hardest": _hardest(data),
         "doubts": _plausibility(data["links"]),
         "charts": [_chart(data, j) for j in range(min(len(data["joints"]), _MOST_CHARTS))],
@@ -105,7 +107,7 @@ def _shown(arm: Arm) -> dict[str, Any]:
         "next_best": _next_best(data["counts"]),
         "equations": [_typeset(record) for record in data["equations"]],
         "gantt": Markup(gantt_svg(arm.source, arm.solved)),
-        "layers": Markup(layers_svg(arm.source)),
+        "layers": Markup(layers_svg(arm.source)) if data["schedule"]["tasks"] <= _MOST_TASKS else None,
         "notes": arm.source.notes,
         "code": _code(arm),
     }
@@ -144,7 +146,7 @@ def _hardest(data: dict[str, Any]) -> dict[str, Any] | None:
     j = int(np.argmax(peaks))
     if not peaks[j]:
         return None
-    return {"joint": j + 1, "torque": peaks[j], "unit": data["joints"][j]["units"]["torque"]}
+    return {"joint": j + 1, "torque": formatted(peaks[j]), "unit": data["joints"][j]["units"]["torque"]}
 
 
 def _next_best(counted: dict[str, Any]) -> dict[str, Any] | None:
@@ -206,7 +208,12 @@ _TOKEN: Final = re.compile(
 
 def _code(arm: Arm) -> list[dict[str, Any]]:
     return [
-        {"name": name, "lines": text.count("\n"), "size": len(text), "text": highlighted(text)}
+        {
+            "name": name,
+            "lines": text.count("\n"),
+            "size": len(text),
+            "text": highlighted(text) if len(text) <= _MOST_CODE else None,
+        }
         for name, text in arm.generated.files(("c",)).items()
     ]
 
