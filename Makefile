@@ -37,17 +37,15 @@ prove-all: $(VENV)/.installed-dev  ## the long comparisons that `make test-all` 
 	$(PYTEST) -m slow -rP
 
 .PHONY: generated
-generated: $(VENV)/.installed  ## write the kernels of all bundled robots into generated/
-	@set -e; robots=$$($(BIN)/robodyn robots --names); \
-	for robot in $$robots; do $(BIN)/robodyn gen $$robot -o generated/$$robot; done
+generated: $(VENV)/.installed  ## write the kernels of all bundled robots into generated/, and robodyn.lock
+	@$(BIN)/robodyn build
 
 .PHONY: generated-check
-generated-check: $(VENV)/.installed  ## hold generated/ against what would be written now
-	@robots=$$($(BIN)/robodyn robots --names) || exit; status=0; \
-	for robot in $$robots; do $(BIN)/robodyn gen $$robot -o generated/$$robot --check || status=1; done; exit $$status
+generated-check: $(VENV)/.installed  ## fail where generated/ is not what would be written, or a count got worse
+	@$(BIN)/robodyn build --check
 
 .PHONY: flops-record
-flops-record: $(VENV)/.installed  ## recompute and prove the shipped record; fail where a count got worse
+flops-record: $(VENV)/.installed  ## prove the shipped records; fail where what fast takes got worse
 	$(BIN)/python benchmarks/flops_record.py $(UPDATE)
 
 .PHONY: benchmarks

@@ -3,7 +3,7 @@
 Of all bundled robots, ours as shipped and with ``--optimize fast``; CasADi's SX, SymForce and wrenfold given
 the same function (:mod:`.natural`); Pinocchio's algorithms traced by CasADi. What a tool makes is evaluated
 at random states and counted only if it gives our values. Results go to ``benchmarks/results``:
-functions.json, and made from it functions.md and the table in ``docs``.
+functions.json, and made from it functions.md, the table in ``docs`` and robots/records/peers.csv.
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ import numpy as np
 from benchmarks.functions.asked import Answers, asked
 from benchmarks.functions.natural import NATURAL
 from benchmarks.functions.tables import in_document, markdown
+from benchmarks.functions.tables import versions as versions_text
 from benchmarks.functions.tools import TOOLS
 from benchmarks.peers.building import Lacking, version
 from benchmarks.peers.candidates import pinocchio_traced
@@ -27,12 +28,14 @@ from numpy.typing import NDArray
 
 from robodyn.bench.peers import Disagreement, hold_against, numbers_of
 from robodyn.counts import count
+from robodyn.counts.peers import FILE, peers_csv
 from robodyn.dynamics.functions import NoSuchFunction
 from robodyn.kernels.generate import Options, program
 from robodyn.robot import bundled_names, load
 
 ROOT = Path(__file__).resolve().parents[2]
 RESULTS, DOCUMENT = ROOT / "benchmarks" / "results", ROOT / "docs" / "function-counts.md"
+PEERS = ROOT / "robots" / FILE
 #: States at which values are compared, and how they are drawn: rad, rad/s and rad/s^2 (or N m).
 STATES, SEED, REACH = 4, 11, (np.pi, 3.0, 10.0)
 PACKAGES = {"casadi": "casadi", "symforce": "symforce", "wrenfold": "wrenfold", "pinocchio": "pin"}
@@ -79,7 +82,14 @@ def write(figures: dict[str, Any], out: Path) -> None:
     (out / "functions.json").write_text(json.dumps(figures, indent=1) + "\n", encoding="utf-8")
     (out / "functions.md").write_text(markdown(figures), encoding="utf-8")
     if out == RESULTS:
+        PEERS.write_text(peers_text(figures), encoding="utf-8")
         DOCUMENT.write_text(in_document(figures, DOCUMENT.read_text(encoding="utf-8")), encoding="utf-8")
+
+
+def peers_text(figures: dict[str, Any]) -> str:
+    """peers.csv, which is shipped with the robots."""
+    counted = ((load(name, warn=lambda _: None), row) for name, row in figures["robots"].items())
+    return peers_csv(versions_text(figures), counted)
 
 
 def versions() -> dict[str, str]:

@@ -124,12 +124,15 @@ def parameter_values(robot: Robot, options: Sequence[tuple[str, float]]) -> dict
     return parameter_values(robot, dict(options))
 
 
-def write_files(folder: Path, files: Mapping[str, str | bytes]) -> list[Path]:
+_ELSEWHERE: Final = "choose another path with -o, or free some space there"
+
+
+def write_files(folder: Path, files: Mapping[str, str | bytes], *, remedy: str = _ELSEWHERE) -> list[Path]:
     """Write `files` (path relative to `folder` -> text or bytes) atomically; return the paths.
 
     All files are first written under temporary names in their folders, and renamed only when all of them are
     complete. On an error the temporary files, and the folders created for them, are removed again.
-    A symbolic link is kept, and the file it leads to is written.
+    A symbolic link is kept, and the file it leads to is written. ``remedy`` is what an error says to do.
 
     Raises
     ------
@@ -151,10 +154,10 @@ def write_files(folder: Path, files: Mapping[str, str | bytes]) -> list[Path]:
                 raise InputError(
                     f"cannot write {printable(path)}",
                     found="something that is not a file",
-                    remedy=_ELSEWHERE,
+                    remedy=remedy,
                 )
             end.parent.mkdir(parents=True, exist_ok=True)
-            temporary.append(end.parent / f".robodyn.{os.getpid()}.{len(temporary)}.tmp")
+            temporary.append(end.parent / _TEMPORARY.format(process=os.getpid(), file=len(temporary)))
             if isinstance(content, bytes):
                 temporary[-1].write_bytes(content)
             else:
@@ -164,12 +167,19 @@ def write_files(folder: Path, files: Mapping[str, str | bytes]) -> list[Path]:
     except BaseException as error:
         _remove(temporary, new_folders)
         if isinstance(error, OSError):
-            raise cannot_write(printable(path), error, _ELSEWHERE) from error
+            raise cannot_write(printable(path), error, remedy) from error
         raise
     return targets
 
 
-_ELSEWHERE: Final = "choose another path with -o, or free some space there"
+def remove_leftovers(folders: Iterable[Path]) -> None:
+    """Remove the temporary files that a killed process has left in ``folders``; none may be writing there."""
+    _remove(
+        [path for folder in folders for path in folder.glob(_TEMPORARY.format(process="*", file="*"))], []
+    )
+
+
+_TEMPORARY: Final = ".robodyn.{process}.{file}.tmp"
 
 
 def _end_of_links(path: Path) -> Path:

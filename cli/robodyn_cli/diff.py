@@ -53,6 +53,7 @@ def command(
     the choice of frames does not matter; torques and tool poses at random states within the limits of the
     first robot. Exits 1 if anything differs.
     """
+    from robodyn.compare.as_json import to_dict
     from robodyn.compare.limits import TOLERANCE
     from robodyn.compare.robots import compare
 
@@ -64,7 +65,7 @@ def command(
         parameters=dict(param) or None,
     )
     if as_json:
-        echo_json(_data(comparison))
+        echo_json(to_dict(comparison))
     else:
         for text in _lines(comparison):
             for line in wrapped(text):
@@ -127,35 +128,3 @@ def _summary(comparison: Comparison) -> list[str]:
     if comparison.same:
         lines.append("nothing differs")
     return lines
-
-
-def _data(comparison: Comparison) -> dict[str, Any]:
-    tool = None
-    if comparison.tool is not None:
-        tool = {"distance": comparison.tool[0], "angle": comparison.tool[1]}
-    torques = None
-    if comparison.torques is not None:
-        torques = {
-            "share": comparison.share,
-            "largest": comparison.largest,
-            "joints": list(comparison.torques),
-        }
-    return {
-        "robots": list(comparison.names),
-        "same": comparison.same,
-        "differences": [
-            {
-                "group": each.group,
-                "where": each.where or None,
-                "what": each.what,
-                "left": each.left,
-                "right": each.right,
-                "by": each.by,
-                "unit": each.unit,
-            }
-            for each in comparison.differences
-        ],
-        "torques": torques,
-        "tool": tool,
-        "operations": list(comparison.operations),
-    }

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import gc
 import itertools
-import sys
-from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -19,30 +16,19 @@ from robodyn_cli.common import (
     output_folder,
     printable,
     robot_argument,
-    talk,
     wrapped,
     write_files,
 )
 from robodyn_cli.counted import effect_lines, fused_lines, lines, record, with_rigid
-from robodyn_cli.firmware import firmware_option, for_firmware, write_firmware
-from robodyn_cli.languages import chosen_languages, language_option, tests_of, trig_for
-from robodyn_cli.options import (
-    functions_option,
-    fuse_option,
-    kernel_options,
-    listed,
-    load,
-    model_options,
-    search_options,
-    with_fused,
-)
-from robodyn_cli.pruned import prune_option, pruning_lines, pruning_progress, tolerance, with_pruning
-from robodyn_cli.searching import Search
+from robodyn_cli.firmware import firmware_option, write_firmware
+from robodyn_cli.generating import kernels
+from robodyn_cli.languages import language_option
+from robodyn_cli.options import functions_option, fuse_option, model_options, search_options
+from robodyn_cli.pruned import prune_option, pruning_lines, with_pruning
 from robodyn_cli.targets import TargetOption
 
 if TYPE_CHECKING:
     from robodyn.kernels.generate import Generated, Options
-    from robodyn.robot import Robot
 
 
 @click.command()
@@ -116,32 +102,14 @@ def command(
     output: str | None,
     lang: str | None,
     compile_: bool,
-    scalar: str,
-    trig: str,
-    batch: bool,
-    order: str,
-    contraction: str | None,
     target: str | None,
-    functions: str | None,
-    fuse: tuple[str, ...],
-    wrench: bool,
-    misra: bool,
-    readable: bool,
-    formulation: str,
-    optimize: str,
-    no_regroup: bool,
-    engine: str,
-    fold_rotor: bool,
-    strict: bool,
-    budget_seconds: float | None,
-    seed: int,
-    objective: str,
+    batch: bool,
     keep: bool,
-    prune: str | None,
     firmware: bool,
     latex: bool,
     check: bool,
     as_json: bool,
+    **others: Any,
 ) -> None:
     """Write the kernels of a robot, and print the operation counts.
 
@@ -150,54 +118,29 @@ def command(
     same bytes on any machine.
     """
     from robodyn.errors import CheckError, InputError
-    from robodyn.kernels.generate import generate
 
-    languages = chosen_languages(lang, compiled=compile_)
-    if readable:
-        optimize, order = _in_the_books_order(optimize, order, batch=batch)
-    options = kernel_options(
-        None if firmware else target,
-        {
-            "scalar": scalar,
-            "trig": trig_for(languages, trig),
-            "order": order,
-            "contraction": contraction,
-            "objective": objective,
-        },
-        functions=with_fused(functions and listed(functions), fuse, wrench=wrench),
-        formulation=formulation,
-        optimize=optimize,
-        regroup=not no_regroup,
-        engine=engine,
-        prune=tolerance(prune),
-        misra=misra,
-        readable=readable,
-    )
-    if firmware:
-        unfit = {"compile": compile_, "latex": latex, "batch": batch, "contraction on": contraction == "on"}
-        options = for_firmware(options, target, **unfit)
     if check and keep:
         raise InputError("--check writes nothing, but --keep writes a record", remedy="remove one of them")
-    gc.set_threshold(100_000, 20, 20)  # programs are many small objects and no garbage
-    described = load(robot, strict=strict, fold_rotor=fold_rotor)
-    folder = output_folder(output) if output is not None else Path("generated") / described.name
-    options = Search(budget_seconds, seed, options.objective, keep).applied(
-        described, options, options.function_names
+    folder = output_folder(output) if output is not None else None
+    asked = kernels(
+        robot,
+        lang=lang,
+        compiled=compile_,
+        firmware=firmware,
+        target=target,
+        batch=batch,
+        keep=keep,
+        latex=latex,
+        **others,
     )
-    with pruning_progress() as tell:
-        generated = generate(described, options, progress=_progress(described), pruning=tell)
-    for function, reason in generated.left_out.items():
-        talk(f"robodyn: note: {described.name} has no {function}: {reason}")
+    described, options, generated = asked.robot, asked.options, asked.generated
+    formulation = options.formulation
+    if folder is None:
+        folder = Path("generated") / described.name
     if firmware:
-        write_firmware(generated, folder, languages, target, check=check, as_json=as_json)
+        write_firmware(generated, folder, asked.languages, target, check=check, as_json=as_json)
         return
-    files = {**generated.files(languages, batch=batch), **tests_of(generated, languages)}
-    if batch:
-        for interface in generated.signatures:
-            if interface.states:
-                talk(f"robodyn: note: no batch of {interface.function}, which is stateful")
-    if latex:
-        files[f"{described.name}.tex"] = _typeset(described, formulation)
+    files = asked.files(batch=batch, latex=latex)
     if check:
         different = compare_files(folder, files)
         if different:
@@ -210,7 +153,9 @@ def command(
         else:
             click.echo(f"{described.name}: {len(files)} files in {printable(folder)} are up to date")
         return
-    built = _compiled(generated, languages, explicit=lang is not None, batch=batch) if compile_ else None
+    built = (
+        _compiled(generated, asked.languages, explicit=lang is not None, batch=batch) if compile_ else None
+    )
     write_files(folder, files)
     if as_json:
         echo_json(
@@ -244,28 +189,6 @@ def command(
         click.echo(line)
     for language, text in (built or {}).items():
         click.echo(f"{language}: {text}")
-
-
-def _in_the_books_order(optimize: str, order: str, *, batch: bool) -> tuple[str, str]:
-    """What --readable stands for, where the command line says nothing else; contradictions are refused."""
-    from click.core import ParameterSource
-
-    from robodyn.errors import InputError
-
-    context = click.get_current_context()
-    asked = [
-        f"--{name} {value}"
-        for name, value, fitting in (("optimize", optimize, "none"), ("order", order, "recursion"))
-        if value != fitting and context.get_parameter_source(name) is not ParameterSource.DEFAULT
-    ]
-    if asked or batch:
-        raise InputError(
-            "--readable writes the recursion as it stands in the book, one state at a time",
-            found=", ".join([*asked, *["--batch"] * batch]),
-            expected="--optimize none and --order recursion, without --batch",
-            remedy="remove --readable or what contradicts it",
-        )
-    return "none", "recursion"
 
 
 def _profile(options: Options) -> dict[str, Any]:
@@ -307,31 +230,6 @@ def _compiled(
             )
         results[f"{one} and {other}"] = "the same bits on 100 states"
     return results
-
-
-#: From this number of joints on, the progress is shown.
-_MANY = 12
-
-
-def _progress(robot: Robot) -> Callable[[str], None] | None:
-    """Progress messages for a long arm on a terminal; None otherwise."""
-    if robot.n < _MANY or not sys.stderr.isatty():
-        return None
-    return lambda function: talk(f"robodyn: {function} of {robot.n} joints ...")
-
-
-def _typeset(robot: Robot, formulation: str) -> str:
-    """The recursion as LaTeX; for a robot with effects that of its rigid arm, with a note."""
-    from robodyn.drives.drive import has_drive_effects, rigid_part
-    from robodyn.kernels.through_sympy import symbolic
-    from robodyn.optimize.programs import Choice
-
-    choice = Choice(formulation, regroup=False)
-    if not has_drive_effects(robot):
-        return symbolic(robot, choice=choice).latex()
-    note = "the rigid arm only; robodyn effects --latex prints the equations of effects"
-    talk(f"robodyn: note: {robot.name}.tex is {note}")
-    return f"% {note}\n{symbolic(rigid_part(robot), choice=choice).latex()}"
 
 
 def _same_bits(generated: Generated, one: Any, other: Any) -> bool:

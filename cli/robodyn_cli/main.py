@@ -24,6 +24,7 @@ from robodyn_cli.renamed import renamed
 
 COMMANDS: Final[dict[str, tuple[str, str]]] = {
     "gen": ("robodyn_cli.gen", "Write the kernels of a robot, and print the operation counts."),
+    "build": ("robodyn_cli.build", "Write or check the kernels of all robots of a project."),
     "flops": ("robodyn_cli.flops", "Count multiplications and additions, and check them against a budget."),
     "tables": ("robodyn_cli.tables", "Compare the thesis's tables with recomputed figures."),
     "schedule": (
@@ -61,6 +62,7 @@ COMMANDS: Final[dict[str, tuple[str, str]]] = {
     "import": ("robodyn_cli.import_", "Import a serial arm from URDF, MJCF, SDF or xacro as a description."),
     "export": ("robodyn_cli.export", "Export a robot to URDF, MJCF or SDF."),
     "diff": ("robodyn_cli.diff", "Compare two robots: numbers, frames, torques, operation counts."),
+    "report": ("robodyn_cli.report", "Write a page that shows an arm, or two beside each other."),
     "schema": ("robodyn_cli.schema", "Print the JSON Schema of the robot description."),
     "new": ("robodyn_cli.new", "Write a commented starter file to fill in."),
 }

@@ -8,13 +8,20 @@ from robodyn_cli.common import echo_json, json_option
 
 
 @click.command()
+@click.option("--project", is_flag=True, help="That of the project file, robodyn.toml, instead.")
 @json_option
-def command(as_json: bool) -> None:
+def command(project: bool, as_json: bool) -> None:
     """Print the JSON Schema of the robot description.
 
-    An editor can use it to complete keys and mark mistakes in the YAML file. The output is JSON with and
-    without --json.
+    An editor can use it to complete keys and mark mistakes in the YAML file, or in robodyn.toml. The output
+    is JSON with and without --json.
     """
+    if project:
+        from robodyn.project.schema import project_schema
+        from robodyn_cli.project_keys import project_keys
+
+        echo_json(project_schema(project_keys()))
+        return
     import robodyn.robot
 
     echo_json(robodyn.robot.json_schema())

@@ -8,6 +8,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Self
+
 
 @dataclass(frozen=True, slots=True)
 class Place:
@@ -54,6 +58,12 @@ class RobodynError(Exception):
         self.expected = expected
         self.remedy = remedy
         super().__init__(self.message())
+
+    def at(self, where: Place) -> Self:
+        """The same error with the place ``where``."""
+        self.where = where
+        self.args = (self.message(),)
+        return self
 
     def message(self) -> str:
         """The whole error on one line: ``file:line:column: what; found ...; expected ...; do``."""

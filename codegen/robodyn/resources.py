@@ -10,6 +10,8 @@ from robodyn.errors import ToolError
 
 Kind = Literal["robots", "templates"]
 _KINDS = ("robots", "templates")
+#: The folder of records of best programs, beside the robot files.
+RECORDS = "records"
 
 
 def from_here(path: Path) -> Path:
@@ -43,3 +45,14 @@ def data_dir(kind: Kind) -> Path:
         expected=f"a folder of {kind}",
         remedy="install robodyn again (pip install --force-reinstall robodyn)",
     )
+
+
+def bundled_robot(name: str) -> Path | None:
+    """The file of the bundled robot ``name`` (``puma560`` or ``puma560.yaml``); None where there is none.
+
+    Raises
+    ------
+    ToolError: the folder of the robots is missing from the installation.
+    """
+    stem = name.removesuffix(".yaml")
+    return next((path for path in data_dir("robots").glob("*.yaml") if path.stem == stem), None)

@@ -8,7 +8,7 @@ from typing import Final
 
 import click
 
-from robodyn_cli.main import COMMANDS, EPILOG, HELP, cli
+from robodyn_cli.main import COMMANDS, EPILOG, cli
 from robodyn_site.markdown import code, definitions, fenced, page, plain, table
 from robodyn_site.outside import ROOT
 
@@ -23,9 +23,9 @@ def pages() -> dict[str, str]:
 def of_command(name: str) -> str:
     """The page of one command."""
     command: click.Command = importlib.import_module(COMMANDS[name][0]).command
-    context = click.Context(command, info_name=f"robodyn {name}", help_option_names=HELP["help_option_names"])
+    context = click.Context(command, info_name=f"robodyn {name}")
     paragraphs = (command.help or "").replace("\b\n", "").split("\n\n")
-    records = [parameter.get_help_record(context) for parameter in command.get_params(context)]
+    records = [parameter.get_help_record(context) for parameter in command.params]
     return page(
         f"# robodyn {name}",
         *(plain(" ".join(paragraph.split())) for paragraph in paragraphs),

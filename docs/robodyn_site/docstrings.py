@@ -63,7 +63,7 @@ def _items(lines: list[str], k: int) -> tuple[str, int]:
     """The ``name: text`` of a section from line ``k`` on, and the line behind them."""
     items: list[str] = []
     while k < len(lines) and lines[k]:
-        if lines[k].startswith(" ") and items:
+        if items and not _ITEM.match(lines[k]):
             items[-1] += "\n" + lines[k].strip()
         else:
             items.append(lines[k])

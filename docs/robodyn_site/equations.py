@@ -6,18 +6,24 @@ import html
 import re
 from typing import Final
 
+from robodyn.draw.mathml import of_latex
+
 _BLOCK: Final = re.compile(r'<div class="arithmatex">\\\[(.*?)\\\]</div>', re.DOTALL)
 _INLINE: Final = re.compile(r'<span class="arithmatex">\\\((.*?)\\\)</span>', re.DOTALL)
 
 
 def typeset(page: str) -> str:
-    """A page's HTML with MathML in the place of what ``pymdownx.arithmatex`` has marked as LaTeX."""
-    from latex2mathml.converter import convert
+    """A page's HTML with MathML in the place of what ``pymdownx.arithmatex`` has marked as LaTeX.
+
+    Raises
+    ------
+    ValueError: an equation holds what :mod:`robodyn.draw.mathml` does not know.
+    """
 
     def block(match: re.Match[str]) -> str:
-        return f'<div class="equation">{convert(html.unescape(match[1]).strip(), display="block")}</div>'
+        return f'<div class="equation">{of_latex(html.unescape(match[1]).strip())}</div>'
 
     def inline(match: re.Match[str]) -> str:
-        return str(convert(html.unescape(match[1]).strip()))
+        return of_latex(html.unescape(match[1]).strip(), display=False)
 
     return _INLINE.sub(inline, _BLOCK.sub(block, page))

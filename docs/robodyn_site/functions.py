@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from functools import cache
 from typing import Any, Final
 
@@ -16,8 +17,20 @@ FOLDER: Final = "functions"
 
 
 def pages() -> dict[str, str]:
-    """The pages of the functions."""
-    return {f"{FOLDER}/{name}.md": of_function(function) for name, function in FUNCTIONS.items()}
+    """The pages of the functions, and the document that lists them, with links."""
+    document = (ROOT / "docs" / "functions.md").read_text(encoding="utf-8")
+    each = {f"{FOLDER}/{name}.md": of_function(function) for name, function in FUNCTIONS.items()}
+    return {"functions.md": linked(document)} | each
+
+
+def linked(document: str) -> str:
+    """A document in which each function that begins a row of a table leads to its page."""
+
+    def row(match: re.Match[str]) -> str:
+        name = match[1]
+        return f"| [{match[0][2:]}]({FOLDER}/{name}.md)" if name in FUNCTIONS else match[0]
+
+    return re.sub(r"^\| `(\w+)[^`]*`", row, document, flags=re.MULTILINE)
 
 
 def of_function(function: Function) -> str:

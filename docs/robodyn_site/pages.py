@@ -17,8 +17,8 @@ from robodyn_site import (
     targets,
 )
 
-#: What the repository has in one page, and the site in a page each and an overview.
-REPLACED: Final = frozenset({"effects.md"})
+#: Documents that are more on the site: an overview of pages, with links to them.
+REPLACED: Final = frozenset({"effects.md", "functions.md"})
 _MAKERS: Final = (outside, commands, effects, functions, targets, languages, description, python, benchmarks)
 
 

@@ -38,7 +38,7 @@ GROUPS: Final = {
     "logs": (
         "Identification and diagnosis",
         "Fit an arm to logs, and find what its model lacks.",
-        ("identify", "robodyn.identify.outcome.Identified", "diagnose", "robodyn.diagnose.result.Diagnosis"),
+        ("identify", "robodyn.identify.run.Identification", "diagnose", "robodyn.diagnose.result.Diagnosis"),
     ),
     "errors": (
         "Errors",

@@ -29,7 +29,7 @@
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 259 multiplications, 247 additions = 506; 8 unary minus; 12 sine/cosine
- *   gravity: 60 multiplications, 36 additions = 96; 2 unary minus; 12 sine/cosine
+ *   gravity: 42 multiplications, 29 additions = 71; 1 unary minus; 12 sine/cosine
  *   bias: 244 multiplications, 227 additions = 471; 6 unary minus; 12 sine/cosine
  *   mass_matrix: 161 multiplications, 137 additions = 298; 2 unary minus; 12 sine/cosine
  *   forward_dynamics: 531 multiplications, 469 additions, 6 divisions = 1006; 20 unary minus; 12
@@ -330,113 +330,73 @@ void iiwa_inverse_dynamics(
 }
 
 /* torques that hold the arm at rest
- * 60 multiplications, 36 additions = 96; 2 unary minus; 12 sine/cosine */
+ * 42 multiplications, 29 additions = 71; 1 unary minus; 12 sine/cosine */
 void iiwa_gravity(const iiwa_real q[7], iiwa_real tau[7])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
      * every libm has. */
     const volatile iiwa_real *const again = q;
     /* sines and cosines of the joint angles */
-    const iiwa_real s2 = sin(again[1]);
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real neg_a2_x = 9.81*s2;
-    /* sines and cosines of the joint angles */
-    const iiwa_real c2 = cos(q[1]);
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real neg_a2_y = 9.81*c2;
-    /* sines and cosines of the joint angles */
-    const iiwa_real c3 = cos(q[2]);
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a3_x = -neg_a2_x*c3;
-    /* sines and cosines of the joint angles */
-    const iiwa_real s3 = sin(again[2]);
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a3_y = neg_a2_x*s3;
-    /* sines and cosines of the joint angles */
-    const iiwa_real c4 = cos(q[3]);
-    const iiwa_real s4 = sin(again[3]);
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a4_x = a3_x*c4 + neg_a2_y*s4;
-    const iiwa_real a4_y = neg_a2_y*c4 - a3_x*s4;
-    /* sines and cosines of the joint angles */
-    const iiwa_real c5 = cos(q[4]);
-    const iiwa_real s5 = sin(again[4]);
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a5_x = a4_x*c5 + a3_y*s5;
-    const iiwa_real a5_y = a3_y*c5 - a4_x*s5;
-    /* sines and cosines of the joint angles */
-    const iiwa_real c6 = cos(q[5]);
-    const iiwa_real s6 = sin(again[5]);
-    /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a6_x = a5_x*c6 - a4_y*s6;
-    const iiwa_real a6_y = -a4_y*c6 - a5_x*s6;
-    /* sines and cosines of the joint angles */
     const iiwa_real s7 = sin(again[6]);
     const iiwa_real c7 = cos(q[6]);
-    /* link 7: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a7_y = a5_y*c7 - a6_x*s7;
-    const iiwa_real a7_x = a6_x*c7 + a5_y*s7;
-    /* link 7: moment that turns the link [N m] */
-    const iiwa_real nc7_z = 0.9999503996366931*a7_y - 0.708306797966195*a7_x;
-    const iiwa_real nc7_x = -0.708306797966195*a6_y;
-    const iiwa_real nc7_y = 0.9999503996366931*a6_y;
-    /* link 7: moment through the joint, along the axes that its turn starts from [N m] */
-    const iiwa_real n07_y = s7*nc7_x + c7*nc7_y;
-    const iiwa_real n07_x = c7*nc7_x - s7*nc7_y;
-    /* link 6: moment that turns the link [N m] */
-    const iiwa_real nc6_z = 1.291128497815195*a6_x - 1.5656307599463828*a6_y;
-    const iiwa_real neg_nc6_x = 1.291128497815195*a5_y;
-    const iiwa_real nc6_y = 1.5656307599463828*a5_y;
-    /* link 6: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real n6_z = n07_y + nc6_z;
-    const iiwa_real n6_x = n07_x - neg_nc6_x;
-    const iiwa_real n6_y = nc6_y - nc7_z;
-    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
-    const iiwa_real n06_y = s6*n6_x + c6*n6_y;
-    const iiwa_real n06_x = c6*n6_x - s6*n6_y;
-    /* link 5: moment that turns the link [N m] */
-    const iiwa_real nc5_z = -0.4193059538543958*a5_x - 0.25252954507510866*a5_y;
-    const iiwa_real nc5_x = 0.4193059538543958*a4_y;
-    const iiwa_real nc5_y = 0.25252954507510866*a4_y;
-    /* link 5: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real n5_z = nc5_z - n06_y;
-    const iiwa_real n5_x = n06_x + nc5_x;
-    const iiwa_real n5_y = n6_z + nc5_y;
-    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
-    const iiwa_real n05_y = s5*n5_x + c5*n5_y;
-    const iiwa_real n05_x = c5*n5_x - s5*n5_y;
-    /* link 4: moment that turns the link [N m] */
-    const iiwa_real nc4_z = -8.054835434921454*a4_x - 0.5168019281781282*a4_y;
-    const iiwa_real neg_nc4_x = 8.054835434921454*a3_y;
-    const iiwa_real neg_nc4_y = 0.5168019281781282*a3_y;
-    /* link 4: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real n4_z = nc4_z - n05_y;
-    const iiwa_real n4_x = n05_x - neg_nc4_x;
-    const iiwa_real n4_y = n5_z - neg_nc4_y;
-    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
-    const iiwa_real n04_y = s4*n4_x + c4*n4_y;
-    const iiwa_real n04_x = c4*n4_x - s4*n4_y;
-    /* link 3: moment that turns the link [N m] */
-    const iiwa_real nc3_z = 0.04389618410240257*a3_x - 1.0168650139155704*a3_y;
-    const iiwa_real neg_nc3_x = 0.43062156604456925*c2;
-    const iiwa_real nc3_y = 9.975445786511747*c2;
-    /* link 3: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real n3_z = n04_y + nc3_z;
-    const iiwa_real n3_x = n04_x - neg_nc3_x;
-    const iiwa_real n3_y = nc3_y - n4_z;
-    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
-    const iiwa_real n03_y = s3*n3_x + c3*n3_y;
-    /* link 2: moment that turns the link [N m] */
-    const iiwa_real nc2_z = 13.292379489096295*c2 - 76.6738398539524*s2;
-    /* link 2: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real n2_z = n03_y + nc2_z;
+    /* link 7: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const iiwa_real hw7_y = 9.809513420435959*s7 + 6.948489688048372*c7;
+    /* sines and cosines of the joint angles */
+    const iiwa_real c6 = cos(q[5]);
+    const iiwa_real c5 = cos(q[4]);
+    const iiwa_real c4 = cos(q[3]);
+    const iiwa_real s2 = sin(again[1]);
+    const iiwa_real c3 = cos(q[2]);
+    const iiwa_real c2 = cos(q[1]);
+    const iiwa_real s4 = sin(again[3]);
+    const iiwa_real s5 = sin(again[4]);
+    const iiwa_real s3 = sin(again[2]);
+    const iiwa_real s6 = sin(again[5]);
+    /* link 7: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const iiwa_real hw7_x = 9.809513420435959*c7 - 6.948489688048372*s7;
+    const iiwa_real t1 = s2*c3;
+    const iiwa_real t2 = c4*t1 - c2*s4;
+    const iiwa_real t3 = s2*s3;
+    const iiwa_real t4 = c5*t2 - s5*t3;
+    const iiwa_real t5 = t1*s4 + c4*c2;
+    /* link 7: joint torque [N m], at a prismatic joint force [N] */
+    const iiwa_real tau7 = hw7_y*(c6*t4 + s6*t5) + hw7_x*(t2*s5 + c5*t3);
+    const iiwa_real t6 = hw7_x - 15.358837755074015;
+    /* link 6: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const iiwa_real hw6_y = s6*t6 - 12.665970563567063*c6;
+    const iiwa_real hw6_x = c6*t6 + 12.665970563567063*s6;
+    /* link 6: joint torque [N m], at a prismatic joint force [N] */
+    const iiwa_real tau6 = t4*hw6_y - t5*hw6_x;
+    const iiwa_real t7 = hw6_x - 2.4773148371868157;
+    const iiwa_real t8 = hw7_y + 4.113391407311623;
+    /* link 5: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const iiwa_real hw5_y = s5*t7 + c5*t8;
+    const iiwa_real hw5_x = c5*t7 - s5*t8;
+    /* link 5: joint torque [N m], at a prismatic joint force [N] */
+    const iiwa_real tau5 = t2*hw5_y + t3*hw5_x;
+    const iiwa_real t9 = hw5_x - 5.069826915427438;
+    const iiwa_real t10 = hw6_y - 79.01793561657948;
+    /* link 4: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const iiwa_real hw4_y = s4*t9 - c4*t10;
+    const iiwa_real hw4_x = c4*t9 + s4*t10;
+    /* link 4: joint torque [N m], at a prismatic joint force [N] */
+    const iiwa_real tau4 = t1*hw4_y + c2*hw4_x;
+    const iiwa_real t11 = hw5_y - 0.43062156604456925;
+    const iiwa_real t12 = hw4_x - 9.975445786511747;
+    /* link 3: joint torque [N m], at a prismatic joint force [N] */
+    const iiwa_real tau3 = t1*t11 + t3*t12;
+    /* link 3: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const iiwa_real hw3_x = c3*t12 - s3*t11;
+    /* link 2: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const iiwa_real hw2_x = c2*(hw3_x - 13.292379489096295) + s2*(hw4_y + 76.6738398539524);
+    const iiwa_real t13 = -hw2_x;
     tau[0] = 0.0;
-    tau[1] = n2_z;
-    tau[2] = n3_z;
-    tau[3] = n4_z;
-    tau[4] = n5_z;
-    tau[5] = n6_z;
-    tau[6] = nc7_z;
+    tau[1] = t13;
+    tau[2] = tau3;
+    tau[3] = tau4;
+    tau[4] = tau5;
+    tau[5] = tau6;
+    tau[6] = tau7;
 }
 
 /* torques at zero acceleration: Coriolis, centrifugal, gravity, friction

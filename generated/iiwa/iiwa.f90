@@ -28,7 +28,7 @@
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
 !   inverse_dynamics: 259 multiplications, 247 additions = 506; 8 unary minus; 12 sine/cosine
-!   gravity: 60 multiplications, 36 additions = 96; 2 unary minus; 12 sine/cosine
+!   gravity: 42 multiplications, 29 additions = 71; 1 unary minus; 12 sine/cosine
 !   bias: 244 multiplications, 227 additions = 471; 6 unary minus; 12 sine/cosine
 !   mass_matrix: 161 multiplications, 137 additions = 298; 2 unary minus; 12 sine/cosine
 !   forward_dynamics: 531 multiplications, 469 additions, 6 divisions = 1006; 20 unary minus; 12
@@ -352,118 +352,76 @@ contains
   end subroutine
 
   ! torques that hold the arm at rest
-  ! 60 multiplications, 36 additions = 96; 2 unary minus; 12 sine/cosine
+  ! 42 multiplications, 29 additions = 71; 1 unary minus; 12 sine/cosine
   pure subroutine iiwa_gravity(q, tau) &
       bind(c, name="iiwa_gravity_f")
     real(rk), intent(in) :: q(7)
     real(rk), intent(out) :: tau(7)
-    real(rk) :: s2, neg_a2_x, c2, neg_a2_y, c3, a3_x, s3, a3_y, c4, s4, a4_x, a4_y, c5, s5, a5_x
-    real(rk) :: a5_y, c6, s6, a6_x, a6_y, s7, c7, a7_y, a7_x, nc7_z, nc7_x, nc7_y, n07_y, n07_x
-    real(rk) :: nc6_z, neg_nc6_x, nc6_y, n6_z, n6_x, n6_y, n06_y, n06_x, nc5_z, nc5_x, nc5_y, n5_z
-    real(rk) :: n5_x, n5_y, n05_y, n05_x, nc4_z, neg_nc4_x, neg_nc4_y, n4_z, n4_x, n4_y, n04_y
-    real(rk) :: n04_x, nc3_z, neg_nc3_x, nc3_y, n3_z, n3_x, n3_y, n03_y, nc2_z, n2_z
+    real(rk) :: s7, c7, hw7_y, c6, c5, c4, s2, c3, c2, s4, s5, s3, s6, hw7_x, t1, t2, t3, t4, t5
+    real(rk) :: tau7, t6, hw6_y, hw6_x, tau6, t7, t8, hw5_y, hw5_x, tau5, t9, t10, hw4_y, hw4_x
+    real(rk) :: tau4, t11, t12, tau3, hw3_x, hw2_x, t13
 
-    ! sines and cosines of the joint angles
-    s2 = sin(q(2))
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a2_x = 9.81_rk*s2
-    ! sines and cosines of the joint angles
-    c2 = cos(q(2))
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a2_y = 9.81_rk*c2
-    ! sines and cosines of the joint angles
-    c3 = cos(q(3))
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_x = -neg_a2_x*c3
-    ! sines and cosines of the joint angles
-    s3 = sin(q(3))
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_y = neg_a2_x*s3
-    ! sines and cosines of the joint angles
-    c4 = cos(q(4))
-    s4 = sin(q(4))
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_x = a3_x*c4 + neg_a2_y*s4
-    a4_y = neg_a2_y*c4 - a3_x*s4
-    ! sines and cosines of the joint angles
-    c5 = cos(q(5))
-    s5 = sin(q(5))
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_x = a4_x*c5 + a3_y*s5
-    a5_y = a3_y*c5 - a4_x*s5
-    ! sines and cosines of the joint angles
-    c6 = cos(q(6))
-    s6 = sin(q(6))
-    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a6_x = a5_x*c6 - a4_y*s6
-    a6_y = -a4_y*c6 - a5_x*s6
     ! sines and cosines of the joint angles
     s7 = sin(q(7))
     c7 = cos(q(7))
-    ! link 7: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a7_y = a5_y*c7 - a6_x*s7
-    a7_x = a6_x*c7 + a5_y*s7
-    ! link 7: moment that turns the link [N m]
-    nc7_z = 0.9999503996366931_rk*a7_y - 0.708306797966195_rk*a7_x
-    nc7_x = -0.708306797966195_rk*a6_y
-    nc7_y = 0.9999503996366931_rk*a6_y
-    ! link 7: moment through the joint, along the axes that its turn starts from [N m]
-    n07_y = s7*nc7_x + c7*nc7_y
-    n07_x = c7*nc7_x - s7*nc7_y
-    ! link 6: moment that turns the link [N m]
-    nc6_z = 1.291128497815195_rk*a6_x - 1.5656307599463828_rk*a6_y
-    neg_nc6_x = 1.291128497815195_rk*a5_y
-    nc6_y = 1.5656307599463828_rk*a5_y
-    ! link 6: moment through the joint, about the frame's origin [N m]
-    n6_z = n07_y + nc6_z
-    n6_x = n07_x - neg_nc6_x
-    n6_y = nc6_y - nc7_z
-    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
-    n06_y = s6*n6_x + c6*n6_y
-    n06_x = c6*n6_x - s6*n6_y
-    ! link 5: moment that turns the link [N m]
-    nc5_z = -0.4193059538543958_rk*a5_x - 0.25252954507510866_rk*a5_y
-    nc5_x = 0.4193059538543958_rk*a4_y
-    nc5_y = 0.25252954507510866_rk*a4_y
-    ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_z = nc5_z - n06_y
-    n5_x = n06_x + nc5_x
-    n5_y = n6_z + nc5_y
-    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
-    n05_y = s5*n5_x + c5*n5_y
-    n05_x = c5*n5_x - s5*n5_y
-    ! link 4: moment that turns the link [N m]
-    nc4_z = -8.054835434921454_rk*a4_x - 0.5168019281781282_rk*a4_y
-    neg_nc4_x = 8.054835434921454_rk*a3_y
-    neg_nc4_y = 0.5168019281781282_rk*a3_y
-    ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_z = nc4_z - n05_y
-    n4_x = n05_x - neg_nc4_x
-    n4_y = n5_z - neg_nc4_y
-    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
-    n04_y = s4*n4_x + c4*n4_y
-    n04_x = c4*n4_x - s4*n4_y
-    ! link 3: moment that turns the link [N m]
-    nc3_z = 0.04389618410240257_rk*a3_x - 1.0168650139155704_rk*a3_y
-    neg_nc3_x = 0.43062156604456925_rk*c2
-    nc3_y = 9.975445786511747_rk*c2
-    ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_z = n04_y + nc3_z
-    n3_x = n04_x - neg_nc3_x
-    n3_y = nc3_y - n4_z
-    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
-    n03_y = s3*n3_x + c3*n3_y
-    ! link 2: moment that turns the link [N m]
-    nc2_z = 13.292379489096295_rk*c2 - 76.6738398539524_rk*s2
-    ! link 2: moment through the joint, about the frame's origin [N m]
-    n2_z = n03_y + nc2_z
+    ! link 7: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw7_y = 9.809513420435959_rk*s7 + 6.948489688048372_rk*c7
+    ! sines and cosines of the joint angles
+    c6 = cos(q(6))
+    c5 = cos(q(5))
+    c4 = cos(q(4))
+    s2 = sin(q(2))
+    c3 = cos(q(3))
+    c2 = cos(q(2))
+    s4 = sin(q(4))
+    s5 = sin(q(5))
+    s3 = sin(q(3))
+    s6 = sin(q(6))
+    ! link 7: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw7_x = 9.809513420435959_rk*c7 - 6.948489688048372_rk*s7
+    t1 = s2*c3
+    t2 = c4*t1 - c2*s4
+    t3 = s2*s3
+    t4 = c5*t2 - s5*t3
+    t5 = t1*s4 + c4*c2
+    ! link 7: joint torque [N m], at a prismatic joint force [N]
+    tau7 = hw7_y*(c6*t4 + s6*t5) + hw7_x*(t2*s5 + c5*t3)
+    t6 = hw7_x - 15.358837755074015_rk
+    ! link 6: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw6_y = s6*t6 - 12.665970563567063_rk*c6
+    hw6_x = c6*t6 + 12.665970563567063_rk*s6
+    ! link 6: joint torque [N m], at a prismatic joint force [N]
+    tau6 = t4*hw6_y - t5*hw6_x
+    t7 = hw6_x - 2.4773148371868157_rk
+    t8 = hw7_y + 4.113391407311623_rk
+    ! link 5: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw5_y = s5*t7 + c5*t8
+    hw5_x = c5*t7 - s5*t8
+    ! link 5: joint torque [N m], at a prismatic joint force [N]
+    tau5 = t2*hw5_y + t3*hw5_x
+    t9 = hw5_x - 5.069826915427438_rk
+    t10 = hw6_y - 79.01793561657948_rk
+    ! link 4: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw4_y = s4*t9 - c4*t10
+    hw4_x = c4*t9 + s4*t10
+    ! link 4: joint torque [N m], at a prismatic joint force [N]
+    tau4 = t1*hw4_y + c2*hw4_x
+    t11 = hw5_y - 0.43062156604456925_rk
+    t12 = hw4_x - 9.975445786511747_rk
+    ! link 3: joint torque [N m], at a prismatic joint force [N]
+    tau3 = t1*t11 + t3*t12
+    ! link 3: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw3_x = c3*t12 - s3*t11
+    ! link 2: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw2_x = c2*(hw3_x - 13.292379489096295_rk) + s2*(hw4_y + 76.6738398539524_rk)
+    t13 = -hw2_x
     tau(1) = 0.0_rk
-    tau(2) = n2_z
-    tau(3) = n3_z
-    tau(4) = n4_z
-    tau(5) = n5_z
-    tau(6) = n6_z
-    tau(7) = nc7_z
+    tau(2) = t13
+    tau(3) = tau3
+    tau(4) = tau4
+    tau(5) = tau5
+    tau(6) = tau6
+    tau(7) = tau7
   end subroutine
 
   ! torques at zero acceleration: Coriolis, centrifugal, gravity, friction

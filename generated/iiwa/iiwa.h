@@ -29,7 +29,7 @@
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 259 multiplications, 247 additions = 506; 8 unary minus; 12 sine/cosine
- *   gravity: 60 multiplications, 36 additions = 96; 2 unary minus; 12 sine/cosine
+ *   gravity: 42 multiplications, 29 additions = 71; 1 unary minus; 12 sine/cosine
  *   bias: 244 multiplications, 227 additions = 471; 6 unary minus; 12 sine/cosine
  *   mass_matrix: 161 multiplications, 137 additions = 298; 2 unary minus; 12 sine/cosine
  *   forward_dynamics: 531 multiplications, 469 additions, 6 divisions = 1006; 20 unary minus; 12

@@ -30,7 +30,7 @@
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 272 multiplications, 258 additions = 530; 6 unary minus; 12 sine/cosine
- *   gravity: 60 multiplications, 36 additions = 96; 2 unary minus; 12 sine/cosine
+ *   gravity: 42 multiplications, 29 additions = 71; 1 unary minus; 12 sine/cosine
  *   bias: 257 multiplications, 242 additions = 499; 1 unary minus; 12 sine/cosine
  *   mass_matrix: 184 multiplications, 166 additions = 350; 3 unary minus; 12 sine/cosine
  *   forward_dynamics: 567 multiplications, 513 additions, 6 divisions = 1086; 22 unary minus; 12
@@ -348,113 +348,72 @@ void panda_inverse_dynamics(
 }
 
 /* torques that hold the arm at rest
- * 60 multiplications, 36 additions = 96; 2 unary minus; 12 sine/cosine */
+ * 42 multiplications, 29 additions = 71; 1 unary minus; 12 sine/cosine */
 void panda_gravity(const panda_real q[7], panda_real tau[7])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
      * every libm has. */
     const volatile panda_real *const again = q;
     /* sines and cosines of the joint angles */
-    const panda_real s2 = sin(again[1]);
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const panda_real neg_a2_x = 9.81*s2;
-    /* sines and cosines of the joint angles */
-    const panda_real c2 = cos(q[1]);
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const panda_real neg_a2_y = 9.81*c2;
-    /* sines and cosines of the joint angles */
-    const panda_real c3 = cos(q[2]);
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const panda_real neg_a3_x = neg_a2_x*c3;
-    /* sines and cosines of the joint angles */
-    const panda_real s3 = sin(again[2]);
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const panda_real a3_y = neg_a2_x*s3;
-    /* sines and cosines of the joint angles */
-    const panda_real c4 = cos(q[3]);
-    const panda_real s4 = sin(again[3]);
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const panda_real a4_x = neg_a3_x*c4 - neg_a2_y*s4;
-    const panda_real neg_a4_y = neg_a3_x*s4 + neg_a2_y*c4;
-    /* sines and cosines of the joint angles */
-    const panda_real c5 = cos(q[4]);
-    const panda_real s5 = sin(again[4]);
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const panda_real a5_x = a3_y*s5 - a4_x*c5;
-    const panda_real a5_y = a4_x*s5 + a3_y*c5;
-    /* sines and cosines of the joint angles */
-    const panda_real c6 = cos(q[5]);
-    const panda_real s6 = sin(again[5]);
-    /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const panda_real a6_x = a5_x*c6 + neg_a4_y*s6;
-    const panda_real a6_y = neg_a4_y*c6 - a5_x*s6;
-    /* sines and cosines of the joint angles */
     const panda_real s7 = sin(again[6]);
     const panda_real c7 = cos(q[6]);
-    /* link 7: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const panda_real a7_y = -a5_y*c7 - a6_x*s7;
-    const panda_real a7_x = a6_x*c7 - a5_y*s7;
-    /* link 7: moment that turns the link [N m] */
-    const panda_real nc7_z = 0.002573605371338201*a7_y - 0.0020344399586618637*a7_x;
-    const panda_real nc7_x = -0.0020344399586618637*a6_y;
-    const panda_real nc7_y = 0.002573605371338201*a6_y;
-    /* link 7: moment through the joint, along the axes that its turn starts from [N m] */
-    const panda_real n07_y = s7*nc7_x + c7*nc7_y;
-    const panda_real n07_x = c7*nc7_x - s7*nc7_y;
-    /* link 6: moment that turns the link [N m] */
-    const panda_real nc6_z = 0.231847552695*a6_y + 0.17380470556899996*a6_x;
-    const panda_real nc6_x = 0.17380470556899996*a5_y;
-    const panda_real nc6_y = 0.231847552695*a5_y;
-    /* link 6: moment through the joint, about the frame's origin [N m] */
-    const panda_real n6_z = n07_y + nc6_z;
-    const panda_real n6_x = n07_x + nc6_x;
-    const panda_real n6_y = nc6_y - nc7_z;
-    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
-    const panda_real n06_y = s6*n6_x + c6*n6_y;
-    const panda_real n06_x = c6*n6_x - s6*n6_y;
-    /* link 5: moment that turns the link [N m] */
-    const panda_real nc5_z = -0.067870631425*a5_x - 0.014653732538*a5_y;
-    const panda_real nc5_x = 0.067870631425*neg_a4_y;
-    const panda_real nc5_y = 0.014653732538*neg_a4_y;
-    /* link 5: moment through the joint, about the frame's origin [N m] */
-    const panda_real n5_z = n06_y + nc5_z;
-    const panda_real n5_x = n06_x + nc5_x;
-    const panda_real n5_y = nc5_y - n6_z;
-    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
-    const panda_real n05_y = -c5*n5_y - s5*n5_x;
-    const panda_real n05_x = s5*n5_y - c5*n5_x;
-    /* link 4: moment that turns the link [N m] */
-    const panda_real nc4_z = 2.0125235536029997*a4_x - 0.5527802746499999*neg_a4_y;
-    const panda_real nc4_x = 2.0125235536029997*a3_y;
-    const panda_real nc4_y = 0.5527802746499999*a3_y;
-    /* link 4: moment through the joint, about the frame's origin [N m] */
-    const panda_real n4_z = n05_y + nc4_z;
-    const panda_real n4_x = n05_x + nc4_x;
-    const panda_real n4_y = nc4_y - n5_z;
-    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
-    const panda_real neg_n04_y = s4*n4_x + c4*n4_y;
-    const panda_real n04_x = s4*n4_y - c4*n4_x;
-    /* link 3: moment that turns the link [N m] */
-    const panda_real nc3_z = 0.746857959872*a3_y + 0.028227094877999827*neg_a3_x;
-    const panda_real nc3_x = 0.27690780075317833*c2;
-    const panda_real nc3_y = -7.32667658634432*c2;
-    /* link 3: moment through the joint, about the frame's origin [N m] */
-    const panda_real n3_z = nc3_z - neg_n04_y;
-    const panda_real n3_x = n04_x + nc3_x;
-    const panda_real n3_y = nc3_y - n4_z;
-    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
-    const panda_real n03_y = s3*n3_x + c3*n3_y;
-    /* link 2: moment that turns the link [N m] */
-    const panda_real nc2_z = 0.01993386669246*c2 - 32.809545426852715*s2;
-    /* link 2: moment through the joint, about the frame's origin [N m] */
-    const panda_real n2_z = n03_y + nc2_z;
+    /* link 7: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const panda_real hw7_y = 0.02524706869282775*s7 + 0.019957855994472883*c7;
+    /* sines and cosines of the joint angles */
+    const panda_real c6 = cos(q[5]);
+    const panda_real c5 = cos(q[4]);
+    const panda_real c4 = cos(q[3]);
+    const panda_real s2 = sin(again[1]);
+    const panda_real c3 = cos(q[2]);
+    const panda_real c2 = cos(q[1]);
+    const panda_real s4 = sin(again[3]);
+    const panda_real s5 = sin(again[4]);
+    const panda_real s3 = sin(again[2]);
+    const panda_real s6 = sin(again[5]);
+    /* link 7: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const panda_real hw7_x = 0.02524706869282775*c7 - 0.019957855994472883*s7;
+    const panda_real t1 = s2*c3;
+    const panda_real t2 = c4*t1 - c2*s4;
+    const panda_real t3 = s2*s3;
+    const panda_real t4 = c5*t2 - s5*t3;
+    const panda_real t5 = t1*s4 + c4*c2;
+    /* link 7: joint torque [N m], at a prismatic joint force [N] */
+    const panda_real tau7 = hw7_y*(c6*t4 - s6*t5) - hw7_x*(t2*s5 + c5*t3);
+    const panda_real t6 = hw7_x + 2.2744244919379497;
+    /* link 6: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const panda_real hw6_y = s6*t6 - 1.7050241616318897*c6;
+    const panda_real hw6_x = c6*t6 + 1.7050241616318897*s6;
+    /* link 6: joint torque [N m], at a prismatic joint force [N] */
+    const panda_real tau6 = t4*hw6_y + t5*hw6_x;
+    const panda_real t7 = hw7_y - 0.66581089427925;
+    const panda_real t8 = hw6_x - 0.14375311619778;
+    /* link 5: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const panda_real hw5_y = c5*t7 - s5*t8;
+    const panda_real neg_hw5_x = c5*t8 + s5*t7;
+    /* link 5: joint torque [N m], at a prismatic joint force [N] */
+    const panda_real tau5 = t3*neg_hw5_x - t2*hw5_y;
+    const panda_real t9 = neg_hw5_x - 5.422774494316499;
+    const panda_real t10 = hw6_y + 19.742856060845426;
+    /* link 4: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const panda_real hw4_y = s4*t9 + c4*t10;
+    const panda_real hw4_x = c4*t9 - s4*t10;
+    /* link 4: joint torque [N m], at a prismatic joint force [N] */
+    const panda_real tau4 = t1*hw4_y + c2*hw4_x;
+    const panda_real t11 = 0.27690780075317833 - hw5_y;
+    const panda_real t12 = hw4_x + 7.32667658634432;
+    /* link 3: joint torque [N m], at a prismatic joint force [N] */
+    const panda_real tau3 = t1*t11 + t3*t12;
+    /* link 3: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const panda_real hw3_x = c3*t12 - s3*t11;
+    /* link 2: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const panda_real hw2_x = s2*(-hw4_y - 32.809545426852715) - c2*(hw3_x - 0.01993386669246);
     tau[0] = 0.0;
-    tau[1] = n2_z;
-    tau[2] = n3_z;
-    tau[3] = n4_z;
-    tau[4] = n5_z;
-    tau[5] = n6_z;
-    tau[6] = nc7_z;
+    tau[1] = hw2_x;
+    tau[2] = tau3;
+    tau[3] = tau4;
+    tau[4] = tau5;
+    tau[5] = tau6;
+    tau[6] = tau7;
 }
 
 /* torques at zero acceleration: Coriolis, centrifugal, gravity, friction

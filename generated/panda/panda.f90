@@ -29,7 +29,7 @@
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
 !   inverse_dynamics: 272 multiplications, 258 additions = 530; 6 unary minus; 12 sine/cosine
-!   gravity: 60 multiplications, 36 additions = 96; 2 unary minus; 12 sine/cosine
+!   gravity: 42 multiplications, 29 additions = 71; 1 unary minus; 12 sine/cosine
 !   bias: 257 multiplications, 242 additions = 499; 1 unary minus; 12 sine/cosine
 !   mass_matrix: 184 multiplications, 166 additions = 350; 3 unary minus; 12 sine/cosine
 !   forward_dynamics: 567 multiplications, 513 additions, 6 divisions = 1086; 22 unary minus; 12
@@ -368,118 +368,75 @@ contains
   end subroutine
 
   ! torques that hold the arm at rest
-  ! 60 multiplications, 36 additions = 96; 2 unary minus; 12 sine/cosine
+  ! 42 multiplications, 29 additions = 71; 1 unary minus; 12 sine/cosine
   pure subroutine panda_gravity(q, tau) &
       bind(c, name="panda_gravity_f")
     real(rk), intent(in) :: q(7)
     real(rk), intent(out) :: tau(7)
-    real(rk) :: s2, neg_a2_x, c2, neg_a2_y, c3, neg_a3_x, s3, a3_y, c4, s4, a4_x, neg_a4_y, c5, s5
-    real(rk) :: a5_x, a5_y, c6, s6, a6_x, a6_y, s7, c7, a7_y, a7_x, nc7_z, nc7_x, nc7_y, n07_y
-    real(rk) :: n07_x, nc6_z, nc6_x, nc6_y, n6_z, n6_x, n6_y, n06_y, n06_x, nc5_z, nc5_x, nc5_y
-    real(rk) :: n5_z, n5_x, n5_y, n05_y, n05_x, nc4_z, nc4_x, nc4_y, n4_z, n4_x, n4_y, neg_n04_y
-    real(rk) :: n04_x, nc3_z, nc3_x, nc3_y, n3_z, n3_x, n3_y, n03_y, nc2_z, n2_z
+    real(rk) :: s7, c7, hw7_y, c6, c5, c4, s2, c3, c2, s4, s5, s3, s6, hw7_x, t1, t2, t3, t4, t5
+    real(rk) :: tau7, t6, hw6_y, hw6_x, tau6, t7, t8, hw5_y, neg_hw5_x, tau5, t9, t10, hw4_y, hw4_x
+    real(rk) :: tau4, t11, t12, tau3, hw3_x, hw2_x
 
-    ! sines and cosines of the joint angles
-    s2 = sin(q(2))
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a2_x = 9.81_rk*s2
-    ! sines and cosines of the joint angles
-    c2 = cos(q(2))
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a2_y = 9.81_rk*c2
-    ! sines and cosines of the joint angles
-    c3 = cos(q(3))
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a3_x = neg_a2_x*c3
-    ! sines and cosines of the joint angles
-    s3 = sin(q(3))
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_y = neg_a2_x*s3
-    ! sines and cosines of the joint angles
-    c4 = cos(q(4))
-    s4 = sin(q(4))
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_x = neg_a3_x*c4 - neg_a2_y*s4
-    neg_a4_y = neg_a3_x*s4 + neg_a2_y*c4
-    ! sines and cosines of the joint angles
-    c5 = cos(q(5))
-    s5 = sin(q(5))
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_x = a3_y*s5 - a4_x*c5
-    a5_y = a4_x*s5 + a3_y*c5
-    ! sines and cosines of the joint angles
-    c6 = cos(q(6))
-    s6 = sin(q(6))
-    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a6_x = a5_x*c6 + neg_a4_y*s6
-    a6_y = neg_a4_y*c6 - a5_x*s6
     ! sines and cosines of the joint angles
     s7 = sin(q(7))
     c7 = cos(q(7))
-    ! link 7: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a7_y = -a5_y*c7 - a6_x*s7
-    a7_x = a6_x*c7 - a5_y*s7
-    ! link 7: moment that turns the link [N m]
-    nc7_z = 0.002573605371338201_rk*a7_y - 0.0020344399586618637_rk*a7_x
-    nc7_x = -0.0020344399586618637_rk*a6_y
-    nc7_y = 0.002573605371338201_rk*a6_y
-    ! link 7: moment through the joint, along the axes that its turn starts from [N m]
-    n07_y = s7*nc7_x + c7*nc7_y
-    n07_x = c7*nc7_x - s7*nc7_y
-    ! link 6: moment that turns the link [N m]
-    nc6_z = 0.231847552695_rk*a6_y + 0.17380470556899996_rk*a6_x
-    nc6_x = 0.17380470556899996_rk*a5_y
-    nc6_y = 0.231847552695_rk*a5_y
-    ! link 6: moment through the joint, about the frame's origin [N m]
-    n6_z = n07_y + nc6_z
-    n6_x = n07_x + nc6_x
-    n6_y = nc6_y - nc7_z
-    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
-    n06_y = s6*n6_x + c6*n6_y
-    n06_x = c6*n6_x - s6*n6_y
-    ! link 5: moment that turns the link [N m]
-    nc5_z = -0.067870631425_rk*a5_x - 0.014653732538_rk*a5_y
-    nc5_x = 0.067870631425_rk*neg_a4_y
-    nc5_y = 0.014653732538_rk*neg_a4_y
-    ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_z = n06_y + nc5_z
-    n5_x = n06_x + nc5_x
-    n5_y = nc5_y - n6_z
-    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
-    n05_y = -c5*n5_y - s5*n5_x
-    n05_x = s5*n5_y - c5*n5_x
-    ! link 4: moment that turns the link [N m]
-    nc4_z = 2.0125235536029997_rk*a4_x - 0.5527802746499999_rk*neg_a4_y
-    nc4_x = 2.0125235536029997_rk*a3_y
-    nc4_y = 0.5527802746499999_rk*a3_y
-    ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_z = n05_y + nc4_z
-    n4_x = n05_x + nc4_x
-    n4_y = nc4_y - n5_z
-    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
-    neg_n04_y = s4*n4_x + c4*n4_y
-    n04_x = s4*n4_y - c4*n4_x
-    ! link 3: moment that turns the link [N m]
-    nc3_z = 0.746857959872_rk*a3_y + 0.028227094877999827_rk*neg_a3_x
-    nc3_x = 0.27690780075317833_rk*c2
-    nc3_y = -7.32667658634432_rk*c2
-    ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_z = nc3_z - neg_n04_y
-    n3_x = n04_x + nc3_x
-    n3_y = nc3_y - n4_z
-    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
-    n03_y = s3*n3_x + c3*n3_y
-    ! link 2: moment that turns the link [N m]
-    nc2_z = 0.01993386669246_rk*c2 - 32.809545426852715_rk*s2
-    ! link 2: moment through the joint, about the frame's origin [N m]
-    n2_z = n03_y + nc2_z
+    ! link 7: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw7_y = 0.02524706869282775_rk*s7 + 0.019957855994472883_rk*c7
+    ! sines and cosines of the joint angles
+    c6 = cos(q(6))
+    c5 = cos(q(5))
+    c4 = cos(q(4))
+    s2 = sin(q(2))
+    c3 = cos(q(3))
+    c2 = cos(q(2))
+    s4 = sin(q(4))
+    s5 = sin(q(5))
+    s3 = sin(q(3))
+    s6 = sin(q(6))
+    ! link 7: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw7_x = 0.02524706869282775_rk*c7 - 0.019957855994472883_rk*s7
+    t1 = s2*c3
+    t2 = c4*t1 - c2*s4
+    t3 = s2*s3
+    t4 = c5*t2 - s5*t3
+    t5 = t1*s4 + c4*c2
+    ! link 7: joint torque [N m], at a prismatic joint force [N]
+    tau7 = hw7_y*(c6*t4 - s6*t5) - hw7_x*(t2*s5 + c5*t3)
+    t6 = hw7_x + 2.2744244919379497_rk
+    ! link 6: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw6_y = s6*t6 - 1.7050241616318897_rk*c6
+    hw6_x = c6*t6 + 1.7050241616318897_rk*s6
+    ! link 6: joint torque [N m], at a prismatic joint force [N]
+    tau6 = t4*hw6_y + t5*hw6_x
+    t7 = hw7_y - 0.66581089427925_rk
+    t8 = hw6_x - 0.14375311619778_rk
+    ! link 5: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw5_y = c5*t7 - s5*t8
+    neg_hw5_x = c5*t8 + s5*t7
+    ! link 5: joint torque [N m], at a prismatic joint force [N]
+    tau5 = t3*neg_hw5_x - t2*hw5_y
+    t9 = neg_hw5_x - 5.422774494316499_rk
+    t10 = hw6_y + 19.742856060845426_rk
+    ! link 4: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw4_y = s4*t9 + c4*t10
+    hw4_x = c4*t9 - s4*t10
+    ! link 4: joint torque [N m], at a prismatic joint force [N]
+    tau4 = t1*hw4_y + c2*hw4_x
+    t11 = 0.27690780075317833_rk - hw5_y
+    t12 = hw4_x + 7.32667658634432_rk
+    ! link 3: joint torque [N m], at a prismatic joint force [N]
+    tau3 = t1*t11 + t3*t12
+    ! link 3: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw3_x = c3*t12 - s3*t11
+    ! link 2: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw2_x = s2*(-hw4_y - 32.809545426852715_rk) - c2*(hw3_x - 0.01993386669246_rk)
     tau(1) = 0.0_rk
-    tau(2) = n2_z
-    tau(3) = n3_z
-    tau(4) = n4_z
-    tau(5) = n5_z
-    tau(6) = n6_z
-    tau(7) = nc7_z
+    tau(2) = hw2_x
+    tau(3) = tau3
+    tau(4) = tau4
+    tau(5) = tau5
+    tau(6) = tau6
+    tau(7) = tau7
   end subroutine
 
   ! torques at zero acceleration: Coriolis, centrifugal, gravity, friction

@@ -30,7 +30,7 @@
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 272 multiplications, 258 additions = 530; 6 unary minus; 12 sine/cosine
- *   gravity: 60 multiplications, 36 additions = 96; 2 unary minus; 12 sine/cosine
+ *   gravity: 42 multiplications, 29 additions = 71; 1 unary minus; 12 sine/cosine
  *   bias: 257 multiplications, 242 additions = 499; 1 unary minus; 12 sine/cosine
  *   mass_matrix: 184 multiplications, 166 additions = 350; 3 unary minus; 12 sine/cosine
  *   forward_dynamics: 567 multiplications, 513 additions, 6 divisions = 1086; 22 unary minus; 12

@@ -39,7 +39,7 @@
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 145 multiplications, 117 additions = 262; 0 unary minus; 8 sine/cosine
- *   gravity: 16 multiplications, 7 additions = 23; 1 unary minus; 8 sine/cosine
+ *   gravity: 12 multiplications, 7 additions = 19; 2 unary minus; 8 sine/cosine
  *   bias: 128 multiplications, 92 additions = 220; 0 unary minus; 8 sine/cosine
  *   mass_matrix: 58 multiplications, 55 additions = 113; 1 unary minus; 8 sine/cosine
  *   forward_dynamics: 249 multiplications, 204 additions, 4 divisions = 457; 2 unary minus; 8

@@ -29,7 +29,7 @@
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 128 multiplications, 101 additions = 229; 0 unary minus; 8 sine/cosine
- *   gravity: 15 multiplications, 6 additions = 21; 1 unary minus; 7 sine/cosine
+ *   gravity: 11 multiplications, 6 additions = 17; 2 unary minus; 7 sine/cosine
  *   bias: 119 multiplications, 83 additions = 202; 0 unary minus; 8 sine/cosine
  *   mass_matrix: 56 multiplications, 49 additions = 105; 0 unary minus; 8 sine/cosine
  *   forward_dynamics: 237 multiplications, 189 additions, 4 divisions = 430; 2 unary minus; 8
@@ -193,58 +193,47 @@ void puma560_d2_inverse_dynamics(
 }
 
 /* torques that hold the arm at rest
- * 15 multiplications, 6 additions = 21; 1 unary minus; 7 sine/cosine */
+ * 11 multiplications, 6 additions = 17; 2 unary minus; 7 sine/cosine */
 void puma560_d2_gravity(const puma560_d2_real q[6], puma560_d2_real tau[6])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
      * every libm has. */
     const volatile puma560_d2_real *const again = q;
     /* sines and cosines of the joint angles */
-    const volatile puma560_d2_real angle23 = q[1] + q[2];
-    const puma560_d2_real s23 = sin(angle23);
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_d2_real a3_x = -9.8*s23;
-    /* sines and cosines of the joint angles */
-    const puma560_d2_real c23 = cos(angle23);
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_d2_real a3_y = -9.8*c23;
+    const puma560_d2_real c5 = cos(q[4]);
+    /* link 5: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const puma560_d2_real hw5_y = -0.028224*c5;
     /* sines and cosines of the joint angles */
     const puma560_d2_real c4 = cos(q[3]);
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_d2_real a4_x = a3_x*c4;
+    const volatile puma560_d2_real angle23 = q[1] + q[2];
+    const puma560_d2_real s23 = sin(angle23);
+    const puma560_d2_real c23 = cos(angle23);
+    const puma560_d2_real s5 = sin(again[4]);
+    /* link 5: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const puma560_d2_real hw5_x = 0.028224*s5;
+    /* link 5: joint torque [N m], at a prismatic joint force [N] */
+    const puma560_d2_real tau5 = hw5_y*(c4*s23) - c23*hw5_x;
     /* sines and cosines of the joint angles */
     const puma560_d2_real s4 = sin(again[3]);
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_d2_real neg_a4_y = a3_x*s4;
-    /* sines and cosines of the joint angles */
-    const puma560_d2_real c5 = cos(q[4]);
-    const puma560_d2_real s5 = sin(again[4]);
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_d2_real a5_x = a4_x*c5 + a3_y*s5;
-    /* link 5: moment that turns the link [N m] */
-    const puma560_d2_real nc5_z = 0.00288*a5_x;
-    const puma560_d2_real nc5_x = 0.00288*neg_a4_y;
-    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_d2_real n05_y = s5*nc5_x;
-    const puma560_d2_real n05_x = c5*nc5_x;
-    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_d2_real n04_y = s4*n05_x + c4*nc5_z;
-    /* link 3: moment that turns the link [N m] */
-    const puma560_d2_real nc3_z = 0.248675*c23 - 8.445591*s23;
-    /* link 3: moment through the joint, about the frame's origin [N m] */
-    const puma560_d2_real n3_z = n04_y + nc3_z;
+    /* link 4: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const puma560_d2_real hw4_y = hw5_x*s4;
+    /* link 4: joint torque [N m], at a prismatic joint force [N] */
+    const puma560_d2_real tau4 = s23*hw4_y;
     /* sines and cosines of the joint angles */
     const puma560_d2_real c2 = cos(q[1]);
-    /* link 2: moment that turns the link [N m] */
-    const puma560_d2_real neg_nc2_z = 14.006062*c2;
-    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_d2_real n02_z = n3_z - neg_nc2_z;
-    const puma560_d2_real t1 = -n05_y;
+    /* link 4: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const puma560_d2_real hw4_x = c4*hw5_x;
+    /* link 3: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const puma560_d2_real hw3_x = c23*(hw4_x - 0.248675) + s23*(8.445591 - hw5_y);
+    /* link 2: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const puma560_d2_real hw2_x = hw3_x + 14.006062*c2;
+    const puma560_d2_real t1 = -hw2_x;
+    const puma560_d2_real t2 = -hw3_x;
     tau[0] = 0.0;
-    tau[1] = n02_z;
-    tau[2] = n3_z;
-    tau[3] = t1;
-    tau[4] = nc5_z;
+    tau[1] = t1;
+    tau[2] = t2;
+    tau[3] = tau4;
+    tau[4] = tau5;
     tau[5] = 0.0;
 }
 

@@ -29,7 +29,7 @@
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 128 multiplications, 101 additions = 229; 0 unary minus; 8 sine/cosine
- *   gravity: 15 multiplications, 6 additions = 21; 1 unary minus; 7 sine/cosine
+ *   gravity: 11 multiplications, 6 additions = 17; 2 unary minus; 7 sine/cosine
  *   bias: 119 multiplications, 83 additions = 202; 0 unary minus; 8 sine/cosine
  *   mass_matrix: 56 multiplications, 49 additions = 105; 0 unary minus; 8 sine/cosine
  *   forward_dynamics: 237 multiplications, 189 additions, 4 divisions = 430; 2 unary minus; 8

@@ -29,7 +29,7 @@
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 218 multiplications, 209 additions = 427; 0 unary minus; 10 sine/cosine
- *   gravity: 38 multiplications, 23 additions = 61; 2 unary minus; 10 sine/cosine
+ *   gravity: 24 multiplications, 18 additions = 42; 1 unary minus; 10 sine/cosine
  *   bias: 198 multiplications, 181 additions = 379; 0 unary minus; 10 sine/cosine
  *   mass_matrix: 120 multiplications, 109 additions = 229; 1 unary minus; 10 sine/cosine
  *   forward_dynamics: 403 multiplications, 359 additions, 5 divisions = 767; 3 unary minus; 10
@@ -294,86 +294,58 @@ void puma560_full_inverse_dynamics(
 }
 
 /* torques that hold the arm at rest
- * 38 multiplications, 23 additions = 61; 2 unary minus; 10 sine/cosine */
+ * 24 multiplications, 18 additions = 42; 1 unary minus; 10 sine/cosine */
 void puma560_full_gravity(const puma560_full_real q[6], puma560_full_real tau[6])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
      * every libm has. */
     const volatile puma560_full_real *const again = q;
     /* sines and cosines of the joint angles */
-    const volatile puma560_full_real angle23 = q[1] + q[2];
-    const puma560_full_real s23 = sin(angle23);
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real neg_a3_x = 9.8*s23;
-    /* sines and cosines of the joint angles */
-    const puma560_full_real c23 = cos(angle23);
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a3_y = -9.8*c23;
-    /* sines and cosines of the joint angles */
-    const puma560_full_real c4 = cos(q[3]);
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a4_x = -neg_a3_x*c4;
-    /* sines and cosines of the joint angles */
-    const puma560_full_real s4 = sin(again[3]);
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a4_y = neg_a3_x*s4;
-    /* sines and cosines of the joint angles */
-    const puma560_full_real c5 = cos(q[4]);
-    const puma560_full_real s5 = sin(again[4]);
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a5_x = a4_x*c5 + a3_y*s5;
-    const puma560_full_real a5_y = a3_y*c5 - a4_x*s5;
-    /* sines and cosines of the joint angles */
     const puma560_full_real s6 = sin(again[5]);
     const puma560_full_real c6 = cos(q[5]);
-    /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a6_y = a4_y*c6 - a5_x*s6;
-    const puma560_full_real neg_a6_x = -a4_y*s6 - a5_x*c6;
-    /* link 6: moment that turns the link [N m] */
-    const puma560_full_real nc6_z = 1.2975168001325401*neg_a6_x - 1.1185374890947408*a6_y;
-    const puma560_full_real nc6_x = -1.2975168001325401*a5_y;
-    const puma560_full_real nc6_y = -1.1185374890947408*a5_y;
-    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_full_real n06_y = s6*nc6_x + c6*nc6_y;
-    const puma560_full_real n06_x = c6*nc6_x - s6*nc6_y;
-    /* link 5: moment that turns the link [N m] */
-    const puma560_full_real nc5_z = 0.15165250821211493*a5_x - 0.47660058733283606*a5_y;
-    const puma560_full_real neg_nc5_x = 0.15165250821211493*a4_y;
-    const puma560_full_real nc5_y = 0.47660058733283606*a4_y;
-    /* link 5: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n5_z = n06_y + nc5_z;
-    const puma560_full_real n5_x = n06_x - neg_nc5_x;
-    const puma560_full_real n5_y = nc5_y - nc6_z;
-    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_full_real n05_y = s5*n5_x + c5*n5_y;
-    const puma560_full_real n05_x = c5*n5_x - s5*n5_y;
-    /* link 4: moment that turns the link [N m] */
-    const puma560_full_real nc4_z = 0.7777930398944852*a4_y - 0.8719880516308344*a4_x;
-    const puma560_full_real nc4_x = 8.545482905982176*c23;
-    const puma560_full_real neg_nc4_y = 7.622371790965955*c23;
-    /* link 4: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n4_z = nc4_z - n05_y;
-    const puma560_full_real n4_x = n05_x + nc4_x;
-    const puma560_full_real n4_y = n5_z - neg_nc4_y;
-    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_full_real n04_y = s4*n4_x + c4*n4_y;
-    /* link 3: moment that turns the link [N m] */
-    const puma560_full_real neg_nc3_z = 10.254510287734192*c23 + 56.14707934476033*s23;
-    /* link 3: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n3_z = n04_y - neg_nc3_z;
+    /* link 6: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const puma560_full_real hw6_y = 12.715664641298892*c6 - 10.96166739312846*s6;
+    /* sines and cosines of the joint angles */
+    const puma560_full_real c5 = cos(q[4]);
+    const puma560_full_real c4 = cos(q[3]);
+    const volatile puma560_full_real angle23 = q[1] + q[2];
+    const puma560_full_real s23 = sin(angle23);
+    const puma560_full_real s5 = sin(again[4]);
+    const puma560_full_real c23 = cos(angle23);
+    /* link 6: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const puma560_full_real hw6_x = -12.715664641298892*s6 - 10.96166739312846*c6;
+    /* sines and cosines of the joint angles */
+    const puma560_full_real s4 = sin(again[3]);
+    const puma560_full_real t1 = c4*s23;
+    const puma560_full_real t2 = s23*s4;
+    /* link 6: joint torque [N m], at a prismatic joint force [N] */
+    const puma560_full_real tau6 = hw6_y*(c5*t1 + s5*c23) + hw6_x*t2;
+    const puma560_full_real t3 = 4.670685755861793 - hw6_x;
+    /* link 5: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const puma560_full_real hw5_y = -1.4861945804787264*c5 - s5*t3;
+    const puma560_full_real hw5_x = 1.4861945804787264*s5 - c5*t3;
+    /* link 5: joint torque [N m], at a prismatic joint force [N] */
+    const puma560_full_real tau5 = t1*hw5_y - c23*hw5_x;
+    const puma560_full_real t4 = hw5_x + 7.622371790965955;
+    const puma560_full_real t5 = -hw6_y - 8.545482905982176;
+    /* link 4: joint torque [N m], at a prismatic joint force [N] */
+    const puma560_full_real tau4 = t2*t4 - t1*t5;
     /* sines and cosines of the joint angles */
     const puma560_full_real c2 = cos(q[1]);
     const puma560_full_real s2 = sin(again[1]);
-    /* link 2: moment that turns the link [N m] */
-    const puma560_full_real nc2_z = 1.5746110011895278*s2 - 75.09914597144959*c2;
-    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_full_real n02_z = n3_z + nc2_z;
+    /* link 4: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const puma560_full_real hw4_x = c4*t4 + s4*t5;
+    /* link 3: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const puma560_full_real neg_hw3_x = s23*(hw5_y - 56.14707934476033) - c23*(hw4_x +
+        10.254510287734192);
+    /* link 2: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const puma560_full_real neg_hw2_x = neg_hw3_x - (75.09914597144959*c2 - 1.5746110011895278*s2);
     tau[0] = 0.0;
-    tau[1] = n02_z;
-    tau[2] = n3_z;
-    tau[3] = n4_z;
-    tau[4] = n5_z;
-    tau[5] = nc6_z;
+    tau[1] = neg_hw2_x;
+    tau[2] = neg_hw3_x;
+    tau[3] = tau4;
+    tau[4] = tau5;
+    tau[5] = tau6;
 }
 
 /* torques at zero acceleration: Coriolis, centrifugal, gravity, friction

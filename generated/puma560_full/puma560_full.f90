@@ -28,7 +28,7 @@
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
 !   inverse_dynamics: 218 multiplications, 209 additions = 427; 0 unary minus; 10 sine/cosine
-!   gravity: 38 multiplications, 23 additions = 61; 2 unary minus; 10 sine/cosine
+!   gravity: 24 multiplications, 18 additions = 42; 1 unary minus; 10 sine/cosine
 !   bias: 198 multiplications, 181 additions = 379; 0 unary minus; 10 sine/cosine
 !   mass_matrix: 120 multiplications, 109 additions = 229; 1 unary minus; 10 sine/cosine
 !   forward_dynamics: 403 multiplications, 359 additions, 5 divisions = 767; 3 unary minus; 10
@@ -306,90 +306,59 @@ contains
   end subroutine
 
   ! torques that hold the arm at rest
-  ! 38 multiplications, 23 additions = 61; 2 unary minus; 10 sine/cosine
+  ! 24 multiplications, 18 additions = 42; 1 unary minus; 10 sine/cosine
   pure subroutine puma560_full_gravity(q, tau) &
       bind(c, name="puma560_full_gravity_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(out) :: tau(6)
-    real(rk) :: angle23, s23, neg_a3_x, c23, a3_y, c4, a4_x, s4, a4_y, c5, s5, a5_x, a5_y, s6, c6
-    real(rk) :: a6_y, neg_a6_x, nc6_z, nc6_x, nc6_y, n06_y, n06_x, nc5_z, neg_nc5_x, nc5_y, n5_z
-    real(rk) :: n5_x, n5_y, n05_y, n05_x, nc4_z, nc4_x, neg_nc4_y, n4_z, n4_x, n4_y, n04_y
-    real(rk) :: neg_nc3_z, n3_z, c2, s2, nc2_z, n02_z
+    real(rk) :: s6, c6, hw6_y, c5, c4, angle23, s23, s5, c23, hw6_x, s4, t1, t2, tau6, t3, hw5_y
+    real(rk) :: hw5_x, tau5, t4, t5, tau4, c2, s2, hw4_x, neg_hw3_x, neg_hw2_x
 
-    ! sines and cosines of the joint angles
-    angle23 = q(2) + q(3)
-    s23 = sin(angle23)
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a3_x = 9.8_rk*s23
-    ! sines and cosines of the joint angles
-    c23 = cos(angle23)
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_y = -9.8_rk*c23
-    ! sines and cosines of the joint angles
-    c4 = cos(q(4))
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_x = -neg_a3_x*c4
-    ! sines and cosines of the joint angles
-    s4 = sin(q(4))
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_y = neg_a3_x*s4
-    ! sines and cosines of the joint angles
-    c5 = cos(q(5))
-    s5 = sin(q(5))
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_x = a4_x*c5 + a3_y*s5
-    a5_y = a3_y*c5 - a4_x*s5
     ! sines and cosines of the joint angles
     s6 = sin(q(6))
     c6 = cos(q(6))
-    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a6_y = a4_y*c6 - a5_x*s6
-    neg_a6_x = -a4_y*s6 - a5_x*c6
-    ! link 6: moment that turns the link [N m]
-    nc6_z = 1.2975168001325401_rk*neg_a6_x - 1.1185374890947408_rk*a6_y
-    nc6_x = -1.2975168001325401_rk*a5_y
-    nc6_y = -1.1185374890947408_rk*a5_y
-    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
-    n06_y = s6*nc6_x + c6*nc6_y
-    n06_x = c6*nc6_x - s6*nc6_y
-    ! link 5: moment that turns the link [N m]
-    nc5_z = 0.15165250821211493_rk*a5_x - 0.47660058733283606_rk*a5_y
-    neg_nc5_x = 0.15165250821211493_rk*a4_y
-    nc5_y = 0.47660058733283606_rk*a4_y
-    ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_z = n06_y + nc5_z
-    n5_x = n06_x - neg_nc5_x
-    n5_y = nc5_y - nc6_z
-    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
-    n05_y = s5*n5_x + c5*n5_y
-    n05_x = c5*n5_x - s5*n5_y
-    ! link 4: moment that turns the link [N m]
-    nc4_z = 0.7777930398944852_rk*a4_y - 0.8719880516308344_rk*a4_x
-    nc4_x = 8.545482905982176_rk*c23
-    neg_nc4_y = 7.622371790965955_rk*c23
-    ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_z = nc4_z - n05_y
-    n4_x = n05_x + nc4_x
-    n4_y = n5_z - neg_nc4_y
-    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
-    n04_y = s4*n4_x + c4*n4_y
-    ! link 3: moment that turns the link [N m]
-    neg_nc3_z = 10.254510287734192_rk*c23 + 56.14707934476033_rk*s23
-    ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_z = n04_y - neg_nc3_z
+    ! link 6: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw6_y = 12.715664641298892_rk*c6 - 10.96166739312846_rk*s6
+    ! sines and cosines of the joint angles
+    c5 = cos(q(5))
+    c4 = cos(q(4))
+    angle23 = q(2) + q(3)
+    s23 = sin(angle23)
+    s5 = sin(q(5))
+    c23 = cos(angle23)
+    ! link 6: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw6_x = -12.715664641298892_rk*s6 - 10.96166739312846_rk*c6
+    ! sines and cosines of the joint angles
+    s4 = sin(q(4))
+    t1 = c4*s23
+    t2 = s23*s4
+    ! link 6: joint torque [N m], at a prismatic joint force [N]
+    tau6 = hw6_y*(c5*t1 + s5*c23) + hw6_x*t2
+    t3 = 4.670685755861793_rk - hw6_x
+    ! link 5: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw5_y = -1.4861945804787264_rk*c5 - s5*t3
+    hw5_x = 1.4861945804787264_rk*s5 - c5*t3
+    ! link 5: joint torque [N m], at a prismatic joint force [N]
+    tau5 = t1*hw5_y - c23*hw5_x
+    t4 = hw5_x + 7.622371790965955_rk
+    t5 = -hw6_y - 8.545482905982176_rk
+    ! link 4: joint torque [N m], at a prismatic joint force [N]
+    tau4 = t2*t4 - t1*t5
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
     s2 = sin(q(2))
-    ! link 2: moment that turns the link [N m]
-    nc2_z = 1.5746110011895278_rk*s2 - 75.09914597144959_rk*c2
-    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
-    n02_z = n3_z + nc2_z
+    ! link 4: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw4_x = c4*t4 + s4*t5
+    ! link 3: first moment of all that the joint carries, before its turn, times gravity [N m]
+    neg_hw3_x = s23*(hw5_y - 56.14707934476033_rk) - c23*(hw4_x + 10.254510287734192_rk)
+    ! link 2: first moment of all that the joint carries, before its turn, times gravity [N m]
+    neg_hw2_x = neg_hw3_x - (75.09914597144959_rk*c2 - 1.5746110011895278_rk*s2)
     tau(1) = 0.0_rk
-    tau(2) = n02_z
-    tau(3) = n3_z
-    tau(4) = n4_z
-    tau(5) = n5_z
-    tau(6) = nc6_z
+    tau(2) = neg_hw2_x
+    tau(3) = neg_hw3_x
+    tau(4) = tau4
+    tau(5) = tau5
+    tau(6) = tau6
   end subroutine
 
   ! torques at zero acceleration: Coriolis, centrifugal, gravity, friction

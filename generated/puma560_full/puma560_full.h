@@ -29,7 +29,7 @@
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 218 multiplications, 209 additions = 427; 0 unary minus; 10 sine/cosine
- *   gravity: 38 multiplications, 23 additions = 61; 2 unary minus; 10 sine/cosine
+ *   gravity: 24 multiplications, 18 additions = 42; 1 unary minus; 10 sine/cosine
  *   bias: 198 multiplications, 181 additions = 379; 0 unary minus; 10 sine/cosine
  *   mass_matrix: 120 multiplications, 109 additions = 229; 1 unary minus; 10 sine/cosine
  *   forward_dynamics: 403 multiplications, 359 additions, 5 divisions = 767; 3 unary minus; 10

@@ -28,7 +28,7 @@
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
 !   inverse_dynamics: 139 multiplications, 115 additions = 254; 0 unary minus; 8 sine/cosine
-!   gravity: 16 multiplications, 7 additions = 23; 1 unary minus; 8 sine/cosine
+!   gravity: 12 multiplications, 7 additions = 19; 2 unary minus; 8 sine/cosine
 !   bias: 125 multiplications, 90 additions = 215; 1 unary minus; 8 sine/cosine
 !   mass_matrix: 60 multiplications, 54 additions = 114; 0 unary minus; 8 sine/cosine
 !   forward_dynamics: 247 multiplications, 201 additions, 4 divisions = 452; 3 unary minus; 8
@@ -217,61 +217,50 @@ contains
   end subroutine
 
   ! torques that hold the arm at rest
-  ! 16 multiplications, 7 additions = 23; 1 unary minus; 8 sine/cosine
+  ! 12 multiplications, 7 additions = 19; 2 unary minus; 8 sine/cosine
   pure subroutine puma560_rotor_in_link_gravity(q, tau) &
       bind(c, name="puma560_rotor_in_link_gravity_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(out) :: tau(6)
-    real(rk) :: angle23, s23, a3_x, c23, a3_y, c4, a4_x, s4, neg_a4_y, c5, s5, a5_x, nc5_z, nc5_x
-    real(rk) :: n05_y, n05_x, n04_y, nc3_z, n3_z, c2, s2, nc2_z, n02_z, t1
+    real(rk) :: c5, hw5_y, c4, angle23, s23, c23, s5, hw5_x, tau5, s4, hw4_y, tau4, c2, s2, hw4_x
+    real(rk) :: hw3_x, hw2_x, t1, t2
 
     ! sines and cosines of the joint angles
-    angle23 = q(2) + q(3)
-    s23 = sin(angle23)
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_x = -9.8_rk*s23
-    ! sines and cosines of the joint angles
-    c23 = cos(angle23)
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_y = -9.8_rk*c23
+    c5 = cos(q(5))
+    ! link 5: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw5_y = -0.028224_rk*c5
     ! sines and cosines of the joint angles
     c4 = cos(q(4))
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_x = a3_x*c4
+    angle23 = q(2) + q(3)
+    s23 = sin(angle23)
+    c23 = cos(angle23)
+    s5 = sin(q(5))
+    ! link 5: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw5_x = 0.028224_rk*s5
+    ! link 5: joint torque [N m], at a prismatic joint force [N]
+    tau5 = hw5_y*(c4*s23) - c23*hw5_x
     ! sines and cosines of the joint angles
     s4 = sin(q(4))
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a4_y = a3_x*s4
-    ! sines and cosines of the joint angles
-    c5 = cos(q(5))
-    s5 = sin(q(5))
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_x = a4_x*c5 + a3_y*s5
-    ! link 5: moment that turns the link [N m]
-    nc5_z = 0.00288_rk*a5_x
-    nc5_x = 0.00288_rk*neg_a4_y
-    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
-    n05_y = s5*nc5_x
-    n05_x = c5*nc5_x
-    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
-    n04_y = s4*n05_x + c4*nc5_z
-    ! link 3: moment that turns the link [N m]
-    nc3_z = 0.248675_rk*c23 - 8.445591_rk*s23
-    ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_z = n04_y + nc3_z
+    ! link 4: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw4_y = hw5_x*s4
+    ! link 4: joint torque [N m], at a prismatic joint force [N]
+    tau4 = s23*hw4_y
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
     s2 = sin(q(2))
-    ! link 2: moment that turns the link [N m]
-    nc2_z = 1.02312_rk*s2 - 37.196782_rk*c2
-    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
-    n02_z = n3_z + nc2_z
-    t1 = -n05_y
+    ! link 4: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw4_x = c4*hw5_x
+    ! link 3: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw3_x = c23*(hw4_x - 0.248675_rk) + s23*(8.445591_rk - hw5_y)
+    ! link 2: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw2_x = hw3_x + (37.196782_rk*c2 - 1.02312_rk*s2)
+    t1 = -hw2_x
+    t2 = -hw3_x
     tau(1) = 0.0_rk
-    tau(2) = n02_z
-    tau(3) = n3_z
-    tau(4) = t1
-    tau(5) = nc5_z
+    tau(2) = t1
+    tau(3) = t2
+    tau(4) = tau4
+    tau(5) = tau5
     tau(6) = 0.0_rk
   end subroutine
 

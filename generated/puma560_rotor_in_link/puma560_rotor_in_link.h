@@ -29,7 +29,7 @@
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 139 multiplications, 115 additions = 254; 0 unary minus; 8 sine/cosine
- *   gravity: 16 multiplications, 7 additions = 23; 1 unary minus; 8 sine/cosine
+ *   gravity: 12 multiplications, 7 additions = 19; 2 unary minus; 8 sine/cosine
  *   bias: 125 multiplications, 90 additions = 215; 1 unary minus; 8 sine/cosine
  *   mass_matrix: 60 multiplications, 54 additions = 114; 0 unary minus; 8 sine/cosine
  *   forward_dynamics: 247 multiplications, 201 additions, 4 divisions = 452; 3 unary minus; 8

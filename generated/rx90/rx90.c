@@ -28,7 +28,7 @@
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 212 multiplications, 201 additions = 413; 3 unary minus; 10 sine/cosine
- *   gravity: 38 multiplications, 23 additions = 61; 1 unary minus; 10 sine/cosine
+ *   gravity: 24 multiplications, 18 additions = 42; 0 unary minus; 10 sine/cosine
  *   bias: 193 multiplications, 173 additions = 366; 0 unary minus; 10 sine/cosine
  *   mass_matrix: 105 multiplications, 94 additions = 199; 1 unary minus; 10 sine/cosine
  *   forward_dynamics: 378 multiplications, 336 additions, 5 divisions = 719; 2 unary minus; 10
@@ -280,86 +280,57 @@ void rx90_inverse_dynamics(
 }
 
 /* torques that hold the arm at rest
- * 38 multiplications, 23 additions = 61; 1 unary minus; 10 sine/cosine */
+ * 24 multiplications, 18 additions = 42; 0 unary minus; 10 sine/cosine */
 void rx90_gravity(const rx90_real q[6], rx90_real tau[6])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
      * every libm has. */
     const volatile rx90_real *const again = q;
     /* sines and cosines of the joint angles */
-    const volatile rx90_real angle23 = q[1] + q[2];
-    const rx90_real s23 = sin(angle23);
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const rx90_real a3_x = 9.8*s23;
-    /* sines and cosines of the joint angles */
-    const rx90_real c23 = cos(angle23);
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const rx90_real a3_y = 9.8*c23;
-    /* sines and cosines of the joint angles */
-    const rx90_real c4 = cos(q[3]);
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const rx90_real a4_x = a3_x*c4;
-    /* sines and cosines of the joint angles */
-    const rx90_real s4 = sin(again[3]);
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const rx90_real a4_y = -a3_x*s4;
-    /* sines and cosines of the joint angles */
-    const rx90_real c5 = cos(q[4]);
-    const rx90_real s5 = sin(again[4]);
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const rx90_real a5_x = a4_x*c5 + a3_y*s5;
-    const rx90_real a5_y = a3_y*c5 - a4_x*s5;
-    /* sines and cosines of the joint angles */
     const rx90_real s6 = sin(again[5]);
     const rx90_real c6 = cos(q[5]);
-    /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const rx90_real a6_y = a4_y*c6 - a5_x*s6;
-    const rx90_real a6_x = a5_x*c6 + a4_y*s6;
-    /* link 6: moment that turns the link [N m] */
-    const rx90_real nc6_z = -1.5707678306756712*a6_y - 0.6271000643521031*a6_x;
-    const rx90_real nc6_x = 0.6271000643521031*a5_y;
-    const rx90_real nc6_y = 1.5707678306756712*a5_y;
-    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
-    const rx90_real n06_y = s6*nc6_x + c6*nc6_y;
-    const rx90_real n06_x = c6*nc6_x - s6*nc6_y;
-    /* link 5: moment that turns the link [N m] */
-    const rx90_real nc5_z = -0.8974188745594792*a5_y - 0.8067444135457743*a5_x;
-    const rx90_real neg_nc5_x = 0.8067444135457743*a4_y;
-    const rx90_real neg_nc5_y = 0.8974188745594792*a4_y;
-    /* link 5: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n5_z = nc5_z - n06_y;
-    const rx90_real n5_x = n06_x - neg_nc5_x;
-    const rx90_real n5_y = nc6_z - neg_nc5_y;
-    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
-    const rx90_real n05_y = s5*n5_x + c5*n5_y;
-    const rx90_real n05_x = c5*n5_x - s5*n5_y;
-    /* link 4: moment that turns the link [N m] */
-    const rx90_real nc4_z = 0.21759393385311085*a4_y - 1.0765039731522932*a4_x;
-    const rx90_real nc4_x = 10.549738936892474*c23;
-    const rx90_real nc4_y = -2.1324205517604864*c23;
-    /* link 4: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n4_z = n05_y + nc4_z;
-    const rx90_real n4_x = n05_x + nc4_x;
-    const rx90_real n4_y = nc4_y - n5_z;
-    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
-    const rx90_real n04_y = s4*n4_x + c4*n4_y;
-    /* link 3: moment that turns the link [N m] */
-    const rx90_real nc3_z = -92.04944537512587*s23 - 3.921541696033157*c23;
-    /* link 3: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n3_z = nc3_z - n04_y;
+    /* link 6: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const rx90_real neg_hw6_y = 15.393524740621578*s6 - 6.14558063065061*c6;
+    /* sines and cosines of the joint angles */
+    const rx90_real c5 = cos(q[4]);
+    const rx90_real c4 = cos(q[3]);
+    const volatile rx90_real angle23 = q[1] + q[2];
+    const rx90_real s23 = sin(angle23);
+    const rx90_real s5 = sin(again[4]);
+    const rx90_real c23 = cos(angle23);
+    /* link 6: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const rx90_real neg_hw6_x = 15.393524740621578*c6 + 6.14558063065061*s6;
+    /* sines and cosines of the joint angles */
+    const rx90_real s4 = sin(again[3]);
+    const rx90_real t1 = c4*s23;
+    const rx90_real t2 = s23*s4;
+    /* link 6: joint torque [N m], at a prismatic joint force [N] */
+    const rx90_real tau6 = neg_hw6_y*(c5*t1 + s5*c23) + neg_hw6_x*t2;
+    const rx90_real t3 = neg_hw6_x + 8.794704970682897;
+    /* link 5: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const rx90_real neg_hw5_y = s5*t3 - 7.906095252748588*c5;
+    const rx90_real neg_hw5_x = c5*t3 + 7.906095252748588*s5;
+    /* link 5: joint torque [N m], at a prismatic joint force [N] */
+    const rx90_real tau5 = t1*neg_hw5_y - c23*neg_hw5_x;
+    const rx90_real t4 = neg_hw6_y - 10.549738936892474;
+    const rx90_real t5 = neg_hw5_x - 2.1324205517604864;
+    /* link 4: joint torque [N m], at a prismatic joint force [N] */
+    const rx90_real tau4 = t1*t4 + t2*t5;
     /* sines and cosines of the joint angles */
     const rx90_real c2 = cos(q[1]);
     const rx90_real s2 = sin(again[1]);
-    /* link 2: moment that turns the link [N m] */
-    const rx90_real nc2_z = 81.05525857884084*c2 + 17.30463777489202*s2;
-    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const rx90_real n02_z = n3_z + nc2_z;
+    /* link 4: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const rx90_real hw4_x = s4*t4 - c4*t5;
+    /* link 3: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const rx90_real hw3_x = s23*(neg_hw5_y - 92.04944537512587) - c23*(3.921541696033157 - hw4_x);
+    /* link 2: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const rx90_real hw2_x = hw3_x + (81.05525857884084*c2 + 17.30463777489202*s2);
     tau[0] = 0.0;
-    tau[1] = n02_z;
-    tau[2] = n3_z;
-    tau[3] = n4_z;
-    tau[4] = n5_z;
-    tau[5] = nc6_z;
+    tau[1] = hw2_x;
+    tau[2] = hw3_x;
+    tau[3] = tau4;
+    tau[4] = tau5;
+    tau[5] = tau6;
 }
 
 /* torques at zero acceleration: Coriolis, centrifugal, gravity, friction

@@ -27,7 +27,7 @@
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
 !   inverse_dynamics: 212 multiplications, 201 additions = 413; 3 unary minus; 10 sine/cosine
-!   gravity: 38 multiplications, 23 additions = 61; 1 unary minus; 10 sine/cosine
+!   gravity: 24 multiplications, 18 additions = 42; 0 unary minus; 10 sine/cosine
 !   bias: 193 multiplications, 173 additions = 366; 0 unary minus; 10 sine/cosine
 !   mass_matrix: 105 multiplications, 94 additions = 199; 1 unary minus; 10 sine/cosine
 !   forward_dynamics: 378 multiplications, 336 additions, 5 divisions = 719; 2 unary minus; 10
@@ -294,90 +294,59 @@ contains
   end subroutine
 
   ! torques that hold the arm at rest
-  ! 38 multiplications, 23 additions = 61; 1 unary minus; 10 sine/cosine
+  ! 24 multiplications, 18 additions = 42; 0 unary minus; 10 sine/cosine
   pure subroutine rx90_gravity(q, tau) &
       bind(c, name="rx90_gravity_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(out) :: tau(6)
-    real(rk) :: angle23, s23, a3_x, c23, a3_y, c4, a4_x, s4, a4_y, c5, s5, a5_x, a5_y, s6, c6, a6_y
-    real(rk) :: a6_x, nc6_z, nc6_x, nc6_y, n06_y, n06_x, nc5_z, neg_nc5_x, neg_nc5_y, n5_z, n5_x
-    real(rk) :: n5_y, n05_y, n05_x, nc4_z, nc4_x, nc4_y, n4_z, n4_x, n4_y, n04_y, nc3_z, n3_z, c2
-    real(rk) :: s2, nc2_z, n02_z
+    real(rk) :: s6, c6, neg_hw6_y, c5, c4, angle23, s23, s5, c23, neg_hw6_x, s4, t1, t2, tau6, t3
+    real(rk) :: neg_hw5_y, neg_hw5_x, tau5, t4, t5, tau4, c2, s2, hw4_x, hw3_x, hw2_x
 
-    ! sines and cosines of the joint angles
-    angle23 = q(2) + q(3)
-    s23 = sin(angle23)
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_x = 9.8_rk*s23
-    ! sines and cosines of the joint angles
-    c23 = cos(angle23)
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_y = 9.8_rk*c23
-    ! sines and cosines of the joint angles
-    c4 = cos(q(4))
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_x = a3_x*c4
-    ! sines and cosines of the joint angles
-    s4 = sin(q(4))
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_y = -a3_x*s4
-    ! sines and cosines of the joint angles
-    c5 = cos(q(5))
-    s5 = sin(q(5))
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_x = a4_x*c5 + a3_y*s5
-    a5_y = a3_y*c5 - a4_x*s5
     ! sines and cosines of the joint angles
     s6 = sin(q(6))
     c6 = cos(q(6))
-    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a6_y = a4_y*c6 - a5_x*s6
-    a6_x = a5_x*c6 + a4_y*s6
-    ! link 6: moment that turns the link [N m]
-    nc6_z = -1.5707678306756712_rk*a6_y - 0.6271000643521031_rk*a6_x
-    nc6_x = 0.6271000643521031_rk*a5_y
-    nc6_y = 1.5707678306756712_rk*a5_y
-    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
-    n06_y = s6*nc6_x + c6*nc6_y
-    n06_x = c6*nc6_x - s6*nc6_y
-    ! link 5: moment that turns the link [N m]
-    nc5_z = -0.8974188745594792_rk*a5_y - 0.8067444135457743_rk*a5_x
-    neg_nc5_x = 0.8067444135457743_rk*a4_y
-    neg_nc5_y = 0.8974188745594792_rk*a4_y
-    ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_z = nc5_z - n06_y
-    n5_x = n06_x - neg_nc5_x
-    n5_y = nc6_z - neg_nc5_y
-    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
-    n05_y = s5*n5_x + c5*n5_y
-    n05_x = c5*n5_x - s5*n5_y
-    ! link 4: moment that turns the link [N m]
-    nc4_z = 0.21759393385311085_rk*a4_y - 1.0765039731522932_rk*a4_x
-    nc4_x = 10.549738936892474_rk*c23
-    nc4_y = -2.1324205517604864_rk*c23
-    ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_z = n05_y + nc4_z
-    n4_x = n05_x + nc4_x
-    n4_y = nc4_y - n5_z
-    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
-    n04_y = s4*n4_x + c4*n4_y
-    ! link 3: moment that turns the link [N m]
-    nc3_z = -92.04944537512587_rk*s23 - 3.921541696033157_rk*c23
-    ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_z = nc3_z - n04_y
+    ! link 6: first moment of all that the joint carries, before its turn, times gravity [N m]
+    neg_hw6_y = 15.393524740621578_rk*s6 - 6.14558063065061_rk*c6
+    ! sines and cosines of the joint angles
+    c5 = cos(q(5))
+    c4 = cos(q(4))
+    angle23 = q(2) + q(3)
+    s23 = sin(angle23)
+    s5 = sin(q(5))
+    c23 = cos(angle23)
+    ! link 6: first moment of all that the joint carries, before its turn, times gravity [N m]
+    neg_hw6_x = 15.393524740621578_rk*c6 + 6.14558063065061_rk*s6
+    ! sines and cosines of the joint angles
+    s4 = sin(q(4))
+    t1 = c4*s23
+    t2 = s23*s4
+    ! link 6: joint torque [N m], at a prismatic joint force [N]
+    tau6 = neg_hw6_y*(c5*t1 + s5*c23) + neg_hw6_x*t2
+    t3 = neg_hw6_x + 8.794704970682897_rk
+    ! link 5: first moment of all that the joint carries, before its turn, times gravity [N m]
+    neg_hw5_y = s5*t3 - 7.906095252748588_rk*c5
+    neg_hw5_x = c5*t3 + 7.906095252748588_rk*s5
+    ! link 5: joint torque [N m], at a prismatic joint force [N]
+    tau5 = t1*neg_hw5_y - c23*neg_hw5_x
+    t4 = neg_hw6_y - 10.549738936892474_rk
+    t5 = neg_hw5_x - 2.1324205517604864_rk
+    ! link 4: joint torque [N m], at a prismatic joint force [N]
+    tau4 = t1*t4 + t2*t5
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
     s2 = sin(q(2))
-    ! link 2: moment that turns the link [N m]
-    nc2_z = 81.05525857884084_rk*c2 + 17.30463777489202_rk*s2
-    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
-    n02_z = n3_z + nc2_z
+    ! link 4: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw4_x = s4*t4 - c4*t5
+    ! link 3: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw3_x = s23*(neg_hw5_y - 92.04944537512587_rk) - c23*(3.921541696033157_rk - hw4_x)
+    ! link 2: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw2_x = hw3_x + (81.05525857884084_rk*c2 + 17.30463777489202_rk*s2)
     tau(1) = 0.0_rk
-    tau(2) = n02_z
-    tau(3) = n3_z
-    tau(4) = n4_z
-    tau(5) = n5_z
-    tau(6) = nc6_z
+    tau(2) = hw2_x
+    tau(3) = hw3_x
+    tau(4) = tau4
+    tau(5) = tau5
+    tau(6) = tau6
   end subroutine
 
   ! torques at zero acceleration: Coriolis, centrifugal, gravity, friction

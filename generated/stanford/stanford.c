@@ -33,7 +33,7 @@
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 114 multiplications, 87 additions = 201; 6 unary minus; 6 sine/cosine
- *   gravity: 18 multiplications, 6 additions = 24; 0 unary minus; 6 sine/cosine
+ *   gravity: 14 multiplications, 6 additions = 20; 1 unary minus; 6 sine/cosine
  *   bias: 104 multiplications, 70 additions = 174; 0 unary minus; 6 sine/cosine
  *   mass_matrix: 41 multiplications, 32 additions = 73; 2 unary minus; 6 sine/cosine
  *   forward_dynamics: 201 multiplications, 149 additions, 4 divisions = 354; 2 unary minus; 6
@@ -215,61 +215,45 @@ void stanford_inverse_dynamics(
 }
 
 /* torques that hold the arm at rest
- * 18 multiplications, 6 additions = 24; 0 unary minus; 6 sine/cosine */
+ * 14 multiplications, 6 additions = 20; 1 unary minus; 6 sine/cosine */
 void stanford_gravity(const stanford_real q[6], stanford_real tau[6])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
      * every libm has. */
     const volatile stanford_real *const again = q;
     /* sines and cosines of the joint angles */
+    const stanford_real c5 = cos(q[4]);
+    /* link 5: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const stanford_real hw5_y = -1.1261376*c5;
+    /* sines and cosines of the joint angles */
     const stanford_real s2 = sin(again[1]);
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real a2_x = -9.8*s2;
-    /* sines and cosines of the joint angles */
-    const stanford_real c2 = cos(q[1]);
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real a2_y = -9.8*c2;
-    /* sines and cosines of the joint angles */
     const stanford_real c4 = cos(q[3]);
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real a4_x = a2_x*c4;
+    const stanford_real c2 = cos(q[1]);
+    const stanford_real s5 = sin(again[4]);
+    /* link 5: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const stanford_real hw5_x = 1.1261376*s5;
+    /* link 5: joint torque [N m], at a prismatic joint force [N] */
+    const stanford_real tau5 = hw5_y*(s2*c4) - c2*hw5_x;
     /* sines and cosines of the joint angles */
     const stanford_real s4 = sin(again[3]);
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real neg_a4_y = a2_x*s4;
-    /* sines and cosines of the joint angles */
-    const stanford_real c5 = cos(q[4]);
-    const stanford_real s5 = sin(again[4]);
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real a5_x = a4_x*c5 + a2_y*s5;
-    /* link 5: moment that turns the link [N m] */
-    const stanford_real nc5_z = 0.114912*a5_x;
-    const stanford_real nc5_x = 0.114912*neg_a4_y;
-    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
-    const stanford_real n05_y = s5*nc5_x;
-    const stanford_real n05_x = c5*nc5_x;
-    /* link 4: moment that turns the link [N m] */
-    const stanford_real nc4_z = 0.005832*a4_x;
-    const stanford_real neg_nc4_x = 0.0571536*c2;
-    /* link 4: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n4_z = nc4_z - n05_y;
-    const stanford_real n4_x = n05_x - neg_nc4_x;
-    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
-    const stanford_real n04_y = s4*n4_x + c4*nc5_z;
-    /* link 3: force that moves the link [N] */
-    const stanford_real fc3_z = 63.406*c2;
-    const stanford_real fc3_x = -63.406*s2;
-    /* link 3: moment that turns the link [N m] */
-    const stanford_real neg_nc3_y = 26.7543822*s2;
-    /* link 3: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n3_y = n04_y - neg_nc3_y;
-    /* link 2: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n2_z = n3_y + fc3_x*q[2];
+    /* link 4: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const stanford_real hw4_y = hw5_x*s4 - 0.0571536*c4;
+    /* link 4: joint torque [N m], at a prismatic joint force [N] */
+    const stanford_real tau4 = s2*hw4_y;
+    /* link 3: joint torque [N m], at a prismatic joint force [N] */
+    const stanford_real tau3 = 63.406*c2;
+    /* link 4: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const stanford_real hw4_x = c4*hw5_x + 0.0571536*s4;
+    /* link 3: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const stanford_real hw3_z = 26.7543822 - hw5_y;
+    /* link 2: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const stanford_real hw2_x = c2*hw4_x + s2*(hw3_z + 63.406*q[2]);
+    const stanford_real t1 = -hw2_x;
     tau[0] = 0.0;
-    tau[1] = n2_z;
-    tau[2] = fc3_z;
-    tau[3] = n4_z;
-    tau[4] = nc5_z;
+    tau[1] = t1;
+    tau[2] = tau3;
+    tau[3] = tau4;
+    tau[4] = tau5;
     tau[5] = 0.0;
 }
 

@@ -32,7 +32,7 @@
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
 !   inverse_dynamics: 114 multiplications, 87 additions = 201; 6 unary minus; 6 sine/cosine
-!   gravity: 18 multiplications, 6 additions = 24; 0 unary minus; 6 sine/cosine
+!   gravity: 14 multiplications, 6 additions = 20; 1 unary minus; 6 sine/cosine
 !   bias: 104 multiplications, 70 additions = 174; 0 unary minus; 6 sine/cosine
 !   mass_matrix: 41 multiplications, 32 additions = 73; 2 unary minus; 6 sine/cosine
 !   forward_dynamics: 201 multiplications, 149 additions, 4 divisions = 354; 2 unary minus; 6
@@ -227,63 +227,47 @@ contains
   end subroutine
 
   ! torques that hold the arm at rest
-  ! 18 multiplications, 6 additions = 24; 0 unary minus; 6 sine/cosine
+  ! 14 multiplications, 6 additions = 20; 1 unary minus; 6 sine/cosine
   pure subroutine stanford_gravity(q, tau) &
       bind(c, name="stanford_gravity_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(out) :: tau(6)
-    real(rk) :: s2, a2_x, c2, a2_y, c4, a4_x, s4, neg_a4_y, c5, s5, a5_x, nc5_z, nc5_x, n05_y
-    real(rk) :: n05_x, nc4_z, neg_nc4_x, n4_z, n4_x, n04_y, fc3_z, fc3_x, neg_nc3_y, n3_y, n2_z
+    real(rk) :: c5, hw5_y, s2, c4, c2, s5, hw5_x, tau5, s4, hw4_y, tau4, tau3, hw4_x, hw3_z, hw2_x
+    real(rk) :: t1
 
     ! sines and cosines of the joint angles
+    c5 = cos(q(5))
+    ! link 5: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw5_y = -1.1261376_rk*c5
+    ! sines and cosines of the joint angles
     s2 = sin(q(2))
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_x = -9.8_rk*s2
-    ! sines and cosines of the joint angles
-    c2 = cos(q(2))
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_y = -9.8_rk*c2
-    ! sines and cosines of the joint angles
     c4 = cos(q(4))
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_x = a2_x*c4
+    c2 = cos(q(2))
+    s5 = sin(q(5))
+    ! link 5: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw5_x = 1.1261376_rk*s5
+    ! link 5: joint torque [N m], at a prismatic joint force [N]
+    tau5 = hw5_y*(s2*c4) - c2*hw5_x
     ! sines and cosines of the joint angles
     s4 = sin(q(4))
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a4_y = a2_x*s4
-    ! sines and cosines of the joint angles
-    c5 = cos(q(5))
-    s5 = sin(q(5))
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_x = a4_x*c5 + a2_y*s5
-    ! link 5: moment that turns the link [N m]
-    nc5_z = 0.114912_rk*a5_x
-    nc5_x = 0.114912_rk*neg_a4_y
-    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
-    n05_y = s5*nc5_x
-    n05_x = c5*nc5_x
-    ! link 4: moment that turns the link [N m]
-    nc4_z = 0.005832_rk*a4_x
-    neg_nc4_x = 0.0571536_rk*c2
-    ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_z = nc4_z - n05_y
-    n4_x = n05_x - neg_nc4_x
-    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
-    n04_y = s4*n4_x + c4*nc5_z
-    ! link 3: force that moves the link [N]
-    fc3_z = 63.406_rk*c2
-    fc3_x = -63.406_rk*s2
-    ! link 3: moment that turns the link [N m]
-    neg_nc3_y = 26.7543822_rk*s2
-    ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_y = n04_y - neg_nc3_y
-    ! link 2: moment through the joint, about the frame's origin [N m]
-    n2_z = n3_y + fc3_x*q(3)
+    ! link 4: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw4_y = hw5_x*s4 - 0.0571536_rk*c4
+    ! link 4: joint torque [N m], at a prismatic joint force [N]
+    tau4 = s2*hw4_y
+    ! link 3: joint torque [N m], at a prismatic joint force [N]
+    tau3 = 63.406_rk*c2
+    ! link 4: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw4_x = c4*hw5_x + 0.0571536_rk*s4
+    ! link 3: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw3_z = 26.7543822_rk - hw5_y
+    ! link 2: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw2_x = c2*hw4_x + s2*(hw3_z + 63.406_rk*q(3))
+    t1 = -hw2_x
     tau(1) = 0.0_rk
-    tau(2) = n2_z
-    tau(3) = fc3_z
-    tau(4) = n4_z
-    tau(5) = nc5_z
+    tau(2) = t1
+    tau(3) = tau3
+    tau(4) = tau4
+    tau(5) = tau5
     tau(6) = 0.0_rk
   end subroutine
 

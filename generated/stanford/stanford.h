@@ -33,7 +33,7 @@
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 114 multiplications, 87 additions = 201; 6 unary minus; 6 sine/cosine
- *   gravity: 18 multiplications, 6 additions = 24; 0 unary minus; 6 sine/cosine
+ *   gravity: 14 multiplications, 6 additions = 20; 1 unary minus; 6 sine/cosine
  *   bias: 104 multiplications, 70 additions = 174; 0 unary minus; 6 sine/cosine
  *   mass_matrix: 41 multiplications, 32 additions = 73; 2 unary minus; 6 sine/cosine
  *   forward_dynamics: 201 multiplications, 149 additions, 4 divisions = 354; 2 unary minus; 6

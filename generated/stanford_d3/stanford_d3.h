@@ -30,7 +30,7 @@
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 117 multiplications, 84 additions = 201; 0 unary minus; 6 sine/cosine
- *   gravity: 18 multiplications, 6 additions = 24; 0 unary minus; 6 sine/cosine
+ *   gravity: 14 multiplications, 6 additions = 20; 1 unary minus; 6 sine/cosine
  *   bias: 110 multiplications, 71 additions = 181; 0 unary minus; 6 sine/cosine
  *   mass_matrix: 40 multiplications, 32 additions = 72; 2 unary minus; 6 sine/cosine
  *   forward_dynamics: 207 multiplications, 150 additions, 4 divisions = 361; 1 unary minus; 6

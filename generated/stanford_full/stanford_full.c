@@ -28,7 +28,7 @@
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 200 multiplications, 188 additions = 388; 1 unary minus; 8 sine/cosine
- *   gravity: 39 multiplications, 21 additions = 60; 1 unary minus; 8 sine/cosine
+ *   gravity: 24 multiplications, 16 additions = 40; 1 unary minus; 8 sine/cosine
  *   bias: 184 multiplications, 164 additions = 348; 0 unary minus; 8 sine/cosine
  *   mass_matrix: 90 multiplications, 84 additions = 174; 3 unary minus; 8 sine/cosine
  *   forward_dynamics: 360 multiplications, 318 additions, 5 divisions = 683; 3 unary minus; 8
@@ -276,78 +276,55 @@ void stanford_full_inverse_dynamics(
 }
 
 /* torques that hold the arm at rest
- * 39 multiplications, 21 additions = 60; 1 unary minus; 8 sine/cosine */
+ * 24 multiplications, 16 additions = 40; 1 unary minus; 8 sine/cosine */
 void stanford_full_gravity(const stanford_full_real q[6], stanford_full_real tau[6])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
      * every libm has. */
     const volatile stanford_full_real *const again = q;
     /* sines and cosines of the joint angles */
-    const stanford_full_real s2 = sin(again[1]);
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_full_real neg_a2_x = 9.8*s2;
-    /* sines and cosines of the joint angles */
-    const stanford_full_real c2 = cos(q[1]);
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_full_real a2_y = -9.8*c2;
-    /* sines and cosines of the joint angles */
-    const stanford_full_real c4 = cos(q[3]);
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_full_real a4_x = -neg_a2_x*c4;
-    /* sines and cosines of the joint angles */
-    const stanford_full_real s4 = sin(again[3]);
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_full_real a4_y = neg_a2_x*s4;
-    /* sines and cosines of the joint angles */
-    const stanford_full_real c5 = cos(q[4]);
-    const stanford_full_real s5 = sin(again[4]);
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_full_real a5_x = a4_x*c5 + a2_y*s5;
-    const stanford_full_real a5_y = a2_y*c5 - a4_x*s5;
-    /* sines and cosines of the joint angles */
     const stanford_full_real s6 = sin(again[5]);
     const stanford_full_real c6 = cos(q[5]);
-    /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_full_real a6_y = a4_y*c6 - a5_x*s6;
-    const stanford_full_real a6_x = a5_x*c6 + a4_y*s6;
-    /* link 6: moment that turns the link [N m] */
-    const stanford_full_real nc6_z = 1.193403445777575*a6_y + 1.2174687787169953*a6_x;
-    const stanford_full_real nc6_x = 1.2174687787169953*a5_y;
-    const stanford_full_real nc6_y = 1.193403445777575*a5_y;
-    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
-    const stanford_full_real n06_y = s6*nc6_x + c6*nc6_y;
-    const stanford_full_real n06_x = c6*nc6_x - s6*nc6_y;
-    /* link 5: moment that turns the link [N m] */
-    const stanford_full_real nc5_z = 0.6468331423588011*a5_x - 0.5911078910549018*a5_y;
-    const stanford_full_real neg_nc5_x = 0.6468331423588011*a4_y;
-    const stanford_full_real nc5_y = 0.5911078910549018*a4_y;
-    /* link 5: moment through the joint, about the frame's origin [N m] */
-    const stanford_full_real n5_z = n06_y + nc5_z;
-    const stanford_full_real n5_x = n06_x - neg_nc5_x;
-    const stanford_full_real n5_y = nc5_y - nc6_z;
-    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
-    const stanford_full_real n05_y = s5*n5_x + c5*n5_y;
-    const stanford_full_real n05_x = c5*n5_x - s5*n5_y;
-    /* link 4: moment that turns the link [N m] */
-    const stanford_full_real nc4_z = 0.9022885982543313*a4_y - 0.28054187970758354*a4_x;
-    const stanford_full_real nc4_x = 2.749310421134319*c2;
-    const stanford_full_real neg_nc4_y = 8.842428262892447*c2;
-    /* link 4: moment through the joint, about the frame's origin [N m] */
-    const stanford_full_real n4_z = nc4_z - n05_y;
-    const stanford_full_real n4_x = n05_x + nc4_x;
-    const stanford_full_real n4_y = n5_z - neg_nc4_y;
-    /* link 3: force that moves the link [N] */
-    const stanford_full_real fc3_z = 193.38181895468085*c2;
-    const stanford_full_real fc3_x = -193.38181895468085*s2;
-    /* link 2: moment through the joint, about the frame's origin [N m] */
-    const stanford_full_real n2_z = -5.566797605293052*s2 - (3.634792872513057*c2 - (s4*n4_x +
-        (c4*n4_y + fc3_x*q[2])));
+    /* link 6: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const stanford_full_real hw6_y = 11.695353768620235*s6 - 11.931194031426555*c6;
+    /* sines and cosines of the joint angles */
+    const stanford_full_real c5 = cos(q[4]);
+    const stanford_full_real s2 = sin(again[1]);
+    const stanford_full_real c4 = cos(q[3]);
+    const stanford_full_real c2 = cos(q[1]);
+    const stanford_full_real s5 = sin(again[4]);
+    /* link 6: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const stanford_full_real hw6_x = 11.695353768620235*c6 + 11.931194031426555*s6;
+    /* sines and cosines of the joint angles */
+    const stanford_full_real s4 = sin(again[3]);
+    const stanford_full_real t1 = s2*c4;
+    const stanford_full_real t2 = s2*s4;
+    /* link 6: joint torque [N m], at a prismatic joint force [N] */
+    const stanford_full_real tau6 = hw6_y*(c5*t1 + c2*s5) + hw6_x*t2;
+    const stanford_full_real t3 = hw6_x - 5.792857332338038;
+    /* link 5: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const stanford_full_real hw5_y = s5*t3 - 6.33896479511625*c5;
+    const stanford_full_real hw5_x = c5*t3 + 6.33896479511625*s5;
+    /* link 5: joint torque [N m], at a prismatic joint force [N] */
+    const stanford_full_real tau5 = t1*hw5_y - c2*hw5_x;
+    const stanford_full_real t4 = hw6_y + 2.749310421134319;
+    const stanford_full_real t5 = hw5_x + 8.842428262892447;
+    /* link 4: joint torque [N m], at a prismatic joint force [N] */
+    const stanford_full_real tau4 = t1*t4 + t2*t5;
+    /* link 3: joint torque [N m], at a prismatic joint force [N] */
+    const stanford_full_real tau3 = 193.38181895468085*c2;
+    /* link 4: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const stanford_full_real hw4_x = c4*t5 - s4*t4;
+    /* link 2: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const stanford_full_real hw2_x = c2*(hw4_x + 3.634792872513057) + s2*(193.38181895468085*q[2] -
+        (hw5_y - 5.566797605293052));
+    const stanford_full_real t6 = -hw2_x;
     tau[0] = 0.0;
-    tau[1] = n2_z;
-    tau[2] = fc3_z;
-    tau[3] = n4_z;
-    tau[4] = n5_z;
-    tau[5] = nc6_z;
+    tau[1] = t6;
+    tau[2] = tau3;
+    tau[3] = tau4;
+    tau[4] = tau5;
+    tau[5] = tau6;
 }
 
 /* torques at zero acceleration: Coriolis, centrifugal, gravity, friction

@@ -27,7 +27,7 @@
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
 !   inverse_dynamics: 200 multiplications, 188 additions = 388; 1 unary minus; 8 sine/cosine
-!   gravity: 39 multiplications, 21 additions = 60; 1 unary minus; 8 sine/cosine
+!   gravity: 24 multiplications, 16 additions = 40; 1 unary minus; 8 sine/cosine
 !   bias: 184 multiplications, 164 additions = 348; 0 unary minus; 8 sine/cosine
 !   mass_matrix: 90 multiplications, 84 additions = 174; 3 unary minus; 8 sine/cosine
 !   forward_dynamics: 360 multiplications, 318 additions, 5 divisions = 683; 3 unary minus; 8
@@ -291,81 +291,57 @@ contains
   end subroutine
 
   ! torques that hold the arm at rest
-  ! 39 multiplications, 21 additions = 60; 1 unary minus; 8 sine/cosine
+  ! 24 multiplications, 16 additions = 40; 1 unary minus; 8 sine/cosine
   pure subroutine stanford_full_gravity(q, tau) &
       bind(c, name="stanford_full_gravity_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(out) :: tau(6)
-    real(rk) :: s2, neg_a2_x, c2, a2_y, c4, a4_x, s4, a4_y, c5, s5, a5_x, a5_y, s6, c6, a6_y, a6_x
-    real(rk) :: nc6_z, nc6_x, nc6_y, n06_y, n06_x, nc5_z, neg_nc5_x, nc5_y, n5_z, n5_x, n5_y, n05_y
-    real(rk) :: n05_x, nc4_z, nc4_x, neg_nc4_y, n4_z, n4_x, n4_y, fc3_z, fc3_x, n2_z
+    real(rk) :: s6, c6, hw6_y, c5, s2, c4, c2, s5, hw6_x, s4, t1, t2, tau6, t3, hw5_y, hw5_x, tau5
+    real(rk) :: t4, t5, tau4, tau3, hw4_x, hw2_x, t6
 
-    ! sines and cosines of the joint angles
-    s2 = sin(q(2))
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a2_x = 9.8_rk*s2
-    ! sines and cosines of the joint angles
-    c2 = cos(q(2))
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_y = -9.8_rk*c2
-    ! sines and cosines of the joint angles
-    c4 = cos(q(4))
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_x = -neg_a2_x*c4
-    ! sines and cosines of the joint angles
-    s4 = sin(q(4))
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_y = neg_a2_x*s4
-    ! sines and cosines of the joint angles
-    c5 = cos(q(5))
-    s5 = sin(q(5))
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_x = a4_x*c5 + a2_y*s5
-    a5_y = a2_y*c5 - a4_x*s5
     ! sines and cosines of the joint angles
     s6 = sin(q(6))
     c6 = cos(q(6))
-    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a6_y = a4_y*c6 - a5_x*s6
-    a6_x = a5_x*c6 + a4_y*s6
-    ! link 6: moment that turns the link [N m]
-    nc6_z = 1.193403445777575_rk*a6_y + 1.2174687787169953_rk*a6_x
-    nc6_x = 1.2174687787169953_rk*a5_y
-    nc6_y = 1.193403445777575_rk*a5_y
-    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
-    n06_y = s6*nc6_x + c6*nc6_y
-    n06_x = c6*nc6_x - s6*nc6_y
-    ! link 5: moment that turns the link [N m]
-    nc5_z = 0.6468331423588011_rk*a5_x - 0.5911078910549018_rk*a5_y
-    neg_nc5_x = 0.6468331423588011_rk*a4_y
-    nc5_y = 0.5911078910549018_rk*a4_y
-    ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_z = n06_y + nc5_z
-    n5_x = n06_x - neg_nc5_x
-    n5_y = nc5_y - nc6_z
-    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
-    n05_y = s5*n5_x + c5*n5_y
-    n05_x = c5*n5_x - s5*n5_y
-    ! link 4: moment that turns the link [N m]
-    nc4_z = 0.9022885982543313_rk*a4_y - 0.28054187970758354_rk*a4_x
-    nc4_x = 2.749310421134319_rk*c2
-    neg_nc4_y = 8.842428262892447_rk*c2
-    ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_z = nc4_z - n05_y
-    n4_x = n05_x + nc4_x
-    n4_y = n5_z - neg_nc4_y
-    ! link 3: force that moves the link [N]
-    fc3_z = 193.38181895468085_rk*c2
-    fc3_x = -193.38181895468085_rk*s2
-    ! link 2: moment through the joint, about the frame's origin [N m]
-    n2_z = -5.566797605293052_rk*s2 - (3.634792872513057_rk*c2 - (s4*n4_x + (c4*n4_y + &
-        fc3_x*q(3))))
+    ! link 6: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw6_y = 11.695353768620235_rk*s6 - 11.931194031426555_rk*c6
+    ! sines and cosines of the joint angles
+    c5 = cos(q(5))
+    s2 = sin(q(2))
+    c4 = cos(q(4))
+    c2 = cos(q(2))
+    s5 = sin(q(5))
+    ! link 6: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw6_x = 11.695353768620235_rk*c6 + 11.931194031426555_rk*s6
+    ! sines and cosines of the joint angles
+    s4 = sin(q(4))
+    t1 = s2*c4
+    t2 = s2*s4
+    ! link 6: joint torque [N m], at a prismatic joint force [N]
+    tau6 = hw6_y*(c5*t1 + c2*s5) + hw6_x*t2
+    t3 = hw6_x - 5.792857332338038_rk
+    ! link 5: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw5_y = s5*t3 - 6.33896479511625_rk*c5
+    hw5_x = c5*t3 + 6.33896479511625_rk*s5
+    ! link 5: joint torque [N m], at a prismatic joint force [N]
+    tau5 = t1*hw5_y - c2*hw5_x
+    t4 = hw6_y + 2.749310421134319_rk
+    t5 = hw5_x + 8.842428262892447_rk
+    ! link 4: joint torque [N m], at a prismatic joint force [N]
+    tau4 = t1*t4 + t2*t5
+    ! link 3: joint torque [N m], at a prismatic joint force [N]
+    tau3 = 193.38181895468085_rk*c2
+    ! link 4: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw4_x = c4*t5 - s4*t4
+    ! link 2: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw2_x = c2*(hw4_x + 3.634792872513057_rk) + s2*(193.38181895468085_rk*q(3) - (hw5_y - &
+        5.566797605293052_rk))
+    t6 = -hw2_x
     tau(1) = 0.0_rk
-    tau(2) = n2_z
-    tau(3) = fc3_z
-    tau(4) = n4_z
-    tau(5) = n5_z
-    tau(6) = nc6_z
+    tau(2) = t6
+    tau(3) = tau3
+    tau(4) = tau4
+    tau(5) = tau5
+    tau(6) = tau6
   end subroutine
 
   ! torques at zero acceleration: Coriolis, centrifugal, gravity, friction

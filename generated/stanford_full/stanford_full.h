@@ -28,7 +28,7 @@
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 200 multiplications, 188 additions = 388; 1 unary minus; 8 sine/cosine
- *   gravity: 39 multiplications, 21 additions = 60; 1 unary minus; 8 sine/cosine
+ *   gravity: 24 multiplications, 16 additions = 40; 1 unary minus; 8 sine/cosine
  *   bias: 184 multiplications, 164 additions = 348; 0 unary minus; 8 sine/cosine
  *   mass_matrix: 90 multiplications, 84 additions = 174; 3 unary minus; 8 sine/cosine
  *   forward_dynamics: 360 multiplications, 318 additions, 5 divisions = 683; 3 unary minus; 8

@@ -30,7 +30,7 @@
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 161 multiplications, 152 additions = 313; 0 unary minus; 8 sine/cosine
- *   gravity: 26 multiplications, 15 additions = 41; 0 unary minus; 8 sine/cosine
+ *   gravity: 16 multiplications, 12 additions = 28; 0 unary minus; 8 sine/cosine
  *   bias: 145 multiplications, 129 additions = 274; 0 unary minus; 8 sine/cosine
  *   mass_matrix: 72 multiplications, 67 additions = 139; 0 unary minus; 8 sine/cosine
  */
@@ -218,68 +218,47 @@ void tx40_inverse_dynamics(
 }
 
 /* torques that hold the arm at rest
- * 26 multiplications, 15 additions = 41; 0 unary minus; 8 sine/cosine */
+ * 16 multiplications, 12 additions = 28; 0 unary minus; 8 sine/cosine */
 void tx40_gravity(const tx40_real q[6], tx40_real tau[6])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
      * every libm has. */
     const volatile tx40_real *const again = q;
     /* sines and cosines of the joint angles */
-    const volatile tx40_real angle23 = q[1] + q[2];
-    const tx40_real s23 = sin(angle23);
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const tx40_real a3_x = -9.81*s23;
-    /* sines and cosines of the joint angles */
-    const tx40_real c23 = cos(angle23);
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const tx40_real a3_y = -9.81*c23;
-    /* sines and cosines of the joint angles */
-    const tx40_real c4 = cos(q[3]);
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const tx40_real a4_x = a3_x*c4;
-    /* sines and cosines of the joint angles */
-    const tx40_real s4 = sin(again[3]);
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const tx40_real neg_a4_y = a3_x*s4;
-    /* sines and cosines of the joint angles */
     const tx40_real s5 = sin(again[4]);
     const tx40_real c5 = cos(q[4]);
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const tx40_real a5_y = a3_y*c5 - a4_x*s5;
-    const tx40_real a5_x = a4_x*c5 + a3_y*s5;
-    /* link 5: moment that turns the link [N m] */
-    const tx40_real nc5_z = 0.01146*a5_x - 0.00408*a5_y;
-    const tx40_real nc5_x = 0.01146*neg_a4_y;
-    const tx40_real nc5_y = -0.00408*neg_a4_y;
-    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
-    const tx40_real n05_y = s5*nc5_x + c5*nc5_y;
-    const tx40_real n05_x = c5*nc5_x - s5*nc5_y;
-    /* link 4: moment that turns the link [N m] */
-    const tx40_real nc4_z = 0.01448*neg_a4_y - 0.00622*a4_x;
-    const tx40_real nc4_x = 0.0610182*c23;
-    const tx40_real nc4_y = 0.1420488*c23;
-    /* link 4: moment through the joint, about the frame's origin [N m] */
-    const tx40_real n4_z = nc4_z - n05_y;
-    const tx40_real n4_x = n05_x + nc4_x;
-    const tx40_real n4_y = nc5_z + nc4_y;
-    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
-    const tx40_real n04_y = s4*n4_x + c4*n4_y;
-    /* link 3: moment that turns the link [N m] */
-    const tx40_real neg_nc3_z = 0.3194136*c23 + 6.6437244*s23;
-    /* link 3: moment through the joint, about the frame's origin [N m] */
-    const tx40_real n3_z = n04_y - neg_nc3_z;
+    /* link 5: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const tx40_real hw5_y = -0.1124226*c5 - 0.0400248*s5;
+    /* sines and cosines of the joint angles */
+    const tx40_real c4 = cos(q[3]);
+    const volatile tx40_real angle23 = q[1] + q[2];
+    const tx40_real s23 = sin(angle23);
+    const tx40_real c23 = cos(angle23);
+    /* link 5: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const tx40_real hw5_x = 0.1124226*s5 - 0.0400248*c5;
+    /* link 5: joint torque [N m], at a prismatic joint force [N] */
+    const tx40_real tau5 = hw5_y*(c4*s23) - c23*hw5_x;
+    /* sines and cosines of the joint angles */
+    const tx40_real s4 = sin(again[3]);
+    const tx40_real t1 = 0.1420488 - hw5_x;
+    /* link 4: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const tx40_real hw4_y = 0.0610182*c4 - s4*t1;
+    /* link 4: joint torque [N m], at a prismatic joint force [N] */
+    const tx40_real tau4 = s23*hw4_y;
     /* sines and cosines of the joint angles */
     const tx40_real c2 = cos(q[1]);
     const tx40_real s2 = sin(again[1]);
-    /* link 2: moment that turns the link [N m] */
-    const tx40_real neg_nc2_z = 23.5160415*c2 + 0.070632*s2;
-    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const tx40_real n02_z = n3_z - neg_nc2_z;
+    /* link 4: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const tx40_real neg_hw4_x = c4*t1 + 0.0610182*s4;
+    /* link 3: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const tx40_real neg_hw3_x = s23*(hw5_y - 6.6437244) - c23*(0.3194136 - neg_hw4_x);
+    /* link 2: first moment of all that the joint carries, before its turn, times gravity [N m] */
+    const tx40_real neg_hw2_x = neg_hw3_x - (23.5160415*c2 + 0.070632*s2);
     tau[0] = 0.0;
-    tau[1] = n02_z;
-    tau[2] = n3_z;
-    tau[3] = n4_z;
-    tau[4] = nc5_z;
+    tau[1] = neg_hw2_x;
+    tau[2] = neg_hw3_x;
+    tau[3] = tau4;
+    tau[4] = tau5;
     tau[5] = 0.0;
 }
 

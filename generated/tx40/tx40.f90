@@ -29,7 +29,7 @@
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
 !   inverse_dynamics: 161 multiplications, 152 additions = 313; 0 unary minus; 8 sine/cosine
-!   gravity: 26 multiplications, 15 additions = 41; 0 unary minus; 8 sine/cosine
+!   gravity: 16 multiplications, 12 additions = 28; 0 unary minus; 8 sine/cosine
 !   bias: 145 multiplications, 129 additions = 274; 0 unary minus; 8 sine/cosine
 !   mass_matrix: 72 multiplications, 67 additions = 139; 0 unary minus; 8 sine/cosine
 module tx40_dynamics
@@ -231,71 +231,49 @@ contains
   end subroutine
 
   ! torques that hold the arm at rest
-  ! 26 multiplications, 15 additions = 41; 0 unary minus; 8 sine/cosine
+  ! 16 multiplications, 12 additions = 28; 0 unary minus; 8 sine/cosine
   pure subroutine tx40_gravity(q, tau) &
       bind(c, name="tx40_gravity_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(out) :: tau(6)
-    real(rk) :: angle23, s23, a3_x, c23, a3_y, c4, a4_x, s4, neg_a4_y, s5, c5, a5_y, a5_x, nc5_z
-    real(rk) :: nc5_x, nc5_y, n05_y, n05_x, nc4_z, nc4_x, nc4_y, n4_z, n4_x, n4_y, n04_y, neg_nc3_z
-    real(rk) :: n3_z, c2, s2, neg_nc2_z, n02_z
+    real(rk) :: s5, c5, hw5_y, c4, angle23, s23, c23, hw5_x, tau5, s4, t1, hw4_y, tau4, c2, s2
+    real(rk) :: neg_hw4_x, neg_hw3_x, neg_hw2_x
 
-    ! sines and cosines of the joint angles
-    angle23 = q(2) + q(3)
-    s23 = sin(angle23)
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_x = -9.81_rk*s23
-    ! sines and cosines of the joint angles
-    c23 = cos(angle23)
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_y = -9.81_rk*c23
-    ! sines and cosines of the joint angles
-    c4 = cos(q(4))
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_x = a3_x*c4
-    ! sines and cosines of the joint angles
-    s4 = sin(q(4))
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a4_y = a3_x*s4
     ! sines and cosines of the joint angles
     s5 = sin(q(5))
     c5 = cos(q(5))
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_y = a3_y*c5 - a4_x*s5
-    a5_x = a4_x*c5 + a3_y*s5
-    ! link 5: moment that turns the link [N m]
-    nc5_z = 0.01146_rk*a5_x - 0.00408_rk*a5_y
-    nc5_x = 0.01146_rk*neg_a4_y
-    nc5_y = -0.00408_rk*neg_a4_y
-    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
-    n05_y = s5*nc5_x + c5*nc5_y
-    n05_x = c5*nc5_x - s5*nc5_y
-    ! link 4: moment that turns the link [N m]
-    nc4_z = 0.01448_rk*neg_a4_y - 0.00622_rk*a4_x
-    nc4_x = 0.0610182_rk*c23
-    nc4_y = 0.1420488_rk*c23
-    ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_z = nc4_z - n05_y
-    n4_x = n05_x + nc4_x
-    n4_y = nc5_z + nc4_y
-    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
-    n04_y = s4*n4_x + c4*n4_y
-    ! link 3: moment that turns the link [N m]
-    neg_nc3_z = 0.3194136_rk*c23 + 6.6437244_rk*s23
-    ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_z = n04_y - neg_nc3_z
+    ! link 5: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw5_y = -0.1124226_rk*c5 - 0.0400248_rk*s5
+    ! sines and cosines of the joint angles
+    c4 = cos(q(4))
+    angle23 = q(2) + q(3)
+    s23 = sin(angle23)
+    c23 = cos(angle23)
+    ! link 5: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw5_x = 0.1124226_rk*s5 - 0.0400248_rk*c5
+    ! link 5: joint torque [N m], at a prismatic joint force [N]
+    tau5 = hw5_y*(c4*s23) - c23*hw5_x
+    ! sines and cosines of the joint angles
+    s4 = sin(q(4))
+    t1 = 0.1420488_rk - hw5_x
+    ! link 4: first moment of all that the joint carries, before its turn, times gravity [N m]
+    hw4_y = 0.0610182_rk*c4 - s4*t1
+    ! link 4: joint torque [N m], at a prismatic joint force [N]
+    tau4 = s23*hw4_y
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
     s2 = sin(q(2))
-    ! link 2: moment that turns the link [N m]
-    neg_nc2_z = 23.5160415_rk*c2 + 0.070632_rk*s2
-    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
-    n02_z = n3_z - neg_nc2_z
+    ! link 4: first moment of all that the joint carries, before its turn, times gravity [N m]
+    neg_hw4_x = c4*t1 + 0.0610182_rk*s4
+    ! link 3: first moment of all that the joint carries, before its turn, times gravity [N m]
+    neg_hw3_x = s23*(hw5_y - 6.6437244_rk) - c23*(0.3194136_rk - neg_hw4_x)
+    ! link 2: first moment of all that the joint carries, before its turn, times gravity [N m]
+    neg_hw2_x = neg_hw3_x - (23.5160415_rk*c2 + 0.070632_rk*s2)
     tau(1) = 0.0_rk
-    tau(2) = n02_z
-    tau(3) = n3_z
-    tau(4) = n4_z
-    tau(5) = nc5_z
+    tau(2) = neg_hw2_x
+    tau(3) = neg_hw3_x
+    tau(4) = tau4
+    tau(5) = tau5
     tau(6) = 0.0_rk
   end subroutine
 

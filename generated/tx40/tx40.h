@@ -30,7 +30,7 @@
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 161 multiplications, 152 additions = 313; 0 unary minus; 8 sine/cosine
- *   gravity: 26 multiplications, 15 additions = 41; 0 unary minus; 8 sine/cosine
+ *   gravity: 16 multiplications, 12 additions = 28; 0 unary minus; 8 sine/cosine
  *   bias: 145 multiplications, 129 additions = 274; 0 unary minus; 8 sine/cosine
  *   mass_matrix: 72 multiplications, 67 additions = 139; 0 unary minus; 8 sine/cosine
  */

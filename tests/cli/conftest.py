@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from cli.built import PROJECT
 from cli.simulated import ELASTIC, PENDULUM, SLIDE, SOFT, STICKY, WEAK
 from records.made import ELBOW
 from robodyn.search.walk import library
@@ -60,3 +61,13 @@ def among_robots(
     monkeypatch.setenv("ROBODYN_CACHE", str(tmp_path_factory.getbasetemp() / "robodyn-cache"))
     monkeypatch.delenv("CC", raising=False)
     return tmp_path
+
+
+@pytest.fixture
+def project(elsewhere: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder with a project of two robots, and an empty store."""
+    (elsewhere / "elbow.yaml").write_text(ELBOW)
+    (elsewhere / "other.yaml").write_text(ELBOW.replace("elbow", "other"))
+    (elsewhere / "robodyn.toml").write_text(PROJECT)
+    monkeypatch.setenv("ROBODYN_CACHE", str(tmp_path / "cache"))
+    return elsewhere

@@ -159,7 +159,7 @@ def test_what_is_written_and_said(capsys: Capture, tmp_path: Path) -> None:
     }  # fmt: skip
     findings = json.loads((folder / "diagnosis.json").read_text())["findings"]
     assert findings[0]["parameters"] == {"level": level}
-    assert "arm: Coulomb friction at joint 1 is missing; " in (folder / "report.html").read_text(
+    assert "<h1>arm: Coulomb friction at joint 1 is missing</h1>" in (folder / "report.html").read_text(
         encoding="utf-8"
     )
     lines = out.splitlines()

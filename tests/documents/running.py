@@ -85,7 +85,7 @@ class Reader:
                 exec(compile(block.text, f"<line {block.line}>", "exec"), self.names)
                 return []
             test = doctest.DocTestParser().get_doctest(
-                block.text, self.names, "example", str(ROOT), block.line
+                block.text, self.names, "example", "the document", block.line
             )
             text = io.StringIO()
             options = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE

@@ -60,9 +60,9 @@ def test_it_is_compiled_and_compared_with_the_references() -> None:
 def test_a_wrong_part_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
     room = "robodyn.kernels.rigid_programs"
     monkeypatch.setattr(
-        f"{room}.one_after_another", lambda writings: lambda at: writings[1](at) + writings[1](at)[:3]
+        f"{room}.one_after_another", lambda writings, _: lambda at: writings[1](at) + writings[1](at)[:3]
     )
-    monkeypatch.setattr(f"{room}.side_by_side", lambda function, programs, n: programs[1])
+    monkeypatch.setattr(f"{room}.side_by_side", lambda function, programs: programs[1])
     with pytest.raises(Unequal, match="bias_and_mass_matrix of"):
         program(load("puma560_3dof"), TOGETHER, Options(optimize="fast"))
 

@@ -9,6 +9,7 @@ import os
 import shutil
 import subprocess
 import sys
+import tomllib
 from functools import cache
 from pathlib import Path
 
@@ -131,7 +132,8 @@ COMMITTED = sorted(path.name for path in GENERATED.glob("*/")) if GENERATED.is_d
 
 
 def test_every_bundled_robot_is_committed() -> None:
-    assert set(COMMITTED) == set(bundled_names())
+    project = tomllib.loads((ROOT / "robodyn.toml").read_text(encoding="utf-8"))
+    assert set(COMMITTED) == set(project["robots"]) == set(bundled_names())
 
 
 @pytest.mark.parametrize("name", COMMITTED)

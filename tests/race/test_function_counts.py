@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from benchmarks.functions.__main__ import DOCUMENT, REACH, RESULTS, _fewest
+from benchmarks.functions.__main__ import DOCUMENT, PEERS, REACH, RESULTS, _fewest, peers_text
 from benchmarks.functions.asked import Answers
 from benchmarks.functions.counting import Uncounted, of_python
 from benchmarks.functions.natural import NATURAL
@@ -106,6 +106,7 @@ def test_the_documents_are_made_of_the_committed_figures(figures: Any) -> None:
     assert (RESULTS / "functions.md").read_text(encoding="utf-8") == markdown(figures)
     document = DOCUMENT.read_text(encoding="utf-8")
     assert in_document(figures, document) == document
+    assert PEERS.read_text(encoding="utf-8") == peers_text(figures)
 
 
 def test_tables_follow_the_figures(figures: Any) -> None:

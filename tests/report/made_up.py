@@ -1,4 +1,4 @@
-"""A diagnosis that was made up, for the tests of its page and its lines."""
+"""Diagnoses that were made up, for the tests of their page and their lines."""
 
 from __future__ import annotations
 
@@ -46,3 +46,22 @@ def made(robot: Robot, **changes: Any) -> Diagnosis:
         operations=(80, 83),
     )
     return replace(found, **changes)
+
+
+def many(n: int) -> tuple[Finding, ...]:
+    """Findings of an arm of ``n`` joints, 6 or more, that was described from its drawings; one suspicion."""
+
+    def one(effect: str, joint: int | None, unit: str, sure: float = 0.95, **values: float) -> Finding:
+        numbers = {name: Estimate(value, abs(value) / 20, unit) for name, value in values.items()}
+        return Finding(effect, joint, numbers, sure, (), f"{effect} shows", None, 90.0, 9.0, (), (9.0, 8.0))
+
+    joints = range(1, n + 1)
+    return (
+        *(one("coulomb_friction", j, "N m", level=1.0 + j) for j in joints),
+        *(one("viscous_friction", j, "N m s/rad", coefficient=2.0 + j) for j in joints),
+        *(one("rotor_inertia", j, "kg m^2", inertia=0.1 * j) for j in joints),
+        one("motor_coupling", n, "N m", **{"with": n - 1.0, "ratio": 1.0, "coulomb": 1.6}),
+        one("torque_ripple", 4, "N m", amplitude=0.5, phase=0.1),
+        one("payload", None, "kg", mass=2.0),
+        one("spring", 4, "N m/rad", 0.3, stiffness=0.1),
+    )

@@ -7,9 +7,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from report.made_up import made
+from report.made_up import made, many
 from robodyn.diagnose.result import Estimate, Finding, Gap
-from robodyn.report.diagnosis_headline import headline, missing_words
+from robodyn.report.diagnosis_headline import LINE, headline, in_a_line, missing_words
 from robodyn.report.diagnosis_terminal import summary
 from robodyn.robot import load
 
@@ -103,3 +103,47 @@ def test_consistent_is_said_of_the_noise_floor_only() -> None:
     )
     assert any(line.startswith("gap after") for line in summary(settled, "r.html", validated=True))
     assert not any(line.startswith("gap after") for line in summary(quiet, "r.html", validated=True))
+
+
+@pytest.mark.parametrize(
+    ("room", "line"),
+    [
+        (90, "puma560: friction, rotor inertia, a payload, a coupled wrist and torque ripple are missing"),
+        (LINE, "puma560: friction, rotor inertia, a payload and 2 more are missing"),
+        (55, "puma560: friction, rotor inertia and 3 more are missing"),
+        (40, "puma560: friction and 4 more are missing"),
+        (35, "puma560: 21 effects are missing"),
+        (30, "21 effects are missing"),
+        (10, "21 effect…"),
+    ],
+)  # fmt: skip
+def test_any_number_of_findings_is_a_line(room: int, line: str) -> None:
+    diagnosis = made(load("puma560", warn=lambda _: None), findings=many(6))
+    shown, rest = in_a_line(diagnosis, room=room)
+    assert shown == line
+    assert rest == (
+        "A payload, friction and rotor inertia at all joints, a coupled wrist (5, 6) and torque ripple at "
+        "joint 4; 12 % of the torque stays unexplained."
+    )
+
+
+def test_what_fits_is_said_once() -> None:
+    robot = load("puma560_3dof", warn=lambda _: None)
+    assert in_a_line(made(robot)) == (
+        "puma560_3dof: Coulomb friction at joint 3 is missing", "12 % of the torque stays unexplained."
+    )  # fmt: skip
+    one = np.ones(3)
+    quiet = made(robot, verdict="consistent", findings=(), gap=Gap(one, one, 1.2 * one, 1.2 * one, one))
+    assert in_a_line(quiet) == (
+        "puma560_3dof explains the logs: no effect needs to be added", "What it leaves is at the noise floor."
+    )  # fmt: skip
+    assert in_a_line(made(robot, verdict="unexplained", findings=())) == (
+        "A residual remains that no effect of the catalogue explains", "It is largest at joint 3."
+    )  # fmt: skip
+    contact = found("external_contact", None, start=1.0, end=2.0, link=2.0)
+    assert in_a_line(made(robot, findings=tuple(contact))) == (
+        "puma560_3dof: no effect is missing, but something touched the arm",
+        "Something touched link 2 from 1.00 to 2.00 s.",
+    )
+    long = replace(robot, name="a" * 63)
+    assert in_a_line(made(long))[0] == "Coulomb friction is missing"

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from report.made_up import made, series
+from report.made_up import made, many, series
 from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Rival, Tried, Window
 from robodyn.report.diagnosis import page
 from robodyn.robot import Robot, load
@@ -20,6 +20,7 @@ from robodyn_testing.browser import PHONE, SCHEMES, Browser
 pytestmark = pytest.mark.thorough
 
 HOSTILE = "<script>alert(1)</script>\"><img src=x onerror='alert(2)'>"
+NAMES = ("missing_effect", "consistent", "unexplained", "hostile", "many")
 WIDTHS = (1280, 700, PHONE, 320)
 
 #: Boxes of what was drawn: text of charts, by chart, and whether each is seen.
@@ -112,6 +113,7 @@ def pages() -> dict[str, str]:
             validated=False,
         ),
         "hostile": page(hostile(), validated=True),
+        "many": page(made(arm, findings=many(6), extra={"one_body": "a remark"}), validated=True),
     }
 
 
@@ -125,7 +127,7 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     return written
 
 
-@pytest.mark.parametrize("name", ["missing_effect", "consistent", "unexplained", "hostile"])
+@pytest.mark.parametrize("name", NAMES)
 def test_it_asks_for_nothing_and_nothing_goes_wrong(
     browser: Browser, files: dict[str, Path], name: str
 ) -> None:
@@ -140,7 +142,7 @@ def test_it_asks_for_nothing_and_nothing_goes_wrong(
 @pytest.mark.parametrize("name", ["missing_effect", "consistent", "unexplained"])
 def test_every_section_is_there_and_seen(browser: Browser, files: dict[str, Path], name: str) -> None:
     browser.open(files[name])
-    sections = {"gap", "findings", "next", "where", "residual", "model", "motion", "data"}
+    sections = {"torque", "gap", "findings", "next", "where", "residual", "model", "motion", "data"}
     asked = {"missing_effect": set(), "consistent": {"next"}, "unexplained": set()}[name]
     for link in browser.all("nav a"):
         target = browser.one(link.get_attribute("hash"))
@@ -159,7 +161,7 @@ def test_every_section_is_there_and_seen(browser: Browser, files: dict[str, Path
 
 
 @pytest.mark.parametrize("width", WIDTHS)
-@pytest.mark.parametrize("name", ["missing_effect", "consistent", "unexplained", "hostile"])
+@pytest.mark.parametrize("name", NAMES)
 def test_nothing_is_wider_than_the_window(
     browser: Browser, files: dict[str, Path], name: str, width: int
 ) -> None:
@@ -188,7 +190,7 @@ def test_labels_of_charts_do_not_overlap(
 
 @pytest.mark.parametrize("scheme", SCHEMES)
 @pytest.mark.parametrize("width", [1280, PHONE])
-@pytest.mark.parametrize("name", ["missing_effect", "consistent", "unexplained", "hostile"])
+@pytest.mark.parametrize("name", NAMES)
 def test_it_is_accessible(
     browser: Browser, files: dict[str, Path], name: str, width: int, scheme: str
 ) -> None:
@@ -241,9 +243,16 @@ def test_what_is_drawn_is_chosen_by_click_and_by_key(browser: Browser, files: di
     keys = require_module("selenium.webdriver.common.keys").Keys
     browser.open(files["missing_effect"])
 
-    def shown(selector: str) -> bool:
+    def shown(selector: str, where: str = ".residual") -> bool:
         script = "return [...document.querySelectorAll(arguments[0])].some(e => e.checkVisibility())"
-        return bool(browser.run(script, f".residual .ink {selector}"))
+        return bool(browser.run(script, f"{where} .ink {selector}"))
+
+    for box, selector in (("torque-before", "path.line.before"), ("torque-after", "path.line.after")):
+        assert shown(selector, ".torque")
+        browser.one(f"label:has(#{box})").click()
+        assert not shown(selector, ".torque")
+        assert shown("path.logged", ".torque")
+        browser.one(f"label:has(#{box})").click()
 
     for box, selectors in (
         ("show-before", ["path.curve.before", "path.mean.before"]), ("show-after", ["path.curve.after"]),
@@ -286,9 +295,9 @@ def test_keys_reach_everything_in_order(browser: Browser, files: dict[str, Path]
         reached.append((focused.tag_name, focused.get_attribute("id") or focused.text[:20]))
         assert outline != "none", reached[-1]
     assert [name for tag, name in reached if tag == "input"] == [
-        "show-before", "show-after", "show-dots", "show-noise",
+        "torque-before", "torque-after", "show-before", "show-after", "show-dots", "show-noise",
     ]  # fmt: skip
-    assert sum(tag == "a" for tag, _ in reached) == 8
+    assert sum(tag == "a" for tag, _ in reached) == 9
     assert sum(tag == "summary" for tag, _ in reached) == 4
     assert sum(tag == "pre" for tag, _ in reached) == 1
 

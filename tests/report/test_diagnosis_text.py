@@ -1,13 +1,14 @@
-"""A diagnosis in words: figures with their errors, the share that is closed, and the ten lines."""
+"""A diagnosis in words: figures with their errors, the share that is closed, and the lines on a terminal."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 
 import numpy as np
 import pytest
 
-from report.made_up import made
+from report.made_up import made, many
 from robodyn.diagnose.result import Estimate, Finding, Gap, Verdict, gap_closed
 from robodyn.report.diagnosis_terminal import LINES, summary
 from robodyn.report.diagnosis_text import with_interval
@@ -32,7 +33,9 @@ def robot() -> Robot:
         ("motor", None, "motor"),
         (0.04899, 0.0, "0.04899 N m"),
         (-9.1, 3.2e7, "not identifiable"),
-        (0.0, 58684.0, "0 N m (-1.15e+05 to 1.15e+05)"),
+        (4839.6, 795.0, "4840 N m (3280 to 6400)"),
+        (5.1e7, 4e6, "5.1e+07 N m (4.32e+07 to 5.88e+07)"),
+        (0.0, 58684.0, "0 N m (-115000 to 115000)"),
         (-0.042, 7.2e-9, "-0.042 N m (-0.04200001 to -0.04199999)"),
     ],
 )  # fmt: skip
@@ -75,7 +78,7 @@ def findings(count: int) -> tuple[Finding, ...]:
 
 @pytest.mark.parametrize("count", [0, 1, 3, 9])
 @pytest.mark.parametrize("verdict", ["missing_effect", "consistent", "unexplained"])
-def test_ten_lines_at_most(robot: Robot, count: int, verdict: Verdict) -> None:
+def test_a_screen_at_most(robot: Robot, count: int, verdict: Verdict) -> None:
     found = made(robot, findings=findings(count), verdict=verdict)
     lines = summary(found, "out/report.html", validated=True)
     assert len(lines) <= LINES
@@ -117,10 +120,26 @@ def test_nothing_changed_and_contact(robot: Robot) -> None:
     assert "contact is left out of the fit and not added to the model" in lines
     rubbing = made(robot).findings
     lines = summary(made(robot, findings=(*rubbing, contact)), "r.html", validated=True)
-    assert lines[0].endswith(
-        "Coulomb friction at joint 3 is missing; something touched link 2 from 5.80 to 6.30 s; 12 % of the "
-        "torque stays unexplained."
+    assert lines[:2] == [
+        "missing effect: puma560_3dof: Coulomb friction at joint 3 is missing",
+        "Something touched link 2 from 5.80 to 6.30 s; 12 % of the torque stays unexplained.",
+    ]
+
+
+def test_many_findings_take_a_line_a_kind() -> None:
+    arm = load("puma560", warn=lambda _: None)
+    lines = summary(made(arm, findings=many(6)), "r.html", validated=True)
+    assert lines[0] == (
+        "missing effect: puma560: friction, rotor inertia, a payload, a coupled wrist and torque ripple are "
+        "missing"
     )
+    assert lines[1].startswith("A payload, friction and rotor inertia at all joints, a coupled wrist (5, 6) ")
+    assert [line.split(":")[0] for line in lines if re.match(r"\d+\. ", line)] == [
+        "1. coulomb_friction, joints 1 to 6", "2. viscous_friction, joints 1 to 6",
+        "3. rotor_inertia, joints 1 to 6", "4. motor_coupling, joint 6", "5. torque_ripple, joint 4",
+        "6. payload, the whole robot", "7. spring, joint 4",
+    ]  # fmt: skip
+    assert len(lines) <= LINES
 
 
 def test_of_long_arms_the_joints_where_most_is_there() -> None:

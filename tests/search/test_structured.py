@@ -19,7 +19,7 @@ from robodyn.passes import FRESH, run
 from robodyn.robot import Robot
 from robodyn.search import structured
 from robodyn.search.structured import Progress, search
-from robodyn.search.workers import Workers
+from robodyn.toolchain.workers import Workers
 from robodyn_testing import sampled
 from robodyn_testing.clocks import ticking
 

@@ -11,6 +11,7 @@ import click
 import pytest
 
 import robodyn
+from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Effect
 from robodyn.robot import read_text
@@ -18,6 +19,7 @@ from robodyn_cli.main import COMMANDS
 from robodyn_site import python
 from robodyn_site.curves import entry, picture, usual_values
 from robodyn_site.docstrings import markdown
+from robodyn_site.equations import typeset
 from robodyn_site.markdown import plain
 from robodyn_site.pages import pages
 
@@ -32,7 +34,8 @@ def test_the_page_of_a_command_has_each_of_its_options(name: str) -> None:
     command: click.Command = importlib.import_module(COMMANDS[name][0]).command
     options = [option for one in command.params if isinstance(one, click.Option) for option in one.opts]
     shown = re.findall(r"^`(-[^`]+)`$", pages()[f"commands/{name}.md"], flags=re.MULTILINE)
-    assert {"-h", "--help", *options} <= {word for line in shown for word in re.split(r"[ ,]+", line)}
+    assert options
+    assert set(options) <= {word for line in shown for word in re.split(r"[ ,]+", line)}
 
 
 @pytest.mark.parametrize("effect", SHOWN, ids=lambda effect: effect.id)
@@ -95,6 +98,7 @@ def test_every_public_name_has_its_place() -> None:
     [
         ("One ``a_b`` [n] of :class:`~robodyn.x.Y`.", "One `a_b` &#91;n&#93; of `x.Y`."),
         ("A.\n\nRaises\n------\nE: no\n    such name.", "A.\n\n**Raises**\n\n`E`\n:   no such name."),
+        ("Raises\n------\nE: no such\nname.\nF: b.", "**Raises**\n\n`E`\n:   no such name.\n\n`F`\n:   b."),
         ("So::\n\n    a = 1\n    b = 2", "So:\n\n```text\na = 1\nb = 2\n```"),
         (">>> f(1)\n2\n\nThen.", "```pycon\n>>> f(1)\n2\n```\n\nThen."),
         ("a < b\nand *c*", "a &lt; b and &#42;c&#42;"),
@@ -104,5 +108,24 @@ def test_docstrings_are_markdown(docstring: str, expected: str) -> None:
     assert markdown(docstring) == expected
 
 
+def test_the_list_of_functions_leads_to_their_pages() -> None:
+    link = re.compile(r"^\| \[`(\w+)\([^`]*\)`\]\(functions/(\w+)\.md\)", flags=re.MULTILINE)
+    links = link.findall(pages()["functions.md"])
+    assert {name for name, _ in links} == set(FUNCTIONS)
+    assert all(name == target for name, target in links)
+
+
 def test_nothing_in_plain_text_is_markup() -> None:
     assert re.fullmatch(r"[\w &;#]*", plain("a*b_c[d]{e}<f>|g$h`i\\j~k^l"))
+
+
+@pytest.mark.parametrize(
+    ("marked", "expected"),
+    [
+        (r'<div class="arithmatex">\[a &lt; b\]</div>', '<div class="equation"><math display="block">'),
+        (r'<p>so <span class="arithmatex">\(\tau\)</span>.</p>', "<p>so <math><mi>τ</mi></math>.</p>"),
+    ],
+)
+def test_marked_equations_are_typeset(marked: str, expected: str) -> None:
+    assert typeset(marked).startswith(expected)
+    assert "arithmatex" not in typeset(marked)

@@ -46,7 +46,6 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The site, built strictly: a link to nowhere, or a page that cannot be reached, ends the build."""
     require_module("mkdocs")
     require_module("material")
-    require_module("latex2mathml")
     folder = tmp_path_factory.mktemp("site")
     done = subprocess.run(
         [sys.executable, "-m", "mkdocs", "build", "--strict", "--site-dir", str(folder)],
@@ -74,10 +73,10 @@ def test_a_page_needs_no_network_and_is_accessible(
 
 @pytest.mark.slow
 def test_every_page_is_accessible(browser: Browser, site: Path) -> None:
-    pages = sorted(path.relative_to(site) for path in site.rglob("*.html"))
+    pages = {path.relative_to(site) for path in site.rglob("*.html")} - {Path("404.html")}  # of servers alone
     assert len(pages) > 150
     violations = {}
-    for page in pages:
+    for page in sorted(pages):
         for width in (1280, PHONE):
             browser.open(site / page, width=width)
             violations[f"{page} at {width} px"] = browser.violations()
@@ -99,5 +98,5 @@ def test_the_search_answers_without_a_server(browser: Browser, site: Path) -> No
 def test_equations_are_typeset(site: Path) -> None:
     for page in (site / "effects").glob("*.html"):
         text = page.read_text(encoding="utf-8")
-        assert '<math xmlns="http://www.w3.org/1998/Math/MathML" display="block">' in text
+        assert '<math display="block">' in text
         assert "arithmatex" not in text

@@ -28,11 +28,15 @@ def composed(function: Function, programs: Mapping[str, Program], n: int, beneat
     return ways
 
 
-def side_by_side(function: Function, programs: Sequence[Program], n: int) -> Program:
-    """The fused ``function`` of ``n`` joints: what its functions' ``programs`` have in common is worked out
-    once."""
+def side_by_side(function: Function, programs: Sequence[Program]) -> Program:
+    """The fused ``function``: what the ``programs`` of its functions, or of several of them together, have in
+    common is worked out once."""
     graph = Graph()
-    return lower(graph, function.split([x for program in programs for x in graph.replay(program)], n))
+    results: dict[str, Sequence[Any]] = {}
+    for program in programs:
+        values = iter(graph.replay(program))
+        results |= {name: [next(values) for _ in elements] for name, elements in program.outputs}
+    return lower(graph, [(array.name, results[array.name]) for array in function.results])
 
 
 class _OfParts(Upon):

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, Motion
+from robodyn.dynamics.choosing import First
 from robodyn.dynamics.functions.record import Moving
 from robodyn.dynamics.lump import NO_LUMP, MomentForm
 from robodyn.dynamics.parallel import Turns, single_turns
@@ -18,6 +19,7 @@ class AsDescribed(ABC):
     """Turns and masses of ``arm``; see :class:`robodyn.dynamics.functions.Dynamics`."""
 
     mark = staticmethod(unmarked)
+    cheapest = First()
     arm: Arm
 
     @abstractmethod
@@ -27,10 +29,6 @@ class AsDescribed(ABC):
     def turns(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Turns:
         """How its joints turn, each for itself."""
         return single_turns(self.motion(qd, qdd))
-
-    def cheapest(self, choices: Sequence[Sequence[Sequence[Any]]]) -> list[Sequence[Any]]:
-        """The first of each: nothing is counted."""
-        return [ways[0] for ways in choices]
 
     def links(self, qd: Sequence[Any], qdd: Sequence[Any], form: MomentForm = "second_moment") -> Moving:
         """The same, as described."""

@@ -73,9 +73,15 @@ def _fused(functions: tuple[Function, ...]) -> Function:
     )
 
 
-def one_after_another(writings: Sequence[Writing]) -> Writing:
-    """What ``writings`` give, one after another."""
-    return lambda at: [x for writing in writings for x in writing(at)]
+def one_after_another(writings: Sequence[Writing], order: Sequence[int] = ()) -> Writing:
+    """What ``writings`` give, one after another. In the ``order`` of these numbers each chooses what takes
+    the fewest operations beside what others have chosen."""
+
+    def written(at: Dynamics) -> list[Any]:
+        values = {k: writings[k](at) for k in order or range(len(writings))}
+        return [x for k in range(len(writings)) for x in values[k]]
+
+    return written
 
 
 def _compared(functions: Sequence[Function]) -> Callable[[Dynamics, Sequence[Any], Vector], Pair]:

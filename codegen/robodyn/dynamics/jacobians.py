@@ -9,11 +9,14 @@ the joint's axis. Which takes fewer operations depends on the arm, and is counte
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
+from typing import Any
 
 from robodyn.dynamics.functions.record import Dynamics
-from robodyn.dynamics.sections import Placed, Section, along, tried
+from robodyn.dynamics.poses import placed
+from robodyn.dynamics.sections import ROWS, Placed, Row, Section, along, tried
 from robodyn.dynamics.vectors import ZERO, Vector, cross, named, plus, scaled
 
 #: Velocity of the tool's origin, and angular velocity, at a unit rate of a joint.
@@ -66,9 +69,21 @@ def levers_outside(arm: Placed, nested: Sequence[Lever], first: int) -> list[Vec
     return result[::-1]
 
 
-def columns(at: Dynamics, arm: Placed, *, nested_only: bool = False) -> list[Column]:
-    """The columns [n] of the Jacobian along the axes that ``arm`` is placed along; with ``nested_only`` no
-    lever is put together there."""
+def columns(
+    at: Dynamics, place: Callable[[Dynamics, Row], Placed] = placed, *, nested_only: bool = False
+) -> list[Column]:
+    """The columns [n] of the Jacobian along the axes that ``place`` places the arm along, a row of their
+    components made of the others where that suits; with ``nested_only`` no lever is put together there."""
+
+    def written(row: Row) -> list[Any]:
+        return [x for v, w in _columns(at, place(at, row), nested_only=nested_only) for x in (*v, *w)]
+
+    values = at.cheapest.apart([partial(written, row) for row in ROWS])
+    vectors = [(values[k], values[k + 1], values[k + 2]) for k in range(0, len(values), 3)]
+    return list(zip(vectors[::2], vectors[1::2], strict=True))
+
+
+def _columns(at: Dynamics, arm: Placed, *, nested_only: bool) -> list[Column]:
     nested = levers(arm.sections)
     starts = () if nested_only else tried(range(len(arm.sections) + 1))
     outside = [levers_outside(arm, nested, k) for k in starts]

@@ -1,4 +1,5 @@
-"""Velocities, energies and momentum of an arm, from moments of mass about the frames' origins; any scalar.
+"""Velocities, kinetic energy and momentum of an arm, from moments of mass about its frames' origins; any
+scalar.
 
 Everything is linear or quadratic in the rates, so no acceleration is formed. A link has two sets of axes: its
 own, and those in which its joint, or the chain of parallel joints that it follows, begins to turn.
@@ -154,43 +155,3 @@ def _momentum(lump: Lump, twist: Twist) -> tuple[Vector, Vector]:
 def _rate(rotor: Rotor, qd: Sequence[Any]) -> Any:
     """How fast a rotor turns [rad/s, m/s]."""
     return sum(ratio * qd[joint] for joint, ratio in rotor.rates)
-
-
-def potential_outward(at: Moving, mark: Mark = unmarked) -> Any:
-    """Potential energy [J], that of the base's origin 0: gravity carried from base to tip."""
-    arm, turns = at.arm, at.turns
-    height: Any = 0  # of the frame's origin: -g . position
-    own = start = arm.gravity
-    total: Any = -dot(own, at.ground.first)
-    for i, (body, lump) in enumerate(zip(arm.bodies, at.lumps, strict=True)):
-        p = origin(body, at.motion.d[i])
-        if turns.follows[i]:
-            height = height - dot(start, about_z(turns.c[i - 1], turns.s[i - 1], p))
-        else:
-            height, start = height - dot(own, p), own
-        start = about_x(body.cos_alpha, -body.sin_alpha, start)
-        own = about_z(turns.c[i], -turns.s[i], start)
-        total = mark(total + (lump.mass * height - dot(own, lump.first)), Label(i + 1, "pe", ""))
-    return total
-
-
-def potential_inward(at: Moving, mark: Mark = unmarked) -> Any:
-    """The same, the first moment of what each joint carries gathered from tip to base."""
-    arm, turns = at.arm, at.turns
-    first, mass = ZERO, 0
-    for i in reversed(range(len(arm.bodies))):
-        inner, outer = at.lumps[i].first, ZERO
-        if i + 1 < len(arm.bodies):
-            child = arm.bodies[i + 1]
-            p = scaled(mass, origin(child, at.motion.d[i + 1]))
-            beyond = about_x(child.cos_alpha, child.sin_alpha, first)
-            if turns.follows[i + 1]:
-                outer = plus(beyond, about_z(turns.c[i], turns.s[i], p))
-            else:
-                inner = plus(inner, beyond, p)
-        first = named(mark, plus(about_z(turns.c[i], turns.s[i], inner), outer), i + 1, "hc")
-        mass = mass + at.lumps[i].mass
-    body = arm.bodies[0]
-    first = about_x(body.cos_alpha, body.sin_alpha, first)
-    whole = plus(first, scaled(mass, origin(body, at.motion.d[0])), at.ground.first)
-    return -dot(arm.gravity, whole)

@@ -13,7 +13,6 @@ from typing import Any
 from robodyn.dynamics.functions.record import Dynamics
 from robodyn.dynamics.jacobians import columns
 from robodyn.dynamics.mass_matrix import Factored
-from robodyn.dynamics.poses import placed
 from robodyn.effects.scalars import is_zero
 from robodyn.ir.program import Label
 
@@ -23,7 +22,7 @@ _ROWS = 6
 
 def lambda_inverse(at: Dynamics) -> list[list[Any]]:
     """``J M^-1 J^T`` [6][6] along the world's axes; each entry and its mirror image are one."""
-    rows = list(zip(*((*v, *w) for v, w in columns(at, placed(at))), strict=True))
+    rows = list(zip(*((*v, *w) for v, w in columns(at)), strict=True))
     factored = Factored(at.mass_matrix(), at.mark)
     halves = [factored.halved(row) for row in rows]
     scaled = [factored.divided(half) for half in halves]

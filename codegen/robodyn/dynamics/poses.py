@@ -1,8 +1,9 @@
 """Where the tool and the links are, over any scalar, in few operations.
 
-A rotation is multiplied up from the base, 18 operations a section. A place is a sum of offsets, and there
-are two ways to add one to what lies further out: along the axes of the world, which the rotation has in any
-case (a product and a sum for each of its numbers and each axis), or along the section's, nested as in
+A rotation is multiplied up from the base, 18 operations a section; or two of its rows are, 12 a section, and
+the third is made of them in the end (:mod:`~robodyn.dynamics.sections`). A place is a sum of offsets, and
+there are two ways to add one to what lies further out: along the axes of the world, which the rotation has in
+any case (a product and a sum for each of its numbers and each axis), or along the section's, nested as in
 ``R1 (p1 + R2 (p2 + ...))``, where the sum is carried on by 6 operations a section. Which takes fewer depends
 on how many numbers of which offset are zero.
 """
@@ -11,11 +12,25 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 from robodyn.dynamics.functions.record import Dynamics
 from robodyn.dynamics.limits import SECTIONS_TRIED
-from robodyn.dynamics.sections import Axes, Placed, Section, along, grounded, placed_in, sections_of, tried
+from robodyn.dynamics.sections import (
+    ROWS,
+    Axes,
+    Placed,
+    Row,
+    Section,
+    along,
+    grounded,
+    placed_in,
+    placed_in_tool,
+    sections_of,
+    tried,
+    with_cofactor,
+)
 from robodyn.dynamics.vectors import ZERO, Vector, named, plus
 from robodyn.effects.scalars import is_zero
 
@@ -25,27 +40,50 @@ def sections(at: Dynamics) -> list[Section]:
     return sections_of(at.arm, at.motion(at.rest, at.rest), at.turns(at.rest, at.rest))
 
 
-def placed(at: Dynamics) -> Placed:
-    """The sections of the arm, along the world's axes."""
-    return placed_in(*grounded(at.arm.base, sections(at)), at.mark)
+def placed(at: Dynamics, row: Row = None) -> Placed:
+    """The sections of the arm, along the world's axes, ``row`` of the components made of the others."""
+    return placed_in(*grounded(at.arm.base, sections(at)), at.mark, row)
 
 
-def tool_axes(at: Dynamics, arm: Placed) -> Axes:
+def seen_from_tool(at: Dynamics, row: Row = None) -> Placed:
+    """The same, along the tool's axes."""
+    return placed_in_tool(at.arm.tool, sections(at), at.mark, row)
+
+
+def pose(at: Dynamics) -> Sequence[Any]:
+    """The tool's frame, ``[R p]`` row by row."""
+    return at.cheapest.apart([partial(_pose, at, row) for row in ROWS])
+
+
+def _pose(at: Dynamics, row: Row) -> list[Any]:
+    arm = placed(at, row)
+    rotation = rows_of(_tool_axes(at, arm, row))
+    return flat([(*axis, p) for axis, p in zip(rotation, tool_place(at, arm), strict=True)])
+
+
+def _tool_axes(at: Dynamics, arm: Placed, row: Row) -> Axes:
     """The axes of the tool; one that is turned about the last joint's axis only may turn with the joint."""
     tool, last = at.arm.tool, arm.sections[-1].last
-    ways = [_along_each(arm.links[last.link], (tool.x, tool.y, tool.z))]
+    ways = [_along_each(arm.links[last.link], (tool.x, tool.y, tool.z), row)]
     if is_zero(tool.z[0]) and is_zero(tool.z[1]):
         c, s = tool.x[0], tool.x[1]
         joined = replace(last, c=c * last.c - s * last.s, s=s * last.c + c * last.s)
         flip = ((1, 0, 0), (0, tool.z[2], 0), tool.z)
-        ways.append(_along_each(joined.outward(arm.axes[-1]), flip))
+        ways.append(_along_each(joined.outward(arm.axes[-1]), flip, row))
     (chosen,) = at.cheapest([[flat(axes) for axes in ways]])
     x, y, z = ((chosen[k], chosen[k + 1], chosen[k + 2]) for k in (0, 3, 6))
     return x, y, z
 
 
-def _along_each(axes: Axes, vectors: Axes) -> Axes:
-    x, y, z = (along(axes, u) for u in vectors)
+def _along_each(axes: Axes, vectors: Axes, row: Row) -> Axes:
+    """Unit ``vectors`` of the ``axes`` along those that they are along, ``row`` of the components made of the
+    others where a vector has several."""
+    x, y, z = new = along(axes, vectors[0]), along(axes, vectors[1]), along(axes, vectors[2])
+    if row is not None:
+        x, y, z = (
+            with_cofactor(new, k, row) if sum(not is_zero(c) for c in u) > 1 else new[k]
+            for k, u in enumerate(vectors)
+        )
     return x, y, z
 
 

@@ -3,6 +3,9 @@
 A section is a joint with the parallel ones that follow it: its links turn about one direction, so that axes
 need not turn from link to link (see :mod:`robodyn.dynamics.parallel`). An offset between sections is along
 the axes behind the twist, where none of its numbers is multiplied by the twist's.
+
+An entry of a rotation is its cofactor, two products of four others. So one row of the axes' components need
+not be turned from section to section: what is asked for of it is made of the other two rows.
 """
 
 from __future__ import annotations
@@ -20,6 +23,10 @@ from robodyn.effects.scalars import is_zero
 
 #: Three unit axes along those of another frame.
 Axes = tuple[Vector, Vector, Vector]
+#: Which components of axes (0 to 2) are made of the others; None: all are turned.
+Row = int | None
+#: What is tried. A row with many zeros is best turned; with axes at right angles one of these two has few.
+ROWS: tuple[Row, ...] = (None, 0, 1)
 SAME: Axes = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 
 
@@ -131,32 +138,57 @@ class Placed:
     links: Mapping[int, Axes]
 
 
-def placed_in(base: Frame, sections: Sequence[Section], mark: Mark = unmarked) -> Placed:
-    """``sections`` along the axes of the frame that ``base`` is in."""
+def placed_in(base: Frame, sections: Sequence[Section], mark: Mark = unmarked, row: Row = None) -> Placed:
+    """``sections`` along the axes of the frame that ``base`` is in, ``row`` of their components made of the
+    others."""
     carrier: Axes = (base.x, base.y, base.z)
     axes: list[Axes] = []
     links: dict[int, Axes] = {}
     for section in sections:
-        own = section.outward(carrier)
+        own = _completed(section.outward(carrier), carrier, 0, section.twist, row)
         axes.append(own)
         for step in section.steps:
-            carrier = _marked(mark, step.outward(own), step.link + 1)
-            links[step.link] = carrier
+            carrier = _completed(step.outward(own), own, 2, (step.c, step.s), row)
+            carrier = links[step.link] = _marked(mark, carrier, step.link + 1)
     return Placed(sections, axes, links)
 
 
-def placed_in_tool(tool: Frame, sections: Sequence[Section], mark: Mark = unmarked) -> Placed:
-    """``sections`` along the axes of the ``tool``, which is in the last link's frame. Of links only the last
-    of each section are there, the others turn along with it."""
+def placed_in_tool(
+    tool: Frame, sections: Sequence[Section], mark: Mark = unmarked, row: Row = None
+) -> Placed:
+    """``sections`` along the axes of the ``tool``, which is in the last link's frame, ``row`` of their
+    components made of the others. Of links only the last of each section are there, the others turn along
+    with it."""
     link: Axes = tool.rotation()
     axes: list[Axes] = []
     links: dict[int, Axes] = {}
     for section in reversed(sections):
-        links[section.last.link] = link
-        own = _marked(mark, section.last.inward(link), section.last.link + 1)
+        last = section.last
+        links[last.link] = link
+        own = _completed(last.inward(link), link, 2, (last.c, last.s), row)
+        own = _marked(mark, own, last.link + 1)
         axes.append(own)
-        link = section.inward(own)
+        link = _completed(section.inward(own), own, 0, section.twist, row)
     return Placed(sections, axes[::-1], links)
+
+
+def _completed(axes: Axes, before: Axes, fixed: int, turn: tuple[Any, Any], row: Row) -> Axes:
+    """``axes``, those ``before`` turned about number ``fixed`` by the cosine and sine ``turn``; where that is
+    two products, ``row`` of their components is made of the others."""
+    moving = [k for k in range(3) if k != fixed]
+    if row is None or any(map(is_zero, (*turn, *(before[k][row] for k in moving)))):
+        return axes
+    x, y, z = (axis if k == fixed else with_cofactor(axes, k, row) for k, axis in enumerate(axes))
+    return x, y, z
+
+
+def with_cofactor(axes: Axes, k: int, row: int) -> Vector:
+    """Axis number ``k`` of right-handed ``axes``, component number ``row`` made of the other axes'."""
+    p, q = (row + 1) % 3, (row + 2) % 3
+    u, v = axes[(k + 1) % 3], axes[(k + 2) % 3]
+    entry = u[p] * v[q] - u[q] * v[p]
+    x, y, z = (entry if i == row else component for i, component in enumerate(axes[k]))
+    return x, y, z
 
 
 def _marked(mark: Mark, axes: Axes, link: int) -> Axes:

@@ -19,7 +19,7 @@ class Upon:
     :class:`robodyn.dynamics.functions.Dynamics`."""
 
     def __init__(self, beneath: Dynamics) -> None:
-        self._beneath = beneath
+        self._beneath, self.cheapest = beneath, beneath.cheapest
 
     @property
     def arm(self) -> Arm:
@@ -33,10 +33,6 @@ class Upon:
     def turns(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Turns:
         """How its joints turn."""
         return self._beneath.turns(qd, qdd)
-
-    def cheapest(self, choices: Sequence[Sequence[Sequence[Any]]]) -> Sequence[Sequence[Any]]:
-        """Of the ways to write each of some vectors those that take the fewest operations."""
-        return self._beneath.cheapest(choices)
 
     def links(self, qd: Sequence[Any], qdd: Sequence[Any], form: MomentForm = "second_moment") -> Moving:
         """The same, with the links' masses."""

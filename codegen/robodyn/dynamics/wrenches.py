@@ -17,7 +17,7 @@ from robodyn.dynamics.vectors import Vector, cross, dot, named, plus, scaled
 def by_jacobian(at: Dynamics) -> list[Any]:
     """Torques [n] (N m; N at prismatic joints): each column of the Jacobian times the wrench."""
     f, moment = _wrench(at)
-    return [dot(v, f) + dot(w, moment) for v, w in columns(at, placed(at))]
+    return [dot(v, f) + dot(w, moment) for v, w in columns(at)]
 
 
 def carried_outward(at: Dynamics) -> list[Any]:

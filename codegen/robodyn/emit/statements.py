@@ -28,6 +28,7 @@ QUANTITIES: dict[str, str] = {
     "ke": "kinetic energy of the links up to this one [J]",
     "pe": "potential energy of the links up to this one [J]",
     "hc": "first moment of all that the joint carries, along the axes that its turn starts from [kg m]",
+    "hw": "first moment of all that the joint carries, before its turn, times gravity [N m]",
     "g": "gravity along the link's axes [m/s^2]",
     "E": "rotation to the base",
     "pb": "origin of the frame from that of the frame before, along the base's axes [m]",

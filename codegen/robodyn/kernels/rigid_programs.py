@@ -9,7 +9,7 @@ from robodyn.counts import Count
 from robodyn.counts.objective import operations_of, parse_objective
 from robodyn.dynamics.compose import composed, side_by_side
 from robodyn.dynamics.functions import Function, NoSuchFunction, function_named, recursion
-from robodyn.dynamics.fusing import Writing, one_after_another
+from robodyn.dynamics.fusing import AND, Writing, one_after_another
 from robodyn.ir.graph import Graph
 from robodyn.ir.program import Input, Program
 from robodyn.ir.size import TooLarge
@@ -235,8 +235,16 @@ class RigidPrograms:
         """``function`` written anew as a whole, and put together from the best programs of its parts."""
         best = {part.name: self.best(part.name) for part in function.fuses}
         writings = [self._writings.get(part.name, part.outputs) for part in function.fuses]
-        anew = build(self.robot, function.name, self.choice, one_after_another(writings))
-        return [anew, side_by_side(function, list(best.values()), self.robot.n)]
+        # What chooses first should be what has most to lose.
+        order = sorted(range(len(writings)), key=lambda k: -self._cost(best[function.fuses[k].name]))
+        anew = build(self.robot, function.name, self.choice, one_after_another(writings, order))
+        drafts = [anew, side_by_side(function, list(best.values()))]
+        # What records have is as it is; poses and Jacobians, which have none, still share their axes.
+        geometric = [part.name for part in function.fuses if part.geometric]
+        if len(geometric) > 1 and not self.taken.keys().isdisjoint(best):
+            others = [program for name, program in best.items() if name not in geometric]
+            drafts.append(side_by_side(function, [self._passed(AND.join(geometric)), *others]))
+        return drafts
 
     def singular(self, function: str) -> SingularArm:
         """The error of an arm in which a joint moves without inertia."""

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
 from itertools import combinations, product
 from typing import Any
 
+from robodyn.dynamics.choosing import Ways
 from robodyn.ir.graph import Graph, Node
 from robodyn.ir.lowering import needed
 
@@ -14,11 +15,10 @@ _COUNTED = ("add", "mul", "scale", "div", "sqrt")
 #: As many ways in all are tried two at a time; more of them one at a time.
 _IN_PAIRS = 120
 
-Ways = Sequence[Sequence[Any]]
-
 
 class Cheapest:
-    """Chooses, and remembers what it chose: values that are needed already cost nothing again.
+    """Chooses, and remembers what it chose: values that are needed already cost nothing again. A
+    :class:`~robodyn.dynamics.choosing.Chooser`.
 
     Sets of operations are integers, a bit for each operation that was asked for.
     """
@@ -45,6 +45,26 @@ class Cheapest:
         best = min(ends, key=lambda picks: _union(picks, needs).bit_count())
         self._chosen |= _union(best, needs)
         return [ways[k] for k, ways in zip(best, choices, strict=True)]
+
+    def apart(self, ways: Sequence[Callable[[], Sequence[Any]]]) -> Sequence[Any]:
+        """The values of the way that takes the fewest operations; of the first where there are no nodes."""
+        before = self._chosen
+        least: tuple[int, Sequence[Any], int] | None = None
+        for way in ways:
+            self._chosen = before
+            values = way()
+            graph = _graph([[values]])
+            if graph is None:
+                return values
+            self._extend(graph, [[values]])
+            operations = before | self._needed(values)
+            total = operations.bit_count()
+            if least is None or total < least[0]:
+                least = total, values, operations
+        if least is None:
+            raise ValueError("there is no way to choose")
+        _, values, self._chosen = least
+        return values
 
     def _needed(self, values: Sequence[Any]) -> int:
         total = 0

@@ -39,7 +39,7 @@ from robodyn.optimize.costing import exact as exact
 from robodyn.optimize.gauge import regrouped_as, with_displacements
 from robodyn.optimize.merging import MergingGraph
 from robodyn.optimize.reading_order import in_reading_order
-from robodyn.optimize.slide import slid
+from robodyn.optimize.slide import centred, slid
 from robodyn.optimize.suited import suited_variant
 from robodyn.optimize.variant import Variant
 from robodyn.robot.identity import identity
@@ -172,7 +172,8 @@ def build(robot: Robot, function: str, choice: Choice, writing: Writing | None =
     """The program of ``function`` as the recursion leaves it: equal nodes merged, constants folded,
     nothing dead, no pass run yet. ``writing`` says how its outputs are written, if not as usual."""
     # Where equal values are one node whichever way they were written, there is nothing to choose from.
-    if choice.variant is None or function_named(function).geometric:
+    known = function_named(function)
+    if choice.variant is None or known.geometric or known.at_rest:
         return _built(Graph(), robot, function, choice, writing)
     numbers = identity(robot).encode()
     program: Program = in_drawn_field(
@@ -225,7 +226,7 @@ class Recursion:
         self.rest: Sequence[Any] = [0] * len(arm.bodies)
         self.arm, self._choice, self._trigonometry, self._number = arm, choice, trigonometry, constant
         self._inverse: Inverse | None = None
-        self._cheapest = Cheapest()
+        self.cheapest = Cheapest()
 
     def torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
         """Joint torques [n]."""
@@ -256,14 +257,10 @@ class Recursion:
             return single_turns(motion)
         return chain_turns(self.arm, motion, self._trigonometry)
 
-    def cheapest(self, choices: Sequence[Sequence[Sequence[Any]]]) -> list[Sequence[Any]]:
-        """Of the ways to write each of some vectors those that take the fewest further operations."""
-        return self._cheapest(choices)
-
     def links(self, qd: Sequence[Any], qdd: Sequence[Any], form: MomentForm = "second_moment") -> Moving:
         """The same, regrouped where the choice has it, chains of parallel joints turning as one."""
         choice, trigonometry = self._choice, self._trigonometry
-        arm = slid(self.arm) if choice.regroup else self.arm
+        arm = centred(slid(self.arm)) if choice.regroup else self.arm
         lumps, ground = lumps_of(arm), NO_LUMP
         if choice.regroup:
             lumps, ground = regrouped_with_ground(arm, [form] * len(arm.bodies))

@@ -1,14 +1,17 @@
 """Sliding origins: an offset between parallel axes moves to the joint before, where it costs less.
 
 The origin of a frame may stand anywhere on its joint's axis. Where the next axis is parallel, sliding the
-origin along makes one offset of two, and of none beside the base, whose frame does not move.
+origin along makes one offset of two, and of none beside the base, whose frame does not move. The origin of
+a link that slides may stand anywhere along its way: beside the centre of mass nothing is left of its moment.
 """
 
 from __future__ import annotations
 
 from dataclasses import replace
+from fractions import Fraction
 
 from robodyn.dynamics.arm import Arm
+from robodyn.dynamics.regroup import regrouped
 from robodyn.effects.scalars import is_zero
 
 
@@ -39,4 +42,27 @@ def slid(arm: Arm) -> Arm:
         x, y, z = body.com
         bodies[i] = replace(body, d=body.d + shift, com=(x, y, z - shift))
         bodies[i + 1] = replace(child, d=0)
+    return replace(arm, bodies=tuple(bodies))
+
+
+def centred(arm: Arm) -> Arm:
+    """``arm`` in frames of which the last that slides stands beside the centre of mass that it carries: where
+    the axes behind it are parallel to its own, as their frames move along and no offset comes of it, and the
+    one before it is not."""
+    bodies = list(arm.bodies)
+    i = max((k for k, body in enumerate(bodies) if not body.revolute), default=None)
+    if not i or is_zero(bodies[i].sin_alpha):
+        return arm
+    if not all(is_zero(body.sin_alpha) for body in bodies[i + 1 :]):
+        return arm
+    lump = regrouped(arm, ["second_moment"] * len(bodies))[i]
+    if not all(isinstance(x, int | Fraction) for x in (lump.mass, lump.first[2])) or not lump.mass:
+        return arm  # numbers that are known at run time only would be divided there
+    shift = Fraction(lump.first[2]) / lump.mass
+    bodies[i] = replace(bodies[i], d=bodies[i].d + shift)
+    for k, body in enumerate(bodies[i:], i):
+        if k > i:
+            shift = body.cos_alpha * shift
+        x, y, z = body.com
+        bodies[k] = replace(body, com=(x, y, z - shift))
     return replace(arm, bodies=tuple(bodies))

@@ -9,10 +9,11 @@ import numpy as np
 
 from robodyn.diagnose.result import Diagnosis, Series, Window
 from robodyn.draw.markup import markup_template
-from robodyn.report.diagnosis_charts import COLUMNS, DOTS, over, over_time, range_text
+from robodyn.report.diagnosis_charts import COLUMNS, DOTS, over, over_time, range_text, torques
 from robodyn.report.diagnosis_findings import MOST_CARDS, across, cards, looks, next_of, part
 from robodyn.report.diagnosis_gap import ladder, tables, units_at
-from robodyn.report.diagnosis_headline import headline
+from robodyn.report.diagnosis_groups import by_joint, table_of_kinds
+from robodyn.report.diagnosis_headline import in_a_line
 from robodyn.report.diagnosis_summary import advice, main_joint, tiles
 from robodyn.report.diagnosis_text import (
     VERDICTS,
@@ -32,6 +33,7 @@ _DOTS, _COLUMNS = 24_000, 10_000
 _OVER: Final = ("velocity", "position", "load", "acceleration")
 #: Lines of a difference, flags and candidates that are shown at most.
 _DIFF_LINES, _FLAGS, _TRIED = 2000, 200, 40
+_LOGS: Final = {"validate": "Validation log, not fitted", "train": "First log that was fitted"}
 #: Kinds of operations, as people call them.
 _KINDS: Final = {
     "mul": "multiplications", "add": "additions", "div": "divisions", "sqrt": "square roots",
@@ -50,16 +52,21 @@ def page(diagnosis: Diagnosis, *, validated: bool) -> str:
     travels = travelled(diagnosis.robot, diagnosis.series[0]) if diagnosis.series else []
     windows = _windows(diagnosis)
     trained = [window for window in windows if window.name == "train"]
-    asked = next_of(diagnosis)
+    asked, finding_cards = next_of(diagnosis), cards(diagnosis, places, trained)
+    line, lead = in_a_line(diagnosis, validated=validated)
     return markup_template("diagnosis.html.j2").render(
         robot=diagnosis.robot,
         verdict=diagnosis.verdict,
         verdict_words=VERDICTS[diagnosis.verdict],
-        headline=headline(diagnosis, validated=validated),
+        headline=line,
+        lead=lead,
         words=diagnosis.words,
         validated=validated,
         tiles=tiles(diagnosis, validated, places),
-        findings=cards(diagnosis, places, trained),
+        torques=_torques(diagnosis, validated, windows),
+        kinds=table_of_kinds(diagnosis),
+        groups=by_joint(diagnosis, finding_cards, validated=validated),
+        findings=finding_cards,
         more_findings=max(0, len(diagnosis.findings) - MOST_CARDS),
         looks=looks(diagnosis, main_joint(diagnosis, places), trained)
         if diagnosis.verdict == "unexplained"
@@ -121,20 +128,13 @@ def _place(place: Localised) -> dict[str, Any]:
 
 def _drawn(diagnosis: Diagnosis, validated: bool, windows: Sequence[Window]) -> list[dict[str, Any]]:
     """The logs as charts, the one that was not fitted first."""
-    series = [
-        one for one in (diagnosis.series[::-1] if validated else diagnosis.series[:1]) if len(one.times)
-    ]
-    named = {f.joint - 1 for f in diagnosis.findings if f.joint is not None}
-    with np.errstate(all="ignore"):
-        size = np.nan_to_num(diagnosis.gap.train_before / diagnosis.gap.noise_floor, nan=0.0, posinf=0.0)
-    by_size = sorted(range(diagnosis.robot.n), key=lambda j: (j not in named, -float(size[j]), j))
-    joints = sorted(by_size[:MOST_JOINTS])
+    series, joints = _series(diagnosis, validated), _shown_joints(diagnosis)
     panels = max(1, 2 * len(joints) * len(series))
     dots = max(30, min(DOTS, _DOTS // (panels * len(_OVER))))
     columns = max(60, min(COLUMNS, _COLUMNS // panels))
     return [
         {
-            "title": "Validation log, not fitted" if one.name == "validate" else "First log that was fitted",
+            "title": _LOGS.get(one.name, _LOGS["train"]),
             "is_open": k == 0,
             "left_out": diagnosis.robot.n - len(joints),
             "joints": [
@@ -145,6 +145,38 @@ def _drawn(diagnosis: Diagnosis, validated: bool, windows: Sequence[Window]) -> 
         }
         for k, one in enumerate(series)
     ]
+
+
+def _series(diagnosis: Diagnosis, validated: bool) -> list[Series]:
+    """The logs that are drawn, the one that proves most first."""
+    series = diagnosis.series[::-1] if validated else diagnosis.series[:1]
+    return [one for one in series if len(one.times)]
+
+
+def _shown_joints(diagnosis: Diagnosis) -> list[int]:
+    """Joints (from 0) that are drawn: those of findings, then those where most is left."""
+    named = {f.joint - 1 for f in diagnosis.findings if f.joint is not None}
+    with np.errstate(all="ignore"):
+        size = np.nan_to_num(diagnosis.gap.train_before / diagnosis.gap.noise_floor, nan=0.0, posinf=0.0)
+    by_size = sorted(range(diagnosis.robot.n), key=lambda j: (j not in named, -float(size[j]), j))
+    return sorted(by_size[:MOST_JOINTS])
+
+
+def _torques(diagnosis: Diagnosis, validated: bool, windows: Sequence[Window]) -> dict[str, Any] | None:
+    """Torques as logged and of the models, of the log that proves most."""
+    drawn = _series(diagnosis, validated)[:1]
+    if not drawn:
+        return None
+    (one,) = drawn
+    joints = _shown_joints(diagnosis)
+    own = [w for w in windows if w.name == one.name]
+    columns = max(60, min(COLUMNS, _COLUMNS // len(joints)))
+    return {
+        "log": _LOGS.get(one.name, _LOGS["train"]).lower(),
+        "panels": [
+            (j + 1, torques(one, j, units_at(diagnosis, j)["tau"], own, columns=columns)) for j in joints
+        ],
+    }
 
 
 def _joint(

@@ -1,4 +1,5 @@
-"""Charts of a diagnosis: what a model leaves over time and over what may cause it, joint by joint."""
+"""Charts of a diagnosis, joint by joint: torques over time; what a model leaves over time, and over what may
+cause it."""
 
 from __future__ import annotations
 
@@ -11,6 +12,7 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.result import Series, Window
 from robodyn.report.diagnosis_frames import Chart, Frame, Mark, Shade, percent, runs, span
+from robodyn.report.diagnosis_text import formatted
 
 Floats = NDArray[np.float64]
 
@@ -40,6 +42,35 @@ class Across:
         return f"{self.name} [{self.unit}]" if self.unit else self.name
 
 
+def torques(
+    series: Series, j: int, unit: str, windows: Sequence[Window] = (), *, columns: int = COLUMNS
+) -> Chart:
+    """Torques at joint ``j`` (from 0) over time: as logged, from the lowest to the highest of each column of
+    the picture, and the mean of what the model says, before and after."""
+    known = np.isfinite(series.times)
+    t, logged = series.times[known], series.tau[known, j]
+    models = [(css, logged - y[known]) for css, y in _curves(series, j)]
+    frame = Frame(*span(t, room=0.0), *span(logged, *(y for _, y in models)))
+    outlines = [frame.outline(a, low, high) for a, low, high in _columns(t, logged, columns)]
+    marks = [Mark("curve logged", "".join(outlines), "logged")]
+    for css, y in models:
+        inside = np.isfinite(y)
+        lines = _means(t[inside], y[inside], frame, bins=columns, fewest=1)
+        marks.append(Mark(f"line {css}", "".join(frame.line(a, mean) for a, mean, _ in lines), css))
+    title = f"Torque at joint {j + 1} over time"
+    shades = _shades(frame, windows)
+    return frame.chart(title, _off(series, j), ("t [s]", f"[{unit}]"), marks, most=(7, 4), shades=shades)
+
+
+def _off(series: Series, j: int) -> str:
+    """How far the model is off at joint ``j`` (from 0), in words."""
+    logged = _rms(series, series.tau[:, j])
+    shares = [f"{100 * rms / logged:.3g} %" if logged > 0 else "n/a" for _, rms in _sizes(series, j)]
+    if len(shares) == 1:
+        return f"off by {shares[0]} of the torque, unchanged"
+    return f"off by {shares[0]} of the torque before, {shares[1]} after"
+
+
 def over_time(
     series: Series, j: int, unit: str, floor: float, windows: Sequence[Window] = (), *, columns: int = COLUMNS
 ) -> Chart:
@@ -53,15 +84,19 @@ def over_time(
     for css, y in curves:
         outlines = [frame.outline(a, low, high) for a, low, high in _columns(t, y, columns)]
         marks.append(Mark(f"curve {css}", "".join(outlines), css))
-    shades = [
+    shades = _shades(frame, windows)
+    caption = f"{range_text(series, j, unit)}{''.join(f'; {s.what} shaded' for s in shades)}"
+    title = f"Joint {j + 1} over time"
+    return frame.chart(title, caption, ("t [s]", f"[{unit}]"), marks, most=(9, 3), shades=shades)
+
+
+def _shades(frame: Frame, windows: Sequence[Window]) -> list[Shade]:
+    return [
         Shade(percent(start), percent(max(end - start, 0.2)), window.what)
         for window in windows
         for start, end in ([min(max(frame.across(x), 0.0), 100.0) for x in (window.start, window.end)],)
         if end > 0 and start < 100
     ]
-    caption = f"{range_text(series, j, unit)}{''.join(f'; {s.what} shaded' for s in shades)}"
-    title = f"Joint {j + 1} over time"
-    return frame.chart(title, caption, ("t [s]", f"[{unit}]"), marks, most=(9, 3), shades=shades)
 
 
 def over(
@@ -99,12 +134,20 @@ def over(
 
 def range_text(series: Series, j: int, unit: str) -> str:
     """The residual of joint ``j`` (from 0) in words."""
-    edge = int(END * len(series.times))
-    kept = slice(edge, len(series.times) - edge)
-    rms = [float(np.sqrt(np.mean(_finite(y[kept]) ** 2))) for _, y in _curves(series, j)]
+    rms = [size for _, size in _sizes(series, j)]
     if len(rms) == 1:
-        return f"RMS {rms[0]:.3g} {unit}, unchanged"
-    return f"RMS {rms[0]:.3g} {unit} before, {rms[1]:.3g} {unit} after"
+        return f"RMS {formatted(rms[0])} {unit}, unchanged"
+    return f"RMS {formatted(rms[0])} {unit} before, {formatted(rms[1])} {unit} after"
+
+
+def _sizes(series: Series, j: int) -> list[tuple[str, float]]:
+    """RMS of the residual of joint ``j`` (from 0) before and after; one where nothing changed."""
+    return [(css, _rms(series, y)) for css, y in _curves(series, j)]
+
+
+def _rms(series: Series, values: Floats) -> float:
+    edge = int(END * len(series.times))
+    return float(np.sqrt(np.mean(_finite(values[edge : len(series.times) - edge]) ** 2)))
 
 
 def _curves(series: Series, j: int) -> list[tuple[str, Floats]]:
@@ -141,13 +184,15 @@ def _columns(t: Floats, y: Floats, columns: int) -> Iterator[tuple[Floats, Float
         yield middle[run], low[run], high[run]
 
 
-def _means(x: Floats, y: Floats, frame: Frame) -> Iterator[tuple[Floats, Floats, Floats]]:
-    """Runs of bins that hold enough samples: mean place, mean, and standard deviation."""
-    place = np.clip((BINS * (x - frame.left) / (frame.right - frame.left)).astype(int), 0, BINS - 1)
-    count = np.bincount(place, minlength=BINS)
+def _means(
+    x: Floats, y: Floats, frame: Frame, *, bins: int = BINS, fewest: int = _FEWEST
+) -> Iterator[tuple[Floats, Floats, Floats]]:
+    """Runs of ``bins`` that hold ``fewest`` samples or more: mean place, mean, and standard deviation."""
+    place = np.clip((bins * (x - frame.left) / (frame.right - frame.left)).astype(int), 0, bins - 1)
+    count = np.bincount(place, minlength=bins)
     some = np.maximum(count, 1)
-    centre = np.bincount(place, x, BINS) / some
-    mean = np.bincount(place, y, BINS) / some
-    spread = np.sqrt(np.bincount(place, (y - mean[place]) ** 2, BINS) / some)
-    for run in runs(count >= _FEWEST):
+    centre = np.bincount(place, x, bins) / some
+    mean = np.bincount(place, y, bins) / some
+    spread = np.sqrt(np.bincount(place, (y - mean[place]) ** 2, bins) / some)
+    for run in runs(count >= fewest):
         yield centre[run], mean[run], spread[run]

@@ -29,7 +29,7 @@ from robodyn.report.diagnosis_where import Localised
 #: An interval is drawn from nothing to this many times the value.
 REACH: Final = 2.0
 #: Cards with pictures, and with values, at most.
-_PICTURES, MOST_CARDS = 8, 40
+_PICTURES, MOST_CARDS = 20, 40
 #: What is drawn over time.
 _IN_TIME: Final = ("a short time", "constant")
 
@@ -51,6 +51,7 @@ def cards(diagnosis: Diagnosis, places: Sequence[Localised], windows: Any) -> li
     return [
         {
             "effect": f.effect,
+            "joint": f.joint,
             "title": title_of(f.effect),
             "place": place_of(f.joint),
             "confidence": f"{100 * f.confidence:.0f} %",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Sequence
 from typing import Final
 
@@ -49,6 +50,8 @@ _CLAUSES: Final = {
     "a short time": "most of it is in a short time",
 }
 _SHORT: Final = 120
+#: More kinds of effects are counted.
+_FEW: Final = 3
 #: A joint with so large a share of the excess is told about.
 _LOUD: Final = 0.05
 
@@ -94,12 +97,16 @@ def _missing(diagnosis: Diagnosis, validated: bool) -> tuple[str, str, str]:
         return "What is missing", "Nothing", "but something outside touched the arm"
     if diagnosis.verdict == "unexplained" or not lacking:
         return "What is missing", "Something", "that no effect of the catalogue explains"
-    first = title_of(lacking[0].effect)
-    others = list(dict.fromkeys(named(f.effect) for f in lacking[1:]))
     rest = still(diagnosis, validated)
     more = [f"something at {joints_of(rest, diagnosis.robot.n)} that this does not explain"] if rest else []
+    counted = Counter(f.effect for f in lacking)
+    if len(counted) > _FEW:
+        names = [f"{named(id)} ({count})" if count > 1 else named(id) for id, count in counted.most_common()]
+        several = f"{len(lacking)} effects of {len(counted)} kinds"
+        return "What is missing", several, "; ".join([listed(names), *more])
+    others = [named(id) for id in counted if id != lacking[0].effect]
     remark = f"and {listed([*others, *more])}" if others or more else "and nothing else"
-    return "What is missing", first, remark
+    return "What is missing", title_of(lacking[0].effect), remark
 
 
 def _where(diagnosis: Diagnosis, places: Sequence[Localised]) -> tuple[str, str, str]:

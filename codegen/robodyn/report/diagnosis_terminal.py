@@ -1,15 +1,14 @@
-"""A diagnosis in ten lines for a terminal: what is missing, figures, how much better, what to record next."""
+"""A diagnosis on a terminal: what is missing, figures, how much better, what to record next."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Final
 
 import numpy as np
 
 from robodyn.diagnose.limits import CLAIM
 from robodyn.diagnose.result import Diagnosis, Estimate, Finding
-from robodyn.report.diagnosis_headline import headline
+from robodyn.report.diagnosis_headline import headline, in_a_line
 from robodyn.report.diagnosis_text import (
     VERDICTS,
     chosen,
@@ -24,15 +23,15 @@ from robodyn.report.diagnosis_text import (
     with_interval,
 )
 
-#: Lines on a terminal, parameters in one of them, and joints that stand beside each other.
-LINES: Final = 10
+#: Lines on a terminal, and the width of the first; parameters in a line, joints that stand beside each other.
+LINES, WIDTH = 18, 110
 _PARAMETERS, _JOINTS = 3, 8
 
 
 def summary(diagnosis: Diagnosis, report: str, *, validated: bool) -> list[str]:
     """The diagnosis in :data:`LINES` lines at most; ``report`` is where the page is, ``validated`` whether
     there was a log that was not fitted."""
-    head = [f"{VERDICTS[diagnosis.verdict]}: {headline(diagnosis, validated=validated)}"]
+    head = _head(diagnosis, validated)
     tail = _gap(diagnosis, validated)
     better = _better(diagnosis, validated)
     if better:
@@ -53,6 +52,16 @@ def summary(diagnosis: Diagnosis, report: str, *, validated: bool) -> list[str]:
     if any("(" in line and " to " in line for line in lines):
         tail[0] += "; brackets: 95 % intervals"
     return [_plain(line) for line in (*head, *lines, *tail)]
+
+
+def _head(diagnosis: Diagnosis, validated: bool) -> list[str]:
+    """The verdict: a line, and what does not fit into it beneath."""
+    verdict = VERDICTS[diagnosis.verdict]
+    whole = f"{verdict}: {headline(diagnosis, validated=validated)}"
+    if len(whole) <= WIDTH:
+        return [whole]
+    line, rest = in_a_line(diagnosis, validated=validated, room=WIDTH - len(verdict) - 2)
+    return [f"{verdict}: {line}", *([rest] if rest else [])]
 
 
 def _together(diagnosis: Diagnosis) -> list[list[Finding]]:

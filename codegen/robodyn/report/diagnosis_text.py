@@ -68,11 +68,11 @@ def with_interval(estimate: Estimate, effect: str = "", name: str = "") -> str:
 
 def interval_text(value: float, interval: Bounds) -> str:
     """An interval of a ``value`` in words, of which one side may be open."""
-    low, high = interval
     digits = _digits(value, _half(value, interval))
+    low, high = (None if end is None else _significant(end, digits) for end in interval)
     if low is None or high is None:
-        return f"at most {high:.{digits}g}" if low is None else f"at least {low:.{digits}g}"
-    return f"{low:.{digits}g} to {high:.{digits}g}"
+        return f"at most {high}" if low is None else f"at least {low}"
+    return f"{low} to {high}"
 
 
 def _half(value: float, interval: Bounds) -> float:
@@ -94,7 +94,13 @@ def value_text(estimate: Estimate, effect: str = "", name: str = "") -> str:
     if not math.isfinite(value):
         return "n/a"
     digits = 4 if interval is None else _digits(value, _half(value, interval))
-    return f"{value:.{digits}g}{unit}"
+    return f"{_significant(value, digits)}{unit}"
+
+
+def _significant(value: float, digits: int) -> str:
+    """A figure of so many digits, without a power of ten below a million."""
+    text = f"{value:.{digits}g}"
+    return f"{float(text):.0f}" if "e+" in text and abs(value) < 1e6 else text
 
 
 def _digits(value: float, half: float) -> int:

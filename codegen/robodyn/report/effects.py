@@ -11,55 +11,56 @@ from robodyn.effects.effect import Effect, Parameter
 
 _PLACES = {
     "link": "on the link's side of the drive",
-    "bearing": "in the joint's bearings, under the load of the rigid arm and what is before them",
+    "bearing": "in the joint's bearings, under the load of the rigid arm and of effects before them",
     "coupler": "between link and motor",
-    "gear": "in the gear, on the torque that it passes on",
+    "gear": "in the gear, on the torque that it transmits",
     "motor": "on the motor's side of the gear",
     "pair": "on the motors' side, in two joints",
-    "sensor": "on what is measured; in no kernel",
+    "sensor": "on what is measured",
     "rigid": "in the numbers of the rigid arm",
-    "outside": "from outside, in a window of time; in no kernel",
+    "outside": "from outside, in a window of time",
 }
 _KINDS = {
-    "algebraic": "straight-line code",
-    "state": "remembers: `NAME_state` and `dt`",
-    "sensor": "simulated and diagnosed, never emitted",
-    "rigid": "no code of its own",
-    "outside": "reported and simulated, never emitted",
+    "algebraic": "Kernels have it as straight-line code",
+    "state": "It has memory: kernels take `NAME_state` and `dt`",
+    "sensor": "It is simulated and diagnosed, and in no kernel",
+    "rigid": "It needs no code of its own",
+    "outside": "It is reported and simulated, and in no kernel",
 }
 _SIGNS = {"any": "", "nonnegative": "0 or more", "positive": "above 0", "share": "above 0, at most 1"}
 _WHERE = {
     "joint": "an entry of a link's `effects`",
-    "pair": "an entry of the first joint's link",
+    "pair": "an entry of the `effects` of the first joint's link",
     "robot": "an entry of the robot's `effects`",
 }
 _HEAD = """\
 # Effects
 
-What a rigid arm lacks, each defined once: the same equation is emitted as C, simulated, fitted and typeset.
-This page is written by `robodyn effects --markdown` from the definitions in `codegen/robodyn/effects/`; a
-test holds it to them.
+What real arms have and rigid bodies with ideal motors lack: friction, springs, elasticity, payloads, sensor
+errors. Each effect is defined once, and can be stated in a description, emitted in kernels, simulated, and
+looked for in logs. This page is written by `robodyn effects --markdown` from the definitions in
+`codegen/robodyn/effects/`; a test compares them.
 
-The drive of a joint, from the link to the motor; every effect adds something, reflected to the joint's side
-of the gear:
+Effects act along the drive of a joint, from the link to the motor. Each adds a torque, reflected to the
+joint's side of the gear, in this order:
 
 1. the torque of the rigid arm on the joint (at a prismatic joint a force), a payload included;
 2. on the link's side: springs; then bearings, which feel the load;
-3. between link and motor, where the joint is elastic or has backlash: a coupler; else both move alike;
-4. in the gear: the loss, on the torque that it passes on;
+3. between link and motor: elasticity or backlash; without them both move together;
+4. in the gear: the loss, which depends on the torque that the gear transmits;
 5. on the motor's side: the rotor's inertia, friction, ripple; motors that drive two joints.
 
 With `torque_side: link` only 1 and 2 are in the torque.
 
-**Near rest** sgn of the velocity is what `friction_at_rest` says: `exact` (the default: sgn 0 = 0; the
+**Near rest** the sign of the velocity is what `friction_at_rest` says: `exact` (the default: sgn 0 = 0; the
 simulator lets joints stick and break away), `smooth: {velocity: v}` (tanh of velocity over v) or
 `dead_band: {velocity: v}` (0 below v, half at v).
 
-**Memory**: presliding, elastic joints and backlash keep their states as they are in a call whose sample
-cannot be: a position, velocity or acceleration that is infinite or no number, or such a `dt`, or one that is
-negative. The torque of that call is no number either (with a bad `dt` alone it is that of the states as they
-were), and the next good sample is right again; rates of a twist are differences over `dt`, and off for two
-calls. A velocity that is merely wrong bends a bristle to its level at most.
+**Memory**: presliding, elastic joints and backlash have states. A call with an impossible sample leaves them
+unchanged: a position, velocity, acceleration or `dt` that is infinite or NaN, or a negative `dt`. The torque
+of that call is NaN (with a bad `dt` alone it is that of the unchanged states), and the next good sample gives
+the right torque again; only rates of a twist, which are differences over `dt`, need two calls. A velocity
+that is finite and wrong deflects a presliding contact to its level at most.
 
 """
 
@@ -84,7 +85,7 @@ def section(effect: Effect) -> str:
 def body(effect: Effect, name: str, rival: Callable[[str], str]) -> str:
     """One effect in Markdown without its heading, ``name`` and each ``rival`` as they shall be shown."""
     lines = [
-        f"{name}: {_WHERE[effect.level]}; acts {_PLACES[effect.place]}; {_KINDS[effect.kind]}.",
+        f"{name} is {_WHERE[effect.level]}. It acts {_PLACES[effect.place]}. {_KINDS[effect.kind]}.",
         "",
         f"$${effect.latex}$$",
         "",

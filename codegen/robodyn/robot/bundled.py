@@ -10,7 +10,7 @@ from pathlib import Path
 from robodyn.errors import InputError, Place
 from robodyn.files import label as label_of
 from robodyn.files import read_start
-from robodyn.resources import data_dir
+from robodyn.resources import bundled_robot, data_dir
 from robodyn.robot.document import FILE_SIZE
 from robodyn.robot.model import Robot
 from robodyn.robot.reader import Warn, read_bytes
@@ -35,7 +35,7 @@ def bundled_text(name: str) -> str:
     ------
     InputError: there is no such robot.
     """
-    path = _bundled_path(name)
+    path = bundled_robot(name)
     if path is None:
         raise _not_there(name, name)
     return path.read_text(encoding="utf-8")
@@ -56,7 +56,7 @@ def load(spec: str | os.PathLike[str], *, strict: bool = False, warn: Warn | Non
     try:
         data = _start_of(path, label)
     except (FileNotFoundError, NotADirectoryError, IsADirectoryError, ValueError):
-        bundled = _bundled_path(name)  # a folder of that name does not hide the robot
+        bundled = bundled_robot(name)  # a folder of that name does not hide the robot
         if bundled is None:
             raise _not_there(name, label) from None
         path, label = bundled, bundled.name
@@ -84,11 +84,6 @@ def _start_of(path: Path, label: str) -> bytes:
     if path.is_dir():
         raise IsADirectoryError
     return read_start(path, FILE_SIZE + 1, "a robot description, such as arm.yaml", label)
-
-
-def _bundled_path(name: str) -> Path | None:
-    stem = name.removesuffix(_SUFFIX)
-    return data_dir("robots") / (stem + _SUFFIX) if stem in bundled_names() else None
 
 
 def _not_there(name: str, label: str) -> InputError:

@@ -23,7 +23,7 @@ from robodyn.passes import FRESH, run
 from robodyn.robot.model import Robot
 from robodyn.search.candidate import Candidates, Sketch
 from robodyn.search.space import Space
-from robodyn.search.workers import Workers
+from robodyn.toolchain.workers import Workers
 
 #: How many results a search hands back, and how many of each other's values they have at most.
 KEPT = 10

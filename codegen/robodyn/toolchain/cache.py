@@ -1,9 +1,9 @@
-"""Compiled kernels are kept by the hash of everything that went into them.
+"""Compiled kernels, and those of projects, are kept by the hash of everything that went into them.
 
-An entry is a folder ``<root>/<key>`` with the library, the sources it was made of and ``entry.json``, which
-holds the library's hash. It is built in a temporary folder beside it and renamed when finished, so that
-an entry is either whole or absent and processes that race are no danger to each other: the first one
-that finishes wins. Any of it may be deleted at any time.
+An entry is a folder ``<root>/<key>`` with the library (or another file that stands for it), the sources it
+was made of and ``entry.json``, which holds the library's hash. It is built in a temporary folder beside it
+and renamed when finished, so that an entry is either whole or absent and processes that race are no danger
+to each other: the first one that finishes wins. Any of it may be deleted at any time.
 """
 
 from __future__ import annotations
@@ -74,7 +74,7 @@ class Cache:
         ``build`` writes into an empty folder and returns the library's file name. Whatever it raises is
         passed on, and leaves nothing behind.
         """
-        cached = _library(self.root / key)
+        cached = self.find(key)
         if cached is not None:
             return cached
         try:
@@ -92,6 +92,14 @@ class Cache:
             return self._publish(folder, self.root / key)
         finally:
             shutil.rmtree(folder, ignore_errors=True)
+
+    def find(self, key: str) -> Path | None:
+        """The library of entry ``key``, if that is there and undamaged."""
+        return _library(self.root / key)
+
+    def discard(self, key: str) -> None:
+        """Remove entry ``key``, of which something besides the library is damaged."""
+        shutil.rmtree(self.root / key, ignore_errors=True)
 
     def _publish(self, folder: Path, entry: Path) -> Path:
         """Rename a finished folder to its place, unless another process was there first."""

@@ -10,7 +10,8 @@ from robodyn.dynamics.dual import moving_along, slopes
 from robodyn.dynamics.energy import energies
 from robodyn.dynamics.functions.record import QD, Array, Dynamics, Function, Pair, Q, Vector
 from robodyn.dynamics.joints import joint_torque
-from robodyn.dynamics.momenta import HALF, kinetic_energy, momenta, potential_inward, potential_outward
+from robodyn.dynamics.momenta import HALF, kinetic_energy, momenta
+from robodyn.dynamics.weights import holding_torques, potential_inward, potential_outward, weighed
 
 T = Array("E_kin", "kinetic energy", "J", shape=())
 V = Array("E_pot", "potential energy, 0 at the origin of the base frame", "J", shape=())
@@ -48,11 +49,11 @@ def _work(at: Dynamics) -> Sequence[Any]:
 
 
 def _potential(at: Dynamics) -> Sequence[Any]:
-    return [potential_inward(at.links(at.rest, at.rest), at.mark)]
+    return [potential_inward(weighed(at.links(at.rest, at.rest)), at.mark)]
 
 
 def _potential_outward(at: Dynamics) -> Sequence[Any]:
-    return [potential_outward(at.links(at.rest, at.rest), at.mark)]
+    return [potential_outward(weighed(at.links(at.rest, at.rest)), at.mark)]
 
 
 def _heights(at: Dynamics) -> Sequence[Any]:
@@ -117,6 +118,13 @@ def _observer_term(at: Dynamics) -> Sequence[Any]:
     links = at.links(at.inputs["qd"], at.rest, "inertia")
     _, slope = momenta(links, (), at.mark)
     return [x - g for x, g in zip(slope, at.torques(at.rest, at.rest), strict=True)]
+
+
+def _observer_by_weights(at: Dynamics) -> Sequence[Any]:
+    """The same with what holds the links alone: drives of rigid arms add nothing at rest."""
+    links = at.links(at.inputs["qd"], at.rest, "inertia")
+    _, slope = momenta(links, (), at.mark)
+    return [x - g for x, g in zip(slope, holding_torques(at, weighed(links)), strict=True)]
 
 
 def _slopes_less_gravity(at: Dynamics) -> Sequence[Any]:
@@ -197,5 +205,6 @@ FUNCTIONS = (
         _observer_term,
         expected=_slopes_less_gravity,
         condition=_slope_along,
+        of_rigid_arms=(_observer_by_weights,),
     ),
 )

@@ -9,11 +9,10 @@ from robodyn.dynamics.arm import Motion
 from robodyn.dynamics.drift import tool_drift
 from robodyn.dynamics.dual import Dual, moving_along, slopes
 from robodyn.dynamics.functions.record import QD, Array, Dynamics, Function, Pair, Q, Vector
-from robodyn.dynamics.jacobians import columns
+from robodyn.dynamics.jacobians import Column, columns
 from robodyn.dynamics.kinematics import frames, jacobian
 from robodyn.dynamics.operational import by_elimination, lambda_inverse
-from robodyn.dynamics.poses import flat, link_places, placed, rows_of, sections, tool_axes, tool_place
-from robodyn.dynamics.sections import Placed, placed_in_tool
+from robodyn.dynamics.poses import flat, link_places, placed, pose, rows_of, seen_from_tool
 from robodyn.dynamics.transforms import Matrix, applied, product, transform, transposed
 
 POSE = Array("T", "frame of the tool in the world, [R p]", "1 and m", shape=(3, 4))
@@ -47,10 +46,7 @@ LAMBDA_INVERSE = Array(
 
 
 def _forward_kinematics(at: Dynamics) -> Sequence[Any]:
-    arm = placed(at)
-    axes = tool_axes(at, arm)
-    place = tool_place(at, arm)
-    return flat([(*row, p) for row, p in zip(rows_of(axes), place, strict=True)])
+    return pose(at)
 
 
 def _link_poses(at: Dynamics) -> Sequence[Any]:
@@ -61,23 +57,23 @@ def _link_poses(at: Dynamics) -> Sequence[Any]:
 
 
 def _jacobian(at: Dynamics) -> Sequence[Any]:
-    return _by_rows(at, placed(at))
+    return _by_rows(columns(at))
 
 
 def _nested_jacobian(at: Dynamics) -> Sequence[Any]:
-    return _by_rows(at, placed(at), nested_only=True)
+    return _by_rows(columns(at, nested_only=True))
 
 
 def _tool_jacobian(at: Dynamics) -> Sequence[Any]:
-    return _by_rows(at, placed_in_tool(at.arm.tool, sections(at), at.mark))
+    return _by_rows(columns(at, seen_from_tool))
 
 
 def _nested_tool_jacobian(at: Dynamics) -> Sequence[Any]:
-    return _by_rows(at, placed_in_tool(at.arm.tool, sections(at), at.mark), nested_only=True)
+    return _by_rows(columns(at, seen_from_tool, nested_only=True))
 
 
-def _by_rows(at: Dynamics, arm: Placed, *, nested_only: bool = False) -> list[Any]:
-    return flat(transposed(tuple((*v, *w) for v, w in columns(at, arm, nested_only=nested_only))))
+def _by_rows(jacobian_columns: Sequence[Column]) -> list[Any]:
+    return flat(transposed(tuple((*v, *w) for v, w in jacobian_columns)))
 
 
 def _drift(at: Dynamics) -> Sequence[Any]:

@@ -15,6 +15,7 @@ from robodyn.errors import InputError
 if TYPE_CHECKING:
     from robodyn.dynamics.arm import Arm, Motion
     from robodyn.dynamics.base_parameter import BaseParameter
+    from robodyn.dynamics.choosing import Chooser
     from robodyn.dynamics.lump import Lump, MomentForm
     from robodyn.dynamics.parallel import Turns
 
@@ -97,13 +98,15 @@ _TAKEN = {"p", "state", "dt", "N", "n"}
 class Moving:
     """An arm in motion, its joints' ``turns``, and the mass, first and second moments of each link about its
     frame's origin: those described, or others that move alike (then a mass may be 0 or less), what they lack
-    of mass and first moment being that of ``ground``, at rest, about the base's origin."""
+    of mass and first moment being that of ``ground``, at rest, about the base's origin. Where they are
+    ``weighed``, masses are times the largest component of gravity, and the arm's gravity in units of that."""
 
     arm: Arm
     motion: Motion
     turns: Turns
     lumps: Sequence[Lump]
     ground: Lump
+    weighed: bool = False
 
 
 class Dynamics(Protocol):
@@ -116,6 +119,7 @@ class Dynamics(Protocol):
     rest: ``[n]``, zeros: no velocity, no acceleration.
     mark: gives a quantity its name in emitted code; where nothing is emitted it does nothing.
     arm: the links as they are described, the base in the world, and the tool.
+    cheapest: chooses, of several ways to write the same values, those that take the fewest operations.
     """
 
     @property
@@ -126,6 +130,8 @@ class Dynamics(Protocol):
     def mark(self) -> Mark: ...
     @property
     def arm(self) -> Arm: ...
+    @property
+    def cheapest(self) -> Chooser: ...
 
     def motion(self, qd: Vector, qdd: Vector) -> Motion:
         """``arm`` at ``inputs["q"]``, with these velocities and accelerations ``[n]``."""
@@ -133,11 +139,6 @@ class Dynamics(Protocol):
 
     def turns(self, qd: Vector, qdd: Vector) -> Turns:
         """How its joints turn: parallel ones as one where that takes fewer operations."""
-        ...
-
-    def cheapest(self, choices: Sequence[Sequence[Vector]]) -> Sequence[Vector]:
-        """Of several ways to write each of some vectors those that together take the fewest operations,
-        beside what this has chosen before; the first of each where operations are not counted."""
         ...
 
     def links(self, qd: Vector, qdd: Vector, form: MomentForm = "second_moment") -> Moving:

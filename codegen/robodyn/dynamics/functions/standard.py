@@ -8,6 +8,7 @@ from typing import Any
 from robodyn.dynamics.articulated import articulated_bodies
 from robodyn.dynamics.functions.record import QD, QDD, TAU, Array, Dynamics, Function, Pair, Q, Vector
 from robodyn.dynamics.mass_matrix import Factored, solve_symmetric
+from robodyn.dynamics.weights import holding_torques, weighed
 
 M = Array("M", "mass matrix", "kg m^2, kg m, kg", shape=("n", "n"))
 M_INVERSE = Array("M_inverse", "inverse mass matrix", "1/(kg m^2), 1/(kg m), 1/kg", shape=("n", "n"))
@@ -19,6 +20,11 @@ def _inverse_dynamics(at: Dynamics) -> Sequence[Any]:
 
 def _gravity(at: Dynamics) -> Sequence[Any]:
     return at.torques(at.rest, at.rest)
+
+
+def _gravity_by_weights(at: Dynamics) -> Sequence[Any]:
+    """Of the links alone: drives of rigid arms add nothing at rest."""
+    return holding_torques(at, weighed(at.links(at.rest, at.rest)))
 
 
 def _bias(at: Dynamics) -> Sequence[Any]:
@@ -88,6 +94,7 @@ FUNCTIONS = (
         expected=_gravity,
         by_default=True,
         zeros=("qd", "qdd"),
+        of_rigid_arms=(_gravity_by_weights,),
     ),
     Function(
         "bias",

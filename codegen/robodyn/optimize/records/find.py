@@ -7,12 +7,12 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from robodyn.optimize.records.record import Record, header, parse_record
-from robodyn.resources import data_dir, from_here
+from robodyn.resources import RECORDS, data_dir, from_here
 from robodyn.robot.identity import identity
 from robodyn.robot.model import Robot
 
 #: The folder's name, beside the robot files.
-FOLDER = "records"
+FOLDER = RECORDS
 _SUFFIX = ".record"
 #: A file with more bytes is no record; a tenth of it holds an arm of 30 joints with full inertias.
 _LARGEST = 2_000_000

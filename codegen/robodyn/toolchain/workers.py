@@ -10,10 +10,12 @@ import contextlib
 import gc
 import os
 import pickle
+import selectors
 import signal
 import subprocess
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
 from types import TracebackType
 from typing import Any
 
@@ -23,7 +25,7 @@ from robodyn.errors import ToolError
 _SERVE = """\
 import os
 try:
-    from robodyn.search.workers import serve
+    from robodyn.toolchain.workers import serve
     serve()
 finally:
     os._exit(1)
@@ -39,12 +41,13 @@ class Workers:
 
     def __enter__(self) -> Workers:
         if self.count > 1:
-            environment = dict(os.environ, PYTHONPATH=os.pathsep.join(path for path in sys.path if path))
+            imports = os.pathsep.join(path or str(Path.cwd()) for path in sys.path)
+            environment = dict(os.environ, PYTHONPATH=imports)
             pipe = subprocess.PIPE
             try:
                 for _ in range(self.count):  # in a group of their own: Ctrl-C is for the one that asks
                     process = subprocess.Popen(
-                        [sys.executable, "-c", _SERVE],
+                        [sys.executable, "-P", "-c", _SERVE],
                         stdin=pipe,
                         stdout=pipe,
                         env=environment,
@@ -81,26 +84,67 @@ class Workers:
         """
         if not self._processes:
             return [function(*task) for task in tasks]
-        busy = []
-        for process, task in zip(self._processes, tasks, strict=False):
-            assert process.stdin is not None
-            try:
-                pickle.dump((function, task), process.stdin)
-                process.stdin.flush()
-            except BrokenPipeError:
-                raise _lost(process) from None
-            busy.append(process)
-        results = []
-        for process in busy:
-            assert process.stdout is not None
-            try:
-                done, result = pickle.load(process.stdout)
-            except (EOFError, pickle.UnpicklingError):
-                raise _lost(process) from None
-            if not done:
-                raise result
-            results.append(result)
-        return results
+        busy = [process for process, _ in zip(self._processes, tasks, strict=False)]
+        for process, task in zip(busy, tasks, strict=True):
+            _ask(process, function, task)
+        return [_answer(process) for process in busy]
+
+    def each(
+        self,
+        function: Callable[..., Any],
+        tasks: Sequence[tuple[Any, ...]],
+        begun: Callable[[int], None] = lambda k: None,
+    ) -> Iterator[tuple[int, Any]]:
+        """``function`` of each task's arguments, of as many tasks as there may be, one after the other in
+        whatever process is free: the index and the result of each when it is done. ``begun`` is told the
+        index of each that begins.
+
+        Raises
+        ------
+        ToolError: a process has ended before its work was done.
+        """
+        if not self._processes:
+            for k, task in enumerate(tasks):
+                begun(k)
+                yield k, function(*task)
+            return
+        with selectors.DefaultSelector() as busy:
+            free, waiting = list(self._processes), list(enumerate(tasks))[::-1]
+            while waiting or busy.get_map():
+                while free and waiting:
+                    process, (k, task) = free.pop(), waiting.pop()
+                    begun(k)
+                    _ask(process, function, task)
+                    assert process.stdout is not None
+                    busy.register(process.stdout, selectors.EVENT_READ, (k, process))
+                for ready, _ in busy.select():
+                    k, process = ready.data
+                    busy.unregister(ready.fileobj)
+                    result = _answer(process)
+                    free.append(process)
+                    yield k, result
+
+
+def _ask(process: subprocess.Popen[bytes], function: Callable[..., Any], task: tuple[Any, ...]) -> None:
+    """Have ``process`` begin with ``function`` of the arguments ``task``."""
+    assert process.stdin is not None
+    try:
+        pickle.dump((function, task), process.stdin)
+        process.stdin.flush()
+    except BrokenPipeError:
+        raise _lost(process) from None
+
+
+def _answer(process: subprocess.Popen[bytes]) -> Any:
+    """What ``process`` comes to; its exceptions are raised here."""
+    assert process.stdout is not None
+    try:
+        done, result = pickle.load(process.stdout)
+    except (EOFError, pickle.UnpicklingError):
+        raise _lost(process) from None
+    if not done:
+        raise result
+    return result
 
 
 def _lost(process: subprocess.Popen[bytes]) -> ToolError:
@@ -111,9 +155,9 @@ def _lost(process: subprocess.Popen[bytes]) -> ToolError:
     except subprocess.TimeoutExpired:
         cause = "no answer"
     return ToolError(
-        "a process that helps to search has ended before its work was done",
+        "a process that helps has ended before its work was done",
         found=cause,
-        remedy="search again; if memory is short, with fewer other programs running",
+        remedy="run it again; if memory is short, with fewer other programs running",
     )
 
 

@@ -12,8 +12,8 @@ from typing import Any
 import pytest
 
 from robodyn.errors import InputError, ToolError
-from robodyn.search import workers
-from robodyn.search.workers import Workers
+from robodyn.toolchain import workers
+from robodyn.toolchain.workers import Workers
 from robodyn_testing.waiting import eventually, runs
 
 pytestmark = pytest.mark.skipif(not hasattr(os, "killpg"), reason="missing: os.killpg; only POSIX has it")
@@ -31,6 +31,25 @@ def test_work_is_shared_out() -> None:
             with pytest.raises(ZeroDivisionError):
                 helpers.run(divmod, [(7, 0)])
         assert all(process.returncode is not None for process in processes(helpers))
+
+
+def test_more_tasks_than_processes_are_done_as_these_become_free() -> None:
+    for count in (1, 3):
+        begun: list[int] = []
+        with Workers(count) as helpers:
+            done = dict(helpers.each(divmod, [(k, 3) for k in range(7)], begun.append))
+            with pytest.raises(ZeroDivisionError):
+                dict(helpers.each(divmod, [(7, 1), (7, 0)]))
+        assert done == {k: divmod(k, 3) for k in range(7)}
+        assert begun == list(range(7))
+
+
+def test_one_that_ends_among_many_tasks() -> None:
+    with Workers(2) as helpers:
+        victim = processes(helpers)[0].pid
+        work = helpers.each(os.kill, [(victim, 0), (victim, 0), (victim, signal.SIGKILL)] * 2)
+        with pytest.raises(ToolError, match="found signal 9"):
+            list(work)
 
 
 @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGTERM])
@@ -61,7 +80,7 @@ def test_a_process_that_cannot_begin(
     monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr(
-        workers, "_SERVE", workers._SERVE.replace("robodyn.search.workers", "robodyn.nothing")
+        workers, "_SERVE", workers._SERVE.replace("robodyn.toolchain.workers", "robodyn.nothing")
     )
     with pytest.raises(ToolError, match="found exit status 1"), Workers(2) as helpers:
         helpers.run(len, [("a",), ("b",)])
@@ -86,7 +105,7 @@ def test_one_of_two_that_cannot_be_started(monkeypatch: pytest.MonkeyPatch) -> N
 
 ASKS = """
 import os, sys, time
-from robodyn.search.workers import Workers
+from robodyn.toolchain.workers import Workers
 with Workers(2) as helpers:
     print(*(process.pid for process in helpers._processes), flush=True)
     helpers.run(time.sleep, [(0,), (0,)])

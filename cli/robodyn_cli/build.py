@@ -1,0 +1,235 @@
+"""``robodyn build``: write the kernels of all robots of a project, or check what is committed of them."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from robodyn.errors import CheckError, InputError
+from robodyn_cli.choices import REPORTS
+from robodyn_cli.common import (
+    json_option,
+    output_folder,
+    printable,
+    remove_leftovers,
+    talk,
+    write_files,
+)
+
+if TYPE_CHECKING:
+    from robodyn.project.compare import Comparison
+    from robodyn.project.lock import Lock
+    from robodyn.project.reading import Project
+    from robodyn_cli.building import Products
+
+
+@click.command()
+@click.option(
+    "--file",
+    "path",
+    metavar="FILE",
+    default="robodyn.toml",
+    show_default=True,
+    help="Project file; its lock file lies beside it.",
+)
+@click.option(
+    "--workers",
+    type=click.IntRange(min=1),
+    metavar="N",
+    help="Robots generated in parallel.  [default: one per core]",
+)
+@click.option(
+    "--check",
+    is_flag=True,
+    help="Write nothing; exit with 1 if a file differs, a budget is exceeded, or a count is higher than in "
+    "the lock file.",
+)
+@click.option(
+    "--against",
+    metavar="FILE",
+    help="Lock file to compare counts with, such as that of the branch that a pull request goes to.  "
+    "[default: that of the project]",
+)
+@click.option(
+    "--format",
+    "format_",
+    type=REPORTS,
+    metavar="HOW",
+    default="text",
+    show_default=True,
+    help="Format of the report: text, json, junit (XML), or markdown (for a pull request).",
+)
+@click.option(
+    "-o", "--output", metavar="FILE", help="Write the report to FILE, and the text of it to stdout."
+)
+@json_option
+def command(
+    path: str,
+    workers: int | None,
+    check: bool,
+    against: str | None,
+    format_: str,
+    output: str | None,
+    as_json: bool,
+) -> None:
+    """Write or check the kernels of all robots of a project.
+
+    The project file, robodyn.toml, has the robots with their options, outputs and budgets. Only what has
+    changed is generated and written. The lock file, robodyn.lock, has the counts of every function and the
+    hashes of all files: commit it, and let CI run "robodyn build --check".
+    """
+    from robodyn.project.compare import check_products, compare, locked
+    from robodyn.project.lock import read_lock
+    from robodyn.project.reading import read_project
+    from robodyn_cli.building import Products
+    from robodyn_cli.project_keys import project_keys
+
+    form = _format(format_, as_json=as_json)
+    keys = project_keys()
+    project = read_project(Path(path), keys)
+    if against is not None and not Path(against).is_file():
+        raise InputError("there is no lock file of this name", found=printable(against))
+    with _alone(project.path, waits=not check):
+        before = read_lock(project.lock) if check else _lock_before(project)
+        base = before if against is None else read_lock(Path(against))
+        products = Products(project, keys, workers)
+        check_products(project, products.by_name)
+        written = [] if check else _write(project, products)
+        if not check:
+            _name_leftovers(project, before or {}, locked(project, products.by_name))
+        lock = before if check else locked(project, products.by_name)
+        comparison = compare(project, products.by_name, lock, base, products.texts)
+    if not check:
+        comparison = _worse_is_noted(comparison)
+    _show(comparison, written, form, output)
+    _fail(comparison)
+
+
+def _format(name: str, *, as_json: bool) -> str:
+    """The format that is asked for.
+
+    Raises
+    ------
+    InputError: there is no such format, or --json contradicts it.
+    """
+    from robodyn.project.keys import did_you_mean
+    from robodyn.project.reports import FORMATS
+
+    if name not in FORMATS:
+        raise InputError(
+            f"unknown format {name!r}",
+            expected=f"one of {', '.join(FORMATS)}",
+            remedy=did_you_mean(name, FORMATS),
+        )
+    if as_json and name not in ("text", "json"):
+        raise InputError("--json is --format json", found=f"--format {name}", remedy="remove one of them")
+    return "json" if as_json else name
+
+
+@contextmanager
+def _alone(path: Path, *, waits: bool) -> Iterator[None]:
+    """Keep other builds of the project file ``path`` waiting, and wait for them."""
+    if not waits:
+        yield
+        return
+    with path.open("rb") as file:
+        with suppress(ImportError, OSError):  # a system without locks: builds that do not meet need none
+            import fcntl
+
+            try:
+                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except BlockingIOError:
+                talk(f"robodyn: another build of {printable(path)} is running; this one waits for it")
+                fcntl.flock(file, fcntl.LOCK_EX)
+        yield
+
+
+def _lock_before(project: Project) -> Lock | None:
+    """The lock file as it is; one that cannot be read, as after a merge, is about to be replaced."""
+    from robodyn.project.lock import read_lock
+
+    try:
+        return read_lock(project.lock)
+    except InputError as error:
+        talk(f"robodyn: note: the lock file is written anew: {error}")
+        return None
+
+
+def _write(project: Project, products: Products) -> list[str]:
+    """Write the files that are not as they should be, the lock file last, all or none; their paths."""
+    from robodyn.project.compare import locked, outdated
+    from robodyn.project.lock import lock_text
+
+    files: dict[str, str | bytes] = {}
+    folders = {project.folder}
+    for entry in project.entries:
+        product, folder = products.by_name[entry.name], project.output(entry)
+        folders |= {(folder / name).parent for name in product.files}
+        different = outdated(folder, product)
+        texts = products.texts(entry) if different else {}
+        files |= {f"{entry.output}/{name}": texts[name] for name in different}
+    remove_leftovers(folders)
+    lock = lock_text(locked(project, products.by_name)).encode("utf-8")
+    if not project.lock.is_file() or project.lock.read_bytes() != lock:
+        files[project.lock.name] = lock
+    remedy = f"choose another output in {printable(project.path)}, or free some space there"
+    return [printable(path) for path in write_files(project.folder, files, remedy=remedy)]
+
+
+def _name_leftovers(project: Project, before: Lock, now: Lock) -> None:
+    """Say on stderr which files of the lock file ``before`` are there but no longer written."""
+    files, old = (
+        [project.folder / locked.output / name for locked in lock.values() for name in locked.files]
+        for lock in (now, before)
+    )
+    written = {os.path.realpath(path) for path in files}
+    gone = [printable(path) for path in old if os.path.realpath(path) not in written and path.is_file()]
+    if gone:
+        talk(f"robodyn: note: no longer written: {', '.join(gone)}")
+
+
+def _worse_is_noted(comparison: Comparison) -> Comparison:
+    """``comparison`` for a build that writes: a count may grow, with a note, and the lock file says it."""
+    for fault in comparison.faults:
+        if fault.kind == "count":
+            talk(f"robodyn: note: {fault.text}")
+    return replace(comparison, faults=tuple(f for f in comparison.faults if f.kind != "count"))
+
+
+def _show(comparison: Comparison, written: list[str], form: str, output: str | None) -> None:
+    """Print the report and, or, write it."""
+    from robodyn.project.reports import FORMATS, report
+
+    shown = report(comparison, written)
+    text = FORMATS[form](shown)
+    if output is not None:
+        path = output_folder(output)
+        write_files(path.parent, {path.name: text})
+        text = FORMATS["text"](shown)
+    click.echo(text, nl=False)
+
+
+def _fail(comparison: Comparison) -> None:
+    """Say on stderr why the check fails, a line each.
+
+    Raises
+    ------
+    CheckError: there is a fault.
+    """
+    if not comparison.faults:
+        return
+    for fault in comparison.faults:
+        talk(f"robodyn: error: {fault.text}")
+    kinds = {fault.kind for fault in comparison.faults}
+    raise CheckError(
+        f"{comparison.project}: {len(comparison.faults)} fault{'s' * (len(comparison.faults) != 1)}",
+        remedy="raise the budget or simplify the model"
+        if kinds == {"budget"}
+        else "run robodyn build, and commit what it writes if it should be so",
+    )

@@ -1,0 +1,95 @@
+"""``robodyn report``: a page that shows an arm, or two beside each other."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from robodyn_cli.choices import ROBOTS
+from robodyn_cli.common import (
+    echo_json,
+    json_option,
+    load_robot,
+    output_folder,
+    parameter_values,
+    printable,
+    robot_argument,
+    talk,
+    write_files,
+)
+from robodyn_cli.simulate_options import Parameter
+
+if TYPE_CHECKING:
+    from robodyn.robot import Robot
+
+
+@click.command()
+@robot_argument
+@click.argument("other", type=ROBOTS, metavar="[ROBOT]", required=False)
+@click.option(
+    "-o",
+    "--output",
+    "out",
+    metavar="PATH",
+    help="Page to write (.html), or the folder that gets it.  [default: this folder]",
+)
+@click.option(
+    "--param",
+    type=Parameter(),
+    multiple=True,
+    metavar="NAME=VALUE",
+    help="Value of a run-time parameter (SI units) of both; may be repeated.",
+)
+@click.option("--strict", is_flag=True, help="Refuse implausible numbers in place of showing the doubts.")
+@json_option
+def command(
+    robot: str,
+    other: str | None,
+    out: str | None,
+    param: Sequence[tuple[str, float]],
+    strict: bool,
+    as_json: bool,
+) -> None:
+    """Write a page that shows an arm, or two beside each other.
+
+    One HTML file that needs no network: the arm in 3D, moved by sliders through its own kernel in JavaScript,
+    with torques, gravity, manipulability and Jacobian; its numbers and what is doubtful about them, operation
+    counts, equations, effects, a motion, schedule and C. Two robots are moved alike and compared.
+
+    PATH gets NAME.html (of two robots A-B.html) if it is a folder.
+    """
+    from robodyn.report.arm_data import arm_of
+
+    arms = []
+    for described in (robot, *([other] if other is not None else [])):
+        arms.append(arm_of(_filled(load_robot(described, strict=strict), param)))
+    comparison = None
+    if len(arms) == 2:
+        from robodyn.compare.as_json import to_dict
+        from robodyn.compare.robots import compare
+
+        comparison = to_dict(compare(arms[0].robot, arms[1].robot))
+    path = _path(out, [arm.robot.name for arm in arms])
+    if not as_json or out is not None:
+        from robodyn.report.arm_page import page
+
+        write_files(path.parent, {path.name: page(arms, comparison)})
+        talk(f"robodyn: wrote {printable(path)}")
+    if as_json:
+        data: list[dict[str, Any]] = [arm.data for arm in arms]
+        echo_json(data[0] if comparison is None else {"robots": data, "comparison": comparison})
+
+
+def _filled(described: Robot, param: Sequence[tuple[str, float]]) -> Robot:
+    """The robot with its run-time parameters at the values of ``--param``, those that it has."""
+    own = [(name, value) for name, value in param if name in described.parameters]
+    return described.at(parameter_values(described, own)) if own else described
+
+
+def _path(out: str | None, names: Sequence[str]) -> Path:
+    """Where the page goes."""
+    place = Path() if out is None else output_folder(out)
+    return place if place.suffix.lower() == ".html" else place / f"{'-'.join(names)}.html"

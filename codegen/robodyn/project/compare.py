@@ -1,0 +1,250 @@
+"""What differs: files from what would be written, counts from their budgets and from the lock file."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+
+from robodyn.errors import InputError
+from robodyn.files import label, read_start
+from robodyn.project.fingerprint import digest
+from robodyn.project.keys import did_you_mean
+from robodyn.project.limits import LARGEST_OUTPUT
+from robodyn.project.lock import Lock, Locked
+from robodyn.project.product import Product
+from robodyn.project.reading import Budgets, Entry, Project
+
+Kinds = Mapping[str, int]
+
+
+@dataclass(frozen=True, slots=True)
+class Fault:
+    """Something that a check does not let pass: of which ``robot``, at which ``subject`` (a function or a
+    file), and the line that says why."""
+
+    kind: Literal["file", "budget", "count", "lock"]
+    robot: str | None
+    subject: str
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Counted:
+    """The operations of a function, ``now`` and ``before`` (None: it is new, or gone); its budget."""
+
+    function: str
+    now: Kinds | None
+    before: Kinds | None
+    budget: Kinds
+
+    @property
+    def grown(self) -> dict[str, tuple[int, int]]:
+        """The kinds of which there are more than before: how many before, and now."""
+        if self.now is None or self.before is None:
+            return {}
+        before = {kind: self.before.get(kind, 0) for kind in self.now}
+        return {kind: (before[kind], count) for kind, count in self.now.items() if count > before[kind]}
+
+
+@dataclass(frozen=True, slots=True)
+class RobotState:
+    """A robot of the project: the paths of its files with what is wrong with them (None: nothing), and the
+    counts of its functions. ``gone``: it is in the lock file alone."""
+
+    name: str
+    files: Mapping[str, str | None]
+    functions: tuple[Counted, ...]
+    gone: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Comparison:
+    """A project beside what is committed of it: its file, the robots, and all faults in their order."""
+
+    project: str
+    robots: tuple[RobotState, ...]
+    faults: tuple[Fault, ...]
+
+
+def locked(project: Project, products: Mapping[str, Product]) -> Lock:
+    """The lock file that goes with ``products``, by robot."""
+    return {
+        entry.name: Locked(entry.output, products[entry.name].counts, products[entry.name].files)
+        for entry in project.entries
+    }
+
+
+def check_products(project: Project, products: Mapping[str, Product]) -> None:
+    """Hold what was generated to what the project says of it.
+
+    Raises
+    ------
+    InputError: two robots write the same file, or a budget is one of a function that is not written.
+    """
+    owners: dict[str, Entry] = {}
+    for entry in project.entries:
+        product = products[entry.name]
+        for name in product.files:
+            other = owners.setdefault(os.path.realpath(project.output(entry) / name), entry)
+            if other is not entry:
+                raise InputError(
+                    "two robots write the same file",
+                    where=entry.place(),
+                    found=f"{entry.output}/{name} of {entry.name} and of {other.name}",
+                    remedy="give one of them another output",
+                )
+        for function in entry.budgets:
+            if function not in product.counts:
+                raise InputError(
+                    f"{entry.name} has a budget of a function that is not written",
+                    where=entry.place("budgets", function),
+                    found=function,
+                    expected=f"one of {', '.join(product.counts)}",
+                    remedy=did_you_mean(function, product.counts) or "ask for it with the key functions",
+                )
+
+
+def outdated(folder: Path, product: Product) -> dict[str, bool]:
+    """The files of ``product`` that are not in ``folder`` as they should be, and whether they are there."""
+    different = {}
+    for name, sha256 in product.files.items():
+        data = _contents(folder / name)
+        if data is None or digest(data) != sha256:
+            different[name] = data is not None
+    return different
+
+
+def _contents(path: Path) -> bytes | None:
+    """What is in the file at ``path``; None where there is none that could be read."""
+    try:
+        return read_start(path, LARGEST_OUTPUT, "a file of kernels")
+    except (OSError, InputError):
+        return None
+
+
+def compare(
+    project: Project,
+    products: Mapping[str, Product],
+    lock: Lock | None,
+    base: Lock | None,
+    texts: Callable[[Entry], Mapping[str, bytes]],
+) -> Comparison:
+    """The project's files and ``lock`` beside ``products``, and their counts beside those of ``base``, which
+    is the lock as well or that of another branch. ``texts`` has what should stand in the files of a robot."""
+    robots = tuple(
+        _state(project, entry, products[entry.name], _counts_of(base, entry.name), texts)
+        for entry in project.entries
+    )
+    gone = tuple(
+        RobotState(
+            name, {}, tuple(Counted(f, None, kinds, {}) for f, kinds in each.counts.items()), gone=True
+        )
+        for name, each in sorted((base or {}).items())
+        if name not in products
+    )
+    faults = [fault for robot in robots for fault in _faults(robot)]
+    faults += _of_lock(project, lock, locked(project, products), robots if base is lock else ())
+    return Comparison(label(project.path), robots + gone, tuple(faults))
+
+
+def exceeded(functions: tuple[Counted, ...]) -> list[tuple[str, str]]:
+    """Functions over their budgets, and by how much."""
+    over = []
+    for counted in functions:
+        if counted.budget and counted.now is not None:
+            from robodyn.counts.budget import Budget
+            from robodyn.counts.count import Count
+
+            count = Count(**{kind: amount for kind, amount in counted.now.items() if kind != "total"})
+            texts = Budget(tuple(counted.budget.items())).exceeded(count)
+            over += [(counted.function, text) for text in texts]
+    return over
+
+
+def _state(
+    project: Project,
+    entry: Entry,
+    product: Product,
+    before: Mapping[str, Kinds],
+    texts: Callable[[Entry], Mapping[str, bytes]],
+) -> RobotState:
+    folder = project.output(entry)
+    different = outdated(folder, product)
+    wanted = texts(entry) if any(different.values()) else {}
+    files = {
+        label(folder / name): None
+        if name not in different
+        else _difference(_contents(folder / name) or b"", wanted[name])
+        if different[name]
+        else "is missing"
+        for name in product.files
+    }
+    names = dict.fromkeys((*product.counts, *before))
+    return RobotState(entry.name, files, tuple(_counted(f, product, before, entry.budgets) for f in names))
+
+
+def _counted(function: str, product: Product, before: Mapping[str, Kinds], budgets: Budgets) -> Counted:
+    return Counted(function, product.counts.get(function), before.get(function), budgets.get(function, {}))
+
+
+def _counts_of(lock: Lock | None, name: str) -> Mapping[str, Kinds]:
+    return {} if lock is None or name not in lock else lock[name].counts
+
+
+def _difference(there: bytes, wanted: bytes) -> str:
+    """Where a file first differs, in words."""
+    ours, theirs = wanted.split(b"\n"), there.split(b"\n")
+    for line, (a, b) in enumerate(zip(ours, theirs, strict=False), 1):
+        if a != b:
+            return f"differs from line {line} on: found {_quoted(b)}, expected {_quoted(a)}"
+    return f"has {len(theirs) - 1} lines, expected {len(ours) - 1}"
+
+
+def _quoted(line: bytes) -> str:
+    text = line.decode("utf-8", "replace").strip() if line.strip() else line.decode("utf-8", "replace")
+    return repr(text if len(text) <= 60 else f"{text[:57]}...")
+
+
+def _faults(robot: RobotState) -> list[Fault]:
+    faults = [Fault("file", robot.name, path, f"{path} {why}") for path, why in robot.files.items() if why]
+    for function, text in exceeded(robot.functions):
+        faults.append(Fault("budget", robot.name, function, f"{robot.name}: {function}: {text}"))
+    for counted in robot.functions:
+        grown = [
+            f"{kind} {now}, locked {before} ({now - before:+})"
+            for kind, (before, now) in counted.grown.items()
+        ]
+        if grown:
+            text = f"{robot.name}: {counted.function} got worse: {', '.join(grown)}"
+            faults.append(Fault("count", robot.name, counted.function, text))
+    return faults
+
+
+def _of_lock(project: Project, lock: Lock | None, now: Lock, compared: tuple[RobotState, ...]) -> list[Fault]:
+    """What is not up to date in the lock file, besides counts that grew, which are ``compared`` apart."""
+    path = label(project.lock)
+    if lock is None:
+        return [Fault("lock", None, path, f"{path} is missing")]
+    grown = {(robot.name, c.function) for robot in compared for c in robot.functions if c.grown}
+    faults = []
+    for name in sorted({*lock, *now}):
+        if name not in lock or name not in now:
+            why = "is not in it" if name in now else "is not in the project any more"
+        elif parts := _stale(name, lock[name], now[name], grown):
+            why = f"has other {' and '.join(parts)} now"
+        else:
+            continue
+        faults.append(Fault("lock", name, path, f"{path} is not up to date: {name} {why}"))
+    return faults
+
+
+def _stale(name: str, old: Locked, new: Locked, grown: set[tuple[str, str]]) -> list[str]:
+    """What of a robot differs from its part of the lock file."""
+    functions = dict.fromkeys((*old.counts, *new.counts))
+    changed = [f for f in functions if old.counts.get(f) != new.counts.get(f) and (name, f) not in grown]
+    parts = [f"counts of {', '.join(changed)}"] if changed else []
+    parts += ["files"] if old.files != new.files else []
+    return parts + (["output"] if old.output != new.output else [])

@@ -1,0 +1,248 @@
+"""``robodyn.toml``: the robots of a project, their options, outputs and budgets."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Final
+
+from robodyn.errors import InputError, Place
+from robodyn.files import label, read_text
+from robodyn.project.keys import Key, did_you_mean, shown
+from robodyn.project.limits import LARGEST_BUDGET, LARGEST_FILE
+from robodyn.project.places import Places
+from robodyn.resources import bundled_robot
+
+#: What the file is called where nothing else is said.
+FILE: Final = "robodyn.toml"
+_LOCK: Final = ".lock"
+#: Keys of a robot's table that are no options.
+OWN: Final = ("robot", "output", "budgets")
+_TABLES: Final = ("options", "robots")
+#: Keys that are planned, or that look like options, and why they are refused.
+_REFUSED: Final = {
+    "packages": "packages are not written by robodyn build yet",
+    "firmware": "folders for firmware are not written by robodyn build yet",
+}
+_NAME: Final = re.compile(r"\w[\w.+-]*")
+
+Budgets = Mapping[str, Mapping[str, int]]
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """A robot of a project.
+
+    ``robot`` is the path of its description, ``output`` the folder of its kernels as the file has it,
+    relative to the project's folder; ``settings`` are its options, ``arguments`` the same as ``robodyn gen``
+    takes them; ``budgets`` the most operations by function and kind.
+    """
+
+    name: str
+    robot: str
+    output: str
+    settings: Mapping[str, Any]
+    arguments: tuple[str, ...]
+    budgets: Budgets
+    places: Places
+
+    def place(self, *keys: str) -> Place:
+        """Where ``keys`` of its table are stated, or for all robots; without keys where the table is."""
+        own = self.places.of("robots", self.name, *keys)
+        return own if own.line is not None else self.places.of("options", *keys)
+
+
+@dataclass(frozen=True, slots=True)
+class Project:
+    """What the file at ``path`` says; relative paths in it start in its folder."""
+
+    path: Path
+    entries: tuple[Entry, ...]
+
+    @property
+    def folder(self) -> Path:
+        """The folder of the file."""
+        return self.path.parent
+
+    @property
+    def lock(self) -> Path:
+        """The lock file, beside it."""
+        return self.path.with_suffix(_LOCK)
+
+    def output(self, entry: Entry) -> Path:
+        """The folder of the kernels of ``entry``."""
+        return self.folder / entry.output
+
+
+def read_project(path: Path, keys: Mapping[str, Key]) -> Project:
+    """The project in the file at ``path``, whose options are ``keys``.
+
+    Raises
+    ------
+    InputError: there is no such file, it is no TOML, or it says what no project says.
+    """
+    name = label(path)
+    if path.suffix == _LOCK:
+        raise InputError("this is the name of a lock file", where=Place(name), expected=f"a name as {FILE}")
+    if not path.exists():
+        raise InputError(
+            "there is no project file of this name",
+            where=Place(name),
+            remedy="name one with --file, or write one: a line [robots.puma560], and robodyn build",
+        )
+    text = read_text(path, LARGEST_FILE, "a project file, such as robodyn.toml", name)
+    return Project(path, _Reader(parsed(text, name), Places(name, text), path.parent, keys).entries())
+
+
+def parsed(text: str, name: str) -> dict[str, Any]:
+    """What the TOML ``text`` of the file that messages call ``name`` says.
+
+    Raises
+    ------
+    InputError: it is no TOML; with line and column.
+    """
+    try:
+        return tomllib.loads(text)
+    except (tomllib.TOMLDecodeError, RecursionError) as error:
+        words, _, place = (str(error) or "values nested too deeply").rpartition(" (at ")
+        at = re.fullmatch(r"line (\d+), column (\d+)\)", place)
+        line = text.count("\n") + 1 if place.startswith("end of") else int(at[1]) if at else None
+        raise InputError(
+            "this is not TOML",
+            where=Place(name, line, int(at[2]) if at else None),
+            found=words or place,
+            remedy="mend the file (https://toml.io describes the format)",
+        ) from None
+
+
+class _Reader:
+    """Reads the tables of one file, each with the place of what is wrong in it."""
+
+    def __init__(self, data: dict[str, Any], places: Places, folder: Path, keys: Mapping[str, Key]) -> None:
+        self.data, self.places, self.folder, self.keys = data, places, folder, keys
+
+    def entries(self) -> tuple[Entry, ...]:
+        for name in self.data:
+            if name not in _TABLES:
+                raise self._unknown((), name, _TABLES)
+        self._options("options")  # also where every robot overrides it
+        robots = self._table("robots")
+        if not robots:
+            raise InputError(
+                "there is no robot in this project",
+                where=self.places.of("robots"),
+                expected="a table for each robot",
+                remedy="write [robots.puma560], for one, on a line of its own",
+            )
+        return tuple(self._entry(name) for name in robots)
+
+    def _entry(self, name: str) -> Entry:
+        at = ("robots", name)
+        if not _NAME.fullmatch(name):
+            raise InputError(
+                "this cannot be the name of a robot's table",
+                where=self.places.of(*at),
+                found=shown(name),
+                expected="letters, digits, and . + - _ after the first of them",
+            )
+        table = self._table(*at)
+        settings = dict(sorted({**self._options("options"), **self._options(*at)}.items()))
+        return Entry(
+            name,
+            self._description(name, table),
+            self._text((*at, "output"), table.get("output", f"generated/{name}")),
+            settings,
+            tuple(word for key, value in settings.items() for word in self.keys[key].arguments(value)),
+            self._budgets(*at, "budgets"),
+            self.places,
+        )
+
+    def _options(self, *at: str) -> dict[str, Any]:
+        """The options in the table ``at``, each of the right type."""
+        own = OWN if at[0] == "robots" else ()
+        settings = {}
+        for name, value in self._table(*at).items():
+            if name in own:
+                continue
+            if name not in self.keys:
+                raise self._unknown(at, name, (*own, *self.keys))
+            try:
+                self.keys[name].arguments(value)
+            except InputError as error:
+                raise error.at(self.places.of(*at, name)) from None
+            settings[name] = value
+        return settings
+
+    def _table(self, *at: str) -> dict[str, Any]:
+        """The table ``at``, empty where there is none."""
+        table = self.data
+        for name in at:
+            inner: Any = table.get(name, {})
+            if not isinstance(inner, dict):
+                raise InputError(
+                    f"{name} is not a table",
+                    where=self.places.of(*at),
+                    found=shown(inner),
+                    expected=f"[{'.'.join(at)}] and keys below it",
+                )
+            table = inner
+        return table
+
+    def _text(self, at: tuple[str, ...], value: Any) -> str:
+        if not isinstance(value, str) or not value or "\0" in value:
+            raise InputError(
+                f"{at[-1]} is not a path", where=self.places.of(*at), found=shown(value), expected="a text"
+            )
+        return value
+
+    def _description(self, name: str, table: Mapping[str, Any]) -> str:
+        """The path of a description in the project, else of the bundled robot of that name."""
+        at = ("robots", name, "robot") if "robot" in table else ("robots", name)
+        text = self._text(at, table.get("robot", name))
+        path = self.folder / text
+        bundled = None if path.is_file() else bundled_robot(text)
+        if bundled is not None:
+            return str(bundled)
+        if not path.is_file():
+            from robodyn.robot.bundled import bundled_names
+
+            raise InputError(
+                "there is neither a description nor a bundled robot of this name",
+                where=self.places.of(*at),
+                found=shown(text),
+                expected="a path, as seen from this file's folder, or a name that robodyn robots lists",
+                remedy=did_you_mean(text, bundled_names()) or "say where it is: robot = 'arms/arm.yaml'",
+            )
+        return str(path)
+
+    def _budgets(self, *at: str) -> Budgets:
+        budgets: dict[str, Any] = self._table(*at)
+        for function in budgets:
+            from robodyn.counts.budget import KINDS
+
+            for kind, most in self._table(*at, function).items():
+                if kind not in KINDS:
+                    raise self._unknown((*at, function), kind, KINDS)
+                if not isinstance(most, int) or isinstance(most, bool) or not 0 <= most < LARGEST_BUDGET:
+                    raise InputError(
+                        f"the budget of {kind} is not a count",
+                        where=self.places.of(*at, function, kind),
+                        found=shown(most),
+                        expected="how many operations there may be",
+                    )
+        return budgets
+
+    def _unknown(self, at: tuple[str, ...], name: str, words: tuple[str, ...]) -> InputError:
+        place = self.places.of(*at, name)
+        if name in _REFUSED:
+            return InputError(_REFUSED[name], where=place, found=f"the key {name!r}", remedy="remove it")
+        inside = f" in [{'.'.join(at)}]" if at else ""
+        return InputError(
+            f"unknown key {name!r}{inside}",
+            where=place,
+            expected=f"one of {', '.join(words)}",
+            remedy=did_you_mean(name, words),
+        )

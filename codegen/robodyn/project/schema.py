@@ -1,0 +1,69 @@
+"""The JSON Schema of ``robodyn.toml``, for editors that complete keys and mark mistakes in TOML files."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from robodyn.counts.budget import KINDS
+from robodyn.project.keys import Key
+from robodyn.project.limits import LARGEST_BUDGET
+
+Schema = dict[str, Any]
+
+
+def project_schema(keys: Mapping[str, Key]) -> Schema:
+    """The schema of a project whose options are ``keys``."""
+    options = {name: _of_key(key) for name, key in keys.items()}
+    own: dict[str, Schema] = {
+        "robot": {
+            "type": "string",
+            "minLength": 1,
+            "description": "The description: a path as seen from this file's folder, or a bundled robot. "
+            "Without it: the name of this table.",
+        },
+        "output": {
+            "type": "string",
+            "minLength": 1,
+            "description": "The folder of the kernels.  [default: generated/ and the name of this table]",
+        },
+        "budgets": {
+            "type": "object",
+            "description": "By function the most operations, by kind.",
+            "additionalProperties": _table(dict.fromkeys(KINDS, _COUNT)),
+        },
+    }
+    return {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "robodyn.toml",
+        **_table(
+            {
+                "options": {"description": "Options of all robots.", **_table(options)},
+                "robots": {
+                    "description": "A table for each robot.",
+                    "type": "object",
+                    "minProperties": 1,
+                    "additionalProperties": _table(own | options),
+                },
+            }
+        ),
+        "required": ["robots"],
+    }
+
+
+_COUNT = {"type": "integer", "minimum": 0, "exclusiveMaximum": LARGEST_BUDGET}
+
+
+def _table(keys: Mapping[str, Schema]) -> Schema:
+    return {"type": "object", "properties": dict(keys), "additionalProperties": False}
+
+
+def _of_key(key: Key) -> Schema:
+    if key.flag:
+        return {"type": "boolean", "description": key.help()}
+    if key.words is not None:
+        return {"enum": list(key.words()), "description": key.help()}
+    if key.several or key.listed:
+        several = {"type": "array", "minItems": 1, "items": {"type": "string", "minLength": 1}}
+        return {"oneOf": [{"type": "string"}, several], "description": key.help()}
+    return {"type": ["string", "number"], "description": key.help()}

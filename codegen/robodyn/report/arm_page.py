@@ -1,0 +1,231 @@
+"""The page of an arm: one HTML file that asks for nothing, with the kernel that moves the arm within it.
+
+Texts of a description are escaped wherever they stand. Beyond that the page's own policy names its scripts by
+their hashes, so that no browser runs anything else.
+"""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import json
+import re
+from collections.abc import Sequence
+from typing import Any, Final
+
+import numpy as np
+from markupsafe import Markup, escape
+
+from robodyn.draw.markup import markup_template
+from robodyn.draw.mathml import of_latex
+from robodyn.emit.render import environment
+from robodyn.report.arm_data import Arm
+from robodyn.report.diagnosis_frames import Chart, Frame, Mark, span
+from robodyn.report.diagnosis_text import formatted
+from robodyn.report.gantt import gantt_svg
+from robodyn.report.layers import layers_svg
+
+#: What the script is told of an arm; the rest of its data stands in the page.
+_LIVE: Final = ("robot", "base", "reach", "joints", "links", "home", "kernel", "motion")
+_MODULES: Final = ("report/arm_scene.js", "report/arm_kernel.js", "report/arm_panel.js", "report/arm_main.js")
+_DYNAMICS: Final = r"\tau = M(q)\,\ddot q + h(q, \dot q) + g(q)"
+#: What begins or ends an element of HTML within a script.
+_MARKUP: Final = re.compile(r"<(?=/|!--|script)", re.IGNORECASE)
+#: Charts are drawn of so many joints at most.
+_MOST_CHARTS: Final = 16
+#: A task graph of more tasks, and a file of more characters, are too large to be looked at in a page.
+_MOST_TASKS, _MOST_CODE = 600, 400_000
+
+
+def page(arms: Sequence[Arm], comparison: dict[str, Any] | None = None) -> str:
+    """The HTML of an arm, or of two beside each other with their ``comparison``."""
+    live = json_text([{key: arm.data[key] for key in _LIVE} for arm in arms])
+    scripts = [_kernel_script(arm) for arm in arms]
+    scripts.append(script_text("".join(environment().get_template(name).render() for name in _MODULES)))
+    return markup_template("arm.html.j2").render(
+        arms=[_shown(arm) for arm in arms],
+        pages=[arm.data for arm in arms],
+        comparison=comparison,
+        rows=_rows(arms),
+        dynamics=Markup(of_latex(_DYNAMICS)),
+        live=live,
+        scripts=scripts,
+        policy=_policy(scripts),
+        version=arms[0].data["version"],
+    )
+
+
+# --- scripts ----------------------------------------------------------------------------------------------
+
+
+def json_text(value: Any) -> Markup:
+    """``value`` as JSON that may stand in a ``script`` element: no sign in it ends or opens one."""
+    text = json.dumps(value, ensure_ascii=True, allow_nan=False, separators=(",", ":"))
+    for sign in "<>&":
+        text = text.replace(sign, f"\\u{ord(sign):04x}")
+    return Markup(text)
+
+
+def script_text(text: str) -> Markup:
+    """A script, whose comments may hold anything, for a ``script`` element."""
+    return Markup(_MARKUP.sub(r"<\\", text))
+
+
+def _kernel_script(arm: Arm) -> Markup:
+    """The emitted module, and a line that hands its functions on."""
+    functions = ", ".join(f"{name}: {entry['symbol']}" for name, entry in arm.kernel.functions.items())
+    remembers = any(entry["remembers"] for entry in arm.kernel.functions.values())
+    initial = "initial_state" if remembers else "null"
+    handed = f"(globalThis.robodynKernels ??= []).push({{ {functions}, initial_state: {initial} }});\n"
+    return script_text(f"{arm.kernel.module}\n{handed}")
+
+
+def _policy(scripts: Sequence[str]) -> str:
+    """What a browser may do with the page: run these ``scripts``, and load nothing."""
+    hashes = " ".join(
+        f"'sha256-{base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()}'"
+        for script in scripts
+    )
+    return f"default-src 'none'; script-src {hashes}; style-src 'unsafe-inline'; img-src data:"
+
+
+# --- what the template is told ----------------------------------------------------------------------------
+
+
+def _shown(arm: Arm) -> dict[str, Any]:
+    data = arm.data
+    return {
+        "name": data["robot"],
+        "title": data["title"] or data["robot"],
+        "kinds": _kinds(data["joints"]),
+        "length": formatted(data["reach"]),
+        "mass": formatted(sum(link["mass"] for link in data["links"])),
+        "hardest": _hardest(data),
+        "doubts": _plausibility(data["links"]),
+        "charts": [_chart(data, j) for j in range(min(len(data["joints"]), _MOST_CHARTS))],
+        "effects": [_effect(effect) for effect in data["effects"]],
+        "next_best": _next_best(data["counts"]),
+        "equations": [_typeset(record) for record in data["equations"]],
+        "gantt": Markup(gantt_svg(arm.source, arm.solved)),
+        "layers": Markup(layers_svg(arm.source)) if data["schedule"]["tasks"] <= _MOST_TASKS else None,
+        "notes": arm.source.notes,
+        "code": _code(arm),
+    }
+
+
+def _rows(arms: Sequence[Arm]) -> list[dict[str, Any]]:
+    """A row of controls for each joint; of two arms that of the first where it has one."""
+    most = max(arms, key=lambda arm: arm.robot.n).data["joints"]
+    first = arms[0].data["joints"]
+    rows = []
+    for j, joint in enumerate(most):
+        axis = first[j] if j < len(first) else joint
+        rows.append({**axis, "name": "" if axis["name"] == f"link{j + 1}" else axis["name"]})
+    return rows
+
+
+def _kinds(joints: Sequence[dict[str, Any]]) -> str:
+    kinds = [joint["kind"] for joint in joints]
+    parts = [f"{kinds.count(kind)} {kind}" for kind in dict.fromkeys(kinds)]
+    return " and ".join(parts)
+
+
+def _plausibility(links: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Each doubt once, with the links that it is about."""
+    by_text: dict[tuple[str, str], list[str]] = {}
+    for link in links:
+        own = "" if link["name"] == f"link{link['link']}" else f" ({link['name']})"
+        for doubt in link["doubts"]:
+            by_text.setdefault((doubt["what"], doubt["acknowledged"]), []).append(f"{link['link']}{own}")
+    return [{"what": what, "acknowledged": why, "links": places} for (what, why), places in by_text.items()]
+
+
+def _hardest(data: dict[str, Any]) -> dict[str, Any] | None:
+    """The joint that carries most of gravity along the motion."""
+    peaks = [max(map(abs, column)) for column in data["motion"]["gravity"]]
+    j = int(np.argmax(peaks))
+    if not peaks[j]:
+        return None
+    return {"joint": j + 1, "torque": formatted(peaks[j]), "unit": data["joints"][j]["units"]["torque"]}
+
+
+def _next_best(counted: dict[str, Any]) -> dict[str, Any] | None:
+    return next((bar for bar in counted["bars"] if not bar["ours"]), None)
+
+
+def _chart(data: dict[str, Any], j: int) -> Chart:
+    """The torque of joint ``j`` (from 0) along the motion, and what of it holds the arm."""
+    path, unit = data["motion"], data["joints"][j]["units"]["torque"]
+    t = np.array(path["times"])
+    total, holding = np.array(path["torque"][j]), np.array(path["gravity"][j])
+    frame = Frame(0.0, path["period"], *span(total, holding, [0.0]))
+    marks = [
+        Mark("mean holding", frame.line(t, holding), "gravity"),
+        Mark("mean total", frame.line(t, total), "torque"),
+    ]
+    caption = f"{total.min():.3g} to {total.max():.3g} {unit}".replace("-", "−")
+    return frame.chart(f"Joint {j + 1}", caption, ("t [s]", f"[{unit}]"), marks, most=(5, 3))
+
+
+def _effect(effect: dict[str, Any]) -> dict[str, Any]:
+    return {
+        **effect,
+        "equation": Markup(of_latex(effect["latex"])),
+        "charts": [_curve(effect, curve) for curve in effect["curves"][:_MOST_CHARTS]],
+    }
+
+
+def _curve(effect: dict[str, Any], curve: dict[str, Any]) -> Chart:
+    x = np.array(curve["x"])
+    ways = [np.array(torque) for torque in curve["torque"]]
+    frame = Frame(float(x[0]), float(x[-1]), *span(*ways, [0.0]))
+    marks = [
+        Mark("mean total" if k == 0 else "mean back total", frame.line(x, y)) for k, y in enumerate(ways)
+    ]
+    labels = (f"{curve['over']} [{curve['unit']}]", f"[{curve['torque_unit']}]")
+    peak = max(float(np.abs(y).max()) for y in ways)
+    caption = f"up to {peak:.3g} {curve['torque_unit']}"
+    return frame.chart(f"Joint {curve['joint']}: {effect['title']}", caption, labels, marks, most=(5, 3))
+
+
+def _typeset(record: dict[str, Any]) -> dict[str, Any]:
+    """MathML is made by us, of letters, digits and signs."""
+    return {
+        **record,
+        "groups": [{**group, "steps": list(map(Markup, group["steps"]))} for group in record["groups"]],
+        "results": list(map(Markup, record["results"])),
+    }
+
+
+# --- the emitted C ----------------------------------------------------------------------------------------
+
+_TOKEN: Final = re.compile(
+    r"(?P<comment>/\*.*?\*/)|(?P<directive>^#.*?$)|(?P<keyword>\b(?:void|const|static|double|float|return)\b)"
+    r"|(?P<number>(?<![\w.])\d+\.?\d*(?:e[+-]?\d+)?f?\b)",
+    re.DOTALL | re.MULTILINE,
+)
+
+
+def _code(arm: Arm) -> list[dict[str, Any]]:
+    return [
+        {
+            "name": name,
+            "lines": text.count("\n"),
+            "size": len(text),
+            "text": highlighted(text) if len(text) <= _MOST_CODE else None,
+        }
+        for name, text in arm.generated.files(("c",)).items()
+    ]
+
+
+def highlighted(text: str) -> Markup:
+    """C with its comments, directives, keywords and numbers marked."""
+    parts: list[Markup] = []
+    place = 0
+    for match in _TOKEN.finditer(text):
+        parts.append(escape(text[place : match.start()]))
+        kind = (match.lastgroup or "")[0]
+        parts.append(Markup('<i class="{}">{}</i>').format(kind, match[0]))
+        place = match.end()
+    parts.append(escape(text[place:]))
+    return Markup("").join(parts)

@@ -1,0 +1,242 @@
+"""``robodyn build``: what is written, that nothing is done twice, and what is refused."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import robodyn_cli.building
+from cli.built import FILES, PROJECT, build, outputs
+from cli.generated import Capture, tree
+from records.made import ELBOW
+from robodyn_cli.main import main
+
+
+@pytest.fixture
+def generated(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """The names of the robots whose kernels are generated in this process."""
+    names: list[str] = []
+    carry_out = robodyn_cli.building.carry_out
+
+    def noted(job: Any, root: Path) -> Any:
+        names.append(job.name)
+        return carry_out(job, root)
+
+    monkeypatch.setattr(robodyn_cli.building, "carry_out", noted)
+    return names
+
+
+def test_it_writes_what_gen_writes(project: Path, capsys: Capture) -> None:
+    build()
+    out = capsys.readouterr().out
+    assert "wrote firmware/two/other.c\n" in out
+    assert set(tree(project)) == FILES | {"elbow.yaml", "other.yaml", "robodyn.toml"}
+    options = ["--functions", "inverse_dynamics,gravity", "--lang", "c"]
+    assert main(["gen", "elbow.yaml", *options, "-o", "gen/one"]) == 0
+    assert main(["gen", "other.yaml", *options, "--scalar", "float", "-o", "gen/two"]) == 0
+    assert tree(project / "generated" / "one") == tree(project / "gen" / "one")
+    assert tree(project / "firmware" / "two") == tree(project / "gen" / "two")
+
+
+def test_nothing_is_done_twice(project: Path, generated: list[str], capsys: Capture) -> None:
+    build()
+    assert generated == ["one", "two"]
+    times = {name: (project / name).stat().st_mtime_ns for name in FILES}
+    capsys.readouterr()
+    build()
+    build("--check")
+    assert generated == ["one", "two"]
+    assert times == {name: (project / name).stat().st_mtime_ns for name in FILES}
+    assert capsys.readouterr() == ("2 robots, 4 functions, 198 operations; no count changed\n" * 2, "")
+
+
+@pytest.mark.parametrize(
+    ("file", "before", "after"),
+    [
+        ("other.yaml", "mass: 1.5", "mass: 1.6"),
+        ("robodyn.toml", 'scalar = "float"', 'trig = "builtin"'),
+        ("records/other.inverse_dynamics.total.record", "", "no record, but it might be one"),
+    ],
+)
+def test_what_changed_is_done_alone(
+    file: str, before: str, after: str, project: Path, generated: list[str]
+) -> None:
+    (project / "two").mkdir()
+    (project / "other.yaml").rename(project / "two" / "other.yaml")
+    text = PROJECT.replace("other.yaml", "two/other.yaml")
+    (project / "robodyn.toml").write_text(text)
+    build()
+    path = project / file if file == "robodyn.toml" else project / "two" / file
+    path.parent.mkdir(exist_ok=True)
+    path.write_text((path.read_text() if path.exists() else "").replace(before, after) if before else after)
+    generated.clear()
+    build()
+    assert generated == ["two"]
+    path.write_text(text if file == "robodyn.toml" else ELBOW.replace("elbow", "other"))
+    if before:  # what was generated once is still known
+        generated.clear()
+        build()
+        assert generated == []
+
+
+def test_another_robodyn_generates_anew(
+    project: Path, generated: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from robodyn.project import fingerprint
+
+    build()
+    monkeypatch.setattr(fingerprint, "_robodyn", lambda: "other sources")
+    build()
+    assert generated == ["one", "two"] * 2
+
+
+def test_a_file_that_somebody_changed_is_written_again_without_generating(
+    project: Path, generated: list[str], capsys: Capture
+) -> None:
+    build()
+    wanted = outputs(project)
+    (project / "generated/one/elbow.c").write_text("mine\n")
+    (project / "firmware/two/other.h").unlink()
+    generated.clear()
+    capsys.readouterr()
+    build("--json")
+    assert json.loads(capsys.readouterr().out)["written"] == ["generated/one/elbow.c", "firmware/two/other.h"]
+    assert outputs(project) == wanted
+    assert generated == []
+
+
+def test_a_damaged_store_is_mended(project: Path, tmp_path: Path, generated: list[str]) -> None:
+    build()
+    wanted = outputs(project)
+    for path in (tmp_path / "cache").glob("*/texts/*.c"):
+        path.write_text("damaged")
+    for name in FILES:
+        (project / name).unlink()
+    build()
+    assert outputs(project) == wanted
+    assert generated == ["one", "two"] * 2
+
+
+def test_the_same_bytes_with_many_processes(
+    project: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    build()
+    wanted = outputs(project)
+    monkeypatch.setenv("ROBODYN_CACHE", str(tmp_path / "other"))
+    for name in FILES:
+        (project / name).unlink()
+    assert main(["build", "--workers", "3"]) == 0
+    assert outputs(project) == wanted
+
+
+@pytest.mark.parametrize("workers", ["1", "2"])
+def test_errors_of_all_robots_are_told_and_nothing_is_written(
+    workers: str, project: Path, capsys: Capture
+) -> None:
+    (project / "elbow.yaml").write_text("name: elbow\nlinks: 5\n")
+    (project / "robodyn.toml").write_text(PROJECT.replace('"float"', '"flot"'))
+    assert main(["build", "--workers", workers]) == 2
+    err = capsys.readouterr().err
+    assert (
+        "robodyn.toml:11:1: unknown scalar 'flot'; expected one of double, float; did you mean 'float'?"
+        in err
+    )
+    (project / "robodyn.toml").write_text(PROJECT.replace('scalar = "float"', 'functions = ["gravty"]'))
+    assert main(["build", "--workers", workers]) == 2
+    err = capsys.readouterr().err
+    assert "robodyn: error: elbow.yaml:2:8: " in err
+    assert "robodyn: error: robodyn.toml:8:1: " in err
+    assert "gravity" in err
+    assert not set(tree(project)) & FILES
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ('scalar = "float"', 'optimize = "search"', "robodyn.toml:11:1: a search is no part of a build"),
+        ('scalar = "float"', "misra = true\nlang = 'rust'", "robodyn.toml:8:1: "),
+        ('output = "firmware/two"', 'output = "generated/one"\nrobot = "elbow.yaml"', "write the same file"),
+        ('scalar = "float"', "budgets.bias.total = 5", "robodyn.toml:11:1: two has a budget of a function"),
+    ],
+)
+def test_what_no_build_can_do_is_refused(
+    old: str, new: str, message: str, project: Path, capsys: Capture
+) -> None:
+    text = PROJECT.replace('robot = "other.yaml"\n', "") if "robot =" in new else PROJECT
+    (project / "robodyn.toml").write_text(text.replace(old, new))
+    build(code=2)
+    assert message in capsys.readouterr().err
+    assert not set(tree(project)) & FILES
+
+
+@pytest.mark.parametrize("way", ["generated/../generated/one", "link", "generated/one/"])
+def test_two_robots_that_write_the_same_file_by_two_ways(way: str, project: Path, capsys: Capture) -> None:
+    (project / "link").symlink_to("generated/one", target_is_directory=True)
+    text = PROJECT.replace("other.yaml", "elbow.yaml").replace("firmware/two", way)
+    (project / "robodyn.toml").write_text(text)
+    build(code=2)
+    assert "robodyn.toml:8:1: two robots write the same file" in capsys.readouterr().err
+
+
+def test_what_stands_in_the_way_is_told(project: Path, capsys: Capture) -> None:
+    (project / "firmware").touch()
+    build(code=2)
+    err = capsys.readouterr().err
+    assert "cannot write firmware/two/other.h" in err
+    assert "choose another output in robodyn.toml" in err
+    assert not set(tree(project)) & FILES
+    (project / "firmware").unlink()
+    os.mkfifo(project / "firmware.pipe")
+    (project / "firmware" / "two").mkdir(parents=True)
+    (project / "firmware.pipe").rename(project / "firmware" / "two" / "other.c")
+    build(code=2)
+    assert "something that is not a file" in capsys.readouterr().err
+
+
+def test_a_lock_file_with_the_marks_of_a_merge_is_replaced(project: Path, capsys: Capture) -> None:
+    build()
+    wanted = (project / "robodyn.lock").read_text()
+    (project / "robodyn.lock").write_text(wanted.replace("[robots.one]", "<<<<<<< ours\n[robots.one]"))
+    build("--check", code=2)
+    assert "robodyn.lock:5:1: this is not TOML" in capsys.readouterr().err
+    build()
+    assert "note: the lock file is written anew: robodyn.lock:5:1:" in capsys.readouterr().err
+    assert (project / "robodyn.lock").read_text() == wanted
+
+
+def test_from_another_folder(project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    build()
+    wanted = outputs(project)
+    (project / "elsewhere").mkdir()
+    for name in FILES:
+        (project / name).unlink()
+    monkeypatch.chdir(project / "elsewhere")
+    build("--file", "../robodyn.toml")
+    assert outputs(project) == wanted
+
+
+def test_notes_are_told_when_kernels_are_generated(project: Path, capsys: Capture) -> None:
+    (project / "elbow.yaml").write_text(ELBOW.replace("xx: 0.2", "xx: 2"))
+    build()
+    assert "robodyn: warning: elbow.yaml:6:" in capsys.readouterr().err
+    build()
+    assert capsys.readouterr().err == ""
+
+
+def test_a_robot_that_left_leaves_the_lock_file_and_its_files_are_named(
+    project: Path, capsys: Capture
+) -> None:
+    build()
+    (project / "robodyn.toml").write_text(PROJECT.partition("[robots.two]")[0])
+    capsys.readouterr()
+    build()
+    assert (
+        "robodyn: note: no longer written: firmware/two/other.h, firmware/two/other.c"
+        in capsys.readouterr().err
+    )
+    assert "two" not in (project / "robodyn.lock").read_text()
+    assert (project / "firmware/two/other.c").exists()
