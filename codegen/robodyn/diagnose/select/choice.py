@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +17,7 @@ from robodyn.diagnose.select.limits import (
     CLOSE,
     LEAST_SHARE,
     LEAST_T,
+    LIKELY_WITHIN,
     MANY_POWER,
     NEARLY,
     OSCILLATOR_DIRECTIONS,
@@ -93,11 +94,8 @@ def best_of(
     for key, one in best.items():
         if one.candidate.values and one.gain > 0.5 * top:
             best[key] = _refined(current, one, least, contexts)
-    unlikely = [
-        one
-        for one in best.values()
-        if not (one.candidate.likely(one.fit.x) or (not rough and _stands_alone(now, one, best.values())))
-    ]
+    several = list(best.values())
+    unlikely = [one for one in several if not _is_likely(now, one, several, rough=rough)]
     best = {key: one for key, one in best.items() if not any(one is each for each in unlikely)}
     if not best:
         return None
@@ -152,7 +150,23 @@ def nearest(
     return sorted(kept, key=lambda one: -one.gain)
 
 
-def _stands_alone(now: Problem, one: Trial, others: Iterable[Trial]) -> bool:
+def _is_likely(now: Problem, one: Trial, others: Sequence[Trial], *, rough: bool) -> bool:
+    """Whether a candidate may be named as likely as it is.
+
+    One that is not likely may be where it alone explains the log to its noise. In a ``rough`` log nothing
+    does, and coefficients are known roughly: one is likely that is with coefficients which chance may have
+    moved."""
+    x, likely = one.fit.x, one.candidate.likely
+    if likely(x):
+        return True
+    if not rough:
+        return _stands_alone(now, one, others)
+    sizes, ways = np.linalg.eigh(one.fit.cov)
+    steps = LIKELY_WITHIN * (ways * np.sqrt(np.maximum(sizes, 0.0))).T
+    return any(likely(x + step) or likely(x - step) for step in steps)
+
+
+def _stands_alone(now: Problem, one: Trial, others: Sequence[Trial]) -> bool:
     """Whether a candidate leaves its joints no more than noise, and none of the others as little."""
     rows = list(one.candidate.rows)
     left = float(np.median(one.fit.held_out[:, rows], axis=0).max())

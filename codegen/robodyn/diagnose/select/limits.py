@@ -74,6 +74,10 @@ NEARLY: Final = 0.9
 ROUGH: Final = 3.0
 """[mean squares of the noise] If no candidate leaves less, the log has what is not in the catalogue."""
 
+LIKELY_WITHIN: Final = 2.0
+"""[standard errors] In a log with more in it than the catalogue has, a candidate is not likely if it is not
+with coefficients up to this away either."""
+
 ALONE: Final = 1.5
 """[mean squares of the noise] A candidate that is not likely is named if it alone leaves less."""
 
@@ -280,6 +284,10 @@ identified arm foresee its torques to some thousandths, whatever its description
 
 TIGHT_EVIDENCE: Final = 5.0
 """[log-likelihood] and how much better the evidence for it must be."""
+
+RIGID_EVIDENCE: Final = 40.0
+"""[log-likelihood] and for one body or link that is not as described, whose ten numbers may fit a scatter of
+the numbers of all: of 10 % in an arm of three joints, with up to 33."""
 
 POSES: Final = 50
 """[poses] at which inertias are looked at."""
