@@ -29,7 +29,7 @@ def often_read(program: Program) -> list[Fraction]:
         if i not in angular:
             read.update(x.as_integer_ratio() for x in operation.args if isinstance(x, Fraction))
     often = [Fraction(*ratio) for ratio, times in read.items() if times >= _OFTEN]
-    return [number for number in often if number > 0 and len(repr(float(number))) >= _LONG]
+    return [constant for constant in often if constant > 0 and len(repr(float(constant))) >= _LONG]
 
 
 def of_angles(program: Program) -> set[int]:

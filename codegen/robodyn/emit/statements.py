@@ -163,9 +163,9 @@ def statements(
     concise = concise and len(operations) > LARGE
     numbers: dict[tuple[int, int], str] = {}
     if concise:
-        for k, number in enumerate(often_read(program), 1):
-            name = numbers[number.as_integer_ratio()] = unique(f"k{k}", taken)
-            written.append(Statement(name, number, None if heading else _NUMBERS))
+        for k, constant in enumerate(often_read(program), 1):
+            name = numbers[constant.as_integer_ratio()] = unique(f"k{k}", taken)
+            written.append(Statement(name, constant, None if heading else _NUMBERS))
             heading = _NUMBERS
     angular = of_angles(program) if numbers else set()
 

@@ -13,7 +13,7 @@ from robodyn.dynamics.fusing import AND, Writing, one_after_another
 from robodyn.ir.graph import Graph
 from robodyn.ir.program import Input, Program
 from robodyn.ir.size import TooLarge
-from robodyn.kernels.drafts import CLEARLY, SMALL, least, total
+from robodyn.kernels.drafts import ANEW_JOINTS, CLEARLY, SMALL, least, total
 from robodyn.kernels.options import Options
 from robodyn.kernels.proof import prove
 from robodyn.optimize.fast import fast_choices
@@ -261,9 +261,8 @@ class RigidPrograms:
             return build_through_sympy(self.robot, function, self.choice)
         known = function_named(function)
         writings = (*known.writings(self.robot.n), *known.of_rigid_arms)
-        if known.fuses:
-            drafts = self._fused(known)
-        else:
+        drafts = self._fused(known) if known.fuses else []
+        if not known.fuses and not (known.apart and self.robot.n > ANEW_JOINTS):
             drafts = [build(self.robot, function, self.choice, writing) for writing in writings]
         if known.apart:
             drafts += self._of_parts(known)
