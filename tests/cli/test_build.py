@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 from pathlib import Path
 from typing import Any
 
@@ -51,7 +52,9 @@ def test_nothing_is_done_twice(project: Path, generated: list[str], capsys: Capt
     build("--check")
     assert generated == ["one", "two"]
     assert times == {name: (project / name).stat().st_mtime_ns for name in FILES}
-    assert capsys.readouterr() == ("2 robots, 4 functions, 198 operations; no count changed\n" * 2, "")
+    out, err = capsys.readouterr()
+    assert re.fullmatch(r"(2 robots, 4 functions, \d+ operations; no count changed\n){2}", out)
+    assert err == ""
 
 
 @pytest.mark.parametrize(

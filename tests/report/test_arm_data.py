@@ -19,7 +19,7 @@ from robodyn.errors import InputError
 from robodyn.ir.program import Input
 from robodyn.report.arm_data import Arm, arm_of
 from robodyn.report.arm_page import highlighted, json_text, page, script_text
-from robodyn.report.arm_parts import ellipsoid
+from robodyn.report.arm_parts import ellipsoid, links
 from robodyn.robot import load, read_text
 from robodyn.robot.model import Inertia
 from robodyn.verify.reference import Reference
@@ -119,6 +119,26 @@ def test_doubts_ranges_and_effects(rubbing: Arm) -> None:
     )
     assert max(stribeck["torque"][0]) == pytest.approx(4.9, rel=0.1)
     assert data["kernel"]["functions"]["inverse_dynamics"]["remembers"]
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        "limits: {position: [-180, 180]}",
+        "inertia: {xx: -1, yy: 1, zz: 1}",
+        "inertia: {xx: 1, yy: 1, zz: 3}",
+    ],
+)
+def test_what_strict_refuses_is_a_doubt_of_the_page(wrong: str) -> None:
+    text = f"name: arm\nlinks: [{{joint: revolute}}, {{joint: revolute, mass: 1, {wrong}}}]"
+    warnings: list[str] = []
+    first, second = links(read_text(text, warn=warnings.append))
+    (doubt,) = second["doubts"]
+    assert not first["doubts"]
+    (warning,) = warnings
+    assert doubt["what"].rpartition(": ")[2].partition(" rad")[0] in warning
+    with pytest.raises(InputError):
+        read_text(text, strict=True)
 
 
 def test_the_ellipsoid_of_a_body_is_the_body() -> None:

@@ -55,3 +55,10 @@ def test_the_critical_path_is_a_chain_of_waits() -> None:
     assert len(chain) == graph.critical_path
     assert not graph.after[chain[0]]
     assert all(a in graph.after[b] for a, b in pairwise(chain))
+
+
+@pytest.mark.parametrize("links", [1, 4])
+def test_the_head_fits(links: int) -> None:
+    root = ET.fromstring(layers_svg(links_source(links)))
+    note = root.findtext(f"{SVG}desc") or ""
+    assert float(root.attrib["width"]) >= style.text_width(note) + style.MARGIN

@@ -11,9 +11,9 @@ from robodyn.draw import style
 from robodyn.draw.markup import markup_template
 from robodyn.draw.scales import decades, label
 
-#: The frame's width, the height of a row, the radius of a dot, the head and the margin, in px.
+#: The frame's width, the height of a row, the radius of a dot, the head, in px.
 _WIDTH, _ROW, _RADIUS = 460, 22, 5
-_HEAD, _MARGIN = 68, 16
+_HEAD = 68
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,13 +33,13 @@ def dots(title: str, note: str, x_label: str, rows: Sequence[Dot]) -> str:
     def x(value: float) -> float:
         return _WIDTH * (math.log10(value) - first) / (last - first)
 
-    left: Final = _MARGIN + max(style.text_width(row.name) for row in rows) + 10
+    left: Final = style.MARGIN + max(style.text_width(row.name) for row in rows) + 10
     colours = [style.OURS if row.ours else style.OTHERS for row in rows]
     return markup_template("dots.svg.j2").render(
         style=style,
-        width=f"{left + _WIDTH + 60:.0f}",
+        width=f"{max(left + _WIDTH + 60, style.head_width(title, note)):.0f}",
         height=_HEAD + _ROW * len(rows) + 52,
-        left=f"{left:.0f}", top=_HEAD, margin=_MARGIN, frame_width=_WIDTH, bottom=_ROW * len(rows),
+        left=f"{left:.0f}", top=_HEAD, frame_width=_WIDTH, bottom=_ROW * len(rows),
         radius=_RADIUS,
         title=title,
         note=note,

@@ -15,8 +15,8 @@ from robodyn.draw.scales import decades, label, share, ticks
 #: A frame in px, what is above it (title and label of the axis), and below it (ticks and label).
 WIDTH, HEIGHT = 360, 220
 _ABOVE, _BELOW = 54, 44
-#: The head of a picture, its margin, and the space between rows of panels.
-_HEAD, _MARGIN, _GAP = 64, 16, 28
+#: The head of a picture, and the space between rows of panels.
+_HEAD, _GAP = 64, 28
 #: Names beside a frame: from where, how long the stroke before one is, how wide one may be.
 _NAMES, _STROKE, _WIDEST = 18, 14, 185
 #: Ends of curves nearer than so many px are told apart before, within so many percent of their points.
@@ -105,7 +105,7 @@ def figure(title: str, note: str, panels: Sequence[Panel], *, columns: int = 2, 
     ``note``."""
     columns = min(columns, len(panels))
     axes = [_Axes.of(panel, width) for panel in panels]
-    left = _MARGIN + 8 + max(style.text_width(label(mark)) for one in axes for mark in one.up)
+    left = style.MARGIN + 8 + max(style.text_width(label(mark)) for one in axes for mark in one.up)
     names = [_names(panel, one) for panel, one in zip(panels, axes, strict=True)]
     beside = max(
         (style.text_width(line) for each in names for name in each for line in name["lines"]), default=0
@@ -123,10 +123,9 @@ def figure(title: str, note: str, panels: Sequence[Panel], *, columns: int = 2, 
     ]
     return markup_template("panels.svg.j2").render(
         style=style,
-        width=f"{max(columns * pitch[0], style.text_width(note) + 2 * _MARGIN) + _MARGIN:.0f}",
+        width=f"{max(columns * pitch[0] + style.MARGIN, style.head_width(title, note)):.0f}",
         height=f"{_HEAD + -(-len(panels) // columns) * pitch[1]:.0f}",
         frame={"width": width, "height": HEIGHT},
-        margin=_MARGIN,
         title=title,
         note=note,
         panels=drawn,

@@ -22,6 +22,8 @@ INK, SOFT, GRID, PAPER = "#1b1f24", "#59626d", "#e0e2e6", "#ffffff"
 FONT: Final = "DejaVu Sans, Verdana, Helvetica, Arial, sans-serif"
 #: Sizes in px: text, titles of panels, titles of pictures; and the height of a line of text.
 TEXT, TITLE, HEADING, LEADING = 12, 13, 15, 15
+#: What is left of a picture's title, and right of it.
+MARGIN: Final = 16
 #: Widths of lines in px.
 LINE, THIN = 2.0, 1.0
 DASHES: Final = "6 4"
@@ -40,6 +42,11 @@ def pale(colour: str, share: float = 0.3) -> str:
 def text_width(text: str, size: float = TEXT) -> float:
     """About how wide ``text`` is, in px."""
     return _SIGN * size * len(text)
+
+
+def head_width(title: str, note: str) -> int:
+    """How wide a picture is at least, for its ``title`` and ``note``, in px."""
+    return round(max(text_width(title, HEADING), text_width(note))) + 2 * MARGIN
 
 
 def wrapped(text: str, width: float, size: float = TEXT) -> list[str]:

@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Literal
+from typing import Final, Literal
 
 from robodyn.errors import InputError
 from robodyn.files import label, read_start
@@ -18,6 +18,8 @@ from robodyn.project.product import Product
 from robodyn.project.reading import Budgets, Entry, Project
 
 Kinds = Mapping[str, int]
+#: Before the place where two lines differ so much is shown, and twice as much behind it [characters].
+_AROUND: Final = 20
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +47,7 @@ class Counted:
         """The kinds of which there are more than before: how many before, and now."""
         if self.now is None or self.before is None:
             return {}
-        before = {kind: self.before.get(kind, 0) for kind in self.now}
+        before = {kind: self.before.get(kind, count) for kind, count in self.now.items()}
         return {kind: (before[kind], count) for kind, count in self.now.items() if count > before[kind]}
 
 
@@ -107,14 +109,10 @@ def check_products(project: Project, products: Mapping[str, Product]) -> None:
                 )
 
 
-def outdated(folder: Path, product: Product) -> dict[str, bool]:
-    """The files of ``product`` that are not in ``folder`` as they should be, and whether they are there."""
-    different = {}
-    for name, sha256 in product.files.items():
-        data = _contents(folder / name)
-        if data is None or digest(data) != sha256:
-            different[name] = data is not None
-    return different
+def outdated(folder: Path, product: Product) -> list[str]:
+    """The files of ``product`` that are not in ``folder`` as they should be."""
+    contents = {name: _contents(folder / name) for name in product.files}
+    return [name for name, data in contents.items() if data is None or digest(data) != product.files[name]]
 
 
 def _contents(path: Path) -> bytes | None:
@@ -173,15 +171,10 @@ def _state(
 ) -> RobotState:
     folder = project.output(entry)
     different = outdated(folder, product)
-    wanted = texts(entry) if any(different.values()) else {}
-    files = {
-        label(folder / name): None
-        if name not in different
-        else _difference(_contents(folder / name) or b"", wanted[name])
-        if different[name]
-        else "is missing"
-        for name in product.files
-    }
+    wanted = texts(entry) if different else {}
+    files: dict[str, str | None] = {label(folder / name): None for name in product.files}
+    for name in different:
+        files[label(folder / name)] = _difference(_contents(folder / name), wanted[name])
     names = dict.fromkeys((*product.counts, *before))
     return RobotState(entry.name, files, tuple(_counted(f, product, before, entry.budgets) for f in names))
 
@@ -194,18 +187,25 @@ def _counts_of(lock: Lock | None, name: str) -> Mapping[str, Kinds]:
     return {} if lock is None or name not in lock else lock[name].counts
 
 
-def _difference(there: bytes, wanted: bytes) -> str:
-    """Where a file first differs, in words."""
+def _difference(there: bytes | None, wanted: bytes) -> str:
+    """Where a file first differs from what is ``wanted``, in words."""
+    if there is None:
+        return "is missing"
     ours, theirs = wanted.split(b"\n"), there.split(b"\n")
     for line, (a, b) in enumerate(zip(ours, theirs, strict=False), 1):
         if a != b:
-            return f"differs from line {line} on: found {_quoted(b)}, expected {_quoted(a)}"
+            same = next(
+                (k for k, (x, y) in enumerate(zip(a, b, strict=False)) if x != y), min(len(a), len(b))
+            )
+            return f"differs from line {line} on: found {_quoted(b, same)}, expected {_quoted(a, same)}"
     return f"has {len(theirs) - 1} lines, expected {len(ours) - 1}"
 
 
-def _quoted(line: bytes) -> str:
-    text = line.decode("utf-8", "replace").strip() if line.strip() else line.decode("utf-8", "replace")
-    return repr(text if len(text) <= 60 else f"{text[:57]}...")
+def _quoted(line: bytes, at: int) -> str:
+    """What stands in ``line`` around the byte ``at``."""
+    begin, end = max(0, at - _AROUND), at + 2 * _AROUND
+    text = line[begin:end].decode("utf-8", "replace")
+    return f"{'...' * (begin > 0)}{text!r}{'...' * (end < len(line))}"
 
 
 def _faults(robot: RobotState) -> list[Fault]:

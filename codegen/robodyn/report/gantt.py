@@ -45,18 +45,22 @@ def gantt_svg(source: Source, solved: Solved) -> str:
     every = max(1, -(-table.span // 30))
     links = sorted({graph.link(task) for task in graph.tasks})
     unit = "levels" if table.machine.synchronised else "units of time"
+    key = _key(links)
+    title = f"{source.name}: {len(graph)} tasks on {p} processors"
+    note = f"{table.levels} {unit}, speed-up {solved.speedup:.3f}, efficiency {100 * solved.efficiency:.2f} %"
     return markup_template("gantt.svg.j2").render(
         style=style,
-        width=_LEFT + max(round(scale * table.span), _SWATCH * min(len(links), len(style.SERIES)), 420) + 30,
+        width=max(
+            _LEFT + max(round(scale * table.span), _SWATCH * len(key)) + 30, style.head_width(title, note)
+        ),
         height=_TOP + _ROW * p + 56,
-        key=_key(links),
+        key=key,
         unit=f"time [{unit}]",
         left=_LEFT,
         top=_TOP,
         row=_ROW - 2,
-        title=f"{source.name}: {len(graph)} tasks on {p} processors",
-        note=f"{table.levels} {unit}, speed-up {solved.speedup:.3f}, "
-        f"efficiency {100 * solved.efficiency:.2f} %",
+        title=title,
+        note=note,
         boxes=boxes,
         rows=[{"y": _ROW * k + _ROW / 2, "label": f"P{k + 1}"} for k in range(p)],
         ticks=[{"x": f"{scale * t:.1f}", "label": str(t)} for t in range(0, table.span + 1, every)],

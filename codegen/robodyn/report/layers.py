@@ -48,14 +48,18 @@ def layers_svg(source: Source) -> str:
     widest = max(map(len, layers), default=0)
     chain = critical_chain(graph)
     steps = set(pairwise(chain))
+    title = f"{source.name}: layered graph"
+    note = (
+        f"{len(graph)} {source.tasks} in {len(layers)} layers, at most {widest} in one; "
+        "lines: what a task waits for last; thick: a critical path"
+    )
     return markup_template("layers.svg.j2").render(
         style=style,
-        width=_LEFT + max(right, 520) + 20,
+        width=max(_LEFT + right + 20, style.head_width(title, note)),
         height=_TOP + bottom + 10,
         left=_LEFT, top=_TOP, bottom=bottom,
-        title=f"{source.name}: layered graph",
-        note=f"{len(graph)} {source.tasks} in {len(layers)} layers, at most {widest} in one; "
-        "lines: what a task waits for last; thick: a critical path",
+        title=title,
+        note=note,
         lanes=[
             {
                 "x": lanes[link] - _LANE / 2, "width": wide[link] * _STEP[0] + _LANE - 6,

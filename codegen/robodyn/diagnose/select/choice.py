@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -93,11 +93,8 @@ def best_of(
     for key, one in best.items():
         if one.candidate.values and one.gain > 0.5 * top:
             best[key] = _refined(current, one, least, contexts)
-    unlikely = [
-        one
-        for one in best.values()
-        if not (one.candidate.likely(one.fit.x) or (not rough and _stands_alone(now, one, best.values())))
-    ]
+    several = list(best.values())
+    unlikely = [one for one in several if not _is_likely(now, one, several, rough=rough)]
     best = {key: one for key, one in best.items() if not any(one is each for each in unlikely)}
     if not best:
         return None
@@ -152,7 +149,13 @@ def nearest(
     return sorted(kept, key=lambda one: -one.gain)
 
 
-def _stands_alone(now: Problem, one: Trial, others: Iterable[Trial]) -> bool:
+def _is_likely(now: Problem, one: Trial, others: Sequence[Trial], *, rough: bool) -> bool:
+    """Whether a candidate may be named: one that is not likely may only where it alone explains the log to
+    its noise, and in a ``rough`` log nothing does."""
+    return one.candidate.likely(one.fit.x) or (not rough and _stands_alone(now, one, others))
+
+
+def _stands_alone(now: Problem, one: Trial, others: Sequence[Trial]) -> bool:
     """Whether a candidate leaves its joints no more than noise, and none of the others as little."""
     rows = list(one.candidate.rows)
     left = float(np.median(one.fit.held_out[:, rows], axis=0).max())

@@ -41,6 +41,7 @@ from robodyn.diagnose.select.limits import (
     OF_TORQUE,
     POSES,
     REST_WEIGHT,
+    RIGID_EVIDENCE,
     SHORTEST_PIECE,
     STANDS_OUT,
     TIGHT,
@@ -209,25 +210,26 @@ def select(
         start = wide(unstated)
         chosen = choose(start, links=False)
     else:
-        chosen = choose(start)
+        best = described = _View.of(start, choose(start))
         # Perhaps the arm's numbers are better than they are said to be, and something else shows; or, where
         # nothing is said of them, they are worse.
-        others: list[tuple[float | None, Problem]] = []
         is_stated = all(link.confidence is not None for link in robot.links)
-        if not chosen.findings or (is_stated and not known):
-            others = [(None, tighter(start, share)) for share in TIGHT]
+        if not best.chosen.findings or (is_stated and not known and not rough):
+            for tight in TIGHT:
+                other = tighter(start, tight)
+                view = _View.of(other, choose(other), tight=tight)
+                margin = TIGHT_EVIDENCE if best is described else 0.0
+                if view.chosen.findings and view.evidence > best.evidence + margin:
+                    best = view
+            if best is not described and not best.may_name(robot, described):
+                best = described
         elif not is_stated:
-            others = [(share, wide(share)) for share in UNSTATED]
-        evidence = _evidence(start, chosen)
-        for share, other in others:
-            again = choose(other, links=share is None)
-            better = _evidence(other, again)
-            if (
-                (again.findings or share)
-                and not _within_what_is_said(robot, again)
-                and better > evidence + TIGHT_EVIDENCE
-            ):
-                start, chosen, unstated, evidence = other, again, share, better
+            for share in UNSTATED:
+                other = wide(share)
+                view = _View.of(other, choose(other, links=False), unstated=share)
+                if view.evidence > best.evidence + TIGHT_EVIDENCE:
+                    best = view
+        start, chosen, unstated = best.start, best.chosen, best.unstated
     now, current, findings = chosen.now, chosen.current, chosen.findings
     first = fitted(start)
     estimated = _estimated(now, current, findings)
@@ -239,11 +241,38 @@ def select(
     )
 
 
-def _within_what_is_said(robot: Robot, chosen: Chosen) -> bool:
-    """Whether it is a link's own numbers that are wrong, and by no more than its description says."""
-    candidates = [each.trial.candidate for each in chosen.findings]
-    joints = [c.joint for c in candidates if is_of_link(c)]
-    return any(j is not None and robot.links[j - 1].confidence is not None for j in joints)
+@dataclass(frozen=True, slots=True, eq=False)
+class _View:
+    """What was ``chosen`` beside one prior of the arm's numbers, that of the problem ``start``, and the
+    ``evidence`` for both. ``tight``: as what share of what is said the numbers are taken to be wrong;
+    ``unstated``: as what share of themselves those of which nothing is said."""
+
+    start: Problem
+    chosen: Chosen
+    evidence: float
+    tight: float
+    unstated: float | None
+
+    @classmethod
+    def of(
+        cls, start: Problem, chosen: Chosen, *, tight: float = 1.0, unstated: float | None = None
+    ) -> _View:
+        """With its evidence."""
+        return cls(start, chosen, _evidence(start, chosen), tight, unstated)
+
+    def may_name(self, robot: Robot, described: _View) -> bool:
+        """Whether its names are none of what the view as ``described`` has it to be so. That the numbers of
+        a link are wrong, or that there is a body more, is news where all other numbers are as exact as can
+        be; the first only where nothing is said of them. A scatter of them all, of which one shows most, is
+        what a description is expected to have, and on an arm of few joints one body may fit it."""
+        candidates = [each.trial.candidate for each in self.chosen.findings]
+        links = [robot.links[c.joint - 1] for c in candidates if is_of_link(c) and c.joint is not None]
+        bodies = sum(c.definition.traits.body for c in candidates)
+        if not links and not bodies:
+            return True
+        is_stated = any(link.confidence is not None for link in links)
+        is_exact = self.tight == min(TIGHT) and self.evidence > described.evidence + RIGID_EVIDENCE
+        return len(links) + bodies == 1 and is_exact and not is_stated
 
 
 def _evidence(start: Problem, chosen: Chosen) -> float:
