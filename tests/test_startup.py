@@ -61,6 +61,23 @@ def test_checking_a_folder_takes_no_more(tmp_path: Path) -> None:
     assert not loaded(code, tmp_path) & HEAVY
 
 
+def test_a_build_that_has_nothing_to_do_imports_nothing_to_do_it_with(tmp_path: Path) -> None:
+    """Not even what reads a robot: twenty of them take no longer than the start of Python."""
+    text = "[robots.stanford_3dof]\nfunctions = 'gravity'\nbudgets.gravity.total = 99\n"
+    (tmp_path / "robodyn.toml").write_text(text)
+    own_store = f"import os\nos.environ['ROBODYN_CACHE'] = {str(tmp_path / 'cache')!r}\n"
+    first, second = (modules(own_store + command("build"), tmp_path) for _ in range(2))
+    heavy = {
+        "yaml",
+        "jinja2",
+        "robodyn.kernels.generate",
+        "robodyn.robot.reader",
+        "robodyn.dynamics.functions",
+    }
+    assert heavy <= first
+    assert not second & (heavy | HEAVY)
+
+
 def test_the_library_itself_is_light(tmp_path: Path) -> None:
     found = loaded("import robodyn\nrobodyn.load('stanford')\nrobodyn.program", tmp_path)
     assert not found & (HEAVY | {"click", "jinja2"})

@@ -178,6 +178,8 @@ def _write(project: Project, products: Products) -> list[str]:
     lock = lock_text(locked(project, products.by_name)).encode("utf-8")
     if not project.lock.is_file() or project.lock.read_bytes() != lock:
         files[project.lock.name] = lock
+    if not files:
+        return []
     remedy = f"choose another output in {printable(project.path)}, or free some space there"
     return [printable(path) for path in write_files(project.folder, files, remedy=remedy)]
 

@@ -124,7 +124,6 @@ def test_doubts_ranges_and_effects(rubbing: Arm) -> None:
 @pytest.mark.parametrize(
     "wrong",
     [
-        "alpha: 90",
         "limits: {position: [-180, 180]}",
         "inertia: {xx: -1, yy: 1, zz: 1}",
         "inertia: {xx: 1, yy: 1, zz: 3}",

@@ -114,13 +114,6 @@ def _plausibility(index: int, link: Link) -> Iterator[dict[str, str]]:
     reason = limits_doubt(link.joint.limits, link.joint.kind)
     if reason:
         yield {"what": f"limits of position: {reason}", "acknowledged": link.acknowledged}
-    for name in ("alpha", "theta"):
-        turned = getattr(link.joint, name).radians
-        if abs(turned) > ONE_TURN:
-            yield {
-                "what": f"{name} = {turned:g} rad is more than one turn",
-                "acknowledged": link.acknowledged,
-            }
     if link.confidence == "unknown":
         yield {"what": "mass, centre of mass and inertia are a guess", "acknowledged": ""}
 
