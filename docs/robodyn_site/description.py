@@ -23,7 +23,8 @@ def of_schema(schema: Schema) -> str:
     return page(
         "# Keys of a description",
         "Every key that the description of a robot may have, in YAML. An editor that is given the JSON "
-        "Schema completes and checks them; `robodyn new` writes a commented file to start from.",
+        "Schema completes and checks them; `robodyn new` writes a commented file to start from, and "
+        "[Describe a robot](describe-a-robot.md) explains one.",
         fenced("robodyn schema > robodyn.schema.json\nrobodyn new crane --joints 3", "sh"),
         "Numbers may be arithmetic (`-pi/2`); where a key says so, a name in them becomes an argument of the "
         "kernels.",

@@ -25,7 +25,7 @@ from benchmarks.gap.blind.identification import (  # noqa: E402
     free_of,
     numbers,
 )
-from benchmarks.gap.blind.published import intervals_table, names_table, published  # noqa: E402
+from benchmarks.gap.blind.published import intervals_table, names_table, published, renewed  # noqa: E402
 from benchmarks.gap.blind.summary import coverage, intervals, names  # noqa: E402
 from benchmarks.gap.blind.trials import ALL_ARMS, KINDS, Trial, arm_of, model_of, trials  # noqa: E402
 
@@ -239,3 +239,10 @@ def test_published_figures_are_counts_of_rows() -> None:
         "| centres of mass | 1 | 100 % |",
         "| all | 3 | 67 % |",
     ]
+    later = renewed(
+        figures,
+        published([{"kind": "clear", "arm": "ur5", "status": "wrong", "values": [["a.b", 2.0, 0.1, 2.0]]}]),
+    )
+    assert later["names"] == {**figures["names"], "clear": {"wrong": 1}}
+    assert later["intervals"] == {"a.b": [1, 1], "backlash.gap": [1, 1]}
+    assert (later["identified"], later["pushes"]) == (figures["identified"], figures["pushes"])

@@ -94,3 +94,15 @@ def test_links_elsewhere_are_whole() -> None:
         assert address.scheme == "https", link
         assert re.fullmatch(r"[a-z0-9-]+(\.[a-z0-9-]+)+", address.netloc), link
         assert link[-1] not in ".,;:", link
+
+
+def test_links_work_in_a_checkout() -> None:
+    """Pages that only the site has are linked from its first page alone, which is for the site."""
+    documents = [*(ROOT / "docs").rglob("*.md"), ROOT / "README.md", ROOT / "CONTRIBUTING.md"]
+    for document in documents:
+        text = re.sub(
+            r"^ *```.*?^ *```", "", document.read_text(encoding="utf-8"), flags=re.MULTILINE | re.DOTALL
+        )
+        for target in re.findall(r"\]\(([^)#:\s]+)", text):
+            if document != ROOT / "docs" / "index.md":
+                assert (document.parent / target).exists(), f"{document.relative_to(ROOT)}: {target}"

@@ -25,7 +25,7 @@ from typing import Any
 
 from benchmarks.gap.blind.grade import graded
 from benchmarks.gap.blind.identification import RUNS
-from benchmarks.gap.blind.published import published
+from benchmarks.gap.blind.published import published, renewed
 from benchmarks.gap.blind.summary import summary
 from benchmarks.gap.blind.trials import ALL_ARMS, KINDS, Trial, trials
 
@@ -95,14 +95,17 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--most", type=int, help="at most so many trials, drawn from all asked for")
     parser.add_argument("--cache", type=Path)
     parser.add_argument("--summary", type=Path)
-    parser.add_argument("--publish", type=Path, help="write these rows' figures to results/blind.json")
+    parser.add_argument(
+        "--publish", type=Path, help="write these rows' figures to results/blind.json; others in it stay"
+    )
     options = parser.parse_args(arguments)
     if options.summary:
         print(summary([json.loads(line) for line in options.summary.read_text().splitlines()]))
         return 0
     if options.publish:
         rows = [json.loads(line) for line in options.publish.read_text().splitlines()]
-        RESULTS.write_text(json.dumps(published(rows), indent=1) + "\n", encoding="utf-8")
+        before = json.loads(RESULTS.read_text(encoding="utf-8")) if RESULTS.is_file() else {}
+        RESULTS.write_text(json.dumps(renewed(before, published(rows)), indent=1) + "\n", encoding="utf-8")
         return 0
     if not options.output:
         parser.error("-o is missing")

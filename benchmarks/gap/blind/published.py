@@ -62,6 +62,19 @@ def published(rows: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     }
 
 
+def renewed(before: Mapping[str, Any], figures: Mapping[str, Any]) -> dict[str, Any]:
+    """Figures with those ``before`` where no row says anything: of kinds that did not run again, of numbers
+    that nothing has estimated again."""
+    both = {key: {**before.get(key, {}), **figures[key]} for key in ("names", "intervals")}
+    both["names"] = {kind: both["names"][kind] for kind in TITLES if kind in both["names"]}
+    both["intervals"] = dict(sorted(both["intervals"].items()))
+    identified = figures["identified"] if figures["identified"]["arms"] else before.get("identified")
+    counts = {
+        key: figures[key] if figures[key][0] else before.get(key) for key in ("pushes", "widths", "payloads")
+    }
+    return {**both, "identified": identified, **counts}
+
+
 def names_table(figures: Mapping[str, Any]) -> str:
     """How often names are right."""
     lines = [

@@ -17,7 +17,6 @@ from robodyn.diagnose.select.limits import (
     CLOSE,
     LEAST_SHARE,
     LEAST_T,
-    LIKELY_WITHIN,
     MANY_POWER,
     NEARLY,
     OSCILLATOR_DIRECTIONS,
@@ -151,19 +150,9 @@ def nearest(
 
 
 def _is_likely(now: Problem, one: Trial, others: Sequence[Trial], *, rough: bool) -> bool:
-    """Whether a candidate may be named as likely as it is.
-
-    One that is not likely may be where it alone explains the log to its noise. In a ``rough`` log nothing
-    does, and coefficients are known roughly: one is likely that is with coefficients which chance may have
-    moved."""
-    x, likely = one.fit.x, one.candidate.likely
-    if likely(x):
-        return True
-    if not rough:
-        return _stands_alone(now, one, others)
-    sizes, ways = np.linalg.eigh(one.fit.cov)
-    steps = LIKELY_WITHIN * (ways * np.sqrt(np.maximum(sizes, 0.0))).T
-    return any(likely(x + step) or likely(x - step) for step in steps)
+    """Whether a candidate may be named: one that is not likely may only where it alone explains the log to
+    its noise, and in a ``rough`` log nothing does."""
+    return one.candidate.likely(one.fit.x) or (not rough and _stands_alone(now, one, others))
 
 
 def _stands_alone(now: Problem, one: Trial, others: Sequence[Trial]) -> bool:

@@ -137,10 +137,11 @@ def coarser(p: Problem, factor: Floats) -> Problem:
 
 
 def tighter(p: Problem, share: float) -> Problem:
-    """The problem with a nuisance that is known better: its standard deviations are a ``share``."""
+    """The problem with a nuisance that is known better: its standard deviations are a ``share``. What it is
+    known to (``sizes``) stays: logs speak for the numbers that show in them, not for the others."""
     prior = p.prior.copy()
     prior[: p.nuisance] /= share**2
-    return replace(p, prior=prior, sizes=share * p.sizes)
+    return replace(p, prior=prior)
 
 
 def wider(p: Problem, fresh: Problem) -> Problem:

@@ -74,10 +74,6 @@ NEARLY: Final = 0.9
 ROUGH: Final = 3.0
 """[mean squares of the noise] If no candidate leaves less, the log has what is not in the catalogue."""
 
-LIKELY_WITHIN: Final = 2.0
-"""[standard errors] In a log with more in it than the catalogue has, a candidate is not likely if it is not
-with coefficients up to this away either."""
-
 ALONE: Final = 1.5
 """[mean squares of the noise] A candidate that is not likely is named if it alone leaves less."""
 
