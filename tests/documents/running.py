@@ -21,7 +21,8 @@ from documents.blocks import ROOT, Block, Command, commands, matches
 SHIPPED = ("examples", "robots")
 #: Stands after the output of a command, before the code that it ended with.
 _END = "\x1e"
-_SECONDS = 300
+#: After so long [s] an example hangs, on however busy a machine.
+_SECONDS = 1500
 
 
 @dataclass(slots=True)

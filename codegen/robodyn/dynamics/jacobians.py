@@ -4,7 +4,8 @@ Column j is ``z x r`` and ``z``: the joint's axis, and the lever ``r`` from its 
 lever may be nested from the tip, along the axes of the section or link that it begins in, where the cross
 product is only a swap; the two axes across the joint's, seen from the frame that is asked for, turn it there.
 Or it is put together in that frame, out of offsets along axes that are there in any case, and multiplied by
-the joint's axis. Which takes fewer operations depends on the arm, and is counted.
+the joint's axis. An axis is multiplied up with its section's, or turned there from a section nearby, along
+whose axes it has zeros. Which takes fewer operations depends on the arm, and is counted.
 """
 
 from __future__ import annotations
@@ -15,9 +16,16 @@ from functools import partial
 from typing import Any
 
 from robodyn.dynamics.functions.record import Dynamics
+from robodyn.dynamics.limits import SECTIONS_TRIED
 from robodyn.dynamics.poses import placed
 from robodyn.dynamics.sections import ROWS, Placed, Row, Section, along, tried
 from robodyn.dynamics.vectors import ZERO, Vector, cross, named, plus, scaled
+
+#: What is tried: a row of the axes that is made of the others, and from how many sections nearby directions
+#: are written; with levers put together anywhere, and with nested ones. Other combinations have not paid.
+_ANYWHERE: tuple[tuple[Row, int], ...] = (*((row, 0) for row in ROWS), (0, 3))
+_NESTED: tuple[tuple[Row, int], ...] = ((None, 0), (None, 3))
+_OF_LONG_ARMS: tuple[tuple[Row, int], ...] = ((None, 0), (0, 0))
 
 #: Velocity of the tool's origin, and angular velocity, at a unit rate of a joint.
 Column = tuple[Vector, Vector]
@@ -75,23 +83,28 @@ def columns(
     """The columns [n] of the Jacobian along the axes that ``place`` places the arm along, a row of their
     components made of the others where that suits; with ``nested_only`` no lever is put together there."""
 
-    def written(row: Row) -> list[Any]:
-        return [x for v, w in _columns(at, place(at, row), nested_only=nested_only) for x in (*v, *w)]
+    def written(row: Row, nearby: int) -> list[Any]:
+        both = _columns(at, place(at, row), nearby, nested_only=nested_only)
+        return [x for v, w in both for x in (*v, *w)]
 
-    values = at.cheapest.apart([partial(written, row) for row in ROWS])
+    ways = _NESTED if nested_only else _ANYWHERE
+    if len(at.arm.bodies) > SECTIONS_TRIED:
+        ways = _OF_LONG_ARMS
+    values = at.cheapest.apart([partial(written, row, nearby) for row, nearby in ways])
     vectors = [(values[k], values[k + 1], values[k + 2]) for k in range(0, len(values), 3)]
     return list(zip(vectors[::2], vectors[1::2], strict=True))
 
 
-def _columns(at: Dynamics, arm: Placed, *, nested_only: bool) -> list[Column]:
+def _columns(at: Dynamics, arm: Placed, nearby: int, *, nested_only: bool) -> list[Column]:
     nested = levers(arm.sections)
     starts = () if nested_only else tried(range(len(arm.sections) + 1))
     outside = [levers_outside(arm, nested, k) for k in starts]
     choices: list[list[Vector]] = []
     angular: list[Vector] = []
-    for section, axes in zip(arm.sections, arm.axes, strict=True):
+    directions = at.cheapest([_directions(arm, k, nearby) for k in range(len(arm.sections))])
+    for section, axes, (x, y, z) in zip(arm.sections, arm.axes, directions, strict=True):
         for step in section.steps:
-            link, axis = step.link, scaled(step.way, axes[2])
+            link, axis = step.link, scaled(step.way, (x, y, z))
             if not at.arm.bodies[link].revolute:
                 choices.append([axis])
                 angular.append(ZERO)
@@ -100,13 +113,27 @@ def _columns(at: Dynamics, arm: Placed, *, nested_only: bool) -> list[Column]:
             ways = [_across(axes[0], axes[1], lever.in_section, step.way)]
             if lever.own is not None:
                 ways.append(_across(arm.links[link][0], arm.links[link][1], lever.own, 1))
-            ways += [cross(axis, reach[link]) for reach in outside]
+            ways += [cross(axis, far[link]) for far in outside]
             choices.append(ways)
             angular.append(axis)
-    at.cheapest([[axis] for axis in angular])
     linear = at.cheapest(choices)
     marked = [named(at.mark, (x, y, z), i, "v") for i, (x, y, z) in enumerate(linear, 1)]
     return list(zip(marked, angular, strict=True))
+
+
+def _directions(arm: Placed, k: int, nearby: int) -> list[Vector]:
+    """Ways to write the direction of section number ``k``: its axis, and from so many sections ``nearby``,
+    along whose axes it has few components that are not zero."""
+    ways = [arm.axes[k][2]]
+    seen: Vector = (0, 0, 1)
+    for j in range(k - 1, max(-1, k - 1 - nearby), -1):
+        seen = arm.sections[j].last.turned(arm.sections[j + 1].untwisted(seen))
+        ways.append(along(arm.axes[j], seen))
+    seen = (0, 0, 1)
+    for j in range(k + 1, min(len(arm.sections), k + 1 + nearby)):
+        seen = arm.sections[j].twisted(arm.sections[j - 1].last.turned_back(seen))
+        ways.append(along(arm.axes[j], seen))
+    return ways
 
 
 def _across(x: Vector, y: Vector, lever: Vector, way: int) -> Vector:

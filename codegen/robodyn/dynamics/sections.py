@@ -54,6 +54,10 @@ class Step:
         x, y = plus(scaled(self.c, x), scaled(-self.s, y)), plus(scaled(self.c, y), scaled(self.s, x))
         return x, scaled(self.way, y), scaled(self.way, z)
 
+    def turned_back(self, u: Vector) -> Vector:
+        """``u`` of the section's axes along the link's."""
+        return about_z(self.c, -self.s, (u[0], self.way * u[1], self.way * u[2]))
+
     def turned(self, u: Vector) -> Vector:
         """``u`` of the link's axes along the section's."""
         x, y, z = about_z(self.c, self.s, u)
@@ -86,6 +90,11 @@ class Section:
         x, y, z = axes
         c, s = self.twist
         return x, plus(scaled(c, y), scaled(-s, z)), plus(scaled(c, z), scaled(s, y))
+
+    def twisted(self, u: Vector) -> Vector:
+        """``u`` of the axes of the link that carries the section along its own."""
+        c, s = self.twist
+        return about_x(c, -s, u)
 
     def untwisted(self, u: Vector) -> Vector:
         """``u`` of the section's axes along those of the link that carries it."""

@@ -44,7 +44,13 @@ def render(unit: Unit, languages: Sequence[str] | None = None) -> dict[str, str]
 
 def _render(unit: Unit, languages: Sequence[Language]) -> dict[str, str]:
     bodies = [
-        (signature, count(program), statements(program, in_order=unit.early_writes, readable=unit.readable))
+        (
+            signature,
+            count(program),
+            statements(
+                program, in_order=unit.early_writes, readable=unit.readable, concise=not unit.readable
+            ),
+        )
         for signature, program in unit.functions
     ]
     files: dict[str, str] = {}

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import NamedTuple
 
+from robodyn.emit.concise import LARGE, explained_once, of_angles, often_read
 from robodyn.emit.readable import steps_served
-from robodyn.ir.program import Input, Label, Program
+from robodyn.ir.program import Input, Label, Operand, Program
 from robodyn.robot.names import is_reserved
 
 #: What a quantity is, and its unit, for headings.
@@ -131,42 +132,53 @@ def inputs_of(*expressions: Expression) -> list[Input]:
     return inputs
 
 
+#: The heading of numbers that have names.
+_NUMBERS = "numbers that are read often"
 #: Steps written into one statement at most, so that a line can be read.
 _LONGEST = 10
 
 
-def statements(program: Program, *, in_order: bool = False, readable: bool = False) -> Body:
+def statements(
+    program: Program, *, in_order: bool = False, readable: bool = False, concise: bool = False
+) -> Body:
     """``program`` as statements: labelled values and values used twice have names, the rest is written
     where it is used. The order and grouping of operations are the program's; ``in_order``: also the order
     in which compilers come upon them, so that more values have names. ``readable``: a value without a label
     is named after the step that it serves (``w2_part1``) and stands under its heading; else it is ``t1``,
-    ``t2`` and so on."""
+    ``t2`` and so on. ``concise``: in a large function long numbers that it reads often have names, and
+    headings explain a quantity once."""
     served = steps_served(program) if readable else None
     parts: Counter[str] = Counter()
     arrays = {name for name, _ in program.outputs}
-    uses = program.uses()
     operations = program.operations
-    arguments: set[int] = set()
-    named = {x for x in program.results() if isinstance(x, int)}
-    for i, (op, args, label) in enumerate(operations):
-        if op in ("sin", "cos"):
-            arguments.update(x for x in args if isinstance(x, int))
-            named.add(i)
-        elif op == "sign":  # C writes its argument twice
-            named.update(x for x in args if isinstance(x, int))
-        if label is not None or uses[i] > 1:
-            named.add(i)
-    named |= arguments
+    named, arguments = _named(program)
     size: list[int] = []
     text: list[Expression] = []
     written: list[Statement] = []
     taken: set[str] = set()
     heading: str | None = None
+    explained: set[str] = set()
     serial = 0
     following = _written_in_order(program) if in_order else None
+    concise = concise and len(operations) > LARGE
+    numbers: dict[tuple[int, int], str] = {}
+    if concise:
+        for k, constant in enumerate(often_read(program), 1):
+            name = numbers[constant.as_integer_ratio()] = unique(f"k{k}", taken)
+            written.append(Statement(name, constant, None if heading else _NUMBERS))
+            heading = _NUMBERS
+    angular = of_angles(program) if numbers else set()
+
+    def expression(operand: Operand, i: int) -> Expression:
+        """An operand of operation ``i``."""
+        if isinstance(operand, int):
+            return text[operand]
+        if numbers and isinstance(operand, Fraction) and i not in angular:
+            return numbers.get(operand.as_integer_ratio(), operand)
+        return operand
 
     for i, (op, args, label) in enumerate(operations):
-        whole = Apply(op, tuple([text[arg] if isinstance(arg, int) else arg for arg in args]))
+        whole = Apply(op, tuple([expression(arg, i) for arg in args]))
         steps = 1 + sum([size[arg] for arg in args if isinstance(arg, int)])
         alone = i in named or steps >= _LONGEST or (following is not None and i not in following)
         if not alone:
@@ -185,7 +197,10 @@ def statements(program: Program, *, in_order: bool = False, readable: bool = Fal
             step = served[i]
             place = f"element {step.link} of " if step.quantity in arrays else f"link {step.link}: "
             group = place + step.quantity
-        written.append(Statement(name, whole, group if group != heading else None, i in arguments))
+        shown = group if group != heading else None
+        if shown is not None and concise:
+            shown = explained_once(shown, explained)
+        written.append(Statement(name, whole, shown, i in arguments))
         heading = group if group is not None else heading
         text.append(name)
         size.append(0)
@@ -194,6 +209,23 @@ def statements(program: Program, *, in_order: bool = False, readable: bool = Fal
         for name, elements in program.outputs
     )
     return Body(tuple(written), outputs, frozenset(program.inputs()))
+
+
+def _named(program: Program) -> tuple[set[int], set[int]]:
+    """Operations whose values have names, however short they are, and those of them that are arguments of
+    sines and cosines."""
+    uses = program.uses()
+    arguments: set[int] = set()
+    named = {x for x in program.results() if isinstance(x, int)}
+    for i, (op, args, label) in enumerate(program.operations):
+        if op in ("sin", "cos"):
+            arguments.update(x for x in args if isinstance(x, int))
+            named.add(i)
+        elif op == "sign":  # C writes its argument twice
+            named.update(x for x in args if isinstance(x, int))
+        if label is not None or uses[i] > 1:
+            named.add(i)
+    return named | arguments, arguments
 
 
 def _written_in_order(program: Program) -> set[int]:

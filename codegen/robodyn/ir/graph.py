@@ -16,6 +16,7 @@ from typing import Any, Union
 
 from robodyn.ir.digits import check_digits
 from robodyn.ir.program import Input, Label, Operand, Program
+from robodyn.ir.size import MOST_POSITIONS, too_large
 
 Scalar = Union["Node", Fraction, int]
 #: An operation over positions: ``("mul", i, j)``, ``("add", i, relative sign, j)``, ``("scale", factor, i)``,
@@ -184,9 +185,8 @@ class Graph:
                 numerator, denominator = factor.as_integer_ratio()
                 if numerator == 1 == denominator:
                     return Node(self, position, sign)
-        known = ("scale", numerator, denominator, position)
         factor = Fraction(factor) if isinstance(factor, int) else factor
-        return self._node(("scale", factor, position), sign, known)
+        return self._node(("scale", factor, position), sign, ("scale", numerator, denominator, position))
 
     def div(self, a: Scalar, b: Scalar) -> Scalar:
         """``a / b``."""
@@ -255,8 +255,7 @@ class Graph:
             return self.add(args[0], -args[1])
         if op == "neg":
             return -args[0]
-        function = getattr(self, op)
-        result: Scalar = function(*args)
+        result: Scalar = getattr(self, op)(*args)
         return result
 
     def replay(
@@ -317,6 +316,8 @@ class Graph:
         position = self._table.get(known)
         if position is None:
             position = self._table[known] = len(self.keys)
+            if position >= MOST_POSITIONS:
+                raise too_large()
             self.keys.append(key)
             self.reads.append(children(key))
         return Node(self, position, sign)

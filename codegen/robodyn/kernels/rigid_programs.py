@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING, Any
 from robodyn.counts import Count
 from robodyn.counts.objective import operations_of, parse_objective
 from robodyn.dynamics.compose import composed, side_by_side
-from robodyn.dynamics.functions import Function, function_named, recursion
+from robodyn.dynamics.functions import Function, NoSuchFunction, function_named, recursion
 from robodyn.dynamics.fusing import AND, Writing, one_after_another
 from robodyn.ir.graph import Graph
 from robodyn.ir.program import Input, Program
-from robodyn.kernels.drafts import CLEARLY, SMALL, least, total
+from robodyn.ir.size import TooLarge
+from robodyn.kernels.drafts import ANEW_JOINTS, CLEARLY, SMALL, least, total
 from robodyn.kernels.options import Options
 from robodyn.kernels.proof import prove
 from robodyn.optimize.fast import fast_choices
@@ -100,6 +101,13 @@ class RigidPrograms:
             except ZeroDivisionError:  # a pivot that is zero, as a number or as a function
                 self.taken.pop(function, None)
                 raise self.singular(function) from None
+            except TooLarge as error:
+                raise NoSuchFunction(
+                    f"{self.robot.name}: {function} is larger than compilers take",
+                    found=f"{self.robot.n} joints, {error.found}",
+                    remedy="lock joints or cut the chain, or take a function that grows less: "
+                    "forward_dynamics in place of inverse_mass_matrix",
+                ) from None
         return self._best[function]
 
     def _proven(self, function: str) -> Program:
@@ -253,9 +261,8 @@ class RigidPrograms:
             return build_through_sympy(self.robot, function, self.choice)
         known = function_named(function)
         writings = (*known.writings(self.robot.n), *known.of_rigid_arms)
-        if known.fuses:
-            drafts = self._fused(known)
-        else:
+        drafts = self._fused(known) if known.fuses else []
+        if not known.fuses and not (known.apart and self.robot.n > ANEW_JOINTS):
             drafts = [build(self.robot, function, self.choice, writing) for writing in writings]
         if known.apart:
             drafts += self._of_parts(known)

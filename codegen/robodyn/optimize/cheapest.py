@@ -13,7 +13,7 @@ from robodyn.ir.lowering import needed
 #: What counts, as :mod:`robodyn.counts` has it; a division and a root like anything else.
 _COUNTED = ("add", "mul", "scale", "div", "sqrt")
 #: As many ways in all are tried two at a time; more of them one at a time.
-_IN_PAIRS = 120
+_IN_PAIRS = 60
 
 
 class Cheapest:

@@ -13,6 +13,7 @@ from fractions import Fraction
 
 from robodyn.ir.field import Field
 from robodyn.ir.graph import Graph, Key, Node, Scalar, children
+from robodyn.ir.size import MOST_POSITIONS, too_large
 from robodyn.robot.values import circle_point
 
 #: Operations that are found by their values.
@@ -83,6 +84,8 @@ class MergingGraph(Graph):
 
     def _appended(self, key: Key, value: int) -> int:
         position = len(self.keys)
+        if position >= MOST_POSITIONS:
+            raise too_large()
         self.keys.append(key)
         self.reads.append(children(key))
         self._value.append(value)
