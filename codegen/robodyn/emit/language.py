@@ -98,6 +98,8 @@ class Language:
     longest_name: int | None = None
     #: What it can do beyond plain kernels.
     features: frozenset[Feature] = frozenset()
+    #: Whether browsers run it as it is.
+    of_browsers: bool = False
     #: Files of batches, by name.
     batch: Callable[[Unit], dict[str, str]] | None = None
     #: How it is compiled and called from Python; None: it is not.

@@ -9,6 +9,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.emit.languages import language_of_browsers
 from robodyn.ir.evaluate import evaluate
 from robodyn.ir.program import Input, Program
 from robodyn.ir.signature import Signature
@@ -40,8 +41,8 @@ class ArmKernel:
 
     @property
     def module(self) -> str:
-        """The text of the JavaScript module."""
-        (text,) = self.generated.files(("javascript",)).values()
+        """The text of the module in the language of browsers."""
+        (text,) = self.generated.files((language_of_browsers().name,)).values()
         return text
 
     @property

@@ -281,7 +281,7 @@ identified arm foresee its torques to some thousandths, whatever its description
 TIGHT_EVIDENCE: Final = 5.0
 """[log-likelihood] and how much better the evidence for it must be."""
 
-RIGID_EVIDENCE: Final = 40.0
+RIGID_EVIDENCE: Final = 36.0
 """[log-likelihood] and for one body or link that is not as described, whose ten numbers may fit a scatter of
 the numbers of all: of 10 % in an arm of three joints, with up to 33."""
 

@@ -10,7 +10,15 @@ from functools import cache
 from robodyn.emit.language import Compiled, Feature, Language
 from robodyn.errors import InputError
 
-__all__ = ["LANGUAGES", "compiled_language", "defaults", "language_named", "languages_named", "require"]
+__all__ = [
+    "LANGUAGES",
+    "compiled_language",
+    "defaults",
+    "language_named",
+    "language_of_browsers",
+    "languages_named",
+    "require",
+]
 
 
 @cache
@@ -88,6 +96,11 @@ def languages_named(names: Sequence[str]) -> tuple[Language, ...]:
     if len({language.name for language in languages}) != len(languages):
         raise InputError("a language is asked for twice", found=",".join(names))
     return languages
+
+
+def language_of_browsers() -> Language:
+    """The language that browsers run."""
+    return next(language for language in LANGUAGES.values() if language.of_browsers)
 
 
 def require(feature: Feature, languages: Sequence[Language]) -> None:

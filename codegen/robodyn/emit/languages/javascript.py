@@ -137,4 +137,5 @@ LANGUAGE = Language(
     type_name=lambda robot, kind: {"params": "p"}.get(kind, kind),
     trig="builtin",
     scalars=("double",),
+    of_browsers=True,
 )
