@@ -127,7 +127,6 @@ def test_the_stack_sees_calls_of_libm(tmp_path: Path) -> None:
     ("name", "trig"),
     representative(
         itertools.product(["puma560", "stanford_full", "rubbing"], ["builtin", "given", "libm"]),
-        ("rubbing", "libm"),
         ("puma560", "given"),
     ),
 )

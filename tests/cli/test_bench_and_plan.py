@@ -53,6 +53,7 @@ def test_bench_measures_and_says_what_follows(capsys: Capture) -> None:
     assert all(row["ns"] > 0 for row in [*found["kernels"], *found["python"]])
 
 
+@pytest.mark.thorough
 def test_bench_counts_instructions(capsys: Capture) -> None:
     require_tool("gcc")
     require_tool("valgrind")
@@ -97,6 +98,7 @@ def test_bench_beside_peers_that_do_not_know_the_robot(capsys: Capture, tmp_path
     assert "not measured: calls beside peers: puma560_3dof has run-time parameters" in out
 
 
+@pytest.mark.thorough
 def test_bench_as_text(capsys: Capture) -> None:
     require_tool("gcc")
     out, _ = run(capsys, "bench", "puma560_3dof", "-p", "2", "--states", "200", "--cc", "gcc")

@@ -41,7 +41,13 @@ def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def hooked(
     when: str, then: str, *command: str, before: list[str] | None = None, ignored: bool = False
 ) -> subprocess.CompletedProcess[str]:
-    """``python -m robodyn COMMAND`` that does ``then`` when it first looks for the module ``when``."""
+    """``python -m robodyn COMMAND`` that does ``then`` when it first looks for the module ``when``; it heeds
+    signals, even where the tests run under ``nohup``, unless Ctrl-C is ``ignored``."""
+
+    def heeding() -> None:
+        signal.signal(signal.SIGHUP, signal.SIG_DFL)
+        signal.signal(signal.SIGINT, signal.SIG_IGN if ignored else signal.SIG_DFL)
+
     path = os.pathsep.join([str(Path("site").absolute()), *(each for each in sys.path if each)])
     return subprocess.run(
         [sys.executable, *(before or ["-m", "robodyn"]), *command],
@@ -49,7 +55,7 @@ def hooked(
         text=True,
         check=False,
         env={**os.environ, "PYTHONPATH": path, "WHEN": when, "THEN": then},
-        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_IGN if ignored else signal.SIG_DFL),
+        preexec_fn=heeding,
     )
 
 

@@ -21,6 +21,7 @@ def diagnosed(case: Case) -> Diagnosis:
     return diagnose(made.given, [made.train], made.validate)
 
 
+@pytest.mark.thorough
 def test_friction_and_bias_are_rivals_where_a_joint_goes_one_way() -> None:
     found = diagnosed(Case("puma560_3dof", (("torque_bias", 2),), 1, 4.806, motion="one_way"))
     (first,) = found.findings
