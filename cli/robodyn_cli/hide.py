@@ -11,7 +11,16 @@ import click
 
 from robodyn_cli import progress
 from robodyn_cli.choices import EFFECTS, ROBOTS
-from robodyn_cli.common import echo_json, json_option, load_robot, output_folder, printable, talk, write_files
+from robodyn_cli.common import (
+    echo_document,
+    echo_json,
+    json_option,
+    load_robot,
+    output_folder,
+    printable,
+    talk,
+    write_files,
+)
 from robodyn_cli.simulate_options import POSITIVE, SIZE
 
 if TYPE_CHECKING:
@@ -108,7 +117,7 @@ def command(
 
     _one_of(robot, opened, score, options)
     if opened is not None:
-        click.echo(json.dumps(_answer(Path(opened)), indent=2, ensure_ascii=False))
+        echo_document(json.dumps(_answer(Path(opened)), indent=2, ensure_ascii=False))
         return
     if score is not None:
         _scored(Path(score[0]), Path(score[1]), as_json=as_json)
