@@ -219,10 +219,10 @@ class TestHelp:
     def test_no_command_file_is_forgotten(self) -> None:
         folder = Path(frame.__file__).parent
         shared = {
-            "__init__", "__main__", "main", "building", "choices", "common", "counted", "driving", "entry",
-            "firmware", "generating", "languages", "log_files", "log_options", "options", "progress",
-            "project_keys", "pruned", "renamed", "schedule_options", "searching", "simulate_options",
-            "targets",
+            "__init__", "__main__", "main", "building", "choices", "code_options", "common", "counted",
+            "driving", "entry", "firmware", "generating", "languages", "log_files", "log_options", "options",
+            "progress", "project_keys", "pruned", "renamed", "schedule_options", "searching",
+            "simulate_options", "targets",
         }  # fmt: skip
         files = {path.stem for path in folder.glob("*.py")} - shared
         assert files == {module.removeprefix("robodyn_cli.") for module, _ in COMMANDS.values()}
