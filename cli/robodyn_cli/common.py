@@ -227,12 +227,16 @@ def _remove(temporary: list[Path], folders: list[Path]) -> None:
                 folder.rmdir()
 
 
-def compare_files(folder: Path, files: Mapping[str, str]) -> list[str]:
-    """The names among `files` (path relative to `folder` -> text) that are missing or differ, in order.
+def compare_files(folder: Path, files: Mapping[str, str | bytes]) -> list[str]:
+    """The names among `files` (path relative to `folder` -> content) that are missing or differ, in order.
 
     Bytes are compared, so line endings matter. Other files in the folder are ignored.
     """
-    return [name for name, text in files.items() if _read(folder / name) != text.encode("utf-8")]
+    return [
+        name
+        for name, content in files.items()
+        if _read(folder / name) != (content if isinstance(content, bytes) else content.encode("utf-8"))
+    ]
 
 
 def _read(path: Path) -> bytes | None:

@@ -21,6 +21,10 @@ from robodyn_cli.renamed import renamed
 
 COMMANDS: Final[dict[str, tuple[str, str]]] = {
     "gen": ("robodyn_cli.gen", "Write the kernels of a robot, and print the operation counts."),
+    "package": (
+        "robodyn_cli.package",
+        "Write a package of a robot's kernels for somebody else's build.",
+    ),
     "build": ("robodyn_cli.build", "Write or check the kernels of all robots of a project."),
     "flops": ("robodyn_cli.flops", "Count multiplications and additions, and check them against a budget."),
     "tables": ("robodyn_cli.tables", "Compare the thesis's tables with recomputed figures."),
