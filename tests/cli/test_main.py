@@ -222,7 +222,7 @@ class TestHelp:
             "__init__", "__main__", "main", "building", "choices", "common", "counted", "driving", "entry",
             "firmware", "generating", "languages", "log_files", "log_options", "options", "progress",
             "project_keys", "pruned", "renamed", "schedule_options", "searching", "simulate_options",
-            "targets",
+            "targets", "values",
         }  # fmt: skip
         files = {path.stem for path in folder.glob("*.py")} - shared
         assert files == {module.removeprefix("robodyn_cli.") for module, _ in COMMANDS.values()}
