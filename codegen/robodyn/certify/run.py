@@ -91,7 +91,7 @@ class Proof:
 def prove(
     robot: Robot, ranged: Robot, options: Options, proofs: ProofOptions, tell: Tell = lambda _: None
 ) -> Proof:
-    """Generate the kernel of ``robot`` and prove what ``proofs`` says; ``ranged`` is the robot with the ranges
+    """Generate the kernel of ``robot`` and run ``proofs``; ``ranged`` is the robot with the ranges
     as its limits. Nothing is written but to a temporary folder.
 
     Raises
