@@ -14,6 +14,7 @@ from robodyn.errors import InputError
 from robodyn_cli import progress
 from robodyn_cli.choices import SEVERAL_EFFECTS
 from robodyn_cli.common import (
+    echo_document,
     json_option,
     load_robot,
     parameter_values,
@@ -113,7 +114,7 @@ def command(
         talk(f"robodyn: note: {printable(folder / _KERNELS)} is from an earlier run")
     write_files(folder, files)
     if as_json:
-        click.echo(text, nl=False)
+        echo_document(text)
     else:
         from robodyn.report.diagnosis_terminal import summary
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from robodyn_cli.choices import CONTRACTIONS, ORDERS, SCALARS, TRIGONOMETRY
+from robodyn_cli.code_options import code_options
 from robodyn_cli.common import (
     compare_files,
     echo_json,
@@ -25,7 +25,6 @@ from robodyn_cli.generating import kernels
 from robodyn_cli.languages import language_option
 from robodyn_cli.options import functions_option, fuse_option, model_options, search_options
 from robodyn_cli.pruned import prune_option, pruning_lines, with_pruning
-from robodyn_cli.targets import TargetOption
 
 if TYPE_CHECKING:
     from robodyn.kernels.generate import Generated, Options
@@ -36,60 +35,14 @@ if TYPE_CHECKING:
 @click.option("-o", "--output", metavar="DIR", help="Output folder.  [default: generated/NAME]")
 @language_option
 @click.option("--compile", "compile_", is_flag=True, help="Also compile and load the kernels.")
-@click.option(
-    "--scalar",
-    type=SCALARS,
-    metavar="TYPE",
-    default="double",
-    show_default=True,
-    help="Scalar type: double or float.",
-)
-@click.option(
-    "--trig",
-    type=TRIGONOMETRY,
-    metavar="HOW",
-    default="libm",
-    show_default=True,
-    help="Sine and cosine: libm, builtin (no library; the default of rust and javascript), given (in sc).",
+@code_options(
+    lists={"compiled": "compiled_targets", "firmware": "firmware_targets"},
+    target_help=" With --firmware: processors of the images, separated by commas: {firmware}.  [default with "
+    "--firmware: all]",
 )
 @click.option("--batch", is_flag=True, help="Also write NAME_batch.c: many states per call, with SIMD.")
-@click.option(
-    "--order",
-    type=ORDERS,
-    metavar="ORDER",
-    default="auto",
-    show_default=True,
-    help="Order of operations: recursion (textbook order), registers (few live values), or auto (registers "
-    "unless sine and cosine are from libm).",
-)
-@click.option(
-    "--contraction",
-    type=CONTRACTIONS,
-    metavar="HOW",
-    help="Let C compilers fuse products and sums: off or on.  [default: as their flags say]",
-)
-@click.option(
-    "--target",
-    metavar="NAME",
-    cls=TargetOption,
-    lists={"compiled": "compiled_targets", "firmware": "firmware_targets"},
-    help="Defaults of scalar, trig, order, contraction and objective for a processor: {compiled}. Every "
-    "option given on the command line overrides them. With --firmware: processors of the images, "
-    "separated by commas: {firmware}.  [default with --firmware: all]",
-)
 @functions_option()
 @fuse_option
-@click.option(
-    "--misra",
-    is_flag=True,
-    help="Write C for MISRA C:2012: the same operations with explicit parentheses.",
-)
-@click.option(
-    "--readable",
-    is_flag=True,
-    help="Write the recursion in the book's order (--optimize none, --order recursion), each line named "
-    "after its link and quantity.",
-)
 @model_options
 @search_options
 @prune_option

@@ -11,8 +11,22 @@ import click
 
 from robodyn_cli import progress
 from robodyn_cli.choices import EFFECTS, ROBOTS
+<<<<<<< HEAD
 from robodyn_cli.common import echo_json, json_option, load_robot, output_folder, printable, talk, write_files
 from robodyn_cli.values import POSITIVE, SIZE
+=======
+from robodyn_cli.common import (
+    echo_document,
+    echo_json,
+    json_option,
+    load_robot,
+    output_folder,
+    printable,
+    talk,
+    write_files,
+)
+from robodyn_cli.simulate_options import POSITIVE, SIZE
+>>>>>>> main
 
 if TYPE_CHECKING:
     from robodyn.diagnose.amend.amend import Amendment
@@ -108,7 +122,7 @@ def command(
 
     _one_of(robot, opened, score, options)
     if opened is not None:
-        click.echo(json.dumps(_answer(Path(opened)), indent=2, ensure_ascii=False))
+        echo_document(json.dumps(_answer(Path(opened)), indent=2, ensure_ascii=False))
         return
     if score is not None:
         _scored(Path(score[0]), Path(score[1]), as_json=as_json)

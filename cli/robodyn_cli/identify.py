@@ -12,6 +12,7 @@ import click
 from robodyn.errors import InputError
 from robodyn_cli import progress
 from robodyn_cli.common import (
+    echo_document,
     json_option,
     load_robot,
     parameter_values,
@@ -114,7 +115,7 @@ def command(
     text = json.dumps(outcome.to_dict(), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
     write_files(folder, {_DATA: text, _MODEL: outcome.model_text})
     if as_json:
-        click.echo(text, nl=False)
+        echo_document(text)
         return
     from robodyn.report.identification import summary
 
