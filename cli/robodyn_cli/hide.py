@@ -11,10 +11,6 @@ import click
 
 from robodyn_cli import progress
 from robodyn_cli.choices import EFFECTS, ROBOTS
-<<<<<<< HEAD
-from robodyn_cli.common import echo_json, json_option, load_robot, output_folder, printable, talk, write_files
-from robodyn_cli.values import POSITIVE, SIZE
-=======
 from robodyn_cli.common import (
     echo_document,
     echo_json,
@@ -25,8 +21,7 @@ from robodyn_cli.common import (
     talk,
     write_files,
 )
-from robodyn_cli.simulate_options import POSITIVE, SIZE
->>>>>>> main
+from robodyn_cli.values import POSITIVE, SIZE
 
 if TYPE_CHECKING:
     from robodyn.diagnose.amend.amend import Amendment

@@ -220,7 +220,7 @@ class TestHelp:
 
     def test_no_command_file_is_forgotten(self) -> None:
         folder = Path(frame.__file__).parent
-        files = {path.stem for path in folder.glob("*.py") if "\ndef command(" in path.read_text("utf-8")}, "values",
+        files = {path.stem for path in folder.glob("*.py") if "\ndef command(" in path.read_text("utf-8")}
         assert files == {module.removeprefix("robodyn_cli.") for module, _ in COMMANDS.values()}
 
 
