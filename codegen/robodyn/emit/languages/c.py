@@ -15,7 +15,7 @@ from robodyn.emit.sines import ANGLES, COSINES, SINES
 from robodyn.emit.spelling import WIDTH
 from robodyn.emit.statements import Expression
 from robodyn.emit.syntax import Sines, Syntax
-from robodyn.emit.unit import OF_LIBM, Unit, calls
+from robodyn.emit.unit import Unit, needs_libm
 from robodyn.ir.signature import Signature
 
 
@@ -103,7 +103,7 @@ def _context(unit: Unit) -> dict[str, Any]:
     return {
         "trig": c_trig(name, single=unit.functions[0][0].scalar == "float"),
         "contraction": None if unit.contraction is None else unit.contraction.upper(),
-        "math": not unit.builtin or bool(calls(unit) & OF_LIBM),
+        "math": needs_libm(unit),
         "guard": f"{name.upper()}_H",
         "macros": _macros(unit),
     }
