@@ -26,7 +26,7 @@ from robodyn_cli.common import (
 from robodyn_cli.log_files import description_of, handed_over, read_all, result_folder, spare_inputs
 from robodyn_cli.log_options import input_files, log_map, log_options
 from robodyn_cli.options import listed
-from robodyn_cli.simulate_options import Parameter
+from robodyn_cli.values import parameter_option
 
 if TYPE_CHECKING:
     from robodyn.diagnose.result import Diagnosis
@@ -44,9 +44,7 @@ _DATA, _MODEL, _REPORT, _KERNELS = "diagnosis.json", "model.yaml", "report.html"
 @click.option("--validate", metavar="V.csv", help="Log for validation, not used for fitting.")
 @log_options
 @click.option("-o", "--output", "out", required=True, metavar="DIR", help="Output folder.")
-@click.option(
-    "--param", type=Parameter(), multiple=True, metavar="NAME=VALUE", help="Set a run-time parameter."
-)
+@parameter_option()
 @click.option("--only", type=SEVERAL_EFFECTS, metavar="A,B", help="Look for these effects only.")
 @click.option(
     "--except", "without", type=SEVERAL_EFFECTS, metavar="A,B", help="Look for all but these effects."

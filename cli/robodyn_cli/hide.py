@@ -21,7 +21,7 @@ from robodyn_cli.common import (
     talk,
     write_files,
 )
-from robodyn_cli.simulate_options import POSITIVE, SIZE
+from robodyn_cli.values import POSITIVE, SIZE
 
 if TYPE_CHECKING:
     from robodyn.diagnose.amend.amend import Amendment
@@ -144,14 +144,14 @@ def _one_of(robot: str | None, opened: str | None, score: object, options: dict[
     """Refuse a mixture of hiding, opening and scoring."""
     from robodyn.errors import InputError
 
-    asked = [name for name, there in (("--open", opened), ("--score", score)) if there is not None]
+    modes = [name for name, there in (("--open", opened), ("--score", score)) if there is not None]
     hiding = [name for name in _OF_HIDING if options[name] not in (None, ())]
-    if len(asked) == 2 or (asked and (robot is not None or hiding)):
-        other = asked[1] if len(asked) == 2 else "ROBOT" if robot is not None else "options of hiding"
+    if len(modes) == 2 or (modes and (robot is not None or hiding)):
+        other = modes[1] if len(modes) == 2 else "ROBOT" if robot is not None else "options of hiding"
         raise InputError(
-            f"{asked[0]} cannot be combined with other options", found=other, remedy="remove one of them"
+            f"{modes[0]} cannot be combined with other options", found=other, remedy="remove one of them"
         )
-    if not asked and robot is None:
+    if not modes and robot is None:
         raise InputError("no robot is named", remedy="use robodyn hide ROBOT -o DIR")
 
 

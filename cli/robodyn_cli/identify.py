@@ -22,7 +22,7 @@ from robodyn_cli.common import (
 )
 from robodyn_cli.log_files import description_of, handed_over, read_all, result_folder, spare_inputs
 from robodyn_cli.log_options import input_files, log_map, log_options
-from robodyn_cli.simulate_options import Parameter
+from robodyn_cli.values import parameter_option
 
 if TYPE_CHECKING:
     from robodyn.identify.fit import Load
@@ -56,9 +56,7 @@ _UNKNOWN: Final = "unknown"
     metavar="LOG=MASS",
     help="Mass [kg] that the arm carried in that log beyond its description, or LOG=unknown.",
 )
-@click.option(
-    "--param", type=Parameter(), multiple=True, metavar="NAME=VALUE", help="Set a run-time parameter."
-)
+@parameter_option()
 @click.option("--strict", is_flag=True, help="Refuse physically implausible values.")
 @json_option
 def command(
