@@ -28,7 +28,7 @@ def project_keys() -> dict[str, Key]:
 
 
 def _key(option: click.Option) -> Key:
-    words = option.type if isinstance(option.type, OneOf) else None
+    words = option.type if isinstance(option.type, OneOf) and not option.type.others else None
     return Key(
         name=option.opts[0].removeprefix("--"),
         help=lambda: (option.get_help_record(click.Context(gen)) or ("", ""))[1],
