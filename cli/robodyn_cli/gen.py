@@ -75,7 +75,7 @@ def command(
     if check and keep:
         raise InputError("--check writes nothing, but --keep writes a record", remedy="remove one of them")
     folder = output_folder(output) if output is not None else None
-    asked = kernels(
+    product = kernels(
         robot,
         lang=lang,
         compiled=compile_,
@@ -86,14 +86,14 @@ def command(
         latex=latex,
         **others,
     )
-    described, options, generated = asked.robot, asked.options, asked.generated
+    described, options, generated = product.robot, product.options, product.generated
     formulation = options.formulation
     if folder is None:
         folder = Path("generated") / described.name
     if firmware:
-        write_firmware(generated, folder, asked.languages, target, check=check, as_json=as_json)
+        write_firmware(generated, folder, product.languages, target, check=check, as_json=as_json)
         return
-    files = asked.files(batch=batch, latex=latex)
+    files = product.files(batch=batch, latex=latex)
     if check:
         different = compare_files(folder, files)
         if different:
@@ -107,7 +107,7 @@ def command(
             click.echo(f"{described.name}: {len(files)} files in {printable(folder)} are up to date")
         return
     built = (
-        _compiled(generated, asked.languages, explicit=lang is not None, batch=batch) if compile_ else None
+        _compiled(generated, product.languages, explicit=lang is not None, batch=batch) if compile_ else None
     )
     write_files(folder, files)
     if as_json:
