@@ -126,15 +126,15 @@ def _in_the_books_order(optimize: str, order: str, *, batch: bool) -> tuple[str,
     from robodyn.errors import InputError
 
     context = click.get_current_context()
-    asked = [
+    contradictions = [
         f"--{name} {value}"
         for name, value, fitting in (("optimize", optimize, "none"), ("order", order, "recursion"))
         if value != fitting and context.get_parameter_source(name) is not ParameterSource.DEFAULT
     ]
-    if asked or batch:
+    if contradictions or batch:
         raise InputError(
             "--readable writes the recursion as it stands in the book, one state at a time",
-            found=", ".join([*asked, *["--batch"] * batch]),
+            found=", ".join([*contradictions, *["--batch"] * batch]),
             expected="--optimize none and --order recursion, without --batch",
             remedy="remove --readable or what contradicts it",
         )

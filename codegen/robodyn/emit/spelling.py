@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -15,6 +15,24 @@ WIDTH = 100
 # Binding strength of the operators, weakest first; a name or a call binds strongest.
 _SUM, _PRODUCT, _UNARY, _ATOM = 1, 2, 3, 4
 _OPERATORS = {"add": ("+", _SUM), "sub": ("-", _SUM), "mul": ("*", _PRODUCT), "div": ("/", _PRODUCT)}
+
+
+def elements(
+    states: Sequence[str], of_state: str, of_array: str, *, first: int = 0
+) -> Callable[[str, int], str]:
+    """How a language writes element number ``i`` of an array, from 0.
+
+    ``states`` are the members of ``state``, where a function has one, written as ``of_state`` with the
+    member's name; it has the number ``dt`` then. Other arrays are ``of_array``, with the array's name and the
+    element's number, counted from ``first``.
+    """
+
+    def element(array: str, i: int) -> str:
+        if array == "dt":
+            return array
+        return of_state.format(states[i]) if array == "state" else of_array.format(array, i + first)
+
+    return element
 
 
 @dataclass(frozen=True, slots=True)
