@@ -160,9 +160,9 @@ def _generated(context: click.Context) -> tuple[dict[str, str], dict[str, dict[s
     from robodyn_cli.generating import kernels
 
     options: dict[str, Any] = {name: value for name, value in context.params.items() if name not in _OF_GEN}
-    asked = kernels(**options)
-    counts = {function: count.to_dict() for function, count in asked.generated.counts.items()}
-    return asked.files(batch=options["batch"], latex=options["latex"]), counts
+    product = kernels(**options)
+    counts = {function: count.to_dict() for function, count in product.generated.counts.items()}
+    return product.files(batch=options["batch"], latex=options["latex"]), counts
 
 
 def _plain(error: RobodynError) -> RobodynError:

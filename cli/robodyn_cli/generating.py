@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gc
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -109,7 +108,6 @@ def kernels(
     if firmware:
         unfit = {"compile": compiled, "latex": latex, "batch": batch, "contraction on": contraction == "on"}
         options = for_firmware(options, target, **unfit)
-    gc.set_threshold(100_000, 20, 20)  # programs are many small objects and no garbage
     described = load(robot, strict=strict, fold_rotor=fold_rotor)
     options = Search(budget_seconds, seed, options.objective, keep).applied(
         described, options, options.function_names
@@ -128,15 +126,15 @@ def _in_the_books_order(optimize: str, order: str, *, batch: bool) -> tuple[str,
     from robodyn.errors import InputError
 
     context = click.get_current_context()
-    asked = [
+    contradictions = [
         f"--{name} {value}"
         for name, value, fitting in (("optimize", optimize, "none"), ("order", order, "recursion"))
         if value != fitting and context.get_parameter_source(name) is not ParameterSource.DEFAULT
     ]
-    if asked or batch:
+    if contradictions or batch:
         raise InputError(
             "--readable writes the recursion as it stands in the book, one state at a time",
-            found=", ".join([*asked, *["--batch"] * batch]),
+            found=", ".join([*contradictions, *["--batch"] * batch]),
             expected="--optimize none and --order recursion, without --batch",
             remedy="remove --readable or what contradicts it",
         )

@@ -12,6 +12,7 @@ import click
 from robodyn.errors import InputError
 from robodyn_cli import progress
 from robodyn_cli.common import (
+    echo_document,
     json_option,
     load_robot,
     parameter_values,
@@ -21,7 +22,7 @@ from robodyn_cli.common import (
 )
 from robodyn_cli.log_files import description_of, handed_over, read_all, result_folder, spare_inputs
 from robodyn_cli.log_options import input_files, log_map, log_options
-from robodyn_cli.simulate_options import Parameter
+from robodyn_cli.values import parameter_option
 
 if TYPE_CHECKING:
     from robodyn.identify.fit import Load
@@ -55,9 +56,7 @@ _UNKNOWN: Final = "unknown"
     metavar="LOG=MASS",
     help="Mass [kg] that the arm carried in that log beyond its description, or LOG=unknown.",
 )
-@click.option(
-    "--param", type=Parameter(), multiple=True, metavar="NAME=VALUE", help="Set a run-time parameter."
-)
+@parameter_option()
 @click.option("--strict", is_flag=True, help="Refuse physically implausible values.")
 @json_option
 def command(
@@ -116,7 +115,7 @@ def command(
     text = json.dumps(outcome.to_dict(), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
     write_files(folder, {_DATA: text, _MODEL: outcome.model_text})
     if as_json:
-        click.echo(text, nl=False)
+        echo_document(text)
         return
     from robodyn.report.identification import summary
 

@@ -11,7 +11,7 @@ import click
 
 from robodyn.errors import InputError
 from robodyn_cli.common import echo_json, json_option, output_folder, printable, talk, write_files
-from robodyn_cli.simulate_options import Argument, Parameter, Point
+from robodyn_cli.values import Argument, Parameter, Point
 
 if TYPE_CHECKING:
     from robodyn.formats.arm import Imported

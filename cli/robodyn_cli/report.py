@@ -20,7 +20,7 @@ from robodyn_cli.common import (
     talk,
     write_files,
 )
-from robodyn_cli.simulate_options import Parameter
+from robodyn_cli.values import parameter_option
 
 if TYPE_CHECKING:
     from robodyn.robot import Robot
@@ -36,13 +36,7 @@ if TYPE_CHECKING:
     metavar="PATH",
     help="Page to write (.html), or the folder that gets it.  [default: this folder]",
 )
-@click.option(
-    "--param",
-    type=Parameter(),
-    multiple=True,
-    metavar="NAME=VALUE",
-    help="Value of a run-time parameter (SI units) of both; may be repeated.",
-)
+@parameter_option(" of both")
 @click.option("--strict", is_flag=True, help="Refuse implausible numbers in place of showing the doubts.")
 @json_option
 def command(
