@@ -71,6 +71,9 @@ def registered(functions: Iterable[Function]) -> dict[str, Function]:
         missing = [part for part in function.parts if part not in table]
         if missing:
             raise ValueError(f"function {function.name!r}: no such parts: {', '.join(missing)}")
+        for _, name, array, *_ in function.derivatives:
+            if name not in table or array not in {result.name for result in table[name].results}:
+                raise ValueError(f"function {function.name!r}: its derivative {array!r} is not in {name!r}")
     return table
 
 

@@ -185,6 +185,20 @@ class NoSuchFunction(InputError):
 Pair = tuple[Sequence[Any], Sequence[Any]]
 
 
+class Derivative(NamedTuple):
+    """Where the derivative of a function's result by the input ``by`` is: in the result ``array`` of
+    ``function``, of which those inputs that the first has not are zero. A row for each element of the result,
+    a column for each of ``by``; with ``of_frame`` the result is a frame ``[R p]``, and a column is how fast
+    it moves and how fast it turns, along the world's axes. ``affine``: only where torques are affine in the
+    accelerations, which load-dependent friction is not."""
+
+    by: str
+    function: str
+    array: str
+    of_frame: bool = False
+    affine: bool = False
+
+
 @dataclass(frozen=True, slots=True, eq=False, repr=False)  # one object each; every command imports this
 class Function:
     """A function that kernels may have.
@@ -217,6 +231,7 @@ class Function:
     by_parts: how it is put together from its parts; None: in any of the ways to write ``outputs``.
     drives: whether it depends on what drives do; if not, robots with effects have the rigid arm's.
     geometric: whether it is of the links' places and motion alone: drives and effects have no part in it.
+    derivatives: of its only result by each of its inputs; none: no function has them.
     """
 
     name: str
@@ -239,6 +254,7 @@ class Function:
     by_parts: Callable[[Dynamics], Sequence[Any]] | None = None
     drives: bool = True
     geometric: bool = False
+    derivatives: tuple[Derivative, ...] = ()
 
     def __post_init__(self) -> None:
         """:class:`ValueError` for a record that is none: found where the package is imported."""
@@ -256,6 +272,11 @@ class Function:
             raise ValueError(f"function {self.name!r}: emitted code has other arguments called {taken}")
         if self.expected is None and self.condition is None:
             raise ValueError(f"function {self.name!r}: nothing says what is right: expected or condition")
+        if self.derivatives and (len(self.results), tuple(d.by for d in self.derivatives)) != (
+            1,
+            self.input_names,
+        ):
+            raise ValueError(f"function {self.name!r}: derivatives are of one result by all inputs, or none")
 
     @property
     def is_recursion(self) -> bool:
