@@ -10,11 +10,9 @@ from collections.abc import Collection, Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
+from robodyn.dynamics.functions.arguments import INPUTS, SC, Array
 from robodyn.dynamics.functions.record import (
-    INPUTS,
-    SC,
     WITH_WRENCH,
-    Array,
     Dynamics,
     Function,
     Moving,
@@ -80,7 +78,7 @@ def registered(functions: Iterable[Function]) -> dict[str, Function]:
 def _files() -> Iterable[Function]:
     folder = Path(__file__).parent
     for file in sorted(folder.glob("*.py")):
-        if file.stem not in ("__init__", "record"):
+        if file.stem not in ("__init__", "arguments", "record"):
             yield from importlib.import_module(f"{__name__}.{file.stem}").FUNCTIONS
 
 

@@ -8,7 +8,8 @@ from typing import Any
 from robodyn.dynamics.arm import Motion
 from robodyn.dynamics.drift import tool_drift
 from robodyn.dynamics.dual import Dual, moving_along, slopes
-from robodyn.dynamics.functions.record import QD, Array, Derivative, Dynamics, Function, Pair, Q, Vector
+from robodyn.dynamics.functions.arguments import QD, Array, Q
+from robodyn.dynamics.functions.record import Derivative, Dynamics, Function, Pair, Vector
 from robodyn.dynamics.jacobians import Column, columns
 from robodyn.dynamics.kinematics import frames, jacobian
 from robodyn.dynamics.operational import by_elimination, lambda_inverse

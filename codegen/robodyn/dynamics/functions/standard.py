@@ -6,18 +6,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from robodyn.dynamics.articulated import articulated_bodies
-from robodyn.dynamics.functions.record import (
-    QD,
-    QDD,
-    TAU,
-    Array,
-    Derivative,
-    Dynamics,
-    Function,
-    Pair,
-    Q,
-    Vector,
-)
+from robodyn.dynamics.functions.arguments import QD, QDD, TAU, Array, Q
+from robodyn.dynamics.functions.record import Derivative, Dynamics, Function, Pair, Vector
 from robodyn.dynamics.mass_matrix import Factored, solve_symmetric
 from robodyn.dynamics.weights import holding_torques, weighed
 
