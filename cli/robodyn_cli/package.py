@@ -127,7 +127,14 @@ def _kernels(robot: str, form: Format, options: dict[str, Any]) -> Kernels:
         named = form.functions
     if named or options["fuse"]:
         options["functions"] = ",".join(dict.fromkeys((*named, *form.needs))) or None
-    return kernels(robot, lang=form.language.name, batch=False, latex=False, **options)
+    return kernels(
+        robot,
+        lang=form.language.name,
+        batch=False,
+        latex=False,
+        derivatives=form.derivatives,
+        **options,
+    )
 
 
 def _check(folder: Path, files: Mapping[str, str | bytes]) -> None:
