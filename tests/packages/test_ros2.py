@@ -101,9 +101,11 @@ class Workspace:
 
     def install(self, user: Consumer) -> str:
         """Build and install the package of ``user``; its name."""
-        name = user.package.name.lower()
+        name = user.package.name
         write(self.folder / name, user.package.files())
         self.cmake(name, f"-DCMAKE_INSTALL_PREFIX={self.prefix}", "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Werror")
+        tests = run("ctest", "--test-dir", f"build-{name}", cwd=self.folder)
+        assert "100% tests passed, 0 tests failed out of 1" in tests
         run("cmake", "--install", f"build-{name}", cwd=self.folder)
         return name
 
@@ -133,7 +135,7 @@ class Workspace:
 
 @pytest.fixture(scope="module")
 def workspace(tmp_path_factory: pytest.TempPathFactory) -> Workspace:
-    for tool in ("g++", "cmake", "xmllint", "ament_xmllint"):
+    for tool in ("g++", "cmake", "ctest", "xmllint", "ament_xmllint"):
         require_tool(tool)
     for place, missing in LIBRARIES.items():
         if not Path(place).is_dir():

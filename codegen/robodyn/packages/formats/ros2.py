@@ -23,23 +23,22 @@ _NEEDS: Final = tuple(dict.fromkeys(("inverse_dynamics", "mass_matrix", *FUNCTIO
 
 def _files(package: Package) -> Files:
     robot = package.robot
-    ros = package.name.lower()  # as REP 144 has it
-    kernel = package.kernel()
-    more = {
-        "ros": ros,
-        "friction": friction_of(package),
-        "joints": [(_quoted(link.name), link.joint.kind) for link in robot.links],
-        "gravity": [repr(float(g)) for g in robot.gravity],
-        "flags": arithmetic_flags(package),
-    }
+    about = {"friction": friction_of(package), "gravity": [repr(float(g)) for g in robot.gravity]}
+    joints = [(_quoted(link.name), link.joint.kind) for link in robot.links]
     return {
-        **readme(package, ros=ros, friction=more["friction"], gravity=more["gravity"]),
-        **rendered(package, _TEMPLATES, **more),
+        **readme(package, **about),
+        **rendered(package, _TEMPLATES, joints=joints, flags=arithmetic_flags(package), **about),
         **{
-            f"include/{ros}/{path}" if path.endswith(".h") else f"src/{path}": text
-            for path, text in kernel.items()
+            f"include/{package.name}/{path}" if path.endswith(".h") else f"src/{path}": text
+            for path, text in package.kernel().items()
         },
+        **{f"test/{path}": text for path, text in package.tests().items()},
     }
+
+
+def _called(robot: str) -> str:
+    """In lower case, as ROS has it (REP 144)."""
+    return f"{robot}_dynamics".lower()
 
 
 def _quoted(text: str) -> str:
@@ -58,4 +57,5 @@ FORMAT = Format(
     functions=_NEEDS,
     needs=_NEEDS,
     lacks=frozenset({"memory", "given sines"}),
+    called=_called,
 )
