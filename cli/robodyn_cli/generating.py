@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gc
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -109,7 +108,6 @@ def kernels(
     if firmware:
         unfit = {"compile": compiled, "latex": latex, "batch": batch, "contraction on": contraction == "on"}
         options = for_firmware(options, target, **unfit)
-    gc.set_threshold(100_000, 20, 20)  # programs are many small objects and no garbage
     described = load(robot, strict=strict, fold_rotor=fold_rotor)
     options = Search(budget_seconds, seed, options.objective, keep).applied(
         described, options, options.function_names

@@ -10,6 +10,7 @@ import pytest
 from robodyn.diagnose.amend.amend import Amendment
 from robodyn.diagnose.select import uncertainty
 from robodyn.diagnose.select.fit import problem
+from robodyn.diagnose.select.own_numbers import own_numbers
 from robodyn.diagnose.select.refine import Freed
 from robodyn.diagnose.select.uncertainty import Uncertainty, uncertainties
 from robodyn.robot import load
@@ -47,6 +48,7 @@ def fitted(
 
     start = problem(torque[:, None], 0.2 * np.ones((SAMPLES, 1, 1)), np.array([0.3]), thin)
     monkeypatch.setattr(Freed, "missed", missed)
+    monkeypatch.setattr(Freed, "own_numbers", lambda self, x: own_numbers(start))
     for _ in range(6):  # Gauss and Newton, as the search has done before
         freed = Freed.of(ROBOT, [Amendment("stribeck_friction", 1, begin)], [], start)
         fit = uncertainty.LocalFit.of(freed, freed.x)
@@ -96,6 +98,7 @@ def test_a_better_fit_on_the_way_is_taken(monkeypatch: pytest.MonkeyPatch) -> No
 
     start = problem(torque[:, None], 0.2 * np.ones((SAMPLES, 1, 1)), np.array([0.3]), 1.0)
     monkeypatch.setattr(Freed, "missed", missed)
+    monkeypatch.setattr(Freed, "own_numbers", lambda self, x: own_numbers(start))
     off = {**TRUTH, "velocity": 0.11}
     (one,), (sure,) = uncertainties(ROBOT, [Amendment("stribeck_friction", 1, off)], [], start)
     assert abs(float(one.parameters["velocity"]) - 0.1) < 0.006

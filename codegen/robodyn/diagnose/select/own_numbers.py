@@ -2,7 +2,8 @@
 
 What a number of a link does to the torques depends on how the arm stands. Of a base that is level, a vertical
 first joint feels no centre of mass; of one that leans it does, and nobody has known the centre so far. So the
-columns beside findings are those of the arm with these findings.
+columns beside findings are those of the arm with these findings. When exactly friction turns at reversals is
+a number of each joint that nobody knows either (:mod:`robodyn.diagnose.select.remainder`).
 """
 
 from __future__ import annotations
@@ -14,6 +15,8 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.select.fit import Problem, directions
 from robodyn.diagnose.select.library import Context
+from robodyn.diagnose.select.limits import TURN_TIME
+from robodyn.diagnose.select.remainder import turning
 from robodyn.identify.predict import offsets
 from robodyn.identify.rigid import Model
 from robodyn.robot.model import Robot
@@ -30,15 +33,28 @@ def own_numbers(start: Problem) -> tuple[Floats, Floats]:
 def own_numbers_of(
     arm: Robot, robot: Robot, contexts: Sequence[Context], start: Problem
 ) -> tuple[Floats, Floats]:
-    """The same of ``arm``, which is ``robot`` with findings; ``contexts`` and ``start`` are of ``robot``."""
-    if not _stands_otherwise(arm, robot):
-        return own_numbers(start)
-    model, shift = Model(arm), offsets(arm)
+    """The same of ``arm``, which is ``robot`` with findings, and of when its friction turns; ``contexts`` and
+    ``start`` are of ``robot``."""
     scale = (start.weight / start.sigma)[:, :, None]
-    columns = np.concatenate([_along(model, shift, c) for c in contexts]) * scale * start.sizes
-    columns = columns @ directions(columns)
+    columns, prior = own_numbers(start)
+    if _stands_otherwise(arm, robot):
+        model, shift = Model(arm), offsets(arm)
+        whole = np.concatenate([_along(model, shift, c) for c in contexts]) * scale * start.sizes
+        columns, prior = _held(whole @ directions(whole), start.thin)
+    turns = np.concatenate([turning(arm, c) for c in contexts]) * scale * TURN_TIME
+    turns = turns[:, :, turns.any(axis=(0, 1))]
+    if not turns.shape[2]:
+        return columns, prior
+    more, held = _held(turns, start.thin)
+    whole_prior = np.zeros((len(prior) + len(held),) * 2)
+    whole_prior[: len(prior), : len(prior)], whole_prior[len(prior) :, len(prior) :] = prior, held
+    return np.concatenate([columns, more], axis=1), whole_prior
+
+
+def _held(columns: Floats, thin: float) -> tuple[Floats, Floats]:
+    """Columns [N, n, p] as [N n, p], a unit being a standard deviation, and how they are held [p, p]."""
     p = columns.shape[2]
-    return columns.reshape(-1, p), np.sqrt(start.thin) * np.eye(p)
+    return columns.reshape(-1, p), np.sqrt(thin) * np.eye(p)
 
 
 def _stands_otherwise(arm: Robot, robot: Robot) -> bool:
