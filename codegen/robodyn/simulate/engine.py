@@ -224,10 +224,12 @@ class Engine:
 
 
 def engine_files() -> dict[str, str]:
-    """The engine's own C: text by path in a folder ``engine``. ``engine.c`` is what Python calls; who steps by
-    himself includes ``advance.h``. The glue is ``engine_glue.h``, in that folder or an include folder."""
+    """The engine's own C: text by path in a folder ``engine``. ``engine.c`` is what Python calls; other
+    programs include ``advance.h``. The glue is ``engine_glue.h``, in that folder or an include folder."""
     home = resources("robodyn.simulate").joinpath("c")
-    items = sorted((item for item in home.iterdir() if item.name.endswith((".c", ".h"))), key=lambda i: i.name)
+    items = sorted(
+        (item for item in home.iterdir() if item.name.endswith((".c", ".h"))), key=lambda i: i.name
+    )
     return {f"engine/{item.name}": item.read_text(encoding="utf-8") for item in items}
 
 
