@@ -30,13 +30,13 @@ def test_writes_a_folder_and_says_what_to_do_with_it(capsys: Capture) -> None:
     out, _ = package(capsys, "--as", "cmake", *GRAVITY, "--version", "2.1.0")
     folder = Path("packages/stanford_3dof/cmake")
     assert out.splitlines() == [
-        "stanford_3dof: wrote a CMake package of 6 files in packages/stanford_3dof/cmake",
+        "stanford_3dof: wrote a CMake package of 7 files in packages/stanford_3dof/cmake",
         "stanford_3dof_dynamics 2.1.0: gravity (4 operations)",
         "next: cmake -S packages/stanford_3dof/cmake -B build && cmake --build build && "
         "cmake --install build --prefix PREFIX",
     ]
     assert "VERSION 2.1.0" in (folder / "CMakeLists.txt").read_text()
-    assert len([path for path in folder.rglob("*") if path.is_file()]) == 6
+    assert len([path for path in folder.rglob("*") if path.is_file()]) == 7
 
 
 def test_the_kernel_is_what_gen_writes(capsys: Capture) -> None:
@@ -53,7 +53,7 @@ def test_check_compares(capsys: Capture) -> None:
     assert "out/README.md, " in err
     assert not Path("out").exists()
     package(capsys, *arguments)
-    assert package(capsys, *arguments, "--check")[0] == "stanford_3dof: 6 files in out are up to date\n"
+    assert package(capsys, *arguments, "--check")[0] == "stanford_3dof: 7 files in out are up to date\n"
     (Path("out") / "README.md").write_text("mine")
     assert "out/README.md: not up to date" in package(capsys, *arguments, "--check", code=1)[1]
 
@@ -65,7 +65,7 @@ def test_json(capsys: Capture) -> None:
         "cmake",
         "stanford_3dof_dynamics",
     )
-    assert [Path(path).is_file() for path in report["files"]] == [True] * 6
+    assert [Path(path).is_file() for path in report["files"]] == [True] * 7
     assert report["functions"][0]["function"] == "gravity"
     assert "-S 'o u t' " in report["take"]
 

@@ -156,3 +156,69 @@ int main(void) {{
     return 0;
 }}
 """
+
+
+def fortran_program(consumer: Consumer) -> str:
+    """The program in Fortran."""
+    packed = consumer.package
+    declared, called = [], []
+    for k, case in enumerate(consumer.cases):
+        routine = case.routine
+        arrays = (*routine.inputs, *routine.outputs)
+        declared += [f"real(rk) :: {array.name}_{k}({array.size})" for array in arrays]
+        names = [f"{array.name}_{k}" for array in arrays]
+        names += ["parameters"] if packed.parameters else []
+        called += [
+            f"do k = 1, {STATES}",
+            f"read (*, *) {', '.join(f'{array.name}_{k}' for array in routine.inputs)}",
+            f"call {routine.symbol}({', '.join(names)})",
+            *(f"print '(es26.17e3)', {array.name}_{k}" for array in routine.outputs),
+            "end do",
+        ]
+    if packed.parameters:
+        declared.append(f"type({packed.robot.name}_params) :: parameters")
+        called[:0] = [f"parameters%{name} = {value!r}_rk" for name, value in consumer.parameters.items()]
+    kind = "c_float" if packed.scalar == "float" else "c_double"
+    lines = [
+        "program consumer",
+        f"use, intrinsic :: iso_c_binding, only: rk => {kind}",
+        f"use {packed.name}",
+        "implicit none",
+        "integer :: k",
+        *declared,
+        *called,
+        "end program",
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def rust_program(consumer: Consumer) -> str:
+    """The program in Rust."""
+    packed = consumer.package
+    lines = []
+    for case in consumer.cases:
+        routine = case.routine
+        arguments = [f"&{array.name}" for array in routine.inputs]
+        arguments += [f"&mut {array.name}" for array in routine.outputs]
+        arguments += ["&parameters"] if packed.parameters else []
+        body = [
+            f"let {array.name}: [Real; {array.size}] = std::array::from_fn(|_| next());"
+            for array in routine.inputs
+        ]
+        body += [f"let mut {array.name} = [0.0; {array.size}];" for array in routine.outputs]
+        body.append(f"{packed.name}::{routine.name}({', '.join(arguments)});")
+        body += [f'for x in {array.name} {{ println!("{{x:e}}"); }}' for array in routine.outputs]
+        lines.append(f"for _ in 0..{STATES} {{ {' '.join(body)} }}")
+    values = ", ".join(f"{name}: {value!r}" for name, value in consumer.parameters.items())
+    parameters = f"let parameters = {packed.name}::Params {{ {values} }};" if values else ""
+    return f"""\
+#![allow(non_snake_case)]
+use {packed.name}::Real;
+fn main() {{
+    let text = std::io::read_to_string(std::io::stdin()).unwrap();
+    let mut words = text.split_whitespace();
+    let mut next = || -> Real {{ words.next().unwrap().parse().unwrap() }};
+    {parameters}
+    {chr(10).join(lines)}
+}}
+"""

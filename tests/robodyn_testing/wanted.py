@@ -59,6 +59,7 @@ PACKAGES: Final = {"pinocchio": "pin", "yaml": "pyyaml"}
 OPTIONAL: Final = frozenset(
     {
         "build",
+        "casadi",
         "h5py",
         "hatchling",
         "hypothesis",

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from robodyn.emit.concise import LARGE, explained_once, of_angles, often_read
 from robodyn.emit.readable import steps_served
-from robodyn.ir.program import Input, Label, Operand, Program
+from robodyn.ir.program import Input, Label, Program
 from robodyn.robot.names import is_reserved
 
 #: What a quantity is, and its unit, for headings.
@@ -88,8 +88,7 @@ class Apply(NamedTuple):
 Expression = str | Input | Fraction | Apply
 
 
-@dataclass(frozen=True, slots=True)
-class Statement:
+class Statement(NamedTuple):
     """``name = expression``. ``heading`` opens a group of statements; ``angle`` marks the argument of a
     sine and a cosine."""
 
@@ -169,17 +168,18 @@ def statements(
             heading = _NUMBERS
     angular = of_angles(program) if numbers else set()
 
-    def expression(operand: Operand, i: int) -> Expression:
-        """An operand of operation ``i``."""
-        if isinstance(operand, int):
-            return text[operand]
-        if numbers and isinstance(operand, Fraction) and i not in angular:
-            return numbers.get(operand.as_integer_ratio(), operand)
-        return operand
-
     for i, (op, args, label) in enumerate(operations):
-        whole = Apply(op, tuple([expression(arg, i) for arg in args]))
-        steps = 1 + sum([size[arg] for arg in args if isinstance(arg, int)])
+        steps = 1
+        written_args: list[Expression] = []
+        for arg in args:
+            if isinstance(arg, int):
+                steps += size[arg]
+                written_args.append(text[arg])
+            elif numbers and type(arg) is Fraction and i not in angular:
+                written_args.append(numbers.get(arg.as_integer_ratio(), arg))
+            else:
+                written_args.append(arg)
+        whole = Apply(op, tuple(written_args))
         alone = i in named or steps >= _LONGEST or (following is not None and i not in following)
         if not alone:
             text.append(whole)

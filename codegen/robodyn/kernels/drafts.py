@@ -11,7 +11,8 @@ from robodyn.passes import SPELLING, Pass, unchecked
 #: The passes take less than a tenth of a draft away; what is further below need not wait for them.
 CLEARLY = 0.9
 #: Joints of an arm at most of which a function that is put together from its parts in any case is written
-#: anew as well: that saves an operation in a hundred on one arm in thirty, and takes long on long arms.
+#: anew as well: that saves an operation in a hundred on one arm in thirty, and takes long on long arms. Of
+#: longer ones a way over the parts is not built where these alone take clearly more than another way.
 ANEW_JOINTS = 12
 #: Of so few operations, and of gravity's, they may save more.
 SMALL = 100

@@ -260,20 +260,38 @@ class RigidPrograms:
 
             return build_through_sympy(self.robot, function, self.choice)
         known = function_named(function)
-        writings = (*known.writings(self.robot.n), *known.of_rigid_arms)
+        writings: list[Writing] = []
         drafts = self._fused(known) if known.fuses else []
         if not known.fuses and not (known.apart and self.robot.n > ANEW_JOINTS):
-            drafts = [build(self.robot, function, self.choice, writing) for writing in writings]
+            writings, drafts = self._written(known)
         if known.apart:
             drafts += self._of_parts(known)
-        if len(drafts) == 1:
-            return drafts[0]
-        k, self._after_passes[function] = self._least(drafts)
-        self._writings[function] = known.outputs if known.fuses or k >= len(writings) else writings[k]
+        k = 0
+        if len(drafts) > 1:
+            k, self._after_passes[function] = self._least(drafts)
+        self._writings[function] = writings[k] if k < len(writings) else known.outputs
         if known.fuses and k == 0:  # the best programs of the parts are not in it
             for part in set(self.taken) - set(self.options.function_names if self.options.functions else ()):
                 del self.taken[part]
         return drafts[k]
+
+    def _written(self, function: Function) -> tuple[list[Writing], list[Program]]:
+        """The ways to write ``function`` that may take the fewest operations, and what they give.
+
+        Of a long arm none over its parts where these alone cost more than another way: mass matrices grow
+        with the square of the joints.
+        """
+
+        def built(ways: Sequence[Writing]) -> list[Program]:
+            return [build(self.robot, function.name, self.choice, way) for way in ways]
+
+        others, rivals = function.of_rigid_arms, built(function.of_rigid_arms)
+        if function.parts and rivals and self.robot.n > ANEW_JOINTS:
+            parts = sum(self._cost(self.best(part)) for part in function.parts)
+            if min(map(self._cost, rivals)) <= CLEARLY * parts:
+                return list(others), rivals
+        ways = function.writings(self.robot.n)
+        return [*ways, *others], [*built(ways), *rivals]
 
 
 def _by(objective: str) -> Callable[[Program], float]:

@@ -12,14 +12,13 @@ from __future__ import annotations
 from fractions import Fraction
 
 from robodyn.ir.field import Field
-from robodyn.ir.graph import Graph, Key, Node, Scalar, children
+from robodyn.ir.graph import Graph, Node, Scalar, sum_of
+from robodyn.ir.key import Key, children
 from robodyn.ir.size import MOST_POSITIONS, too_large
 from robodyn.robot.values import circle_point
 
 #: Operations that are found by their values.
 _BY_VALUE = ("add", "mul", "scale")
-#: What stands for position 0, beyond the numbers that stand for themselves.
-_FIRST = 2
 
 
 class MergingGraph(Graph):
@@ -33,48 +32,51 @@ class MergingGraph(Graph):
         self.field = field
         self._prime = field.prime
         self._value: list[int] = []
-        #: What has a value already: a number -1, 0 or 1, or ``_FIRST`` + position, negative of minus a node.
-        self._by_value: dict[int, int] = {0: 0, 1: 1, field.prime - 1: -1}
+        #: What has a value already: a number -1, 0 or 1, or a node.
+        self._by_value: dict[int, Scalar] = {0: 0, 1: 1, field.prime - 1: -1}
 
     def _of(self, a: Scalar) -> int:
         if isinstance(a, Node):
             value = self._value[a.position]
-            return value if a.sign > 0 else self._prime - value
+            return value if a.sign > 0 else -value
         return self.field.number(a)
-
-    def _known(self, known: int) -> Scalar:
-        """What stands in the table as ``known``."""
-        if known >= _FIRST:
-            return Node(self, known - _FIRST, 1)
-        return known if known > -_FIRST else Node(self, -known - _FIRST, -1)
 
     def add(self, a: Scalar, b: Scalar) -> Scalar:
         """``a + b``."""
+        if isinstance(a, Node) and isinstance(b, Node):
+            value = (self._of(a) + self._of(b)) % self._prime
+            known = self._by_value.get(value)
+            if known is None:
+                known = self._simpler_sum(a, b)
+            if known is None:
+                key, sign = sum_of(a, b)
+                self._appended(key, value if sign > 0 else self._prime - value)
+                known = self._by_value[value]
+            return known
         if isinstance(a, Node) or isinstance(b, Node):
             known = self._by_value.get((self._of(a) + self._of(b)) % self._prime)
             if known is not None:
-                return self._known(known)
+                return known
         return super().add(a, b)
 
     def mul(self, a: Scalar, b: Scalar) -> Scalar:
         """``a * b``."""
         if isinstance(a, Node) and isinstance(b, Node):
             i, j = a.position, b.position
-            sign = a.sign * b.sign
             value = self._value[i] * self._value[j] % self._prime
             known = self._by_value.get(value)
-            if known is not None:
-                return self._known(known * sign)
-            return Node(self, self._appended(("mul", i, j) if i <= j else ("mul", j, i), value), sign)
+            if known is None:
+                self._appended(("mul", i, j) if i <= j else ("mul", j, i), value)
+                known = self._by_value[value]
+            return known if a.sign == b.sign else -known
         if isinstance(a, Node) or isinstance(b, Node):
             known = self._by_value.get(self._of(a) * self._of(b) % self._prime)
             if known is not None:
-                return self._known(known)
+                return known
         return super().mul(a, b)
 
     def _node(self, key: Key, sign: int = 1, known: Key | None = None) -> Node:
-        # Sums and products come here with new values only.
-        if key[0] in _BY_VALUE:
+        if key[0] in _BY_VALUE:  # sums and products come here with new values only
             return Node(self, self._appended(key, self._evaluated(key)), sign)
         known = known or key
         position = self._table.get(known)
@@ -90,8 +92,8 @@ class MergingGraph(Graph):
         self.reads.append(children(key))
         self._value.append(value)
         if key[0] != "const" and value not in self._by_value:
-            self._by_value[value] = _FIRST + position
-            self._by_value[self._prime - value] = -_FIRST - position
+            self._by_value[value] = Node(self, position, 1)
+            self._by_value[self._prime - value] = Node(self, position, -1)
         return position
 
     def _evaluated(self, key: Key) -> int:

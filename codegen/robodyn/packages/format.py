@@ -40,7 +40,10 @@ class Format:
     options: options of kernels that differ from those of ``gen``, unless they or a target are named, by the
         names that :class:`robodyn.kernels.options.Options` has for them.
     lacks: what its kernels cannot have.
+    derivatives: whether functions come with those that have their derivatives, as far as the robot has them.
     binary: whether a compiler for this machine is needed to write it, and what is written is for such only.
+    called: what a package is called, of the robot's name; a name of its own, since robots may be called like
+        targets and libraries that are there already (``test``, ``m``).
     """
 
     name: str
@@ -53,7 +56,9 @@ class Format:
     needs: tuple[str, ...] = ()
     options: Mapping[str, str] = field(default_factory=dict)
     lacks: frozenset[Trait] = frozenset()
+    derivatives: bool = False
     binary: bool = False
+    called: Callable[[str], str] = "{}_dynamics".format
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,9 +105,9 @@ class Package:
 
     @property
     def name(self) -> str:
-        """What the package, its library and its Fortran module are called: ``NAME_dynamics``. The header is
-        ``NAME.h``, and functions begin with ``NAME_``."""
-        return f"{self.robot.name}_dynamics"
+        """What the package, its library and its Fortran module are called; the header is ``NAME.h``, and
+        functions begin with ``NAME_``."""
+        return self.format.called(self.robot.name)
 
     @property
     def scalar(self) -> ScalarType:
@@ -140,6 +145,11 @@ class Package:
         included where the language has any."""
         names = (self.format.language.name,)
         return {**self.generated.files(names), **language_tests(self.generated, names)}
+
+    def tests(self) -> dict[str, str]:
+        """Programs that compare every function with results of 40 digits, and end with 1 where one is wrong;
+        text by file name. Languages whose tests :meth:`kernel` has already have none."""
+        return language_tests(self.generated, (self.format.language.name,), packaged=True)
 
     def files(self) -> Files:
         """All files of the package, by path within its folder.

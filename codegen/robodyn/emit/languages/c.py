@@ -126,6 +126,7 @@ LANGUAGE = Language(
     default=True,
     suffixes=(".c",),
     files={"NAME.h": "c/kernel.h.j2", "NAME.c": "c/kernel.c.j2"},
+    package_tests={"NAME_vectors.c": "c/vectors.c.j2"},
     spelling=lambda single: c_spelling(single=single),
     syntax=_syntax,
     function=_function,

@@ -119,6 +119,7 @@ LANGUAGE = Language(
     default=True,
     suffixes=(".f90", ".f"),
     files={"NAME.f90": "fortran/kernel.f90.j2"},
+    package_tests={"NAME_vectors.f90": "fortran/vectors.f90.j2"},
     spelling=lambda single: fortran_spelling(single=single),
     syntax=_syntax,
     function=_function,

@@ -16,14 +16,14 @@ _TEMPLATES = {
 
 
 def _files(package: Package) -> Files:
-    kernel = package.kernel()
     return {
         **readme(package),
         **rendered(package, _TEMPLATES, flags=arithmetic_flags(package), **_compatibility(package.version)),
         **{
             f"include/{package.name}/{path}" if path.endswith(".h") else f"src/{path}": text
-            for path, text in kernel.items()
+            for path, text in package.kernel().items()
         },
+        **{f"test/{path}": text for path, text in package.tests().items()},
     }
 
 
