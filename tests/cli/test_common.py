@@ -8,7 +8,6 @@ from pathlib import Path
 import pytest
 
 import robodyn_cli
-
 from robodyn.errors import InputError
 from robodyn.resources import data_dir
 from robodyn_cli.common import compare_files, echo_json, load_robot, output_folder, printable, write_files

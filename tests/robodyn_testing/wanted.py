@@ -60,6 +60,7 @@ OPTIONAL: Final = frozenset(
     {
         "build",
         "casadi",
+        "fmpy",
         "h5py",
         "hatchling",
         "hypothesis",
