@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import click
 
 from robodyn.errors import CheckError, InputError, RobodynError
-from robodyn_cli.choices import REPORTS
+from robodyn_cli.choices import FILE, REPORTS
 from robodyn_cli.common import (
     echo_document,
     json_option,
@@ -34,6 +34,7 @@ if TYPE_CHECKING:
 @click.option(
     "--file",
     "path",
+    type=FILE,
     metavar="FILE",
     default="robodyn.toml",
     show_default=True,
@@ -53,6 +54,7 @@ if TYPE_CHECKING:
 )
 @click.option(
     "--against",
+    type=FILE,
     metavar="FILE",
     help="Lock file to compare counts with, such as that of the branch that a pull request goes to.  "
     "[default: that of the project]",
@@ -67,7 +69,11 @@ if TYPE_CHECKING:
     help="Format of the report: text, json, junit (XML), or markdown (for a pull request).",
 )
 @click.option(
-    "-o", "--output", metavar="FILE", help="Write the report to FILE, and the text of it to stdout."
+    "-o",
+    "--output",
+    type=FILE,
+    metavar="FILE",
+    help="Write the report to FILE, and the text of it to stdout.",
 )
 @json_option
 def command(

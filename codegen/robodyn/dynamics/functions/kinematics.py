@@ -8,7 +8,8 @@ from typing import Any
 from robodyn.dynamics.arm import Motion
 from robodyn.dynamics.drift import tool_drift
 from robodyn.dynamics.dual import Dual, moving_along, slopes
-from robodyn.dynamics.functions.record import QD, Array, Dynamics, Function, Pair, Q, Vector
+from robodyn.dynamics.functions.arguments import QD, Array, Q
+from robodyn.dynamics.functions.record import Derivative, Dynamics, Function, Pair, Vector
 from robodyn.dynamics.jacobians import Column, columns
 from robodyn.dynamics.kinematics import frames, jacobian
 from robodyn.dynamics.mass_matrix import factoring
@@ -185,6 +186,7 @@ FUNCTIONS = (
         _forward_kinematics,
         expected=_tool_pose,
         geometric=True,
+        derivatives=(Derivative("q", "jacobian", JAC.name, of_frame=True),),
     ),
     Function(
         "link_poses",

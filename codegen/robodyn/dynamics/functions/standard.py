@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from robodyn.dynamics.articulated import articulated_bodies
-from robodyn.dynamics.functions.record import QD, QDD, TAU, Array, Dynamics, Function, Pair, Q, Vector
+from robodyn.dynamics.functions.arguments import QD, QDD, TAU, Array, Q
+from robodyn.dynamics.functions.record import Derivative, Dynamics, Function, Pair, Vector
 from robodyn.dynamics.mass_matrix import Factored, factoring, solve_symmetric
 from robodyn.dynamics.responses import inverse_mass_matrix_by_answers
 from robodyn.dynamics.weights import holding_torques, weighed
@@ -79,6 +80,10 @@ def _undoes_the_matrix(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
     return [one - other for one, other in zip(moving, still, strict=True)], x
 
 
+_BY_Q = Derivative("q", "inverse_dynamics_derivatives", "dtau_dq")
+_BY_QD = Derivative("qd", "inverse_dynamics_derivatives", "dtau_dqd")
+
+
 FUNCTIONS = (
     Function(
         "inverse_dynamics",
@@ -89,6 +94,7 @@ FUNCTIONS = (
         expected=_inverse_dynamics,
         by_default=True,
         zeros=(),
+        derivatives=(_BY_Q, _BY_QD, Derivative("qdd", "mass_matrix", "M", affine=True)),
     ),
     Function(
         "gravity",
@@ -99,6 +105,7 @@ FUNCTIONS = (
         expected=_gravity,
         by_default=True,
         zeros=("qd", "qdd"),
+        derivatives=(_BY_Q,),
         of_rigid_arms=(_gravity_by_weights,),
     ),
     Function(
@@ -110,6 +117,7 @@ FUNCTIONS = (
         expected=_bias,
         by_default=True,
         zeros=("qdd",),
+        derivatives=(_BY_Q, _BY_QD),
     ),
     Function(
         "mass_matrix",
@@ -133,6 +141,9 @@ FUNCTIONS = (
         solves=True,
         of_rigid_arms=(_articulated,),
         beside_parts=factoring,
+        derivatives=tuple(
+            Derivative(by, "forward_dynamics_derivatives", f"dqdd_d{by}") for by in ("q", "qd", "tau")
+        ),
     ),
     Function(
         "inverse_mass_matrix",

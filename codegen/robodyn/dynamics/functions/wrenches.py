@@ -6,19 +6,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from robodyn.dynamics.articulated import articulated_bodies
-from robodyn.dynamics.functions.record import (
-    QD,
-    QDD,
-    TAU,
-    WITH_WRENCH,
-    WRENCH,
-    Array,
-    Dynamics,
-    Function,
-    Pair,
-    Q,
-    Vector,
-)
+from robodyn.dynamics.functions.arguments import QD, QDD, TAU, WRENCH, Array, Q
+from robodyn.dynamics.functions.record import WITH_WRENCH, Dynamics, Function, Pair, Vector
 from robodyn.dynamics.functions.standard import FUNCTIONS as STANDARD
 from robodyn.dynamics.kinematics import frames, jacobian
 from robodyn.dynamics.mass_matrix import factoring, solve_symmetric
