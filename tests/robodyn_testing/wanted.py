@@ -48,6 +48,7 @@ OPTIONAL: Final = frozenset(
     {
         "build",
         "casadi",
+        "fmpy",
         "h5py",
         "hatchling",
         "hypothesis",
