@@ -49,6 +49,7 @@ OPTIONAL: Final = frozenset(
         "build",
         "casadi",
         "fmpy",
+        "fpm",
         "h5py",
         "hatchling",
         "hypothesis",

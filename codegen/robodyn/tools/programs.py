@@ -37,9 +37,7 @@ VALGRIND: Final = Tool(("valgrind",), Use.COMPARISONS, "instructions per call in
 
 CMAKE: Final = Tool(("cmake",), Use.PACKAGES, "builds of robodyn package --as cmake", "cmake")
 PKG_CONFIG: Final = Tool(("pkg-config",), Use.PACKAGES, "builds that ask pkg-config", "pkg-config")
-FPM: Final = Tool(
-    ("fpm",), Use.PACKAGES, "builds of robodyn package --as fpm", None, "pip install fpm"
-)
+FPM: Final = Tool(("fpm",), Use.PACKAGES, "builds of robodyn package --as fpm", None, "pip install fpm")
 
 
 def _development(name: str, package: str) -> Tool:
@@ -47,6 +45,7 @@ def _development(name: str, package: str) -> Tool:
 
 
 DEVELOPMENT: Final = (
+    _development("ament_xmllint", "python3-ament-xmllint"),
     _development("clang", "clang"),
     _development("clang++", "clang"),
     _development("chromedriver", "chromium-driver"),
