@@ -87,7 +87,8 @@ class TestTool:
         )
 
     def test_one_that_is_nowhere(self) -> None:
-        assert FRAMA_C.path() is FRAMA_C.command() is None
+        assert FRAMA_C.path() is None
+        assert FRAMA_C.command() is None
         with pytest.raises(ToolError, match=r"no program frama-c; install it: .*apt install frama-c-base"):
             FRAMA_C.needed()
 

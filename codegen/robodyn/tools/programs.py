@@ -57,6 +57,7 @@ DEVELOPMENT: Final = (
     _development("npm", "npm"),
     _development("rustc", "rustc"),
     _development("rustfmt", "rustfmt"),
+    _development("xmllint", "libxml2-utils"),
     _development("zsh", "zsh"),
 )
 """What only robodyn's own tests use."""
