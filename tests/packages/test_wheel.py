@@ -245,7 +245,7 @@ def matrix(q: NDArray[np.float64]) -> arm.Array:
 MISTYPED = {
     "arm.mass_matrix([0, 0], params={})": 'Missing key "m_1" for TypedDict "Params"',
     "arm.inverse_dynamics([0, 0], [0, 0], [0, 0], params=p)": 'Missing named argument "dt"',
-    "text: str = arm.forward_kinematics([0, 0])": "Incompatible types in assignment",
+    "text: str = arm.forward_kinematics([0, 0], params=p)": "Incompatible types in assignment",
     "arm.invers_dynamics": 'Module has no attribute "invers_dynamics"',
 }
 

@@ -57,7 +57,12 @@ def _files(package: Package) -> Files:
     project = re.sub(r"[-_.]+", "_", package.name).strip("_").lower()
     name = f"{project}-{package.version}"
     wheel = f"{name}-{tag}.whl"
-    notes = readme(package, wheel=Markdown(wheel), machine=Markdown(tag.rpartition("-")[2]), example=Markdown(_example(package)))
+    notes = readme(
+        package,
+        wheel=Markdown(wheel),
+        machine=Markdown(tag.rpartition("-")[2]),
+        example=Markdown(_example(package)),
+    )
     templates = {
         f"{package.name}/__init__.py": "init.py.j2",
         f"{package.name}/__init__.pyi": "init.pyi.j2",
