@@ -14,6 +14,7 @@ import robodyn_cli.building
 from cli.built import FILES, PROJECT, build, outputs
 from cli.generated import Capture, tree
 from records.made import ELBOW
+from robodyn.packages import FORMATS
 from robodyn_cli.main import main
 
 
@@ -275,6 +276,11 @@ def test_packages_are_written_with_the_kernels(project: Path, generated: list[st
     ("packages", "message"),
     [
         ("packages = ['cmak']", "robodyn.toml:12:1: unknown format of a package 'cmak'; expected one of "),
+        *(
+            (f"packages = ['{name}']", "has a binary, and another")
+            for name in FORMATS
+            if FORMATS[name].binary
+        ),
         ("packages.cmake.version = '1'", "robodyn.toml:12:1: this is no version of a package; found '1'"),
         ("packages.cmake.scalar = 'flot'", "robodyn.toml:12:1: unknown scalar 'flot'"),
         (
