@@ -53,11 +53,12 @@ _TOOLS: Final = {
 }
 """Debian's package of a program, where the two names differ."""
 
-PACKAGES: Final = {"pinocchio": "pin", "yaml": "pyyaml"}
+PACKAGES: Final = {"SCons": "scons", "pinocchio": "pin", "yaml": "pyyaml"}
 """PyPI's name of a module, where the two names differ."""
 
 OPTIONAL: Final = frozenset(
     {
+        "SCons",
         "build",
         "casadi",
         "h5py",
@@ -67,6 +68,7 @@ OPTIONAL: Final = frozenset(
         "mujoco",
         "ortools",
         "pinocchio",
+        "platformio",
         "pyarrow",
         "rosbags",
         "selenium",
