@@ -9,8 +9,12 @@ import click
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
 
+    _Word = click.ParamType[str]
+else:
+    _Word = click.ParamType  # generic from click 8.3 on only
 
-class OneOf(click.ParamType[str]):
+
+class OneOf(_Word):
     """A word out of a table: ``source`` is ``module:name`` of a tuple, a mapping, or a function that returns
     the words, imported when a shell completes.
 
@@ -61,7 +65,7 @@ class OneOf(click.ParamType[str]):
         return offered
 
 
-class Place(click.ParamType[str]):
+class Place(_Word):
     """The path of a file, or of a folder: a shell completes it. Whoever opens it checks it."""
 
     name = "text"

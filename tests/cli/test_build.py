@@ -289,3 +289,17 @@ def test_packages_that_cannot_be_written(project: Path, packages: str, message: 
     build(code=2)
     assert message in capsys.readouterr().err
     assert not (project / "packages").exists()
+
+
+@pytest.mark.thorough
+def test_firmware_is_written_as_gen_writes_it(project: Path) -> None:
+    """But for the README, which has what one machine measured."""
+    text = PROJECT.replace('scalar = "float"', 'firmware = true\ntarget = "cortex-m4f"')
+    (project / "robodyn.toml").write_text(text)
+    build()
+    options = ["--functions", "inverse_dynamics,gravity", "--lang", "c", "--target", "cortex-m4f"]
+    assert main(["gen", "other.yaml", "--firmware", *options, "-o", "gen"]) == 0
+    own = tree(project / "firmware" / "two")
+    assert {**own, "firmware/README.md": ""} == {**tree(project / "gen"), "firmware/README.md": ""}
+    assert "firmware/link.ld" in own
+    build("--check")

@@ -38,7 +38,7 @@ def cmake() -> str:
 
 @pytest.fixture(scope="module")
 def user() -> Consumer:
-    return consumer(ROBOT, "cmake", Options(FUNCTIONS))
+    return consumer(ROBOT, "cmake", Options(FUNCTIONS), license="BSD-3-Clause")
 
 
 def installed(cmake: str, user: Consumer, folder: Path, *options: str) -> Path:
@@ -94,7 +94,7 @@ def test_pkg_config_finds_it(shared: str, cmake: str, user: Consumer, tmp_path: 
     pkg_config = require_tool("pkg-config")
     prefix = installed(cmake, user, tmp_path, f"-DBUILD_SHARED_LIBS={shared}")
     environment = {**os.environ, "PKG_CONFIG_PATH": str(prefix / "lib" / "pkgconfig")}
-    ask = (pkg_config, "--cflags", "--libs", "--static", user.package.name)
+    ask = (pkg_config, "--cflags", "--libs", *(["--static"] * (shared == "OFF")), user.package.name)
     flags = run(*ask, cwd=tmp_path, environment=environment).split()
     assert (
         run(pkg_config, "--modversion", user.package.name, cwd=tmp_path, environment=environment) == "1.2.3\n"

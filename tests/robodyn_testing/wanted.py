@@ -61,6 +61,7 @@ OPTIONAL: Final = frozenset(
         "SCons",
         "build",
         "casadi",
+        "fmpy",
         "h5py",
         "hatchling",
         "hypothesis",
