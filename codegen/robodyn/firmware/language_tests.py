@@ -44,8 +44,8 @@ def language_tests(
     generated: Generated, languages: Sequence[str], *, packaged: bool = False, entry: str = "main"
 ) -> dict[str, str]:
     """The tests that go with ``languages``: text by file name; none for languages without any. ``packaged``:
-    those that go with packages only, which are programs; in C another ``entry`` than ``main`` makes a function
-    of it.
+    those that go with packages only, which are programs; in C another ``entry`` than ``main`` makes it a
+    function.
 
     Raises
     ------
