@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 import zipfile
 from io import BytesIO
 from pathlib import Path, PurePosixPath
@@ -70,6 +71,12 @@ def test_a_record_is_whole(name: str) -> None:
     for function in (*form.functions, *form.needs):
         function_named(function)
     assert set(form.needs) <= set(form.functions or by_default())
+
+
+def test_the_document_has_a_row_for_each() -> None:
+    text = (TOP / "docs" / "packages.md").read_text(encoding="utf-8")
+    rows = re.findall(r"(?m)^\| \[?`(\w+)`(?:\]\(#[\w-]+\))? \| ", text)
+    assert rows == list(FORMATS)
 
 
 @pytest.mark.parametrize("name", every())
