@@ -3,6 +3,10 @@
 Friction under load goes with the forces in the joint: they show numbers that the torque of the rigid arm does
 not, such as the mass that a bearing carries. The rigid arm is linear in its standard parameters, so its loads
 by each are those of the arm with that one alone; what the drives make of them is differentiated.
+
+A link behind its motor swings on its spring with its own inertia, not with the sum of that and the rotor's,
+which is all that a rigid joint shows. What it does under the load of a number is the answer of the spring's
+tangent along its motion.
 """
 
 from __future__ import annotations
@@ -15,8 +19,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.dynamics.arm import Symmetric
-from robodyn.identify.limits import FELT_STEP
-from robodyn.identify.rigid import PARAMETERS, Model, Rigid, physical
+from robodyn.identify.limits import FELT_STEP, TANGENT_STEP
+from robodyn.identify.oscillator import oscillation
+from robodyn.identify.rigid import PARAMETERS, Model, Moved, Rigid, physical
+from robodyn.identify.twist import Slopes, lags_of, links_of
 
 Floats = NDArray[np.float64]
 
@@ -33,6 +39,51 @@ def felt(model: Model, q: Floats, qd: Floats, qdd: Floats, sizes: Floats) -> Flo
         ahead, behind = (model.driven(_sum(whole, unit, way), q, qd, qdd).total for way in (step, -step))
         slopes[:, :, k, i] = (ahead - behind) / (2 * step)
     return slopes
+
+
+def felt_behind(
+    model: Model, motion: Moved, period: float, every: int, tau: Floats | None = None
+) -> tuple[Floats, Floats]:
+    """The same at each of ``every`` samples, where links lag behind motors that move so (:func:`lags_of`) and
+    other drives pass loads on as they are; and what torques [K, n, 2 joints] change by with how each of these
+    links begins, as far as it swings."""
+    lags, slopes = lags_of(model, model.evaluate(*motion), motion, period, tau)
+    q, qd, qdd = (x[::every] for x in links_of(motion, lags))
+    Y = model.regressor(q, qd, qdd)
+    whole, begins = Y.copy(), []
+    for j, lag in lags.items():
+        swing = _Swing(model, slopes[j], lag[:, 0], period)
+        for k, i in zip(*np.nonzero(Y[:, j].any(axis=0)), strict=True):
+            load = np.interp(np.arange(len(lag)), np.arange(len(q)) * every, Y[:, j, k, i])
+            whole[:, :, k, i] += swing.torques(load)[::every]
+        for begin in np.diag(np.sqrt(np.mean(lag[:, :2] ** 2, axis=0))):
+            begins.append(swing.torques(np.zeros(len(lag)), begin)[::every])
+    return whole, np.stack(begins, axis=2)
+
+
+class _Swing:
+    """A link about its motion behind the motor of joint ``j``, ``lag`` [K], on the tangent of its spring."""
+
+    def __init__(self, model: Model, slopes: Slopes, lag: Floats, period: float) -> None:
+        coupler = model.couplers[slopes.j]
+        assert coupler.effect.coupler is not None
+        self.slopes, self.period, self.damping = slopes, period, float(coupler.values["damping"])
+        step = TANGENT_STEP * max(float(np.abs(lag).max()), 1e-12)
+        ahead, behind = (
+            np.asarray(coupler.effect.coupler.torque(coupler.values, lag + way, 0.0), dtype=np.float64)
+            for way in (step, -step)
+        )
+        self.tangent = (ahead - behind) / (2 * step)
+
+    def torques(self, load: Floats, begin: Floats | None = None) -> Floats:
+        """What torques [K, n] change by as the link swings under a ``load`` [K] from a place and rate to
+        ``begin`` with [2] (0); 0 where it would diverge."""
+        of, j = self.slopes, self.slopes.j
+        inputs = (load, of.inertia[:, j], of.rate[:, j], of.place[:, j] + self.tangent)
+        place, rate = (0.0, 0.0) if begin is None else map(float, begin)
+        swing = oscillation(inputs, self.period, (np.zeros(2), -1.0, 2.0), self.damping, (place, rate))
+        torques = of.of(swing)
+        return torques if np.isfinite(torques).all() else np.zeros_like(torques)
 
 
 def _units(model: Model, q: Floats, qd: Floats, qdd: Floats) -> Iterator[tuple[int, int, Rigid]]:

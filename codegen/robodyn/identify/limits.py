@@ -28,7 +28,10 @@ KEPT_RESULTS: Final = 6
 # --- felt --------------------
 
 FELT_STEP: Final = 1e-3
-"""[standard deviations] Steps of numbers by which what drives make of loads is differentiated."""
+"""[standard deviations] Steps of numbers by which what drives make of loads is differentiated,"""
+
+TANGENT_STEP: Final = 1e-6
+"""[largest lags] and steps of a lag by which its spring is."""
 
 # --- twist --------------------
 
