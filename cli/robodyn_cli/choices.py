@@ -9,8 +9,12 @@ import click
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
 
+    _Word = click.ParamType[str]
+else:
+    _Word = click.ParamType  # generic from click 8.3 on only
 
-class OneOf(click.ParamType[str]):
+
+class OneOf(_Word):
     """A word out of a table: ``source`` is ``module:name`` of a tuple, a mapping, or a function that returns
     the words, imported when a shell completes.
 
@@ -61,7 +65,7 @@ class OneOf(click.ParamType[str]):
         return offered
 
 
-class Place(click.ParamType[str]):
+class Place(_Word):
     """The path of a file, or of a folder: a shell completes it. Whoever opens it checks it."""
 
     name = "text"
@@ -100,5 +104,6 @@ PROFILES: Final = OneOf("robodyn.thesis.case_study:REST_TO_REST")
 TARGET_FORMATS: Final = OneOf("robodyn.formats.exporting:TARGETS")
 COMPARED: Final = OneOf("robodyn.compare.robots:GROUPS", many=True)
 SHELLS: Final = OneOf("robodyn_cli.shells:SHELLS")
+TOOLS: Final = OneOf("robodyn.doctor:names", many=True)
 REPORTS: Final = OneOf("robodyn.project.reports:FORMATS")
 PACKAGES: Final = OneOf("robodyn.packages.formats:FORMATS")

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
 from robodyn.dynamics.functions.arguments import INPUTS, Array
-from robodyn.dynamics.limits import FEW_JOINTS
+from robodyn.dynamics.limits import FEW_JOINTS, MANY_JOINTS
 from robodyn.dynamics.rotor import Rotor as Rotor
 from robodyn.dynamics.vectors import Mark
 from robodyn.errors import InputError
@@ -160,6 +160,9 @@ class Function:
     others: other ways to write ``outputs``; what is emitted is the one that takes the fewest operations.
     small: the same, for arms of few joints.
     of_rigid_arms: the same, for arms whose drives have no effects.
+    of_long_arms: the same, for such arms of many joints.
+    beside_parts: about how many operations it takes beside those of its parts, for so many joints, where few
+        of the parts' results are numbers: what tells that another way takes fewer before it is built.
     apart: whether it is put together from its parts even where there is no record of them.
     by_parts: how it is put together from its parts; None: in any of the ways to write ``outputs``.
     drives: whether it depends on what drives do; if not, robots with effects have the rigid arm's.
@@ -183,6 +186,8 @@ class Function:
     others: tuple[Callable[[Dynamics], Sequence[Any]], ...] = ()
     small: tuple[Callable[[Dynamics], Sequence[Any]], ...] = ()
     of_rigid_arms: tuple[Callable[[Dynamics], Sequence[Any]], ...] = ()
+    of_long_arms: tuple[Callable[[Dynamics], Sequence[Any]], ...] = ()
+    beside_parts: Callable[[int], int] = lambda joints: 0
     apart: bool = False
     by_parts: Callable[[Dynamics], Sequence[Any]] | None = None
     drives: bool = True
@@ -259,6 +264,10 @@ class Function:
     def writings(self, n: int) -> tuple[Callable[[Dynamics], Sequence[Any]], ...]:
         """All ways to write the outputs of ``n`` joints."""
         return (self.outputs, *self.others, *(self.small if n <= FEW_JOINTS else ()))
+
+    def without_effects(self, n: int) -> tuple[Callable[[Dynamics], Sequence[Any]], ...]:
+        """All other ways to write them where drives have no effects."""
+        return (*self.of_rigid_arms, *(self.of_long_arms if n >= MANY_JOINTS else ()))
 
     def size_at(self, n: int, p: int = 0) -> int:
         """How many numbers the results are for ``n`` joints and ``p`` base parameters."""

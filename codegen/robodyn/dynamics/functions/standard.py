@@ -8,7 +8,8 @@ from typing import Any
 from robodyn.dynamics.articulated import articulated_bodies
 from robodyn.dynamics.functions.arguments import QD, QDD, TAU, Array, Q
 from robodyn.dynamics.functions.record import Derivative, Dynamics, Function, Pair, Vector
-from robodyn.dynamics.mass_matrix import Factored, solve_symmetric
+from robodyn.dynamics.mass_matrix import Factored, factoring, solve_symmetric
+from robodyn.dynamics.responses import inverse_mass_matrix_by_answers
 from robodyn.dynamics.weights import holding_torques, weighed
 
 M = Array("M", "mass matrix", "kg m^2, kg m, kg", shape=("n", "n"))
@@ -65,6 +66,10 @@ def _needs_the_torques(at: Dynamics, result: Sequence[Any], _: Vector) -> Pair:
 
 def _inverse(at: Dynamics) -> Sequence[Any]:
     return [entry for row in Factored(at.mass_matrix(), at.mark).inverse() for entry in row]
+
+
+def _inverse_by_answers(at: Dynamics) -> Sequence[Any]:
+    return [entry for row in inverse_mass_matrix_by_answers(at) for entry in row]
 
 
 def _undoes_the_matrix(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
@@ -135,6 +140,7 @@ FUNCTIONS = (
         parts=("bias", "mass_matrix"),
         solves=True,
         of_rigid_arms=(_articulated,),
+        beside_parts=factoring,
         derivatives=tuple(
             Derivative(by, "forward_dynamics_derivatives", f"dqdd_d{by}") for by in ("q", "qd", "tau")
         ),
@@ -148,5 +154,7 @@ FUNCTIONS = (
         condition=_undoes_the_matrix,
         parts=("mass_matrix",),
         solves=True,
+        of_long_arms=(_inverse_by_answers,),
+        beside_parts=lambda joints: 2 * factoring(joints),
     ),
 )
