@@ -19,7 +19,7 @@ from robodyn.diagnose.select.fit import Problem, directions
 from robodyn.diagnose.select.library import Context
 from robodyn.diagnose.select.limits import TURN_TIME
 from robodyn.diagnose.select.remainder import turning
-from robodyn.identify.felt import felt, felt_behind
+from robodyn.identify.motor_regressor import lagging_regressor, motor_regressor
 from robodyn.identify.predict import offsets
 from robodyn.identify.prior import number_of
 from robodyn.identify.rigid import Model
@@ -85,7 +85,7 @@ def _along(arm: Robot, c: Context) -> Floats:
 def _pressed(arm: Robot, c: Context, sizes: Floats) -> Floats:
     """The same by way of the drives, each number in units of what it is known to, ``sizes`` [10 n]."""
     s = c.slow
-    slopes = felt(Model(arm), s.q - offsets(arm), s.qd, s.qdd, sizes.reshape(c.n, -1))
+    slopes = motor_regressor(Model(arm), s.q - offsets(arm), s.qd, s.qdd, sizes.reshape(c.n, -1))
     return _seen(c, slopes.reshape(len(s.q), c.n, -1) * sizes)
 
 
@@ -94,7 +94,7 @@ def _behind(arm: Robot, c: Context, sizes: Floats) -> Floats:
     their links begin."""
     s, full, model = c.slow, c.signals, Model(arm)
     motion = full.q - offsets(arm), full.qd, full.qdd
-    slopes, begins = felt_behind(model, motion, full.period, round(s.period / full.period), full.tau)
+    slopes, begins = lagging_regressor(model, motion, full.period, round(s.period / full.period), full.tau)
     rotors = np.zeros((len(s.q), c.n, len(model.couplers)))
     for column, j in zip(np.moveaxis(rotors, 2, 0), model.couplers, strict=True):
         link = arm.links[j]

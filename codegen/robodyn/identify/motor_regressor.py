@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.dynamics.arm import Symmetric
-from robodyn.identify.limits import FELT_STEP, TANGENT_STEP
+from robodyn.identify.limits import NUMBER_STEP, TANGENT_STEP
 from robodyn.identify.oscillator import oscillation
 from robodyn.identify.rigid import PARAMETERS, Model, Moved, Rigid, physical
 from robodyn.identify.twist import Slopes, lags_of, links_of
@@ -27,13 +27,13 @@ from robodyn.identify.twist import Slopes, lags_of, links_of
 Floats = NDArray[np.float64]
 
 
-def felt(model: Model, q: Floats, qd: Floats, qdd: Floats, sizes: Floats) -> Floats:
+def motor_regressor(model: Model, q: Floats, qd: Floats, qdd: Floats, sizes: Floats) -> Floats:
     """Derivatives [K, n, n, 10] of the motors' torques along a motion [K, n] by the standard parameters of
     each link: joint, link, parameter. ``sizes`` [n, 10]: how much each may differ; 0 where it is known."""
     whole = model.rigid(q, qd, qdd)
     slopes = np.zeros((*q.shape, *sizes.shape))
     for k, i, unit in _units(model, q, qd, qdd):
-        step = FELT_STEP * float(sizes[k, i])
+        step = NUMBER_STEP * float(sizes[k, i])
         if not step > 0:
             continue
         ahead, behind = (model.driven(_sum(whole, unit, way), q, qd, qdd).total for way in (step, -step))
@@ -41,7 +41,7 @@ def felt(model: Model, q: Floats, qd: Floats, qdd: Floats, sizes: Floats) -> Flo
     return slopes
 
 
-def felt_behind(
+def lagging_regressor(
     model: Model, motion: Moved, period: float, every: int, tau: Floats | None = None
 ) -> tuple[Floats, Floats]:
     """The same at each of ``every`` samples, where links lag behind motors that move so (:func:`lags_of`) and
@@ -52,16 +52,16 @@ def felt_behind(
     Y = model.regressor(q, qd, qdd)
     whole, begins = Y.copy(), []
     for j, lag in lags.items():
-        swing = _Swing(model, slopes[j], lag[:, 0], period)
+        response = _Response(model, slopes[j], lag[:, 0], period)
         for k, i in zip(*np.nonzero(Y[:, j].any(axis=0)), strict=True):
             load = np.interp(np.arange(len(lag)), np.arange(len(q)) * every, Y[:, j, k, i])
-            whole[:, :, k, i] += swing.torques(load)[::every]
+            whole[:, :, k, i] += response.torques(load)[::every]
         for begin in np.diag(np.sqrt(np.mean(lag[:, :2] ** 2, axis=0))):
-            begins.append(swing.torques(np.zeros(len(lag)), begin)[::every])
+            begins.append(response.torques(np.zeros(len(lag)), begin)[::every])
     return whole, np.stack(begins, axis=2)
 
 
-class _Swing:
+class _Response:
     """A link about its motion behind the motor of joint ``j``, ``lag`` [K], on the tangent of its spring."""
 
     def __init__(self, model: Model, slopes: Slopes, lag: Floats, period: float) -> None:
@@ -81,8 +81,8 @@ class _Swing:
         of, j = self.slopes, self.slopes.j
         inputs = (load, of.inertia[:, j], of.rate[:, j], of.place[:, j] + self.tangent)
         place, rate = (0.0, 0.0) if begin is None else map(float, begin)
-        swing = oscillation(inputs, self.period, (np.zeros(2), -1.0, 2.0), self.damping, (place, rate))
-        torques = of.of(swing)
+        motion = oscillation(inputs, self.period, (np.zeros(2), -1.0, 2.0), self.damping, (place, rate))
+        torques = of.of(motion)
         return torques if np.isfinite(torques).all() else np.zeros_like(torques)
 
 
