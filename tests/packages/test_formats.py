@@ -46,7 +46,7 @@ FILES = sorted(
 
 def kernels(form: Format, text: str = ARM, **options: str) -> Generated:
     """Those of a small arm with the format's own options."""
-    functions = tuple(dict.fromkeys((*(form.functions or by_default()), *form.needs)))
+    functions = tuple(dict.fromkeys((*(form.functions or by_default()[:1]), *form.needs)))
     return generate(read_text(text), Options(functions=functions, **{**form.options, **options}))  # type: ignore[arg-type]
 
 
