@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from dataclasses import replace
 from pathlib import Path
@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import click
 
 from robodyn.errors import CheckError, InputError, RobodynError
-from robodyn_cli.choices import REPORTS
+from robodyn_cli.choices import FILE, REPORTS
 from robodyn_cli.common import (
     echo_document,
     json_option,
@@ -26,7 +26,7 @@ from robodyn_cli.common import (
 if TYPE_CHECKING:
     from robodyn.project.compare import Comparison
     from robodyn.project.lock import Lock
-    from robodyn.project.reading import Project
+    from robodyn.project.reading import Entry, Project
     from robodyn_cli.building import Products
 
 
@@ -34,6 +34,7 @@ if TYPE_CHECKING:
 @click.option(
     "--file",
     "path",
+    type=FILE,
     metavar="FILE",
     default="robodyn.toml",
     show_default=True,
@@ -53,6 +54,7 @@ if TYPE_CHECKING:
 )
 @click.option(
     "--against",
+    type=FILE,
     metavar="FILE",
     help="Lock file to compare counts with, such as that of the branch that a pull request goes to.  "
     "[default: that of the project]",
@@ -67,7 +69,11 @@ if TYPE_CHECKING:
     help="Format of the report: text, json, junit (XML), or markdown (for a pull request).",
 )
 @click.option(
-    "-o", "--output", metavar="FILE", help="Write the report to FILE, and the text of it to stdout."
+    "-o",
+    "--output",
+    type=FILE,
+    metavar="FILE",
+    help="Write the report to FILE, and the text of it to stdout.",
 )
 @json_option
 def command(
@@ -175,6 +181,7 @@ def _lock_before(project: Project) -> Lock | None:
 def _write(project: Project, products: Products) -> list[str]:
     """Write the files that are not as they should be, the lock file last, all or none; their paths."""
     from robodyn.project.compare import locked, outdated
+    from robodyn.project.keys import PACKAGE
     from robodyn.project.lock import lock_text
 
     files: dict[str, str | bytes] = {}
@@ -184,6 +191,8 @@ def _write(project: Project, products: Products) -> list[str]:
         folders |= {(folder / name).parent for name in product.files}
         different = outdated(folder, product)
         texts = products.texts(entry) if different else {}
+        if different and entry.command == PACKAGE:
+            _refuse_foreign(entry, folder, {name: texts[name] for name in different})
         files |= {f"{entry.output}/{name}": texts[name] for name in different}
     remove_leftovers(folders)
     lock = lock_text(locked(project, products.by_name)).encode("utf-8")
@@ -193,6 +202,20 @@ def _write(project: Project, products: Products) -> list[str]:
         return []
     remedy = f"choose another output in {printable(project.path)}, or free some space there"
     return [printable(path) for path in write_files(project.folder, files, remedy=remedy)]
+
+
+def _refuse_foreign(entry: Entry, folder: Path, files: Mapping[str, bytes]) -> None:
+    """
+    Raises
+    ------
+    InputError: a file of the package ``entry`` would take the place of one that robodyn did not write.
+    """
+    from robodyn_cli.package import refuse_foreign
+
+    try:
+        refuse_foreign(folder, files)
+    except InputError as error:
+        raise error.at(entry.place()) from None
 
 
 def _name_leftovers(project: Project, before: Lock, now: Lock) -> None:

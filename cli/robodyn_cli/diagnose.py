@@ -12,7 +12,7 @@ import click
 
 from robodyn.errors import InputError
 from robodyn_cli import progress
-from robodyn_cli.choices import SEVERAL_EFFECTS
+from robodyn_cli.choices import FILE, FOLDER, SEVERAL_EFFECTS
 from robodyn_cli.common import (
     echo_document,
     json_option,
@@ -40,10 +40,10 @@ _DATA, _MODEL, _REPORT, _KERNELS = "diagnosis.json", "model.yaml", "report.html"
 
 @click.command()
 @robot_argument
-@click.argument("logs", metavar="TRAIN.csv [MORE.csv ...]", nargs=-1, required=True)
-@click.option("--validate", metavar="V.csv", help="Log for validation, not used for fitting.")
+@click.argument("logs", type=FILE, metavar="TRAIN.csv [MORE.csv ...]", nargs=-1, required=True)
+@click.option("--validate", type=FILE, metavar="V.csv", help="Log for validation, not used for fitting.")
 @log_options
-@click.option("-o", "--output", "out", required=True, metavar="DIR", help="Output folder.")
+@click.option("-o", "--output", "out", required=True, type=FOLDER, metavar="DIR", help="Output folder.")
 @parameter_option()
 @click.option("--only", type=SEVERAL_EFFECTS, metavar="A,B", help="Look for these effects only.")
 @click.option(

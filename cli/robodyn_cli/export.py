@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import click
 
 from robodyn.errors import InputError
-from robodyn_cli.choices import TARGET_FORMATS
+from robodyn_cli.choices import FILE, TARGET_FORMATS
 from robodyn_cli.common import (
     echo_json,
     json_option,
@@ -33,7 +33,7 @@ from robodyn_cli.values import parameter_option
     help="Format of the file: urdf, mjcf or sdf.",
 )
 @parameter_option()
-@click.option("-o", "--output", metavar="FILE", help="Output file; default: stdout.")
+@click.option("-o", "--output", type=FILE, metavar="FILE", help="Output file; default: stdout.")
 @click.option("--force", is_flag=True, help="Overwrite an existing file.")
 @json_option
 def command(

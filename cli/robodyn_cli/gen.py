@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from robodyn_cli.choices import FOLDER
 from robodyn_cli.code_options import code_options
 from robodyn_cli.common import (
     compare_files,
@@ -32,7 +33,7 @@ if TYPE_CHECKING:
 
 @click.command()
 @robot_argument
-@click.option("-o", "--output", metavar="DIR", help="Output folder.  [default: generated/NAME]")
+@click.option("-o", "--output", type=FOLDER, metavar="DIR", help="Output folder.  [default: generated/NAME]")
 @language_option
 @click.option("--compile", "compile_", is_flag=True, help="Also compile and load the kernels.")
 @code_options(

@@ -74,9 +74,11 @@ def kernels(
     latex: bool,
     compiled: bool = False,
     firmware: bool = False,
+    derivatives: bool = False,
 ) -> Kernels:
     """The kernels of the description ``robot`` with the options of ``gen`` in the current context of click;
-    ``compiled``: for languages that can be called from here.
+    ``compiled``: for languages that can be called from here; ``derivatives``: with what has those of the
+    functions, as far as the robot has it.
 
     Raises
     ------
@@ -104,6 +106,7 @@ def kernels(
         prune=tolerance(prune),
         misra=misra,
         readable=readable,
+        derivatives=derivatives,
     )
     if firmware:
         unfit = {"compile": compiled, "latex": latex, "batch": batch, "contraction on": contraction == "on"}

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from robodyn_cli import progress
-from robodyn_cli.choices import EFFECTS, ROBOTS
+from robodyn_cli.choices import EFFECTS, FILE, FOLDER, ROBOTS
 from robodyn_cli.common import (
     echo_document,
     echo_json,
@@ -64,6 +64,7 @@ _OF_HIDING = ("effects", "random", "trajectories", "output")
     "--trajectory",
     "trajectories",
     multiple=True,
+    type=FILE,
     metavar="FILE.csv",
     help="Motion of train.csv; if given twice, the second is that of validate.csv.",
 )
@@ -88,16 +89,18 @@ _OF_HIDING = ("effects", "random", "trajectories", "output")
     metavar="B",
     help="Encoder bits per turn; 0: exact.  [default: 20]",
 )
-@click.option("-o", "--output", metavar="DIR", help="Output folder.")
+@click.option("-o", "--output", type=FOLDER, metavar="DIR", help="Output folder.")
 @click.option(
     "--open",
     "opened",
+    type=FOLDER,
     metavar="DIR",
     help="Print the sealed answer of the test in DIR (or that file itself) and exit.",
 )
 @click.option(
     "--score",
     nargs=2,
+    type=FILE,
     metavar="DIR DIAGNOSIS",
     help="Compare a diagnosis.json (or the folder it is in) with the answer of the test in DIR (or that "
     "file itself).",

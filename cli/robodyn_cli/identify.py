@@ -11,6 +11,7 @@ import click
 
 from robodyn.errors import InputError
 from robodyn_cli import progress
+from robodyn_cli.choices import FILE, FOLDER
 from robodyn_cli.common import (
     echo_document,
     json_option,
@@ -34,10 +35,10 @@ _UNKNOWN: Final = "unknown"
 
 @click.command()
 @robot_argument
-@click.argument("logs", metavar="LOG [LOG ...]", nargs=-1, required=True)
-@click.option("--validate", metavar="V.csv", help="Log for validation, not used for fitting.")
+@click.argument("logs", type=FILE, metavar="LOG [LOG ...]", nargs=-1, required=True)
+@click.option("--validate", type=FILE, metavar="V.csv", help="Log for validation, not used for fitting.")
 @log_options
-@click.option("-o", "--output", "out", required=True, metavar="DIR", help="Output folder.")
+@click.option("-o", "--output", "out", required=True, type=FOLDER, metavar="DIR", help="Output folder.")
 @click.option(
     "--gains",
     is_flag=True,

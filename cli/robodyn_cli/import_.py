@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from robodyn.errors import InputError
+from robodyn_cli.choices import FILE
 from robodyn_cli.common import echo_json, json_option, output_folder, printable, talk, write_files
 from robodyn_cli.values import Argument, Parameter, Point
 
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
 
 
 @click.command()
-@click.argument("file", metavar="FILE")
+@click.argument("file", type=FILE, metavar="FILE")
 @click.option("--base", default="", metavar="LINK", help="Link that is fixed; default: the root.")
 @click.option("--tip", default="", metavar="LINK", help="Link at the end; default: the only one there is.")
 @click.option(

@@ -11,13 +11,16 @@ import importlib
 import os
 import sys
 from collections.abc import Sequence
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import click
 
 from robodyn_cli.common import Document
 from robodyn_cli.failures import asks_for_json, guard
 from robodyn_cli.renamed import renamed
+
+if TYPE_CHECKING:
+    from click.shell_completion import CompletionItem
 
 COMMANDS: Final[dict[str, tuple[str, str]]] = {
     "gen": ("robodyn_cli.gen", "Write the kernels of a robot, and print the operation counts."),
@@ -66,6 +69,14 @@ COMMANDS: Final[dict[str, tuple[str, str]]] = {
     "report": ("robodyn_cli.report", "Write a page that shows an arm, or two beside each other."),
     "schema": ("robodyn_cli.schema", "Print the JSON Schema of the robot description."),
     "new": ("robodyn_cli.new", "Write a commented starter file to fill in."),
+    "doctor": (
+        "robodyn_cli.doctor",
+        "Show which programs and libraries are here, what each enables, and how to get the others.",
+    ),
+    "completion": (
+        "robodyn_cli.completion",
+        "Print or install the script with which a shell completes robodyn.",
+    ),
 }
 """Name of a command -> (module whose ``command`` it is, short help)."""
 
@@ -95,6 +106,16 @@ class LazyGroup(click.Group):
             hint = f"did you mean {close[0]!r}?" if close else f"the commands are {', '.join(COMMANDS)}."
             ctx.fail(f"No such command {args[0]!r}; {hint}")
         return super().resolve_command(ctx, [args[0], *renamed(args[0], args[1:])])
+
+    def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem[str]]:
+        from click.shell_completion import CompletionItem
+
+        commands = [
+            CompletionItem(name, help=short)
+            for name, (_, short) in COMMANDS.items()
+            if name.startswith(incomplete)
+        ]
+        return [*commands, *click.Command.shell_complete(self, ctx, incomplete)]
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         with formatter.section("Commands"):
@@ -145,8 +166,9 @@ def _begin(arguments: list[str], document: Document) -> None:
     if "_ROBODYN_COMPLETE" in os.environ:  # a shell asks for completions
         from click.shell_completion import shell_complete
 
-        instruction = os.environ["_ROBODYN_COMPLETE"]
-        raise click.exceptions.Exit(shell_complete(cli, {}, "robodyn", "_ROBODYN_COMPLETE", instruction))
+        from robodyn_cli.shells import VARIABLE
+
+        raise click.exceptions.Exit(shell_complete(cli, {}, "robodyn", VARIABLE, os.environ[VARIABLE]))
     _run(arguments, document)
 
 

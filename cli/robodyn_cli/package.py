@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from robodyn_cli.choices import PACKAGES
+from robodyn_cli.choices import FOLDER, PACKAGES
 from robodyn_cli.code_options import code_options
 from robodyn_cli.common import (
     compare_files,
@@ -45,7 +45,9 @@ class _Formats(click.Option):
 @click.command()
 @robot_argument
 @click.option("--as", "format_", type=PACKAGES, metavar="FORMAT", required=True, cls=_Formats)
-@click.option("-o", "--output", metavar="DIR", help="Output folder.  [default: packages/NAME/FORMAT]")
+@click.option(
+    "-o", "--output", type=FOLDER, metavar="DIR", help="Output folder.  [default: packages/NAME/FORMAT]"
+)
 @click.option(
     "--version",
     metavar="X.Y.Z",
@@ -80,22 +82,34 @@ def command(
     gen" with the same options; numbers and sines are as the format needs them, unless the command line says
     otherwise. The same input gives the same bytes on any machine, except where a package has a binary.
     """
-    from robodyn.packages import format_named, package
-
-    form = format_named(format_)
     folder = None if output is None else output_folder(output)
-    asked = _kernels(robot, form, others)
-    packed = package(asked.generated, form, version=version, license=license)
+    package, asked = packed(robot, format_, version, license, **others)
     with line() as shown:
-        shown.tell(f"robodyn: {asked.robot.name}: {form.title} ...")
-        files = packed.files()
-    folder = Path("packages") / asked.robot.name / form.name if folder is None else folder
+        shown.tell(f"robodyn: {asked.robot.name}: {package.format.title} ...")
+        files = package.files()
+    folder = Path("packages") / asked.robot.name / package.format.name if folder is None else folder
     if check:
         _check(folder, files)
     else:
-        _refuse_foreign(folder, files)
+        refuse_foreign(folder, files)
         write_files(folder, files)
-    _report(packed, asked, folder, files, checked=check, as_json=as_json)
+    _report(package, asked, folder, files, checked=check, as_json=as_json)
+
+
+def packed(
+    robot: str, format_: str, version: str, license: str | None, **options: Any
+) -> tuple[Package, Kernels]:
+    """The package that the command line in the current context of click asks for, and its kernels.
+
+    Raises
+    ------
+    RobodynError: options that do not go together, or a description that cannot be read.
+    """
+    from robodyn.packages import format_named, package
+
+    form = format_named(format_)
+    asked = _kernels(robot, form, options)
+    return package(asked.generated, form, version=version, license=license), asked
 
 
 def _kernels(robot: str, form: Format, options: dict[str, Any]) -> Kernels:
@@ -113,7 +127,14 @@ def _kernels(robot: str, form: Format, options: dict[str, Any]) -> Kernels:
         named = form.functions
     if named or options["fuse"]:
         options["functions"] = ",".join(dict.fromkeys((*named, *form.needs))) or None
-    return kernels(robot, lang=form.language.name, batch=False, latex=False, **options)
+    return kernels(
+        robot,
+        lang=form.language.name,
+        batch=False,
+        latex=False,
+        derivatives=form.derivatives,
+        **options,
+    )
 
 
 def _check(folder: Path, files: Mapping[str, str | bytes]) -> None:
@@ -132,7 +153,7 @@ def _check(folder: Path, files: Mapping[str, str | bytes]) -> None:
         )
 
 
-def _refuse_foreign(folder: Path, files: Mapping[str, str | bytes]) -> None:
+def refuse_foreign(folder: Path, files: Mapping[str, str | bytes]) -> None:
     """Leave alone what robodyn did not write: a project's own CMakeLists.txt or README.md, for one.
 
     Raises
@@ -140,20 +161,20 @@ def _refuse_foreign(folder: Path, files: Mapping[str, str | bytes]) -> None:
     InputError: such a file is in the way.
     """
     from robodyn.errors import InputError
-    from robodyn.packages.writing import MARK
+    from robodyn.packages.writing import is_ours
 
     for name in compare_files(folder, files):
         path = folder / name
-        if path.is_file() and MARK.encode("ascii") not in path.read_bytes():
+        if path.exists() and not is_ours(path):
             raise InputError(
                 f"{printable(path)} is in the way, which robodyn did not write",
                 expected="an empty folder, or one with an earlier package",
-                remedy="choose another folder with -o",
+                remedy="choose another folder",
             )
 
 
 def _report(
-    packed: Package,
+    package: Package,
     asked: Kernels,
     folder: Path,
     files: Mapping[str, str | bytes],
@@ -163,15 +184,15 @@ def _report(
 ) -> None:
     """Say what was written or checked, and how the tool takes it."""
     name, formulation = asked.robot.name, asked.options.formulation
-    take = packed.format.take.format(folder=shlex.quote(str(folder)), name=packed.name)
+    take = package.format.take.format(folder=shlex.quote(str(folder)), name=package.name)
     counts = asked.generated.counts
     if as_json:
         echo_json(
             {
                 "robot": name,
-                "format": packed.format.name,
-                "package": packed.name,
-                "version": packed.version,
+                "format": package.format.name,
+                "package": package.name,
+                "version": package.version,
                 "checked" if checked else "files": [str(folder / path) for path in files],
                 "functions": [record(asked.robot, f, formulation, c) for f, c in counts.items()],
                 "take": take,
@@ -180,7 +201,7 @@ def _report(
     elif checked:
         click.echo(f"{name}: {len(files)} files in {printable(folder)} are up to date")
     else:
-        click.echo(f"{name}: wrote {packed.format.title} of {len(files)} files in {printable(folder)}")
+        click.echo(f"{name}: wrote {package.format.title} of {len(files)} files in {printable(folder)}")
         sizes = ", ".join(f"{function} ({count.total} operations)" for function, count in counts.items())
-        for text in (*wrapped(f"{packed.name} {packed.version}: {sizes}"), f"next: {printable(take)}"):
+        for text in (*wrapped(f"{package.name} {package.version}: {sizes}"), f"next: {printable(take)}"):
             click.echo(text)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from robodyn_cli.choices import PROOFS, SCALARS, TRIGONOMETRY
+from robodyn_cli.choices import FOLDER, PROOFS, SCALARS, TRIGONOMETRY
 from robodyn_cli.common import echo_json, json_option, output_folder, printable, robot_argument, write_files
 from robodyn_cli.options import functions_option, listed, load, model_options
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 @click.command()
 @robot_argument
-@click.option("-o", "--output", metavar="DIR", help="Output folder.  [default: proof/NAME]")
+@click.option("-o", "--output", type=FOLDER, metavar="DIR", help="Output folder.  [default: proof/NAME]")
 @click.option(
     "--ranges",
     metavar="R",

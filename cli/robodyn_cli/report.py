@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from robodyn_cli.choices import ROBOTS
+from robodyn_cli.choices import FILE, ROBOTS
 from robodyn_cli.common import (
     echo_json,
     json_option,
@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     "-o",
     "--output",
     "out",
+    type=FILE,
     metavar="PATH",
     help="Page to write (.html), or the folder that gets it.  [default: this folder]",
 )

@@ -9,6 +9,7 @@ from typing import Any, Final, TypeVar
 
 import click
 
+from robodyn_cli.choices import FILE, FOLDER
 from robodyn_cli.options import functions_option, one_function
 
 Command = TypeVar("Command", bound=Callable[..., Any])
@@ -94,10 +95,15 @@ def schedule_options(command: Command) -> Command:
             ),
             click.option("--thesis", metavar="TABLE", help="Check a printed schedule: 4.3, C.1, 4.8, all."),
             click.option(
-                "--picture", metavar="FILE.svg", help="Write the Gantt chart; for a sweep, Figures 4.11-4.13."
+                "--picture",
+                type=FILE,
+                metavar="FILE.svg",
+                help="Write the Gantt chart; for a sweep, Figures 4.11-4.13.",
             ),
-            click.option("--layers", metavar="FILE.svg", help="Write the layered graph."),
-            click.option("-o", "--output", "emit", metavar="DIR", help="Write parallel C to DIR."),
+            click.option("--layers", type=FILE, metavar="FILE.svg", help="Write the layered graph."),
+            click.option(
+                "-o", "--output", "emit", type=FOLDER, metavar="DIR", help="Write parallel C to DIR."
+            ),
             click.option("--sync", metavar="HOW", help="Synchronisation (with -o): barrier or counters."),
             click.option(
                 "--packed",

@@ -25,9 +25,10 @@ def command(project: bool, error: bool, as_json: bool) -> None:
         return
     if project:
         from robodyn.project.schema import project_schema
+        from robodyn_cli.choices import PACKAGES
         from robodyn_cli.project_keys import project_keys
 
-        echo_json(project_schema(project_keys()))
+        echo_json(project_schema(project_keys(), PACKAGES.words()))
         return
     import robodyn.robot
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Final
 import click
 
 from robodyn_cli import progress
+from robodyn_cli.choices import FILE
 from robodyn_cli.common import (
     echo_json,
     json_option,
@@ -45,11 +46,14 @@ _BALANCED: Final = 1e-3
 @click.option(
     "-o",
     "--output",
+    type=FILE,
     metavar="LOG",
     help="Output log: .csv, .parquet, or - (CSV on stdout).  [default: NAME.csv]",
 )
 @simulation_options
-@click.option("--picture", metavar="FILE", help="Plot positions, velocities and torques to .svg or .png.")
+@click.option(
+    "--picture", type=FILE, metavar="FILE", help="Plot positions, velocities and torques to .svg or .png."
+)
 @click.option("--strict", is_flag=True, help="Refuse physically implausible values.")
 @json_option
 def command(

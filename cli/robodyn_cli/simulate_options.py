@@ -9,6 +9,7 @@ from typing import Any, TypeVar
 
 import click
 
+from robodyn_cli.choices import FILE
 from robodyn_cli.values import POSITIVE, POSITIVES, SEVERAL, SIZES, Line, parameter_option
 
 Command = TypeVar("Command", bound=Callable[..., Any])
@@ -132,9 +133,11 @@ def simulation_options(command: Command) -> Command:
     """Add the options that :class:`SimulationOptions` holds."""
     option = click.option
     every = (
-        option("--torque", metavar="FILE.csv", help="Apply torques t,tau1..taun, held between rows."),
+        option("--torque", type=FILE, metavar="FILE.csv",
+               help="Apply torques t,tau1..taun, held between rows."),
         option("--linear", is_flag=True, help="Interpolate between rows (with --torque)."),
-        option("--trajectory", metavar="FILE.csv", help="Follow a motion: t,q1..qn (qd, qdd if known)."),
+        option("--trajectory", type=FILE, metavar="FILE.csv",
+               help="Follow a motion: t,q1..qn (qd, qdd if known)."),
         option("--to", type=SEVERAL, metavar="Q", help="Move to Q (rad or m, separated by commas)."),
         option("--line", type=Line(), metavar="A:B",
                help="Move a point from x,y,z to x,y,z (m) on a straight line."),

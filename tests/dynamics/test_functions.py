@@ -166,7 +166,7 @@ def test_of_a_long_arm_what_cannot_win_is_not_built(slides: bool, monkeypatch: p
         return build(robot, function, choice, writing)
 
     monkeypatch.setattr(rigid_programs, "build", counted)
-    arm = exact_arm(3, joints=24, prismatic=1 if slides else 0, parallel=0.2)
+    arm = exact_arm(4, joints=16, prismatic=1 if slides else 0, parallel=0.2)
     best = program(arm, "forward_dynamics", Options(optimize="fast"))
     record = function_named("forward_dynamics")
     built = [writing for function, writing in ways if function == record.name]

@@ -58,7 +58,7 @@ def test_in_float_with_parameters_and_sines_of_its_own(arm: Path, tmp_path: Path
 
 
 def test_it_is_installed(tmp_path: Path) -> None:
-    user = consumer("stanford_3dof", "fpm", Options(("gravity",)))
+    user = consumer("stanford_3dof", "fpm", Options(("gravity",)), license="MIT")
     package = write(tmp_path / "package", user.package.files())
     run(*FPM, "install", "--prefix", tmp_path / "prefix", cwd=package)
     write(tmp_path, {"main.f90": fortran_program(user)})

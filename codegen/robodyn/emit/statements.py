@@ -71,9 +71,19 @@ QUANTITIES: dict[str, str] = {
     "fu": "force for a unit acceleration of a joint further out",
     "nu": "moment for a unit acceleration of a joint further out",
     "m": "mass matrix, its row of this joint",
+    "ia": "inertia of all that the joint carries, the joints beyond free to move, about the frame's origin",
+    "ea": "acceleration of the frame for a push at its origin, all joints free to move",
     "pivot": "factorisation M = U D U^T",
     "y": "forward substitution",
     "qdd": "joint acceleration [rad/s^2], at a prismatic joint [m/s^2]",
+}
+
+
+#: Quantities that stand under the heading of another.
+_UNDER: dict[str, str] = {
+    **dict.fromkeys(("ipivot", "u", "ud"), "pivot"),
+    **dict.fromkeys(("ibx", "iby", "ibz", "im"), "ia"),
+    **dict.fromkeys(("ebx", "eby", "ebz", "em"), "ea"),
 }
 
 
@@ -264,7 +274,7 @@ def _heading(label: Label | None) -> str | None:
         return None
     if label.quantity.removesuffix("to").rstrip("0123456789") in ("c", "s", "angle"):
         return QUANTITIES["sc"]
-    family = {"ipivot": "pivot", "u": "pivot", "ud": "pivot"}.get(label.quantity, label.quantity)
+    family = _UNDER.get(label.quantity, label.quantity)
     meaning = QUANTITIES.get(family)
     if meaning is None:
         return None

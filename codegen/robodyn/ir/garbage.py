@@ -8,12 +8,12 @@ from collections.abc import Iterator
 
 #: Programs are many small objects, and no garbage but what goes by itself: objects that are new before Python
 #: looks at the youngest of them, and how often it does that before it looks at older ones.
-RARELY = (100_000, 20, 20)
+RARELY = (1_000_000, 20, 20)
 
 
 @contextlib.contextmanager
 def rarely_collected() -> Iterator[None]:
-    """Python looks for garbage rarely here, and afterwards as before; a third of a generation goes into that
+    """Python looks for garbage rarely here, and afterwards as before: a quarter of a generation goes into it
     otherwise. Who has switched it off, or has it look more rarely still, is left alone. As a decorator it
     holds for each call."""
     before = gc.get_threshold()

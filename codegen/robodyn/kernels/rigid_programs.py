@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from robodyn.counts import Count
@@ -13,7 +14,7 @@ from robodyn.dynamics.fusing import AND, Writing, one_after_another
 from robodyn.ir.graph import Graph
 from robodyn.ir.program import Input, Program
 from robodyn.ir.size import TooLarge
-from robodyn.kernels.drafts import ANEW_JOINTS, CLEARLY, SMALL, least, total
+from robodyn.kernels.drafts import ANEW_JOINTS, CLEARLY, DENSE, SMALL, least, total
 from robodyn.kernels.options import Options
 from robodyn.kernels.proof import prove
 from robodyn.optimize.fast import fast_choices
@@ -285,13 +286,23 @@ class RigidPrograms:
         def built(ways: Sequence[Writing]) -> list[Program]:
             return [build(self.robot, function.name, self.choice, way) for way in ways]
 
-        others, rivals = function.of_rigid_arms, built(function.of_rigid_arms)
-        if function.parts and rivals and self.robot.n > ANEW_JOINTS:
-            parts = sum(self._cost(self.best(part)) for part in function.parts)
-            if min(map(self._cost, rivals)) <= CLEARLY * parts:
+        n = self.robot.n
+        others = function.without_effects(n)
+        rivals = built(others)
+        if rivals and n > ANEW_JOINTS:
+            least_of_rivals = min(map(self._cost, rivals))
+            if least_of_rivals <= CLEARLY * self._over_parts(function):
                 return list(others), rivals
-        ways = function.writings(self.robot.n)
+        ways = function.writings(n)
         return [*ways, *others], [*built(ways), *rivals]
+
+    def _over_parts(self, function: Function) -> float:
+        """What ``function`` costs over its parts, about and at least; 0 without any."""
+        parts = [self.best(part) for part in function.parts]
+        results = [x for part in parts for x in part.results()]
+        values = sum(type(x) is not Fraction for x in results)
+        dense = values >= DENSE * len(results) and self._cost is total
+        return sum(map(self._cost, parts)) + (function.beside_parts(self.robot.n) if parts and dense else 0)
 
 
 def _by(objective: str) -> Callable[[Program], float]:

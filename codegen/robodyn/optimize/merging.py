@@ -19,6 +19,8 @@ from robodyn.robot.values import circle_point
 
 #: Operations that are found by their values.
 _BY_VALUE = ("add", "mul", "scale")
+#: What stands for position 0, beyond the numbers that stand for themselves.
+_FIRST = 2
 
 
 class MergingGraph(Graph):
@@ -32,8 +34,9 @@ class MergingGraph(Graph):
         self.field = field
         self._prime = field.prime
         self._value: list[int] = []
-        #: What has a value already: a number -1, 0 or 1, or a node.
-        self._by_value: dict[int, Scalar] = {0: 0, 1: 1, field.prime - 1: -1}
+        #: What has a value already: a number -1, 0 or 1, or ``_FIRST`` + position, negative of minus a node.
+        #: No nodes: they would keep the graph, and it them, until Python looks for such circles.
+        self._by_value: dict[int, int] = {0: 0, 1: 1, field.prime - 1: -1}
 
     def _of(self, a: Scalar) -> int:
         if isinstance(a, Node):
@@ -41,38 +44,44 @@ class MergingGraph(Graph):
             return value if a.sign > 0 else -value
         return self.field.number(a)
 
+    def _known(self, known: int) -> Scalar:
+        """What stands in the table as ``known``."""
+        if known >= _FIRST:
+            return Node(self, known - _FIRST, 1)
+        return known if known > -_FIRST else Node(self, -known - _FIRST, -1)
+
     def add(self, a: Scalar, b: Scalar) -> Scalar:
         """``a + b``."""
         if isinstance(a, Node) and isinstance(b, Node):
             value = (self._of(a) + self._of(b)) % self._prime
             known = self._by_value.get(value)
-            if known is None:
-                known = self._simpler_sum(a, b)
-            if known is None:
-                key, sign = sum_of(a, b)
-                self._appended(key, value if sign > 0 else self._prime - value)
-                known = self._by_value[value]
-            return known
+            if known is not None:
+                return self._known(known)
+            simpler = self._simpler_sum(a, b)
+            if simpler is not None:
+                return simpler
+            key, sign = sum_of(a, b)
+            return Node(self, self._appended(key, value if sign > 0 else self._prime - value), sign)
         if isinstance(a, Node) or isinstance(b, Node):
             known = self._by_value.get((self._of(a) + self._of(b)) % self._prime)
             if known is not None:
-                return known
+                return self._known(known)
         return super().add(a, b)
 
     def mul(self, a: Scalar, b: Scalar) -> Scalar:
         """``a * b``."""
         if isinstance(a, Node) and isinstance(b, Node):
             i, j = a.position, b.position
+            sign = a.sign * b.sign
             value = self._value[i] * self._value[j] % self._prime
             known = self._by_value.get(value)
-            if known is None:
-                self._appended(("mul", i, j) if i <= j else ("mul", j, i), value)
-                known = self._by_value[value]
-            return known if a.sign == b.sign else -known
+            if known is not None:
+                return self._known(known * sign)
+            return Node(self, self._appended(("mul", i, j) if i <= j else ("mul", j, i), value), sign)
         if isinstance(a, Node) or isinstance(b, Node):
             known = self._by_value.get(self._of(a) * self._of(b) % self._prime)
             if known is not None:
-                return known
+                return self._known(known)
         return super().mul(a, b)
 
     def _node(self, key: Key, sign: int = 1, known: Key | None = None) -> Node:
@@ -92,8 +101,8 @@ class MergingGraph(Graph):
         self.reads.append(children(key))
         self._value.append(value)
         if key[0] != "const" and value not in self._by_value:
-            self._by_value[value] = Node(self, position, 1)
-            self._by_value[self._prime - value] = Node(self, position, -1)
+            self._by_value[value] = _FIRST + position
+            self._by_value[self._prime - value] = -_FIRST - position
         return position
 
     def _evaluated(self, key: Key) -> int:

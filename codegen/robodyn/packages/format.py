@@ -40,6 +40,7 @@ class Format:
     options: options of kernels that differ from those of ``gen``, unless they or a target are named, by the
         names that :class:`robodyn.kernels.options.Options` has for them.
     lacks: what its kernels cannot have.
+    derivatives: whether functions come with those that have their derivatives, as far as the robot has them.
     binary: whether a compiler for this machine is needed to write it, and what is written is for such only.
     called: what a package is called, of the robot's name; a name of its own, since robots may be called like
         targets and libraries that are there already (``test``, ``m``).
@@ -55,6 +56,7 @@ class Format:
     needs: tuple[str, ...] = ()
     options: Mapping[str, str] = field(default_factory=dict)
     lacks: frozenset[Trait] = frozenset()
+    derivatives: bool = False
     binary: bool = False
     called: Callable[[str], str] = "{}_dynamics".format
 
@@ -144,10 +146,11 @@ class Package:
         names = (self.format.language.name,)
         return {**self.generated.files(names), **language_tests(self.generated, names)}
 
-    def tests(self) -> dict[str, str]:
+    def tests(self, entry: str = "main") -> dict[str, str]:
         """Programs that compare every function with results of 40 digits, and end with 1 where one is wrong;
-        text by file name. Languages whose tests :meth:`kernel` has already have none."""
-        return language_tests(self.generated, (self.format.language.name,), packaged=True)
+        text by file name. Languages whose tests :meth:`kernel` has already have none. In C another ``entry``
+        makes a function of it, which returns that number."""
+        return language_tests(self.generated, (self.format.language.name,), packaged=True, entry=entry)
 
     def files(self) -> Files:
         """All files of the package, by path within its folder.

@@ -33,6 +33,7 @@ def report(comparison: Comparison, written: Sequence[str] = ()) -> Report:
 def _robot(robot: RobotState) -> Report:
     return {
         "robot": robot.name,
+        "package": robot.package,
         "gone": robot.gone,
         "files": [{"path": path, "fault": why} for path, why in robot.files.items()],
         "functions": [_function(counted) for counted in robot.functions],
@@ -187,7 +188,15 @@ def _summary(shown: Report) -> str:
     functions = [each for robot in robots for each in robot["functions"] if each["count"] is not None]
     total = sum(each["count"]["total"] for each in functions)
     changed = sum(each["status"] != "same" for robot in shown["robots"] for each in robot["functions"])
-    words = f"{_many(len(robots), 'robot')}, {_many(len(functions), 'function')}, {_many(total, 'operation')}"
+    packages = sum(robot["package"] is not None for robot in robots)
+    words = ", ".join(
+        (
+            _many(len(robots) - packages, "robot"),
+            *([_many(packages, "package")] if packages else []),
+            _many(len(functions), "function"),
+            _many(total, "operation"),
+        )
+    )
     return f"{words}; {changed} changed" if changed else f"{words}; no count changed"
 
 

@@ -20,7 +20,6 @@ from types import TracebackType
 from typing import Any
 
 from robodyn.errors import ToolError
-from robodyn.ir.garbage import RARELY
 
 #: What a process runs. It ends without a word, however it ends: the one that asks says what is to be said.
 _SERVE = """\
@@ -166,7 +165,7 @@ def serve() -> None:
     """Work on what comes in, until nothing more does."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the one that asks sees to the end
     gc.freeze()
-    gc.set_threshold(*RARELY)  # a search makes much that lives for a millisecond
+    gc.set_threshold(100_000, 20, 20)  # a search makes much that lives for a millisecond
     answers = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
     sys.stdout = sys.stderr
     while True:

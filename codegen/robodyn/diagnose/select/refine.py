@@ -36,17 +36,25 @@ Floats = NDArray[np.float64]
 @dataclass(frozen=True, slots=True, eq=False)
 class Freed:
     """The numbers of ``amendments`` to ``robot`` that logs say, at ``places`` (index, name): their values
-    ``x`` [P] are what is changed; ``contexts`` and ``start`` are of ``robot`` as it was given."""
+    ``x`` [P] are what is changed; ``contexts`` and ``start`` are of ``robot`` as it was given; ``by_drives``
+    as in :func:`own_numbers_of`."""
 
     robot: Robot
     amendments: tuple[Amendment, ...]
     contexts: tuple[Context, ...]
     start: Problem
     places: tuple[tuple[int, str], ...]
+    by_drives: bool = False
 
     @classmethod
     def of(
-        cls, robot: Robot, amendments: Sequence[Amendment], contexts: Sequence[Context], start: Problem
+        cls,
+        robot: Robot,
+        amendments: Sequence[Amendment],
+        contexts: Sequence[Context],
+        start: Problem,
+        *,
+        by_drives: bool = False,
     ) -> Freed:
         """All numbers that are sizes, and not 0."""
         places = tuple(
@@ -55,7 +63,7 @@ class Freed:
             for name, value in one.parameters.items()
             if isinstance(value, float) and value and _is_refined(effect(one.effect), name)
         )
-        return cls(robot, tuple(amendments), tuple(contexts), start, places)
+        return cls(robot, tuple(amendments), tuple(contexts), start, places, by_drives)
 
     @property
     def x(self) -> Floats:
@@ -92,7 +100,7 @@ class Freed:
     def own_numbers(self, x: Floats) -> tuple[Floats, Floats]:
         """Columns [N n, p] of the arm's own numbers beside values ``x`` [P], and how they are held [p, p]."""
         arm = amended(self.robot, self.changed(x))
-        return own_numbers_of(arm, self.robot, self.contexts, self.start)
+        return own_numbers_of(arm, self.robot, self.contexts, self.start, by_drives=self.by_drives)
 
     def slopes(self, x: Floats, left: Floats) -> Floats:
         """Of what is ``left`` [N n] the derivatives [N n, P] by ``x`` [P]; 0 where there is no robot."""
@@ -106,11 +114,17 @@ class Freed:
 
 
 def refined(
-    robot: Robot, amendments: Sequence[Amendment], contexts: Sequence[Context], start: Problem
+    robot: Robot,
+    amendments: Sequence[Amendment],
+    contexts: Sequence[Context],
+    start: Problem,
+    *,
+    by_drives: bool = False,
 ) -> list[Amendment]:
     """``amendments`` with numbers that explain more of the logs together; ``contexts`` and ``start`` are of
-    ``robot`` as it was given. By Gauss and Newton, differences taken one by one."""
-    freed = Freed.of(robot, amendments, contexts, start)
+    ``robot`` as it was given, ``by_drives`` as in :func:`own_numbers_of`. By Gauss and Newton, differences
+    taken one by one."""
+    freed = Freed.of(robot, amendments, contexts, start, by_drives=by_drives)
     if not freed.places:
         return list(amendments)
     x, sizes = freed.x, freed.sizes
