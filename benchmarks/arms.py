@@ -13,6 +13,8 @@ import time
 from collections.abc import Iterator
 from pathlib import Path
 
+from benchmarks.marked import with_part
+
 from robodyn import Options, count, load, program
 from robodyn.counts.objective import Objective
 from robodyn.formats.writers.parts import parts_of
@@ -28,7 +30,7 @@ RECORDED = ("inverse_dynamics", "mass_matrix")
 HOW = "robodyn --optimize search, from the record of an arm that is built alike"
 #: [s] For the records of one function of one arm.
 BUDGET = 300.0
-START, END = "<!-- operations -->\n", "<!-- end -->"
+MARK = "operations"
 
 
 def row(path: Path) -> str:
@@ -64,11 +66,7 @@ def main() -> int:
         for record in records():
             print(write_record(record, records_of_arms()).name)
     readme = FOLDER / "README.md"
-    head, start, rest = readme.read_text(encoding="utf-8").partition(START)
-    if not start:
-        print(f"{readme}: no {START.strip()}", file=sys.stderr)
-        return 1
-    readme.write_text(f"{head}{start}{table()}{END}{rest.partition(END)[2]}", encoding="utf-8")
+    readme.write_text(with_part(readme.read_text(encoding="utf-8"), MARK, table()), encoding="utf-8")
     return 0
 
 

@@ -8,13 +8,15 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
+from benchmarks.marked import with_part
+
 from robodyn.thesis.tables import Table, make
 from robodyn.thesis.tables.picture_robots import robots_svg
 
 DOCS = Path(__file__).parents[1] / "docs"
 PAGE = DOCS / "operation-counts.md"
 PICTURE = DOCS / "pictures" / "operations.svg"
-START, END = "<!-- counts -->\n", "<!-- end -->\n"
+MARK = "counts"
 _HEAD = (
     "| robot | joints | `none` | `fast` | shipped | OpenSYMORO, base parameters | thesis |\n"
     "|---|---|---|---|---|---|---|\n"
@@ -39,24 +41,10 @@ def markdown(table: Table) -> str:
     return _HEAD + "".join(rows)
 
 
-def page(text: str, table: Table) -> str:
-    """``text`` with the table between its marks.
-
-    Raises
-    ------
-    ValueError: it has no marks.
-    """
-    head, start, rest = text.partition(START)
-    _, end, tail = rest.partition(END)
-    if not start or not end:
-        raise ValueError(f"{PAGE.name} has no {START.strip()} or no {END.strip()}")
-    return f"{head}{start}{markdown(table)}{end}{tail}"
-
-
 def main() -> int:
     """Writes the page and the picture."""
     table = make("robots")
-    PAGE.write_text(page(PAGE.read_text(encoding="utf-8"), table), encoding="utf-8")
+    PAGE.write_text(with_part(PAGE.read_text(encoding="utf-8"), MARK, markdown(table)), encoding="utf-8")
     PICTURE.write_text(robots_svg(table), encoding="utf-8")
     return 0
 

@@ -19,7 +19,8 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-from benchmarks.kinematics import PAGE, into, ours
+from benchmarks.kinematics import PAGE, ours
+from benchmarks.marked import with_part
 
 from robodyn import Options, load, program
 from robodyn.dynamics.arm import JointAngle, Motion, build_arm, build_motion, inertial
@@ -160,7 +161,7 @@ def main() -> None:
         RESULTS.write_text(json.dumps(theirs, indent=1) + "\n", encoding="utf-8")
     theirs = json.loads(RESULTS.read_text(encoding="utf-8"))
     text = PAGE.read_text(encoding="utf-8")
-    PAGE.write_text(into(text, "casadi dynamics", table(theirs)), encoding="utf-8")
+    PAGE.write_text(with_part(text, "casadi dynamics", table(theirs)), encoding="utf-8")
 
 
 if __name__ == "__main__":

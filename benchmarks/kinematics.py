@@ -19,6 +19,8 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
+from benchmarks.marked import with_part
+
 from robodyn import Options, count, load, program
 from robodyn.dynamics.arm import Arm, JointAngle, Motion, build_arm, build_motion
 from robodyn.dynamics.functions import FUNCTIONS, NoSuchFunction
@@ -274,12 +276,6 @@ def casadi_table(counts: Counts, theirs: Counts) -> str:
     return "\n".join(lines)
 
 
-def into(text: str, mark: str, table: str) -> str:
-    """``text`` with ``table`` in the place marked."""
-    before, _, rest = text.partition(f"<!-- {mark} -->\n")
-    return f"{before}<!-- {mark} -->\n{table}\n<!-- end -->{rest.partition('<!-- end -->')[2]}"
-
-
 def main() -> None:
     """Count, and write results and tables."""
     if importlib.util.find_spec("casadi"):
@@ -287,8 +283,10 @@ def main() -> None:
         RESULTS.write_text(json.dumps(theirs, indent=1) + "\n", encoding="utf-8")
     theirs = json.loads(RESULTS.read_text(encoding="utf-8"))
     text = PAGE.read_text(encoding="utf-8")
-    text = into(text, "functions", functions_table({name: ours(name, tuple(FUNCTIONS)) for name in SHOWN}))
-    text = into(text, "casadi", casadi_table({name: ours(name, NAMES) for name in theirs}, theirs))
+    text = with_part(
+        text, "functions", functions_table({name: ours(name, tuple(FUNCTIONS)) for name in SHOWN})
+    )
+    text = with_part(text, "casadi", casadi_table({name: ours(name, NAMES) for name in theirs}, theirs))
     PAGE.write_text(text, encoding="utf-8")
 
 

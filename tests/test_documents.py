@@ -11,8 +11,8 @@ from typing import Any
 
 import pytest
 from benchmarks import counts
-from benchmarks.gap.documents import shown as shown_table
 from benchmarks.gap.documents import tables
+from benchmarks.marked import part, with_part
 
 from diagnose.hidden.cases import INSIDE
 from robodyn import errors
@@ -46,10 +46,8 @@ def test_there_are_as_many_effects_as_it_says() -> None:
 
 
 def test_the_operations_of_all_robots_are_recomputed() -> None:
-    assert (
-        counts.page(DOCUMENTS["operation-counts.md"], table := make("robots"))
-        == DOCUMENTS["operation-counts.md"]
-    ), "run python -m benchmarks.counts"
+    page, table = DOCUMENTS["operation-counts.md"], make("robots")
+    assert with_part(page, counts.MARK, counts.markdown(table)) == page, "run python -m benchmarks.counts"
     assert counts.PICTURE.read_text(encoding="utf-8") == robots_svg(table)
 
 
@@ -75,7 +73,7 @@ def test_tables_of_benchmarks_are_those_of_the_results(
     document: str, mark: str, results: str, made: Callable[[Any], str]
 ) -> None:
     figures = json.loads((ROOT / "benchmarks" / "results" / results).read_text(encoding="utf-8"))
-    assert shown_table((ROOT / document).read_text(encoding="utf-8"), mark) == made(figures).strip()
+    assert part((ROOT / document).read_text(encoding="utf-8"), mark).strip() == made(figures).strip()
     assert made(figures).count("\n") > 2
 
 

@@ -6,13 +6,15 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from statistics import median
 from typing import Any
 
+from benchmarks.marked import with_part
+
 TITLES = {
     "casadi": "CasADi SX, `cse`",
     "symforce": "SymForce",
     "wrenfold": "wrenfold",
     "pinocchio": "Pinocchio -> CasADi, `cse`",
 }
-START, END = "<!-- counts -->\n", "<!-- end -->"
+MARK = "counts"
 #: The arms whose operations stand in the documents, one with zeros in its model and one without.
 SHOWN = ("puma560", "panda")
 
@@ -40,15 +42,11 @@ def in_document(figures: Mapping[str, Any], document: str) -> str:
     ------
     ValueError: it has no marks.
     """
-    head, start, rest = document.partition(START)
-    _, end, tail = rest.partition(END)
-    if not start or not end:
-        raise ValueError(f"the document has no {START.strip()} or no {END}")
     parts = [f"{versions(figures)}; {len(figures['robots'])} bundled robots.", summary(figures)]
     for robot in SHOWN:
         if robot in figures["robots"]:
             parts += [f"`{robot}`:", _of_robot(figures, robot)]
-    return f"{head}{start}" + "\n\n".join([*parts, *_not_below(figures)]) + f"\n{END}{tail}"
+    return with_part(document, MARK, "\n\n".join([*parts, *_not_below(figures)]))
 
 
 def explained(figures: Mapping[str, Any]) -> str:

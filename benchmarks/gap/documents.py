@@ -6,13 +6,13 @@ python -m benchmarks.gap.documents
 from __future__ import annotations
 
 import json
-import re
 import sys
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
 from benchmarks.gap.tables import known_table, table
+from benchmarks.marked import with_part
 
 ROOT = Path(__file__).parents[2]
 RESULTS = ROOT / "benchmarks" / "results"
@@ -30,17 +30,6 @@ def tables() -> list[tuple[str, str, str, Callable[[Mapping[str, Any]], str]]]:
     ]
 
 
-def shown(text: str, mark: str) -> str:
-    """What stands between a mark and its end.
-
-    Raises
-    ------
-    ValueError: there is no such mark, or there are several.
-    """
-    (part,) = re.findall(rf"<!-- {mark} -->\n(.*?)<!-- end -->", text, flags=re.DOTALL)
-    return str(part).strip()
-
-
 def main() -> int:
     """Writes all tables whose results are there."""
     for document, mark, results, rendered in tables():
@@ -50,9 +39,7 @@ def main() -> int:
             print(f"{document}: no {results}", file=sys.stderr)
             continue
         figures = json.loads((RESULTS / results).read_text(encoding="utf-8"))
-        head, start, rest = text.partition(f"<!-- {mark} -->\n")
-        _, end, tail = rest.partition("<!-- end -->")
-        path.write_text(f"{head}{start}{rendered(figures).strip()}\n{end}{tail}", encoding="utf-8")
+        path.write_text(with_part(text, mark, rendered(figures)), encoding="utf-8")
     return 0
 
 

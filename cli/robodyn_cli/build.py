@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING
 
 import click
 
-from robodyn.errors import CheckError, InputError
-from robodyn_cli.choices import REPORTS
+from robodyn.errors import CheckError, InputError, RobodynError
+from robodyn_cli.choices import FILE, REPORTS
 from robodyn_cli.common import (
+    echo_document,
     json_option,
     output_folder,
     printable,
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
 @click.option(
     "--file",
     "path",
+    type=FILE,
     metavar="FILE",
     default="robodyn.toml",
     show_default=True,
@@ -52,6 +54,7 @@ if TYPE_CHECKING:
 )
 @click.option(
     "--against",
+    type=FILE,
     metavar="FILE",
     help="Lock file to compare counts with, such as that of the branch that a pull request goes to.  "
     "[default: that of the project]",
@@ -66,7 +69,11 @@ if TYPE_CHECKING:
     help="Format of the report: text, json, junit (XML), or markdown (for a pull request).",
 )
 @click.option(
-    "-o", "--output", metavar="FILE", help="Write the report to FILE, and the text of it to stdout."
+    "-o",
+    "--output",
+    type=FILE,
+    metavar="FILE",
+    help="Write the report to FILE, and the text of it to stdout.",
 )
 @json_option
 def command(
@@ -84,15 +91,28 @@ def command(
     changed is generated and written. The lock file, robodyn.lock, has the counts of every function and the
     hashes of all files: commit it, and let CI run "robodyn build --check".
     """
+    form = _format(format_, as_json=as_json)
+    try:
+        comparison, written = _built(Path(path), workers, check=check, against=against)
+    except RobodynError as error:
+        _show_error(error, form, output)
+        raise
+    _show(comparison, written, form, output)
+    _fail(comparison)
+
+
+def _built(
+    path: Path, workers: int | None, *, check: bool, against: str | None
+) -> tuple[Comparison, list[str]]:
+    """Write or check what the project file asks for: how it compares, and the paths of what was written."""
     from robodyn.project.compare import check_products, compare, locked
     from robodyn.project.lock import read_lock
     from robodyn.project.reading import read_project
     from robodyn_cli.building import Products
     from robodyn_cli.project_keys import project_keys
 
-    form = _format(format_, as_json=as_json)
     keys = project_keys()
-    project = read_project(Path(path), keys)
+    project = read_project(path, keys)
     if against is not None and not Path(against).is_file():
         raise InputError("there is no lock file of this name", found=printable(against))
     with _alone(project.path, waits=not check):
@@ -105,10 +125,7 @@ def command(
             _name_leftovers(project, before or {}, locked(project, products.by_name))
         lock = before if check else locked(project, products.by_name)
         comparison = compare(project, products.by_name, lock, base, products.texts)
-    if not check:
-        comparison = _worse_is_noted(comparison)
-    _show(comparison, written, form, output)
-    _fail(comparison)
+    return comparison if check else _worse_is_noted(comparison), written
 
 
 def _format(name: str, *, as_json: bool) -> str:
@@ -214,7 +231,28 @@ def _show(comparison: Comparison, written: list[str], form: str, output: str | N
         path = output_folder(output)
         write_files(path.parent, {path.name: text})
         text = FORMATS["text"](shown)
-    click.echo(text, nl=False)
+        form = "text"
+    if form == "json":
+        echo_document(text)
+    else:
+        click.echo(text, nl=False)
+
+
+def _show_error(error: RobodynError, form: str, output: str | None) -> None:
+    """Print or write the error in place of a report that cannot be made; stderr gets it anyway."""
+    from robodyn.project.reports import ERRORS
+
+    text = ERRORS[form](error)
+    if output:
+        path = Path(output)
+        try:
+            write_files(path.parent, {path.name: text})
+        except RobodynError as second:
+            talk(f"robodyn: error: {second}")
+    elif form == "json":
+        echo_document(text)
+    elif form != "text":
+        click.echo(text, nl=False)
 
 
 def _fail(comparison: Comparison) -> None:

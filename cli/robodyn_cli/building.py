@@ -6,26 +6,28 @@ What is generated goes to the store at once, so that it is there whatever become
 from __future__ import annotations
 
 import contextlib
+import importlib
 import io
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Final
 
 import click
 
 from robodyn.errors import CheckError, InputError, OutputError, RobodynError, ToolError
 from robodyn.project.fingerprint import fingerprints
-from robodyn.project.keys import Key
+from robodyn.project.keys import PACKAGE, Keys
 from robodyn.project.product import Product, Store
 from robodyn_cli.common import talk
 from robodyn_cli.project_keys import check_settings
 
 if TYPE_CHECKING:
+    from robodyn.kernels.generate import Generated
     from robodyn.project.reading import Entry, Project
 
-#: Options of ``gen`` for what becomes of the kernels.
-_OF_GEN = ("output", "compile_", "check", "as_json")
+#: Options of the commands for what becomes of what is written.
+_OF_A_RUN = ("output", "compile_", "check", "as_json")
 _BY_EXIT_CODE = {kind.exit_code: kind for kind in (CheckError, InputError, ToolError, OutputError)}
 
 
@@ -39,7 +41,7 @@ class Products:
     RobodynError: of a description or of an option; all of them are told on stderr, but the last.
     """
 
-    def __init__(self, project: Project, keys: Mapping[str, Key], workers: int | None) -> None:
+    def __init__(self, project: Project, keys: Keys, workers: int | None) -> None:
         self._store = Store()
         self._workers = workers
         self._fingerprints = fingerprints(project.entries)
@@ -73,8 +75,8 @@ class Products:
         from robodyn_cli.progress import line
 
         jobs = {
-            self._fingerprints[entry.name]: Job(
-                entry.name, self._fingerprints[entry.name], entry.robot, entry.arguments
+            (key := self._fingerprints[entry.name]): Job(
+                entry.name, key, entry.robot, entry.command, entry.arguments
             )
             for entry in entries
         }
@@ -102,12 +104,13 @@ class Products:
 
 @dataclass(frozen=True, slots=True)
 class Job:
-    """Generate the kernels of the description ``robot`` as ``gen`` does with ``arguments``, and keep them as
+    """Generate what the ``command`` writes of the description ``robot`` with ``arguments``, and keep it as
     the product ``key``; ``name`` is what messages call it."""
 
     name: str
     key: str
     robot: str
+    command: str
     arguments: tuple[str, ...]
 
 
@@ -135,18 +138,23 @@ def generate_all(
     return errors
 
 
-def carry_out(job: Job, root: Path) -> RobodynError | None:
-    """Generate the kernels of ``job`` and keep them in the store at ``root``, with what was said meanwhile;
-    the error, if there is one."""
-    from robodyn_cli.gen import command
+#: What the files of an entry are, and the counts of their functions.
+_Contents = tuple[Mapping[str, str | bytes], dict[str, dict[str, int]]]
 
+
+def carry_out(job: Job, root: Path) -> RobodynError | None:
+    """Generate what ``job`` says and keep it in the store at ``root``, with what was said meanwhile; the
+    error, if there is one."""
+    module, contents = _PACKAGED if job.command == PACKAGE else _GENERATED
+    command: click.Command = importlib.import_module(module).command
     messages = io.StringIO()
     try:
         with (
             contextlib.redirect_stderr(messages),
-            command.make_context("gen", [*job.arguments, "--", job.robot]) as c,
+            command.make_context(job.command, [*job.arguments, "--", job.robot]) as c,
         ):
-            texts, counts = _generated(c)
+            options = {name: value for name, value in c.params.items() if name not in _OF_A_RUN}
+            texts, counts = contents(options)
     except click.UsageError as error:
         return InputError(error.format_message())
     except RobodynError as error:
@@ -155,14 +163,44 @@ def carry_out(job: Job, root: Path) -> RobodynError | None:
     return None
 
 
-def _generated(context: click.Context) -> tuple[dict[str, str], dict[str, dict[str, int]]]:
-    """The texts of the files that ``gen`` would write, and the counts of their functions."""
+def _generated(options: dict[str, Any]) -> _Contents:
+    """What ``gen`` would write; of firmware all but the README, which has what this machine measures."""
+    from robodyn_cli.firmware import FOLDER, firmware_of
     from robodyn_cli.generating import kernels
 
-    options: dict[str, Any] = {name: value for name, value in context.params.items() if name not in _OF_GEN}
-    asked = kernels(**options)
-    counts = {function: count.to_dict() for function, count in asked.generated.counts.items()}
-    return asked.files(batch=options["batch"], latex=options["latex"]), counts
+    product = kernels(**options)
+    if options["firmware"]:
+        folder = firmware_of(product.generated, product.languages, options["target"])
+        files = {f"{FOLDER}/{name}": text for name, text in folder.files.items()}
+        return files, _counts(product.generated)
+    return product.files(batch=options["batch"], latex=options["latex"]), _counts(product.generated)
+
+
+def _packaged(options: dict[str, Any]) -> _Contents:
+    """What ``package`` would write.
+
+    Raises
+    ------
+    InputError: that has a binary, which another machine's build would not give.
+    """
+    from robodyn_cli.package import packed
+
+    package, _ = packed(**options)
+    if package.format.binary:
+        raise InputError(
+            f"{package.format.title} has a binary, and another machine's compiler gives another one",
+            expected="a package of sources",
+            remedy="write it with robodyn package, and do not commit it",
+        )
+    return package.files(), _counts(package.generated)
+
+
+_GENERATED: Final = ("robodyn_cli.gen", _generated)
+_PACKAGED: Final = ("robodyn_cli.package", _packaged)
+
+
+def _counts(generated: Generated) -> dict[str, dict[str, int]]:
+    return {function: count.to_dict() for function, count in generated.counts.items()}
 
 
 def _plain(error: RobodynError) -> RobodynError:

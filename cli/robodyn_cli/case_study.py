@@ -6,12 +6,14 @@ import sys
 
 import click
 
-from robodyn_cli.choices import ARMS, PROFILES
+from robodyn_cli.choices import ARMS, FOLDER, PROFILES
 from robodyn_cli.common import echo_json, json_option, output_folder, printable, talk, write_files
 
 
 @click.command()
-@click.option("-o", "--output", metavar="DIR", help="Write the samples (CSV) and the pictures to DIR.")
+@click.option(
+    "-o", "--output", type=FOLDER, metavar="DIR", help="Write the samples (CSV) and the pictures to DIR."
+)
 @click.option(
     "--profile",
     type=PROFILES,

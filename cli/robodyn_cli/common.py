@@ -7,6 +7,7 @@ import errno
 import os
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any, Final, TypeVar
 
@@ -29,16 +30,34 @@ def robot_argument(command: Command) -> Command:
 
 def json_option(command: Command) -> Command:
     """Add the flag ``--json``, passed to `command` as ``as_json: bool``."""
-    return click.option("--json", "as_json", is_flag=True, help="Print the results as JSON on stdout.")(
+    return click.option("--json", "as_json", is_flag=True, help="Print the results, or the error, as JSON.")(
         command
     )
+
+
+@dataclass(slots=True)
+class Document:
+    """The one JSON document that stdout gets from a command: whether the command line asks for one, and
+    whether its printing has begun. It is the object of click's context."""
+
+    asked: bool = False
+    begun: bool = False
+
+
+def echo_document(text: str) -> None:
+    """Print `text`, a JSON document, on stdout: the only one there, even if the command fails afterwards."""
+    context = click.get_current_context(silent=True)
+    document = None if context is None else context.find_object(Document)
+    if document is not None:
+        document.begun = True
+    click.echo(text.rstrip("\n"))
 
 
 def echo_json(obj: object) -> None:
     """Print `obj` on stdout as indented JSON; keys keep their order, and NaN is refused (ValueError)."""
     import json
 
-    click.echo(json.dumps(obj, indent=2, ensure_ascii=False, allow_nan=False))
+    echo_document(json.dumps(obj, indent=2, ensure_ascii=False, allow_nan=False))
 
 
 #: Columns of what is printed on stdout.
@@ -208,12 +227,16 @@ def _remove(temporary: list[Path], folders: list[Path]) -> None:
                 folder.rmdir()
 
 
-def compare_files(folder: Path, files: Mapping[str, str]) -> list[str]:
-    """The names among `files` (path relative to `folder` -> text) that are missing or differ, in order.
+def compare_files(folder: Path, files: Mapping[str, str | bytes]) -> list[str]:
+    """The names among `files` (path relative to `folder` -> content) that are missing or differ, in order.
 
     Bytes are compared, so line endings matter. Other files in the folder are ignored.
     """
-    return [name for name, text in files.items() if _read(folder / name) != text.encode("utf-8")]
+    return [
+        name
+        for name, content in files.items()
+        if _read(folder / name) != (content if isinstance(content, bytes) else content.encode("utf-8"))
+    ]
 
 
 def _read(path: Path) -> bytes | None:

@@ -12,8 +12,9 @@ import click
 
 from robodyn.errors import InputError
 from robodyn_cli import progress
-from robodyn_cli.choices import SEVERAL_EFFECTS
+from robodyn_cli.choices import FILE, FOLDER, SEVERAL_EFFECTS
 from robodyn_cli.common import (
+    echo_document,
     json_option,
     load_robot,
     parameter_values,
@@ -25,7 +26,7 @@ from robodyn_cli.common import (
 from robodyn_cli.log_files import description_of, handed_over, read_all, result_folder, spare_inputs
 from robodyn_cli.log_options import input_files, log_map, log_options
 from robodyn_cli.options import listed
-from robodyn_cli.simulate_options import Parameter
+from robodyn_cli.values import parameter_option
 
 if TYPE_CHECKING:
     from robodyn.diagnose.result import Diagnosis
@@ -39,13 +40,11 @@ _DATA, _MODEL, _REPORT, _KERNELS = "diagnosis.json", "model.yaml", "report.html"
 
 @click.command()
 @robot_argument
-@click.argument("logs", metavar="TRAIN.csv [MORE.csv ...]", nargs=-1, required=True)
-@click.option("--validate", metavar="V.csv", help="Log for validation, not used for fitting.")
+@click.argument("logs", type=FILE, metavar="TRAIN.csv [MORE.csv ...]", nargs=-1, required=True)
+@click.option("--validate", type=FILE, metavar="V.csv", help="Log for validation, not used for fitting.")
 @log_options
-@click.option("-o", "--output", "out", required=True, metavar="DIR", help="Output folder.")
-@click.option(
-    "--param", type=Parameter(), multiple=True, metavar="NAME=VALUE", help="Set a run-time parameter."
-)
+@click.option("-o", "--output", "out", required=True, type=FOLDER, metavar="DIR", help="Output folder.")
+@parameter_option()
 @click.option("--only", type=SEVERAL_EFFECTS, metavar="A,B", help="Look for these effects only.")
 @click.option(
     "--except", "without", type=SEVERAL_EFFECTS, metavar="A,B", help="Look for all but these effects."
@@ -115,7 +114,7 @@ def command(
         talk(f"robodyn: note: {printable(folder / _KERNELS)} is from an earlier run")
     write_files(folder, files)
     if as_json:
-        click.echo(text, nl=False)
+        echo_document(text)
     else:
         from robodyn.report.diagnosis_terminal import summary
 

@@ -10,7 +10,7 @@ import click
 from robodyn.errors import CheckError
 from robodyn_cli.choices import COMPARED, ROBOTS
 from robodyn_cli.common import echo_json, json_option, load_robot, printable, wrapped
-from robodyn_cli.simulate_options import Parameter
+from robodyn_cli.values import parameter_option
 
 if TYPE_CHECKING:
     from robodyn.compare.robots import Comparison, Difference
@@ -31,13 +31,7 @@ if TYPE_CHECKING:
     metavar="WHAT,...",
     help="Leave differences out: names, limits, links, ...",
 )
-@click.option(
-    "--param",
-    type=Parameter(),
-    multiple=True,
-    metavar="NAME=VALUE",
-    help="Value of a run-time parameter (SI units) of both; may be repeated.",
-)
+@parameter_option(" of both")
 @json_option
 def command(
     left: str,

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from robodyn_cli.common import load_robot, talk
-from robodyn_cli.simulate_options import Asked, exactly, spread
+from robodyn_cli.simulate_options import SimulationOptions, exactly, spread
 
 if TYPE_CHECKING:
     from robodyn.robot import Robot
@@ -40,8 +40,8 @@ class Driven:
         return getattr(self.drive, "trajectory", None)
 
 
-def driven(robot: Robot, asked: Asked, values: Mapping[str, float]) -> Driven:
-    """The input of ``robot`` that ``asked`` selects; ``values`` are its run-time parameters.
+def driven(robot: Robot, settings: SimulationOptions, values: Mapping[str, float]) -> Driven:
+    """The input of ``robot`` that ``settings`` selects; ``values`` are its run-time parameters.
 
     Raises
     ------
@@ -50,19 +50,19 @@ def driven(robot: Robot, asked: Asked, values: Mapping[str, float]) -> Driven:
     """
     from robodyn.simulate.plant import build_plant
 
-    if asked.drive is None:
-        return Driven(build_plant(robot), None, asked.duration or RUN, {"kind": "free"})
-    if asked.drive == "torque":
-        return _torques(robot, asked)
-    motion = _motion(robot, asked, values)
-    duration = asked.duration if asked.duration is not None else motion.duration
-    if asked.drive == "trajectory" and duration > motion.duration * (1 + 1e-9):
+    if settings.drive is None:
+        return Driven(build_plant(robot), None, settings.duration or RUN, {"kind": "free"})
+    if settings.drive == "torque":
+        return _torques(robot, settings)
+    motion = _motion(robot, settings, values)
+    duration = settings.duration if settings.duration is not None else motion.duration
+    if settings.drive == "trajectory" and duration > motion.duration * (1 + 1e-9):
         talk(f"robodyn: note: the motion ends at {motion.duration:g} s; its last row is held")
     _warn_of_limits(robot, motion)
-    model = None if asked.model is None else _model(robot, asked.model)
-    law = (asked.controller or "pd").replace("-", "_")
+    model = None if settings.model is None else _model(robot, settings.model)
+    law = (settings.controller or "pd").replace("-", "_")
     plant = build_plant(robot, model=model)
-    follow = _controller(plant, asked, motion, law, model, values)
+    follow = _controller(plant, settings, motion, law, model, values)
     description = {
         "kind": "follow",
         "trajectory": motion.describe(),
@@ -70,51 +70,56 @@ def driven(robot: Robot, asked: Asked, values: Mapping[str, float]) -> Driven:
         "control_rate": 1 / follow.period,
         "model": None if model is None else model.name,
     }
-    if asked.trajectory is not None:
-        description["sha256"] = _hash(asked.trajectory)
+    if settings.trajectory is not None:
+        description["sha256"] = _hash(settings.trajectory)
     if law != "feedforward":
         description.update(kp=follow.kp, kd=follow.kd)
     return Driven(plant, follow, duration, description)
 
 
-def _torques(robot: Robot, asked: Asked) -> Driven:
+def _torques(robot: Robot, settings: SimulationOptions) -> Driven:
     from robodyn.errors import InputError
     from robodyn.simulate.plant import build_plant
     from robodyn.simulate.simulation import Torques
     from robodyn.simulate.torque_file import read_torques
 
-    assert asked.torque is not None
-    table, period = read_torques(asked.torque, robot.n)
+    assert settings.torque is not None
+    table, period = read_torques(settings.torque, robot.n)
     end = (len(table) - 1) * period if len(table) > 1 else 0.0
-    if asked.duration is None and len(table) == 1:
+    if settings.duration is None and len(table) == 1:
         raise InputError("one row of torques has no duration", remedy="add --duration S")
-    duration = asked.duration if asked.duration is not None else end
+    duration = settings.duration if settings.duration is not None else end
     if len(table) > 1 and duration > end * (1 + 1e-9):
         talk(f"robodyn: note: the torques end at {end:g} s; the last row is held")
-    drive = Torques(table, period if math.isfinite(period) else duration, asked.linear)
+    drive = Torques(table, period if math.isfinite(period) else duration, settings.linear)
     description = {
         "kind": "torque",
-        "file": Path(asked.torque).name,
-        "sha256": _hash(asked.torque),
-        "linear": asked.linear,
+        "file": Path(settings.torque).name,
+        "sha256": _hash(settings.torque),
+        "linear": settings.linear,
     }
     return Driven(build_plant(robot), drive, duration, description)
 
 
 def _controller(
-    plant: Plant, asked: Asked, motion: Trajectory, law: str, model: Robot | None, values: Mapping[str, float]
+    plant: Plant,
+    settings: SimulationOptions,
+    motion: Trajectory,
+    law: str,
+    model: Robot | None,
+    values: Mapping[str, float],
 ) -> Follow:
     from robodyn.simulate.gains import default_gains
     from robodyn.simulate.simulation import Follow
 
     robot = plant.robot
-    period = _control_period(asked)
+    period = _control_period(settings)
     kp: Any = 0.0
     kd: Any = 0.0
     if law != "feedforward":
         own_kp, own_kd = default_gains(plant.system, motion, law, period, values)
-        kp = own_kp.tolist() if asked.kp is None else spread("--kp", asked.kp, robot.n, robot.name)
-        kd = own_kd.tolist() if asked.kd is None else spread("--kd", asked.kd, robot.n, robot.name)
+        kp = own_kp.tolist() if settings.kp is None else spread("--kp", settings.kp, robot.n, robot.name)
+        kd = own_kd.tolist() if settings.kd is None else spread("--kd", settings.kd, robot.n, robot.name)
     return Follow(motion, law, kp=kp, kd=kd, period=period, model=model)  # type: ignore[arg-type]
 
 
@@ -133,8 +138,8 @@ def _model(robot: Robot, spec: str) -> Robot:
     return model
 
 
-def _control_period(asked: Asked) -> float:
-    return 1 / (asked.control_rate if asked.control_rate is not None else _CONTROL_RATE)
+def _control_period(settings: SimulationOptions) -> float:
+    return 1 / (settings.control_rate if settings.control_rate is not None else _CONTROL_RATE)
 
 
 def _warn_of_limits(robot: Robot, motion: Trajectory) -> None:
@@ -147,32 +152,34 @@ def _warn_of_limits(robot: Robot, motion: Trajectory) -> None:
 # --- motions ----------------------------------------------------------------------------------------------
 
 
-def _motion(robot: Robot, asked: Asked, values: Mapping[str, float]) -> Trajectory:
+def _motion(robot: Robot, settings: SimulationOptions, values: Mapping[str, float]) -> Trajectory:
     """The motion to follow."""
-    if asked.drive == "trajectory":
+    if settings.drive == "trajectory":
         from robodyn.simulate.trajectories import from_file
 
-        assert asked.trajectory is not None
-        return from_file(asked.trajectory, robot.n)
-    if asked.drive == "excite":
-        return _excitation(robot, asked)
-    start = asked.start if asked.start is not None else (0.0,) * robot.n
-    duration = asked.duration if asked.duration is not None else MOVE
-    if asked.drive == "to":
-        return _straight(robot, asked, start, duration)
-    return _line(robot, asked, start, duration, values)
+        assert settings.trajectory is not None
+        return from_file(settings.trajectory, robot.n)
+    if settings.drive == "excite":
+        return _excitation(robot, settings)
+    start = settings.start if settings.start is not None else (0.0,) * robot.n
+    duration = settings.duration if settings.duration is not None else MOVE
+    if settings.drive == "to":
+        return _straight(robot, settings, start, duration)
+    return _line(robot, settings, start, duration, values)
 
 
-def _straight(robot: Robot, asked: Asked, start: tuple[float, ...], duration: float) -> Trajectory:
+def _straight(
+    robot: Robot, settings: SimulationOptions, start: tuple[float, ...], duration: float
+) -> Trajectory:
     import numpy as np
 
     from robodyn.simulate.trajectories import quintic, trapezoid
 
-    end = exactly("--to", asked.to, robot.n, robot.name)
+    end = exactly("--to", settings.to, robot.n, robot.name)
     assert end is not None
-    period = _control_period(asked)
+    period = _control_period(settings)
     way = np.abs(np.subtract(end, start))
-    if asked.profile != "trapezoid" or not way.any():
+    if settings.profile != "trapezoid" or not way.any():
         return quintic(start, end, duration, period=period)
     # A quarter of the time to accelerate, a quarter to decelerate; joints at rest get the largest limits.
     fastest = np.where(way > 0, way, way.max()) / (0.75 * duration)
@@ -180,33 +187,37 @@ def _straight(robot: Robot, asked: Asked, start: tuple[float, ...], duration: fl
 
 
 def _line(
-    robot: Robot, asked: Asked, start: tuple[float, ...], duration: float, values: Mapping[str, float]
+    robot: Robot,
+    settings: SimulationOptions,
+    start: tuple[float, ...],
+    duration: float,
+    values: Mapping[str, float],
 ) -> Trajectory:
     from robodyn.errors import InputError
     from robodyn.simulate.kinematics import Kinematics
     from robodyn.simulate.trajectories import line
 
-    assert asked.line is not None
-    link = asked.link if asked.link is not None else min(robot.n, 6)
+    assert settings.line is not None
+    link = settings.link if settings.link is not None else min(robot.n, 6)
     tool = (0.0, 0.0, 0.0) if robot.tool is None or link != robot.n else tuple(map(float, robot.tool.xyz))
-    point = asked.point if asked.point is not None else tool
+    point = settings.point if settings.point is not None else tool
     if len(point) != 3:
         raise InputError("--point is not a point", found=f"{len(point)} numbers", expected="x,y,z in m")
     kinematics = Kinematics(robot, values, point, link)
     place, turn = kinematics.pose(start)
     return line(
         kinematics,
-        asked.line[0] if len(asked.line) == 2 else place,
-        asked.line[-1],
+        settings.line[0] if len(settings.line) == 2 else place,
+        settings.line[-1],
         duration,
-        asked.profile or "quintic",  # type: ignore[arg-type]  # checked by click
+        settings.profile or "quintic",  # type: ignore[arg-type]  # checked by click
         rotation=turn if link == 6 else None,
         start=start,
-        period=_control_period(asked),
+        period=_control_period(settings),
     )
 
 
-def _excitation(robot: Robot, asked: Asked) -> Trajectory:
+def _excitation(robot: Robot, settings: SimulationOptions) -> Trajectory:
     from robodyn.simulate.limits import ASSUMED, with_limits
     from robodyn.simulate.trajectories import fourier
 
@@ -226,17 +237,17 @@ def _excitation(robot: Robot, asked: Asked) -> Trajectory:
             )
         joints = ", ".join(map(str, filled))
         talk(f"robodyn: note: {robot.name} has no limits for joint {joints}; assumed: {'; '.join(words)}")
-    frequency = asked.base_frequency
+    frequency = settings.base_frequency
     if frequency is None:
-        frequency = 1 / (asked.duration if asked.duration is not None else RUN)
-    duration = asked.duration if asked.duration is not None else 1 / frequency
+        frequency = 1 / (settings.duration if settings.duration is not None else RUN)
+    duration = settings.duration if settings.duration is not None else 1 / frequency
     return fourier(
         limited,
         frequency,
-        asked.harmonics if asked.harmonics is not None else _HARMONICS,
-        asked.seed,
+        settings.harmonics if settings.harmonics is not None else _HARMONICS,
+        settings.seed,
         periods=max(1, math.ceil(duration * frequency * (1 - 1e-12))),
-        period=_control_period(asked),
+        period=_control_period(settings),
     )
 
 

@@ -19,7 +19,7 @@ from robodyn_cli.common import (
     write_files,
 )
 from robodyn_cli.hide import placed
-from robodyn_cli.simulate_options import POSITIVE
+from robodyn_cli.values import POSITIVE
 
 if TYPE_CHECKING:
     from robodyn.diagnose.excite import Design, EffectAt

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import click
 
 from robodyn.errors import InputError
-from robodyn_cli.choices import TARGET_FORMATS
+from robodyn_cli.choices import FILE, TARGET_FORMATS
 from robodyn_cli.common import (
     echo_json,
     json_option,
@@ -20,7 +20,7 @@ from robodyn_cli.common import (
     talk,
     write_files,
 )
-from robodyn_cli.simulate_options import Parameter
+from robodyn_cli.values import parameter_option
 
 
 @click.command()
@@ -32,14 +32,8 @@ from robodyn_cli.simulate_options import Parameter
     metavar="FORMAT",
     help="Format of the file: urdf, mjcf or sdf.",
 )
-@click.option(
-    "--param",
-    type=Parameter(),
-    multiple=True,
-    metavar="NAME=VALUE",
-    help="Value of a run-time parameter (SI units); may be repeated.",
-)
-@click.option("-o", "--output", metavar="FILE", help="Output file; default: stdout.")
+@parameter_option()
+@click.option("-o", "--output", type=FILE, metavar="FILE", help="Output file; default: stdout.")
 @click.option("--force", is_flag=True, help="Overwrite an existing file.")
 @json_option
 def command(

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from robodyn_cli.choices import CONTRACTIONS, ORDERS, SCALARS, TRIGONOMETRY
+from robodyn_cli.choices import FOLDER
+from robodyn_cli.code_options import code_options
 from robodyn_cli.common import (
     compare_files,
     echo_json,
@@ -25,7 +26,6 @@ from robodyn_cli.generating import kernels
 from robodyn_cli.languages import language_option
 from robodyn_cli.options import functions_option, fuse_option, model_options, search_options
 from robodyn_cli.pruned import prune_option, pruning_lines, with_pruning
-from robodyn_cli.targets import TargetOption
 
 if TYPE_CHECKING:
     from robodyn.kernels.generate import Generated, Options
@@ -33,63 +33,17 @@ if TYPE_CHECKING:
 
 @click.command()
 @robot_argument
-@click.option("-o", "--output", metavar="DIR", help="Output folder.  [default: generated/NAME]")
+@click.option("-o", "--output", type=FOLDER, metavar="DIR", help="Output folder.  [default: generated/NAME]")
 @language_option
 @click.option("--compile", "compile_", is_flag=True, help="Also compile and load the kernels.")
-@click.option(
-    "--scalar",
-    type=SCALARS,
-    metavar="TYPE",
-    default="double",
-    show_default=True,
-    help="Scalar type: double or float.",
-)
-@click.option(
-    "--trig",
-    type=TRIGONOMETRY,
-    metavar="HOW",
-    default="libm",
-    show_default=True,
-    help="Sine and cosine: libm, builtin (no library; the default of rust and javascript), given (in sc).",
+@code_options(
+    lists={"compiled": "compiled_targets", "firmware": "firmware_targets"},
+    target_help=" With --firmware: processors of the images, separated by commas: {firmware}.  [default with "
+    "--firmware: all]",
 )
 @click.option("--batch", is_flag=True, help="Also write NAME_batch.c: many states per call, with SIMD.")
-@click.option(
-    "--order",
-    type=ORDERS,
-    metavar="ORDER",
-    default="auto",
-    show_default=True,
-    help="Order of operations: recursion (textbook order), registers (few live values), or auto (registers "
-    "unless sine and cosine are from libm).",
-)
-@click.option(
-    "--contraction",
-    type=CONTRACTIONS,
-    metavar="HOW",
-    help="Let C compilers fuse products and sums: off or on.  [default: as their flags say]",
-)
-@click.option(
-    "--target",
-    metavar="NAME",
-    cls=TargetOption,
-    lists={"compiled": "compiled_targets", "firmware": "firmware_targets"},
-    help="Defaults of scalar, trig, order, contraction and objective for a processor: {compiled}. Every "
-    "option given on the command line overrides them. With --firmware: processors of the images, "
-    "separated by commas: {firmware}.  [default with --firmware: all]",
-)
 @functions_option()
 @fuse_option
-@click.option(
-    "--misra",
-    is_flag=True,
-    help="Write C for MISRA C:2012: the same operations with explicit parentheses.",
-)
-@click.option(
-    "--readable",
-    is_flag=True,
-    help="Write the recursion in the book's order (--optimize none, --order recursion), each line named "
-    "after its link and quantity.",
-)
 @model_options
 @search_options
 @prune_option
@@ -122,7 +76,7 @@ def command(
     if check and keep:
         raise InputError("--check writes nothing, but --keep writes a record", remedy="remove one of them")
     folder = output_folder(output) if output is not None else None
-    asked = kernels(
+    product = kernels(
         robot,
         lang=lang,
         compiled=compile_,
@@ -133,14 +87,14 @@ def command(
         latex=latex,
         **others,
     )
-    described, options, generated = asked.robot, asked.options, asked.generated
+    described, options, generated = product.robot, product.options, product.generated
     formulation = options.formulation
     if folder is None:
         folder = Path("generated") / described.name
     if firmware:
-        write_firmware(generated, folder, asked.languages, target, check=check, as_json=as_json)
+        write_firmware(generated, folder, product.languages, target, check=check, as_json=as_json)
         return
-    files = asked.files(batch=batch, latex=latex)
+    files = product.files(batch=batch, latex=latex)
     if check:
         different = compare_files(folder, files)
         if different:
@@ -154,7 +108,7 @@ def command(
             click.echo(f"{described.name}: {len(files)} files in {printable(folder)} are up to date")
         return
     built = (
-        _compiled(generated, asked.languages, explicit=lang is not None, batch=batch) if compile_ else None
+        _compiled(generated, product.languages, explicit=lang is not None, batch=batch) if compile_ else None
     )
     write_files(folder, files)
     if as_json:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gc
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -75,9 +74,11 @@ def kernels(
     latex: bool,
     compiled: bool = False,
     firmware: bool = False,
+    derivatives: bool = False,
 ) -> Kernels:
     """The kernels of the description ``robot`` with the options of ``gen`` in the current context of click;
-    ``compiled``: for languages that can be called from here.
+    ``compiled``: for languages that can be called from here; ``derivatives``: with what has those of the
+    functions, as far as the robot has it.
 
     Raises
     ------
@@ -105,11 +106,11 @@ def kernels(
         prune=tolerance(prune),
         misra=misra,
         readable=readable,
+        derivatives=derivatives,
     )
     if firmware:
         unfit = {"compile": compiled, "latex": latex, "batch": batch, "contraction on": contraction == "on"}
         options = for_firmware(options, target, **unfit)
-    gc.set_threshold(100_000, 20, 20)  # programs are many small objects and no garbage
     described = load(robot, strict=strict, fold_rotor=fold_rotor)
     options = Search(budget_seconds, seed, options.objective, keep).applied(
         described, options, options.function_names
@@ -128,15 +129,15 @@ def _in_the_books_order(optimize: str, order: str, *, batch: bool) -> tuple[str,
     from robodyn.errors import InputError
 
     context = click.get_current_context()
-    asked = [
+    contradictions = [
         f"--{name} {value}"
         for name, value, fitting in (("optimize", optimize, "none"), ("order", order, "recursion"))
         if value != fitting and context.get_parameter_source(name) is not ParameterSource.DEFAULT
     ]
-    if asked or batch:
+    if contradictions or batch:
         raise InputError(
             "--readable writes the recursion as it stands in the book, one state at a time",
-            found=", ".join([*asked, *["--batch"] * batch]),
+            found=", ".join([*contradictions, *["--batch"] * batch]),
             expected="--optimize none and --order recursion, without --batch",
             remedy="remove --readable or what contradicts it",
         )

@@ -10,9 +10,18 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from robodyn_cli import progress
-from robodyn_cli.choices import EFFECTS, ROBOTS
-from robodyn_cli.common import echo_json, json_option, load_robot, output_folder, printable, talk, write_files
-from robodyn_cli.simulate_options import POSITIVE, SIZE
+from robodyn_cli.choices import EFFECTS, FILE, FOLDER, ROBOTS
+from robodyn_cli.common import (
+    echo_document,
+    echo_json,
+    json_option,
+    load_robot,
+    output_folder,
+    printable,
+    talk,
+    write_files,
+)
+from robodyn_cli.values import POSITIVE, SIZE
 
 if TYPE_CHECKING:
     from robodyn.diagnose.amend.amend import Amendment
@@ -55,6 +64,7 @@ _OF_HIDING = ("effects", "random", "trajectories", "output")
     "--trajectory",
     "trajectories",
     multiple=True,
+    type=FILE,
     metavar="FILE.csv",
     help="Motion of train.csv; if given twice, the second is that of validate.csv.",
 )
@@ -79,16 +89,18 @@ _OF_HIDING = ("effects", "random", "trajectories", "output")
     metavar="B",
     help="Encoder bits per turn; 0: exact.  [default: 20]",
 )
-@click.option("-o", "--output", metavar="DIR", help="Output folder.")
+@click.option("-o", "--output", type=FOLDER, metavar="DIR", help="Output folder.")
 @click.option(
     "--open",
     "opened",
+    type=FOLDER,
     metavar="DIR",
     help="Print the sealed answer of the test in DIR (or that file itself) and exit.",
 )
 @click.option(
     "--score",
     nargs=2,
+    type=FILE,
     metavar="DIR DIAGNOSIS",
     help="Compare a diagnosis.json (or the folder it is in) with the answer of the test in DIR (or that "
     "file itself).",
@@ -108,7 +120,7 @@ def command(
 
     _one_of(robot, opened, score, options)
     if opened is not None:
-        click.echo(json.dumps(_answer(Path(opened)), indent=2, ensure_ascii=False))
+        echo_document(json.dumps(_answer(Path(opened)), indent=2, ensure_ascii=False))
         return
     if score is not None:
         _scored(Path(score[0]), Path(score[1]), as_json=as_json)
@@ -135,14 +147,14 @@ def _one_of(robot: str | None, opened: str | None, score: object, options: dict[
     """Refuse a mixture of hiding, opening and scoring."""
     from robodyn.errors import InputError
 
-    asked = [name for name, there in (("--open", opened), ("--score", score)) if there is not None]
+    modes = [name for name, there in (("--open", opened), ("--score", score)) if there is not None]
     hiding = [name for name in _OF_HIDING if options[name] not in (None, ())]
-    if len(asked) == 2 or (asked and (robot is not None or hiding)):
-        other = asked[1] if len(asked) == 2 else "ROBOT" if robot is not None else "options of hiding"
+    if len(modes) == 2 or (modes and (robot is not None or hiding)):
+        other = modes[1] if len(modes) == 2 else "ROBOT" if robot is not None else "options of hiding"
         raise InputError(
-            f"{asked[0]} cannot be combined with other options", found=other, remedy="remove one of them"
+            f"{modes[0]} cannot be combined with other options", found=other, remedy="remove one of them"
         )
-    if not asked and robot is None:
+    if not modes and robot is None:
         raise InputError("no robot is named", remedy="use robodyn hide ROBOT -o DIR")
 
 

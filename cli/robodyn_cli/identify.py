@@ -11,7 +11,9 @@ import click
 
 from robodyn.errors import InputError
 from robodyn_cli import progress
+from robodyn_cli.choices import FILE, FOLDER
 from robodyn_cli.common import (
+    echo_document,
     json_option,
     load_robot,
     parameter_values,
@@ -21,7 +23,7 @@ from robodyn_cli.common import (
 )
 from robodyn_cli.log_files import description_of, handed_over, read_all, result_folder, spare_inputs
 from robodyn_cli.log_options import input_files, log_map, log_options
-from robodyn_cli.simulate_options import Parameter
+from robodyn_cli.values import parameter_option
 
 if TYPE_CHECKING:
     from robodyn.identify.fit import Load
@@ -33,10 +35,10 @@ _UNKNOWN: Final = "unknown"
 
 @click.command()
 @robot_argument
-@click.argument("logs", metavar="LOG [LOG ...]", nargs=-1, required=True)
-@click.option("--validate", metavar="V.csv", help="Log for validation, not used for fitting.")
+@click.argument("logs", type=FILE, metavar="LOG [LOG ...]", nargs=-1, required=True)
+@click.option("--validate", type=FILE, metavar="V.csv", help="Log for validation, not used for fitting.")
 @log_options
-@click.option("-o", "--output", "out", required=True, metavar="DIR", help="Output folder.")
+@click.option("-o", "--output", "out", required=True, type=FOLDER, metavar="DIR", help="Output folder.")
 @click.option(
     "--gains",
     is_flag=True,
@@ -55,9 +57,7 @@ _UNKNOWN: Final = "unknown"
     metavar="LOG=MASS",
     help="Mass [kg] that the arm carried in that log beyond its description, or LOG=unknown.",
 )
-@click.option(
-    "--param", type=Parameter(), multiple=True, metavar="NAME=VALUE", help="Set a run-time parameter."
-)
+@parameter_option()
 @click.option("--strict", is_flag=True, help="Refuse physically implausible values.")
 @json_option
 def command(
@@ -116,7 +116,7 @@ def command(
     text = json.dumps(outcome.to_dict(), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
     write_files(folder, {_DATA: text, _MODEL: outcome.model_text})
     if as_json:
-        click.echo(text, nl=False)
+        echo_document(text)
         return
     from robodyn.report.identification import summary
 

@@ -10,15 +10,16 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from robodyn.errors import InputError
+from robodyn_cli.choices import FILE
 from robodyn_cli.common import echo_json, json_option, output_folder, printable, talk, write_files
-from robodyn_cli.simulate_options import Argument, Parameter, Point
+from robodyn_cli.values import Argument, Parameter, Point
 
 if TYPE_CHECKING:
     from robodyn.formats.arm import Imported
 
 
 @click.command()
-@click.argument("file", metavar="FILE")
+@click.argument("file", type=FILE, metavar="FILE")
 @click.option("--base", default="", metavar="LINK", help="Link that is fixed; default: the root.")
 @click.option("--tip", default="", metavar="LINK", help="Link at the end; default: the only one there is.")
 @click.option(

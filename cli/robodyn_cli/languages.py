@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
+from robodyn_cli.choices import COMPILED_LANGUAGES, SEVERAL_LANGUAGES
 from robodyn_cli.options import listed
 
 if TYPE_CHECKING:
@@ -31,24 +32,33 @@ class _Languages(click.Option):
 
 def language_option(command: Command) -> Command:
     """Add ``--lang`` (``--language``), passed to `command` as ``lang: str | None``."""
-    return click.option("--lang", "--language", "lang", metavar="A,B", cls=_Languages)(command)
+    return click.option(
+        "--lang", "--language", "lang", type=SEVERAL_LANGUAGES, metavar="A,B", cls=_Languages
+    )(command)
 
 
 class _Compiled(click.Option):
     """An option for one language that can be called from Python."""
 
     def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
-        from robodyn.emit.languages import LANGUAGES
+        from robodyn.emit.languages import compiled_names
 
-        names = (name for name, language in LANGUAGES.items() if language.compiled)
-        self.help = f"Language: {' or '.join(names)}."
+        self.help = f"Language: {' or '.join(compiled_names())}."
         return super().get_help_record(ctx)
 
 
 def compiled_language_option(command: Command) -> Command:
     """Add ``--lang`` (``--language``), passed to `command` as ``lang: str``."""
-    option = click.option("--lang", "--language", "lang", default="c", show_default=True, cls=_Compiled)
-    return option(command)
+    return click.option(
+        "--lang",
+        "--language",
+        "lang",
+        type=COMPILED_LANGUAGES,
+        metavar="A",
+        default="c",
+        show_default=True,
+        cls=_Compiled,
+    )(command)
 
 
 def chosen_languages(lang: str | None, *, compiled: bool = False) -> tuple[str, ...]:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
+from robodyn_cli.choices import FILE
 from robodyn_cli.common import printable, talk
 
 if TYPE_CHECKING:
@@ -27,7 +28,11 @@ def log_options(command: Command) -> Command:
         help='Which columns are what, in which unit: "q=joint_%d_pos[deg],tau=current_%d[A]".',
     )(command)
     return click.option(
-        "--map", "map_file", metavar="MAP.yaml", help="The same as a file (robodyn logs FILE -o MAP.yaml)."
+        "--map",
+        "map_file",
+        type=FILE,
+        metavar="MAP.yaml",
+        help="The same as a file (robodyn logs FILE -o MAP.yaml).",
     )(command)
 
 

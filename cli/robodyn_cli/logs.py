@@ -7,16 +7,16 @@ from pathlib import Path
 import click
 
 from robodyn.errors import InputError
-from robodyn_cli.choices import ROBOTS
+from robodyn_cli.choices import FILE, ROBOTS
 from robodyn_cli.common import echo_json, json_option, load_robot, printable, talk, write_files
 from robodyn_cli.log_options import input_files, log_map, log_options
 
 
 @click.command()
-@click.argument("file", metavar="FILE")
+@click.argument("file", type=FILE, metavar="FILE")
 @click.option("--robot", type=ROBOTS, metavar="ROBOT", help="Compare joints, limits and signs.")
 @log_options
-@click.option("-o", "--output", "out", metavar="MAP.yaml", help="Write the map to this file.")
+@click.option("-o", "--output", "out", type=FILE, metavar="MAP.yaml", help="Write the map to this file.")
 @json_option
 def command(
     file: str, robot: str | None, map_file: str | None, columns: str | None, out: str | None, as_json: bool

@@ -1,5 +1,4 @@
-"""The command ``robodyn``: dispatches to the command's module, and turns errors into one line and an exit
-code.
+"""The command ``robodyn``: dispatches to the command's module.
 
 A command's module is imported only when the command runs, so that ``robodyn gen`` does not import what
 ``robodyn verify`` needs. The table :data:`COMMANDS` has the short helps for ``robodyn --help``. Only click
@@ -8,22 +7,27 @@ and light modules are imported here.
 
 from __future__ import annotations
 
-import errno
 import importlib
 import os
 import sys
-from collections.abc import Callable, Sequence
-from typing import Final
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Final
 
 import click
 
-from robodyn.errors import RobodynError, ToolError
-from robodyn.process import quiet, received
-from robodyn_cli.common import drop, talk
+from robodyn_cli.common import Document
+from robodyn_cli.failures import asks_for_json, guard
 from robodyn_cli.renamed import renamed
+
+if TYPE_CHECKING:
+    from click.shell_completion import CompletionItem
 
 COMMANDS: Final[dict[str, tuple[str, str]]] = {
     "gen": ("robodyn_cli.gen", "Write the kernels of a robot, and print the operation counts."),
+    "package": (
+        "robodyn_cli.package",
+        "Write a package of a robot's kernels for somebody else's build.",
+    ),
     "build": ("robodyn_cli.build", "Write or check the kernels of all robots of a project."),
     "flops": ("robodyn_cli.flops", "Count multiplications and additions, and check them against a budget."),
     "tables": ("robodyn_cli.tables", "Compare the thesis's tables with recomputed figures."),
@@ -65,13 +69,14 @@ COMMANDS: Final[dict[str, tuple[str, str]]] = {
     "report": ("robodyn_cli.report", "Write a page that shows an arm, or two beside each other."),
     "schema": ("robodyn_cli.schema", "Print the JSON Schema of the robot description."),
     "new": ("robodyn_cli.new", "Write a commented starter file to fill in."),
+    "completion": (
+        "robodyn_cli.completion",
+        "Print or install the script with which a shell completes robodyn.",
+    ),
 }
 """Name of a command -> (module whose ``command`` it is, short help)."""
 
 HELP: Final = {"help_option_names": ["-h", "--help"]}
-INTERNAL_ERROR: Final = 70  # EX_SOFTWARE: robodyn itself is at fault
-IO_ERROR: Final = 74  # EX_IOERR: the system refused, as a full disk under stdout does
-PIPE_CLOSED: Final = 141  # 128 + SIGPIPE
 
 
 class LazyGroup(click.Group):
@@ -97,6 +102,16 @@ class LazyGroup(click.Group):
             hint = f"did you mean {close[0]!r}?" if close else f"the commands are {', '.join(COMMANDS)}."
             ctx.fail(f"No such command {args[0]!r}; {hint}")
         return super().resolve_command(ctx, [args[0], *renamed(args[0], args[1:])])
+
+    def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem[str]]:
+        from click.shell_completion import CompletionItem
+
+        commands = [
+            CompletionItem(name, help=short)
+            for name, (_, short) in COMMANDS.items()
+            if name.startswith(incomplete)
+        ]
+        return [*commands, *click.Command.shell_complete(self, ctx, incomplete)]
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         with formatter.section("Commands"):
@@ -137,17 +152,20 @@ def cli() -> None:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command and return the exit code; `arguments` default to those of the process."""
-    return guard(lambda: _begin(list(sys.argv[1:] if arguments is None else arguments)))
+    words = list(sys.argv[1:] if arguments is None else arguments)
+    document = Document(asked=asks_for_json(words))
+    return guard(lambda: _begin(words, document), document)
 
 
-def _begin(arguments: list[str]) -> None:
+def _begin(arguments: list[str], document: Document) -> None:
     _open_what_is_closed()
     if "_ROBODYN_COMPLETE" in os.environ:  # a shell asks for completions
         from click.shell_completion import shell_complete
 
-        instruction = os.environ["_ROBODYN_COMPLETE"]
-        raise click.exceptions.Exit(shell_complete(cli, {}, "robodyn", "_ROBODYN_COMPLETE", instruction))
-    _run(arguments)
+        from robodyn_cli.shells import VARIABLE
+
+        raise click.exceptions.Exit(shell_complete(cli, {}, "robodyn", VARIABLE, os.environ[VARIABLE]))
+    _run(arguments, document)
 
 
 def _open_what_is_closed() -> None:
@@ -160,100 +178,9 @@ def _open_what_is_closed() -> None:
             setattr(sys, name, os.fdopen(os.open(os.devnull, os.O_WRONLY), "w", encoding="utf-8"))
 
 
-def _run(arguments: list[str]) -> None:
+def _run(arguments: list[str], document: Document) -> None:
     try:
-        with cli.make_context("robodyn", arguments) as ctx:
+        with cli.make_context("robodyn", arguments, obj=document) as ctx:
             cli.invoke(ctx)
     finally:  # flush now, so that a closed pipe or a full disk is handled here and not at interpreter exit
         sys.stdout.flush()
-
-
-def guard(run: Callable[[], None]) -> int:
-    """Call `run` and return the exit code; an error becomes its message on stderr, never a traceback."""
-    try:
-        run()
-        quiet()
-    except BaseException as error:
-        quiet()
-        return _failed(error)
-    return 0
-
-
-def _failed(error: BaseException) -> int:
-    """Print the message of `error` on stderr; return its exit code."""
-    if isinstance(error, click.exceptions.Exit):
-        return error.exit_code
-    if isinstance(error, (KeyboardInterrupt, click.Abort)):
-        code, word = received()
-        _complain(word)
-        return code
-    if isinstance(error, BrokenPipeError):  # the reader, for instance `head`, closed the pipe
-        drop(sys.stdout)
-        return PIPE_CLOSED
-    if not isinstance(error, Exception):
-        raise error
-    if isinstance(error, click.ClickException):  # wrong usage, exit code 2
-        _complain_of_usage(error)
-        return error.exit_code
-    if isinstance(error, RobodynError):
-        _complain(f"error: {error}")
-        return error.exit_code
-    if os.environ.get("ROBODYN_DEBUG") == "1":
-        import traceback
-
-        talk("".join(traceback.format_exception(error)).rstrip("\n"))
-    if (limit := _few_files()) is not None:  # whatever its symptom, even a module that is not found
-        drop(sys.stdout)
-        _complain(
-            f"error: the limit of open files is too low: {error}; found {limit}; raise it with ulimit -n 256"
-        )
-        return IO_ERROR
-    if isinstance(error, (OSError, MemoryError)):  # a full disk and its like
-        drop(sys.stdout)
-        _complain(f"error: the operating system refused: {str(error) or 'out of memory'}")
-        return IO_ERROR
-    if isinstance(error, ImportError) and not (error.name or "").startswith("robodyn"):
-        _complain(f"error: a library cannot be loaded: {error}; reinstall robodyn or that library")
-        return ToolError.exit_code
-    _complain(
-        f"internal error: {type(error).__name__}: {error}; this is a bug in robodyn: please report "
-        "it with the command, the robot file and the output of the command with ROBODYN_DEBUG=1"
-    )
-    return INTERNAL_ERROR
-
-
-def _few_files() -> int | None:
-    """The limit of open files, if it is nearly reached; else None."""
-    opened: list[int] = []
-    try:
-        while len(opened) < 16:
-            opened.append(os.open(os.devnull, os.O_RDONLY))
-    except OSError as error:
-        if error.errno not in (errno.EMFILE, errno.ENFILE):
-            return None
-    finally:
-        for descriptor in opened:
-            os.close(descriptor)
-    if len(opened) == 16:
-        return None
-    try:
-        import resource
-    except ImportError:
-        return len(opened)
-    return resource.getrlimit(resource.RLIMIT_NOFILE)[0]
-
-
-def _complain_of_usage(error: click.ClickException) -> None:
-    """Print click's message and where to find help; ``robodyn`` alone prints the help."""
-    context = error.ctx if isinstance(error, click.UsageError) else None
-    if isinstance(error, getattr(click.exceptions, "NoArgsIsHelpError", ())):  # click 8.1 has none
-        talk(error.format_message())
-        return
-    command = context.command_path if context is not None else "robodyn"
-    _complain(f"error: {error.format_message().rstrip('.')} (see {command} --help)")
-
-
-def _complain(text: str) -> None:
-    """Print `text` on stderr as one line, control characters escaped."""
-    line = " ".join(f"robodyn: {text}".split())
-    talk("".join(c if c.isprintable() else ascii(c)[1:-1] for c in line))

@@ -8,6 +8,7 @@ from pathlib import Path
 import click
 
 from robodyn.errors import InputError
+from robodyn_cli.choices import FILE
 from robodyn_cli.common import echo_json, json_option, output_folder, printable, talk, write_files
 
 
@@ -21,7 +22,9 @@ from robodyn_cli.common import echo_json, json_option, output_folder, printable,
     metavar="N",
     help="Number of joints.",
 )
-@click.option("-o", "--output", metavar="FILE", help="Output file, - for stdout.  [default: NAME.yaml]")
+@click.option(
+    "-o", "--output", type=FILE, metavar="FILE", help="Output file, - for stdout.  [default: NAME.yaml]"
+)
 @click.option("--force", is_flag=True, help="Overwrite an existing file.")
 @json_option
 def command(name: str, joints: int, output: str | None, force: bool, as_json: bool) -> None:

@@ -7,12 +7,10 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
-from robodyn_cli.choices import ENGINES, FORMULATIONS, LEVELS
+from robodyn_cli.choices import ENGINES, FORMULATIONS, LEVELS, SEVERAL_FUNCTIONS
 from robodyn_cli.targets import TargetOption
 
 if TYPE_CHECKING:
-    from click.shell_completion import CompletionItem
-
     from robodyn.kernels.generate import Options
     from robodyn.robot import Robot
 
@@ -153,7 +151,7 @@ def listed(text: str) -> tuple[str, ...]:
 
 
 class _Functions(click.Option):
-    """An option whose help and completions list the functions; they are looked up when that is asked for."""
+    """An option whose help lists the functions; they are looked up when that is asked for."""
 
     def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
         from robodyn.dynamics.functions import FUNCTIONS
@@ -165,18 +163,6 @@ class _Functions(click.Option):
         )
         return name, f"{text}  There are {listed}."
 
-    def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:
-        from click.shell_completion import CompletionItem
-
-        from robodyn.dynamics.functions import FUNCTIONS
-
-        before, comma, begun = incomplete.rpartition(",")
-        return [
-            CompletionItem(before + comma + function.name, help=function.purpose)
-            for function in FUNCTIONS.values()
-            if function.name.startswith(begun)
-        ]
-
 
 def functions_option(default: str | None = None, text: str | None = None) -> Callable[[Command], Command]:
     """Add ``--functions``, passed to the command as ``functions: str | None``, names separated by commas;
@@ -184,6 +170,7 @@ def functions_option(default: str | None = None, text: str | None = None) -> Cal
     without = "" if default else "  [default: all but those on request]"
     return click.option(
         "--functions",
+        type=SEVERAL_FUNCTIONS,
         metavar="A,B",
         multiple=True,
         default=None if default is None else (default,),
@@ -205,6 +192,7 @@ def fuse_option(command: Command) -> Command:
     )(command)
     return click.option(
         "--fuse",
+        type=SEVERAL_FUNCTIONS,
         metavar="A,B",
         multiple=True,
         help="Write A_and_B as well, which gives the results of both (or of more) and shares their work. "

@@ -70,14 +70,14 @@ def command(
     limit = parse_deadline(deadline)
     function = one_function(functions)
     function_named(function)
-    asked: list[Target | None] = [None if text == "here" else parse_target(text) for text in targets]
+    requested: list[Target | None] = [None if text == "here" else parse_target(text) for text in targets]
     described = load_robot(robot, strict=strict)
     with line() as shown:
 
         def tell(text: str) -> None:
             shown.tell(f"robodyn: {text}")
 
-        wanted = [target or here(described, tell) for target in asked] or list(planned_targets())
+        wanted = [target or here(described, tell) for target in requested] or list(planned_targets())
         candidates = plans(described, processors, wanted, function=function, scalar=scalar, tell=tell)
     best = chosen(candidates, limit)
     if as_json:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from robodyn_cli.choices import PROOFS, SCALARS, TRIGONOMETRY
+from robodyn_cli.choices import FOLDER, PROOFS, SCALARS, TRIGONOMETRY
 from robodyn_cli.common import echo_json, json_option, output_folder, printable, robot_argument, write_files
 from robodyn_cli.options import functions_option, listed, load, model_options
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 @click.command()
 @robot_argument
-@click.option("-o", "--output", metavar="DIR", help="Output folder.  [default: proof/NAME]")
+@click.option("-o", "--output", type=FOLDER, metavar="DIR", help="Output folder.  [default: proof/NAME]")
 @click.option(
     "--ranges",
     metavar="R",
@@ -90,7 +90,7 @@ def command(
     input leads to undefined behaviour. gcc reports the stack, cppcheck the deviations from MISRA. Exits with
     1 if a proof fails, 3 if a tool is missing.
     """
-    from robodyn.certify import PROOFS, Asked, prove
+    from robodyn.certify import PROOFS, ProofOptions, prove
     from robodyn.errors import CheckError, ToolError
     from robodyn.kernels.generate import Options
     from robodyn.toolchain.program import cores
@@ -105,12 +105,14 @@ def command(
         trig=trig,  # type: ignore[arg-type]
         engine=engine,  # type: ignore[arg-type]
     )
-    asked = Asked(PROOFS if only is None else listed(only), seconds, workers or cores(), _share(tolerance))
+    proofs = ProofOptions(
+        PROOFS if only is None else listed(only), seconds, workers or cores(), _share(tolerance)
+    )
     described = load(robot, strict=strict, fold_rotor=fold_rotor)
-    ranged = _ranged(described, ranges, needed="gappa" in asked.only)
+    ranged = _ranged(described, ranges, needed="gappa" in proofs.only)
     folder = output_folder(output) if output is not None else Path("proof") / described.name
     with line() as shown:
-        proof = prove(described, ranged, options, asked, lambda text: shown.tell(f"robodyn: {text}"))
+        proof = prove(described, ranged, options, proofs, lambda text: shown.tell(f"robodyn: {text}"))
     write_files(folder, proof.files())
     if as_json:
         echo_json({**proof.to_dict(), "folder": str(folder)})

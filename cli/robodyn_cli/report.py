@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from robodyn_cli.choices import ROBOTS
+from robodyn_cli.choices import FILE, ROBOTS
 from robodyn_cli.common import (
     echo_json,
     json_option,
@@ -20,7 +20,7 @@ from robodyn_cli.common import (
     talk,
     write_files,
 )
-from robodyn_cli.simulate_options import Parameter
+from robodyn_cli.values import parameter_option
 
 if TYPE_CHECKING:
     from robodyn.robot import Robot
@@ -33,16 +33,11 @@ if TYPE_CHECKING:
     "-o",
     "--output",
     "out",
+    type=FILE,
     metavar="PATH",
     help="Page to write (.html), or the folder that gets it.  [default: this folder]",
 )
-@click.option(
-    "--param",
-    type=Parameter(),
-    multiple=True,
-    metavar="NAME=VALUE",
-    help="Value of a run-time parameter (SI units) of both; may be repeated.",
-)
+@parameter_option(" of both")
 @click.option("--strict", is_flag=True, help="Refuse implausible numbers in place of showing the doubts.")
 @json_option
 def command(

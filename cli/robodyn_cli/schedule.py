@@ -10,7 +10,7 @@ import click
 from robodyn_cli.choices import ROBOTS
 from robodyn_cli.common import echo_json, json_option, output_folder, printable, talk, write_files
 from robodyn_cli.options import load, model_options
-from robodyn_cli.schedule_options import Asked, picture_file, schedule_options
+from robodyn_cli.schedule_options import ScheduleOptions, picture_file, schedule_options
 from robodyn_cli.searching import Search
 
 if TYPE_CHECKING:
@@ -38,13 +38,13 @@ def command(robot: str | None, as_json: bool, **options: Any) -> None:
     With --json: {"robot", "method", "processors", "tasks", "levels", "critical_path", "lower_bound",
     "optimal", "speedup", "efficiency", "slots", "thesis", ...}, a list of them for a sweep.
     """
-    asked = Asked.of(robot, options)
-    if asked.thesis is not None:
-        _thesis(asked.thesis, as_json)
-    elif asked.forms:
-        _forms(asked, as_json)
+    settings = ScheduleOptions.of(robot, options)
+    if settings.thesis is not None:
+        _thesis(settings.thesis, as_json)
+    elif settings.forms:
+        _forms(settings, as_json)
     else:
-        _schedule(asked, as_json)
+        _schedule(settings, as_json)
 
 
 def _thesis(table: str, as_json: bool) -> None:
@@ -58,19 +58,19 @@ def _thesis(table: str, as_json: bool) -> None:
         click.echo(to_text(tables), nl=False)
 
 
-def _forms(asked: Asked, as_json: bool) -> None:
+def _forms(settings: ScheduleOptions, as_json: bool) -> None:
     from robodyn.thesis.forms import compared, forms_text
     from robodyn_cli.progress import line
 
     with line() as shown:
-        comparison = compared(asked.links or 16, lambda text: shown.tell(f"robodyn: {text}"))
+        comparison = compared(settings.links or 16, lambda text: shown.tell(f"robodyn: {text}"))
     if as_json:
         echo_json(comparison)
     else:
         click.echo(forms_text(comparison), nl=False)
 
 
-def _schedule(asked: Asked, as_json: bool) -> None:
+def _schedule(settings: ScheduleOptions, as_json: bool) -> None:
     from robodyn.report.gantt import gantt_svg, sweep_svg
     from robodyn.report.layers import layers_svg
     from robodyn.report.schedules import processors_of, sweep_text, to_dict, to_text
@@ -79,14 +79,14 @@ def _schedule(asked: Asked, as_json: bool) -> None:
     from robodyn.schedule.tree import MOST_NODES
     from robodyn_cli.progress import line
 
-    described, source, signature = _source(asked)
-    picture, layers = picture_file(asked.picture), picture_file(asked.layers)
-    if asked.fewest:
-        _fewest(asked, source, as_json)
+    described, source, signature = _source(settings)
+    picture, layers = picture_file(settings.picture), picture_file(settings.layers)
+    if settings.fewest:
+        _fewest(settings, source, as_json)
         return
-    counts = processors_of(asked.processors)
-    asked.check(len(counts))
-    machines = [Machine(p, asked.communication, not asked.no_levels) for p in counts]
+    counts = processors_of(settings.processors)
+    settings.check(len(counts))
+    machines = [Machine(p, settings.communication, not settings.no_levels) for p in counts]
 
     def solved(method: Any, graph: TaskGraph) -> list[Solved]:
         return [
@@ -94,28 +94,28 @@ def _schedule(asked: Asked, as_json: bool) -> None:
                 graph,
                 machine,
                 method,
-                seconds=asked.seconds,
-                seed=asked.seed,
-                nodes=asked.nodes or MOST_NODES,
+                seconds=settings.seconds,
+                seed=settings.seed,
+                nodes=settings.nodes or MOST_NODES,
             )
             for machine in machines
         ]
 
     with line() as shown:
-        if asked.method in SEARCHES:
-            shown.tell(f"robodyn: {source.name}: searching, {asked.seconds:g} s at most")
-        solutions = solved(asked.method, source.graph)
+        if settings.method in SEARCHES:
+            shown.tell(f"robodyn: {source.name}: searching, {settings.seconds:g} s at most")
+        solutions = solved(settings.method, source.graph)
     pictures: dict[Path, str] = {}
     if picture is not None and len(solutions) == 1:
         pictures[picture] = gantt_svg(source, solutions[0])
     elif picture is not None and source.plain is not None:
-        pictures[picture] = sweep_svg(source, solutions, solved(asked.method, source.plain))
+        pictures[picture] = sweep_svg(source, solutions, solved(settings.method, source.plain))
     elif picture is not None:
-        other = "thesis" if asked.method != "thesis" else "critical-path"
+        other = "thesis" if settings.method != "thesis" else "critical-path"
         pictures[picture] = sweep_svg(source, solutions, solved(other, source.graph))
     if layers is not None:
         pictures[layers] = layers_svg(source)
-    folder, files = _emitted(asked, described, source, signature, solutions[0])
+    folder, files = _emitted(settings, described, source, signature, solutions[0])
     for file, text in pictures.items():
         write_files(file.parent, {file.name: text})
     written = (*pictures, *write_files(folder, files))
@@ -130,30 +130,32 @@ def _schedule(asked: Asked, as_json: bool) -> None:
         talk(f"robodyn: wrote {printable(path)}")
 
 
-def _source(asked: Asked) -> tuple[Robot | None, Source, Signature | None]:
+def _source(settings: ScheduleOptions) -> tuple[Robot | None, Source, Signature | None]:
     """The task graph to schedule; for a kernel also the robot and the signature."""
     from robodyn.report.schedule_sources import cut_source, links_source, robot_source
     from robodyn.schedule.cutting import cut, parse_costs
-    from robodyn.schedule.friction_tasks import asked_friction
+    from robodyn.schedule.friction_tasks import chosen_friction
 
-    if asked.links is not None:
-        if asked.form is None:
-            prices = None if asked.cost is None else parse_costs(asked.cost)
-            rubbing = None if asked.friction is None else asked_friction(asked.friction)
-            source = links_source(asked.links, as_printed=asked.as_printed, costs=prices, friction=rubbing)
+    if settings.links is not None:
+        if settings.form is None:
+            prices = None if settings.cost is None else parse_costs(settings.cost)
+            rubbing = None if settings.friction is None else chosen_friction(settings.friction)
+            source = links_source(
+                settings.links, as_printed=settings.as_printed, costs=prices, friction=rubbing
+            )
             return None, source, None
         from robodyn.thesis.logarithmic import general_program
 
-        k = asked.operations or 1
-        costs = None if asked.cost is None else parse_costs(asked.cost)
-        tasks = cut(general_program(asked.form, asked.links), k, costs)
-        return None, cut_source(f"{asked.links} links, {asked.form}", tasks, k), None
-    assert asked.robot is not None
-    described = load(asked.robot, strict=asked.strict, fold_rotor=asked.fold_rotor)
-    if asked.operations is None and asked.emit is None:
-        by_joint = _friction(asked.friction, described)
-        return described, robot_source(described, as_printed=asked.as_printed, friction=by_joint), None
-    if asked.operations is None:
+        k = settings.operations or 1
+        costs = None if settings.cost is None else parse_costs(settings.cost)
+        tasks = cut(general_program(settings.form, settings.links), k, costs)
+        return None, cut_source(f"{settings.links} links, {settings.form}", tasks, k), None
+    assert settings.robot is not None
+    described = load(settings.robot, strict=settings.strict, fold_rotor=settings.fold_rotor)
+    if settings.operations is None and settings.emit is None:
+        by_joint = _friction(settings.friction, described)
+        return described, robot_source(described, as_printed=settings.as_printed, friction=by_joint), None
+    if settings.operations is None:
         from robodyn.optimize.programs import signature
         from robodyn.report.schedule_sources import Source
         from robodyn.schedule.task_program import task_program
@@ -163,32 +165,32 @@ def _source(asked: Asked) -> tuple[Robot | None, Source, Signature | None]:
         return described, source, signature(described, "inverse_dynamics")
     from robodyn.kernels.generate import Options, generate
 
-    options = Options((asked.function,), **asked.model())
-    options = Search(None, asked.seed, "total", False).applied(described, options, (asked.function,))
+    options = Options((settings.function,), **settings.model())
+    options = Search(None, settings.seed, "total", False).applied(described, options, (settings.function,))
     ((interface, program),) = generate(described, options).unit.functions
-    costs = None if asked.cost is None else parse_costs(asked.cost)
-    tasks = cut(program, asked.operations, costs)
-    return described, cut_source(described.name, tasks, asked.operations), interface
+    costs = None if settings.cost is None else parse_costs(settings.cost)
+    tasks = cut(program, settings.operations, costs)
+    return described, cut_source(described.name, tasks, settings.operations), interface
 
 
-def _friction(asked: Any, robot: Robot) -> dict[int, Friction] | None:
+def _friction(text: Any, robot: Robot) -> dict[int, Friction] | None:
     """What is asked of friction, by joint; None for what the robot has."""
-    from robodyn.schedule.friction_tasks import asked_friction
+    from robodyn.schedule.friction_tasks import chosen_friction
 
-    if asked is None:
+    if text is None:
         return None
     kinds = [link.joint.kind == "revolute" for link in robot.links]
-    by_joint = {joint: asked_friction(asked, revolute=kind) for joint, kind in enumerate(kinds, 1)}
+    by_joint = {joint: chosen_friction(text, revolute=kind) for joint, kind in enumerate(kinds, 1)}
     return {joint: friction for joint, friction in by_joint.items() if friction is not None}
 
 
-def _fewest(asked: Asked, source: Source, as_json: bool) -> None:
+def _fewest(settings: ScheduleOptions, source: Source, as_json: bool) -> None:
     from robodyn.schedule.optimum import fewest_for_critical_path
     from robodyn_cli.progress import line
 
     with line() as shown:
         fewest = fewest_for_critical_path(
-            source.graph, seconds=asked.seconds, tell=lambda text: shown.tell(f"robodyn: {text}")
+            source.graph, seconds=settings.seconds, tell=lambda text: shown.tell(f"robodyn: {text}")
         )
     if as_json:
         echo_json(
@@ -209,17 +211,21 @@ def _fewest(asked: Asked, source: Source, as_json: bool) -> None:
 
 
 def _emitted(
-    asked: Asked, described: Robot | None, source: Source, signature: Signature | None, solved: Solved
+    settings: ScheduleOptions,
+    described: Robot | None,
+    source: Source,
+    signature: Signature | None,
+    solved: Solved,
 ) -> tuple[Path, dict[str, str]]:
     """The folder and the files of the parallel C; no files without ``-o``."""
-    if asked.emit is None:
+    if settings.emit is None:
         return Path(), {}
     from robodyn.emit.schedule_files import schedule_files
 
     assert described is not None
     assert signature is not None
     assert source.cut is not None
-    folder = output_folder(asked.emit)
+    folder = output_folder(settings.emit)
     return folder, schedule_files(
-        described, signature, source.cut, solved.timetable, waiting=asked.sync, lanes=asked.packed
+        described, signature, source.cut, solved.timetable, waiting=settings.sync, lanes=settings.packed
     )

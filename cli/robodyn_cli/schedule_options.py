@@ -9,6 +9,7 @@ from typing import Any, Final, TypeVar
 
 import click
 
+from robodyn_cli.choices import FILE, FOLDER
 from robodyn_cli.options import functions_option, one_function
 
 Command = TypeVar("Command", bound=Callable[..., Any])
@@ -94,10 +95,15 @@ def schedule_options(command: Command) -> Command:
             ),
             click.option("--thesis", metavar="TABLE", help="Check a printed schedule: 4.3, C.1, 4.8, all."),
             click.option(
-                "--picture", metavar="FILE.svg", help="Write the Gantt chart; for a sweep, Figures 4.11-4.13."
+                "--picture",
+                type=FILE,
+                metavar="FILE.svg",
+                help="Write the Gantt chart; for a sweep, Figures 4.11-4.13.",
             ),
-            click.option("--layers", metavar="FILE.svg", help="Write the layered graph."),
-            click.option("-o", "--output", "emit", metavar="DIR", help="Write parallel C to DIR."),
+            click.option("--layers", type=FILE, metavar="FILE.svg", help="Write the layered graph."),
+            click.option(
+                "-o", "--output", "emit", type=FOLDER, metavar="DIR", help="Write parallel C to DIR."
+            ),
             click.option("--sync", metavar="HOW", help="Synchronisation (with -o): barrier or counters."),
             click.option(
                 "--packed",
@@ -112,7 +118,7 @@ def schedule_options(command: Command) -> Command:
 
 
 @dataclass(frozen=True, slots=True)
-class Asked:
+class ScheduleOptions:
     """The parsed options of ``robodyn schedule``."""
 
     robot: str | None
@@ -146,7 +152,7 @@ class Asked:
     strict: bool
 
     @staticmethod
-    def of(robot: str | None, options: dict[str, Any]) -> Asked:
+    def of(robot: str | None, options: dict[str, Any]) -> ScheduleOptions:
         """The options from the command line.
 
         Raises
@@ -163,26 +169,26 @@ class Asked:
         processors = options.pop("processors")
         if options["seconds"] is None:
             options["seconds"] = 10.0 if options["method"] == "branch-and-bound" else 60.0
-        asked = Asked(robot, processors=processors or "1", operations=operations, **options)
-        asked = _with_form(asked)
-        if asked.thesis is not None or asked.forms:
+        settings = ScheduleOptions(robot, processors=processors or "1", operations=operations, **options)
+        settings = _with_form(settings)
+        if settings.thesis is not None or settings.forms:
             if robot is not None:
                 raise InputError(
-                    f"{'--forms' if asked.forms else '--thesis'} takes no robot",
+                    f"{'--forms' if settings.forms else '--thesis'} takes no robot",
                     found=robot,
                     remedy="remove it",
                 )
-            return asked
-        if (robot is None) == (asked.links is None):
+            return settings
+        if (robot is None) == (settings.links is None):
             raise InputError(
                 "nothing unique to schedule",
                 found="neither ROBOT nor --links" if robot is None else "both ROBOT and --links",
                 expected="one of ROBOT and --links N",
             )
-        if processors is None and not asked.fewest:
+        if processors is None and not settings.fewest:
             raise InputError("the number of processors is missing", remedy="add -p 4, -p 2..13, or --fewest")
-        asked._fitting()
-        return asked
+        settings._fitting()
+        return settings
 
     def _fitting(self) -> None:
         from robodyn.errors import InputError
@@ -241,20 +247,21 @@ class Asked:
         }
 
 
-def _with_form(asked: Asked) -> Asked:
+def _with_form(settings: ScheduleOptions) -> ScheduleOptions:
     from dataclasses import replace
 
-    if asked.form is None:
-        return asked
+    if settings.form is None:
+        return settings
     from robodyn.errors import InputError
     from robodyn.thesis.logarithmic import FORMS
 
-    name = "modified newton-euler" if asked.form == "modified-newton-euler" else asked.form
+    name = "modified newton-euler" if settings.form == "modified-newton-euler" else settings.form
     if name not in FORMS:
         raise InputError(
-            f"unknown form {asked.form!r}", expected=f"one of {', '.join(f.replace(' ', '-') for f in FORMS)}"
+            f"unknown form {settings.form!r}",
+            expected=f"one of {', '.join(f.replace(' ', '-') for f in FORMS)}",
         )
-    return replace(asked, form=name)
+    return replace(settings, form=name)
 
 
 def _kernel(options: dict[str, Any]) -> bool:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Final
 import click
 
 from robodyn_cli import progress
+from robodyn_cli.choices import FILE
 from robodyn_cli.common import (
     echo_json,
     json_option,
@@ -21,7 +22,7 @@ from robodyn_cli.common import (
     talk,
     write_files,
 )
-from robodyn_cli.simulate_options import Asked, exactly, simulation_options, spread, whole
+from robodyn_cli.simulate_options import SimulationOptions, exactly, simulation_options, spread, whole
 
 if TYPE_CHECKING:
     from robodyn.logs.log import Log
@@ -45,11 +46,14 @@ _BALANCED: Final = 1e-3
 @click.option(
     "-o",
     "--output",
+    type=FILE,
     metavar="LOG",
     help="Output log: .csv, .parquet, or - (CSV on stdout).  [default: NAME.csv]",
 )
 @simulation_options
-@click.option("--picture", metavar="FILE", help="Plot positions, velocities and torques to .svg or .png.")
+@click.option(
+    "--picture", type=FILE, metavar="FILE", help="Plot positions, velocities and torques to .svg or .png."
+)
 @click.option("--strict", is_flag=True, help="Refuse physically implausible values.")
 @json_option
 def command(
@@ -62,8 +66,8 @@ def command(
     LOG.json beside it documents the origin of the log. The command prints the energy balance and a summary of
     the motion for each joint. The same command gives the same bytes.
     """
-    asked = Asked(**options)
-    asked.check()
+    settings = SimulationOptions(**options)
+    settings.check()
     described = load_robot(robot, strict=strict)
     target = _target(described, output)
     drawn = None if picture is None else _picture_file(picture)
@@ -71,16 +75,16 @@ def command(
         from robodyn.errors import InputError
 
         raise InputError("--json and -o - both write to stdout", remedy="remove one of them")
-    _spare_inputs([target, drawn], [robot, asked.torque, asked.trajectory, asked.model])
+    _spare_inputs([target, drawn], [robot, settings.torque, settings.trajectory, settings.model])
     n, name = described.n, described.name
-    exactly("--from", asked.start, n, name)
-    exactly("--speed", asked.speed, n, name)
-    for option, positions in (("--from", asked.start), ("--to", asked.to)):
+    exactly("--from", settings.start, n, name)
+    exactly("--speed", settings.speed, n, name)
+    for option, positions in (("--from", settings.start), ("--to", settings.to)):
         _check_turns(described, option, positions, strict)
-    values = parameter_values(described, asked.param)
-    sensors = _sensors(described, asked)
-    run, what = _run(described, asked, values)
-    log = _log(run, sensors, asked, what, robot)
+    values = parameter_values(described, settings.param)
+    sensors = _sensors(described, settings)
+    run, what = _run(described, settings, values)
+    log = _log(run, sensors, settings, what, robot)
     from robodyn.report.run import to_text, warnings_of
 
     files: dict[str, str | bytes] = {}
@@ -91,7 +95,7 @@ def command(
 
         files[str(drawn)] = motion_picture(described, log, drawn.suffix[1:].lower(), what.reference)
     write_files(Path(), files)
-    summary = _summary(run, log, asked, what, list(files))
+    summary = _summary(run, log, settings, what, list(files))
     if target is None:
         click.echo(log.csv(), nl=False)
     if as_json:
@@ -169,16 +173,16 @@ def _spare_inputs(outputs: list[Path | None], inputs: list[str | None]) -> None:
                 )
 
 
-def _sensors(robot: Robot, asked: Asked) -> Sensors:
+def _sensors(robot: Robot, settings: SimulationOptions) -> Sensors:
     from robodyn.simulate.sensors import Sensors, resolution_of
 
     n, name = robot.n, robot.name
     resolution = (0.0,) * n
-    if asked.position_resolution is not None:
-        resolution = spread("--position-resolution", asked.position_resolution, n, name)
-    elif asked.encoder_bits is not None:
+    if settings.position_resolution is not None:
+        resolution = spread("--position-resolution", settings.position_resolution, n, name)
+    elif settings.encoder_bits is not None:
         linear = [i for i, link in enumerate(robot.links) if link.joint.kind == "prismatic"]
-        bits = spread("--encoder-bits", asked.encoder_bits, n, name)
+        bits = spread("--encoder-bits", settings.encoder_bits, n, name)
         resolution = tuple(
             0.0 if i in linear else resolution_of(whole(width)) for i, width in enumerate(bits)
         )
@@ -190,28 +194,28 @@ def _sensors(robot: Robot, asked: Asked) -> Sensors:
             )
     return Sensors(
         position_resolution=resolution,
-        position_noise=spread("--position-noise", asked.position_noise, n, name),
-        velocity=asked.velocity,  # type: ignore[arg-type]  # checked by click
-        acceleration=asked.acceleration,  # type: ignore[arg-type]
-        cutoff=asked.cutoff,
-        torque_resolution=spread("--torque-resolution", asked.torque_resolution, n, name),
-        torque_noise=spread("--torque-noise", asked.torque_noise, n, name),
+        position_noise=spread("--position-noise", settings.position_noise, n, name),
+        velocity=settings.velocity,  # type: ignore[arg-type]  # checked by click
+        acceleration=settings.acceleration,  # type: ignore[arg-type]
+        cutoff=settings.cutoff,
+        torque_resolution=spread("--torque-resolution", settings.torque_resolution, n, name),
+        torque_noise=spread("--torque-noise", settings.torque_noise, n, name),
     )
 
 
 # --- the run ----------------------------------------------------------------------------------------------
 
 
-def _run(robot: Robot, asked: Asked, values: Mapping[str, float]) -> tuple[Simulation, Driven]:
+def _run(robot: Robot, settings: SimulationOptions, values: Mapping[str, float]) -> tuple[Simulation, Driven]:
     from robodyn.errors import InputError
     from robodyn.simulate.simulation import simulate
     from robodyn_cli.driving import driven
 
-    what = driven(robot, asked, values)
-    samples = what.duration * asked.rate
+    what = driven(robot, settings, values)
+    samples = what.duration * settings.rate
     for words, count, unit in (
         ("a log", samples, "samples"),
-        ("a run", what.duration / asked.fixed_step, "steps"),
+        ("a run", what.duration / settings.fixed_step, "steps"),
     ):
         if count * robot.n > _LARGEST:
             raise InputError(
@@ -222,7 +226,7 @@ def _run(robot: Robot, asked: Asked, values: Mapping[str, float]) -> tuple[Simul
     if samples < 1 - 1e-9:
         raise InputError(
             "the log would have one sample",
-            found=f"{what.duration:g} s at {asked.rate:g} Hz",
+            found=f"{what.duration:g} s at {settings.rate:g} Hz",
             remedy="a higher --rate",
         )
     begun = time.monotonic()
@@ -235,14 +239,14 @@ def _run(robot: Robot, asked: Asked, values: Mapping[str, float]) -> tuple[Simul
         run = simulate(
             robot,
             what.drive,
-            start=asked.start if asked.drive != "line" else None,
-            speed=asked.speed,
+            start=settings.start if settings.drive != "line" else None,
+            speed=settings.speed,
             duration=what.duration,
-            sample_period=1 / asked.rate,
-            method=asked.solver,  # type: ignore[arg-type]  # checked by click
-            step=asked.fixed_step,
-            rtol=asked.rtol if asked.rtol is not None else 1e-8,
-            atol=asked.atol if asked.atol is not None else 1e-10,
+            sample_period=1 / settings.rate,
+            method=settings.solver,  # type: ignore[arg-type]  # checked by click
+            step=settings.fixed_step,
+            rtol=settings.rtol if settings.rtol is not None else 1e-8,
+            atol=settings.atol if settings.atol is not None else 1e-10,
             parameters=values,
             plant=what.plant,
             progress=tell,
@@ -250,7 +254,7 @@ def _run(robot: Robot, asked: Asked, values: Mapping[str, float]) -> tuple[Simul
     return run, what
 
 
-def _log(run: Simulation, sensors: Sensors, asked: Asked, what: Driven, spec: str) -> Log:
+def _log(run: Simulation, sensors: Sensors, settings: SimulationOptions, what: Driven, spec: str) -> Log:
     """The log of the sensors, with its provenance."""
     from dataclasses import replace
 
@@ -263,22 +267,22 @@ def _log(run: Simulation, sensors: Sensors, asked: Asked, what: Driven, spec: st
         "from": run.q[0],
         "speed": run.qd[0],
         "duration": what.duration,
-        "rate": asked.rate,
+        "rate": settings.rate,
         "parameters": run.parameters,
     }
-    if asked.solver == "adaptive":
-        options["rtol"] = asked.rtol if asked.rtol is not None else 1e-8
-        options["atol"] = asked.atol if asked.atol is not None else 1e-10
+    if settings.solver == "adaptive":
+        options["rtol"] = settings.rtol if settings.rtol is not None else 1e-8
+        options["atol"] = settings.atol if settings.atol is not None else 1e-10
     return replace(
-        run.log(sensors, seed=asked.seed),
+        run.log(sensors, seed=settings.seed),
         provenance=provenance(
             robot,
             yaml=text_of(spec).encode(),
             options=options,
             sensors=sensors.describe(),
-            seed=asked.seed,
-            solver=asked.solver,
-            step=asked.fixed_step,
+            seed=settings.seed,
+            solver=settings.solver,
+            step=settings.fixed_step,
             energy=run.balance().to_dict(),
         ),
     )
@@ -287,7 +291,9 @@ def _log(run: Simulation, sensors: Sensors, asked: Asked, what: Driven, spec: st
 # --- after the run ----------------------------------------------------------------------------------------
 
 
-def _summary(run: Simulation, log: Log, asked: Asked, what: Driven, files: list[str]) -> dict[str, Any]:
+def _summary(
+    run: Simulation, log: Log, settings: SimulationOptions, what: Driven, files: list[str]
+) -> dict[str, Any]:
     """The run as ``--json`` prints it."""
     from robodyn.report.run import joint_rows
 
@@ -296,9 +302,9 @@ def _summary(run: Simulation, log: Log, asked: Asked, what: Driven, files: list[
         "files": files,
         "duration": what.duration,
         "samples": log.samples,
-        "rate": asked.rate,
+        "rate": settings.rate,
         "drive": {key: value for key, value in what.description.items() if key != "trajectory"},
-        "solver": {"method": asked.solver, **run.record.counters},
+        "solver": {"method": settings.solver, **run.record.counters},
         "energy": run.balance().to_dict(),
         "joints": joint_rows(run, what.reference),
     }

@@ -5,14 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Any, TypeVar
 
 import click
 
-if TYPE_CHECKING:
-    _Type = click.ParamType[Any]
-else:
-    _Type = click.ParamType  # generic for type checkers only
+from robodyn_cli.choices import FILE
+from robodyn_cli.values import POSITIVE, POSITIVES, SEVERAL, SIZES, Line, parameter_option
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
@@ -21,85 +19,8 @@ CONTROLLERS = ("feedforward", "pd", "computed-torque")
 RATES = ("true", "difference", "filtered", "none")
 
 
-class Numbers(_Type):
-    """Numbers separated by commas, written as in a robot file (``pi/2``). ``sign`` restricts them:
-    ``positive``, or ``size`` (not negative)."""
-
-    name = "numbers"
-
-    def __init__(self, sign: str = "any", *, single: bool = False) -> None:
-        self.sign, self.single = sign, single
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        from robodyn.errors import InputError
-        from robodyn.robot.numbers import parse_number
-
-        if not isinstance(value, str):  # a default
-            return value
-        parts = [value] if self.single else value.split(",")
-        try:
-            values = tuple(float(parse_number(part)) for part in parts)
-        except InputError as error:
-            self.fail(str(error), param, ctx)
-        for x in values:
-            if (self.sign == "positive" and not x > 0) or (self.sign == "size" and x < 0):
-                expected = "more than 0" if self.sign == "positive" else "0 or more"
-                self.fail(f"{x:g} is not {expected}", param, ctx)
-        return values[0] if self.single else values
-
-
-class Line(_Type):
-    """``x,y,z:x,y,z``, a line between two points; or its end only."""
-
-    name = "line"
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        points = [Numbers().convert(part, param, ctx) for part in value.split(":")]
-        if not 1 <= len(points) <= 2 or any(len(point) != 3 for point in points):
-            self.fail(f"{value!r} is neither x,y,z:x,y,z nor x,y,z (m)", param, ctx)
-        return tuple(points)
-
-
-class Argument(_Type):
-    """``name=text``."""
-
-    name = "argument"
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        name, equals, text = value.partition("=")
-        if not equals:
-            self.fail(f"{value!r} is not NAME=VALUE", param, ctx)
-        return name.strip(), text
-
-
-class Parameter(Argument):
-    """``name=value``, a number."""
-
-    name = "parameter"
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        name, text = super().convert(value, param, ctx)
-        return name, Numbers(single=True).convert(text, param, ctx)
-
-
-class Point(_Type):
-    """``x,y,z``."""
-
-    name = "point"
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        point = Numbers().convert(value, param, ctx)
-        if len(point) != 3:
-            self.fail(f"{value!r} is not x,y,z", param, ctx)
-        return point
-
-
-ONE, POSITIVE, SIZE = Numbers(single=True), Numbers("positive", single=True), Numbers("size", single=True)
-SEVERAL, POSITIVES, SIZES = Numbers(), Numbers("positive"), Numbers("size")
-
-
 @dataclass(frozen=True, slots=True)
-class Asked:
+class SimulationOptions:
     """The parsed options; None where the default depends on other options."""
 
     torque: str | None
@@ -209,12 +130,14 @@ def _spelled(name: str) -> str:
 
 
 def simulation_options(command: Command) -> Command:
-    """Add the options that :class:`Asked` holds."""
+    """Add the options that :class:`SimulationOptions` holds."""
     option = click.option
     every = (
-        option("--torque", metavar="FILE.csv", help="Apply torques t,tau1..taun, held between rows."),
+        option("--torque", type=FILE, metavar="FILE.csv",
+               help="Apply torques t,tau1..taun, held between rows."),
         option("--linear", is_flag=True, help="Interpolate between rows (with --torque)."),
-        option("--trajectory", metavar="FILE.csv", help="Follow a motion: t,q1..qn (qd, qdd if known)."),
+        option("--trajectory", type=FILE, metavar="FILE.csv",
+               help="Follow a motion: t,q1..qn (qd, qdd if known)."),
         option("--to", type=SEVERAL, metavar="Q", help="Move to Q (rad or m, separated by commas)."),
         option("--line", type=Line(), metavar="A:B",
                help="Move a point from x,y,z to x,y,z (m) on a straight line."),
@@ -259,8 +182,7 @@ def simulation_options(command: Command) -> Command:
                help="Step of rk4, or maximum step of adaptive.  [default: 1e-3, 1e-2]"),
         option("--rtol", type=POSITIVE, metavar="X", help="Relative tolerance.  [default: 1e-8]"),
         option("--atol", type=POSITIVE, metavar="X", help="Absolute tolerance.  [default: 1e-10]"),
-        option("--param", type=Parameter(), multiple=True, metavar="NAME=VALUE",
-               help="Set a run-time parameter."),
+        parameter_option(),
         option("--encoder-bits", type=POSITIVES, metavar="BITS",
                help="Encoder bits per turn (revolute joints)."),
         option("--position-resolution", type=SIZES, metavar="X", help="Encoder step (rad or m)."),

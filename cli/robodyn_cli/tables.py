@@ -8,7 +8,7 @@ from pathlib import Path
 
 import click
 
-from robodyn_cli.choices import TABLES
+from robodyn_cli.choices import FILE, TABLES
 from robodyn_cli.common import echo_json, json_option, printable, talk, write_files
 
 
@@ -16,6 +16,7 @@ from robodyn_cli.common import echo_json, json_option, printable, talk, write_fi
 @click.argument("table_id", type=TABLES, metavar="[ID]", required=False)
 @click.option(
     "--picture",
+    type=FILE,
     metavar="FILE.svg",
     help="Write a picture: of 2.9 what a joint costs, of 2.10 Figure 2.9 redrawn, of robots the counts.",
 )

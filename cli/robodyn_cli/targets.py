@@ -21,18 +21,19 @@ class TargetOption(click.Option):
     """
 
     def __init__(self, *names: Any, lists: dict[str, str], prefix: str = "", **others: Any) -> None:
-        super().__init__(*names, **others)
         self._lists = lists
         self._prefix = prefix
+        super().__init__(*names, **others)
 
-    def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
-        """Name and help, as ``--help`` prints them."""
-        template = self.help or ""
-        try:
-            self.help = template.format(**{name: _names(what) for name, what in self._lists.items()})
-            return super().get_help_record(ctx)
-        finally:
-            self.help = template
+    @property
+    def help(self) -> str | None:
+        """The help, with names in place of ``{name}``."""
+        lists = {name: _names(what) for name, what in self._lists.items()}
+        return None if self._template is None else self._template.format(**lists)
+
+    @help.setter
+    def help(self, template: str | None) -> None:
+        self._template = template
 
     def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:
         """The names that begin like ``incomplete``, the last one of several that commas part."""

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Self
+    from typing import Any, Self
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,6 +28,15 @@ class Place:
             if self.column is not None:
                 parts.append(str(self.column))
         return ":".join(parts)
+
+    def to_dict(self) -> dict[str, Any]:
+        """As JSON has it."""
+        return {"file": self.file, "line": self.line, "column": self.column}
+
+
+def escaped(text: str) -> str:
+    """``text`` with its control characters written out, so that a terminal does not obey them."""
+    return "".join(c if c.isprintable() else ascii(c)[1:-1] for c in text)
 
 
 class RobodynError(Exception):
@@ -78,6 +87,49 @@ class RobodynError(Exception):
         if self.where is not None:
             text = f"{self.where}: {text}"
         return " ".join(text.split())
+
+    def to_dict(self) -> dict[str, Any]:
+        """As JSON has it (:func:`error_schema`): all parts, None where there is none, and the whole line."""
+        return {
+            "what": self.what,
+            "where": None if self.where is None else self.where.to_dict(),
+            "found": self.found,
+            "expected": self.expected,
+            "remedy": self.remedy,
+            "message": self.message(),
+            "exit_code": self.exit_code,
+        }
+
+
+def error_schema() -> dict[str, Any]:
+    """The JSON Schema of ``{"error": ...}``, what ``--json`` prints of a command that fails."""
+    text = {"type": ["string", "null"]}
+    count = {"type": ["integer", "null"], "minimum": 1}
+    place = {"file": {"type": "string"}, "line": count, "column": count}
+    parts = {
+        "what": {"type": "string", "description": "what is wrong"},
+        "where": {
+            "description": "the place in a file, where there is one; line and column count from 1",
+            "type": ["object", "null"],
+            "properties": place,
+            "required": list(place),
+            "additionalProperties": False,
+        },
+        "found": {**text, "description": "what stood there"},
+        "expected": {**text, "description": "what should have"},
+        "remedy": {**text, "description": "what to do"},
+        "message": {"type": "string", "description": "all of it on one line"},
+        "exit_code": {"type": "integer", "minimum": 1, "description": "the exit code of the command"},
+    }
+    error = {"type": "object", "properties": parts, "required": list(parts), "additionalProperties": False}
+    return {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "What robodyn prints with --json where a command fails",
+        "type": "object",
+        "properties": {"error": error},
+        "required": ["error"],
+        "additionalProperties": False,
+    }
 
 
 class CheckError(RobodynError):

@@ -142,19 +142,19 @@ for (const button of root.querySelectorAll("button[data-view]")) {
         wanted(false);
     });
 }
-let held = null;
+let grip = null;
 canvas.addEventListener("pointerdown", (event) => {
-    held = [event.clientX, event.clientY];
+    grip = [event.clientX, event.clientY];
     canvas.setPointerCapture(event.pointerId);
 });
 canvas.addEventListener("pointermove", (event) => {
-    if (!held) return;
+    if (!grip) return;
     const slide = event.pointerType === "touch" ? 0 : 0.008; // a finger that goes up or down scrolls the page
-    turn(-0.008 * (event.clientX - held[0]), slide * (event.clientY - held[1]));
-    held = [event.clientX, event.clientY];
+    turn(-0.008 * (event.clientX - grip[0]), slide * (event.clientY - grip[1]));
+    grip = [event.clientX, event.clientY];
 });
 for (const name of ["pointerup", "pointercancel", "lostpointercapture"]) {
-    canvas.addEventListener(name, () => (held = null));
+    canvas.addEventListener(name, () => (grip = null));
 }
 canvas.addEventListener("wheel", (event) => {
     if (!event.ctrlKey) return; // plain wheels scroll the page

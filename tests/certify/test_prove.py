@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from robodyn.certify import Asked, Finding, eva, misra, parts, stack
+from robodyn.certify import Finding, ProofOptions, eva, misra, parts, stack
 from robodyn.certify import prove as run_proof
 from robodyn.certify.plan import Subject, subject
 from robodyn.certify.run import Proof
@@ -31,7 +31,7 @@ def finding(part: Any, made: Subject, folder: Path) -> Finding:
     """One proof of ``made`` in ``folder``."""
     for name, text in made.files.items():
         (folder / name).write_text(text, encoding="utf-8")
-    result = part(made, Asked(), folder, lambda _: None)
+    result = part(made, ProofOptions(), folder, lambda _: None)
     assert isinstance(result, Finding)
     return result
 
@@ -243,8 +243,8 @@ def test_the_command_writes_a_proof(tmp_path: Path, capsys: pytest.CaptureFixtur
 def test_the_same_proof_gives_the_same_bytes() -> None:
     for tool in ("frama-c", "gcc", "cppcheck"):
         require_tool(tool)
-    asked = Asked(("eva", "stack", "misra"))
-    files = [run_proof(PUMA, PUMA, OPTIONS, asked).files() for _ in range(2)]
+    proofs = ProofOptions(("eva", "stack", "misra"))
+    files = [run_proof(PUMA, PUMA, OPTIONS, proofs).files() for _ in range(2)]
     one, other = ({k: v for k, v in found.items() if k != "eva.txt"} for found in files)
     assert one == other
     assert "/tmp" not in "".join(one.values())

@@ -14,6 +14,7 @@ import robodyn_cli.building
 from cli.built import FILES, PROJECT, build, outputs
 from cli.generated import Capture, tree
 from records.made import ELBOW
+from robodyn.packages import FORMATS
 from robodyn_cli.main import main
 
 
@@ -182,7 +183,7 @@ def test_two_robots_that_write_the_same_file_by_two_ways(way: str, project: Path
     text = PROJECT.replace("other.yaml", "elbow.yaml").replace("firmware/two", way)
     (project / "robodyn.toml").write_text(text)
     build(code=2)
-    assert "robodyn.toml:8:1: two robots write the same file" in capsys.readouterr().err
+    assert "robodyn.toml:8:1: two outputs write the same file" in capsys.readouterr().err
 
 
 def test_what_stands_in_the_way_is_told(project: Path, capsys: Capture) -> None:
@@ -243,3 +244,68 @@ def test_a_robot_that_left_leaves_the_lock_file_and_its_files_are_named(
     )
     assert "two" not in (project / "robodyn.lock").read_text()
     assert (project / "firmware/two/other.c").exists()
+
+
+def test_packages_are_written_with_the_kernels(project: Path, generated: list[str], capsys: Capture) -> None:
+    """What robodyn package writes, with the robot's options; locked, checked and left alone like kernels."""
+    text = (project / "robodyn.toml").read_text()
+    (project / "robodyn.toml").write_text(
+        f'{text}packages.cmake = {{ version = "1.2.0", functions = ["gravity"] }}\n'
+        '[robots.one.packages.crate]\noutput = "crate"\n'
+    )
+    build()
+    assert generated == ["one", "one/crate", "two", "two/cmake"]
+    out = capsys.readouterr().out
+    assert "two/cmake  gravity " in out
+    assert out.endswith("operations; 7 changed\n")
+    assert "2 robots, 2 packages, 7 functions, " in out
+    options = ["--functions", "gravity", "--scalar", "float", "--version", "1.2.0"]
+    assert main(["package", "other.yaml", "--as", "cmake", *options, "-o", "packaged"]) == 0
+    assert tree(project / "packages" / "two" / "cmake") == tree(project / "packaged")
+    assert '[robots."two/cmake".counts]' in (project / "robodyn.lock").read_text()
+    generated.clear()
+    build("--check")
+    assert not generated
+    capsys.readouterr()
+    (project / "crate" / "src" / "lib.rs").write_text("// mine\n")
+    build("--check", code=1)
+    assert "crate/src/lib.rs differs from line 1 on: found '// mine'" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("packages", "message"),
+    [
+        ("packages = ['cmak']", "robodyn.toml:12:1: unknown format of a package 'cmak'; expected one of "),
+        *(
+            (f"packages = ['{name}']", "has a binary, and another")
+            for name in FORMATS
+            if FORMATS[name].binary
+        ),
+        ("packages.cmake.version = '1'", "robodyn.toml:12:1: this is no version of a package; found '1'"),
+        ("packages.cmake.scalar = 'flot'", "robodyn.toml:12:1: unknown scalar 'flot'"),
+        (
+            "packages.fpm.output = 'generated/one/../../x'\npackages.cmake.output = 'x'",
+            "write the same file",
+        ),
+    ],
+)
+def test_packages_that_cannot_be_written(project: Path, packages: str, message: str, capsys: Capture) -> None:
+    with (project / "robodyn.toml").open("a") as file:
+        file.write(f"{packages}\n")
+    build(code=2)
+    assert message in capsys.readouterr().err
+    assert not (project / "packages").exists()
+
+
+@pytest.mark.thorough
+def test_firmware_is_written_as_gen_writes_it(project: Path) -> None:
+    """But for the README, which has what one machine measured."""
+    text = PROJECT.replace('scalar = "float"', 'firmware = true\ntarget = "cortex-m4f"')
+    (project / "robodyn.toml").write_text(text)
+    build()
+    options = ["--functions", "inverse_dynamics,gravity", "--lang", "c", "--target", "cortex-m4f"]
+    assert main(["gen", "other.yaml", "--firmware", *options, "-o", "gen"]) == 0
+    own = tree(project / "firmware" / "two")
+    assert {**own, "firmware/README.md": ""} == {**tree(project / "gen"), "firmware/README.md": ""}
+    assert "firmware/link.ld" in own
+    build("--check")

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import ast
 from pathlib import Path
 
 import pytest
 
+import robodyn_cli
 from robodyn.errors import InputError
 from robodyn.resources import data_dir
 from robodyn_cli.common import compare_files, echo_json, load_robot, output_folder, printable, write_files
@@ -107,3 +109,17 @@ def test_doubts_are_told_on_stderr(capsys: pytest.CaptureFixture[str], tmp_path:
     assert err.startswith(f"robodyn: warning: {file}:")
     with pytest.raises(InputError, match="inertia"):
         load_robot("puma560", strict=True)
+
+
+def test_no_class_is_of_a_generic_type_of_click() -> None:
+    """Click 8.1 and 8.2 have none: ``click.ParamType[str]`` is an error there."""
+    folder = Path(robodyn_cli.__file__).parent
+    bases = [
+        base
+        for path in folder.glob("*.py")
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, ast.ClassDef)
+        for base in node.bases
+    ]
+    assert bases
+    assert not [base for base in bases if isinstance(base, ast.Subscript) and "click" in ast.unparse(base)]

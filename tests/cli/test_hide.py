@@ -150,7 +150,7 @@ def test_hide_warns_of_what_nobody_can_find(capsys: Capture) -> None:
 def test_what_is_refused(capsys: Capture, command: str, words: str) -> None:
     out, err = run(capsys, command, 2)
     assert words in err
-    assert not out
+    assert list(json.loads(out)) == ["error"] if "--json" in command else not out
     assert not Path("d").exists()
 
 

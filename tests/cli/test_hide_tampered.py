@@ -94,7 +94,7 @@ def assert_answered(capsys: Capture, command: str) -> tuple[int, str]:
     out, err = capsys.readouterr()
     assert code in (0, 1, 2), (command, err)
     if code == 2:
-        assert not out
+        assert list(json.loads(out)) == ["error"] if "--json" in command else not out
         assert err.startswith("robodyn: error: ")
         assert err.count("\n") == 1
     assert "\x1b" not in out + err

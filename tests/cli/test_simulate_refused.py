@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
@@ -88,7 +89,7 @@ MOTION = "--to 0.1 --param m=2"
 )
 def test_refused(command: str, text: str, capsys: Capture) -> None:
     out, err = simulate(capsys, command, code=2)
-    assert out == ""
+    assert list(json.loads(out)) == ["error"] if "--json" in command else out == ""
     assert text in err.splitlines()[-1]
     assert made() == set()
 

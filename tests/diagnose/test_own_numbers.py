@@ -2,34 +2,52 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
 import numpy as np
+import pytest
 
 from robodyn.diagnose.amend.amend import Amendment, amended
+from robodyn.diagnose.select import own_numbers as room
 from robodyn.diagnose.select.fit import Problem
 from robodyn.diagnose.select.library import Context, context_of
 from robodyn.diagnose.select.own_numbers import own_numbers, own_numbers_of
+from robodyn.diagnose.select.refine import refined
 from robodyn.diagnose.select.selection import prior_scales, start_of
 from robodyn.diagnose.select.uncertainty import uncertainties
 from robodyn.identify.rigid import Model
 from robodyn.logs.log import Log
 from robodyn.logs.signals import signals_of
 from robodyn.robot import load
+from robodyn.robot.model import Robot
+from robodyn.simulate.sensors import measured_torque
 
+Torques = Callable[[Any, Any, Any, Any], Any]
 ARM = load("puma560_3dof", warn=lambda _: None)
 TILT = Amendment("base_tilt", None, {"tilt_x": 0.02, "tilt_y": -0.03})
 
 
+RUBBING = amended(ARM, [Amendment("coulomb_friction", j, {"level": 10.0}) for j in (1, 2, 3)])
+LATE = Amendment("time_delay", None, {"delay": 0.01})
+
+
 def along(share: float) -> tuple[list[Context], Problem]:
     """A log of the leaning arm, as a search of the level one sees it, whose numbers are known to a share."""
-    t = np.arange(0, 6, 0.01)
+    return seen(ARM, share, lambda q, qd, qdd, t: Model(amended(ARM, [TILT])).torque(q, qd, qdd))
+
+
+def seen(robot: Robot, share: float, torques: Torques, step: float = 0.01) -> tuple[list[Context], Problem]:
+    """A log with such ``torques``, as a search of ``robot`` sees it, whose numbers are known to a share."""
+    t = np.arange(0, 6, step)
     phase = np.array([0.0, 1.0, 2.0])
     q, qd, qdd = (
         0.9 * (2 * np.pi * 0.4) ** k * np.sin(2 * np.pi * 0.4 * t[:, None] + phase + k * np.pi / 2)
         for k in range(3)
     )
-    tau = Model(amended(ARM, [TILT])).torque(q, qd, qdd)
-    tau += 0.01 * np.random.default_rng(1).standard_normal(tau.shape)
-    contexts = [context_of(Model(ARM), signals_of(Log(t, q, None, None, tau)))]
+    tau = torques(q, qd, qdd, t)
+    tau = tau + 0.01 * np.random.default_rng(1).standard_normal(tau.shape)
+    contexts = [context_of(Model(robot), signals_of(Log(t, q, None, None, tau)))]
     return contexts, start_of(contexts, prior_scales(contexts[0].model, share))
 
 
@@ -58,3 +76,25 @@ def test_a_tilt_is_known_no_better_than_the_centre_of_mass_that_it_shows() -> No
         assert stderr is not None
         errors.append(stderr)
     assert errors[1] > 2 * errors[0]
+
+
+def test_joints_that_stick_at_reversals_are_no_delay(monkeypatch: pytest.MonkeyPatch) -> None:
+    step = 0.002
+
+    def torques(q: Any, qd: Any, qdd: Any, t: Any) -> Any:
+        # Friction turns a sample before the joints do.
+        early = np.sign(qd + step * qdd) - np.sign(qd)
+        torque = Model(RUBBING).torque(q, qd, qdd) + 10.0 * early
+        return measured_torque(torque, t, amended(RUBBING, [LATE]).effects)
+
+    contexts, start = seen(RUBBING, 0.1, torques, step)
+
+    def off() -> float:
+        (one,) = refined(RUBBING, [LATE], contexts, start)
+        _, (sure,) = uncertainties(RUBBING, [one], contexts, start)
+        assert sure["delay"].stderr is not None
+        return abs(float(one.parameters["delay"]) - 0.01) / sure["delay"].stderr
+
+    assert off() < 2.5
+    monkeypatch.setattr(room, "TURN_TIME", 1e-9)
+    assert off() > 4

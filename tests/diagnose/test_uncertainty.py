@@ -10,6 +10,7 @@ import pytest
 from robodyn.diagnose.amend.amend import Amendment
 from robodyn.diagnose.select import uncertainty
 from robodyn.diagnose.select.fit import problem
+from robodyn.diagnose.select.own_numbers import own_numbers
 from robodyn.diagnose.select.refine import Freed
 from robodyn.diagnose.select.uncertainty import Uncertainty, uncertainties
 from robodyn.robot import load
@@ -17,6 +18,7 @@ from robodyn.robot import load
 TRUTH = {"level": 1.0, "static": 2.5, "velocity": 0.1}
 SAMPLES = 600
 ROBOT = load("puma560_3dof", warn=lambda _: None)
+SLIDING = load("stanford", warn=lambda _: None)
 
 
 def speeds(least: float) -> Any:
@@ -47,6 +49,7 @@ def fitted(
 
     start = problem(torque[:, None], 0.2 * np.ones((SAMPLES, 1, 1)), np.array([0.3]), thin)
     monkeypatch.setattr(Freed, "missed", missed)
+    monkeypatch.setattr(Freed, "own_numbers", lambda self, x: own_numbers(start))
     for _ in range(6):  # Gauss and Newton, as the search has done before
         freed = Freed.of(ROBOT, [Amendment("stribeck_friction", 1, begin)], [], start)
         fit = uncertainty.LocalFit.of(freed, freed.x)
@@ -96,8 +99,28 @@ def test_a_better_fit_on_the_way_is_taken(monkeypatch: pytest.MonkeyPatch) -> No
 
     start = problem(torque[:, None], 0.2 * np.ones((SAMPLES, 1, 1)), np.array([0.3]), 1.0)
     monkeypatch.setattr(Freed, "missed", missed)
+    monkeypatch.setattr(Freed, "own_numbers", lambda self, x: own_numbers(start))
     off = {**TRUTH, "velocity": 0.11}
     (one,), (sure,) = uncertainties(ROBOT, [Amendment("stribeck_friction", 1, off)], [], start)
     assert abs(float(one.parameters["velocity"]) - 0.1) < 0.006
     assert sure["velocity"].low is not None
     assert sure["velocity"].low < 0.1
+
+
+def test_numbers_of_which_only_the_ratio_shows_are_open(monkeypatch: pytest.MonkeyPatch) -> None:
+    rng, force = np.random.default_rng(5), 5.0 * speeds(0.0)
+    torque = 0.3 * force + noise(rng, 3)
+    start = problem(torque[:, None], 0.2 * np.ones((SAMPLES, 1, 1)), np.array([0.3]), 1.0)
+
+    def missed(self: Freed, x: Any) -> Any:
+        mu, span = x
+        return (torque - mu / span * (1 + 1e-9 * span) * force) / 0.3
+
+    monkeypatch.setattr(Freed, "missed", missed)
+    monkeypatch.setattr(Freed, "own_numbers", lambda self, x: own_numbers(start))
+    begin: dict[str, float | str] = {"bearing": "linear", "mu": 0.0003, "span": 0.001}
+    _, (sure,) = uncertainties(SLIDING, [Amendment("load_dependent_friction", 3, begin)], [], start)
+    assert sure["span"] == Uncertainty(None, None, None)
+    mu = sure["mu"].stderr
+    assert mu is not None
+    assert mu > 1000 * 0.0003

@@ -28,10 +28,10 @@ def main() -> int:
         help="use the robodyn that is installed, and copies of what the checkout ships",
     )
     parser.add_argument("--list", action="store_true", help="count the examples")
-    asked = parser.parse_args()
-    if asked.list:
+    arguments = parser.parse_args()
+    if arguments.list:
         return _list()
-    return max(_follow(page, asked.update, asked.installed) for page in asked.pages or PAGES)
+    return max(_follow(page, arguments.update, arguments.installed) for page in arguments.pages or PAGES)
 
 
 def _list() -> int:

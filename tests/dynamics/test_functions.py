@@ -13,8 +13,10 @@ from ir.programs import Point, exactly
 from robodyn import InputError, Options, load, program
 from robodyn.counts import count
 from robodyn.dynamics.functions import function_named
+from robodyn.dynamics.fusing import Writing
 from robodyn.dynamics.mass_matrix import solve_symmetric
-from robodyn.ir import Graph, Input
+from robodyn.ir import Graph, Input, Program
+from robodyn.kernels import rigid_programs
 from robodyn.kernels.generate import SingularArm, generate
 from robodyn.optimize.programs import Choice, build
 from robodyn.passes import FRESH, run
@@ -151,6 +153,26 @@ def test_long_arms_have_forward_dynamics_by_articulated_bodies() -> None:
     )
     assert by_bodies < 0.7 * by_matrix
     assert count(program(arm, "forward_dynamics", Options(optimize="fast"))).total <= by_bodies
+
+
+@pytest.mark.parametrize("slides", [False, True])
+def test_of_a_long_arm_what_cannot_win_is_not_built(slides: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where each joint carries much, its mass matrix alone takes more than articulated bodies; that of joints
+    that all slide is made of numbers."""
+    ways = []
+
+    def counted(robot: Robot, function: str, choice: Choice, writing: Writing | None = None) -> Program:
+        ways.append((function, writing))
+        return build(robot, function, choice, writing)
+
+    monkeypatch.setattr(rigid_programs, "build", counted)
+    arm = exact_arm(4, joints=16, prismatic=1 if slides else 0, parallel=0.2)
+    best = program(arm, "forward_dynamics", Options(optimize="fast"))
+    record = function_named("forward_dynamics")
+    built = [writing for function, writing in ways if function == record.name]
+    assert (record.outputs in built) == slides
+    assert set(record.of_rigid_arms) <= set(built)
+    assert count(best).total <= count(build(arm, record.name, Choice(), record.outputs)).total
 
 
 @pytest.mark.parametrize("robot", [*ARMS[:4], bundled("stanford"), bundled("puma560")], ids=lambda r: r.name)

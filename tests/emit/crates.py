@@ -36,6 +36,17 @@ def rustc(*arguments: str, folder: Path, compiler: str = "rustc") -> None:
     assert (done.returncode, done.stderr) == (0, ""), done.stderr
 
 
+def without_network(manifest: str) -> dict[str, str]:
+    """The file that gives cargo Debian's folder of crates in place of the network, if the ``manifest`` of a
+    crate has dependencies."""
+    if "[dependencies]" not in manifest:
+        return {}
+    if not REGISTRY.is_dir():
+        require_tool("librust-libm-dev")  # no program: it says what is missing
+    source = f'replace-with = "debian"\n[source.debian]\ndirectory = "{REGISTRY}"\n'
+    return {".cargo/config.toml": f"[source.crates-io]\n{source}"}
+
+
 class Crate:
     """A crate without dependencies, compiled, and a program that runs its functions."""
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from emit.crates import REGISTRY, rustc
+from emit.crates import rustc, without_network
 from emit.kernels import in_single, made
 from robodyn.errors import InputError
 from robodyn.firmware.language_tests import language_tests
@@ -20,11 +20,7 @@ from robodyn_testing import require_tool
 def write_tested(generated: Generated, folder: Path) -> Path:
     """The crate with its tests, and Debian's folder of crates in place of the network."""
     files = {**generated.files(("rust",)), **language_tests(generated, ("rust",))}
-    if "[dependencies]" in files["Cargo.toml"]:
-        if not REGISTRY.is_dir():
-            require_tool("librust-libm-dev")  # no program: it says what is missing
-        source = f'replace-with = "debian"\n[source.debian]\ndirectory = "{REGISTRY}"\n'
-        files[".cargo/config.toml"] = f"[source.crates-io]\n{source}"
+    files |= without_network(files["Cargo.toml"])
     for name, text in files.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)

@@ -5,11 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from benchmarks.arms import END, FOLDER, START, row
+from benchmarks.arms import FOLDER, MARK, row
+from benchmarks.marked import part
 
 from robodyn_testing import representative
 
-TABLE = (FOLDER / "README.md").read_text(encoding="utf-8").partition(START)[2].partition(END)[0]
+TABLE = part((FOLDER / "README.md").read_text(encoding="utf-8"), MARK)
 ROWS = TABLE.splitlines()[2:]
 ARMS = sorted(FOLDER.glob("*.yaml"))
 

@@ -14,7 +14,8 @@ from diagnose.hidden.arms import bare
 from diagnose.hidden.pushed import Kind, Push, Pushed, pushed_log
 from peers.numbers import Array
 from robodyn.diagnose.run import diagnose
-from robodyn.diagnose.select.contact import Touched, contact_findings, without_contacts
+from robodyn.diagnose.select.contact import Touched, contact_findings, touches
+from robodyn.diagnose.settle import Logs
 from robodyn.dynamics.kinematics import frames
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.gate import inspect
@@ -69,7 +70,9 @@ def test_an_arm_that_nobody_pushes_is_not_touched(kind: Kind) -> None:
 def test_windows_are_left_out_and_known_the_next_time() -> None:
     made, _ = found("puma560_3dof", "rest", 1)
     gate = inspect(made.log, made.given)
-    (rest,), touched = without_contacts(made.given, [gate], ["ab"])
+    free, touched = touches(made.given, [gate], ["ab"])
+    assert free == [gate]
+    (rest,) = Logs(free, 1, ["ab"], {"ab": gate}).without(touched).fitted
     assert len(rest.segments) == 4
     for one in touched:
         inside = (rest.log.t > one.contact.start) & (rest.log.t < one.contact.end)
@@ -90,8 +93,9 @@ def test_windows_are_left_out_and_known_the_next_time() -> None:
         for row in parameters
     )
     known = replace(made.given, effects=entries)
-    (again, other), news = without_contacts(known, [gate, gate], ["ab", "cd"])
+    both, news = touches(known, [gate, gate], ["ab", "cd"])
     assert [one.log for one in news] == ["cd"] * 3
+    again, other = Logs(both, 2, ["ab", "cd"], {"ab": gate, "cd": gate}).without(news).fitted
     np.testing.assert_array_equal(again.log.t, rest.log.t)
     np.testing.assert_array_equal(other.log.t, rest.log.t)
 

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from ir.programs import ARITHMETIC, EXACT, Point, interpreted, points, programs, results
 from robodyn.ir import Graph, Input, Label, Node, Operation, Program
-from robodyn.ir.graph import children
+from robodyn.ir.key import children
 from robodyn.ir.lowering import lower, needed
 
 SIGNED = {"add", "scale", "mul", "div"}

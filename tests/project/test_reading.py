@@ -63,6 +63,32 @@ def test_robots_have_the_options_of_all_and_their_own(tmp_path: Path) -> None:
     assert project.lock == tmp_path / "robodyn.lock"
 
 
+def test_packages_have_the_options_of_their_robot_and_their_own(tmp_path: Path) -> None:
+    project = read(
+        tmp_path,
+        "[options]\nlang = 'c'\nmisra = true\n[robots.a]\nrobot = 'ur5'\nscalar = 'float'\n"
+        "packages = ['cmake', 'fpm']\n[robots.b]\nrobot = 'ur10'\nscalar = 'float'\n"
+        "[robots.b.packages.cmake]\noutput = 'there'\nscalar = 'double'\nversion = '1.2.0'\n",
+    )
+    a, a_cmake, a_fpm, b, b_cmake = project.entries
+    assert [entry.command for entry in (a, a_cmake, a_fpm, b, b_cmake)] == [
+        "gen",
+        *["package"] * 2,
+        "gen",
+        "package",
+    ]
+    assert (a_cmake.name, a_cmake.output, a_cmake.robot) == ("a/cmake", "packages/a/cmake", a.robot)
+    assert a_cmake.arguments == ("--as=cmake", "--misra", "--scalar=float")
+    assert a_fpm.arguments == ("--as=fpm", "--misra", "--scalar=float")
+    assert b_cmake.arguments == ("--as=cmake", "--misra", "--scalar=double", "--version=1.2.0")
+    assert b_cmake.output == "there"
+    lines = [
+        entry.place(key).line for entry, key in ((a_cmake, "scalar"), (b_cmake, "scalar"), (b_cmake, "misra"))
+    ]
+    assert lines == [6, 13, 3]
+    assert [entry.place().line for entry in (a_cmake, b_cmake)] == [7, 11]
+
+
 def test_the_order_of_keys_does_not_matter(tmp_path: Path) -> None:
     one, other = (
         read(tmp_path, text).entries[0].arguments
@@ -80,8 +106,12 @@ def test_the_order_of_keys_does_not_matter(tmp_path: Path) -> None:
         ("robots = [", ":1: this is not TOML"),
         ("[robots.ur5]\nscalar = 'float'\nscalar = 'double'\n", ":3:18: this is not TOML"),
         ("[robot.ur5]\n", ":1:1: unknown key 'robot'; expected one of options, robots; did you mean 'ro"),
-        ("packages = ['ros2']\n[robots.ur5]\n", ":1:1: packages are not written by robodyn build yet"),
-        ("[robots.ur5]\npackages = ['ros2']\n", ":2:1: packages are not written by robodyn build yet"),
+        ("packages = ['cmake']\n[robots.ur5]\n", ":1:1: unknown key 'packages'; expected one of opt"),
+        ("[robots.ur5]\npackages = 'cmake'\n", ":2:1: these are no formats of packages; found 'cmake'"),
+        ("[robots.ur5]\npackages = ['fpm', 'fpm']\n", "found ['fpm', 'fpm']; expected a list of formats"),
+        ("[robots.ur5.packages]\nfpm = 1\n", ":2:1: fpm is not a table; found 1"),
+        ("[robots.ur5.packages.fpm]\nlang = 'c'\n", ":2:1: unknown key 'lang' in [robots.ur5.packages.fpm]"),
+        ("[robots.ur5.packages.fpm]\nversion = 1\nmisra = 1\n", ":3:1: misra has the wrong type"),
         ("\n[robots.ur5]\n  scaler = 'float'\n", ":3:3: unknown key 'scaler' in [robots.ur5]"),
         ("[robots.ur5]\nscaler = 'float'\n", "did you mean 'scalar'?"),
         ("[robots.ur5]\nno_regroup = true\n", "did you mean 'no-regroup'?"),

@@ -10,9 +10,11 @@ import click
 import pytest
 
 from robodyn.errors import InputError
-from robodyn.project.reading import OWN, read_project
+from robodyn.project.keys import Key
+from robodyn.project.reading import OWN, OWN_OF_PACKAGE, read_project
 from robodyn_cli.gen import command as gen
 from robodyn_cli.main import main
+from robodyn_cli.package import command as package
 from robodyn_cli.project_keys import check_settings, project_keys
 from robodyn_testing import require_module
 
@@ -20,14 +22,20 @@ ROOT = Path(__file__).parents[2]
 KEYS = project_keys()
 
 
-def test_every_option_of_gen_that_says_what_is_written_is_a_key() -> None:
-    options = {option.opts[0].removeprefix("--") for option in gen.params if isinstance(option, click.Option)}
-    of_a_run = {"-o", "compile", "check", "json", "keep", "budget-seconds", "seed", "firmware"}
-    assert set(KEYS) == options - of_a_run
-    assert not set(KEYS) & set(OWN)
-    assert all(len(key.help()) > 10 for key in KEYS.values())
-    assert "gravity" in KEYS["functions"].help()
-    assert {name for name, key in KEYS.items() if key.several or key.listed} == {"lang", "functions", "fuse"}
+@pytest.mark.parametrize(
+    ("command", "keys", "of_a_run", "own"),
+    [(gen, KEYS.kernels, {"compile"}, OWN), (package, KEYS.packages, {"as"}, OWN_OF_PACKAGE)],
+)
+def test_every_option_that_says_what_is_written_is_a_key(
+    command: click.Command, keys: dict[str, Key], of_a_run: set[str], own: tuple[str, ...]
+) -> None:
+    options = {o.opts[0].removeprefix("--") for o in command.params if isinstance(o, click.Option)}
+    assert set(keys) == options - {"-o", "check", "json", "keep", "budget-seconds", "seed"} - of_a_run
+    assert not set(keys) & set(own)
+    assert all(len(key.help()) > 10 for key in keys.values())
+    assert "gravity" in keys["functions"].help()
+    listed = {name for name, key in keys.items() if key.several or key.listed}
+    assert listed == {"lang", "functions", "fuse"} & set(keys)
 
 
 @pytest.mark.parametrize(
@@ -47,6 +55,20 @@ def test_every_option_of_gen_that_says_what_is_written_is_a_key() -> None:
         ("[options]\nrobot = 'ur5'\n[robots.ur5]", False),
         ("[robots.ur5]\nbudgets.gravity.all = 5", False),
         ("[robots.ur5]\nbudgets.gravity.total = 5.5", False),
+        ("[robots.ur5]\npackages = ['cmake', 'fpm']\nlang = 'c'", True),
+        (
+            "[robots.ur5]\npackages.cmake = {output = 'there', version = '1.2.0', functions = ['gravity']}",
+            True,
+        ),
+        ("[robots.ur5.packages.crate]", True),
+        ("[robots.ur5]\npackages = ['cmake', 'cmake']", False),
+        ("[robots.ur5]\npackages = ['cmak']", False),
+        ("[robots.ur5]\npackages = 'cmake'", False),
+        ("[robots.ur5]\npackages.cmak = {}", False),
+        ("[robots.ur5]\npackages.cmake = true", False),
+        ("[robots.ur5]\npackages.cmake.lang = 'c'", False),
+        ("[robots.ur5]\npackages.cmake.scalar = 'flot'", False),
+        ("[options]\npackages = ['cmake']\n[robots.ur5]", False),
     ],
 )
 def test_they_accept_and_refuse_the_same(

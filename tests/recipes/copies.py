@@ -36,6 +36,7 @@ class Copy:
             shutil.copytree(ROOT / part, folder / part, ignore=shutil.ignore_patterns("__pycache__"))
         for path, text in files.items():
             assert not (folder / path).exists(), f"{path} is there already"
+            (folder / path).parent.mkdir(parents=True, exist_ok=True)
             (folder / path).write_text(text, encoding="utf-8")
 
     def python(self, *arguments: str, code: int = 0) -> str:

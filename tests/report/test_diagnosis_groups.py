@@ -10,9 +10,9 @@ import pytest
 
 from report.made_up import made, many, series
 from report.test_diagnosis_report import Page
+from robodyn.report.chart_frames import HIGH
 from robodyn.report.diagnosis import page
 from robodyn.report.diagnosis_charts import torques
-from robodyn.report.diagnosis_frames import HIGH
 from robodyn.report.diagnosis_groups import FEW, by_joint, table_of_kinds
 from robodyn.robot import Robot, load
 

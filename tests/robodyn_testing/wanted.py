@@ -59,6 +59,8 @@ PACKAGES: Final = {"pinocchio": "pin", "yaml": "pyyaml"}
 OPTIONAL: Final = frozenset(
     {
         "build",
+        "casadi",
+        "fmpy",
         "h5py",
         "hatchling",
         "hypothesis",

@@ -24,7 +24,7 @@ from robodyn.schedule.friction_tasks import (
     Efficiency,
     Friction,
     Site,
-    asked_friction,
+    chosen_friction,
     friction_of,
     friction_tasks,
     run_friction,
@@ -145,7 +145,7 @@ def test_no_task_takes_more_than_three_operations(friction: Friction, drives: bo
 
 
 def test_a_joint_with_both_has_eight_tasks_as_24_operations_fill() -> None:
-    both = asked_friction("both")
+    both = chosen_friction("both")
     assert both is not None
     assert [task.row for task in friction_tasks(both)] == [44, 45, 46, 47, 48, 49, 50, 53]
     assert len({task.row for task in TASKS} & {task.row for task in friction_tasks(both)}) == 0

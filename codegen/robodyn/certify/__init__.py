@@ -4,8 +4,8 @@ robodyn writes the questions and reads the answers; Gappa, Frama-C, gcc and cppc
 """
 
 from robodyn.certify.finding import Finding
-from robodyn.certify.plan import PROOFS, Asked
+from robodyn.certify.plan import PROOFS, ProofOptions
 from robodyn.certify.ranges import with_ranges
 from robodyn.certify.run import Proof, prove
 
-__all__ = ["PROOFS", "Asked", "Finding", "Proof", "prove", "with_ranges"]
+__all__ = ["PROOFS", "Finding", "Proof", "ProofOptions", "prove", "with_ranges"]

@@ -11,7 +11,7 @@ from robodyn.certify.finding import Finding, Tell, not_run
 from robodyn.certify.forward import Forward
 from robodyn.certify.gappa import Scripts
 from robodyn.certify.observed import peaks, worst_errors
-from robodyn.certify.plan import Asked, Subject, ranges_of
+from robodyn.certify.plan import ProofOptions, Subject, ranges_of
 from robodyn.certify.readback import check_read_back
 from robodyn.certify.tools import GAPPA
 from robodyn.certify.trig import claim
@@ -25,7 +25,7 @@ from robodyn.kernels.kernel import load
 FOLDER = "rounding"
 
 
-def prove_bounds(subject: Subject, asked: Asked, folder: Path, tell: Tell) -> Finding:
+def prove_bounds(subject: Subject, proofs: ProofOptions, folder: Path, tell: Tell) -> Finding:
     """Bounds of the rounding errors of all torques."""
     gappa = GAPPA.path()
     if gappa is None:
@@ -54,8 +54,8 @@ def prove_bounds(subject: Subject, asked: Asked, folder: Path, tell: Tell) -> Fi
                 gappa,
                 folder,
                 names,
-                seconds=asked.seconds,
-                workers=asked.workers,
+                seconds=proofs.seconds,
+                workers=proofs.workers,
                 progress=lambda done: tell(f"Gappa: {done} of {len(names)} torques"),
             ),
             strict=True,
@@ -65,7 +65,7 @@ def prove_bounds(subject: Subject, asked: Asked, folder: Path, tell: Tell) -> Fi
     for signature, program in functions:
         own = scripts[signature.function]
         rows += _rows(
-            subject, asked, signature, program, {f"{FOLDER}/{k}": v for k, v in own.items()}, proven, tell
+            subject, proofs, signature, program, {f"{FOLDER}/{k}": v for k, v in own.items()}, proven, tell
         )
     return _finding(subject, rows, files)
 
@@ -97,7 +97,7 @@ def _scripts(subject: Subject, signature: Signature, program: Program) -> dict[s
 
 def _rows(
     subject: Subject,
-    asked: Asked,
+    proofs: ProofOptions,
     signature: Signature,
     program: Program,
     own: dict[str, tuple[str, float]],
@@ -133,10 +133,10 @@ def _rows(
                 row["reason"] = (
                     f"an error of {seen:.3g} was found: this is a defect of robodyn, please report it"
                 )
-            elif asked.tolerance is not None and Fraction(proven.error) > asked.tolerance * Fraction(
+            elif proofs.tolerance is not None and Fraction(proven.error) > proofs.tolerance * Fraction(
                 largest[i]
             ):
-                row["reason"] = f"above the tolerance of {float(asked.tolerance):.3g} of the largest torque"
+                row["reason"] = f"above the tolerance of {float(proofs.tolerance):.3g} of the largest torque"
         rows.append(row)
     return rows
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from robodyn.certify import eva, misra, stack
 from robodyn.certify.finding import Finding, Tell, not_run
-from robodyn.certify.plan import Asked, Subject
+from robodyn.certify.plan import ProofOptions, Subject
 from robodyn.certify.tools import CPPCHECK, FRAMA_C, GCC, run
 from robodyn.emit.misra import deviations
 from robodyn.emit.render import environment
@@ -16,7 +16,7 @@ from robodyn.emit.render import environment
 PATIENCE = 600.0
 
 
-def prove_eva(subject: Subject, asked: Asked, folder: Path, tell: Tell) -> Finding:
+def prove_eva(subject: Subject, proofs: ProofOptions, folder: Path, tell: Tell) -> Finding:
     """No run-time error, whatever the inputs are."""
     frama_c = FRAMA_C.path()
     if frama_c is None:
@@ -53,7 +53,7 @@ def prove_eva(subject: Subject, asked: Asked, folder: Path, tell: Tell) -> Findi
     )
 
 
-def prove_stack(subject: Subject, asked: Asked, folder: Path, tell: Tell) -> Finding:
+def prove_stack(subject: Subject, proofs: ProofOptions, folder: Path, tell: Tell) -> Finding:
     """The most stack a call needs, machine by machine."""
     machines = stack.machines()
     if all(machine.tool.path() is None for machine in machines):
@@ -112,7 +112,7 @@ def prove_stack(subject: Subject, asked: Asked, folder: Path, tell: Tell) -> Fin
     )
 
 
-def prove_misra(subject: Subject, asked: Asked, folder: Path, tell: Tell) -> Finding:
+def prove_misra(subject: Subject, proofs: ProofOptions, folder: Path, tell: Tell) -> Finding:
     """Every finding of MISRA C:2012 that is left is explained in the kernel."""
     cppcheck = CPPCHECK.path()
     if cppcheck is None:

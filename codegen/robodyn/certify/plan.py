@@ -20,7 +20,7 @@ PROOFS = ("gappa", "eva", "stack", "misra")
 
 
 @dataclass(frozen=True, slots=True)
-class Asked:
+class ProofOptions:
     """What is asked for: which proofs, how long Gappa may take for a torque [s] and how many at a time, and
     which share of each joint's largest torque the bound may reach."""
 

@@ -12,7 +12,7 @@ from typing import Any
 from robodyn.certify.bounds import prove_bounds
 from robodyn.certify.finding import Finding, Tell
 from robodyn.certify.parts import prove_eva, prove_misra, prove_stack
-from robodyn.certify.plan import PROOFS, Asked, Subject, subject
+from robodyn.certify.plan import PROOFS, ProofOptions, Subject, subject
 from robodyn.emit.markdown import Markdown, markdown_environment
 from robodyn.kernels.generate import Options
 from robodyn.robot.model import Robot
@@ -88,8 +88,10 @@ class Proof:
         return rows
 
 
-def prove(robot: Robot, ranged: Robot, options: Options, asked: Asked, tell: Tell = lambda _: None) -> Proof:
-    """Generate the kernel of ``robot`` and prove what ``asked`` says; ``ranged`` is the robot with the ranges
+def prove(
+    robot: Robot, ranged: Robot, options: Options, proofs: ProofOptions, tell: Tell = lambda _: None
+) -> Proof:
+    """Generate the kernel of ``robot`` and run ``proofs``; ``ranged`` is the robot with the ranges
     as its limits. Nothing is written but to a temporary folder.
 
     Raises
@@ -100,12 +102,12 @@ def prove(robot: Robot, ranged: Robot, options: Options, asked: Asked, tell: Tel
     plan = subject(robot, ranged, options)
     findings = []
     for name in PROOFS:
-        if name in asked.only:
+        if name in proofs.only:
             with tempfile.TemporaryDirectory(prefix="robodyn-") as place:
                 folder = Path(place)
                 for path, text in plan.files.items():
                     (folder / path).write_text(text, encoding="utf-8", newline="\n")
-                findings.append(_PARTS[name](plan, asked, folder, tell))
+                findings.append(_PARTS[name](plan, proofs, folder, tell))
     return Proof(plan, tuple(findings))
 
 

@@ -7,7 +7,9 @@ line: ``fc3_x = 4.8*(a3_x - 0.07*lam3_12)`` is two multiplications and one addit
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import asdict, dataclass
+from operator import itemgetter
 
 from robodyn.ir.program import Program
 
@@ -56,8 +58,7 @@ _KIND = {
 
 def count(program: Program) -> Count:
     """The operations of ``program``."""
-    totals: dict[str, int] = {}
-    for operation in program.operations:
-        kind = _KIND[operation.op]
-        totals[kind] = totals.get(kind, 0) + 1
+    totals: Counter[str] = Counter()
+    for op, times in Counter(map(itemgetter(0), program.operations)).items():
+        totals[_KIND[op]] += times
     return Count(**totals)

@@ -46,7 +46,7 @@ class Lacking:
 
 def rms(lacks: Lacking, arm: Robot, gates: Sequence[Gate]) -> Floats:
     """RMS [n] of what ``arm`` leaves of logs."""
-    return _rms([_inner(lacks(arm, gate)) for gate in gates])
+    return _rms([_inner(lacks(arm, gate), gate) for gate in gates])
 
 
 def _rms(tables: Sequence[Floats]) -> Floats:
@@ -59,14 +59,16 @@ def gap_of(lacks: Lacking, robot: Robot, model: Robot, gates: Sequence[Gate], se
     """What ``robot`` and ``model`` leave of logs that were fitted and of those that names are ``seen`` in."""
     noise = np.sqrt(np.mean([gate.torque_noise**2 for gate in gates], axis=0))
     train, validate = ([rms(lacks, arm, which) for arm in (robot, model)] for which in (gates, seen))
-    torque = tuple(_rms([_inner(gate.log.tau) for gate in which]) for which in (gates, seen))
+    torque = tuple(_rms([_inner(gate.log.tau, gate) for gate in which]) for which in (gates, seen))
     return Gap(train[0], train[1], validate[0], validate[1], noise, (torque[0], torque[1]))
 
 
-def _inner(x: Floats) -> Floats:
-    """``x`` [K, n] without its ends."""
-    edge = int(END_SHARE * len(x))
-    return x[edge : len(x) - edge]
+def _inner(x: Floats, gate: Gate) -> Floats:
+    """``x`` [K, n] along a log without the ends of its unbroken parts: there a motion that is cut off, at a
+    gap or at a contact, has no rates to go by."""
+    parts = [x[part] for part in gate.segments]
+    edges = [int(END_SHARE * len(part)) for part in parts]
+    return np.concatenate([part[edge : len(part) - edge] for part, edge in zip(parts, edges, strict=True)])
 
 
 # --- whether names stand ----------------------------------------------------------------------------------
@@ -110,7 +112,7 @@ def holds(lacks: Lacking, robot: Robot, model: Robot, gates: Sequence[Gate], see
     gap = gap_of(lacks, robot, model, gates, seen)
     floor = np.maximum(gap.noise_floor, 1e-3 * gap.validate_before.max())
     before, after = (float(np.sum((x / floor) ** 2)) for x in (gap.validate_before, gap.validate_after))
-    change = np.concatenate([_inner(lacks(robot, gate) - lacks(model, gate)) for gate in seen])
+    change = np.concatenate([_inner(lacks(robot, gate) - lacks(model, gate), gate) for gate in seen])
     shown = float(np.mean((change / floor) ** 2))
     return bool(shown < UNSEEN or before - after > CONFIRMED_SHARE * shown * robot.n)
 

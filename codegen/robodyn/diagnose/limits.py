@@ -109,7 +109,8 @@ STANDS_OUT_LEFT: Final = 3.0
 """[-] if what is left stands out of the noise by more than this."""
 
 END_SHARE: Final = 0.02
-"""[share of samples] Left out at either end of a log when gaps are measured. Part of the file format."""
+"""[share of samples] Left out at either end of each unbroken part of a log when gaps are measured. Part of
+the file format."""
 
 WITHDRAWN: Final = 0.3
 """[probability] The confidence of names that are taken back: below `CLAIM`."""

@@ -9,29 +9,25 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.diagnose.accounts import accounted
 from robodyn.diagnose.amend.amend import apply_amendments, comments_of, difference
 from robodyn.diagnose.evidence import (
     by_kind,
-    doubtful,
     log_facts,
     operations,
     to_record,
     tried,
-    why_not,
     windows,
 )
-from robodyn.diagnose.judgement import Lacking, may_stand, words_of
-from robodyn.diagnose.limits import DRAWN_POINTS, FITTED_ROWS, FITTED_SAMPLES, FITTED_WINDOWS, WITHDRAWN
+from robodyn.diagnose.judgement import Lacking, words_of
+from robodyn.diagnose.limits import DRAWN_POINTS, FITTED_ROWS, FITTED_SAMPLES, FITTED_WINDOWS
 from robodyn.diagnose.one_body import one_body
-from robodyn.diagnose.refit import refitted_places, share_allowed, without_vague_claim
-from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Rival, Series
-from robodyn.diagnose.select.contact import without_contacts
-from robodyn.diagnose.select.forward import Named
-from robodyn.diagnose.select.library import Candidate
+from robodyn.diagnose.refit import refitted_places, share_allowed
+from robodyn.diagnose.result import Diagnosis, Series
+from robodyn.diagnose.select.contact import touches
 from robodyn.diagnose.select.scope import scope_of
-from robodyn.diagnose.select.search import Detected, Outcome, search
 from robodyn.diagnose.select.selection import what_matters
-from robodyn.diagnose.settle import Completed, Logs, completed, settled
+from robodyn.diagnose.settle import Completed, Logs, completed
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.formats.loading import robot_of, text_of
 from robodyn.gate.gate import Gate, inspect
@@ -90,18 +86,13 @@ def diagnose(
         for k, log in enumerate([*logs, *([] if validate is None else [validate])])
     ]  # fmt: skip
     digests = [hashes[k] if k < len(hashes) else f"log {k + 1}" for k in range(len(whole))]
-    cleaned, touched = without_contacts(robot, whole, digests) if scope.has_contact else (whole, ())
-    gates = cleaned[: len(logs)]
-    passed = Logs(
-        gates, gates if validate is None else cleaned[len(logs) :], dict(zip(digests, whole, strict=True))
-    )
-    outcome = search(robot, gates, tell, scope.at_rest() if all(g.stands for g in gates) else scope)
-    tell("validating the result")
-    named, lacks = _findings(robot, outcome, is_doubtful=doubtful(gates)), Lacking()
-    tell("fitting the arm's own numbers")
-    by_torque = settled(robot, named, outcome, passed, scope, lacks)
+    free, touched = touches(robot, whole, digests) if scope.has_contact else (whole, ())
+    seen = Logs(free, len(logs), digests, dict(zip(digests, whole, strict=True)))
+    lacks = Lacking()
+    account = accounted(robot, seen, touched, scope, lacks, tell)
+    outcome, by_torque, gates = account.outcome, account.by_torque, account.logs.fitted
     own, left = by_torque.own, by_torque.left
-    result = completed(robot, by_torque, touched, passed, scope, lacks)
+    result = completed(robot, by_torque, account.contacts, account.logs, scope, lacks)
     model, findings = result.model, result.findings
     is_loaded = any(CATALOGUE[f.effect].traits.body for f in own.findings)
     heavier = one_body(robot, own.robot, gates) if own.is_refitted and not is_loaded else None
@@ -136,16 +127,6 @@ def diagnose(
     )  # fmt: skip
 
 
-def _findings(robot: Robot, outcome: Outcome, *, is_doubtful: bool) -> tuple[Finding, ...]:
-    """What was detected as findings, the one that explains most first; claims if the logs are not
-    ``is_doubtful``."""
-    findings = []
-    for one in outcome.findings.values():
-        is_sure = not is_doubtful and may_stand(one, outcome.first, outcome.last)
-        findings.append(without_vague_claim(_finding(robot, one, is_sure)))
-    return tuple(sorted(findings, key=lambda f: -f.gain))
-
-
 def _comments(robot: Robot, result: Completed, hashes: Sequence[str], *, is_refitted: bool) -> list[Any]:
     """What stands beside the numbers that are new."""
     note = f"robodyn diagnose: {', '.join(hashes) or 'a log'}"
@@ -170,54 +151,6 @@ def _name(names: Sequence[str], k: int) -> str | None:
 def _shown(digests: Sequence[str], *, validated: bool) -> dict[str, str]:
     """Names of the series by the hashes of their logs."""
     return {digests[-1]: "validate" if validated else "train", digests[0]: "train"}
-
-
-def _finding(robot: Robot, one: Detected, sure: bool) -> Finding:
-    candidate, trial = one.named.trial.candidate, one.named.trial
-    entry = CATALOGUE[candidate.effect]
-    revolute = candidate.joint is None or robot.links[candidate.joint - 1].joint.kind == "revolute"
-    parameters = {
-        name: Estimate(
-            value, one.errors.get(name), _unit(candidate.effect, name, revolute), one.bounds.get(name)
-        )
-        for name, value in one.parameters.items()
-    }
-    j = max(candidate.rows, key=lambda row: one.before[row])
-    place = f"joint {candidate.joint}" if candidate.joint else "the whole robot"
-    where = f"{place}: {entry.signature}; seen best at joint {j + 1}"
-    experiment = None
-    if one.named.rivals:
-        experiment = f"to tell it from {', '.join(one.named.rivals)}: {entry.separates}"
-    rivals = tuple(
-        Rival(t.candidate.effect, t.candidate.joint, t.gain, tuple(map(float, t.per_part)), why_not(t, trial))
-        for t in _strongest(one.named, candidate)
-    )
-    confidence = one.named.confidence if sure else WITHDRAWN
-    return Finding(
-        candidate.effect, candidate.joint, parameters, round(confidence, 2), one.named.rivals, where,
-        experiment, trial.gain, trial.t, rivals, tuple(map(float, trial.per_part)),
-    )  # fmt: skip
-
-
-def _strongest(named: Named, candidate: Candidate) -> list[Any]:
-    seen: set[tuple[str, int | None]] = {(candidate.effect, candidate.joint)}
-    claims = []
-    for one in named.beside:
-        key = (one.candidate.effect, one.candidate.joint)
-        if key in seen or not set(one.candidate.rows) & set(candidate.rows):
-            continue
-        seen.add(key)
-        claims.append(one)
-        if len(claims) == 5:
-            break
-    return claims
-
-
-def _unit(effect: str, name: str, revolute: bool) -> str:
-    for parameter in CATALOGUE[effect].parameters:
-        if parameter.name == name:
-            return parameter.unit_at(revolute=revolute)
-    return "m" if name.startswith("com_") else "kg m^2"
 
 
 def _series(lacks: Lacking, name: str, robot: Robot, model: Robot, gate: Gate) -> Series:

@@ -20,11 +20,12 @@ from robodyn.diagnose.refit import (
     without_vague_claim,
 )
 from robodyn.diagnose.result import Finding, Gap, Verdict
-from robodyn.diagnose.select.contact import Touched, contact_findings, standing
+from robodyn.diagnose.select.contact import Touched, contact_findings
 from robodyn.diagnose.select.encoders import elastic_findings, elasticity, stiff_words
 from robodyn.diagnose.select.scope import Scope
 from robodyn.diagnose.select.search import Outcome
 from robodyn.gate.gate import Gate
+from robodyn.identify.contact.contact import without
 from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]
@@ -32,12 +33,29 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Logs:
-    """Logs that have passed: those that are ``fitted``, and those that names are ``judged`` in, without the
-    windows of contacts; all of them ``whole``, by their hashes or names."""
+    """Logs that have passed: ``gates`` without the windows of contacts, of which the first ``fits`` are
+    fitted; their hashes or names ``digests``; by these all of them ``whole``."""
 
-    fitted: Sequence[Gate]
-    judged: Sequence[Gate]
+    gates: Sequence[Gate]
+    fits: int
+    digests: Sequence[str]
     whole: dict[str, Gate]
+
+    @property
+    def fitted(self) -> Sequence[Gate]:
+        """Those that are fitted."""
+        return self.gates[: self.fits]
+
+    @property
+    def judged(self) -> Sequence[Gate]:
+        """Those that names are judged in: what is not fitted, if there is such."""
+        return self.gates[self.fits :] or self.gates
+
+    def without(self, touched: Sequence[Touched]) -> Logs:
+        """The logs without the windows of these contacts."""
+        pairs = zip(self.gates, self.digests, strict=True)
+        gates = [without(gate, [one.contact for one in touched if one.log == log]) for gate, log in pairs]
+        return replace(self, gates=gates)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -107,14 +125,14 @@ def completed(
     robot: Robot, by_torque: Settled, touched: Sequence[Touched], logs: Logs, scope: Scope, lacks: Lacking
 ) -> Completed:
     """What was settled ``by_torque``, with what no fit to torques finds: springs that second encoders show,
-    where the torques fit no worse with them, and contacts that still stand out."""
+    where the torques fit no worse with them, and the contacts ``touched``."""
     own, verdict = by_torque.own, by_torque.verdict
     model, origins = own.robot, own.origins
     amendments = [amendment(f) for f in own.findings]
     gap = gap_of(lacks, robot, model, logs.fitted, logs.judged)
     by_encoders = elasticity(model, logs.fitted)
     springs = [f for f in elastic_findings(model, by_encoders) if scope.allows(f.effect, f.joint)]
-    contacts = contact_findings(standing(touched, logs.whole, lambda gate: lacks(own.robot, gate)))
+    contacts = contact_findings(touched)
     findings = (*map(with_known_errors, by_torque.findings), *springs, *contacts)
     stiff = apply_amendments(model, [amendment(f) for f in springs]).robot
     added = list(contacts)

@@ -14,71 +14,46 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.arm import Symmetric, about_x, about_z, into_child, origin
-from robodyn.dynamics.composite import Rows, rows_about_x, rows_about_z
 from robodyn.dynamics.functions.record import Moving
 from robodyn.dynamics.joints import joint_torque
-from robodyn.dynamics.lump import Lump
-from robodyn.dynamics.regroup import tensor_about_x, tensor_about_z
+from robodyn.dynamics.spatial import Pair, Spatial, inertia_of, less
 from robodyn.dynamics.vectors import ZERO, Mark, Vector, cross, dot, named, plus, scaled, unmarked
 from robodyn.effects.scalars import is_zero
 from robodyn.ir.program import Label
 
 
 @dataclass(frozen=True, slots=True)
-class _Body:
-    """An articulated body about its frame's origin: ``A`` and ``M``, symmetric, ``B`` by rows, and the moment
-    ``n`` and force ``f`` that it resists with at no acceleration."""
+class Yielding:
+    """How a joint gives way, its axis being z: the moment and force ``along`` which the body that it carries
+    resists a unit of its acceleration, the ``inverse`` of what that is along the joint itself, rotor
+    included, their product, the ``share``, and what of the body is ``felt`` through the joint, about and at
+    the same origin."""
 
-    A: Symmetric
-    B: Rows
-    M: Symmetric
-    n: Vector
-    f: Vector
-
-    def with_(self, other: _Body) -> _Body:
-        """Both, moving as one."""
-        one, two, three = (plus(u, v) for u, v in zip(self.B, other.B, strict=True))
-        return _Body(
-            _sum(self.A, other.A),
-            (one, two, three),
-            _sum(self.M, other.M),
-            plus(self.n, other.n),
-            plus(self.f, other.f),
-        )
-
-    def resists(self, alpha: Vector, a: Vector) -> tuple[Vector, Vector]:
-        """The moment and force that the accelerations take."""
-        columns = zip(*self.B, strict=True)
-        bx, by, bz = (dot((x, y, z), alpha) for x, y, z in columns)
-        mx, my, mz = (dot(row, a) for row in self.B)
-        return plus(self.A.times(alpha), (mx, my, mz)), plus((bx, by, bz), self.M.times(a))
-
-
-@dataclass(frozen=True, slots=True)
-class _Joint:
-    """How a joint gives way: the moment and force ``along`` which the body resists a unit of its
-    acceleration, the ``inverse`` of what that is along the joint itself, and the torque that is ``left``
-    for acceleration."""
-
-    along: tuple[Vector, Vector]
+    along: Pair
     inverse: Any
-    left: Any
+    share: Pair
+    felt: Spatial
+
+
+def yielding(at: Moving, origins: Sequence[Vector], mark: Mark) -> list[Yielding]:
+    """How the joints [n] give way, each with all that it carries free to move; ``origins`` [n] of the links
+    along the axes of those before them."""
+    joints: list[Yielding] = []
+    for i in reversed(range(len(at.arm.bodies))):
+        body = inertia_of(at.lumps[i])
+        if joints:
+            body = body.with_(_in_parent(at, i + 1, joints[-1].felt).moved(origins[i + 1]))
+        joints.append(_joint(at, i, body.named(i + 1, "i", mark), mark))
+    return joints[::-1]
 
 
 def articulated_bodies(at: Moving, tau: Sequence[Any], mark: Mark = unmarked) -> list[Any]:
     """Accelerations [n] (rad/s^2; m/s^2 at prismatic joints) that the torques ``tau`` [n] give."""
-    arm, motion, n = at.arm, at.motion, len(at.arm.bodies)
+    arm, motion = at.arm, at.motion
     origins = [origin(body, d) for body, d in zip(arm.bodies, motion.d, strict=True)]
     rates, carried = _rates(at, origins, mark)
-    joints: list[_Joint] = []
-    beyond: _Body | None = None
-    for i in reversed(range(n)):
-        body = _rigid(at.lumps[i], rates[i])
-        body = _named(body if beyond is None else body.with_(beyond), i + 1, mark)
-        joint = _joint(at, i, body, tau[i], mark)
-        joints.insert(0, joint)
-        if i:
-            beyond = _in_parent(at, i, _giving_way(at, i, body, joint, carried[i]), origins[i])
+    joints = yielding(at, origins, mark)
+    left = _left(at, tau, joints, origins, rates, carried, mark)
     gx, gy, gz = arm.gravity
     alpha, a = ZERO, (-gx, -gy, -gz)
     accelerations = []
@@ -87,7 +62,7 @@ def articulated_bodies(at: Moving, tau: Sequence[Any], mark: Mark = unmarked) ->
         a = plus(into_child(link, c, s, plus(a, cross(alpha, origins[i]))), carried[i][1])
         alpha = plus(into_child(link, c, s, alpha), carried[i][0])
         taken = dot(joint.along[0], alpha) + dot(joint.along[1], a)
-        qdd = mark((joint.left - taken) * joint.inverse, Label(i + 1, "qdd", ""))
+        qdd = mark((left[i] - taken) * joint.inverse, Label(i + 1, "qdd", ""))
         accelerations.append(qdd)
         if link.revolute:
             alpha = plus(alpha, (0, 0, qdd))
@@ -118,95 +93,59 @@ def _rates(
     return rates, carried
 
 
-def _rigid(lump: Lump, w: Vector) -> _Body:
-    """A link alone, turning at ``w``."""
-    inertia, m, (x, y, z) = lump.inertia(), lump.mass, lump.first
-    n = cross(w, inertia.times(w))
-    f = cross(w, cross(w, lump.first))
-    return _Body(inertia, ((0, -z, y), (z, 0, -x), (-y, x, 0)), Symmetric(m, m, m, 0, 0, 0), n, f)
+def _left(
+    at: Moving,
+    tau: Sequence[Any],
+    joints: Sequence[Yielding],
+    origins: Sequence[Vector],
+    rates: Sequence[Vector],
+    carried: Sequence[Pair],
+    mark: Mark,
+) -> list[Any]:
+    """What of the torques ``tau`` [n] is left for acceleration, where velocities are ``rates`` and add what
+    is ``carried``."""
+    n, f = ZERO, ZERO
+    left: list[Any] = []
+    for i in reversed(range(len(joints))):
+        link, joint, w = at.arm.bodies[i], joints[i], rates[i]
+        n = named(mark, plus(cross(w, at.lumps[i].inertia().times(w)), n), i + 1, "n")
+        f = named(mark, plus(cross(w, cross(w, at.lumps[i].first)), f), i + 1, "f")
+        friction = joint_torque(at.arm, i, at.motion, 0, unmarked)
+        left.append(tau[i] - friction - (n[2] if link.revolute else f[2]))
+        moment, force = joint.felt.times(*carried[i])
+        sn, sf = joint.share
+        n, f = plus(n, moment, scaled(left[-1], sn)), plus(f, force, scaled(left[-1], sf))
+        c, s, ca, sa = at.motion.c[i], at.motion.s[i], link.cos_alpha, link.sin_alpha
+        n, f = (about_x(ca, sa, about_z(c, s, u)) for u in (n, f))
+        n = plus(n, cross(origins[i], f))
+    return left[::-1]
 
 
-def _joint(at: Moving, i: int, body: _Body, tau: Any, mark: Mark) -> _Joint:
+def _joint(at: Moving, i: int, body: Spatial, mark: Mark) -> Yielding:
     link = at.arm.bodies[i]
     A, B, M = body.A, body.B, body.M
     if link.revolute:
-        along = (A.xz, A.yz, A.zz), B[2]
-        own, held = A.zz, body.n[2]
+        n, f = (A.xz, A.yz, A.zz), B[2]
+        own = A.zz
     else:
-        along = (B[0][2], B[1][2], B[2][2]), (M.xz, M.yz, M.zz)
-        own, held = M.zz, body.f[2]
+        n, f = (B[0][2], B[1][2], B[2][2]), (M.xz, M.yz, M.zz)
+        own = M.zz
     if not is_zero(link.motor_inertia):
         own = own + link.motor_inertia
-    friction = joint_torque(at.arm, i, at.motion, 0, unmarked)
     inverse = mark(Fraction(1) / mark(own, Label(i + 1, "pivot", "")), Label(i + 1, "ipivot", ""))
-    return _Joint(along, inverse, tau - friction - held)
-
-
-def _giving_way(at: Moving, i: int, body: _Body, joint: _Joint, carried: tuple[Vector, Vector]) -> _Body:
-    """What of ``body`` is felt through joint ``i``, which gives way, about and at the same origin."""
-    link, (n, f) = at.arm.bodies[i], joint.along
-    sn, sf = scaled(joint.inverse, n), scaled(joint.inverse, f)
-    A = _less(body.A, sn, n)
-    M = _less(body.M, sf, f)
-    one, two, three = (plus(row, scaled(-share, f)) for row, share in zip(body.B, sn, strict=True))
+    sn, sf = scaled(inverse, n), scaled(inverse, f)
+    A, M = less(A, sn, n), less(M, sf, f)
+    one, two, three = (plus(row, scaled(-share, f)) for row, share in zip(B, sn, strict=True))
     if is_zero(link.motor_inertia):  # nothing is felt along the joint; written out it is only almost 0
         if link.revolute:
             A, three = Symmetric(A.xx, A.yy, 0, A.xy, 0, 0), ZERO
         else:
             M = Symmetric(M.xx, M.yy, 0, M.xy, 0, 0)
             one, two, three = ((row[0], row[1], 0) for row in (one, two, three))
-    felt = _Body(A, (one, two, three), M, body.n, body.f)
-    moment, force = felt.resists(*carried)
-    return _Body(
-        A,
-        felt.B,
-        M,
-        plus(body.n, moment, scaled(joint.left, sn)),
-        plus(body.f, force, scaled(joint.left, sf)),
-    )
+    return Yielding((n, f), inverse, (sn, sf), Spatial(A, (one, two, three), M))
 
 
-def _in_parent(at: Moving, i: int, body: _Body, r: Vector) -> _Body:
-    """``body`` along the axes of the link before, about its origin, from which its own lies at ``r``."""
+def _in_parent(at: Moving, i: int, body: Spatial) -> Spatial:
+    """``body`` along the axes of the link before, about its own origin."""
     link = at.arm.bodies[i]
-    c, s, ca, sa = at.motion.c[i], at.motion.s[i], link.cos_alpha, link.sin_alpha
-    A = tensor_about_x(tensor_about_z(body.A, c, s), ca, sa)
-    M = tensor_about_x(tensor_about_z(body.M, c, s), ca, sa)
-    B = rows_about_x(ca, sa, rows_about_z(c, s, body.B))
-    n, f = (about_x(ca, sa, about_z(c, s, u)) for u in (body.n, body.f))
-    # With R u = r x u: B + R M, and A - B R + R (B + R M)^T.
-    columns = [cross(r, u) for u in ((M.xx, M.xy, M.xz), (M.xy, M.yy, M.yz), (M.xz, M.yz, M.zz))]
-    moved = [plus(row, more) for row, more in zip(B, zip(*columns, strict=True), strict=True)]
-    right = [cross(row, r) for row in B]
-    left = list(zip(*(cross(r, row) for row in moved), strict=True))
-
-    def entry(own: Any, row: int, column: int) -> Any:
-        return own - right[row][column] + left[row][column]
-
-    shifted = Symmetric(
-        entry(A.xx, 0, 0), entry(A.yy, 1, 1), entry(A.zz, 2, 2),
-        entry(A.xy, 0, 1), entry(A.xz, 0, 2), entry(A.yz, 1, 2),
-    )  # fmt: skip
-    return _Body(shifted, (moved[0], moved[1], moved[2]), M, plus(n, cross(r, f)), f)
-
-
-def _sum(one: Symmetric, other: Symmetric) -> Symmetric:
-    return Symmetric(*(u + v for u, v in zip(one.entries(), other.entries(), strict=True)))
-
-
-def _less(k: Symmetric, u: Vector, v: Vector) -> Symmetric:
-    """``k - u v^T``, which is symmetric."""
-    return Symmetric(
-        k.xx - u[0] * v[0], k.yy - u[1] * v[1], k.zz - u[2] * v[2],
-        k.xy - u[0] * v[1], k.xz - u[0] * v[2], k.yz - u[1] * v[2],
-    )  # fmt: skip
-
-
-def _named(body: _Body, link: int, mark: Mark) -> _Body:
-    def tensor(k: Symmetric, quantity: str) -> Symmetric:
-        entries = zip(k.entries(), ("xx", "yy", "zz", "xy", "xz", "yz"), strict=True)
-        return Symmetric(*(mark(value, Label(link, quantity, axes)) for value, axes in entries))
-
-    x, y, z = (named(mark, row, link, f"B{axis}") for row, axis in zip(body.B, "xyz", strict=True))
-    n, f = named(mark, body.n, link, "n"), named(mark, body.f, link, "f")
-    return _Body(tensor(body.A, "A"), (x, y, z), tensor(body.M, "M"), n, f)
+    return body.about_z(at.motion.c[i], at.motion.s[i]).about_x(link.cos_alpha, link.sin_alpha)

@@ -6,14 +6,8 @@ from collections.abc import Callable, Sequence
 from functools import cache
 from typing import Any
 
-from robodyn.dynamics.functions.record import (
-    INPUTS,
-    Dynamics,
-    Function,
-    Pair,
-    Vector,
-    parameters_of,
-)
+from robodyn.dynamics.functions.arguments import INPUTS
+from robodyn.dynamics.functions.record import Dynamics, Function, Pair, Vector, parameters_of
 from robodyn.errors import InputError
 
 #: What stands between the names of functions that are fused.

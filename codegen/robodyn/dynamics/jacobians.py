@@ -125,14 +125,14 @@ def _directions(arm: Placed, k: int, nearby: int) -> list[Vector]:
     """Ways to write the direction of section number ``k``: its axis, and from so many sections ``nearby``,
     along whose axes it has few components that are not zero."""
     ways = [arm.axes[k][2]]
-    seen: Vector = (0, 0, 1)
+    direction: Vector = (0, 0, 1)
     for j in range(k - 1, max(-1, k - 1 - nearby), -1):
-        seen = arm.sections[j].last.turned(arm.sections[j + 1].untwisted(seen))
-        ways.append(along(arm.axes[j], seen))
-    seen = (0, 0, 1)
+        direction = arm.sections[j].last.turned(arm.sections[j + 1].untwisted(direction))
+        ways.append(along(arm.axes[j], direction))
+    direction = (0, 0, 1)
     for j in range(k + 1, min(len(arm.sections), k + 1 + nearby)):
-        seen = arm.sections[j].twisted(arm.sections[j - 1].last.turned_back(seen))
-        ways.append(along(arm.axes[j], seen))
+        direction = arm.sections[j].twisted(arm.sections[j - 1].last.turned_back(direction))
+        ways.append(along(arm.axes[j], direction))
     return ways
 
 

@@ -7,6 +7,12 @@ from __future__ import annotations
 #: a recursion grows with the joints. At 6 joints the recursion takes two thirds of the operations.
 FEW_JOINTS: int = 4
 
+#: Joints of an arm from which on a function is also written in ways that only many joints suit
+#: (``Function.of_long_arms``): without the mass matrix, whose factors grow with the cube of the joints. Of
+#: fewer joints no arm takes fewer operations so; that of a tool's mass matrix begins at some 12, the inverse
+#: mass matrix at some 20.
+MANY_JOINTS: int = 9
+
 #: Joints of an arm at most whose Christoffel's symbols are written: there are as many as the joints' cube,
 #: and operations grow faster.
 SYMBOLS_JOINTS: int = 12

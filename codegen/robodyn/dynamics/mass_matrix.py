@@ -151,6 +151,11 @@ class Factored:
         return [[inverse[order[i]][order[j]] for j in range(n)] for i in range(n)]
 
 
+def factoring(n: int) -> int:
+    """Operations that :class:`Factored` takes for a matrix [n, n] without zeros and numbers."""
+    return sum(2 * j + 1 + (n - 1 - j) * (2 * j + 1) for j in range(n))
+
+
 def solve_symmetric(
     matrix: Sequence[Sequence[Any]], right: Sequence[Any], mark: Mark = unmarked
 ) -> list[Any]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from robodyn.emit.spelling import Spelling
+from robodyn.emit.spelling import Spelling, elements
 from robodyn.emit.syntax import Syntax
 from robodyn.emit.trig import trig_context
 
@@ -24,11 +24,6 @@ def c_spelling(*, single: bool, states: Sequence[str] = (), explicit: bool = Fal
     """``states`` are the members of ``state``, where a function has one; it has ``dt`` then. ``explicit``:
     products within sums stand in parentheses."""
 
-    def element(array: str, i: int) -> str:
-        if array == "dt":
-            return array
-        return f"state->{states[i]}" if array == "state" else f"{array}[{i}]"
-
     f = "f" if single else ""
     zero, one = (f"0.0{f}", f"1.0{f}")
     positive, negative = (
@@ -36,7 +31,7 @@ def c_spelling(*, single: bool, states: Sequence[str] = (), explicit: bool = Fal
     )
     return Spelling(
         literal=lambda digits: digits + f,
-        element=element,
+        element=elements(states, "state->{}", "{}[{}]"),
         member=lambda name: f"p->{name}",
         functions={
             "sin": lambda x: f"sin{f}({x})",

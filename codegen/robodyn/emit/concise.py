@@ -27,7 +27,7 @@ def often_read(program: Program) -> list[Fraction]:
     read: Counter[tuple[int, int]] = Counter()  # two integers are hashed sooner than a Fraction
     for i, operation in enumerate(program.operations):
         if i not in angular:
-            read.update(x.as_integer_ratio() for x in operation.args if isinstance(x, Fraction))
+            read.update([x.as_integer_ratio() for x in operation.args if type(x) is Fraction])
     often = [Fraction(*ratio) for ratio, times in read.items() if times >= _OFTEN]
     return [constant for constant in often if constant > 0 and len(repr(float(constant))) >= _LONG]
 

@@ -282,19 +282,20 @@ def _say_parameters(unit: Unit, language: Language, say: Any) -> None:
     if not names:
         return
     say(f"Run-time parameters, in {language.type_name(unit.robot.name, 'params')}:")
-    uses = _uses(unit.robot)
+    uses = parameter_uses(unit.robot)
     for name in names:
-        say(f"  {name}: {', '.join(uses.get(name, ()))}", "      ")
+        places = (f"{what} [{unit}]" if unit else what for what, unit in uses.get(name, ()))
+        say(f"  {name}: {', '.join(places)}", "      ")
 
 
-def _uses(robot: Robot) -> dict[str, tuple[str, ...]]:
-    """By run-time parameter: the numbers that it stands in, with their units."""
-    uses: dict[str, dict[str, None]] = {}
+def parameter_uses(robot: Robot) -> dict[str, tuple[tuple[str, str], ...]]:
+    """By run-time parameter: the numbers that it stands in, and their units."""
+    uses: dict[str, dict[tuple[str, str], None]] = {}
 
     def note(value: Any, what: str, unit: str) -> None:
         if isinstance(value, Affine):
             for name, _ in value.terms:
-                uses.setdefault(name, {})[f"{what} [{unit}]" if unit else what] = None
+                uses.setdefault(name, {})[what, unit] = None
         elif isinstance(value, Inertia):
             for axes in ("xx", "yy", "zz", "xy", "xz", "yz"):
                 note(getattr(value, axes), f"{what} {axes}", unit)

@@ -91,6 +91,8 @@ class Language:
     trig: Literal["libm", "builtin"] = "libm"
     #: Templates of tests with vectors, by the file that each makes (:mod:`robodyn.firmware.language_tests`).
     tests: Mapping[str, str] = field(default_factory=dict)
+    #: The same for packages, where ``gen`` writes none: programs that end with 1 if a result is wrong.
+    package_tests: Mapping[str, str] = field(default_factory=dict)
     scalars: tuple[ScalarType, ...] = ("double", "float")
     #: Whose sines and cosines it can have; our own ask for ``syntax`` with ``sines``.
     trigonometry: tuple[str, ...] = ("libm", "builtin", "given")

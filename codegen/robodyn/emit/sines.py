@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from robodyn.emit.statements import Apply, Body, Expression, Statement, inputs_of
 from robodyn.ir.program import Input
@@ -53,11 +53,11 @@ def together(body: Body, lanes: int) -> Together:
             place = first.setdefault(angle, len(first))
             called[statement.name] = Input(SINES if value.op == "sin" else COSINES, place)
             continue
-        statements.append(replace(statement, expression=pair))
+        statements.append(statement._replace(expression=pair))
     angles = list(first)
     if lanes > 1 and len(angles) > 2 and len(angles) % 2:
         angles.append(angles[0])
-    rest = [replace(s, expression=_called(s.expression, called)) for s in statements if s.name not in needed]
+    rest = [s._replace(expression=_called(s.expression, called)) for s in statements if s.name not in needed]
     outputs = tuple((array, tuple(_called(x, called) for x in elements)) for array, elements in body.outputs)
     read = inputs_of(*(s.expression for s in rest), *(x for _, elements in outputs for x in elements))
     return Together(

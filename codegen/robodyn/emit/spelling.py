@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -15,6 +15,24 @@ WIDTH = 100
 # Binding strength of the operators, weakest first; a name or a call binds strongest.
 _SUM, _PRODUCT, _UNARY, _ATOM = 1, 2, 3, 4
 _OPERATORS = {"add": ("+", _SUM), "sub": ("-", _SUM), "mul": ("*", _PRODUCT), "div": ("/", _PRODUCT)}
+
+
+def elements(
+    states: Sequence[str], of_state: str, of_array: str, *, first: int = 0
+) -> Callable[[str, int], str]:
+    """How a language writes element number ``i`` of an array, from 0.
+
+    ``states`` are the members of ``state``, where a function has one, written as ``of_state`` with the
+    member's name; it has the number ``dt`` then. Other arrays are ``of_array``, with the array's name and the
+    element's number, counted from ``first``.
+    """
+
+    def element(array: str, i: int) -> str:
+        if array == "dt":
+            return array
+        return of_state.format(states[i]) if array == "state" else of_array.format(array, i + first)
+
+    return element
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,15 +68,15 @@ class Spelling:
             if expression.index is None:
                 return self.member(expression.array), _ATOM
             return self.element(expression.array, expression.index), _ATOM
-        return self.number(expression), (_UNARY if expression < 0 else _ATOM)
+        return self.number(expression), (_UNARY if expression.numerator < 0 else _ATOM)
 
     def _operation(self, expression: Apply) -> tuple[str, int]:
         op, args = expression
-        if op in self.functions:
-            return self.functions[op](*(self._text(arg)[0] for arg in args)), _ATOM
         if op == "neg":
             text, strength = self._text(args[0])
             return ("-" + (text if strength == _ATOM else f"({text})")), _UNARY
+        if op not in _OPERATORS:
+            return self.functions[op](*(self._text(arg)[0] for arg in args)), _ATOM
         symbol, own = _OPERATORS[op]
         left, left_strength = self._text(args[0])
         right, right_strength = self._text(args[1])
@@ -85,7 +103,7 @@ class Spelling:
 
 
 #: The smallest normal numbers: below them digits are lost, and compilers complain.
-_SMALLEST = {True: Fraction(1, 2**126), False: Fraction(1, 2**1022)}
+_SMALLEST = {True: 2.0**-126, False: 2.0**-1022}
 
 
 def shortest(value: Fraction, *, single: bool) -> str:
@@ -94,9 +112,10 @@ def shortest(value: Fraction, *, single: bool) -> str:
     :class:`InputError` where the type has no normal number near it.
     """
     try:
-        if value and abs(value) < _SMALLEST[single]:
+        numerator, denominator = value.as_integer_ratio()
+        rounded = nearest_float(value) if single else numerator / denominator
+        if value and abs(rounded) <= _SMALLEST[single] and abs(value) < _SMALLEST[single]:
             raise OverflowError("below the smallest normal number")
-        rounded = nearest_float(value) if single else float(value)
     except OverflowError:
         kind = "float" if single else "double"
         raise InputError(

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from robodyn.emit.concise import LARGE, explained_once, of_angles, often_read
 from robodyn.emit.readable import steps_served
-from robodyn.ir.program import Input, Label, Operand, Program
+from robodyn.ir.program import Input, Label, Program
 from robodyn.robot.names import is_reserved
 
 #: What a quantity is, and its unit, for headings.
@@ -71,9 +71,19 @@ QUANTITIES: dict[str, str] = {
     "fu": "force for a unit acceleration of a joint further out",
     "nu": "moment for a unit acceleration of a joint further out",
     "m": "mass matrix, its row of this joint",
+    "ia": "inertia of all that the joint carries, the joints beyond free to move, about the frame's origin",
+    "ea": "acceleration of the frame for a push at its origin, all joints free to move",
     "pivot": "factorisation M = U D U^T",
     "y": "forward substitution",
     "qdd": "joint acceleration [rad/s^2], at a prismatic joint [m/s^2]",
+}
+
+
+#: Quantities that stand under the heading of another.
+_UNDER: dict[str, str] = {
+    **dict.fromkeys(("ipivot", "u", "ud"), "pivot"),
+    **dict.fromkeys(("ibx", "iby", "ibz", "im"), "ia"),
+    **dict.fromkeys(("ebx", "eby", "ebz", "em"), "ea"),
 }
 
 
@@ -88,8 +98,7 @@ class Apply(NamedTuple):
 Expression = str | Input | Fraction | Apply
 
 
-@dataclass(frozen=True, slots=True)
-class Statement:
+class Statement(NamedTuple):
     """``name = expression``. ``heading`` opens a group of statements; ``angle`` marks the argument of a
     sine and a cosine."""
 
@@ -169,17 +178,18 @@ def statements(
             heading = _NUMBERS
     angular = of_angles(program) if numbers else set()
 
-    def expression(operand: Operand, i: int) -> Expression:
-        """An operand of operation ``i``."""
-        if isinstance(operand, int):
-            return text[operand]
-        if numbers and isinstance(operand, Fraction) and i not in angular:
-            return numbers.get(operand.as_integer_ratio(), operand)
-        return operand
-
     for i, (op, args, label) in enumerate(operations):
-        whole = Apply(op, tuple([expression(arg, i) for arg in args]))
-        steps = 1 + sum([size[arg] for arg in args if isinstance(arg, int)])
+        steps = 1
+        written_args: list[Expression] = []
+        for arg in args:
+            if isinstance(arg, int):
+                steps += size[arg]
+                written_args.append(text[arg])
+            elif numbers and type(arg) is Fraction and i not in angular:
+                written_args.append(numbers.get(arg.as_integer_ratio(), arg))
+            else:
+                written_args.append(arg)
+        whole = Apply(op, tuple(written_args))
         alone = i in named or steps >= _LONGEST or (following is not None and i not in following)
         if not alone:
             text.append(whole)
@@ -264,7 +274,7 @@ def _heading(label: Label | None) -> str | None:
         return None
     if label.quantity.removesuffix("to").rstrip("0123456789") in ("c", "s", "angle"):
         return QUANTITIES["sc"]
-    family = {"ipivot": "pivot", "u": "pivot", "ud": "pivot"}.get(label.quantity, label.quantity)
+    family = _UNDER.get(label.quantity, label.quantity)
     meaning = QUANTITIES.get(family)
     if meaning is None:
         return None

@@ -45,6 +45,11 @@ def calls(unit: Unit) -> set[str]:
     return {operation.op for _, program in unit.functions for operation in program.operations}
 
 
+def needs_libm(unit: Unit) -> bool:
+    """Whether the C of ``unit`` includes what is libm's."""
+    return not unit.builtin or bool(calls(unit) & OF_LIBM)
+
+
 def has_sines(unit: Unit) -> bool:
     """Whether a function of ``unit`` calls our own sine and cosine."""
     return unit.builtin and any(count(program).sincos for _, program in unit.functions)

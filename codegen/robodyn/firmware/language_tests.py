@@ -1,4 +1,5 @@
-"""Tests with vectors that go with the sources of a language (``Language.tests``).
+"""Tests with vectors that go with the sources of a language (``Language.tests``), or with a package of them
+(``Language.package_tests``).
 
 What is expected is the program evaluated to 40 digits, and confirmed by exact torques where the arm is rigid;
 the tolerance is what rounding can change (:mod:`robodyn.firmware.rounding`).
@@ -15,7 +16,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.emit.head import state_members
-from robodyn.emit.language import Language
 from robodyn.emit.languages import languages_named
 from robodyn.emit.lines import head_of
 from robodyn.emit.render import environment
@@ -40,14 +40,21 @@ _TITLE = (
 )
 
 
-def language_tests(generated: Generated, languages: Sequence[str]) -> dict[str, str]:
-    """The tests that go with ``languages``: text by file name; none for languages without any.
+def language_tests(
+    generated: Generated, languages: Sequence[str], *, packaged: bool = False
+) -> dict[str, str]:
+    """The tests that go with ``languages``: text by file name; none for languages without any. ``packaged``:
+    those that go with packages only.
 
     Raises
     ------
     InputError: there is no such language.
     """
-    chosen = [language for language in languages_named(languages) if language.tests]
+    chosen = [
+        (language, templates)
+        for language in languages_named(languages)
+        if (templates := language.package_tests if packaged else language.tests)
+    ]
     if not chosen:
         return {}
     robot, scalar = generated.unit.robot, generated.options.scalar
@@ -67,7 +74,7 @@ def language_tests(generated: Generated, languages: Sequence[str]) -> dict[str, 
         name=robot.name, confirmed=" and confirmed by exact torques from virtual work" if confirmed else ""
     )
     files: dict[str, str] = {}
-    for language in chosen:
+    for language, templates in chosen:
         spelling = language.spelling(scalar == "float")
         context = {
             "parameters": robot.parameters,
@@ -78,14 +85,14 @@ def language_tests(generated: Generated, languages: Sequence[str]) -> dict[str, 
             "values": [spelling.number(Fraction(values[name])) for name in robot.parameters],
             "functions": [_spelled(*function, spelling, scalar) for function in functions],
         }
-        files |= _rendered(language, robot.name, context)
+        files |= _rendered(templates, robot.name, context)
     return files
 
 
-def _rendered(language: Language, name: str, context: Mapping[str, Any]) -> dict[str, str]:
+def _rendered(templates: Mapping[str, str], name: str, context: Mapping[str, Any]) -> dict[str, str]:
     return {
         file.replace("NAME", name): environment().get_template(template).render(context)
-        for file, template in language.tests.items()
+        for file, template in templates.items()
     }
 
 
@@ -180,6 +187,7 @@ def _spelled(
                 "outputs": [
                     {
                         "array": array,
+                        "size": len(expected),
                         "expected": numbers(expected),
                         "tolerance": numbers(rounded_up(t, scalar) for t in tolerance),
                     }

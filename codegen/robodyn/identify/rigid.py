@@ -81,7 +81,7 @@ class Reuse:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Rigid:
+class Rigid:
     """The rigid arm along a motion: torques [K, n], forces and moments in the joints [K, n, 3]."""
 
     tau: Floats
@@ -137,9 +137,15 @@ class Model:
         """The model's torques along a motion of the links; that of the ``motors`` is the same unless it is
         given."""
         if self.reuse is None or motors is not None:
-            arm = self._rigid(q, qd, qdd)
+            arm = self.rigid(q, qd, qdd)
         else:
-            arm = self.reuse.of("loads", self.arm, (q, qd, qdd), lambda: self._rigid(q, qd, qdd))
+            arm = self.reuse.of("loads", self.arm, (q, qd, qdd), lambda: self.rigid(q, qd, qdd))
+        return self.driven(arm, q, qd, qdd, motors)
+
+    def driven(
+        self, arm: Rigid, q: Floats, qd: Floats, qdd: Floats, motors: Moved | None = None
+    ) -> Evaluated:
+        """What the drives make of the rigid ``arm``, as :meth:`evaluate` has it."""
         f, m = arm.f, arm.m
         loads = Loads(
             list(arm.tau.T),
@@ -166,7 +172,7 @@ class Model:
         rows = newton_euler(self.arm, self.motion(q, qd, qdd), unmarked)
         return np.stack([row + np.zeros(len(q)) for row in rows], axis=1)
 
-    def _rigid(self, q: Floats, qd: Floats, qdd: Floats) -> _Rigid:
+    def rigid(self, q: Floats, qd: Floats, qdd: Floats) -> Rigid:
         """The arm without its drives."""
         f, m = (np.zeros((self.n, 3, len(q))).transpose(2, 0, 1) for _ in range(2))
         tables = {"f": f, "n": m}
@@ -179,7 +185,7 @@ class Model:
         tau = np.zeros((self.n, len(q))).T
         for i, torque in enumerate(newton_euler(self.arm, self.motion(q, qd, qdd), mark)):
             tau[:, i] = torque
-        return _Rigid(tau, f, m)
+        return Rigid(tau, f, m)
 
     def torque(self, q: Floats, qd: Floats, qdd: Floats) -> Floats:
         """Motor torques [K, n]."""

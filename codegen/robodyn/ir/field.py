@@ -1,9 +1,9 @@
 """Finite fields in which programs are compared, each drawn from a hash of what is compared in it.
 
 A fixed prime can be played against: a constant that is a multiple of it is 0 there and not in truth. Here
-the prime (120 bits, one of more than 2^111) and every point are drawn from a hash of all that is compared:
-whoever chooses a constant changes the prime that it would have to be a multiple of. How likely a false match
-is stands in ``docs/decisions/0017-proofs-against-intent.md``.
+the prime (120 bits, one of more than 2^111, or 240) and every point are drawn from a hash of all that is
+compared: whoever chooses a constant changes the prime that it would have to be a multiple of. How likely a
+false match is stands in ``docs/decisions/0017-proofs-against-intent.md``.
 """
 
 from __future__ import annotations
@@ -16,8 +16,8 @@ from fractions import Fraction
 
 from robodyn.ir.program import Input
 
-#: Primes have so many bits: four digits of Python's integers, and products fit eight.
-_BITS = 120
+#: Primes have so many bits unless more are asked for: four digits of Python's integers, products fit eight.
+BITS = 120
 _SMALL_PRIMES = tuple(p for p in range(3, 1000) if all(p % d for d in range(2, math.isqrt(p) + 1)))
 _PRODUCT = math.prod(_SMALL_PRIMES)
 #: Rounds of Miller and Rabin with bases of chance: a composite number of any kind passes one in four, a
@@ -30,18 +30,24 @@ class Vanishes(ArithmeticError):
 
 
 class Field:
-    """The integers modulo a prime of 120 bits. Random values are drawn from ``seed``, and so is the prime,
-    unless ``prime_seed`` is there for it; or it is ``prime``, 3 modulo 4 and of any length.
+    """The integers modulo a prime of so many ``bits``. Random values are drawn from ``seed``, and so is the
+    prime, unless ``prime_seed`` is there for it; or it is ``prime``, 3 modulo 4 and of any length.
 
     The prime is 3 modulo 4: ``1 + t * t`` is never 0, and every ``t`` gives a point of the circle.
     """
 
     __slots__ = ("_circles", "_inverses", "_key", "prime")
 
-    def __init__(self, seed: str | bytes, prime_seed: bytes | None = None, prime: int | None = None) -> None:
+    def __init__(
+        self,
+        seed: str | bytes,
+        prime_seed: bytes | None = None,
+        prime: int | None = None,
+        bits: int = BITS,
+    ) -> None:
         text = seed.encode() if isinstance(seed, str) else seed
         self._key = hashlib.blake2b(text, digest_size=32).digest()
-        self.prime = prime or drawn_prime(text if prime_seed is None else prime_seed)
+        self.prime = prime or drawn_prime(text if prime_seed is None else prime_seed, bits)
         self._circles: dict[str, tuple[int, int]] = {}
         self._inverses: dict[int, int] = {1: 1}
 
@@ -145,10 +151,10 @@ def _drawn(key: bytes, name: str) -> int:
 
 
 @functools.lru_cache(maxsize=256)
-def drawn_prime(seed: bytes) -> int:
-    """The prime of 120 bits, 3 modulo 4, that belongs to ``seed``."""
+def drawn_prime(seed: bytes, bits: int = BITS) -> int:
+    """The prime of so many ``bits`` (255 at most), 3 modulo 4, that belongs to ``seed``."""
     key = hashlib.blake2b(seed, digest_size=32, person=b"robodyn prime").digest()
-    top = 1 << (_BITS - 1)
+    top = 1 << (bits - 1)
     # Every number that is 3 modulo 4 is as likely as any other: no walk from a starting point, which would
     # favour primes behind long gaps.
     k = 0

@@ -9,7 +9,7 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.ir.evaluate import AngleForm, Circle, angle_form, is_angle
-from robodyn.ir.field import Field, Vanishes
+from robodyn.ir.field import BITS, Field, Vanishes
 from robodyn.ir.program import Input, Operand, Program
 
 
@@ -129,9 +129,11 @@ def _word(operand: Operand) -> str:
 _DRAWS = 4
 
 
-def in_drawn_field(decide: Callable[[Field], Any], *parts: bytes, prime_of: bytes | None = None) -> Any:
-    """What ``decide`` makes of a field that is drawn from ``parts``: all that whoever would like another
-    answer could change. Where a constant vanishes in the field, the next one is taken.
+def in_drawn_field(
+    decide: Callable[[Field], Any], *parts: bytes, prime_of: bytes | None = None, bits: int = BITS
+) -> Any:
+    """What ``decide`` makes of a field of so many ``bits`` that is drawn from ``parts``: all that whoever
+    would like another answer could change. Where a constant vanishes in the field, the next one is taken.
 
     The first prime belongs to ``prime_of`` where that is given: comparisons that share it draw it but once.
 
@@ -142,8 +144,8 @@ def in_drawn_field(decide: Callable[[Field], Any], *parts: bytes, prime_of: byte
     seed = b"".join(len(part).to_bytes(4, "big") + part for part in parts)
     for k in range(_DRAWS - 1):
         with contextlib.suppress(Vanishes):
-            return decide(Field(seed + bytes((k,)), prime_of if k == 0 else None))
-    return decide(Field(seed + bytes((_DRAWS - 1,))))
+            return decide(Field(seed + bytes((k,)), prime_of if k == 0 else None, bits=bits))
+    return decide(Field(seed + bytes((_DRAWS - 1,)), bits=bits))
 
 
 def agree(

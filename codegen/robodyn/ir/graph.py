@@ -15,29 +15,11 @@ from fractions import Fraction
 from typing import Any, Union
 
 from robodyn.ir.digits import check_digits
+from robodyn.ir.key import Key, children
 from robodyn.ir.program import Input, Label, Operand, Program
 from robodyn.ir.size import MOST_POSITIONS, too_large
 
 Scalar = Union["Node", Fraction, int]
-#: An operation over positions: ``("mul", i, j)``, ``("add", i, relative sign, j)``, ``("scale", factor, i)``,
-#: ``("sqrt", i, sign)``, ``("pow", i, sign, j, sign)``, ``("const", value)``, ``("input", Input)``.
-Key = tuple[Any, ...]
-
-
-def children(key: Key) -> tuple[int, ...]:
-    """Positions that ``key`` reads."""
-    op = key[0]
-    if op == "add":
-        return (key[1], key[3])
-    if op == "scale":
-        return (key[2],)
-    if op in ("input", "const"):
-        return ()
-    if op in ("sqrt", "exp"):
-        return (key[1],)
-    if op == "pow":
-        return (key[1], key[3])
-    return key[1:]
 
 
 class Node:
@@ -143,22 +125,8 @@ class Graph:
             if b == 0:
                 return a
             b = self.constant(b)
-        i, j = a.position, b.position
-        if self.fold:
-            if i == j:
-                return self.mul(Node(self, i, 1), a.sign + b.sign)
-            one, other = self.keys[i][0], self.keys[j][0]
-            if one == "scale" or other == "scale":
-                (ka, xa), (kb, xb) = self._scaled(a), self._scaled(b)
-                if xa == xb:  # k x + l x = (k + l) x
-                    return self.mul(Node(self, xa, 1), ka + kb)
-            elif one in _OFFSET and other in _OFFSET:
-                (rest_a, ca), (rest_b, cb) = self._offset(a), self._offset(b)
-                if ca and cb:  # (x + c) + (y + d) = (x + y) + (c + d)
-                    return self.add(rest_a, rest_b) + (ca + cb)
-        if i > j:
-            return self._node(("add", j, a.sign * b.sign, i), b.sign)
-        return self._node(("add", i, a.sign * b.sign, j), a.sign)
+        simpler = self._simpler_sum(a, b) if self.fold else None
+        return self._node(*sum_of(a, b)) if simpler is None else simpler
 
     def mul(self, a: Scalar, b: Scalar) -> Scalar:
         """``a * b``."""
@@ -309,17 +277,23 @@ class Graph:
         if key[0] == "const" or key[0] == "scale":
             check_digits(key[1])
 
+    def append(self, key: Key, known: Key) -> int:
+        """The position of ``key``, which there is none of yet; the table has it as ``known``."""
+        position = len(self.keys)
+        if position >= MOST_POSITIONS:
+            raise too_large()
+        self._table[known] = position
+        self.keys.append(key)
+        self.reads.append(children(key))
+        return position
+
     # -- inside ---------------------------------------------------------------------------------
     def _node(self, key: Key, sign: int = 1, known: Key | None = None) -> Node:
         # A Fraction's hash takes a modular inverse; its two integers, in ``known``, do as well.
         known = known or key
         position = self._table.get(known)
         if position is None:
-            position = self._table[known] = len(self.keys)
-            if position >= MOST_POSITIONS:
-                raise too_large()
-            self.keys.append(key)
-            self.reads.append(children(key))
+            position = self.append(key, known)
         return Node(self, position, sign)
 
     def _odd(self, op: str, a: Scalar) -> Scalar:
@@ -328,6 +302,22 @@ class Graph:
                 return 0
             a = self.constant(a)
         return self._node((op, a.position), a.sign)
+
+    def _simpler_sum(self, a: Node, b: Node) -> Scalar | None:
+        """``a + b`` where algebra makes less of it than an addition, else None."""
+        i, j = a.position, b.position
+        if i == j:
+            return self.mul(Node(self, i, 1), a.sign + b.sign)
+        one, other = self.keys[i], self.keys[j]
+        if one[0] == "scale" or other[0] == "scale":
+            (ka, x), (kb, y) = _scaled(one, i), _scaled(other, j)
+            if x == y:  # k x + l x = (k + l) x
+                return self.mul(Node(self, x, 1), a.sign * ka + b.sign * kb)
+        elif one[0] in _OFFSET and other[0] in _OFFSET:
+            (rest_a, ca), (rest_b, cb) = self._offset(a), self._offset(b)
+            if ca and cb:  # (x + c) + (y + d) = (x + y) + (c + d)
+                return self.add(rest_a, rest_b) + (ca + cb)
+        return None
 
     def _offset(self, a: Node) -> tuple[Scalar, Fraction | int]:
         """``a`` as a value plus a constant."""
@@ -342,9 +332,14 @@ class Graph:
                 return Node(self, j, a.sign * relative), a.sign * self.keys[i][1]
         return a, 0
 
-    def _scaled(self, a: Node) -> tuple[Fraction | int, int]:
-        """``a`` as a factor times a position."""
-        key = self.keys[a.position]
-        if key[0] == "scale":
-            return a.sign * key[1], key[2]
-        return a.sign, a.position
+
+def _scaled(key: Key, position: int) -> tuple[Fraction | int, int]:
+    """What stands at ``position`` as a factor times a position."""
+    return (key[1], key[2]) if key[0] == "scale" else (1, position)
+
+
+def sum_of(a: Node, b: Node) -> tuple[Key, int]:
+    """``a + b``: an operation of which it is plus or minus the value, and that sign."""
+    if a.position > b.position:
+        a, b = b, a
+    return ("add", a.position, a.sign * b.sign, b.position), a.sign

@@ -10,7 +10,7 @@ from fractions import Fraction
 from itertools import compress
 
 from robodyn.ir.graph import Graph, Node, Scalar
-from robodyn.ir.program import Operand, Operation, Program
+from robodyn.ir.program import Operand, Operation, Program, operation_of
 
 Outputs = Iterable[tuple[str, Sequence[Scalar]]]
 
@@ -48,7 +48,7 @@ def lower(graph: Graph, outputs: Outputs, stored: Mapping[int, int] | None = Non
     def minus(position: int) -> Operand:
         """Minus what stands in the place of ``position``."""
         there = place[position]
-        if isinstance(there, Fraction):
+        if type(there) is Fraction:
             return -there
         if position not in negated:
             negated[position] = len(operations)
@@ -92,7 +92,7 @@ def lower(graph: Graph, outputs: Outputs, stored: Mapping[int, int] | None = Non
         if label is not None and own < 0:
             label = label.flipped()
         place[position] = len(operations)
-        operations.append(Operation(op, args, label))
+        operations.append(operation_of((op, args, label)))
 
     def result(value: Scalar) -> Operand:
         return signed(value.position, value.sign) if isinstance(value, Node) else Fraction(value)

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from functools import partial
 from typing import Any, NamedTuple
 
 
@@ -59,6 +60,11 @@ class Operation(NamedTuple):
     label: Label | None = None
 
 
+#: An :class:`Operation` of its three fields as a tuple, in half the time; there are many.
+operation_of: Callable[[tuple[str, tuple[Operand, ...], Label | None]], Operation]
+operation_of = partial(tuple.__new__, Operation)
+
+
 @dataclass(frozen=True, slots=True)
 class Program:
     """Assignments in an order in which each uses only what stands before it.
@@ -103,7 +109,7 @@ class Program:
     def zeros(self) -> dict[str, tuple[int, ...]]:
         """By output the elements (from 0) that are 0 whatever the inputs; not outputs without any."""
         places = {
-            name: tuple(i for i, x in enumerate(elements) if isinstance(x, Fraction) and not x)
+            name: tuple([i for i, x in enumerate(elements) if type(x) is Fraction and not x])
             for name, elements in self.outputs
         }
         return {name: zeros for name, zeros in places.items() if zeros}

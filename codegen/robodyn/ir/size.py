@@ -5,7 +5,7 @@ from __future__ import annotations
 from robodyn.errors import InputError
 
 #: Positions of a graph at most: building and comparing it takes some 2 GB and a minute or two, and its C has
-#: 25 MB, more than compilers take. The inverse mass matrix of 100 joints has 1.1 million.
+#: 25 MB, more than compilers take.
 MOST_POSITIONS = 1_500_000
 
 

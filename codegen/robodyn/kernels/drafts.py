@@ -13,8 +13,12 @@ CLEARLY = 0.9
 #: The passes take less than a sixth of a draft away: a record that is further below need not wait for them.
 OF_PASSES = 5 / 6
 #: Joints of an arm at most of which a function that is put together from its parts in any case is written
-#: anew as well: that saves an operation in a hundred on one arm in thirty, and takes long on long arms.
+#: anew as well: that saves an operation in a hundred on one arm in thirty, and takes long on long arms. Of
+#: longer ones a way over the parts is not built where these alone take clearly more than another way.
 ANEW_JOINTS = 12
+#: Where less of a matrix is numbers, known beforehand, than what this leaves, its factors take about as many
+#: operations as those of one without any.
+DENSE = 0.9
 #: Of so few operations, and of gravity's, they may save more.
 SMALL = 100
 

@@ -17,6 +17,7 @@ from robodyn.dynamics.functions import NoSuchFunction, emitted_name, function_na
 from robodyn.emit import Unit, render
 from robodyn.emit.languages import defaults, languages_named, require
 from robodyn.formats.loading import robot_of
+from robodyn.ir.garbage import rarely_collected
 from robodyn.ir.program import Program
 from robodyn.ir.signature import Signature
 from robodyn.kernels.options import (
@@ -94,6 +95,7 @@ class Generated:
             return {}
         return {"base_parameters": [parameter.to_dict() for parameter in base_set_of(self.unit.robot)]}
 
+    @rarely_collected()
     def files(self, languages: Sequence[str] | None = None, *, batch: bool = False) -> dict[str, str]:
         """The files in ``languages`` (default: :func:`robodyn.emit.languages.defaults`): text by file name;
         with ``batch`` those of batches too. Writes nothing.
@@ -117,6 +119,7 @@ class Generated:
         return files
 
 
+@rarely_collected()
 def generate(
     robot: Robot | str | PathLike[str],
     options: Options | None = None,
@@ -225,6 +228,7 @@ _TITLES = {
 }
 
 
+@rarely_collected()
 def program(robot: Robot | str | PathLike[str], function: str, options: Options | None = None) -> Program:
     """The optimised program of one function of ``robot`` (or of that path or name), with its effects.
 

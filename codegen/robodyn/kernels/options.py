@@ -63,6 +63,8 @@ class Options:
     ``target`` names the processor (:meth:`for_target` takes what it chooses); ``contraction``, on or off, is
     whether compilers may fuse products and sums; None leaves that to their flags.
     ``prune`` is the share of each joint's peak torque that may be wrong (:mod:`robodyn.optimize.prune`).
+    ``derivatives`` adds the functions that have the derivatives of those asked for, as far as the robot has
+    them.
     """
 
     functions: tuple[str, ...] | None = None
@@ -82,6 +84,7 @@ class Options:
     misra: bool = False
     readable: bool = False
     without: tuple[str, ...] = ()
+    derivatives: bool = False
 
     def __post_init__(self) -> None:
         if self.functions is not None:
@@ -109,9 +112,14 @@ class Options:
     def function_names(self) -> tuple[str, ...]:
         """Names of the functions that are asked for, or would be if the robot had them."""
         if self.functions is None:
-            return by_default()
-        all_there_are = (name for name in FUNCTIONS if ALL in self.functions and name not in self.without)
-        return tuple(dict.fromkeys((*all_there_are, *(name for name in self.functions if name != ALL))))
+            names: tuple[str, ...] = by_default()
+        else:
+            all_there_are = (name for name in FUNCTIONS if ALL in self.functions and name not in self.without)
+            names = (*all_there_are, *(name for name in self.functions if name != ALL))
+        if self.derivatives:
+            of_each = (function_named(name).derivatives for name in names)
+            names = (*names, *(derivative.function for each in of_each for derivative in each))
+        return tuple(dict.fromkeys(names))
 
     def insists_on(self, function: str) -> bool:
         """Whether ``function`` is asked for by its name: a robot that does not have it is refused."""

@@ -12,7 +12,7 @@ class Unequal(AssertionError):
 
 
 def prove(robot: Robot, function: str, program: Program) -> None:
-    """Compare ``program`` with the plain recursion at two points of fields that are drawn from both.
+    """Compare ``program`` with the plain recursion at a point of a field that is drawn from both.
 
     Raises
     ------

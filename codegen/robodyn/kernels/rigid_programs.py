@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from robodyn.counts import Count
@@ -13,7 +14,7 @@ from robodyn.dynamics.fusing import AND, Writing, one_after_another
 from robodyn.ir.graph import Graph
 from robodyn.ir.program import Input, Program
 from robodyn.ir.size import TooLarge
-from robodyn.kernels.drafts import ANEW_JOINTS, OF_PASSES, SMALL, least, total
+from robodyn.kernels.drafts import ANEW_JOINTS, CLEARLY, DENSE, OF_PASSES, SMALL, least, total
 from robodyn.kernels.options import Options
 from robodyn.kernels.proof import prove
 from robodyn.optimize.fast import fast_choices
@@ -260,20 +261,48 @@ class RigidPrograms:
 
             return build_through_sympy(self.robot, function, self.choice)
         known = function_named(function)
-        writings = (*known.writings(self.robot.n), *known.of_rigid_arms)
+        writings: list[Writing] = []
         drafts = self._fused(known) if known.fuses else []
         if not known.fuses and not (known.apart and self.robot.n > ANEW_JOINTS):
-            drafts = [build(self.robot, function, self.choice, writing) for writing in writings]
+            writings, drafts = self._written(known)
         if known.apart:
             drafts += self._of_parts(known)
-        if len(drafts) == 1:
-            return drafts[0]
-        k, self._after_passes[function] = self._least(drafts)
-        self._writings[function] = known.outputs if known.fuses or k >= len(writings) else writings[k]
+        k = 0
+        if len(drafts) > 1:
+            k, self._after_passes[function] = self._least(drafts)
+        self._writings[function] = writings[k] if k < len(writings) else known.outputs
         if known.fuses and k == 0:  # the best programs of the parts are not in it
             for part in set(self.taken) - set(self.options.function_names if self.options.functions else ()):
                 del self.taken[part]
         return drafts[k]
+
+    def _written(self, function: Function) -> tuple[list[Writing], list[Program]]:
+        """The ways to write ``function`` that may take the fewest operations, and what they give.
+
+        Of a long arm none over its parts where these alone cost more than another way: mass matrices grow
+        with the square of the joints.
+        """
+
+        def built(ways: Sequence[Writing]) -> list[Program]:
+            return [build(self.robot, function.name, self.choice, way) for way in ways]
+
+        n = self.robot.n
+        others = function.without_effects(n)
+        rivals = built(others)
+        if rivals and n > ANEW_JOINTS:
+            least_of_rivals = min(map(self._cost, rivals))
+            if least_of_rivals <= CLEARLY * self._over_parts(function):
+                return list(others), rivals
+        ways = function.writings(n)
+        return [*ways, *others], [*built(ways), *rivals]
+
+    def _over_parts(self, function: Function) -> float:
+        """What ``function`` costs over its parts, about and at least; 0 without any."""
+        parts = [self.best(part) for part in function.parts]
+        results = [x for part in parts for x in part.results()]
+        values = sum(type(x) is not Fraction for x in results)
+        dense = values >= DENSE * len(results) and self._cost is total
+        return sum(map(self._cost, parts)) + (function.beside_parts(self.robot.n) if parts and dense else 0)
 
 
 def _by(objective: str) -> Callable[[Program], float]:

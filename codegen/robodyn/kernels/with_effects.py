@@ -263,10 +263,15 @@ def _with_rotors(layer: Layer, entries: list[Any], n: int) -> list[Any]:
     return matrix
 
 
+def is_affine(robot: Robot) -> bool:
+    """Whether torques are affine in accelerations: no friction depends on the load."""
+    return not robot.effects or layer_of(robot, as_is, lambda _: 1).is_affine
+
+
 def check_solvable(robot: Robot, function: Function) -> None:
     """:class:`ImplicitDynamics` where ``function`` solves for accelerations of ``robot``, on which friction
     depends through the load."""
-    if function.solves and not layer_of(robot, as_is, lambda _: 1).is_affine:
+    if function.solves and not is_affine(robot):
         raise ImplicitDynamics(
             f"{robot.name} has no {function.words} in closed form",
             found="friction that depends on the load, and so on the accelerations",

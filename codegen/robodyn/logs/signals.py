@@ -32,7 +32,8 @@ class Signals:
     """A log's motion and torque: ``t`` [K] in s, even; ``q, qd, qdd`` [K, n] of filtered positions; ``tau``
     [K, n] as logged; ``cutoff`` [Hz] of the filter of :meth:`filtered`; ``every``: what :meth:`thinned`
     keeps, but for ``edge`` samples at either end; ``acceleration_noise`` [n]: standard deviations of
-    the noise that the accelerations have from the encoders, after :meth:`filtered`."""
+    the noise that the accelerations have from the encoders, after :meth:`filtered`; ``torque_noise`` [n]:
+    those of the torque channel's noise, unfiltered."""
 
     t: Floats
     q: Floats
@@ -43,6 +44,7 @@ class Signals:
     every: int
     edge: int
     acceleration_noise: Floats | None = None
+    torque_noise: Floats | None = None
 
     @property
     def period(self) -> float:
@@ -75,8 +77,9 @@ class Signals:
         arrays = (self.t, self.q, self.qd, self.qdd, self.filtered(self.tau))
         t, q, qd, qdd, tau = (x[::step] for x in arrays)
         return Signals(
-            t, q, qd, qdd, tau, self.cutoff, self.every // step, self.edge // step, self.acceleration_noise
-        )
+            t, q, qd, qdd, tau, self.cutoff, self.every // step, self.edge // step,
+            self.acceleration_noise, self.torque_noise,
+        )  # fmt: skip
 
 
 def signals_of(log: Log, *, cutoff: float | None = None, wider: float = 1.0) -> Signals:
@@ -99,7 +102,7 @@ def signals_of(log: Log, *, cutoff: float | None = None, wider: float = 1.0) -> 
         1.4826 * np.median(np.abs(log.q - smooth), axis=0) * _acceleration_noise(chosen, motion, rate)
     )
     t, smooth, qd, qdd, tau = (x[:count] for x in (t, smooth, qd, qdd, log.tau))
-    return Signals(t, smooth, qd, qdd, tau, chosen, every, edge, acceleration_noise)
+    return Signals(t, smooth, qd, qdd, tau, chosen, every, edge, acceleration_noise, _raw_noise(tau))
 
 
 def thinning(rate: float, cutoff: float = ENOUGH_CUTOFF) -> int:
@@ -107,6 +110,13 @@ def thinning(rate: float, cutoff: float = ENOUGH_CUTOFF) -> int:
     passes: an even number, for coarse signals have half of it."""
     cutoff = min(cutoff, HIGHEST_CUTOFF * rate)
     return max(2 * int(rate / (8 * cutoff)), 2 if rate > LEAST_RATE * cutoff else 1)
+
+
+def _raw_noise(tau: Floats) -> Floats:
+    """Standard deviations [n] of the noise of torques [K, n], from second differences."""
+    second = np.diff(tau, 2, axis=0)
+    deviation: Floats = 1.4826 * np.median(np.abs(second - np.median(second, axis=0)), axis=0) / np.sqrt(6)
+    return deviation
 
 
 def _acceleration_noise(cutoff: float, motion: float, rate: float) -> float:

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from itertools import combinations, product
 from typing import Any
 
 from robodyn.dynamics.choosing import Ways
 from robodyn.ir.graph import Graph, Node
-from robodyn.ir.lowering import needed
 
 #: What counts, as :mod:`robodyn.counts` has it; a division and a root like anything else.
 _COUNTED = ("add", "mul", "scale", "div", "sqrt")
@@ -75,12 +74,17 @@ class Cheapest:
 
     def _extend(self, graph: Graph, choices: Sequence[Ways]) -> None:
         """To all that ``choices`` need."""
-        needs = self._needs
-        for position in needed(graph, (("", way) for ways in choices for way in ways)):
-            if position in needs:
-                continue
+        needs, reads = self._needs, graph.reads
+        stack = [x.position for ways in choices for way in ways for x in way if isinstance(x, Node)]
+        new: set[int] = set()
+        while stack:
+            position = stack.pop()
+            if position not in needs and position not in new:
+                new.add(position)
+                stack += reads[position]
+        for position in sorted(new):
             operations = 0
-            for child in graph.reads[position]:
+            for child in reads[position]:
                 operations |= needs[child]
             if graph.keys[position][0] in _COUNTED:
                 operations |= 1 << self._bits
@@ -90,24 +94,36 @@ class Cheapest:
 
 def _improved(picks: list[int], needs: list[list[int]]) -> list[int]:
     """``picks`` after exchanges, while any saves operations."""
+    picks = list(picks)
     cost = _union(picks, needs).bit_count()
-    groups = [(i,) for i in range(len(needs))]
     pairs = list(combinations(range(len(needs)), 2)) if sum(map(len, needs)) <= _IN_PAIRS else []
     better = True
     while better:
         better = False
-        for group in (*groups, *pairs):
-            others = _union(picks, needs, without=group)
-            for ways in product(*(range(len(needs[i])) for i in group)):
-                operations = others
-                for i, k in zip(group, ways, strict=True):
-                    operations |= needs[i][k]
-                total = operations.bit_count()
+        for i, others in _others(picks, needs):
+            for k, operations in enumerate(needs[i]):
+                total = (others | operations).bit_count()
                 if total < cost:
-                    picks, cost, better = list(picks), total, True
-                    for i, k in zip(group, ways, strict=True):
-                        picks[i] = k
+                    picks[i], cost, better = k, total, True
+        for i, j in pairs:
+            others = _union(picks, needs, without=(i, j))
+            for k, l in product(range(len(needs[i])), range(len(needs[j]))):
+                total = (others | needs[i][k] | needs[j][l]).bit_count()
+                if total < cost:
+                    picks[i], picks[j], cost, better = k, l, total, True
     return picks
+
+
+def _others(picks: Sequence[int], needs: Sequence[Sequence[int]]) -> Iterator[tuple[int, int]]:
+    """Each choice, with the operations of all others as ``picks`` have them when it comes to that."""
+    after = [0]
+    for k, ways in zip(reversed(picks), reversed(needs), strict=True):
+        after.append(after[-1] | ways[k])
+    before = 0
+    for i, ways in enumerate(needs):
+        after.pop()
+        yield i, before | after[-1]
+        before |= ways[picks[i]]
 
 
 def _union(picks: Sequence[int], needs: Sequence[Sequence[int]], without: Collection[int] = ()) -> int:

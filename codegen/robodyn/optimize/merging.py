@@ -12,7 +12,8 @@ from __future__ import annotations
 from fractions import Fraction
 
 from robodyn.ir.field import Field
-from robodyn.ir.graph import Graph, Key, Node, Scalar, children
+from robodyn.ir.graph import Graph, Node, Scalar, sum_of
+from robodyn.ir.key import Key, children
 from robodyn.ir.size import MOST_POSITIONS, too_large
 from robodyn.robot.values import circle_point
 
@@ -34,12 +35,13 @@ class MergingGraph(Graph):
         self._prime = field.prime
         self._value: list[int] = []
         #: What has a value already: a number -1, 0 or 1, or ``_FIRST`` + position, negative of minus a node.
+        #: No nodes: they would keep the graph, and it them, until Python looks for such circles.
         self._by_value: dict[int, int] = {0: 0, 1: 1, field.prime - 1: -1}
 
     def _of(self, a: Scalar) -> int:
         if isinstance(a, Node):
             value = self._value[a.position]
-            return value if a.sign > 0 else self._prime - value
+            return value if a.sign > 0 else -value
         return self.field.number(a)
 
     def _known(self, known: int) -> Scalar:
@@ -50,6 +52,16 @@ class MergingGraph(Graph):
 
     def add(self, a: Scalar, b: Scalar) -> Scalar:
         """``a + b``."""
+        if isinstance(a, Node) and isinstance(b, Node):
+            value = (self._of(a) + self._of(b)) % self._prime
+            known = self._by_value.get(value)
+            if known is not None:
+                return self._known(known)
+            simpler = self._simpler_sum(a, b)
+            if simpler is not None:
+                return simpler
+            key, sign = sum_of(a, b)
+            return Node(self, self._appended(key, value if sign > 0 else self._prime - value), sign)
         if isinstance(a, Node) or isinstance(b, Node):
             known = self._by_value.get((self._of(a) + self._of(b)) % self._prime)
             if known is not None:
@@ -73,8 +85,7 @@ class MergingGraph(Graph):
         return super().mul(a, b)
 
     def _node(self, key: Key, sign: int = 1, known: Key | None = None) -> Node:
-        # Sums and products come here with new values only.
-        if key[0] in _BY_VALUE:
+        if key[0] in _BY_VALUE:  # sums and products come here with new values only
             return Node(self, self._appended(key, self._evaluated(key)), sign)
         known = known or key
         position = self._table.get(known)

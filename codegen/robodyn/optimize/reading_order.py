@@ -7,10 +7,9 @@ the links is put first, base to tip, then forces and moments, tip to base; the r
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
-from robodyn.ir.copying import copied
-from robodyn.ir.graph import Graph, Node, Scalar
+from robodyn.ir.copying import rearranged
+from robodyn.ir.graph import Graph, Scalar
 from robodyn.ir.lowering import needed
 from robodyn.passes.order import before_use
 
@@ -28,10 +27,4 @@ def in_reading_order(graph: Graph, outputs: Sequence[Scalar]) -> tuple[Graph, li
     forward = [(link, FORWARD.index(quantity), p) for link, quantity, p in named if quantity in FORWARD]
     back = [(-link, BACKWARD.index(quantity), p) for link, quantity, p in named if quantity in BACKWARD]
     roots = [p for _, _, p in (*sorted(forward), *sorted(back))]
-    target = Graph(fold=graph.fold)
-    copies: dict[int, Any] = {}
-    for p in before_use((*roots, *positions), graph.reads):
-        copies[p] = copied(target, graph.keys[p], copies)
-        if p in labels:
-            target.label(copies[p], labels[p])
-    return target, [copies[v.position] * v.sign if isinstance(v, Node) else v for v in outputs]
+    return rearranged(graph, before_use((*roots, *positions), graph.reads), outputs)

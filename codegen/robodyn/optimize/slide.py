@@ -65,4 +65,5 @@ def centred(arm: Arm) -> Arm:
             shift = body.cos_alpha * shift
         x, y, z = body.com
         bodies[k] = replace(body, com=(x, y, z - shift))
-    return replace(arm, bodies=tuple(bodies))
+    x, y, z = arm.tool.origin
+    return replace(arm, bodies=tuple(bodies), tool=replace(arm.tool, origin=(x, y, z - shift)))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from robodyn.ir.program import Operand, Operation, Program
+from robodyn.ir.program import Operand, Program, operation_of
 
 
 def dce(program: Program) -> Program:
@@ -24,9 +24,9 @@ def kept(program: Program, order: list[int]) -> Program:
     def moved(operands: tuple[Operand, ...]) -> tuple[Operand, ...]:
         return tuple([place[x] if isinstance(x, int) else x for x in operands])
 
-    operations = program.operations
-    moved_operations = [
-        Operation(op, moved(args), label) for op, args, label in (operations[i] for i in order)
-    ]
+    operations = []
+    for i in order:
+        op, args, label = program.operations[i]
+        operations.append(operation_of((op, moved(args), label)))
     outputs = tuple((name, moved(elements)) for name, elements in program.outputs)
-    return Program(tuple(moved_operations), outputs)
+    return Program(tuple(operations), outputs)

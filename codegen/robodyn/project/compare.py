@@ -15,7 +15,7 @@ from robodyn.project.keys import did_you_mean
 from robodyn.project.limits import LARGEST_OUTPUT
 from robodyn.project.lock import Lock, Locked
 from robodyn.project.product import Product
-from robodyn.project.reading import Budgets, Entry, Project
+from robodyn.project.reading import OF, Budgets, Entry, Project
 
 Kinds = Mapping[str, int]
 #: Before the place where two lines differ so much is shown, and twice as much behind it [characters].
@@ -53,13 +53,18 @@ class Counted:
 
 @dataclass(frozen=True, slots=True)
 class RobotState:
-    """A robot of the project: the paths of its files with what is wrong with them (None: nothing), and the
-    counts of its functions. ``gone``: it is in the lock file alone."""
+    """A robot of the project, or a package of one: the paths of its files with what is wrong with them (None:
+    nothing), and the counts of its functions. ``gone``: it is in the lock file alone."""
 
     name: str
     files: Mapping[str, str | None]
     functions: tuple[Counted, ...]
     gone: bool = False
+
+    @property
+    def package(self) -> str | None:
+        """The format of a package, if it is one."""
+        return self.name.partition(OF)[2] or None
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,7 +89,7 @@ def check_products(project: Project, products: Mapping[str, Product]) -> None:
 
     Raises
     ------
-    InputError: two robots write the same file, or a budget is one of a function that is not written.
+    InputError: two outputs write the same file, or a budget is one of a function that is not written.
     """
     owners: dict[str, Entry] = {}
     for entry in project.entries:
@@ -93,7 +98,7 @@ def check_products(project: Project, products: Mapping[str, Product]) -> None:
             other = owners.setdefault(os.path.realpath(project.output(entry) / name), entry)
             if other is not entry:
                 raise InputError(
-                    "two robots write the same file",
+                    "two outputs write the same file",
                     where=entry.place(),
                     found=f"{entry.output}/{name} of {entry.name} and of {other.name}",
                     remedy="give one of them another output",

@@ -33,7 +33,7 @@ def fingerprints(entries: Iterable[Entry]) -> dict[str, str]:
                 "robodyn": [VERSION, _robodyn()],
                 "description": _description(Path(entry.robot)),
                 "records": records(Path(entry.robot).parent / RECORDS),
-                "arguments": entry.arguments,
+                "arguments": [entry.command, *entry.arguments],
             }
         )
         for entry in entries

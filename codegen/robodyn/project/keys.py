@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Final
 
 from robodyn.errors import InputError
+
+#: The commands that write the entries of a project.
+KERNELS: Final = "gen"
+PACKAGE: Final = "package"
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,6 +67,18 @@ class Key:
 
     def _unfit(self, value: Any, expected: str) -> InputError:
         return InputError(f"{self.name} has the wrong type", found=shown(value), expected=expected)
+
+
+@dataclass(frozen=True, slots=True)
+class Keys:
+    """The keys of options, by name: of ``kernels``, which ``gen`` takes, and of ``packages``."""
+
+    kernels: Mapping[str, Key]
+    packages: Mapping[str, Key]
+
+    def of(self, command: str) -> Mapping[str, Key]:
+        """Those of the command that writes an entry."""
+        return self.packages if command == PACKAGE else self.kernels
 
 
 def did_you_mean(word: str, words: Iterable[str]) -> str | None:

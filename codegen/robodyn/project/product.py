@@ -46,13 +46,15 @@ class Store:
         data = json.loads(path.read_text(encoding="utf-8"))
         return Product(data["files"], data["counts"], tuple(data["notes"]))
 
-    def save(self, key: str, texts: Mapping[str, str], counts: Counts, notes: tuple[str, ...]) -> None:
-        """Keep the ``texts`` of files, by path, and what is to be known of them."""
+    def save(
+        self, key: str, texts: Mapping[str, str | bytes], counts: Counts, notes: tuple[str, ...]
+    ) -> None:
+        """Keep the contents of files, by path, and what is to be known of them."""
 
         def write(folder: Path) -> str:
             hashes = {}
             for name, text in texts.items():
-                data = text.encode("utf-8")
+                data = text if isinstance(text, bytes) else text.encode("utf-8")
                 path = folder / _TEXTS / name
                 path.parent.mkdir(parents=True, exist_ok=True)
                 path.write_bytes(data)

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
 from robodyn.errors import InputError, Place
 from robodyn.files import label, read_text
-from robodyn.project.keys import Key, did_you_mean, shown
+from robodyn.project.keys import KERNELS, PACKAGE, Key, Keys, did_you_mean, shown
 from robodyn.project.limits import LARGEST_BUDGET, LARGEST_FILE
 from robodyn.project.places import Places
 from robodyn.resources import bundled_robot
@@ -20,13 +20,12 @@ from robodyn.resources import bundled_robot
 FILE: Final = "robodyn.toml"
 _LOCK: Final = ".lock"
 #: Keys of a robot's table that are no options.
-OWN: Final = ("robot", "output", "budgets")
+OWN: Final = ("robot", "output", "budgets", "packages")
+#: Those of a package's table.
+OWN_OF_PACKAGE: Final = ("output",)
+#: Between a robot's name and the format in the name of a package; no robot's name has it.
+OF: Final = "/"
 _TABLES: Final = ("options", "robots")
-#: Keys that are planned, or that look like options, and why they are refused.
-_REFUSED: Final = {
-    "packages": "packages are not written by robodyn build yet",
-    "firmware": "folders for firmware are not written by robodyn build yet",
-}
 _NAME: Final = re.compile(r"\w[\w.+-]*")
 
 Budgets = Mapping[str, Mapping[str, int]]
@@ -34,11 +33,12 @@ Budgets = Mapping[str, Mapping[str, int]]
 
 @dataclass(frozen=True, slots=True)
 class Entry:
-    """A robot of a project.
+    """A robot of a project, or a package of one, whose name is ``ROBOT/FORMAT``.
 
-    ``robot`` is the path of its description, ``output`` the folder of its kernels as the file has it,
-    relative to the project's folder; ``settings`` are its options, ``arguments`` the same as ``robodyn gen``
-    takes them; ``budgets`` the most operations by function and kind.
+    ``robot`` is the path of its description, ``output`` the folder of its files as the project has it,
+    relative to the project's folder; ``settings`` are its options, ``arguments`` the same as the ``command``
+    takes them that writes it; ``budgets`` the most operations by function and kind. What it says stands in
+    ``tables``, and where the first of them says nothing, in the next.
     """
 
     name: str
@@ -48,16 +48,19 @@ class Entry:
     arguments: tuple[str, ...]
     budgets: Budgets
     places: Places
+    tables: tuple[tuple[str, ...], ...]
+    command: str = KERNELS
 
     def place(self, *keys: str) -> Place:
-        """Where ``keys`` of its table are stated, or for all robots; without keys where the table is."""
-        own = self.places.of("robots", self.name, *keys)
-        return own if own.line is not None else self.places.of("options", *keys)
+        """Where ``keys`` of its tables are stated; without keys where the first of them is."""
+        places = (self.places.of(*table, *keys) for table in self.tables)
+        return next((place for place in places if place.line is not None), Place(self.places.file))
 
 
 @dataclass(frozen=True, slots=True)
 class Project:
-    """What the file at ``path`` says; relative paths in it start in its folder."""
+    """What the file at ``path`` says; relative paths in it start in its folder. A robot's packages come after
+    it."""
 
     path: Path
     entries: tuple[Entry, ...]
@@ -77,7 +80,7 @@ class Project:
         return self.folder / entry.output
 
 
-def read_project(path: Path, keys: Mapping[str, Key]) -> Project:
+def read_project(path: Path, keys: Keys) -> Project:
     """The project in the file at ``path``, whose options are ``keys``.
 
     Raises
@@ -121,14 +124,14 @@ def parsed(text: str, name: str) -> dict[str, Any]:
 class _Reader:
     """Reads the tables of one file, each with the place of what is wrong in it."""
 
-    def __init__(self, data: dict[str, Any], places: Places, folder: Path, keys: Mapping[str, Key]) -> None:
+    def __init__(self, data: dict[str, Any], places: Places, folder: Path, keys: Keys) -> None:
         self.data, self.places, self.folder, self.keys = data, places, folder, keys
 
     def entries(self) -> tuple[Entry, ...]:
         for name in self.data:
             if name not in _TABLES:
                 raise self._unknown((), name, _TABLES)
-        self._options("options")  # also where every robot overrides it
+        self._options(("options",), (), self.keys.kernels)  # also where every robot overrides it
         robots = self._table("robots")
         if not robots:
             raise InputError(
@@ -137,7 +140,8 @@ class _Reader:
                 expected="a table for each robot",
                 remedy="write [robots.puma560], for one, on a line of its own",
             )
-        return tuple(self._entry(name) for name in robots)
+        entries = map(self._entry, robots)
+        return tuple(each for entry in entries for each in (entry, *self._packages(entry)))
 
     def _entry(self, name: str) -> Entry:
         at = ("robots", name)
@@ -149,28 +153,66 @@ class _Reader:
                 expected="letters, digits, and . + - _ after the first of them",
             )
         table = self._table(*at)
-        settings = dict(sorted({**self._options("options"), **self._options(*at)}.items()))
+        keys = self.keys.kernels
+        settings = {**self._options(("options",), (), keys), **self._options(at, OWN, keys)}
         return Entry(
             name,
             self._description(name, table),
             self._text((*at, "output"), table.get("output", f"generated/{name}")),
             settings,
-            tuple(word for key, value in settings.items() for word in self.keys[key].arguments(value)),
+            _arguments(settings, keys),
             self._budgets(*at, "budgets"),
             self.places,
+            (at, ("options",)),
         )
 
-    def _options(self, *at: str) -> dict[str, Any]:
-        """The options in the table ``at``, each of the right type."""
-        own = OWN if at[0] == "robots" else ()
+    def _packages(self, entry: Entry) -> Iterator[Entry]:
+        """The packages of the robot ``entry``: formats in a list, or a table for each. They have the options
+        of the robot that packages have."""
+        at = ("robots", entry.name, "packages")
+        asked = self._table("robots", entry.name).get("packages", {})
+        if isinstance(asked, list):
+            if not all(isinstance(form, str) for form in asked) or len(set(asked)) < len(asked):
+                raise self._no_packages(at, asked)
+        elif not isinstance(asked, dict):
+            raise self._no_packages(at, asked)
+        keys = self.keys.packages
+        inherited = {name: value for name, value in entry.settings.items() if name in keys}
+        for form in asked:
+            table = self._table(*at, form) if isinstance(asked, dict) else {}
+            own = self._options((*at, form), OWN_OF_PACKAGE, keys) if isinstance(asked, dict) else {}
+            settings = {**inherited, **own}
+            output = table.get("output", f"packages/{entry.name}/{form}")
+            yield Entry(
+                f"{entry.name}{OF}{form}",
+                entry.robot,
+                self._text((*at, form, "output"), output),
+                settings,
+                (f"--as={form}", *_arguments(settings, keys)),
+                {},
+                self.places,
+                ((*at, form), at, *entry.tables),
+                PACKAGE,
+            )
+
+    def _no_packages(self, at: tuple[str, ...], asked: Any) -> InputError:
+        return InputError(
+            "these are no formats of packages",
+            where=self.places.of(*at),
+            found=shown(asked),
+            expected="a list of formats, each once, or a table for each",
+        )
+
+    def _options(self, at: tuple[str, ...], own: tuple[str, ...], keys: Mapping[str, Key]) -> dict[str, Any]:
+        """The options in the table ``at``, each of the right type; the table has keys of its ``own``, too."""
         settings = {}
         for name, value in self._table(*at).items():
             if name in own:
                 continue
-            if name not in self.keys:
-                raise self._unknown(at, name, (*own, *self.keys))
+            if name not in keys:
+                raise self._unknown(at, name, (*own, *keys))
             try:
-                self.keys[name].arguments(value)
+                keys[name].arguments(value)
             except InputError as error:
                 raise error.at(self.places.of(*at, name)) from None
             settings[name] = value
@@ -237,8 +279,6 @@ class _Reader:
 
     def _unknown(self, at: tuple[str, ...], name: str, words: tuple[str, ...]) -> InputError:
         place = self.places.of(*at, name)
-        if name in _REFUSED:
-            return InputError(_REFUSED[name], where=place, found=f"the key {name!r}", remedy="remove it")
         inside = f" in [{'.'.join(at)}]" if at else ""
         return InputError(
             f"unknown key {name!r}{inside}",
@@ -246,3 +286,8 @@ class _Reader:
             expected=f"one of {', '.join(words)}",
             remedy=did_you_mean(name, words),
         )
+
+
+def _arguments(settings: Mapping[str, Any], keys: Mapping[str, Key]) -> tuple[str, ...]:
+    """``settings`` as a command line has them, in the order of their names."""
+    return tuple(word for name, value in sorted(settings.items()) for word in keys[name].arguments(value))

@@ -1,4 +1,5 @@
-"""A comparison shown: for programs as JSON, and from that as text, as JUnit's XML and as Markdown."""
+"""A comparison shown: for programs as JSON, and from that as text, as JUnit's XML and as Markdown; and an
+error that left nothing to compare, in the same formats."""
 
 from __future__ import annotations
 
@@ -6,6 +7,7 @@ import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, Final
 
+from robodyn.errors import RobodynError, escaped
 from robodyn.project.compare import Comparison, Counted, RobotState
 
 Report = dict[str, Any]
@@ -31,6 +33,7 @@ def report(comparison: Comparison, written: Sequence[str] = ()) -> Report:
 def _robot(robot: RobotState) -> Report:
     return {
         "robot": robot.name,
+        "package": robot.package,
         "gone": robot.gone,
         "files": [{"path": path, "fault": why} for path, why in robot.files.items()],
         "functions": [_function(counted) for counted in robot.functions],
@@ -97,7 +100,7 @@ def as_junit(shown: Report) -> str:
     suites = [(robot["robot"], list(_cases(robot, shown["faults"]))) for robot in shown["robots"]]
     suites.append(("robodyn.lock", [("up to date", [fault["text"] for fault in lock])]))
     lines = [
-        '<?xml version="1.0" encoding="UTF-8"?>',
+        _XML,
         f"<testsuites {_totals([c for _, s in suites for c in s])}>",
     ]
     for name, cases in suites:
@@ -112,6 +115,35 @@ def as_junit(shown: Report) -> str:
             lines.append("    </testcase>")
         lines.append("  </testsuite>")
     return "\n".join([*lines, "</testsuites>"]) + "\n"
+
+
+_XML: Final = '<?xml version="1.0" encoding="UTF-8"?>'
+
+
+def error_as_json(error: RobodynError) -> str:
+    """``{"error": ...}``, as every command prints it with ``--json``."""
+    return json.dumps({"error": error.to_dict()}, indent=2, ensure_ascii=False) + "\n"
+
+
+def error_as_markdown(error: RobodynError) -> str:
+    """A verdict and the message."""
+    return f"### robodyn: nothing was compared\n\n- {_escaped(error.message())}\n"
+
+
+def error_as_junit(error: RobodynError) -> str:
+    """One test that could not be carried out."""
+    from xml.sax.saxutils import quoteattr
+
+    count = 'tests="1" failures="0" errors="1"'
+    return (
+        f"{_XML}\n<testsuites {count}>\n"
+        f'  <testsuite name="robodyn build" {count}>\n'
+        '    <testcase classname="robodyn build" name="project">\n'
+        f"      <error message={quoteattr(escaped(error.message()))}/>\n"
+        "    </testcase>\n"
+        "  </testsuite>\n"
+        "</testsuites>\n"
+    )
 
 
 def _cases(robot: Report, faults: list[Report]) -> Iterator[tuple[str, list[str]]]:
@@ -156,7 +188,15 @@ def _summary(shown: Report) -> str:
     functions = [each for robot in robots for each in robot["functions"] if each["count"] is not None]
     total = sum(each["count"]["total"] for each in functions)
     changed = sum(each["status"] != "same" for robot in shown["robots"] for each in robot["functions"])
-    words = f"{_many(len(robots), 'robot')}, {_many(len(functions), 'function')}, {_many(total, 'operation')}"
+    packages = sum(robot["package"] is not None for robot in robots)
+    words = ", ".join(
+        (
+            _many(len(robots) - packages, "robot"),
+            *([_many(packages, "package")] if packages else []),
+            _many(len(functions), "function"),
+            _many(total, "operation"),
+        )
+    )
     return f"{words}; {changed} changed" if changed else f"{words}; no count changed"
 
 
@@ -174,4 +214,12 @@ FORMATS: Final[Mapping[str, Callable[[Report], str]]] = {
     "json": as_json,
     "junit": as_junit,
     "markdown": as_markdown,
+}
+
+#: The same of an error that left nothing to compare.
+ERRORS: Final[Mapping[str, Callable[[RobodynError], str]]] = {
+    "text": lambda error: f"error: {error}\n",
+    "json": error_as_json,
+    "junit": error_as_junit,
+    "markdown": error_as_markdown,
 }

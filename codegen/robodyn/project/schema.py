@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from robodyn.counts.budget import KINDS
-from robodyn.project.keys import Key
+from robodyn.project.keys import Key, Keys
 from robodyn.project.limits import LARGEST_BUDGET
 
 Schema = dict[str, Any]
 
 
-def project_schema(keys: Mapping[str, Key]) -> Schema:
-    """The schema of a project whose options are ``keys``."""
-    options = {name: _of_key(key) for name, key in keys.items()}
+def project_schema(keys: Keys, formats: Iterable[str]) -> Schema:
+    """The schema of a project whose options are ``keys``, and whose packages may be of ``formats``."""
+    options = {name: _of_key(key) for name, key in keys.kernels.items()}
     own: dict[str, Schema] = {
         "robot": {
             "type": "string",
@@ -32,6 +32,7 @@ def project_schema(keys: Mapping[str, Key]) -> Schema:
             "description": "By function the most operations, by kind.",
             "additionalProperties": _table(dict.fromkeys(KINDS, _COUNT)),
         },
+        "packages": _packages(keys, tuple(formats)),
     }
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
@@ -52,6 +53,23 @@ def project_schema(keys: Mapping[str, Key]) -> Schema:
 
 
 _COUNT = {"type": "integer", "minimum": 0, "exclusiveMaximum": LARGEST_BUDGET}
+
+
+def _packages(keys: Keys, formats: tuple[str, ...]) -> Schema:
+    own = {name: _of_key(key) for name, key in keys.packages.items()}
+    own["output"] = {
+        "type": "string",
+        "minLength": 1,
+        "description": "The folder of the package.  [default: packages/, the name of the robot's table, "
+        "/ and the format]",
+    }
+    return {
+        "description": "Packages of the robot (robodyn package): formats, or a table with options for each.",
+        "oneOf": [
+            {"type": "array", "uniqueItems": True, "items": {"enum": list(formats)}},
+            _table(dict.fromkeys(formats, _table(own))),
+        ],
+    }
 
 
 def _table(keys: Mapping[str, Schema]) -> Schema:

@@ -20,8 +20,8 @@ from robodyn.draw.markup import markup_template
 from robodyn.draw.mathml import of_latex
 from robodyn.emit.render import environment
 from robodyn.report.arm_data import Arm
-from robodyn.report.diagnosis_frames import Chart, Frame, Mark, span
-from robodyn.report.diagnosis_text import formatted
+from robodyn.report.chart_frames import Chart, Frame, Mark, span
+from robodyn.report.figures import formatted
 from robodyn.report.gantt import gantt_svg
 from robodyn.report.layers import layers_svg
 

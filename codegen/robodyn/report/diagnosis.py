@@ -15,16 +15,9 @@ from robodyn.report.diagnosis_gap import ladder, tables, units_at
 from robodyn.report.diagnosis_groups import by_joint, table_of_kinds
 from robodyn.report.diagnosis_headline import in_a_line
 from robodyn.report.diagnosis_summary import advice, main_joint, tiles
-from robodyn.report.diagnosis_text import (
-    VERDICTS,
-    formatted,
-    is_contact,
-    is_touched_only,
-    place_of,
-    title_of,
-    units_of,
-)
+from robodyn.report.diagnosis_text import VERDICTS, is_contact, is_touched_only, place_of, title_of, units_of
 from robodyn.report.diagnosis_where import QUANTITIES, Localised, Travel, localised, travelled
+from robodyn.report.figures import formatted
 
 #: Joints that are drawn at most: those of findings, then those where most is left.
 MOST_JOINTS: Final = 12
@@ -244,7 +237,7 @@ def _travel(diagnosis: Diagnosis, travel: Travel) -> dict[str, Any]:
     low, high = travel.limits or (travel.low, travel.high)
     low, high = min(low, travel.low), max(high, travel.high)
     wide = (high - low) or 1.0
-    seen = diagnosis.detectable
+    detectable = diagnosis.detectable
     return {
         "joint": travel.joint,
         "q": f"{formatted(travel.low)} to {formatted(travel.high)} {units['q']}",
@@ -256,7 +249,7 @@ def _travel(diagnosis: Diagnosis, travel: Travel) -> dict[str, Any]:
         "reversals": travel.reversals,
         "load": f"{formatted(travel.load[0])} to {formatted(travel.load[1])} {units['tau']}",
         "wants": travel.wants,
-        "seen": f"{formatted(seen[travel.joint - 1])} {units['tau']}" if seen is not None else "",
+        "seen": f"{formatted(detectable[travel.joint - 1])} {units['tau']}" if detectable is not None else "",
     }
 
 

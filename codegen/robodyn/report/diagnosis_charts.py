@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.result import Series, Window
-from robodyn.report.diagnosis_frames import Chart, Frame, Mark, Shade, percent, runs, span
-from robodyn.report.diagnosis_text import formatted
+from robodyn.report.chart_frames import Chart, Frame, Mark, Shade, percent, runs, span
+from robodyn.report.figures import formatted
 
 Floats = NDArray[np.float64]
 

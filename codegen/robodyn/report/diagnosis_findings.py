@@ -10,11 +10,10 @@ import numpy as np
 
 from robodyn.diagnose.limits import CLAIM
 from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Rival, Series
+from robodyn.report.chart_frames import Chart, percent
 from robodyn.report.diagnosis_charts import Across, over, over_time
-from robodyn.report.diagnosis_frames import Chart, percent
 from robodyn.report.diagnosis_gap import units_at
 from robodyn.report.diagnosis_text import (
-    formatted,
     interval_text,
     is_contact,
     is_unseen,
@@ -25,6 +24,7 @@ from robodyn.report.diagnosis_text import (
     value_text,
 )
 from robodyn.report.diagnosis_where import Localised
+from robodyn.report.figures import formatted
 
 #: An interval is drawn from nothing to this many times the value.
 REACH: Final = 2.0

@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.result import Diagnosis
-from robodyn.report.diagnosis_frames import percent
-from robodyn.report.diagnosis_text import chosen, claims, formatted, named
+from robodyn.report.chart_frames import percent
+from robodyn.report.diagnosis_text import chosen, claims, named
+from robodyn.report.figures import formatted
 
 Floats = NDArray[np.float64]
 

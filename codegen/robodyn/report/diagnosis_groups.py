@@ -13,7 +13,6 @@ from robodyn.report.diagnosis_headline import by_kind, kind_of
 from robodyn.report.diagnosis_text import (
     chosen,
     claims,
-    formatted,
     is_contact,
     is_unseen,
     place_of,
@@ -21,6 +20,7 @@ from robodyn.report.diagnosis_text import (
     touched_at,
     value_text,
 )
+from robodyn.report.figures import formatted
 
 #: So many claims stand one below the other, open; more are folded, by joint, below a table of all findings.
 FEW: Final = 3
@@ -105,11 +105,15 @@ def _place(joint: int | None) -> str:
 
 def _entry(finding: Finding) -> dict[str, Any]:
     """A finding in a cell: its first number that was fitted, how sure it is."""
-    seen = [(name, p) for name, p in finding.parameters.items() if not is_unseen(p, finding.effect, name)]
-    fitted = [pair for pair in seen if pair[1].stderr or pair[1].bounds]
+    identified = [
+        (name, p) for name, p in finding.parameters.items() if not is_unseen(p, finding.effect, name)
+    ]
+    fitted = [pair for pair in identified if pair[1].stderr or pair[1].bounds]
     if is_contact(finding.effect):
         text = " ".join(touched_at(finding)).strip()
     else:
-        text = next((value_text(p, finding.effect, name) for name, p in fitted or seen), "not identifiable")
+        text = next(
+            (value_text(p, finding.effect, name) for name, p in fitted or identified), "not identifiable"
+        )
     sure = f"{100 * finding.confidence:.0f} %"
     return {"text": text.replace("^2", "²"), "is_claim": finding.confidence >= CLAIM, "sure": sure}

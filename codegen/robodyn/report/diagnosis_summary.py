@@ -15,7 +15,6 @@ from robodyn.report.diagnosis_gap import units_at
 from robodyn.report.diagnosis_text import (
     chosen,
     claims,
-    formatted,
     is_touched_only,
     joints_of,
     listed,
@@ -26,6 +25,7 @@ from robodyn.report.diagnosis_text import (
     worst_joint,
 )
 from robodyn.report.diagnosis_where import Localised, Travel
+from robodyn.report.figures import formatted
 
 #: What to record when nothing can be named, by the quantity that shows the residual best.
 _ADVICE: Final = {

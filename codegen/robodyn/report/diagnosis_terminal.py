@@ -13,7 +13,6 @@ from robodyn.report.diagnosis_text import (
     VERDICTS,
     chosen,
     experiments,
-    formatted,
     is_touched_only,
     is_unseen,
     joints_of,
@@ -22,6 +21,7 @@ from robodyn.report.diagnosis_text import (
     units_of,
     with_interval,
 )
+from robodyn.report.figures import formatted
 
 #: Lines on a terminal, and the width of the first; parameters in a line, joints that stand beside each other.
 LINES, WIDTH = 18, 110
@@ -86,8 +86,8 @@ def _line(k: int, findings: Sequence[Finding]) -> str:
         shown, rest = [f"{name} {figures}{unit}"], len(known) - 1
     else:
         place = place_of(first.joint)
-        seen = [(name, p) for name, p in known if not is_unseen(p, first.effect, name)]
-        shown = [f"{name} {with_interval(p, first.effect, name)}" for name, p in seen][:_PARAMETERS]
+        identified = [(name, p) for name, p in known if not is_unseen(p, first.effect, name)]
+        shown = [f"{name} {with_interval(p, first.effect, name)}" for name, p in identified][:_PARAMETERS]
         rest = len(known) - len(shown)
     if rest > 0:
         shown.append(f"{rest} more")

@@ -49,13 +49,6 @@ def place_of(joint: int | None) -> str:
     return "the whole robot" if joint is None else f"joint {joint}"
 
 
-def formatted(value: float) -> str:
-    """A figure of three digits, if there is one."""
-    if not math.isfinite(value):
-        return "n/a"
-    return f"{value:,.0f}" if 999.5 <= abs(value) < 1e6 else f"{value:.3g}"
-
-
 def with_interval(estimate: Estimate, effect: str = "", name: str = "") -> str:
     """A parameter with its unit and, in brackets, its 95 % interval; what the motion does not show is not
     identifiable. ``effect`` and ``name`` say whose it is."""

@@ -30,9 +30,9 @@ def summary(outcome: Identification, path: str) -> list[str]:
         row = "   ".join(f"{_percent(x[j], torque):>{width}}" for width, x in cells)
         lines.append(f"{j + 1:5d}   {torque:12.4g}   {row}")
     lines += ["", *_joints(outcome)]
-    seen = len(outcome.parameters) - len(outcome.not_identifiable)
+    count, unknown = len(outcome.parameters), len(outcome.not_identifiable)
     lines.append(
-        f"{seen} of {len(outcome.parameters)} parameters are identified, {len(outcome.not_identifiable)} are "
+        f"{count - unknown} of {count} parameters are identified, {unknown} are "
         f"not seen and stay near the description; condition {outcome.condition:.3g}"
     )
     return [*lines, *outcome.words]

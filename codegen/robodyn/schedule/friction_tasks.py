@@ -256,15 +256,15 @@ def friction_of(robot: Robot) -> dict[int, Friction]:
 
 #: What can be asked of any arm: nothing, journals or sliding bearings in all joints, transmissions whose
 #: efficiency is a straight line, both.
-Asked = Literal["none", "joint", "transmission", "both"]
+Choice = Literal["none", "joint", "transmission", "both"]
 
 
-def asked_friction(asked: Asked, *, revolute: bool = True) -> Friction | None:
-    """The friction of a joint where ``asked`` is to be in all of them; None where that is nothing."""
-    if asked == "none":
+def chosen_friction(choice: Choice, *, revolute: bool = True) -> Friction | None:
+    """The friction of a joint where ``choice`` is to be in all of them; None where that is nothing."""
+    if choice == "none":
         return None
     bearing: Bearing = "journal" if revolute else "linear"
     return Friction(
-        bearing if asked in ("joint", "both") else None,
-        "linear" if asked in ("transmission", "both") else None,
+        bearing if choice in ("joint", "both") else None,
+        "linear" if choice in ("transmission", "both") else None,
     )

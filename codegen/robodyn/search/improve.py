@@ -19,6 +19,7 @@ from robodyn.counts.objective import Objective, operations_of
 from robodyn.dynamics.equality import same_in_field
 from robodyn.dynamics.functions import FUNCTIONS, function_named
 from robodyn.errors import InputError, ToolError
+from robodyn.ir.garbage import rarely_collected
 from robodyn.ir.program import Program
 from robodyn.kernels.generate import Options
 from robodyn.kernels.generate import program as generated
@@ -63,6 +64,7 @@ class Progress:
     best: float
 
 
+@rarely_collected()
 def improved(
     robot: Robot,
     *,

@@ -223,6 +223,16 @@ class Engine:
             raise InputError("a table between whose rows is interpolated needs a period")
 
 
+def engine_files() -> dict[str, str]:
+    """The engine's own C: text by path in a folder ``engine``. ``engine.c`` is what Python calls; other
+    programs include ``advance.h``. The glue is ``engine_glue.h``, in that folder or an include folder."""
+    home = resources("robodyn.simulate").joinpath("c")
+    items = sorted(
+        (item for item in home.iterdir() if item.name.endswith((".c", ".h"))), key=lambda i: i.name
+    )
+    return {f"engine/{item.name}": item.read_text(encoding="utf-8") for item in items}
+
+
 def build_engine(
     files: Mapping[str, str],
     glue: str,
@@ -242,12 +252,7 @@ def build_engine(
     """
     import cffi
 
-    home = resources("robodyn.simulate").joinpath("c")
-    own = {
-        f"engine/{item.name}": item.read_text(encoding="utf-8")
-        for item in home.iterdir()
-        if item.name.endswith((".c", ".h"))
-    }
+    own = engine_files()
     texts = {**files, **own, "engine_glue.h": glue}
     for name in files:
         pure = PurePosixPath(name)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -55,11 +54,11 @@ def build_plant(
     ToolError: no C compiler.
     """
     system = system_of(robot, options)
-    glue = _glue(system, _model(model or robot, robot, options), energy=energy)
+    glue = system_glue(system, _model(model or robot, robot, options), energy=energy)
     return Plant(robot, system, build_engine({}, glue, cc=cc, cache=cache), model or robot)
 
 
-def _model(model: Robot, robot: Robot, options: Options | None) -> tuple[Program, Mapping[str, int]]:
+def _model(model: Robot, robot: Robot, options: Options | None) -> Program:
     if model.n != robot.n or not set(model.parameters) <= set(robot.parameters):
         raise InputError(
             "the controller's model does not fit the robot",
@@ -67,8 +66,7 @@ def _model(model: Robot, robot: Robot, options: Options | None) -> tuple[Program
             f"{', '.join(model.parameters) or 'none'}",
             expected=f"{robot.n} joints, run-time parameters among {', '.join(robot.parameters) or 'none'}",
         )
-    program = maker(steady(model), options or Options()).program("inverse_dynamics")
-    return program, {name: k for k, name in enumerate(robot.parameters)}
+    return maker(steady(model), options or Options()).program("inverse_dynamics")
 
 
 def steady(model: Robot) -> Robot:
@@ -84,7 +82,8 @@ def steady(model: Robot) -> Robot:
     return replace(model, effects=tuple(kept))
 
 
-def _glue(system: System, model: tuple[Program, Mapping[str, int]], *, energy: bool) -> str:
+def system_glue(system: System, model: Program | None = None, *, energy: bool = False) -> str:
+    """The C by which the engine calls ``system``; with ``model``, the torques of computed-torque control."""
     n, elements = system.coordinates, len(system.elements)
     lines = [
         f"/* The system of {system.robot.name}. */",
@@ -96,7 +95,7 @@ def _glue(system: System, model: tuple[Program, Mapping[str, int]], *, energy: b
         f"#define SYSTEM_AFFINE {int(system.affine)}",
         f"#define SYSTEM_CONSERVED {int(energy)}",
         f"#define SYSTEM_EXTERNAL {int(bool(system.contacts))}",
-        "#define SYSTEM_MODEL 1",
+        f"#define SYSTEM_MODEL {int(model is not None)}",
     ]
     if elements:
         rows = ", ".join("{" + ", ".join(repr(float(x)) for x in e.row) + "}" for e in system.elements)
@@ -107,10 +106,10 @@ def _glue(system: System, model: tuple[Program, Mapping[str, int]], *, energy: b
         inputs = _ARGUMENTS.get(name, ("y",))
         ((output, _),) = program.outputs
         lines.append(static_function(f"system_{name}", inputs, {output: output}, program, system.parameters))
-    program, _ = model
-    lines.append(
-        static_function("system_model", ("q", "qd", "qdd"), {"tau": "tau"}, program, system.parameters)
-    )
+    if model is not None:
+        lines.append(
+            static_function("system_model", ("q", "qd", "qdd"), {"tau": "tau"}, model, system.parameters)
+        )
     if system.contacts:
         lines += _external(system)
     return "\n".join(lines) + "\n"

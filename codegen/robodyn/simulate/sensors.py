@@ -127,9 +127,15 @@ def measure(
 
 
 def measured_torque(
-    tau: Floats, t: Floats, effects: Sequence[EffectEntry], parameters: Parameters | None = None
+    tau: Floats,
+    t: Floats,
+    effects: Sequence[EffectEntry],
+    parameters: Parameters | None = None,
+    *,
+    noise: Floats | None = None,
 ) -> Floats:
-    """What the torque channel shows of ``tau`` [K, n] (N m or N) at the times ``t`` [K] (s).
+    """What the torque channel shows of ``tau`` [K, n] (N m or N) at the times ``t`` [K] (s); with ``noise``
+    [n], the standard deviations of the channel's own before it is clipped, what it shows on average.
 
     Several entries at a joint, and those of the whole robot, add up: delays and biases are summed, gains
     multiply, the least limit holds. A delayed torque lies on the line between its samples, and before the
@@ -139,7 +145,8 @@ def measured_torque(
     ------
     InputError: an entry names a joint that is not there; or there is a delay and ``t`` does not increase.
     """
-    return _clipped(_amplified(np.asarray(tau, float), t, effects, parameters), effects, parameters)
+    torque = _amplified(np.asarray(tau, float), t, effects, parameters)
+    return _clipped(torque, effects, parameters, noise)
 
 
 def measured_position(
@@ -182,12 +189,28 @@ def _amplified(
     return torque
 
 
-def _clipped(tau: Floats, effects: Sequence[EffectEntry], parameters: Parameters | None) -> Floats:
-    """Saturation of the sensors."""
+def _clipped(
+    tau: Floats, effects: Sequence[EffectEntry], parameters: Parameters | None, noise: Floats | None = None
+) -> Floats:
+    """Saturation of the sensors, and its mean where there is ``noise`` [n] beforehand: near a limit that
+    takes off what goes beyond and leaves what does not, so that the mean stays below both."""
     limits = np.full(tau.shape[1], np.inf)
     for entry, name, joints in _entries("limit", effects, tau.shape[1], who="sensor"):
         limits[joints] = np.minimum(limits[joints], entry.number(name, parameters))
-    return np.clip(tau, -limits, limits)
+    clipped = np.clip(tau, -limits, limits)
+    if noise is not None:
+        for j in np.flatnonzero(np.isfinite(limits) & (noise > 0)):
+            below, above = (limits[j] + way * tau[:, j] for way in (1, -1))
+            clipped[:, j] = tau[:, j] + _excess(-below, noise[j]) - _excess(-above, noise[j])
+    return clipped
+
+
+def _excess(x: Floats, noise: float) -> Floats:
+    """By how much ``x`` [K] with normal noise is beyond 0, on average (0 where it is not)."""
+    from scipy.special import ndtr
+
+    at = x / noise
+    return np.asarray(x * ndtr(at) + noise * np.exp(-(at**2) / 2) / math.sqrt(math.tau))
 
 
 def acting_on(effects: Iterable[EffectEntry], acts: Acts) -> Iterator[tuple[EffectEntry, Channel]]:

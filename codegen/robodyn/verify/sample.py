@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from robodyn.dynamics.functions.record import PI
+from robodyn.dynamics.functions.arguments import PI
 from robodyn.errors import InputError
 from robodyn.ir.signature import Signature
 from robodyn.robot.filling import parameter_values

@@ -111,8 +111,9 @@ def hidden_log(
     train, scale = _measured(
         true, known, _law(known, 2 * seed, duration, motion), duration, every, step, seed
     )
-    gap = np.sqrt(np.mean(_lacking(known, train, scale) ** 2, axis=0))
-    size = np.sqrt(np.mean(train.tau**2, axis=0))
+    clean = _clipped(true, train)
+    gap = np.sqrt(np.mean(_lacking(known, clean, scale) ** 2, axis=0))
+    size = np.sqrt(np.mean(clean.tau**2, axis=0))
     noise = noise_share * np.maximum(size, _QUIET * size.max())
     if ratio is not None:
         noise = noise * float((gap / noise).max()) / ratio
@@ -125,7 +126,7 @@ def hidden_log(
         _noisy(log, true, noise, encoder_bits, kind, np.random.default_rng((seed, which)))
         for which, log in enumerate((train, second))
     ]
-    return Hidden(given, logs[0], logs[1], Truth(true, tuple(effects), noise, gap, gap / noise, train))
+    return Hidden(given, logs[0], logs[1], Truth(true, tuple(effects), noise, gap, gap / noise, clean))
 
 
 def _true(known: Robot, effects: Sequence[EffectEntry]) -> Robot:
@@ -196,7 +197,7 @@ def _one_way(robot: Robot, seed: int, duration: float) -> Law:
 def _measured(
     true: Robot, known: Robot, law: Law, duration: float, every: int, step: float, seed: int
 ) -> tuple[Log, Scale]:
-    """The noiseless log: what the sensors that are not noisy show."""
+    """The noiseless log: what the sensors show that are not noisy, before they clip."""
     t, q, qd, qdd = reference(law, duration, step)
     coarse = slice(None, None, max(1, round(2e-3 / step)))
     ahead = inverse(replace(known, effects=()), q[coarse], qd[coarse], qdd[coarse])
@@ -237,8 +238,12 @@ def _shown(robot: Robot, made: Run) -> Log:
         robot, "torque_bias", "bias", 0.0
     )
     q = made.q + _at_joints(robot, "encoder_offset", "offset", 0.0)
+    return Log(made.t, q, made.qd, made.qdd, tau)
+
+
+def _clipped(robot: Robot, log: Log) -> Log:
     limit = _clip(robot, "sensor")
-    return Log(made.t, q, made.qd, made.qdd, np.clip(tau, -limit, limit))
+    return replace(log, tau=np.clip(log.tau, -limit, limit))
 
 
 def _at_joints(robot: Robot, id: str, name: str, none: float) -> Array:
@@ -276,12 +281,13 @@ def _lacking(known: Robot, log: Log, scale: Scale) -> Array:
 def _noisy(
     log: Log, robot: Robot, noise: Array, bits: int | None, rates: Rates, rng: np.random.Generator
 ) -> Log:
-    q, limit = log.q, _clip(robot, "sensor")
+    q = log.q
     if bits is not None:
         turn = np.array([2 * np.pi if link.joint.kind == "revolute" else 1.0 for link in robot.links])
         q = np.round(q / (turn / 2**bits)) * (turn / 2**bits)
-    tau = np.clip(log.tau + noise * rng.standard_normal(q.shape), -limit, limit)
-    return Log(log.t, q, log.qd if rates != "none" else None, log.qdd if rates == "both" else None, tau)
+    tau = log.tau + noise * rng.standard_normal(q.shape)
+    rates_seen = log.qd if rates != "none" else None, log.qdd if rates == "both" else None
+    return _clipped(robot, Log(log.t, q, *rates_seen, tau))
 
 
 def typical(arm: str, seed: int) -> tuple[Array, Array, Array, Array]:

@@ -1,7 +1,7 @@
-"""Contacts with something outside as findings; the logs without them, for all that is fitted later.
+"""Contacts with something outside: those in logs, those that stand out of a model, and as findings.
 
 What happens once in a log cannot be judged on parts of it that were left out: contacts are sought before
-anything else (:mod:`robodyn.identify.contact`), and their windows are left out.
+anything else (:mod:`robodyn.identify.contact`).
 """
 
 from __future__ import annotations
@@ -23,10 +23,11 @@ from robodyn.diagnose.select.limits import (
 )
 from robodyn.effects.rigid import CONTACT
 from robodyn.gate.gate import Gate
-from robodyn.identify.contact.contact import Contact, contacts, without, without_windows
+from robodyn.identify.contact.contact import Contact, contacts, without_windows
 from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]
+Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,11 +38,12 @@ class Touched:
     log: str
 
 
-def without_contacts(
+def touches(
     robot: Robot, gates: Sequence[Gate], digests: Sequence[str]
 ) -> tuple[list[Gate], tuple[Touched, ...]]:
-    """The logs without the windows of contacts, and the contacts. Of a log of which the description of
-    ``robot`` has windows, by its hash in ``digests``, these are left out, and none are sought."""
+    """The contacts in logs, and the logs without the windows that are known: of a log of which the
+    description of ``robot`` has windows, by its hash in ``digests``, these are left out, and none are
+    sought."""
     kept, touched = [], []
     for gate, digest in zip(gates, digests, strict=True):
         known = [
@@ -49,12 +51,9 @@ def without_contacts(
             for entry in robot.effects
             if entry.effect == CONTACT.id and "log" in entry and entry.text("log") == digest
         ]
-        if known:
-            kept.append(without_windows(gate, known))
-            continue
-        news = contacts(robot, gate)
-        touched += [Touched(one, digest) for one in news]
-        kept.append(without(gate, news))
+        kept.append(without_windows(gate, known))
+        if not known:
+            touched += [Touched(one, digest) for one in contacts(robot, gate)]
     return kept, tuple(touched)
 
 
@@ -66,20 +65,26 @@ def standing(
     kept = []
     for one in touched:
         gate = logs[one.log]
-        inside = _within(gate, one.contact)
-        beyond = ~np.any([_within(gate, each.contact) for each in touched if each.log == one.log], axis=0)
+        inside, outside = within(gate, one.contact), beyond(gate, touched, one.log)
         rest = left(gate)
-        if not inside.any() or not beyond.any():
+        if not inside.any() or not outside.any():
             kept.append(one)
             continue
-        loud, usual = (np.sqrt(np.mean(rest[rows] ** 2, axis=0)) for rows in (inside, beyond))
+        loud, usual = (np.sqrt(np.mean(rest[rows] ** 2, axis=0)) for rows in (inside, outside))
         if np.any(loud > CONTACT_LOUD * usual):
             kept.append(one)
     return tuple(kept)
 
 
-def _within(gate: Gate, contact: Contact) -> NDArray[np.bool_]:
+def within(gate: Gate, contact: Contact) -> Mask:
+    """The samples [K] of a log in the window of a contact."""
     return np.asarray((gate.log.t >= contact.start) & (gate.log.t <= contact.end))
+
+
+def beyond(gate: Gate, touched: Sequence[Touched], log: str) -> Mask:
+    """The samples [K] of the ``log``, whose hash that is, in no window of its contacts among ``touched``."""
+    windows = [within(gate, one.contact) for one in touched if one.log == log]
+    return np.asarray(~np.any([np.zeros(len(gate.log.t), dtype=bool), *windows], axis=0))
 
 
 def contact_findings(touched: Sequence[Touched]) -> tuple[Finding, ...]:

@@ -170,6 +170,12 @@ ENCODER_SURE: Final = 2.0
 ENCODER_CONFIDENCE: Final = 0.95
 """[probability] The confidence of what two encoders show without a fit to the torques."""
 
+# --- own numbers --------------------
+
+TURN_TIME: Final = 0.005
+"""[s] So well is known (standard deviation) when the friction of a joint that turns round does so as well: it
+sticks for a few thousandths of a second to some hundredths."""
+
 # --- refine --------------------
 
 REFINE_ROUNDS: Final = 4

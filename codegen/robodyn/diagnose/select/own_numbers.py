@@ -1,8 +1,10 @@
 """The rigid arm's own numbers as a nuisance: their columns, where findings have moved the arm.
 
 What a number of a link does to the torques depends on how the arm stands. Of a base that is level, a vertical
-first joint feels no centre of mass; of one that leans it does, and nobody has known the centre so far. So the
-columns beside findings are those of the arm with these findings.
+first joint feels no centre of mass; of one that leans it does, and nobody has known the centre so far.
+Friction under load shows the mass that presses on a bearing, which the torque of the rigid arm does not. So
+the columns beside findings are those of the arm with these findings. When exactly friction turns at reversals
+is a number of each joint that nobody knows either (:mod:`robodyn.diagnose.select.remainder`).
 """
 
 from __future__ import annotations
@@ -14,6 +16,9 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.select.fit import Problem, directions
 from robodyn.diagnose.select.library import Context
+from robodyn.diagnose.select.limits import TURN_TIME
+from robodyn.diagnose.select.remainder import turning
+from robodyn.identify.felt import felt
 from robodyn.identify.predict import offsets
 from robodyn.identify.rigid import Model
 from robodyn.robot.model import Robot
@@ -28,24 +33,50 @@ def own_numbers(start: Problem) -> tuple[Floats, Floats]:
 
 
 def own_numbers_of(
-    arm: Robot, robot: Robot, contexts: Sequence[Context], start: Problem
+    arm: Robot, robot: Robot, contexts: Sequence[Context], start: Problem, *, by_drives: bool = False
 ) -> tuple[Floats, Floats]:
-    """The same of ``arm``, which is ``robot`` with findings; ``contexts`` and ``start`` are of ``robot``."""
-    if not _stands_otherwise(arm, robot):
-        return own_numbers(start)
-    model, shift = Model(arm), offsets(arm)
+    """The same of ``arm``, which is ``robot`` with findings, and of when its friction turns; ``contexts`` and
+    ``start`` are of ``robot``. ``by_drives``: with what drives make of the loads on their joints. Names are
+    sought without: so free, the arm's numbers would take what is to be named."""
     scale = (start.weight / start.sigma)[:, :, None]
-    columns = np.concatenate([_along(model, shift, c) for c in contexts]) * scale * start.sizes
-    columns = columns @ directions(columns)
+    columns, prior = own_numbers(start)
+    by_drives = by_drives and feels_loads(arm)
+    if by_drives or _stands_otherwise(arm, robot):
+        along = [_along(arm, c, start.sizes if by_drives else None) for c in contexts]
+        whole = np.concatenate(along) * scale * start.sizes
+        columns, prior = _held(whole @ directions(whole), start.thin)
+    turns = np.concatenate([turning(arm, c) for c in contexts]) * scale * TURN_TIME
+    turns = turns[:, :, turns.any(axis=(0, 1))]
+    if not turns.shape[2]:
+        return columns, prior
+    more, held = _held(turns, start.thin)
+    whole_prior = np.zeros((len(prior) + len(held),) * 2)
+    whole_prior[: len(prior), : len(prior)], whole_prior[len(prior) :, len(prior) :] = prior, held
+    return np.concatenate([columns, more], axis=1), whole_prior
+
+
+def _held(columns: Floats, thin: float) -> tuple[Floats, Floats]:
+    """Columns [N, n, p] as [N n, p], a unit being a standard deviation, and how they are held [p, p]."""
     p = columns.shape[2]
-    return columns.reshape(-1, p), np.sqrt(start.thin) * np.eye(p)
+    return columns.reshape(-1, p), np.sqrt(thin) * np.eye(p)
 
 
 def _stands_otherwise(arm: Robot, robot: Robot) -> bool:
     return arm.gravity != robot.gravity or not np.array_equal(offsets(arm), offsets(robot))
 
 
-def _along(model: Model, shift: Floats, c: Context) -> Floats:
-    """Torques [N, n, 10 n] by the numbers of all links, filtered and thinned."""
-    s = c.slow
-    return s.thinned(s.filtered(model.regressor(s.q - shift, s.qd, s.qdd).reshape(len(s.q), c.n, -1)))
+def feels_loads(arm: Robot) -> bool:
+    """Whether a drive of the arm answers to the loads on its joint."""
+    return any(entry.definition.needs_load for entry in arm.effects)
+
+
+def _along(arm: Robot, c: Context, sizes: Floats | None) -> Floats:
+    """Torques [N, n, 10 n] by the numbers of all links, filtered and thinned; where these are known to
+    ``sizes`` [10 n], by way of the drives."""
+    model, s = Model(arm), c.slow
+    q = s.q - offsets(arm)
+    if sizes is None:
+        slopes = model.regressor(q, s.qd, s.qdd)
+    else:
+        slopes = felt(model, q, s.qd, s.qdd, sizes.reshape(c.n, -1))
+    return s.thinned(s.filtered(slopes.reshape(len(q), c.n, -1)))

@@ -24,16 +24,11 @@ from robodyn.diagnose.select.limits import (
     REFINE_WORTH,
 )
 from robodyn.diagnose.select.own_numbers import own_numbers_of
+from robodyn.diagnose.select.remainder import remainder
 from robodyn.effects.catalogue import effect
 from robodyn.effects.effect import Effect
-from robodyn.effects.traits import Dahl
 from robodyn.errors import InputError
-from robodyn.identify.oscillator import dahl_deflection
-from robodyn.identify.predict import given_torque, offsets
-from robodyn.identify.rigid import Model
-from robodyn.identify.twist import behind_motors
 from robodyn.robot.model import Robot
-from robodyn.simulate.sensors import measured_torque
 
 Floats = NDArray[np.float64]
 
@@ -41,17 +36,25 @@ Floats = NDArray[np.float64]
 @dataclass(frozen=True, slots=True, eq=False)
 class Freed:
     """The numbers of ``amendments`` to ``robot`` that logs say, at ``places`` (index, name): their values
-    ``x`` [P] are what is changed; ``contexts`` and ``start`` are of ``robot`` as it was given."""
+    ``x`` [P] are what is changed; ``contexts`` and ``start`` are of ``robot`` as it was given; ``by_drives``
+    as in :func:`own_numbers_of`."""
 
     robot: Robot
     amendments: tuple[Amendment, ...]
     contexts: tuple[Context, ...]
     start: Problem
     places: tuple[tuple[int, str], ...]
+    by_drives: bool = False
 
     @classmethod
     def of(
-        cls, robot: Robot, amendments: Sequence[Amendment], contexts: Sequence[Context], start: Problem
+        cls,
+        robot: Robot,
+        amendments: Sequence[Amendment],
+        contexts: Sequence[Context],
+        start: Problem,
+        *,
+        by_drives: bool = False,
     ) -> Freed:
         """All numbers that are sizes, and not 0."""
         places = tuple(
@@ -60,7 +63,7 @@ class Freed:
             for name, value in one.parameters.items()
             if isinstance(value, float) and value and _is_refined(effect(one.effect), name)
         )
-        return cls(robot, tuple(amendments), tuple(contexts), start, places)
+        return cls(robot, tuple(amendments), tuple(contexts), start, places, by_drives)
 
     @property
     def x(self) -> Floats:
@@ -90,14 +93,14 @@ class Freed:
             model = amended(self.robot, self.changed(x))
         except InputError:
             return None
-        rows = np.concatenate([_rest(model, c) for c in self.contexts]) / self.start.sigma
+        rows = np.concatenate([remainder(model, c) for c in self.contexts]) / self.start.sigma
         left = (rows * self.start.weight).reshape(-1)
         return left if np.isfinite(left).all() else None
 
     def own_numbers(self, x: Floats) -> tuple[Floats, Floats]:
         """Columns [N n, p] of the arm's own numbers beside values ``x`` [P], and how they are held [p, p]."""
         arm = amended(self.robot, self.changed(x))
-        return own_numbers_of(arm, self.robot, self.contexts, self.start)
+        return own_numbers_of(arm, self.robot, self.contexts, self.start, by_drives=self.by_drives)
 
     def slopes(self, x: Floats, left: Floats) -> Floats:
         """Of what is ``left`` [N n] the derivatives [N n, P] by ``x`` [P]; 0 where there is no robot."""
@@ -111,11 +114,17 @@ class Freed:
 
 
 def refined(
-    robot: Robot, amendments: Sequence[Amendment], contexts: Sequence[Context], start: Problem
+    robot: Robot,
+    amendments: Sequence[Amendment],
+    contexts: Sequence[Context],
+    start: Problem,
+    *,
+    by_drives: bool = False,
 ) -> list[Amendment]:
     """``amendments`` with numbers that explain more of the logs together; ``contexts`` and ``start`` are of
-    ``robot`` as it was given. By Gauss and Newton, differences taken one by one."""
-    freed = Freed.of(robot, amendments, contexts, start)
+    ``robot`` as it was given, ``by_drives`` as in :func:`own_numbers_of`. By Gauss and Newton, differences
+    taken one by one."""
+    freed = Freed.of(robot, amendments, contexts, start, by_drives=by_drives)
     if not freed.places:
         return list(amendments)
     x, sizes = freed.x, freed.sizes
@@ -158,7 +167,7 @@ def costs(
     for model in models:
         arm = amended(robot, model)
         nuisance, prior = own_numbers_of(arm, robot, contexts, start)
-        left = np.concatenate([_rest(arm, c) for c in contexts])
+        left = np.concatenate([remainder(arm, c) for c in contexts])
         left *= start.weight / start.sigma
         weight, usual = weights(left, nuisance, prior, usual)
         least = _least(weight * left.reshape(-1), weight[:, None] * nuisance, prior)[0]
@@ -203,23 +212,3 @@ def _least(b: Floats, A: Floats, prior: Floats, free: int = 0) -> tuple[float, F
     x = np.linalg.lstsq(G / np.outer(scale, scale), g / scale, rcond=1e-12)[0] / scale
     left = b - A @ x
     return float(left @ left + np.sum((rows @ x) ** 2)), x
-
-
-def _rest(robot: Robot, c: Context) -> Floats:
-    """What ``robot`` leaves of a log, filtered and thinned."""
-    s, model = c.signals, Model(robot, reuse=c.reuse)
-    q = c.reuse.shifted(s.q, offsets(robot))
-    torque = behind_motors(model, q, s.qd, s.qdd, s.period, s.tau)
-    total = torque.total
-    for entry in robot.effects:
-        for law in entry.definition.traits.candidates:
-            if isinstance(law, Dahl) and entry.joint:  # the model has them sliding
-                j, level = entry.joint - 1, entry.number(law.level)
-                if level > 0:
-                    limit = level / entry.number(law.stiffness)
-                    deflection = dahl_deflection(s.q[:, j], limit)
-                    rate = np.gradient(limit * deflection, s.period)
-                    total[:, j] += level * (deflection - model.direction(s.qd[:, j]))
-                    total[:, j] += entry.number(law.damping) * rate
-    tau = measured_torque(total, s.t, robot.effects)
-    return s.thinned(s.filtered(given_torque(s.tau, robot) - tau))

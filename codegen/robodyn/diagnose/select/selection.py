@@ -123,10 +123,8 @@ def weight_of(resting: Mask) -> Floats:
 
 
 def raw_noise(s: Signals) -> Floats:
-    """Standard deviations [n] of the torque channel's noise, from second differences."""
-    second = np.diff(s.tau, 2, axis=0)
-    deviation: Floats = 1.4826 * np.median(np.abs(second - np.median(second, axis=0)), axis=0) / np.sqrt(6)
-    return deviation
+    """Standard deviations [n] of the torque channel's noise."""
+    return np.zeros(s.n) if s.torque_noise is None else s.torque_noise
 
 
 def passed_noise(s: Signals) -> Floats:

@@ -19,7 +19,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.amend.amend import Amendment
+from robodyn.diagnose.amend.amend import Amendment, amended
 from robodyn.diagnose.limits import HALF_WIDTH
 from robodyn.diagnose.select.fit import Problem
 from robodyn.diagnose.select.library import Context
@@ -35,7 +35,8 @@ from robodyn.diagnose.select.limits import (
     PROFILE_TRIES,
     SCORE_PARTS,
 )
-from robodyn.diagnose.select.refine import Freed, weights
+from robodyn.diagnose.select.own_numbers import feels_loads
+from robodyn.diagnose.select.refine import Freed, refined, weights
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.identify.intervals import correlations
 from robodyn.robot.model import Robot
@@ -58,7 +59,9 @@ def uncertainties(
 ) -> tuple[list[Amendment], list[dict[str, Uncertainty]]]:
     """The ``amendments``, with better numbers where a profile comes across such, and by name how well the
     logs tell the numbers of each; of choices, and of numbers that nothing was fitted to, nothing."""
-    freed = Freed.of(robot, amendments, contexts, start)
+    if feels_loads(amended(robot, amendments)):
+        amendments = refined(robot, amendments, contexts, start, by_drives=True)
+    freed = Freed.of(robot, amendments, contexts, start, by_drives=True)
     x, known = freed.x, list[Uncertainty | None]()
     if freed.places:
         for restarts in range(PROFILE_RESTARTS, -1, -1):
@@ -109,7 +112,10 @@ class LocalFit:
         left = weight * left
         z = inverse @ (A.T @ left)
         misfit = float(left @ left - (A.T @ left) @ z)
-        errors = _errors(start, np.concatenate([J, A], axis=1), left - A @ z, prior)
+        # What the arm's own numbers make up for of the columns is taken off first: two numbers that only
+        # their ratio shows would be lost among many columns.
+        others = -inverse @ cross @ (own := _inverse(curvature))
+        errors = _errors(start, J @ own + A @ others, others, np.diag(own), left - A @ z, prior)
         return cls(freed, x, weight, J, A, inverse, misfit, curvature, errors)
 
     def misfit_at(self, x: Floats) -> tuple[float, Floats] | None:
@@ -246,22 +252,23 @@ def _inverse(H: Floats) -> Floats:
     )
 
 
-def _errors(start: Problem, B: Floats, left: Floats, prior: Floats) -> Floats:
-    """Standard errors [P] of the coefficients of the first columns of ``B`` [N n, P + p], of which the last
-    have a prior (its root ``prior`` [p, p]), of what they leave ``left`` [N n], both weighted.
+def _errors(
+    start: Problem, influence: Floats, others: Floats, least: Floats, left: Floats, prior: Floats
+) -> Floats:
+    """Standard errors [P] of numbers that change by the ``influence`` [N n, P] of each residual, of which
+    ``left`` [N n] are left, both weighted, and by ``others`` [p, P] with the arm's own numbers, which have a
+    prior (its root ``prior`` [p, p]); ``least`` [P]: their variances if each residual were of size 1.
 
     The wider one of two counts: by how residuals are correlated over time, as seen through the
-    columns; and by how much the parts of the log pull."""
-    n, size, own = start.n, B.shape[1], B.shape[1] - len(prior)
-    held = np.zeros((size, size))
-    held[own:, own:] = prior.T @ prior
-    bread = _inverse(B.T @ B + held)[:, :own]
-    by_joint, influence = left.reshape(-1, n), (B @ bread).reshape(-1, n, own)
-    of_prior = start.thin * bread.T @ held @ bread
+    columns; and by how much the parts of the log pull. A direction in which nothing shows (its curvature was
+    raised) has no influence: there residuals like those of the quietest joint count."""
+    n, own = start.n, influence.shape[1]
+    by_joint, influence = left.reshape(-1, n), influence.reshape(-1, n, own)
+    of_prior = start.thin * others.T @ prior.T @ prior @ others
     counted = np.maximum(np.mean(start.weight**2, axis=0), 1e-9)
     plain = of_prior.copy()
-    for j in range(n):
-        square = float(np.mean(by_joint[:, j] ** 2) / counted[j])
+    squares = np.mean(by_joint**2, axis=0) / counted
+    for j, square in enumerate(squares):
         U = influence[:, j]
         for lag, share in enumerate(correlations(by_joint[:, j])):
             together = U[: len(U) - lag].T @ U[lag:]
@@ -270,5 +277,6 @@ def _errors(start: Problem, B: Floats, left: Floats, prior: Floats) -> Floats:
     scores = np.stack([part.sum(axis=(0, 1)) for part in np.array_split(pulls, SCORE_PARTS)])
     scores = scores - scores.mean(axis=0)
     wide = scores.T @ scores * SCORE_PARTS / (SCORE_PARTS - 1) + of_prior
-    widest = np.max([np.diag(plain), np.diag(wide), np.diag(of_prior), LEAST_SPREAD * np.diag(bread)], axis=0)
+    quiet = max(LEAST_SPREAD, float(squares.min()))
+    widest = np.max([np.diag(plain), np.diag(wide), np.diag(of_prior), quiet * least], axis=0)
     return np.asarray(np.sqrt(widest))

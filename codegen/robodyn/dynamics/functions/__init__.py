@@ -10,11 +10,9 @@ from collections.abc import Collection, Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
+from robodyn.dynamics.functions.arguments import INPUTS, SC, Array
 from robodyn.dynamics.functions.record import (
-    INPUTS,
-    SC,
     WITH_WRENCH,
-    Array,
     Dynamics,
     Function,
     Moving,
@@ -71,13 +69,16 @@ def registered(functions: Iterable[Function]) -> dict[str, Function]:
         missing = [part for part in function.parts if part not in table]
         if missing:
             raise ValueError(f"function {function.name!r}: no such parts: {', '.join(missing)}")
+        for _, name, array, *_ in function.derivatives:
+            if name not in table or array not in {result.name for result in table[name].results}:
+                raise ValueError(f"function {function.name!r}: its derivative {array!r} is not in {name!r}")
     return table
 
 
 def _files() -> Iterable[Function]:
     folder = Path(__file__).parent
     for file in sorted(folder.glob("*.py")):
-        if file.stem not in ("__init__", "record"):
+        if file.stem not in ("__init__", "arguments", "record"):
             yield from importlib.import_module(f"{__name__}.{file.stem}").FUNCTIONS
 
 

@@ -8,7 +8,8 @@ from typing import Any
 
 from robodyn.dynamics.derivatives import coriolis_matrix, torque_derivatives
 from robodyn.dynamics.dual import moving_along, slopes
-from robodyn.dynamics.functions.record import QD, QDD, TAU, Array, Dynamics, Function, Length, Pair, Q, Vector
+from robodyn.dynamics.functions.arguments import QD, QDD, TAU, Array, Length, Q
+from robodyn.dynamics.functions.record import Dynamics, Function, Pair, Vector
 from robodyn.dynamics.joints import friction_slope
 from robodyn.dynamics.mass_matrix import Factored, solve_symmetric
 from robodyn.dynamics.newton_euler import newton_euler

@@ -8,11 +8,14 @@ from typing import Any
 from robodyn.dynamics.arm import Motion
 from robodyn.dynamics.drift import tool_drift
 from robodyn.dynamics.dual import Dual, moving_along, slopes
-from robodyn.dynamics.functions.record import QD, Array, Dynamics, Function, Pair, Q, Vector
+from robodyn.dynamics.functions.arguments import QD, Array, Q
+from robodyn.dynamics.functions.record import Derivative, Dynamics, Function, Pair, Vector
 from robodyn.dynamics.jacobians import Column, columns
 from robodyn.dynamics.kinematics import frames, jacobian
+from robodyn.dynamics.mass_matrix import factoring
 from robodyn.dynamics.operational import by_elimination, lambda_inverse
 from robodyn.dynamics.poses import flat, link_places, placed, pose, rows_of, seen_from_tool
+from robodyn.dynamics.responses import lambda_inverse_by_answers
 from robodyn.dynamics.transforms import Matrix, applied, product, transform, transposed
 
 POSE = Array("T", "frame of the tool in the world, [R p]", "1 and m", shape=(3, 4))
@@ -82,6 +85,10 @@ def _drift(at: Dynamics) -> Sequence[Any]:
 
 def _lambda_inverse(at: Dynamics) -> Sequence[Any]:
     return flat(lambda_inverse(at))
+
+
+def _lambda_by_answers(at: Dynamics) -> Sequence[Any]:
+    return flat(lambda_inverse_by_answers(at))
 
 
 # --- by other ways: transforms, and poses differentiated ----------------------------------------------------
@@ -179,6 +186,7 @@ FUNCTIONS = (
         _forward_kinematics,
         expected=_tool_pose,
         geometric=True,
+        derivatives=(Derivative("q", "jacobian", JAC.name, of_frame=True),),
     ),
     Function(
         "link_poses",
@@ -218,6 +226,8 @@ FUNCTIONS = (
         expected=_solved_for,
         parts=("mass_matrix",),
         solves=True,
+        of_long_arms=(_lambda_by_answers,),
+        beside_parts=factoring,
     ),
     Function(
         "jacobian_dot_qd",

@@ -10,7 +10,8 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
-from robodyn.dynamics.functions.record import QD, QDD, Array, Dynamics, Function, NoSuchFunction, Q
+from robodyn.dynamics.functions.arguments import QD, QDD, Array, Q
+from robodyn.dynamics.functions.record import Dynamics, Function, NoSuchFunction
 
 TAU_MOTOR = Array("tau_motor", "motor torques in front of the gears", "N m")
 CURRENT = Array("current", "motor currents", "A")

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from math import prod
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
-from robodyn.dynamics.limits import FEW_JOINTS
+from robodyn.dynamics.functions.arguments import INPUTS, Array
+from robodyn.dynamics.limits import FEW_JOINTS, MANY_JOINTS
 from robodyn.dynamics.rotor import Rotor as Rotor
 from robodyn.dynamics.vectors import Mark
 from robodyn.errors import InputError
@@ -19,75 +19,8 @@ if TYPE_CHECKING:
     from robodyn.dynamics.lump import Lump, MomentForm
     from robodyn.dynamics.parallel import Turns
 
-#: Elements of a state along one axis: a number, or as many as there are joints (n) or base parameters (p).
-Length = int | Literal["n", "p"]
 #: Scalars of any kind, one for each joint.
 Vector = Sequence[Any]
-
-
-class Array(NamedTuple):
-    """An argument of a kernel: what it holds, its unit (and that at prismatic joints, where it is another),
-    and the shape of one state's, ``()`` for a single number. C and Fortran have it as one row of numbers,
-    matrices row by row."""
-
-    name: str
-    holds: str
-    unit: str
-    prismatic: str = ""
-    shape: tuple[Length, ...] = ("n",)
-
-    def shape_at(self, n: int, p: int = 0) -> tuple[int, ...]:
-        """The shape for ``n`` joints and ``p`` base parameters."""
-        return tuple(n if length == "n" else p if length == "p" else length for length in self.shape)
-
-    def size_at(self, n: int, p: int = 0) -> int:
-        """How many numbers these are."""
-        return prod(self.shape_at(n, p))
-
-    def shape_of(self, size: int, n: int = 0) -> tuple[int, ...]:
-        """The shape of so many numbers, for ``n`` joints if that is known.
-
-        Raises
-        ------
-        ValueError: the array has not so many, whatever the number of joints.
-        """
-        p = 0
-        if "p" in self.shape:
-            p = size // max(1, self.size_at(n, 1))
-        else:
-            free = self.shape.count("n")
-            n = round((size / self.size_at(1)) ** (1 / free)) if free else 0
-        if self.size_at(n, p) != size:
-            raise ValueError(f"{self.name} is {list(self.shape)}, and not of {size} numbers")
-        return self.shape_at(n, p)
-
-    @property
-    def text(self) -> str:
-        """What it holds and its unit, for the heads of files."""
-        rows = ", row by row" if len(self.shape) > 1 else ""
-        unit = self.unit + (f", prismatic {self.prismatic}" if self.prismatic else "")
-        return f"{self.holds}{rows}" + (f" [{unit}]" if unit else "")
-
-    @property
-    def words(self) -> str:
-        """The same for Python, where matrices are matrices."""
-        units = " or ".join(unit for unit in (self.unit, self.prismatic) if unit)
-        return f"{self.holds}, {units}" if units else self.holds
-
-
-#: What a function may be given.
-Q = Array("q", "joint positions", "rad", "m")
-QD = Array("qd", "joint velocities", "rad/s", "m/s")
-QDD = Array("qdd", "joint accelerations", "rad/s^2", "m/s^2")
-TAU = Array("tau", "joint torques", "N m", "N")
-#: In q's place, where sines and cosines are given.
-SC = Array("sc", "sines and cosines, as listed below", "")
-#: What pushes the tool, on request.
-WRENCH = Array(
-    "w", "force and moment on the tool at its origin, along the world's axes", "N, N m", shape=(6,)
-)
-PI = Array("pi", "base parameters, as listed below", "SI units", shape=("p",))
-INPUTS = (Q, QD, QDD, TAU, WRENCH, PI)
 #: What a function is called that has the wrench as a further input, behind the name of the one without.
 WITH_WRENCH = "_with_wrench"
 #: Names of other arguments: run-time parameters, memory, time step, states of a batch.
@@ -185,6 +118,20 @@ class NoSuchFunction(InputError):
 Pair = tuple[Sequence[Any], Sequence[Any]]
 
 
+class Derivative(NamedTuple):
+    """Where the derivative of a function's result by the input ``by`` is: in the result ``array`` of
+    ``function``, of which those inputs that the first has not are zero. A row for each element of the result,
+    a column for each of ``by``; with ``of_frame`` the result is a frame ``[R p]``, and a column is how fast
+    it moves and how fast it turns, along the world's axes. ``affine``: only where torques are affine in the
+    accelerations, which load-dependent friction is not."""
+
+    by: str
+    function: str
+    array: str
+    of_frame: bool = False
+    affine: bool = False
+
+
 @dataclass(frozen=True, slots=True, eq=False, repr=False)  # one object each; every command imports this
 class Function:
     """A function that kernels may have.
@@ -213,10 +160,14 @@ class Function:
     others: other ways to write ``outputs``; what is emitted is the one that takes the fewest operations.
     small: the same, for arms of few joints.
     of_rigid_arms: the same, for arms whose drives have no effects.
+    of_long_arms: the same, for such arms of many joints.
+    beside_parts: about how many operations it takes beside those of its parts, for so many joints, where few
+        of the parts' results are numbers: what tells that another way takes fewer before it is built.
     apart: whether it is put together from its parts even where there is no record of them.
     by_parts: how it is put together from its parts; None: in any of the ways to write ``outputs``.
     drives: whether it depends on what drives do; if not, robots with effects have the rigid arm's.
     geometric: whether it is of the links' places and motion alone: drives and effects have no part in it.
+    derivatives: of its only result by each of its inputs; none: no function has them.
     """
 
     name: str
@@ -235,10 +186,13 @@ class Function:
     others: tuple[Callable[[Dynamics], Sequence[Any]], ...] = ()
     small: tuple[Callable[[Dynamics], Sequence[Any]], ...] = ()
     of_rigid_arms: tuple[Callable[[Dynamics], Sequence[Any]], ...] = ()
+    of_long_arms: tuple[Callable[[Dynamics], Sequence[Any]], ...] = ()
+    beside_parts: Callable[[int], int] = lambda joints: 0
     apart: bool = False
     by_parts: Callable[[Dynamics], Sequence[Any]] | None = None
     drives: bool = True
     geometric: bool = False
+    derivatives: tuple[Derivative, ...] = ()
 
     def __post_init__(self) -> None:
         """:class:`ValueError` for a record that is none: found where the package is imported."""
@@ -256,6 +210,11 @@ class Function:
             raise ValueError(f"function {self.name!r}: emitted code has other arguments called {taken}")
         if self.expected is None and self.condition is None:
             raise ValueError(f"function {self.name!r}: nothing says what is right: expected or condition")
+        if self.derivatives and (len(self.results), tuple(d.by for d in self.derivatives)) != (
+            1,
+            self.input_names,
+        ):
+            raise ValueError(f"function {self.name!r}: derivatives are of one result by all inputs, or none")
 
     @property
     def is_recursion(self) -> bool:
@@ -305,6 +264,10 @@ class Function:
     def writings(self, n: int) -> tuple[Callable[[Dynamics], Sequence[Any]], ...]:
         """All ways to write the outputs of ``n`` joints."""
         return (self.outputs, *self.others, *(self.small if n <= FEW_JOINTS else ()))
+
+    def without_effects(self, n: int) -> tuple[Callable[[Dynamics], Sequence[Any]], ...]:
+        """All other ways to write them where drives have no effects."""
+        return (*self.of_rigid_arms, *(self.of_long_arms if n >= MANY_JOINTS else ()))
 
     def size_at(self, n: int, p: int = 0) -> int:
         """How many numbers the results are for ``n`` joints and ``p`` base parameters."""

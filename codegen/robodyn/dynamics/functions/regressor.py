@@ -7,7 +7,8 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from robodyn.dynamics.arm import Arm, Body, Symmetric
-from robodyn.dynamics.functions.record import PI, QD, QDD, TAU, Array, Dynamics, Function, Pair, Q, Vector
+from robodyn.dynamics.functions.arguments import PI, QD, QDD, TAU, Array, Q
+from robodyn.dynamics.functions.record import Dynamics, Function, Pair, Vector
 from robodyn.dynamics.lump import Lump
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.dynamics.regressor import torques_from, unit_torques

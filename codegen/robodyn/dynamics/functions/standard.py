@@ -6,8 +6,10 @@ from collections.abc import Sequence
 from typing import Any
 
 from robodyn.dynamics.articulated import articulated_bodies
-from robodyn.dynamics.functions.record import QD, QDD, TAU, Array, Dynamics, Function, Pair, Q, Vector
-from robodyn.dynamics.mass_matrix import Factored, solve_symmetric
+from robodyn.dynamics.functions.arguments import QD, QDD, TAU, Array, Q
+from robodyn.dynamics.functions.record import Derivative, Dynamics, Function, Pair, Vector
+from robodyn.dynamics.mass_matrix import Factored, factoring, solve_symmetric
+from robodyn.dynamics.responses import inverse_mass_matrix_by_answers
 from robodyn.dynamics.weights import holding_torques, weighed
 
 M = Array("M", "mass matrix", "kg m^2, kg m, kg", shape=("n", "n"))
@@ -66,12 +68,20 @@ def _inverse(at: Dynamics) -> Sequence[Any]:
     return [entry for row in Factored(at.mass_matrix(), at.mark).inverse() for entry in row]
 
 
+def _inverse_by_answers(at: Dynamics) -> Sequence[Any]:
+    return [entry for row in inverse_mass_matrix_by_answers(at) for entry in row]
+
+
 def _undoes_the_matrix(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
     """The torques of the accelerations that the inverse makes of ``x``, less those at rest, are ``x``."""
     n = len(x)
     accelerations = [sum(result[n * i + j] * x[j] for j in range(n)) for i in range(n)]
     moving, still = at.torques(at.rest, accelerations), at.torques(at.rest, at.rest)
     return [one - other for one, other in zip(moving, still, strict=True)], x
+
+
+_BY_Q = Derivative("q", "inverse_dynamics_derivatives", "dtau_dq")
+_BY_QD = Derivative("qd", "inverse_dynamics_derivatives", "dtau_dqd")
 
 
 FUNCTIONS = (
@@ -84,6 +94,7 @@ FUNCTIONS = (
         expected=_inverse_dynamics,
         by_default=True,
         zeros=(),
+        derivatives=(_BY_Q, _BY_QD, Derivative("qdd", "mass_matrix", "M", affine=True)),
     ),
     Function(
         "gravity",
@@ -94,6 +105,7 @@ FUNCTIONS = (
         expected=_gravity,
         by_default=True,
         zeros=("qd", "qdd"),
+        derivatives=(_BY_Q,),
         of_rigid_arms=(_gravity_by_weights,),
     ),
     Function(
@@ -105,6 +117,7 @@ FUNCTIONS = (
         expected=_bias,
         by_default=True,
         zeros=("qdd",),
+        derivatives=(_BY_Q, _BY_QD),
     ),
     Function(
         "mass_matrix",
@@ -127,6 +140,10 @@ FUNCTIONS = (
         parts=("bias", "mass_matrix"),
         solves=True,
         of_rigid_arms=(_articulated,),
+        beside_parts=factoring,
+        derivatives=tuple(
+            Derivative(by, "forward_dynamics_derivatives", f"dqdd_d{by}") for by in ("q", "qd", "tau")
+        ),
     ),
     Function(
         "inverse_mass_matrix",
@@ -137,5 +154,7 @@ FUNCTIONS = (
         condition=_undoes_the_matrix,
         parts=("mass_matrix",),
         solves=True,
+        of_long_arms=(_inverse_by_answers,),
+        beside_parts=lambda joints: 2 * factoring(joints),
     ),
 )

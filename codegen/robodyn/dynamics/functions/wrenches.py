@@ -6,22 +6,11 @@ from collections.abc import Sequence
 from typing import Any
 
 from robodyn.dynamics.articulated import articulated_bodies
-from robodyn.dynamics.functions.record import (
-    QD,
-    QDD,
-    TAU,
-    WITH_WRENCH,
-    WRENCH,
-    Array,
-    Dynamics,
-    Function,
-    Pair,
-    Q,
-    Vector,
-)
+from robodyn.dynamics.functions.arguments import QD, QDD, TAU, WRENCH, Array, Q
+from robodyn.dynamics.functions.record import WITH_WRENCH, Dynamics, Function, Pair, Vector
 from robodyn.dynamics.functions.standard import FUNCTIONS as STANDARD
 from robodyn.dynamics.kinematics import frames, jacobian
-from robodyn.dynamics.mass_matrix import solve_symmetric
+from robodyn.dynamics.mass_matrix import factoring, solve_symmetric
 from robodyn.dynamics.wrenches import by_jacobian, carried_outward
 
 TAU_WRENCH = Array("tau_wrench", "joint torques of the wrench, J^T w", "N m", "N")
@@ -104,6 +93,7 @@ FUNCTIONS = (
         condition=_needs_the_torques,
         others=(_forward_outward,),
         of_rigid_arms=(_articulated,),
+        beside_parts=factoring,
         parts=("bias", "mass_matrix"),
         solves=True,
     ),

@@ -13,6 +13,7 @@ from robodyn.errors import InputError
 __all__ = [
     "LANGUAGES",
     "compiled_language",
+    "compiled_names",
     "defaults",
     "language_named",
     "language_of_browsers",
@@ -49,6 +50,11 @@ def defaults() -> tuple[str, ...]:
     return tuple(name for name, language in LANGUAGES.items() if language.default)
 
 
+def compiled_names() -> tuple[str, ...]:
+    """The names of the languages that can be called from Python."""
+    return tuple(name for name, language in LANGUAGES.items() if language.compiled is not None)
+
+
 def language_named(name: str) -> Language:
     """The language called ``name``, which may be an alias.
 
@@ -78,9 +84,9 @@ def compiled_language(name: str) -> tuple[Language, Compiled]:
     """
     language = language_named(name)
     if language.compiled is None:
-        able = [one.name for one in LANGUAGES.values() if one.compiled is not None]
         raise InputError(
-            f"{language.title} is written, and cannot be called from Python", expected=" or ".join(able)
+            f"{language.title} is written, and cannot be called from Python",
+            expected=" or ".join(compiled_names()),
         )
     return language, language.compiled
 

@@ -15,7 +15,7 @@ from robodyn.emit.sines import ANGLES, COSINES, SINES
 from robodyn.emit.spelling import WIDTH
 from robodyn.emit.statements import Expression
 from robodyn.emit.syntax import Sines, Syntax
-from robodyn.emit.unit import OF_LIBM, Unit, calls
+from robodyn.emit.unit import Unit, needs_libm
 from robodyn.ir.signature import Signature
 
 
@@ -103,7 +103,7 @@ def _context(unit: Unit) -> dict[str, Any]:
     return {
         "trig": c_trig(name, single=unit.functions[0][0].scalar == "float"),
         "contraction": None if unit.contraction is None else unit.contraction.upper(),
-        "math": not unit.builtin or bool(calls(unit) & OF_LIBM),
+        "math": needs_libm(unit),
         "guard": f"{name.upper()}_H",
         "macros": _macros(unit),
     }
@@ -126,6 +126,7 @@ LANGUAGE = Language(
     default=True,
     suffixes=(".c",),
     files={"NAME.h": "c/kernel.h.j2", "NAME.c": "c/kernel.c.j2"},
+    package_tests={"NAME_vectors.c": "c/vectors.c.j2"},
     spelling=lambda single: c_spelling(single=single),
     syntax=_syntax,
     function=_function,

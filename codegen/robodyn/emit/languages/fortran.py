@@ -10,7 +10,7 @@ from typing import Any
 from robodyn.emit.advice import advice
 from robodyn.emit.language import Compiled, FunctionText, Language, SelfTest
 from robodyn.emit.sines import ANGLES, COSINES, SINES
-from robodyn.emit.spelling import WIDTH, Spelling
+from robodyn.emit.spelling import WIDTH, Spelling, elements
 from robodyn.emit.statements import Expression
 from robodyn.emit.syntax import Sines, Syntax
 from robodyn.emit.trig import trig_context
@@ -21,14 +21,9 @@ from robodyn.ir.signature import Signature
 def fortran_spelling(*, single: bool, states: Sequence[str] = ()) -> Spelling:
     """``states`` are the members of ``state``, where a function has one; it has ``dt`` then."""
 
-    def element(array: str, i: int) -> str:
-        if array == "dt":
-            return array
-        return f"state%{states[i]}" if array == "state" else f"{array}({i + 1})"
-
     return Spelling(
         literal=lambda digits: digits + "_rk",
-        element=element,
+        element=elements(states, "state%{}", "{}({})", first=1),
         member=lambda name: f"p%{name}",
         functions={
             "sin": lambda x: f"sin({x})",
@@ -124,6 +119,7 @@ LANGUAGE = Language(
     default=True,
     suffixes=(".f90", ".f"),
     files={"NAME.f90": "fortran/kernel.f90.j2"},
+    package_tests={"NAME_vectors.f90": "fortran/vectors.f90.j2"},
     spelling=lambda single: fortran_spelling(single=single),
     syntax=_syntax,
     function=_function,

@@ -13,7 +13,7 @@ from typing import Any
 
 from robodyn.emit.language import FunctionText, Language
 from robodyn.emit.sines import ANGLES, COSINES, SINES
-from robodyn.emit.spelling import Spelling
+from robodyn.emit.spelling import Spelling, elements
 from robodyn.emit.statements import Expression
 from robodyn.emit.syntax import Sines, Syntax
 from robodyn.emit.trig import trig_context
@@ -27,18 +27,13 @@ _INEXACT = frozenset({"exp", "pow", "tanh"})
 def javascript_spelling(*, states: Sequence[str] = ()) -> Spelling:
     """``states`` are the members of ``state``, where a function has one; it has ``dt`` then."""
 
-    def element(array: str, i: int) -> str:
-        if array == "dt":
-            return array
-        return f"state.{states[i]}" if array == "state" else f"{array}[{i}]"
-
     def of_math(name: str) -> Callable[..., str]:
         return lambda *arguments: f"Math.{name}({', '.join(arguments)})"
 
     names = ("sin", "cos", "tanh", "sqrt", "exp", "pow", "abs")
     return Spelling(
         literal=lambda digits: digits,
-        element=element,
+        element=elements(states, "state.{}", "{}[{}]"),
         member=lambda name: f"p.{name}",
         functions={
             **{name: of_math(name) for name in names},

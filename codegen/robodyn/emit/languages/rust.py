@@ -13,7 +13,7 @@ from typing import Any
 
 from robodyn.emit.language import FunctionText, Language
 from robodyn.emit.sines import ANGLES, COSINES, SINES
-from robodyn.emit.spelling import WIDTH, Spelling
+from robodyn.emit.spelling import WIDTH, Spelling, elements
 from robodyn.emit.statements import Expression
 from robodyn.emit.syntax import Sines, Syntax
 from robodyn.emit.trig import trig_context
@@ -43,15 +43,10 @@ _OF_LIBM = frozenset({"exp", "pow", "sqrt", "tanh"})
 def rust_spelling(*, single: bool, states: Sequence[str] = ()) -> Spelling:
     """``states`` are the members of ``state``, where a function has one; it has ``dt`` then."""
 
-    def element(array: str, i: int) -> str:
-        if array == "dt":
-            return array
-        return f"state.{identifier(states[i])}" if array == "state" else f"{array}[{i}]"
-
     f = "f" if single else ""
     return Spelling(
         literal=lambda digits: digits,
-        element=element,
+        element=elements([identifier(name) for name in states], "state.{}", "{}[{}]"),
         member=lambda name: f"p.{identifier(name)}",
         functions={
             "sin": lambda x: f"libm::sin{f}({x})",

@@ -8,7 +8,8 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.errors import InputError
-from robodyn.ir.graph import Graph, Node, Scalar, children
+from robodyn.ir.graph import Graph, Node, Scalar
+from robodyn.ir.key import children
 from robodyn.ir.program import Input, Program
 from robodyn.optimize.prune.box import Box
 from robodyn.optimize.prune.polynomial import BITS, MOST, Polynomial, constant

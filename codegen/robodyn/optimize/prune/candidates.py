@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from robodyn.ir.graph import Node, Scalar, children
+from robodyn.ir.graph import Node, Scalar
+from robodyn.ir.key import children
 from robodyn.ir.lowering import needed
 from robodyn.optimize.prune.editor import COSTLY, Edit, Editor, Edits
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from robodyn.ir.graph import Graph, Node, Scalar, children
+from robodyn.ir.graph import Graph, Node, Scalar
+from robodyn.ir.key import children
 from robodyn.ir.lowering import lower, needed
 from robodyn.ir.program import Program
 from robodyn.optimize.prune.bounds import Expansions

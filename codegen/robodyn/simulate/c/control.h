@@ -51,10 +51,10 @@ static int control(run *r, long instant) {
     return 1;
 }
 
-/* What is due at t: control and breaks. */
+/* What is due at t: control, at once for the first time, and breaks. */
 static int update(run *r) {
     double now = r->t + nearness(r);
-    while ((double)r->instant * r->is.period <= now) {
+    while (r->instant == 0 || (double)r->instant * r->is.period <= now) {
         if (!control(r, r->instant)) return 0;
         r->instant++;
         r->known = 0;
@@ -68,7 +68,7 @@ static int update(run *r) {
 
 /* The next time at which a torque may jump or bend, or the run's end. */
 static double next_jump(const run *r) {
-    double next = (double)(r->samples - 1) * r->is.sample_period, due = (double)r->instant * r->is.period;
+    double next = r->finish, due = (double)r->instant * r->is.period;
     if (due < next) next = due;
     if (r->next_break < r->is.break_count && r->is.breaks[r->next_break] < next) next = r->is.breaks[r->next_break];
     return next;

@@ -1,114 +1,10 @@
 /* Runs of a mechanical system with dry friction: see system.h for the system, settings.h for what can be asked.
- *
- * Fixed steps look for elements that come to rest inside a step, and end it there; whether one that rests breaks
- * away is decided where steps start. Adaptive steps end on both. Steps also end on control instants and breaks, so
- * that no jump of a torque lies inside one; fixed steps end on the samples too, adaptive ones are interpolated.
+ * Fixed steps end on the samples, adaptive ones are interpolated.
  */
 #include <stdlib.h>
-#include "events.h"
+#include "advance.h"
 
 enum { ROW = 1 + 3 * N + K + E + 2 };
-
-static int failed(run *r, int status) {
-    r->status = status;
-    return 0;
-}
-
-/* Why there is no acceleration: what is not finite has been met before. */
-static int missing(const run *r) {
-    for (int i = 0; i < N; i++)
-        if (!(fabs(r->a[i]) <= 1e300)) return NOT_FINITE;
-    return NO_ACCELERATION;
-}
-
-/* The slopes at t, under the directions that hold from there on. */
-static int ready(run *r) {
-    if (r->known) return 1;
-    if (!finite(r->x)) return failed(r, NOT_FINITE);
-    if (!decide(r, r->t, r->x)) return failed(r, NO_ACCELERATION);
-    collect(r, r->x, r->k[0]);
-    r->known = 1;
-    return finite(r->k[0]) ? 1 : failed(r, NOT_FINITE);
-}
-
-/* A step that is accurate enough to r->end; its length, and in `whole` whether that is all of `rest`. 0: failed. */
-static double adaptive_step(run *r, double rest, int *whole) {
-    double h = r->h > 0 ? r->h : first_length(r);
-    int tried = 0;
-    if (h > r->is.step) h = r->is.step;
-    *whole = 1.01 * h >= rest;
-    if (*whole) h = rest;
-    else if (2 * h > rest) h = rest / 2;
-    for (;;) {
-        int made = attempt(r, h);
-        r->counter[STEPS]++;
-        if (made && r->error <= 1 && finite(r->end)) break;
-        r->counter[REJECTED]++;
-        tried = 1;
-        double by = made && r->error <= 1e300 ? 0.9 * pow(r->error, -0.2) : 0.2;
-        h *= by > 0.2 ? by : 0.2;
-        *whole = 0;
-        if (h < 1e-15 * (1 + fabs(r->t)))
-            return failed(r, !made ? missing(r) : finite(r->end) ? STEP_TOO_SMALL : NOT_FINITE);
-        if (r->counter[STEPS] >= r->is.max_steps) return failed(r, TOO_MANY_STEPS);
-    }
-    double error = r->error > 1e-10 ? r->error : 1e-10, by = pow(error, 0.17) / pow(r->last_error, 0.04) / 0.9;
-    by = by < 0.1 ? 0.1 : by > 5 ? 5 : by;
-    if (tried && by < 1) by = 1;
-    double next = h / by;
-    r->h = *whole && next < r->h ? r->h : next;
-    r->last_error = error > 1e-4 ? error : 1e-4;
-    return h;
-}
-
-static double fixed_step(run *r, double rest, int *whole) {
-    double count = ceil(rest / r->is.step - 1e-9);
-    if (count < 1) count = 1;
-    count *= parts(r, rest / count);
-    *whole = count == 1;
-    r->counter[STEPS]++;
-    if (!attempt(r, rest / count)) return failed(r, missing(r));
-    return finite(r->end) ? rest / count : failed(r, NOT_FINITE);
-}
-
-/* One step, to `until` at the most. */
-static int step(run *r, double until) {
-    int whole, adaptive = r->is.method == 1, again = 0, idle = 0;
-    if (r->counter[STEPS] >= r->is.max_steps) return failed(r, TOO_MANY_STEPS);
-    double h = adaptive ? adaptive_step(r, until - r->t, &whole) : fixed_step(r, until - r->t, &whole);
-    if (h == 0) return 0;
-    if (adaptive) remember(r, h);
-    if (E > 0) {
-        double right = passed(r, h);
-        if (right > 0) {
-            h = locate(r, h, right);
-            if (h == 0) return failed(r, NO_ACCELERATION);
-            if (adaptive) remember(r, h);
-            r->landing = 1;
-            r->h = 0;
-            whole = 0;
-        }
-        for (int e = 0; e < E; e++) {
-            double u = speed(e, r->end + V);
-            r->moved[e] = u - speed(e, r->x + V);
-            if (!r->rest[e] || r->s[e] == 0) continue;
-            again = 1;
-            if (r->s[e] * u > 1e-12 * h * lost(r, e)) continue;
-            idle = 1; /* let go, but others hold it */
-            r->s[e] = 0;
-        }
-    }
-    memcpy(r->x, r->end, sizeof r->x);
-    r->t = whole ? until : r->t + h;
-    if (!r->landing) {
-        r->burst = r->hold = 0;
-        if (idle) span(r);
-        if (r->stuck.rows > 0) project(r, r->x);
-    }
-    r->known = adaptive && !whole && !r->landing && !again;
-    if (r->known) memcpy(r->k[0], r->k[STAGES - 1], sizeof r->k[0]);
-    return 1;
-}
 
 static double *put(double *to, const double *from, int count) {
     memcpy(to, from, sizeof(double) * (size_t)count);
@@ -139,14 +35,8 @@ int run_advance(run *r, long evaluations) {
             else record(r, due, x);
             continue;
         }
-        if (r->landing) land(r);
-        if (!update(r)) {
-            failed(r, INTERRUPTED);
-            break;
-        }
-        double next = next_jump(r);
-        r->until = nextafter(next, -1);
-        if (!ready(r)) break;
+        double next;
+        if (!prepared(r, &next)) break;
         if (due <= r->t + nearness(r)) {
             if (r->is.control == LINEAR) torques(r, r->t, r->x);
             memcpy(r->a, r->k[0] + V, sizeof r->a);
@@ -161,31 +51,9 @@ int run_advance(run *r, long evaluations) {
 run *run_new(const settings *is) {
     run *r = calloc(1, sizeof *r);
     if (r == NULL) return NULL;
-    r->is = *is;
+    begin(r, is);
     r->samples = (long)floor(is->duration / is->sample_period + 1e-9) + 1;
-    r->last_error = 1e-4;
-    memcpy(r->x, is->y, sizeof(double) * N);
-    memcpy(r->x + V, is->v, sizeof(double) * N);
-    if (K > 0) memcpy(r->x + Z, is->z, sizeof(double) * K);
-    for (int e = 0; e < E; e++) {
-        int entries = 0, taken = 0;
-        r->unit[e] = -1;
-        r->square[e] = dot(system_w[e], system_w[e]);
-        for (int i = 0; i < N; i++)
-            if (system_w[e][i] != 0) entries++, r->unit[e] = i;
-        if (entries != 1) r->unit[e] = -1;
-        /* elements of one colour have no coordinate in common */
-        for (int colour = 0; colour <= e; colour++) {
-            taken = 0;
-            for (int other = 0; other < e; other++)
-                for (int i = 0; i < N && r->colour[other] == colour; i++)
-                    taken |= system_w[other][i] != 0 && system_w[e][i] != 0;
-            if (taken) continue;
-            r->colour[e] = colour;
-            if (colour >= r->colours) r->colours = colour + 1;
-            break;
-        }
-    }
+    r->finish = (double)(r->samples - 1) * is->sample_period;
     return r;
 }
 

@@ -26,6 +26,7 @@ struct run {
     /* control */
     long instant;      /* of the control that is due next */
     int next_break;
+    double finish;     /* the run's end: steps stay before it */
     double until;      /* the stage times stay before this: the next discontinuity */
     double command[N], applied[N], tau[N];
 

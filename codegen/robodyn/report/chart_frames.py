@@ -1,4 +1,4 @@
-"""Frames of the charts of a diagnosis: scales, ticks, and paths of SVG in few bytes.
+"""Frames of the charts on pages: scales, ticks, and paths of SVG in few bytes.
 
 A path is drawn in a box of :data:`WIDE` by :data:`HIGH` that is stretched to the place it gets; ticks are in
 percent of that place, so that text keeps its size on a screen of any width.

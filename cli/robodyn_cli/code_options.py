@@ -1,0 +1,81 @@
+"""Options shared by the commands that write kernels: numbers, sines, order of operations, style."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any, TypeVar
+
+import click
+
+from robodyn_cli.choices import CONTRACTIONS, ORDERS, SCALARS, TRIGONOMETRY
+from robodyn_cli.targets import TargetOption
+
+Command = TypeVar("Command", bound=Callable[..., Any])
+
+
+def code_options(*, lists: Mapping[str, str], target_help: str = "") -> Callable[[Command], Command]:
+    """Add them, passed under their own names; ``target_help`` is further help of ``--target``, with names of
+    targets out of ``lists`` (:class:`.TargetOption`)."""
+
+    def add(command: Command) -> Command:
+        for option in reversed(_options(dict(lists), target_help)):
+            command = option(command)
+        return command
+
+    return add
+
+
+def _options(lists: dict[str, str], target_help: str) -> list[Callable[[Command], Command]]:
+    return [
+        click.option(
+            "--scalar",
+            type=SCALARS,
+            metavar="TYPE",
+            default="double",
+            show_default=True,
+            help="Scalar type: double or float.",
+        ),
+        click.option(
+            "--trig",
+            type=TRIGONOMETRY,
+            metavar="HOW",
+            default="libm",
+            show_default=True,
+            help="Sine and cosine: libm, builtin (no library; the default of rust and javascript), given (in "
+            "sc).",
+        ),
+        click.option(
+            "--order",
+            type=ORDERS,
+            metavar="ORDER",
+            default="auto",
+            show_default=True,
+            help="Order of operations: recursion (textbook order), registers (few live values), or auto "
+            "(registers unless sine and cosine are from libm).",
+        ),
+        click.option(
+            "--contraction",
+            type=CONTRACTIONS,
+            metavar="HOW",
+            help="Let C compilers fuse products and sums: off or on.  [default: as their flags say]",
+        ),
+        click.option(
+            "--target",
+            metavar="NAME",
+            cls=TargetOption,
+            lists=lists,
+            help="Defaults of scalar, trig, order, contraction and objective for a processor: {compiled}. "
+            f"Every option given on the command line overrides them.{target_help}",
+        ),
+        click.option(
+            "--misra",
+            is_flag=True,
+            help="Write C for MISRA C:2012: the same operations with explicit parentheses.",
+        ),
+        click.option(
+            "--readable",
+            is_flag=True,
+            help="Write the recursion in the book's order (--optimize none, --order recursion), each line "
+            "named after its link and quantity.",
+        ),
+    ]

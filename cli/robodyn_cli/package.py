@@ -1,0 +1,207 @@
+"""``robodyn package``: write a robot's kernels as a package for somebody else's build."""
+
+from __future__ import annotations
+
+import shlex
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from robodyn_cli.choices import FOLDER, PACKAGES
+from robodyn_cli.code_options import code_options
+from robodyn_cli.common import (
+    compare_files,
+    echo_json,
+    json_option,
+    output_folder,
+    printable,
+    robot_argument,
+    wrapped,
+    write_files,
+)
+from robodyn_cli.counted import record
+from robodyn_cli.generating import Kernels, kernels
+from robodyn_cli.options import functions_option, fuse_option, listed, model_options, search_options
+from robodyn_cli.progress import line
+from robodyn_cli.pruned import prune_option
+
+if TYPE_CHECKING:
+    from robodyn.packages import Format, Package
+
+
+class _Formats(click.Option):
+    """An option whose help names the formats; they are looked up when the help is printed."""
+
+    def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
+        from robodyn.packages import FORMATS
+
+        names = "; ".join(f"{name} ({form.title}, for {form.tool})" for name, form in FORMATS.items())
+        self.help = f"Format: {names}."
+        return super().get_help_record(ctx)
+
+
+@click.command()
+@robot_argument
+@click.option("--as", "format_", type=PACKAGES, metavar="FORMAT", required=True, cls=_Formats)
+@click.option(
+    "-o", "--output", type=FOLDER, metavar="DIR", help="Output folder.  [default: packages/NAME/FORMAT]"
+)
+@click.option(
+    "--version",
+    metavar="X.Y.Z",
+    default="0.1.0",
+    show_default=True,
+    help="Version of the package.",
+)
+@click.option("--license", metavar="ID", help="Licence of the package, an SPDX expression such as MIT.")
+@functions_option(
+    text="Functions, separated by commas, or all that ROBOT has.  [default: those of the format]"
+)
+@fuse_option
+@code_options(lists={"compiled": "compiled_targets"})
+@model_options
+@search_options
+@prune_option
+@click.option("--check", is_flag=True, help="Write nothing; exit with 1 if the files in DIR differ.")
+@json_option
+def command(
+    robot: str,
+    format_: str,
+    output: str | None,
+    version: str,
+    license: str | None,
+    check: bool,
+    as_json: bool,
+    **others: Any,
+) -> None:
+    """Write a package of a robot's kernels for somebody else's build.
+
+    DIR gets everything that the tool needs, and a README on how to use it. The kernels are those of "robodyn
+    gen" with the same options; numbers and sines are as the format needs them, unless the command line says
+    otherwise. The same input gives the same bytes on any machine, except where a package has a binary.
+    """
+    folder = None if output is None else output_folder(output)
+    package, asked = packed(robot, format_, version, license, **others)
+    with line() as shown:
+        shown.tell(f"robodyn: {asked.robot.name}: {package.format.title} ...")
+        files = package.files()
+    folder = Path("packages") / asked.robot.name / package.format.name if folder is None else folder
+    if check:
+        _check(folder, files)
+    else:
+        _refuse_foreign(folder, files)
+        write_files(folder, files)
+    _report(package, asked, folder, files, checked=check, as_json=as_json)
+
+
+def packed(
+    robot: str, format_: str, version: str, license: str | None, **options: Any
+) -> tuple[Package, Kernels]:
+    """The package that the command line in the current context of click asks for, and its kernels.
+
+    Raises
+    ------
+    RobodynError: options that do not go together, or a description that cannot be read.
+    """
+    from robodyn.packages import format_named, package
+
+    form = format_named(format_)
+    asked = _kernels(robot, form, options)
+    return package(asked.generated, form, version=version, license=license), asked
+
+
+def _kernels(robot: str, form: Format, options: dict[str, Any]) -> Kernels:
+    """The kernels that the command line asks for, and the format where that says nothing."""
+    from click.core import ParameterSource
+
+    context = click.get_current_context()
+    for name, value in form.options.items():
+        default = context.get_parameter_source(name) is ParameterSource.DEFAULT
+        if default and options["target"] is None:  # a target chooses these itself
+            options[name] = value
+            context.set_parameter_source(name, ParameterSource.DEFAULT_MAP)
+    named = listed(options["functions"] or "")
+    if not named and not options["fuse"]:
+        named = form.functions
+    if named or options["fuse"]:
+        options["functions"] = ",".join(dict.fromkeys((*named, *form.needs))) or None
+    return kernels(
+        robot,
+        lang=form.language.name,
+        batch=False,
+        latex=False,
+        derivatives=form.derivatives,
+        **options,
+    )
+
+
+def _check(folder: Path, files: Mapping[str, str | bytes]) -> None:
+    """
+    Raises
+    ------
+    CheckError: a file is missing, or differs.
+    """
+    from robodyn.errors import CheckError
+
+    different = compare_files(folder, files)
+    if different:
+        raise CheckError(
+            f"{', '.join(printable(folder / name) for name in different)}: not up to date",
+            remedy="run the same command without --check",
+        )
+
+
+def _refuse_foreign(folder: Path, files: Mapping[str, str | bytes]) -> None:
+    """Leave alone what robodyn did not write: a project's own CMakeLists.txt or README.md, for one.
+
+    Raises
+    ------
+    InputError: such a file is in the way.
+    """
+    from robodyn.errors import InputError
+    from robodyn.packages.writing import MARK
+
+    for name in compare_files(folder, files):
+        path = folder / name
+        if path.is_file() and MARK.encode("ascii") not in path.read_bytes():
+            raise InputError(
+                f"{printable(path)} is in the way, which robodyn did not write",
+                expected="an empty folder, or one with an earlier package",
+                remedy="choose another folder with -o",
+            )
+
+
+def _report(
+    package: Package,
+    asked: Kernels,
+    folder: Path,
+    files: Mapping[str, str | bytes],
+    *,
+    checked: bool,
+    as_json: bool,
+) -> None:
+    """Say what was written or checked, and how the tool takes it."""
+    name, formulation = asked.robot.name, asked.options.formulation
+    take = package.format.take.format(folder=shlex.quote(str(folder)), name=package.name)
+    counts = asked.generated.counts
+    if as_json:
+        echo_json(
+            {
+                "robot": name,
+                "format": package.format.name,
+                "package": package.name,
+                "version": package.version,
+                "checked" if checked else "files": [str(folder / path) for path in files],
+                "functions": [record(asked.robot, f, formulation, c) for f, c in counts.items()],
+                "take": take,
+            }
+        )
+    elif checked:
+        click.echo(f"{name}: {len(files)} files in {printable(folder)} are up to date")
+    else:
+        click.echo(f"{name}: wrote {package.format.title} of {len(files)} files in {printable(folder)}")
+        sizes = ", ".join(f"{function} ({count.total} operations)" for function, count in counts.items())
+        for text in (*wrapped(f"{package.name} {package.version}: {sizes}"), f"next: {printable(take)}"):
+            click.echo(text)

@@ -1,0 +1,60 @@
+"""What a model leaves of a log, in its full equations, and what that changes by where joints turn round.
+
+A joint with dry friction that turns round sticks for a moment: its friction goes from one side to the other
+while the joint stands, and not when a filtered velocity changes its sign. So in a model friction turns some
+thousandths of a second too early or too late, at every reversal alike, which would be taken for a delay or
+for friction of another size.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.diagnose.select.library import Context
+from robodyn.effects.traits import Dahl
+from robodyn.identify.oscillator import dahl_deflection
+from robodyn.identify.predict import given_torque, offsets
+from robodyn.identify.rigid import Model
+from robodyn.identify.twist import behind_motors
+from robodyn.robot.model import Robot
+from robodyn.simulate.sensors import measured_torque
+
+Floats = NDArray[np.float64]
+
+
+def remainder(robot: Robot, c: Context, seen: Callable[[Floats], Floats] | None = None) -> Floats:
+    """What ``robot`` leaves [N, n] of a log, filtered and thinned; its directions of motion are ``seen``
+    through this (:class:`Model`)."""
+    s, model = c.signals, Model(robot, reuse=c.reuse, seen=seen)
+    q = c.reuse.shifted(s.q, offsets(robot))
+    torque = behind_motors(model, q, s.qd, s.qdd, s.period, s.tau)
+    total = torque.total
+    for entry in robot.effects:
+        for law in entry.definition.traits.candidates:
+            if isinstance(law, Dahl) and entry.joint:  # the model has them sliding
+                j, level = entry.joint - 1, entry.number(law.level)
+                if level > 0:
+                    limit = level / entry.number(law.stiffness)
+                    deflection = dahl_deflection(s.q[:, j], limit)
+                    rate = np.gradient(limit * deflection, s.period)
+                    total[:, j] += level * (deflection - model.direction(s.qd)[:, j])
+                    total[:, j] += entry.number(law.damping) * rate
+    tau = measured_torque(total, s.t, robot.effects, noise=s.torque_noise)
+    return s.thinned(s.filtered(given_torque(s.tau, robot) - tau))
+
+
+def turning(robot: Robot, c: Context) -> Floats:
+    """What torques [N, n, n] change by, filtered and thinned, per second by which the friction of each joint
+    turns later than the model has it."""
+
+    def late(way: Floats) -> Floats:
+        return np.concatenate([way[:1], way[:-1]])
+
+    def early(way: Floats) -> Floats:
+        return np.concatenate([way[1:], way[-1:]])
+
+    change = (remainder(robot, c, early) - remainder(robot, c, late)) / (2 * c.signals.period)
+    return np.asarray(change[:, :, None] * np.eye(c.n))

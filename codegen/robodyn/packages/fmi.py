@@ -1,0 +1,291 @@
+"""An arm as FMI 3.0 describes it: variables with units, which of them are states, what depends on what.
+
+Variables are numbered in blocks, in the order in which the unit's C has them: time, motor torques, states
+(coordinates, velocities, internal states of effects), their slopes, run-time parameters, indicators of
+events, results of functions. The states' order is that of the engine.
+"""
+
+from __future__ import annotations
+
+import platform
+import re
+import sys
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
+
+from robodyn.dynamics.functions import array_named
+from robodyn.emit.head import parameter_uses
+from robodyn.errors import InputError
+from robodyn.ir.program import Input
+from robodyn.packages.format import Argument, Package, Routine
+
+if TYPE_CHECKING:
+    from robodyn.simulate.system import System
+
+#: What a unit has itself; other results of functions are outputs.
+KNOWN: Final = ("q", "qd", "qdd", "tau")
+#: Exponents of SI base units, of every unit that the names of units are made of.
+_BASE: Final[Mapping[str, Mapping[str, int]]] = {
+    "1": {}, "kg": {"kg": 1}, "m": {"m": 1}, "s": {"s": 1}, "A": {"A": 1}, "rad": {"rad": 1},
+    "N": {"kg": 1, "m": 1, "s": -2}, "J": {"kg": 1, "m": 2, "s": -2},
+}  # fmt: skip
+_SYSTEMS: Final = {"linux": "linux", "darwin": "darwin", "win32": "windows"}
+_MACHINES: Final = {"amd64": "x86_64", "arm64": "aarch64", "i686": "x86", "i386": "x86"}
+_LIBRARIES: Final = {"linux": ".so", "darwin": ".dylib", "windows": ".dll"}
+
+
+@dataclass(frozen=True, slots=True)
+class Variable:
+    """A variable: its number, what it is to the standard, and for the derivative of a state that state's
+    number; ``depends``: the numbers of the inputs and states that it follows from, None: any."""
+
+    reference: int
+    name: str
+    causality: str
+    variability: str
+    initial: str | None
+    unit: str
+    description: str
+    start: str | None = None
+    derivative: int | None = None
+    depends: tuple[int, ...] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Result:
+    """A function of the kernel whose results are outputs, and where in the row of all of them each begins."""
+
+    routine: Routine
+    places: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Description:
+    """The variables of a unit and its structure."""
+
+    variables: tuple[Variable, ...]
+    derivatives: tuple[Variable, ...]
+    indicators: tuple[Variable, ...]
+
+    @property
+    def outputs(self) -> tuple[Variable, ...]:
+        """The outputs."""
+        return tuple(v for v in self.variables if v.causality == "output")
+
+    @property
+    def initial_unknowns(self) -> tuple[Variable, ...]:
+        """What follows from start values: outputs, states and their derivatives that are computed."""
+        counted = (*self.outputs, *self.derivatives)
+        return tuple(dict.fromkeys(v for v in counted if v.initial == "calculated"))
+
+    @property
+    def units(self) -> dict[str, Mapping[str, int]]:
+        """The units by name, each with its exponents of SI base units."""
+        names = dict.fromkeys(v.unit for v in self.variables if v.unit)
+        return {name: exponents for name in names if (exponents := base_units(name)) is not None}
+
+
+def base_units(unit: str) -> dict[str, int] | None:
+    """The exponents of SI base units in ``unit``, as in ``N m s/rad``; None where it is no single unit."""
+    above, _, below = unit.partition("/")
+    total: dict[str, int] = {}
+    for text, sign in ((above, 1), (below.removeprefix("(").removesuffix(")"), -1)):
+        for factor in text.split():
+            symbol = re.fullmatch(r"([A-Za-z1]+)(?:\^([1-9]))?", factor)
+            if symbol is None or symbol[1] not in _BASE:
+                return None
+            for base, exponent in _BASE[symbol[1]].items():
+                total[base] = total.get(base, 0) + sign * exponent * int(symbol[2] or 1)
+    return {base: exponent for base, exponent in total.items() if exponent} if unit else None
+
+
+def platform_name() -> tuple[str, str]:
+    """This machine as the standard names it, and how a shared library's name ends there."""
+    system = _SYSTEMS.get(sys.platform, sys.platform)
+    machine = platform.machine().lower()
+    return f"{_MACHINES.get(machine, machine)}-{system}", _LIBRARIES.get(system, ".so")
+
+
+def results_of(package: Package) -> tuple[Result, ...]:
+    """The functions that make outputs.
+
+    Raises
+    ------
+    InputError: one needs what the unit has not.
+    """
+    begin: dict[str, int] = {}
+    total = 0
+    results = []
+    for routine in package.routines:
+        missing = [array.name for array in routine.inputs if array.name not in KNOWN]
+        if missing or routine.stateful:
+            raise InputError(
+                f"{package.format.title} has no place for the function {routine.name}",
+                found=f"it needs {', '.join(missing) or 'memory from call to call'}",
+                expected=f"functions of {', '.join(KNOWN)}",
+                remedy="name others with --functions",
+            )
+        for array in routine.outputs:
+            if array.name not in begin:
+                begin[array.name] = total
+                total += array.size
+        results.append(Result(routine, tuple(begin[array.name] for array in routine.outputs)))
+    return tuple(results)
+
+
+def describe(package: Package, system: System, results: Sequence[Result]) -> Description:
+    """What the unit of ``package`` has, that simulates ``system`` and computes ``results``."""
+    robot, size = package.robot, system.coordinates
+    kinds = [robot.links[i].joint.kind for i in (*range(robot.n), *system.coupled)]
+    names = [f"[{i + 1}]" for i in range(robot.n)], [f"[{i + 1}]" for i in system.coupled]
+    torque, state = 1, 1 + robot.n
+    slope = state + 2 * size + len(system.states)
+    parameter = slope + size + len(system.states)
+    indicator = parameter + len(package.parameters)
+    accelerating = _accelerating(system, torque, state)
+
+    def moving(
+        array: str, first: int, initial: str, derivative: int | None, depends: tuple[int, ...] | None
+    ) -> Iterator[Variable]:
+        """A block of coordinates, velocities or accelerations."""
+        record = array_named(array)
+        for k, kind in enumerate(kinds):
+            at_motor = k >= robot.n
+            of = names[1][k - robot.n] if at_motor else names[0][k]
+            known = initial if not at_motor else "calculated"
+            yield Variable(
+                first + k,
+                f"motor_{array}{of}" if at_motor else f"{array}{of}",
+                "output", "continuous", known,
+                record.unit if kind == "revolute" else record.prismatic,
+                f"{record.holds}: {'motor' if at_motor else 'joint'} {of[1:-1]}",
+                "0" if known == "exact" else None,
+                None if derivative is None else derivative + k,
+                (first + k,) if initial == "exact" else depends,
+            )  # fmt: skip
+
+    tau = array_named("tau")
+    inputs = [
+        Variable(
+            torque + i, f"tau{names[0][i]}", "input", "continuous", None,
+            tau.unit if kinds[i] == "revolute" else tau.prismatic,
+            f"torque or force of motor {i + 1}", "0",
+        )
+        for i in range(robot.n)
+    ]  # fmt: skip
+    places = tuple(moving("q", state, "exact", None, ()))
+    speeds = tuple(moving("qd", state + size, "exact", state, ()))
+    accelerations = tuple(moving("qdd", slope, "calculated", state + size, accelerating))
+    memories = tuple(
+        Variable(
+            state + 2 * size + k, name, "local", "continuous", "exact", "", "internal state of an effect", "0"
+        )
+        for k, name in enumerate(system.states)
+    )
+    rates = tuple(
+        Variable(
+            slope + size + k, f"der({name})", "local", "continuous", "calculated", "", f"rate of {name}",
+            None, state + 2 * size + k,
+        )
+        for k, name in enumerate(system.states)
+    )  # fmt: skip
+    uses = parameter_uses(robot)
+    parameters = [
+        Variable(
+            parameter + k, f"parameters.{name}", "parameter", "tunable", "exact",
+            _common_unit(uses.get(name, ())), ", ".join(what for what, _ in uses.get(name, ())), "0",
+        )
+        for k, name in enumerate(package.parameters)
+    ]  # fmt: skip
+    indicators = tuple(
+        Variable(
+            indicator + k, f"friction[{k + 1}]", "local", "continuous", None, "", f"dry friction of {e.what}"
+        )
+        for k, e in enumerate(system.elements)
+    )
+    first = indicator + len(indicators)
+    known = _known_of(torque, state, size, robot.n, accelerating)
+    time = Variable(0, "time", "independent", "continuous", None, "s", "time")
+    return Description(
+        (
+            time, *inputs, *places, *speeds, *memories, *accelerations, *rates, *parameters, *indicators,
+            *_outputs(package, results, first, known),
+        ),
+        (*speeds, *accelerations, *rates),
+        indicators,
+    )  # fmt: skip
+
+
+def _accelerating(system: System, torque: int, state: int) -> tuple[int, ...] | None:
+    """What the accelerations follow from."""
+    if system.contacts:
+        return None  # from the time, too
+    size = system.coordinates
+    block = {"y": state, "v": state + size, "z": state + 2 * size}
+    inputs = {
+        x for name, p in system.programs.items() if name not in ("conserved", "rates") for x in p.inputs()
+    }
+    states = {block[x.array] + x.index for x in inputs if x.index is not None and x.array in block}
+    speeds = {block["v"] + k for e in system.elements for k, w in enumerate(e.row) if w}
+    return (*range(torque, torque + system.robot.n), *sorted(states | speeds))
+
+
+def _known_of(
+    torque: int, state: int, size: int, n: int, accelerating: tuple[int, ...] | None
+) -> dict[Input, tuple[int, ...] | None]:
+    """The inputs and states behind each argument of a function."""
+    first = {"tau": torque, "q": state, "qd": state + size}
+    known: dict[Input, tuple[int, ...] | None] = {
+        Input(name, i): (place + i,) for name, place in first.items() for i in range(n)
+    }
+    return known | {Input("qdd", i): accelerating for i in range(n)}
+
+
+def _outputs(
+    package: Package, results: Sequence[Result], first: int, known: Mapping[Input, tuple[int, ...] | None]
+) -> Iterator[Variable]:
+    """The elements of all results, in their order."""
+    behind = dict(zip(package.routines, (p for _, p in package.generated.unit.functions), strict=True))
+    listed = set()
+    for result in results:
+        inputs = [known[x] for x in behind[result.routine].inputs() if x in known]
+        depends = None if None in inputs else tuple(sorted({r for refs in inputs for r in refs or ()}))
+        for array, place in zip(result.routine.outputs, result.places, strict=True):
+            if array.name in listed:
+                continue
+            listed.add(array.name)
+            for k, index in enumerate(_indices(array.shape)):
+                yield Variable(
+                    first + place + k,
+                    f"{'function_' if array.name in KNOWN else ''}{array.name}{index}",
+                    "output", "continuous", "calculated", _unit_of(array, k, package), array.holds,
+                    None, None, depends,
+                )  # fmt: skip
+
+
+def _indices(shape: tuple[int, ...]) -> Iterable[str]:
+    """The indices of all elements, row by row, counted from 1."""
+    if not shape:
+        return [""]
+    texts = [""]
+    for length in shape:
+        texts = [f"{text}{',' if text else ''}{i + 1}" for text in texts for i in range(length)]
+    return [f"[{text}]" for text in texts]
+
+
+def _unit_of(array: Argument, k: int, package: Package) -> str:
+    """The unit of element ``k``, where it has one of its own."""
+    record = array_named(array.name)
+    kinds = [link.joint.kind for link in package.robot.links]
+    unit = record.unit
+    if record.prismatic and "prismatic" in kinds:
+        unit = (record.unit if kinds[k] == "revolute" else record.prismatic) if record.shape == ("n",) else ""
+    return unit if base_units(unit) is not None else ""
+
+
+def _common_unit(uses: Iterable[tuple[str, str]]) -> str:
+    """The unit of a run-time parameter, where it stands for numbers of one unit."""
+    units = {unit for _, unit in uses}
+    unit = units.pop() if len(units) == 1 else ""
+    return unit if base_units(unit) is not None else ""

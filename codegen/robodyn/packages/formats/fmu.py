@@ -1,0 +1,158 @@
+"""FMI 3.0: the arm with all its effects as a unit for model exchange and co-simulation.
+
+The unit is our simulator: the engine of :mod:`robodyn.simulate`, its glue for this arm, and the functions
+of the standard around them, so that a unit and ``robodyn simulate`` give the same motion. Functions of the
+kernel are further outputs.
+"""
+
+from __future__ import annotations
+
+import uuid
+from collections.abc import Iterator, Mapping
+from hashlib import sha256
+from typing import TYPE_CHECKING, Any, Final
+
+from robodyn.emit.languages.c import LANGUAGE as C
+from robodyn.emit.markdown import Markdown
+from robodyn.errors import InputError
+from robodyn.packages.fmi import Result, describe, platform_name, results_of
+from robodyn.packages.format import Files, Format, Package
+from robodyn.packages.writing import arithmetic_flags, readme, rendered, zipped
+from robodyn.resources import data_dir
+
+if TYPE_CHECKING:
+    from robodyn.simulate.system import System
+
+#: Of co-simulation, unless the importer states a relative tolerance; as in ``robodyn simulate``.
+TOLERANCE: Final = 1e-8
+#: The absolute tolerance (rad, m and their rates) by the relative one.
+ABSOLUTE: Final = 1e-2
+#: The longest step [s]: nothing else limits it while all is stuck.
+LONGEST_STEP: Final = 1e-2
+#: Steps that one call may take.
+STEPS: Final = 10_000_000
+#: What an importer simulates unless it is asked for something else [s].
+STOP_TIME, STEP_SIZE = 10.0, 1e-3
+_HEADERS = ("fmi3PlatformTypes.h", "fmi3FunctionTypes.h", "fmi3Functions.h")
+_SOURCES = {name: f"{name}.j2" for name in ("unit.h", "unit.c", "absent.c", "results.c", "robot.h")}
+_DESCRIPTIONS = {
+    "modelDescription.xml": "modelDescription.xml.j2",
+    "sources/buildDescription.xml": "buildDescription.xml.j2",
+}
+
+
+def _files(package: Package) -> Files:
+    from robodyn.simulate.system import system_of
+    from robodyn.toolchain.shared import shared_library
+
+    if package.scalar != "double":
+        raise InputError(
+            f"numbers of {package.format.title} are doubles",
+            found=f"--scalar {package.scalar}",
+            expected="double",
+        )
+    results = results_of(package)
+    system = system_of(package.robot, package.generated.options)
+    flags = ("-std=c99", "-O2", *arithmetic_flags(package))
+    texts = _texts(package, system, results, flags)
+    sources = {
+        path.removeprefix("sources/"): text for path, text in texts.items() if path.endswith((".c", ".h"))
+    }
+    machine, ending = platform_name()
+    library = f"{package.name}{ending}"
+    binary = shared_library(sources, library, flags=(*flags, "-fvisibility=hidden"))
+    archive: Files = {**texts, f"binaries/{machine}/{library}": binary}
+    notes = readme(package, machine=Markdown(machine), elastic=bool(system.coupled))
+    return {f"{package.name}.fmu": zipped(archive), **notes}
+
+
+def _texts(
+    package: Package, system: System, results: tuple[Result, ...], flags: tuple[str, ...]
+) -> dict[str, str]:
+    """All of the unit but its binary, which is compiled with ``flags``."""
+    from robodyn.simulate.engine import engine_files
+    from robodyn.simulate.plant import system_glue
+
+    fixed = {path: text for path, text in engine_files().items() if path != "engine/engine.c"}
+    fixed["engine/engine_glue.h"] = system_glue(system)
+    fixed |= {f"kernel/{path}": text for path, text in package.generated.files((C.name,)).items()}
+    folder = data_dir("templates") / "package" / package.format.name / "fmi"
+    fixed |= {f"fmi/{name}": (folder / name).read_text(encoding="utf-8") for name in _HEADERS}
+    values = {
+        **_values(package, system, results),
+        "description": describe(package, system, results),
+        "flags": flags,
+        "compiled": sorted(
+            {*(path for path in fixed if path.endswith(".c")), "unit.c", "absent.c", "results.c"}
+        ),
+    }
+    written = rendered(package, _DESCRIPTIONS, token="", **values)
+    own = rendered(package, _SOURCES, token="", **values)
+    token = _token({**written, **own, **fixed})
+    written = rendered(package, _DESCRIPTIONS, token=token, **values)
+    own = rendered(package, _SOURCES, token=token, **values)
+    sources = {f"sources/{path}": text for path, text in sorted({**own, **fixed}.items())}
+    return {**written, **sources}
+
+
+def _token(texts: Mapping[str, str]) -> str:
+    """What tells this unit from another: a hash of what it consists of, in the form of a UUID."""
+    state = sha256()
+    for path, text in sorted(texts.items()):
+        state.update(f"{path}\0{text}\0".encode())
+    return f"{{{uuid.UUID(bytes=state.digest()[:16])}}}"
+
+
+def _values(package: Package, system: System, results: tuple[Result, ...]) -> dict[str, Any]:
+    """What the templates of the sources are told."""
+    from robodyn.emit.static import static_function
+    from robodyn.simulate.simulation import drive_limits
+    from robodyn.simulate.start import start_program
+
+    limits = drive_limits(package.robot, {})
+    motors = static_function(
+        "unit_motors", ("q",), {"motor": "motor"}, start_program(system), system.parameters
+    )
+    return {
+        "tolerance": repr(TOLERANCE),
+        "absolute": repr(ABSOLUTE),
+        "longest_step": repr(LONGEST_STEP),
+        "steps": STEPS,
+        "stop_time": repr(STOP_TIME),
+        "step_size": repr(STEP_SIZE),
+        "motors": system.motors,
+        "encoders": system.encoders,
+        "coupled": system.coupled,
+        "breaks": sorted(map(repr, system.breaks), key=float),
+        "limits": []
+        if limits is None
+        else ["HUGE_VAL" if x == float("inf") else repr(float(x)) for x in limits],
+        "motors_at_rest": motors,
+        "members": [f"p[{k}]" for k in range(len(package.parameters))],
+        "calls": list(_calls(package, results)),
+        "results": max(
+            (p + a.size for r in results for p, a in zip(r.places, r.routine.outputs, strict=True)), default=0
+        ),
+    }
+
+
+def _calls(package: Package, results: tuple[Result, ...]) -> Iterator[str]:
+    """The calls of the functions of the kernel, in C."""
+    for result in results:
+        arguments = [array.name for array in result.routine.inputs]
+        arguments += [f"results + {place}" for place in result.places]
+        arguments += ["&parameters"] if package.parameters else []
+        yield f"{result.routine.symbol}({', '.join(arguments)})"
+
+
+FORMAT = Format(
+    name="fmu",
+    title="an FMI unit",
+    tool="simulators with FMI 3.0: model exchange and co-simulation",
+    language=C,
+    files=_files,
+    take="fmpy simulate {folder}/{name}.fmu",
+    functions=("forward_kinematics",),
+    lacks=frozenset({"given sines"}),
+    binary=True,
+)

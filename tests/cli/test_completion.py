@@ -1,0 +1,269 @@
+"""``robodyn completion``, and what real shells make of it."""
+
+from __future__ import annotations
+
+import json
+import os
+import select
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from time import monotonic
+
+import pytest
+
+from robodyn.dynamics.functions import FUNCTIONS
+from robodyn_cli import words
+from robodyn_cli.main import main
+from robodyn_cli.shells import SHELLS, script
+from robodyn_testing.wanted import require_module, require_tool
+
+Capture = pytest.CaptureFixture[str]
+
+PLACES = {
+    "bash": ".local/share/bash-completion/completions/robodyn",
+    "zsh": ".local/share/zsh/site-functions/_robodyn",
+    "fish": ".config/fish/completions/robodyn.fish",
+}
+
+
+@pytest.fixture
+def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    for name in ("XDG_DATA_HOME", "XDG_CONFIG_HOME", "BASH_COMPLETION_USER_DIR", "SHELL"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setenv("HOME", str(tmp_path))
+    return tmp_path
+
+
+def run(capsys: Capture, line: str, code: int = 0) -> tuple[str, str]:
+    assert main(line.split()) == code, capsys.readouterr().err
+    captured = capsys.readouterr()
+    return captured.out, captured.err
+
+
+class TestInstalling:
+    @pytest.mark.parametrize("shell", SHELLS)
+    def test_it_is_written_once_and_removed(self, shell: str, home: Path, capsys: Capture) -> None:
+        path = home / PLACES[shell]
+        out, _ = run(capsys, f"completion {shell} --install")
+        assert out.startswith(f"wrote {path}\n")
+        assert out.endswith(f"to undo: robodyn completion {shell} --uninstall\n")
+        assert path.read_text(encoding="utf-8") == script(shell)
+        assert run(capsys, f"completion {shell} --install")[0].startswith(f"{path} is up to date\n")
+        path.write_text(script(shell) + "# of an older robodyn\n", encoding="utf-8")
+        assert run(capsys, f"completion {shell} --install")[0].startswith(f"wrote {path}\n")
+        assert run(capsys, f"completion {shell} --uninstall") == (f"removed {path}\n", "")
+        assert not path.exists()
+        assert run(capsys, f"completion {shell} --uninstall") == (f"nothing to remove at {path}\n", "")
+
+    def test_folders_that_the_user_has_chosen(
+        self, home: Path, monkeypatch: pytest.MonkeyPatch, capsys: Capture
+    ) -> None:
+        monkeypatch.setenv("XDG_DATA_HOME", str(home / "data"))
+        monkeypatch.setenv("XDG_CONFIG_HOME", "relative: does not count")
+        for shell, place in (
+            ("bash", "data/bash-completion/completions/robodyn"),
+            ("zsh", "data/zsh/site-functions/_robodyn"),
+            ("fish", PLACES["fish"]),
+        ):
+            told = json.loads(run(capsys, f"completion {shell} --install --json")[0])
+            assert told == {"shell": shell, "path": str(home / place), "installed": True, "changed": True}
+        monkeypatch.setenv("BASH_COMPLETION_USER_DIR", f"{home / 'own'}:/elsewhere")
+        told = json.loads(run(capsys, "completion bash --install --json")[0])
+        assert told["path"] == str(home / "own" / "completions" / "robodyn")
+
+    def test_a_file_of_somebody_else_stays(self, home: Path, capsys: Capture) -> None:
+        path = home / PLACES["fish"]
+        path.parent.mkdir(parents=True)
+        path.write_text("mine", encoding="utf-8")
+        for option in ("--install", "--uninstall"):
+            _, err = run(capsys, f"completion fish {option}", 2)
+            assert f"{path} is not a script of robodyn" in err
+        assert path.read_text(encoding="utf-8") == "mine"
+
+    def test_the_shell_is_that_of_the_environment(
+        self, home: Path, monkeypatch: pytest.MonkeyPatch, capsys: Capture
+    ) -> None:
+        assert "no shell is named" in run(capsys, "completion", 2)[1]
+        monkeypatch.setenv("SHELL", "/usr/bin/zsh")
+        assert run(capsys, "completion")[0] == script("zsh")
+        assert json.loads(run(capsys, "completion fish --json")[0])["script"] == script("fish")
+        monkeypatch.setenv("SHELL", "/bin/tcsh")
+        assert "the shell 'tcsh'; expected one of bash, zsh, fish" in run(capsys, "completion", 2)[1]
+
+    def test_one_thing_at_a_time(self, home: Path, capsys: Capture) -> None:
+        assert "contradict" in run(capsys, "completion bash --install --uninstall", 2)[1]
+
+
+class Terminal:
+    """An interactive shell; what it says is read until something awaited is there."""
+
+    def __init__(self, command: list[str], environment: dict[str, str], folder: Path) -> None:
+        self._master, slave = require_module("pty").openpty()
+        self._process = subprocess.Popen(
+            command,
+            stdin=slave,
+            stdout=slave,
+            stderr=slave,
+            cwd=folder,
+            env=environment,
+            start_new_session=True,
+        )
+        os.close(slave)
+
+    def send(self, keys: str) -> None:
+        os.write(self._master, keys.encode())
+
+    def until(self, awaited: str) -> str:
+        """All that is said until ``awaited`` is."""
+        said, end = b"", monotonic() + 60
+        while awaited.encode() not in said:
+            ready, _, _ = select.select([self._master], [], [], max(0.0, end - monotonic()))
+            assert ready, f"no {awaited!r} in {said.decode(errors='replace')!r}"
+            said += os.read(self._master, 1 << 16)
+        return said.decode(errors="replace")
+
+    def close(self) -> None:
+        self._process.kill()
+        self._process.wait()
+        os.close(self._master)
+
+
+START = {
+    "bash": (["bash", "--norc", "-i"], "PS1=; source {script}"),
+    "zsh": (
+        ["zsh", "-f", "-i"],
+        "unsetopt prompt_cr prompt_sp; PS1=; fpath=({folder} $fpath); autoload -Uz compinit; compinit -u -D; "
+        "bindkey -e",
+    ),
+}
+
+
+@pytest.fixture
+def environment(home: Path, capsys: Capture) -> dict[str, str]:
+    """A home with the scripts, and the command ``robodyn``."""
+    program = home / "bin" / "robodyn"
+    program.parent.mkdir()
+    program.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m robodyn "$@"\n', encoding="utf-8")
+    program.chmod(0o755)
+    (home / "measured.csv").write_text("", encoding="utf-8")
+    (home / "results").mkdir()
+    for shell in SHELLS:
+        run(capsys, f"completion {shell} --install")
+    return {
+        **os.environ,
+        "HOME": str(home),
+        "PATH": f"{program.parent}:{os.environ['PATH']}",
+        "TERM": "dumb",
+        "PYTHONPATH": os.pathsep.join(sys.path),
+    }
+
+
+@pytest.fixture
+def terminal(shell: str, home: Path, environment: dict[str, str]) -> Iterator[Terminal]:
+    command, setup = START[shell]
+    require_tool(command[0])
+    path = home / PLACES[shell]
+    opened = Terminal(command, environment, home)
+    try:
+        opened.send(setup.format(script=path, folder=path.parent) + "; echo rea''dy\n")
+        opened.until("ready")
+        yield opened
+    finally:
+        opened.close()
+
+
+COMPLETED = [
+    ("robodyn tables 2.1", "0"),
+    ("robodyn flops puma560 --objective weighted:aa", "rch64"),  # bash takes a colon for the end of a word
+    ("robodyn gen puma560 --lang=c,fo", "rtran"),
+    ("robodyn verify x --functions bias,momentum_", "observer_term"),
+    ("robodyn simulate puma560 --torque=mea", "sured.csv"),
+    ("robodyn gen mea", "sured.csv"),  # beside the names of robots
+    ("robodyn gen x -o res", "ults"),
+]
+
+
+@pytest.mark.parametrize(
+    ("shell", "lines"),
+    [
+        ("bash", COMPLETED[:3]),
+        pytest.param("bash", COMPLETED[3:], marks=pytest.mark.thorough),
+        pytest.param("zsh", COMPLETED, marks=pytest.mark.thorough),
+    ],
+    ids=["bash", "bash, more", "zsh"],
+)
+def test_a_line_is_completed(shell: str, lines: list[tuple[str, str]], terminal: Terminal) -> None:
+    """The keys of a user, and what stands in the line then."""
+    for begun, rest in lines:
+        terminal.send(f"{begun}\t")
+        terminal.until(rest)
+        terminal.send("\x01echo '\x05'\n")  # at the beginning, and at the end
+        terminal.until(f"\n{begun}{rest}")
+
+
+@pytest.mark.thorough
+def test_fish_offers_the_same(home: Path, environment: dict[str, str]) -> None:
+    require_tool("fish")
+    for begun, rest in COMPLETED:
+        ask = f"source {home / PLACES['fish']}; complete -C '{begun}'"
+        done = subprocess.run(
+            ["fish", "--no-config", "-c", ask],
+            cwd=home, env=environment, capture_output=True, text=True, check=True,
+        )  # fmt: skip
+        offered = {line.partition("\t")[0] for line in done.stdout.splitlines()}
+        assert {text.rstrip("/") for text in offered} == {begun.rpartition(" ")[2] + rest}, done.stderr
+
+
+class TestWords:
+    @pytest.fixture(autouse=True)
+    def _cache(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+        monkeypatch.setenv("ROBODYN_CACHE", str(tmp_path / "cache"))
+
+    def test_they_are_looked_up_once(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        source = "robodyn.dynamics.functions:FUNCTIONS"
+        first = words.remembered(source)
+        assert first == {name: function.purpose for name, function in FUNCTIONS.items()}
+        known = words.remembered("robodyn.certify:PROOFS")
+        monkeypatch.setattr(words, "words", lambda source: {"anew": ""})
+        assert words.remembered(source) == first
+        assert words.remembered("robodyn.certify:PROOFS") == known
+        monkeypatch.setattr(words, "_changes", lambda folder: [1])
+        assert words.remembered(source) == {"anew": ""}
+
+    @pytest.mark.parametrize("text", ["", "[]", '{"changed": 0}', "{", '{"changed": 1, "words": 3}'])
+    def test_a_damaged_file_is_written_anew(
+        self, text: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        monkeypatch.setattr(words, "_changes", lambda folder: [1])
+        source = "robodyn.kernels.options:LEVELS"
+        levels = words.remembered(source)
+        (file,) = (tmp_path / "cache").iterdir()
+        good = file.read_text(encoding="utf-8")
+        file.write_text(text, encoding="utf-8")
+        assert words.remembered(source) == levels == dict.fromkeys(levels, "")
+        assert file.read_text(encoding="utf-8") == good
+
+    def test_without_a_cache_they_are_there_all_the_same(
+        self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        (tmp_path / "cache").write_text("a file is in the way", encoding="utf-8")
+        assert "fast" in words.remembered("robodyn.kernels.options:LEVELS")
+        monkeypatch.setattr("robodyn.toolchain.cache.default_root", lambda: None)
+        assert "fast" in words.remembered("robodyn.kernels.options:LEVELS")
+
+    def test_a_shell_does_not_wait_for_a_table_twice(self) -> None:
+        """The second time, nothing of the table's room is imported."""
+        ask = {"_ROBODYN_COMPLETE": "bash_complete", "COMP_WORDS": "robodyn gen x --functions grav"}
+        code = "import sys; from robodyn_cli.main import main; main([]); print(*sys.modules, file=sys.stderr)"
+        loaded = []
+        for _ in range(2):
+            done = subprocess.run(
+                [sys.executable, "-c", code],
+                env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path), **ask},
+                capture_output=True, text=True, check=True,
+            )  # fmt: skip
+            assert done.stdout.splitlines() == ["plain,gravity", "plain,gravity_with_wrench"]
+            loaded.append("robodyn.dynamics" in done.stderr.split())
+        assert loaded == [True, False]
