@@ -27,14 +27,14 @@
  * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
  *   to the recursion without being written like it: robodyn --optimize full, seed 1.
  * Of mass_matrix the best program known for these parameters, equal to the recursion without being
- *   written like it: robodyn --optimize full, seed 0.
+ *   written like it: robodyn --optimize search, from the record of an arm that is built alike.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 272 multiplications, 258 additions = 530; 6 unary minus; 12 sine/cosine
  *   gravity: 42 multiplications, 29 additions = 71; 1 unary minus; 12 sine/cosine
  *   bias: 257 multiplications, 242 additions = 499; 1 unary minus; 12 sine/cosine
- *   mass_matrix: 173 multiplications, 163 additions = 336; 1 unary minus; 12 sine/cosine
- *   forward_dynamics: 554 multiplications, 509 additions, 6 divisions = 1069; 5 unary minus; 12
+ *   mass_matrix: 170 multiplications, 163 additions = 333; 2 unary minus; 12 sine/cosine
+ *   forward_dynamics: 553 multiplications, 511 additions, 6 divisions = 1070; 1 unary minus; 12
  *       sine/cosine
  */
 #include "panda.h"
@@ -701,7 +701,7 @@ void panda_bias(const panda_real q[7], const panda_real qd[7], panda_real tau[7]
 }
 
 /* mass matrix, rotor inertias on its diagonal
- * 173 multiplications, 163 additions = 336; 1 unary minus; 12 sine/cosine */
+ * 170 multiplications, 163 additions = 333; 2 unary minus; 12 sine/cosine */
 void panda_mass_matrix(const panda_real q[7], panda_real M[49])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -720,167 +720,168 @@ void panda_mass_matrix(const panda_real q[7], panda_real M[49])
     const panda_real s6 = sin(again[5]);
     const panda_real c7 = cos(q[6]);
     const panda_real s7 = sin(again[6]);
-    const panda_real t1 = 5.2340439032551704e-05*(s7 - 0.7688387349655652*c7);
-    const panda_real t2 = 3.056565956646895*t1;
+    const panda_real t1 = 0.000179030716362244*(s7 - 1.2650190832031087*c7);
+    const panda_real t2 = 5.270530539521458*t1;
+    const panda_real t3 = 0.002420943778521227*c7;
     /* link 7: second moment of the composite body [kg m^2] */
-    const panda_real neg_k7_xz = 7.847986436435337*t2;
-    const panda_real t3 = 1.2650190832031087*c7;
-    const panda_real t4 = 0.00026172175548237644*t3;
-    const panda_real t5 = t4 + t2;
-    const panda_real k7_yz = 6.033835963815859*t5;
-    const panda_real t6 = k7_yz + 9.35690973146064e-05;
-    const panda_real t7 = 7.312195635418935*t4;
-    const panda_real t8 = c7*t7;
-    const panda_real t9 = s7*t7;
-    const panda_real t10 = t1 + t5;
-    const panda_real t11 = 0.32333777029991095*t8 + (t9 - 0.0004951501989029328) -
-        1.0666666666666667*t10;
+    const panda_real k7_yz = 1.0230167595416089*(t2 + t3);
+    const panda_real t4 = k7_yz + 9.35690973146064e-05;
+    const panda_real t5 = t2 + 0.0006089563838965577*s7;
+    const panda_real t6 = 0.1367578289558041*(t3 + t5);
+    const panda_real t7 = c7*t3;
+    const panda_real t8 = s7*t3;
+    const panda_real t9 = 1.0666666666666667*t6 - (0.32333777029991095*t7 - 0.0004951501989029328 +
+        t8);
     /* link 6: second moment of the composite body [kg m^2] */
-    const panda_real k6_xz = s6*t6 - c6*t11;
-    const panda_real t12 = c5*c5;
-    const panda_real t13 = t8 + 0.012176791922741105 - 0.32333777029991095*t9;
-    const panda_real t14 = c6*s6;
-    const panda_real t15 = neg_k7_xz + (neg_k7_xz - 0.029497140765350628);
-    const panda_real t16 = c6*c6;
-    const panda_real t17 = s7 - t3;
-    const panda_real t18 = 0.000179030716362244*t17 - 0.0026330206532488923;
-    const panda_real t19 = t18 - 0.004051131314112054;
-    const panda_real t20 = t19 + (t13 + t18);
-    const panda_real t21 = t14*t15 + (t16*t20 + 0.6173375163284962);
-    const panda_real t22 = t21 - 0.6477230949391829;
-    const panda_real t23 = t13 + t22;
-    const panda_real t24 = c5*s5;
-    const panda_real t25 = k6_xz + (k6_xz - 0.00303048894665406);
+    const panda_real neg_k6_yz = c6*t4 - s6*t9;
+    /* link 7: second moment of the composite body [kg m^2] */
+    const panda_real neg_k7_xz = 0.8086967012001633*t5;
+    const panda_real t10 = neg_k6_yz - 0.0021640520520981327;
+    const panda_real t11 = c6*c6;
+    const panda_real t12 = neg_k7_xz - (0.029497140765350628 - neg_k7_xz);
+    const panda_real t13 = c6*s6;
+    const panda_real t14 = 0.32333777029991095*t8 - (t7 + 0.009543771269492213);
+    const panda_real t15 = 0.006684151967360947 - t1;
+    const panda_real t16 = t1 - t14 - t15;
+    const panda_real t17 = (t11 - 0.5)*t12 - (t13*t16 - 0.004600245517563107);
     /* link 5: second moment of the composite body [kg m^2] */
-    const panda_real k5_yy = t12*t23 - (t22 + t24*t25);
+    const panda_real k5_xz = s5*t10 - c5*t17;
+    /* link 6: second moment of the composite body [kg m^2] */
+    const panda_real k6_xz = c6*t9 + s6*t4;
+    const panda_real t18 = c5*s5;
+    const panda_real t19 = k6_xz + (k6_xz - 0.00303048894665406);
+    const panda_real t20 = c5*c5;
+    const panda_real t21 = t14 - 0.0026330206532488923;
+    const panda_real t22 = t12*t13 + 0.6173375163284962 + t11*t16;
+    const panda_real t23 = 0.6477230949391829 - t22;
+    const panda_real t24 = t21 + t23;
+    /* link 5: second moment of the composite body [kg m^2] */
+    const panda_real neg_k5_yy = t18*t19 + (t20*t24 - t23);
     /* link 5: mass matrix, its row of this joint */
-    const panda_real m5_5 = t13 - t22;
+    const panda_real m5_5 = t23 - t21;
     /* link 6: mass matrix, its row of this joint */
-    const panda_real m6_6 = 0.057868845091319815 - t20;
-    /* link 6: second moment of the composite body [kg m^2] */
-    const panda_real neg_k6_yz = s6*t11 + c6*t6;
-    const panda_real t26 = k5_yy + 0.022178148964878252;
-    const panda_real t27 = c4*c4;
-    const panda_real t28 = 0.00016784129658960374*t17;
-    const panda_real t29 = t28 - 0.0191274230973375;
-    const panda_real t30 = c6*t29 - 0.014338888209442497*s6;
-    const panda_real t31 = t30 + 0.001208932934385;
-    const panda_real t32 = t10 - 0.0055993270925625;
-    const panda_real t33 = c5*t31 - s5*t32;
-    const panda_real t34 = t33 + m5_5;
-    const panda_real t35 = t34 - (k5_yy - t33);
-    const panda_real t36 = s6*t29 + 0.014338888209442497*c6;
-    const panda_real t37 = 4.654545454545454*t36;
-    const panda_real t38 = t37 - m6_6;
-    const panda_real t39 = t21 - (t37 + t38);
-    const panda_real t40 = t35 - t39;
-    const panda_real t41 = c4*s4;
-    const panda_real t42 = t14*t20 - 0.004600245517563107 - t15*(t16 - 0.5);
-    const panda_real t43 = neg_k6_yz - 0.0021640520520981327;
-    const panda_real t44 = c5*t42 + (4.654545454545454*t33 + s5*t43);
-    const panda_real t45 = t36 - 0.16284087268546082 - t44;
-    const panda_real t46 = t36 - 0.16603319317224746;
-    const panda_real t47 = t33 + 0.04560437265862499;
-    const panda_real t48 = s4*t46 - c4*t47;
-    const panda_real t49 = t27*t40 + 0.11262255718334319 + (t39 - 2.0*(t41*t45 - t48));
-    /* link 3: mass matrix, its row of this joint */
-    const panda_real m3_3 = t26 + t49;
-    const panda_real t50 = s5*t31 + c5*t32;
-    /* link 4: mass matrix, its row of this joint */
-    const panda_real m4_5 = c5*t43 - (s5*t42 + 4.654545454545454*t50);
+    const panda_real m6_6 = 0.057868845091319815 - t16;
     /* link 5: second moment of the composite body [kg m^2] */
-    const panda_real neg_k5_xy = t25*(t12 - 0.5) + t23*t24;
-    const panda_real t51 = m4_5 - 0.00164448757736928;
-    const panda_real t52 = t50 - 0.002328735327434986;
-    const panda_real t53 = t52 + 0.006234090353711091 - neg_k5_xy;
-    /* link 4: second moment of the composite body [kg m^2] */
-    const panda_real neg_k4_yz = c4*t51 + s4*t53;
-    const panda_real neg_k4_xz = c4*t53 - s4*t51;
+    const panda_real neg_k5_yz = c5*t10 + s5*t17;
+    const panda_real t25 = 0.9375*t1;
+    const panda_real t26 = t25 - 0.0191274230973375;
+    const panda_real t27 = 0.014338888209442497*s6 - c6*t26;
+    const panda_real t28 = t27 - 0.001208932934385;
+    const panda_real t29 = t6 - 0.0055993270925625;
+    const panda_real t30 = s5*t28 - c5*t29;
     /* link 4: mass matrix, its row of this joint */
-    const panda_real m4_4 = t35 + (t39 + 0.10204027231363098);
-    const panda_real t54 = neg_k4_yz + 0.0043772571218395765;
-    const panda_real t55 = t48 + 0.06161578168944;
-    const panda_real t56 = t27*t45;
-    const panda_real t57 = c4*t46 + s4*t47;
-    const panda_real t58 = t45 - (t56 + (t56 + 0.005487648106562251)) + t57 - t40*t41;
-    const panda_real t59 = s2*(s3*t54 - 3.83030303030303*(c3*t55 + s3*t52) + c3*t58);
-    const panda_real t60 = c2*(t59 + 0.003983358883935522*s2);
-    const panda_real t61 = c3*c3;
-    const panda_real t62 = t26 - t49;
-    const panda_real t63 = c3*s3;
-    const panda_real t64 = neg_k4_xz - (t50 - 0.0001219124209507298);
-    const panda_real t65 = 2.0*t64;
-    const panda_real t66 = t26 - (t61*t62 - 0.023077882494931805 + t63*t65);
-    const panda_real t67 = t48 - 3.83030303030303*t57;
-    const panda_real t68 = m4_4 + t67;
-    const panda_real t69 = t68 + 1.0937644822584085 - (t49 - t67);
+    const panda_real m4_5 = neg_k5_yz + 4.654545454545454*t30;
+    const panda_real t31 = m4_5 - 0.00164448757736928;
+    const panda_real t32 = t18*t24 - (t30 - (t19*(0.5 - t20) + 0.0039053550262761055));
+    /* link 4: second moment of the composite body [kg m^2] */
+    const panda_real k4_xz = s4*t31 - c4*t32;
+    const panda_real t33 = 0.014338888209442497*c6 + s6*t26;
+    const panda_real t34 = 4.654545454545454*t33;
+    const panda_real t35 = t34 - m6_6;
+    const panda_real t36 = t34 - (t22 - t35);
+    const panda_real t37 = s5*t29 + c5*t28;
+    const panda_real t38 = t37 - m5_5;
+    const panda_real t39 = t37 + (t38 - neg_k5_yy);
+    /* link 4: mass matrix, its row of this joint */
+    const panda_real m4_4 = 0.10204027231363098 - t36 - t39;
+    /* link 4: second moment of the composite body [kg m^2] */
+    const panda_real neg_k4_yz = s4*t32 + c4*t31;
+    const panda_real t40 = 0.022178148964878252 - neg_k5_yy;
+    const panda_real t41 = t33 - 0.16284087268546082;
+    const panda_real t42 = t41 - 0.0031923204867866503;
+    const panda_real t43 = t37 - 0.04560437265862499;
+    const panda_real t44 = c4*t42 - s4*t43;
+    const panda_real t45 = 3.83030303030303*t44;
+    const panda_real t46 = c4*s4;
+    const panda_real t47 = 4.654545454545454*t37 - k5_xz;
+    const panda_real t48 = t41 + t47;
+    const panda_real t49 = t45 - t46*t48;
+    const panda_real t50 = c4*c4;
+    const panda_real t51 = t36 - t39;
+    const panda_real t52 = t49 - 1.0831821973886961 + (t39 + (t49 + t50*t51));
+    const panda_real t53 = s4*t42 + c4*t43;
+    const panda_real t54 = t45 - t53;
+    const panda_real t55 = t54 - m4_4;
+    const panda_real t56 = t52 - (t54 - 1.0937644822584085 + t55);
+    /* link 3: mass matrix, its row of this joint */
+    const panda_real m3_3 = t40 + t56;
+    const panda_real t57 = t30 + 0.0023287353274349695;
+    const panda_real t58 = k4_xz - (t57 - 0.00220682290648424);
+    const panda_real t59 = 2.0*(s3*t58) + c3*(t56 - t40);
+    const panda_real t60 = c3*t59 + 0.04525603145981006 - neg_k5_yy;
+    const panda_real t61 = t52 + t60;
+    const panda_real t62 = t53 + 0.06161578168943999;
+    const panda_real t63 = t44 + (t48 - 0.005487648106562261) - (t46*t51 + t50*(2.0*t48));
+    const panda_real t64 = neg_k4_yz + 0.004377257121839638;
+    const panda_real t65 = s2*(3.83030303030303*(c3*t62 - s3*t57) - (c3*t63 + s3*t64));
+    const panda_real t66 = c2*(0.003983358883935522*s2 - t65);
     /* link 1: mass matrix, its row of this joint */
-    const panda_real m1_1 = m3_3 - t60 - (t60 + ((t66 - t69)*(s2*s2) - 0.03733744848940618));
+    const panda_real m1_1 = c2*(c2*t61) + 0.03733744848940618 - (t66 + (t66 - m3_3)) - t61;
     /* link 2: mass matrix, its row of this joint */
-    const panda_real m2_3 = s3*t58 - (c3*t54 + 3.83030303030303*(s3*t55 - c3*t52));
+    const panda_real m2_3 = s3*t63 - c3*t64 - 3.83030303030303*(s3*t62 + c3*t57);
     /* link 2: second moment of the composite body [kg m^2] */
-    const panda_real neg_k2_yz = s2*(t61*t65 - t62*t63 - (t64 + 0.010261101821008168)) -
+    const panda_real neg_k2_yz = s2*(s3*t59 - (t58 + 0.010261101821008168)) -
         c2*(0.0007689361029464017 - m2_3);
     /* link 2: moment for a unit acceleration of a joint further out */
-    const panda_real nu2_y = c2*m3_3 - t59;
+    const panda_real nu2_y = t65 + c2*m3_3;
     /* link 3: mass matrix, its row of this joint */
-    const panda_real m3_5 = c4*t34 - (t33 - s4*t44);
+    const panda_real m3_5 = t37 - c4*t38 - s4*t47;
     /* link 4: moment for a unit acceleration of a joint further out */
-    const panda_real nu4_x = c4*t44 - s4*t34;
-    const panda_real t70 = m4_5 + s4*t50;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const panda_real nu3_x = s3*t70 + c3*nu4_x;
-    const panda_real t71 = s5*t36;
-    const panda_real t72 = neg_k6_yz - t71;
-    const panda_real t73 = s5*t38 + c5*k6_xz;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const panda_real nu4_y = c4*t72 - s4*t73;
+    const panda_real nu4_x = s4*t38 - c4*t47;
+    const panda_real t67 = s5*t33;
+    const panda_real t68 = c5*k6_xz + s5*t35;
+    const panda_real t69 = neg_k6_yz - t67;
     /* link 3: mass matrix, its row of this joint */
-    const panda_real m3_6 = t71 + nu4_y;
+    const panda_real m3_6 = t67 - s4*t68 + c4*t69;
     /* link 4: mass matrix, its row of this joint */
-    const panda_real m4_6 = t30 + (s5*k6_xz - c5*t38);
+    const panda_real m4_6 = s5*k6_xz - t27 - c5*t35;
+    const panda_real t70 = c5*t33;
+    const panda_real t71 = c4*t27 + (m4_6 + s4*t70);
+    const panda_real t72 = c4*t68 + s4*t69;
+    /* link 3: moment for a unit acceleration of a joint further out */
+    const panda_real nu3_x = s3*t71 - c3*t72;
     /* link 6: moment for a unit acceleration of a joint further out */
-    const panda_real nu6_y = c6*t19 + s6*neg_k7_xz;
-    const panda_real neg_nu6_x = s6*t19 - c6*neg_k7_xz;
-    const panda_real t74 = c6*t10;
-    const panda_real t75 = c5*t28 - s5*t74;
-    const panda_real t76 = t75 - nu6_y;
-    const panda_real t77 = c5*neg_nu6_x + (s5*k7_yz + 4.654545454545454*t75);
+    const panda_real nu6_x = s6*t15 + c6*neg_k7_xz;
+    const panda_real nu6_y = s6*neg_k7_xz - c6*t15;
+    const panda_real t73 = c6*t6;
+    const panda_real t74 = c5*t25 - s5*t73;
+    const panda_real t75 = nu6_y - t74;
+    const panda_real t76 = s5*k7_yz + (4.654545454545454*t74 - c5*nu6_x);
+    /* link 4: moment for a unit acceleration of a joint further out */
+    const panda_real nu4_y = c4*t75 - s4*t76;
     /* link 3: mass matrix, its row of this joint */
-    const panda_real m3_7 = t75 - c4*t76 - s4*t77;
-    const panda_real t78 = s6*t10;
-    const panda_real t79 = s5*t28 + c5*t74;
+    const panda_real m3_7 = t74 + nu4_y;
+    const panda_real t77 = s6*t6;
+    const panda_real t78 = s5*t25 + c5*t73;
     /* link 4: mass matrix, its row of this joint */
-    const panda_real m4_7 = t78 - c5*k7_yz + (4.654545454545454*t79 + s5*neg_nu6_x);
+    const panda_real m4_7 = t77 - c5*k7_yz + 4.654545454545454*t78 - s5*nu6_x;
     /* link 2: mass matrix, its row of this joint */
-    const panda_real m2_2 = t66 + t69;
-    const panda_real m2_4 = s3*neg_k4_xz - c3*t68;
+    const panda_real m2_2 = t60 - t52;
+    const panda_real m2_4 = c3*t55 - s3*k4_xz;
+    const panda_real t79 = m4_5 - s4*t30;
     /* link 3: moment for a unit acceleration of a joint further out */
-    const panda_real nu3_y = s3*nu4_x - c3*t70;
-    const panda_real t80 = c4*t50;
+    const panda_real nu3_y = s3*nu4_x - c3*t79;
+    const panda_real t80 = c4*t30;
     /* link 2: mass matrix, its row of this joint */
-    const panda_real m2_5 = 3.83030303030303*(c3*t80 + s3*t33) + nu3_y;
-    const panda_real t81 = c5*t36;
-    const panda_real t82 = c4*t30 - (s4*t81 + m4_6);
-    const panda_real t83 = s4*t30 + c4*t81;
-    const panda_real t84 = c4*t73 + s4*t72;
-    const panda_real m2_6 = c3*t82 + (3.83030303030303*(c3*t83 - s3*t71) - s3*t84);
-    const panda_real t85 = c4*t78 - (m4_7 - s4*t79);
-    const panda_real t86 = c4*t79 - s4*t78;
-    const panda_real t87 = c4*t77 - s4*t76;
-    const panda_real m2_7 = c3*t85 - 3.83030303030303*(c3*t86 + s3*t75) - s3*t87;
-    const panda_real t88 = c2*neg_k4_yz - s2*(c3*neg_k4_xz + s3*t68);
-    const panda_real t89 = c2*m3_5 - s2*(nu3_x - 3.83030303030303*(s3*t80 - c3*t33));
-    const panda_real t90 = c2*m3_6 + s2*(3.83030303030303*(s3*t83 + c3*t71) + s3*t82 + c3*t84);
-    const panda_real t91 = c2*m3_7 + s2*(s3*t85 + (3.83030303030303*(c3*t75 - s3*t86) + c3*t87));
-    const panda_real t92 = -k7_yz;
+    const panda_real m2_5 = nu3_y - 3.83030303030303*(c3*t80 + s3*t37);
+    const panda_real t81 = s4*t27 - c4*t70;
+    const panda_real m2_6 = -s3*t72 - c3*t71 - 3.83030303030303*(c3*t81 + s3*t67);
+    const panda_real t82 = s4*t78 - (m4_7 - c4*t77);
+    const panda_real t83 = c4*t76 + s4*t75;
+    const panda_real t84 = c4*t78 - s4*t77;
+    const panda_real m2_7 = c3*t82 - (s3*t83 + 3.83030303030303*(c3*t84 + s3*t74));
+    const panda_real t85 = c2*neg_k4_yz + s2*(c3*k4_xz + s3*t55);
+    const panda_real t86 = c2*m3_5 + s2*(3.83030303030303*(c3*t37 - s3*t80) - c3*nu4_x - s3*t79);
+    const panda_real t87 = c2*m3_6 - s2*(nu3_x + 3.83030303030303*(s3*t81 - c3*t67));
+    const panda_real t88 = c2*m3_7 + s2*(s3*t82 + (c3*t83 + 3.83030303030303*(c3*t74 - s3*t84)));
+    const panda_real t89 = -k7_yz;
     M[0] = m1_1;
     M[1] = neg_k2_yz;
     M[2] = nu2_y;
-    M[3] = t88;
-    M[4] = t89;
-    M[5] = t90;
-    M[6] = t91;
+    M[3] = t85;
+    M[4] = t86;
+    M[5] = t87;
+    M[6] = t88;
     M[7] = neg_k2_yz;
     M[8] = m2_2;
     M[9] = m2_3;
@@ -895,38 +896,38 @@ void panda_mass_matrix(const panda_real q[7], panda_real M[49])
     M[18] = m3_5;
     M[19] = m3_6;
     M[20] = m3_7;
-    M[21] = t88;
+    M[21] = t85;
     M[22] = m2_4;
     M[23] = neg_k4_yz;
     M[24] = m4_4;
     M[25] = m4_5;
     M[26] = m4_6;
     M[27] = m4_7;
-    M[28] = t89;
+    M[28] = t86;
     M[29] = m2_5;
     M[30] = m3_5;
     M[31] = m4_5;
     M[32] = m5_5;
     M[33] = neg_k6_yz;
     M[34] = nu6_y;
-    M[35] = t90;
+    M[35] = t87;
     M[36] = m2_6;
     M[37] = m3_6;
     M[38] = m4_6;
     M[39] = neg_k6_yz;
     M[40] = m6_6;
-    M[41] = t92;
-    M[42] = t91;
+    M[41] = t89;
+    M[42] = t88;
     M[43] = m2_7;
     M[44] = m3_7;
     M[45] = m4_7;
     M[46] = nu6_y;
-    M[47] = t92;
+    M[47] = t89;
     M[48] = 0.006684151967360947;
 }
 
 /* accelerations that the torques tau give
- * 554 multiplications, 509 additions, 6 divisions = 1069; 5 unary minus; 12 sine/cosine */
+ * 553 multiplications, 511 additions, 6 divisions = 1070; 1 unary minus; 12 sine/cosine */
 void panda_forward_dynamics(
     const panda_real q[7],
     const panda_real qd[7],
@@ -1058,7 +1059,7 @@ void panda_forward_dynamics(
     /* link 7: products of the angular velocity [1/s^2] */
     const panda_real ww7_zz = w7_z*w7_z;
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const panda_real lam5_23 = neg_alpha5_x - neg_ww5_yz;
+    const panda_real neg_lam5_23 = neg_ww5_yz - neg_alpha5_x;
     const panda_real t6 = s6*alpha4_y + c6*neg_alpha5_x;
     /* link 6: lambda matrix: takes a position to its acceleration [1/s^2] */
     const panda_real lam6_32 = w6_y*t4 - t6;
@@ -1076,8 +1077,6 @@ void panda_forward_dynamics(
     const panda_real t12 = t9 - t11;
     const panda_real neg_lam6_11 = neg_lam5_22 + t12;
     const panda_real neg_lam6_13 = t5 - neg_w5_y*w6_x;
-    /* link 7: second moment of the composite body [kg m^2] */
-    const panda_real k7_xz = 0.0009653051699191118*c7 - 0.0012555365982729084*s7;
     const panda_real t13 = 0.0002123224431354016*s7;
     const panda_real t14 = t13 + 0.00016784129658960374*c7;
     const panda_real t15 = neg_lam3_31 - 118.9090909090909*c2 + 3.83030303030303*neg_lam2_22;
@@ -1086,373 +1085,377 @@ void panda_forward_dynamics(
     const panda_real t18 = neg_lam3_11 + t17 + 3.83030303030303*neg_lam3_13;
     const panda_real t19 = s4*t15 + c4*t18;
     const panda_real t20 = neg_lam4_11 - t19;
-    const panda_real t21 = neg_lam3_21 - s3*t16 - 3.83030303030303*lam3_23;
-    const panda_real t22 = lam4_31 + t21;
+    const panda_real t21 = 3.83030303030303*lam3_23 - (neg_lam3_21 - s3*t16);
+    const panda_real t22 = lam4_31 - t21;
     const panda_real t23 = c5*t20 - s5*t22;
     const panda_real t24 = t23 + 4.654545454545454*lam5_13;
     const panda_real t25 = s4*t18 - c4*t15;
     const panda_real t26 = lam4_21 - t25;
-    const panda_real t27 = t26 + 4.654545454545454*neg_lam4_22;
+    const panda_real t27 = 4.654545454545454*neg_lam4_22 + t26;
     const panda_real t28 = c6*t24 - s6*t27;
-    const panda_real t29 = t28 - 1.0666666666666667*neg_lam6_11;
+    const panda_real t29 = 1.0666666666666667*neg_lam6_11 - t28;
     const panda_real t30 = 11.402203849817942*c7;
-    const panda_real t31 = 0.0002123224431354016*c7;
-    const panda_real t32 = t30*t31;
-    const panda_real t33 = t13*t30;
-    const panda_real t34 = t32 + 0.00213160409441986 - 0.32333777029991095*t33;
+    const panda_real t31 = t13*t30;
+    const panda_real t32 = 0.0002123224431354016*c7;
+    const panda_real t33 = t30*t32;
+    const panda_real t34 = 0.32333777029991095*t31 - (t33 + 0.00213160409441986);
     const panda_real t35 = 0.0009653051699191118*s7 + 0.0012555365982729084*c7;
-    const panda_real t36 = t33 + 0.32333777029991095*(t32 - 0.0012104718892606136);
-    const panda_real t37 = t34 - 0.006684151967360947;
+    const panda_real t36 = t31 + (0.32333777029991095*t33 - 0.0003913912816842475);
+    const panda_real t37 = t34 + 0.006684151967360947;
     const panda_real t38 = s5*t20 + c5*t22;
-    const panda_real t39 = t38 + 4.654545454545454*(0.22916666666666666*lam6_31 - lam5_23);
-    const panda_real t40 = t31 - 0.00016784129658960374*s7;
-    const panda_real t41 = t14*t29 - (neg_lam6_13*t34 + (lam6_12*t35 - (t12*t36 + lam6_31*t37))) -
+    const panda_real t39 = t38 + (4.654545454545454*neg_lam5_23 + 1.0666666666666667*lam6_31);
+    const panda_real t40 = t32 - 0.00016784129658960374*s7;
+    const panda_real t41 = t14*t29 - (neg_lam6_13*t34 - (lam6_12*t35 - (t12*t36 - lam6_31*t37))) +
         t39*t40;
+    const panda_real t42 = 0.0009653051699191118*c7 - 0.0012555365982729084*s7;
     /* link 7: moment that turns the link [N m] */
-    const panda_real neg_nc7_z = t41 + lam6_32*k7_xz;
+    const panda_real nc7_z = t41 - lam6_32*t42;
     /* link 6: lambda matrix: takes a position to its acceleration [1/s^2] */
     const panda_real lam6_23 = t6 + neg_w5_y*w6_y;
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
     const panda_real neg_lam5_12 = neg_ww5_xy - alpha4_y;
-    const panda_real t42 = -2.0*w7_z;
-    const panda_real t43 = lam6_12 - w6_x*t42;
-    const panda_real t44 = s6*t24 + c6*t27;
-    const panda_real t45 = t44 - 1.0666666666666667*lam6_21;
-    const panda_real t46 = lam6_32 - w6_z*t42;
-    const panda_real t47 = t14*t46 + (t40*t43 - 0.014338888209442497*(neg_lam6_22 -
-        1.2505822551810737*t45));
-    const panda_real t48 = t11*k7_xz - (t40*t45 - (t36*t46 + 0.014338888209442497*(t29 -
-        74.38977493138147*t47))) + 0.0001037589172186853*lam6_23;
+    const panda_real t43 = -2.0*w7_z;
+    const panda_real t44 = lam6_12 - w6_x*t43;
+    const panda_real t45 = s6*t24 + c6*t27;
+    const panda_real t46 = t45 - 1.0666666666666667*lam6_21;
+    const panda_real t47 = lam6_32 - w6_z*t43;
+    const panda_real t48 = t14*t47 - (0.014338888209442497*neg_lam6_22 - 0.017931959153753906*t46 -
+        t40*t44);
+    const panda_real t49 = 0.0001037589172186853*lam6_23 + (t11*t42 - (t40*t46 - (t36*t47 -
+        (1.0666666666666667*t48 + 0.014338888209442497*t29))));
     /* link 6: moment through the joint, about the frame's origin [N m] */
-    const panda_real n6_z = t37*t43 + (t48 + 0.0011196707334275547*lam6_21 -
-        0.028934422545659907*lam6_12 - 0.0005462437073966822*(neg_lam6_22 - neg_lam6_11)) -
-        neg_lam6_13*(t35 + 9.35690973146064e-05);
+    const panda_real neg_n6_z = t37*t44 + (0.0005462437073966822*(neg_lam6_22 - neg_lam6_11) +
+        (0.028934422545659907*lam6_12 - (0.0011196707334275547*lam6_21 + t49))) + neg_lam6_13*(t35 +
+        9.35690973146064e-05);
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
     const panda_real lam4_32 = ww4_yz - neg_alpha4_x;
-    const panda_real t49 = t9*t35 + 0.0055993270925625*(t44 + 0.01853060475007911*lam6_21 +
-        0.016710775378508038*t8) + 0.014338888209442497*t39 - 0.028934422545659907*lam6_32;
-    const panda_real t50 = t34*t46 - (t36*t43 - (t14*t45 - t49)) - lam6_31*(k7_xz -
+    const panda_real t50 = 0.028934422545659907*lam6_32 - (0.014338888209442497*t39 + (t9*t35 +
+        (9.35690973146064e-05*t8 + (0.0055993270925625*t45 + 0.0001037589172186853*lam6_21))));
+    const panda_real t51 = t34*t47 + (t36*t44 - (t14*t46 + t50)) + lam6_31*(t42 -
         0.0005462437073966822);
-    const panda_real t51 = neg_lam5_22 + lam5_11;
-    const panda_real t52 = lam6_31*t40 - (t14*(t10 - t12) + 0.014338888209442497*lam6_32) +
-        0.017931959153753906*t39;
-    const panda_real t53 = neg_nc7_z - 0.0005462437073966822*lam6_32 - (9.35690973146064e-05*lam6_12
-        + 0.0001037589172186853*t12 + 0.0055993270925625*(t28 + 190.49908123486904*t52));
-    const panda_real t54 = t53 - 0.0011196707334275547*lam6_31;
-    const panda_real t55 = t52 + 0.0055993270925625*neg_lam5_22;
-    const panda_real t56 = c6*t50 - 0.010045187828321245*neg_lam5_32 + 0.00151524447332703*lam5_31 +
-        0.0021640520520981327*(t7 - t51) - (s6*t54 - 4.654545454545454*t55);
-    const panda_real t57 = t56 - 0.0010267877770288932*neg_lam5_21;
-    const panda_real t58 = t10*t40 + 0.014338888209442497*lam6_12 - 0.017931959153753906*t29 +
+    const panda_real t52 = neg_lam5_22 + lam5_11;
+    const panda_real t53 = 0.017931959153753906*t39 + (lam6_31*t40 - (0.014338888209442497*lam6_32 +
+        t14*(t10 - t12)));
+    const panda_real t54 = 0.0055993270925625*neg_lam5_22 + t53;
+    const panda_real t55 = nc7_z + 0.0005462437073966822*lam6_32 + (9.35690973146064e-05*lam6_12 +
+        0.0001037589172186853*t12 + 1.0666666666666667*(t53 + 0.005249369149277343*t28));
+    const panda_real t56 = t55 + 0.0011196707334275547*lam6_31;
+    const panda_real t57 = 0.010045187828321245*neg_lam5_32 + c6*t51 - 0.00151524447332703*lam5_31 -
+        0.0021640520520981327*(t7 - t52) - (4.654545454545454*t54 + s6*t56);
+    const panda_real t58 = 0.0010267877770288932*neg_lam5_21 + t57;
+    const panda_real t59 = 0.017931959153753906*t29 + (0.014338888209442497*lam6_12 + t10*t40) +
         neg_lam6_13*(t14 - 0.0055993270925625);
-    const panda_real t59 = t47 + 0.0055993270925625*lam6_23;
-    const panda_real t60 = c6*t58 - s6*t59;
-    const panda_real t61 = n6_z - 0.0021640520520981327*neg_lam5_12 -
-        0.00151524447332703*neg_lam5_32 + 4.654545454545454*(t60 + 0.00025973168512177737*t26) +
-        0.0010267877770288932*t7;
-    const panda_real t62 = t61 + 0.001451156065026714*lam5_31;
-    const panda_real t63 = neg_lam4_22 + lam3_22;
-    const panda_real t64 = c5*t57 + 0.0039053550262761055*lam4_21 + 0.07937575371526083*lam4_31 +
-        (s5*t62 + 0.08256807420204747*(t21 + 0.019916748613333906*t63));
+    const panda_real t60 = t48 + 0.0055993270925625*lam6_23;
+    const panda_real t61 = c6*t59 - s6*t60;
+    const panda_real t62 = 0.0010267877770288932*t7 + (0.001208932934385*t26 + 4.654545454545454*t61
+        - (0.00151524447332703*neg_lam5_32 + (neg_n6_z + 0.0021640520520981327*neg_lam5_12)));
+    const panda_real t63 = 0.001451156065026714*lam5_31 + t62;
+    const panda_real t64 = neg_lam4_22 + lam3_22;
+    const panda_real t65 = 0.0039053550262761055*lam4_21 - c5*t58 + 0.07937575371526083*lam4_31 +
+        (s5*t63 - (0.08256807420204747*t21 - 0.00164448757736928*t64));
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const panda_real n4_x = 0.30879988491513166*lam4_32 - t64;
+    const panda_real n4_x = 0.30879988491513166*lam4_32 - t65;
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
     const panda_real lam4_23 = ww4_yz + neg_alpha4_x;
     const panda_real lam4_13 = ww4_zx + alpha4_y;
     const panda_real lam4_12 = ww4_xy + alpha3_y;
-    const panda_real t65 = c6*t54 + s6*t50 + 0.0010267877770288932*(2.1075942862896366*lam5_13 -
-        lam5_23) - 0.001451156065026714*(neg_lam5_21 - 6.922196771534925*neg_lam5_12);
+    const panda_real t66 = 0.0010267877770288932*neg_lam5_23 + 0.0021640520520981327*lam5_13 -
+        (c6*t56 + s6*t51) - (0.001451156065026714*neg_lam5_21 - 0.010045187828321245*neg_lam5_12);
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const panda_real n5_z = t65 + 0.001208932934385*(t38 - 1.2533734752605237*t51);
-    const panda_real t66 = 0.022178148964878252*lam4_23 - n4_x;
-    const panda_real t67 = t60 - 0.001208932934385*(22.889949241848065*t23 - lam5_11);
-    const panda_real t68 = t55 - 0.001208932934385*(neg_lam5_21 - 22.889949241848065*t38);
-    const panda_real t69 = s5*t67 + c5*t68;
-    const panda_real t70 = n5_z + (t69 + 0.00164448757736928*(lam4_12 - 16.779641781916826*lam4_13))
-        + 0.0039053550262761055*(t3 - 20.32484964393837*lam4_32 + 2.773506358193827*ww4_zx);
-    const panda_real t71 = t69 - 0.08256807420204747*(lam4_32 - 0.19391767563373744*t21);
-    const panda_real t72 = c4*t70 + 0.0001219124209507298*(neg_lam3_11 + lam3_22) - (t71 -
-        0.002328735327434986*(t17 + 0.005737304173171223*neg_lam3_21) -
-        0.005487648106562251*lam3_23);
+    const panda_real n5_z = t66 - (0.00151524447332703*t52 - 0.001208932934385*t38);
+    const panda_real t67 = n4_x - 0.022178148964878252*lam4_23;
+    const panda_real t68 = t61 - (0.02767241350487109*t23 - 0.001208932934385*lam5_11);
+    const panda_real t69 = t54 - (0.001208932934385*neg_lam5_21 - 0.02767241350487109*t38);
+    const panda_real t70 = s5*t68 + c5*t69;
+    const panda_real t71 = n5_z - (0.02759391246306875*lam4_13 - 0.00164448757736928*lam4_12 - t70)
+        + (0.010831526996380998*ww4_zx + (0.0039053550262761055*t3 - 0.07937575371526083*lam4_32));
+    const panda_real t72 = t70 - (0.08256807420204747*lam4_32 + 0.016011409030815008*t21);
+    const panda_real t73 = c4*t71 + 0.0001219124209507298*(neg_lam3_11 + lam3_22) +
+        (0.005487648106562251*lam3_23 + (0.002328735327434986*t17 + 1.3360662912304e-05*neg_lam3_21
+        - t72));
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const panda_real n3_z = s4*t66 + t72 + 0.013297019103287523*neg_lam3_13;
+    const panda_real n3_z = 0.013297019103287523*neg_lam3_13 - (s4*t67 - t73);
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
     const panda_real lam3_12 = neg_ww2_zx - neg_ww3_xy;
-    const panda_real t73 = s6*t58 + 0.02767241350487109*t26 + c6*t59 + 0.001208932934385*lam5_31;
-    const panda_real t74 = c5*t62 + 0.0039053550262761055*lam4_23 + 0.00164448757736928*(lam4_13 -
-        48.26777338278214*(t3 - t63) + 3.293283313732418*lam4_21 - 187.77878845951824*lam4_12);
+    const panda_real t74 = 0.001208932934385*lam5_31 + (s6*t59 + 0.02767241350487109*t26 + c6*t60);
+    const panda_real t75 = 0.0039053550262761055*lam4_23 + c5*t63 - (0.30879988491513166*lam4_12 -
+        (0.00164448757736928*lam4_13 - 0.07937575371526083*(t3 - t64) +
+        0.005415763498190499*lam4_21));
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const panda_real n4_z = t73 - (s5*t57 - 0.08256807420204747*t19) + t74;
+    const panda_real n4_z = t74 + (s5*t58 + 0.08256807420204747*t19) + t75;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
     const panda_real lam3_32 = ww3_yz + alpha3_x;
-    const panda_real t75 = s4*t70 - c4*t66 - 3.83030303030303*t71 + 0.013297019103287523*(t2 -
-        0.41269761770933294*neg_lam3_21 + 0.009168402331661572*neg_lam3_31 - 20.824802807474068*c2 +
-        7.904433989224409*lam3_23);
-    const panda_real t76 = c5*t67 - s5*t68 - 0.08256807420204747*(lam4_12 -
-        0.19391767563373744*t19);
-    const panda_real t77 = t73 - 0.016011409030815008*t25 + 0.08256807420204747*neg_lam4_22;
-    const panda_real t78 = s4*t76 + c4*t77 - 3.83030303030303*(c4*t76 - s4*t77) +
+    const panda_real t76 = t1 - (qd[0] - t1);
+    const panda_real t77 = 3.83030303030303*t72 - (s4*t71 + c4*t67) - (0.10510540975539216*lam3_23 -
+        (0.27690780075317833*c2 - (0.013297019103287523*t2 - 0.005487648106562251*neg_lam3_21 +
+        0.0001219124209507298*neg_lam3_31)));
+    const panda_real t78 = 0.016011409030815008*t19 - 0.08256807420204747*lam4_12 + (c5*t68 -
+        s5*t69);
+    const panda_real t79 = 0.08256807420204747*neg_lam4_22 + (t74 - 0.016011409030815008*t25);
+    const panda_real t80 = s4*t78 + c4*t79 - 3.83030303030303*(c4*t78 - s4*t79) +
         0.013297019103287523*lam3_12;
-    const panda_real t79 = t78 - (n4_z + (0.0001219124209507298*lam3_32 +
-        0.10510540975539216*neg_lam3_13 + 1.3360662912304e-05*(neg_lam3_31 +
-        410.731723611454*(neg_lam3_11 - neg_lam2_22))));
-    const panda_real t80 = c2*n3_z - 0.010261101821008168*(ww2_zz*(c2 - 0.07493699179284168*s2)) +
-        s2*(c3*t75 + s3*t79);
-    const panda_real t81 = t1 - (qd[0] - t1);
+    const panda_real t81 = t80 - (n4_z + (0.005487648106562251*(0.0024346792383292625*neg_lam3_31 +
+        (neg_lam3_11 - neg_lam2_22)) + (0.0001219124209507298*lam3_32 +
+        0.10510540975539216*neg_lam3_13)));
+    const panda_real t82 = ww2_zz*(0.010261101821008168*c2 - 0.0007689361029464017*s2) - c2*n3_z +
+        s2*(c3*t77 - s3*t81);
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const panda_real n1_z = t80 + 0.007966717767871044*(qd[1]*t81);
+    const panda_real n1_z = 0.007966717767871044*qd[1]*t76 - t82;
     /* link 2: moment through the joint, about the frame's origin [N m] */
-    const panda_real n2_z = c3*t79 - (s3*t75 + 0.003983358883935522*(qd[0]*t81) +
-        4.746153896127808*(s2 - 0.004200004283199334*c2));
-    const panda_real t82 = 0.12742121920055377*k7_xz - 0.00033108301517462406*c7;
+    const panda_real n2_z = c3*t81 - (t76*(0.003983358883935522*qd[0]) - s3*t77 +
+        (4.746153896127808*s2 - 0.01993386669246*c2));
+    const panda_real t83 = s7 - 1.2650190832031087*c7;
+    const panda_real t84 = 0.0009435868580996108*t83;
+    const panda_real t85 = 0.002420943778521227*c7;
+    const panda_real t86 = t84 + t85;
     /* link 7: second moment of the composite body [kg m^2] */
-    const panda_real neg_k7_yz = 6.033835963815859*t82;
-    const panda_real t83 = 9.35690973146064e-05 - neg_k7_yz;
-    const panda_real t84 = 0.002420943778521227*c7;
-    const panda_real t85 = s7*t84;
-    const panda_real t86 = c7*t84;
-    const panda_real t87 = t82 + 0.04168770476667123*k7_xz;
-    const panda_real t88 = t85 - 0.0004951501989029328 + 0.32333777029991095*t86 +
-        1.0666666666666667*t87;
+    const panda_real k7_yz = 1.0230167595416089*t86;
+    const panda_real t87 = 9.35690973146064e-05 + k7_yz;
+    const panda_real t88 = t84 + 0.0006089563838965577*s7;
+    const panda_real t89 = t85 + t88;
+    const panda_real t90 = c7*t85;
+    const panda_real t91 = s7*t85;
+    const panda_real t92 = 0.1458750175528577*t89 - (0.32333777029991095*t90 - 0.0004951501989029328
+        + t91);
     /* link 6: second moment of the composite body [kg m^2] */
-    const panda_real k6_xz = s6*t83 - c6*t88;
-    const panda_real t89 = c5*c5;
-    const panda_real t90 = t86 + 0.012176791922741105 - 0.32333777029991095*t85;
-    const panda_real t91 = c6*s6;
-    const panda_real t92 = k7_xz + (k7_xz + 0.029497140765350628);
-    const panda_real t93 = c6*c6;
-    const panda_real t94 = s7 - 1.2650190832031087*c7;
-    const panda_real t95 = 0.000179030716362244*t94;
-    const panda_real t96 = 0.006684151967360947 - t95;
-    const panda_real t97 = t96 - (t90 + (t95 - 0.0026330206532488923));
-    const panda_real t98 = t91*t92 + (t93*t97 - 0.6173375163284962);
-    const panda_real t99 = t98 + 0.6477230949391829;
-    const panda_real t100 = t90 - t99;
-    const panda_real t101 = c5*s5;
-    const panda_real t102 = k6_xz + (k6_xz - 0.00303048894665406);
+    const panda_real neg_k6_yz = c6*t87 - s6*t92;
+    /* link 7: second moment of the composite body [kg m^2] */
+    const panda_real neg_k7_xz = 0.8086967012001633*t88;
+    const panda_real t93 = neg_k6_yz - 0.0021640520520981327;
+    const panda_real t94 = c6*c6;
+    const panda_real t95 = neg_k7_xz + (neg_k7_xz - 0.029497140765350628);
+    const panda_real t96 = c6*s6;
+    const panda_real t97 = 0.000179030716362244*t83;
+    const panda_real t98 = 0.32333777029991095*t91 - (t90 + 0.009543771269492213);
+    const panda_real t99 = 0.006684151967360947 - t97;
+    const panda_real t100 = t97 - t98 - t99;
+    const panda_real t101 = (t94 - 0.5)*t95 - (t96*t100 - 0.004600245517563107);
     /* link 5: second moment of the composite body [kg m^2] */
-    const panda_real k5_yy = t89*t100 + (t99 - t101*t102);
+    const panda_real k5_xz = s5*t93 - c5*t101;
+    /* link 6: second moment of the composite body [kg m^2] */
+    const panda_real k6_xz = c6*t92 + s6*t87;
+    const panda_real t102 = c5*s5;
+    const panda_real t103 = k6_xz + (k6_xz - 0.00303048894665406);
+    const panda_real t104 = t95*t96 + 0.6173375163284962 + t94*t100;
+    const panda_real t105 = c5*c5;
+    const panda_real t106 = t98 - t104 + 0.645090074285934;
+    /* link 5: second moment of the composite body [kg m^2] */
+    const panda_real neg_k5_yy = t102*t103 + (t104 - 0.6477230949391829 + t105*t106);
     /* link 5: mass matrix, its row of this joint */
-    const panda_real m5_5 = t90 + t99;
+    const panda_real neg_m5_5 = t98 + t104 - 0.6503561155924318;
     /* link 6: mass matrix, its row of this joint */
-    const panda_real m6_6 = t97 + 0.057868845091319815;
-    /* link 6: second moment of the composite body [kg m^2] */
-    const panda_real neg_k6_yz = s6*t88 + c6*t83;
-    const panda_real t103 = k5_yy + 0.022178148964878252;
-    const panda_real t104 = c4*c4;
-    const panda_real t105 = 0.00016784129658960374*t94;
-    const panda_real t106 = t105 - 0.0191274230973375;
-    const panda_real t107 = c6*t106 - 0.014338888209442497*s6;
-    const panda_real t108 = t107 + 0.001208932934385;
-    const panda_real t109 = 0.0055993270925625 + t87;
-    const panda_real t110 = c5*t108 + s5*t109;
-    const panda_real t111 = m5_5 + t110;
-    const panda_real t112 = t111 - (k5_yy - t110);
-    const panda_real t113 = s6*t106 + 0.014338888209442497*c6;
-    const panda_real t114 = 4.654545454545454*t113;
-    const panda_real t115 = m6_6 - t114;
-    const panda_real t116 = t98 + (t114 - t115);
-    const panda_real t117 = t112 + t116;
-    const panda_real t118 = c4*s4;
-    const panda_real t119 = t91*t97 + 0.004600245517563107 - t92*(t93 - 0.5);
-    const panda_real t120 = neg_k6_yz - 0.0021640520520981327;
-    const panda_real t121 = c5*t119 - (s5*t120 + 4.654545454545454*t110);
-    const panda_real t122 = t113 - 0.16284087268546082 + t121;
-    const panda_real t123 = t113 - 0.16603319317224746;
-    const panda_real t124 = t110 + 0.04560437265862499;
-    const panda_real t125 = s4*t123 - c4*t124;
-    const panda_real t126 = t104*t117 + 0.11262255718334319 - (t116 + 2.0*(t118*t122 - t125));
-    /* link 3: mass matrix, its row of this joint */
-    const panda_real m3_3 = t103 + t126;
-    const panda_real t127 = s5*t108 - c5*t109;
-    /* link 4: mass matrix, its row of this joint */
-    const panda_real m4_5 = c5*t120 + (s5*t119 - 4.654545454545454*t127);
+    const panda_real m6_6 = 0.057868845091319815 - t100;
     /* link 5: second moment of the composite body [kg m^2] */
-    const panda_real neg_k5_xy = t102*(t89 - 0.5) + t100*t101;
-    const panda_real t128 = m4_5 - 0.00164448757736928;
-    const panda_real t129 = neg_k5_xy - (t127 + 0.0039053550262761055);
-    /* link 4: second moment of the composite body [kg m^2] */
-    const panda_real neg_k4_yz = c4*t128 - s4*t129;
-    const panda_real k4_xz = c4*t129 + s4*t128;
+    const panda_real neg_k5_yz = c5*t93 + s5*t101;
+    const panda_real t107 = 0.00016784129658960374*t83;
+    const panda_real t108 = t107 - 0.0191274230973375;
+    const panda_real t109 = 0.014338888209442497*s6 - c6*t108;
+    const panda_real t110 = t109 - 0.001208932934385;
+    const panda_real t111 = 0.1367578289558041*t89;
+    const panda_real t112 = 0.0055993270925625 - t111;
+    const panda_real t113 = s5*t110 + c5*t112;
     /* link 4: mass matrix, its row of this joint */
-    const panda_real m4_4 = t112 - (t116 - 0.10204027231363098);
-    const panda_real t130 = neg_k4_yz + 0.0043772571218395765;
-    const panda_real t131 = t125 + 0.06161578168944;
-    const panda_real t132 = t127 - 0.002328735327434986;
-    const panda_real t133 = t104*t122;
-    const panda_real t134 = c4*t123 + s4*t124;
-    const panda_real t135 = t122 - (t133 + (t133 + 0.005487648106562251)) + t134 - t117*t118;
-    const panda_real t136 = s2*(s3*t130 - 3.83030303030303*(c3*t131 + s3*t132) + c3*t135);
-    const panda_real t137 = c2*(t136 + 0.003983358883935522*s2);
-    const panda_real t138 = c3*c3;
-    const panda_real t139 = t103 - t126;
-    const panda_real t140 = c3*s3;
-    const panda_real t141 = k4_xz + (t127 - 0.0001219124209507298);
-    const panda_real t142 = 2.0*t141;
-    const panda_real t143 = t103 - (t138*t139 - 0.023077882494931805 - t140*t142);
-    const panda_real t144 = t125 - 3.83030303030303*t134;
-    const panda_real t145 = m4_4 + t144;
-    const panda_real t146 = t145 + 1.0937644822584085 - (t126 - t144);
+    const panda_real m4_5 = neg_k5_yz + 4.654545454545454*t113;
+    const panda_real t114 = m4_5 - 0.00164448757736928;
+    const panda_real t115 = t102*t106 - (t113 - (t103*(0.5 - t105) + 0.0039053550262761055));
+    /* link 4: second moment of the composite body [kg m^2] */
+    const panda_real k4_xz = s4*t114 - c4*t115;
+    const panda_real t116 = s5*t112 - c5*t110;
+    const panda_real t117 = neg_m5_5 - t116;
+    const panda_real t118 = t116 + (neg_k5_yy - t117);
+    const panda_real t119 = 0.014338888209442497*c6 + s6*t108;
+    const panda_real t120 = 4.654545454545454*t119;
+    const panda_real t121 = t120 - m6_6;
+    const panda_real t122 = t120 - (t104 - t121);
+    /* link 4: mass matrix, its row of this joint */
+    const panda_real m4_4 = t118 - (t122 - 0.10204027231363098);
+    /* link 4: second moment of the composite body [kg m^2] */
+    const panda_real neg_k4_yz = s4*t115 + c4*t114;
+    const panda_real t123 = neg_k5_yy - 0.022178148964878252;
+    const panda_real t124 = t119 - 0.16603319317224746;
+    const panda_real t125 = t116 + 0.04560437265862499;
+    const panda_real t126 = c4*t124 + s4*t125;
+    const panda_real t127 = 3.83030303030303*t126;
+    const panda_real t128 = c4*s4;
+    const panda_real t129 = k5_xz + 4.654545454545454*t116;
+    const panda_real t130 = t119 - 0.16284087268546082 - t129;
+    const panda_real t131 = t127 - t128*t130;
+    const panda_real t132 = c4*c4;
+    const panda_real t133 = t122 + t118;
+    const panda_real t134 = t131 - 1.0831821973886961 - (t118 - (t131 + t132*t133));
+    const panda_real t135 = s4*t124 - c4*t125;
+    const panda_real t136 = t127 - t135;
+    const panda_real t137 = t136 - m4_4;
+    const panda_real t138 = t134 - (t136 - 1.0937644822584085 + t137);
+    /* link 3: mass matrix, its row of this joint */
+    const panda_real neg_m3_3 = t123 - t138;
+    const panda_real t139 = k4_xz - (t113 + 0.0001219124209507298);
+    const panda_real t140 = 2.0*(s3*t139) + c3*(t123 + t138);
+    const panda_real t141 = neg_k5_yy - (c3*t140 + 0.04525603145981006);
+    const panda_real t142 = t134 - t141;
+    const panda_real t143 = t135 + 0.06161578168943999;
+    const panda_real t144 = t113 + 0.0023287353274349695;
+    const panda_real t145 = t126 + (t130 - 0.005487648106562261) - (t128*t133 + t132*(2.0*t130));
+    const panda_real t146 = neg_k4_yz + 0.004377257121839638;
+    const panda_real t147 = s2*(3.83030303030303*(c3*t143 - s3*t144) - (c3*t145 + s3*t146));
+    const panda_real t148 = c2*(0.003983358883935522*s2 - t147);
     /* link 1: mass matrix, its row of this joint */
-    const panda_real m1_1 = m3_3 - t137 - (t137 + ((t143 - t146)*(s2*s2) - 0.03733744848940618));
+    const panda_real m1_1 = c2*(c2*t142) + 0.03733744848940618 - (t148 + (neg_m3_3 + t148)) - t142;
     /* link 2: mass matrix, its row of this joint */
-    const panda_real m2_3 = s3*t135 - (c3*t130 + 3.83030303030303*(s3*t131 - c3*t132));
+    const panda_real m2_3 = s3*t145 - c3*t146 - 3.83030303030303*(s3*t143 + c3*t144);
     /* link 2: second moment of the composite body [kg m^2] */
-    const panda_real k2_yz = s2*(t138*t142 + t139*t140 - (t141 - 0.010261101821008168)) - c2*(m2_3 -
+    const panda_real neg_k2_yz = s2*(s3*t140 - (t139 + 0.010261101821008168)) + c2*(m2_3 -
         0.0007689361029464017);
     /* link 2: moment for a unit acceleration of a joint further out */
-    const panda_real nu2_y = c2*m3_3 - t136;
+    const panda_real nu2_y = t147 - c2*neg_m3_3;
     /* link 3: mass matrix, its row of this joint */
-    const panda_real m3_5 = c4*t111 - (t110 + s4*t121);
+    const panda_real neg_m3_5 = t116 + c4*t117 - s4*t129;
     /* link 4: moment for a unit acceleration of a joint further out */
-    const panda_real neg_nu4_x = c4*t121 + s4*t111;
-    const panda_real t147 = m4_5 + s4*t127;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const panda_real nu3_x = s3*t147 - c3*neg_nu4_x;
-    const panda_real t148 = s5*t113;
-    const panda_real t149 = neg_k6_yz - t148;
-    const panda_real t150 = s5*t115 - c5*k6_xz;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const panda_real nu4_y = c4*t149 + s4*t150;
+    const panda_real nu4_x = s4*t117 + c4*t129;
+    const panda_real t149 = s5*t119;
+    const panda_real t150 = c5*k6_xz + s5*t121;
+    const panda_real t151 = neg_k6_yz - t149;
     /* link 3: mass matrix, its row of this joint */
-    const panda_real m3_6 = t148 + nu4_y;
+    const panda_real m3_6 = t149 - s4*t150 + c4*t151;
     /* link 4: mass matrix, its row of this joint */
-    const panda_real m4_6 = t107 + (s5*k6_xz + c5*t115);
+    const panda_real neg_m4_6 = t109 - s5*k6_xz + c5*t121;
+    const panda_real t152 = c5*t119;
+    const panda_real t153 = c4*t109 - (neg_m4_6 - s4*t152);
+    const panda_real t154 = c4*t150 + s4*t151;
+    /* link 3: moment for a unit acceleration of a joint further out */
+    const panda_real nu3_x = s3*t153 - c3*t154;
     /* link 6: moment for a unit acceleration of a joint further out */
-    const panda_real neg_nu6_y = c6*t96 + s6*k7_xz;
-    const panda_real nu6_x = s6*t96 - c6*k7_xz;
-    const panda_real t151 = c6*t87;
-    const panda_real t152 = c5*t105 + s5*t151;
-    const panda_real t153 = neg_nu6_y + t152;
-    const panda_real t154 = c5*nu6_x + (s5*neg_k7_yz - 4.654545454545454*t152);
+    const panda_real nu6_x = s6*t99 + c6*neg_k7_xz;
+    const panda_real nu6_y = s6*neg_k7_xz - c6*t99;
+    const panda_real t155 = c6*t111;
+    const panda_real t156 = c5*t107 - s5*t155;
+    const panda_real t157 = nu6_y - t156;
+    const panda_real t158 = s5*k7_yz + (4.654545454545454*t156 - c5*nu6_x);
+    /* link 4: moment for a unit acceleration of a joint further out */
+    const panda_real nu4_y = c4*t157 - s4*t158;
     /* link 3: mass matrix, its row of this joint */
-    const panda_real m3_7 = t152 - c4*t153 + s4*t154;
-    const panda_real t155 = s6*t87;
-    const panda_real t156 = s5*t105 - c5*t151;
+    const panda_real m3_7 = t156 + nu4_y;
+    const panda_real t159 = s6*t111;
+    const panda_real t160 = s5*t107 + c5*t155;
     /* link 4: mass matrix, its row of this joint */
-    const panda_real neg_m4_7 = t155 - c5*neg_k7_yz + (s5*nu6_x - 4.654545454545454*t156);
+    const panda_real m4_7 = t159 - c5*k7_yz + 4.654545454545454*t160 - s5*nu6_x;
     /* link 2: mass matrix, its row of this joint */
-    const panda_real m2_2 = t143 + t146;
-    const panda_real neg_m2_4 = s3*k4_xz + c3*t145;
+    const panda_real neg_m2_2 = t134 + t141;
+    const panda_real m2_4 = c3*t137 - s3*k4_xz;
+    const panda_real t161 = m4_5 - s4*t113;
     /* link 3: moment for a unit acceleration of a joint further out */
-    const panda_real neg_nu3_y = s3*neg_nu4_x + c3*t147;
-    const panda_real t157 = c4*t127;
+    const panda_real nu3_y = s3*nu4_x - c3*t161;
+    const panda_real t162 = c4*t113;
     /* link 2: mass matrix, its row of this joint */
-    const panda_real m2_5 = 3.83030303030303*(c3*t157 + s3*t110) - neg_nu3_y;
-    const panda_real t158 = c5*t113;
-    const panda_real t159 = c4*t107 - (m4_6 + s4*t158);
-    const panda_real t160 = c4*t150 - s4*t149;
-    const panda_real t161 = s4*t107 + c4*t158;
-    const panda_real m2_6 = c3*t159 + (s3*t160 + 3.83030303030303*(c3*t161 - s3*t148));
-    const panda_real t162 = c4*t155 - (neg_m4_7 + s4*t156);
-    const panda_real t163 = c4*t156 + s4*t155;
-    const panda_real t164 = c4*t154 + s4*t153;
-    const panda_real neg_m2_7 = c3*t162 + 3.83030303030303*(c3*t163 + s3*t152) - s3*t164;
+    const panda_real m2_5 = nu3_y - 3.83030303030303*(c3*t162 - s3*t116);
+    const panda_real t163 = s4*t109 - c4*t152;
+    const panda_real neg_m2_6 = s3*t154 + c3*t153 + 3.83030303030303*(c3*t163 + s3*t149);
+    const panda_real t164 = s4*t160 - (m4_7 - c4*t159);
+    const panda_real t165 = c4*t158 + s4*t157;
+    const panda_real t166 = c4*t160 - s4*t159;
+    const panda_real m2_7 = c3*t164 - (s3*t165 + 3.83030303030303*(c3*t166 + s3*t156));
     /* factorisation M = U D U^T */
-    const panda_real ud1_7 = c2*m3_7 - s2*(s3*t162 + (c3*t164 - 3.83030303030303*(c3*t152 -
-        s3*t163)));
+    const panda_real ud1_7 = c2*m3_7 + s2*(s3*t164 + (c3*t165 + 3.83030303030303*(c3*t156 -
+        s3*t166)));
     /* link 7: forward substitution */
-    const panda_real y7 = neg_nc7_z + tau[6];
+    const panda_real neg_y7 = nc7_z - tau[6];
     /* factorisation M = U D U^T */
-    const panda_real u6_7 = 902.7077770343022*t82;
-    const panda_real neg_u5_7 = 149.60760989322964*neg_nu6_y;
-    const panda_real neg_u4_7 = 149.60760989322964*neg_m4_7;
+    const panda_real neg_u6_7 = 153.05109227573695*t86;
+    const panda_real u5_7 = 149.60760989322964*nu6_y;
+    const panda_real u4_7 = 149.60760989322964*m4_7;
     const panda_real u3_7 = 149.60760989322964*m3_7;
-    const panda_real neg_u2_7 = 149.60760989322964*neg_m2_7;
+    const panda_real u2_7 = 149.60760989322964*m2_7;
     const panda_real u1_7 = 149.60760989322964*ud1_7;
-    const panda_real pivot6 = m6_6 - neg_k7_yz*u6_7;
-    const panda_real ipivot6 = 1.0 / pivot6;
-    const panda_real ud5_6 = neg_k6_yz + neg_k7_yz*neg_u5_7;
-    const panda_real u5_6 = ipivot6*ud5_6;
-    const panda_real ud4_6 = m4_6 + neg_k7_yz*neg_u4_7;
-    const panda_real u4_6 = ipivot6*ud4_6;
-    const panda_real ud3_6 = m3_6 - neg_k7_yz*u3_7;
-    const panda_real u3_6 = ipivot6*ud3_6;
-    const panda_real ud2_6 = m2_6 + neg_k7_yz*neg_u2_7;
-    const panda_real u2_6 = ipivot6*ud2_6;
-    const panda_real t165 = c2*m3_6 + s2*(s3*t159 + 3.83030303030303*(s3*t161 + c3*t148) - c3*t160);
-    const panda_real ud1_6 = t165 - neg_k7_yz*u1_7;
-    const panda_real u1_6 = ipivot6*ud1_6;
-    const panda_real pivot5 = m5_5 - neg_nu6_y*neg_u5_7 - ud5_6*u5_6;
-    const panda_real ipivot5 = 1.0 / pivot5;
-    const panda_real ud4_5 = m4_5 - neg_nu6_y*neg_u4_7 - ud5_6*u4_6;
-    const panda_real u4_5 = ipivot5*ud4_5;
-    const panda_real ud3_5 = m3_5 + neg_nu6_y*u3_7 - ud5_6*u3_6;
-    const panda_real u3_5 = ipivot5*ud3_5;
-    const panda_real neg_ud2_5 = neg_nu6_y*neg_u2_7 - m2_5 + ud5_6*u2_6;
-    const panda_real neg_u2_5 = ipivot5*neg_ud2_5;
-    const panda_real t166 = c2*m3_5 - s2*(nu3_x - 3.83030303030303*(s3*t157 - c3*t110)) +
-        neg_nu6_y*u1_7;
-    const panda_real ud1_5 = t166 - ud5_6*u1_6;
-    const panda_real u1_5 = ipivot5*ud1_5;
-    const panda_real pivot4 = m4_4 - neg_m4_7*neg_u4_7 - ud4_6*u4_6 - ud4_5*u4_5;
-    const panda_real ipivot4 = 1.0 / pivot4;
-    const panda_real ud3_4 = neg_k4_yz + neg_m4_7*u3_7 - ud4_6*u3_6 - ud4_5*u3_5;
-    const panda_real u3_4 = ipivot4*ud3_4;
-    const panda_real neg_ud2_4 = neg_m2_4 + neg_m4_7*neg_u2_7 + ud4_6*u2_6 - ud4_5*neg_u2_5;
-    const panda_real neg_u2_4 = ipivot4*neg_ud2_4;
-    const panda_real t167 = c2*neg_k4_yz + s2*(c3*k4_xz - s3*t145) + neg_m4_7*u1_7 - ud4_6*u1_6;
-    const panda_real ud1_4 = t167 - ud4_5*u1_5;
-    const panda_real u1_4 = ipivot4*ud1_4;
-    const panda_real pivot3 = m3_3 - m3_7*u3_7 - ud3_6*u3_6 - ud3_5*u3_5 - ud3_4*u3_4;
-    const panda_real ipivot3 = 1.0 / pivot3;
-    const panda_real ud2_3 = m2_3 + m3_7*neg_u2_7 - ud3_6*u2_6 + ud3_5*neg_u2_5 + ud3_4*neg_u2_4;
-    const panda_real u2_3 = ipivot3*ud2_3;
-    const panda_real neg_ud1_3 = m3_7*u1_7 - nu2_y + ud3_6*u1_6 + ud3_5*u1_5 + ud3_4*u1_4;
-    const panda_real neg_u1_3 = ipivot3*neg_ud1_3;
-    const panda_real pivot2 = m2_2 - neg_m2_7*neg_u2_7 - ud2_6*u2_6 - neg_ud2_5*neg_u2_5 -
-        neg_ud2_4*neg_u2_4 - ud2_3*u2_3;
-    const panda_real ipivot2 = 1.0 / pivot2;
-    const panda_real neg_ud1_2 = k2_yz - neg_m2_7*u1_7 + ud2_6*u1_6 - neg_ud2_5*u1_5 -
-        neg_ud2_4*u1_4 - ud2_3*neg_u1_3;
-    const panda_real neg_u1_2 = ipivot2*neg_ud1_2;
-    const panda_real t168 = m1_1 - ud1_7*u1_7 - ud1_6*u1_6 - ud1_5*u1_5 - ud1_4*u1_4 -
-        neg_ud1_3*neg_u1_3;
-    const panda_real pivot1 = t168 - neg_ud1_2*neg_u1_2;
-    const panda_real ipivot1 = 1.0 / pivot1;
+    const panda_real neg_pivot6 = k7_yz*neg_u6_7 - m6_6;
+    const panda_real neg_ipivot6 = 1.0 / neg_pivot6;
+    const panda_real ud5_6 = neg_k6_yz + k7_yz*u5_7;
+    const panda_real neg_u5_6 = neg_ipivot6*ud5_6;
+    const panda_real neg_ud4_6 = neg_m4_6 - k7_yz*u4_7;
+    const panda_real u4_6 = neg_ipivot6*neg_ud4_6;
+    const panda_real ud3_6 = m3_6 + k7_yz*u3_7;
+    const panda_real neg_u3_6 = neg_ipivot6*ud3_6;
+    const panda_real neg_ud2_6 = neg_m2_6 - k7_yz*u2_7;
+    const panda_real u2_6 = neg_ipivot6*neg_ud2_6;
+    const panda_real ud1_6 = c2*m3_6 - s2*(nu3_x + 3.83030303030303*(s3*t163 - c3*t149)) +
+        k7_yz*u1_7;
+    const panda_real neg_u1_6 = neg_ipivot6*ud1_6;
+    const panda_real neg_pivot5 = neg_m5_5 + nu6_y*u5_7 - ud5_6*neg_u5_6;
+    const panda_real neg_ipivot5 = 1.0 / neg_pivot5;
+    const panda_real ud4_5 = m4_5 - nu6_y*u4_7 - ud5_6*u4_6;
+    const panda_real neg_u4_5 = neg_ipivot5*ud4_5;
+    const panda_real neg_ud3_5 = neg_m3_5 + nu6_y*u3_7 - ud5_6*neg_u3_6;
+    const panda_real u3_5 = neg_ipivot5*neg_ud3_5;
+    const panda_real ud2_5 = m2_5 - nu6_y*u2_7 - ud5_6*u2_6;
+    const panda_real neg_u2_5 = neg_ipivot5*ud2_5;
+    const panda_real t167 = c2*neg_m3_5 + s2*(3.83030303030303*(c3*t116 + s3*t162) + c3*nu4_x +
+        s3*t161);
+    const panda_real neg_ud1_5 = t167 + nu6_y*u1_7 - ud5_6*neg_u1_6;
+    const panda_real u1_5 = neg_ipivot5*neg_ud1_5;
+    const panda_real neg_pivot4 = m4_7*u4_7 - m4_4 - neg_ud4_6*u4_6 - ud4_5*neg_u4_5;
+    const panda_real neg_ipivot4 = 1.0 / neg_pivot4;
+    const panda_real ud3_4 = neg_k4_yz - m4_7*u3_7 - neg_ud4_6*neg_u3_6 - ud4_5*u3_5;
+    const panda_real neg_u3_4 = neg_ipivot4*ud3_4;
+    const panda_real ud2_4 = m2_4 - m4_7*u2_7 + neg_ud4_6*u2_6 + ud4_5*neg_u2_5;
+    const panda_real neg_u2_4 = neg_ipivot4*ud2_4;
+    const panda_real t168 = c2*neg_k4_yz + s2*(c3*k4_xz + s3*t137) - m4_7*u1_7 - neg_ud4_6*neg_u1_6;
+    const panda_real ud1_4 = t168 - ud4_5*u1_5;
+    const panda_real neg_u1_4 = neg_ipivot4*ud1_4;
+    const panda_real neg_pivot3 = neg_m3_3 + m3_7*u3_7 - ud3_6*neg_u3_6 - neg_ud3_5*u3_5 -
+        ud3_4*neg_u3_4;
+    const panda_real neg_ipivot3 = 1.0 / neg_pivot3;
+    const panda_real ud2_3 = m2_3 - m3_7*u2_7 - ud3_6*u2_6 - neg_ud3_5*neg_u2_5 + ud3_4*neg_u2_4;
+    const panda_real neg_u2_3 = neg_ipivot3*ud2_3;
+    const panda_real ud1_3 = nu2_y - m3_7*u1_7 + ud3_6*neg_u1_6 + neg_ud3_5*u1_5 + ud3_4*neg_u1_4;
+    const panda_real neg_u1_3 = neg_ipivot3*ud1_3;
+    const panda_real neg_pivot2 = neg_m2_2 + m2_7*u2_7 - neg_ud2_6*u2_6 - ud2_5*neg_u2_5 -
+        ud2_4*neg_u2_4 - ud2_3*neg_u2_3;
+    const panda_real neg_ipivot2 = 1.0 / neg_pivot2;
+    const panda_real ud1_2 = neg_k2_yz - m2_7*u1_7 - neg_ud2_6*neg_u1_6 - ud2_5*u1_5 +
+        ud2_4*neg_u1_4 + ud2_3*neg_u1_3;
+    const panda_real neg_u1_2 = neg_ipivot2*ud1_2;
+    const panda_real t169 = ud1_7*u1_7 - m1_1 - ud1_6*neg_u1_6 - neg_ud1_5*u1_5 - ud1_4*neg_u1_4 -
+        ud1_3*neg_u1_3;
+    const panda_real neg_pivot1 = t169 - ud1_2*neg_u1_2;
+    const panda_real neg_ipivot1 = 1.0 / neg_pivot1;
     /* link 6: forward substitution */
-    const panda_real neg_y6 = n6_z - tau[5] + y7*u6_7;
+    const panda_real y6 = neg_n6_z + tau[5] - neg_y7*neg_u6_7;
     /* link 5: forward substitution */
-    const panda_real neg_y5 = n5_z - tau[4] - y7*neg_u5_7 - u5_6*neg_y6;
+    const panda_real neg_y5 = n5_z - tau[4] - neg_y7*u5_7 - neg_u5_6*y6;
     /* link 4: forward substitution */
-    const panda_real neg_y4 = n4_z - tau[3] - y7*neg_u4_7 - u4_6*neg_y6 - u4_5*neg_y5;
+    const panda_real neg_y4 = n4_z - tau[3] - neg_y7*u4_7 + u4_6*y6 + neg_u4_5*neg_y5;
     /* link 3: forward substitution */
-    const panda_real neg_y3 = n3_z - tau[2] + y7*u3_7 - u3_6*neg_y6 - u3_5*neg_y5 - u3_4*neg_y4;
+    const panda_real neg_y3 = n3_z - tau[2] - neg_y7*u3_7 - neg_u3_6*y6 - u3_5*neg_y5 +
+        neg_u3_4*neg_y4;
     /* link 2: forward substitution */
-    const panda_real neg_y2 = n2_z - tau[1] - y7*neg_u2_7 - u2_6*neg_y6 + neg_u2_5*neg_y5 +
-        neg_u2_4*neg_y4 - u2_3*neg_y3;
-    const panda_real t169 = n1_z - tau[0] + y7*u1_7 - u1_6*neg_y6 - u1_5*neg_y5 - u1_4*neg_y4 +
-        neg_u1_3*neg_y3;
+    const panda_real neg_y2 = n2_z - tau[1] - neg_y7*u2_7 + u2_6*y6 + neg_u2_5*neg_y5 +
+        neg_u2_4*neg_y4 + neg_u2_3*neg_y3;
+    const panda_real t170 = n1_z - tau[0] - neg_y7*u1_7 - neg_u1_6*y6 - u1_5*neg_y5 +
+        neg_u1_4*neg_y4 + neg_u1_3*neg_y3;
     /* link 1: forward substitution */
-    const panda_real neg_y1 = t169 + neg_u1_2*neg_y2;
+    const panda_real neg_y1 = t170 + neg_u1_2*neg_y2;
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const panda_real neg_qdd1 = ipivot1*neg_y1;
+    const panda_real qdd1 = neg_ipivot1*neg_y1;
     /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const panda_real neg_qdd2 = ipivot2*neg_y2 + neg_u1_2*neg_qdd1;
+    const panda_real qdd2 = neg_ipivot2*neg_y2 + neg_u1_2*qdd1;
     /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const panda_real neg_qdd3 = ipivot3*neg_y3 - u2_3*neg_qdd2 + neg_u1_3*neg_qdd1;
+    const panda_real qdd3 = neg_ipivot3*neg_y3 + neg_u2_3*qdd2 + neg_u1_3*qdd1;
     /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const panda_real neg_qdd4 = ipivot4*neg_y4 - u3_4*neg_qdd3 + neg_u2_4*neg_qdd2 - u1_4*neg_qdd1;
+    const panda_real qdd4 = neg_ipivot4*neg_y4 + neg_u3_4*qdd3 + neg_u2_4*qdd2 + neg_u1_4*qdd1;
     /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const panda_real neg_qdd5 = ipivot5*neg_y5 - u4_5*neg_qdd4 - u3_5*neg_qdd3 + neg_u2_5*neg_qdd2 -
-        u1_5*neg_qdd1;
+    const panda_real qdd5 = neg_ipivot5*neg_y5 + neg_u4_5*qdd4 - u3_5*qdd3 + neg_u2_5*qdd2 -
+        u1_5*qdd1;
     /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const panda_real qdd6 = u1_6*neg_qdd1 - (ipivot6*neg_y6 - u5_6*neg_qdd5 - u4_6*neg_qdd4 -
-        u3_6*neg_qdd3 - u2_6*neg_qdd2);
-    const panda_real t170 = 149.60760989322964*y7 - u6_7*qdd6 - neg_u5_7*neg_qdd5 -
-        neg_u4_7*neg_qdd4 + u3_7*neg_qdd3 - neg_u2_7*neg_qdd2;
+    const panda_real qdd6 = neg_u1_6*qdd1 - (neg_ipivot6*y6 - neg_u5_6*qdd5 + u4_6*qdd4 -
+        neg_u3_6*qdd3 + u2_6*qdd2);
+    const panda_real t171 = 149.60760989322964*neg_y7 - neg_u6_7*qdd6 + u5_7*qdd5 + u4_7*qdd4 +
+        u3_7*qdd3 + u2_7*qdd2;
     /* link 7: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const panda_real qdd7 = t170 + u1_7*neg_qdd1;
-    const panda_real t171 = -neg_qdd1;
-    const panda_real t172 = -neg_qdd2;
-    const panda_real t173 = -neg_qdd3;
-    const panda_real t174 = -neg_qdd4;
-    const panda_real t175 = -neg_qdd5;
-    qdd[0] = t171;
-    qdd[1] = t172;
-    qdd[2] = t173;
-    qdd[3] = t174;
-    qdd[4] = t175;
+    const panda_real qdd7 = -u1_7*qdd1 - t171;
+    qdd[0] = qdd1;
+    qdd[1] = qdd2;
+    qdd[2] = qdd3;
+    qdd[3] = qdd4;
+    qdd[4] = qdd5;
     qdd[5] = qdd6;
     qdd[6] = qdd7;
 }

@@ -26,14 +26,14 @@
 ! Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
 !   to the recursion without being written like it: robodyn --optimize full, seed 1.
 ! Of mass_matrix the best program known for these parameters, equal to the recursion without being
-!   written like it: robodyn --optimize full, seed 0.
+!   written like it: robodyn --optimize search, from the record of an arm that is built alike.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
 !   inverse_dynamics: 272 multiplications, 258 additions = 530; 6 unary minus; 12 sine/cosine
 !   gravity: 42 multiplications, 29 additions = 71; 1 unary minus; 12 sine/cosine
 !   bias: 257 multiplications, 242 additions = 499; 1 unary minus; 12 sine/cosine
-!   mass_matrix: 173 multiplications, 163 additions = 336; 1 unary minus; 12 sine/cosine
-!   forward_dynamics: 554 multiplications, 509 additions, 6 divisions = 1069; 5 unary minus; 12
+!   mass_matrix: 170 multiplications, 163 additions = 333; 2 unary minus; 12 sine/cosine
+!   forward_dynamics: 553 multiplications, 511 additions, 6 divisions = 1070; 1 unary minus; 12
 !       sine/cosine
 module panda_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -739,20 +739,20 @@ contains
   end subroutine
 
   ! mass matrix, rotor inertias on its diagonal
-  ! 173 multiplications, 163 additions = 336; 1 unary minus; 12 sine/cosine
+  ! 170 multiplications, 163 additions = 333; 2 unary minus; 12 sine/cosine
   pure subroutine panda_mass_matrix(q, M) &
       bind(c, name="panda_mass_matrix_f")
     real(rk), intent(in) :: q(7)
     real(rk), intent(out) :: M(49)
-    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5, c6, s6, c7, s7, t1, t2, neg_k7_xz, t3, t4, t5
-    real(rk) :: k7_yz, t6, t7, t8, t9, t10, t11, k6_xz, t12, t13, t14, t15, t16, t17, t18, t19, t20
-    real(rk) :: t21, t22, t23, t24, t25, k5_yy, m5_5, m6_6, neg_k6_yz, t26, t27, t28, t29, t30, t31
-    real(rk) :: t32, t33, t34, t35, t36, t37, t38, t39, t40, t41, t42, t43, t44, t45, t46, t47, t48
-    real(rk) :: t49, m3_3, t50, m4_5, neg_k5_xy, t51, t52, t53, neg_k4_yz, neg_k4_xz, m4_4, t54
-    real(rk) :: t55, t56, t57, t58, t59, t60, t61, t62, t63, t64, t65, t66, t67, t68, t69, m1_1
-    real(rk) :: m2_3, neg_k2_yz, nu2_y, m3_5, nu4_x, t70, nu3_x, t71, t72, t73, nu4_y, m3_6, m4_6
-    real(rk) :: nu6_y, neg_nu6_x, t74, t75, t76, t77, m3_7, t78, t79, m4_7, m2_2, m2_4, nu3_y, t80
-    real(rk) :: m2_5, t81, t82, t83, t84, m2_6, t85, t86, t87, m2_7, t88, t89, t90, t91, t92
+    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5, c6, s6, c7, s7, t1, t2, t3, k7_yz, t4, t5, t6, t7
+    real(rk) :: t8, t9, neg_k6_yz, neg_k7_xz, t10, t11, t12, t13, t14, t15, t16, t17, k5_xz, k6_xz
+    real(rk) :: t18, t19, t20, t21, t22, t23, t24, neg_k5_yy, m5_5, m6_6, neg_k5_yz, t25, t26, t27
+    real(rk) :: t28, t29, t30, m4_5, t31, t32, k4_xz, t33, t34, t35, t36, t37, t38, t39, m4_4
+    real(rk) :: neg_k4_yz, t40, t41, t42, t43, t44, t45, t46, t47, t48, t49, t50, t51, t52, t53
+    real(rk) :: t54, t55, t56, m3_3, t57, t58, t59, t60, t61, t62, t63, t64, t65, t66, m1_1, m2_3
+    real(rk) :: neg_k2_yz, nu2_y, m3_5, nu4_x, t67, t68, t69, m3_6, m4_6, t70, t71, t72, nu3_x
+    real(rk) :: nu6_x, nu6_y, t73, t74, t75, t76, nu4_y, m3_7, t77, t78, m4_7, m2_2, m2_4, t79
+    real(rk) :: nu3_y, t80, m2_5, t81, m2_6, t82, t83, t84, m2_7, t85, t86, t87, t88, t89
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -767,166 +767,167 @@ contains
     s6 = sin(q(6))
     c7 = cos(q(7))
     s7 = sin(q(7))
-    t1 = 5.2340439032551704e-05_rk*(s7 - 0.7688387349655652_rk*c7)
-    t2 = 3.056565956646895_rk*t1
+    t1 = 0.000179030716362244_rk*(s7 - 1.2650190832031087_rk*c7)
+    t2 = 5.270530539521458_rk*t1
+    t3 = 0.002420943778521227_rk*c7
     ! link 7: second moment of the composite body [kg m^2]
-    neg_k7_xz = 7.847986436435337_rk*t2
-    t3 = 1.2650190832031087_rk*c7
-    t4 = 0.00026172175548237644_rk*t3
-    t5 = t4 + t2
-    k7_yz = 6.033835963815859_rk*t5
-    t6 = k7_yz + 9.35690973146064e-05_rk
-    t7 = 7.312195635418935_rk*t4
-    t8 = c7*t7
-    t9 = s7*t7
-    t10 = t1 + t5
-    t11 = 0.32333777029991095_rk*t8 + (t9 - 0.0004951501989029328_rk) - 1.0666666666666667_rk*t10
+    k7_yz = 1.0230167595416089_rk*(t2 + t3)
+    t4 = k7_yz + 9.35690973146064e-05_rk
+    t5 = t2 + 0.0006089563838965577_rk*s7
+    t6 = 0.1367578289558041_rk*(t3 + t5)
+    t7 = c7*t3
+    t8 = s7*t3
+    t9 = 1.0666666666666667_rk*t6 - (0.32333777029991095_rk*t7 - 0.0004951501989029328_rk + t8)
     ! link 6: second moment of the composite body [kg m^2]
-    k6_xz = s6*t6 - c6*t11
-    t12 = c5*c5
-    t13 = t8 + 0.012176791922741105_rk - 0.32333777029991095_rk*t9
-    t14 = c6*s6
-    t15 = neg_k7_xz + (neg_k7_xz - 0.029497140765350628_rk)
-    t16 = c6*c6
-    t17 = s7 - t3
-    t18 = 0.000179030716362244_rk*t17 - 0.0026330206532488923_rk
-    t19 = t18 - 0.004051131314112054_rk
-    t20 = t19 + (t13 + t18)
-    t21 = t14*t15 + (t16*t20 + 0.6173375163284962_rk)
-    t22 = t21 - 0.6477230949391829_rk
-    t23 = t13 + t22
-    t24 = c5*s5
-    t25 = k6_xz + (k6_xz - 0.00303048894665406_rk)
+    neg_k6_yz = c6*t4 - s6*t9
+    ! link 7: second moment of the composite body [kg m^2]
+    neg_k7_xz = 0.8086967012001633_rk*t5
+    t10 = neg_k6_yz - 0.0021640520520981327_rk
+    t11 = c6*c6
+    t12 = neg_k7_xz - (0.029497140765350628_rk - neg_k7_xz)
+    t13 = c6*s6
+    t14 = 0.32333777029991095_rk*t8 - (t7 + 0.009543771269492213_rk)
+    t15 = 0.006684151967360947_rk - t1
+    t16 = t1 - t14 - t15
+    t17 = (t11 - 0.5_rk)*t12 - (t13*t16 - 0.004600245517563107_rk)
     ! link 5: second moment of the composite body [kg m^2]
-    k5_yy = t12*t23 - (t22 + t24*t25)
+    k5_xz = s5*t10 - c5*t17
+    ! link 6: second moment of the composite body [kg m^2]
+    k6_xz = c6*t9 + s6*t4
+    t18 = c5*s5
+    t19 = k6_xz + (k6_xz - 0.00303048894665406_rk)
+    t20 = c5*c5
+    t21 = t14 - 0.0026330206532488923_rk
+    t22 = t12*t13 + 0.6173375163284962_rk + t11*t16
+    t23 = 0.6477230949391829_rk - t22
+    t24 = t21 + t23
+    ! link 5: second moment of the composite body [kg m^2]
+    neg_k5_yy = t18*t19 + (t20*t24 - t23)
     ! link 5: mass matrix, its row of this joint
-    m5_5 = t13 - t22
+    m5_5 = t23 - t21
     ! link 6: mass matrix, its row of this joint
-    m6_6 = 0.057868845091319815_rk - t20
-    ! link 6: second moment of the composite body [kg m^2]
-    neg_k6_yz = s6*t11 + c6*t6
-    t26 = k5_yy + 0.022178148964878252_rk
-    t27 = c4*c4
-    t28 = 0.00016784129658960374_rk*t17
-    t29 = t28 - 0.0191274230973375_rk
-    t30 = c6*t29 - 0.014338888209442497_rk*s6
-    t31 = t30 + 0.001208932934385_rk
-    t32 = t10 - 0.0055993270925625_rk
-    t33 = c5*t31 - s5*t32
-    t34 = t33 + m5_5
-    t35 = t34 - (k5_yy - t33)
-    t36 = s6*t29 + 0.014338888209442497_rk*c6
-    t37 = 4.654545454545454_rk*t36
-    t38 = t37 - m6_6
-    t39 = t21 - (t37 + t38)
-    t40 = t35 - t39
-    t41 = c4*s4
-    t42 = t14*t20 - 0.004600245517563107_rk - t15*(t16 - 0.5_rk)
-    t43 = neg_k6_yz - 0.0021640520520981327_rk
-    t44 = c5*t42 + (4.654545454545454_rk*t33 + s5*t43)
-    t45 = t36 - 0.16284087268546082_rk - t44
-    t46 = t36 - 0.16603319317224746_rk
-    t47 = t33 + 0.04560437265862499_rk
-    t48 = s4*t46 - c4*t47
-    t49 = t27*t40 + 0.11262255718334319_rk + (t39 - 2.0_rk*(t41*t45 - t48))
-    ! link 3: mass matrix, its row of this joint
-    m3_3 = t26 + t49
-    t50 = s5*t31 + c5*t32
-    ! link 4: mass matrix, its row of this joint
-    m4_5 = c5*t43 - (s5*t42 + 4.654545454545454_rk*t50)
+    m6_6 = 0.057868845091319815_rk - t16
     ! link 5: second moment of the composite body [kg m^2]
-    neg_k5_xy = t25*(t12 - 0.5_rk) + t23*t24
-    t51 = m4_5 - 0.00164448757736928_rk
-    t52 = t50 - 0.002328735327434986_rk
-    t53 = t52 + 0.006234090353711091_rk - neg_k5_xy
+    neg_k5_yz = c5*t10 + s5*t17
+    t25 = 0.9375_rk*t1
+    t26 = t25 - 0.0191274230973375_rk
+    t27 = 0.014338888209442497_rk*s6 - c6*t26
+    t28 = t27 - 0.001208932934385_rk
+    t29 = t6 - 0.0055993270925625_rk
+    t30 = s5*t28 - c5*t29
+    ! link 4: mass matrix, its row of this joint
+    m4_5 = neg_k5_yz + 4.654545454545454_rk*t30
+    t31 = m4_5 - 0.00164448757736928_rk
+    t32 = t18*t24 - (t30 - (t19*(0.5_rk - t20) + 0.0039053550262761055_rk))
     ! link 4: second moment of the composite body [kg m^2]
-    neg_k4_yz = c4*t51 + s4*t53
-    neg_k4_xz = c4*t53 - s4*t51
+    k4_xz = s4*t31 - c4*t32
+    t33 = 0.014338888209442497_rk*c6 + s6*t26
+    t34 = 4.654545454545454_rk*t33
+    t35 = t34 - m6_6
+    t36 = t34 - (t22 - t35)
+    t37 = s5*t29 + c5*t28
+    t38 = t37 - m5_5
+    t39 = t37 + (t38 - neg_k5_yy)
     ! link 4: mass matrix, its row of this joint
-    m4_4 = t35 + (t39 + 0.10204027231363098_rk)
-    t54 = neg_k4_yz + 0.0043772571218395765_rk
-    t55 = t48 + 0.06161578168944_rk
-    t56 = t27*t45
-    t57 = c4*t46 + s4*t47
-    t58 = t45 - (t56 + (t56 + 0.005487648106562251_rk)) + t57 - t40*t41
-    t59 = s2*(s3*t54 - 3.83030303030303_rk*(c3*t55 + s3*t52) + c3*t58)
-    t60 = c2*(t59 + 0.003983358883935522_rk*s2)
-    t61 = c3*c3
-    t62 = t26 - t49
-    t63 = c3*s3
-    t64 = neg_k4_xz - (t50 - 0.0001219124209507298_rk)
-    t65 = 2.0_rk*t64
-    t66 = t26 - (t61*t62 - 0.023077882494931805_rk + t63*t65)
-    t67 = t48 - 3.83030303030303_rk*t57
-    t68 = m4_4 + t67
-    t69 = t68 + 1.0937644822584085_rk - (t49 - t67)
+    m4_4 = 0.10204027231363098_rk - t36 - t39
+    ! link 4: second moment of the composite body [kg m^2]
+    neg_k4_yz = s4*t32 + c4*t31
+    t40 = 0.022178148964878252_rk - neg_k5_yy
+    t41 = t33 - 0.16284087268546082_rk
+    t42 = t41 - 0.0031923204867866503_rk
+    t43 = t37 - 0.04560437265862499_rk
+    t44 = c4*t42 - s4*t43
+    t45 = 3.83030303030303_rk*t44
+    t46 = c4*s4
+    t47 = 4.654545454545454_rk*t37 - k5_xz
+    t48 = t41 + t47
+    t49 = t45 - t46*t48
+    t50 = c4*c4
+    t51 = t36 - t39
+    t52 = t49 - 1.0831821973886961_rk + (t39 + (t49 + t50*t51))
+    t53 = s4*t42 + c4*t43
+    t54 = t45 - t53
+    t55 = t54 - m4_4
+    t56 = t52 - (t54 - 1.0937644822584085_rk + t55)
+    ! link 3: mass matrix, its row of this joint
+    m3_3 = t40 + t56
+    t57 = t30 + 0.0023287353274349695_rk
+    t58 = k4_xz - (t57 - 0.00220682290648424_rk)
+    t59 = 2.0_rk*(s3*t58) + c3*(t56 - t40)
+    t60 = c3*t59 + 0.04525603145981006_rk - neg_k5_yy
+    t61 = t52 + t60
+    t62 = t53 + 0.06161578168943999_rk
+    t63 = t44 + (t48 - 0.005487648106562261_rk) - (t46*t51 + t50*(2.0_rk*t48))
+    t64 = neg_k4_yz + 0.004377257121839638_rk
+    t65 = s2*(3.83030303030303_rk*(c3*t62 - s3*t57) - (c3*t63 + s3*t64))
+    t66 = c2*(0.003983358883935522_rk*s2 - t65)
     ! link 1: mass matrix, its row of this joint
-    m1_1 = m3_3 - t60 - (t60 + ((t66 - t69)*(s2*s2) - 0.03733744848940618_rk))
+    m1_1 = c2*(c2*t61) + 0.03733744848940618_rk - (t66 + (t66 - m3_3)) - t61
     ! link 2: mass matrix, its row of this joint
-    m2_3 = s3*t58 - (c3*t54 + 3.83030303030303_rk*(s3*t55 - c3*t52))
+    m2_3 = s3*t63 - c3*t64 - 3.83030303030303_rk*(s3*t62 + c3*t57)
     ! link 2: second moment of the composite body [kg m^2]
-    neg_k2_yz = s2*(t61*t65 - t62*t63 - (t64 + 0.010261101821008168_rk)) - &
-        c2*(0.0007689361029464017_rk - m2_3)
+    neg_k2_yz = s2*(s3*t59 - (t58 + 0.010261101821008168_rk)) - c2*(0.0007689361029464017_rk - &
+        m2_3)
     ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y = c2*m3_3 - t59
+    nu2_y = t65 + c2*m3_3
     ! link 3: mass matrix, its row of this joint
-    m3_5 = c4*t34 - (t33 - s4*t44)
+    m3_5 = t37 - c4*t38 - s4*t47
     ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x = c4*t44 - s4*t34
-    t70 = m4_5 + s4*t50
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_x = s3*t70 + c3*nu4_x
-    t71 = s5*t36
-    t72 = neg_k6_yz - t71
-    t73 = s5*t38 + c5*k6_xz
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_y = c4*t72 - s4*t73
+    nu4_x = s4*t38 - c4*t47
+    t67 = s5*t33
+    t68 = c5*k6_xz + s5*t35
+    t69 = neg_k6_yz - t67
     ! link 3: mass matrix, its row of this joint
-    m3_6 = t71 + nu4_y
+    m3_6 = t67 - s4*t68 + c4*t69
     ! link 4: mass matrix, its row of this joint
-    m4_6 = t30 + (s5*k6_xz - c5*t38)
+    m4_6 = s5*k6_xz - t27 - c5*t35
+    t70 = c5*t33
+    t71 = c4*t27 + (m4_6 + s4*t70)
+    t72 = c4*t68 + s4*t69
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_x = s3*t71 - c3*t72
     ! link 6: moment for a unit acceleration of a joint further out
-    nu6_y = c6*t19 + s6*neg_k7_xz
-    neg_nu6_x = s6*t19 - c6*neg_k7_xz
-    t74 = c6*t10
-    t75 = c5*t28 - s5*t74
-    t76 = t75 - nu6_y
-    t77 = c5*neg_nu6_x + (s5*k7_yz + 4.654545454545454_rk*t75)
+    nu6_x = s6*t15 + c6*neg_k7_xz
+    nu6_y = s6*neg_k7_xz - c6*t15
+    t73 = c6*t6
+    t74 = c5*t25 - s5*t73
+    t75 = nu6_y - t74
+    t76 = s5*k7_yz + (4.654545454545454_rk*t74 - c5*nu6_x)
+    ! link 4: moment for a unit acceleration of a joint further out
+    nu4_y = c4*t75 - s4*t76
     ! link 3: mass matrix, its row of this joint
-    m3_7 = t75 - c4*t76 - s4*t77
-    t78 = s6*t10
-    t79 = s5*t28 + c5*t74
+    m3_7 = t74 + nu4_y
+    t77 = s6*t6
+    t78 = s5*t25 + c5*t73
     ! link 4: mass matrix, its row of this joint
-    m4_7 = t78 - c5*k7_yz + (4.654545454545454_rk*t79 + s5*neg_nu6_x)
+    m4_7 = t77 - c5*k7_yz + 4.654545454545454_rk*t78 - s5*nu6_x
     ! link 2: mass matrix, its row of this joint
-    m2_2 = t66 + t69
-    m2_4 = s3*neg_k4_xz - c3*t68
+    m2_2 = t60 - t52
+    m2_4 = c3*t55 - s3*k4_xz
+    t79 = m4_5 - s4*t30
     ! link 3: moment for a unit acceleration of a joint further out
-    nu3_y = s3*nu4_x - c3*t70
-    t80 = c4*t50
+    nu3_y = s3*nu4_x - c3*t79
+    t80 = c4*t30
     ! link 2: mass matrix, its row of this joint
-    m2_5 = 3.83030303030303_rk*(c3*t80 + s3*t33) + nu3_y
-    t81 = c5*t36
-    t82 = c4*t30 - (s4*t81 + m4_6)
-    t83 = s4*t30 + c4*t81
-    t84 = c4*t73 + s4*t72
-    m2_6 = c3*t82 + (3.83030303030303_rk*(c3*t83 - s3*t71) - s3*t84)
-    t85 = c4*t78 - (m4_7 - s4*t79)
-    t86 = c4*t79 - s4*t78
-    t87 = c4*t77 - s4*t76
-    m2_7 = c3*t85 - 3.83030303030303_rk*(c3*t86 + s3*t75) - s3*t87
-    t88 = c2*neg_k4_yz - s2*(c3*neg_k4_xz + s3*t68)
-    t89 = c2*m3_5 - s2*(nu3_x - 3.83030303030303_rk*(s3*t80 - c3*t33))
-    t90 = c2*m3_6 + s2*(3.83030303030303_rk*(s3*t83 + c3*t71) + s3*t82 + c3*t84)
-    t91 = c2*m3_7 + s2*(s3*t85 + (3.83030303030303_rk*(c3*t75 - s3*t86) + c3*t87))
-    t92 = -k7_yz
+    m2_5 = nu3_y - 3.83030303030303_rk*(c3*t80 + s3*t37)
+    t81 = s4*t27 - c4*t70
+    m2_6 = -s3*t72 - c3*t71 - 3.83030303030303_rk*(c3*t81 + s3*t67)
+    t82 = s4*t78 - (m4_7 - c4*t77)
+    t83 = c4*t76 + s4*t75
+    t84 = c4*t78 - s4*t77
+    m2_7 = c3*t82 - (s3*t83 + 3.83030303030303_rk*(c3*t84 + s3*t74))
+    t85 = c2*neg_k4_yz + s2*(c3*k4_xz + s3*t55)
+    t86 = c2*m3_5 + s2*(3.83030303030303_rk*(c3*t37 - s3*t80) - c3*nu4_x - s3*t79)
+    t87 = c2*m3_6 - s2*(nu3_x + 3.83030303030303_rk*(s3*t81 - c3*t67))
+    t88 = c2*m3_7 + s2*(s3*t82 + (c3*t83 + 3.83030303030303_rk*(c3*t74 - s3*t84)))
+    t89 = -k7_yz
     M(1) = m1_1
     M(2) = neg_k2_yz
     M(3) = nu2_y
-    M(4) = t88
-    M(5) = t89
-    M(6) = t90
-    M(7) = t91
+    M(4) = t85
+    M(5) = t86
+    M(6) = t87
+    M(7) = t88
     M(8) = neg_k2_yz
     M(9) = m2_2
     M(10) = m2_3
@@ -941,38 +942,38 @@ contains
     M(19) = m3_5
     M(20) = m3_6
     M(21) = m3_7
-    M(22) = t88
+    M(22) = t85
     M(23) = m2_4
     M(24) = neg_k4_yz
     M(25) = m4_4
     M(26) = m4_5
     M(27) = m4_6
     M(28) = m4_7
-    M(29) = t89
+    M(29) = t86
     M(30) = m2_5
     M(31) = m3_5
     M(32) = m4_5
     M(33) = m5_5
     M(34) = neg_k6_yz
     M(35) = nu6_y
-    M(36) = t90
+    M(36) = t87
     M(37) = m2_6
     M(38) = m3_6
     M(39) = m4_6
     M(40) = neg_k6_yz
     M(41) = m6_6
-    M(42) = t92
-    M(43) = t91
+    M(42) = t89
+    M(43) = t88
     M(44) = m2_7
     M(45) = m3_7
     M(46) = m4_7
     M(47) = nu6_y
-    M(48) = t92
+    M(48) = t89
     M(49) = 0.006684151967360947_rk
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 554 multiplications, 509 additions, 6 divisions = 1069; 5 unary minus; 12 sine/cosine
+  ! 553 multiplications, 511 additions, 6 divisions = 1070; 1 unary minus; 12 sine/cosine
   pure subroutine panda_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="panda_forward_dynamics_f")
     real(rk), intent(in) :: q(7)
@@ -987,30 +988,30 @@ contains
     real(rk) :: neg_lam3_13, lam4_21, alpha3_x, neg_ww2_zx, alpha4_y, neg_lam5_21, neg_alpha4_x
     real(rk) :: neg_alpha5_x, neg_lam5_32, neg_lam3_31, t1, ww2_xx, neg_lam2_22, t2, lam3_22, t3
     real(rk) :: neg_lam4_11, lam4_31, lam3_23, neg_lam3_21, alpha5_y, lam5_13, lam6_21, t4, t5
-    real(rk) :: lam6_31, ww7_zz, lam5_23, t6, lam6_32, lam6_12, lam5_31, t7, lam5_11, t8
-    real(rk) :: neg_lam6_22, t9, t10, t11, t12, neg_lam6_11, neg_lam6_13, k7_xz, t13, t14, t15, t16
-    real(rk) :: t17, t18, t19, t20, t21, t22, t23, t24, t25, t26, t27, t28, t29, t30, t31, t32, t33
-    real(rk) :: t34, t35, t36, t37, t38, t39, t40, t41, neg_nc7_z, lam6_23, neg_lam5_12, t42, t43
-    real(rk) :: t44, t45, t46, t47, t48, n6_z, lam4_32, t49, t50, t51, t52, t53, t54, t55, t56, t57
-    real(rk) :: t58, t59, t60, t61, t62, t63, t64, n4_x, lam4_23, lam4_13, lam4_12, t65, n5_z, t66
-    real(rk) :: t67, t68, t69, t70, t71, t72, n3_z, lam3_12, t73, t74, n4_z, lam3_32, t75, t76, t77
-    real(rk) :: t78, t79, t80, t81, n1_z, n2_z, t82, neg_k7_yz, t83, t84, t85, t86, t87, t88, k6_xz
-    real(rk) :: t89, t90, t91, t92, t93, t94, t95, t96, t97, t98, t99, t100, t101, t102, k5_yy
-    real(rk) :: m5_5, m6_6, neg_k6_yz, t103, t104, t105, t106, t107, t108, t109, t110, t111, t112
-    real(rk) :: t113, t114, t115, t116, t117, t118, t119, t120, t121, t122, t123, t124, t125, t126
-    real(rk) :: m3_3, t127, m4_5, neg_k5_xy, t128, t129, neg_k4_yz, k4_xz, m4_4, t130, t131, t132
-    real(rk) :: t133, t134, t135, t136, t137, t138, t139, t140, t141, t142, t143, t144, t145, t146
-    real(rk) :: m1_1, m2_3, k2_yz, nu2_y, m3_5, neg_nu4_x, t147, nu3_x, t148, t149, t150, nu4_y
-    real(rk) :: m3_6, m4_6, neg_nu6_y, nu6_x, t151, t152, t153, t154, m3_7, t155, t156, neg_m4_7
-    real(rk) :: m2_2, neg_m2_4, neg_nu3_y, t157, m2_5, t158, t159, t160, t161, m2_6, t162, t163
-    real(rk) :: t164, neg_m2_7, ud1_7, y7, u6_7, neg_u5_7, neg_u4_7, u3_7, neg_u2_7, u1_7, pivot6
-    real(rk) :: ipivot6, ud5_6, u5_6, ud4_6, u4_6, ud3_6, u3_6, ud2_6, u2_6, t165, ud1_6, u1_6
-    real(rk) :: pivot5, ipivot5, ud4_5, u4_5, ud3_5, u3_5, neg_ud2_5, neg_u2_5, t166, ud1_5, u1_5
-    real(rk) :: pivot4, ipivot4, ud3_4, u3_4, neg_ud2_4, neg_u2_4, t167, ud1_4, u1_4, pivot3
-    real(rk) :: ipivot3, ud2_3, u2_3, neg_ud1_3, neg_u1_3, pivot2, ipivot2, neg_ud1_2, neg_u1_2
-    real(rk) :: t168, pivot1, ipivot1, neg_y6, neg_y5, neg_y4, neg_y3, neg_y2, t169, neg_y1
-    real(rk) :: neg_qdd1, neg_qdd2, neg_qdd3, neg_qdd4, neg_qdd5, qdd6, t170, qdd7, t171, t172
-    real(rk) :: t173, t174, t175
+    real(rk) :: lam6_31, ww7_zz, neg_lam5_23, t6, lam6_32, lam6_12, lam5_31, t7, lam5_11, t8
+    real(rk) :: neg_lam6_22, t9, t10, t11, t12, neg_lam6_11, neg_lam6_13, t13, t14, t15, t16, t17
+    real(rk) :: t18, t19, t20, t21, t22, t23, t24, t25, t26, t27, t28, t29, t30, t31, t32, t33, t34
+    real(rk) :: t35, t36, t37, t38, t39, t40, t41, t42, nc7_z, lam6_23, neg_lam5_12, t43, t44, t45
+    real(rk) :: t46, t47, t48, t49, neg_n6_z, lam4_32, t50, t51, t52, t53, t54, t55, t56, t57, t58
+    real(rk) :: t59, t60, t61, t62, t63, t64, t65, n4_x, lam4_23, lam4_13, lam4_12, t66, n5_z, t67
+    real(rk) :: t68, t69, t70, t71, t72, t73, n3_z, lam3_12, t74, t75, n4_z, lam3_32, t76, t77, t78
+    real(rk) :: t79, t80, t81, t82, n1_z, n2_z, t83, t84, t85, t86, k7_yz, t87, t88, t89, t90, t91
+    real(rk) :: t92, neg_k6_yz, neg_k7_xz, t93, t94, t95, t96, t97, t98, t99, t100, t101, k5_xz
+    real(rk) :: k6_xz, t102, t103, t104, t105, t106, neg_k5_yy, neg_m5_5, m6_6, neg_k5_yz, t107
+    real(rk) :: t108, t109, t110, t111, t112, t113, m4_5, t114, t115, k4_xz, t116, t117, t118, t119
+    real(rk) :: t120, t121, t122, m4_4, neg_k4_yz, t123, t124, t125, t126, t127, t128, t129, t130
+    real(rk) :: t131, t132, t133, t134, t135, t136, t137, t138, neg_m3_3, t139, t140, t141, t142
+    real(rk) :: t143, t144, t145, t146, t147, t148, m1_1, m2_3, neg_k2_yz, nu2_y, neg_m3_5, nu4_x
+    real(rk) :: t149, t150, t151, m3_6, neg_m4_6, t152, t153, t154, nu3_x, nu6_x, nu6_y, t155, t156
+    real(rk) :: t157, t158, nu4_y, m3_7, t159, t160, m4_7, neg_m2_2, m2_4, t161, nu3_y, t162, m2_5
+    real(rk) :: t163, neg_m2_6, t164, t165, t166, m2_7, ud1_7, neg_y7, neg_u6_7, u5_7, u4_7, u3_7
+    real(rk) :: u2_7, u1_7, neg_pivot6, neg_ipivot6, ud5_6, neg_u5_6, neg_ud4_6, u4_6, ud3_6
+    real(rk) :: neg_u3_6, neg_ud2_6, u2_6, ud1_6, neg_u1_6, neg_pivot5, neg_ipivot5, ud4_5
+    real(rk) :: neg_u4_5, neg_ud3_5, u3_5, ud2_5, neg_u2_5, t167, neg_ud1_5, u1_5, neg_pivot4
+    real(rk) :: neg_ipivot4, ud3_4, neg_u3_4, ud2_4, neg_u2_4, t168, ud1_4, neg_u1_4, neg_pivot3
+    real(rk) :: neg_ipivot3, ud2_3, neg_u2_3, ud1_3, neg_u1_3, neg_pivot2, neg_ipivot2, ud1_2
+    real(rk) :: neg_u1_2, t169, neg_pivot1, neg_ipivot1, y6, neg_y5, neg_y4, neg_y3, neg_y2, t170
+    real(rk) :: neg_y1, qdd1, qdd2, qdd3, qdd4, qdd5, qdd6, t171, qdd7
 
     ! sines and cosines of the joint angles
     s2 = sin(q(2))
@@ -1134,7 +1135,7 @@ contains
     ! link 7: products of the angular velocity [1/s^2]
     ww7_zz = w7_z*w7_z
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam5_23 = neg_alpha5_x - neg_ww5_yz
+    neg_lam5_23 = neg_ww5_yz - neg_alpha5_x
     t6 = s6*alpha4_y + c6*neg_alpha5_x
     ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
     lam6_32 = w6_y*t4 - t6
@@ -1152,8 +1153,6 @@ contains
     t12 = t9 - t11
     neg_lam6_11 = neg_lam5_22 + t12
     neg_lam6_13 = t5 - neg_w5_y*w6_x
-    ! link 7: second moment of the composite body [kg m^2]
-    k7_xz = 0.0009653051699191118_rk*c7 - 0.0012555365982729084_rk*s7
     t13 = 0.0002123224431354016_rk*s7
     t14 = t13 + 0.00016784129658960374_rk*c7
     t15 = neg_lam3_31 - 118.9090909090909_rk*c2 + 3.83030303030303_rk*neg_lam2_22
@@ -1162,363 +1161,368 @@ contains
     t18 = neg_lam3_11 + t17 + 3.83030303030303_rk*neg_lam3_13
     t19 = s4*t15 + c4*t18
     t20 = neg_lam4_11 - t19
-    t21 = neg_lam3_21 - s3*t16 - 3.83030303030303_rk*lam3_23
-    t22 = lam4_31 + t21
+    t21 = 3.83030303030303_rk*lam3_23 - (neg_lam3_21 - s3*t16)
+    t22 = lam4_31 - t21
     t23 = c5*t20 - s5*t22
     t24 = t23 + 4.654545454545454_rk*lam5_13
     t25 = s4*t18 - c4*t15
     t26 = lam4_21 - t25
-    t27 = t26 + 4.654545454545454_rk*neg_lam4_22
+    t27 = 4.654545454545454_rk*neg_lam4_22 + t26
     t28 = c6*t24 - s6*t27
-    t29 = t28 - 1.0666666666666667_rk*neg_lam6_11
+    t29 = 1.0666666666666667_rk*neg_lam6_11 - t28
     t30 = 11.402203849817942_rk*c7
-    t31 = 0.0002123224431354016_rk*c7
-    t32 = t30*t31
-    t33 = t13*t30
-    t34 = t32 + 0.00213160409441986_rk - 0.32333777029991095_rk*t33
+    t31 = t13*t30
+    t32 = 0.0002123224431354016_rk*c7
+    t33 = t30*t32
+    t34 = 0.32333777029991095_rk*t31 - (t33 + 0.00213160409441986_rk)
     t35 = 0.0009653051699191118_rk*s7 + 0.0012555365982729084_rk*c7
-    t36 = t33 + 0.32333777029991095_rk*(t32 - 0.0012104718892606136_rk)
-    t37 = t34 - 0.006684151967360947_rk
+    t36 = t31 + (0.32333777029991095_rk*t33 - 0.0003913912816842475_rk)
+    t37 = t34 + 0.006684151967360947_rk
     t38 = s5*t20 + c5*t22
-    t39 = t38 + 4.654545454545454_rk*(0.22916666666666666_rk*lam6_31 - lam5_23)
-    t40 = t31 - 0.00016784129658960374_rk*s7
-    t41 = t14*t29 - (neg_lam6_13*t34 + (lam6_12*t35 - (t12*t36 + lam6_31*t37))) - t39*t40
+    t39 = t38 + (4.654545454545454_rk*neg_lam5_23 + 1.0666666666666667_rk*lam6_31)
+    t40 = t32 - 0.00016784129658960374_rk*s7
+    t41 = t14*t29 - (neg_lam6_13*t34 - (lam6_12*t35 - (t12*t36 - lam6_31*t37))) + t39*t40
+    t42 = 0.0009653051699191118_rk*c7 - 0.0012555365982729084_rk*s7
     ! link 7: moment that turns the link [N m]
-    neg_nc7_z = t41 + lam6_32*k7_xz
+    nc7_z = t41 - lam6_32*t42
     ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
     lam6_23 = t6 + neg_w5_y*w6_y
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam5_12 = neg_ww5_xy - alpha4_y
-    t42 = -2.0_rk*w7_z
-    t43 = lam6_12 - w6_x*t42
-    t44 = s6*t24 + c6*t27
-    t45 = t44 - 1.0666666666666667_rk*lam6_21
-    t46 = lam6_32 - w6_z*t42
-    t47 = t14*t46 + (t40*t43 - 0.014338888209442497_rk*(neg_lam6_22 - 1.2505822551810737_rk*t45))
-    t48 = t11*k7_xz - (t40*t45 - (t36*t46 + 0.014338888209442497_rk*(t29 - &
-        74.38977493138147_rk*t47))) + 0.0001037589172186853_rk*lam6_23
+    t43 = -2.0_rk*w7_z
+    t44 = lam6_12 - w6_x*t43
+    t45 = s6*t24 + c6*t27
+    t46 = t45 - 1.0666666666666667_rk*lam6_21
+    t47 = lam6_32 - w6_z*t43
+    t48 = t14*t47 - (0.014338888209442497_rk*neg_lam6_22 - 0.017931959153753906_rk*t46 - t40*t44)
+    t49 = 0.0001037589172186853_rk*lam6_23 + (t11*t42 - (t40*t46 - (t36*t47 - &
+        (1.0666666666666667_rk*t48 + 0.014338888209442497_rk*t29))))
     ! link 6: moment through the joint, about the frame's origin [N m]
-    n6_z = t37*t43 + (t48 + 0.0011196707334275547_rk*lam6_21 - 0.028934422545659907_rk*lam6_12 - &
-        0.0005462437073966822_rk*(neg_lam6_22 - neg_lam6_11)) - neg_lam6_13*(t35 + &
-        9.35690973146064e-05_rk)
+    neg_n6_z = t37*t44 + (0.0005462437073966822_rk*(neg_lam6_22 - neg_lam6_11) + &
+        (0.028934422545659907_rk*lam6_12 - (0.0011196707334275547_rk*lam6_21 + t49))) + &
+        neg_lam6_13*(t35 + 9.35690973146064e-05_rk)
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
     lam4_32 = ww4_yz - neg_alpha4_x
-    t49 = t9*t35 + 0.0055993270925625_rk*(t44 + 0.01853060475007911_rk*lam6_21 + &
-        0.016710775378508038_rk*t8) + 0.014338888209442497_rk*t39 - &
-        0.028934422545659907_rk*lam6_32
-    t50 = t34*t46 - (t36*t43 - (t14*t45 - t49)) - lam6_31*(k7_xz - 0.0005462437073966822_rk)
-    t51 = neg_lam5_22 + lam5_11
-    t52 = lam6_31*t40 - (t14*(t10 - t12) + 0.014338888209442497_rk*lam6_32) + &
-        0.017931959153753906_rk*t39
-    t53 = neg_nc7_z - 0.0005462437073966822_rk*lam6_32 - (9.35690973146064e-05_rk*lam6_12 + &
-        0.0001037589172186853_rk*t12 + 0.0055993270925625_rk*(t28 + 190.49908123486904_rk*t52))
-    t54 = t53 - 0.0011196707334275547_rk*lam6_31
-    t55 = t52 + 0.0055993270925625_rk*neg_lam5_22
-    t56 = c6*t50 - 0.010045187828321245_rk*neg_lam5_32 + 0.00151524447332703_rk*lam5_31 + &
-        0.0021640520520981327_rk*(t7 - t51) - (s6*t54 - 4.654545454545454_rk*t55)
-    t57 = t56 - 0.0010267877770288932_rk*neg_lam5_21
-    t58 = t10*t40 + 0.014338888209442497_rk*lam6_12 - 0.017931959153753906_rk*t29 + &
+    t50 = 0.028934422545659907_rk*lam6_32 - (0.014338888209442497_rk*t39 + (t9*t35 + &
+        (9.35690973146064e-05_rk*t8 + (0.0055993270925625_rk*t45 + &
+        0.0001037589172186853_rk*lam6_21))))
+    t51 = t34*t47 + (t36*t44 - (t14*t46 + t50)) + lam6_31*(t42 - 0.0005462437073966822_rk)
+    t52 = neg_lam5_22 + lam5_11
+    t53 = 0.017931959153753906_rk*t39 + (lam6_31*t40 - (0.014338888209442497_rk*lam6_32 + t14*(t10 &
+        - t12)))
+    t54 = 0.0055993270925625_rk*neg_lam5_22 + t53
+    t55 = nc7_z + 0.0005462437073966822_rk*lam6_32 + (9.35690973146064e-05_rk*lam6_12 + &
+        0.0001037589172186853_rk*t12 + 1.0666666666666667_rk*(t53 + 0.005249369149277343_rk*t28))
+    t56 = t55 + 0.0011196707334275547_rk*lam6_31
+    t57 = 0.010045187828321245_rk*neg_lam5_32 + c6*t51 - 0.00151524447332703_rk*lam5_31 - &
+        0.0021640520520981327_rk*(t7 - t52) - (4.654545454545454_rk*t54 + s6*t56)
+    t58 = 0.0010267877770288932_rk*neg_lam5_21 + t57
+    t59 = 0.017931959153753906_rk*t29 + (0.014338888209442497_rk*lam6_12 + t10*t40) + &
         neg_lam6_13*(t14 - 0.0055993270925625_rk)
-    t59 = t47 + 0.0055993270925625_rk*lam6_23
-    t60 = c6*t58 - s6*t59
-    t61 = n6_z - 0.0021640520520981327_rk*neg_lam5_12 - 0.00151524447332703_rk*neg_lam5_32 + &
-        4.654545454545454_rk*(t60 + 0.00025973168512177737_rk*t26) + 0.0010267877770288932_rk*t7
-    t62 = t61 + 0.001451156065026714_rk*lam5_31
-    t63 = neg_lam4_22 + lam3_22
-    t64 = c5*t57 + 0.0039053550262761055_rk*lam4_21 + 0.07937575371526083_rk*lam4_31 + (s5*t62 + &
-        0.08256807420204747_rk*(t21 + 0.019916748613333906_rk*t63))
+    t60 = t48 + 0.0055993270925625_rk*lam6_23
+    t61 = c6*t59 - s6*t60
+    t62 = 0.0010267877770288932_rk*t7 + (0.001208932934385_rk*t26 + 4.654545454545454_rk*t61 - &
+        (0.00151524447332703_rk*neg_lam5_32 + (neg_n6_z + 0.0021640520520981327_rk*neg_lam5_12)))
+    t63 = 0.001451156065026714_rk*lam5_31 + t62
+    t64 = neg_lam4_22 + lam3_22
+    t65 = 0.0039053550262761055_rk*lam4_21 - c5*t58 + 0.07937575371526083_rk*lam4_31 + (s5*t63 - &
+        (0.08256807420204747_rk*t21 - 0.00164448757736928_rk*t64))
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = 0.30879988491513166_rk*lam4_32 - t64
+    n4_x = 0.30879988491513166_rk*lam4_32 - t65
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
     lam4_23 = ww4_yz + neg_alpha4_x
     lam4_13 = ww4_zx + alpha4_y
     lam4_12 = ww4_xy + alpha3_y
-    t65 = c6*t54 + s6*t50 + 0.0010267877770288932_rk*(2.1075942862896366_rk*lam5_13 - lam5_23) - &
-        0.001451156065026714_rk*(neg_lam5_21 - 6.922196771534925_rk*neg_lam5_12)
+    t66 = 0.0010267877770288932_rk*neg_lam5_23 + 0.0021640520520981327_rk*lam5_13 - (c6*t56 + &
+        s6*t51) - (0.001451156065026714_rk*neg_lam5_21 - 0.010045187828321245_rk*neg_lam5_12)
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_z = t65 + 0.001208932934385_rk*(t38 - 1.2533734752605237_rk*t51)
-    t66 = 0.022178148964878252_rk*lam4_23 - n4_x
-    t67 = t60 - 0.001208932934385_rk*(22.889949241848065_rk*t23 - lam5_11)
-    t68 = t55 - 0.001208932934385_rk*(neg_lam5_21 - 22.889949241848065_rk*t38)
-    t69 = s5*t67 + c5*t68
-    t70 = n5_z + (t69 + 0.00164448757736928_rk*(lam4_12 - 16.779641781916826_rk*lam4_13)) + &
-        0.0039053550262761055_rk*(t3 - 20.32484964393837_rk*lam4_32 + 2.773506358193827_rk*ww4_zx)
-    t71 = t69 - 0.08256807420204747_rk*(lam4_32 - 0.19391767563373744_rk*t21)
-    t72 = c4*t70 + 0.0001219124209507298_rk*(neg_lam3_11 + lam3_22) - (t71 - &
-        0.002328735327434986_rk*(t17 + 0.005737304173171223_rk*neg_lam3_21) - &
-        0.005487648106562251_rk*lam3_23)
+    n5_z = t66 - (0.00151524447332703_rk*t52 - 0.001208932934385_rk*t38)
+    t67 = n4_x - 0.022178148964878252_rk*lam4_23
+    t68 = t61 - (0.02767241350487109_rk*t23 - 0.001208932934385_rk*lam5_11)
+    t69 = t54 - (0.001208932934385_rk*neg_lam5_21 - 0.02767241350487109_rk*t38)
+    t70 = s5*t68 + c5*t69
+    t71 = n5_z - (0.02759391246306875_rk*lam4_13 - 0.00164448757736928_rk*lam4_12 - t70) + &
+        (0.010831526996380998_rk*ww4_zx + (0.0039053550262761055_rk*t3 - &
+        0.07937575371526083_rk*lam4_32))
+    t72 = t70 - (0.08256807420204747_rk*lam4_32 + 0.016011409030815008_rk*t21)
+    t73 = c4*t71 + 0.0001219124209507298_rk*(neg_lam3_11 + lam3_22) + &
+        (0.005487648106562251_rk*lam3_23 + (0.002328735327434986_rk*t17 + &
+        1.3360662912304e-05_rk*neg_lam3_21 - t72))
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_z = s4*t66 + t72 + 0.013297019103287523_rk*neg_lam3_13
+    n3_z = 0.013297019103287523_rk*neg_lam3_13 - (s4*t67 - t73)
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
     lam3_12 = neg_ww2_zx - neg_ww3_xy
-    t73 = s6*t58 + 0.02767241350487109_rk*t26 + c6*t59 + 0.001208932934385_rk*lam5_31
-    t74 = c5*t62 + 0.0039053550262761055_rk*lam4_23 + 0.00164448757736928_rk*(lam4_13 - &
-        48.26777338278214_rk*(t3 - t63) + 3.293283313732418_rk*lam4_21 - &
-        187.77878845951824_rk*lam4_12)
+    t74 = 0.001208932934385_rk*lam5_31 + (s6*t59 + 0.02767241350487109_rk*t26 + c6*t60)
+    t75 = 0.0039053550262761055_rk*lam4_23 + c5*t63 - (0.30879988491513166_rk*lam4_12 - &
+        (0.00164448757736928_rk*lam4_13 - 0.07937575371526083_rk*(t3 - t64) + &
+        0.005415763498190499_rk*lam4_21))
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_z = t73 - (s5*t57 - 0.08256807420204747_rk*t19) + t74
+    n4_z = t74 + (s5*t58 + 0.08256807420204747_rk*t19) + t75
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
     lam3_32 = ww3_yz + alpha3_x
-    t75 = s4*t70 - c4*t66 - 3.83030303030303_rk*t71 + 0.013297019103287523_rk*(t2 - &
-        0.41269761770933294_rk*neg_lam3_21 + 0.009168402331661572_rk*neg_lam3_31 - &
-        20.824802807474068_rk*c2 + 7.904433989224409_rk*lam3_23)
-    t76 = c5*t67 - s5*t68 - 0.08256807420204747_rk*(lam4_12 - 0.19391767563373744_rk*t19)
-    t77 = t73 - 0.016011409030815008_rk*t25 + 0.08256807420204747_rk*neg_lam4_22
-    t78 = s4*t76 + c4*t77 - 3.83030303030303_rk*(c4*t76 - s4*t77) + &
+    t76 = t1 - (qd(1) - t1)
+    t77 = 3.83030303030303_rk*t72 - (s4*t71 + c4*t67) - (0.10510540975539216_rk*lam3_23 - &
+        (0.27690780075317833_rk*c2 - (0.013297019103287523_rk*t2 - &
+        0.005487648106562251_rk*neg_lam3_21 + 0.0001219124209507298_rk*neg_lam3_31)))
+    t78 = 0.016011409030815008_rk*t19 - 0.08256807420204747_rk*lam4_12 + (c5*t68 - s5*t69)
+    t79 = 0.08256807420204747_rk*neg_lam4_22 + (t74 - 0.016011409030815008_rk*t25)
+    t80 = s4*t78 + c4*t79 - 3.83030303030303_rk*(c4*t78 - s4*t79) + &
         0.013297019103287523_rk*lam3_12
-    t79 = t78 - (n4_z + (0.0001219124209507298_rk*lam3_32 + 0.10510540975539216_rk*neg_lam3_13 + &
-        1.3360662912304e-05_rk*(neg_lam3_31 + 410.731723611454_rk*(neg_lam3_11 - neg_lam2_22))))
-    t80 = c2*n3_z - 0.010261101821008168_rk*(ww2_zz*(c2 - 0.07493699179284168_rk*s2)) + s2*(c3*t75 &
-        + s3*t79)
-    t81 = t1 - (qd(1) - t1)
+    t81 = t80 - (n4_z + (0.005487648106562251_rk*(0.0024346792383292625_rk*neg_lam3_31 + &
+        (neg_lam3_11 - neg_lam2_22)) + (0.0001219124209507298_rk*lam3_32 + &
+        0.10510540975539216_rk*neg_lam3_13)))
+    t82 = ww2_zz*(0.010261101821008168_rk*c2 - 0.0007689361029464017_rk*s2) - c2*n3_z + s2*(c3*t77 &
+        - s3*t81)
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = t80 + 0.007966717767871044_rk*(qd(2)*t81)
+    n1_z = 0.007966717767871044_rk*qd(2)*t76 - t82
     ! link 2: moment through the joint, about the frame's origin [N m]
-    n2_z = c3*t79 - (s3*t75 + 0.003983358883935522_rk*(qd(1)*t81) + 4.746153896127808_rk*(s2 - &
-        0.004200004283199334_rk*c2))
-    t82 = 0.12742121920055377_rk*k7_xz - 0.00033108301517462406_rk*c7
+    n2_z = c3*t81 - (t76*(0.003983358883935522_rk*qd(1)) - s3*t77 + (4.746153896127808_rk*s2 - &
+        0.01993386669246_rk*c2))
+    t83 = s7 - 1.2650190832031087_rk*c7
+    t84 = 0.0009435868580996108_rk*t83
+    t85 = 0.002420943778521227_rk*c7
+    t86 = t84 + t85
     ! link 7: second moment of the composite body [kg m^2]
-    neg_k7_yz = 6.033835963815859_rk*t82
-    t83 = 9.35690973146064e-05_rk - neg_k7_yz
-    t84 = 0.002420943778521227_rk*c7
-    t85 = s7*t84
-    t86 = c7*t84
-    t87 = t82 + 0.04168770476667123_rk*k7_xz
-    t88 = t85 - 0.0004951501989029328_rk + 0.32333777029991095_rk*t86 + 1.0666666666666667_rk*t87
+    k7_yz = 1.0230167595416089_rk*t86
+    t87 = 9.35690973146064e-05_rk + k7_yz
+    t88 = t84 + 0.0006089563838965577_rk*s7
+    t89 = t85 + t88
+    t90 = c7*t85
+    t91 = s7*t85
+    t92 = 0.1458750175528577_rk*t89 - (0.32333777029991095_rk*t90 - 0.0004951501989029328_rk + &
+        t91)
     ! link 6: second moment of the composite body [kg m^2]
-    k6_xz = s6*t83 - c6*t88
-    t89 = c5*c5
-    t90 = t86 + 0.012176791922741105_rk - 0.32333777029991095_rk*t85
-    t91 = c6*s6
-    t92 = k7_xz + (k7_xz + 0.029497140765350628_rk)
-    t93 = c6*c6
-    t94 = s7 - 1.2650190832031087_rk*c7
-    t95 = 0.000179030716362244_rk*t94
-    t96 = 0.006684151967360947_rk - t95
-    t97 = t96 - (t90 + (t95 - 0.0026330206532488923_rk))
-    t98 = t91*t92 + (t93*t97 - 0.6173375163284962_rk)
-    t99 = t98 + 0.6477230949391829_rk
-    t100 = t90 - t99
-    t101 = c5*s5
-    t102 = k6_xz + (k6_xz - 0.00303048894665406_rk)
+    neg_k6_yz = c6*t87 - s6*t92
+    ! link 7: second moment of the composite body [kg m^2]
+    neg_k7_xz = 0.8086967012001633_rk*t88
+    t93 = neg_k6_yz - 0.0021640520520981327_rk
+    t94 = c6*c6
+    t95 = neg_k7_xz + (neg_k7_xz - 0.029497140765350628_rk)
+    t96 = c6*s6
+    t97 = 0.000179030716362244_rk*t83
+    t98 = 0.32333777029991095_rk*t91 - (t90 + 0.009543771269492213_rk)
+    t99 = 0.006684151967360947_rk - t97
+    t100 = t97 - t98 - t99
+    t101 = (t94 - 0.5_rk)*t95 - (t96*t100 - 0.004600245517563107_rk)
     ! link 5: second moment of the composite body [kg m^2]
-    k5_yy = t89*t100 + (t99 - t101*t102)
+    k5_xz = s5*t93 - c5*t101
+    ! link 6: second moment of the composite body [kg m^2]
+    k6_xz = c6*t92 + s6*t87
+    t102 = c5*s5
+    t103 = k6_xz + (k6_xz - 0.00303048894665406_rk)
+    t104 = t95*t96 + 0.6173375163284962_rk + t94*t100
+    t105 = c5*c5
+    t106 = t98 - t104 + 0.645090074285934_rk
+    ! link 5: second moment of the composite body [kg m^2]
+    neg_k5_yy = t102*t103 + (t104 - 0.6477230949391829_rk + t105*t106)
     ! link 5: mass matrix, its row of this joint
-    m5_5 = t90 + t99
+    neg_m5_5 = t98 + t104 - 0.6503561155924318_rk
     ! link 6: mass matrix, its row of this joint
-    m6_6 = t97 + 0.057868845091319815_rk
-    ! link 6: second moment of the composite body [kg m^2]
-    neg_k6_yz = s6*t88 + c6*t83
-    t103 = k5_yy + 0.022178148964878252_rk
-    t104 = c4*c4
-    t105 = 0.00016784129658960374_rk*t94
-    t106 = t105 - 0.0191274230973375_rk
-    t107 = c6*t106 - 0.014338888209442497_rk*s6
-    t108 = t107 + 0.001208932934385_rk
-    t109 = 0.0055993270925625_rk + t87
-    t110 = c5*t108 + s5*t109
-    t111 = m5_5 + t110
-    t112 = t111 - (k5_yy - t110)
-    t113 = s6*t106 + 0.014338888209442497_rk*c6
-    t114 = 4.654545454545454_rk*t113
-    t115 = m6_6 - t114
-    t116 = t98 + (t114 - t115)
-    t117 = t112 + t116
-    t118 = c4*s4
-    t119 = t91*t97 + 0.004600245517563107_rk - t92*(t93 - 0.5_rk)
-    t120 = neg_k6_yz - 0.0021640520520981327_rk
-    t121 = c5*t119 - (s5*t120 + 4.654545454545454_rk*t110)
-    t122 = t113 - 0.16284087268546082_rk + t121
-    t123 = t113 - 0.16603319317224746_rk
-    t124 = t110 + 0.04560437265862499_rk
-    t125 = s4*t123 - c4*t124
-    t126 = t104*t117 + 0.11262255718334319_rk - (t116 + 2.0_rk*(t118*t122 - t125))
-    ! link 3: mass matrix, its row of this joint
-    m3_3 = t103 + t126
-    t127 = s5*t108 - c5*t109
-    ! link 4: mass matrix, its row of this joint
-    m4_5 = c5*t120 + (s5*t119 - 4.654545454545454_rk*t127)
+    m6_6 = 0.057868845091319815_rk - t100
     ! link 5: second moment of the composite body [kg m^2]
-    neg_k5_xy = t102*(t89 - 0.5_rk) + t100*t101
-    t128 = m4_5 - 0.00164448757736928_rk
-    t129 = neg_k5_xy - (t127 + 0.0039053550262761055_rk)
-    ! link 4: second moment of the composite body [kg m^2]
-    neg_k4_yz = c4*t128 - s4*t129
-    k4_xz = c4*t129 + s4*t128
+    neg_k5_yz = c5*t93 + s5*t101
+    t107 = 0.00016784129658960374_rk*t83
+    t108 = t107 - 0.0191274230973375_rk
+    t109 = 0.014338888209442497_rk*s6 - c6*t108
+    t110 = t109 - 0.001208932934385_rk
+    t111 = 0.1367578289558041_rk*t89
+    t112 = 0.0055993270925625_rk - t111
+    t113 = s5*t110 + c5*t112
     ! link 4: mass matrix, its row of this joint
-    m4_4 = t112 - (t116 - 0.10204027231363098_rk)
-    t130 = neg_k4_yz + 0.0043772571218395765_rk
-    t131 = t125 + 0.06161578168944_rk
-    t132 = t127 - 0.002328735327434986_rk
-    t133 = t104*t122
-    t134 = c4*t123 + s4*t124
-    t135 = t122 - (t133 + (t133 + 0.005487648106562251_rk)) + t134 - t117*t118
-    t136 = s2*(s3*t130 - 3.83030303030303_rk*(c3*t131 + s3*t132) + c3*t135)
-    t137 = c2*(t136 + 0.003983358883935522_rk*s2)
-    t138 = c3*c3
-    t139 = t103 - t126
-    t140 = c3*s3
-    t141 = k4_xz + (t127 - 0.0001219124209507298_rk)
-    t142 = 2.0_rk*t141
-    t143 = t103 - (t138*t139 - 0.023077882494931805_rk - t140*t142)
-    t144 = t125 - 3.83030303030303_rk*t134
-    t145 = m4_4 + t144
-    t146 = t145 + 1.0937644822584085_rk - (t126 - t144)
+    m4_5 = neg_k5_yz + 4.654545454545454_rk*t113
+    t114 = m4_5 - 0.00164448757736928_rk
+    t115 = t102*t106 - (t113 - (t103*(0.5_rk - t105) + 0.0039053550262761055_rk))
+    ! link 4: second moment of the composite body [kg m^2]
+    k4_xz = s4*t114 - c4*t115
+    t116 = s5*t112 - c5*t110
+    t117 = neg_m5_5 - t116
+    t118 = t116 + (neg_k5_yy - t117)
+    t119 = 0.014338888209442497_rk*c6 + s6*t108
+    t120 = 4.654545454545454_rk*t119
+    t121 = t120 - m6_6
+    t122 = t120 - (t104 - t121)
+    ! link 4: mass matrix, its row of this joint
+    m4_4 = t118 - (t122 - 0.10204027231363098_rk)
+    ! link 4: second moment of the composite body [kg m^2]
+    neg_k4_yz = s4*t115 + c4*t114
+    t123 = neg_k5_yy - 0.022178148964878252_rk
+    t124 = t119 - 0.16603319317224746_rk
+    t125 = t116 + 0.04560437265862499_rk
+    t126 = c4*t124 + s4*t125
+    t127 = 3.83030303030303_rk*t126
+    t128 = c4*s4
+    t129 = k5_xz + 4.654545454545454_rk*t116
+    t130 = t119 - 0.16284087268546082_rk - t129
+    t131 = t127 - t128*t130
+    t132 = c4*c4
+    t133 = t122 + t118
+    t134 = t131 - 1.0831821973886961_rk - (t118 - (t131 + t132*t133))
+    t135 = s4*t124 - c4*t125
+    t136 = t127 - t135
+    t137 = t136 - m4_4
+    t138 = t134 - (t136 - 1.0937644822584085_rk + t137)
+    ! link 3: mass matrix, its row of this joint
+    neg_m3_3 = t123 - t138
+    t139 = k4_xz - (t113 + 0.0001219124209507298_rk)
+    t140 = 2.0_rk*(s3*t139) + c3*(t123 + t138)
+    t141 = neg_k5_yy - (c3*t140 + 0.04525603145981006_rk)
+    t142 = t134 - t141
+    t143 = t135 + 0.06161578168943999_rk
+    t144 = t113 + 0.0023287353274349695_rk
+    t145 = t126 + (t130 - 0.005487648106562261_rk) - (t128*t133 + t132*(2.0_rk*t130))
+    t146 = neg_k4_yz + 0.004377257121839638_rk
+    t147 = s2*(3.83030303030303_rk*(c3*t143 - s3*t144) - (c3*t145 + s3*t146))
+    t148 = c2*(0.003983358883935522_rk*s2 - t147)
     ! link 1: mass matrix, its row of this joint
-    m1_1 = m3_3 - t137 - (t137 + ((t143 - t146)*(s2*s2) - 0.03733744848940618_rk))
+    m1_1 = c2*(c2*t142) + 0.03733744848940618_rk - (t148 + (neg_m3_3 + t148)) - t142
     ! link 2: mass matrix, its row of this joint
-    m2_3 = s3*t135 - (c3*t130 + 3.83030303030303_rk*(s3*t131 - c3*t132))
+    m2_3 = s3*t145 - c3*t146 - 3.83030303030303_rk*(s3*t143 + c3*t144)
     ! link 2: second moment of the composite body [kg m^2]
-    k2_yz = s2*(t138*t142 + t139*t140 - (t141 - 0.010261101821008168_rk)) - c2*(m2_3 - &
+    neg_k2_yz = s2*(s3*t140 - (t139 + 0.010261101821008168_rk)) + c2*(m2_3 - &
         0.0007689361029464017_rk)
     ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y = c2*m3_3 - t136
+    nu2_y = t147 - c2*neg_m3_3
     ! link 3: mass matrix, its row of this joint
-    m3_5 = c4*t111 - (t110 + s4*t121)
+    neg_m3_5 = t116 + c4*t117 - s4*t129
     ! link 4: moment for a unit acceleration of a joint further out
-    neg_nu4_x = c4*t121 + s4*t111
-    t147 = m4_5 + s4*t127
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_x = s3*t147 - c3*neg_nu4_x
-    t148 = s5*t113
-    t149 = neg_k6_yz - t148
-    t150 = s5*t115 - c5*k6_xz
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_y = c4*t149 + s4*t150
+    nu4_x = s4*t117 + c4*t129
+    t149 = s5*t119
+    t150 = c5*k6_xz + s5*t121
+    t151 = neg_k6_yz - t149
     ! link 3: mass matrix, its row of this joint
-    m3_6 = t148 + nu4_y
+    m3_6 = t149 - s4*t150 + c4*t151
     ! link 4: mass matrix, its row of this joint
-    m4_6 = t107 + (s5*k6_xz + c5*t115)
+    neg_m4_6 = t109 - s5*k6_xz + c5*t121
+    t152 = c5*t119
+    t153 = c4*t109 - (neg_m4_6 - s4*t152)
+    t154 = c4*t150 + s4*t151
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_x = s3*t153 - c3*t154
     ! link 6: moment for a unit acceleration of a joint further out
-    neg_nu6_y = c6*t96 + s6*k7_xz
-    nu6_x = s6*t96 - c6*k7_xz
-    t151 = c6*t87
-    t152 = c5*t105 + s5*t151
-    t153 = neg_nu6_y + t152
-    t154 = c5*nu6_x + (s5*neg_k7_yz - 4.654545454545454_rk*t152)
+    nu6_x = s6*t99 + c6*neg_k7_xz
+    nu6_y = s6*neg_k7_xz - c6*t99
+    t155 = c6*t111
+    t156 = c5*t107 - s5*t155
+    t157 = nu6_y - t156
+    t158 = s5*k7_yz + (4.654545454545454_rk*t156 - c5*nu6_x)
+    ! link 4: moment for a unit acceleration of a joint further out
+    nu4_y = c4*t157 - s4*t158
     ! link 3: mass matrix, its row of this joint
-    m3_7 = t152 - c4*t153 + s4*t154
-    t155 = s6*t87
-    t156 = s5*t105 - c5*t151
+    m3_7 = t156 + nu4_y
+    t159 = s6*t111
+    t160 = s5*t107 + c5*t155
     ! link 4: mass matrix, its row of this joint
-    neg_m4_7 = t155 - c5*neg_k7_yz + (s5*nu6_x - 4.654545454545454_rk*t156)
+    m4_7 = t159 - c5*k7_yz + 4.654545454545454_rk*t160 - s5*nu6_x
     ! link 2: mass matrix, its row of this joint
-    m2_2 = t143 + t146
-    neg_m2_4 = s3*k4_xz + c3*t145
+    neg_m2_2 = t134 + t141
+    m2_4 = c3*t137 - s3*k4_xz
+    t161 = m4_5 - s4*t113
     ! link 3: moment for a unit acceleration of a joint further out
-    neg_nu3_y = s3*neg_nu4_x + c3*t147
-    t157 = c4*t127
+    nu3_y = s3*nu4_x - c3*t161
+    t162 = c4*t113
     ! link 2: mass matrix, its row of this joint
-    m2_5 = 3.83030303030303_rk*(c3*t157 + s3*t110) - neg_nu3_y
-    t158 = c5*t113
-    t159 = c4*t107 - (m4_6 + s4*t158)
-    t160 = c4*t150 - s4*t149
-    t161 = s4*t107 + c4*t158
-    m2_6 = c3*t159 + (s3*t160 + 3.83030303030303_rk*(c3*t161 - s3*t148))
-    t162 = c4*t155 - (neg_m4_7 + s4*t156)
-    t163 = c4*t156 + s4*t155
-    t164 = c4*t154 + s4*t153
-    neg_m2_7 = c3*t162 + 3.83030303030303_rk*(c3*t163 + s3*t152) - s3*t164
+    m2_5 = nu3_y - 3.83030303030303_rk*(c3*t162 - s3*t116)
+    t163 = s4*t109 - c4*t152
+    neg_m2_6 = s3*t154 + c3*t153 + 3.83030303030303_rk*(c3*t163 + s3*t149)
+    t164 = s4*t160 - (m4_7 - c4*t159)
+    t165 = c4*t158 + s4*t157
+    t166 = c4*t160 - s4*t159
+    m2_7 = c3*t164 - (s3*t165 + 3.83030303030303_rk*(c3*t166 + s3*t156))
     ! factorisation M = U D U^T
-    ud1_7 = c2*m3_7 - s2*(s3*t162 + (c3*t164 - 3.83030303030303_rk*(c3*t152 - s3*t163)))
+    ud1_7 = c2*m3_7 + s2*(s3*t164 + (c3*t165 + 3.83030303030303_rk*(c3*t156 - s3*t166)))
     ! link 7: forward substitution
-    y7 = neg_nc7_z + tau(7)
+    neg_y7 = nc7_z - tau(7)
     ! factorisation M = U D U^T
-    u6_7 = 902.7077770343022_rk*t82
-    neg_u5_7 = 149.60760989322964_rk*neg_nu6_y
-    neg_u4_7 = 149.60760989322964_rk*neg_m4_7
+    neg_u6_7 = 153.05109227573695_rk*t86
+    u5_7 = 149.60760989322964_rk*nu6_y
+    u4_7 = 149.60760989322964_rk*m4_7
     u3_7 = 149.60760989322964_rk*m3_7
-    neg_u2_7 = 149.60760989322964_rk*neg_m2_7
+    u2_7 = 149.60760989322964_rk*m2_7
     u1_7 = 149.60760989322964_rk*ud1_7
-    pivot6 = m6_6 - neg_k7_yz*u6_7
-    ipivot6 = 1.0_rk / pivot6
-    ud5_6 = neg_k6_yz + neg_k7_yz*neg_u5_7
-    u5_6 = ipivot6*ud5_6
-    ud4_6 = m4_6 + neg_k7_yz*neg_u4_7
-    u4_6 = ipivot6*ud4_6
-    ud3_6 = m3_6 - neg_k7_yz*u3_7
-    u3_6 = ipivot6*ud3_6
-    ud2_6 = m2_6 + neg_k7_yz*neg_u2_7
-    u2_6 = ipivot6*ud2_6
-    t165 = c2*m3_6 + s2*(s3*t159 + 3.83030303030303_rk*(s3*t161 + c3*t148) - c3*t160)
-    ud1_6 = t165 - neg_k7_yz*u1_7
-    u1_6 = ipivot6*ud1_6
-    pivot5 = m5_5 - neg_nu6_y*neg_u5_7 - ud5_6*u5_6
-    ipivot5 = 1.0_rk / pivot5
-    ud4_5 = m4_5 - neg_nu6_y*neg_u4_7 - ud5_6*u4_6
-    u4_5 = ipivot5*ud4_5
-    ud3_5 = m3_5 + neg_nu6_y*u3_7 - ud5_6*u3_6
-    u3_5 = ipivot5*ud3_5
-    neg_ud2_5 = neg_nu6_y*neg_u2_7 - m2_5 + ud5_6*u2_6
-    neg_u2_5 = ipivot5*neg_ud2_5
-    t166 = c2*m3_5 - s2*(nu3_x - 3.83030303030303_rk*(s3*t157 - c3*t110)) + neg_nu6_y*u1_7
-    ud1_5 = t166 - ud5_6*u1_6
-    u1_5 = ipivot5*ud1_5
-    pivot4 = m4_4 - neg_m4_7*neg_u4_7 - ud4_6*u4_6 - ud4_5*u4_5
-    ipivot4 = 1.0_rk / pivot4
-    ud3_4 = neg_k4_yz + neg_m4_7*u3_7 - ud4_6*u3_6 - ud4_5*u3_5
-    u3_4 = ipivot4*ud3_4
-    neg_ud2_4 = neg_m2_4 + neg_m4_7*neg_u2_7 + ud4_6*u2_6 - ud4_5*neg_u2_5
-    neg_u2_4 = ipivot4*neg_ud2_4
-    t167 = c2*neg_k4_yz + s2*(c3*k4_xz - s3*t145) + neg_m4_7*u1_7 - ud4_6*u1_6
-    ud1_4 = t167 - ud4_5*u1_5
-    u1_4 = ipivot4*ud1_4
-    pivot3 = m3_3 - m3_7*u3_7 - ud3_6*u3_6 - ud3_5*u3_5 - ud3_4*u3_4
-    ipivot3 = 1.0_rk / pivot3
-    ud2_3 = m2_3 + m3_7*neg_u2_7 - ud3_6*u2_6 + ud3_5*neg_u2_5 + ud3_4*neg_u2_4
-    u2_3 = ipivot3*ud2_3
-    neg_ud1_3 = m3_7*u1_7 - nu2_y + ud3_6*u1_6 + ud3_5*u1_5 + ud3_4*u1_4
-    neg_u1_3 = ipivot3*neg_ud1_3
-    pivot2 = m2_2 - neg_m2_7*neg_u2_7 - ud2_6*u2_6 - neg_ud2_5*neg_u2_5 - neg_ud2_4*neg_u2_4 - &
-        ud2_3*u2_3
-    ipivot2 = 1.0_rk / pivot2
-    neg_ud1_2 = k2_yz - neg_m2_7*u1_7 + ud2_6*u1_6 - neg_ud2_5*u1_5 - neg_ud2_4*u1_4 - &
+    neg_pivot6 = k7_yz*neg_u6_7 - m6_6
+    neg_ipivot6 = 1.0_rk / neg_pivot6
+    ud5_6 = neg_k6_yz + k7_yz*u5_7
+    neg_u5_6 = neg_ipivot6*ud5_6
+    neg_ud4_6 = neg_m4_6 - k7_yz*u4_7
+    u4_6 = neg_ipivot6*neg_ud4_6
+    ud3_6 = m3_6 + k7_yz*u3_7
+    neg_u3_6 = neg_ipivot6*ud3_6
+    neg_ud2_6 = neg_m2_6 - k7_yz*u2_7
+    u2_6 = neg_ipivot6*neg_ud2_6
+    ud1_6 = c2*m3_6 - s2*(nu3_x + 3.83030303030303_rk*(s3*t163 - c3*t149)) + k7_yz*u1_7
+    neg_u1_6 = neg_ipivot6*ud1_6
+    neg_pivot5 = neg_m5_5 + nu6_y*u5_7 - ud5_6*neg_u5_6
+    neg_ipivot5 = 1.0_rk / neg_pivot5
+    ud4_5 = m4_5 - nu6_y*u4_7 - ud5_6*u4_6
+    neg_u4_5 = neg_ipivot5*ud4_5
+    neg_ud3_5 = neg_m3_5 + nu6_y*u3_7 - ud5_6*neg_u3_6
+    u3_5 = neg_ipivot5*neg_ud3_5
+    ud2_5 = m2_5 - nu6_y*u2_7 - ud5_6*u2_6
+    neg_u2_5 = neg_ipivot5*ud2_5
+    t167 = c2*neg_m3_5 + s2*(3.83030303030303_rk*(c3*t116 + s3*t162) + c3*nu4_x + s3*t161)
+    neg_ud1_5 = t167 + nu6_y*u1_7 - ud5_6*neg_u1_6
+    u1_5 = neg_ipivot5*neg_ud1_5
+    neg_pivot4 = m4_7*u4_7 - m4_4 - neg_ud4_6*u4_6 - ud4_5*neg_u4_5
+    neg_ipivot4 = 1.0_rk / neg_pivot4
+    ud3_4 = neg_k4_yz - m4_7*u3_7 - neg_ud4_6*neg_u3_6 - ud4_5*u3_5
+    neg_u3_4 = neg_ipivot4*ud3_4
+    ud2_4 = m2_4 - m4_7*u2_7 + neg_ud4_6*u2_6 + ud4_5*neg_u2_5
+    neg_u2_4 = neg_ipivot4*ud2_4
+    t168 = c2*neg_k4_yz + s2*(c3*k4_xz + s3*t137) - m4_7*u1_7 - neg_ud4_6*neg_u1_6
+    ud1_4 = t168 - ud4_5*u1_5
+    neg_u1_4 = neg_ipivot4*ud1_4
+    neg_pivot3 = neg_m3_3 + m3_7*u3_7 - ud3_6*neg_u3_6 - neg_ud3_5*u3_5 - ud3_4*neg_u3_4
+    neg_ipivot3 = 1.0_rk / neg_pivot3
+    ud2_3 = m2_3 - m3_7*u2_7 - ud3_6*u2_6 - neg_ud3_5*neg_u2_5 + ud3_4*neg_u2_4
+    neg_u2_3 = neg_ipivot3*ud2_3
+    ud1_3 = nu2_y - m3_7*u1_7 + ud3_6*neg_u1_6 + neg_ud3_5*u1_5 + ud3_4*neg_u1_4
+    neg_u1_3 = neg_ipivot3*ud1_3
+    neg_pivot2 = neg_m2_2 + m2_7*u2_7 - neg_ud2_6*u2_6 - ud2_5*neg_u2_5 - ud2_4*neg_u2_4 - &
+        ud2_3*neg_u2_3
+    neg_ipivot2 = 1.0_rk / neg_pivot2
+    ud1_2 = neg_k2_yz - m2_7*u1_7 - neg_ud2_6*neg_u1_6 - ud2_5*u1_5 + ud2_4*neg_u1_4 + &
         ud2_3*neg_u1_3
-    neg_u1_2 = ipivot2*neg_ud1_2
-    t168 = m1_1 - ud1_7*u1_7 - ud1_6*u1_6 - ud1_5*u1_5 - ud1_4*u1_4 - neg_ud1_3*neg_u1_3
-    pivot1 = t168 - neg_ud1_2*neg_u1_2
-    ipivot1 = 1.0_rk / pivot1
+    neg_u1_2 = neg_ipivot2*ud1_2
+    t169 = ud1_7*u1_7 - m1_1 - ud1_6*neg_u1_6 - neg_ud1_5*u1_5 - ud1_4*neg_u1_4 - ud1_3*neg_u1_3
+    neg_pivot1 = t169 - ud1_2*neg_u1_2
+    neg_ipivot1 = 1.0_rk / neg_pivot1
     ! link 6: forward substitution
-    neg_y6 = n6_z - tau(6) + y7*u6_7
+    y6 = neg_n6_z + tau(6) - neg_y7*neg_u6_7
     ! link 5: forward substitution
-    neg_y5 = n5_z - tau(5) - y7*neg_u5_7 - u5_6*neg_y6
+    neg_y5 = n5_z - tau(5) - neg_y7*u5_7 - neg_u5_6*y6
     ! link 4: forward substitution
-    neg_y4 = n4_z - tau(4) - y7*neg_u4_7 - u4_6*neg_y6 - u4_5*neg_y5
+    neg_y4 = n4_z - tau(4) - neg_y7*u4_7 + u4_6*y6 + neg_u4_5*neg_y5
     ! link 3: forward substitution
-    neg_y3 = n3_z - tau(3) + y7*u3_7 - u3_6*neg_y6 - u3_5*neg_y5 - u3_4*neg_y4
+    neg_y3 = n3_z - tau(3) - neg_y7*u3_7 - neg_u3_6*y6 - u3_5*neg_y5 + neg_u3_4*neg_y4
     ! link 2: forward substitution
-    neg_y2 = n2_z - tau(2) - y7*neg_u2_7 - u2_6*neg_y6 + neg_u2_5*neg_y5 + neg_u2_4*neg_y4 - &
-        u2_3*neg_y3
-    t169 = n1_z - tau(1) + y7*u1_7 - u1_6*neg_y6 - u1_5*neg_y5 - u1_4*neg_y4 + neg_u1_3*neg_y3
+    neg_y2 = n2_z - tau(2) - neg_y7*u2_7 + u2_6*y6 + neg_u2_5*neg_y5 + neg_u2_4*neg_y4 + &
+        neg_u2_3*neg_y3
+    t170 = n1_z - tau(1) - neg_y7*u1_7 - neg_u1_6*y6 - u1_5*neg_y5 + neg_u1_4*neg_y4 + &
+        neg_u1_3*neg_y3
     ! link 1: forward substitution
-    neg_y1 = t169 + neg_u1_2*neg_y2
+    neg_y1 = t170 + neg_u1_2*neg_y2
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd1 = ipivot1*neg_y1
+    qdd1 = neg_ipivot1*neg_y1
     ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd2 = ipivot2*neg_y2 + neg_u1_2*neg_qdd1
+    qdd2 = neg_ipivot2*neg_y2 + neg_u1_2*qdd1
     ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd3 = ipivot3*neg_y3 - u2_3*neg_qdd2 + neg_u1_3*neg_qdd1
+    qdd3 = neg_ipivot3*neg_y3 + neg_u2_3*qdd2 + neg_u1_3*qdd1
     ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd4 = ipivot4*neg_y4 - u3_4*neg_qdd3 + neg_u2_4*neg_qdd2 - u1_4*neg_qdd1
+    qdd4 = neg_ipivot4*neg_y4 + neg_u3_4*qdd3 + neg_u2_4*qdd2 + neg_u1_4*qdd1
     ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd5 = ipivot5*neg_y5 - u4_5*neg_qdd4 - u3_5*neg_qdd3 + neg_u2_5*neg_qdd2 - u1_5*neg_qdd1
+    qdd5 = neg_ipivot5*neg_y5 + neg_u4_5*qdd4 - u3_5*qdd3 + neg_u2_5*qdd2 - u1_5*qdd1
     ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd6 = u1_6*neg_qdd1 - (ipivot6*neg_y6 - u5_6*neg_qdd5 - u4_6*neg_qdd4 - u3_6*neg_qdd3 - &
-        u2_6*neg_qdd2)
-    t170 = 149.60760989322964_rk*y7 - u6_7*qdd6 - neg_u5_7*neg_qdd5 - neg_u4_7*neg_qdd4 + &
-        u3_7*neg_qdd3 - neg_u2_7*neg_qdd2
+    qdd6 = neg_u1_6*qdd1 - (neg_ipivot6*y6 - neg_u5_6*qdd5 + u4_6*qdd4 - neg_u3_6*qdd3 + &
+        u2_6*qdd2)
+    t171 = 149.60760989322964_rk*neg_y7 - neg_u6_7*qdd6 + u5_7*qdd5 + u4_7*qdd4 + u3_7*qdd3 + &
+        u2_7*qdd2
     ! link 7: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd7 = t170 + u1_7*neg_qdd1
-    t171 = -neg_qdd1
-    t172 = -neg_qdd2
-    t173 = -neg_qdd3
-    t174 = -neg_qdd4
-    t175 = -neg_qdd5
-    qdd(1) = t171
-    qdd(2) = t172
-    qdd(3) = t173
-    qdd(4) = t174
-    qdd(5) = t175
+    qdd7 = -u1_7*qdd1 - t171
+    qdd(1) = qdd1
+    qdd(2) = qdd2
+    qdd(3) = qdd3
+    qdd(4) = qdd4
+    qdd(5) = qdd5
     qdd(6) = qdd6
     qdd(7) = qdd7
   end subroutine

@@ -27,14 +27,14 @@
  * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
  *   to the recursion without being written like it: robodyn --optimize full, seed 1.
  * Of mass_matrix the best program known for these parameters, equal to the recursion without being
- *   written like it: robodyn --optimize full, seed 0.
+ *   written like it: robodyn --optimize search, from the record of an arm that is built alike.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 272 multiplications, 258 additions = 530; 6 unary minus; 12 sine/cosine
  *   gravity: 42 multiplications, 29 additions = 71; 1 unary minus; 12 sine/cosine
  *   bias: 257 multiplications, 242 additions = 499; 1 unary minus; 12 sine/cosine
- *   mass_matrix: 173 multiplications, 163 additions = 336; 1 unary minus; 12 sine/cosine
- *   forward_dynamics: 554 multiplications, 509 additions, 6 divisions = 1069; 5 unary minus; 12
+ *   mass_matrix: 170 multiplications, 163 additions = 333; 2 unary minus; 12 sine/cosine
+ *   forward_dynamics: 553 multiplications, 511 additions, 6 divisions = 1070; 1 unary minus; 12
  *       sine/cosine
  */
 #ifndef PANDA_H
