@@ -14,7 +14,8 @@ from typing import Any
 
 from robodyn.ir.copying import copied
 from robodyn.ir.field import Vanishes
-from robodyn.ir.graph import Graph, Node, Scalar, children
+from robodyn.ir.graph import Graph, Node, Scalar
+from robodyn.ir.key import children
 from robodyn.ir.lowering import lower, needed
 from robodyn.ir.program import Program
 from robodyn.passes.factor import factor
@@ -122,7 +123,7 @@ class _Needs:
     def rebuilt(self, units: Mapping[int, Fraction]) -> tuple[Graph, Outputs]:
         """The graph with its sums in ``units``, and its outputs."""
         keys, labels, target = self.graph.keys, self.graph.labels, Graph()
-        computed: dict[int, Scalar] = {}
+        computed: dict[int, Any] = {}
 
         def value(p: int, unit: Fraction = ONE) -> Any:
             multiple = self.values[p]
