@@ -309,3 +309,14 @@ def test_firmware_is_written_as_gen_writes_it(project: Path) -> None:
     assert {**own, "firmware/README.md": ""} == {**tree(project / "gen"), "firmware/README.md": ""}
     assert "firmware/link.ld" in own
     build("--check")
+
+
+def test_what_robodyn_did_not_write_stays(project: Path, capsys: Capture) -> None:
+    """A project has files of its own where a package would be."""
+    (project / "CMakeLists.txt").write_text("project(mine)\n")
+    with (project / "robodyn.toml").open("a") as file:
+        file.write("packages.cmake.output = '.'\n")
+    build(code=2)
+    assert "robodyn.toml:12:1: CMakeLists.txt is in the way, which robodyn did" in capsys.readouterr().err
+    assert (project / "CMakeLists.txt").read_text() == "project(mine)\n"
+    assert not (project / "generated").exists()

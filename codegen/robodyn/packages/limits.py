@@ -9,3 +9,5 @@ SAME_FRICTION: Final = 1e-9
 #: States at which it is compared, and the largest velocity there [rad/s, m/s].
 FRICTION_STATES: Final = 8
 FRICTION_VELOCITY: Final = 2.0
+#: No file of a package is larger, binaries included [bytes].
+LARGEST_FILE: Final = 64 << 20
