@@ -31,8 +31,10 @@ def command(need: str | None, all_: bool, as_json: bool) -> None:
     from robodyn.errors import ToolError
     from robodyn.tools import Use
 
-    needed = [named(name) for name in listed(need or "")]
-    tools = [tool for tool in known() if all_ or tool.use is not Use.DEVELOPMENT or tool in needed]
+    tools = known()
+    whole = any(tool.use is not Use.EVERYTHING for tool in tools)
+    needed = [named(name) for name in listed(need or "") if whole]
+    tools = tuple(tool for tool in tools if all_ or tool.use is not Use.DEVELOPMENT or tool in needed)
     states = examine(tools)
     if as_json:
         echo_json({**_machine(), "tools": [state.to_dict() for state in states]})

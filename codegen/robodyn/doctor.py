@@ -9,9 +9,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import Any, Final
 
-from robodyn.emit.languages import LANGUAGES
 from robodyn.errors import InputError
-from robodyn.targets import firmware_targets
 from robodyn.toolchain.running import end_all, run
 from robodyn.tools import Library, Tool, Use
 from robodyn.tools.libraries import OPTIONAL, REQUIRED
@@ -54,7 +52,13 @@ class ToolState:
 
 
 def known() -> tuple[Tool | Library, ...]:
-    """All tools, in the order of their uses."""
+    """All tools, in the order of their uses; only those of every installation where one of these is missing,
+    since languages and processors cannot be read then."""
+    if not all(library.present() for library in REQUIRED):
+        return REQUIRED
+    from robodyn.emit.languages import LANGUAGES
+    from robodyn.targets import firmware_targets
+
     compilers = [language.compiled.compiler for language in LANGUAGES.values() if language.compiled]
     takers = [tool for language in LANGUAGES.values() for tool in language.takers]
     boards = [target.board for target in firmware_targets() if target.board is not None]

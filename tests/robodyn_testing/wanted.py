@@ -41,11 +41,12 @@ ROOT: Final = Path(__file__).resolve().parents[2]
 PREFIX: Final = "missing: "
 """How the reason of every skip made here begins; :func:`summary` lists those skips."""
 
-PACKAGES: Final = {"pinocchio": "pin", "yaml": "pyyaml"}
+PACKAGES: Final = {"SCons": "scons", "pinocchio": "pin", "yaml": "pyyaml"}
 """PyPI's name of a module, where the two names differ."""
 
 OPTIONAL: Final = frozenset(
     {
+        "SCons",
         "build",
         "casadi",
         "fmpy",
@@ -57,6 +58,7 @@ OPTIONAL: Final = frozenset(
         "mujoco",
         "ortools",
         "pinocchio",
+        "platformio",
         "pyarrow",
         "rosbags",
         "selenium",

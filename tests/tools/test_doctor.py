@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import json
+import os
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -152,6 +155,21 @@ class TestCommand:
         monkeypatch.setattr(Library, "present", lambda self: False)
         assert main(["doctor"]) == 3
         assert "missing: numpy; pip install numpy" in capsys.readouterr().err
+
+    @pytest.mark.parametrize("module", ["jinja2", "yaml"])
+    def test_it_runs_where_nothing_else_does(self, module: str) -> None:
+        code = (
+            f"import sys; sys.modules[{module!r}] = None; from robodyn_cli.main import main; sys.exit(main())"
+        )
+        done = subprocess.run(
+            [sys.executable, "-c", code, "doctor", "--need", "gcc", "--json"],
+            env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
+            capture_output=True, text=True, check=False,
+        )  # fmt: skip
+        assert done.returncode == 3, done.stderr
+        assert "robodyn: error: missing: " in done.stderr
+        states = {each["name"]: each["works"] for each in json.loads(done.stdout)["tools"]}
+        assert [name for name, works in states.items() if not works] == [module.replace("yaml", "pyyaml")]
 
     @pytest.mark.thorough
     def test_of_this_machine(self, capsys: Capture) -> None:

@@ -30,7 +30,10 @@ ROSBAGS: Final = Library("rosbags", Use.LOGS, "recordings of ROS 2", extra="ros"
 XACRO: Final = Library("xacro", Use.ARMS, "arms in xacro", extra="xacro")
 
 PINOCCHIO: Final = Library("pinocchio", Use.COMPARISONS, "times of Pinocchio in robodyn bench", package="pin")
-CASADI: Final = Library("casadi", Use.COMPARISONS, "times of CasADi in robodyn bench")
+CASADI: Final = Library(
+    "casadi", Use.PACKAGES, "functions of robodyn package --as casadi, and times in robodyn bench"
+)
+FMPY: Final = Library("fmpy", Use.PACKAGES, "simulations of robodyn package --as fmu")
 
-OPTIONAL: Final = (MUJOCO, XACRO, H5PY, PYARROW, ROSBAGS, ORTOOLS, PINOCCHIO, CASADI)
+OPTIONAL: Final = (CASADI, FMPY, MUJOCO, XACRO, H5PY, PYARROW, ROSBAGS, ORTOOLS, PINOCCHIO)
 """What an extra brings, or one installs oneself."""
