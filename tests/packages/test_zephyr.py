@@ -75,7 +75,8 @@ def test_the_sample(robot: str, options: tuple[str, ...], cmake: str, tmp_path: 
     expected = run(tmp_path / "build" / "app", cwd=tmp_path)
     sample = yaml.safe_load((module / "samples" / "selftest" / "sample.yaml").read_text())
     (test,) = sample["tests"].values()
-    assert re.search(*test["harness_config"]["regex"], expected)
+    (pattern,) = test["harness_config"]["regex"]
+    assert re.search(pattern, expected)
     source = module / "src" / f"{name}.c"
     source.write_text(re.sub(r"(\btau\[\d\] = )", r"\g<1>1e-2f + ", source.read_text()))
     built(cmake, module, tmp_path)
