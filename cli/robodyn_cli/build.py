@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from dataclasses import replace
 from pathlib import Path
@@ -26,7 +26,7 @@ from robodyn_cli.common import (
 if TYPE_CHECKING:
     from robodyn.project.compare import Comparison
     from robodyn.project.lock import Lock
-    from robodyn.project.reading import Project
+    from robodyn.project.reading import Entry, Project
     from robodyn_cli.building import Products
 
 
@@ -181,6 +181,7 @@ def _lock_before(project: Project) -> Lock | None:
 def _write(project: Project, products: Products) -> list[str]:
     """Write the files that are not as they should be, the lock file last, all or none; their paths."""
     from robodyn.project.compare import locked, outdated
+    from robodyn.project.keys import PACKAGE
     from robodyn.project.lock import lock_text
 
     files: dict[str, str | bytes] = {}
@@ -190,6 +191,8 @@ def _write(project: Project, products: Products) -> list[str]:
         folders |= {(folder / name).parent for name in product.files}
         different = outdated(folder, product)
         texts = products.texts(entry) if different else {}
+        if different and entry.command == PACKAGE:
+            _refuse_foreign(entry, folder, {name: texts[name] for name in different})
         files |= {f"{entry.output}/{name}": texts[name] for name in different}
     remove_leftovers(folders)
     lock = lock_text(locked(project, products.by_name)).encode("utf-8")
@@ -199,6 +202,20 @@ def _write(project: Project, products: Products) -> list[str]:
         return []
     remedy = f"choose another output in {printable(project.path)}, or free some space there"
     return [printable(path) for path in write_files(project.folder, files, remedy=remedy)]
+
+
+def _refuse_foreign(entry: Entry, folder: Path, files: Mapping[str, bytes]) -> None:
+    """
+    Raises
+    ------
+    InputError: a file of the package ``entry`` would take the place of one that robodyn did not write.
+    """
+    from robodyn_cli.package import refuse_foreign
+
+    try:
+        refuse_foreign(folder, files)
+    except InputError as error:
+        raise error.at(entry.place()) from None
 
 
 def _name_leftovers(project: Project, before: Lock, now: Lock) -> None:

@@ -164,10 +164,15 @@ def carry_out(job: Job, root: Path) -> RobodynError | None:
 
 
 def _generated(options: dict[str, Any]) -> _Contents:
-    """What ``gen`` would write."""
+    """What ``gen`` would write; of firmware all but the README, which has what this machine measures."""
+    from robodyn_cli.firmware import FOLDER, firmware_of
     from robodyn_cli.generating import kernels
 
     product = kernels(**options)
+    if options["firmware"]:
+        folder = firmware_of(product.generated, product.languages, options["target"])
+        files = {f"{FOLDER}/{name}": text for name, text in folder.files.items()}
+        return files, _counts(product.generated)
     return product.files(batch=options["batch"], latex=options["latex"]), _counts(product.generated)
 
 

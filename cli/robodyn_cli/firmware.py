@@ -12,6 +12,7 @@ from robodyn_cli.common import compare_files, echo_json, printable, talk, write_
 from robodyn_cli.options import listed
 
 if TYPE_CHECKING:
+    from robodyn.firmware import Folder
     from robodyn.kernels.generate import Generated, Options
 
 Command = TypeVar("Command", bound=Callable[..., Any])
@@ -51,6 +52,13 @@ def for_firmware(options: Options, target: str | None, **others: object) -> Opti
     )
 
 
+def firmware_of(generated: Generated, languages: tuple[str, ...], target: str | None) -> Folder:
+    """The folder of the kernels for the processors of ``--target``."""
+    from robodyn.firmware import firmware, targets_named
+
+    return firmware(generated, targets_named(listed(target or "")), languages)
+
+
 def write_firmware(
     generated: Generated,
     folder: Path,
@@ -68,11 +76,11 @@ def write_firmware(
     CheckError: files differ, or the self-test fails on a processor.
     """
     from robodyn.errors import CheckError
-    from robodyn.firmware import firmware, measure, targets_named
+    from robodyn.firmware import measure, targets_named
 
     folder = folder / FOLDER
     name, targets = generated.unit.robot.name, targets_named(listed(target or ""))
-    made_folder = firmware(generated, targets, languages)
+    made_folder = firmware_of(generated, languages, target)
     files = dict(made_folder.files)
     if check:
         different = compare_files(folder, files)

@@ -69,6 +69,10 @@ COMMANDS: Final[dict[str, tuple[str, str]]] = {
     "report": ("robodyn_cli.report", "Write a page that shows an arm, or two beside each other."),
     "schema": ("robodyn_cli.schema", "Print the JSON Schema of the robot description."),
     "new": ("robodyn_cli.new", "Write a commented starter file to fill in."),
+    "doctor": (
+        "robodyn_cli.doctor",
+        "Show which programs and libraries are here, what each enables, and how to get the others.",
+    ),
     "completion": (
         "robodyn_cli.completion",
         "Print or install the script with which a shell completes robodyn.",

@@ -91,7 +91,7 @@ def command(
     if check:
         _check(folder, files)
     else:
-        _refuse_foreign(folder, files)
+        refuse_foreign(folder, files)
         write_files(folder, files)
     _report(package, asked, folder, files, checked=check, as_json=as_json)
 
@@ -153,7 +153,7 @@ def _check(folder: Path, files: Mapping[str, str | bytes]) -> None:
         )
 
 
-def _refuse_foreign(folder: Path, files: Mapping[str, str | bytes]) -> None:
+def refuse_foreign(folder: Path, files: Mapping[str, str | bytes]) -> None:
     """Leave alone what robodyn did not write: a project's own CMakeLists.txt or README.md, for one.
 
     Raises
@@ -161,15 +161,15 @@ def _refuse_foreign(folder: Path, files: Mapping[str, str | bytes]) -> None:
     InputError: such a file is in the way.
     """
     from robodyn.errors import InputError
-    from robodyn.packages.writing import MARK
+    from robodyn.packages.writing import is_ours
 
     for name in compare_files(folder, files):
         path = folder / name
-        if path.is_file() and MARK.encode("ascii") not in path.read_bytes():
+        if path.exists() and not is_ours(path):
             raise InputError(
                 f"{printable(path)} is in the way, which robodyn did not write",
                 expected="an empty folder, or one with an earlier package",
-                remedy="choose another folder with -o",
+                remedy="choose another folder",
             )
 
 

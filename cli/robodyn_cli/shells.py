@@ -100,7 +100,7 @@ complete -o nosort -F %(complete_func)s %(prog_name)s
         if any(Path(path).is_file() for path in loaders):
             return None
         return (
-            "bash looks there if bash-completion is installed (Debian, Ubuntu: apt install bash-completion); "
+            "bash looks there if the package bash-completion is installed; "
             f"else add to ~/.bashrc: source {folder / _Bash.file}"
         )
 

@@ -50,7 +50,8 @@ def _index() -> str:
 
 def _table(language: Language) -> str:
     compiled = language.compiled
-    compilers = [f"the one named by `{compiled.variable}`", *map(code, compiled.commands)] if compiled else []
+    compiler = compiled.compiler if compiled else None
+    compilers = [f"the one named by `{compiler.variable}`", *map(code, compiler.names)] if compiler else []
     rows = [
         ("also called", ", ".join(map(code, language.aliases))),
         ("files", ", ".join(map(code, language.files))),

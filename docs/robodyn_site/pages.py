@@ -15,11 +15,23 @@ from robodyn_site import (
     outside,
     python,
     targets,
+    tools,
 )
 
 #: Documents that are more on the site: an overview of pages, with links to them.
 REPLACED: Final = frozenset({"effects.md", "functions.md"})
-_MAKERS: Final = (outside, commands, effects, functions, targets, languages, description, python, benchmarks)
+_MAKERS: Final = (
+    outside,
+    commands,
+    effects,
+    functions,
+    targets,
+    languages,
+    description,
+    python,
+    tools,
+    benchmarks,
+)
 
 
 @cache

@@ -14,6 +14,7 @@ import robodyn_cli.building
 from cli.built import FILES, PROJECT, build, outputs
 from cli.generated import Capture, tree
 from records.made import ELBOW
+from robodyn.packages import FORMATS
 from robodyn_cli.main import main
 
 
@@ -275,6 +276,11 @@ def test_packages_are_written_with_the_kernels(project: Path, generated: list[st
     ("packages", "message"),
     [
         ("packages = ['cmak']", "robodyn.toml:12:1: unknown format of a package 'cmak'; expected one of "),
+        *(
+            (f"packages = ['{name}']", "has a binary, and another")
+            for name in FORMATS
+            if FORMATS[name].binary
+        ),
         ("packages.cmake.version = '1'", "robodyn.toml:12:1: this is no version of a package; found '1'"),
         ("packages.cmake.scalar = 'flot'", "robodyn.toml:12:1: unknown scalar 'flot'"),
         (
@@ -289,3 +295,28 @@ def test_packages_that_cannot_be_written(project: Path, packages: str, message: 
     build(code=2)
     assert message in capsys.readouterr().err
     assert not (project / "packages").exists()
+
+
+@pytest.mark.thorough
+def test_firmware_is_written_as_gen_writes_it(project: Path) -> None:
+    """But for the README, which has what one machine measured."""
+    text = PROJECT.replace('scalar = "float"', 'firmware = true\ntarget = "cortex-m4f"')
+    (project / "robodyn.toml").write_text(text)
+    build()
+    options = ["--functions", "inverse_dynamics,gravity", "--lang", "c", "--target", "cortex-m4f"]
+    assert main(["gen", "other.yaml", "--firmware", *options, "-o", "gen"]) == 0
+    own = tree(project / "firmware" / "two")
+    assert {**own, "firmware/README.md": ""} == {**tree(project / "gen"), "firmware/README.md": ""}
+    assert "firmware/link.ld" in own
+    build("--check")
+
+
+def test_what_robodyn_did_not_write_stays(project: Path, capsys: Capture) -> None:
+    """A project has files of its own where a package would be."""
+    (project / "CMakeLists.txt").write_text("project(mine)\n")
+    with (project / "robodyn.toml").open("a") as file:
+        file.write("packages.cmake.output = '.'\n")
+    build(code=2)
+    assert "robodyn.toml:12:1: CMakeLists.txt is in the way, which robodyn did" in capsys.readouterr().err
+    assert (project / "CMakeLists.txt").read_text() == "project(mine)\n"
+    assert not (project / "generated").exists()

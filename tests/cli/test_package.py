@@ -83,6 +83,13 @@ def test_what_robodyn_did_not_write_stays(capsys: Capture) -> None:
     assert "VERSION 0.2.0" in Path("CMakeLists.txt").read_text()
 
 
+def test_a_folder_where_a_file_should_be_stays_too(capsys: Capture) -> None:
+    (Path("out") / "README.md").mkdir(parents=True)
+    _, err = package(capsys, "--as", "cmake", "-o", "out", *GRAVITY, code=2)
+    assert "out/README.md is in the way" in err
+    assert [path.name for path in Path("out").iterdir()] == ["README.md"]
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [

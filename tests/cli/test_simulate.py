@@ -315,5 +315,5 @@ def test_a_picture(kind: str, capsys: Capture) -> None:
 def test_a_picture_without_matplotlib(capsys: Capture, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "matplotlib.figure", None)
     _, err = simulate(capsys, "pendulum.yaml --duration 0.1 --picture p.svg", code=3)
-    assert "a picture needs matplotlib, which is not installed; pip install" in err
+    assert "pictures need matplotlib, which is not installed; pip install" in err
     assert made() == set()

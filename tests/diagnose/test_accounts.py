@@ -41,12 +41,13 @@ def touched(*, at_rest: bool = False) -> list[Touched]:
 
 
 Left = Callable[[int], Array]
+Seek = Callable[[object, Gate, Array], tuple[Contact, ...]]
 
 
 @pytest.fixture
-def account(gate: Gate, monkeypatch: pytest.MonkeyPatch) -> Callable[[list[Touched], Left], Account]:
+def account(gate: Gate, monkeypatch: pytest.MonkeyPatch) -> Callable[..., Account]:
     """The account of a log of which a search that has as many of the windows left out leaves [K, n] what a
-    function says."""
+    function says, in which contacts are sought as another says."""
 
     def windows_out(fitted: list[Gate]) -> int:
         return sum(len(one.segments) for one in fitted) - 1
@@ -58,7 +59,8 @@ def account(gate: Gate, monkeypatch: pytest.MonkeyPatch) -> Callable[[list[Touch
     monkeypatch.setattr(accounts, "findings_of", lambda *_, is_doubtful: ())
     monkeypatch.setattr(accounts, "settled", settled)
 
-    def run(contacts: list[Touched], left: Left) -> Account:
+    def run(contacts: list[Touched], left: Left, seek: Seek = lambda *_: ()) -> Account:
+        monkeypatch.setattr(accounts, "contacts", seek)
         logs = Logs([gate], 1, ["log 1"], {"log 1": gate})
         lacks: object = lambda cuts, _: left(cuts)  # noqa: E731
         return accounted(ARM, logs, contacts, EVERYTHING, lacks, lambda _: None)  # type: ignore[arg-type]
@@ -95,6 +97,23 @@ def test_of_two_the_one_that_is_left_is_left_out_again(gate: Gate, account: Call
     result = account(touched(), lambda cuts: left(gate, *after[cuts]))
     assert starts(result) == [2.0]
     assert result.outcome == 1  # type: ignore[comparison-overlap]
+
+
+def test_beside_what_an_effect_explains_there_may_be_a_push(
+    gate: Gate, account: Callable[..., Account]
+) -> None:
+    """One window reaches over a drive at its limit and a push, which stands out once the limit is known."""
+    wide, push = touched()
+    wide = replace(wide, contact=replace(wide.contact, end=2.5))
+    effect_only, with_push = left(gate, 1.0, 9.0), left(gate, 9.0, 9.0)
+
+    def seek(arm: object, log: Gate, rest: Array) -> tuple[Contact, ...]:
+        assert rest is effect_only
+        return (push.contact, replace(touched()[0].contact, at_rest=True))
+
+    wide = replace(wide, contact=replace(wide.contact, explained=0.1))
+    result = account([wide], lambda cuts: with_push if cuts else effect_only, seek)
+    assert starts(result) == [2.0]
 
 
 def test_an_effect_that_spoils_the_rest_explains_no_contact(

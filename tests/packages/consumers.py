@@ -214,8 +214,10 @@ def rust_program(consumer: Consumer) -> str:
     return f"""\
 #![allow(non_snake_case)]
 use {packed.name}::Real;
+use std::io::Read;
 fn main() {{
-    let text = std::io::read_to_string(std::io::stdin()).unwrap();
+    let mut text = String::new();
+    std::io::stdin().read_to_string(&mut text).unwrap();
     let mut words = text.split_whitespace();
     let mut next = || -> Real {{ words.next().unwrap().parse().unwrap() }};
     {parameters}

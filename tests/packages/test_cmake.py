@@ -9,7 +9,9 @@ from pathlib import Path
 import pytest
 
 from packages.consumers import Consumer, c_program, consumer, run, write
-from robodyn.kernels.generate import Options
+from robodyn.kernels.generate import Options, generate
+from robodyn.packages import package
+from robodyn.robot import load
 from robodyn_testing import require_tool
 
 FUNCTIONS = ("inverse_dynamics", "mass_matrix", "jacobian")
@@ -114,9 +116,26 @@ def test_a_part_of_a_larger_build_whatever_the_robot_is_called(name: str, cmake:
         "- {joint: prismatic, alpha: 1, mass: 2, com: [0.1, 0, 0.2], motor_inertia: 1}\n"
     )
     user = consumer(str(robot), "cmake", Options(scalar="float", trig="builtin"), parameters={"m_tool": 1.5})
-    package = write(tmp_path / "a package", user.package.files())
-    text = INSIDE.format(folder=package, package=user.package.name)
+    folder = write(tmp_path / "a package", user.package.files())
+    text = INSIDE.format(folder=folder, package=user.package.name)
     project = write(tmp_path / "consumer", {"CMakeLists.txt": text, "main.c": c_program(user)})
     run(cmake, "-S", ".", "-B", "build", cwd=project)
     run(cmake, "--build", "build", cwd=project)
     user.check(run(project / "build" / "consumer", cwd=project, stdin=user.stdin))
+
+
+@pytest.mark.parametrize(
+    ("options", "flags"),
+    [
+        (Options(("gravity",)), "-ffp-contract=off;-fno-math-errno"),
+        (
+            Options.for_target("cortex-m4f", functions=("gravity",), contraction="on"),
+            "-mcpu=cortex-m4;-mthumb;-mfpu=fpv4-sp-d16;-mfloat-abi=hard;-ffp-contract=fast;-fno-math-errno",
+        ),
+    ],
+)
+def test_arithmetic_is_compiled_as_it_is_written(options: Options, flags: str) -> None:
+    """Or as it was asked for; how far the rest is optimised is the project's affair."""
+    files = package(generate(load(ROBOT), options), "cmake").files()
+    assert f':{flags}>")' in str(files["CMakeLists.txt"])
+    assert ("PRIVATE m)" in str(files["CMakeLists.txt"])) == (options.trig == "libm")

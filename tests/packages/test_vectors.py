@@ -66,7 +66,7 @@ def test_cmake_and_fpm_run_them(tmp_path: Path) -> None:
             cmake = require_tool(program)
             run(cmake, "-S", ".", "-B", "build", cwd=folder)
             run(cmake, "--build", "build", cwd=folder)
-            output = run(require_tool("ctest"), "--test-dir", "build", "-V", cwd=folder)
+            output = run(require_tool("ctest"), "-V", cwd=folder / "build")
         else:
             require_module("fpm")
             require_tool("gfortran")

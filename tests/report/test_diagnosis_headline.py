@@ -140,6 +140,11 @@ def test_what_fits_is_said_once() -> None:
     assert in_a_line(made(robot, verdict="unexplained", findings=())) == (
         "A residual remains that no effect of the catalogue explains", "It is largest at joint 3."
     )  # fmt: skip
+    for effect, line in (
+        ("transmission_loss", "transmission loss at joint 2 is missing"),
+        ("inertial_error", "wrong inertial numbers of link 2 are missing"),
+    ):
+        assert in_a_line(made(robot, findings=tuple(found(effect, 2))))[0] == f"puma560_3dof: {line}"
     contact = found("external_contact", None, start=1.0, end=2.0, link=2.0)
     assert in_a_line(made(robot, findings=tuple(contact))) == (
         "puma560_3dof: no effect is missing, but something touched the arm",

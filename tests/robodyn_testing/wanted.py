@@ -41,33 +41,25 @@ ROOT: Final = Path(__file__).resolve().parents[2]
 PREFIX: Final = "missing: "
 """How the reason of every skip made here begins; :func:`summary` lists those skips."""
 
-_TOOLS: Final = {
-    "arm-none-eabi-gcc": "gcc-arm-none-eabi",
-    "cc": "gcc",
-    "chromedriver": "chromium-driver",
-    "frama-c": "frama-c-base",
-    "g++": "g++",
-    "nm": "binutils",
-    "qemu-system-riscv32": "qemu-system-misc",
-    "riscv64-unknown-elf-gcc": "gcc-riscv64-unknown-elf",
-}
-"""Debian's package of a program, where the two names differ."""
-
-PACKAGES: Final = {"pinocchio": "pin", "yaml": "pyyaml"}
+PACKAGES: Final = {"SCons": "scons", "pinocchio": "pin", "yaml": "pyyaml"}
 """PyPI's name of a module, where the two names differ."""
 
 OPTIONAL: Final = frozenset(
     {
+        "SCons",
         "build",
         "casadi",
         "fmpy",
+        "fpm",
         "h5py",
         "hatchling",
         "hypothesis",
         "jsonschema",
+        "kconfiglib",
         "mujoco",
         "ortools",
         "pinocchio",
+        "platformio",
         "pyarrow",
         "rosbags",
         "selenium",
@@ -100,9 +92,17 @@ def require_tool(name: str) -> str:
     __tracebackhide__ = True
     path = shutil.which(name)
     if path is None:
-        package = _TOOLS.get(name, name)
-        _missing(f"program {name}", f"to run this test, apt-get install {package} (or your system's like)")
+        _missing(f"program {name}", f"to run this test, {_how_to_get(name)} (or your system's like)")
     return path
+
+
+def _how_to_get(program: str) -> str:
+    """The command for Debian: of the program's record, or else with a package of the same name."""
+    from robodyn.doctor import known
+    from robodyn.tools import Tool
+
+    packages = (tool.debian for tool in known() if isinstance(tool, Tool) and tool.name == program)
+    return f"apt install {next(filter(None, packages), program)}"
 
 
 def require_module(name: str) -> ModuleType:

@@ -6,9 +6,7 @@ this process. Only what gives the same torques as the plain textbook is timed.
 
 from __future__ import annotations
 
-import importlib.util
 import re
-import shutil
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -29,11 +27,13 @@ from robodyn.robot.model import Robot
 from robodyn.toolchain.compiler import C_FLAGS
 from robodyn.toolchain.program import built
 from robodyn.toolchain.running import run
+from robodyn.tools.libraries import CASADI, MUJOCO, PINOCCHIO
+from robodyn.tools.programs import VALGRIND
 
 _COUNT: Final = 64
 _TITLES: Final = {"builtin": "built-in sine and cosine", "libm": "libm's", "given": "given by the caller"}
 #: What each peer is called by those who look for it.
-_PACKAGES: Final = {"pinocchio": "pin", "mujoco": "mujoco", "casadi": "casadi"}
+_PEERS: Final = {peer.module: peer for peer in (PINOCCHIO, MUJOCO, CASADI)}
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,13 +90,13 @@ def kernel_bench(
     try:
         arm = numbers_of(robot)
     except NumbersLacking as lacking:
-        absent |= dict.fromkeys(_PACKAGES.values(), str(lacking))
+        absent |= dict.fromkeys((peer.distribution for peer in _PEERS.values()), str(lacking))
     here = []
-    for module, package in _PACKAGES.items() if arm is not None else ():
-        if importlib.util.find_spec(module) is None:
-            absent[package] = f"not installed (pip install {package})"
-        else:
+    for module, peer in _PEERS.items() if arm is not None else ():
+        if peer.present():
             here.append(module)
+        else:
+            absent[peer.distribution] = f"not installed ({peer.install})"
     states = _states(robot)
     wanted = _reference(robot, states)
     tell("kernels in C")
@@ -229,9 +229,9 @@ def _output_of(command: Sequence[str]) -> str:
 
 def _instructions(path: Path, keys: Sequence[str], absent: dict[str, str]) -> dict[str, float]:
     """Instructions a call of each kernel, the loop around it included."""
-    valgrind = shutil.which("valgrind")
+    valgrind = VALGRIND.path()
     if valgrind is None:
-        absent["instructions"] = "needs valgrind (apt-get install valgrind)"
+        absent["instructions"] = f"needs {VALGRIND.remedy}"
         return {}
     counts: dict[str, float] = {}
     for k, key in enumerate(keys):
@@ -271,7 +271,7 @@ def _python(
             checked(call, wanted)
             calls.append(call)
         except (Disagreement, ImportError, RuntimeError, ValueError) as error:
-            absent[_PACKAGES[module]] = str(error)
+            absent[_PEERS[module].distribution] = str(error)
     times = raced(calls, 30, 5e-4)
     ratios = np.median(times / times[:, :1], axis=0)
     return tuple(

@@ -13,13 +13,14 @@ from robodyn.certify.gappa import Scripts
 from robodyn.certify.observed import peaks, worst_errors
 from robodyn.certify.plan import ProofOptions, Subject, ranges_of
 from robodyn.certify.readback import check_read_back
-from robodyn.certify.tools import GAPPA
+from robodyn.certify.tools import version
 from robodyn.certify.trig import claim
 from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.errors import CheckError, InputError, ToolError
 from robodyn.ir.program import Program
 from robodyn.ir.signature import Signature
 from robodyn.kernels.kernel import load
+from robodyn.tools.programs import GAPPA
 
 #: Where the scripts go, within the folder of the proof.
 FOLDER = "rounding"
@@ -29,7 +30,7 @@ def prove_bounds(subject: Subject, proofs: ProofOptions, folder: Path, tell: Tel
     """Bounds of the rounding errors of all torques."""
     gappa = GAPPA.path()
     if gappa is None:
-        return not_run("gappa", GAPPA.remedy)
+        return not_run("gappa", GAPPA)
     functions = subject.bounded()
     if not functions:
         torques = ", ".join(name for name, function in FUNCTIONS.items() if function.gives_torques)
@@ -168,7 +169,7 @@ def _finding(subject: Subject, rows: list[dict[str, Any]], files: dict[str, str]
         "the model in real numbers, and nothing overflows.",
         tuple(lines),
         {"bounds": rows, "sine_and_cosine": known.text},
-        (GAPPA.version(),),
+        (version(GAPPA),),
         tuple(f"gappa {name}" for name in files),
         files,
     )

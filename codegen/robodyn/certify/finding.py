@@ -6,6 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
+from robodyn.tools import Tool
+
 #: Is told how far a proof is.
 Tell = Callable[[str], None]
 #: ``proved``: what it says holds. ``failed``: it does not, or could not be shown. ``not run``: a tool is
@@ -39,6 +41,7 @@ class Finding:
         }
 
 
-def not_run(name: str, remedy: str) -> Finding:
+def not_run(name: str, tool: Tool) -> Finding:
     """The finding of a proof whose tool is missing."""
+    remedy = f"needs {tool.remedy}"
     return Finding(name, "not run", f"not run: {remedy}", data={"remedy": remedy})

@@ -8,9 +8,10 @@ from typing import Any
 from robodyn.certify import eva, misra, stack
 from robodyn.certify.finding import Finding, Tell, not_run
 from robodyn.certify.plan import ProofOptions, Subject
-from robodyn.certify.tools import CPPCHECK, FRAMA_C, GCC, run
+from robodyn.certify.tools import run, version
 from robodyn.emit.misra import deviations
 from robodyn.emit.render import environment
+from robodyn.tools.programs import CPPCHECK, FRAMA_C, GCC
 
 #: How long Eva, a compiler or cppcheck may take [s].
 PATIENCE = 600.0
@@ -20,7 +21,7 @@ def prove_eva(subject: Subject, proofs: ProofOptions, folder: Path, tell: Tell) 
     """No run-time error, whatever the inputs are."""
     frama_c = FRAMA_C.path()
     if frama_c is None:
-        return not_run("eva", FRAMA_C.remedy)
+        return not_run("eva", FRAMA_C)
     name = subject.generated.unit.robot.name
     context = eva.driver_context(name, subject.generated.signatures)
     driver = f"{name}_eva.c"
@@ -47,7 +48,7 @@ def prove_eva(subject: Subject, proofs: ProofOptions, folder: Path, tell: Tell) 
             "statements": list(analysis.statements),
             "reason": analysis.reason,
         },
-        (f"Frama-C {FRAMA_C.version()}",),
+        (f"Frama-C {version(FRAMA_C)}",),
         (" ".join(["frama-c", *arguments]),),
         {driver: text, "eva.txt": done.output},
     )
@@ -57,7 +58,7 @@ def prove_stack(subject: Subject, proofs: ProofOptions, folder: Path, tell: Tell
     """The most stack a call needs, machine by machine."""
     machines = stack.machines()
     if all(machine.tool.path() is None for machine in machines):
-        return not_run("stack", GCC.remedy)
+        return not_run("stack", GCC)
     source = f"{subject.generated.unit.robot.name}.c"
     symbols = [s.symbol for s in subject.generated.signatures]
     lines: list[str] = []
@@ -72,12 +73,12 @@ def prove_stack(subject: Subject, proofs: ProofOptions, folder: Path, tell: Tell
         (folder / name).write_text(text, encoding="utf-8", newline="\n")
     for machine in machines:
         if machine.tool.path() is None:
-            lines.append(f"{machine.name}: not run, {machine.tool.remedy}")
-            rows.append({"machine": machine.name, "remedy": machine.tool.remedy})
+            lines.append(f"{machine.name}: not run, needs {machine.tool.remedy}")
+            rows.append({"machine": machine.name, "remedy": f"needs {machine.tool.remedy}"})
             continue
         tell(f"stack, {machine.name}")
         usage = stack.measure(machine, source, symbols, folder)
-        tools[machine.tool.version()] = None
+        tools[version(machine.tool)] = None
         commands.append(" ".join(stack.command(machine, source)))
         if isinstance(usage, str):
             lines.append(f"{machine.name}: not compiled: {usage}")
@@ -116,7 +117,7 @@ def prove_misra(subject: Subject, proofs: ProofOptions, folder: Path, tell: Tell
     """Every finding of MISRA C:2012 that is left is explained in the kernel."""
     cppcheck = CPPCHECK.path()
     if cppcheck is None:
-        return not_run("misra", CPPCHECK.remedy)
+        return not_run("misra", CPPCHECK)
     source = f"{subject.generated.unit.robot.name}.c"
     tell("MISRA C:2012")
     control = folder / f"{subject.generated.unit.robot.name}_control.c"
@@ -139,7 +140,7 @@ def prove_misra(subject: Subject, proofs: ProofOptions, folder: Path, tell: Tell
         f"explained in the head of {source}.",
         tuple(lines or ["no finding"]),
         {"rules": report.rules, "explained": explained, "unexplained": open_, "others": list(report.others)},
-        (CPPCHECK.version(),),
+        (version(CPPCHECK),),
         (" ".join(["cppcheck", *(f"'{o}'" if "|" in o else o for o in misra.OPTIONS), source]),),
         {"misra.txt": done.output},
     )

@@ -8,9 +8,11 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
-from robodyn.certify.tools import GCC, Tool, last_lines, run
+from robodyn.certify.tools import last_lines, run
 from robodyn.targets import firmware_targets
 from robodyn.toolchain.compiler import C_FLAGS
+from robodyn.tools import Tool
+from robodyn.tools.programs import GCC
 
 #: A folder with what a kernel includes of the C library, for compilers that come without one.
 STAND_IN = "stand_in"
@@ -48,11 +50,7 @@ def machines() -> tuple[Machine, ...]:
         *(
             Machine(
                 f"{target.name}, gcc -O2",
-                Tool(
-                    target.board.architecture.compiler.name,
-                    ("--version",),
-                    f"needs apt-get install {target.board.architecture.compiler.package}",
-                ),
+                target.board.architecture.compiler,
                 (*C_FLAGS, *(target.flags or ())),
             )
             for target in firmware_targets()

@@ -1,10 +1,9 @@
-"""The provers: where they are, which version, and running them within a time."""
+"""Running the provers within a time."""
 
 from __future__ import annotations
 
 import os
 import re
-import shutil
 import signal
 import subprocess
 import time
@@ -14,48 +13,7 @@ from pathlib import Path
 
 from robodyn.errors import ToolError
 from robodyn.toolchain.running import start
-
-
-@dataclass(frozen=True, slots=True)
-class Tool:
-    """A program, what asks it for its version, and how to get it."""
-
-    name: str
-    version_arguments: tuple[str, ...]
-    remedy: str
-
-    def path(self) -> str | None:
-        """Where it is; None where it is not."""
-        return shutil.which(self.name)
-
-    def needed(self) -> str:
-        """Where it is.
-
-        Raises
-        ------
-        ToolError: nowhere.
-        """
-        path = self.path()
-        if path is None:
-            raise ToolError(f"there is no program {self.name}", remedy=self.remedy)
-        return path
-
-    def version(self) -> str:
-        """The first line that it says about itself."""
-        output = run([self.needed(), *self.version_arguments], Path.cwd(), 60).output.strip()
-        return output.splitlines()[0].strip() if output else "(says no version)"
-
-
-GAPPA = Tool("gappa", ("--version",), "needs apt-get install gappa (or https://gappa.gitlabpages.inria.fr)")
-FRAMA_C = Tool(
-    "frama-c",
-    ("-version",),
-    "needs apt-get install frama-c-base (or opam install frama-c, https://frama-c.com)",
-)
-CPPCHECK = Tool(
-    "cppcheck", ("--version",), "needs apt-get install cppcheck (or https://cppcheck.sourceforge.io)"
-)
-GCC = Tool("gcc", ("--version",), "needs apt-get install gcc (a real gcc: clang writes no stack usage)")
+from robodyn.tools import Tool
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,3 +90,9 @@ def last_lines(output: str, count: int = 3) -> str:
     """The last lines of what a program said, as one."""
     lines = [re.sub(r"\s+", " ", line).strip() for line in output.splitlines() if line.strip()]
     return " | ".join(lines[-count:])[:400] or "nothing"
+
+
+def version(tool: Tool) -> str:
+    """The first line that ``tool`` says about itself."""
+    output = run([tool.needed(), *tool.version_arguments], Path.cwd(), 60).output.strip()
+    return output.splitlines()[0].strip() if output else "(says no version)"

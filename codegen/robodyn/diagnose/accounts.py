@@ -4,7 +4,7 @@ A force at an unknown place, that lasts as long as it must, explains much of any
 limit, or of a gear whose teeth change sides. Nor can a search name an effect of logs without the bursts in
 which it shows. So there are two searches where a burst in motion may be a contact: one with the windows of
 contacts left out, and one with what happens in motion put back. What its effects explain better than a force
-is no contact.
+is no contact; what they leave is looked through for contacts once more.
 """
 
 from __future__ import annotations
@@ -19,10 +19,11 @@ from robodyn.diagnose.evidence import doubtful
 from robodyn.diagnose.findings import findings_of
 from robodyn.diagnose.judgement import Lacking
 from robodyn.diagnose.refit import no_worse
-from robodyn.diagnose.select.contact import Touched, beyond, standing, within
+from robodyn.diagnose.select.contact import Touched, beyond, overlap, standing, within
 from robodyn.diagnose.select.scope import Scope
 from robodyn.diagnose.select.search import Outcome, search
 from robodyn.diagnose.settle import Logs, Settled, settled
+from robodyn.identify.contact.contact import contacts
 from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]
@@ -45,8 +46,8 @@ def accounted(
 ) -> Account:  # fmt: skip
     """What ``robot`` lacks to explain ``logs``, in which bursts may be the contacts ``touched``."""
 
-    def account(contacts: Sequence[Touched]) -> Account:
-        rest = logs.without(contacts)
+    def account(apart: Sequence[Touched]) -> Account:
+        rest = logs.without(apart)
         outcome = search(
             robot, rest.fitted, tell, scope.at_rest() if all(g.stands for g in rest.fitted) else scope
         )
@@ -54,7 +55,7 @@ def accounted(
         named = findings_of(robot, outcome, is_doubtful=doubtful(rest.fitted))
         tell("fitting the arm's own numbers")
         by_torque = settled(robot, named, outcome, rest, scope, lacks)
-        still = standing(contacts, rest.whole, lambda gate: lacks(by_torque.own.robot, gate))
+        still = standing(apart, rest.whole, lambda gate: lacks(by_torque.own.robot, gate))
         return Account(outcome, by_torque, rest, still)
 
     first = account(touched)
@@ -65,7 +66,25 @@ def accounted(
     kept = [one for one in first.contacts if one in resting or not _is_explained(one, first, whole, lacks)]
     if len(kept) == len(first.contacts):
         return first
-    return whole if len(kept) == len(resting) else account(kept)
+    # A window that an effect explains may have hidden a push, or have reached over one.
+    arm = whole.by_torque.own.robot
+    beside = [
+        one
+        for one in _moving(arm, logs, lacks)
+        if not any(overlap(one, other) for other in kept) and not _is_explained(one, first, whole, lacks)
+    ]
+    return account([*kept, *beside]) if len(kept) + len(beside) > len(resting) else whole
+
+
+def _moving(arm: Robot, logs: Logs, lacks: Lacking) -> list[Touched]:
+    """The contacts in motion in what ``arm`` leaves of logs; of those of which windows are known, none."""
+    return [
+        Touched(one, digest)
+        for gate, digest in zip(logs.gates, logs.digests, strict=True)
+        if gate is logs.whole[digest]
+        for one in contacts(arm, gate, lacks(arm, gate))
+        if not one.at_rest
+    ]
 
 
 def _is_explained(one: Touched, first: Account, whole: Account, lacks: Lacking) -> bool:

@@ -10,6 +10,7 @@ from robodyn.emit.spelling import Spelling
 from robodyn.emit.syntax import Syntax
 from robodyn.errors import InputError
 from robodyn.robot.names import shown
+from robodyn.tools import Tool
 
 if TYPE_CHECKING:
     from robodyn.emit.body import Lines
@@ -36,14 +37,11 @@ class FunctionText:
 
 @dataclass(frozen=True, slots=True)
 class Compiled:
-    """How a language is compiled, and called from C: the environment's ``variable`` for the compiler, its
-    usual ``commands``, ``flags`` that leave arithmetic as it is written, what to ``install``, and the
-    ``symbol`` of a function. ``header``: whether a header NAME.h declares them."""
+    """How a language is compiled, and called from C: the ``compiler``, ``flags`` that leave arithmetic as it
+    is written, and the ``symbol`` of a function. ``header``: whether a header NAME.h declares them."""
 
-    variable: str
-    commands: tuple[str, ...]
+    compiler: Tool
     flags: tuple[str, ...]
-    install: str
     symbol: Callable[[Signature], str]
     header: bool = False
 
@@ -106,6 +104,8 @@ class Language:
     batch: Callable[[Unit], dict[str, str]] | None = None
     #: How it is compiled and called from Python; None: it is not.
     compiled: Compiled | None = None
+    #: Programs that take what is written, beside the compiler that robodyn calls.
+    takers: tuple[Tool, ...] = ()
     #: What a firmware folder has of it beside the kernel; that of C is the folder itself.
     selftest: SelfTest | None = None
 

@@ -41,10 +41,11 @@ _TITLE = (
 
 
 def language_tests(
-    generated: Generated, languages: Sequence[str], *, packaged: bool = False
+    generated: Generated, languages: Sequence[str], *, packaged: bool = False, entry: str = "main"
 ) -> dict[str, str]:
     """The tests that go with ``languages``: text by file name; none for languages without any. ``packaged``:
-    those that go with packages only.
+    those that go with packages only, which are programs; in C another ``entry`` than ``main`` makes it a
+    function.
 
     Raises
     ------
@@ -81,6 +82,7 @@ def language_tests(
             "states": state_members(generated.unit),
             **language.context(generated.unit),
             "name": robot.name,
+            "entry": entry,
             "head": head_of(robot, [head]),
             "values": [spelling.number(Fraction(values[name])) for name in robot.parameters],
             "functions": [_spelled(*function, spelling, scalar) for function in functions],

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import dataclasses
 import re
-import shutil
 import tempfile
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -16,9 +15,10 @@ from pathlib import Path
 from typing import Any
 
 from robodyn.errors import CheckError, InputError, ToolError
-from robodyn.targets import Board, Program, Target
+from robodyn.targets import Board, Target
 from robodyn.toolchain.compiler import first_lines
 from robodyn.toolchain.running import run
+from robodyn.tools import Tool
 
 #: Flags of kernel, self-test and image. Nothing is contracted, so the bits are the same everywhere.
 FLAGS = (
@@ -117,9 +117,9 @@ def _board(target: Target) -> Board:
     return target.board
 
 
-def _missing(*tools: Program) -> str | None:
+def _missing(*tools: Tool) -> str | None:
     """What to install, if one of ``tools`` is not there."""
-    return next((tool.remedy for tool in tools if shutil.which(tool.name) is None), None)
+    return next((tool.remedy for tool in tools if tool.path() is None), None)
 
 
 def _run(command: Sequence[str], folder: Path, codes: Sequence[int] = (0,)) -> str:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Final
 
-from robodyn.errors import InputError, Place, ToolError
+from robodyn.errors import InputError, Place
 from robodyn.formats.chain import Body, Pose, Spring, Vector
 from robodyn.formats.elements import Document
 from robodyn.formats.limits import NAMES_SHOWN, PLACEHOLDER, SAME_INERTIA
@@ -17,6 +17,7 @@ from robodyn.formats.mjcf_text import MESH, Handed, handed
 from robodyn.formats.quantities import body_of, unit
 from robodyn.formats.rigid import composed, tidy
 from robodyn.formats.tree import JointLimits, Kind, Leftovers, Tree, TreeJoint, TreeLink, checked, names
+from robodyn.tools.libraries import MUJOCO
 
 WORLD: Final = "world"
 _KINDS: Final[tuple[Kind, ...]] = ("floating", "ball", "prismatic", "revolute")
@@ -33,14 +34,7 @@ def read_tree(document: Document, path: Path | None) -> Tree:
     InputError: MuJoCo refuses the file, or a file that it includes cannot be read.
     ToolError: the package is not installed.
     """
-    try:
-        import mujoco
-    except ImportError:
-        raise ToolError(
-            "MJCF is read by the package mujoco, which is not installed",
-            where=Place(document.file),
-            remedy="install it: pip install 'robodyn[mujoco]'",
-        ) from None
+    mujoco = MUJOCO.load(where=Place(document.file))
     leftovers = Leftovers(document.file)
     text = handed(document, path, leftovers)
     try:

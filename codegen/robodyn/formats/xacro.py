@@ -7,7 +7,6 @@ it is still a file to be taken from people whom one trusts.
 
 from __future__ import annotations
 
-import importlib.util
 import json
 import subprocess
 import sys
@@ -15,11 +14,12 @@ import threading
 from collections.abc import Mapping
 from pathlib import Path
 
-from robodyn.errors import InputError, Place, ToolError
+from robodyn.errors import InputError, Place
 from robodyn.files import MIB, label
 from robodyn.formats import elements
 from robodyn.formats.limits import FILE_MIB, XACRO_MEMORY, XACRO_SECONDS
 from robodyn.formats.tree import EXPANDED
+from robodyn.tools.libraries import XACRO
 
 
 def expanded(path: Path, arguments: Mapping[str, str] | None = None) -> elements.Document:
@@ -32,12 +32,8 @@ def expanded(path: Path, arguments: Mapping[str, str] | None = None) -> elements
     """
     name = label(path)
     elements.read(str(path), "xacro", name)  # its bounds, and no document type
-    if importlib.util.find_spec("xacro") is None:
-        raise ToolError(
-            "xacro is read by the package xacro, which is not installed",
-            where=Place(name),
-            remedy="install it: pip install 'robodyn[xacro]'",
-        )
+    if not XACRO.present():
+        raise XACRO.missing(where=Place(name))
     script = str(Path(__file__).with_name("xacro_process.py"))
     bounds = [str(XACRO_SECONDS), str(XACRO_MEMORY * MIB)]
     command = [sys.executable, "-I", "-B", script, str(path), *bounds, json.dumps(dict(arguments or {}))]

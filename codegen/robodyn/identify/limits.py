@@ -25,10 +25,13 @@ COMPARING_COST: Final = (0.2, 2.6e-6)
 KEPT_RESULTS: Final = 6
 """[results] of a rigid arm along a log are kept for models that differ in their drives."""
 
-# --- felt --------------------
+# --- motor regressor --------------------
 
-FELT_STEP: Final = 1e-3
-"""[standard deviations] Steps of numbers by which what drives make of loads is differentiated."""
+NUMBER_STEP: Final = 1e-3
+"""[standard deviations] Steps of numbers by which what drives make of loads is differentiated,"""
+
+TANGENT_STEP: Final = 1e-6
+"""[largest lags] and steps of a lag by which its spring is."""
 
 # --- twist --------------------
 

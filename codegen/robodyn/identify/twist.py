@@ -182,9 +182,20 @@ def behind_motors(
     """``model`` along a motion [K, n] that its encoders saw, some of them on motors that run ahead; samples
     are a ``period`` [s] apart. The torque ``tau`` [K, n] that was measured gives its initial state."""
     seen = model.evaluate(q, qd, qdd)
-    couplers = model.couplers
-    if not couplers:
+    if not model.couplers:
         return seen
+    lags, _ = lags_of(model, seen, (q, qd, qdd), period, tau)
+    return model.evaluate(*links_of((q, qd, qdd), lags), (q, qd, qdd))
+
+
+def lags_of(
+    model: Model, seen: Evaluated, motion: Moved, period: float, tau: Floats | None = None
+) -> tuple[dict[int, Floats], dict[int, Slopes]]:
+    """By joint (from 0) with a coupler how far [K, 3] its link is behind its motor, with rates, and the
+    slopes of torques by that; ``seen``: the ``model`` along the ``motion``; the rest as in
+    :func:`behind_motors`."""
+    q, qd, qdd = motion
+    couplers = model.couplers
     slopes = {j: _slopes(model, (q, qd, qdd), seen.rigid, j) for j in couplers}
     lags = {j: np.zeros((len(q), 3)) for j in couplers}
     for _ in range(SWEEPS if len(couplers) > 1 else 1):
@@ -195,8 +206,13 @@ def behind_motors(
             passed = None if tau is None else tau[:, j] - own
             felt = (slopes[j].inertia[:, j], slopes[j].rate[:, j], slopes[j].place[:, j])
             lags[j] = lag_of(coupler.effect.id, coupler.values, load, felt, period, passed)
-    links = [q.copy(), qd.copy(), qdd.copy()]
+    return lags, slopes
+
+
+def links_of(motion: Moved, lags: Mapping[int, Floats]) -> Moved:
+    """The links' motion, of the ``motion`` of their motors and how far they are behind."""
+    q, qd, qdd = (x.copy() for x in motion)
     for j, lag in lags.items():
-        for array, back in zip(links, lag.T, strict=True):
+        for array, back in zip((q, qd, qdd), lag.T, strict=True):
             array[:, j] -= back
-    return model.evaluate(links[0], links[1], links[2], (q, qd, qdd))
+    return q, qd, qdd

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib
 import mmap
 from collections.abc import Iterator
 from pathlib import Path
@@ -11,12 +10,13 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.errors import ToolError
+from robodyn.errors import Place
 from robodyn.files import open_regular
 from robodyn.logs.arrays import ArraysRecording, is_numeric, refuse_without_samples
 from robodyn.logs.columns import LARGEST
 from robodyn.logs.mat_parts import NotMat, arrays_of, variables
 from robodyn.logs.recording import damaged
+from robodyn.tools.libraries import H5PY
 
 #: Most arrays of a file of version 7.3, and levels of groups in it.
 ARRAYS, LEVELS = 1 << 14, 16
@@ -76,13 +76,7 @@ def _variables(path: Path, file: str) -> Iterator[tuple[str, memoryview, str]]:
 
 
 def _open_hdf5(path: Path, file: str) -> ArraysRecording:
-    try:
-        h5py: Any = importlib.import_module("h5py")
-    except ImportError:
-        raise ToolError(
-            f"{file} is a MATLAB file of version 7.3, which needs h5py",
-            remedy=f"pip install 'robodyn[mat]', or {_REMEDY}",
-        ) from None
+    h5py = H5PY.load(where=Place(file), otherwise=_REMEDY)
 
     shapes: dict[str, tuple[int, ...]] = {}
     try:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib
 import io
 import os
 from collections.abc import Iterator, Sequence
@@ -13,11 +12,12 @@ from typing import IO, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.errors import InputError, Place, ToolError
+from robodyn.errors import InputError, Place
 from robodyn.files import open_regular
 from robodyn.logs.columns import GROUPS, LARGEST, Layout, layout_of, too_large
 from robodyn.logs.parquet_pages import Damaged, Footer, check_pages, read_footer
 from robodyn.robot.names import shown
+from robodyn.tools.libraries import PYARROW
 
 Floats = NDArray[np.float64]
 
@@ -191,9 +191,4 @@ def _refuse_gaps(column: Any, name: str, start: int, file: str) -> None:
 
 
 def _pyarrow() -> tuple[Any, Any]:
-    try:
-        return importlib.import_module("pyarrow"), importlib.import_module("pyarrow.parquet")
-    except ImportError:
-        raise ToolError(
-            "Parquet needs pyarrow, which is not installed", remedy="pip install 'robodyn[all]'"
-        ) from None
+    return PYARROW.load(), PYARROW.load("parquet")

@@ -30,9 +30,8 @@ _BASE: Final[Mapping[str, Mapping[str, int]]] = {
     "1": {}, "kg": {"kg": 1}, "m": {"m": 1}, "s": {"s": 1}, "A": {"A": 1}, "rad": {"rad": 1},
     "N": {"kg": 1, "m": 1, "s": -2}, "J": {"kg": 1, "m": 2, "s": -2},
 }  # fmt: skip
-_SYSTEMS: Final = {"linux": "linux", "darwin": "darwin", "win32": "windows"}
+_SYSTEMS: Final = {"win32": "windows"}
 _MACHINES: Final = {"amd64": "x86_64", "arm64": "aarch64", "i686": "x86", "i386": "x86"}
-_LIBRARIES: Final = {"linux": ".so", "darwin": ".dylib", "windows": ".dll"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,11 +99,10 @@ def base_units(unit: str) -> dict[str, int] | None:
     return {base: exponent for base, exponent in total.items() if exponent} if unit else None
 
 
-def platform_name() -> tuple[str, str]:
-    """This machine as the standard names it, and how a shared library's name ends there."""
-    system = _SYSTEMS.get(sys.platform, sys.platform)
+def platform_name() -> str:
+    """This machine as the standard names it."""
     machine = platform.machine().lower()
-    return f"{_MACHINES.get(machine, machine)}-{system}", _LIBRARIES.get(system, ".so")
+    return f"{_MACHINES.get(machine, machine)}-{_SYSTEMS.get(sys.platform, sys.platform)}"
 
 
 def results_of(package: Package) -> tuple[Result, ...]:

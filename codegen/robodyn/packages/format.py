@@ -146,10 +146,11 @@ class Package:
         names = (self.format.language.name,)
         return {**self.generated.files(names), **language_tests(self.generated, names)}
 
-    def tests(self) -> dict[str, str]:
+    def tests(self, entry: str = "main") -> dict[str, str]:
         """Programs that compare every function with results of 40 digits, and end with 1 where one is wrong;
-        text by file name. Languages whose tests :meth:`kernel` has already have none."""
-        return language_tests(self.generated, (self.format.language.name,), packaged=True)
+        text by file name. Languages whose tests :meth:`kernel` has already have none. In C another ``entry``
+        makes a function of it, which returns that number."""
+        return language_tests(self.generated, (self.format.language.name,), packaged=True, entry=entry)
 
     def files(self) -> Files:
         """All files of the package, by path within its folder.

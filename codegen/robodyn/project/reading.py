@@ -26,11 +26,6 @@ OWN_OF_PACKAGE: Final = ("output",)
 #: Between a robot's name and the format in the name of a package; no robot's name has it.
 OF: Final = "/"
 _TABLES: Final = ("options", "robots")
-#: Keys that are planned, or that look like options, and why they are refused.
-_REFUSED: Final = {
-    "packages": "packages are those of a robot",
-    "firmware": "folders for firmware are not written by robodyn build yet",
-}
 _NAME: Final = re.compile(r"\w[\w.+-]*")
 
 Budgets = Mapping[str, Mapping[str, int]]
@@ -284,8 +279,6 @@ class _Reader:
 
     def _unknown(self, at: tuple[str, ...], name: str, words: tuple[str, ...]) -> InputError:
         place = self.places.of(*at, name)
-        if name in _REFUSED:
-            return InputError(_REFUSED[name], where=place, found=f"the key {name!r}", remedy="remove it")
         inside = f" in [{'.'.join(at)}]" if at else ""
         return InputError(
             f"unknown key {name!r}{inside}",

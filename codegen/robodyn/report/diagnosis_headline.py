@@ -106,8 +106,9 @@ def _claimed(diagnosis: Diagnosis) -> tuple[list[Finding], list[str]]:
 
 def _missing(things: Sequence[str]) -> str:
     things = things or ["an effect"]
-    first = things[0].split(" at ")[0]
-    verb = "are" if len(things) > 1 or " and " in first or first.endswith("s") else "is"
+    first = things[0].partition(" at ")[0].partition(" of ")[0]
+    is_plural = first.endswith("s") and not first.endswith("ss")
+    verb = "are" if len(things) > 1 or " and " in first or is_plural else "is"
     return f"{listed(things)} {verb} missing"
 
 

@@ -11,10 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.draw import style
-from robodyn.errors import ToolError
 from robodyn.logs.log import Log
 from robodyn.robot.model import Robot
 from robodyn.simulate.trajectories.trajectory import Trajectory
+from robodyn.tools.libraries import MATPLOTLIB
 
 Floats = NDArray[np.float64]
 
@@ -115,6 +115,4 @@ def _matplotlib(kind: str) -> tuple[Any, Any]:
         backend = canvas.FigureCanvasSVG if kind == "svg" else canvas.FigureCanvasAgg
         return importlib.import_module("matplotlib"), backend
     except ImportError:
-        raise ToolError(
-            "a picture needs matplotlib, which is not installed", remedy="pip install matplotlib"
-        ) from None
+        raise MATPLOTLIB.missing() from None

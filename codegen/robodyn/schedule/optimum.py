@@ -11,11 +11,12 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from robodyn.errors import InputError, ToolError
+from robodyn.errors import InputError
 from robodyn.schedule.bounds import fewest_processors, lower_bound
 from robodyn.schedule.graph import TaskGraph, TaskId
 from robodyn.schedule.heuristics import critical_path_order, dynamic_schedule, list_schedule, list_times
 from robodyn.schedule.machine import Machine, Placement, Timetable, in_levels, in_time, settled
+from robodyn.tools.libraries import ORTOOLS
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,12 +41,8 @@ def solver() -> Any:
         with warnings.catch_warnings():  # of its own bindings
             warnings.simplefilter("ignore")
             from ortools.sat.python import cp_model
-    except ImportError as error:
-        raise ToolError(
-            "this optimum needs OR-Tools, which is not installed",
-            found=str(error),
-            remedy="pip install 'robodyn[optimal]' (or ortools), or take --method critical-path",
-        ) from None
+    except ImportError:
+        raise ORTOOLS.missing(otherwise="take --method critical-path") from None
     return cp_model
 
 

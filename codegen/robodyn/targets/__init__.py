@@ -12,7 +12,7 @@ from robodyn.targets.table import (
     planned_targets,
     target_named,
 )
-from robodyn.targets.target import Architecture, Board, Chip, Contraction, Costs, Program, Region, Target
+from robodyn.targets.target import Architecture, Board, Chip, Contraction, Costs, Region, Target
 
 __all__ = [
     "TARGETS",

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from robodyn.targets.target import Architecture, Board, Program, Region
+from robodyn.targets.target import Architecture, Board, Region
+from robodyn.tools import Tool, Use
 
 #: An image is run without a screen, and talks through the debugger.
 _QUIET = (
@@ -17,7 +18,9 @@ CORTEX_M = Architecture(
     prefix="arm-none-eabi-",
     compiler_package="gcc-arm-none-eabi",
     binutils_package="binutils-arm-none-eabi",
-    emulator=Program("qemu-system-arm", "qemu-system-arm"),
+    emulator=Tool(
+        ("qemu-system-arm",), Use.FIRMWARE, "images run and measured without a board", "qemu-system-arm"
+    ),
     options=_QUIET,
     counter="SysTick",
     shift=5,
@@ -36,7 +39,9 @@ RISCV = Architecture(
     prefix="riscv64-unknown-elf-",
     compiler_package="gcc-riscv64-unknown-elf",
     binutils_package="binutils-riscv64-unknown-elf",
-    emulator=Program("qemu-system-riscv32", "qemu-system-misc"),
+    emulator=Tool(
+        ("qemu-system-riscv32",), Use.FIRMWARE, "images run and measured without a board", "qemu-system-misc"
+    ),
     options=(*_QUIET, "-bios", "none"),
     counter="mcycle",
     shift=0,

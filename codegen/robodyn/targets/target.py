@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from robodyn.ir.signature import ScalarType
+from robodyn.tools import Tool, Use
 
 Contraction = Literal["off", "on"]
 
@@ -40,19 +41,6 @@ class Chip:
 
 
 @dataclass(frozen=True, slots=True)
-class Program:
-    """A program of a tool chain, and Debian's and Ubuntu's package of it."""
-
-    name: str
-    package: str
-
-    @property
-    def remedy(self) -> str:
-        """How to get it."""
-        return f"{self.name} (Debian, Ubuntu: apt install {self.package})"
-
-
-@dataclass(frozen=True, slots=True)
 class Architecture:
     """Processors that have their compiler, their emulator and the way an image starts in common.
 
@@ -67,7 +55,7 @@ class Architecture:
     prefix: str
     compiler_package: str
     binutils_package: str
-    emulator: Program
+    emulator: Tool
     options: tuple[str, ...]
     counter: str
     shift: int
@@ -78,19 +66,27 @@ class Architecture:
         return self.prefix.rstrip("-")
 
     @property
-    def compiler(self) -> Program:
+    def compiler(self) -> Tool:
         """The C compiler, a gcc."""
-        return Program(f"{self.prefix}gcc", self.compiler_package)
+        return self._tool("gcc", self.compiler_package)
 
     @property
-    def nm(self) -> Program:
+    def nm(self) -> Tool:
         """What lists the symbols of an object."""
-        return Program(f"{self.prefix}nm", self.binutils_package)
+        return self._tool("nm", self.binutils_package)
 
     @property
-    def size(self) -> Program:
+    def size(self) -> Tool:
         """What tells the sizes of an object's sections."""
-        return Program(f"{self.prefix}size", self.binutils_package)
+        return self._tool("size", self.binutils_package)
+
+    @property
+    def tools(self) -> tuple[Tool, ...]:
+        """All programs that build, measure and run an image."""
+        return (self.compiler, self.nm, self.size, self.emulator)
+
+    def _tool(self, name: str, package: str) -> Tool:
+        return Tool((self.prefix + name,), Use.FIRMWARE, f"images for {self.toolchain}", package)
 
 
 @dataclass(frozen=True, slots=True)

@@ -127,9 +127,9 @@ def find_compiler(language: str, asked: str | None = None) -> Compiler:
     InputError: the language is not compiled here.
     ToolError: there is no compiler, or the one that is named does not run.
     """
-    spoken, tools = compiled_language(language)
-    title, variable = spoken.title, tools.variable
-    remedy = f"install one ({tools.install}) or name one in {variable}"
+    spoken, compiled = compiled_language(language)
+    title, compiler, variable = spoken.title, compiled.compiler, compiled.compiler.variable or ""
+    remedy = f"install one ({compiler.install}) or name one in {variable}"
     named, by = (asked, "it was asked for") if asked else (os.environ.get(variable), f"{variable} names it")
     if named and named.strip():
         try:
@@ -144,13 +144,12 @@ def find_compiler(language: str, asked: str | None = None) -> Compiler:
         if program is None:
             raise ToolError(f"there is no {title} compiler {command[0]!r} ({by})", remedy=remedy)
         return _identify(language, (str(Path(program).absolute()), *command[1:]))
-    for name in tools.commands:
-        program = shutil.which(name)
-        if program is not None:
-            return _identify(language, (str(Path(program).absolute()),))
+    program = compiler.path()
+    if program is not None:
+        return _identify(language, (str(Path(program).absolute()),))
     raise ToolError(
         f"no {title} compiler was found",
-        found=f"none of {', '.join(tools.commands)} on the PATH, and {variable} is not set",
+        found=f"none of {', '.join(compiler.names)} on the PATH, and {variable} is not set",
         remedy=remedy,
     )
 

@@ -28,6 +28,7 @@ from robodyn.toolchain.compiler import (
     find_compiler,
     split_flags,
 )
+from robodyn.tools.programs import PYTHON_HEADERS
 
 Mode = Literal["auto", "api", "abi"]
 
@@ -114,8 +115,7 @@ def open_library(
         raise ToolError(
             "Python's headers are missing",
             found=f"no Python.h in {sysconfig.get_path('include')}",
-            remedy="install them (Debian, Ubuntu: apt install python3-dev; Fedora: dnf install"
-            " python3-devel), or take mode 'abi'",
+            remedy=f"install them ({PYTHON_HEADERS.install}), or take mode 'abi'",
         )
     if mode == "abi" or not _headers():
         return attempt("abi")
@@ -155,7 +155,7 @@ def _sources(files: Mapping[str, str], language: str) -> list[str]:
 
 def _headers() -> bool:
     """Whether a Python extension can be compiled here."""
-    return (Path(sysconfig.get_path("include")) / "Python.h").is_file()
+    return PYTHON_HEADERS.path() is not None
 
 
 def _binding(name: str, declared: str, c: Compiler, folder: Path) -> str:

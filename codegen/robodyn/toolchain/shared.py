@@ -2,11 +2,21 @@
 
 from __future__ import annotations
 
+import sys
 import tempfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import Final
 
 from robodyn.toolchain.compiler import C_FLAGS, find_c
+
+#: How names of shared libraries end, by the system.
+_SUFFIXES: Final = {"darwin": ".dylib", "win32": ".dll"}
+
+
+def library_suffix() -> str:
+    """How the name of a shared library ends on this system."""
+    return _SUFFIXES.get(sys.platform, ".so")
 
 
 def shared_library(

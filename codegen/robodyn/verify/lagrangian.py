@@ -21,9 +21,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from robodyn.errors import InputError, ToolError
+from robodyn.errors import InputError
 from robodyn.robot.model import Joint, Robot
 from robodyn.robot.values import Value
+from robodyn.tools.libraries import SYMPY
 from robodyn.verify.numbers import Parameters, exact_value, filled, real
 
 #: Joints up to which the oracle is quick whatever the angles: at most a second or two. Twists that are
@@ -54,7 +55,7 @@ def lagrangian(robot: Robot, parameters: Parameters | None = None, *, limit: int
         from sympy import QQ
         from sympy.polys.rings import ring
     except ImportError:
-        raise ToolError("sympy is missing", remedy="pip install sympy") from None
+        raise SYMPY.missing() from None
     values = filled(robot, parameters)
     n = robot.n
     names = [f"{name}{k + 1}" for name in ("c", "s", "x", "qd", "qdd") for k in range(n)]

@@ -57,6 +57,12 @@ def touches(
     return kept, tuple(touched)
 
 
+def overlap(one: Touched, other: Touched) -> bool:
+    """Whether two contacts have some time in common."""
+    first, second = one.contact, other.contact
+    return one.log == other.log and first.start < second.end and second.start < first.end
+
+
 def standing(
     touched: Sequence[Touched], logs: Mapping[str, Gate], left: Callable[[Gate], Floats]
 ) -> tuple[Touched, ...]:

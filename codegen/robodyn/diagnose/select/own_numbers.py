@@ -2,9 +2,10 @@
 
 What a number of a link does to the torques depends on how the arm stands. Of a base that is level, a vertical
 first joint feels no centre of mass; of one that leans it does, and nobody has known the centre so far.
-Friction under load shows the mass that presses on a bearing, which the torque of the rigid arm does not. So
-the columns beside findings are those of the arm with these findings. When exactly friction turns at reversals
-is a number of each joint that nobody knows either (:mod:`robodyn.diagnose.select.remainder`).
+Friction under load shows the mass that presses on a bearing, which the torque of the rigid arm does not, and
+a link on a spring its inertia apart from its rotor's. So the columns beside findings are those of the arm
+with these findings. When exactly friction turns at reversals is a number of each joint that nobody knows
+either (:mod:`robodyn.diagnose.select.remainder`).
 """
 
 from __future__ import annotations
@@ -18,8 +19,9 @@ from robodyn.diagnose.select.fit import Problem, directions
 from robodyn.diagnose.select.library import Context
 from robodyn.diagnose.select.limits import TURN_TIME
 from robodyn.diagnose.select.remainder import turning
-from robodyn.identify.felt import felt
+from robodyn.identify.motor_regressor import lagging_regressor, motor_regressor
 from robodyn.identify.predict import offsets
+from robodyn.identify.prior import number_of
 from robodyn.identify.rigid import Model
 from robodyn.robot.model import Robot
 
@@ -40,10 +42,14 @@ def own_numbers_of(
     sought without: so free, the arm's numbers would take what is to be named."""
     scale = (start.weight / start.sigma)[:, :, None]
     columns, prior = own_numbers(start)
-    by_drives = by_drives and feels_loads(arm)
-    if by_drives or _stands_otherwise(arm, robot):
-        along = [_along(arm, c, start.sizes if by_drives else None) for c in contexts]
-        whole = np.concatenate(along) * scale * start.sizes
+    whole = None
+    if by_drives and Model(arm).couplers:
+        whole = np.concatenate([_behind(arm, c, start.sizes) for c in contexts]) * scale
+    elif by_drives and feels_loads(arm):
+        whole = np.concatenate([_pressed(arm, c, start.sizes) for c in contexts]) * scale
+    elif _stands_otherwise(arm, robot):
+        whole = np.concatenate([_along(arm, c) for c in contexts]) * scale * start.sizes
+    if whole is not None:
         columns, prior = _held(whole @ directions(whole), start.thin)
     turns = np.concatenate([turning(arm, c) for c in contexts]) * scale * TURN_TIME
     turns = turns[:, :, turns.any(axis=(0, 1))]
@@ -67,16 +73,36 @@ def _stands_otherwise(arm: Robot, robot: Robot) -> bool:
 
 def feels_loads(arm: Robot) -> bool:
     """Whether a drive of the arm answers to the loads on its joint."""
-    return any(entry.definition.needs_load for entry in arm.effects)
+    return any(entry.definition.needs_load for entry in arm.effects) or bool(Model(arm).couplers)
 
 
-def _along(arm: Robot, c: Context, sizes: Floats | None) -> Floats:
-    """Torques [N, n, 10 n] by the numbers of all links, filtered and thinned; where these are known to
-    ``sizes`` [10 n], by way of the drives."""
-    model, s = Model(arm), c.slow
-    q = s.q - offsets(arm)
-    if sizes is None:
-        slopes = model.regressor(q, s.qd, s.qdd)
-    else:
-        slopes = felt(model, q, s.qd, s.qdd, sizes.reshape(c.n, -1))
-    return s.thinned(s.filtered(slopes.reshape(len(q), c.n, -1)))
+def _along(arm: Robot, c: Context) -> Floats:
+    """Torques [N, n, 10 n] by the numbers of all links."""
+    s = c.slow
+    return _seen(c, Model(arm).regressor(s.q - offsets(arm), s.qd, s.qdd).reshape(len(s.q), c.n, -1))
+
+
+def _pressed(arm: Robot, c: Context, sizes: Floats) -> Floats:
+    """The same by way of the drives, each number in units of what it is known to, ``sizes`` [10 n]."""
+    s = c.slow
+    slopes = motor_regressor(Model(arm), s.q - offsets(arm), s.qd, s.qdd, sizes.reshape(c.n, -1))
+    return _seen(c, slopes.reshape(len(s.q), c.n, -1) * sizes)
+
+
+def _behind(arm: Robot, c: Context, sizes: Floats) -> Floats:
+    """The same where links lag behind their motors, and torques by the rotors of these joints and by how
+    their links begin."""
+    s, full, model = c.slow, c.signals, Model(arm)
+    motion = full.q - offsets(arm), full.qd, full.qdd
+    slopes, begins = lagging_regressor(model, motion, full.period, round(s.period / full.period), full.tau)
+    rotors = np.zeros((len(s.q), c.n, len(model.couplers)))
+    for column, j in zip(np.moveaxis(rotors, 2, 0), model.couplers, strict=True):
+        link = arm.links[j]
+        column[:, j] = s.qdd[:, j] * float(link.inertial_share) * number_of(link.joint.motor_inertia)
+    slopes = slopes.reshape(len(s.q), c.n, -1) * sizes
+    return _seen(c, np.concatenate([slopes, rotors, begins], axis=2))
+
+
+def _seen(c: Context, columns: Floats) -> Floats:
+    """Columns along the coarse signals, filtered and thinned."""
+    return c.slow.thinned(c.slow.filtered(columns))

@@ -17,6 +17,7 @@ from robodyn.emit.statements import Expression
 from robodyn.emit.syntax import Sines, Syntax
 from robodyn.emit.unit import Unit, needs_libm
 from robodyn.ir.signature import Signature
+from robodyn.tools import Tool, Use
 
 
 def _syntax(signature: Signature, unit: Unit) -> Syntax:
@@ -136,10 +137,15 @@ LANGUAGE = Language(
     features=frozenset({"batch", "parallel", "misra", "firmware"}),
     batch=batch_files,
     compiled=Compiled(
-        variable="CC",
-        commands=("cc", "gcc", "clang"),
+        compiler=Tool(
+            ("cc", "gcc", "clang"),
+            Use.KERNELS,
+            "kernels called from Python, verify, bench, simulate",
+            "gcc",
+            "Fedora: dnf install gcc; macOS: xcode-select --install",
+            variable="CC",
+        ),
         flags=("-std=c99", "-O2", "-ffp-contract=off", "-fno-math-errno"),
-        install="Debian, Ubuntu: apt install gcc; Fedora: dnf install gcc; macOS: xcode-select --install",
         symbol=lambda signature: signature.symbol,
         header=True,
     ),

@@ -16,6 +16,7 @@ from robodyn.emit.syntax import Sines, Syntax
 from robodyn.emit.trig import trig_context
 from robodyn.emit.unit import Unit
 from robodyn.ir.signature import Signature
+from robodyn.tools import Tool, Use
 
 
 def fortran_spelling(*, single: bool, states: Sequence[str] = ()) -> Spelling:
@@ -128,11 +129,15 @@ LANGUAGE = Language(
     longest_name=63,
     features=frozenset({"firmware"}),
     compiled=Compiled(
-        variable="FC",
-        commands=("gfortran", "flang", "flang-new"),
+        compiler=Tool(
+            ("gfortran", "flang", "flang-new"),
+            Use.KERNELS,
+            "Fortran kernels called from Python, and verified",
+            "gfortran",
+            "Fedora: dnf install gcc-gfortran; macOS: brew install gcc",
+            variable="FC",
+        ),
         flags=_FLAGS,
-        install="Debian, Ubuntu: apt install gfortran; Fedora: dnf install gcc-gfortran;"
-        " macOS: brew install gcc",
         symbol=_bound,
     ),
     selftest=SelfTest(

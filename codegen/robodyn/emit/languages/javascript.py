@@ -19,6 +19,7 @@ from robodyn.emit.syntax import Sines, Syntax
 from robodyn.emit.trig import trig_context
 from robodyn.emit.unit import Unit, calls
 from robodyn.ir.signature import Signature
+from robodyn.tools import Tool, Use
 
 #: Operations whose last bits are the engine's; sine and cosine too unless they are built in.
 _INEXACT = frozenset({"exp", "pow", "tanh"})
@@ -133,4 +134,5 @@ LANGUAGE = Language(
     trig="builtin",
     scalars=("double",),
     of_browsers=True,
+    takers=(Tool(("node",), Use.LANGUAGES, "tests of JavaScript modules", "nodejs", "https://nodejs.org"),),
 )

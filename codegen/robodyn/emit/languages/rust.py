@@ -20,6 +20,7 @@ from robodyn.emit.trig import trig_context
 from robodyn.emit.unit import Unit, calls
 from robodyn.errors import InputError
 from robodyn.ir.signature import Signature
+from robodyn.tools import Tool, Use
 
 #: Words that no name may be; the four that cannot even be written ``r#word`` are refused.
 _KEYWORDS = frozenset(
@@ -192,4 +193,5 @@ LANGUAGE = Language(
     advice=_advice,
     type_name=lambda robot, kind: kind.capitalize(),
     trig="builtin",
+    takers=(Tool(("cargo",), Use.LANGUAGES, "builds and tests of crates", "cargo", "https://rustup.rs"),),
 )

@@ -63,10 +63,12 @@ class Contact:
     at_rest: bool
 
 
-def contacts(robot: Robot, gate: Gate) -> tuple[Contact, ...]:
-    """The contacts in a log of ``robot`` that has passed its ``gate``, in the order of time."""
+def contacts(robot: Robot, gate: Gate, left: Floats | None = None) -> tuple[Contact, ...]:
+    """The contacts in a log of ``robot`` that has passed its ``gate``, in the order of time; ``left`` [K, n]:
+    what the robot leaves of its torques (None: all but those of its equations, which have no sensors and no
+    springs)."""
     model = Model(robot)
-    rough = rough_signals(model, gate)
+    rough = rough_signals(model, gate, left)
     if rough is None:
         return ()
     pushed: list[tuple[NDArray[np.intp], Push]] = []

@@ -55,8 +55,9 @@ class Rough:
     stands: bool
 
 
-def rough_signals(model: Model, gate: Gate) -> Rough | None:
-    """The log of ``gate`` along the ``model``; None: its pieces are too short for the filter."""
+def rough_signals(model: Model, gate: Gate, left: Floats | None = None) -> Rough | None:
+    """The log of ``gate`` along the ``model``, which leaves ``left`` [K, n] of its torques (None: what it
+    leaves by its equations); None: its pieces are too short for the filter."""
     cutoff = min(CONTACT_CUTOFF, CONTACT_BAND / gate.period)
     parts = []
     for k, part in enumerate(gate.segments):
@@ -71,7 +72,8 @@ def rough_signals(model: Model, gate: Gate) -> Rough | None:
     still, cut = [], []
     for k, part, s in parts:
         coarse = s.coarse()
-        rests.append(s.thinned(s.filtered(s.tau - model.torque(s.q, s.qd, s.qdd))))
+        rest = s.tau - model.torque(s.q, s.qd, s.qdd) if left is None else left[part][: len(s.t)]
+        rests.append(s.thinned(s.filtered(rest)))
         columns.append(_columns(model, s, coarse))
         times.append(s.thinned(s.t))
         owners.append(np.full(len(times[-1]), k))

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, Final, Protocol
 
-from robodyn.errors import ToolError
+from robodyn.tools.libraries import ROSBAGS
 
 #: Largest message, and largest chunk unpacked [bytes].
 MESSAGE, CHUNK = 1 << 26, 1 << 28
@@ -61,9 +61,7 @@ def needed(module: str) -> Any:
     try:
         return importlib.import_module(module)
     except ImportError:
-        raise ToolError(
-            "recordings of ROS 2 need rosbags, which is not installed", remedy="pip install 'robodyn[ros]'"
-        ) from None
+        raise ROSBAGS.missing() from None
 
 
 def unpacked(data: bytes, compression: str, most: int) -> bytes:

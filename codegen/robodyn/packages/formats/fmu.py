@@ -43,7 +43,7 @@ _DESCRIPTIONS = {
 
 def _files(package: Package) -> Files:
     from robodyn.simulate.system import system_of
-    from robodyn.toolchain.shared import shared_library
+    from robodyn.toolchain.shared import library_suffix, shared_library
 
     if package.scalar != "double":
         raise InputError(
@@ -58,8 +58,8 @@ def _files(package: Package) -> Files:
     sources = {
         path.removeprefix("sources/"): text for path, text in texts.items() if path.endswith((".c", ".h"))
     }
-    machine, ending = platform_name()
-    library = f"{package.name}{ending}"
+    machine = platform_name()
+    library = f"{package.name}{library_suffix()}"
     binary = shared_library(sources, library, flags=(*flags, "-fvisibility=hidden"))
     archive: Files = {**texts, f"binaries/{machine}/{library}": binary}
     notes = readme(package, machine=Markdown(machine), elastic=bool(system.coupled))

@@ -1,0 +1,39 @@
+"""The Python packages: those that every installation has, and those that extras bring."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from robodyn.tools.library import Library
+from robodyn.tools.tool import Use
+
+CFFI: Final = Library("cffi", Use.EVERYTHING, "calls of compiled kernels")
+CLICK: Final = Library("click", Use.EVERYTHING, "commands")
+JINJA2: Final = Library("jinja2", Use.EVERYTHING, "texts of kernels")
+MATPLOTLIB: Final = Library("matplotlib", Use.EVERYTHING, "pictures")
+NUMPY: Final = Library("numpy", Use.EVERYTHING, "logs, simulations and diagnoses")
+PYCPARSER: Final = Library("pycparser", Use.EVERYTHING, "operations counted in the C")
+PYYAML: Final = Library("yaml", Use.EVERYTHING, "robots", package="pyyaml")
+SCIPY: Final = Library("scipy", Use.EVERYTHING, "simulations and fits")
+SYMPY: Final = Library("sympy", Use.EVERYTHING, "equations and exact references")
+
+REQUIRED: Final = (CFFI, CLICK, JINJA2, MATPLOTLIB, NUMPY, PYCPARSER, PYYAML, SCIPY, SYMPY)
+"""What ``pip install robodyn`` brings."""
+
+H5PY: Final = Library("h5py", Use.LOGS, "logs of MATLAB 7.3 and in HDF5", extra="mat")
+MUJOCO: Final = Library("mujoco", Use.ARMS, "arms in MJCF", extra="mujoco")
+ORTOOLS: Final = Library(
+    "ortools", Use.SCHEDULES, "proven optima of schedules", extra="optimal", title="OR-Tools"
+)
+PYARROW: Final = Library("pyarrow", Use.LOGS, "logs in Parquet", extra="all")
+ROSBAGS: Final = Library("rosbags", Use.LOGS, "recordings of ROS 2", extra="ros")
+XACRO: Final = Library("xacro", Use.ARMS, "arms in xacro", extra="xacro")
+
+PINOCCHIO: Final = Library("pinocchio", Use.COMPARISONS, "times of Pinocchio in robodyn bench", package="pin")
+CASADI: Final = Library(
+    "casadi", Use.PACKAGES, "functions of robodyn package --as casadi, and times in robodyn bench"
+)
+FMPY: Final = Library("fmpy", Use.PACKAGES, "simulations of robodyn package --as fmu")
+
+OPTIONAL: Final = (CASADI, FMPY, MUJOCO, XACRO, H5PY, PYARROW, ROSBAGS, ORTOOLS, PINOCCHIO)
+"""What an extra brings, or one installs oneself."""

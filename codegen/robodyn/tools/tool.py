@@ -1,0 +1,100 @@
+"""What a program beside robodyn is."""
+
+from __future__ import annotations
+
+import os
+import shlex
+import shutil
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import StrEnum
+from pathlib import Path
+
+from robodyn.errors import ToolError
+
+
+class Use(StrEnum):
+    """What programs and libraries are used for, in the order in which they are shown."""
+
+    EVERYTHING = "needed by everything"
+    KERNELS = "compiled kernels"
+    LANGUAGES = "kernels in other languages"
+    FIRMWARE = "firmware images"
+    PACKAGES = "packages for other builds"
+    PROOFS = "proofs"
+    ARMS = "arms in other formats"
+    LOGS = "logs in other formats"
+    SCHEDULES = "schedules"
+    COMPARISONS = "measurements and comparisons"
+    DEVELOPMENT = "robodyn's own tests"
+
+
+@dataclass(frozen=True, slots=True)
+class Tool:
+    """A program, or another file of this machine that no Python package brings.
+
+    Attributes
+    ----------
+    names: what it may be called on the ``PATH``; the first that is there is taken. What messages call it
+        is the first of all.
+    enables: what robodyn can do with it, in the plural: "proofs that ...".
+    debian: its package in Debian and Ubuntu, if it has one.
+    others: how to get it elsewhere.
+    variable: the variable of the environment that may name it, with arguments.
+    version_arguments: what makes it print its version; none: it has none.
+    folder: where it is, in place of the ``PATH``.
+    """
+
+    names: tuple[str, ...]
+    use: Use
+    enables: str
+    debian: str | None
+    others: str = ""
+    variable: str | None = None
+    version_arguments: tuple[str, ...] = ("--version",)
+    folder: Callable[[], str] | None = None
+
+    @property
+    def name(self) -> str:
+        """What messages call it."""
+        return self.names[0]
+
+    @property
+    def install(self) -> str:
+        """How to get it."""
+        ways = [f"Debian, Ubuntu: apt install {self.debian}"] if self.debian else []
+        return "; ".join([*ways, *([self.others] if self.others else [])])
+
+    @property
+    def remedy(self) -> str:
+        """The name, and how to get it."""
+        return f"{self.name} ({self.install})"
+
+    def path(self) -> str | None:
+        """Where it is; None where it is not."""
+        if self.folder is not None:
+            file = Path(self.folder()) / self.name
+            return str(file) if file.is_file() else None
+        return next((path for name in self.names if (path := shutil.which(name)) is not None), None)
+
+    def needed(self) -> str:
+        """Where it is.
+
+        Raises
+        ------
+        ToolError: nowhere.
+        """
+        path = self.path()
+        if path is None:
+            raise ToolError(f"there is no program {self.name}", remedy=f"install it: {self.install}")
+        return path
+
+    def command(self) -> tuple[str, ...] | None:
+        """How it is called: as the environment says, else where it is; None where it is not."""
+        named = os.environ.get(self.variable, "") if self.variable else ""
+        try:
+            words = shlex.split(named)
+        except ValueError:
+            return None
+        path = shutil.which(words[0]) if words else self.path()
+        return None if path is None else (path, *words[1:])
