@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import csv
+import sys
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -269,6 +271,20 @@ def test_what_is_refused_is_said(units: Any, capsys: pytest.CaptureFixture[str])
         refused("t = 0: a number is not finite", slave.doStep, 0.0, PERIOD)
         slave.setFloat64(references[2:], [0.0])
         slave.doStep(0.0, PERIOD)
+
+
+@pytest.mark.thorough
+def test_the_commands_of_fmpy(units: Any, tmp_path: Path) -> None:
+    """Those of docs/packages.md."""
+    unit = units("puma560")
+    fmpy = (sys.executable, "-m", "fmpy")
+    assert run(*fmpy, "validate", unit.path, cwd=tmp_path) == "No problems found.\n"
+    fall = ("--start-values", "q[2]", "-0.5", "--stop-time", "1", "--output-file", "fall.csv")
+    run(*fmpy, "simulate", unit.path, *fall, cwd=tmp_path)
+    with (tmp_path / "fall.csv").open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert float(rows[0]["q[2]"]) == -0.5
+    assert float(rows[-1]["time"]) == 1
 
 
 @pytest.mark.thorough
