@@ -6,6 +6,7 @@ import json
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -160,7 +161,8 @@ def _float(value: Any) -> float:
 def test_a_run_goes_on_where_it_stopped(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     ran = []
 
-    def run(trial: Trial, cache: Path | None) -> dict[str, Any]:
+    def run(trial: Trial, cache: Path | None, *, is_named: bool) -> dict[str, Any]:
+        assert not is_named
         ran.append(trial.key)
         return {"key": trial.key, "kind": trial.kind, "status": "silent", "cpu": 1.0}
 
@@ -173,6 +175,25 @@ def test_a_run_goes_on_where_it_stopped(tmp_path: Path, monkeypatch: pytest.Monk
     assert len(ran) == len(set(ran)) == 5
     rows = [json.loads(line) for line in file.read_text().splitlines()]
     assert names(rows) == "null: 5: silent 5 (100 %); 1 s (median), 1 s"
+
+
+def test_numbers_of_what_is_named_are_no_trials_of_names(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked = []
+
+    def diagnosed(*logs: Any, only: Any) -> None:
+        asked.append(only)
+
+    monkeypatch.setattr(blind, "logs_of", lambda trial, cache: SimpleNamespace(given=0, train=0, validate=0))
+    monkeypatch.setattr(blind, "diagnose", diagnosed)
+    monkeypatch.setattr(blind, "graded", lambda hidden, diagnosis: {"status": "right", "values": []})
+    file = tmp_path / "rows.jsonl"
+    for more in (["--named"], ["--named"], []):
+        blind.main(["near", "--effects", "spring", "--arms", "ur5", "-o", str(file), *more])
+    assert asked == [("spring",), ()]
+    rows = [json.loads(line) for line in file.read_text().splitlines()]
+    assert published(rows)["names"] == {"near": {"right": 1}}
 
 
 def test_identified_numbers_stand_beside_the_true_ones() -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -43,7 +43,7 @@ def described(trial: Trial) -> Robot:
     return model_of(trial, bare(trial.arm))
 
 
-def numbers(trial: Trial, make: Make) -> dict[str, Any]:
+def numbers(trial: Trial, make: Make, only: Sequence[str] = ()) -> dict[str, Any]:
     """Identification alone: what it leaves of another motion in noise floors, beside what the true arm leaves
     (positions are filtered, and friction turns round within a sample), and each number's interval."""
     free = make(trial)
@@ -64,14 +64,15 @@ def numbers(trial: Trial, make: Make) -> dict[str, Any]:
     }
 
 
-def name_after(trial: Trial, make: Make) -> dict[str, Any]:
-    """Identification on a free log, then a diagnosis of the identified arm with an effect hidden in it."""
+def name_after(trial: Trial, make: Make, only: Sequence[str] = ()) -> dict[str, Any]:
+    """Identification on a free log, then a diagnosis of the identified arm with an effect hidden in it, which
+    looks for ``only`` these."""
     free, hidden = make(free_of(trial)), make(trial)
     result = identify(described(trial), [free.train, free.validate])
-    return graded(hidden, diagnose(result.model, [hidden.train], hidden.validate))
+    return graded(hidden, diagnose(result.model, [hidden.train], hidden.validate, only=only))
 
 
-def payload_after(trial: Trial, make: Make) -> dict[str, Any]:
+def payload_after(trial: Trial, make: Make, only: Sequence[str] = ()) -> dict[str, Any]:
     """The mass of a payload where torque constants are wrong on file: by both logs together, and by a
     diagnosis of the arm as the free log has it."""
     free, hidden = make(free_of(trial)), make(trial)
@@ -96,7 +97,7 @@ def payload_after(trial: Trial, make: Make) -> dict[str, Any]:
     }
 
 
-RUNS: dict[str, Callable[[Trial, Make], dict[str, Any]]] = {
+RUNS: dict[str, Callable[[Trial, Make, Sequence[str]], dict[str, Any]]] = {
     "identify": numbers,
     "after": name_after,
     "payload": payload_after,
