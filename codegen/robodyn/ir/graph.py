@@ -15,7 +15,7 @@ from fractions import Fraction
 from typing import Any, Union
 
 from robodyn.ir.digits import check_digits
-from robodyn.ir.key import Key, children
+from robodyn.ir.key import Key, children, multiple, plain_sum
 from robodyn.ir.program import Input, Label, Operand, Program
 from robodyn.ir.size import MOST_POSITIONS, too_large
 
@@ -84,10 +84,6 @@ class Node:
         return f"{'-' if self.sign < 0 else ''}%{self.position}"
 
 
-#: What may be a value plus a constant.
-_OFFSET = ("add", "const")
-
-
 class Graph:
     """Owner of nodes. ``fold=False`` merges equal nodes and does no algebra besides."""
 
@@ -125,7 +121,7 @@ class Graph:
             if b == 0:
                 return a
             b = self.constant(b)
-        simpler = self._simpler_sum(a, b) if self.fold else None
+        simpler = self._simpler_sum(a, b)
         return self._node(*sum_of(a, b)) if simpler is None else simpler
 
     def mul(self, a: Scalar, b: Scalar) -> Scalar:
@@ -135,6 +131,8 @@ class Graph:
         if isinstance(b, Node):
             i, j = a.position, b.position
             return self._node(("mul", i, j) if i <= j else ("mul", j, i), a.sign * b.sign)
+        if isinstance(b, int) and -1 <= b <= 1:
+            return a if b > 0 else -a if b else 0
         numerator, denominator = b.as_integer_ratio()  # arithmetic of Fractions is slow
         if not numerator:
             return 0
@@ -277,24 +275,22 @@ class Graph:
         if key[0] == "const" or key[0] == "scale":
             check_digits(key[1])
 
-    def append(self, key: Key, known: Key) -> int:
-        """The position of ``key``, which there is none of yet; the table has it as ``known``."""
-        position = len(self.keys)
-        if position >= MOST_POSITIONS:
-            raise too_large()
-        self._table[known] = position
-        self.keys.append(key)
-        self.reads.append(children(key))
-        return position
-
-    # -- inside ---------------------------------------------------------------------------------
-    def _node(self, key: Key, sign: int = 1, known: Key | None = None) -> Node:
+    def position(self, key: Key, known: Key | None = None) -> int:
+        """The position of ``key``, a new one if there is none yet; the table has it as ``known``."""
         # A Fraction's hash takes a modular inverse; its two integers, in ``known``, do as well.
         known = known or key
         position = self._table.get(known)
         if position is None:
-            position = self.append(key, known)
-        return Node(self, position, sign)
+            position = self._table[known] = len(self.keys)
+            if position >= MOST_POSITIONS:
+                raise too_large()
+            self.keys.append(key)
+            self.reads.append(key[1:] if key[0] == "mul" else children(key))
+        return position
+
+    # -- inside ---------------------------------------------------------------------------------
+    def _node(self, key: Key, sign: int = 1, known: Key | None = None) -> Node:
+        return Node(self, self.position(key, known), sign)
 
     def _odd(self, op: str, a: Scalar) -> Scalar:
         if not isinstance(a, Node):
@@ -306,17 +302,17 @@ class Graph:
     def _simpler_sum(self, a: Node, b: Node) -> Scalar | None:
         """``a + b`` where algebra makes less of it than an addition, else None."""
         i, j = a.position, b.position
+        if not self.fold or plain_sum(self.keys, i, j):
+            return None
         if i == j:
             return self.mul(Node(self, i, 1), a.sign + b.sign)
         one, other = self.keys[i], self.keys[j]
-        if one[0] == "scale" or other[0] == "scale":
-            (ka, x), (kb, y) = _scaled(one, i), _scaled(other, j)
-            if x == y:  # k x + l x = (k + l) x
-                return self.mul(Node(self, x, 1), a.sign * ka + b.sign * kb)
-        elif one[0] in _OFFSET and other[0] in _OFFSET:
-            (rest_a, ca), (rest_b, cb) = self._offset(a), self._offset(b)
-            if ca and cb:  # (x + c) + (y + d) = (x + y) + (c + d)
-                return self.add(rest_a, rest_b) + (ca + cb)
+        if one[0] == "scale" or other[0] == "scale":  # k x + l x = (k + l) x
+            (ka, x), (kb, _) = multiple(one, i), multiple(other, j)
+            return self.mul(Node(self, x, 1), a.sign * ka + b.sign * kb)
+        (rest_a, ca), (rest_b, cb) = self._offset(a), self._offset(b)
+        if ca and cb:  # (x + c) + (y + d) = (x + y) + (c + d)
+            return self.add(rest_a, rest_b) + (ca + cb)
         return None
 
     def _offset(self, a: Node) -> tuple[Scalar, Fraction | int]:
@@ -331,11 +327,6 @@ class Graph:
             if self.keys[i][0] == "const":
                 return Node(self, j, a.sign * relative), a.sign * self.keys[i][1]
         return a, 0
-
-
-def _scaled(key: Key, position: int) -> tuple[Fraction | int, int]:
-    """What stands at ``position`` as a factor times a position."""
-    return (key[1], key[2]) if key[0] == "scale" else (1, position)
 
 
 def sum_of(a: Node, b: Node) -> tuple[Key, int]:
