@@ -36,6 +36,8 @@ class Node:
         return Node(self.graph, self.position, -self.sign)
 
     def __add__(self, other: Scalar) -> Scalar:
+        if other.__class__ is int and not other:  # very often
+            return self
         if isinstance(other, (Node, int, Fraction)):
             return self.graph.add(self, other)
         return NotImplemented
@@ -53,6 +55,8 @@ class Node:
         return NotImplemented
 
     def __mul__(self, other: Scalar) -> Scalar:
+        if other.__class__ is int and -1 <= other <= 1:
+            return self if other == 1 else -self if other else 0
         if isinstance(other, (Node, int, Fraction)):
             return self.graph.mul(self, other)
         return NotImplemented
@@ -131,8 +135,6 @@ class Graph:
         if isinstance(b, Node):
             i, j = a.position, b.position
             return self._node(("mul", i, j) if i <= j else ("mul", j, i), a.sign * b.sign)
-        if isinstance(b, int) and -1 <= b <= 1:
-            return a if b > 0 else -a if b else 0
         numerator, denominator = b.as_integer_ratio()  # arithmetic of Fractions is slow
         if not numerator:
             return 0

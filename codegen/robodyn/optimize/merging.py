@@ -52,8 +52,6 @@ class MergingGraph(Graph):
 
     def add(self, a: Scalar, b: Scalar) -> Scalar:
         """``a + b``."""
-        if isinstance(b, int) and not b:
-            return a
         if isinstance(a, Node) and isinstance(b, Node):
             value = (self._of(a) + self._of(b)) % self._prime
             known = self._by_value.get(value)
@@ -72,8 +70,6 @@ class MergingGraph(Graph):
 
     def mul(self, a: Scalar, b: Scalar) -> Scalar:
         """``a * b``."""
-        if isinstance(b, int) and -1 <= b <= 1:
-            return a if b > 0 else -a if b else 0
         if isinstance(a, Node) and isinstance(b, Node):
             i, j = a.position, b.position
             sign = a.sign * b.sign

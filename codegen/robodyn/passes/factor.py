@@ -77,10 +77,9 @@ class _Factoring:
         """The graph with every factorable sum factored, and its outputs; None if there is none."""
         sums: dict[int, tuple[list[Term], Any]] = {}
         for p in self.roots:
-            terms = self._terms(p)
-            common = self._common(terms)
-            if common is not None:
-                sums[p] = (terms, common)
+            if self._shares_a_factor(p):
+                terms = self._terms(p)
+                sums[p] = (terms, self._common(terms))
         if not sums:
             return None
         target = Graph()
@@ -100,6 +99,19 @@ class _Factoring:
             for name, values in self.outputs
         ]
         return target, outputs
+
+    def _shares_a_factor(self, root: int) -> bool:
+        """Whether two products of the sum at ``root`` have a factor in common."""
+        keys, inner, single = self.graph.keys, self.inner, self.single
+        factors: list[Any] = []
+        stack = list(self.graph.reads[root])
+        while stack:
+            p = stack.pop()
+            if inner[p]:
+                stack += self.graph.reads[p]
+            elif single[p]:
+                factors += set(_factors(keys[p]))
+        return len(set(factors)) < len(factors)
 
     def _terms(self, root: int) -> list[Term]:
         """The terms of the sum at ``root``, left to right."""
@@ -129,19 +141,13 @@ class _Factoring:
         return inside
 
     def _common(self, terms: list[Term]) -> Any:
-        """The factor that most products of ``terms`` share, or None."""
-        keys, single = self.graph.keys, self.single
-        products = [_factors(keys[p]) for p, _ in terms if single[p]]
-        factors = [factor for product in products for factor in product]
-        if len(set(factors)) == len(factors):  # as in most sums
-            return None
+        """The factor that most products of ``terms`` share."""
         counts: dict[Any, int] = {}
-        for one, other in products:
-            counts[one] = counts.get(one, 0) + 1
-            if other != one:
-                counts[other] = counts.get(other, 0) + 1
-        best = max(counts, key=counts.__getitem__)
-        return best if counts[best] > 1 else None
+        for p, _ in terms:
+            if self.single[p]:
+                for factor in dict.fromkeys(_factors(self.graph.keys[p])):
+                    counts[factor] = counts.get(factor, 0) + 1
+        return max(counts, key=counts.__getitem__)
 
     def _factored(self, terms: list[Term], common: Any, copies: Copies) -> Any:
         group: Scalar = 0
