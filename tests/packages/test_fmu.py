@@ -204,9 +204,10 @@ def test_the_commands_of_fmpy(units: Units, tmp_path: Path) -> None:
 
 
 @pytest.mark.thorough
-def test_its_sources_compile_without_a_warning(units: Units, tmp_path: Path) -> None:
+@pytest.mark.parametrize("name", ["puma560", "elastic", "friction by load, limited drive", "contact"])
+def test_its_sources_compile_without_a_warning(name: str, units: Units, tmp_path: Path) -> None:
     """Every one by itself, with the functions' prefix that static linking needs."""
-    unit = units("elastic")
+    unit = units(name)
     (build,) = ElementTree.parse(unit.folder / "sources" / "buildDescription.xml").getroot()
     (sources,) = build.findall("SourceFileSet")
     options = [*sources.attrib["compilerOptions"].split(), "-Wall", "-Wextra", "-pedantic", "-Werror"]
