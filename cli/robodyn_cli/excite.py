@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from robodyn_cli import progress
+from robodyn_cli.choices import FILE, SEVERAL_EFFECTS
 from robodyn_cli.common import (
     echo_json,
     json_option,
@@ -32,7 +33,12 @@ _LARGEST = 5_000_000  # samples times joints
 
 @click.command()
 @robot_argument
-@click.option("--tell", metavar="A,B[@JOINT]", help="Effects to distinguish.  [default: the whole catalogue]")
+@click.option(
+    "--tell",
+    type=SEVERAL_EFFECTS,
+    metavar="A,B[@JOINT]",
+    help="Effects to distinguish.  [default: the whole catalogue]",
+)
 @click.option(
     "--duration", type=POSITIVE, default=10.0, metavar="S", help="Duration of the motion.  [default: 10]"
 )
@@ -63,7 +69,9 @@ _LARGEST = 5_000_000  # samples times joints
     show_default=True,
     help="Number of motions to try.",
 )
-@click.option("-o", "--output", metavar="TRAJ.csv", required=True, help="Output file, - for stdout.")
+@click.option(
+    "-o", "--output", type=FILE, metavar="TRAJ.csv", required=True, help="Output file, - for stdout."
+)
 @json_option
 def command(robot: str, tell: str | None, output: str, as_json: bool, rate: float, **options: Any) -> None:
     """Design a motion within the limits that distinguishes effects.

@@ -51,7 +51,7 @@ if TYPE_CHECKING:
 )
 @click.option("--name", default="", metavar="NAME", help="Name of the robot; default: the one in the file.")
 @click.option("--strict", is_flag=True, help="Refuse inertias that no body has.")
-@click.option("-o", "--output", metavar="ARM.yaml", help="Output file; default: stdout.")
+@click.option("-o", "--output", type=FILE, metavar="ARM.yaml", help="Output file; default: stdout.")
 @click.option("--force", is_flag=True, help="Overwrite an existing file.")
 @json_option
 def command(

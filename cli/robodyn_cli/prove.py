@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from robodyn_cli.choices import FOLDER, PROOFS, SCALARS, TRIGONOMETRY
+from robodyn_cli.choices import FILE, FOLDER, PROOFS, SCALARS, TRIGONOMETRY
 from robodyn_cli.common import echo_json, json_option, output_folder, printable, robot_argument, write_files
 from robodyn_cli.options import functions_option, listed, load, model_options
 
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 @click.option("-o", "--output", type=FOLDER, metavar="DIR", help="Output folder.  [default: proof/NAME]")
 @click.option(
     "--ranges",
+    type=FILE,
     metavar="R",
     help="Ranges as qd=3,qdd=10,q2=-pi/2:pi/2, or a YAML file with such keys.  [default: the joint limits]",
 )

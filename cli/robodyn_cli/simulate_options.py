@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 
 import click
 
-from robodyn_cli.choices import FILE
+from robodyn_cli.choices import FILE, ROBOTS
 from robodyn_cli.values import POSITIVE, POSITIVES, SEVERAL, SIZES, Line, parameter_option
 
 Command = TypeVar("Command", bound=Callable[..., Any])
@@ -161,7 +161,8 @@ def simulation_options(command: Command) -> Command:
                help="Position gain, one value or one per joint.  [default: from the inertia]"),
         option("--kd", type=SIZES, metavar="K",
                help="Velocity gain, one value or one per joint.  [default: from the inertia]"),
-        option("--model", metavar="ROBOT", help="Model used by the controller.  [default: the robot itself]"),
+        option("--model", type=ROBOTS, metavar="ROBOT",
+               help="Model used by the controller.  [default: the robot itself]"),
         option("--control-rate", type=POSITIVE, metavar="HZ",
                help="Sample rate of the controller.  [default: 1000]"),
         option("--from", "start", type=SEVERAL, metavar="Q",

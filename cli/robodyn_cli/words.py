@@ -13,7 +13,14 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any, Final
 
+import robodyn
+import robodyn_cli
+from robodyn.errors import RobodynError
 from robodyn.version import VERSION
+from robodyn_cli.common import write_files
+
+_PACKAGES: Final = (*robodyn.__path__, *robodyn_cli.__path__)
+"""The folders with the tables."""
 
 _HELP: Final = ("purpose", "title")
 """Attributes of a record that say in a few words what it is."""
@@ -42,8 +49,8 @@ def remembered(source: str) -> dict[str, str]:
     root = default_root()
     if root is None:
         return words(source)
-    path = root / f"words-{content_key([str(_PACKAGE), VERSION])}.json"
-    changed = max(_changes(_PACKAGE))
+    path = root / f"words-{content_key([_PACKAGES, VERSION])}.json"
+    changed = max(time for folder in _PACKAGES for time in _changes(folder))
     try:
         known = json.loads(path.read_text(encoding="utf-8"))
         if known["changed"] == changed and source in known["words"]:
@@ -54,9 +61,6 @@ def remembered(source: str) -> dict[str, str]:
     table = words(source)
     _write(path, json.dumps({"changed": changed, "words": {**tables, source: table}}))
     return table
-
-
-_PACKAGE: Final = Path(importlib.import_module("robodyn").__file__ or "").parent
 
 
 def _changes(folder: Path | str) -> Iterator[int]:
@@ -72,11 +76,6 @@ def _changes(folder: Path | str) -> Iterator[int]:
 
 def _write(path: Path, text: str) -> None:
     """Write ``text`` whole or not at all; a folder that cannot be written costs time only."""
-    temporary = path.with_suffix(f".{os.getpid()}.tmp")
-    try:
-        path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
-        temporary.write_text(text, encoding="utf-8")
-        temporary.replace(path)
-    except OSError:
-        with contextlib.suppress(OSError):
-            temporary.unlink(missing_ok=True)
+    with contextlib.suppress(OSError, RobodynError):
+        path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)  # as the cache of kernels wants it
+        write_files(path.parent, {path.name: text})

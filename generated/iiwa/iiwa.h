@@ -25,14 +25,14 @@
  *   makes no difference is moved to its parent.
  * Of inverse_dynamics, bias, mass_matrix, forward_dynamics the best program known for these
  *   parameters, equal to the recursion without being written like it: robodyn --optimize full,
- *   seed 1.
+ *   seed 0.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 259 multiplications, 247 additions = 506; 8 unary minus; 12 sine/cosine
+ *   inverse_dynamics: 258 multiplications, 247 additions = 505; 6 unary minus; 12 sine/cosine
  *   gravity: 42 multiplications, 29 additions = 71; 1 unary minus; 12 sine/cosine
- *   bias: 244 multiplications, 227 additions = 471; 6 unary minus; 12 sine/cosine
- *   mass_matrix: 161 multiplications, 137 additions = 298; 2 unary minus; 12 sine/cosine
- *   forward_dynamics: 531 multiplications, 469 additions, 6 divisions = 1006; 20 unary minus; 12
+ *   bias: 243 multiplications, 227 additions = 470; 7 unary minus; 12 sine/cosine
+ *   mass_matrix: 133 multiplications, 125 additions = 258; 6 unary minus; 12 sine/cosine
+ *   forward_dynamics: 500 multiplications, 455 additions, 6 divisions = 961; 18 unary minus; 12
  *       sine/cosine
  */
 #ifndef IIWA_H

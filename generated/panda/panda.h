@@ -24,16 +24,17 @@
  * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
  *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
  *   makes no difference is moved to its parent.
- * Of inverse_dynamics, bias, mass_matrix, forward_dynamics the best program known for these
- *   parameters, equal to the recursion without being written like it: robodyn --optimize full,
- *   seed 1.
+ * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
+ *   to the recursion without being written like it: robodyn --optimize full, seed 1.
+ * Of mass_matrix the best program known for these parameters, equal to the recursion without being
+ *   written like it: robodyn --optimize search, from the record of an arm that is built alike.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 272 multiplications, 258 additions = 530; 6 unary minus; 12 sine/cosine
  *   gravity: 42 multiplications, 29 additions = 71; 1 unary minus; 12 sine/cosine
  *   bias: 257 multiplications, 242 additions = 499; 1 unary minus; 12 sine/cosine
- *   mass_matrix: 184 multiplications, 166 additions = 350; 3 unary minus; 12 sine/cosine
- *   forward_dynamics: 567 multiplications, 513 additions, 6 divisions = 1086; 22 unary minus; 12
+ *   mass_matrix: 170 multiplications, 163 additions = 333; 2 unary minus; 12 sine/cosine
+ *   forward_dynamics: 553 multiplications, 511 additions, 6 divisions = 1070; 1 unary minus; 12
  *       sine/cosine
  */
 #ifndef PANDA_H

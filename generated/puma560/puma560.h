@@ -35,14 +35,14 @@
  * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
  *   to the recursion without being written like it: robodyn --optimize full, seed 6.
  * Of mass_matrix the best program known for these parameters, equal to the recursion without being
- *   written like it: robodyn --optimize full, seed 1.
+ *   written like it: robodyn --optimize full, seed 0.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 145 multiplications, 117 additions = 262; 0 unary minus; 8 sine/cosine
  *   gravity: 12 multiplications, 7 additions = 19; 2 unary minus; 8 sine/cosine
  *   bias: 128 multiplications, 92 additions = 220; 0 unary minus; 8 sine/cosine
- *   mass_matrix: 58 multiplications, 55 additions = 113; 1 unary minus; 8 sine/cosine
- *   forward_dynamics: 249 multiplications, 204 additions, 4 divisions = 457; 2 unary minus; 8
+ *   mass_matrix: 55 multiplications, 55 additions = 110; 1 unary minus; 8 sine/cosine
+ *   forward_dynamics: 246 multiplications, 204 additions, 4 divisions = 454; 9 unary minus; 8
  *       sine/cosine
  */
 #ifndef PUMA560_H

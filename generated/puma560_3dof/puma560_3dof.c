@@ -30,9 +30,9 @@
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 45 multiplications, 35 additions = 80; 0 unary minus; 4 sine/cosine
  *   gravity: 3 multiplications, 3 additions = 6; 0 unary minus; 3 sine/cosine
- *   bias: 30 multiplications, 18 additions = 48; 1 unary minus; 4 sine/cosine
+ *   bias: 29 multiplications, 18 additions = 47; 1 unary minus; 4 sine/cosine
  *   mass_matrix: 12 multiplications, 12 additions = 24; 0 unary minus; 4 sine/cosine
- *   forward_dynamics: 57 multiplications, 42 additions, 2 divisions = 101; 2 unary minus; 4
+ *   forward_dynamics: 55 multiplications, 42 additions, 2 divisions = 99; 2 unary minus; 4
  *       sine/cosine
  */
 #include "puma560_3dof.h"
@@ -125,7 +125,7 @@ void puma560_3dof_gravity(const puma560_3dof_real q[3], puma560_3dof_real tau[3]
 }
 
 /* torques at zero acceleration: Coriolis, centrifugal, gravity, friction
- * 30 multiplications, 18 additions = 48; 1 unary minus; 4 sine/cosine */
+ * 29 multiplications, 18 additions = 47; 1 unary minus; 4 sine/cosine */
 void puma560_3dof_bias(
     const puma560_3dof_real q[3],
     const puma560_3dof_real qd[3],
@@ -146,23 +146,24 @@ void puma560_3dof_bias(
     const puma560_3dof_real w3_z = qd[1] + qd[2];
     /* link 3: products of the angular velocity [1/s^2] */
     const puma560_3dof_real ww3_zz = w3_z*w3_z;
-    const puma560_3dof_real t1 = 0.0015049505482314155*c2 - 5.866434376976675e-05*s2;
-    const puma560_3dof_real t2 = 0.03851*s23;
-    const puma560_3dof_real t3 = 0.1450848*c2;
-    const puma560_3dof_real t4 = t2 + (t2 + t3);
-    const puma560_3dof_real t5 = 0.1450848*s2;
-    const puma560_3dof_real t6 = t5*(s23 + 1668.1814005825509*(t1 + 0.0041505871655958945*c2)) +
+    const puma560_3dof_real t1 = 0.03851*s23;
+    const puma560_3dof_real t2 = 0.1450848*c2;
+    const puma560_3dof_real t3 = t1 + (t2 + t1);
+    const puma560_3dof_real t4 = 0.1450848*s2;
+    const puma560_3dof_real t5 = c2 - 0.03898091125898309*s2;
+    const puma560_3dof_real t6 = t4*(s23 + 6.9239323111437185*(c2 + 0.36258738539595314*t5)) +
         0.0070992;
+    const puma560_3dof_real t7 = s23*ww3_zz + 36.272888192449436*((c23*(w3_z*t3) - qd[1]*t6)*qd[0])
+        + 11.050503177505005*(ww2_zz*t5);
     /* link 1: joint torque [N m], at a prismatic joint force [N] */
-    const puma560_3dof_real tau1 = 404.8626213771833*(ww2_zz*t1) + (0.0551376*(s23*ww3_zz) +
-        2.0*((c23*(w3_z*t4) - qd[1]*t6)*qd[0]));
+    const puma560_3dof_real tau1 = 0.0551376*t7;
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
     const puma560_3dof_real lam2_33 = -qd[0]*qd[0];
-    const puma560_3dof_real t7 = c23*t3 + s23*t5;
+    const puma560_3dof_real t8 = c23*t2 + s23*t4;
     /* link 3: moment that turns the link [N m] */
-    const puma560_3dof_real nc3_z = c23*(t4*lam2_33) - 3.2928*s23 - ww2_zz*t7;
+    const puma560_3dof_real nc3_z = c23*(t3*lam2_33) - 3.2928*s23 - ww2_zz*t8;
     /* link 2: joint torque [N m], at a prismatic joint force [N] */
-    const puma560_3dof_real tau2 = 1.02312*s2 + nc3_z - t6*lam2_33 - (31.907232*c2 - ww3_zz*t7);
+    const puma560_3dof_real tau2 = ww3_zz*t8 - 31.907232*c2 - (t6*lam2_33 - (nc3_z + 1.02312*s2));
     tau[0] = tau1;
     tau[1] = tau2;
     tau[2] = nc3_z;
@@ -206,7 +207,7 @@ void puma560_3dof_mass_matrix(const puma560_3dof_real q[3], puma560_3dof_real M[
 
 /* accelerations that the torques tau give
  * with rotor inertia
- * 57 multiplications, 42 additions, 2 divisions = 101; 2 unary minus; 4 sine/cosine */
+ * 55 multiplications, 42 additions, 2 divisions = 99; 2 unary minus; 4 sine/cosine */
 void puma560_3dof_forward_dynamics(
     const puma560_3dof_real q[3],
     const puma560_3dof_real qd[3],
@@ -228,34 +229,33 @@ void puma560_3dof_forward_dynamics(
     const puma560_3dof_real w3_z = qd[1] + qd[2];
     /* link 3: products of the angular velocity [1/s^2] */
     const puma560_3dof_real ww3_zz = w3_z*w3_z;
-    const puma560_3dof_real t1 = 0.0015049505482314155*c2 - 5.866434376976675e-05*s2;
+    const puma560_3dof_real t1 = c2 - 0.03898091125898309*s2;
     const puma560_3dof_real t2 = 0.03851*s23;
     const puma560_3dof_real t3 = 0.1450848*c2;
-    const puma560_3dof_real t4 = t2 + (t2 + t3);
+    const puma560_3dof_real t4 = t2 + (t3 + t2);
     const puma560_3dof_real t5 = 0.1450848*s2;
-    const puma560_3dof_real t6 = t5*(s23 + 1668.1814005825509*(t1 + 0.0041505871655958945*c2)) +
+    const puma560_3dof_real t6 = t5*(s23 + 2.51053051335616*(t1 + 2.7579558480998414*c2)) +
         0.0070992;
+    const puma560_3dof_real t7 = ww2_zz*t1 + 3.282464844341972*((c23*(w3_z*t4) - qd[1]*t6)*qd[0] +
+        0.0275688*(s23*ww3_zz));
     /* link 1: joint torque [N m], at a prismatic joint force [N] */
-    const puma560_3dof_real tau1 = 404.8626213771833*(ww2_zz*t1) + (0.0551376*(s23*ww3_zz) +
-        2.0*((c23*(w3_z*t4) - qd[1]*t6)*qd[0]));
+    const puma560_3dof_real tau1 = 0.609298224*t7;
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
     const puma560_3dof_real lam2_33 = -qd[0]*qd[0];
-    const puma560_3dof_real t7 = c23*t3 + s23*t5;
+    const puma560_3dof_real t8 = c23*t3 + s23*t5;
     /* link 3: moment that turns the link [N m] */
-    const puma560_3dof_real neg_nc3_z = 3.2928*s23 - c23*(t4*lam2_33) + ww2_zz*t7;
+    const puma560_3dof_real neg_nc3_z = 3.2928*s23 - c23*(t4*lam2_33) + ww2_zz*t8;
     /* link 2: joint torque [N m], at a prismatic joint force [N] */
-    const puma560_3dof_real neg_tau2 = t6*lam2_33 - (1.02312*s2 - neg_nc3_z) + (31.907232*c2 -
-        ww3_zz*t7);
+    const puma560_3dof_real tau2 = ww3_zz*t8 - 31.907232*c2 + (1.02312*s2 - neg_nc3_z - t6*lam2_33);
     /* link 1: mass matrix, its row of this joint */
     const puma560_3dof_real m1_3 = -0.0551376*c23;
-    const puma560_3dof_real t8 = s23*t3;
-    const puma560_3dof_real t9 = t8 + 0.10952;
-    const puma560_3dof_real t10 = 0.09786276715410573*s2;
-    const puma560_3dof_real m1_1 = t9 + (t3*(9.434462824499878*c2 - t10) + (t8 + 2.630443438 +
-        1.3968689242912278*(c23*m1_3)));
-    const puma560_3dof_real m1_2 = m1_3 + (0.023751*c2 + 0.609298224*s2);
+    const puma560_3dof_real t9 = s23*t3;
+    const puma560_3dof_real t10 = t9 + 0.10952;
+    const puma560_3dof_real m1_1 = t10 + (t9 + 2.630443438 + 1.3968689242912278*(c23*m1_3) +
+        9.434462824499878*(t3*(c2 - 0.010372902938360292*s2)));
+    const puma560_3dof_real m1_2 = m1_3 + 0.023751*(c2 + 25.653581912340535*s2);
     /* link 2: mass matrix, its row of this joint */
-    const puma560_3dof_real m2_3 = t9 - t10*(1.4825331862068964*c23);
+    const puma560_3dof_real m2_3 = t10 - c23*t5;
     const puma560_3dof_real m2_2 = m2_3 + (m2_3 + 6.115529952);
     /* link 3: forward substitution */
     const puma560_3dof_real y3 = neg_nc3_z + tau[2];
@@ -269,13 +269,13 @@ void puma560_3dof_forward_dynamics(
     const puma560_3dof_real pivot1 = m1_1 - m1_3*u1_3 - ud1_2*u1_2;
     const puma560_3dof_real ipivot1 = 1.0 / pivot1;
     /* link 2: forward substitution */
-    const puma560_3dof_real y2 = neg_tau2 + tau[1] - y3*u2_3;
+    const puma560_3dof_real neg_y2 = tau2 - tau[1] + y3*u2_3;
     /* link 1: forward substitution */
-    const puma560_3dof_real y1 = -(tau1 - tau[0] + y3*u1_3) - u1_2*y2;
+    const puma560_3dof_real y1 = u1_2*neg_y2 - (tau1 - tau[0] + y3*u1_3);
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const puma560_3dof_real qdd1 = ipivot1*y1;
     /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_3dof_real qdd2 = ipivot2*y2 - u1_2*qdd1;
+    const puma560_3dof_real qdd2 = -(ipivot2*neg_y2) - u1_2*qdd1;
     /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const puma560_3dof_real qdd3 = 1.0643732970027249*y3 - u2_3*qdd2 - u1_3*qdd1;
     qdd[0] = qdd1;

@@ -29,9 +29,9 @@
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
 !   inverse_dynamics: 45 multiplications, 35 additions = 80; 0 unary minus; 4 sine/cosine
 !   gravity: 3 multiplications, 3 additions = 6; 0 unary minus; 3 sine/cosine
-!   bias: 30 multiplications, 18 additions = 48; 1 unary minus; 4 sine/cosine
+!   bias: 29 multiplications, 18 additions = 47; 1 unary minus; 4 sine/cosine
 !   mass_matrix: 12 multiplications, 12 additions = 24; 0 unary minus; 4 sine/cosine
-!   forward_dynamics: 57 multiplications, 42 additions, 2 divisions = 101; 2 unary minus; 4
+!   forward_dynamics: 55 multiplications, 42 additions, 2 divisions = 99; 2 unary minus; 4
 !       sine/cosine
 module puma560_3dof_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -132,14 +132,14 @@ contains
   end subroutine
 
   ! torques at zero acceleration: Coriolis, centrifugal, gravity, friction
-  ! 30 multiplications, 18 additions = 48; 1 unary minus; 4 sine/cosine
+  ! 29 multiplications, 18 additions = 47; 1 unary minus; 4 sine/cosine
   pure subroutine puma560_3dof_bias(q, qd, tau) &
       bind(c, name="puma560_3dof_bias_f")
     real(rk), intent(in) :: q(3)
     real(rk), intent(in) :: qd(3)
     real(rk), intent(out) :: tau(3)
-    real(rk) :: c2, s2, angle23, c23, s23, ww2_zz, w3_z, ww3_zz, t1, t2, t3, t4, t5, t6, tau1
-    real(rk) :: lam2_33, t7, nc3_z, tau2
+    real(rk) :: c2, s2, angle23, c23, s23, ww2_zz, w3_z, ww3_zz, t1, t2, t3, t4, t5, t6, t7, tau1
+    real(rk) :: lam2_33, t8, nc3_z, tau2
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -153,22 +153,23 @@ contains
     w3_z = qd(2) + qd(3)
     ! link 3: products of the angular velocity [1/s^2]
     ww3_zz = w3_z*w3_z
-    t1 = 0.0015049505482314155_rk*c2 - 5.866434376976675e-05_rk*s2
-    t2 = 0.03851_rk*s23
-    t3 = 0.1450848_rk*c2
-    t4 = t2 + (t2 + t3)
-    t5 = 0.1450848_rk*s2
-    t6 = t5*(s23 + 1668.1814005825509_rk*(t1 + 0.0041505871655958945_rk*c2)) + 0.0070992_rk
+    t1 = 0.03851_rk*s23
+    t2 = 0.1450848_rk*c2
+    t3 = t1 + (t2 + t1)
+    t4 = 0.1450848_rk*s2
+    t5 = c2 - 0.03898091125898309_rk*s2
+    t6 = t4*(s23 + 6.9239323111437185_rk*(c2 + 0.36258738539595314_rk*t5)) + 0.0070992_rk
+    t7 = s23*ww3_zz + 36.272888192449436_rk*((c23*(w3_z*t3) - qd(2)*t6)*qd(1)) + &
+        11.050503177505005_rk*(ww2_zz*t5)
     ! link 1: joint torque [N m], at a prismatic joint force [N]
-    tau1 = 404.8626213771833_rk*(ww2_zz*t1) + (0.0551376_rk*(s23*ww3_zz) + 2.0_rk*((c23*(w3_z*t4) &
-        - qd(2)*t6)*qd(1)))
+    tau1 = 0.0551376_rk*t7
     ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
     lam2_33 = -qd(1)*qd(1)
-    t7 = c23*t3 + s23*t5
+    t8 = c23*t2 + s23*t4
     ! link 3: moment that turns the link [N m]
-    nc3_z = c23*(t4*lam2_33) - 3.2928_rk*s23 - ww2_zz*t7
+    nc3_z = c23*(t3*lam2_33) - 3.2928_rk*s23 - ww2_zz*t8
     ! link 2: joint torque [N m], at a prismatic joint force [N]
-    tau2 = 1.02312_rk*s2 + nc3_z - t6*lam2_33 - (31.907232_rk*c2 - ww3_zz*t7)
+    tau2 = ww3_zz*t8 - 31.907232_rk*c2 - (t6*lam2_33 - (nc3_z + 1.02312_rk*s2))
     tau(1) = tau1
     tau(2) = tau2
     tau(3) = nc3_z
@@ -213,16 +214,16 @@ contains
 
   ! accelerations that the torques tau give
   ! with rotor inertia
-  ! 57 multiplications, 42 additions, 2 divisions = 101; 2 unary minus; 4 sine/cosine
+  ! 55 multiplications, 42 additions, 2 divisions = 99; 2 unary minus; 4 sine/cosine
   pure subroutine puma560_3dof_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="puma560_3dof_forward_dynamics_f")
     real(rk), intent(in) :: q(3)
     real(rk), intent(in) :: qd(3)
     real(rk), intent(in) :: tau(3)
     real(rk), intent(out) :: qdd(3)
-    real(rk) :: c2, s2, angle23, c23, s23, ww2_zz, w3_z, ww3_zz, t1, t2, t3, t4, t5, t6, tau1
-    real(rk) :: lam2_33, t7, neg_nc3_z, neg_tau2, m1_3, t8, t9, t10, m1_1, m1_2, m2_3, m2_2, y3
-    real(rk) :: u2_3, u1_3, pivot2, ipivot2, ud1_2, u1_2, pivot1, ipivot1, y2, y1, qdd1, qdd2, qdd3
+    real(rk) :: c2, s2, angle23, c23, s23, ww2_zz, w3_z, ww3_zz, t1, t2, t3, t4, t5, t6, t7, tau1
+    real(rk) :: lam2_33, t8, neg_nc3_z, tau2, m1_3, t9, t10, m1_1, m1_2, m2_3, m2_2, y3, u2_3, u1_3
+    real(rk) :: pivot2, ipivot2, ud1_2, u1_2, pivot1, ipivot1, neg_y2, y1, qdd1, qdd2, qdd3
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -236,32 +237,32 @@ contains
     w3_z = qd(2) + qd(3)
     ! link 3: products of the angular velocity [1/s^2]
     ww3_zz = w3_z*w3_z
-    t1 = 0.0015049505482314155_rk*c2 - 5.866434376976675e-05_rk*s2
+    t1 = c2 - 0.03898091125898309_rk*s2
     t2 = 0.03851_rk*s23
     t3 = 0.1450848_rk*c2
-    t4 = t2 + (t2 + t3)
+    t4 = t2 + (t3 + t2)
     t5 = 0.1450848_rk*s2
-    t6 = t5*(s23 + 1668.1814005825509_rk*(t1 + 0.0041505871655958945_rk*c2)) + 0.0070992_rk
+    t6 = t5*(s23 + 2.51053051335616_rk*(t1 + 2.7579558480998414_rk*c2)) + 0.0070992_rk
+    t7 = ww2_zz*t1 + 3.282464844341972_rk*((c23*(w3_z*t4) - qd(2)*t6)*qd(1) + &
+        0.0275688_rk*(s23*ww3_zz))
     ! link 1: joint torque [N m], at a prismatic joint force [N]
-    tau1 = 404.8626213771833_rk*(ww2_zz*t1) + (0.0551376_rk*(s23*ww3_zz) + 2.0_rk*((c23*(w3_z*t4) &
-        - qd(2)*t6)*qd(1)))
+    tau1 = 0.609298224_rk*t7
     ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
     lam2_33 = -qd(1)*qd(1)
-    t7 = c23*t3 + s23*t5
+    t8 = c23*t3 + s23*t5
     ! link 3: moment that turns the link [N m]
-    neg_nc3_z = 3.2928_rk*s23 - c23*(t4*lam2_33) + ww2_zz*t7
+    neg_nc3_z = 3.2928_rk*s23 - c23*(t4*lam2_33) + ww2_zz*t8
     ! link 2: joint torque [N m], at a prismatic joint force [N]
-    neg_tau2 = t6*lam2_33 - (1.02312_rk*s2 - neg_nc3_z) + (31.907232_rk*c2 - ww3_zz*t7)
+    tau2 = ww3_zz*t8 - 31.907232_rk*c2 + (1.02312_rk*s2 - neg_nc3_z - t6*lam2_33)
     ! link 1: mass matrix, its row of this joint
     m1_3 = -0.0551376_rk*c23
-    t8 = s23*t3
-    t9 = t8 + 0.10952_rk
-    t10 = 0.09786276715410573_rk*s2
-    m1_1 = t9 + (t3*(9.434462824499878_rk*c2 - t10) + (t8 + 2.630443438_rk + &
-        1.3968689242912278_rk*(c23*m1_3)))
-    m1_2 = m1_3 + (0.023751_rk*c2 + 0.609298224_rk*s2)
+    t9 = s23*t3
+    t10 = t9 + 0.10952_rk
+    m1_1 = t10 + (t9 + 2.630443438_rk + 1.3968689242912278_rk*(c23*m1_3) + &
+        9.434462824499878_rk*(t3*(c2 - 0.010372902938360292_rk*s2)))
+    m1_2 = m1_3 + 0.023751_rk*(c2 + 25.653581912340535_rk*s2)
     ! link 2: mass matrix, its row of this joint
-    m2_3 = t9 - t10*(1.4825331862068964_rk*c23)
+    m2_3 = t10 - c23*t5
     m2_2 = m2_3 + (m2_3 + 6.115529952_rk)
     ! link 3: forward substitution
     y3 = neg_nc3_z + tau(3)
@@ -275,13 +276,13 @@ contains
     pivot1 = m1_1 - m1_3*u1_3 - ud1_2*u1_2
     ipivot1 = 1.0_rk / pivot1
     ! link 2: forward substitution
-    y2 = neg_tau2 + tau(2) - y3*u2_3
+    neg_y2 = tau2 - tau(2) + y3*u2_3
     ! link 1: forward substitution
-    y1 = -(tau1 - tau(1) + y3*u1_3) - u1_2*y2
+    y1 = u1_2*neg_y2 - (tau1 - tau(1) + y3*u1_3)
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     qdd1 = ipivot1*y1
     ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd2 = ipivot2*y2 - u1_2*qdd1
+    qdd2 = -(ipivot2*neg_y2) - u1_2*qdd1
     ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     qdd3 = 1.0643732970027249_rk*y3 - u2_3*qdd2 - u1_3*qdd1
     qdd(1) = qdd1

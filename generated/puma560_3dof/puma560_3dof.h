@@ -30,9 +30,9 @@
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 45 multiplications, 35 additions = 80; 0 unary minus; 4 sine/cosine
  *   gravity: 3 multiplications, 3 additions = 6; 0 unary minus; 3 sine/cosine
- *   bias: 30 multiplications, 18 additions = 48; 1 unary minus; 4 sine/cosine
+ *   bias: 29 multiplications, 18 additions = 47; 1 unary minus; 4 sine/cosine
  *   mass_matrix: 12 multiplications, 12 additions = 24; 0 unary minus; 4 sine/cosine
- *   forward_dynamics: 57 multiplications, 42 additions, 2 divisions = 101; 2 unary minus; 4
+ *   forward_dynamics: 55 multiplications, 42 additions, 2 divisions = 99; 2 unary minus; 4
  *       sine/cosine
  */
 #ifndef PUMA560_3DOF_H

@@ -29,7 +29,7 @@
  *   gravity: 2 multiplications, 2 additions = 4; 0 unary minus; 2 sine/cosine
  *   bias: 25 multiplications, 14 additions = 39; 1 unary minus; 4 sine/cosine
  *   mass_matrix: 10 multiplications, 9 additions = 19; 0 unary minus; 4 sine/cosine
- *   forward_dynamics: 50 multiplications, 34 additions, 2 divisions = 86; 2 unary minus; 4
+ *   forward_dynamics: 49 multiplications, 34 additions, 2 divisions = 85; 2 unary minus; 4
  *       sine/cosine
  */
 #include "puma560_3dof_d12.h"
@@ -185,7 +185,7 @@ void puma560_3dof_d12_mass_matrix(const puma560_3dof_d12_real q[3], puma560_3dof
 }
 
 /* accelerations that the torques tau give
- * 50 multiplications, 34 additions, 2 divisions = 86; 2 unary minus; 4 sine/cosine */
+ * 49 multiplications, 34 additions, 2 divisions = 85; 2 unary minus; 4 sine/cosine */
 void puma560_3dof_d12_forward_dynamics(
     const puma560_3dof_d12_real q[3],
     const puma560_3dof_d12_real qd[3],
@@ -214,24 +214,24 @@ void puma560_3dof_d12_forward_dynamics(
     const puma560_3dof_d12_real t3 = 0.1828673*c23;
     const puma560_3dof_d12_real t4 = w3_z*t3;
     const puma560_3dof_d12_real t5 = 0.1828673*s23;
-    const puma560_3dof_d12_real t6 = t5 + 1.602487602*c2;
-    const puma560_3dof_d12_real t7 = ww3_zz*t5;
+    const puma560_3dof_d12_real t6 = 1.602487602*c2;
+    const puma560_3dof_d12_real t7 = t5 + t6;
+    const puma560_3dof_d12_real t8 = ww3_zz*t5;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const puma560_3dof_d12_real n1_z = 0.104010539*t1 + 2.0*(qd[0]*(t2*t4 - t6*(s2*qd[1]))) +
-        0.3476146364057434*t7;
+    const puma560_3dof_d12_real n1_z = 0.104010539*(t1 + 19.228820648646*(qd[0]*(t2*t4 -
+        t7*(s2*qd[1]))) + 3.342109749145165*t8);
     /* link 3: moment that turns the link [N m] */
     const puma560_3dof_d12_real neg_nc3_z = t3*(t1 - lam2_33*t2) + t5*(s2*ww2_zz +
         22.69569245020843);
     /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_3dof_d12_real n02_z = c2*(w3_z*t4 - 14.006062) + (s2*(t7 - lam2_33*t6) -
+    const puma560_3dof_d12_real n02_z = c2*(w3_z*t4 - 14.006062) + (s2*(t8 - lam2_33*t7) -
         neg_nc3_z);
     /* link 1: mass matrix, its row of this joint */
-    const puma560_3dof_d12_real m1_3 = -0.06356735*c23;
-    const puma560_3dof_d12_real m1_2 = m1_3 + 0.104010539*s2;
-    const puma560_3dof_d12_real t8 = 0.1828673*(s2*c23 - c2*s23);
+    const puma560_3dof_d12_real m1_2 = 0.104010539*(s2 - 0.6111625861298536*c23);
+    const puma560_3dof_d12_real t9 = 0.1828673*(s2*c23 - c2*s23);
     /* link 2: mass matrix, its row of this joint */
-    const puma560_3dof_d12_real m2_2 = 7.529132602 - t8 - t8;
-    const puma560_3dof_d12_real m2_3 = 1.071645 - t8;
+    const puma560_3dof_d12_real m2_2 = 7.529132602 - t9 - t9;
+    const puma560_3dof_d12_real m2_3 = 1.071645 - t9;
     /* link 3: forward substitution */
     const puma560_3dof_d12_real y3 = neg_nc3_z + tau[2];
     /* factorisation M = U D U^T */
@@ -241,17 +241,17 @@ void puma560_3dof_d12_forward_dynamics(
     const puma560_3dof_d12_real ipivot2 = 1.0 / pivot2;
     const puma560_3dof_d12_real ud1_2 = m1_2 - m2_3*u1_3;
     const puma560_3dof_d12_real u1_2 = ipivot2*ud1_2;
-    const puma560_3dof_d12_real pivot1 = 1.602487602*(c2*(c2 + 0.22822928523349661*s23)) +
-        3.0096367105 - ud1_2*u1_2 + m1_3*(3.3038290744197036*c23);
+    const puma560_3dof_d12_real pivot1 = c2*(t6 + 0.3657346*s23) + 3.0096367105 - ud1_2*u1_2 -
+        0.21001565911381334*(c23*c23);
     const puma560_3dof_d12_real ipivot1 = 1.0 / pivot1;
     /* link 2: forward substitution */
-    const puma560_3dof_d12_real y2 = tau[1] - n02_z - y3*u2_3;
+    const puma560_3dof_d12_real neg_y2 = n02_z - tau[1] + y3*u2_3;
     /* link 1: forward substitution */
-    const puma560_3dof_d12_real y1 = -(n1_z - tau[0] + y3*u1_3) - u1_2*y2;
+    const puma560_3dof_d12_real y1 = u1_2*neg_y2 - (n1_z - tau[0] + y3*u1_3);
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const puma560_3dof_d12_real qdd1 = ipivot1*y1;
     /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_3dof_d12_real qdd2 = ipivot2*y2 - u1_2*qdd1;
+    const puma560_3dof_d12_real qdd2 = -u1_2*qdd1 - ipivot2*neg_y2;
     /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const puma560_3dof_d12_real qdd3 = 0.933144838076042*y3 - u2_3*qdd2 - u1_3*qdd1;
     qdd[0] = qdd1;

@@ -28,7 +28,7 @@
 !   gravity: 2 multiplications, 2 additions = 4; 0 unary minus; 2 sine/cosine
 !   bias: 25 multiplications, 14 additions = 39; 1 unary minus; 4 sine/cosine
 !   mass_matrix: 10 multiplications, 9 additions = 19; 0 unary minus; 4 sine/cosine
-!   forward_dynamics: 50 multiplications, 34 additions, 2 divisions = 86; 2 unary minus; 4
+!   forward_dynamics: 49 multiplications, 34 additions, 2 divisions = 85; 2 unary minus; 4
 !       sine/cosine
 module puma560_3dof_d12_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -195,7 +195,7 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 50 multiplications, 34 additions, 2 divisions = 86; 2 unary minus; 4 sine/cosine
+  ! 49 multiplications, 34 additions, 2 divisions = 85; 2 unary minus; 4 sine/cosine
   pure subroutine puma560_3dof_d12_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="puma560_3dof_d12_forward_dynamics_f")
     real(rk), intent(in) :: q(3)
@@ -203,8 +203,8 @@ contains
     real(rk), intent(in) :: tau(3)
     real(rk), intent(out) :: qdd(3)
     real(rk) :: c2, s2, angle23, c23, s23, w3_z, lam2_33, ww2_zz, ww3_zz, t1, t2, t3, t4, t5, t6
-    real(rk) :: t7, n1_z, neg_nc3_z, n02_z, m1_3, m1_2, t8, m2_2, m2_3, y3, u2_3, u1_3, pivot2
-    real(rk) :: ipivot2, ud1_2, u1_2, pivot1, ipivot1, y2, y1, qdd1, qdd2, qdd3
+    real(rk) :: t7, t8, n1_z, neg_nc3_z, n02_z, m1_2, t9, m2_2, m2_3, y3, u2_3, u1_3, pivot2
+    real(rk) :: ipivot2, ud1_2, u1_2, pivot1, ipivot1, neg_y2, y1, qdd1, qdd2, qdd3
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -225,21 +225,22 @@ contains
     t3 = 0.1828673_rk*c23
     t4 = w3_z*t3
     t5 = 0.1828673_rk*s23
-    t6 = t5 + 1.602487602_rk*c2
-    t7 = ww3_zz*t5
+    t6 = 1.602487602_rk*c2
+    t7 = t5 + t6
+    t8 = ww3_zz*t5
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = 0.104010539_rk*t1 + 2.0_rk*(qd(1)*(t2*t4 - t6*(s2*qd(2)))) + 0.3476146364057434_rk*t7
+    n1_z = 0.104010539_rk*(t1 + 19.228820648646_rk*(qd(1)*(t2*t4 - t7*(s2*qd(2)))) + &
+        3.342109749145165_rk*t8)
     ! link 3: moment that turns the link [N m]
     neg_nc3_z = t3*(t1 - lam2_33*t2) + t5*(s2*ww2_zz + 22.69569245020843_rk)
     ! link 2: moment through the joint, along the axes that its turn starts from [N m]
-    n02_z = c2*(w3_z*t4 - 14.006062_rk) + (s2*(t7 - lam2_33*t6) - neg_nc3_z)
+    n02_z = c2*(w3_z*t4 - 14.006062_rk) + (s2*(t8 - lam2_33*t7) - neg_nc3_z)
     ! link 1: mass matrix, its row of this joint
-    m1_3 = -0.06356735_rk*c23
-    m1_2 = m1_3 + 0.104010539_rk*s2
-    t8 = 0.1828673_rk*(s2*c23 - c2*s23)
+    m1_2 = 0.104010539_rk*(s2 - 0.6111625861298536_rk*c23)
+    t9 = 0.1828673_rk*(s2*c23 - c2*s23)
     ! link 2: mass matrix, its row of this joint
-    m2_2 = 7.529132602_rk - t8 - t8
-    m2_3 = 1.071645_rk - t8
+    m2_2 = 7.529132602_rk - t9 - t9
+    m2_3 = 1.071645_rk - t9
     ! link 3: forward substitution
     y3 = neg_nc3_z + tau(3)
     ! factorisation M = U D U^T
@@ -249,17 +250,17 @@ contains
     ipivot2 = 1.0_rk / pivot2
     ud1_2 = m1_2 - m2_3*u1_3
     u1_2 = ipivot2*ud1_2
-    pivot1 = 1.602487602_rk*(c2*(c2 + 0.22822928523349661_rk*s23)) + 3.0096367105_rk - ud1_2*u1_2 &
-        + m1_3*(3.3038290744197036_rk*c23)
+    pivot1 = c2*(t6 + 0.3657346_rk*s23) + 3.0096367105_rk - ud1_2*u1_2 - &
+        0.21001565911381334_rk*(c23*c23)
     ipivot1 = 1.0_rk / pivot1
     ! link 2: forward substitution
-    y2 = tau(2) - n02_z - y3*u2_3
+    neg_y2 = n02_z - tau(2) + y3*u2_3
     ! link 1: forward substitution
-    y1 = -(n1_z - tau(1) + y3*u1_3) - u1_2*y2
+    y1 = u1_2*neg_y2 - (n1_z - tau(1) + y3*u1_3)
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     qdd1 = ipivot1*y1
     ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd2 = ipivot2*y2 - u1_2*qdd1
+    qdd2 = -u1_2*qdd1 - ipivot2*neg_y2
     ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     qdd3 = 0.933144838076042_rk*y3 - u2_3*qdd2 - u1_3*qdd1
     qdd(1) = qdd1

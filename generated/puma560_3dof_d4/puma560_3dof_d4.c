@@ -29,7 +29,7 @@
  *   gravity: 2 multiplications, 2 additions = 4; 0 unary minus; 2 sine/cosine
  *   bias: 25 multiplications, 14 additions = 39; 1 unary minus; 4 sine/cosine
  *   mass_matrix: 10 multiplications, 9 additions = 19; 0 unary minus; 4 sine/cosine
- *   forward_dynamics: 50 multiplications, 34 additions, 2 divisions = 86; 2 unary minus; 4
+ *   forward_dynamics: 49 multiplications, 34 additions, 2 divisions = 85; 0 unary minus; 4
  *       sine/cosine
  */
 #include "puma560_3dof_d4.h"
@@ -184,7 +184,7 @@ void puma560_3dof_d4_mass_matrix(const puma560_3dof_d4_real q[3], puma560_3dof_d
 }
 
 /* accelerations that the torques tau give
- * 50 multiplications, 34 additions, 2 divisions = 86; 2 unary minus; 4 sine/cosine */
+ * 49 multiplications, 34 additions, 2 divisions = 85; 0 unary minus; 4 sine/cosine */
 void puma560_3dof_d4_forward_dynamics(
     const puma560_3dof_d4_real q[3],
     const puma560_3dof_d4_real qd[3],
@@ -211,47 +211,48 @@ void puma560_3dof_d4_forward_dynamics(
     const puma560_3dof_d4_real t3 = 2.047237206*c23;
     const puma560_3dof_d4_real t4 = w3_z*t3;
     const puma560_3dof_d4_real t5 = 2.047237206*s23;
-    const puma560_3dof_d4_real t6 = s2*(t5 + 3.467000002*c2);
-    const puma560_3dof_d4_real t7 = ww3_zz*t5;
+    const puma560_3dof_d4_real t6 = 3.467000002*c2;
+    const puma560_3dof_d4_real t7 = s2*(t5 + t6);
+    const puma560_3dof_d4_real t8 = ww3_zz*t5;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const puma560_3dof_d4_real n1_z = 0.752142339*t1 + 0.3476146364057434*(5.753497668221186*((t2*t4
-        - qd[1]*t6)*qd[0]) + t7);
+    const puma560_3dof_d4_real n1_z = 0.752142339*(t1 + 2.6590711575405677*((t2*t4 - qd[1]*t7)*qd[0]
+        + 0.1738073182028717*t8));
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_3dof_d4_real lam2_33 = -qd[0]*qd[0];
+    const puma560_3dof_d4_real neg_lam2_33 = qd[0]*qd[0];
     /* link 3: moment that turns the link [N m] */
-    const puma560_3dof_d4_real neg_nc3_z = t3*(t1 - t2*lam2_33) + t5*(s2*ww2_zz +
+    const puma560_3dof_d4_real neg_nc3_z = t3*(t1 + t2*neg_lam2_33) + t5*(s2*ww2_zz +
         22.69569245020843);
     /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_3dof_d4_real n02_z = s2*t7 + c2*(w3_z*t4 - 56.322462) - neg_nc3_z - t6*lam2_33;
+    const puma560_3dof_d4_real n02_z = t7*neg_lam2_33 - (neg_nc3_z - (s2*t8 + c2*(w3_z*t4 -
+        56.322462)));
     /* link 1: mass matrix, its row of this joint */
-    const puma560_3dof_d4_real m1_3 = -0.711649617*c23;
-    const puma560_3dof_d4_real m1_2 = m1_3 + 0.752142339*s2;
-    const puma560_3dof_d4_real t8 = 2.047237206*(s2*c23 - c2*s23);
+    const puma560_3dof_d4_real m1_2 = 0.752142339*(s2 - 0.9461634854197458*c23);
+    const puma560_3dof_d4_real t9 = 2.047237206*(s2*c23 - c2*s23);
     /* link 2: mass matrix, its row of this joint */
-    const puma560_3dof_d4_real m2_2 = 12.62905362 - t8 - t8;
-    const puma560_3dof_d4_real m2_3 = 4.307053618 - t8;
+    const puma560_3dof_d4_real neg_m2_2 = t9 + (t9 - 12.62905362);
+    const puma560_3dof_d4_real neg_m2_3 = t9 - 4.307053618;
     /* link 3: forward substitution */
     const puma560_3dof_d4_real y3 = neg_nc3_z + tau[2];
     /* factorisation M = U D U^T */
-    const puma560_3dof_d4_real u2_3 = 0.23217728142988722*m2_3;
-    const puma560_3dof_d4_real u1_3 = -0.16522887340568046*c23;
-    const puma560_3dof_d4_real pivot2 = m2_2 - m2_3*u2_3;
-    const puma560_3dof_d4_real ipivot2 = 1.0 / pivot2;
-    const puma560_3dof_d4_real ud1_2 = m1_2 - m2_3*u1_3;
-    const puma560_3dof_d4_real u1_2 = ipivot2*ud1_2;
-    const puma560_3dof_d4_real pivot1 = 3.467000002*(c2*(c2 + 1.18098483116182*s23)) + 6.4703454285
-        - ud1_2*u1_2 + m1_3*(5.0013919735960375*c23);
+    const puma560_3dof_d4_real neg_u2_3 = 0.23217728142988722*neg_m2_3;
+    const puma560_3dof_d4_real neg_u1_3 = 0.16522887340568046*c23;
+    const puma560_3dof_d4_real neg_pivot2 = neg_m2_2 + neg_m2_3*neg_u2_3;
+    const puma560_3dof_d4_real neg_ipivot2 = 1.0 / neg_pivot2;
+    const puma560_3dof_d4_real ud1_2 = m1_2 - neg_m2_3*neg_u1_3;
+    const puma560_3dof_d4_real neg_u1_2 = neg_ipivot2*ud1_2;
+    const puma560_3dof_d4_real pivot1 = ud1_2*neg_u1_2 + (c2*(t6 + 4.094474412*s23) + 6.4703454285)
+        - 3.559238682476494*(c23*c23);
     const puma560_3dof_d4_real ipivot1 = 1.0 / pivot1;
     /* link 2: forward substitution */
-    const puma560_3dof_d4_real y2 = tau[1] - n02_z - y3*u2_3;
+    const puma560_3dof_d4_real y2 = tau[1] - n02_z + y3*neg_u2_3;
     /* link 1: forward substitution */
-    const puma560_3dof_d4_real y1 = -u1_2*y2 - (n1_z - tau[0] + y3*u1_3);
+    const puma560_3dof_d4_real y1 = neg_u1_2*y2 - (n1_z - tau[0] - y3*neg_u1_3);
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const puma560_3dof_d4_real qdd1 = ipivot1*y1;
     /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_3dof_d4_real qdd2 = ipivot2*y2 - u1_2*qdd1;
+    const puma560_3dof_d4_real qdd2 = neg_u1_2*qdd1 - neg_ipivot2*y2;
     /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_3dof_d4_real qdd3 = 0.23217728142988722*y3 - u2_3*qdd2 - u1_3*qdd1;
+    const puma560_3dof_d4_real qdd3 = neg_u1_3*qdd1 - (-0.23217728142988722*y3 - neg_u2_3*qdd2);
     qdd[0] = qdd1;
     qdd[1] = qdd2;
     qdd[2] = qdd3;

@@ -28,7 +28,7 @@
 !   gravity: 2 multiplications, 2 additions = 4; 0 unary minus; 2 sine/cosine
 !   bias: 25 multiplications, 14 additions = 39; 1 unary minus; 4 sine/cosine
 !   mass_matrix: 10 multiplications, 9 additions = 19; 0 unary minus; 4 sine/cosine
-!   forward_dynamics: 50 multiplications, 34 additions, 2 divisions = 86; 2 unary minus; 4
+!   forward_dynamics: 49 multiplications, 34 additions, 2 divisions = 85; 0 unary minus; 4
 !       sine/cosine
 module puma560_3dof_d4_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -195,16 +195,17 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 50 multiplications, 34 additions, 2 divisions = 86; 2 unary minus; 4 sine/cosine
+  ! 49 multiplications, 34 additions, 2 divisions = 85; 0 unary minus; 4 sine/cosine
   pure subroutine puma560_3dof_d4_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="puma560_3dof_d4_forward_dynamics_f")
     real(rk), intent(in) :: q(3)
     real(rk), intent(in) :: qd(3)
     real(rk), intent(in) :: tau(3)
     real(rk), intent(out) :: qdd(3)
-    real(rk) :: c2, s2, angle23, c23, s23, ww2_zz, w3_z, ww3_zz, t1, t2, t3, t4, t5, t6, t7, n1_z
-    real(rk) :: lam2_33, neg_nc3_z, n02_z, m1_3, m1_2, t8, m2_2, m2_3, y3, u2_3, u1_3, pivot2
-    real(rk) :: ipivot2, ud1_2, u1_2, pivot1, ipivot1, y2, y1, qdd1, qdd2, qdd3
+    real(rk) :: c2, s2, angle23, c23, s23, ww2_zz, w3_z, ww3_zz, t1, t2, t3, t4, t5, t6, t7, t8
+    real(rk) :: n1_z, neg_lam2_33, neg_nc3_z, n02_z, m1_2, t9, neg_m2_2, neg_m2_3, y3, neg_u2_3
+    real(rk) :: neg_u1_3, neg_pivot2, neg_ipivot2, ud1_2, neg_u1_2, pivot1, ipivot1, y2, y1, qdd1
+    real(rk) :: qdd2, qdd3
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -223,46 +224,46 @@ contains
     t3 = 2.047237206_rk*c23
     t4 = w3_z*t3
     t5 = 2.047237206_rk*s23
-    t6 = s2*(t5 + 3.467000002_rk*c2)
-    t7 = ww3_zz*t5
+    t6 = 3.467000002_rk*c2
+    t7 = s2*(t5 + t6)
+    t8 = ww3_zz*t5
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = 0.752142339_rk*t1 + 0.3476146364057434_rk*(5.753497668221186_rk*((t2*t4 - &
-        qd(2)*t6)*qd(1)) + t7)
+    n1_z = 0.752142339_rk*(t1 + 2.6590711575405677_rk*((t2*t4 - qd(2)*t7)*qd(1) + &
+        0.1738073182028717_rk*t8))
     ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam2_33 = -qd(1)*qd(1)
+    neg_lam2_33 = qd(1)*qd(1)
     ! link 3: moment that turns the link [N m]
-    neg_nc3_z = t3*(t1 - t2*lam2_33) + t5*(s2*ww2_zz + 22.69569245020843_rk)
+    neg_nc3_z = t3*(t1 + t2*neg_lam2_33) + t5*(s2*ww2_zz + 22.69569245020843_rk)
     ! link 2: moment through the joint, along the axes that its turn starts from [N m]
-    n02_z = s2*t7 + c2*(w3_z*t4 - 56.322462_rk) - neg_nc3_z - t6*lam2_33
+    n02_z = t7*neg_lam2_33 - (neg_nc3_z - (s2*t8 + c2*(w3_z*t4 - 56.322462_rk)))
     ! link 1: mass matrix, its row of this joint
-    m1_3 = -0.711649617_rk*c23
-    m1_2 = m1_3 + 0.752142339_rk*s2
-    t8 = 2.047237206_rk*(s2*c23 - c2*s23)
+    m1_2 = 0.752142339_rk*(s2 - 0.9461634854197458_rk*c23)
+    t9 = 2.047237206_rk*(s2*c23 - c2*s23)
     ! link 2: mass matrix, its row of this joint
-    m2_2 = 12.62905362_rk - t8 - t8
-    m2_3 = 4.307053618_rk - t8
+    neg_m2_2 = t9 + (t9 - 12.62905362_rk)
+    neg_m2_3 = t9 - 4.307053618_rk
     ! link 3: forward substitution
     y3 = neg_nc3_z + tau(3)
     ! factorisation M = U D U^T
-    u2_3 = 0.23217728142988722_rk*m2_3
-    u1_3 = -0.16522887340568046_rk*c23
-    pivot2 = m2_2 - m2_3*u2_3
-    ipivot2 = 1.0_rk / pivot2
-    ud1_2 = m1_2 - m2_3*u1_3
-    u1_2 = ipivot2*ud1_2
-    pivot1 = 3.467000002_rk*(c2*(c2 + 1.18098483116182_rk*s23)) + 6.4703454285_rk - ud1_2*u1_2 + &
-        m1_3*(5.0013919735960375_rk*c23)
+    neg_u2_3 = 0.23217728142988722_rk*neg_m2_3
+    neg_u1_3 = 0.16522887340568046_rk*c23
+    neg_pivot2 = neg_m2_2 + neg_m2_3*neg_u2_3
+    neg_ipivot2 = 1.0_rk / neg_pivot2
+    ud1_2 = m1_2 - neg_m2_3*neg_u1_3
+    neg_u1_2 = neg_ipivot2*ud1_2
+    pivot1 = ud1_2*neg_u1_2 + (c2*(t6 + 4.094474412_rk*s23) + 6.4703454285_rk) - &
+        3.559238682476494_rk*(c23*c23)
     ipivot1 = 1.0_rk / pivot1
     ! link 2: forward substitution
-    y2 = tau(2) - n02_z - y3*u2_3
+    y2 = tau(2) - n02_z + y3*neg_u2_3
     ! link 1: forward substitution
-    y1 = -u1_2*y2 - (n1_z - tau(1) + y3*u1_3)
+    y1 = neg_u1_2*y2 - (n1_z - tau(1) - y3*neg_u1_3)
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     qdd1 = ipivot1*y1
     ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd2 = ipivot2*y2 - u1_2*qdd1
+    qdd2 = neg_u1_2*qdd1 - neg_ipivot2*y2
     ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd3 = 0.23217728142988722_rk*y3 - u2_3*qdd2 - u1_3*qdd1
+    qdd3 = neg_u1_3*qdd1 - (-0.23217728142988722_rk*y3 - neg_u2_3*qdd2)
     qdd(1) = qdd1
     qdd(2) = qdd2
     qdd(3) = qdd3

@@ -29,7 +29,7 @@
  *   gravity: 2 multiplications, 2 additions = 4; 0 unary minus; 2 sine/cosine
  *   bias: 25 multiplications, 14 additions = 39; 1 unary minus; 4 sine/cosine
  *   mass_matrix: 10 multiplications, 9 additions = 19; 0 unary minus; 4 sine/cosine
- *   forward_dynamics: 50 multiplications, 34 additions, 2 divisions = 86; 2 unary minus; 4
+ *   forward_dynamics: 49 multiplications, 34 additions, 2 divisions = 85; 0 unary minus; 4
  *       sine/cosine
  */
 #ifndef PUMA560_3DOF_D4_H

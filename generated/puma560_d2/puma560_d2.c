@@ -25,14 +25,14 @@
  * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
  *   to the recursion without being written like it: robodyn --optimize full, seed 6.
  * Of mass_matrix the best program known for these parameters, equal to the recursion without being
- *   written like it: robodyn --optimize full, seed 4.
+ *   written like it: robodyn --optimize full, seed 0.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 128 multiplications, 101 additions = 229; 0 unary minus; 8 sine/cosine
  *   gravity: 11 multiplications, 6 additions = 17; 2 unary minus; 7 sine/cosine
  *   bias: 119 multiplications, 83 additions = 202; 0 unary minus; 8 sine/cosine
- *   mass_matrix: 56 multiplications, 49 additions = 105; 0 unary minus; 8 sine/cosine
- *   forward_dynamics: 237 multiplications, 189 additions, 4 divisions = 430; 2 unary minus; 8
+ *   mass_matrix: 53 multiplications, 49 additions = 102; 0 unary minus; 8 sine/cosine
+ *   forward_dynamics: 232 multiplications, 189 additions, 4 divisions = 425; 2 unary minus; 8
  *       sine/cosine
  */
 #include "puma560_d2.h"
@@ -378,7 +378,7 @@ void puma560_d2_bias(
 }
 
 /* mass matrix, rotor inertias on its diagonal
- * 56 multiplications, 49 additions = 105; 0 unary minus; 8 sine/cosine */
+ * 53 multiplications, 49 additions = 102; 0 unary minus; 8 sine/cosine */
 void puma560_d2_mass_matrix(const puma560_d2_real q[6], puma560_d2_real M[36])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -395,73 +395,66 @@ void puma560_d2_mass_matrix(const puma560_d2_real q[6], puma560_d2_real M[36])
     const puma560_d2_real c23 = cos(angle23);
     const puma560_d2_real s23 = sin(angle23);
     /* link 5: moment for a unit acceleration of a joint further out */
-    const puma560_d2_real neg_nu5_y = 0.193*c5;
-    const puma560_d2_real t1 = 5.8464e-05*s5;
-    const puma560_d2_real nu5_x = 3301.176792556103*t1;
+    const puma560_d2_real nu5_x = 0.193*s5;
     /* link 4: moment for a unit acceleration of a joint further out */
     const puma560_d2_real nu4_y = s4*nu5_x;
-    const puma560_d2_real t2 = c4*t1;
-    /* link 4: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_d2_real h4_x = 49.26108374384236*t2;
-    const puma560_d2_real t3 = 0.9982675647668394*c5;
-    const puma560_d2_real t4 = 0.0012494926651166237*t3 + 3.105981847;
-    const puma560_d2_real t5 = t4 - 2.926247487;
-    const puma560_d2_real t6 = 2.3089355806972987*t5 + 0.4467999411221427;
-    const puma560_d2_real t7 = s23*t6;
-    const puma560_d2_real t8 = h4_x - 0.025375;
-    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_d2_real h3_x = t7 + c23*t8;
-    const puma560_d2_real t9 = neg_nu5_y*t3;
-    const puma560_d2_real t10 = t9 + 3.008941183;
-    const puma560_d2_real t11 = 0.0022398341968911917*nu4_y;
-    const puma560_d2_real t12 = t2 - t11;
-    const puma560_d2_real t13 = t3 - 0.006462839378238342;
-    const puma560_d2_real t14 = c4*s23;
-    const puma560_d2_real t15 = nu5_x*t14;
-    const puma560_d2_real t16 = t13*t15;
-    const puma560_d2_real t17 = 1.682287602*c2;
-    const puma560_d2_real t18 = 0.25667430437378924*t17;
-    const puma560_d2_real t19 = h3_x*t18;
-    const puma560_d2_real t20 = t12 - c23*(0.0068208*s23 - (t16 + 0.0203*t7)) - t19;
-    const puma560_d2_real t21 = t1 - c4*(t9 - 0.01356564);
-    const puma560_d2_real t22 = c4*(t1 + t21);
-    const puma560_d2_real t23 = t4 - (t10 - t5);
-    /* link 1: mass matrix, its row of this joint */
-    const puma560_d2_real m1_1 = t10 - (t20 - s23*(s23*(t22 + t23))) - (t20 - c2*t17);
+    const puma560_d2_real t1 = 0.9982675647668394*c5;
+    const puma560_d2_real t2 = t1 - 0.006462839378238342;
     /* link 3: mass matrix, its row of this joint */
-    const puma560_d2_real m3_4 = nu4_y*t13;
-    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_d2_real h3_y = s23*t8 - c23*t6;
-    const puma560_d2_real t24 = s4*s23;
-    const puma560_d2_real t25 = 0.1501*h3_y;
-    /* link 1: mass matrix, its row of this joint */
-    const puma560_d2_real m1_3 = c23*m3_4 - (t21*t24 - t25);
-    const puma560_d2_real t26 = 2.876748834110593*s2;
-    const puma560_d2_real m1_2 = m1_3 + t26*(t11 + 0.036155585696850394);
+    const puma560_d2_real m3_4 = nu4_y*t2;
+    /* link 5: moment for a unit acceleration of a joint further out */
+    const puma560_d2_real neg_nu5_y = 0.19333494026231143*t1;
+    const puma560_d2_real t3 = 5.856546086785376e-05*t1;
+    const puma560_d2_real t4 = t3 + 0.0174944385;
+    const puma560_d2_real t5 = 21.334975369458128*t4 - 0.1935090545;
+    const puma560_d2_real t6 = t5 + 0.2155;
+    const puma560_d2_real t7 = t2*neg_nu5_y;
+    const puma560_d2_real t8 = 0.1933 - t7;
     /* link 4: mass matrix, its row of this joint */
-    const puma560_d2_real m4_4 = t9 + 0.20193436;
-    const puma560_d2_real t27 = 0.014922279792746114*t18;
-    const puma560_d2_real t28 = nu5_x*t27;
+    const puma560_d2_real m4_4 = t6 - t8;
+    const puma560_d2_real t9 = 0.0003029222797927461*nu5_x;
+    /* link 3: mass matrix, its row of this joint */
+    const puma560_d2_real m3_5 = c4*t5 - t9;
+    const puma560_d2_real t10 = 21.27093596059113*c2;
+    const puma560_d2_real t11 = c4*s23;
+    const puma560_d2_real t12 = nu5_x*t11;
+    const puma560_d2_real t13 = t2*t12;
+    const puma560_d2_real t14 = s23*t4;
+    const puma560_d2_real t15 = c4*t9;
+    const puma560_d2_real t16 = t15 - 0.0005151125;
+    const puma560_d2_real t17 = t10*(t14 + c23*t16);
+    const puma560_d2_real t18 = c23*(t13 - (0.0068208*s23 - t14)) - t17;
+    const puma560_d2_real t19 = 0.0022398341968911917*nu4_y;
+    const puma560_d2_real t20 = t15 - t19;
+    const puma560_d2_real t21 = t20 - m4_4;
+    const puma560_d2_real t22 = m3_5 - c4*t8;
+    const puma560_d2_real t23 = c4*(t9 - t22);
+    const puma560_d2_real t24 = t6 + 0.984970889 - t7;
     /* link 1: mass matrix, its row of this joint */
-    const puma560_d2_real m1_4 = c4*t28 - t16 - c23*(t12 - m4_4);
-    const puma560_d2_real t29 = c23*neg_nu5_y;
-    const puma560_d2_real t30 = 0.0003029222797927461*t29;
-    const puma560_d2_real t31 = 7.394088669950739*(s23*t1 - c4*t30);
-    const puma560_d2_real t32 = neg_nu5_y*t27;
-    const puma560_d2_real m1_5 = t31 - s4*(t30 - t32) + t5*t24;
+    const puma560_d2_real m1_1 = t10*(0.0037181511794085144*t10) - (t18 + t20 + t21) - (t18 -
+        (s23*(s23*(t23 - 1.103430225 + t24)) + 2.807006823));
+    const puma560_d2_real t25 = 7.394088669950739*(s23*t16 - c23*t4);
+    const puma560_d2_real t26 = s4*s23;
+    const puma560_d2_real m1_3 = c23*m3_4 + t25 + t22*t26;
+    const puma560_d2_real t27 = 2.876748834110593*s2;
+    const puma560_d2_real t28 = t19*t27;
+    const puma560_d2_real m1_2 = 0.036155585696850394*t27 + (t28 + m1_3);
+    const puma560_d2_real t29 = t10*t9;
+    const puma560_d2_real m1_4 = c4*t29 - c23*t21 - t13;
+    const puma560_d2_real t30 = c23*t3;
+    const puma560_d2_real t31 = t10*t3;
+    const puma560_d2_real t32 = 7.394088669950739*(s23*t9 - c4*t30);
+    const puma560_d2_real m1_5 = t5*t26 - (s4*(t30 - t31) - t32);
     /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_d2_real neg_nu3_y = t29 - t15;
+    const puma560_d2_real neg_nu3_y = 3301.176792556103*t30 - t12;
     /* link 3: mass matrix, its row of this joint */
-    const puma560_d2_real m3_3 = t23 - (t22 - 1.103430225);
-    const puma560_d2_real t33 = t19 + t25*t26;
+    const puma560_d2_real m3_3 = t24 - t23;
+    const puma560_d2_real t33 = t17 + t27*t25;
     /* link 2: mass matrix, its row of this joint */
-    const puma560_d2_real m2_3 = t33 + m3_3;
+    const puma560_d2_real m2_3 = m3_3 + t33;
     const puma560_d2_real m2_2 = m2_3 + (t33 + 6.538587602);
-    const puma560_d2_real m2_4 = m3_4 - (t24*t28 - t11*(c23*t26));
-    /* link 3: mass matrix, its row of this joint */
-    const puma560_d2_real m3_5 = c4*t5 - t1;
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_d2_real m2_5 = t26*t31 + (t14*t32 + c23*t28 + m3_5);
+    const puma560_d2_real m2_4 = m3_4 + (c23*t28 - t26*t29);
+    const puma560_d2_real m2_5 = t11*t31 + (m3_5 + (c23*t29 + t27*t32));
     M[0] = m1_1;
     M[1] = m1_2;
     M[2] = m1_3;
@@ -501,7 +494,7 @@ void puma560_d2_mass_matrix(const puma560_d2_real q[6], puma560_d2_real M[36])
 }
 
 /* accelerations that the torques tau give
- * 237 multiplications, 189 additions, 4 divisions = 430; 2 unary minus; 8 sine/cosine */
+ * 232 multiplications, 189 additions, 4 divisions = 425; 2 unary minus; 8 sine/cosine */
 void puma560_d2_forward_dynamics(
     const puma560_d2_real q[6],
     const puma560_d2_real qd[6],
@@ -635,70 +628,61 @@ void puma560_d2_forward_dynamics(
     const puma560_d2_real n02_z = t12*(t10 + t31) + (n3_z + t7*(c23*t30 - (s23*t29 +
         0.40978507086614174)));
     /* link 5: moment for a unit acceleration of a joint further out */
-    const puma560_d2_real neg_nu5_y = 0.193*c5;
     const puma560_d2_real nu5_x = 0.193*s5;
     /* link 4: moment for a unit acceleration of a joint further out */
     const puma560_d2_real nu4_y = s4*nu5_x;
-    const puma560_d2_real t32 = c4*t20;
-    /* link 4: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_d2_real h4_x = 49.26108374384236*t32;
-    const puma560_d2_real t33 = 0.001247328*c5;
-    const puma560_d2_real t34 = t33 + 0.17973436;
-    const puma560_d2_real t35 = 2.3089355806972987*t34 + 0.4467999411221427;
-    const puma560_d2_real t36 = s23*t35;
-    const puma560_d2_real t37 = h4_x - 0.025375;
-    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_d2_real h3_x = t36 + c23*t37;
-    const puma560_d2_real t38 = 0.9982675647668394*c5;
-    const puma560_d2_real t39 = neg_nu5_y*t38;
-    const puma560_d2_real t40 = 0.0022398341968911917*nu4_y;
-    const puma560_d2_real t41 = t32 - t40;
-    const puma560_d2_real t42 = t38 - 0.006462839378238342;
-    const puma560_d2_real t43 = s23*c4;
-    const puma560_d2_real t44 = nu5_x*t43;
-    const puma560_d2_real t45 = t42*t44;
-    const puma560_d2_real t46 = h3_x*(0.4318*c2);
-    const puma560_d2_real t47 = t41 - c23*(0.0068208*s23 - (t45 + 0.0203*t36)) - t46;
-    const puma560_d2_real t48 = t20 - c4*(t39 - 0.01356564);
-    const puma560_d2_real t49 = c4*(t20 + t48);
-    const puma560_d2_real t50 = t33 + (t33 - t39);
-    /* link 1: mass matrix, its row of this joint */
-    const puma560_d2_real m1_1 = t39 + 3.008941183 - (t47 - s23*(s23*(t49 + (t50 + 0.276775024)))) -
-        (t47 - c2*(1.682287602*c2));
+    const puma560_d2_real t32 = 0.9982675647668394*c5 - 0.006462839378238342;
     /* link 3: mass matrix, its row of this joint */
-    const puma560_d2_real m3_4 = nu4_y*t42;
-    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_d2_real h3_y = s23*t37 - c23*t35;
-    const puma560_d2_real t51 = s23*s4;
-    const puma560_d2_real t52 = 0.1501*h3_y;
-    /* link 1: mass matrix, its row of this joint */
-    const puma560_d2_real m1_3 = c23*m3_4 - (t48*t51 - t52);
-    const puma560_d2_real t53 = 2.876748834110593*s2;
-    const puma560_d2_real m1_2 = m1_3 + t53*(t40 + 0.036155585696850394);
+    const puma560_d2_real m3_4 = nu4_y*t32;
+    /* link 5: moment for a unit acceleration of a joint further out */
+    const puma560_d2_real neg_nu5_y = 0.193*c5;
+    const puma560_d2_real t33 = t21 + 0.0174944385;
+    const puma560_d2_real t34 = 21.334975369458128*t33;
+    const puma560_d2_real t35 = t32*neg_nu5_y;
     /* link 4: mass matrix, its row of this joint */
-    const puma560_d2_real m4_4 = t39 + 0.20193436;
-    const puma560_d2_real t54 = 0.006443440414507772*c2;
-    const puma560_d2_real t55 = nu5_x*t54;
+    const puma560_d2_real m4_4 = t34 + t35 - 0.1713090545;
+    const puma560_d2_real t36 = t34 - 0.1935090545;
+    /* link 3: mass matrix, its row of this joint */
+    const puma560_d2_real neg_m3_5 = t20 - c4*t36;
+    const puma560_d2_real t37 = s23*c4;
+    const puma560_d2_real t38 = nu5_x*t37;
+    const puma560_d2_real t39 = t32*t38;
+    const puma560_d2_real t40 = s23*t33;
+    const puma560_d2_real t41 = c4*t20;
+    const puma560_d2_real t42 = t41 - 0.0005151125;
+    const puma560_d2_real t43 = t7*(t40 + c23*t42);
+    const puma560_d2_real t44 = c23*(t39 - (0.0068208*s23 - t40)) - t43;
+    const puma560_d2_real t45 = 0.0022398341968911917*nu4_y;
+    const puma560_d2_real t46 = t41 - t45;
+    const puma560_d2_real t47 = m4_4 - t46;
+    const puma560_d2_real t48 = neg_m3_5 - c4*(t35 - 0.1933);
+    const puma560_d2_real t49 = c4*(t20 + t48);
+    const puma560_d2_real t50 = t35 - (t34 + 1.0069618345);
     /* link 1: mass matrix, its row of this joint */
-    const puma560_d2_real neg_m1_4 = t45 - c4*t55 + c23*(t41 - m4_4);
-    const puma560_d2_real t56 = c23*neg_nu5_y;
-    const puma560_d2_real t57 = 0.0003029222797927461*t56;
-    const puma560_d2_real t58 = 7.394088669950739*(s23*t20 - c4*t57);
-    const puma560_d2_real t59 = neg_nu5_y*t54;
-    const puma560_d2_real m1_5 = t58 - s4*(t57 - t59) + t34*t51;
+    const puma560_d2_real m1_1 = t7*(0.0790885556289949*c2) - (t44 + t46 - t47) - (t44 -
+        (s23*(s23*(t49 - 1.103430225 - t50)) + 2.807006823));
+    const puma560_d2_real t51 = 7.394088669950739*(s23*t42 - c23*t33);
+    const puma560_d2_real t52 = s23*s4;
+    const puma560_d2_real m1_3 = c23*m3_4 + t51 - t48*t52;
+    const puma560_d2_real t53 = 2.876748834110593*s2;
+    const puma560_d2_real t54 = t45*t53;
+    const puma560_d2_real m1_2 = 0.104010539*s2 + (m1_3 + t54);
+    const puma560_d2_real t55 = t7*t20;
+    const puma560_d2_real neg_m1_4 = t39 - (c4*t55 + c23*t47);
+    const puma560_d2_real t56 = c23*t21;
+    const puma560_d2_real t57 = t7*t21;
+    const puma560_d2_real t58 = 7.394088669950739*(s23*t20 - c4*t56);
+    const puma560_d2_real m1_5 = t36*t52 - (s4*(t56 - t57) - t58);
     /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_d2_real nu3_y = t44 - t56;
+    const puma560_d2_real nu3_y = t38 - 3301.176792556103*t56;
     /* link 3: mass matrix, its row of this joint */
-    const puma560_d2_real m3_3 = 1.380205249 - (t49 - t50);
-    const puma560_d2_real t60 = t46 + t52*t53;
+    const puma560_d2_real neg_m3_3 = t49 + t50;
+    const puma560_d2_real t59 = t43 + t51*t53;
     /* link 2: mass matrix, its row of this joint */
-    const puma560_d2_real m2_3 = m3_3 + t60;
-    const puma560_d2_real m2_2 = m2_3 + (t60 + 6.538587602);
-    const puma560_d2_real m2_4 = m3_4 - (t51*t55 - t40*(c23*t53));
-    /* link 3: mass matrix, its row of this joint */
-    const puma560_d2_real neg_m3_5 = t20 - c4*t34;
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_d2_real m2_5 = t53*t58 - (neg_m3_5 - (t43*t59 + c23*t55));
+    const puma560_d2_real m2_3 = t59 - neg_m3_3;
+    const puma560_d2_real m2_2 = m2_3 + (t59 + 6.538587602);
+    const puma560_d2_real m2_4 = m3_4 + (c23*t54 - t52*t55);
+    const puma560_d2_real m2_5 = t37*t57 - (neg_m3_5 - (c23*t55 + t53*t58));
     /* link 5: forward substitution */
     const puma560_d2_real neg_y5 = n5_z - tau[4];
     /* link 6: forward substitution */
@@ -711,35 +695,35 @@ void puma560_d2_forward_dynamics(
     const puma560_d2_real u1_5 = 5.56376643842613*m1_5;
     const puma560_d2_real pivot4 = m4_4 - c5*neg_nu5_y;
     const puma560_d2_real ipivot4 = 1.0 / pivot4;
-    const puma560_d2_real t61 = neg_nu5_y*u3_6;
-    const puma560_d2_real ud3_4 = m3_4 - t61;
+    const puma560_d2_real t60 = neg_nu5_y*u3_6;
+    const puma560_d2_real ud3_4 = m3_4 - t60;
     const puma560_d2_real u3_4 = ipivot4*ud3_4;
-    const puma560_d2_real ud2_4 = m2_4 - t61;
+    const puma560_d2_real ud2_4 = m2_4 - t60;
     const puma560_d2_real u2_4 = ipivot4*ud2_4;
     const puma560_d2_real neg_ud1_4 = neg_m1_4 - neg_nu5_y*neg_u1_6;
     const puma560_d2_real neg_u1_4 = ipivot4*neg_ud1_4;
-    const puma560_d2_real t62 = nu4_y*u3_6;
-    const puma560_d2_real neg_pivot3 = t62 - m3_3 + neg_m3_5*neg_u3_5 + ud3_4*u3_4;
+    const puma560_d2_real t61 = nu4_y*u3_6;
+    const puma560_d2_real neg_pivot3 = neg_m3_3 + t61 + neg_m3_5*neg_u3_5 + ud3_4*u3_4;
     const puma560_d2_real neg_ipivot3 = 1.0 / neg_pivot3;
-    const puma560_d2_real neg_ud2_3 = t62 - m2_3 - neg_m3_5*u2_5 + ud3_4*u2_4;
+    const puma560_d2_real neg_ud2_3 = t61 - m2_3 - neg_m3_5*u2_5 + ud3_4*u2_4;
     const puma560_d2_real u2_3 = neg_ipivot3*neg_ud2_3;
-    const puma560_d2_real t63 = nu4_y*neg_u1_6;
-    const puma560_d2_real ud1_3 = m1_3 + t63 + neg_m3_5*u1_5 + ud3_4*neg_u1_4;
+    const puma560_d2_real t62 = nu4_y*neg_u1_6;
+    const puma560_d2_real ud1_3 = m1_3 + t62 + neg_m3_5*u1_5 + ud3_4*neg_u1_4;
     const puma560_d2_real neg_u1_3 = neg_ipivot3*ud1_3;
-    const puma560_d2_real neg_pivot2 = t62 - m2_2 + m2_5*u2_5 + ud2_4*u2_4 - neg_ud2_3*u2_3;
+    const puma560_d2_real neg_pivot2 = t61 - m2_2 + m2_5*u2_5 + ud2_4*u2_4 - neg_ud2_3*u2_3;
     const puma560_d2_real neg_ipivot2 = 1.0 / neg_pivot2;
-    const puma560_d2_real ud1_2 = m1_2 + t63 - m2_5*u1_5 + ud2_4*neg_u1_4 - neg_ud2_3*neg_u1_3;
+    const puma560_d2_real ud1_2 = m1_2 + t62 - m2_5*u1_5 + ud2_4*neg_u1_4 - neg_ud2_3*neg_u1_3;
     const puma560_d2_real neg_u1_2 = neg_ipivot2*ud1_2;
     const puma560_d2_real pivot1 = m1_1 - nu3_y*neg_u1_6 - m1_5*u1_5 - neg_ud1_4*neg_u1_4 +
         ud1_3*neg_u1_3 + ud1_2*neg_u1_2;
     const puma560_d2_real ipivot1 = 1.0 / pivot1;
     /* link 4: forward substitution */
     const puma560_d2_real y4 = neg_n4_z + tau[3] - c5*y6;
-    const puma560_d2_real t64 = y6*u3_6;
+    const puma560_d2_real t63 = y6*u3_6;
     /* link 3: forward substitution */
-    const puma560_d2_real neg_y3 = n3_z - tau[2] + t64 + neg_y5*neg_u3_5 + u3_4*y4;
+    const puma560_d2_real neg_y3 = n3_z - tau[2] + t63 + neg_y5*neg_u3_5 + u3_4*y4;
     /* link 2: forward substitution */
-    const puma560_d2_real neg_y2 = n02_z - tau[1] + t64 - neg_y5*u2_5 + u2_4*y4 - u2_3*neg_y3;
+    const puma560_d2_real neg_y2 = n02_z - tau[1] + t63 - neg_y5*u2_5 + u2_4*y4 - u2_3*neg_y3;
     /* link 1: forward substitution */
     const puma560_d2_real neg_y1 = n1_z - tau[0] - y6*neg_u1_6 - neg_y5*u1_5 - neg_u1_4*y4 +
         neg_u1_3*neg_y3 + neg_u1_2*neg_y2;
@@ -757,8 +741,8 @@ void puma560_d2_forward_dynamics(
     /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const puma560_d2_real qdd6 = u3_6*(-qdd2 - qdd3) - (neg_u1_6*neg_qdd1 - (5.181347150259067*y6 -
         c5*qdd4));
-    const puma560_d2_real t65 = -neg_qdd1;
-    qdd[0] = t65;
+    const puma560_d2_real t64 = -neg_qdd1;
+    qdd[0] = t64;
     qdd[1] = qdd2;
     qdd[2] = qdd3;
     qdd[3] = qdd4;

@@ -24,14 +24,14 @@
 ! Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
 !   to the recursion without being written like it: robodyn --optimize full, seed 6.
 ! Of mass_matrix the best program known for these parameters, equal to the recursion without being
-!   written like it: robodyn --optimize full, seed 4.
+!   written like it: robodyn --optimize full, seed 0.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
 !   inverse_dynamics: 128 multiplications, 101 additions = 229; 0 unary minus; 8 sine/cosine
 !   gravity: 11 multiplications, 6 additions = 17; 2 unary minus; 7 sine/cosine
 !   bias: 119 multiplications, 83 additions = 202; 0 unary minus; 8 sine/cosine
-!   mass_matrix: 56 multiplications, 49 additions = 105; 0 unary minus; 8 sine/cosine
-!   forward_dynamics: 237 multiplications, 189 additions, 4 divisions = 430; 2 unary minus; 8
+!   mass_matrix: 53 multiplications, 49 additions = 102; 0 unary minus; 8 sine/cosine
+!   forward_dynamics: 232 multiplications, 189 additions, 4 divisions = 425; 2 unary minus; 8
 !       sine/cosine
 module puma560_d2_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -395,15 +395,15 @@ contains
   end subroutine
 
   ! mass matrix, rotor inertias on its diagonal
-  ! 56 multiplications, 49 additions = 105; 0 unary minus; 8 sine/cosine
+  ! 53 multiplications, 49 additions = 102; 0 unary minus; 8 sine/cosine
   pure subroutine puma560_d2_mass_matrix(q, M) &
       bind(c, name="puma560_d2_mass_matrix_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(out) :: M(36)
-    real(rk) :: c2, s2, c4, s4, c5, s5, angle23, c23, s23, neg_nu5_y, t1, nu5_x, nu4_y, t2, h4_x
-    real(rk) :: t3, t4, t5, t6, t7, t8, h3_x, t9, t10, t11, t12, t13, t14, t15, t16, t17, t18, t19
-    real(rk) :: t20, t21, t22, t23, m1_1, m3_4, h3_y, t24, t25, m1_3, t26, m1_2, m4_4, t27, t28
-    real(rk) :: m1_4, t29, t30, t31, t32, m1_5, neg_nu3_y, m3_3, t33, m2_3, m2_2, m2_4, m3_5, m2_5
+    real(rk) :: c2, s2, c4, s4, c5, s5, angle23, c23, s23, nu5_x, nu4_y, t1, t2, m3_4, neg_nu5_y
+    real(rk) :: t3, t4, t5, t6, t7, t8, m4_4, t9, m3_5, t10, t11, t12, t13, t14, t15, t16, t17, t18
+    real(rk) :: t19, t20, t21, t22, t23, t24, m1_1, t25, t26, m1_3, t27, t28, m1_2, t29, m1_4, t30
+    real(rk) :: t31, t32, m1_5, neg_nu3_y, m3_3, t33, m2_3, m2_2, m2_4, m2_5
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -416,73 +416,66 @@ contains
     c23 = cos(angle23)
     s23 = sin(angle23)
     ! link 5: moment for a unit acceleration of a joint further out
-    neg_nu5_y = 0.193_rk*c5
-    t1 = 5.8464e-05_rk*s5
-    nu5_x = 3301.176792556103_rk*t1
+    nu5_x = 0.193_rk*s5
     ! link 4: moment for a unit acceleration of a joint further out
     nu4_y = s4*nu5_x
-    t2 = c4*t1
-    ! link 4: first moment of the composite body, about the frame's origin [kg m]
-    h4_x = 49.26108374384236_rk*t2
-    t3 = 0.9982675647668394_rk*c5
-    t4 = 0.0012494926651166237_rk*t3 + 3.105981847_rk
-    t5 = t4 - 2.926247487_rk
-    t6 = 2.3089355806972987_rk*t5 + 0.4467999411221427_rk
-    t7 = s23*t6
-    t8 = h4_x - 0.025375_rk
-    ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_x = t7 + c23*t8
-    t9 = neg_nu5_y*t3
-    t10 = t9 + 3.008941183_rk
-    t11 = 0.0022398341968911917_rk*nu4_y
-    t12 = t2 - t11
-    t13 = t3 - 0.006462839378238342_rk
-    t14 = c4*s23
-    t15 = nu5_x*t14
-    t16 = t13*t15
-    t17 = 1.682287602_rk*c2
-    t18 = 0.25667430437378924_rk*t17
-    t19 = h3_x*t18
-    t20 = t12 - c23*(0.0068208_rk*s23 - (t16 + 0.0203_rk*t7)) - t19
-    t21 = t1 - c4*(t9 - 0.01356564_rk)
-    t22 = c4*(t1 + t21)
-    t23 = t4 - (t10 - t5)
-    ! link 1: mass matrix, its row of this joint
-    m1_1 = t10 - (t20 - s23*(s23*(t22 + t23))) - (t20 - c2*t17)
+    t1 = 0.9982675647668394_rk*c5
+    t2 = t1 - 0.006462839378238342_rk
     ! link 3: mass matrix, its row of this joint
-    m3_4 = nu4_y*t13
-    ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_y = s23*t8 - c23*t6
-    t24 = s4*s23
-    t25 = 0.1501_rk*h3_y
-    ! link 1: mass matrix, its row of this joint
-    m1_3 = c23*m3_4 - (t21*t24 - t25)
-    t26 = 2.876748834110593_rk*s2
-    m1_2 = m1_3 + t26*(t11 + 0.036155585696850394_rk)
+    m3_4 = nu4_y*t2
+    ! link 5: moment for a unit acceleration of a joint further out
+    neg_nu5_y = 0.19333494026231143_rk*t1
+    t3 = 5.856546086785376e-05_rk*t1
+    t4 = t3 + 0.0174944385_rk
+    t5 = 21.334975369458128_rk*t4 - 0.1935090545_rk
+    t6 = t5 + 0.2155_rk
+    t7 = t2*neg_nu5_y
+    t8 = 0.1933_rk - t7
     ! link 4: mass matrix, its row of this joint
-    m4_4 = t9 + 0.20193436_rk
-    t27 = 0.014922279792746114_rk*t18
-    t28 = nu5_x*t27
+    m4_4 = t6 - t8
+    t9 = 0.0003029222797927461_rk*nu5_x
+    ! link 3: mass matrix, its row of this joint
+    m3_5 = c4*t5 - t9
+    t10 = 21.27093596059113_rk*c2
+    t11 = c4*s23
+    t12 = nu5_x*t11
+    t13 = t2*t12
+    t14 = s23*t4
+    t15 = c4*t9
+    t16 = t15 - 0.0005151125_rk
+    t17 = t10*(t14 + c23*t16)
+    t18 = c23*(t13 - (0.0068208_rk*s23 - t14)) - t17
+    t19 = 0.0022398341968911917_rk*nu4_y
+    t20 = t15 - t19
+    t21 = t20 - m4_4
+    t22 = m3_5 - c4*t8
+    t23 = c4*(t9 - t22)
+    t24 = t6 + 0.984970889_rk - t7
     ! link 1: mass matrix, its row of this joint
-    m1_4 = c4*t28 - t16 - c23*(t12 - m4_4)
-    t29 = c23*neg_nu5_y
-    t30 = 0.0003029222797927461_rk*t29
-    t31 = 7.394088669950739_rk*(s23*t1 - c4*t30)
-    t32 = neg_nu5_y*t27
-    m1_5 = t31 - s4*(t30 - t32) + t5*t24
+    m1_1 = t10*(0.0037181511794085144_rk*t10) - (t18 + t20 + t21) - (t18 - (s23*(s23*(t23 - &
+        1.103430225_rk + t24)) + 2.807006823_rk))
+    t25 = 7.394088669950739_rk*(s23*t16 - c23*t4)
+    t26 = s4*s23
+    m1_3 = c23*m3_4 + t25 + t22*t26
+    t27 = 2.876748834110593_rk*s2
+    t28 = t19*t27
+    m1_2 = 0.036155585696850394_rk*t27 + (t28 + m1_3)
+    t29 = t10*t9
+    m1_4 = c4*t29 - c23*t21 - t13
+    t30 = c23*t3
+    t31 = t10*t3
+    t32 = 7.394088669950739_rk*(s23*t9 - c4*t30)
+    m1_5 = t5*t26 - (s4*(t30 - t31) - t32)
     ! link 3: moment for a unit acceleration of a joint further out
-    neg_nu3_y = t29 - t15
+    neg_nu3_y = 3301.176792556103_rk*t30 - t12
     ! link 3: mass matrix, its row of this joint
-    m3_3 = t23 - (t22 - 1.103430225_rk)
-    t33 = t19 + t25*t26
+    m3_3 = t24 - t23
+    t33 = t17 + t27*t25
     ! link 2: mass matrix, its row of this joint
-    m2_3 = t33 + m3_3
+    m2_3 = m3_3 + t33
     m2_2 = m2_3 + (t33 + 6.538587602_rk)
-    m2_4 = m3_4 - (t24*t28 - t11*(c23*t26))
-    ! link 3: mass matrix, its row of this joint
-    m3_5 = c4*t5 - t1
-    ! link 2: mass matrix, its row of this joint
-    m2_5 = t26*t31 + (t14*t32 + c23*t28 + m3_5)
+    m2_4 = m3_4 + (c23*t28 - t26*t29)
+    m2_5 = t11*t31 + (m3_5 + (c23*t29 + t27*t32))
     M(1) = m1_1
     M(2) = m1_2
     M(3) = m1_3
@@ -522,7 +515,7 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 237 multiplications, 189 additions, 4 divisions = 430; 2 unary minus; 8 sine/cosine
+  ! 232 multiplications, 189 additions, 4 divisions = 425; 2 unary minus; 8 sine/cosine
   pure subroutine puma560_d2_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="puma560_d2_forward_dynamics_f")
     real(rk), intent(in) :: q(6)
@@ -535,15 +528,15 @@ contains
     real(rk) :: t1, alpha4_x, alpha5_y, n06_z, lam5_32, neg_lam2_33, neg_w2_x, ww3_xx, ww3_yy
     real(rk) :: neg_lam3_11, t2, t3, t4, t5, t6, t7, t8, t9, t10, t11, t12, t13, t14, t15, t16, t17
     real(rk) :: neg_n4_z, t18, alpha4_y, lam5_12, t19, t20, t21, t22, t23, t24, t25, n3_y
-    real(rk) :: neg_lam3_22, t26, n5_z, t27, t28, n3_x, t29, t30, t31, n1_z, n3_z, n02_z, neg_nu5_y
-    real(rk) :: nu5_x, nu4_y, t32, h4_x, t33, t34, t35, t36, t37, h3_x, t38, t39, t40, t41, t42
-    real(rk) :: t43, t44, t45, t46, t47, t48, t49, t50, m1_1, m3_4, h3_y, t51, t52, m1_3, t53, m1_2
-    real(rk) :: m4_4, t54, t55, neg_m1_4, t56, t57, t58, t59, m1_5, nu3_y, m3_3, t60, m2_3, m2_2
-    real(rk) :: m2_4, neg_m3_5, m2_5, neg_y5, y6, u3_6, neg_u1_6, neg_u3_5, u2_5, u1_5, pivot4
-    real(rk) :: ipivot4, t61, ud3_4, u3_4, ud2_4, u2_4, neg_ud1_4, neg_u1_4, t62, neg_pivot3
-    real(rk) :: neg_ipivot3, neg_ud2_3, u2_3, t63, ud1_3, neg_u1_3, neg_pivot2, neg_ipivot2, ud1_2
-    real(rk) :: neg_u1_2, pivot1, ipivot1, y4, t64, neg_y3, neg_y2, neg_y1, neg_qdd1, qdd2, qdd3
-    real(rk) :: qdd4, qdd5, qdd6, t65
+    real(rk) :: neg_lam3_22, t26, n5_z, t27, t28, n3_x, t29, t30, t31, n1_z, n3_z, n02_z, nu5_x
+    real(rk) :: nu4_y, t32, m3_4, neg_nu5_y, t33, t34, t35, m4_4, t36, neg_m3_5, t37, t38, t39, t40
+    real(rk) :: t41, t42, t43, t44, t45, t46, t47, t48, t49, t50, m1_1, t51, t52, m1_3, t53, t54
+    real(rk) :: m1_2, t55, neg_m1_4, t56, t57, t58, m1_5, nu3_y, neg_m3_3, t59, m2_3, m2_2, m2_4
+    real(rk) :: m2_5, neg_y5, y6, u3_6, neg_u1_6, neg_u3_5, u2_5, u1_5, pivot4, ipivot4, t60, ud3_4
+    real(rk) :: u3_4, ud2_4, u2_4, neg_ud1_4, neg_u1_4, t61, neg_pivot3, neg_ipivot3, neg_ud2_3
+    real(rk) :: u2_3, t62, ud1_3, neg_u1_3, neg_pivot2, neg_ipivot2, ud1_2, neg_u1_2, pivot1
+    real(rk) :: ipivot1, y4, t63, neg_y3, neg_y2, neg_y1, neg_qdd1, qdd2, qdd3, qdd4, qdd5, qdd6
+    real(rk) :: t64
 
     ! link 3: angular velocity [rad/s]
     w3_z = qd(2) + qd(3)
@@ -666,70 +659,61 @@ contains
     ! link 2: moment through the joint, along the axes that its turn starts from [N m]
     n02_z = t12*(t10 + t31) + (n3_z + t7*(c23*t30 - (s23*t29 + 0.40978507086614174_rk)))
     ! link 5: moment for a unit acceleration of a joint further out
-    neg_nu5_y = 0.193_rk*c5
     nu5_x = 0.193_rk*s5
     ! link 4: moment for a unit acceleration of a joint further out
     nu4_y = s4*nu5_x
-    t32 = c4*t20
-    ! link 4: first moment of the composite body, about the frame's origin [kg m]
-    h4_x = 49.26108374384236_rk*t32
-    t33 = 0.001247328_rk*c5
-    t34 = t33 + 0.17973436_rk
-    t35 = 2.3089355806972987_rk*t34 + 0.4467999411221427_rk
-    t36 = s23*t35
-    t37 = h4_x - 0.025375_rk
-    ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_x = t36 + c23*t37
-    t38 = 0.9982675647668394_rk*c5
-    t39 = neg_nu5_y*t38
-    t40 = 0.0022398341968911917_rk*nu4_y
-    t41 = t32 - t40
-    t42 = t38 - 0.006462839378238342_rk
-    t43 = s23*c4
-    t44 = nu5_x*t43
-    t45 = t42*t44
-    t46 = h3_x*(0.4318_rk*c2)
-    t47 = t41 - c23*(0.0068208_rk*s23 - (t45 + 0.0203_rk*t36)) - t46
-    t48 = t20 - c4*(t39 - 0.01356564_rk)
-    t49 = c4*(t20 + t48)
-    t50 = t33 + (t33 - t39)
-    ! link 1: mass matrix, its row of this joint
-    m1_1 = t39 + 3.008941183_rk - (t47 - s23*(s23*(t49 + (t50 + 0.276775024_rk)))) - (t47 - &
-        c2*(1.682287602_rk*c2))
+    t32 = 0.9982675647668394_rk*c5 - 0.006462839378238342_rk
     ! link 3: mass matrix, its row of this joint
-    m3_4 = nu4_y*t42
-    ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_y = s23*t37 - c23*t35
-    t51 = s23*s4
-    t52 = 0.1501_rk*h3_y
-    ! link 1: mass matrix, its row of this joint
-    m1_3 = c23*m3_4 - (t48*t51 - t52)
-    t53 = 2.876748834110593_rk*s2
-    m1_2 = m1_3 + t53*(t40 + 0.036155585696850394_rk)
+    m3_4 = nu4_y*t32
+    ! link 5: moment for a unit acceleration of a joint further out
+    neg_nu5_y = 0.193_rk*c5
+    t33 = t21 + 0.0174944385_rk
+    t34 = 21.334975369458128_rk*t33
+    t35 = t32*neg_nu5_y
     ! link 4: mass matrix, its row of this joint
-    m4_4 = t39 + 0.20193436_rk
-    t54 = 0.006443440414507772_rk*c2
-    t55 = nu5_x*t54
+    m4_4 = t34 + t35 - 0.1713090545_rk
+    t36 = t34 - 0.1935090545_rk
+    ! link 3: mass matrix, its row of this joint
+    neg_m3_5 = t20 - c4*t36
+    t37 = s23*c4
+    t38 = nu5_x*t37
+    t39 = t32*t38
+    t40 = s23*t33
+    t41 = c4*t20
+    t42 = t41 - 0.0005151125_rk
+    t43 = t7*(t40 + c23*t42)
+    t44 = c23*(t39 - (0.0068208_rk*s23 - t40)) - t43
+    t45 = 0.0022398341968911917_rk*nu4_y
+    t46 = t41 - t45
+    t47 = m4_4 - t46
+    t48 = neg_m3_5 - c4*(t35 - 0.1933_rk)
+    t49 = c4*(t20 + t48)
+    t50 = t35 - (t34 + 1.0069618345_rk)
     ! link 1: mass matrix, its row of this joint
-    neg_m1_4 = t45 - c4*t55 + c23*(t41 - m4_4)
-    t56 = c23*neg_nu5_y
-    t57 = 0.0003029222797927461_rk*t56
-    t58 = 7.394088669950739_rk*(s23*t20 - c4*t57)
-    t59 = neg_nu5_y*t54
-    m1_5 = t58 - s4*(t57 - t59) + t34*t51
+    m1_1 = t7*(0.0790885556289949_rk*c2) - (t44 + t46 - t47) - (t44 - (s23*(s23*(t49 - &
+        1.103430225_rk - t50)) + 2.807006823_rk))
+    t51 = 7.394088669950739_rk*(s23*t42 - c23*t33)
+    t52 = s23*s4
+    m1_3 = c23*m3_4 + t51 - t48*t52
+    t53 = 2.876748834110593_rk*s2
+    t54 = t45*t53
+    m1_2 = 0.104010539_rk*s2 + (m1_3 + t54)
+    t55 = t7*t20
+    neg_m1_4 = t39 - (c4*t55 + c23*t47)
+    t56 = c23*t21
+    t57 = t7*t21
+    t58 = 7.394088669950739_rk*(s23*t20 - c4*t56)
+    m1_5 = t36*t52 - (s4*(t56 - t57) - t58)
     ! link 3: moment for a unit acceleration of a joint further out
-    nu3_y = t44 - t56
+    nu3_y = t38 - 3301.176792556103_rk*t56
     ! link 3: mass matrix, its row of this joint
-    m3_3 = 1.380205249_rk - (t49 - t50)
-    t60 = t46 + t52*t53
+    neg_m3_3 = t49 + t50
+    t59 = t43 + t51*t53
     ! link 2: mass matrix, its row of this joint
-    m2_3 = m3_3 + t60
-    m2_2 = m2_3 + (t60 + 6.538587602_rk)
-    m2_4 = m3_4 - (t51*t55 - t40*(c23*t53))
-    ! link 3: mass matrix, its row of this joint
-    neg_m3_5 = t20 - c4*t34
-    ! link 2: mass matrix, its row of this joint
-    m2_5 = t53*t58 - (neg_m3_5 - (t43*t59 + c23*t55))
+    m2_3 = t59 - neg_m3_3
+    m2_2 = m2_3 + (t59 + 6.538587602_rk)
+    m2_4 = m3_4 + (c23*t54 - t52*t55)
+    m2_5 = t37*t57 - (neg_m3_5 - (c23*t55 + t53*t58))
     ! link 5: forward substitution
     neg_y5 = n5_z - tau(5)
     ! link 6: forward substitution
@@ -742,35 +726,35 @@ contains
     u1_5 = 5.56376643842613_rk*m1_5
     pivot4 = m4_4 - c5*neg_nu5_y
     ipivot4 = 1.0_rk / pivot4
-    t61 = neg_nu5_y*u3_6
-    ud3_4 = m3_4 - t61
+    t60 = neg_nu5_y*u3_6
+    ud3_4 = m3_4 - t60
     u3_4 = ipivot4*ud3_4
-    ud2_4 = m2_4 - t61
+    ud2_4 = m2_4 - t60
     u2_4 = ipivot4*ud2_4
     neg_ud1_4 = neg_m1_4 - neg_nu5_y*neg_u1_6
     neg_u1_4 = ipivot4*neg_ud1_4
-    t62 = nu4_y*u3_6
-    neg_pivot3 = t62 - m3_3 + neg_m3_5*neg_u3_5 + ud3_4*u3_4
+    t61 = nu4_y*u3_6
+    neg_pivot3 = neg_m3_3 + t61 + neg_m3_5*neg_u3_5 + ud3_4*u3_4
     neg_ipivot3 = 1.0_rk / neg_pivot3
-    neg_ud2_3 = t62 - m2_3 - neg_m3_5*u2_5 + ud3_4*u2_4
+    neg_ud2_3 = t61 - m2_3 - neg_m3_5*u2_5 + ud3_4*u2_4
     u2_3 = neg_ipivot3*neg_ud2_3
-    t63 = nu4_y*neg_u1_6
-    ud1_3 = m1_3 + t63 + neg_m3_5*u1_5 + ud3_4*neg_u1_4
+    t62 = nu4_y*neg_u1_6
+    ud1_3 = m1_3 + t62 + neg_m3_5*u1_5 + ud3_4*neg_u1_4
     neg_u1_3 = neg_ipivot3*ud1_3
-    neg_pivot2 = t62 - m2_2 + m2_5*u2_5 + ud2_4*u2_4 - neg_ud2_3*u2_3
+    neg_pivot2 = t61 - m2_2 + m2_5*u2_5 + ud2_4*u2_4 - neg_ud2_3*u2_3
     neg_ipivot2 = 1.0_rk / neg_pivot2
-    ud1_2 = m1_2 + t63 - m2_5*u1_5 + ud2_4*neg_u1_4 - neg_ud2_3*neg_u1_3
+    ud1_2 = m1_2 + t62 - m2_5*u1_5 + ud2_4*neg_u1_4 - neg_ud2_3*neg_u1_3
     neg_u1_2 = neg_ipivot2*ud1_2
     pivot1 = m1_1 - nu3_y*neg_u1_6 - m1_5*u1_5 - neg_ud1_4*neg_u1_4 + ud1_3*neg_u1_3 + &
         ud1_2*neg_u1_2
     ipivot1 = 1.0_rk / pivot1
     ! link 4: forward substitution
     y4 = neg_n4_z + tau(4) - c5*y6
-    t64 = y6*u3_6
+    t63 = y6*u3_6
     ! link 3: forward substitution
-    neg_y3 = n3_z - tau(3) + t64 + neg_y5*neg_u3_5 + u3_4*y4
+    neg_y3 = n3_z - tau(3) + t63 + neg_y5*neg_u3_5 + u3_4*y4
     ! link 2: forward substitution
-    neg_y2 = n02_z - tau(2) + t64 - neg_y5*u2_5 + u2_4*y4 - u2_3*neg_y3
+    neg_y2 = n02_z - tau(2) + t63 - neg_y5*u2_5 + u2_4*y4 - u2_3*neg_y3
     ! link 1: forward substitution
     neg_y1 = n1_z - tau(1) - y6*neg_u1_6 - neg_y5*u1_5 - neg_u1_4*y4 + neg_u1_3*neg_y3 + &
         neg_u1_2*neg_y2
@@ -786,8 +770,8 @@ contains
     qdd5 = u1_5*neg_qdd1 - (5.56376643842613_rk*neg_y5 - neg_u3_5*qdd3 + u2_5*qdd2)
     ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     qdd6 = u3_6*(-qdd2 - qdd3) - (neg_u1_6*neg_qdd1 - (5.181347150259067_rk*y6 - c5*qdd4))
-    t65 = -neg_qdd1
-    qdd(1) = t65
+    t64 = -neg_qdd1
+    qdd(1) = t64
     qdd(2) = qdd2
     qdd(3) = qdd3
     qdd(4) = qdd4

@@ -25,14 +25,14 @@
  * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
  *   to the recursion without being written like it: robodyn --optimize full, seed 6.
  * Of mass_matrix the best program known for these parameters, equal to the recursion without being
- *   written like it: robodyn --optimize full, seed 4.
+ *   written like it: robodyn --optimize full, seed 0.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 128 multiplications, 101 additions = 229; 0 unary minus; 8 sine/cosine
  *   gravity: 11 multiplications, 6 additions = 17; 2 unary minus; 7 sine/cosine
  *   bias: 119 multiplications, 83 additions = 202; 0 unary minus; 8 sine/cosine
- *   mass_matrix: 56 multiplications, 49 additions = 105; 0 unary minus; 8 sine/cosine
- *   forward_dynamics: 237 multiplications, 189 additions, 4 divisions = 430; 2 unary minus; 8
+ *   mass_matrix: 53 multiplications, 49 additions = 102; 0 unary minus; 8 sine/cosine
+ *   forward_dynamics: 232 multiplications, 189 additions, 4 divisions = 425; 2 unary minus; 8
  *       sine/cosine
  */
 #ifndef PUMA560_D2_H

@@ -23,16 +23,17 @@
  * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
  *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
  *   makes no difference is moved to its parent.
- * Of inverse_dynamics, bias, mass_matrix, forward_dynamics the best program known for these
- *   parameters, equal to the recursion without being written like it: robodyn --optimize full,
- *   seed 1.
+ * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
+ *   to the recursion without being written like it: robodyn --optimize full, seed 1.
+ * Of mass_matrix the best program known for these parameters, equal to the recursion without being
+ *   written like it: robodyn --optimize full, seed 0.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 218 multiplications, 209 additions = 427; 0 unary minus; 10 sine/cosine
  *   gravity: 24 multiplications, 18 additions = 42; 1 unary minus; 10 sine/cosine
  *   bias: 198 multiplications, 181 additions = 379; 0 unary minus; 10 sine/cosine
- *   mass_matrix: 120 multiplications, 109 additions = 229; 1 unary minus; 10 sine/cosine
- *   forward_dynamics: 403 multiplications, 359 additions, 5 divisions = 767; 3 unary minus; 10
+ *   mass_matrix: 116 multiplications, 110 additions = 226; 0 unary minus; 10 sine/cosine
+ *   forward_dynamics: 400 multiplications, 359 additions, 5 divisions = 764; 4 unary minus; 10
  *       sine/cosine
  */
 #include "puma560_full.h"
@@ -572,7 +573,7 @@ void puma560_full_bias(
 }
 
 /* mass matrix, rotor inertias on its diagonal
- * 120 multiplications, 109 additions = 229; 1 unary minus; 10 sine/cosine */
+ * 116 multiplications, 110 additions = 226; 0 unary minus; 10 sine/cosine */
 void puma560_full_mass_matrix(const puma560_full_real q[6], puma560_full_real M[36])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -591,123 +592,125 @@ void puma560_full_mass_matrix(const puma560_full_real q[6], puma560_full_real M[
     const puma560_full_real c23 = cos(angle23);
     const puma560_full_real s23 = sin(angle23);
     const puma560_full_real t1 = 1.1185374890947408*s6;
+    const puma560_full_real t2 = 0.8038904448657128*c6;
+    const puma560_full_real t3 = 1.6140468000577937*t2;
     /* link 6: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_full_real neg_h6_y = t1 - 1.2975168001325401*c6;
-    /* link 5: force for a unit acceleration of a joint further out */
-    const puma560_full_real fu5_x = c5*neg_h6_y;
-    const puma560_full_real fu5_y = s5*neg_h6_y;
-    const puma560_full_real t2 = t1 - 8.074308788029867*neg_h6_y;
-    const puma560_full_real t3 = t2 - 17.297929233919618*c6;
-    /* link 6: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_full_real h6_x = 0.1639752994550661*t3;
-    const puma560_full_real t4 = 0.47660058733283606 - h6_x;
+    const puma560_full_real neg_h6_y = t1 - t3;
+    const puma560_full_real t4 = 8.074308788029867*neg_h6_y;
+    const puma560_full_real t5 = t4 + 13.331564749028798*t3;
+    const puma560_full_real h6_x = 0.1639752994550661*(t1 - t5);
+    const puma560_full_real t6 = h6_x - 0.47660058733283606;
     /* link 5: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_full_real h5_x = 0.15165250821211493*s5 - c5*t4;
-    const puma560_full_real t5 = neg_h6_y - 0.8719880516308344;
-    const puma560_full_real t6 = h5_x + 0.7777930398944852;
+    const puma560_full_real h5_x = 0.15165250821211493*s5 + c5*t6;
+    const puma560_full_real t7 = neg_h6_y - 0.8719880516308344;
+    const puma560_full_real t8 = h5_x + 0.7777930398944852;
     /* link 4: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_full_real h4_x = s4*t5 + c4*t6;
+    const puma560_full_real h4_x = s4*t7 + c4*t8;
     /* link 6: second moment of the composite body [kg m^2] */
-    const puma560_full_real neg_k6_yz = 0.02404451046533376*t2;
-    const puma560_full_real t7 = 0.8038904448657128*c6;
-    const puma560_full_real t8 = s6*t7 - 0.7502906175782786;
-    const puma560_full_real t9 = c6*t7;
-    const puma560_full_real t10 = 0.04363290654837309*t8 + 0.27886416156622007 - t9;
-    const puma560_full_real t11 = neg_k6_yz - 0.18116108322165295;
-    /* link 5: second moment of the composite body [kg m^2] */
-    const puma560_full_real k5_xz = c5*t10 - s5*t11;
-    /* link 6: second moment of the composite body [kg m^2] */
-    const puma560_full_real k6_xz = 0.02789191831646398*(t1 - t3);
-    const puma560_full_real t12 = c5*(k6_xz - 0.08058935149735619);
-    const puma560_full_real t13 = t8 + 0.04363290654837309*t9;
+    const puma560_full_real k6_xz = 0.02789191831646398*t5;
+    const puma560_full_real t9 = c5*k6_xz;
+    const puma560_full_real t10 = t9 - 0.08058935149735619*c5;
+    const puma560_full_real t11 = s6*t2 - 0.7502906175782786;
+    const puma560_full_real t12 = c6*t2;
+    const puma560_full_real t13 = t11 + 0.04363290654837309*t12;
     const puma560_full_real t14 = t13 + 0.9479140356861228;
-    const puma560_full_real t15 = t12 - s5*t14;
-    const puma560_full_real t16 = s5*t12 - 3.8706455741586216 + s5*t15;
+    const puma560_full_real t15 = s5*t14 - t10;
     /* link 4: mass matrix, its row of this joint */
-    const puma560_full_real m4_4 = t16 + 5.555998411819751;
-    /* link 5: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_full_real neg_h5_y = 0.15165250821211493*c5 + s5*t4;
+    const puma560_full_real m4_4 = s5*t10 - (s5*t15 - 1.6853528376611298);
+    /* link 6: second moment of the composite body [kg m^2] */
+    const puma560_full_real neg_k6_yz = 0.02404451046533376*(t1 - t4);
+    const puma560_full_real t16 = t12 - (0.04363290654837309*t11 + 0.27886416156622007);
+    const puma560_full_real t17 = neg_k6_yz - 0.18116108322165295;
     /* link 5: second moment of the composite body [kg m^2] */
-    const puma560_full_real k5_yz = c5*t11 + s5*t10;
+    const puma560_full_real neg_k5_xz = c5*t16 + s5*t17;
+    /* link 5: first moment of the composite body, about the frame's origin [kg m] */
+    const puma560_full_real neg_h5_y = 0.15165250821211493*c5 - s5*t6;
     /* link 4: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_full_real h4_y = s4*t6 - c4*t5;
-    const puma560_full_real t17 = 0.0203*h4_x;
-    const puma560_full_real t18 = c4*s4;
-    const puma560_full_real t19 = k5_xz + 0.10674324035379577;
-    const puma560_full_real t20 = -k5_xz - t19;
-    const puma560_full_real t21 = c4*c4;
-    const puma560_full_real t22 = t13 + (t13 + m4_4);
-    const puma560_full_real t23 = t17 - (t18*t20 - t14) - (t21*t22 - (t17 - 1.4196782145498086));
-    const puma560_full_real t24 = 0.8662*neg_h5_y - t16;
-    const puma560_full_real t25 = h4_x + 1.046378600789203;
-    const puma560_full_real t26 = 0.4318*c2;
-    const puma560_full_real t27 = c23*t26;
-    const puma560_full_real t28 = s23*t26;
-    const puma560_full_real t29 = neg_h5_y + 5.729293810689829;
-    const puma560_full_real t30 = t25*t27 + t28*t29;
-    const puma560_full_real t31 = k6_xz - 0.36433845752396576 - c5*(t12 + t15);
-    const puma560_full_real t32 = k5_yz - 0.10734691974802549;
-    const puma560_full_real t33 = c4*t31 - 0.4331*h4_x - s4*t32;
-    const puma560_full_real t34 = 0.0203*neg_h5_y;
-    const puma560_full_real t35 = t30 - c23*(s23*(t33 + (t34 + 0.28615890025504537)));
-    const puma560_full_real t36 = 0.4318*s2;
-    const puma560_full_real t37 = t17 - 0.1501*h4_y;
-    const puma560_full_real t38 = 0.07491193080123078*c2;
-    const puma560_full_real t39 = m4_4 - t37;
+    const puma560_full_real neg_h4_y = c4*t7 - s4*t8;
+    /* link 5: second moment of the composite body [kg m^2] */
+    const puma560_full_real k5_yz = c5*t17 - s5*t16;
+    const puma560_full_real t18 = 0.0203*h4_x;
+    const puma560_full_real t19 = c4*c4;
+    const puma560_full_real t20 = t13 + (t13 + m4_4);
+    const puma560_full_real t21 = c4*s4;
+    const puma560_full_real t22 = neg_k5_xz - 0.034423137314318945;
+    const puma560_full_real t23 = t22 + (neg_k5_xz - 0.07232010303947682);
+    const puma560_full_real t24 = t18 - t19*t20 + (t18 + (t13 - (t21*t23 + 0.47176417886368593)));
+    const puma560_full_real t25 = 0.4331*neg_h5_y;
+    const puma560_full_real t26 = t25 + 5.555998411819751 + (t25 - m4_4);
+    const puma560_full_real t27 = 0.4331*neg_h4_y;
+    const puma560_full_real t28 = t18 + 0.3465712306626645*t27;
+    const puma560_full_real t29 = 0.07491193080123078*c2;
+    const puma560_full_real t30 = 5.764101864437669*t29;
+    const puma560_full_real t31 = c23*t30;
+    const puma560_full_real t32 = h4_x + 1.046378600789203;
+    const puma560_full_real t33 = s23*t30;
+    const puma560_full_real t34 = neg_h5_y + 5.729293810689829;
+    const puma560_full_real t35 = t31*t32 + t33*t34;
+    const puma560_full_real t36 = 0.04687139228815516*t25;
+    const puma560_full_real t37 = k5_yz - 0.10734691974802549;
+    const puma560_full_real t38 = k6_xz + (c5*(t15 - t10) - 0.36433845752396576);
+    const puma560_full_real t39 = s4*t37 + (21.334975369458128*t18 - c4*t38);
+    const puma560_full_real t40 = t35 - s23*(c23*(t36 + 0.28615890025504537 - t39));
+    const puma560_full_real t41 = 0.005305812062437387*s2;
+    const puma560_full_real t42 = t29 - t41;
+    const puma560_full_real t43 = t28 - m4_4;
     /* link 1: mass matrix, its row of this joint */
-    const puma560_full_real m1_1 = (t23 + t24)*(s23*s23) + (t35 - 0.5437979622122006*(c2*t36)) +
-        (t35 - t37 + (102.49099587639564*(t26*t38) + (t39 + 3.3083718390798666)));
-    /* link 3: mass matrix, its row of this joint */
-    const puma560_full_real m3_4 = s4*t31 + (c4*t32 - 0.4331*h4_y);
-    /* link 3: second moment of the composite body [kg m^2] */
-    const puma560_full_real k3_yz = c23*(m3_4 + 0.060845712710754084) + s23*(t18*t22 - (t20*t21 -
-        (0.07232010303947682 - 0.0203*h4_y)) - t19);
+    const puma560_full_real m1_1 = s23*s23*(t24 + t26) - (t28 - (t40 + 3.3083718390798666 +
+        102.49099587639564*(t30*t42))) + (t40 - t43);
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_full_real h3_y = s23*t25 - c23*t29;
+    const puma560_full_real h3_y = s23*t32 - c23*t34;
+    /* link 3: mass matrix, its row of this joint */
+    const puma560_full_real m3_4 = s4*t38 + (t27 + c4*t37);
     /* link 1: mass matrix, its row of this joint */
-    const puma560_full_real m1_3 = k3_yz + 0.1501*h3_y;
-    const puma560_full_real t40 = t36*h4_y;
-    const puma560_full_real m1_2 = t38 + 1.1673405148125928*s2 + m1_3 + t40;
-    const puma560_full_real m1_4 = c23*t39 + h4_x*t26 - s23*t33;
-    /* link 5: mass matrix, its row of this joint */
-    const puma560_full_real m5_5 = t13 + 1.728139590481575;
+    const puma560_full_real m1_3 = 0.1501*h3_y + c23*(m3_4 + 0.060845712710754084) + s23*(t20*t21 +
+        (t22 - (t19*t23 - 0.04687139228815516*t27)));
+    const puma560_full_real t44 = 81.3824528495718*t41;
+    const puma560_full_real m1_2 = m1_3 + (t42 - t44*(neg_h4_y - 2.7157163660839054));
+    const puma560_full_real m1_4 = h4_x*t30 + (s23*t39 - c23*t43);
     /* link 4: force for a unit acceleration of a joint further out */
     const puma560_full_real fu4_x = c4*neg_h5_y;
     /* link 3: force for a unit acceleration of a joint further out */
     const puma560_full_real fu3_x = c23*fu4_x - s23*h5_x;
-    const puma560_full_real t41 = m5_5 + 0.4331*neg_h5_y;
-    const puma560_full_real t42 = s4*t34;
+    /* link 5: mass matrix, its row of this joint */
+    const puma560_full_real m5_5 = t14 + 0.7802255547954524;
+    const puma560_full_real t45 = t25 + m5_5;
+    const puma560_full_real t46 = s4*t36;
+    /* link 3: moment for a unit acceleration of a joint further out */
+    const puma560_full_real nu3_y = s23*(c4*neg_k5_xz - s4*t45) - c23*(k5_yz - t46);
     /* link 1: mass matrix, its row of this joint */
-    const puma560_full_real m1_5 = s23*(s4*t41 + c4*k5_xz) -
-        (21.27093596059113*(0.007056577119036591*fu3_x - c2*t42) - c23*(k5_yz - t42));
+    const puma560_full_real m1_5 = 0.1501*(141.7117652271228*(c2*t46) - fu3_x) - nu3_y;
     /* link 5: moment for a unit acceleration of a joint further out */
     const puma560_full_real neg_nu5_y = 0.907820001453264*c5 + s5*k6_xz;
+    /* link 5: force for a unit acceleration of a joint further out */
+    const puma560_full_real fu5_x = c5*neg_h6_y;
     /* link 4: force for a unit acceleration of a joint further out */
     const puma560_full_real fu4_y = s4*fu5_x + c4*h6_x;
     /* link 5: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu5_x = 0.907820001453264*s5 - c5*k6_xz;
-    const puma560_full_real t43 = c4*fu5_x - s4*h6_x;
-    const puma560_full_real t44 = s23*fu5_y - c23*t43;
+    const puma560_full_real neg_nu5_x = t9 - 0.907820001453264*s5;
+    /* link 5: force for a unit acceleration of a joint further out */
+    const puma560_full_real fu5_y = s5*neg_h6_y;
+    const puma560_full_real t47 = 0.4331*fu4_y;
+    const puma560_full_real t48 = c4*fu5_x - s4*h6_x;
+    const puma560_full_real t49 = s23*fu5_y - c23*t48;
     /* link 1: mass matrix, its row of this joint */
-    const puma560_full_real m1_6 = 0.1501*t44 - c23*(0.0203*fu4_y - neg_nu5_y) - (s23*(c4*nu5_x -
-        0.4331*fu4_y - s4*neg_k6_yz) - t26*fu4_y);
+    const puma560_full_real m1_6 = c23*(neg_nu5_y - 0.04687139228815516*t47) + (s23*(t47 +
+        s4*neg_k6_yz + c4*neg_nu5_x) + (t30*fu4_y + 0.1501*t49));
     /* link 3: mass matrix, its row of this joint */
-    const puma560_full_real m3_3 = t24 - t23;
-    const puma560_full_real t45 = t30 + t36*h3_y;
+    const puma560_full_real m3_3 = t26 - t24;
+    const puma560_full_real t50 = t35 + h3_y*t44;
     /* link 2: mass matrix, its row of this joint */
-    const puma560_full_real m2_3 = m3_3 + t45;
-    const puma560_full_real m2_2 = m2_3 + (t45 + 3.7298822532370677);
-    const puma560_full_real m2_4 = m3_4 - t28*h4_y + c23*t40;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const puma560_full_real fu3_y = s23*fu4_x + c23*h5_x;
+    const puma560_full_real m2_3 = t50 + m3_3;
+    const puma560_full_real m2_2 = t50 + (m2_3 + 3.7298822532370677);
+    const puma560_full_real m2_4 = m3_4 + neg_h4_y*(t33 - c23*t44);
     /* link 3: mass matrix, its row of this joint */
-    const puma560_full_real m3_5 = c4*t41 - 0.0203*h5_x - s4*k5_xz;
+    const puma560_full_real m3_5 = s4*neg_k5_xz - (0.0203*h5_x - c4*t45);
     /* link 2: mass matrix, its row of this joint */
-    const puma560_full_real m2_5 = t26*fu3_y + m3_5 - t36*fu3_x;
+    const puma560_full_real m2_5 = t33*fu4_x + h5_x*t31 - (t44*fu3_x - m3_5);
     /* link 3: mass matrix, its row of this joint */
-    const puma560_full_real m3_6 = s4*nu5_x + (0.4331*t43 - (0.0203*fu5_y - c4*neg_k6_yz));
+    const puma560_full_real m3_6 = c4*neg_k6_yz + 0.4331*t48 - (0.0203*fu5_y + s4*neg_nu5_x);
     /* link 2: mass matrix, its row of this joint */
-    const puma560_full_real m2_6 = t28*t43 + (t36*t44 + fu5_y*t27 + m3_6);
+    const puma560_full_real m2_6 = m3_6 + (t44*t49 + (t31*fu5_y + t33*t48));
     M[0] = m1_1;
     M[1] = m1_2;
     M[2] = m1_3;
@@ -747,7 +750,7 @@ void puma560_full_mass_matrix(const puma560_full_real q[6], puma560_full_real M[
 }
 
 /* accelerations that the torques tau give
- * 403 multiplications, 359 additions, 5 divisions = 767; 3 unary minus; 10 sine/cosine */
+ * 400 multiplications, 359 additions, 5 divisions = 764; 4 unary minus; 10 sine/cosine */
 void puma560_full_forward_dynamics(
     const puma560_full_real q[6],
     const puma560_full_real qd[6],
@@ -966,13 +969,9 @@ void puma560_full_forward_dynamics(
     const puma560_full_real t68 = 1.1185374890947408*s6;
     /* link 6: first moment of the composite body, about the frame's origin [kg m] */
     const puma560_full_real neg_h6_y = t68 - 1.2975168001325401*c6;
-    /* link 5: force for a unit acceleration of a joint further out */
-    const puma560_full_real fu5_x = c5*neg_h6_y;
-    const puma560_full_real fu5_y = s5*neg_h6_y;
-    const puma560_full_real t69 = t68 - 8.074308788029867*neg_h6_y;
-    const puma560_full_real t70 = t69 - 17.297929233919618*c6;
-    /* link 6: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_full_real h6_x = 0.1639752994550661*t70;
+    const puma560_full_real t69 = 8.074308788029867*neg_h6_y;
+    const puma560_full_real t70 = t69 + 17.297929233919618*c6;
+    const puma560_full_real h6_x = 0.1639752994550661*(t68 - t70);
     const puma560_full_real t71 = h6_x - 0.47660058733283606;
     /* link 5: first moment of the composite body, about the frame's origin [kg m] */
     const puma560_full_real h5_x = 0.15165250821211493*s5 + c5*t71;
@@ -981,179 +980,180 @@ void puma560_full_forward_dynamics(
     /* link 4: first moment of the composite body, about the frame's origin [kg m] */
     const puma560_full_real h4_x = s4*t72 + c4*t73;
     /* link 6: second moment of the composite body [kg m^2] */
-    const puma560_full_real neg_k6_yz = 0.02404451046533376*t69;
-    const puma560_full_real t74 = 0.8038904448657128*c6;
-    const puma560_full_real t75 = s6*t74 - 0.7502906175782786;
-    const puma560_full_real t76 = c6*t74;
-    const puma560_full_real t77 = 0.04363290654837309*t75 + 0.27886416156622007 - t76;
-    const puma560_full_real t78 = 0.18116108322165295 - neg_k6_yz;
-    /* link 5: second moment of the composite body [kg m^2] */
-    const puma560_full_real k5_xz = c5*t77 + s5*t78;
-    /* link 6: second moment of the composite body [kg m^2] */
-    const puma560_full_real k6_xz = 0.02789191831646398*(t68 - t70);
-    const puma560_full_real t79 = c5*(0.08058935149735619 - k6_xz);
-    const puma560_full_real t80 = t75 + 0.04363290654837309*t76;
-    const puma560_full_real t81 = t80 + 0.9479140356861228;
-    const puma560_full_real t82 = t79 + (t79 + s5*t81);
-    const puma560_full_real t83 = s5*t82;
+    const puma560_full_real k6_xz = 0.02789191831646398*t70;
+    const puma560_full_real t74 = c5*k6_xz;
+    const puma560_full_real t75 = t74 - 0.08058935149735619*c5;
+    const puma560_full_real t76 = 0.8038904448657128*c6;
+    const puma560_full_real t77 = s6*t76 - 0.7502906175782786;
+    const puma560_full_real t78 = c6*t76;
+    const puma560_full_real t79 = t77 + 0.04363290654837309*t78;
+    const puma560_full_real t80 = t75 + (t75 - s5*(t79 + 0.9479140356861228));
     /* link 4: mass matrix, its row of this joint */
-    const puma560_full_real m4_4 = 1.6853528376611298 - t83;
+    const puma560_full_real m4_4 = s5*t80 + 1.6853528376611298;
+    const puma560_full_real t81 = t68 - t69;
+    /* link 6: second moment of the composite body [kg m^2] */
+    const puma560_full_real neg_k6_yz = 0.02404451046533376*t81;
+    const puma560_full_real t82 = t78 - (0.04363290654837309*t77 + 0.27886416156622007);
+    const puma560_full_real t83 = 0.18116108322165295 - neg_k6_yz;
+    /* link 5: second moment of the composite body [kg m^2] */
+    const puma560_full_real neg_k5_xz = c5*t82 - s5*t83;
     /* link 5: first moment of the composite body, about the frame's origin [kg m] */
     const puma560_full_real neg_h5_y = 0.15165250821211493*c5 - s5*t71;
-    /* link 5: second moment of the composite body [kg m^2] */
-    const puma560_full_real k5_yz = s5*t77 - c5*t78;
     /* link 4: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_full_real h4_y = s4*t73 - c4*t72;
+    const puma560_full_real neg_h4_y = c4*t72 - s4*t73;
+    /* link 5: second moment of the composite body [kg m^2] */
+    const puma560_full_real neg_k5_yz = c5*t83 + s5*t82;
     const puma560_full_real t84 = 0.0203*h4_x;
-    const puma560_full_real t85 = c4*s4;
-    const puma560_full_real t86 = k5_xz + 0.10674324035379577;
-    const puma560_full_real t87 = k5_xz + t86;
-    const puma560_full_real t88 = c4*c4;
-    const puma560_full_real t89 = t80 + (t80 + m4_4);
-    const puma560_full_real t90 = t84 + (t81 + t85*t87) - (t88*t89 - (t84 - 1.4196782145498086));
-    const puma560_full_real t91 = t83 + 3.8706455741586216 + 0.8662*neg_h5_y;
-    const puma560_full_real t92 = h4_x + 1.046378600789203;
+    const puma560_full_real t85 = c4*c4;
+    const puma560_full_real t86 = t79 + (t79 + m4_4);
+    const puma560_full_real t87 = c4*s4;
+    const puma560_full_real t88 = 2.0*neg_k5_xz - 0.10674324035379577;
+    const puma560_full_real t89 = t84 - t85*t86 + (t84 + (t79 - (t87*t88 + 0.47176417886368593)));
+    const puma560_full_real t90 = 0.4331*neg_h5_y;
+    const puma560_full_real t91 = t90 + 5.555998411819751 - (m4_4 - t90);
+    const puma560_full_real t92 = t84 + 0.1501*neg_h4_y;
     const puma560_full_real t93 = 0.4318*c2;
     const puma560_full_real t94 = c23*t93;
-    const puma560_full_real t95 = s23*t93;
-    const puma560_full_real t96 = neg_h5_y + 5.729293810689829;
-    const puma560_full_real t97 = t92*t94 + t95*t96;
-    const puma560_full_real t98 = k6_xz - 0.36433845752396576 + c5*t82;
-    const puma560_full_real t99 = 0.10734691974802549 - k5_yz;
-    const puma560_full_real t100 = c4*t98 - 0.4331*h4_x + s4*t99;
-    const puma560_full_real t101 = 0.0203*neg_h5_y;
-    const puma560_full_real t102 = t97 - c23*(s23*(t100 + (t101 + 0.28615890025504537)));
-    const puma560_full_real t103 = 0.4318*s2;
-    const puma560_full_real t104 = t84 - 0.1501*h4_y;
-    const puma560_full_real t105 = 0.07491193080123078*c2;
-    const puma560_full_real t106 = t104 - m4_4;
+    const puma560_full_real t95 = h4_x + 1.046378600789203;
+    const puma560_full_real t96 = s23*t93;
+    const puma560_full_real t97 = neg_h5_y + 5.729293810689829;
+    const puma560_full_real t98 = t94*t95 + t96*t97;
+    const puma560_full_real t99 = 0.0203*neg_h5_y;
+    const puma560_full_real t100 = neg_k5_yz + 0.10734691974802549;
+    const puma560_full_real t101 = k6_xz - (c5*t80 + 0.36433845752396576);
+    const puma560_full_real t102 = s4*t100 - (0.4331*h4_x - c4*t101);
+    const puma560_full_real t103 = t98 - s23*(c23*(t99 + 0.28615890025504537 + t102));
+    const puma560_full_real t104 = 0.07491193080123078*c2 - 0.005305812062437387*s2;
+    const puma560_full_real t105 = m4_4 - t92;
     /* link 1: mass matrix, its row of this joint */
-    const puma560_full_real m1_1 = (t90 + t91)*(s23*s23) + (t102 - 0.5437979622122006*(c2*t103)) +
-        (t102 - t104 + (102.49099587639564*(t93*t105) - (t106 - 3.3083718390798666)));
-    /* link 3: mass matrix, its row of this joint */
-    const puma560_full_real m3_4 = s4*t98 - (c4*t99 + 0.4331*h4_y);
-    /* link 3: second moment of the composite body [kg m^2] */
-    const puma560_full_real k3_yz = c23*(m3_4 + 0.060845712710754084) - s23*(t86 - (t85*t89 +
-        (t87*t88 - (0.0203*h4_y - 0.07232010303947682))));
+    const puma560_full_real m1_1 = s23*s23*(t89 + t91) - (t92 - (t103 + 3.3083718390798666 +
+        102.49099587639564*(t93*t104))) + (t103 + t105);
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_full_real h3_y = s23*t92 - c23*t96;
+    const puma560_full_real h3_y = s23*t95 - c23*t97;
+    /* link 3: mass matrix, its row of this joint */
+    const puma560_full_real m3_4 = s4*t101 + (0.4331*neg_h4_y - c4*t100);
     /* link 1: mass matrix, its row of this joint */
-    const puma560_full_real m1_3 = k3_yz + 0.1501*h3_y;
-    const puma560_full_real t107 = h4_y*t103;
-    const puma560_full_real m1_2 = m1_3 + (t105 + 1.1673405148125928*s2) + t107;
-    const puma560_full_real neg_m1_4 = c23*t106 - h4_x*t93 + s23*t100;
-    /* link 5: mass matrix, its row of this joint */
-    const puma560_full_real m5_5 = t80 + 1.728139590481575;
+    const puma560_full_real m1_3 = 0.1501*h3_y + c23*(m3_4 + 0.060845712710754084) + s23*(t86*t87 +
+        (neg_k5_xz - 0.034423137314318945 - (t85*t88 - 0.0203*neg_h4_y)));
+    const puma560_full_real t106 = 0.4318*s2;
+    const puma560_full_real m1_2 = m1_3 + (t104 - t106*(neg_h4_y - 2.7157163660839054));
+    const puma560_full_real m1_4 = h4_x*t93 - (s23*t102 - c23*t105);
     /* link 4: force for a unit acceleration of a joint further out */
     const puma560_full_real fu4_x = c4*neg_h5_y;
     /* link 3: force for a unit acceleration of a joint further out */
     const puma560_full_real fu3_x = c23*fu4_x - s23*h5_x;
-    const puma560_full_real t108 = m5_5 + 0.4331*neg_h5_y;
-    const puma560_full_real t109 = s4*t101;
+    /* link 5: mass matrix, its row of this joint */
+    const puma560_full_real m5_5 = t79 + 1.728139590481575;
+    const puma560_full_real t107 = t90 + m5_5;
+    const puma560_full_real t108 = s4*t99;
+    /* link 3: moment for a unit acceleration of a joint further out */
+    const puma560_full_real nu3_y = s23*(c4*neg_k5_xz - s4*t107) + c23*(neg_k5_yz + t108);
     /* link 1: mass matrix, its row of this joint */
-    const puma560_full_real m1_5 = s23*(s4*t108 + c4*k5_xz) -
-        (21.27093596059113*(0.007056577119036591*fu3_x - c2*t109) + c23*(t109 - k5_yz));
+    const puma560_full_real neg_m1_5 = nu3_y + 0.1501*(fu3_x - 141.7117652271228*(c2*t108));
     /* link 5: moment for a unit acceleration of a joint further out */
     const puma560_full_real neg_nu5_y = 0.907820001453264*c5 + s5*k6_xz;
+    /* link 5: force for a unit acceleration of a joint further out */
+    const puma560_full_real fu5_x = c5*neg_h6_y;
     /* link 4: force for a unit acceleration of a joint further out */
     const puma560_full_real fu4_y = s4*fu5_x + c4*h6_x;
     /* link 5: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu5_x = 0.907820001453264*s5 - c5*k6_xz;
-    const puma560_full_real t110 = c4*fu5_x - s4*h6_x;
-    const puma560_full_real t111 = s23*fu5_y - c23*t110;
+    const puma560_full_real neg_nu5_x = t74 - 0.907820001453264*s5;
+    /* link 5: force for a unit acceleration of a joint further out */
+    const puma560_full_real fu5_y = s5*neg_h6_y;
+    const puma560_full_real t109 = c4*fu5_x - s4*h6_x;
+    const puma560_full_real t110 = s23*fu5_y - c23*t109;
+    const puma560_full_real t111 = s23*(0.4331*fu4_y + s4*neg_k6_yz + c4*neg_nu5_x) + (t93*fu4_y +
+        0.1501*t110);
     /* link 1: mass matrix, its row of this joint */
-    const puma560_full_real m1_6 = 0.1501*t111 + c23*(neg_nu5_y - 0.0203*fu4_y) - (s23*(c4*nu5_x -
-        0.4331*fu4_y - s4*neg_k6_yz) - t93*fu4_y);
+    const puma560_full_real m1_6 = c23*(neg_nu5_y - 0.0203*fu4_y) + t111;
     /* link 3: mass matrix, its row of this joint */
-    const puma560_full_real m3_3 = t91 - t90;
-    const puma560_full_real t112 = t97 + t103*h3_y;
+    const puma560_full_real neg_m3_3 = t89 - t91;
+    const puma560_full_real t112 = t98 + h3_y*t106;
     /* link 2: mass matrix, its row of this joint */
-    const puma560_full_real m2_3 = m3_3 + t112;
-    const puma560_full_real m2_2 = m2_3 + (t112 + 3.7298822532370677);
-    const puma560_full_real m2_4 = m3_4 - h4_y*t95 + c23*t107;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const puma560_full_real fu3_y = s23*fu4_x + c23*h5_x;
+    const puma560_full_real neg_m2_3 = neg_m3_3 - t112;
+    const puma560_full_real m2_2 = t112 - (neg_m2_3 - 3.7298822532370677);
+    const puma560_full_real m2_4 = m3_4 + neg_h4_y*(t96 - c23*t106);
     /* link 3: mass matrix, its row of this joint */
-    const puma560_full_real m3_5 = c4*t108 - 0.0203*h5_x - s4*k5_xz;
+    const puma560_full_real m3_5 = s4*neg_k5_xz - (0.0203*h5_x - c4*t107);
     /* link 2: mass matrix, its row of this joint */
-    const puma560_full_real m2_5 = m3_5 + t93*fu3_y - t103*fu3_x;
+    const puma560_full_real m2_5 = t96*fu4_x + h5_x*t94 + (m3_5 - t106*fu3_x);
     /* link 3: mass matrix, its row of this joint */
-    const puma560_full_real m3_6 = s4*nu5_x + (0.4331*t110 - (0.0203*fu5_y - c4*neg_k6_yz));
+    const puma560_full_real m3_6 = c4*neg_k6_yz + 0.4331*t109 - (0.0203*fu5_y + s4*neg_nu5_x);
     /* link 2: mass matrix, its row of this joint */
-    const puma560_full_real m2_6 = t95*t110 + (m3_6 + (t103*t111 + fu5_y*t94));
+    const puma560_full_real m2_6 = m3_6 + (t106*t110 + (t94*fu5_y + t96*t109));
     /* link 6: forward substitution */
     const puma560_full_real neg_y6 = nc6_z - tau[5];
     /* factorisation M = U D U^T */
-    const puma560_full_real u5_6 = 0.026485988881983898*t69;
+    const puma560_full_real u5_6 = 0.026485988881983898*t81;
     const puma560_full_real u4_6 = 1.1015399510907136*neg_nu5_y;
     const puma560_full_real u3_6 = 1.1015399510907136*m3_6;
     const puma560_full_real u2_6 = 1.1015399510907136*m2_6;
     const puma560_full_real u1_6 = 1.1015399510907136*m1_6;
     const puma560_full_real pivot5 = m5_5 - neg_k6_yz*u5_6;
     const puma560_full_real ipivot5 = 1.0 / pivot5;
-    const puma560_full_real neg_ud4_5 = neg_k6_yz*u4_6 - k5_yz;
+    const puma560_full_real neg_ud4_5 = neg_k5_yz + neg_k6_yz*u4_6;
     const puma560_full_real neg_u4_5 = ipivot5*neg_ud4_5;
     const puma560_full_real ud3_5 = m3_5 - neg_k6_yz*u3_6;
     const puma560_full_real u3_5 = ipivot5*ud3_5;
     const puma560_full_real ud2_5 = m2_5 - neg_k6_yz*u2_6;
     const puma560_full_real u2_5 = ipivot5*ud2_5;
-    const puma560_full_real ud1_5 = m1_5 - neg_k6_yz*u1_6;
-    const puma560_full_real u1_5 = ipivot5*ud1_5;
-    const puma560_full_real neg_pivot4 = neg_nu5_y*u4_6 - m4_4 + neg_ud4_5*neg_u4_5;
-    const puma560_full_real neg_ipivot4 = 1.0 / neg_pivot4;
+    const puma560_full_real neg_ud1_5 = neg_m1_5 + neg_k6_yz*u1_6;
+    const puma560_full_real neg_u1_5 = ipivot5*neg_ud1_5;
+    const puma560_full_real pivot4 = m4_4 - neg_nu5_y*u4_6 - neg_ud4_5*neg_u4_5;
+    const puma560_full_real ipivot4 = 1.0 / pivot4;
     const puma560_full_real ud3_4 = m3_4 - neg_nu5_y*u3_6 + neg_ud4_5*u3_5;
-    const puma560_full_real neg_u3_4 = neg_ipivot4*ud3_4;
+    const puma560_full_real u3_4 = ipivot4*ud3_4;
     const puma560_full_real ud2_4 = m2_4 - neg_nu5_y*u2_6 + neg_ud4_5*u2_5;
-    const puma560_full_real neg_u2_4 = neg_ipivot4*ud2_4;
-    const puma560_full_real neg_ud1_4 = neg_m1_4 + neg_nu5_y*u1_6 - neg_ud4_5*u1_5;
-    const puma560_full_real u1_4 = neg_ipivot4*neg_ud1_4;
-    const puma560_full_real neg_pivot3 = m3_6*u3_6 - m3_3 + ud3_5*u3_5 - ud3_4*neg_u3_4;
+    const puma560_full_real u2_4 = ipivot4*ud2_4;
+    const puma560_full_real ud1_4 = m1_4 - neg_nu5_y*u1_6 - neg_ud4_5*neg_u1_5;
+    const puma560_full_real u1_4 = ipivot4*ud1_4;
+    const puma560_full_real neg_pivot3 = neg_m3_3 + m3_6*u3_6 + ud3_5*u3_5 + ud3_4*u3_4;
     const puma560_full_real neg_ipivot3 = 1.0 / neg_pivot3;
-    const puma560_full_real neg_ud2_3 = m3_6*u2_6 - m2_3 + ud3_5*u2_5 - ud3_4*neg_u2_4;
+    const puma560_full_real neg_ud2_3 = neg_m2_3 + m3_6*u2_6 + ud3_5*u2_5 + ud3_4*u2_4;
     const puma560_full_real u2_3 = neg_ipivot3*neg_ud2_3;
-    const puma560_full_real ud1_3 = m1_3 - m3_6*u1_6 - ud3_5*u1_5 - ud3_4*u1_4;
+    const puma560_full_real ud1_3 = m1_3 - m3_6*u1_6 + ud3_5*neg_u1_5 - ud3_4*u1_4;
     const puma560_full_real neg_u1_3 = neg_ipivot3*ud1_3;
-    const puma560_full_real neg_pivot2 = m2_6*u2_6 - m2_2 + ud2_5*u2_5 - ud2_4*neg_u2_4 -
-        neg_ud2_3*u2_3;
-    const puma560_full_real neg_ipivot2 = 1.0 / neg_pivot2;
-    const puma560_full_real ud1_2 = m1_2 - m2_6*u1_6 - ud2_5*u1_5 - ud2_4*u1_4 - neg_ud2_3*neg_u1_3;
-    const puma560_full_real neg_u1_2 = neg_ipivot2*ud1_2;
-    const puma560_full_real pivot1 = m1_1 - m1_6*u1_6 - ud1_5*u1_5 + neg_ud1_4*u1_4 + ud1_3*neg_u1_3
-        + ud1_2*neg_u1_2;
+    const puma560_full_real pivot2 = m2_2 - m2_6*u2_6 - ud2_5*u2_5 - ud2_4*u2_4 + neg_ud2_3*u2_3;
+    const puma560_full_real ipivot2 = 1.0 / pivot2;
+    const puma560_full_real ud1_2 = m1_2 - m2_6*u1_6 + ud2_5*neg_u1_5 - ud2_4*u1_4 -
+        neg_ud2_3*neg_u1_3;
+    const puma560_full_real u1_2 = ipivot2*ud1_2;
+    const puma560_full_real pivot1 = m1_1 - m1_6*u1_6 - neg_ud1_5*neg_u1_5 - ud1_4*u1_4 +
+        ud1_3*neg_u1_3 - ud1_2*u1_2;
     const puma560_full_real ipivot1 = 1.0 / pivot1;
     /* link 5: forward substitution */
     const puma560_full_real neg_y5 = n5_z - tau[4] - neg_y6*u5_6;
     /* link 4: forward substitution */
     const puma560_full_real neg_y4 = n4_z - tau[3] - neg_y6*u4_6 + neg_u4_5*neg_y5;
     /* link 3: forward substitution */
-    const puma560_full_real y3 = neg_n3_z + tau[2] + neg_y6*u3_6 + u3_5*neg_y5 - neg_u3_4*neg_y4;
+    const puma560_full_real y3 = neg_n3_z + tau[2] + neg_y6*u3_6 + u3_5*neg_y5 + u3_4*neg_y4;
     /* link 2: forward substitution */
-    const puma560_full_real neg_y2 = n02_z - tau[1] - neg_y6*u2_6 - u2_5*neg_y5 + neg_u2_4*neg_y4 +
+    const puma560_full_real neg_y2 = n02_z - tau[1] - neg_y6*u2_6 - u2_5*neg_y5 - u2_4*neg_y4 +
         u2_3*y3;
     /* link 1: forward substitution */
-    const puma560_full_real y1 = tau[0] - n1_z + neg_y6*u1_6 + u1_5*neg_y5 + u1_4*neg_y4 +
-        neg_u1_3*y3 - neg_u1_2*neg_y2;
+    const puma560_full_real y1 = tau[0] - n1_z + neg_y6*u1_6 - neg_u1_5*neg_y5 + u1_4*neg_y4 +
+        neg_u1_3*y3 + u1_2*neg_y2;
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const puma560_full_real qdd1 = ipivot1*y1;
     /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_full_real qdd2 = neg_ipivot2*neg_y2 + neg_u1_2*qdd1;
+    const puma560_full_real neg_qdd2 = ipivot2*neg_y2 + u1_2*qdd1;
     /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_full_real neg_qdd3 = neg_ipivot3*y3 + u2_3*qdd2 - neg_u1_3*qdd1;
+    const puma560_full_real neg_qdd3 = neg_ipivot3*y3 - u2_3*neg_qdd2 - neg_u1_3*qdd1;
     /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_full_real qdd4 = neg_ipivot4*neg_y4 - neg_u3_4*neg_qdd3 + neg_u2_4*qdd2 -
-        u1_4*qdd1;
+    const puma560_full_real neg_qdd4 = ipivot4*neg_y4 - u3_4*neg_qdd3 - u2_4*neg_qdd2 + u1_4*qdd1;
     /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_full_real neg_qdd5 = ipivot5*neg_y5 - neg_u4_5*qdd4 - u3_5*neg_qdd3 + u2_5*qdd2 +
-        u1_5*qdd1;
+    const puma560_full_real qdd5 = neg_u1_5*qdd1 - (ipivot5*neg_y5 + neg_u4_5*neg_qdd4 -
+        u3_5*neg_qdd3 - u2_5*neg_qdd2);
     /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_full_real qdd6 = -u1_6*qdd1 - (1.1015399510907136*neg_y6 - u5_6*neg_qdd5 +
-        u4_6*qdd4 - u3_6*neg_qdd3 + u2_6*qdd2);
-    const puma560_full_real t113 = -neg_qdd3;
-    const puma560_full_real t114 = -neg_qdd5;
+    const puma560_full_real qdd6 = -u1_6*qdd1 - (1.1015399510907136*neg_y6 + u5_6*qdd5 -
+        u4_6*neg_qdd4 - u3_6*neg_qdd3 - u2_6*neg_qdd2);
+    const puma560_full_real t113 = -neg_qdd2;
+    const puma560_full_real t114 = -neg_qdd3;
+    const puma560_full_real t115 = -neg_qdd4;
     qdd[0] = qdd1;
-    qdd[1] = qdd2;
-    qdd[2] = t113;
-    qdd[3] = qdd4;
-    qdd[4] = t114;
+    qdd[1] = t113;
+    qdd[2] = t114;
+    qdd[3] = t115;
+    qdd[4] = qdd5;
     qdd[5] = qdd6;
 }

@@ -22,16 +22,17 @@
 ! Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
 !   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
 !   makes no difference is moved to its parent.
-! Of inverse_dynamics, bias, mass_matrix, forward_dynamics the best program known for these
-!   parameters, equal to the recursion without being written like it: robodyn --optimize full,
-!   seed 1.
+! Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
+!   to the recursion without being written like it: robodyn --optimize full, seed 1.
+! Of mass_matrix the best program known for these parameters, equal to the recursion without being
+!   written like it: robodyn --optimize full, seed 0.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
 !   inverse_dynamics: 218 multiplications, 209 additions = 427; 0 unary minus; 10 sine/cosine
 !   gravity: 24 multiplications, 18 additions = 42; 1 unary minus; 10 sine/cosine
 !   bias: 198 multiplications, 181 additions = 379; 0 unary minus; 10 sine/cosine
-!   mass_matrix: 120 multiplications, 109 additions = 229; 1 unary minus; 10 sine/cosine
-!   forward_dynamics: 403 multiplications, 359 additions, 5 divisions = 767; 3 unary minus; 10
+!   mass_matrix: 116 multiplications, 110 additions = 226; 0 unary minus; 10 sine/cosine
+!   forward_dynamics: 400 multiplications, 359 additions, 5 divisions = 764; 4 unary minus; 10
 !       sine/cosine
 module puma560_full_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -595,18 +596,18 @@ contains
   end subroutine
 
   ! mass matrix, rotor inertias on its diagonal
-  ! 120 multiplications, 109 additions = 229; 1 unary minus; 10 sine/cosine
+  ! 116 multiplications, 110 additions = 226; 0 unary minus; 10 sine/cosine
   pure subroutine puma560_full_mass_matrix(q, M) &
       bind(c, name="puma560_full_mass_matrix_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(out) :: M(36)
-    real(rk) :: c2, s2, c4, s4, c5, s5, c6, s6, angle23, c23, s23, t1, neg_h6_y, fu5_x, fu5_y, t2
-    real(rk) :: t3, h6_x, t4, h5_x, t5, t6, h4_x, neg_k6_yz, t7, t8, t9, t10, t11, k5_xz, k6_xz
-    real(rk) :: t12, t13, t14, t15, t16, m4_4, neg_h5_y, k5_yz, h4_y, t17, t18, t19, t20, t21, t22
+    real(rk) :: c2, s2, c4, s4, c5, s5, c6, s6, angle23, c23, s23, t1, t2, t3, neg_h6_y, t4, t5
+    real(rk) :: h6_x, t6, h5_x, t7, t8, h4_x, k6_xz, t9, t10, t11, t12, t13, t14, t15, m4_4
+    real(rk) :: neg_k6_yz, t16, t17, neg_k5_xz, neg_h5_y, neg_h4_y, k5_yz, t18, t19, t20, t21, t22
     real(rk) :: t23, t24, t25, t26, t27, t28, t29, t30, t31, t32, t33, t34, t35, t36, t37, t38, t39
-    real(rk) :: m1_1, m3_4, k3_yz, h3_y, m1_3, t40, m1_2, m1_4, m5_5, fu4_x, fu3_x, t41, t42, m1_5
-    real(rk) :: neg_nu5_y, fu4_y, nu5_x, t43, t44, m1_6, m3_3, t45, m2_3, m2_2, m2_4, fu3_y, m3_5
-    real(rk) :: m2_5, m3_6, m2_6
+    real(rk) :: t40, t41, t42, t43, m1_1, h3_y, m3_4, m1_3, t44, m1_2, m1_4, fu4_x, fu3_x, m5_5
+    real(rk) :: t45, t46, nu3_y, m1_5, neg_nu5_y, fu5_x, fu4_y, neg_nu5_x, fu5_y, t47, t48, t49
+    real(rk) :: m1_6, m3_3, t50, m2_3, m2_2, m2_4, m3_5, m2_5, m3_6, m2_6
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -621,123 +622,125 @@ contains
     c23 = cos(angle23)
     s23 = sin(angle23)
     t1 = 1.1185374890947408_rk*s6
+    t2 = 0.8038904448657128_rk*c6
+    t3 = 1.6140468000577937_rk*t2
     ! link 6: first moment of the composite body, about the frame's origin [kg m]
-    neg_h6_y = t1 - 1.2975168001325401_rk*c6
-    ! link 5: force for a unit acceleration of a joint further out
-    fu5_x = c5*neg_h6_y
-    fu5_y = s5*neg_h6_y
-    t2 = t1 - 8.074308788029867_rk*neg_h6_y
-    t3 = t2 - 17.297929233919618_rk*c6
-    ! link 6: first moment of the composite body, about the frame's origin [kg m]
-    h6_x = 0.1639752994550661_rk*t3
-    t4 = 0.47660058733283606_rk - h6_x
+    neg_h6_y = t1 - t3
+    t4 = 8.074308788029867_rk*neg_h6_y
+    t5 = t4 + 13.331564749028798_rk*t3
+    h6_x = 0.1639752994550661_rk*(t1 - t5)
+    t6 = h6_x - 0.47660058733283606_rk
     ! link 5: first moment of the composite body, about the frame's origin [kg m]
-    h5_x = 0.15165250821211493_rk*s5 - c5*t4
-    t5 = neg_h6_y - 0.8719880516308344_rk
-    t6 = h5_x + 0.7777930398944852_rk
+    h5_x = 0.15165250821211493_rk*s5 + c5*t6
+    t7 = neg_h6_y - 0.8719880516308344_rk
+    t8 = h5_x + 0.7777930398944852_rk
     ! link 4: first moment of the composite body, about the frame's origin [kg m]
-    h4_x = s4*t5 + c4*t6
+    h4_x = s4*t7 + c4*t8
     ! link 6: second moment of the composite body [kg m^2]
-    neg_k6_yz = 0.02404451046533376_rk*t2
-    t7 = 0.8038904448657128_rk*c6
-    t8 = s6*t7 - 0.7502906175782786_rk
-    t9 = c6*t7
-    t10 = 0.04363290654837309_rk*t8 + 0.27886416156622007_rk - t9
-    t11 = neg_k6_yz - 0.18116108322165295_rk
-    ! link 5: second moment of the composite body [kg m^2]
-    k5_xz = c5*t10 - s5*t11
-    ! link 6: second moment of the composite body [kg m^2]
-    k6_xz = 0.02789191831646398_rk*(t1 - t3)
-    t12 = c5*(k6_xz - 0.08058935149735619_rk)
-    t13 = t8 + 0.04363290654837309_rk*t9
+    k6_xz = 0.02789191831646398_rk*t5
+    t9 = c5*k6_xz
+    t10 = t9 - 0.08058935149735619_rk*c5
+    t11 = s6*t2 - 0.7502906175782786_rk
+    t12 = c6*t2
+    t13 = t11 + 0.04363290654837309_rk*t12
     t14 = t13 + 0.9479140356861228_rk
-    t15 = t12 - s5*t14
-    t16 = s5*t12 - 3.8706455741586216_rk + s5*t15
+    t15 = s5*t14 - t10
     ! link 4: mass matrix, its row of this joint
-    m4_4 = t16 + 5.555998411819751_rk
-    ! link 5: first moment of the composite body, about the frame's origin [kg m]
-    neg_h5_y = 0.15165250821211493_rk*c5 + s5*t4
+    m4_4 = s5*t10 - (s5*t15 - 1.6853528376611298_rk)
+    ! link 6: second moment of the composite body [kg m^2]
+    neg_k6_yz = 0.02404451046533376_rk*(t1 - t4)
+    t16 = t12 - (0.04363290654837309_rk*t11 + 0.27886416156622007_rk)
+    t17 = neg_k6_yz - 0.18116108322165295_rk
     ! link 5: second moment of the composite body [kg m^2]
-    k5_yz = c5*t11 + s5*t10
+    neg_k5_xz = c5*t16 + s5*t17
+    ! link 5: first moment of the composite body, about the frame's origin [kg m]
+    neg_h5_y = 0.15165250821211493_rk*c5 - s5*t6
     ! link 4: first moment of the composite body, about the frame's origin [kg m]
-    h4_y = s4*t6 - c4*t5
-    t17 = 0.0203_rk*h4_x
-    t18 = c4*s4
-    t19 = k5_xz + 0.10674324035379577_rk
-    t20 = -k5_xz - t19
-    t21 = c4*c4
-    t22 = t13 + (t13 + m4_4)
-    t23 = t17 - (t18*t20 - t14) - (t21*t22 - (t17 - 1.4196782145498086_rk))
-    t24 = 0.8662_rk*neg_h5_y - t16
-    t25 = h4_x + 1.046378600789203_rk
-    t26 = 0.4318_rk*c2
-    t27 = c23*t26
-    t28 = s23*t26
-    t29 = neg_h5_y + 5.729293810689829_rk
-    t30 = t25*t27 + t28*t29
-    t31 = k6_xz - 0.36433845752396576_rk - c5*(t12 + t15)
-    t32 = k5_yz - 0.10734691974802549_rk
-    t33 = c4*t31 - 0.4331_rk*h4_x - s4*t32
-    t34 = 0.0203_rk*neg_h5_y
-    t35 = t30 - c23*(s23*(t33 + (t34 + 0.28615890025504537_rk)))
-    t36 = 0.4318_rk*s2
-    t37 = t17 - 0.1501_rk*h4_y
-    t38 = 0.07491193080123078_rk*c2
-    t39 = m4_4 - t37
+    neg_h4_y = c4*t7 - s4*t8
+    ! link 5: second moment of the composite body [kg m^2]
+    k5_yz = c5*t17 - s5*t16
+    t18 = 0.0203_rk*h4_x
+    t19 = c4*c4
+    t20 = t13 + (t13 + m4_4)
+    t21 = c4*s4
+    t22 = neg_k5_xz - 0.034423137314318945_rk
+    t23 = t22 + (neg_k5_xz - 0.07232010303947682_rk)
+    t24 = t18 - t19*t20 + (t18 + (t13 - (t21*t23 + 0.47176417886368593_rk)))
+    t25 = 0.4331_rk*neg_h5_y
+    t26 = t25 + 5.555998411819751_rk + (t25 - m4_4)
+    t27 = 0.4331_rk*neg_h4_y
+    t28 = t18 + 0.3465712306626645_rk*t27
+    t29 = 0.07491193080123078_rk*c2
+    t30 = 5.764101864437669_rk*t29
+    t31 = c23*t30
+    t32 = h4_x + 1.046378600789203_rk
+    t33 = s23*t30
+    t34 = neg_h5_y + 5.729293810689829_rk
+    t35 = t31*t32 + t33*t34
+    t36 = 0.04687139228815516_rk*t25
+    t37 = k5_yz - 0.10734691974802549_rk
+    t38 = k6_xz + (c5*(t15 - t10) - 0.36433845752396576_rk)
+    t39 = s4*t37 + (21.334975369458128_rk*t18 - c4*t38)
+    t40 = t35 - s23*(c23*(t36 + 0.28615890025504537_rk - t39))
+    t41 = 0.005305812062437387_rk*s2
+    t42 = t29 - t41
+    t43 = t28 - m4_4
     ! link 1: mass matrix, its row of this joint
-    m1_1 = (t23 + t24)*(s23*s23) + (t35 - 0.5437979622122006_rk*(c2*t36)) + (t35 - t37 + &
-        (102.49099587639564_rk*(t26*t38) + (t39 + 3.3083718390798666_rk)))
-    ! link 3: mass matrix, its row of this joint
-    m3_4 = s4*t31 + (c4*t32 - 0.4331_rk*h4_y)
-    ! link 3: second moment of the composite body [kg m^2]
-    k3_yz = c23*(m3_4 + 0.060845712710754084_rk) + s23*(t18*t22 - (t20*t21 - &
-        (0.07232010303947682_rk - 0.0203_rk*h4_y)) - t19)
+    m1_1 = s23*s23*(t24 + t26) - (t28 - (t40 + 3.3083718390798666_rk + &
+        102.49099587639564_rk*(t30*t42))) + (t40 - t43)
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_y = s23*t25 - c23*t29
+    h3_y = s23*t32 - c23*t34
+    ! link 3: mass matrix, its row of this joint
+    m3_4 = s4*t38 + (t27 + c4*t37)
     ! link 1: mass matrix, its row of this joint
-    m1_3 = k3_yz + 0.1501_rk*h3_y
-    t40 = t36*h4_y
-    m1_2 = t38 + 1.1673405148125928_rk*s2 + m1_3 + t40
-    m1_4 = c23*t39 + h4_x*t26 - s23*t33
-    ! link 5: mass matrix, its row of this joint
-    m5_5 = t13 + 1.728139590481575_rk
+    m1_3 = 0.1501_rk*h3_y + c23*(m3_4 + 0.060845712710754084_rk) + s23*(t20*t21 + (t22 - (t19*t23 &
+        - 0.04687139228815516_rk*t27)))
+    t44 = 81.3824528495718_rk*t41
+    m1_2 = m1_3 + (t42 - t44*(neg_h4_y - 2.7157163660839054_rk))
+    m1_4 = h4_x*t30 + (s23*t39 - c23*t43)
     ! link 4: force for a unit acceleration of a joint further out
     fu4_x = c4*neg_h5_y
     ! link 3: force for a unit acceleration of a joint further out
     fu3_x = c23*fu4_x - s23*h5_x
-    t41 = m5_5 + 0.4331_rk*neg_h5_y
-    t42 = s4*t34
+    ! link 5: mass matrix, its row of this joint
+    m5_5 = t14 + 0.7802255547954524_rk
+    t45 = t25 + m5_5
+    t46 = s4*t36
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_y = s23*(c4*neg_k5_xz - s4*t45) - c23*(k5_yz - t46)
     ! link 1: mass matrix, its row of this joint
-    m1_5 = s23*(s4*t41 + c4*k5_xz) - (21.27093596059113_rk*(0.007056577119036591_rk*fu3_x - &
-        c2*t42) - c23*(k5_yz - t42))
+    m1_5 = 0.1501_rk*(141.7117652271228_rk*(c2*t46) - fu3_x) - nu3_y
     ! link 5: moment for a unit acceleration of a joint further out
     neg_nu5_y = 0.907820001453264_rk*c5 + s5*k6_xz
+    ! link 5: force for a unit acceleration of a joint further out
+    fu5_x = c5*neg_h6_y
     ! link 4: force for a unit acceleration of a joint further out
     fu4_y = s4*fu5_x + c4*h6_x
     ! link 5: moment for a unit acceleration of a joint further out
-    nu5_x = 0.907820001453264_rk*s5 - c5*k6_xz
-    t43 = c4*fu5_x - s4*h6_x
-    t44 = s23*fu5_y - c23*t43
+    neg_nu5_x = t9 - 0.907820001453264_rk*s5
+    ! link 5: force for a unit acceleration of a joint further out
+    fu5_y = s5*neg_h6_y
+    t47 = 0.4331_rk*fu4_y
+    t48 = c4*fu5_x - s4*h6_x
+    t49 = s23*fu5_y - c23*t48
     ! link 1: mass matrix, its row of this joint
-    m1_6 = 0.1501_rk*t44 - c23*(0.0203_rk*fu4_y - neg_nu5_y) - (s23*(c4*nu5_x - 0.4331_rk*fu4_y - &
-        s4*neg_k6_yz) - t26*fu4_y)
+    m1_6 = c23*(neg_nu5_y - 0.04687139228815516_rk*t47) + (s23*(t47 + s4*neg_k6_yz + c4*neg_nu5_x) &
+        + (t30*fu4_y + 0.1501_rk*t49))
     ! link 3: mass matrix, its row of this joint
-    m3_3 = t24 - t23
-    t45 = t30 + t36*h3_y
+    m3_3 = t26 - t24
+    t50 = t35 + h3_y*t44
     ! link 2: mass matrix, its row of this joint
-    m2_3 = m3_3 + t45
-    m2_2 = m2_3 + (t45 + 3.7298822532370677_rk)
-    m2_4 = m3_4 - t28*h4_y + c23*t40
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_y = s23*fu4_x + c23*h5_x
+    m2_3 = t50 + m3_3
+    m2_2 = t50 + (m2_3 + 3.7298822532370677_rk)
+    m2_4 = m3_4 + neg_h4_y*(t33 - c23*t44)
     ! link 3: mass matrix, its row of this joint
-    m3_5 = c4*t41 - 0.0203_rk*h5_x - s4*k5_xz
+    m3_5 = s4*neg_k5_xz - (0.0203_rk*h5_x - c4*t45)
     ! link 2: mass matrix, its row of this joint
-    m2_5 = t26*fu3_y + m3_5 - t36*fu3_x
+    m2_5 = t33*fu4_x + h5_x*t31 - (t44*fu3_x - m3_5)
     ! link 3: mass matrix, its row of this joint
-    m3_6 = s4*nu5_x + (0.4331_rk*t43 - (0.0203_rk*fu5_y - c4*neg_k6_yz))
+    m3_6 = c4*neg_k6_yz + 0.4331_rk*t48 - (0.0203_rk*fu5_y + s4*neg_nu5_x)
     ! link 2: mass matrix, its row of this joint
-    m2_6 = t28*t43 + (t36*t44 + fu5_y*t27 + m3_6)
+    m2_6 = m3_6 + (t44*t49 + (t31*fu5_y + t33*t48))
     M(1) = m1_1
     M(2) = m1_2
     M(3) = m1_3
@@ -777,7 +780,7 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 403 multiplications, 359 additions, 5 divisions = 767; 3 unary minus; 10 sine/cosine
+  ! 400 multiplications, 359 additions, 5 divisions = 764; 4 unary minus; 10 sine/cosine
   pure subroutine puma560_full_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="puma560_full_forward_dynamics_f")
     real(rk), intent(in) :: q(6)
@@ -795,18 +798,18 @@ contains
     real(rk) :: neg_lam5_22, t33, neg_lam4_22, lam5_23, t34, t35, t36, t37, t38, t39, t40, t41, t42
     real(rk) :: t43, t44, t45, t46, t47, n4_z, t48, lam5_11, t49, t50, t51, t52, t53, t54, neg_n3_y
     real(rk) :: neg_lam4_31, neg_n4_x, t55, n5_z, lam4_32, n4_y, t56, neg_n3_x, t57, t58, t59, t60
-    real(rk) :: t61, t62, t63, t64, t65, n1_z, t66, neg_n3_z, t67, n02_z, t68, neg_h6_y, fu5_x
-    real(rk) :: fu5_y, t69, t70, h6_x, t71, h5_x, t72, t73, h4_x, neg_k6_yz, t74, t75, t76, t77
-    real(rk) :: t78, k5_xz, k6_xz, t79, t80, t81, t82, t83, m4_4, neg_h5_y, k5_yz, h4_y, t84, t85
-    real(rk) :: t86, t87, t88, t89, t90, t91, t92, t93, t94, t95, t96, t97, t98, t99, t100, t101
-    real(rk) :: t102, t103, t104, t105, t106, m1_1, m3_4, k3_yz, h3_y, m1_3, t107, m1_2, neg_m1_4
-    real(rk) :: m5_5, fu4_x, fu3_x, t108, t109, m1_5, neg_nu5_y, fu4_y, nu5_x, t110, t111, m1_6
-    real(rk) :: m3_3, t112, m2_3, m2_2, m2_4, fu3_y, m3_5, m2_5, m3_6, m2_6, neg_y6, u5_6, u4_6
-    real(rk) :: u3_6, u2_6, u1_6, pivot5, ipivot5, neg_ud4_5, neg_u4_5, ud3_5, u3_5, ud2_5, u2_5
-    real(rk) :: ud1_5, u1_5, neg_pivot4, neg_ipivot4, ud3_4, neg_u3_4, ud2_4, neg_u2_4, neg_ud1_4
-    real(rk) :: u1_4, neg_pivot3, neg_ipivot3, neg_ud2_3, u2_3, ud1_3, neg_u1_3, neg_pivot2
-    real(rk) :: neg_ipivot2, ud1_2, neg_u1_2, pivot1, ipivot1, neg_y5, neg_y4, y3, neg_y2, y1, qdd1
-    real(rk) :: qdd2, neg_qdd3, qdd4, neg_qdd5, qdd6, t113, t114
+    real(rk) :: t61, t62, t63, t64, t65, n1_z, t66, neg_n3_z, t67, n02_z, t68, neg_h6_y, t69, t70
+    real(rk) :: h6_x, t71, h5_x, t72, t73, h4_x, k6_xz, t74, t75, t76, t77, t78, t79, t80, m4_4
+    real(rk) :: t81, neg_k6_yz, t82, t83, neg_k5_xz, neg_h5_y, neg_h4_y, neg_k5_yz, t84, t85, t86
+    real(rk) :: t87, t88, t89, t90, t91, t92, t93, t94, t95, t96, t97, t98, t99, t100, t101, t102
+    real(rk) :: t103, t104, t105, m1_1, h3_y, m3_4, m1_3, t106, m1_2, m1_4, fu4_x, fu3_x, m5_5
+    real(rk) :: t107, t108, nu3_y, neg_m1_5, neg_nu5_y, fu5_x, fu4_y, neg_nu5_x, fu5_y, t109, t110
+    real(rk) :: t111, m1_6, neg_m3_3, t112, neg_m2_3, m2_2, m2_4, m3_5, m2_5, m3_6, m2_6, neg_y6
+    real(rk) :: u5_6, u4_6, u3_6, u2_6, u1_6, pivot5, ipivot5, neg_ud4_5, neg_u4_5, ud3_5, u3_5
+    real(rk) :: ud2_5, u2_5, neg_ud1_5, neg_u1_5, pivot4, ipivot4, ud3_4, u3_4, ud2_4, u2_4, ud1_4
+    real(rk) :: u1_4, neg_pivot3, neg_ipivot3, neg_ud2_3, u2_3, ud1_3, neg_u1_3, pivot2, ipivot2
+    real(rk) :: ud1_2, u1_2, pivot1, ipivot1, neg_y5, neg_y4, y3, neg_y2, y1, qdd1, neg_qdd2
+    real(rk) :: neg_qdd3, neg_qdd4, qdd5, qdd6, t113, t114, t115
 
     ! link 1: products of the angular velocity [1/s^2]
     ww1_zz = qd(1)*qd(1)
@@ -1016,13 +1019,9 @@ contains
     t68 = 1.1185374890947408_rk*s6
     ! link 6: first moment of the composite body, about the frame's origin [kg m]
     neg_h6_y = t68 - 1.2975168001325401_rk*c6
-    ! link 5: force for a unit acceleration of a joint further out
-    fu5_x = c5*neg_h6_y
-    fu5_y = s5*neg_h6_y
-    t69 = t68 - 8.074308788029867_rk*neg_h6_y
-    t70 = t69 - 17.297929233919618_rk*c6
-    ! link 6: first moment of the composite body, about the frame's origin [kg m]
-    h6_x = 0.1639752994550661_rk*t70
+    t69 = 8.074308788029867_rk*neg_h6_y
+    t70 = t69 + 17.297929233919618_rk*c6
+    h6_x = 0.1639752994550661_rk*(t68 - t70)
     t71 = h6_x - 0.47660058733283606_rk
     ! link 5: first moment of the composite body, about the frame's origin [kg m]
     h5_x = 0.15165250821211493_rk*s5 + c5*t71
@@ -1031,174 +1030,175 @@ contains
     ! link 4: first moment of the composite body, about the frame's origin [kg m]
     h4_x = s4*t72 + c4*t73
     ! link 6: second moment of the composite body [kg m^2]
-    neg_k6_yz = 0.02404451046533376_rk*t69
-    t74 = 0.8038904448657128_rk*c6
-    t75 = s6*t74 - 0.7502906175782786_rk
-    t76 = c6*t74
-    t77 = 0.04363290654837309_rk*t75 + 0.27886416156622007_rk - t76
-    t78 = 0.18116108322165295_rk - neg_k6_yz
-    ! link 5: second moment of the composite body [kg m^2]
-    k5_xz = c5*t77 + s5*t78
-    ! link 6: second moment of the composite body [kg m^2]
-    k6_xz = 0.02789191831646398_rk*(t68 - t70)
-    t79 = c5*(0.08058935149735619_rk - k6_xz)
-    t80 = t75 + 0.04363290654837309_rk*t76
-    t81 = t80 + 0.9479140356861228_rk
-    t82 = t79 + (t79 + s5*t81)
-    t83 = s5*t82
+    k6_xz = 0.02789191831646398_rk*t70
+    t74 = c5*k6_xz
+    t75 = t74 - 0.08058935149735619_rk*c5
+    t76 = 0.8038904448657128_rk*c6
+    t77 = s6*t76 - 0.7502906175782786_rk
+    t78 = c6*t76
+    t79 = t77 + 0.04363290654837309_rk*t78
+    t80 = t75 + (t75 - s5*(t79 + 0.9479140356861228_rk))
     ! link 4: mass matrix, its row of this joint
-    m4_4 = 1.6853528376611298_rk - t83
+    m4_4 = s5*t80 + 1.6853528376611298_rk
+    t81 = t68 - t69
+    ! link 6: second moment of the composite body [kg m^2]
+    neg_k6_yz = 0.02404451046533376_rk*t81
+    t82 = t78 - (0.04363290654837309_rk*t77 + 0.27886416156622007_rk)
+    t83 = 0.18116108322165295_rk - neg_k6_yz
+    ! link 5: second moment of the composite body [kg m^2]
+    neg_k5_xz = c5*t82 - s5*t83
     ! link 5: first moment of the composite body, about the frame's origin [kg m]
     neg_h5_y = 0.15165250821211493_rk*c5 - s5*t71
-    ! link 5: second moment of the composite body [kg m^2]
-    k5_yz = s5*t77 - c5*t78
     ! link 4: first moment of the composite body, about the frame's origin [kg m]
-    h4_y = s4*t73 - c4*t72
+    neg_h4_y = c4*t72 - s4*t73
+    ! link 5: second moment of the composite body [kg m^2]
+    neg_k5_yz = c5*t83 + s5*t82
     t84 = 0.0203_rk*h4_x
-    t85 = c4*s4
-    t86 = k5_xz + 0.10674324035379577_rk
-    t87 = k5_xz + t86
-    t88 = c4*c4
-    t89 = t80 + (t80 + m4_4)
-    t90 = t84 + (t81 + t85*t87) - (t88*t89 - (t84 - 1.4196782145498086_rk))
-    t91 = t83 + 3.8706455741586216_rk + 0.8662_rk*neg_h5_y
-    t92 = h4_x + 1.046378600789203_rk
+    t85 = c4*c4
+    t86 = t79 + (t79 + m4_4)
+    t87 = c4*s4
+    t88 = 2.0_rk*neg_k5_xz - 0.10674324035379577_rk
+    t89 = t84 - t85*t86 + (t84 + (t79 - (t87*t88 + 0.47176417886368593_rk)))
+    t90 = 0.4331_rk*neg_h5_y
+    t91 = t90 + 5.555998411819751_rk - (m4_4 - t90)
+    t92 = t84 + 0.1501_rk*neg_h4_y
     t93 = 0.4318_rk*c2
     t94 = c23*t93
-    t95 = s23*t93
-    t96 = neg_h5_y + 5.729293810689829_rk
-    t97 = t92*t94 + t95*t96
-    t98 = k6_xz - 0.36433845752396576_rk + c5*t82
-    t99 = 0.10734691974802549_rk - k5_yz
-    t100 = c4*t98 - 0.4331_rk*h4_x + s4*t99
-    t101 = 0.0203_rk*neg_h5_y
-    t102 = t97 - c23*(s23*(t100 + (t101 + 0.28615890025504537_rk)))
-    t103 = 0.4318_rk*s2
-    t104 = t84 - 0.1501_rk*h4_y
-    t105 = 0.07491193080123078_rk*c2
-    t106 = t104 - m4_4
+    t95 = h4_x + 1.046378600789203_rk
+    t96 = s23*t93
+    t97 = neg_h5_y + 5.729293810689829_rk
+    t98 = t94*t95 + t96*t97
+    t99 = 0.0203_rk*neg_h5_y
+    t100 = neg_k5_yz + 0.10734691974802549_rk
+    t101 = k6_xz - (c5*t80 + 0.36433845752396576_rk)
+    t102 = s4*t100 - (0.4331_rk*h4_x - c4*t101)
+    t103 = t98 - s23*(c23*(t99 + 0.28615890025504537_rk + t102))
+    t104 = 0.07491193080123078_rk*c2 - 0.005305812062437387_rk*s2
+    t105 = m4_4 - t92
     ! link 1: mass matrix, its row of this joint
-    m1_1 = (t90 + t91)*(s23*s23) + (t102 - 0.5437979622122006_rk*(c2*t103)) + (t102 - t104 + &
-        (102.49099587639564_rk*(t93*t105) - (t106 - 3.3083718390798666_rk)))
-    ! link 3: mass matrix, its row of this joint
-    m3_4 = s4*t98 - (c4*t99 + 0.4331_rk*h4_y)
-    ! link 3: second moment of the composite body [kg m^2]
-    k3_yz = c23*(m3_4 + 0.060845712710754084_rk) - s23*(t86 - (t85*t89 + (t87*t88 - &
-        (0.0203_rk*h4_y - 0.07232010303947682_rk))))
+    m1_1 = s23*s23*(t89 + t91) - (t92 - (t103 + 3.3083718390798666_rk + &
+        102.49099587639564_rk*(t93*t104))) + (t103 + t105)
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_y = s23*t92 - c23*t96
+    h3_y = s23*t95 - c23*t97
+    ! link 3: mass matrix, its row of this joint
+    m3_4 = s4*t101 + (0.4331_rk*neg_h4_y - c4*t100)
     ! link 1: mass matrix, its row of this joint
-    m1_3 = k3_yz + 0.1501_rk*h3_y
-    t107 = h4_y*t103
-    m1_2 = m1_3 + (t105 + 1.1673405148125928_rk*s2) + t107
-    neg_m1_4 = c23*t106 - h4_x*t93 + s23*t100
-    ! link 5: mass matrix, its row of this joint
-    m5_5 = t80 + 1.728139590481575_rk
+    m1_3 = 0.1501_rk*h3_y + c23*(m3_4 + 0.060845712710754084_rk) + s23*(t86*t87 + (neg_k5_xz - &
+        0.034423137314318945_rk - (t85*t88 - 0.0203_rk*neg_h4_y)))
+    t106 = 0.4318_rk*s2
+    m1_2 = m1_3 + (t104 - t106*(neg_h4_y - 2.7157163660839054_rk))
+    m1_4 = h4_x*t93 - (s23*t102 - c23*t105)
     ! link 4: force for a unit acceleration of a joint further out
     fu4_x = c4*neg_h5_y
     ! link 3: force for a unit acceleration of a joint further out
     fu3_x = c23*fu4_x - s23*h5_x
-    t108 = m5_5 + 0.4331_rk*neg_h5_y
-    t109 = s4*t101
+    ! link 5: mass matrix, its row of this joint
+    m5_5 = t79 + 1.728139590481575_rk
+    t107 = t90 + m5_5
+    t108 = s4*t99
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_y = s23*(c4*neg_k5_xz - s4*t107) + c23*(neg_k5_yz + t108)
     ! link 1: mass matrix, its row of this joint
-    m1_5 = s23*(s4*t108 + c4*k5_xz) - (21.27093596059113_rk*(0.007056577119036591_rk*fu3_x - &
-        c2*t109) + c23*(t109 - k5_yz))
+    neg_m1_5 = nu3_y + 0.1501_rk*(fu3_x - 141.7117652271228_rk*(c2*t108))
     ! link 5: moment for a unit acceleration of a joint further out
     neg_nu5_y = 0.907820001453264_rk*c5 + s5*k6_xz
+    ! link 5: force for a unit acceleration of a joint further out
+    fu5_x = c5*neg_h6_y
     ! link 4: force for a unit acceleration of a joint further out
     fu4_y = s4*fu5_x + c4*h6_x
     ! link 5: moment for a unit acceleration of a joint further out
-    nu5_x = 0.907820001453264_rk*s5 - c5*k6_xz
-    t110 = c4*fu5_x - s4*h6_x
-    t111 = s23*fu5_y - c23*t110
+    neg_nu5_x = t74 - 0.907820001453264_rk*s5
+    ! link 5: force for a unit acceleration of a joint further out
+    fu5_y = s5*neg_h6_y
+    t109 = c4*fu5_x - s4*h6_x
+    t110 = s23*fu5_y - c23*t109
+    t111 = s23*(0.4331_rk*fu4_y + s4*neg_k6_yz + c4*neg_nu5_x) + (t93*fu4_y + 0.1501_rk*t110)
     ! link 1: mass matrix, its row of this joint
-    m1_6 = 0.1501_rk*t111 + c23*(neg_nu5_y - 0.0203_rk*fu4_y) - (s23*(c4*nu5_x - 0.4331_rk*fu4_y - &
-        s4*neg_k6_yz) - t93*fu4_y)
+    m1_6 = c23*(neg_nu5_y - 0.0203_rk*fu4_y) + t111
     ! link 3: mass matrix, its row of this joint
-    m3_3 = t91 - t90
-    t112 = t97 + t103*h3_y
+    neg_m3_3 = t89 - t91
+    t112 = t98 + h3_y*t106
     ! link 2: mass matrix, its row of this joint
-    m2_3 = m3_3 + t112
-    m2_2 = m2_3 + (t112 + 3.7298822532370677_rk)
-    m2_4 = m3_4 - h4_y*t95 + c23*t107
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_y = s23*fu4_x + c23*h5_x
+    neg_m2_3 = neg_m3_3 - t112
+    m2_2 = t112 - (neg_m2_3 - 3.7298822532370677_rk)
+    m2_4 = m3_4 + neg_h4_y*(t96 - c23*t106)
     ! link 3: mass matrix, its row of this joint
-    m3_5 = c4*t108 - 0.0203_rk*h5_x - s4*k5_xz
+    m3_5 = s4*neg_k5_xz - (0.0203_rk*h5_x - c4*t107)
     ! link 2: mass matrix, its row of this joint
-    m2_5 = m3_5 + t93*fu3_y - t103*fu3_x
+    m2_5 = t96*fu4_x + h5_x*t94 + (m3_5 - t106*fu3_x)
     ! link 3: mass matrix, its row of this joint
-    m3_6 = s4*nu5_x + (0.4331_rk*t110 - (0.0203_rk*fu5_y - c4*neg_k6_yz))
+    m3_6 = c4*neg_k6_yz + 0.4331_rk*t109 - (0.0203_rk*fu5_y + s4*neg_nu5_x)
     ! link 2: mass matrix, its row of this joint
-    m2_6 = t95*t110 + (m3_6 + (t103*t111 + fu5_y*t94))
+    m2_6 = m3_6 + (t106*t110 + (t94*fu5_y + t96*t109))
     ! link 6: forward substitution
     neg_y6 = nc6_z - tau(6)
     ! factorisation M = U D U^T
-    u5_6 = 0.026485988881983898_rk*t69
+    u5_6 = 0.026485988881983898_rk*t81
     u4_6 = 1.1015399510907136_rk*neg_nu5_y
     u3_6 = 1.1015399510907136_rk*m3_6
     u2_6 = 1.1015399510907136_rk*m2_6
     u1_6 = 1.1015399510907136_rk*m1_6
     pivot5 = m5_5 - neg_k6_yz*u5_6
     ipivot5 = 1.0_rk / pivot5
-    neg_ud4_5 = neg_k6_yz*u4_6 - k5_yz
+    neg_ud4_5 = neg_k5_yz + neg_k6_yz*u4_6
     neg_u4_5 = ipivot5*neg_ud4_5
     ud3_5 = m3_5 - neg_k6_yz*u3_6
     u3_5 = ipivot5*ud3_5
     ud2_5 = m2_5 - neg_k6_yz*u2_6
     u2_5 = ipivot5*ud2_5
-    ud1_5 = m1_5 - neg_k6_yz*u1_6
-    u1_5 = ipivot5*ud1_5
-    neg_pivot4 = neg_nu5_y*u4_6 - m4_4 + neg_ud4_5*neg_u4_5
-    neg_ipivot4 = 1.0_rk / neg_pivot4
+    neg_ud1_5 = neg_m1_5 + neg_k6_yz*u1_6
+    neg_u1_5 = ipivot5*neg_ud1_5
+    pivot4 = m4_4 - neg_nu5_y*u4_6 - neg_ud4_5*neg_u4_5
+    ipivot4 = 1.0_rk / pivot4
     ud3_4 = m3_4 - neg_nu5_y*u3_6 + neg_ud4_5*u3_5
-    neg_u3_4 = neg_ipivot4*ud3_4
+    u3_4 = ipivot4*ud3_4
     ud2_4 = m2_4 - neg_nu5_y*u2_6 + neg_ud4_5*u2_5
-    neg_u2_4 = neg_ipivot4*ud2_4
-    neg_ud1_4 = neg_m1_4 + neg_nu5_y*u1_6 - neg_ud4_5*u1_5
-    u1_4 = neg_ipivot4*neg_ud1_4
-    neg_pivot3 = m3_6*u3_6 - m3_3 + ud3_5*u3_5 - ud3_4*neg_u3_4
+    u2_4 = ipivot4*ud2_4
+    ud1_4 = m1_4 - neg_nu5_y*u1_6 - neg_ud4_5*neg_u1_5
+    u1_4 = ipivot4*ud1_4
+    neg_pivot3 = neg_m3_3 + m3_6*u3_6 + ud3_5*u3_5 + ud3_4*u3_4
     neg_ipivot3 = 1.0_rk / neg_pivot3
-    neg_ud2_3 = m3_6*u2_6 - m2_3 + ud3_5*u2_5 - ud3_4*neg_u2_4
+    neg_ud2_3 = neg_m2_3 + m3_6*u2_6 + ud3_5*u2_5 + ud3_4*u2_4
     u2_3 = neg_ipivot3*neg_ud2_3
-    ud1_3 = m1_3 - m3_6*u1_6 - ud3_5*u1_5 - ud3_4*u1_4
+    ud1_3 = m1_3 - m3_6*u1_6 + ud3_5*neg_u1_5 - ud3_4*u1_4
     neg_u1_3 = neg_ipivot3*ud1_3
-    neg_pivot2 = m2_6*u2_6 - m2_2 + ud2_5*u2_5 - ud2_4*neg_u2_4 - neg_ud2_3*u2_3
-    neg_ipivot2 = 1.0_rk / neg_pivot2
-    ud1_2 = m1_2 - m2_6*u1_6 - ud2_5*u1_5 - ud2_4*u1_4 - neg_ud2_3*neg_u1_3
-    neg_u1_2 = neg_ipivot2*ud1_2
-    pivot1 = m1_1 - m1_6*u1_6 - ud1_5*u1_5 + neg_ud1_4*u1_4 + ud1_3*neg_u1_3 + ud1_2*neg_u1_2
+    pivot2 = m2_2 - m2_6*u2_6 - ud2_5*u2_5 - ud2_4*u2_4 + neg_ud2_3*u2_3
+    ipivot2 = 1.0_rk / pivot2
+    ud1_2 = m1_2 - m2_6*u1_6 + ud2_5*neg_u1_5 - ud2_4*u1_4 - neg_ud2_3*neg_u1_3
+    u1_2 = ipivot2*ud1_2
+    pivot1 = m1_1 - m1_6*u1_6 - neg_ud1_5*neg_u1_5 - ud1_4*u1_4 + ud1_3*neg_u1_3 - ud1_2*u1_2
     ipivot1 = 1.0_rk / pivot1
     ! link 5: forward substitution
     neg_y5 = n5_z - tau(5) - neg_y6*u5_6
     ! link 4: forward substitution
     neg_y4 = n4_z - tau(4) - neg_y6*u4_6 + neg_u4_5*neg_y5
     ! link 3: forward substitution
-    y3 = neg_n3_z + tau(3) + neg_y6*u3_6 + u3_5*neg_y5 - neg_u3_4*neg_y4
+    y3 = neg_n3_z + tau(3) + neg_y6*u3_6 + u3_5*neg_y5 + u3_4*neg_y4
     ! link 2: forward substitution
-    neg_y2 = n02_z - tau(2) - neg_y6*u2_6 - u2_5*neg_y5 + neg_u2_4*neg_y4 + u2_3*y3
+    neg_y2 = n02_z - tau(2) - neg_y6*u2_6 - u2_5*neg_y5 - u2_4*neg_y4 + u2_3*y3
     ! link 1: forward substitution
-    y1 = tau(1) - n1_z + neg_y6*u1_6 + u1_5*neg_y5 + u1_4*neg_y4 + neg_u1_3*y3 - neg_u1_2*neg_y2
+    y1 = tau(1) - n1_z + neg_y6*u1_6 - neg_u1_5*neg_y5 + u1_4*neg_y4 + neg_u1_3*y3 + u1_2*neg_y2
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     qdd1 = ipivot1*y1
     ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd2 = neg_ipivot2*neg_y2 + neg_u1_2*qdd1
+    neg_qdd2 = ipivot2*neg_y2 + u1_2*qdd1
     ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd3 = neg_ipivot3*y3 + u2_3*qdd2 - neg_u1_3*qdd1
+    neg_qdd3 = neg_ipivot3*y3 - u2_3*neg_qdd2 - neg_u1_3*qdd1
     ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd4 = neg_ipivot4*neg_y4 - neg_u3_4*neg_qdd3 + neg_u2_4*qdd2 - u1_4*qdd1
+    neg_qdd4 = ipivot4*neg_y4 - u3_4*neg_qdd3 - u2_4*neg_qdd2 + u1_4*qdd1
     ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd5 = ipivot5*neg_y5 - neg_u4_5*qdd4 - u3_5*neg_qdd3 + u2_5*qdd2 + u1_5*qdd1
+    qdd5 = neg_u1_5*qdd1 - (ipivot5*neg_y5 + neg_u4_5*neg_qdd4 - u3_5*neg_qdd3 - u2_5*neg_qdd2)
     ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd6 = -u1_6*qdd1 - (1.1015399510907136_rk*neg_y6 - u5_6*neg_qdd5 + u4_6*qdd4 - u3_6*neg_qdd3 &
-        + u2_6*qdd2)
-    t113 = -neg_qdd3
-    t114 = -neg_qdd5
+    qdd6 = -u1_6*qdd1 - (1.1015399510907136_rk*neg_y6 + u5_6*qdd5 - u4_6*neg_qdd4 - u3_6*neg_qdd3 &
+        - u2_6*neg_qdd2)
+    t113 = -neg_qdd2
+    t114 = -neg_qdd3
+    t115 = -neg_qdd4
     qdd(1) = qdd1
-    qdd(2) = qdd2
-    qdd(3) = t113
-    qdd(4) = qdd4
-    qdd(5) = t114
+    qdd(2) = t113
+    qdd(3) = t114
+    qdd(4) = t115
+    qdd(5) = qdd5
     qdd(6) = qdd6
   end subroutine
 end module

@@ -23,16 +23,17 @@
  * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
  *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
  *   makes no difference is moved to its parent.
- * Of inverse_dynamics, bias, mass_matrix, forward_dynamics the best program known for these
- *   parameters, equal to the recursion without being written like it: robodyn --optimize full,
- *   seed 1.
+ * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
+ *   to the recursion without being written like it: robodyn --optimize full, seed 1.
+ * Of mass_matrix the best program known for these parameters, equal to the recursion without being
+ *   written like it: robodyn --optimize full, seed 0.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 218 multiplications, 209 additions = 427; 0 unary minus; 10 sine/cosine
  *   gravity: 24 multiplications, 18 additions = 42; 1 unary minus; 10 sine/cosine
  *   bias: 198 multiplications, 181 additions = 379; 0 unary minus; 10 sine/cosine
- *   mass_matrix: 120 multiplications, 109 additions = 229; 1 unary minus; 10 sine/cosine
- *   forward_dynamics: 403 multiplications, 359 additions, 5 divisions = 767; 3 unary minus; 10
+ *   mass_matrix: 116 multiplications, 110 additions = 226; 0 unary minus; 10 sine/cosine
+ *   forward_dynamics: 400 multiplications, 359 additions, 5 divisions = 764; 4 unary minus; 10
  *       sine/cosine
  */
 #ifndef PUMA560_FULL_H

@@ -29,9 +29,9 @@
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 212 multiplications, 201 additions = 413; 3 unary minus; 10 sine/cosine
  *   gravity: 24 multiplications, 18 additions = 42; 0 unary minus; 10 sine/cosine
- *   bias: 193 multiplications, 173 additions = 366; 0 unary minus; 10 sine/cosine
+ *   bias: 191 multiplications, 173 additions = 364; 0 unary minus; 10 sine/cosine
  *   mass_matrix: 105 multiplications, 94 additions = 199; 1 unary minus; 10 sine/cosine
- *   forward_dynamics: 378 multiplications, 336 additions, 5 divisions = 719; 2 unary minus; 10
+ *   forward_dynamics: 376 multiplications, 336 additions, 5 divisions = 717; 14 unary minus; 10
  *       sine/cosine
  */
 #include "rx90.h"
@@ -334,7 +334,7 @@ void rx90_gravity(const rx90_real q[6], rx90_real tau[6])
 }
 
 /* torques at zero acceleration: Coriolis, centrifugal, gravity, friction
- * 193 multiplications, 173 additions = 366; 0 unary minus; 10 sine/cosine */
+ * 191 multiplications, 173 additions = 364; 0 unary minus; 10 sine/cosine */
 void rx90_bias(const rx90_real q[6], const rx90_real qd[6], rx90_real tau[6])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -446,10 +446,10 @@ void rx90_bias(const rx90_real q[6], const rx90_real qd[6], rx90_real tau[6])
     const rx90_real t15 = 0.31005692653217237*c6;
     const rx90_real t16 = c6*t15;
     const rx90_real t17 = s6*t15;
-    const rx90_real t18 = t16 + (0.8915767942352734*t17 + 0.13354610634435332);
+    const rx90_real t18 = t16 + 0.8915767942352734*(t17 + 0.1497864314188426);
     const rx90_real t19 = t18 - 0.5771491392208791;
     const rx90_real t20 = t2*t7 - t8*lam5_12 - (t9*t13 - t14*lam5_32 + lam5_31*t18) - t19*lam5_13;
-    const rx90_real t21 = t17 - 0.13821978029399798*(6.450428385422554*t16 - 1.0);
+    const rx90_real t21 = t17 - 0.8915767942352734*(t16 - 0.15502846326608619);
     const rx90_real t22 = ww5_xx - ww5_zz;
     /* link 6: moment that turns the link [N m] */
     const rx90_real nc6_z = t20 - t21*t22;
@@ -468,71 +468,71 @@ void rx90_bias(const rx90_real q[6], const rx90_real qd[6], rx90_real tau[6])
     const rx90_real t28 = lam5_32 - w5_z*t26;
     const rx90_real t29 = s5*t10 + c5*t12;
     const rx90_real t30 = t2 + 0.40383849355176565;
-    const rx90_real t31 = 0.09969734753381411*lam5_12 - (t28*t21 - (t29*t30 -
-        (0.022422989561630666*lam5_23 + (0.4973859781056681*lam5_21 + 0.3630349860955984*t13))));
+    const rx90_real t31 = t28*t21 - (t29*t30 - 0.3630349860955984*(t13 + 1.3700772574428703*lam5_21
+        + 0.06176536813376437*lam5_23)) - 0.09969734753381411*lam5_12;
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n5_z = 0.04994749004669093*(neg_lam5_22 + lam5_11) + (t14*t25 + (t18*t27 - t31))
-        + lam5_13*(t8 - 0.06545842652927093);
+    const rx90_real n5_z = t14*t25 + (t18*t27 + t31) + 0.04994749004669093*(neg_lam5_22 + lam5_11) +
+        lam5_13*(t8 - 0.06545842652927093);
     const rx90_real t32 = t9 - 0.48442678791853194;
-    const rx90_real t33 = t32*t29 + (0.022422989561630666*lam5_21 - (0.3630349860955984*t7 -
-        (t28*t19 - (0.09969734753381411*lam5_32 - t24*t8))));
-    const rx90_real t34 = 0.06545842652927093*(neg_lam4_22 - neg_lam5_22) - (t27*t21 - t33) +
+    const rx90_real t33 = t32*t29 + (t28*t19 + (t24*t8 - 0.09969734753381411*lam5_32) -
+        0.3630349860955984*t7 + 0.022422989561630666*lam5_21);
+    const rx90_real t34 = t27*t21 - t33 - 0.06545842652927093*(neg_lam4_22 - neg_lam5_22) -
         lam5_31*(t14 + 0.04994749004669093);
-    const rx90_real t35 = neg_lam4_22 - neg_lam3_22;
-    const rx90_real t36 = 0.40383849355176565*t7 + 0.06545842652927093*lam5_12 +
-        (0.04994749004669093*lam5_32 + 0.48442678791853194*t13) + (nc6_z + (0.022422989561630666*t22
-        - 0.4973859781056681*lam5_31));
-    const rx90_real t37 = c5*t34 - (4.226760246817004*t7 + 0.09181695932507075*lam4_31) +
-        (0.7570061710726514*neg_lam4_32 - (0.02981305527252843*t35 - s5*t36));
-    const rx90_real t38 = 0.1094831940191231*neg_lam4_21 - t37;
-    const rx90_real t39 = 0.3630349860955984*lam5_12 + (t2*(neg_lam5_22 - t25) -
-        0.40383849355176565*lam5_11) + t32*lam5_13;
-    const rx90_real t40 = 0.48442678791853194*lam5_23 + (t2*t27 + (0.3630349860955984*neg_lam5_22 +
-        0.40383849355176565*lam5_21) + t28*t9);
+    const rx90_real t35 = nc6_z + 0.022422989561630666*(t22 - 22.18196537703319*lam5_31) +
+        0.40383849355176565*(t7 + 0.16209060694923627*lam5_12 + 1.1995557522463771*(t13 +
+        0.10310637498248922*lam5_32));
+    const rx90_real t36 = neg_lam4_22 - neg_lam3_22;
+    const rx90_real t37 = c5*t34 + 4.226760246817004*(t7 + 0.02172277440959994*lam4_31) - (s5*t35 -
+        0.02981305527252843*t36 + 0.7570061710726514*neg_lam4_32);
+    const rx90_real t38 = t37 + 0.1094831940191231*neg_lam4_21;
+    const rx90_real t39 = t2*(neg_lam5_22 - t25) - 0.40383849355176565*lam5_11 +
+        0.3630349860955984*lam5_12 + t32*lam5_13;
+    const rx90_real t40 = t2*t27 + 0.3630349860955984*(neg_lam5_22 + 1.1123955238997885*lam5_21) +
+        t28*t9 + 0.48442678791853194*lam5_23;
     const rx90_real t41 = c5*t39 + (s5*t40 + 0.09791727023389989*lam4_11 +
         4.226760246817004*lam4_13);
-    const rx90_real t42 = 0.48442678791853194*neg_lam4_22 + (0.09791727023389989*neg_lam4_21 +
-        (4.226760246817004*neg_lam4_23 + (t9*(t24 - neg_lam5_22) + 0.3630349860955984*lam5_32)));
+    const rx90_real t42 = t9*(t24 - neg_lam5_22) + 0.3630349860955984*lam5_32 +
+        4.226760246817004*neg_lam4_23 + 0.09791727023389989*neg_lam4_21 +
+        0.48442678791853194*neg_lam4_22;
     const rx90_real t43 = t42 - lam5_31*t30;
-    const rx90_real t44 = s4*t41 - (0.13117102544002893*ww3_zx + c4*t43);
-    const rx90_real t45 = 4.226760246817004*t10 - 0.02981305527252843*lam4_12 + (n5_z +
-        0.09791727023389989*t12) - (0.1094831940191231*t23 + 0.09181695932507075*neg_lam4_32 -
-        0.1886810537096668*lam4_31);
+    const rx90_real t44 = s4*t41 - (c4*t43 + 0.13117102544002893*ww3_zx);
+    const rx90_real t45 = n5_z + 0.09791727023389989*t12 + 4.226760246817004*(t10 -
+        0.007053405807670163*lam4_12) - 0.1094831940191231*(t23 + 0.838639757888625*neg_lam4_32 -
+        1.7233791487368413*lam4_31);
     const rx90_real t46 = neg_lam2_33 - neg_lam3_22;
     /* link 3: moment through the joint, about the frame's origin [N m] */
     const rx90_real n3_x = c4*t38 - 6.114864278097191*ww3_yz - (t44 - s4*t45 +
         0.0672049454639226*t46) - 0.1093030288471206*ww3_xy;
-    const rx90_real t47 = 0.1886810537096668*neg_lam4_21 + (s5*t34 + 0.1094831940191231*neg_lam4_23
-        + 0.09181695932507075*(t35 + t23)) + 0.02981305527252843*lam4_13;
+    const rx90_real t47 = s5*t34 - 0.1094831940191231*neg_lam4_23 - 0.09181695932507075*(t36 + t23)
+        - 0.1886810537096668*neg_lam4_21 - 0.02981305527252843*lam4_13;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n4_z = c5*t36 - 0.09791727023389989*t7 - 0.7570061710726514*lam4_12 - t47;
+    const rx90_real n4_z = t47 + (c5*t35 - 0.09791727023389989*t7 - 0.7570061710726514*lam4_12);
     const rx90_real t48 = ww3_zz - ww3_xx;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const rx90_real neg_n3_y = 0.1093030288471206*t48 - 0.0672049454639226*ww3_xy - n4_z +
-        (0.38504202969359597*ww3_zx + (0.13117102544002893*ww3_yz - 0.1800707921647878*lam2_31));
+    const rx90_real n3_y = n4_z - 0.1093030288471206*(t48 - 0.6148498003465253*ww3_xy) +
+        0.1800707921647878*(lam2_31 - 0.7284414305235613*ww3_yz - 2.138281422904128*ww3_zx);
     /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
-    const rx90_real n03_y = s23*n3_x - c23*neg_n3_y;
-    const rx90_real t49 = 0.09496171507178643*s2;
-    const rx90_real t50 = 0.017315109477737248*c2 - t49;
-    const rx90_real t51 = 7.0674063888484*c2;
-    const rx90_real t52 = 6.104207957983257*(t49*t51) + (0.09496171507178643*c2*t51 -
-        0.3355665158971724);
+    const rx90_real n03_y = s23*n3_x + c23*n3_y;
+    const rx90_real t49 = 0.6711330317943448*(c2*c2) - 0.3355665158971724 +
+        4.09673559354447*(c2*s2);
+    const rx90_real t50 = s2 - 0.18233779228447872*c2;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n1_z = n03_y - (ww2_zz*t50 + t1*t52 - c2*(t44 + 0.49131260976960456*ww3_zx));
-    const rx90_real t53 = c4*t41 + s4*t43;
-    const rx90_real t54 = t46 + t48;
+    const rx90_real n1_z = n03_y - (t1*t49 - 0.09496171507178643*(ww2_zz*t50) - c2*(t44 +
+        0.49131260976960456*ww3_zx));
+    const rx90_real t51 = c4*t41 + s4*t43;
+    const rx90_real t52 = t46 + t48;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n3_z = 3.249953153895394*ww3_xy - (s4*t38 + (t53 - (0.06558551272001446*t54 +
-        (c4*t45 - 0.1800707921647878*t11))));
+    const rx90_real n3_z = 3.249953153895394*ww3_xy - (s4*t38 + (t51 - (c4*t45 -
+        0.1800707921647878*t11 + 0.06558551272001446*t52)));
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const rx90_real neg_lam3_11 = neg_lam3_22 + t54;
-    const rx90_real t55 = c5*t40 - s5*t39 - 0.09791727023389989*lam4_31 + (0.1800707921647878*ww3_xy
-        + 4.226760246817004*neg_lam3_22);
-    const rx90_real t56 = t53 + 0.1800707921647878*neg_lam3_11;
-    const rx90_real t57 = neg_lam2_33*t52 - (c2*(c23*t55 - s23*t56) - n3_z) - s2*(c23*t56 +
-        s23*t55);
+    const rx90_real neg_lam3_11 = neg_lam3_22 + t52;
+    const rx90_real t53 = c5*t40 - s5*t39 - 0.09791727023389989*lam4_31 +
+        4.226760246817004*(neg_lam3_22 + 0.04260255648528718*ww3_xy);
+    const rx90_real t54 = t51 + 0.1800707921647878*neg_lam3_11;
+    const rx90_real t55 = neg_lam2_33*t49 - (c2*(c23*t53 - s23*t54) - n3_z) - s2*(c23*t54 +
+        s23*t53);
     /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const rx90_real n02_z = 4681.18660659102*(t50 + 0.09865834996998242*s2) + t57;
+    const rx90_real n02_z = t55 + 461.83814650785126*(s2 - 0.962530947463436*t50);
     tau[0] = n1_z;
     tau[1] = n02_z;
     tau[2] = n3_z;
@@ -714,7 +714,7 @@ void rx90_mass_matrix(const rx90_real q[6], rx90_real M[36])
 }
 
 /* accelerations that the torques tau give
- * 378 multiplications, 336 additions, 5 divisions = 719; 2 unary minus; 10 sine/cosine */
+ * 376 multiplications, 336 additions, 5 divisions = 717; 14 unary minus; 10 sine/cosine */
 void rx90_forward_dynamics(
     const rx90_real q[6],
     const rx90_real qd[6],
@@ -748,23 +748,23 @@ void rx90_forward_dynamics(
     /* link 4: angular velocity [rad/s] */
     const rx90_real w4_x = w3_x*c4 - w3_z*s4;
     const rx90_real w4_z = w3_y + qd[3];
-    const rx90_real neg_w4_y = w3_x*s4 + w3_z*c4;
+    const rx90_real w4_y = -w3_z*c4 - w3_x*s4;
     /* link 4: products of the angular velocity [1/s^2] */
-    const rx90_real neg_ww4_xy = w4_x*neg_w4_y;
+    const rx90_real ww4_xy = w4_x*w4_y;
     const rx90_real ww4_xx = w4_x*w4_x;
     const rx90_real ww4_zz = w4_z*w4_z;
-    const rx90_real neg_ww4_yz = w4_z*neg_w4_y;
+    const rx90_real ww4_yz = w4_z*w4_y;
     const rx90_real ww4_zx = w4_x*w4_z;
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const rx90_real neg_lam4_21 = ww3_zx + neg_ww4_xy;
-    const rx90_real lam4_12 = ww3_zx - neg_ww4_xy;
+    const rx90_real lam4_21 = ww4_xy - ww3_zx;
+    const rx90_real lam4_12 = ww3_zx + ww4_xy;
     const rx90_real neg_lam4_22 = ww4_xx + ww4_zz;
     /* sines and cosines of the joint angles */
     const rx90_real c5 = cos(q[4]);
     const rx90_real s5 = sin(again[4]);
     /* link 5: angular velocity [rad/s] */
     const rx90_real w5_x = w4_x*c5 + w4_z*s5;
-    const rx90_real w5_z = neg_w4_y + qd[4];
+    const rx90_real w5_z = qd[4] - w4_y;
     const rx90_real w5_y = w4_z*c5 - w4_x*s5;
     /* link 5: products of the angular velocity [1/s^2] */
     const rx90_real ww5_zx = w5_x*w5_z;
@@ -780,7 +780,7 @@ void rx90_forward_dynamics(
     const rx90_real c2 = cos(q[1]);
     const rx90_real s2 = sin(again[1]);
     /* link 4: angular acceleration [rad/s^2] */
-    const rx90_real alpha4_x = ww3_yz*c4 - qd[3]*neg_w4_y;
+    const rx90_real alpha4_x = ww3_yz*c4 + qd[3]*w4_y;
     /* link 5: angular acceleration [rad/s^2] */
     const rx90_real neg_alpha5_y = ww3_zx*c5 + (w5_x*qd[4] + s5*alpha4_x);
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
@@ -797,7 +797,7 @@ void rx90_forward_dynamics(
     /* link 2: products of the angular velocity [1/s^2] */
     const rx90_real ww2_zz = qd[1]*qd[1];
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const rx90_real neg_lam2_33 = qd[0]*qd[0];
+    const rx90_real lam2_33 = -qd[0]*qd[0];
     /* link 4: angular acceleration [rad/s^2] */
     const rx90_real neg_alpha4_y = ww3_yz*s4 + w4_x*qd[3];
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
@@ -805,301 +805,290 @@ void rx90_forward_dynamics(
     /* link 3: products of the angular velocity [1/s^2] */
     const rx90_real ww3_xx = w3_x*w3_x;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const rx90_real neg_lam3_22 = ww3_zz + ww3_xx;
+    const rx90_real lam3_22 = -ww3_zz - ww3_xx;
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
     const rx90_real lam5_12 = ww5_xy - neg_alpha4_y;
     const rx90_real neg_lam5_22 = ww5_xx + ww5_zz;
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
     const rx90_real lam4_31 = ww4_zx + neg_alpha4_y;
-    const rx90_real neg_lam4_32 = neg_ww4_yz - alpha4_x;
+    const rx90_real lam4_32 = ww4_yz + alpha4_x;
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
     const rx90_real lam5_13 = ww5_zx - neg_alpha5_y;
     /* link 6: second moment of the composite body [kg m^2] */
-    const rx90_real neg_k6_xz = 0.1601275610650136*c6 + 0.07096581179296485*s6;
+    const rx90_real k6_xz = -0.07096581179296485*s6 - 0.1601275610650136*c6;
     const rx90_real t2 = 0.706845523804052*c6 + 0.2821950289584464*s6;
     const rx90_real t3 = lam3_32 + lam2_31;
-    const rx90_real t4 = c2*(ww2_zz + neg_lam2_33);
+    const rx90_real t4 = c2*(ww2_zz - lam2_33);
     const rx90_real t5 = s2*ww2_zz - 21.77777777777778;
     const rx90_real t6 = ww3_xy - (c23*t4 + s23*t5);
     const rx90_real t7 = c4*t3 + s4*t6;
     const rx90_real t8 = 0.47205526469446013*c6 - 0.5674357966404597*t2;
     const rx90_real t9 = 0.706845523804052*s6 - 0.2821950289584464*c6;
     const rx90_real t10 = s4*t3 - c4*t6;
-    const rx90_real t11 = s23*t4 - c23*t5;
-    const rx90_real t12 = neg_lam3_22 - t11;
+    const rx90_real t11 = c23*t5 - s23*t4;
+    const rx90_real t12 = t11 - lam3_22;
     const rx90_real t13 = c5*t10 + s5*t12;
     const rx90_real t14 = 0.31005692653217237*c6;
     const rx90_real t15 = c6*t14;
     const rx90_real t16 = s6*t14;
-    const rx90_real t17 = t15 + (0.8915767942352734*t16 + 0.13354610634435332);
+    const rx90_real t17 = t15 + 0.8915767942352734*(t16 + 0.1497864314188426);
     const rx90_real t18 = t17 - 0.5771491392208791;
-    const rx90_real t19 = t2*t7 - lam5_12*t8 - (t9*t13 - lam5_32*neg_k6_xz + lam5_31*t17) -
-        lam5_13*t18;
-    const rx90_real t20 = t16 - 0.13821978029399798*(6.450428385422554*t15 - 1.0);
-    const rx90_real t21 = ww5_xx - ww5_zz;
+    const rx90_real t19 = t2*t7 - lam5_12*t8 - (t9*t13 + lam5_32*k6_xz + lam5_31*t17) - lam5_13*t18;
+    const rx90_real t20 = 0.8915767942352734*t15;
+    const rx90_real t21 = t16 - (t20 - 0.13821978029399798);
+    const rx90_real t22 = ww5_xx - ww5_zz;
     /* link 6: moment that turns the link [N m] */
-    const rx90_real nc6_z = t19 - t20*t21;
+    const rx90_real nc6_z = t19 - t21*t22;
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const rx90_real lam5_11 = t21 - neg_lam4_22;
+    const rx90_real neg_lam5_11 = neg_lam4_22 - t22;
     const rx90_real lam5_23 = ww5_yz - alpha5_x;
-    const rx90_real t22 = ww4_xx - ww4_zz;
+    const rx90_real t23 = ww4_xx - ww4_zz;
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const rx90_real lam4_11 = t22 - neg_lam3_22;
+    const rx90_real lam4_11 = lam3_22 + t23;
     const rx90_real lam4_13 = ww4_zx - neg_alpha4_y;
-    const rx90_real neg_lam4_23 = neg_ww4_yz + alpha4_x;
-    const rx90_real t23 = ww5_zz - ww6_zz;
-    const rx90_real t24 = t21 + t23;
-    const rx90_real t25 = 2.0*w6_z;
-    const rx90_real t26 = lam5_12 - w5_x*t25;
-    const rx90_real t27 = lam5_32 - w5_z*t25;
-    const rx90_real t28 = s5*t10 - c5*t12;
-    const rx90_real t29 = t2 + 0.40383849355176565;
-    const rx90_real t30 = 0.09969734753381411*lam5_12 - (t20*t27 - (t28*t29 -
-        (0.022422989561630666*lam5_23 + (0.4973859781056681*lam5_21 + 0.3630349860955984*t13))));
+    const rx90_real lam4_23 = ww4_yz - alpha4_x;
+    const rx90_real t24 = 2.0*w6_z;
+    const rx90_real t25 = lam5_32 - w5_z*t24;
+    const rx90_real t26 = s5*t10 - c5*t12;
+    const rx90_real t27 = t2 + 0.40383849355176565;
+    const rx90_real t28 = t21*t25 - (t26*t27 - 0.022422989561630666*(lam5_23 +
+        22.18196537703319*(lam5_21 + 0.7298858473619311*t13))) - 0.09969734753381411*lam5_12;
+    const rx90_real t29 = lam5_12 - w5_x*t24;
+    const rx90_real t30 = ww5_zz - ww6_zz;
+    const rx90_real t31 = t22 + t30;
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n5_z = 0.04994749004669093*(neg_lam5_22 + lam5_11) + (neg_k6_xz*t24 - (t17*t26 +
-        t30)) + lam5_13*(t8 - 0.06545842652927093);
-    const rx90_real t31 = t9 - 0.48442678791853194;
-    const rx90_real t32 = t28*t31 + (0.022422989561630666*lam5_21 - (0.3630349860955984*t7 -
-        (t18*t27 - (0.09969734753381411*lam5_32 - t8*t23))));
-    const rx90_real t33 = 0.06545842652927093*(neg_lam4_22 - neg_lam5_22) + (t20*t26 + t32) +
-        lam5_31*(neg_k6_xz + 0.04994749004669093);
-    const rx90_real t34 = neg_lam4_22 - neg_lam3_22;
-    const rx90_real t35 = 0.40383849355176565*t7 + 0.06545842652927093*lam5_12 +
-        (0.04994749004669093*lam5_32 + 0.48442678791853194*t13) + (nc6_z + (0.022422989561630666*t21
-        - 0.4973859781056681*lam5_31));
-    const rx90_real t36 = c5*t33 - (4.226760246817004*t7 + 0.09181695932507075*lam4_31) +
-        (0.7570061710726514*neg_lam4_32 - (0.02981305527252843*t34 - s5*t35));
-    const rx90_real t37 = 0.1094831940191231*neg_lam4_21 - t36;
-    const rx90_real t38 = 0.3630349860955984*lam5_12 + (t2*(neg_lam5_22 - t24) -
-        0.40383849355176565*lam5_11) + lam5_13*t31;
-    const rx90_real t39 = 0.48442678791853194*lam5_23 - (t2*t26 - (0.3630349860955984*neg_lam5_22 +
-        0.40383849355176565*lam5_21) - t9*t27);
-    const rx90_real t40 = c5*t38 + (s5*t39 + 0.09791727023389989*lam4_11 +
+    const rx90_real n5_z = t28 - t17*t29 - k6_xz*t31 + 0.04994749004669093*(neg_lam5_22 -
+        neg_lam5_11) + lam5_13*(t8 - 0.06545842652927093);
+    const rx90_real t32 = t9 - 0.48442678791853194;
+    const rx90_real t33 = t26*t32 + (t18*t25 + (t8*t30 - 0.09969734753381411*lam5_32) -
+        0.3630349860955984*t7 + 0.022422989561630666*lam5_21);
+    const rx90_real t34 = t21*t29 + t33 + 0.06545842652927093*(neg_lam4_22 - neg_lam5_22) +
+        lam5_31*(0.04994749004669093 - k6_xz);
+    const rx90_real t35 = nc6_z - 0.4973859781056681*(lam5_31 - 0.04508166805793422*t22) +
+        0.48442678791853194*(t13 + 0.10310637498248922*lam5_32 + 0.13512553013538*(lam5_12 +
+        6.169388953631232*t7));
+    const rx90_real t36 = neg_lam4_22 + lam3_22;
+    const rx90_real t37 = c5*t34 - 0.09181695932507075*(lam4_31 + 46.034635408176506*t7) + (s5*t35 -
+        0.02981305527252843*t36 - 0.7570061710726514*lam4_32);
+    const rx90_real t38 = t37 + 0.1094831940191231*lam4_21;
+    const rx90_real t39 = 0.40383849355176565*neg_lam5_11 - t2*(t31 - neg_lam5_22) +
+        0.3630349860955984*lam5_12 + lam5_13*t32;
+    const rx90_real t40 = t2*t29 - 0.40383849355176565*(lam5_21 + 0.8989608268956737*neg_lam5_22) -
+        t9*t25 - 0.48442678791853194*lam5_23;
+    const rx90_real t41 = c5*t39 - (s5*t40 - 0.09791727023389989*lam4_11 -
         4.226760246817004*lam4_13);
-    const rx90_real t41 = 0.48442678791853194*neg_lam4_22 + (0.09791727023389989*neg_lam4_21 +
-        (4.226760246817004*neg_lam4_23 - (t9*(neg_lam5_22 - t23) - 0.3630349860955984*lam5_32)));
-    const rx90_real t42 = t41 - lam5_31*t29;
-    const rx90_real t43 = s4*t40 - (0.13117102544002893*ww3_zx + c4*t42);
-    const rx90_real t44 = 4.226760246817004*t10 - 0.02981305527252843*lam4_12 + (n5_z -
-        0.09791727023389989*t12) - (0.1094831940191231*t22 + 0.09181695932507075*neg_lam4_32 -
-        0.1886810537096668*lam4_31);
-    const rx90_real t45 = neg_lam2_33 - neg_lam3_22;
+    const rx90_real t42 = -0.3630349860955984*lam5_32 - t9*(t30 - neg_lam5_22) +
+        4.226760246817004*lam4_23 + 0.09791727023389989*lam4_21 - 0.48442678791853194*neg_lam4_22;
+    const rx90_real t43 = t42 + lam5_31*t27;
+    const rx90_real t44 = s4*t41 + (c4*t43 - 0.13117102544002893*ww3_zx);
+    const rx90_real t45 = n5_z - 0.09791727023389989*t12 - 0.02981305527252843*(lam4_12 -
+        141.7754808482108*t10) + 0.1886810537096668*(lam4_31 -
+        0.4866252202849906*(1.1924070980341053*t23 - lam4_32));
+    const rx90_real t46 = lam3_22 - lam2_33;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n3_x = c4*t37 - 6.114864278097191*ww3_yz - (t43 - s4*t44 +
-        0.0672049454639226*t45) - 0.1093030288471206*ww3_xy;
-    const rx90_real t46 = 0.1886810537096668*neg_lam4_21 + (s5*t33 + 0.1094831940191231*neg_lam4_23
-        + 0.09181695932507075*(t22 + t34)) + 0.02981305527252843*lam4_13;
+    const rx90_real n3_x = -0.1093030288471206*ww3_xy - (c4*t38 + 6.114864278097191*ww3_yz + (t44 -
+        s4*t45 + 0.0672049454639226*t46));
+    const rx90_real t47 = s5*t34 - 0.1094831940191231*lam4_23 + 0.09181695932507075*(t23 + t36) -
+        0.1886810537096668*lam4_21 + 0.02981305527252843*lam4_13;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n4_z = c5*t35 - 0.09791727023389989*t7 - 0.7570061710726514*lam4_12 - t46;
-    const rx90_real t47 = ww3_zz - ww3_xx;
+    const rx90_real n4_z = c5*t35 - 0.09791727023389989*t7 - 0.7570061710726514*lam4_12 - t47;
+    const rx90_real t48 = ww3_zz - ww3_xx;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n3_y = n4_z - (0.1093030288471206*t47 - 0.0672049454639226*ww3_xy) -
-        (0.38504202969359597*ww3_zx + (0.13117102544002893*ww3_yz - 0.1800707921647878*lam2_31));
+    const rx90_real n3_y = n4_z + 0.0672049454639226*(ww3_xy - 1.6264134743744028*t48) -
+        0.38504202969359597*(ww3_zx + 0.3406667722596689*(ww3_yz - 1.3727939654410626*lam2_31));
     /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
     const rx90_real n03_y = s23*n3_x + c23*n3_y;
-    const rx90_real t48 = 0.09496171507178643*s2;
-    const rx90_real t49 = 0.017315109477737248*c2 - t48;
-    const rx90_real t50 = 7.0674063888484*c2;
-    const rx90_real t51 = 0.09496171507178643*c2;
-    const rx90_real t52 = 6.104207957983257*(t48*t50) + (t50*t51 - 0.3355665158971724);
+    const rx90_real t49 = 0.6711330317943448*(c2*c2 - 0.5) + 4.09673559354447*(c2*s2);
+    const rx90_real t50 = s2 - 0.18233779228447872*c2;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n1_z = n03_y - (ww2_zz*t49 + t1*t52 - c2*(t43 + 0.49131260976960456*ww3_zx));
-    const rx90_real t53 = c4*t40 + s4*t42;
-    const rx90_real t54 = t45 + t47;
+    const rx90_real n1_z = n03_y - (t1*t49 - 0.09496171507178643*(ww2_zz*t50) - c2*(t44 +
+        0.49131260976960456*ww3_zx));
+    const rx90_real t51 = c4*t41 - s4*t43;
+    const rx90_real t52 = t46 + t48;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n3_z = 3.249953153895394*ww3_xy - (s4*t37 + (t53 - (0.06558551272001446*t54 +
-        (c4*t44 - 0.1800707921647878*t11))));
+    const rx90_real n3_z = s4*t38 - (t51 - (c4*t45 + 0.1800707921647878*t11 +
+        0.06558551272001446*t52)) + 3.249953153895394*ww3_xy;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const rx90_real neg_lam3_11 = neg_lam3_22 + t54;
-    const rx90_real t55 = c5*t39 - s5*t38 - 0.09791727023389989*lam4_31 + (0.1800707921647878*ww3_xy
-        + 4.226760246817004*neg_lam3_22);
-    const rx90_real t56 = t53 + 0.1800707921647878*neg_lam3_11;
-    const rx90_real t57 = neg_lam2_33*t52 + (n3_z - c2*(c23*t55 - s23*t56)) - s2*(c23*t56 +
-        s23*t55);
+    const rx90_real lam3_11 = lam3_22 - t52;
+    const rx90_real t53 = c5*t40 + s5*t39 + 0.09791727023389989*lam4_31 - 0.1800707921647878*(ww3_xy
+        - 23.472769770174487*lam3_22);
+    const rx90_real t54 = t51 - 0.1800707921647878*lam3_11;
+    const rx90_real t55 = n3_z + c2*(c23*t53 + s23*t54) - lam2_33*t49 - s2*(c23*t54 - s23*t53);
     /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const rx90_real n02_z = 4681.18660659102*(t49 + 0.09865834996998242*s2) + t57;
-    const rx90_real t58 = 0.3992315427559742*neg_k6_xz;
-    const rx90_real t59 = 0.1884593515900491*s6 - t58;
+    const rx90_real n02_z = t55 - 444.53350873295926*(t50 - 1.0389276341039282*s2);
+    const rx90_real t56 = 0.3992315427559742*k6_xz;
+    const rx90_real t57 = 0.1884593515900491*s6 + t56;
     /* link 6: first moment of the composite body, about the frame's origin [kg m] */
-    const rx90_real neg_h6_y = 9.809478269877111*t59;
-    const rx90_real t60 = 0.007037838551227997*c6;
-    const rx90_real neg_h6_x = 22.13414869766047*(t58 + t60);
-    const rx90_real t61 = neg_h6_x + 0.8974188745594792;
+    const rx90_real neg_h6_y = 9.809478269877111*t57;
+    const rx90_real t58 = 0.007037838551227997*c6;
+    const rx90_real h6_x = 22.13414869766047*(t56 - t58);
+    const rx90_real t59 = 0.8974188745594792 - h6_x;
     /* link 5: first moment of the composite body, about the frame's origin [kg m] */
-    const rx90_real neg_h5_x = 0.8067444135457743*s5 + c5*t61;
-    const rx90_real t62 = neg_h6_y - 1.0765039731522932;
-    const rx90_real t63 = neg_h5_x - 0.21759393385311085;
+    const rx90_real h5_x = -0.8067444135457743*s5 - c5*t59;
+    const rx90_real t60 = neg_h6_y - 1.0765039731522932;
+    const rx90_real t61 = h5_x + 0.21759393385311085;
     /* link 4: first moment of the composite body, about the frame's origin [kg m] */
-    const rx90_real h4_x = s4*t62 - c4*t63;
+    const rx90_real h4_x = s4*t60 + c4*t61;
     /* link 5: first moment of the composite body, about the frame's origin [kg m] */
-    const rx90_real h5_y = 0.8067444135457743*c5 - s5*t61;
+    const rx90_real neg_h5_y = s5*t59 - 0.8067444135457743*c5;
     /* link 6: second moment of the composite body [kg m^2] */
-    const rx90_real neg_k6_yz = t59 - t60;
-    const rx90_real t64 = t16 + 0.1157967907323673;
-    const rx90_real t65 = t64 - 0.8915767942352734*t15;
-    const rx90_real t66 = 0.06545842652927093 + neg_k6_yz;
+    const rx90_real k6_yz = t58 - t57;
+    const rx90_real t62 = t20 - (t16 + 0.1157967907323673);
+    const rx90_real t63 = 0.06545842652927093 - k6_yz;
     /* link 5: second moment of the composite body [kg m^2] */
-    const rx90_real neg_k5_yz = s5*t65 - c5*t66;
-    const rx90_real t67 = neg_k5_yz + 0.02981305527252843;
-    const rx90_real t68 = c5*s5;
-    const rx90_real t69 = t15 + (0.8915767942352734*t64 - 1.303850935413074);
-    const rx90_real t70 = t69 + 1.7318439408653845;
-    const rx90_real t71 = c5*c5;
-    const rx90_real t72 = neg_k6_xz + (neg_k6_xz + 0.09989498009338187);
-    const rx90_real t73 = t68*t70 - ((t71 - 0.5)*t72 - 0.1094831940191231);
+    const rx90_real k5_yz = s5*t62 + c5*t63;
+    const rx90_real t64 = k5_yz - 0.02981305527252843;
+    const rx90_real t65 = c5*s5;
+    const rx90_real t66 = t15 + 0.8915767942352734*(t16 - 1.346613339099935);
+    const rx90_real t67 = t66 + 1.7318439408653845;
+    const rx90_real t68 = c5*c5;
+    const rx90_real t69 = 0.09989498009338187 - k6_xz - k6_xz;
+    const rx90_real t70 = t65*t67 + ((0.5 - t68)*t69 + 0.1094831940191231);
     /* link 4: second moment of the composite body [kg m^2] */
-    const rx90_real neg_k4_xz = s4*t67 - c4*t73;
+    const rx90_real k4_xz = s4*t64 + c4*t70;
     /* link 5: second moment of the composite body [kg m^2] */
-    const rx90_real neg_k5_xz = s5*t66 + c5*t65;
+    const rx90_real k5_xz = c5*t62 - s5*t63;
     /* link 5: mass matrix, its row of this joint */
-    const rx90_real m5_5 = t69 + 1.9312386359330127;
-    const rx90_real t74 = t68*t72 + (t70*t71 + 0.2883784012434809);
+    const rx90_real m5_5 = t66 + 1.9312386359330127;
+    const rx90_real t71 = t65*t69 + (t67*t68 + 0.2883784012434809);
     /* link 4: mass matrix, its row of this joint */
-    const rx90_real neg_m4_4 = t69 - t74;
-    const rx90_real t75 = 0.45*c2;
-    const rx90_real t76 = c23*t75;
-    const rx90_real t77 = h4_x - 0.4001573159217507;
-    const rx90_real t78 = s23*t75;
-    const rx90_real t79 = h5_y + 9.392800548482231;
-    const rx90_real t80 = t76*t77 - t78*t79;
-    const rx90_real t81 = 0.45*h4_x;
-    const rx90_real t82 = neg_k4_xz - t81;
-    const rx90_real t83 = t80 + (t82 - 0.06558551272001446)*(s23*c23);
-    const rx90_real t84 = c4*s4;
-    const rx90_real t85 = 2.0*neg_k5_xz + 0.1836339186501415;
-    const rx90_real t86 = c4*c4;
-    const rx90_real t87 = t69 + t74;
-    const rx90_real t88 = t69 - 0.19252101484679798 + t84*t85 - t86*t87;
-    const rx90_real t89 = 0.45*h5_y;
-    const rx90_real t90 = m5_5 + t89;
-    const rx90_real t91 = t74 - (t89 + 5.584769408295079 + t90);
+    const rx90_real m4_4 = t71 - t66;
+    const rx90_real t72 = 0.45*c2;
+    const rx90_real t73 = c23*t72;
+    const rx90_real t74 = h4_x - 0.4001573159217507;
+    const rx90_real t75 = s23*t72;
+    const rx90_real t76 = neg_h5_y - 9.392800548482231;
+    const rx90_real t77 = t73*t74 + t75*t76;
+    const rx90_real t78 = 0.45*h4_x;
+    const rx90_real t79 = k4_xz + t78;
+    const rx90_real t80 = t77 - (t79 + 0.06558551272001446)*(s23*c23);
+    const rx90_real t81 = c4*s4;
+    const rx90_real t82 = 0.1836339186501415 - 2.0*k5_xz;
+    const rx90_real t83 = c4*c4;
+    const rx90_real t84 = t66 + t71;
+    const rx90_real t85 = t66 - 0.19252101484679798 + t81*t82 - t83*t84;
+    const rx90_real t86 = 0.45*neg_h5_y;
+    const rx90_real t87 = m5_5 - t86;
+    const rx90_real t88 = t71 + (t86 - 5.584769408295079 - t87);
     /* link 1: mass matrix, its row of this joint */
-    const rx90_real m1_1 = t83 + (t51*(43.140918321110114*c2 - 7.0674063888484*s2) + (t83 +
-        1.3797143428523535)) - (neg_m4_4 - (t88 - t91)*(s23*s23));
+    const rx90_real m1_1 = t80 + (t80 + 1.3797143428523535 + 4.09673559354447*(c2*(c2 -
+        0.1638214174358479*s2))) + (m4_4 + (t85 - t88)*(s23*s23));
     /* link 4: first moment of the composite body, about the frame's origin [kg m] */
-    const rx90_real neg_h4_y = c4*t62 + s4*t63;
-    const rx90_real t92 = 0.45*neg_h4_y;
+    const rx90_real h4_y = s4*t61 - c4*t60;
+    const rx90_real t89 = 0.45*h4_y;
     /* link 3: mass matrix, its row of this joint */
-    const rx90_real m3_4 = c4*t67 - (t92 - s4*t73);
+    const rx90_real m3_4 = s4*t70 + t89 - c4*t64;
     /* link 3: second moment of the composite body [kg m^2] */
-    const rx90_real neg_k3_yz = s23*(t84*t87 - (neg_k5_xz - (t85*t86 - 0.20111998817219134))) +
-        c23*(m3_4 - 0.0672049454639226);
+    const rx90_real k3_yz = c23*(0.0672049454639226 - m3_4) - s23*(t81*t84 + (k5_xz + (t82*t83 -
+        0.20111998817219134)));
     /* link 2: second moment of the composite body [kg m^2] */
-    const rx90_real k2_yz = t51 - neg_k3_yz + s2*(t92 + 0.017315109477737248);
+    const rx90_real k2_yz = k3_yz + 0.09496171507178643*c2 + s2*(0.017315109477737248 - t89);
     /* link 2: moment for a unit acceleration of a joint further out */
-    const rx90_real nu2_y = s23*t82 + c2*t81 - c23*neg_m4_4;
+    const rx90_real nu2_y = c23*m4_4 - (s23*t79 - c2*t78);
     /* link 3: moment for a unit acceleration of a joint further out */
-    const rx90_real nu3_y = c23*neg_k5_yz + s23*(s4*t90 + c4*neg_k5_xz);
+    const rx90_real nu3_y = s23*(s4*t87 - c4*k5_xz) - c23*k5_yz;
     /* link 5: force for a unit acceleration of a joint further out */
     const rx90_real fu5_x = c5*neg_h6_y;
     /* link 4: force for a unit acceleration of a joint further out */
-    const rx90_real fu4_y = s4*fu5_x - c4*neg_h6_x;
+    const rx90_real fu4_y = s4*fu5_x + c4*h6_x;
     /* link 5: moment for a unit acceleration of a joint further out */
-    const rx90_real nu5_y = 0.5771491392208791*c5 + s5*neg_k6_xz;
-    const rx90_real neg_nu5_x = 0.5771491392208791*s5 - c5*neg_k6_xz;
+    const rx90_real nu5_y = 0.5771491392208791*c5 - s5*k6_xz;
+    const rx90_real nu5_x = -0.5771491392208791*s5 - c5*k6_xz;
     /* link 4: moment for a unit acceleration of a joint further out */
-    const rx90_real neg_nu4_x = s4*neg_k6_yz + c4*neg_nu5_x;
+    const rx90_real nu4_x = s4*k6_yz + c4*nu5_x;
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const rx90_real h3_y = c23*t79 + s23*t77;
+    const rx90_real h3_y = s23*t74 - c23*t76;
     /* link 3: mass matrix, its row of this joint */
-    const rx90_real neg_m3_3 = t88 + t91;
-    const rx90_real t93 = 0.45*s2;
-    const rx90_real t94 = t80 + h3_y*t93;
+    const rx90_real neg_m3_3 = t85 + t88;
+    const rx90_real t90 = 0.45*s2;
+    const rx90_real t91 = t77 + h3_y*t90;
     /* link 2: mass matrix, its row of this joint */
-    const rx90_real neg_m2_3 = neg_m3_3 - t94;
-    const rx90_real m2_2 = t94 - (neg_m2_3 - 5.195184633739834);
-    const rx90_real t95 = t78 - c23*t93;
-    const rx90_real m2_4 = m3_4 + neg_h4_y*t95;
+    const rx90_real m2_3 = t91 - neg_m3_3;
+    const rx90_real m2_2 = t91 + (m2_3 + 5.195184633739834);
+    const rx90_real t92 = t75 - c23*t90;
+    const rx90_real m2_4 = m3_4 - h4_y*t92;
     /* link 3: mass matrix, its row of this joint */
-    const rx90_real m3_5 = c4*t90 - s4*neg_k5_xz;
+    const rx90_real m3_5 = c4*t87 + s4*k5_xz;
     /* link 4: force for a unit acceleration of a joint further out */
-    const rx90_real neg_fu4_x = c4*h5_y;
+    const rx90_real fu4_x = c4*neg_h5_y;
     /* link 2: mass matrix, its row of this joint */
-    const rx90_real m2_5 = m3_5 - neg_h5_x*(t76 + s23*t93) - t95*neg_fu4_x;
+    const rx90_real m2_5 = m3_5 + h5_x*(t73 + s23*t90) + t92*fu4_x;
     /* link 5: force for a unit acceleration of a joint further out */
     const rx90_real fu5_y = s5*neg_h6_y;
-    const rx90_real t96 = c4*fu5_x + s4*neg_h6_x;
+    const rx90_real t93 = c4*fu5_x - s4*h6_x;
     /* link 3: mass matrix, its row of this joint */
-    const rx90_real neg_m3_6 = c4*neg_k6_yz + 0.45*t96 - s4*neg_nu5_x;
+    const rx90_real m3_6 = -s4*nu5_x - (0.45*t93 - c4*k6_yz);
     /* link 3: force for a unit acceleration of a joint further out */
-    const rx90_real fu3_x = c23*t96 - s23*fu5_y;
+    const rx90_real fu3_x = c23*t93 - s23*fu5_y;
     /* link 2: mass matrix, its row of this joint */
-    const rx90_real neg_m2_6 = neg_m3_6 - t76*fu5_y - (t78*t96 - t93*fu3_x);
-    const rx90_real t97 = 0.45*fu4_y;
+    const rx90_real m2_6 = m3_6 + t73*fu5_y + (t75*t93 - t90*fu3_x);
+    const rx90_real t94 = 0.45*fu4_y;
     /* factorisation M = U D U^T */
-    const rx90_real ud1_6 = c2*t97 + (c23*nu5_y - s23*(neg_nu4_x + t97));
+    const rx90_real ud1_6 = c2*t94 + (c23*nu5_y - s23*(t94 - nu4_x));
     /* link 6: forward substitution */
-    const rx90_real neg_y6 = nc6_z - tau[5];
+    const rx90_real y6 = tau[5] - nc6_z;
     /* factorisation M = U D U^T */
-    const rx90_real neg_u5_6 = 1.7326544077496977*neg_k6_yz;
+    const rx90_real u5_6 = 1.7326544077496977*k6_yz;
     const rx90_real u4_6 = 1.7326544077496977*nu5_y;
-    const rx90_real neg_u3_6 = 1.7326544077496977*neg_m3_6;
-    const rx90_real neg_u2_6 = 1.7326544077496977*neg_m2_6;
+    const rx90_real u3_6 = 1.7326544077496977*m3_6;
+    const rx90_real u2_6 = 1.7326544077496977*m2_6;
     const rx90_real u1_6 = 1.7326544077496977*ud1_6;
-    const rx90_real pivot5 = m5_5 - neg_k6_yz*neg_u5_6;
+    const rx90_real pivot5 = m5_5 - k6_yz*u5_6;
     const rx90_real ipivot5 = 1.0 / pivot5;
-    const rx90_real ud4_5 = neg_k5_yz + neg_k6_yz*u4_6;
+    const rx90_real ud4_5 = -k5_yz - k6_yz*u4_6;
     const rx90_real u4_5 = ipivot5*ud4_5;
-    const rx90_real ud3_5 = m3_5 - neg_k6_yz*neg_u3_6;
-    const rx90_real u3_5 = ipivot5*ud3_5;
-    const rx90_real ud2_5 = m2_5 - neg_k6_yz*neg_u2_6;
+    const rx90_real neg_ud3_5 = k6_yz*u3_6 - m3_5;
+    const rx90_real u3_5 = -ipivot5*neg_ud3_5;
+    const rx90_real ud2_5 = m2_5 - k6_yz*u2_6;
     const rx90_real u2_5 = ipivot5*ud2_5;
-    const rx90_real ud1_5 = nu3_y - s4*(c2*t89) + neg_k6_yz*u1_6;
+    const rx90_real ud1_5 = nu3_y + s4*(c2*t86) - k6_yz*u1_6;
     const rx90_real u1_5 = ipivot5*ud1_5;
-    const rx90_real neg_pivot4 = neg_m4_4 + nu5_y*u4_6 + ud4_5*u4_5;
-    const rx90_real neg_ipivot4 = 1.0 / neg_pivot4;
-    const rx90_real ud3_4 = m3_4 + nu5_y*neg_u3_6 - ud4_5*u3_5;
-    const rx90_real neg_u3_4 = neg_ipivot4*ud3_4;
-    const rx90_real ud2_4 = m2_4 + nu5_y*neg_u2_6 - ud4_5*u2_5;
-    const rx90_real neg_u2_4 = neg_ipivot4*ud2_4;
-    const rx90_real ud1_4 = nu2_y - nu5_y*u1_6 - ud4_5*u1_5;
-    const rx90_real neg_u1_4 = neg_ipivot4*ud1_4;
-    const rx90_real neg_pivot3 = neg_m3_3 + neg_m3_6*neg_u3_6 + ud3_5*u3_5 - ud3_4*neg_u3_4;
-    const rx90_real neg_ipivot3 = 1.0 / neg_pivot3;
-    const rx90_real neg_ud2_3 = neg_m2_3 + neg_m3_6*neg_u2_6 + ud3_5*u2_5 - ud3_4*neg_u2_4;
-    const rx90_real u2_3 = neg_ipivot3*neg_ud2_3;
-    const rx90_real ud1_3 = neg_k3_yz + neg_m3_6*u1_6 - ud3_5*u1_5 + ud3_4*neg_u1_4;
-    const rx90_real neg_u1_3 = neg_ipivot3*ud1_3;
-    const rx90_real pivot2 = m2_2 - neg_m2_6*neg_u2_6 - ud2_5*u2_5 + ud2_4*neg_u2_4 +
-        neg_ud2_3*u2_3;
+    const rx90_real t95 = -ud4_5;
+    const rx90_real pivot4 = t95*u4_5 - (nu5_y*u4_6 - m4_4);
+    const rx90_real ipivot4 = 1.0 / pivot4;
+    const rx90_real ud3_4 = m3_4 - nu5_y*u3_6 - ud4_5*u3_5;
+    const rx90_real u3_4 = ipivot4*ud3_4;
+    const rx90_real ud2_4 = m2_4 - nu5_y*u2_6 - ud4_5*u2_5;
+    const rx90_real u2_4 = ipivot4*ud2_4;
+    const rx90_real ud1_4 = t95*u1_5 - (nu5_y*u1_6 - nu2_y);
+    const rx90_real u1_4 = ipivot4*ud1_4;
+    const rx90_real pivot3 = neg_ud3_5*u3_5 - (neg_m3_3 + m3_6*u3_6) - ud3_4*u3_4;
+    const rx90_real ipivot3 = 1.0 / pivot3;
+    const rx90_real ud2_3 = neg_ud3_5*u2_5 - (m3_6*u2_6 - m2_3) - ud3_4*u2_4;
+    const rx90_real u2_3 = ipivot3*ud2_3;
+    const rx90_real ud1_3 = neg_ud3_5*u1_5 - (k3_yz + m3_6*u1_6) - ud3_4*u1_4;
+    const rx90_real u1_3 = ipivot3*ud1_3;
+    const rx90_real pivot2 = m2_2 - m2_6*u2_6 - ud2_5*u2_5 - ud2_4*u2_4 - ud2_3*u2_3;
     const rx90_real ipivot2 = 1.0 / pivot2;
-    const rx90_real neg_ud1_2 = k2_yz - neg_m2_6*u1_6 + ud2_5*u1_5 - ud2_4*neg_u1_4 +
-        neg_ud2_3*neg_u1_3;
-    const rx90_real neg_u1_2 = ipivot2*neg_ud1_2;
-    const rx90_real pivot1 = m1_1 - ud1_6*u1_6 - ud1_5*u1_5 + ud1_4*neg_u1_4 + ud1_3*neg_u1_3 -
-        neg_ud1_2*neg_u1_2;
+    const rx90_real ud1_2 = -ud2_5*u1_5 - (k2_yz + m2_6*u1_6) - ud2_4*u1_4 - ud2_3*u1_3;
+    const rx90_real u1_2 = ipivot2*ud1_2;
+    const rx90_real pivot1 = m1_1 - ud1_6*u1_6 - ud1_5*u1_5 - ud1_4*u1_4 - ud1_3*u1_3 - ud1_2*u1_2;
     const rx90_real ipivot1 = 1.0 / pivot1;
     /* link 5: forward substitution */
-    const rx90_real neg_y5 = n5_z - tau[4] + neg_y6*neg_u5_6;
+    const rx90_real y5 = -y6*u5_6 - (n5_z - tau[4]);
     /* link 4: forward substitution */
-    const rx90_real neg_y4 = n4_z - tau[3] - neg_y6*u4_6 - u4_5*neg_y5;
+    const rx90_real y4 = tau[3] - n4_z - y6*u4_6 - u4_5*y5;
     /* link 3: forward substitution */
-    const rx90_real neg_y3 = n3_z - tau[2] + neg_y6*neg_u3_6 - u3_5*neg_y5 + neg_u3_4*neg_y4;
+    const rx90_real y3 = -u3_4*y4 - (n3_z - tau[2] + y6*u3_6 + u3_5*y5);
     /* link 2: forward substitution */
-    const rx90_real neg_y2 = n02_z - tau[1] + neg_y6*neg_u2_6 - u2_5*neg_y5 + neg_u2_4*neg_y4 -
-        u2_3*neg_y3;
+    const rx90_real y2 = -u2_4*y4 - (n02_z - tau[1] + y6*u2_6 + u2_5*y5) - u2_3*y3;
     /* link 1: forward substitution */
-    const rx90_real neg_y1 = n1_z - tau[0] - neg_y6*u1_6 - u1_5*neg_y5 + neg_u1_4*neg_y4 +
-        neg_u1_3*neg_y3 + neg_u1_2*neg_y2;
+    const rx90_real y1 = tau[0] - n1_z - y6*u1_6 - u1_5*y5 - u1_4*y4 - u1_3*y3 - u1_2*y2;
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const rx90_real neg_qdd1 = ipivot1*neg_y1;
+    const rx90_real qdd1 = ipivot1*y1;
     /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const rx90_real neg_qdd2 = ipivot2*neg_y2 + neg_u1_2*neg_qdd1;
+    const rx90_real qdd2 = ipivot2*y2 - u1_2*qdd1;
     /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const rx90_real qdd3 = neg_ipivot3*neg_y3 + u2_3*neg_qdd2 - neg_u1_3*neg_qdd1;
+    const rx90_real qdd3 = ipivot3*y3 - u2_3*qdd2 - u1_3*qdd1;
     /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const rx90_real qdd4 = neg_ipivot4*neg_y4 + neg_u3_4*qdd3 - neg_u2_4*neg_qdd2 -
-        neg_u1_4*neg_qdd1;
+    const rx90_real qdd4 = -u1_4*qdd1 - (u3_4*qdd3 - ipivot4*y4 + u2_4*qdd2);
     /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const rx90_real qdd5 = u1_5*neg_qdd1 - (ipivot5*neg_y5 + u4_5*qdd4 + u3_5*qdd3 - u2_5*neg_qdd2);
+    const rx90_real qdd5 = -(u4_5*qdd4 - ipivot5*y5 + u3_5*qdd3 + u2_5*qdd2) - u1_5*qdd1;
     /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const rx90_real qdd6 = u1_6*neg_qdd1 - (1.7326544077496977*neg_y6 - neg_u5_6*qdd5 + u4_6*qdd4 -
-        neg_u3_6*qdd3 + neg_u2_6*neg_qdd2);
-    const rx90_real t98 = -neg_qdd1;
-    const rx90_real t99 = -neg_qdd2;
-    qdd[0] = t98;
-    qdd[1] = t99;
+    const rx90_real qdd6 = -u1_6*qdd1 - (u5_6*qdd5 - 1.7326544077496977*y6 + u4_6*qdd4 + u3_6*qdd3 +
+        u2_6*qdd2);
+    qdd[0] = qdd1;
+    qdd[1] = qdd2;
     qdd[2] = qdd3;
     qdd[3] = qdd4;
     qdd[4] = qdd5;

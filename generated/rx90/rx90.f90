@@ -28,9 +28,9 @@
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
 !   inverse_dynamics: 212 multiplications, 201 additions = 413; 3 unary minus; 10 sine/cosine
 !   gravity: 24 multiplications, 18 additions = 42; 0 unary minus; 10 sine/cosine
-!   bias: 193 multiplications, 173 additions = 366; 0 unary minus; 10 sine/cosine
+!   bias: 191 multiplications, 173 additions = 364; 0 unary minus; 10 sine/cosine
 !   mass_matrix: 105 multiplications, 94 additions = 199; 1 unary minus; 10 sine/cosine
-!   forward_dynamics: 378 multiplications, 336 additions, 5 divisions = 719; 2 unary minus; 10
+!   forward_dynamics: 376 multiplications, 336 additions, 5 divisions = 717; 14 unary minus; 10
 !       sine/cosine
 module rx90_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -350,7 +350,7 @@ contains
   end subroutine
 
   ! torques at zero acceleration: Coriolis, centrifugal, gravity, friction
-  ! 193 multiplications, 173 additions = 366; 0 unary minus; 10 sine/cosine
+  ! 191 multiplications, 173 additions = 364; 0 unary minus; 10 sine/cosine
   pure subroutine rx90_bias(q, qd, tau) &
       bind(c, name="rx90_bias_f")
     real(rk), intent(in) :: q(6)
@@ -365,8 +365,8 @@ contains
     real(rk) :: t6, t7, t8, t9, t10, t11, t12, t13, t14, t15, t16, t17, t18, t19, t20, t21, t22
     real(rk) :: nc6_z, lam5_11, lam5_23, t23, lam4_11, lam4_13, neg_lam4_23, t24, t25, t26, t27
     real(rk) :: t28, t29, t30, t31, n5_z, t32, t33, t34, t35, t36, t37, t38, t39, t40, t41, t42
-    real(rk) :: t43, t44, t45, t46, n3_x, t47, n4_z, t48, neg_n3_y, n03_y, t49, t50, t51, t52, n1_z
-    real(rk) :: t53, t54, n3_z, neg_lam3_11, t55, t56, t57, n02_z
+    real(rk) :: t43, t44, t45, t46, n3_x, t47, n4_z, t48, n3_y, n03_y, t49, t50, n1_z, t51, t52
+    real(rk) :: n3_z, neg_lam3_11, t53, t54, t55, n02_z
 
     ! link 3: angular velocity [rad/s]
     w3_z = qd(2) + qd(3)
@@ -474,10 +474,10 @@ contains
     t15 = 0.31005692653217237_rk*c6
     t16 = c6*t15
     t17 = s6*t15
-    t18 = t16 + (0.8915767942352734_rk*t17 + 0.13354610634435332_rk)
+    t18 = t16 + 0.8915767942352734_rk*(t17 + 0.1497864314188426_rk)
     t19 = t18 - 0.5771491392208791_rk
     t20 = t2*t7 - t8*lam5_12 - (t9*t13 - t14*lam5_32 + lam5_31*t18) - t19*lam5_13
-    t21 = t17 - 0.13821978029399798_rk*(6.450428385422554_rk*t16 - 1.0_rk)
+    t21 = t17 - 0.8915767942352734_rk*(t16 - 0.15502846326608619_rk)
     t22 = ww5_xx - ww5_zz
     ! link 6: moment that turns the link [N m]
     nc6_z = t20 - t21*t22
@@ -496,70 +496,69 @@ contains
     t28 = lam5_32 - w5_z*t26
     t29 = s5*t10 + c5*t12
     t30 = t2 + 0.40383849355176565_rk
-    t31 = 0.09969734753381411_rk*lam5_12 - (t28*t21 - (t29*t30 - (0.022422989561630666_rk*lam5_23 &
-        + (0.4973859781056681_rk*lam5_21 + 0.3630349860955984_rk*t13))))
+    t31 = t28*t21 - (t29*t30 - 0.3630349860955984_rk*(t13 + 1.3700772574428703_rk*lam5_21 + &
+        0.06176536813376437_rk*lam5_23)) - 0.09969734753381411_rk*lam5_12
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_z = 0.04994749004669093_rk*(neg_lam5_22 + lam5_11) + (t14*t25 + (t18*t27 - t31)) + &
+    n5_z = t14*t25 + (t18*t27 + t31) + 0.04994749004669093_rk*(neg_lam5_22 + lam5_11) + &
         lam5_13*(t8 - 0.06545842652927093_rk)
     t32 = t9 - 0.48442678791853194_rk
-    t33 = t32*t29 + (0.022422989561630666_rk*lam5_21 - (0.3630349860955984_rk*t7 - (t28*t19 - &
-        (0.09969734753381411_rk*lam5_32 - t24*t8))))
-    t34 = 0.06545842652927093_rk*(neg_lam4_22 - neg_lam5_22) - (t27*t21 - t33) + lam5_31*(t14 + &
+    t33 = t32*t29 + (t28*t19 + (t24*t8 - 0.09969734753381411_rk*lam5_32) - &
+        0.3630349860955984_rk*t7 + 0.022422989561630666_rk*lam5_21)
+    t34 = t27*t21 - t33 - 0.06545842652927093_rk*(neg_lam4_22 - neg_lam5_22) - lam5_31*(t14 + &
         0.04994749004669093_rk)
-    t35 = neg_lam4_22 - neg_lam3_22
-    t36 = 0.40383849355176565_rk*t7 + 0.06545842652927093_rk*lam5_12 + &
-        (0.04994749004669093_rk*lam5_32 + 0.48442678791853194_rk*t13) + (nc6_z + &
-        (0.022422989561630666_rk*t22 - 0.4973859781056681_rk*lam5_31))
-    t37 = c5*t34 - (4.226760246817004_rk*t7 + 0.09181695932507075_rk*lam4_31) + &
-        (0.7570061710726514_rk*neg_lam4_32 - (0.02981305527252843_rk*t35 - s5*t36))
-    t38 = 0.1094831940191231_rk*neg_lam4_21 - t37
-    t39 = 0.3630349860955984_rk*lam5_12 + (t2*(neg_lam5_22 - t25) - &
-        0.40383849355176565_rk*lam5_11) + t32*lam5_13
-    t40 = 0.48442678791853194_rk*lam5_23 + (t2*t27 + (0.3630349860955984_rk*neg_lam5_22 + &
-        0.40383849355176565_rk*lam5_21) + t28*t9)
+    t35 = nc6_z + 0.022422989561630666_rk*(t22 - 22.18196537703319_rk*lam5_31) + &
+        0.40383849355176565_rk*(t7 + 0.16209060694923627_rk*lam5_12 + 1.1995557522463771_rk*(t13 + &
+        0.10310637498248922_rk*lam5_32))
+    t36 = neg_lam4_22 - neg_lam3_22
+    t37 = c5*t34 + 4.226760246817004_rk*(t7 + 0.02172277440959994_rk*lam4_31) - (s5*t35 - &
+        0.02981305527252843_rk*t36 + 0.7570061710726514_rk*neg_lam4_32)
+    t38 = t37 + 0.1094831940191231_rk*neg_lam4_21
+    t39 = t2*(neg_lam5_22 - t25) - 0.40383849355176565_rk*lam5_11 + 0.3630349860955984_rk*lam5_12 &
+        + t32*lam5_13
+    t40 = t2*t27 + 0.3630349860955984_rk*(neg_lam5_22 + 1.1123955238997885_rk*lam5_21) + t28*t9 + &
+        0.48442678791853194_rk*lam5_23
     t41 = c5*t39 + (s5*t40 + 0.09791727023389989_rk*lam4_11 + 4.226760246817004_rk*lam4_13)
-    t42 = 0.48442678791853194_rk*neg_lam4_22 + (0.09791727023389989_rk*neg_lam4_21 + &
-        (4.226760246817004_rk*neg_lam4_23 + (t9*(t24 - neg_lam5_22) + &
-        0.3630349860955984_rk*lam5_32)))
+    t42 = t9*(t24 - neg_lam5_22) + 0.3630349860955984_rk*lam5_32 + &
+        4.226760246817004_rk*neg_lam4_23 + 0.09791727023389989_rk*neg_lam4_21 + &
+        0.48442678791853194_rk*neg_lam4_22
     t43 = t42 - lam5_31*t30
-    t44 = s4*t41 - (0.13117102544002893_rk*ww3_zx + c4*t43)
-    t45 = 4.226760246817004_rk*t10 - 0.02981305527252843_rk*lam4_12 + (n5_z + &
-        0.09791727023389989_rk*t12) - (0.1094831940191231_rk*t23 + &
-        0.09181695932507075_rk*neg_lam4_32 - 0.1886810537096668_rk*lam4_31)
+    t44 = s4*t41 - (c4*t43 + 0.13117102544002893_rk*ww3_zx)
+    t45 = n5_z + 0.09791727023389989_rk*t12 + 4.226760246817004_rk*(t10 - &
+        0.007053405807670163_rk*lam4_12) - 0.1094831940191231_rk*(t23 + &
+        0.838639757888625_rk*neg_lam4_32 - 1.7233791487368413_rk*lam4_31)
     t46 = neg_lam2_33 - neg_lam3_22
     ! link 3: moment through the joint, about the frame's origin [N m]
     n3_x = c4*t38 - 6.114864278097191_rk*ww3_yz - (t44 - s4*t45 + 0.0672049454639226_rk*t46) - &
         0.1093030288471206_rk*ww3_xy
-    t47 = 0.1886810537096668_rk*neg_lam4_21 + (s5*t34 + 0.1094831940191231_rk*neg_lam4_23 + &
-        0.09181695932507075_rk*(t35 + t23)) + 0.02981305527252843_rk*lam4_13
+    t47 = s5*t34 - 0.1094831940191231_rk*neg_lam4_23 - 0.09181695932507075_rk*(t36 + t23) - &
+        0.1886810537096668_rk*neg_lam4_21 - 0.02981305527252843_rk*lam4_13
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_z = c5*t36 - 0.09791727023389989_rk*t7 - 0.7570061710726514_rk*lam4_12 - t47
+    n4_z = t47 + (c5*t35 - 0.09791727023389989_rk*t7 - 0.7570061710726514_rk*lam4_12)
     t48 = ww3_zz - ww3_xx
     ! link 3: moment through the joint, about the frame's origin [N m]
-    neg_n3_y = 0.1093030288471206_rk*t48 - 0.0672049454639226_rk*ww3_xy - n4_z + &
-        (0.38504202969359597_rk*ww3_zx + (0.13117102544002893_rk*ww3_yz - &
-        0.1800707921647878_rk*lam2_31))
+    n3_y = n4_z - 0.1093030288471206_rk*(t48 - 0.6148498003465253_rk*ww3_xy) + &
+        0.1800707921647878_rk*(lam2_31 - 0.7284414305235613_rk*ww3_yz - &
+        2.138281422904128_rk*ww3_zx)
     ! link 3: moment through the joint, along the axes that its turn starts from [N m]
-    n03_y = s23*n3_x - c23*neg_n3_y
-    t49 = 0.09496171507178643_rk*s2
-    t50 = 0.017315109477737248_rk*c2 - t49
-    t51 = 7.0674063888484_rk*c2
-    t52 = 6.104207957983257_rk*(t49*t51) + (0.09496171507178643_rk*c2*t51 - 0.3355665158971724_rk)
+    n03_y = s23*n3_x + c23*n3_y
+    t49 = 0.6711330317943448_rk*(c2*c2) - 0.3355665158971724_rk + 4.09673559354447_rk*(c2*s2)
+    t50 = s2 - 0.18233779228447872_rk*c2
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = n03_y - (ww2_zz*t50 + t1*t52 - c2*(t44 + 0.49131260976960456_rk*ww3_zx))
-    t53 = c4*t41 + s4*t43
-    t54 = t46 + t48
+    n1_z = n03_y - (t1*t49 - 0.09496171507178643_rk*(ww2_zz*t50) - c2*(t44 + &
+        0.49131260976960456_rk*ww3_zx))
+    t51 = c4*t41 + s4*t43
+    t52 = t46 + t48
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_z = 3.249953153895394_rk*ww3_xy - (s4*t38 + (t53 - (0.06558551272001446_rk*t54 + (c4*t45 - &
-        0.1800707921647878_rk*t11))))
+    n3_z = 3.249953153895394_rk*ww3_xy - (s4*t38 + (t51 - (c4*t45 - 0.1800707921647878_rk*t11 + &
+        0.06558551272001446_rk*t52)))
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam3_11 = neg_lam3_22 + t54
-    t55 = c5*t40 - s5*t39 - 0.09791727023389989_rk*lam4_31 + (0.1800707921647878_rk*ww3_xy + &
-        4.226760246817004_rk*neg_lam3_22)
-    t56 = t53 + 0.1800707921647878_rk*neg_lam3_11
-    t57 = neg_lam2_33*t52 - (c2*(c23*t55 - s23*t56) - n3_z) - s2*(c23*t56 + s23*t55)
+    neg_lam3_11 = neg_lam3_22 + t52
+    t53 = c5*t40 - s5*t39 - 0.09791727023389989_rk*lam4_31 + 4.226760246817004_rk*(neg_lam3_22 + &
+        0.04260255648528718_rk*ww3_xy)
+    t54 = t51 + 0.1800707921647878_rk*neg_lam3_11
+    t55 = neg_lam2_33*t49 - (c2*(c23*t53 - s23*t54) - n3_z) - s2*(c23*t54 + s23*t53)
     ! link 2: moment through the joint, along the axes that its turn starts from [N m]
-    n02_z = 4681.18660659102_rk*(t50 + 0.09865834996998242_rk*s2) + t57
+    n02_z = t55 + 461.83814650785126_rk*(s2 - 0.962530947463436_rk*t50)
     tau(1) = n1_z
     tau(2) = n02_z
     tau(3) = n3_z
@@ -748,7 +747,7 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 378 multiplications, 336 additions, 5 divisions = 719; 2 unary minus; 10 sine/cosine
+  ! 376 multiplications, 336 additions, 5 divisions = 717; 14 unary minus; 10 sine/cosine
   pure subroutine rx90_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="rx90_forward_dynamics_f")
     real(rk), intent(in) :: q(6)
@@ -756,27 +755,25 @@ contains
     real(rk), intent(in) :: tau(6)
     real(rk), intent(out) :: qdd(6)
     real(rk) :: w3_z, angle23, s23, w3_x, c23, w3_y, ww3_yz, ww3_zx, ww3_xy, ww3_zz, lam3_32, c4
-    real(rk) :: s4, w4_x, w4_z, neg_w4_y, neg_ww4_xy, ww4_xx, ww4_zz, neg_ww4_yz, ww4_zx
-    real(rk) :: neg_lam4_21, lam4_12, neg_lam4_22, c5, s5, w5_x, w5_z, w5_y, ww5_zx, ww5_xx, ww5_zz
-    real(rk) :: ww5_yz, ww5_xy, w6_z, c6, s6, c2, s2, alpha4_x, neg_alpha5_y, lam5_31, alpha5_x
-    real(rk) :: lam5_32, ww6_zz, t1, lam2_31, ww2_zz, neg_lam2_33, neg_alpha4_y, lam5_21, ww3_xx
-    real(rk) :: neg_lam3_22, lam5_12, neg_lam5_22, lam4_31, neg_lam4_32, lam5_13, neg_k6_xz, t2, t3
-    real(rk) :: t4, t5, t6, t7, t8, t9, t10, t11, t12, t13, t14, t15, t16, t17, t18, t19, t20, t21
-    real(rk) :: nc6_z, lam5_11, lam5_23, t22, lam4_11, lam4_13, neg_lam4_23, t23, t24, t25, t26
-    real(rk) :: t27, t28, t29, t30, n5_z, t31, t32, t33, t34, t35, t36, t37, t38, t39, t40, t41
-    real(rk) :: t42, t43, t44, t45, n3_x, t46, n4_z, t47, n3_y, n03_y, t48, t49, t50, t51, t52
-    real(rk) :: n1_z, t53, t54, n3_z, neg_lam3_11, t55, t56, t57, n02_z, t58, t59, neg_h6_y, t60
-    real(rk) :: neg_h6_x, t61, neg_h5_x, t62, t63, h4_x, h5_y, neg_k6_yz, t64, t65, t66, neg_k5_yz
-    real(rk) :: t67, t68, t69, t70, t71, t72, t73, neg_k4_xz, neg_k5_xz, m5_5, t74, neg_m4_4, t75
-    real(rk) :: t76, t77, t78, t79, t80, t81, t82, t83, t84, t85, t86, t87, t88, t89, t90, t91
-    real(rk) :: m1_1, neg_h4_y, t92, m3_4, neg_k3_yz, k2_yz, nu2_y, nu3_y, fu5_x, fu4_y, nu5_y
-    real(rk) :: neg_nu5_x, neg_nu4_x, h3_y, neg_m3_3, t93, t94, neg_m2_3, m2_2, t95, m2_4, m3_5
-    real(rk) :: neg_fu4_x, m2_5, fu5_y, t96, neg_m3_6, fu3_x, neg_m2_6, t97, ud1_6, neg_y6
-    real(rk) :: neg_u5_6, u4_6, neg_u3_6, neg_u2_6, u1_6, pivot5, ipivot5, ud4_5, u4_5, ud3_5, u3_5
-    real(rk) :: ud2_5, u2_5, ud1_5, u1_5, neg_pivot4, neg_ipivot4, ud3_4, neg_u3_4, ud2_4, neg_u2_4
-    real(rk) :: ud1_4, neg_u1_4, neg_pivot3, neg_ipivot3, neg_ud2_3, u2_3, ud1_3, neg_u1_3, pivot2
-    real(rk) :: ipivot2, neg_ud1_2, neg_u1_2, pivot1, ipivot1, neg_y5, neg_y4, neg_y3, neg_y2
-    real(rk) :: neg_y1, neg_qdd1, neg_qdd2, qdd3, qdd4, qdd5, qdd6, t98, t99
+    real(rk) :: s4, w4_x, w4_z, w4_y, ww4_xy, ww4_xx, ww4_zz, ww4_yz, ww4_zx, lam4_21, lam4_12
+    real(rk) :: neg_lam4_22, c5, s5, w5_x, w5_z, w5_y, ww5_zx, ww5_xx, ww5_zz, ww5_yz, ww5_xy, w6_z
+    real(rk) :: c6, s6, c2, s2, alpha4_x, neg_alpha5_y, lam5_31, alpha5_x, lam5_32, ww6_zz, t1
+    real(rk) :: lam2_31, ww2_zz, lam2_33, neg_alpha4_y, lam5_21, ww3_xx, lam3_22, lam5_12
+    real(rk) :: neg_lam5_22, lam4_31, lam4_32, lam5_13, k6_xz, t2, t3, t4, t5, t6, t7, t8, t9, t10
+    real(rk) :: t11, t12, t13, t14, t15, t16, t17, t18, t19, t20, t21, t22, nc6_z, neg_lam5_11
+    real(rk) :: lam5_23, t23, lam4_11, lam4_13, lam4_23, t24, t25, t26, t27, t28, t29, t30, t31
+    real(rk) :: n5_z, t32, t33, t34, t35, t36, t37, t38, t39, t40, t41, t42, t43, t44, t45, t46
+    real(rk) :: n3_x, t47, n4_z, t48, n3_y, n03_y, t49, t50, n1_z, t51, t52, n3_z, lam3_11, t53
+    real(rk) :: t54, t55, n02_z, t56, t57, neg_h6_y, t58, h6_x, t59, h5_x, t60, t61, h4_x, neg_h5_y
+    real(rk) :: k6_yz, t62, t63, k5_yz, t64, t65, t66, t67, t68, t69, t70, k4_xz, k5_xz, m5_5, t71
+    real(rk) :: m4_4, t72, t73, t74, t75, t76, t77, t78, t79, t80, t81, t82, t83, t84, t85, t86
+    real(rk) :: t87, t88, m1_1, h4_y, t89, m3_4, k3_yz, k2_yz, nu2_y, nu3_y, fu5_x, fu4_y, nu5_y
+    real(rk) :: nu5_x, nu4_x, h3_y, neg_m3_3, t90, t91, m2_3, m2_2, t92, m2_4, m3_5, fu4_x, m2_5
+    real(rk) :: fu5_y, t93, m3_6, fu3_x, m2_6, t94, ud1_6, y6, u5_6, u4_6, u3_6, u2_6, u1_6, pivot5
+    real(rk) :: ipivot5, ud4_5, u4_5, neg_ud3_5, u3_5, ud2_5, u2_5, ud1_5, u1_5, t95, pivot4
+    real(rk) :: ipivot4, ud3_4, u3_4, ud2_4, u2_4, ud1_4, u1_4, pivot3, ipivot3, ud2_3, u2_3, ud1_3
+    real(rk) :: u1_3, pivot2, ipivot2, ud1_2, u1_2, pivot1, ipivot1, y5, y4, y3, y2, y1, qdd1, qdd2
+    real(rk) :: qdd3, qdd4, qdd5, qdd6
 
     ! link 3: angular velocity [rad/s]
     w3_z = qd(2) + qd(3)
@@ -802,23 +799,23 @@ contains
     ! link 4: angular velocity [rad/s]
     w4_x = w3_x*c4 - w3_z*s4
     w4_z = w3_y + qd(4)
-    neg_w4_y = w3_x*s4 + w3_z*c4
+    w4_y = -w3_z*c4 - w3_x*s4
     ! link 4: products of the angular velocity [1/s^2]
-    neg_ww4_xy = w4_x*neg_w4_y
+    ww4_xy = w4_x*w4_y
     ww4_xx = w4_x*w4_x
     ww4_zz = w4_z*w4_z
-    neg_ww4_yz = w4_z*neg_w4_y
+    ww4_yz = w4_z*w4_y
     ww4_zx = w4_x*w4_z
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam4_21 = ww3_zx + neg_ww4_xy
-    lam4_12 = ww3_zx - neg_ww4_xy
+    lam4_21 = ww4_xy - ww3_zx
+    lam4_12 = ww3_zx + ww4_xy
     neg_lam4_22 = ww4_xx + ww4_zz
     ! sines and cosines of the joint angles
     c5 = cos(q(5))
     s5 = sin(q(5))
     ! link 5: angular velocity [rad/s]
     w5_x = w4_x*c5 + w4_z*s5
-    w5_z = neg_w4_y + qd(5)
+    w5_z = qd(5) - w4_y
     w5_y = w4_z*c5 - w4_x*s5
     ! link 5: products of the angular velocity [1/s^2]
     ww5_zx = w5_x*w5_z
@@ -834,7 +831,7 @@ contains
     c2 = cos(q(2))
     s2 = sin(q(2))
     ! link 4: angular acceleration [rad/s^2]
-    alpha4_x = ww3_yz*c4 - qd(4)*neg_w4_y
+    alpha4_x = ww3_yz*c4 + qd(4)*w4_y
     ! link 5: angular acceleration [rad/s^2]
     neg_alpha5_y = ww3_zx*c5 + (w5_x*qd(5) + s5*alpha4_x)
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
@@ -851,7 +848,7 @@ contains
     ! link 2: products of the angular velocity [1/s^2]
     ww2_zz = qd(2)*qd(2)
     ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam2_33 = qd(1)*qd(1)
+    lam2_33 = -qd(1)*qd(1)
     ! link 4: angular acceleration [rad/s^2]
     neg_alpha4_y = ww3_yz*s4 + w4_x*qd(4)
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
@@ -859,295 +856,289 @@ contains
     ! link 3: products of the angular velocity [1/s^2]
     ww3_xx = w3_x*w3_x
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam3_22 = ww3_zz + ww3_xx
+    lam3_22 = -ww3_zz - ww3_xx
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
     lam5_12 = ww5_xy - neg_alpha4_y
     neg_lam5_22 = ww5_xx + ww5_zz
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
     lam4_31 = ww4_zx + neg_alpha4_y
-    neg_lam4_32 = neg_ww4_yz - alpha4_x
+    lam4_32 = ww4_yz + alpha4_x
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
     lam5_13 = ww5_zx - neg_alpha5_y
     ! link 6: second moment of the composite body [kg m^2]
-    neg_k6_xz = 0.1601275610650136_rk*c6 + 0.07096581179296485_rk*s6
+    k6_xz = -0.07096581179296485_rk*s6 - 0.1601275610650136_rk*c6
     t2 = 0.706845523804052_rk*c6 + 0.2821950289584464_rk*s6
     t3 = lam3_32 + lam2_31
-    t4 = c2*(ww2_zz + neg_lam2_33)
+    t4 = c2*(ww2_zz - lam2_33)
     t5 = s2*ww2_zz - 21.77777777777778_rk
     t6 = ww3_xy - (c23*t4 + s23*t5)
     t7 = c4*t3 + s4*t6
     t8 = 0.47205526469446013_rk*c6 - 0.5674357966404597_rk*t2
     t9 = 0.706845523804052_rk*s6 - 0.2821950289584464_rk*c6
     t10 = s4*t3 - c4*t6
-    t11 = s23*t4 - c23*t5
-    t12 = neg_lam3_22 - t11
+    t11 = c23*t5 - s23*t4
+    t12 = t11 - lam3_22
     t13 = c5*t10 + s5*t12
     t14 = 0.31005692653217237_rk*c6
     t15 = c6*t14
     t16 = s6*t14
-    t17 = t15 + (0.8915767942352734_rk*t16 + 0.13354610634435332_rk)
+    t17 = t15 + 0.8915767942352734_rk*(t16 + 0.1497864314188426_rk)
     t18 = t17 - 0.5771491392208791_rk
-    t19 = t2*t7 - lam5_12*t8 - (t9*t13 - lam5_32*neg_k6_xz + lam5_31*t17) - lam5_13*t18
-    t20 = t16 - 0.13821978029399798_rk*(6.450428385422554_rk*t15 - 1.0_rk)
-    t21 = ww5_xx - ww5_zz
+    t19 = t2*t7 - lam5_12*t8 - (t9*t13 + lam5_32*k6_xz + lam5_31*t17) - lam5_13*t18
+    t20 = 0.8915767942352734_rk*t15
+    t21 = t16 - (t20 - 0.13821978029399798_rk)
+    t22 = ww5_xx - ww5_zz
     ! link 6: moment that turns the link [N m]
-    nc6_z = t19 - t20*t21
+    nc6_z = t19 - t21*t22
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam5_11 = t21 - neg_lam4_22
+    neg_lam5_11 = neg_lam4_22 - t22
     lam5_23 = ww5_yz - alpha5_x
-    t22 = ww4_xx - ww4_zz
+    t23 = ww4_xx - ww4_zz
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam4_11 = t22 - neg_lam3_22
+    lam4_11 = lam3_22 + t23
     lam4_13 = ww4_zx - neg_alpha4_y
-    neg_lam4_23 = neg_ww4_yz + alpha4_x
-    t23 = ww5_zz - ww6_zz
-    t24 = t21 + t23
-    t25 = 2.0_rk*w6_z
-    t26 = lam5_12 - w5_x*t25
-    t27 = lam5_32 - w5_z*t25
-    t28 = s5*t10 - c5*t12
-    t29 = t2 + 0.40383849355176565_rk
-    t30 = 0.09969734753381411_rk*lam5_12 - (t20*t27 - (t28*t29 - (0.022422989561630666_rk*lam5_23 &
-        + (0.4973859781056681_rk*lam5_21 + 0.3630349860955984_rk*t13))))
+    lam4_23 = ww4_yz - alpha4_x
+    t24 = 2.0_rk*w6_z
+    t25 = lam5_32 - w5_z*t24
+    t26 = s5*t10 - c5*t12
+    t27 = t2 + 0.40383849355176565_rk
+    t28 = t21*t25 - (t26*t27 - 0.022422989561630666_rk*(lam5_23 + 22.18196537703319_rk*(lam5_21 + &
+        0.7298858473619311_rk*t13))) - 0.09969734753381411_rk*lam5_12
+    t29 = lam5_12 - w5_x*t24
+    t30 = ww5_zz - ww6_zz
+    t31 = t22 + t30
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_z = 0.04994749004669093_rk*(neg_lam5_22 + lam5_11) + (neg_k6_xz*t24 - (t17*t26 + t30)) + &
+    n5_z = t28 - t17*t29 - k6_xz*t31 + 0.04994749004669093_rk*(neg_lam5_22 - neg_lam5_11) + &
         lam5_13*(t8 - 0.06545842652927093_rk)
-    t31 = t9 - 0.48442678791853194_rk
-    t32 = t28*t31 + (0.022422989561630666_rk*lam5_21 - (0.3630349860955984_rk*t7 - (t18*t27 - &
-        (0.09969734753381411_rk*lam5_32 - t8*t23))))
-    t33 = 0.06545842652927093_rk*(neg_lam4_22 - neg_lam5_22) + (t20*t26 + t32) + &
-        lam5_31*(neg_k6_xz + 0.04994749004669093_rk)
-    t34 = neg_lam4_22 - neg_lam3_22
-    t35 = 0.40383849355176565_rk*t7 + 0.06545842652927093_rk*lam5_12 + &
-        (0.04994749004669093_rk*lam5_32 + 0.48442678791853194_rk*t13) + (nc6_z + &
-        (0.022422989561630666_rk*t21 - 0.4973859781056681_rk*lam5_31))
-    t36 = c5*t33 - (4.226760246817004_rk*t7 + 0.09181695932507075_rk*lam4_31) + &
-        (0.7570061710726514_rk*neg_lam4_32 - (0.02981305527252843_rk*t34 - s5*t35))
-    t37 = 0.1094831940191231_rk*neg_lam4_21 - t36
-    t38 = 0.3630349860955984_rk*lam5_12 + (t2*(neg_lam5_22 - t24) - &
-        0.40383849355176565_rk*lam5_11) + lam5_13*t31
-    t39 = 0.48442678791853194_rk*lam5_23 - (t2*t26 - (0.3630349860955984_rk*neg_lam5_22 + &
-        0.40383849355176565_rk*lam5_21) - t9*t27)
-    t40 = c5*t38 + (s5*t39 + 0.09791727023389989_rk*lam4_11 + 4.226760246817004_rk*lam4_13)
-    t41 = 0.48442678791853194_rk*neg_lam4_22 + (0.09791727023389989_rk*neg_lam4_21 + &
-        (4.226760246817004_rk*neg_lam4_23 - (t9*(neg_lam5_22 - t23) - &
-        0.3630349860955984_rk*lam5_32)))
-    t42 = t41 - lam5_31*t29
-    t43 = s4*t40 - (0.13117102544002893_rk*ww3_zx + c4*t42)
-    t44 = 4.226760246817004_rk*t10 - 0.02981305527252843_rk*lam4_12 + (n5_z - &
-        0.09791727023389989_rk*t12) - (0.1094831940191231_rk*t22 + &
-        0.09181695932507075_rk*neg_lam4_32 - 0.1886810537096668_rk*lam4_31)
-    t45 = neg_lam2_33 - neg_lam3_22
+    t32 = t9 - 0.48442678791853194_rk
+    t33 = t26*t32 + (t18*t25 + (t8*t30 - 0.09969734753381411_rk*lam5_32) - &
+        0.3630349860955984_rk*t7 + 0.022422989561630666_rk*lam5_21)
+    t34 = t21*t29 + t33 + 0.06545842652927093_rk*(neg_lam4_22 - neg_lam5_22) + &
+        lam5_31*(0.04994749004669093_rk - k6_xz)
+    t35 = nc6_z - 0.4973859781056681_rk*(lam5_31 - 0.04508166805793422_rk*t22) + &
+        0.48442678791853194_rk*(t13 + 0.10310637498248922_rk*lam5_32 + &
+        0.13512553013538_rk*(lam5_12 + 6.169388953631232_rk*t7))
+    t36 = neg_lam4_22 + lam3_22
+    t37 = c5*t34 - 0.09181695932507075_rk*(lam4_31 + 46.034635408176506_rk*t7) + (s5*t35 - &
+        0.02981305527252843_rk*t36 - 0.7570061710726514_rk*lam4_32)
+    t38 = t37 + 0.1094831940191231_rk*lam4_21
+    t39 = 0.40383849355176565_rk*neg_lam5_11 - t2*(t31 - neg_lam5_22) + &
+        0.3630349860955984_rk*lam5_12 + lam5_13*t32
+    t40 = t2*t29 - 0.40383849355176565_rk*(lam5_21 + 0.8989608268956737_rk*neg_lam5_22) - t9*t25 - &
+        0.48442678791853194_rk*lam5_23
+    t41 = c5*t39 - (s5*t40 - 0.09791727023389989_rk*lam4_11 - 4.226760246817004_rk*lam4_13)
+    t42 = -0.3630349860955984_rk*lam5_32 - t9*(t30 - neg_lam5_22) + 4.226760246817004_rk*lam4_23 + &
+        0.09791727023389989_rk*lam4_21 - 0.48442678791853194_rk*neg_lam4_22
+    t43 = t42 + lam5_31*t27
+    t44 = s4*t41 + (c4*t43 - 0.13117102544002893_rk*ww3_zx)
+    t45 = n5_z - 0.09791727023389989_rk*t12 - 0.02981305527252843_rk*(lam4_12 - &
+        141.7754808482108_rk*t10) + 0.1886810537096668_rk*(lam4_31 - &
+        0.4866252202849906_rk*(1.1924070980341053_rk*t23 - lam4_32))
+    t46 = lam3_22 - lam2_33
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = c4*t37 - 6.114864278097191_rk*ww3_yz - (t43 - s4*t44 + 0.0672049454639226_rk*t45) - &
-        0.1093030288471206_rk*ww3_xy
-    t46 = 0.1886810537096668_rk*neg_lam4_21 + (s5*t33 + 0.1094831940191231_rk*neg_lam4_23 + &
-        0.09181695932507075_rk*(t22 + t34)) + 0.02981305527252843_rk*lam4_13
+    n3_x = -0.1093030288471206_rk*ww3_xy - (c4*t38 + 6.114864278097191_rk*ww3_yz + (t44 - s4*t45 + &
+        0.0672049454639226_rk*t46))
+    t47 = s5*t34 - 0.1094831940191231_rk*lam4_23 + 0.09181695932507075_rk*(t23 + t36) - &
+        0.1886810537096668_rk*lam4_21 + 0.02981305527252843_rk*lam4_13
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_z = c5*t35 - 0.09791727023389989_rk*t7 - 0.7570061710726514_rk*lam4_12 - t46
-    t47 = ww3_zz - ww3_xx
+    n4_z = c5*t35 - 0.09791727023389989_rk*t7 - 0.7570061710726514_rk*lam4_12 - t47
+    t48 = ww3_zz - ww3_xx
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_y = n4_z - (0.1093030288471206_rk*t47 - 0.0672049454639226_rk*ww3_xy) - &
-        (0.38504202969359597_rk*ww3_zx + (0.13117102544002893_rk*ww3_yz - &
-        0.1800707921647878_rk*lam2_31))
+    n3_y = n4_z + 0.0672049454639226_rk*(ww3_xy - 1.6264134743744028_rk*t48) - &
+        0.38504202969359597_rk*(ww3_zx + 0.3406667722596689_rk*(ww3_yz - &
+        1.3727939654410626_rk*lam2_31))
     ! link 3: moment through the joint, along the axes that its turn starts from [N m]
     n03_y = s23*n3_x + c23*n3_y
-    t48 = 0.09496171507178643_rk*s2
-    t49 = 0.017315109477737248_rk*c2 - t48
-    t50 = 7.0674063888484_rk*c2
-    t51 = 0.09496171507178643_rk*c2
-    t52 = 6.104207957983257_rk*(t48*t50) + (t50*t51 - 0.3355665158971724_rk)
+    t49 = 0.6711330317943448_rk*(c2*c2 - 0.5_rk) + 4.09673559354447_rk*(c2*s2)
+    t50 = s2 - 0.18233779228447872_rk*c2
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = n03_y - (ww2_zz*t49 + t1*t52 - c2*(t43 + 0.49131260976960456_rk*ww3_zx))
-    t53 = c4*t40 + s4*t42
-    t54 = t45 + t47
+    n1_z = n03_y - (t1*t49 - 0.09496171507178643_rk*(ww2_zz*t50) - c2*(t44 + &
+        0.49131260976960456_rk*ww3_zx))
+    t51 = c4*t41 - s4*t43
+    t52 = t46 + t48
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_z = 3.249953153895394_rk*ww3_xy - (s4*t37 + (t53 - (0.06558551272001446_rk*t54 + (c4*t44 - &
-        0.1800707921647878_rk*t11))))
+    n3_z = s4*t38 - (t51 - (c4*t45 + 0.1800707921647878_rk*t11 + 0.06558551272001446_rk*t52)) + &
+        3.249953153895394_rk*ww3_xy
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam3_11 = neg_lam3_22 + t54
-    t55 = c5*t39 - s5*t38 - 0.09791727023389989_rk*lam4_31 + (0.1800707921647878_rk*ww3_xy + &
-        4.226760246817004_rk*neg_lam3_22)
-    t56 = t53 + 0.1800707921647878_rk*neg_lam3_11
-    t57 = neg_lam2_33*t52 + (n3_z - c2*(c23*t55 - s23*t56)) - s2*(c23*t56 + s23*t55)
+    lam3_11 = lam3_22 - t52
+    t53 = c5*t40 + s5*t39 + 0.09791727023389989_rk*lam4_31 - 0.1800707921647878_rk*(ww3_xy - &
+        23.472769770174487_rk*lam3_22)
+    t54 = t51 - 0.1800707921647878_rk*lam3_11
+    t55 = n3_z + c2*(c23*t53 + s23*t54) - lam2_33*t49 - s2*(c23*t54 - s23*t53)
     ! link 2: moment through the joint, along the axes that its turn starts from [N m]
-    n02_z = 4681.18660659102_rk*(t49 + 0.09865834996998242_rk*s2) + t57
-    t58 = 0.3992315427559742_rk*neg_k6_xz
-    t59 = 0.1884593515900491_rk*s6 - t58
+    n02_z = t55 - 444.53350873295926_rk*(t50 - 1.0389276341039282_rk*s2)
+    t56 = 0.3992315427559742_rk*k6_xz
+    t57 = 0.1884593515900491_rk*s6 + t56
     ! link 6: first moment of the composite body, about the frame's origin [kg m]
-    neg_h6_y = 9.809478269877111_rk*t59
-    t60 = 0.007037838551227997_rk*c6
-    neg_h6_x = 22.13414869766047_rk*(t58 + t60)
-    t61 = neg_h6_x + 0.8974188745594792_rk
+    neg_h6_y = 9.809478269877111_rk*t57
+    t58 = 0.007037838551227997_rk*c6
+    h6_x = 22.13414869766047_rk*(t56 - t58)
+    t59 = 0.8974188745594792_rk - h6_x
     ! link 5: first moment of the composite body, about the frame's origin [kg m]
-    neg_h5_x = 0.8067444135457743_rk*s5 + c5*t61
-    t62 = neg_h6_y - 1.0765039731522932_rk
-    t63 = neg_h5_x - 0.21759393385311085_rk
+    h5_x = -0.8067444135457743_rk*s5 - c5*t59
+    t60 = neg_h6_y - 1.0765039731522932_rk
+    t61 = h5_x + 0.21759393385311085_rk
     ! link 4: first moment of the composite body, about the frame's origin [kg m]
-    h4_x = s4*t62 - c4*t63
+    h4_x = s4*t60 + c4*t61
     ! link 5: first moment of the composite body, about the frame's origin [kg m]
-    h5_y = 0.8067444135457743_rk*c5 - s5*t61
+    neg_h5_y = s5*t59 - 0.8067444135457743_rk*c5
     ! link 6: second moment of the composite body [kg m^2]
-    neg_k6_yz = t59 - t60
-    t64 = t16 + 0.1157967907323673_rk
-    t65 = t64 - 0.8915767942352734_rk*t15
-    t66 = 0.06545842652927093_rk + neg_k6_yz
+    k6_yz = t58 - t57
+    t62 = t20 - (t16 + 0.1157967907323673_rk)
+    t63 = 0.06545842652927093_rk - k6_yz
     ! link 5: second moment of the composite body [kg m^2]
-    neg_k5_yz = s5*t65 - c5*t66
-    t67 = neg_k5_yz + 0.02981305527252843_rk
-    t68 = c5*s5
-    t69 = t15 + (0.8915767942352734_rk*t64 - 1.303850935413074_rk)
-    t70 = t69 + 1.7318439408653845_rk
-    t71 = c5*c5
-    t72 = neg_k6_xz + (neg_k6_xz + 0.09989498009338187_rk)
-    t73 = t68*t70 - ((t71 - 0.5_rk)*t72 - 0.1094831940191231_rk)
+    k5_yz = s5*t62 + c5*t63
+    t64 = k5_yz - 0.02981305527252843_rk
+    t65 = c5*s5
+    t66 = t15 + 0.8915767942352734_rk*(t16 - 1.346613339099935_rk)
+    t67 = t66 + 1.7318439408653845_rk
+    t68 = c5*c5
+    t69 = 0.09989498009338187_rk - k6_xz - k6_xz
+    t70 = t65*t67 + ((0.5_rk - t68)*t69 + 0.1094831940191231_rk)
     ! link 4: second moment of the composite body [kg m^2]
-    neg_k4_xz = s4*t67 - c4*t73
+    k4_xz = s4*t64 + c4*t70
     ! link 5: second moment of the composite body [kg m^2]
-    neg_k5_xz = s5*t66 + c5*t65
+    k5_xz = c5*t62 - s5*t63
     ! link 5: mass matrix, its row of this joint
-    m5_5 = t69 + 1.9312386359330127_rk
-    t74 = t68*t72 + (t70*t71 + 0.2883784012434809_rk)
+    m5_5 = t66 + 1.9312386359330127_rk
+    t71 = t65*t69 + (t67*t68 + 0.2883784012434809_rk)
     ! link 4: mass matrix, its row of this joint
-    neg_m4_4 = t69 - t74
-    t75 = 0.45_rk*c2
-    t76 = c23*t75
-    t77 = h4_x - 0.4001573159217507_rk
-    t78 = s23*t75
-    t79 = h5_y + 9.392800548482231_rk
-    t80 = t76*t77 - t78*t79
-    t81 = 0.45_rk*h4_x
-    t82 = neg_k4_xz - t81
-    t83 = t80 + (t82 - 0.06558551272001446_rk)*(s23*c23)
-    t84 = c4*s4
-    t85 = 2.0_rk*neg_k5_xz + 0.1836339186501415_rk
-    t86 = c4*c4
-    t87 = t69 + t74
-    t88 = t69 - 0.19252101484679798_rk + t84*t85 - t86*t87
-    t89 = 0.45_rk*h5_y
-    t90 = m5_5 + t89
-    t91 = t74 - (t89 + 5.584769408295079_rk + t90)
+    m4_4 = t71 - t66
+    t72 = 0.45_rk*c2
+    t73 = c23*t72
+    t74 = h4_x - 0.4001573159217507_rk
+    t75 = s23*t72
+    t76 = neg_h5_y - 9.392800548482231_rk
+    t77 = t73*t74 + t75*t76
+    t78 = 0.45_rk*h4_x
+    t79 = k4_xz + t78
+    t80 = t77 - (t79 + 0.06558551272001446_rk)*(s23*c23)
+    t81 = c4*s4
+    t82 = 0.1836339186501415_rk - 2.0_rk*k5_xz
+    t83 = c4*c4
+    t84 = t66 + t71
+    t85 = t66 - 0.19252101484679798_rk + t81*t82 - t83*t84
+    t86 = 0.45_rk*neg_h5_y
+    t87 = m5_5 - t86
+    t88 = t71 + (t86 - 5.584769408295079_rk - t87)
     ! link 1: mass matrix, its row of this joint
-    m1_1 = t83 + (t51*(43.140918321110114_rk*c2 - 7.0674063888484_rk*s2) + (t83 + &
-        1.3797143428523535_rk)) - (neg_m4_4 - (t88 - t91)*(s23*s23))
+    m1_1 = t80 + (t80 + 1.3797143428523535_rk + 4.09673559354447_rk*(c2*(c2 - &
+        0.1638214174358479_rk*s2))) + (m4_4 + (t85 - t88)*(s23*s23))
     ! link 4: first moment of the composite body, about the frame's origin [kg m]
-    neg_h4_y = c4*t62 + s4*t63
-    t92 = 0.45_rk*neg_h4_y
+    h4_y = s4*t61 - c4*t60
+    t89 = 0.45_rk*h4_y
     ! link 3: mass matrix, its row of this joint
-    m3_4 = c4*t67 - (t92 - s4*t73)
+    m3_4 = s4*t70 + t89 - c4*t64
     ! link 3: second moment of the composite body [kg m^2]
-    neg_k3_yz = s23*(t84*t87 - (neg_k5_xz - (t85*t86 - 0.20111998817219134_rk))) + c23*(m3_4 - &
-        0.0672049454639226_rk)
+    k3_yz = c23*(0.0672049454639226_rk - m3_4) - s23*(t81*t84 + (k5_xz + (t82*t83 - &
+        0.20111998817219134_rk)))
     ! link 2: second moment of the composite body [kg m^2]
-    k2_yz = t51 - neg_k3_yz + s2*(t92 + 0.017315109477737248_rk)
+    k2_yz = k3_yz + 0.09496171507178643_rk*c2 + s2*(0.017315109477737248_rk - t89)
     ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y = s23*t82 + c2*t81 - c23*neg_m4_4
+    nu2_y = c23*m4_4 - (s23*t79 - c2*t78)
     ! link 3: moment for a unit acceleration of a joint further out
-    nu3_y = c23*neg_k5_yz + s23*(s4*t90 + c4*neg_k5_xz)
+    nu3_y = s23*(s4*t87 - c4*k5_xz) - c23*k5_yz
     ! link 5: force for a unit acceleration of a joint further out
     fu5_x = c5*neg_h6_y
     ! link 4: force for a unit acceleration of a joint further out
-    fu4_y = s4*fu5_x - c4*neg_h6_x
+    fu4_y = s4*fu5_x + c4*h6_x
     ! link 5: moment for a unit acceleration of a joint further out
-    nu5_y = 0.5771491392208791_rk*c5 + s5*neg_k6_xz
-    neg_nu5_x = 0.5771491392208791_rk*s5 - c5*neg_k6_xz
+    nu5_y = 0.5771491392208791_rk*c5 - s5*k6_xz
+    nu5_x = -0.5771491392208791_rk*s5 - c5*k6_xz
     ! link 4: moment for a unit acceleration of a joint further out
-    neg_nu4_x = s4*neg_k6_yz + c4*neg_nu5_x
+    nu4_x = s4*k6_yz + c4*nu5_x
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_y = c23*t79 + s23*t77
+    h3_y = s23*t74 - c23*t76
     ! link 3: mass matrix, its row of this joint
-    neg_m3_3 = t88 + t91
-    t93 = 0.45_rk*s2
-    t94 = t80 + h3_y*t93
+    neg_m3_3 = t85 + t88
+    t90 = 0.45_rk*s2
+    t91 = t77 + h3_y*t90
     ! link 2: mass matrix, its row of this joint
-    neg_m2_3 = neg_m3_3 - t94
-    m2_2 = t94 - (neg_m2_3 - 5.195184633739834_rk)
-    t95 = t78 - c23*t93
-    m2_4 = m3_4 + neg_h4_y*t95
+    m2_3 = t91 - neg_m3_3
+    m2_2 = t91 + (m2_3 + 5.195184633739834_rk)
+    t92 = t75 - c23*t90
+    m2_4 = m3_4 - h4_y*t92
     ! link 3: mass matrix, its row of this joint
-    m3_5 = c4*t90 - s4*neg_k5_xz
+    m3_5 = c4*t87 + s4*k5_xz
     ! link 4: force for a unit acceleration of a joint further out
-    neg_fu4_x = c4*h5_y
+    fu4_x = c4*neg_h5_y
     ! link 2: mass matrix, its row of this joint
-    m2_5 = m3_5 - neg_h5_x*(t76 + s23*t93) - t95*neg_fu4_x
+    m2_5 = m3_5 + h5_x*(t73 + s23*t90) + t92*fu4_x
     ! link 5: force for a unit acceleration of a joint further out
     fu5_y = s5*neg_h6_y
-    t96 = c4*fu5_x + s4*neg_h6_x
+    t93 = c4*fu5_x - s4*h6_x
     ! link 3: mass matrix, its row of this joint
-    neg_m3_6 = c4*neg_k6_yz + 0.45_rk*t96 - s4*neg_nu5_x
+    m3_6 = -s4*nu5_x - (0.45_rk*t93 - c4*k6_yz)
     ! link 3: force for a unit acceleration of a joint further out
-    fu3_x = c23*t96 - s23*fu5_y
+    fu3_x = c23*t93 - s23*fu5_y
     ! link 2: mass matrix, its row of this joint
-    neg_m2_6 = neg_m3_6 - t76*fu5_y - (t78*t96 - t93*fu3_x)
-    t97 = 0.45_rk*fu4_y
+    m2_6 = m3_6 + t73*fu5_y + (t75*t93 - t90*fu3_x)
+    t94 = 0.45_rk*fu4_y
     ! factorisation M = U D U^T
-    ud1_6 = c2*t97 + (c23*nu5_y - s23*(neg_nu4_x + t97))
+    ud1_6 = c2*t94 + (c23*nu5_y - s23*(t94 - nu4_x))
     ! link 6: forward substitution
-    neg_y6 = nc6_z - tau(6)
+    y6 = tau(6) - nc6_z
     ! factorisation M = U D U^T
-    neg_u5_6 = 1.7326544077496977_rk*neg_k6_yz
+    u5_6 = 1.7326544077496977_rk*k6_yz
     u4_6 = 1.7326544077496977_rk*nu5_y
-    neg_u3_6 = 1.7326544077496977_rk*neg_m3_6
-    neg_u2_6 = 1.7326544077496977_rk*neg_m2_6
+    u3_6 = 1.7326544077496977_rk*m3_6
+    u2_6 = 1.7326544077496977_rk*m2_6
     u1_6 = 1.7326544077496977_rk*ud1_6
-    pivot5 = m5_5 - neg_k6_yz*neg_u5_6
+    pivot5 = m5_5 - k6_yz*u5_6
     ipivot5 = 1.0_rk / pivot5
-    ud4_5 = neg_k5_yz + neg_k6_yz*u4_6
+    ud4_5 = -k5_yz - k6_yz*u4_6
     u4_5 = ipivot5*ud4_5
-    ud3_5 = m3_5 - neg_k6_yz*neg_u3_6
-    u3_5 = ipivot5*ud3_5
-    ud2_5 = m2_5 - neg_k6_yz*neg_u2_6
+    neg_ud3_5 = k6_yz*u3_6 - m3_5
+    u3_5 = -ipivot5*neg_ud3_5
+    ud2_5 = m2_5 - k6_yz*u2_6
     u2_5 = ipivot5*ud2_5
-    ud1_5 = nu3_y - s4*(c2*t89) + neg_k6_yz*u1_6
+    ud1_5 = nu3_y + s4*(c2*t86) - k6_yz*u1_6
     u1_5 = ipivot5*ud1_5
-    neg_pivot4 = neg_m4_4 + nu5_y*u4_6 + ud4_5*u4_5
-    neg_ipivot4 = 1.0_rk / neg_pivot4
-    ud3_4 = m3_4 + nu5_y*neg_u3_6 - ud4_5*u3_5
-    neg_u3_4 = neg_ipivot4*ud3_4
-    ud2_4 = m2_4 + nu5_y*neg_u2_6 - ud4_5*u2_5
-    neg_u2_4 = neg_ipivot4*ud2_4
-    ud1_4 = nu2_y - nu5_y*u1_6 - ud4_5*u1_5
-    neg_u1_4 = neg_ipivot4*ud1_4
-    neg_pivot3 = neg_m3_3 + neg_m3_6*neg_u3_6 + ud3_5*u3_5 - ud3_4*neg_u3_4
-    neg_ipivot3 = 1.0_rk / neg_pivot3
-    neg_ud2_3 = neg_m2_3 + neg_m3_6*neg_u2_6 + ud3_5*u2_5 - ud3_4*neg_u2_4
-    u2_3 = neg_ipivot3*neg_ud2_3
-    ud1_3 = neg_k3_yz + neg_m3_6*u1_6 - ud3_5*u1_5 + ud3_4*neg_u1_4
-    neg_u1_3 = neg_ipivot3*ud1_3
-    pivot2 = m2_2 - neg_m2_6*neg_u2_6 - ud2_5*u2_5 + ud2_4*neg_u2_4 + neg_ud2_3*u2_3
+    t95 = -ud4_5
+    pivot4 = t95*u4_5 - (nu5_y*u4_6 - m4_4)
+    ipivot4 = 1.0_rk / pivot4
+    ud3_4 = m3_4 - nu5_y*u3_6 - ud4_5*u3_5
+    u3_4 = ipivot4*ud3_4
+    ud2_4 = m2_4 - nu5_y*u2_6 - ud4_5*u2_5
+    u2_4 = ipivot4*ud2_4
+    ud1_4 = t95*u1_5 - (nu5_y*u1_6 - nu2_y)
+    u1_4 = ipivot4*ud1_4
+    pivot3 = neg_ud3_5*u3_5 - (neg_m3_3 + m3_6*u3_6) - ud3_4*u3_4
+    ipivot3 = 1.0_rk / pivot3
+    ud2_3 = neg_ud3_5*u2_5 - (m3_6*u2_6 - m2_3) - ud3_4*u2_4
+    u2_3 = ipivot3*ud2_3
+    ud1_3 = neg_ud3_5*u1_5 - (k3_yz + m3_6*u1_6) - ud3_4*u1_4
+    u1_3 = ipivot3*ud1_3
+    pivot2 = m2_2 - m2_6*u2_6 - ud2_5*u2_5 - ud2_4*u2_4 - ud2_3*u2_3
     ipivot2 = 1.0_rk / pivot2
-    neg_ud1_2 = k2_yz - neg_m2_6*u1_6 + ud2_5*u1_5 - ud2_4*neg_u1_4 + neg_ud2_3*neg_u1_3
-    neg_u1_2 = ipivot2*neg_ud1_2
-    pivot1 = m1_1 - ud1_6*u1_6 - ud1_5*u1_5 + ud1_4*neg_u1_4 + ud1_3*neg_u1_3 - neg_ud1_2*neg_u1_2
+    ud1_2 = -ud2_5*u1_5 - (k2_yz + m2_6*u1_6) - ud2_4*u1_4 - ud2_3*u1_3
+    u1_2 = ipivot2*ud1_2
+    pivot1 = m1_1 - ud1_6*u1_6 - ud1_5*u1_5 - ud1_4*u1_4 - ud1_3*u1_3 - ud1_2*u1_2
     ipivot1 = 1.0_rk / pivot1
     ! link 5: forward substitution
-    neg_y5 = n5_z - tau(5) + neg_y6*neg_u5_6
+    y5 = -y6*u5_6 - (n5_z - tau(5))
     ! link 4: forward substitution
-    neg_y4 = n4_z - tau(4) - neg_y6*u4_6 - u4_5*neg_y5
+    y4 = tau(4) - n4_z - y6*u4_6 - u4_5*y5
     ! link 3: forward substitution
-    neg_y3 = n3_z - tau(3) + neg_y6*neg_u3_6 - u3_5*neg_y5 + neg_u3_4*neg_y4
+    y3 = -u3_4*y4 - (n3_z - tau(3) + y6*u3_6 + u3_5*y5)
     ! link 2: forward substitution
-    neg_y2 = n02_z - tau(2) + neg_y6*neg_u2_6 - u2_5*neg_y5 + neg_u2_4*neg_y4 - u2_3*neg_y3
+    y2 = -u2_4*y4 - (n02_z - tau(2) + y6*u2_6 + u2_5*y5) - u2_3*y3
     ! link 1: forward substitution
-    neg_y1 = n1_z - tau(1) - neg_y6*u1_6 - u1_5*neg_y5 + neg_u1_4*neg_y4 + neg_u1_3*neg_y3 + &
-        neg_u1_2*neg_y2
+    y1 = tau(1) - n1_z - y6*u1_6 - u1_5*y5 - u1_4*y4 - u1_3*y3 - u1_2*y2
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd1 = ipivot1*neg_y1
+    qdd1 = ipivot1*y1
     ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd2 = ipivot2*neg_y2 + neg_u1_2*neg_qdd1
+    qdd2 = ipivot2*y2 - u1_2*qdd1
     ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd3 = neg_ipivot3*neg_y3 + u2_3*neg_qdd2 - neg_u1_3*neg_qdd1
+    qdd3 = ipivot3*y3 - u2_3*qdd2 - u1_3*qdd1
     ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd4 = neg_ipivot4*neg_y4 + neg_u3_4*qdd3 - neg_u2_4*neg_qdd2 - neg_u1_4*neg_qdd1
+    qdd4 = -u1_4*qdd1 - (u3_4*qdd3 - ipivot4*y4 + u2_4*qdd2)
     ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd5 = u1_5*neg_qdd1 - (ipivot5*neg_y5 + u4_5*qdd4 + u3_5*qdd3 - u2_5*neg_qdd2)
+    qdd5 = -(u4_5*qdd4 - ipivot5*y5 + u3_5*qdd3 + u2_5*qdd2) - u1_5*qdd1
     ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd6 = u1_6*neg_qdd1 - (1.7326544077496977_rk*neg_y6 - neg_u5_6*qdd5 + u4_6*qdd4 - &
-        neg_u3_6*qdd3 + neg_u2_6*neg_qdd2)
-    t98 = -neg_qdd1
-    t99 = -neg_qdd2
-    qdd(1) = t98
-    qdd(2) = t99
+    qdd6 = -u1_6*qdd1 - (u5_6*qdd5 - 1.7326544077496977_rk*y6 + u4_6*qdd4 + u3_6*qdd3 + u2_6*qdd2)
+    qdd(1) = qdd1
+    qdd(2) = qdd2
     qdd(3) = qdd3
     qdd(4) = qdd4
     qdd(5) = qdd5

@@ -29,9 +29,9 @@
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 212 multiplications, 201 additions = 413; 3 unary minus; 10 sine/cosine
  *   gravity: 24 multiplications, 18 additions = 42; 0 unary minus; 10 sine/cosine
- *   bias: 193 multiplications, 173 additions = 366; 0 unary minus; 10 sine/cosine
+ *   bias: 191 multiplications, 173 additions = 364; 0 unary minus; 10 sine/cosine
  *   mass_matrix: 105 multiplications, 94 additions = 199; 1 unary minus; 10 sine/cosine
- *   forward_dynamics: 378 multiplications, 336 additions, 5 divisions = 719; 2 unary minus; 10
+ *   forward_dynamics: 376 multiplications, 336 additions, 5 divisions = 717; 14 unary minus; 10
  *       sine/cosine
  */
 #ifndef RX90_H

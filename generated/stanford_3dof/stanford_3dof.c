@@ -30,7 +30,7 @@
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 30 multiplications, 17 additions = 47; 0 unary minus; 2 sine/cosine
- *   gravity: 3 multiplications, 1 addition = 4; 1 unary minus; 2 sine/cosine
+ *   gravity: 3 multiplications, 1 addition = 4; 0 unary minus; 2 sine/cosine
  *   bias: 21 multiplications, 9 additions = 30; 0 unary minus; 2 sine/cosine
  *   mass_matrix: 7 multiplications, 5 additions = 12; 0 unary minus; 2 sine/cosine
  *   forward_dynamics: 39 multiplications, 23 additions, 2 divisions = 64; 0 unary minus; 2
@@ -87,7 +87,7 @@ void stanford_3dof_inverse_dynamics(
 }
 
 /* torques that hold the arm at rest
- * 3 multiplications, 1 addition = 4; 1 unary minus; 2 sine/cosine */
+ * 3 multiplications, 1 addition = 4; 0 unary minus; 2 sine/cosine */
 void stanford_3dof_gravity(const stanford_3dof_real q[3], stanford_3dof_real tau[3])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -95,16 +95,15 @@ void stanford_3dof_gravity(const stanford_3dof_real q[3], stanford_3dof_real tau
     const volatile stanford_3dof_real *const again = q;
     /* sines and cosines of the joint angles */
     const stanford_3dof_real c2 = cos(q[1]);
-    /* link 3: joint torque [N m], at a prismatic joint force [N] */
-    const stanford_3dof_real tau3 = 41.65*c2;
+    /* link 3: force that moves the link [N] */
+    const stanford_3dof_real fc3_z = 41.65*c2;
     /* sines and cosines of the joint angles */
     const stanford_3dof_real s2 = sin(again[1]);
-    /* link 2: first moment of all that the joint carries, before its turn, times gravity [N m] */
-    const stanford_3dof_real hw2_x = s2*(41.65*(q[2] + 0.6447));
-    const stanford_3dof_real t1 = -hw2_x;
+    /* link 2: moment through the joint, about the frame's origin [N m] */
+    const stanford_3dof_real n2_z = -41.65*(s2*(q[2] + 0.6447));
     tau[0] = 0.0;
-    tau[1] = t1;
-    tau[2] = tau3;
+    tau[1] = n2_z;
+    tau[2] = fc3_z;
 }
 
 /* torques at zero acceleration: Coriolis, centrifugal, gravity, friction

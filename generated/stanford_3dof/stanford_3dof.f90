@@ -29,7 +29,7 @@
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
 !   inverse_dynamics: 30 multiplications, 17 additions = 47; 0 unary minus; 2 sine/cosine
-!   gravity: 3 multiplications, 1 addition = 4; 1 unary minus; 2 sine/cosine
+!   gravity: 3 multiplications, 1 addition = 4; 0 unary minus; 2 sine/cosine
 !   bias: 21 multiplications, 9 additions = 30; 0 unary minus; 2 sine/cosine
 !   mass_matrix: 7 multiplications, 5 additions = 12; 0 unary minus; 2 sine/cosine
 !   forward_dynamics: 39 multiplications, 23 additions, 2 divisions = 64; 0 unary minus; 2
@@ -94,25 +94,24 @@ contains
   end subroutine
 
   ! torques that hold the arm at rest
-  ! 3 multiplications, 1 addition = 4; 1 unary minus; 2 sine/cosine
+  ! 3 multiplications, 1 addition = 4; 0 unary minus; 2 sine/cosine
   pure subroutine stanford_3dof_gravity(q, tau) &
       bind(c, name="stanford_3dof_gravity_f")
     real(rk), intent(in) :: q(3)
     real(rk), intent(out) :: tau(3)
-    real(rk) :: c2, tau3, s2, hw2_x, t1
+    real(rk) :: c2, fc3_z, s2, n2_z
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
-    ! link 3: joint torque [N m], at a prismatic joint force [N]
-    tau3 = 41.65_rk*c2
+    ! link 3: force that moves the link [N]
+    fc3_z = 41.65_rk*c2
     ! sines and cosines of the joint angles
     s2 = sin(q(2))
-    ! link 2: first moment of all that the joint carries, before its turn, times gravity [N m]
-    hw2_x = s2*(41.65_rk*(q(3) + 0.6447_rk))
-    t1 = -hw2_x
+    ! link 2: moment through the joint, about the frame's origin [N m]
+    n2_z = -41.65_rk*(s2*(q(3) + 0.6447_rk))
     tau(1) = 0.0_rk
-    tau(2) = t1
-    tau(3) = tau3
+    tau(2) = n2_z
+    tau(3) = fc3_z
   end subroutine
 
   ! torques at zero acceleration: Coriolis, centrifugal, gravity, friction

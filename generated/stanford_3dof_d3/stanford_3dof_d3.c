@@ -27,7 +27,7 @@
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 30 multiplications, 16 additions = 46; 0 unary minus; 2 sine/cosine
- *   gravity: 3 multiplications, 1 addition = 4; 1 unary minus; 2 sine/cosine
+ *   gravity: 3 multiplications, 1 addition = 4; 0 unary minus; 2 sine/cosine
  *   bias: 23 multiplications, 9 additions = 32; 0 unary minus; 2 sine/cosine
  *   mass_matrix: 7 multiplications, 5 additions = 12; 0 unary minus; 2 sine/cosine
  *   forward_dynamics: 41 multiplications, 23 additions, 2 divisions = 66; 0 unary minus; 2
@@ -80,7 +80,7 @@ void stanford_3dof_d3_inverse_dynamics(
 }
 
 /* torques that hold the arm at rest
- * 3 multiplications, 1 addition = 4; 1 unary minus; 2 sine/cosine */
+ * 3 multiplications, 1 addition = 4; 0 unary minus; 2 sine/cosine */
 void stanford_3dof_d3_gravity(const stanford_3dof_d3_real q[3], stanford_3dof_d3_real tau[3])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -88,16 +88,15 @@ void stanford_3dof_d3_gravity(const stanford_3dof_d3_real q[3], stanford_3dof_d3
     const volatile stanford_3dof_d3_real *const again = q;
     /* sines and cosines of the joint angles */
     const stanford_3dof_d3_real c2 = cos(q[1]);
-    /* link 3: joint torque [N m], at a prismatic joint force [N] */
-    const stanford_3dof_d3_real tau3 = 63.406*c2;
+    /* link 3: force that moves the link [N] */
+    const stanford_3dof_d3_real fc3_z = 63.406*c2;
     /* sines and cosines of the joint angles */
     const stanford_3dof_d3_real s2 = sin(again[1]);
-    /* link 2: first moment of all that the joint carries, before its turn, times gravity [N m] */
-    const stanford_3dof_d3_real hw2_x = s2*(63.406*(q[2] - 0.6447));
-    const stanford_3dof_d3_real t1 = -hw2_x;
+    /* link 2: moment through the joint, about the frame's origin [N m] */
+    const stanford_3dof_d3_real n2_z = -63.406*(s2*(q[2] - 0.6447));
     tau[0] = 0.0;
-    tau[1] = t1;
-    tau[2] = tau3;
+    tau[1] = n2_z;
+    tau[2] = fc3_z;
 }
 
 /* torques at zero acceleration: Coriolis, centrifugal, gravity, friction

@@ -27,7 +27,7 @@
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 30 multiplications, 16 additions = 46; 0 unary minus; 2 sine/cosine
- *   gravity: 3 multiplications, 1 addition = 4; 1 unary minus; 2 sine/cosine
+ *   gravity: 3 multiplications, 1 addition = 4; 0 unary minus; 2 sine/cosine
  *   bias: 23 multiplications, 9 additions = 32; 0 unary minus; 2 sine/cosine
  *   mass_matrix: 7 multiplications, 5 additions = 12; 0 unary minus; 2 sine/cosine
  *   forward_dynamics: 41 multiplications, 23 additions, 2 divisions = 66; 0 unary minus; 2

@@ -30,7 +30,7 @@
 !   gravity: 24 multiplications, 16 additions = 40; 1 unary minus; 8 sine/cosine
 !   bias: 184 multiplications, 164 additions = 348; 0 unary minus; 8 sine/cosine
 !   mass_matrix: 90 multiplications, 84 additions = 174; 3 unary minus; 8 sine/cosine
-!   forward_dynamics: 360 multiplications, 318 additions, 5 divisions = 683; 3 unary minus; 8
+!   forward_dynamics: 358 multiplications, 316 additions, 5 divisions = 679; 2 unary minus; 8
 !       sine/cosine
 module stanford_full_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -718,34 +718,33 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 360 multiplications, 318 additions, 5 divisions = 683; 3 unary minus; 8 sine/cosine
+  ! 358 multiplications, 316 additions, 5 divisions = 679; 2 unary minus; 8 sine/cosine
   pure subroutine stanford_full_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="stanford_full_forward_dynamics_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(in) :: qd(6)
     real(rk), intent(in) :: tau(6)
     real(rk), intent(out) :: qdd(6)
-    real(rk) :: s2, neg_w2_x, c2, neg_w2_y, neg_ww2_yz, neg_ww3_xy, ww2_xy, ww2_zz, ww2_yy
-    real(rk) :: neg_lam2_32, ww1_zz, neg_lam2_11, neg_a2_x, c4, s4, neg_w4_x, w4_z, w4_y
-    real(rk) :: neg_ww4_xy, ww4_xx, ww4_zz, ww4_yz, neg_ww4_zx, neg_lam4_21, neg_lam4_22, lam4_12
-    real(rk) :: c5, s5, neg_w5_x, w5_z, neg_w5_y, neg_ww5_zx, ww5_xx, ww5_zz, ww5_xy, neg_lam5_22
-    real(rk) :: w6_z, c6, s6, neg_a2_z, t1, neg_a3_y, t2, neg_lam2_22, a3_z, neg_a3_x, neg_a4_y
-    real(rk) :: alpha4_x, alpha5_y, neg_lam5_31, alpha4_y, lam5_12, neg_a4_x, neg_a5_x, lam4_32
-    real(rk) :: neg_lam5_23, t3, lam5_32, neg_lam5_13, t4, t5, t6, t7, t8, t9, t10, t11, t12, t13
-    real(rk) :: t14, t15, t16, t17, nc6_z, neg_lam4_31, neg_a5_y, lam5_21, ww6_zz, t18, t19, t20
-    real(rk) :: t21, t22, t23, t24, t25, n4_x, lam5_11, t26, t27, t28, neg_f3_z, t29, neg_f4_y, t30
-    real(rk) :: lam4_11, neg_f4_x, f3_y, t31, n5_z, neg_n4_y, lam4_13, lam4_23, t32, n4_z, t33
-    real(rk) :: neg_f3_x, t34, t35, t36, n1_z, t37, n2_z, h6_x, t38, neg_h5_x, neg_h5_y, t39, t40
-    real(rk) :: t41, m5_5, t42, neg_k6_xz, t43, t44, t45, t46, t47, t48, m4_4, t49, h6_y, t50, t51
-    real(rk) :: neg_h4_y, t52, neg_k6_yz, t53, t54, k5_xz, t55, neg_h3_x, neg_k5_yz, t56, t57, t58
-    real(rk) :: t59, t60, t61, t62, t63, t64, t65, t66, t67, t68, m1_1, neg_h2_y, k4_yz, m2_4, m1_2
-    real(rk) :: m1_3, m1_4, fu2_x, t69, neg_nu2_y, m1_5, neg_fu5_x, neg_fu4_x, neg_fu5_y, neg_nu5_y
-    real(rk) :: nu5_x, fu4_y, m1_6, neg_m2_2, m2_5, m2_6, neg_y6, u5_6, u4_6, u3_6, u2_6, u1_6
-    real(rk) :: pivot5, ipivot5, neg_ud4_5, neg_u4_5, ud3_5, u3_5, ud2_5, u2_5, ud1_5, u1_5, pivot4
-    real(rk) :: ipivot4, neg_ud3_4, neg_u3_4, ud2_4, u2_4, ud1_4, u1_4, neg_pivot3, neg_ipivot3
-    real(rk) :: ud2_3, neg_u2_3, ud1_3, neg_u1_3, neg_pivot2, neg_ipivot2, ud1_2, neg_u1_2, pivot1
-    real(rk) :: ipivot1, neg_y5, neg_y4, y3, neg_y2, neg_y1, neg_qdd1, qdd2, neg_qdd3, neg_qdd4
-    real(rk) :: qdd5, qdd6, t70, t71, t72
+    real(rk) :: s2, neg_w2_x, c2, neg_w2_y, neg_ww2_yz, neg_ww3_xy, ww2_xy, ww2_zz, ww2_yy, ww1_zz
+    real(rk) :: neg_lam2_11, neg_a2_x, c4, s4, neg_w4_x, w4_z, w4_y, neg_ww4_xy, ww4_xx, ww4_zz
+    real(rk) :: ww4_yz, neg_ww4_zx, neg_lam4_21, neg_lam4_22, lam4_12, c5, s5, neg_w5_x, w5_z
+    real(rk) :: neg_w5_y, neg_ww5_zx, ww5_xx, ww5_zz, ww5_xy, neg_lam5_22, w6_z, c6, s6, neg_a2_z
+    real(rk) :: t1, neg_a3_y, t2, neg_lam2_22, neg_a3_z, neg_a3_x, neg_a4_y, alpha4_x, alpha5_y
+    real(rk) :: neg_lam5_31, alpha4_y, lam5_12, neg_a4_x, neg_a5_x, lam4_32, neg_lam5_23, t3
+    real(rk) :: lam5_32, neg_lam5_13, h6_x, t4, t5, t6, t7, t8, t9, t10, t11, t12, t13, t14, t15
+    real(rk) :: nc6_z, neg_lam4_31, a5_y, lam5_21, ww6_zz, t16, t17, t18, t19, t20, t21, t22, t23
+    real(rk) :: n4_x, lam5_11, t24, t25, t26, f3_z, t27, neg_f4_y, t28, lam4_11, f4_x, neg_f3_y
+    real(rk) :: t29, n5_z, n4_y, lam4_13, lam4_23, t30, n4_z, f3_x, t31, t32, t33, n1_z, t34, n2_z
+    real(rk) :: h5_x, h5_y, t35, t36, t37, m5_5, t38, neg_k6_xz, t39, t40, t41, t42, t43, t44, m4_4
+    real(rk) :: t45, h6_y, t46, t47, h4_y, t48, neg_k6_yz, t49, t50, k5_xz, t51, h3_x, neg_k5_yz
+    real(rk) :: t52, t53, t54, t55, t56, t57, t58, t59, t60, t61, t62, t63, t64, m1_1, h2_y
+    real(rk) :: neg_k4_yz, m2_4, m1_2, neg_m1_3, m1_4, neg_fu2_x, t65, nu2_y, m1_5, neg_fu5_x
+    real(rk) :: neg_fu4_x, neg_fu5_y, nu5_y, nu5_x, fu4_y, neg_m1_6, neg_m2_2, m2_5, m2_6, neg_y6
+    real(rk) :: u5_6, neg_u4_6, u3_6, u2_6, neg_u1_6, pivot5, ipivot5, neg_ud4_5, neg_u4_5
+    real(rk) :: neg_ud3_5, neg_u3_5, ud2_5, u2_5, ud1_5, u1_5, pivot4, ipivot4, ud3_4, u3_4, ud2_4
+    real(rk) :: u2_4, ud1_4, u1_4, neg_pivot3, neg_ipivot3, neg_ud2_3, u2_3, neg_ud1_3, u1_3
+    real(rk) :: neg_pivot2, neg_ipivot2, ud1_2, neg_u1_2, pivot1, ipivot1, neg_y5, neg_y4, neg_y3
+    real(rk) :: neg_y2, neg_y1, neg_qdd1, qdd2, qdd3, neg_qdd4, qdd5, qdd6, t66, t67
 
     ! sines and cosines of the joint angles
     s2 = sin(q(2))
@@ -763,8 +762,6 @@ contains
     ww2_xy = neg_w2_x*neg_w2_y
     ww2_zz = qd(2)*qd(2)
     ww2_yy = neg_w2_y*neg_w2_y
-    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam2_32 = 2.0_rk*neg_ww2_yz
     ! link 1: products of the angular velocity [1/s^2]
     ww1_zz = qd(1)*qd(1)
     ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
@@ -811,12 +808,12 @@ contains
     neg_a2_z = 0.1524_rk*ww1_zz
     t1 = 2.0_rk*qd(3)
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a3_y = neg_a2_z - (neg_lam2_32*q(3) + neg_w2_x*t1)
+    neg_a3_y = neg_a2_z - (neg_w2_x*t1 + 2.0_rk*(neg_ww2_yz*q(3)))
     t2 = ww2_zz - ww2_yy
     ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam2_22 = ww1_zz + t2
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_z = 9.8_rk*c2 - q(3)*neg_lam2_22
+    neg_a3_z = q(3)*neg_lam2_22 - 9.8_rk*c2
     neg_a3_x = neg_a2_x - (qd(2)*t1 - ww2_xy*q(3))
     ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
     neg_a4_y = c4*neg_a3_y - s4*neg_a3_x
@@ -833,7 +830,7 @@ contains
     ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
     neg_a4_x = c4*neg_a3_x + s4*neg_a3_y
     ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a5_x = c5*neg_a4_x + s5*a3_z
+    neg_a5_x = c5*neg_a4_x - s5*neg_a3_z
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
     lam4_32 = ww4_yz + alpha4_x
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
@@ -841,180 +838,177 @@ contains
     t3 = 2.0_rk*w5_z
     lam5_32 = neg_lam5_23 - neg_w5_y*t3
     neg_lam5_13 = neg_ww5_zx - alpha5_y
+    ! link 6: first moment of the composite body, about the frame's origin [kg m]
+    h6_x = 1.2174687787169953_rk*s6 + 1.193403445777575_rk*c6
     t4 = ww5_xx - ww5_zz
-    t5 = 0.0625396920897071_rk*c6
-    t6 = 0.16255029097038232_rk*c6
-    t7 = t5*t6 + 0.3409906449060338_rk
-    t8 = 0.0625396920897071_rk*s6
-    t9 = t6*t8
-    t10 = 62.4559348502784_rk*t7 + (t9 - 21.61434818388583_rk)
-    t11 = 0.06483323523282834_rk*s6
-    t12 = 18.778467160320414_rk*(t11 + 0.06355169650371038_rk*c6)
-    t13 = t7 - 62.4559348502784_rk*t9
-    t14 = t13 - 0.6921471349584476_rk
-    t15 = t5 - t11
-    t16 = 1.193403445777575_rk*s6 - 1.2174687787169953_rk*c6
-    t17 = t8 + 0.06483323523282834_rk*c6
+    t5 = 0.16255029097038232_rk*c6
+    t6 = 0.0625396920897071_rk*s6
+    t7 = t5*t6
+    t8 = 0.0625396920897071_rk*c6
+    t9 = t8*t5 + 0.3409906449060338_rk
+    t10 = t7 - 21.61434818388583_rk + 62.4559348502784_rk*t9
+    t11 = t9 - 62.4559348502784_rk*t7
+    t12 = t11 - 0.6921471349584476_rk
+    t13 = t8 - 0.06483323523282834_rk*s6
+    t14 = 1.193403445777575_rk*s6 - 1.2174687787169953_rk*c6
+    t15 = t6 + 0.06483323523282834_rk*c6
     ! link 6: moment that turns the link [N m]
-    nc6_z = t4*t10 - (neg_a4_y*t12 - (neg_lam5_31*t14 + lam5_12*t15)) + (neg_a5_x*t16 + &
-        lam5_32*t17 + neg_lam5_13*t13)
+    nc6_z = t4*t10 - (neg_a4_y*h6_x - (neg_lam5_31*t12 + lam5_12*t13)) + (neg_a5_x*t14 + &
+        lam5_32*t15 + neg_lam5_13*t11)
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam4_31 = neg_ww4_zx + alpha4_y
     ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a5_y = c5*a3_z - s5*neg_a4_x
+    a5_y = c5*neg_a3_z + s5*neg_a4_x
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
     lam5_21 = ww5_xy + alpha4_y
     ! link 6: products of the angular velocity [1/s^2]
     ww6_zz = w6_z*w6_z
-    t18 = 0.28054187970758354_rk*neg_a5_x + (1.1561689763413345_rk*neg_lam5_13 - &
-        (0.20245111268601115_rk*neg_lam5_31 - (0.13660343902034475_rk*t4 + &
-        0.5911078910549018_rk*neg_a4_y))) + 0.23560176217086468_rk*lam5_12
-    t19 = nc6_z + (0.060693211657558095_rk*lam5_32 + t18)
-    t20 = lam5_21 + neg_w5_x*(2.0_rk*qd(6))
-    t21 = ww5_xx - ww6_zz
-    t22 = neg_lam5_23 + qd(6)*t3
-    t23 = t16 + 0.28054187970758354_rk
-    t24 = 0.13660343902034475_rk*lam5_21 + (neg_a5_y*t23 + (0.17535491873574263_rk*lam5_32 + &
-        (0.23560176217086468_rk*(neg_lam4_22 - neg_lam5_22) + 0.6468331423588011_rk*neg_a4_y)))
-    t25 = t10*t20 + (t15*(t4 - t21) + (1.1561689763413345_rk*neg_lam5_23 + (t13*t22 + t24))) - &
-        neg_lam5_31*(t17 + 0.060693211657558095_rk)
+    t16 = neg_a5_x + 0.486927082554413_rk*(t4 + 4.327181623640283_rk*neg_a4_y - &
+        1.4820352557585283_rk*neg_lam5_31 + 8.463688649662348_rk*neg_lam5_13) + &
+        0.8398095942624995_rk*lam5_12
+    t17 = nc6_z + 0.28054187970758354_rk*(t16 + 0.21634278532966372_rk*lam5_32)
+    t18 = lam5_21 + 2.0_rk*(neg_w5_x*qd(6))
+    t19 = ww5_xx - ww6_zz
+    t20 = neg_lam5_23 + qd(6)*t3
+    t21 = t14 + 0.28054187970758354_rk
+    t22 = a5_y*t21 - 0.6468331423588011_rk*(neg_a4_y + 0.3642388534880846_rk*(neg_lam4_22 - &
+        neg_lam5_22) + 0.27109760964980445_rk*lam5_32) - 0.13660343902034475_rk*lam5_21
+    t23 = t10*t18 + (t13*(t4 - t19) + (t11*t20 - t22 + 1.1561689763413345_rk*neg_lam5_23)) - &
+        neg_lam5_31*(t15 + 0.060693211657558095_rk)
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = s5*t19 + 0.06784076259315977_rk*neg_lam4_31 + (c5*t25 + &
+    n4_x = s5*t17 + 0.06784076259315977_rk*neg_lam4_31 + (c5*t23 + &
         0.23523950726161555_rk*(neg_lam2_22 - (neg_lam4_22 + &
         0.011289042504553535_rk*neg_lam4_21)))
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
     lam5_11 = t4 - neg_lam4_22
-    t26 = neg_lam5_22 - t21
-    t27 = -0.5911078910549018_rk*lam5_11 - (0.6468331423588011_rk*lam5_12 + t12*t26) - &
-        neg_lam5_13*t23
-    t28 = 0.6468331423588011_rk*neg_lam5_22 - (0.28054187970758354_rk*neg_lam5_23 + t16*t22 - &
-        t12*t20 + 0.5911078910549018_rk*lam5_21)
+    t24 = neg_lam5_22 - t19
+    t25 = h6_x*t24 + 0.6468331423588011_rk*lam5_12 + 0.5911078910549018_rk*lam5_11 + &
+        neg_lam5_13*t21
+    t26 = t14*t20 + 0.28054187970758354_rk*neg_lam5_23 - h6_x*t18 + 0.5911078910549018_rk*lam5_21 &
+        - 0.6468331423588011_rk*neg_lam5_22
     ! link 3: force through the joint [N]
-    neg_f3_z = 0.22200183325724177_rk*(ww2_xy + 0.05481374553845334_rk*neg_lam2_22) + (s5*t27 + &
-        c5*t28 - 19.732838668844984_rk*a3_z + 0.9022885982543313_rk*neg_lam4_31)
-    t29 = t12 - 0.5911078910549018_rk
+    f3_z = s5*t25 + c5*t26 - 19.732838668844984_rk*neg_a3_z - 0.9022885982543313_rk*neg_lam4_31 - &
+        0.012168751997232599_rk*(neg_lam2_22 + 18.243599122385692_rk*ww2_xy)
+    t27 = h6_x - 0.5911078910549018_rk
     ! link 4: force through the joint [N]
-    neg_f4_y = t16*(t4 + t26) + (0.6468331423588011_rk*lam5_32 + &
-        (0.9022885982543313_rk*neg_lam4_21 + 0.28054187970758354_rk*neg_lam4_22)) + &
-        neg_lam5_31*t29
-    t30 = ww4_xx - ww4_zz
+    neg_f4_y = t14*(t4 + t24) + 0.6468331423588011_rk*(lam5_32 + 1.39493254004265_rk*(neg_lam4_21 &
+        + 0.310922558758197_rk*neg_lam4_22)) + neg_lam5_31*t27
+    t28 = ww4_xx - ww4_zz
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam4_11 = t30 - neg_lam2_22
+    lam4_11 = t28 - neg_lam2_22
     ! link 4: force through the joint [N]
-    neg_f4_x = s5*t28 - c5*t27 - 0.9022885982543313_rk*lam4_11
+    f4_x = s5*t26 - c5*t25 + 0.9022885982543313_rk*lam4_11
     ! link 3: force through the joint [N]
-    f3_y = 0.024337503994465198_rk*neg_ww2_yz - (c4*neg_f4_y + 19.732838668844984_rk*neg_a3_y + &
-        (0.44400366651448353_rk*neg_ww3_xy + (0.4516316755890639_rk*ww1_zz + s4*neg_f4_x)))
-    t31 = 0.17535491873574263_rk*lam5_12 - (0.20245111268601115_rk*lam5_21 - (t14*t20 + (t17*t21 + &
-        (0.6468331423588011_rk*neg_a5_x - 0.13660343902034475_rk*neg_lam5_23))))
+    neg_f3_y = c4*neg_f4_y + 19.732838668844984_rk*neg_a3_y - (s4*f4_x - &
+        0.4516316755890639_rk*ww1_zz - 0.44400366651448353_rk*neg_ww3_xy) - &
+        0.024337503994465198_rk*neg_ww2_yz
+    t29 = t12*t18 + (t15*t19 + 0.6468331423588011_rk*(neg_a5_x - &
+        0.2111880639297395_rk*neg_lam5_23)) - 0.20245111268601115_rk*lam5_21 + &
+        0.17535491873574263_rk*lam5_12
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_z = t10*t22 - (neg_a5_y*t29 + (0.060693211657558095_rk*(neg_lam5_22 + lam5_11) + t31)) - &
-        neg_lam5_13*(t15 + 0.23560176217086468_rk)
+    n5_z = t10*t20 + (a5_y*t27 - (t29 + 0.060693211657558095_rk*(neg_lam5_22 + lam5_11))) - &
+        neg_lam5_13*(t13 + 0.23560176217086468_rk)
     ! link 4: moment through the joint, about the frame's origin [N m]
-    neg_n4_y = 0.23523950726161555_rk*lam4_12 + (0.002655628796226608_rk*t30 - &
-        0.3448462092987837_rk*neg_lam4_31 - 0.06784076259315977_rk*lam4_32 - (n5_z - &
-        0.9022885982543313_rk*a3_z))
+    n4_y = n5_z + 0.9022885982543313_rk*neg_a3_z + 0.06784076259315977_rk*(lam4_32 - &
+        0.03914503161104455_rk*(t28 - 129.85482375728748_rk*neg_lam4_31)) - &
+        0.23523950726161555_rk*lam4_12
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
     lam4_13 = alpha4_y - neg_ww4_zx
     lam4_23 = ww4_yz - alpha4_x
-    t32 = 0.06784076259315977_rk*(neg_lam4_22 + lam4_11) - s5*t25 - &
-        (0.3448462092987837_rk*neg_lam4_21 + (0.002655628796226608_rk*lam4_23 + &
-        0.9022885982543313_rk*neg_a4_y))
+    t30 = s5*t23 - 0.06784076259315977_rk*(neg_lam4_22 + lam4_11) + &
+        0.9022885982543313_rk*(neg_a4_y + 0.002943214400984879_rk*lam4_23 + &
+        0.38219058731980193_rk*neg_lam4_21)
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_z = c5*t19 + 0.23523950726161555_rk*lam4_13 + t32
-    t33 = 0.012168751997232599_rk*ww2_xy
+    n4_z = c5*t17 + 0.23523950726161555_rk*lam4_13 - t30
     ! link 3: force through the joint [N]
-    neg_f3_x = 0.22200183325724177_rk*neg_lam2_11 + (t33 + (c4*neg_f4_x + &
-        19.732838668844984_rk*neg_a3_x)) - s4*neg_f4_y
-    t34 = ww1_zz - neg_lam2_11
-    t35 = 0.1524_rk*neg_f3_x + (n4_z - 0.22200183325724177_rk*neg_a3_y + &
-        12.556178777734242_rk*(t33 + 0.0359688790342758_rk*neg_a3_x) - 0.07388986205514168_rk*t34)
-    t36 = 0.1524_rk*(neg_f3_z + 0.4848416145350504_rk*ww2_xy) - (c4*n4_x + &
-        (0.4516316755890639_rk*a3_z + (0.012168751997232599_rk*neg_a3_y - &
-        (0.15279302557916313_rk*t2 + 0.09822440530186452_rk*neg_ww3_xy))))
+    f3_x = c4*f4_x - 19.732838668844984_rk*neg_a3_x - 0.012168751997232599_rk*ww2_xy - &
+        0.22200183325724177_rk*neg_lam2_11 + s4*neg_f4_y
+    t31 = ww1_zz - neg_lam2_11
+    t32 = n4_z - 0.22200183325724177_rk*neg_a3_y + 0.15279302557916313_rk*(ww2_xy + &
+        2.955839599858374_rk*neg_a3_x) - 0.07388986205514168_rk*t31 - 0.1524_rk*f3_x
+    t33 = c4*n4_x + 0.012168751997232599_rk*(neg_a3_y - 8.071855299886346_rk*(neg_ww3_xy + &
+        1.5555505285025408_rk*t2) - 37.11405045412819_rk*neg_a3_z) - &
+        0.07388986205514168_rk*(ww2_xy - 2.0625292260833925_rk*f3_z)
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = c2*(t35 - 0.09822440530186452_rk*neg_ww2_yz - 0.248077550893258_rk*neg_ww3_xy) - &
-        s2*(s4*neg_n4_y - (q(3)*f3_y + t36) - 1.2453237337332923_rk*neg_ww2_yz)
-    t37 = q(3)*neg_f3_x + (5.4475438357201735_rk*s2 + (0.49862309142001715_rk*ww2_xy + &
-        (0.04911220265093226_rk*(t2 + t34) + c4*neg_n4_y)))
+    n1_z = c2*(t32 - 0.09822440530186452_rk*neg_ww2_yz - 0.248077550893258_rk*neg_ww3_xy) + &
+        s2*(s4*n4_y - (q(3)*neg_f3_y + t33) + 1.2453237337332923_rk*neg_ww2_yz)
+    t34 = q(3)*f3_x + (c4*n4_y - 0.04911220265093226_rk*(t2 + t31) - 0.49862309142001715_rk*ww2_xy &
+        - 5.4475438357201735_rk*s2)
     ! link 2: moment through the joint, about the frame's origin [N m]
-    n2_z = s4*n4_x - 1.4591749065920876_rk*c2 - (t37 + 0.012168751997232599_rk*neg_a3_x) - &
-        0.22200183325724177_rk*a3_z
-    ! link 6: first moment of the composite body, about the frame's origin [kg m]
-    h6_x = 1.193403445777575_rk*c6 + 1.2174687787169953_rk*s6
-    t38 = 0.5911078910549018_rk - h6_x
+    n2_z = s4*n4_x - 1.4591749065920876_rk*c2 + (t34 - 0.012168751997232599_rk*neg_a3_x) + &
+        0.22200183325724177_rk*neg_a3_z
     ! link 5: first moment of the composite body, about the frame's origin [kg m]
-    neg_h5_x = c5*t38 - 0.6468331423588011_rk*s5
-    neg_h5_y = s5*t38 + 0.6468331423588011_rk*c5
-    t39 = 0.6349173621603285_rk*c6
-    t40 = s6*t39
-    t41 = c6*t39 - 0.1808552420598195_rk
+    h5_x = c5*t27 + 0.6468331423588011_rk*s5
+    h5_y = s5*t27 - 0.6468331423588011_rk*c5
+    t35 = 0.6349173621603285_rk*c6
+    t36 = s6*t35
+    t37 = c6*t35 - 0.1808552420598195_rk
     ! link 5: mass matrix, its row of this joint
-    m5_5 = t40 + 0.7260667959919797_rk - 0.01601128863729661_rk*t41
-    t42 = 0.05432633487209812_rk*h6_x
+    m5_5 = t36 + 0.7260667959919797_rk - 0.01601128863729661_rk*t37
+    t38 = 0.05432633487209812_rk*h6_x
     ! link 6: second moment of the composite body [kg m^2]
-    neg_k6_xz = t42 - 0.003600924479196722_rk*s6
-    t43 = c5*c5
-    t44 = m5_5 - 0.35070983747148526_rk
-    t45 = c5*s5
-    t46 = neg_k6_xz + (neg_k6_xz + 0.12138642331511619_rk)
-    t47 = t43*t44 - (t45*t46 - 3.589792571474863_rk)
-    t48 = m5_5 + 0.8434693007188008_rk
+    neg_k6_xz = t38 - 0.003600924479196722_rk*s6
+    t39 = c5*c5
+    t40 = m5_5 - 0.35070983747148526_rk
+    t41 = c5*s5
+    t42 = neg_k6_xz + (neg_k6_xz + 0.12138642331511619_rk)
+    t43 = t39*t40 - (t41*t42 - 3.589792571474863_rk)
+    t44 = m5_5 + 0.8434693007188008_rk
     ! link 4: mass matrix, its row of this joint
-    m4_4 = t47 - t48
-    t49 = 0.1286340586837634_rk*c6
+    m4_4 = t43 - t44
+    t45 = 0.1286340586837634_rk*c6
     ! link 6: first moment of the composite body, about the frame's origin [kg m]
-    h6_y = 19.08233644747969_rk*(neg_k6_xz - t49)
-    t50 = neg_h5_x - 0.9022885982543313_rk
-    t51 = 0.28054187970758354_rk + h6_y
+    h6_y = 19.08233644747969_rk*(neg_k6_xz - t45)
+    t46 = h5_x + 0.9022885982543313_rk
+    t47 = 0.28054187970758354_rk + h6_y
     ! link 4: first moment of the composite body, about the frame's origin [kg m]
-    neg_h4_y = s4*t50 - c4*t51
-    t52 = t42 - t49
+    h4_y = s4*t46 + c4*t47
+    t48 = t38 - t45
     ! link 6: second moment of the composite body [kg m^2]
-    neg_k6_yz = 0.9802333058883194_rk*t52
-    t53 = 0.23560176217086468_rk - neg_k6_yz
-    t54 = t41 + 0.01601128863729661_rk*t40
+    neg_k6_yz = 0.9802333058883194_rk*t48
+    t49 = 0.23560176217086468_rk - neg_k6_yz
+    t50 = t37 + 0.01601128863729661_rk*t36
     ! link 5: second moment of the composite body [kg m^2]
-    k5_xz = s5*t53 - c5*t54
-    t55 = c4*t50 + (s4*t51 - 0.3708972318890874_rk)
+    k5_xz = s5*t49 - c5*t50
+    t51 = c4*t46 - (s4*t47 - 0.3708972318890874_rk)
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    neg_h3_x = t55 + 0.14889539863184567_rk
+    h3_x = t51 - 0.14889539863184567_rk
     ! link 5: second moment of the composite body [kg m^2]
-    neg_k5_yz = c5*t53 + s5*t54
-    t56 = 0.1524_rk*neg_h4_y
-    t57 = m4_4 - t56
-    t58 = 19.732838668844984_rk*q(3) + (neg_h5_y + 0.5680405719686789_rk)
-    t59 = q(3)*neg_h5_y
-    t60 = m4_4 - q(3)*(t58 - 0.5437030679742136_rk) - t59
-    t61 = c4*c4
-    t62 = t47 + (m5_5 - 5.295713586161873_rk)
-    t63 = c4*s4
-    t64 = k5_xz + (k5_xz - 0.13568152518631954_rk)
-    t65 = t48 - t61*t62 + t63*t64
-    t66 = t46*(t43 - 0.5_rk) + (t44*t45 + 0.002655628796226608_rk)
-    t67 = neg_k5_yz - 0.23523950726161555_rk
-    t68 = c4*t66 + q(3)*neg_h3_x + s4*t67
+    neg_k5_yz = c5*t49 + s5*t50
+    t52 = 0.1524_rk*h4_y
+    t53 = m4_4 + t52
+    t54 = h5_y - 0.5680405719686789_rk - 19.732838668844984_rk*q(3)
+    t55 = q(3)*h5_y
+    t56 = m4_4 + q(3)*(t54 + 0.5437030679742136_rk) + t55
+    t57 = c4*c4
+    t58 = t43 + (m5_5 - 5.295713586161873_rk)
+    t59 = c4*s4
+    t60 = k5_xz + (k5_xz - 0.13568152518631954_rk)
+    t61 = t44 - t57*t58 + t59*t60
+    t62 = t42*(t39 - 0.5_rk) + (t40*t41 + 0.002655628796226608_rk)
+    t63 = neg_k5_yz - 0.23523950726161555_rk
+    t64 = c4*t62 - q(3)*h3_x + s4*t63
     ! link 1: mass matrix, its row of this joint
-    m1_1 = t57 - (s2*(s2*(t60 - t65) + c2*(t68 + (t68 + 0.09822440530186452_rk))) + (t56 - &
+    m1_1 = t53 - (s2*(s2*(t56 - t61) + c2*(t64 + (t64 + 0.09822440530186452_rk))) - (t52 + &
         1.8329821847328702_rk))
     ! link 2: first moment of the composite body, about the frame's origin [kg m]
-    neg_h2_y = s2*t55 + c2*t58
+    h2_y = s2*t51 + c2*t54
     ! link 4: second moment of the composite body [kg m^2]
-    k4_yz = c4*t67 - s4*t66
+    neg_k4_yz = s4*t62 - c4*t63
     ! link 2: mass matrix, its row of this joint
-    m2_4 = q(3)*neg_h4_y - k4_yz
+    m2_4 = neg_k4_yz - q(3)*h4_y
     ! link 1: mass matrix, its row of this joint
-    m1_2 = c2*(m2_4 - 0.06807816021551473_rk - 0.4516316755890639_rk*q(3)) + (s2*(t64*(t61 - &
-        0.5_rk) + (t62*t63 + 0.0511982033036484_rk)) - 0.1524_rk*neg_h2_y)
-    m1_3 = s2*(neg_h4_y - 3.45891628872104_rk)
-    m1_4 = c2*t57 - s2*(t68 + 0.22200183325724177_rk*q(3))
+    m1_2 = c2*(m2_4 - 0.06807816021551473_rk - 0.4516316755890639_rk*q(3)) + (s2*(t60*(t57 - &
+        0.5_rk) + (t58*t59 + 0.0511982033036484_rk)) + 0.1524_rk*h2_y)
+    neg_m1_3 = s2*(h4_y + 3.45891628872104_rk)
+    m1_4 = c2*t53 - s2*(t64 + 0.22200183325724177_rk*q(3))
     ! link 2: force for a unit acceleration of a joint further out
-    fu2_x = s2*neg_h5_x + neg_h5_y*(c2*c4)
-    t69 = m5_5 + t59
+    neg_fu2_x = s2*h5_x + h5_y*(c2*c4)
+    t65 = m5_5 - t55
     ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_y = s2*(c4*k5_xz + s4*t69) - c2*neg_k5_yz
+    nu2_y = c2*neg_k5_yz - s2*(c4*k5_xz + s4*t65)
     ! link 1: mass matrix, its row of this joint
-    m1_5 = neg_nu2_y - 0.1524_rk*fu2_x
+    m1_5 = 0.1524_rk*neg_fu2_x - nu2_y
     ! link 5: force for a unit acceleration of a joint further out
     neg_fu5_x = c5*h6_y
     ! link 4: force for a unit acceleration of a joint further out
@@ -1022,86 +1016,85 @@ contains
     ! link 5: force for a unit acceleration of a joint further out
     neg_fu5_y = s5*h6_y
     ! link 5: moment for a unit acceleration of a joint further out
-    neg_nu5_y = 0.6921471349584476_rk*c5 - s5*neg_k6_xz
-    nu5_x = 0.6921471349584476_rk*s5 + c5*neg_k6_xz
+    nu5_y = s5*neg_k6_xz - 0.6921471349584476_rk*c5
+    nu5_x = c5*neg_k6_xz + 0.6921471349584476_rk*s5
     ! link 4: force for a unit acceleration of a joint further out
     fu4_y = c4*h6_x - s4*neg_fu5_x
     ! link 1: mass matrix, its row of this joint
-    m1_6 = 0.1524_rk*(c2*neg_fu4_x - s2*neg_fu5_y) + (c2*neg_nu5_y - s2*(c4*nu5_x - (s4*neg_k6_yz &
-        + q(3)*fu4_y)))
+    neg_m1_6 = c2*nu5_y + s2*(c4*nu5_x - (s4*neg_k6_yz + q(3)*fu4_y)) - 0.1524_rk*(c2*neg_fu4_x - &
+        s2*neg_fu5_y)
     ! link 2: mass matrix, its row of this joint
-    neg_m2_2 = t60 + (t65 - 6.387260437773931_rk)
-    m2_5 = c4*t69 - s4*k5_xz
+    neg_m2_2 = t56 + (t61 - 6.387260437773931_rk)
+    m2_5 = c4*t65 - s4*k5_xz
     m2_6 = s4*nu5_x - q(3)*neg_fu4_x + c4*neg_k6_yz
     ! link 6: forward substitution
     neg_y6 = nc6_z - tau(6)
     ! factorisation M = U D U^T
-    u5_6 = 1.4162209975010107_rk*t52
-    u4_6 = 1.4447795121770373_rk*neg_nu5_y
+    u5_6 = 1.4162209975010107_rk*t48
+    neg_u4_6 = 1.4447795121770373_rk*nu5_y
     u3_6 = 1.4447795121770373_rk*neg_fu5_y
     u2_6 = 1.4447795121770373_rk*m2_6
-    u1_6 = 1.4447795121770373_rk*m1_6
+    neg_u1_6 = 1.4447795121770373_rk*neg_m1_6
     pivot5 = m5_5 - neg_k6_yz*u5_6
     ipivot5 = 1.0_rk / pivot5
-    neg_ud4_5 = neg_k5_yz + neg_k6_yz*u4_6
+    neg_ud4_5 = neg_k5_yz - neg_k6_yz*neg_u4_6
     neg_u4_5 = ipivot5*neg_ud4_5
-    ud3_5 = neg_h5_x - neg_k6_yz*u3_6
-    u3_5 = ipivot5*ud3_5
+    neg_ud3_5 = h5_x + neg_k6_yz*u3_6
+    neg_u3_5 = ipivot5*neg_ud3_5
     ud2_5 = m2_5 - neg_k6_yz*u2_6
     u2_5 = ipivot5*ud2_5
-    ud1_5 = m1_5 - neg_k6_yz*u1_6
+    ud1_5 = m1_5 + neg_k6_yz*neg_u1_6
     u1_5 = ipivot5*ud1_5
-    pivot4 = m4_4 - neg_nu5_y*u4_6 - neg_ud4_5*neg_u4_5
+    pivot4 = m4_4 - nu5_y*neg_u4_6 - neg_ud4_5*neg_u4_5
     ipivot4 = 1.0_rk / pivot4
-    neg_ud3_4 = neg_nu5_y*u3_6 - neg_ud4_5*u3_5
-    neg_u3_4 = ipivot4*neg_ud3_4
-    ud2_4 = m2_4 - neg_nu5_y*u2_6 + neg_ud4_5*u2_5
+    ud3_4 = nu5_y*u3_6 - neg_ud4_5*neg_u3_5
+    u3_4 = ipivot4*ud3_4
+    ud2_4 = m2_4 + nu5_y*u2_6 + neg_ud4_5*u2_5
     u2_4 = ipivot4*ud2_4
-    ud1_4 = m1_4 - neg_nu5_y*u1_6 + neg_ud4_5*u1_5
+    ud1_4 = m1_4 - nu5_y*neg_u1_6 + neg_ud4_5*u1_5
     u1_4 = ipivot4*ud1_4
-    neg_pivot3 = neg_fu5_y*u3_6 - 19.732838668844984_rk + ud3_5*u3_5 + neg_ud3_4*neg_u3_4
+    neg_pivot3 = neg_fu5_y*u3_6 - 19.732838668844984_rk + neg_ud3_5*neg_u3_5 + ud3_4*u3_4
     neg_ipivot3 = 1.0_rk / neg_pivot3
-    ud2_3 = neg_h3_x - neg_fu5_y*u2_6 - ud3_5*u2_5 + neg_ud3_4*u2_4
-    neg_u2_3 = neg_ipivot3*ud2_3
-    ud1_3 = m1_3 - neg_fu5_y*u1_6 - ud3_5*u1_5 + neg_ud3_4*u1_4
-    neg_u1_3 = neg_ipivot3*ud1_3
-    neg_pivot2 = neg_m2_2 + m2_6*u2_6 + ud2_5*u2_5 + ud2_4*u2_4 - ud2_3*neg_u2_3
+    neg_ud2_3 = h3_x + neg_fu5_y*u2_6 - neg_ud3_5*u2_5 + ud3_4*u2_4
+    u2_3 = neg_ipivot3*neg_ud2_3
+    neg_ud1_3 = neg_m1_3 - neg_fu5_y*neg_u1_6 - neg_ud3_5*u1_5 + ud3_4*u1_4
+    u1_3 = neg_ipivot3*neg_ud1_3
+    neg_pivot2 = neg_m2_2 + m2_6*u2_6 + ud2_5*u2_5 + ud2_4*u2_4 - neg_ud2_3*u2_3
     neg_ipivot2 = 1.0_rk / neg_pivot2
-    ud1_2 = m1_2 - m2_6*u1_6 - ud2_5*u1_5 - ud2_4*u1_4 + ud2_3*neg_u1_3
+    ud1_2 = m1_2 + m2_6*neg_u1_6 - ud2_5*u1_5 - ud2_4*u1_4 + neg_ud2_3*u1_3
     neg_u1_2 = neg_ipivot2*ud1_2
-    pivot1 = m1_1 - m1_6*u1_6 - ud1_5*u1_5 - ud1_4*u1_4 + ud1_3*neg_u1_3 + ud1_2*neg_u1_2
+    pivot1 = m1_1 - neg_m1_6*neg_u1_6 - ud1_5*u1_5 - ud1_4*u1_4 + neg_ud1_3*u1_3 + ud1_2*neg_u1_2
     ipivot1 = 1.0_rk / pivot1
     ! link 5: forward substitution
     neg_y5 = n5_z - tau(5) - neg_y6*u5_6
     ! link 4: forward substitution
-    neg_y4 = n4_z - tau(4) - neg_y6*u4_6 + neg_u4_5*neg_y5
+    neg_y4 = n4_z - tau(4) + neg_y6*neg_u4_6 + neg_u4_5*neg_y5
     ! link 3: forward substitution
-    y3 = neg_f3_z + tau(3) + neg_y6*u3_6 + u3_5*neg_y5 - neg_u3_4*neg_y4
+    neg_y3 = f3_z - tau(3) - neg_y6*u3_6 + neg_u3_5*neg_y5 - u3_4*neg_y4
     ! link 2: forward substitution
-    neg_y2 = n2_z - tau(2) - neg_y6*u2_6 - u2_5*neg_y5 - u2_4*neg_y4 - neg_u2_3*y3
+    neg_y2 = n2_z - tau(2) - neg_y6*u2_6 - u2_5*neg_y5 - u2_4*neg_y4 - u2_3*neg_y3
     ! link 1: forward substitution
-    neg_y1 = n1_z - tau(1) - neg_y6*u1_6 - u1_5*neg_y5 - u1_4*neg_y4 - neg_u1_3*y3 + &
+    neg_y1 = n1_z - tau(1) + neg_y6*neg_u1_6 - u1_5*neg_y5 - u1_4*neg_y4 - u1_3*neg_y3 + &
         neg_u1_2*neg_y2
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     neg_qdd1 = ipivot1*neg_y1
     ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     qdd2 = neg_ipivot2*neg_y2 - neg_u1_2*neg_qdd1
     ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd3 = neg_ipivot3*y3 - neg_u2_3*qdd2 + neg_u1_3*neg_qdd1
+    qdd3 = neg_ipivot3*neg_y3 - u2_3*qdd2 + u1_3*neg_qdd1
     ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd4 = ipivot4*neg_y4 + neg_u3_4*neg_qdd3 + u2_4*qdd2 - u1_4*neg_qdd1
+    neg_qdd4 = ipivot4*neg_y4 + u3_4*qdd3 + u2_4*qdd2 - u1_4*neg_qdd1
     ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd5 = u1_5*neg_qdd1 - (ipivot5*neg_y5 + neg_u4_5*neg_qdd4 - u3_5*neg_qdd3 + u2_5*qdd2)
+    qdd5 = u1_5*neg_qdd1 - (ipivot5*neg_y5 + neg_u4_5*neg_qdd4 - neg_u3_5*qdd3 + u2_5*qdd2)
     ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd6 = u1_6*neg_qdd1 - (1.4447795121770373_rk*neg_y6 + u5_6*qdd5 - u4_6*neg_qdd4 - &
-        u3_6*neg_qdd3 + u2_6*qdd2)
-    t70 = -neg_qdd1
-    t71 = -neg_qdd3
-    t72 = -neg_qdd4
-    qdd(1) = t70
+    qdd6 = -1.4447795121770373_rk*neg_y6 - u5_6*qdd5 - neg_u4_6*neg_qdd4 - u3_6*qdd3 - u2_6*qdd2 - &
+        neg_u1_6*neg_qdd1
+    t66 = -neg_qdd1
+    t67 = -neg_qdd4
+    qdd(1) = t66
     qdd(2) = qdd2
-    qdd(3) = t71
-    qdd(4) = t72
+    qdd(3) = qdd3
+    qdd(4) = t67
     qdd(5) = qdd5
     qdd(6) = qdd6
   end subroutine

@@ -31,7 +31,7 @@
  *   gravity: 24 multiplications, 16 additions = 40; 1 unary minus; 8 sine/cosine
  *   bias: 184 multiplications, 164 additions = 348; 0 unary minus; 8 sine/cosine
  *   mass_matrix: 90 multiplications, 84 additions = 174; 3 unary minus; 8 sine/cosine
- *   forward_dynamics: 360 multiplications, 318 additions, 5 divisions = 683; 3 unary minus; 8
+ *   forward_dynamics: 358 multiplications, 316 additions, 5 divisions = 679; 2 unary minus; 8
  *       sine/cosine
  */
 #ifndef STANFORD_FULL_H

@@ -10,6 +10,8 @@ from dynamics.direct import exact_arm
 from ir.programs import Point, results
 from robodyn import Options, program
 from robodyn.counts import count
+from robodyn.dynamics.arm import build_arm
+from robodyn.dynamics.equality import same_in_field
 from robodyn.dynamics.functions import FUNCTIONS, Function
 from robodyn.dynamics.limits import MANY_JOINTS
 from robodyn.ir import Graph
@@ -54,9 +56,23 @@ def test_they_are_what_the_mass_matrix_says(robot: Robot, function: Function) ->
             assert results(build(robot, function.name, choice, way), at) == wanted
 
 
-def test_a_tool_stays_where_it_is_when_its_frame_moves() -> None:
-    from robodyn.dynamics.arm import build_arm
+@pytest.mark.parametrize("joints", [2, 5, 7])
+def test_one_random_push_tells_a_wrong_entry(joints: int) -> None:
+    """By plain Newton-Euler alone, also where there are fewer random numbers than a push has."""
+    robot = exact_arm(45, joints=joints, prismatic=0.2, motors=1)
+    right = program(robot, "lambda_inverse")
+    assert same_in_field(robot, "lambda_inverse", right)
+    entries = list(right.results())
+    for k in range(0, len(entries), 7):
+        wrong = [
+            *entries[:k],
+            entries[k - 1] if entries[k - 1] != entries[k] else Fraction(1),
+            *entries[k + 1 :],
+        ]
+        assert not same_in_field(robot, "lambda_inverse", right.with_results(tuple(wrong)))
 
+
+def test_a_tool_stays_where_it_is_when_its_frame_moves() -> None:
     arm = build_arm(SLIDING, lambda x: x, Graph().input)
     moved = centred(arm)
     shift = moved.bodies[2].d - arm.bodies[2].d

@@ -3,122 +3,28 @@
 from __future__ import annotations
 
 import csv
+import ctypes
 import sys
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
-from dataclasses import dataclass
+from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 from packages.consumers import run
+from packages.units import ARMS, PERIOD, SAMPLES, Floats, Unit, torques, unit_of
 from robodyn.errors import InputError
 from robodyn.kernels.generate import Options, generate
 from robodyn.packages import package
-from robodyn.packages.fmi import base_units
-from robodyn.robot import Robot, load, read_text
-from robodyn.simulate.simulation import Simulation, Torques, simulate
+from robodyn.packages.fmi import base_units, results_of
+from robodyn.robot import load
+from robodyn.simulate.simulation import Torques
 from robodyn_testing import require_module, require_tool
 
-Floats = NDArray[np.float64]
-
-PERIOD, SAMPLES = 0.01, 150
-#: Tolerances of the engine: a unit's steps end elsewhere, so that results differ by as much as these allow.
-RELATIVE, ABSOLUTE = 1e-10, 1e-12
-ELBOW = """name: elbow
-links:
-- {{joint: revolute, alpha: 1, mass: 3, com: [1, 0, 0.5], motor_inertia: 1{0}}}
-- {{joint: revolute, a: 1, mass: {1}, com: [0.3, 0, 0], motor_inertia: 1{2}}}
-{3}"""
-DRY = ", friction: {viscous: 0.5, coulomb: 6}"
-BRISTLES = ", effects: [{effect: presliding_hysteresis, stiffness: 1000, level: 5, damping: 10}]"
-ELASTIC = ", effects: [{effect: joint_elasticity, stiffness: 2000, damping: 3}], friction: {coulomb: 2}"
-LOADED = ", effects: [{effect: load_dependent_friction, bearing: torque, mu: 0.1}]"
-LIMITED = ", effects: [{effect: torque_saturation, limit: 4, clips: drive}]"
-PUSHED = (
-    "effects: [{effect: external_contact, start: 0.31, end: 0.52, link: 2, "
-    "force_x: 5, force_y: 3, force_z: 20}]\n"
-)
-ARMS: Mapping[str, tuple[str, Mapping[str, float]]] = {
-    "puma560": ("puma560", {}),
-    "stanford": ("stanford", {}),
-    "dry friction, run-time parameter": (ELBOW.format(DRY, "m_tool", "", ""), {"m_tool": 1.7}),
-    "bristles": (ELBOW.format(BRISTLES, 2, "", ""), {}),
-    "elastic": (ELBOW.format("", 2, ELASTIC, ""), {}),
-    "friction by load, limited drive": (ELBOW.format(LOADED, 2, LIMITED, ""), {}),
-    "contact": (ELBOW.format("", 2, "", PUSHED), {}),
-}
-
-
-@dataclass(frozen=True, slots=True)
-class Unit:
-    """A unit on disk and what it is of."""
-
-    robot: Robot
-    values: Mapping[str, float]
-    path: Path
-    folder: Path
-    description: Any
-    start: Mapping[str, float]
-
-    def names(self, *blocks: str) -> list[str]:
-        """The variables of blocks such as ``q``."""
-        return [f"{block}[{i + 1}]" for block in blocks for i in range(self.robot.n)]
-
-    def references(self, names: Sequence[str]) -> list[int]:
-        """What the standard's functions know the variables by."""
-        known = {v.name: v.valueReference for v in self.description.modelVariables}
-        return [known[name] for name in names]
-
-    @contextmanager
-    def instance(self, tolerance: float = RELATIVE) -> Iterator[Any]:
-        """An instance for co-simulation that stands at the start."""
-        from fmpy.fmi3 import FMU3Slave
-
-        slave = FMU3Slave(
-            guid=self.description.guid,
-            unzipDirectory=str(self.folder),
-            modelIdentifier=self.description.coSimulation.modelIdentifier,
-            instanceName=self.robot.name,
-        )
-        slave.instantiate()
-        self.begin(slave, tolerance)
-        yield slave
-        slave.terminate()
-        slave.freeInstance()
-
-    def begin(self, slave: Any, tolerance: float = RELATIVE) -> None:
-        """Initialise with the start values."""
-        slave.setFloat64(self.references(list(self.start)), list(self.start.values()))
-        slave.enterInitializationMode(tolerance=tolerance)
-        slave.exitInitializationMode()
-
-    def go(self, slave: Any, torques: Floats, begin: int = 0) -> Floats:
-        """Positions and velocities after each period, from sample ``begin`` on, under ``torques``."""
-        inputs, outputs = self.references(self.names("tau")), self.references(self.names("q", "qd"))
-        rows = []
-        for k, tau in enumerate(torques, begin):
-            slave.setFloat64(inputs, list(tau))
-            slave.doStep(k * PERIOD, PERIOD)
-            rows.append(slave.getFloat64(outputs))
-        return np.array(rows)
-
-    def expected(self, drive: Torques | None) -> Simulation:
-        """The same by our simulator."""
-        q = [self.start[name] for name in self.names("q")]
-        return simulate(
-            self.robot, drive, start=q, duration=SAMPLES * PERIOD, sample_period=PERIOD, method="adaptive",
-            parameters=self.values, rtol=RELATIVE, atol=ABSOLUTE,
-        )  # fmt: skip
-
-
-def torques(n: int) -> Floats:
-    """A row for every period."""
-    return 5 * np.sin(2 * np.pi * np.outer(np.arange(SAMPLES) * PERIOD, 0.7 + 0.3 * np.arange(n)))
+Units = Callable[[str], Unit]
 
 
 @pytest.fixture(scope="module")
@@ -128,35 +34,14 @@ def fmpy() -> Any:
 
 
 @pytest.fixture(scope="module")
-def units(fmpy: Any, tmp_path_factory: pytest.TempPathFactory) -> Any:
-    built: dict[str, Unit] = {}
-
-    def unit(name: str) -> Unit:
-        if name not in built:
-            text, values = ARMS[name]
-            robot = read_text(text) if "\n" in text else load(text)
-            functions = ("forward_kinematics", "kinetic_energy")
-            packed = package(
-                generate(robot, Options(functions=functions)), "fmu", version="1.2.3", license="MIT"
-            )
-            path = tmp_path_factory.mktemp("unit") / f"{packed.name}.fmu"
-            content = packed.files()[path.name]
-            assert isinstance(content, bytes)
-            path.write_bytes(content)
-            folder = fmpy.extract(str(path), unzipdir=str(path.parent / "extracted"))
-            places = np.random.default_rng(1).uniform(-0.5, 0.5, robot.n)
-            start = {f"q[{i + 1}]": float(q) for i, q in enumerate(places)}
-            start |= {f"parameters.{parameter}": value for parameter, value in values.items()}
-            description = fmpy.read_model_description(str(path))
-            built[name] = Unit(robot, values, path, Path(folder), description, start)
-        return built[name]
-
-    return unit
+def units(fmpy: Any, tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Unit]:
+    """Units by the name of the arm, each written once."""
+    return cache(lambda name: unit_of(name, tmp_path_factory.mktemp("unit")))
 
 
 @pytest.mark.thorough
 @pytest.mark.parametrize("name", ARMS)
-def test_fmpy_has_no_complaint(name: str, units: Any) -> None:
+def test_fmpy_has_no_complaint(name: str, units: Units) -> None:
     from fmpy.model_description import read_build_description
     from fmpy.validation import validate_fmu
 
@@ -170,7 +55,7 @@ def test_fmpy_has_no_complaint(name: str, units: Any) -> None:
 
 @pytest.mark.thorough
 @pytest.mark.parametrize("name", ARMS)
-def test_co_simulation_is_our_simulator(name: str, units: Any) -> None:
+def test_co_simulation_is_our_simulator(name: str, units: Units) -> None:
     unit = units(name)
     tau = torques(unit.robot.n)
     expected = unit.expected(Torques(tau, PERIOD))
@@ -194,7 +79,7 @@ def kernel(unit: Unit, *functions: str) -> Any:
 
 @pytest.mark.thorough
 @pytest.mark.parametrize("name", ARMS)
-def test_model_exchange_is_our_simulator(name: str, fmpy: Any, units: Any) -> None:
+def test_model_exchange_is_our_simulator(name: str, fmpy: Any, units: Units) -> None:
     """By the integrator of fmpy (CVode), which finds the events by the indicators."""
     unit = units(name)
     expected = unit.expected(None)
@@ -207,13 +92,13 @@ def test_model_exchange_is_our_simulator(name: str, fmpy: Any, units: Any) -> No
     states = np.column_stack([record[name] for name in names])[last]
     assert np.ptp(states) > 0.3
     assert states == pytest.approx(np.hstack([expected.q, expected.qd]), abs=1e-6)
-    smooth = {"puma560", "stanford", "bristles"}
-    assert (len(record["time"]) > len(last)) == (name not in smooth), "events"
+    without_events = {"puma560", "stanford", "a joint that sticks", "bristles"}
+    assert (len(record["time"]) > len(last)) == (name not in without_events)
 
 
 @pytest.mark.thorough
 @pytest.mark.parametrize("name", ["elastic", "bristles"])
-def test_states_are_saved_and_instances_are_apart(name: str, units: Any) -> None:
+def test_states_are_saved_and_instances_are_apart(name: str, units: Units) -> None:
     unit = units(name)
     tau = torques(unit.robot.n)
     half = SAMPLES // 2
@@ -236,7 +121,38 @@ def test_states_are_saved_and_instances_are_apart(name: str, units: Any) -> None
 
 
 @pytest.mark.thorough
-def test_a_parameter_changes_between_steps(units: Any) -> None:
+@pytest.mark.parametrize("speed", [0.0, 0.7])
+@pytest.mark.parametrize("name", [name for name in ARMS if name != "contact"])
+def test_directional_derivatives_are_those_of_differences(name: str, speed: float, units: Units) -> None:
+    """Of slopes and outputs by all states and torques; at rest dry friction holds joints."""
+    unit = units(name)
+    described = ElementTree.parse(unit.folder / "modelDescription.xml").getroot()
+    assert [kind.attrib["providesDirectionalDerivatives"] for kind in described[:2]] == ["true"] * 2
+    with unit.model(dict.fromkeys(unit.names("qd"), speed)) as model:
+        random = np.random.default_rng(2)
+        states = [v.variable.derivative.valueReference for v in unit.description.derivatives]
+        x = np.array(model.getFloat64(states))
+        x[: unit.robot.n] += random.uniform(-1e-3, 1e-3, unit.robot.n)  # drives that are no longer at rest
+        tau, dx = random.uniform(-1, 1, unit.robot.n), random.uniform(-1, 1, len(x))
+        dtau = random.uniform(-1, 1, len(tau))
+        inputs = unit.references(unit.names("tau"))
+        unknowns = [v.variable.valueReference for v in unit.description.derivatives]
+        unknowns += [v.variable.valueReference for v in unit.description.outputs]
+
+        def at(step: float) -> Floats:
+            model.setFloat64(inputs, list(tau + step * dtau))
+            model.setContinuousStates((ctypes.c_double * len(x))(*(x + step * dx)), len(x))
+            return np.array(model.getFloat64(unknowns))
+
+        differences = (at(1e-6) - at(-1e-6)) / 2e-6
+        at(0.0)
+        slopes = model.getDirectionalDerivative(unknowns, [*states, *inputs], [*dx, *dtau])
+    assert np.abs(differences).max() > 0.5
+    assert slopes == pytest.approx(differences, rel=1e-5, abs=1e-5 * np.abs(differences).max())
+
+
+@pytest.mark.thorough
+def test_a_parameter_changes_between_steps(units: Units) -> None:
     unit = units("dry friction, run-time parameter")
     (parameter,) = unit.references(["parameters.m_tool"])
     with unit.instance() as slave:
@@ -252,7 +168,7 @@ def test_a_parameter_changes_between_steps(units: Any) -> None:
 
 
 @pytest.mark.thorough
-def test_what_is_refused_is_said(units: Any, capsys: pytest.CaptureFixture[str]) -> None:
+def test_what_is_refused_is_said(units: Units, capsys: pytest.CaptureFixture[str]) -> None:
     from fmpy.fmi1 import FMICallException
 
     unit = units("elastic")
@@ -274,7 +190,7 @@ def test_what_is_refused_is_said(units: Any, capsys: pytest.CaptureFixture[str])
 
 
 @pytest.mark.thorough
-def test_the_commands_of_fmpy(units: Any, tmp_path: Path) -> None:
+def test_the_commands_of_fmpy(units: Units, tmp_path: Path) -> None:
     """Those of docs/packages.md."""
     unit = units("puma560")
     fmpy = (sys.executable, "-m", "fmpy")
@@ -288,9 +204,10 @@ def test_the_commands_of_fmpy(units: Any, tmp_path: Path) -> None:
 
 
 @pytest.mark.thorough
-def test_its_sources_compile_without_a_warning(units: Any, tmp_path: Path) -> None:
+@pytest.mark.parametrize("name", ["puma560", "elastic", "friction by load, limited drive", "contact"])
+def test_its_sources_compile_without_a_warning(name: str, units: Units, tmp_path: Path) -> None:
     """Every one by itself, with the functions' prefix that static linking needs."""
-    unit = units("elastic")
+    unit = units(name)
     (build,) = ElementTree.parse(unit.folder / "sources" / "buildDescription.xml").getroot()
     (sources,) = build.findall("SourceFileSet")
     options = [*sources.attrib["compilerOptions"].split(), "-Wall", "-Wextra", "-pedantic", "-Werror"]
@@ -311,6 +228,16 @@ def test_its_sources_compile_without_a_warning(units: Any, tmp_path: Path) -> No
 def test_what_has_no_place(options: Options, complaint: str) -> None:
     with pytest.raises(InputError, match=complaint):
         package(generate(load("stanford_3dof"), options), "fmu").files()
+
+
+@pytest.mark.thorough
+def test_of_all_functions_those_that_fit_are_outputs() -> None:
+    packed = package(generate(load("stanford_3dof"), Options(("all",))), "fmu")
+    names = {routine.name for routine in packed.routines}
+    outputs = {result.routine.name for result in results_of(packed)}
+    assert {"jacobian", "mass_matrix", "forward_dynamics_derivatives"} < outputs
+    assert {"regressor", "inverse_dynamics_from_parameters"} & outputs == {"regressor"}
+    assert {name for name in names if name.endswith("_with_wrench")}.isdisjoint(outputs)
 
 
 @pytest.mark.parametrize(

@@ -78,8 +78,10 @@ URDF = """\
   <link name="world"/><link name="base"/><link name="boom"/><link name="slide"/><link name="hand"/>
   <joint name="foot" type="fixed"><parent link="world"/><child link="base"/></joint>
   <joint name="{names[0]}" type="{kinds[0]}"><parent link="base"/><child link="boom"/><axis xyz="0 0 1"/>
+    <origin xyz="0 0 0" rpy="0.3 0 0"/>
     <limit lower="-1" upper="1" effort="1" velocity="1"/></joint>
   <joint name="{names[1]}" type="{kinds[1]}"><parent link="boom"/><child link="slide"/><axis xyz="0 0 1"/>
+    <origin xyz="0 0 0" rpy="1 0 0"/>
     <limit lower="-1" upper="1" effort="1" velocity="1"/></joint>
   <joint name="{names[2]}" type="{kinds[2]}"><parent link="slide"/><child link="hand"/><axis xyz="0 0 1"/>
     <limit lower="-1" upper="1" effort="1" velocity="1"/></joint>
@@ -247,17 +249,53 @@ def test_what_friction_depends_on(more: str, text: str) -> None:
     assert text in solver
 
 
+UR10 = "ur_description/urdf/ur10_robot.urdf"
+
+
+@pytest.fixture(scope="module")
+def ur10(workspace: Workspace) -> tuple[str, Consumer]:
+    user = consumer(str(REAL / "ur10_bag.yaml"), "ros2", Options(FUNCTIONS))
+    return workspace.install(user), user
+
+
 @pytest.mark.thorough
-def test_the_recorded_ur10(workspace: Workspace) -> None:
+@pytest.mark.parametrize(
+    ("joint", "old", "new", "named"),
+    [
+        ("elbow_joint", 'xyz="0.0 -0.1719 0.612"', 'xyz="0.0 -0.1719 0.615"', ""),  # as calibrated
+        ("elbow_joint", 'xyz="0.0 -0.1719 0.612"', 'xyz="0.0 -0.1719 0.662"', "elbow_joint"),
+        ("elbow_joint", 'rpy="0.0 0.0', 'rpy="0.0 0.1', "wrist_1_joint"),
+        ("wrist_1_joint", 'axis xyz="0 1 0"', 'axis xyz="0 -1 0"', "wrist_1_joint"),
+        ("wrist_2_joint", 'axis xyz="0 0 1"', 'axis xyz="0 0 -1"', "wrist_2_joint"),
+    ],
+)  # fmt: skip
+def test_axes_lie_as_in_the_urdf(
+    joint: str, old: str, new: str, named: str, workspace: Workspace, ur10: tuple[str, Consumer]
+) -> None:
+    """Another length, zero or direction of a joint is another arm, and its torques would be wrong."""
+    name, user = ur10
+    text = arm_file("example-robot-data", UR10).read_text()
+    before, found, after = text.partition(f'<joint name="{joint}"')
+    assert found
+    assert old in after
+    write(workspace.folder, {"ur10.urdf": before + found + after.replace(old, new, 1)})
+    output = workspace.node(name, 6, user.stdin, "robot_description=@ur10.urdf")
+    if named:
+        assert re.search(f"refused: .* the axes of '.*' and '{named}' have another", output), output[:300]
+    else:
+        user.check(output)
+
+
+@pytest.mark.thorough
+def test_the_recorded_ur10(workspace: Workspace, ur10: tuple[str, Consumer]) -> None:
     """The solver replays the bag, and Pinocchio says the same of the URDF that the node is given.
 
     Accelerations are differences of velocities, as the interface's own demonstration takes them.
     """
     pinocchio = require_module("pinocchio")
     require_module("rosbags.typesys")
-    urdf = arm_file("example-robot-data", "ur_description/urdf/ur10_robot.urdf")
-    user = consumer(str(REAL / "ur10_bag.yaml"), "ros2", Options(FUNCTIONS))
-    name = workspace.install(user)
+    urdf = arm_file("example-robot-data", UR10)
+    name, user = ur10
     log = read_log(REAL / "raw" / "ur10_exciting_trajectory.db3", robot=user.package.robot)
     assert log.qd is not None
     qdd = np.vstack([np.zeros(6), np.diff(log.qd, axis=0) / np.diff(log.t)[:, None]])

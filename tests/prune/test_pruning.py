@@ -167,7 +167,7 @@ def test_more_is_dropped_where_more_may_be_wrong() -> None:
         for share in ("0.000001", "0.01", "0.2")
     ]
     assert totals == sorted(totals, reverse=True)
-    assert totals[0] == count(original).total
+    assert 0 <= count(original).total - totals[0] <= 1  # nothing is dropped, and the passes run once more
     assert totals[0] > totals[1] > totals[2]
 
 

@@ -69,8 +69,8 @@ def primes_drawn() -> Iterator[list[int]]:
     found: list[int] = []
     draw = field.drawn_prime
 
-    def noted(seed: bytes) -> int:
-        prime = draw(seed)
+    def noted(seed: bytes, bits: int = field.BITS) -> int:
+        prime = draw(seed, bits)
         if prime not in drawn:
             drawn[prime] = None
             found.append(prime)

@@ -55,6 +55,7 @@ OPTIONAL: Final = frozenset(
         "hatchling",
         "hypothesis",
         "jsonschema",
+        "kconfiglib",
         "mujoco",
         "ortools",
         "pinocchio",

@@ -22,7 +22,7 @@ from robodyn.dynamics.functions import INPUTS, Rotor, function_named
 from robodyn.dynamics.joints import rotors_of
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.ir.evaluate import evaluate_exact, turn
-from robodyn.ir.field import Field
+from robodyn.ir.field import FINAL_BITS, Field
 from robodyn.ir.fingerprint import digest, fingerprint, in_drawn_field
 from robodyn.ir.graph import Graph
 from robodyn.ir.program import Input, Program
@@ -36,9 +36,6 @@ Point = tuple[Any, Any]
 #: Numbers that stay integers: a recursion over them asks which are 0.
 _FEW = (0, 1, -1)
 
-#: Of so many bits is the field in which a program is compared before it leaves: one comparison there is worth
-#: more than two in fields of half as many, and takes little more than half their time.
-_BITS = 240
 #: Rational points are drawn from so many numbers.
 _RANGE = 1 << 32
 
@@ -67,7 +64,7 @@ def same_in_field(robot: Robot, function: str, program: Program) -> bool:
         identity(robot).encode(),
         function.encode(),
         digest(program),
-        bits=_BITS,
+        bits=FINAL_BITS,
     )
     return same
 

@@ -78,8 +78,9 @@ class Spelling:
         if op not in _OPERATORS:
             return self.functions[op](*(self._text(arg)[0] for arg in args)), _ATOM
         symbol, own = _OPERATORS[op]
-        left, left_strength = self._text(args[0])
-        right, right_strength = self._text(args[1])
+        one, other = args
+        left, left_strength = (one, _ATOM) if isinstance(one, str) else self._text(one)
+        right, right_strength = (other, _ATOM) if isinstance(other, str) else self._text(other)
         if left_strength < own or (self.explicit and own < left_strength < _ATOM):
             left = f"({left})"
         explicit = self.explicit and own < right_strength < _ATOM

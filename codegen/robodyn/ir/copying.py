@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
 from robodyn.ir.graph import Graph, Node, Scalar
-from robodyn.ir.key import Key
+from robodyn.ir.key import Key, plain_sum
 
 
 def copied(graph: Graph, key: Key, copies: Mapping[int, Scalar]) -> Scalar:
@@ -33,39 +33,83 @@ def copied(graph: Graph, key: Key, copies: Mapping[int, Scalar]) -> Scalar:
     return graph.apply(op, operands)
 
 
+#: In the place of a position: a number.
+_NUMBER = -1
+#: Operations of which multiples are simpler.
+_SCALED = ("scale", "const")
+
+
+class Copies:
+    """What positions of ``graph`` are in ``target``, folded anew as far as ``target`` folds."""
+
+    __slots__ = ("_graph", "_numbers", "_place", "_sign", "_target")
+
+    def __init__(self, graph: Graph, target: Graph) -> None:
+        self._graph, self._target = graph, target
+        #: By position of the graph the one in the target and the sign there.
+        self._place, self._sign = [_NUMBER] * len(graph.keys), [1] * len(graph.keys)
+        self._numbers: dict[int, Scalar] = {}
+
+    def __getitem__(self, position: int) -> Scalar:
+        place = self._place[position]
+        if place == _NUMBER:
+            return self._numbers[position]
+        return Node(self._target, place, self._sign[position])
+
+    def put(self, position: int, value: Scalar) -> None:
+        """``value`` is what stands at ``position``."""
+        if isinstance(value, Node):
+            self._place[position], self._sign[position] = value.position, value.sign
+        else:
+            self._numbers[position] = value
+        if position in self._graph.labels:
+            self._target.label(value, self._graph.labels[position])
+
+    def copy(self, positions: Iterable[int]) -> None:
+        """Copy what stands at ``positions``, each behind those that it reads."""
+        keys, reads, labels = self._graph.keys, self._graph.reads, self._graph.labels
+        place, sign, target = self._place, self._sign, self._target
+        own, fold, position_of = target.keys, target.fold, target.position
+        for p in positions:
+            key = keys[p]
+            op = key[0]
+            # Most are products and sums of which nothing can be folded.
+            if op == "mul":
+                _, i, j = key
+                a, b = place[i], place[j]
+                if a >= 0 <= b:
+                    place[p] = position_of(("mul", a, b) if a <= b else ("mul", b, a))
+                    sign[p] = sign[i] * sign[j]
+                    if p in labels:
+                        target.label(self[p], labels[p])
+                    continue
+            elif op == "add":
+                _, i, relative, j = key
+                a, b = place[i], place[j]
+                if a >= 0 <= b and (not fold or plain_sum(own, a, b)):
+                    first, second = sign[i], relative * sign[j]
+                    if a > b:
+                        a, b, first, second = b, a, second, first
+                    place[p], sign[p] = position_of(("add", a, first * second, b)), first
+                    if p in labels:
+                        target.label(self[p], labels[p])
+                    continue
+            elif op == "scale":
+                _, factor, i = key
+                a = place[i]
+                if a >= 0 and own[a][0] not in _SCALED:
+                    place[p] = position_of(("scale", factor, a), ("scale", *factor.as_integer_ratio(), a))
+                    sign[p] = sign[i]
+                    if p in labels:
+                        target.label(self[p], labels[p])
+                    continue
+            self.put(p, copied(target, key, {child: self[child] for child in reads[p]}))
+
+
 def rearranged(graph: Graph, order: Sequence[int], outputs: Sequence[Scalar]) -> tuple[Graph, list[Scalar]]:
     """The positions ``order`` of ``graph``, each behind those that it reads, as a graph of their own, and
-    ``outputs`` there. What could be folded is already.
-    """
+    ``outputs`` there."""
     target = Graph(fold=graph.fold)
-    keys, labels = graph.keys, graph.labels
-    place, sign = [0] * len(keys), [1] * len(keys)
-
-    def copy(p: int) -> Scalar:
-        """What stands at ``p``, in the new graph."""
-        return keys[p][1] if keys[p][0] == "const" else Node(target, place[p], sign[p])
-
-    for p in order:
-        key = keys[p]
-        op = key[0]
-        if op == "mul":
-            _, i, j = key
-            own, i, j = sign[i] * sign[j], place[i], place[j]
-            product = ("mul", i, j) if i <= j else ("mul", j, i)
-            place[p], sign[p] = target.append(product, product), own
-        elif op == "add" and keys[key[1]][0] != "const" != keys[key[3]][0]:
-            _, i, relative, j = key
-            first, second, i, j = sign[i], relative * sign[j], place[i], place[j]
-            if i > j:
-                i, j, first, second = j, i, second, first
-            total = ("add", i, first * second, j)
-            place[p], sign[p] = target.append(total, total), first
-        elif op == "const":
-            continue  # made where it is read
-        else:
-            node = copied(target, key, {child: copy(child) for child in graph.reads[p]})
-            assert isinstance(node, Node)
-            place[p], sign[p] = node.position, node.sign
-        if p in labels:
-            target.label(copy(p), labels[p])
-    return target, [copy(v.position) * v.sign if isinstance(v, Node) else v for v in outputs]
+    copies = Copies(graph, target)
+    copies.copy(order)
+    return target, [copies[v.position] * v.sign if isinstance(v, Node) else v for v in outputs]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -25,32 +25,47 @@ def jacobian(graph: Graph, outputs: Sequence[Scalar], inputs: Sequence[Input]) -
     ValueError: an exponent of ``pow`` depends on an input.
     """
     order = needed(graph, [("", list(outputs))])
-    columns = [_tangents(graph, order, x) for x in inputs]
-    return [
-        [
-            tangents.get(value.position, 0) * value.sign if isinstance(value, Node) else 0
-            for tangents in columns
-        ]
-        for value in outputs
-    ]
+    columns = [_tangents(graph, order, {x: 1}) for x in inputs]
+    return [[_slope(value, tangents) for tangents in columns] for value in outputs]
 
 
-def _tangents(graph: Graph, order: Sequence[int], by: Input) -> dict[int, Scalar]:
-    """The derivatives of positions that depend on ``by``; others are left out."""
+def directional(graph: Graph, outputs: Sequence[Scalar], seeds: Mapping[Input, Scalar]) -> list[Scalar]:
+    """The derivatives of ``outputs`` where inputs change at the rates ``seeds``, others not at all.
+
+    Raises
+    ------
+    ValueError: an exponent of ``pow`` depends on such an input.
+    """
+    tangents = _tangents(graph, needed(graph, [("", list(outputs))]), seeds)
+    return [_slope(value, tangents) for value in outputs]
+
+
+def _slope(value: Scalar, tangents: Mapping[int, Any]) -> Any:
+    return tangents.get(value.position, 0) * value.sign if isinstance(value, Node) else 0
+
+
+def _tangents(graph: Graph, order: Sequence[int], seeds: Mapping[Input, Scalar]) -> dict[int, Scalar]:
+    """The derivatives of positions that depend on inputs with ``seeds``; others are left out."""
     tangents: dict[int, Any] = {}
     for position in order:
         key = graph.keys[position]
-        tangent = _tangent(graph, position, key, by, tangents)
+        tangent = _tangent(graph, position, key, seeds, tangents)
         if not isinstance(tangent, Node) and tangent == 0:
             continue
         tangents[position] = tangent
     return tangents
 
 
-def _tangent(graph: Graph, position: int, key: tuple[Any, ...], by: Input, known: dict[int, Any]) -> Any:
+def _tangent(
+    graph: Graph,
+    position: int,
+    key: tuple[Any, ...],
+    seeds: Mapping[Input, Scalar],
+    known: dict[int, Any],
+) -> Any:
     op = key[0]
     if op == "input":
-        return 1 if key[1] == by else 0
+        return seeds.get(key[1], 0)
     if op == "const":
         return 0
 

@@ -18,6 +18,9 @@ from robodyn.ir.program import Input
 
 #: Primes have so many bits unless more are asked for: four digits of Python's integers, products fit eight.
 BITS = 120
+#: Those of the field in which a program is compared before it leaves: one comparison there is worth more than
+#: two in fields of half as many, and takes little more than half their time.
+FINAL_BITS = 240
 _SMALL_PRIMES = tuple(p for p in range(3, 1000) if all(p % d for d in range(2, math.isqrt(p) + 1)))
 _PRODUCT = math.prod(_SMALL_PRIMES)
 #: Rounds of Miller and Rabin with bases of chance: a composite number of any kind passes one in four, a

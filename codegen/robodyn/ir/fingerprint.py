@@ -154,9 +154,10 @@ def agree(
     constant_point: Callable[[Fraction], Circle],
     *context: bytes,
     prime_of: bytes | None = None,
+    bits: int = BITS,
 ) -> bool:
-    """Whether two programs compute the same function, by their :func:`fingerprint` in a field that is drawn
-    from both and from ``context``; its prime from ``prime_of`` where that is given.
+    """Whether two programs compute the same function, by their :func:`fingerprint` in a field of so many
+    ``bits`` that is drawn from both and from ``context``; its prime from ``prime_of`` where that is given.
 
     Raises
     ------
@@ -166,4 +167,5 @@ def agree(
     def same(field: Field) -> bool:
         return fingerprint(one, field, constant_point) == fingerprint(other, field, constant_point)
 
-    return bool(in_drawn_field(same, digest(one), digest(other), *context, prime_of=prime_of))
+    parts = (digest(one), digest(other), *context)
+    return bool(in_drawn_field(same, *parts, prime_of=prime_of, bits=bits))

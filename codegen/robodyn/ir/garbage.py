@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 #: Programs are many small objects, and no garbage but what goes by itself: objects that are new before Python
 #: looks at the youngest of them, and how often it does that before it looks at older ones.
-RARELY = (1_000_000, 20, 20)
+RARELY = (10_000_000, 20, 20)
 
 
 @contextlib.contextmanager

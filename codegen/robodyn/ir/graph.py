@@ -15,7 +15,7 @@ from fractions import Fraction
 from typing import Any, Union
 
 from robodyn.ir.digits import check_digits
-from robodyn.ir.key import Key, children
+from robodyn.ir.key import Key, children, multiple, plain_sum
 from robodyn.ir.program import Input, Label, Operand, Program
 from robodyn.ir.size import MOST_POSITIONS, too_large
 
@@ -36,6 +36,8 @@ class Node:
         return Node(self.graph, self.position, -self.sign)
 
     def __add__(self, other: Scalar) -> Scalar:
+        if other.__class__ is int and not other:  # very often
+            return self
         if isinstance(other, (Node, int, Fraction)):
             return self.graph.add(self, other)
         return NotImplemented
@@ -53,6 +55,8 @@ class Node:
         return NotImplemented
 
     def __mul__(self, other: Scalar) -> Scalar:
+        if other.__class__ is int and -1 <= other <= 1:
+            return self if other == 1 else -self if other else 0
         if isinstance(other, (Node, int, Fraction)):
             return self.graph.mul(self, other)
         return NotImplemented
@@ -82,10 +86,6 @@ class Node:
 
     def __repr__(self) -> str:
         return f"{'-' if self.sign < 0 else ''}%{self.position}"
-
-
-#: What may be a value plus a constant.
-_OFFSET = ("add", "const")
 
 
 class Graph:
@@ -125,7 +125,7 @@ class Graph:
             if b == 0:
                 return a
             b = self.constant(b)
-        simpler = self._simpler_sum(a, b) if self.fold else None
+        simpler = self._simpler_sum(a, b)
         return self._node(*sum_of(a, b)) if simpler is None else simpler
 
     def mul(self, a: Scalar, b: Scalar) -> Scalar:
@@ -277,24 +277,22 @@ class Graph:
         if key[0] == "const" or key[0] == "scale":
             check_digits(key[1])
 
-    def append(self, key: Key, known: Key) -> int:
-        """The position of ``key``, which there is none of yet; the table has it as ``known``."""
-        position = len(self.keys)
-        if position >= MOST_POSITIONS:
-            raise too_large()
-        self._table[known] = position
-        self.keys.append(key)
-        self.reads.append(children(key))
-        return position
-
-    # -- inside ---------------------------------------------------------------------------------
-    def _node(self, key: Key, sign: int = 1, known: Key | None = None) -> Node:
+    def position(self, key: Key, known: Key | None = None) -> int:
+        """The position of ``key``, a new one if there is none yet; the table has it as ``known``."""
         # A Fraction's hash takes a modular inverse; its two integers, in ``known``, do as well.
         known = known or key
         position = self._table.get(known)
         if position is None:
-            position = self.append(key, known)
-        return Node(self, position, sign)
+            position = self._table[known] = len(self.keys)
+            if position >= MOST_POSITIONS:
+                raise too_large()
+            self.keys.append(key)
+            self.reads.append(key[1:] if key[0] == "mul" else children(key))
+        return position
+
+    # -- inside ---------------------------------------------------------------------------------
+    def _node(self, key: Key, sign: int = 1, known: Key | None = None) -> Node:
+        return Node(self, self.position(key, known), sign)
 
     def _odd(self, op: str, a: Scalar) -> Scalar:
         if not isinstance(a, Node):
@@ -306,17 +304,17 @@ class Graph:
     def _simpler_sum(self, a: Node, b: Node) -> Scalar | None:
         """``a + b`` where algebra makes less of it than an addition, else None."""
         i, j = a.position, b.position
+        if not self.fold or plain_sum(self.keys, i, j):
+            return None
         if i == j:
             return self.mul(Node(self, i, 1), a.sign + b.sign)
         one, other = self.keys[i], self.keys[j]
-        if one[0] == "scale" or other[0] == "scale":
-            (ka, x), (kb, y) = _scaled(one, i), _scaled(other, j)
-            if x == y:  # k x + l x = (k + l) x
-                return self.mul(Node(self, x, 1), a.sign * ka + b.sign * kb)
-        elif one[0] in _OFFSET and other[0] in _OFFSET:
-            (rest_a, ca), (rest_b, cb) = self._offset(a), self._offset(b)
-            if ca and cb:  # (x + c) + (y + d) = (x + y) + (c + d)
-                return self.add(rest_a, rest_b) + (ca + cb)
+        if one[0] == "scale" or other[0] == "scale":  # k x + l x = (k + l) x
+            (ka, x), (kb, _) = multiple(one, i), multiple(other, j)
+            return self.mul(Node(self, x, 1), a.sign * ka + b.sign * kb)
+        (rest_a, ca), (rest_b, cb) = self._offset(a), self._offset(b)
+        if ca and cb:  # (x + c) + (y + d) = (x + y) + (c + d)
+            return self.add(rest_a, rest_b) + (ca + cb)
         return None
 
     def _offset(self, a: Node) -> tuple[Scalar, Fraction | int]:
@@ -331,11 +329,6 @@ class Graph:
             if self.keys[i][0] == "const":
                 return Node(self, j, a.sign * relative), a.sign * self.keys[i][1]
         return a, 0
-
-
-def _scaled(key: Key, position: int) -> tuple[Fraction | int, int]:
-    """What stands at ``position`` as a factor times a position."""
-    return (key[1], key[2]) if key[0] == "scale" else (1, position)
 
 
 def sum_of(a: Node, b: Node) -> tuple[Key, int]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from fractions import Fraction
 from typing import Any
 
 #: ``("mul", i, j)``, ``("add", i, relative sign, j)``, ``("scale", factor, i)``, ``("sqrt", i, sign)``,
@@ -25,3 +27,28 @@ def children(key: Key) -> tuple[int, ...]:
     if op == "pow":
         return (key[1], key[3])
     return key[1:]
+
+
+#: What may be a value plus a constant.
+_OFFSET = ("add", "const")
+
+
+def plain_sum(keys: Sequence[Key], i: int, j: int) -> bool:
+    """Whether a sum of what stands at two positions of ``keys`` is an addition, and nothing simpler: no
+    multiple of one value, no sum of two constants."""
+    one, other = keys[i], keys[j]
+    if one[0] == "scale" or other[0] == "scale":
+        return multiple(one, i)[1] != multiple(other, j)[1]
+    if one[0] in _OFFSET and other[0] in _OFFSET:
+        return i != j and not (_has_constant(keys, one) and _has_constant(keys, other))
+    return i != j
+
+
+def multiple(key: Key, position: int) -> tuple[Fraction | int, int]:
+    """What stands at ``position`` as a factor times a position."""
+    return (key[1], key[2]) if key[0] == "scale" else (1, position)
+
+
+def _has_constant(keys: Sequence[Key], key: Key) -> bool:
+    """Whether the constant or sum ``key`` has a constant in it."""
+    return bool(key[0] == "const" or keys[key[1]][0] == "const" or keys[key[3]][0] == "const")

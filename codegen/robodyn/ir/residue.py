@@ -26,6 +26,8 @@ class Residue:
         return self.field.number(other) if isinstance(other, (int, Fraction)) else None
 
     def __add__(self, other: Residue | Number) -> Residue:
+        if other.__class__ is int and not other:
+            return self
         value = other.value if other.__class__ is Residue else self._of(other)
         if value is None:
             return NotImplemented
@@ -46,6 +48,8 @@ class Residue:
         return Residue(self.field, (value - self.value) % self.field.prime)
 
     def __mul__(self, other: Residue | Number) -> Residue:
+        if other.__class__ is int and other == 1:
+            return self
         value = other.value if other.__class__ is Residue else self._of(other)
         if value is None:
             return NotImplemented

@@ -10,6 +10,7 @@ from robodyn.drives.drive import layer_of, rigid_part
 from robodyn.dynamics.compose import composed
 from robodyn.dynamics.functions import FUNCTIONS, Function, function_named
 from robodyn.errors import InputError
+from robodyn.ir.field import FINAL_BITS
 from robodyn.ir.fingerprint import agree
 from robodyn.ir.graph import Graph
 from robodyn.ir.program import Program
@@ -123,10 +124,10 @@ class Layered:
         return layered(self.robot, record, rigid, "newton_euler", writing=None)
 
     def _compare(self, function: str, program: Program, plain: Program) -> None:
-        """In finite fields, where roots and the like are random functions, so that their arguments must be
+        """In a finite field, where roots and the like are random functions, so that their arguments must be
         equal as well."""
         context = (identity(self.robot).encode(), function.encode())
-        if not all(agree(program, plain, circle_point, *context, tag) for tag in (b"one", b"two")):
+        if not agree(program, plain, circle_point, *context, bits=FINAL_BITS):
             raise Unequal(f"{function} of {self.robot.name} differs from plain Newton-Euler with its effects")
 
     def rigid_count(self, function: str) -> Count | None:

@@ -14,7 +14,7 @@ from robodyn.dynamics.fusing import AND, Writing, one_after_another
 from robodyn.ir.graph import Graph
 from robodyn.ir.program import Input, Program
 from robodyn.ir.size import TooLarge
-from robodyn.kernels.drafts import ANEW_JOINTS, CLEARLY, DENSE, SMALL, least, total
+from robodyn.kernels.drafts import ANEW_JOINTS, CLEARLY, DENSE, OF_PASSES, SMALL, least, total
 from robodyn.kernels.options import Options
 from robodyn.kernels.proof import prove
 from robodyn.optimize.fast import fast_choices
@@ -141,7 +141,7 @@ class RigidPrograms:
         if function_named(function).at_rest or self.options.objective != "total":
             return False
         draft = total(self.draft(function))
-        return draft > SMALL and total(program) <= CLEARLY * draft
+        return draft > SMALL and total(program) <= OF_PASSES * draft
 
     def _recorded(self, function: str) -> Program | None:
         """What the records have for ``function``, compared with the recursion: its own, for other torques

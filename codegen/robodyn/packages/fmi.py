@@ -17,8 +17,12 @@ from typing import TYPE_CHECKING, Final
 from robodyn.dynamics.functions import array_named
 from robodyn.emit.head import parameter_uses
 from robodyn.errors import InputError
-from robodyn.ir.program import Input
+from robodyn.ir.derivative import directional
+from robodyn.ir.graph import Graph, Scalar
+from robodyn.ir.lowering import lower
+from robodyn.ir.program import Input, Program
 from robodyn.packages.format import Argument, Package, Routine
+from robodyn.passes import FRESH, run
 
 if TYPE_CHECKING:
     from robodyn.simulate.system import System
@@ -106,18 +110,21 @@ def platform_name() -> str:
 
 
 def results_of(package: Package) -> tuple[Result, ...]:
-    """The functions that make outputs.
+    """The functions that make outputs; of all that the arm has, those that can.
 
     Raises
     ------
-    InputError: one needs what the unit has not.
+    InputError: one that is asked for by name needs what the unit has not.
     """
     begin: dict[str, int] = {}
     total = 0
     results = []
-    for routine in package.routines:
+    for signature, routine in zip(package.generated.signatures, package.routines, strict=True):
         missing = [array.name for array in routine.inputs if array.name not in KNOWN]
-        if missing or routine.stateful:
+        unfit = bool(missing) or routine.stateful
+        if unfit and not package.generated.options.insists_on(signature.function):
+            continue
+        if unfit:
             raise InputError(
                 f"{package.format.title} has no place for the function {routine.name}",
                 found=f"it needs {', '.join(missing) or 'memory from call to call'}",
@@ -130,6 +137,35 @@ def results_of(package: Package) -> tuple[Result, ...]:
                 total += array.size
         results.append(Result(routine, tuple(begin[array.name] for array in routine.outputs)))
     return tuple(results)
+
+
+def size_of(results: Iterable[Result]) -> int:
+    """How many numbers all results are."""
+    ends = (p + a.size for r in results for p, a in zip(r.places, r.routine.outputs, strict=True))
+    return max(ends, default=0)
+
+
+def results_tangent(package: Package, results: Sequence[Result]) -> Program:
+    """How results change where ``q``, ``qd``, ``qdd`` and ``tau`` change at the rates ``dq`` and so on."""
+    graph = Graph()
+    row: list[Scalar] = [0] * size_of(results)
+    behind = _programs(package)
+    for result in results:
+        program = behind[result.routine]
+        values = iter(graph.replay(program))
+        for (_, elements), place in zip(program.outputs, result.places, strict=True):
+            for k in range(len(elements)):
+                row[place + k] = next(values)
+    seeds: dict[Input, Scalar] = {
+        Input(name, i): graph.input(f"d{name}", i) for name in KNOWN for i in range(package.robot.n)
+    }
+    return run(lower(graph, [("results", directional(graph, row, seeds))]), FRESH)
+
+
+def _programs(package: Package) -> dict[Routine, Program]:
+    """The program of each function."""
+    programs = (program for _, program in package.generated.unit.functions)
+    return dict(zip(package.routines, programs, strict=True))
 
 
 def describe(package: Package, system: System, results: Sequence[Result]) -> Description:
@@ -244,7 +280,7 @@ def _outputs(
     package: Package, results: Sequence[Result], first: int, known: Mapping[Input, tuple[int, ...] | None]
 ) -> Iterator[Variable]:
     """The elements of all results, in their order."""
-    behind = dict(zip(package.routines, (p for _, p in package.generated.unit.functions), strict=True))
+    behind = _programs(package)
     listed = set()
     for result in results:
         inputs = [known[x] for x in behind[result.routine].inputs() if x in known]

@@ -7,13 +7,14 @@ from robodyn.passes.fold import fold
 from robodyn.passes.negate import negate
 from robodyn.passes.order import order
 from robodyn.passes.pipeline import Pass, PassError, run, unchecked
+from robodyn.passes.units import units
 
 #: Always run: they change signs and order, no operation.
 SPELLING: tuple[Pass, ...] = (negate, order)
 #: Those before them, which save operations of any program.
-SAVING: tuple[Pass, ...] = (fold, cse, dce, factor)
+SAVING: tuple[Pass, ...] = (fold, cse, dce, factor, units)
 #: The same for a program fresh from a graph, which has merged, folded and dropped already.
-FRESH_SAVING: tuple[Pass, ...] = (factor,)
+FRESH_SAVING: tuple[Pass, ...] = (factor, units)
 #: The passes of ``--optimize fast`` for any program, and for one fresh from a graph.
 FAST: tuple[Pass, ...] = (*SAVING, *SPELLING)
 FRESH: tuple[Pass, ...] = (*FRESH_SAVING, *SPELLING)
@@ -34,4 +35,5 @@ __all__ = [
     "order",
     "run",
     "unchecked",
+    "units",
 ]

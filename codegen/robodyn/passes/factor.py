@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
-from robodyn.ir.copying import copied
+from robodyn.ir.copying import Copies
 from robodyn.ir.graph import Graph, Node, Scalar
 from robodyn.ir.lowering import lower, needed
 from robodyn.ir.program import Program
@@ -75,38 +75,52 @@ class _Factoring:
 
     def factored(self) -> tuple[Graph, Outputs] | None:
         """The graph with every factorable sum factored, and its outputs; None if there is none."""
-        keys, labels = self.graph.keys, self.graph.labels
         sums: dict[int, tuple[list[Term], Any]] = {}
         for p in self.roots:
-            terms = self._terms(p)
-            common = self._common(terms)
-            if common is not None:
-                sums[p] = (terms, common)
+            if self._shares_a_factor(p):
+                terms = self._terms(p)
+                sums[p] = (terms, self._common(terms))
         if not sums:
             return None
         target = Graph()
-        copies: dict[int, Scalar] = {}
+        copies = Copies(self.graph, target)
         dissolved = {p for root in sums for p in self._inside(root)}
+        unchanged: list[int] = []  # so far
         for p in self.positions:
-            if p in dissolved:
-                continue
-            copies[p] = self._factored(*sums[p], copies) if p in sums else copied(target, keys[p], copies)
-            if p in labels:
-                target.label(copies[p], labels[p])
+            if p in sums:
+                copies.copy(unchanged)
+                copies.put(p, self._factored(*sums[p], copies))
+                unchanged = []
+            elif p not in dissolved:
+                unchanged.append(p)
+        copies.copy(unchanged)
         outputs = [
             (name, [copies[v.position] * v.sign if isinstance(v, Node) else v for v in values])
             for name, values in self.outputs
         ]
         return target, outputs
 
+    def _shares_a_factor(self, root: int) -> bool:
+        """Whether two products of the sum at ``root`` have a factor in common."""
+        keys, inner, single = self.graph.keys, self.inner, self.single
+        factors: list[Any] = []
+        stack = list(self.graph.reads[root])
+        while stack:
+            p = stack.pop()
+            if inner[p]:
+                stack += self.graph.reads[p]
+            elif single[p]:
+                factors += set(_factors(keys[p]))
+        return len(set(factors)) < len(factors)
+
     def _terms(self, root: int) -> list[Term]:
         """The terms of the sum at ``root``, left to right."""
-        keys = self.graph.keys
+        keys, inner = self.graph.keys, self.inner
         terms: list[Term] = []
         stack: list[Term] = [(root, 1)]
         while stack:
             p, sign = stack.pop()
-            if p == root or self.inner[p]:
+            if p == root or inner[p]:
                 _, i, relative, j = keys[p]
                 stack.append((j, sign * relative))
                 stack.append((i, sign))
@@ -127,20 +141,15 @@ class _Factoring:
         return inside
 
     def _common(self, terms: list[Term]) -> Any:
-        """The factor that most products of ``terms`` share, or None."""
-        keys = self.graph.keys
-        products = [_factors(keys[p]) for p, _ in terms if self.single[p]]
-        if len(products) < 2:
-            return None
+        """The factor that most products of ``terms`` share."""
         counts: dict[Any, int] = {}
-        for one, other in products:
-            counts[one] = counts.get(one, 0) + 1
-            if other != one:
-                counts[other] = counts.get(other, 0) + 1
-        best = max(counts, key=counts.__getitem__)
-        return best if counts[best] > 1 else None
+        for p, _ in terms:
+            if self.single[p]:
+                for factor in dict.fromkeys(_factors(self.graph.keys[p])):
+                    counts[factor] = counts.get(factor, 0) + 1
+        return max(counts, key=counts.__getitem__)
 
-    def _factored(self, terms: list[Term], common: Any, copies: dict[int, Scalar]) -> Any:
+    def _factored(self, terms: list[Term], common: Any, copies: Copies) -> Any:
         group: Scalar = 0
         rest: Scalar = 0
         for p, sign in terms:
@@ -158,9 +167,9 @@ def _factors(key: tuple[Any, ...]) -> tuple[Any, ...]:
     if key[0] == "mul":
         return key[1], key[2]
     if key[0] == "scale":
-        return (key[1].numerator, key[1].denominator), key[2]
+        return key[1].as_integer_ratio(), key[2]
     return ()
 
 
-def _value(factor: Any, copies: dict[int, Scalar]) -> Any:
+def _value(factor: Any, copies: Copies) -> Any:
     return copies[factor] if isinstance(factor, int) else Fraction(*factor)

@@ -70,8 +70,13 @@ class _Signs:
         self.sign = sign = start
         own, users, reads = self.own, self.users, self.reads
         at = [0] * len(self.keys)
-        for p in self.positions:
-            at[p] = self._at(p)
+        for p in self.positions:  # a free operation on values with their own signs costs nothing
+            if sign[p] < 0:
+                at[p] = self._at(p)
+                for q in users[p]:
+                    at[q] = self._at(q)
+            elif not self.is_free[p]:
+                at[p] = self._at(p)
         queue = list(self.free)
         waiting = bytearray(self.is_free)
         sidestepped: set[int] = set()

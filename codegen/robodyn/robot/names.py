@@ -130,7 +130,7 @@ def parameter_name_fault(name: str) -> str | None:
     return f"is a macro of {owner}" if fault is None and owner else fault
 
 
-@functools.lru_cache(maxsize=1 << 14)  # every function of an arm has a t1
+@functools.lru_cache(maxsize=1 << 16)  # every function of an arm has a t1
 def is_reserved(name: str) -> bool:
     """Whether ``name`` may not be that of a variable: it is a keyword, a type or a macro somewhere."""
     return name.lower() in _LANGUAGES or name.endswith("_t") or macro_of(name) is not None

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 from robodyn.counts.objective import Objective, operations_of
 from robodyn.ir.program import Program
+from robodyn.passes import units
 from robodyn.search.network import NoWalk
 from robodyn.search.walk import CHAIN, FUSED, SUM, Walk, library
 
@@ -153,6 +154,8 @@ class _Race:
             best = walk.best()
         except NoWalk:  # a constant grew beyond all bounds: that walk is lost
             return
+        # A walk changes one value at a time; units change a whole chain of them.
+        best = min(best, units(best), key=self.cost)
         with self.lock:
             if self.cost(best) < self.cost(program):
                 self.add(best)

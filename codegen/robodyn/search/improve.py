@@ -30,7 +30,7 @@ from robodyn.optimize.records.find import file_name, identity_at
 from robodyn.optimize.records.labels import labelled
 from robodyn.optimize.records.rounding import Rounding
 from robodyn.optimize.records.validation import check_reading, validated
-from robodyn.passes import SPELLING, run
+from robodyn.passes import SPELLING, run, units
 from robodyn.robot.model import Robot
 from robodyn.search.climb import Climbed, climb
 from robodyn.search.structured import search
@@ -105,7 +105,7 @@ def improved(
         starts += _written(robot, written, seed, objective, processes, progress)
         if robot.n <= _SHORT and cost(recursion, objective) > 0:
             starts += closed_forms(robot, effort=min(1.0, max(_LEAST_EFFORT, budget * _EFFORT)))
-    distinct = _distinct(starts, objective)
+    distinct = _distinct([*starts, *map(units, starts)], objective)
     how = f"robodyn --optimize {level}, seed {seed}"
     if level == "full" or _compiler():
         left = max(0.5, end - time.monotonic())

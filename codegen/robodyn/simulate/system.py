@@ -27,6 +27,7 @@ from robodyn.dynamics.arm import JointAngle, build_arm, build_motion
 from robodyn.dynamics.kinematics import frames, jacobian
 from robodyn.effects.effect import Site
 from robodyn.effects.scalars import is_zero
+from robodyn.ir.derivative import directional
 from robodyn.ir.derivative import jacobian as derivatives
 from robodyn.ir.graph import Graph, Scalar
 from robodyn.ir.lowering import lower
@@ -209,6 +210,23 @@ class _Builder:
         flat: list[Scalar] = [x for row in rows for x in row]
         return {"force": lower(graph, [("f", f)]), "jacobian": lower(graph, [("J", flat)])}
 
+    def tangents(self) -> dict[str, Program]:
+        """How forces and rates change where positions, velocities and states change at the rates ``dy``,
+        ``dv`` and ``dz``."""
+        graph, layer = self._fresh()
+        a = [graph.input("a", i) for i in range(self.size)]
+        seeds: dict[Input, Scalar] = {
+            Input(name, i): graph.input(f"d{name}", i)
+            for name, count in (("y", self.size), ("v", self.size), ("z", len(self.states)))
+            for i in range(count)
+        }
+        df = directional(graph, self.force(graph, layer, self._v(graph), a), seeds)
+        rates = graph.replay(self._rates()) if self.states else []
+        programs = {"force_tangent": lower(graph, [("df", df)])}
+        if rates:
+            programs["rates_tangent"] = lower(graph, [("dzdot", directional(graph, rates, seeds))])
+        return {name: run(program, FRESH) for name, program in programs.items()}
+
     def _mass(self) -> Program:
         """The matrix of the rigid arm, of rotors and of motors that drive two joints."""
         graph, layer = self._fresh()
@@ -285,3 +303,14 @@ def system_of(robot: Robot, options: Options | None = None) -> System:
     InputError: a coordinate would move without inertia, or the torque is the link's.
     """
     return _Builder(robot, options or Options()).system()
+
+
+def tangents_of(robot: Robot, options: Options | None = None) -> dict[str, Program]:
+    """Programs of directional derivatives of the same system: ``force_tangent``, of forces for accelerations
+    ``a``, and ``rates_tangent``, of the rates of internal states if there are any.
+
+    Raises
+    ------
+    InputError: as :func:`system_of`.
+    """
+    return _Builder(robot, options or Options()).tangents()

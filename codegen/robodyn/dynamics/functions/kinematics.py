@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
-from robodyn.dynamics.arm import Motion
+from robodyn.dynamics.arm import Motion, inertial
+from robodyn.dynamics.articulated import articulated_bodies
 from robodyn.dynamics.drift import tool_drift
 from robodyn.dynamics.dual import Dual, moving_along, slopes
 from robodyn.dynamics.functions.arguments import QD, Array, Q
@@ -177,6 +179,24 @@ def _solved_for(at: Dynamics) -> Sequence[Any]:
     return [sum(x * row[k] for x, row in zip(y, X, strict=True)) for y in J for k in range(6)]
 
 
+def _answers_a_push(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
+    """The tool's acceleration for one random push, as telling as all six: that of the joint accelerations
+    which the push gives. Whatever these were worked out by, they are right where they need its torques."""
+    links = frames(at.arm, at.motion(at.rest, at.rest), at.arm.base)
+    J = jacobian(at.arm, links, at.arm.tool.origin)
+    push = [_power(x[k % len(x)], 1 + k // len(x)) for k in range(6)]
+    torques = [sum(row[j] * w for row, w in zip(J, push, strict=True)) for j in range(len(x))]
+    moving = at.links(at.rest, at.rest)
+    qdd = articulated_bodies(replace(moving, arm=inertial(moving.arm)), torques)
+    accelerations = [sum(y * z for y, z in zip(row, qdd, strict=True)) for row in J]
+    answer = [sum(result[6 * r + s] * push[s] for s in range(6)) for r in range(6)]
+    return [*answer, *at.inertial_torques(at.rest, qdd)], [*accelerations, *torques]
+
+
+def _power(x: Any, exponent: int) -> Any:
+    return x if exponent == 1 else x * _power(x, exponent - 1)
+
+
 FUNCTIONS = (
     Function(
         "forward_kinematics",
@@ -224,6 +244,7 @@ FUNCTIONS = (
         (LAMBDA_INVERSE,),
         _lambda_inverse,
         expected=_solved_for,
+        condition=_answers_a_push,
         parts=("mass_matrix",),
         solves=True,
         of_long_arms=(_lambda_by_answers,),

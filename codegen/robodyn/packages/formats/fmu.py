@@ -15,7 +15,15 @@ from typing import TYPE_CHECKING, Any, Final
 from robodyn.emit.languages.c import LANGUAGE as C
 from robodyn.emit.markdown import Markdown
 from robodyn.errors import InputError
-from robodyn.packages.fmi import Result, describe, platform_name, results_of
+from robodyn.packages.fmi import (
+    KNOWN,
+    Result,
+    describe,
+    platform_name,
+    results_of,
+    results_tangent,
+    size_of,
+)
 from robodyn.packages.format import Files, Format, Package
 from robodyn.packages.writing import arithmetic_flags, readme, rendered, zipped
 from robodyn.resources import data_dir
@@ -34,7 +42,8 @@ STEPS: Final = 10_000_000
 #: What an importer simulates unless it is asked for something else [s].
 STOP_TIME, STEP_SIZE = 10.0, 1e-3
 _HEADERS = ("fmi3PlatformTypes.h", "fmi3FunctionTypes.h", "fmi3Functions.h")
-_SOURCES = {name: f"{name}.j2" for name in ("unit.h", "unit.c", "absent.c", "results.c", "robot.h")}
+_OWN = ("unit.h", "derivatives.h", "unit.c", "absent.c", "results.c", "robot.h")
+_SOURCES = {name: f"{name}.j2" for name in _OWN}
 _DESCRIPTIONS = {
     "modelDescription.xml": "modelDescription.xml.j2",
     "sources/buildDescription.xml": "buildDescription.xml.j2",
@@ -128,12 +137,35 @@ def _values(package: Package, system: System, results: tuple[Result, ...]) -> di
         if limits is None
         else ["HUGE_VAL" if x == float("inf") else repr(float(x)) for x in limits],
         "motors_at_rest": motors,
+        "derivatives": not system.contacts,
+        "tangents": "" if system.contacts else _tangents(package, system, results),
         "members": [f"p[{k}]" for k in range(len(package.parameters))],
         "calls": list(_calls(package, results)),
-        "results": max(
-            (p + a.size for r in results for p, a in zip(r.places, r.routine.outputs, strict=True)), default=0
-        ),
+        "results": size_of(results),
     }
+
+
+def _tangents(package: Package, system: System, results: tuple[Result, ...]) -> str:
+    """The C functions of directional derivatives: of forces, of rates of internal states, of results."""
+    from robodyn.emit.static import static_function
+    from robodyn.simulate.system import tangents_of
+
+    states, rates = ("y", "v", "a", "s", "z", "dy", "dv", "dz"), ("y", "v", "z", "dy", "dv", "dz")
+    arguments = {"force_tangent": states, "rates_tangent": rates}
+    programs = tangents_of(package.robot, package.generated.options)
+    texts = [
+        static_function(
+            f"system_{name}", arguments[name], {array: array for array, _ in program.outputs}, program,
+            system.parameters,
+        )
+        for name, program in programs.items()
+    ]  # fmt: skip
+    changes = (*KNOWN, *(f"d{name}" for name in KNOWN))
+    program = results_tangent(package, results)
+    texts.append(
+        static_function("unit_results_tangent", changes, {"results": "results"}, program, system.parameters)
+    )
+    return "\n".join(texts)
 
 
 def _calls(package: Package, results: tuple[Result, ...]) -> Iterator[str]:

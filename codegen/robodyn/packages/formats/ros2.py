@@ -5,8 +5,10 @@ from __future__ import annotations
 from typing import Final
 
 from robodyn.emit.languages.c import LANGUAGE as C
+from robodyn.packages.axes import axes_of
 from robodyn.packages.format import Files, Format, Package
 from robodyn.packages.friction import FUNCTIONS, friction_of
+from robodyn.packages.limits import SAME_AXES
 from robodyn.packages.writing import arithmetic_flags, readme, rendered
 
 _TEMPLATES: Final = {
@@ -16,6 +18,8 @@ _TEMPLATES: Final = {
     "src/solver.cpp": "solver.cpp.j2",
     "src/settings.hpp": "settings.hpp.j2",
     "src/settings.cpp": "settings.cpp.j2",
+    "src/axes.hpp": "axes.hpp.j2",
+    "src/axes.cpp": "axes.cpp.j2",
 }
 #: What the methods of the interface call.
 _NEEDS: Final = tuple(dict.fromkeys(("inverse_dynamics", "mass_matrix", *FUNCTIONS)))
@@ -25,9 +29,10 @@ def _files(package: Package) -> Files:
     robot = package.robot
     about = {"friction": friction_of(package), "gravity": [repr(float(g)) for g in robot.gravity]}
     joints = [(_quoted(link.name), link.joint.kind) for link in robot.links]
+    model = {"joints": joints, "axes": axes_of(robot), "same": SAME_AXES}
     return {
         **readme(package, **about),
-        **rendered(package, _TEMPLATES, joints=joints, flags=arithmetic_flags(package), **about),
+        **rendered(package, _TEMPLATES, flags=arithmetic_flags(package), **model, **about),
         **{
             f"include/{package.name}/{path}" if path.endswith(".h") else f"src/{path}": text
             for path, text in package.kernel().items()
