@@ -15,7 +15,9 @@ from typing import Any, Final
 
 import robodyn
 import robodyn_cli
+from robodyn.errors import RobodynError
 from robodyn.version import VERSION
+from robodyn_cli.common import write_files
 
 _PACKAGES: Final = (*robodyn.__path__, *robodyn_cli.__path__)
 """The folders with the tables."""
@@ -74,11 +76,6 @@ def _changes(folder: Path | str) -> Iterator[int]:
 
 def _write(path: Path, text: str) -> None:
     """Write ``text`` whole or not at all; a folder that cannot be written costs time only."""
-    temporary = path.with_suffix(f".{os.getpid()}.tmp")
-    try:
-        path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
-        temporary.write_text(text, encoding="utf-8")
-        temporary.replace(path)
-    except OSError:
-        with contextlib.suppress(OSError):
-            temporary.unlink(missing_ok=True)
+    with contextlib.suppress(OSError, RobodynError):
+        path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)  # as the cache of kernels wants it
+        write_files(path.parent, {path.name: text})

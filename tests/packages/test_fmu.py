@@ -19,7 +19,7 @@ from packages.units import ARMS, PERIOD, SAMPLES, Floats, Unit, torques, unit_of
 from robodyn.errors import InputError
 from robodyn.kernels.generate import Options, generate
 from robodyn.packages import package
-from robodyn.packages.fmi import base_units
+from robodyn.packages.fmi import base_units, results_of
 from robodyn.robot import load
 from robodyn.simulate.simulation import Torques
 from robodyn_testing import require_module, require_tool
@@ -204,9 +204,10 @@ def test_the_commands_of_fmpy(units: Units, tmp_path: Path) -> None:
 
 
 @pytest.mark.thorough
-def test_its_sources_compile_without_a_warning(units: Units, tmp_path: Path) -> None:
+@pytest.mark.parametrize("name", ["puma560", "elastic", "friction by load, limited drive", "contact"])
+def test_its_sources_compile_without_a_warning(name: str, units: Units, tmp_path: Path) -> None:
     """Every one by itself, with the functions' prefix that static linking needs."""
-    unit = units("elastic")
+    unit = units(name)
     (build,) = ElementTree.parse(unit.folder / "sources" / "buildDescription.xml").getroot()
     (sources,) = build.findall("SourceFileSet")
     options = [*sources.attrib["compilerOptions"].split(), "-Wall", "-Wextra", "-pedantic", "-Werror"]
@@ -227,6 +228,16 @@ def test_its_sources_compile_without_a_warning(units: Units, tmp_path: Path) -> 
 def test_what_has_no_place(options: Options, complaint: str) -> None:
     with pytest.raises(InputError, match=complaint):
         package(generate(load("stanford_3dof"), options), "fmu").files()
+
+
+@pytest.mark.thorough
+def test_of_all_functions_those_that_fit_are_outputs() -> None:
+    packed = package(generate(load("stanford_3dof"), Options(("all",))), "fmu")
+    names = {routine.name for routine in packed.routines}
+    outputs = {result.routine.name for result in results_of(packed)}
+    assert {"jacobian", "mass_matrix", "forward_dynamics_derivatives"} < outputs
+    assert {"regressor", "inverse_dynamics_from_parameters"} & outputs == {"regressor"}
+    assert {name for name in names if name.endswith("_with_wrench")}.isdisjoint(outputs)
 
 
 @pytest.mark.parametrize(

@@ -16,6 +16,7 @@ import pytest
 from packages.consumers import Consumer, consumer, run, write
 from robodyn.kernels.generate import Options, generate
 from robodyn.packages import package
+from robodyn.packages.formats.wheel import tag_of
 from robodyn.robot import load
 from robodyn_testing import require_module, require_tool
 
@@ -263,6 +264,27 @@ def test_mypy_reads_the_stubs(installed: Environment, tmp_path: Path) -> None:
     complaints = [line for line in report.splitlines() if ": error: " in line]
     for (wrong, complaint), line in zip(MISTYPED.items(), complaints, strict=True):
         assert complaint in line, wrong
+
+
+@pytest.mark.parametrize(
+    ("symbols", "baseline", "system", "tag"),
+    [
+        (b"\0GLIBC_2.2.5\0", True, "linux-x86_64", "manylinux_2_5_x86_64"),
+        (b"\0GLIBC_2.2.5\0GLIBC_2.29\0", True, "linux-x86_64", "manylinux_2_29_x86_64"),
+        (b"\0GLIBC_2.4\0", True, "linux-aarch64", "manylinux_2_17_aarch64"),
+        (b"\0GLIBC_2.2.5\0GLIBC_ABI_DT_RELR\0", True, "linux-x86_64", "linux_x86_64"),
+        (b"\0GLIBC_2.2.5\0", False, "linux-x86_64", "linux_x86_64"),
+        (b"no glibc", True, "linux-x86_64", "linux_x86_64"),
+        (b"", True, "macosx-11.0-arm64", "macosx_11_0_arm64"),
+        (b"", True, "win-amd64", "win_amd64"),
+    ],
+)
+def test_a_tag_promises_no_more_than_is_so(
+    symbols: bytes, baseline: bool, system: str, tag: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("sysconfig.get_platform", lambda: system)
+    monkeypatch.setattr("platform.libc_ver", lambda: ("glibc", "2.36"))
+    assert tag_of(symbols, baseline=baseline) == f"py3-none-{tag}"
 
 
 def test_a_wheel_as_pip_and_zip_want_it(tmp_path: Path) -> None:

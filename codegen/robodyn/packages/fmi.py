@@ -110,18 +110,21 @@ def platform_name() -> str:
 
 
 def results_of(package: Package) -> tuple[Result, ...]:
-    """The functions that make outputs.
+    """The functions that make outputs; of all that the arm has, those that can.
 
     Raises
     ------
-    InputError: one needs what the unit has not.
+    InputError: one that is asked for by name needs what the unit has not.
     """
     begin: dict[str, int] = {}
     total = 0
     results = []
-    for routine in package.routines:
+    for signature, routine in zip(package.generated.signatures, package.routines, strict=True):
         missing = [array.name for array in routine.inputs if array.name not in KNOWN]
-        if missing or routine.stateful:
+        unfit = bool(missing) or routine.stateful
+        if unfit and not package.generated.options.insists_on(signature.function):
+            continue
+        if unfit:
             raise InputError(
                 f"{package.format.title} has no place for the function {routine.name}",
                 found=f"it needs {', '.join(missing) or 'memory from call to call'}",

@@ -101,7 +101,7 @@ def system_glue(system: System, model: Program | None = None, *, energy: bool = 
         rows = ", ".join("{" + ", ".join(repr(float(x)) for x in e.row) + "}" for e in system.elements)
         lines.append(f"static const double system_w[{elements}][{n}] = {{{rows}}};")
     for name, program in system.programs.items():
-        if name == "conserved" and not energy:
+        if not energy and (name == "conserved" or (name == "mass" and not system.affine)):
             continue
         inputs = _ARGUMENTS.get(name, ("y",))
         ((output, _),) = program.outputs

@@ -53,7 +53,7 @@ def _files(package: Package) -> Files:
     flags = ("-std=c99", "-O2", *arithmetic_flags(package))
     # A hyphen is in no emitted file's name.
     binary = shared_library({**sources, "robodyn-calls.c": calls}, library, flags=flags)
-    tag = _tag(binary, baseline=package.generated.options.target is None)
+    tag = tag_of(binary, baseline=package.generated.options.target is None)
     project = re.sub(r"[-_.]+", "_", package.name).strip("_").lower()
     name = f"{project}-{package.version}"
     wheel = f"{name}-{tag}.whl"
@@ -80,7 +80,7 @@ def _files(package: Package) -> Files:
     return {wheel: zipped({**files, record: _record(files, record)}), **notes}
 
 
-def _tag(binary: bytes, *, baseline: bool) -> str:
+def tag_of(binary: bytes, *, baseline: bool) -> str:
     """The tag of a wheel with ``binary``. If all that it needs is glibc of some version, the tag names that
     version; ``baseline``: it runs on every processor of this kind, as such a tag promises."""
     machine = re.sub(r"[-.]", "_", sysconfig.get_platform())
@@ -138,11 +138,12 @@ def _text(routine: Routine) -> str:
 
     def line(array: Argument) -> str:
         shape = ", ".join(["...", *map(str, array.shape)])
-        return f"    {array.name}: [{shape}] {array.holds}" + (f" ({array.unit})" if array.unit else "")
+        return f"{array.name}: [{shape}], {array.holds}" + (f" ({array.unit})" if array.unit else "")
 
     purpose = f"{routine.purpose[:1].upper()}{routine.purpose[1:]}."
-    arrays = [*map(line, routine.inputs), "    Returns", *map(line, routine.outputs)]
-    return "\n".join([purpose, "", *arrays, "    "])
+    inputs = ["Parameters", "----------", *map(line, routine.inputs)]
+    outputs = ["Returns", "-------", *map(line, routine.outputs)]
+    return "\n".join([purpose, "", *inputs, "", *outputs])
 
 
 def _example(package: Package) -> str:
@@ -158,7 +159,7 @@ FORMAT = Format(
     tool="pip, with Python 3.9 or newer and numpy",
     language=C,
     files=_files,
-    take="pip install {folder}/{name}-*.whl",
+    take="pip install {folder}/*.whl",
     lacks=frozenset({"given sines"}),
     binary=True,
 )
