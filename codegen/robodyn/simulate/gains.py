@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.errors import InputError
 from robodyn.ir.evaluate import REAL_FUNCTIONS, evaluate
 from robodyn.ir.program import Input
+from robodyn.simulate.shape import without_inertia
 from robodyn.simulate.system import System
 from robodyn.simulate.trajectories.trajectory import Trajectory
 
@@ -52,24 +52,12 @@ def default_gains(
     try:
         inverse = np.linalg.inv(mass)
     except np.linalg.LinAlgError:
-        raise _without_inertia(system.robot.name, unit) from None
+        raise without_inertia(system.robot.name, unit) from None
     answers = inverse[:, motors][:, :, motors] @ reckoned
     quickest = float(np.abs(np.linalg.eigvals(answers)).max())
     w = min(STIFFEST, _SHARE / (2 * period * quickest))
     m = np.ones(n) if law == "computed_torque" else unit
     return w * w * m, 2 * w * m
-
-
-def _without_inertia(robot: str, unit: Floats) -> InputError:
-    """The complaint about a mass matrix without inverse; ``unit`` [n] are its largest diagonal elements."""
-    bare = [str(i) for i, m in enumerate(unit, 1) if not m > 0]
-    return InputError(
-        f"{robot}: nothing resists the acceleration of "
-        + (f"joint {', '.join(bare)}" if bare else "some joint together with others"),
-        found="a mass matrix without an inverse",
-        expected="links with mass and inertia, or motor_inertia, at every joint",
-        remedy="complete the description: a motion cannot be simulated without",
-    )
 
 
 def masses(system: System, q: Floats, parameters: Mapping[str, float]) -> Floats:

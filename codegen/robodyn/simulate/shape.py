@@ -5,11 +5,22 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
 
 from robodyn.drives.drive import Acting, JointDrive, Layer
 from robodyn.effects.scalars import is_zero
 from robodyn.errors import InputError
+from robodyn.ir.evaluate import evaluate
+from robodyn.ir.program import Input, Program
 from robodyn.robot.model import Robot
+
+#: Poses that no arm is singular in unless it is in all: angles whose sines are not alike [rad].
+_POSES: Final = (0.3, 1.1, -0.7)
+#: An eigenvalue of a mass matrix, as a share of its largest, that rounding makes of 0.
+_SINGULAR: Final = 1e-14
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,3 +96,36 @@ def check_shape(robot: Robot, layer: Layer) -> None:
                 expected="motor_inertia above 0 at that joint",
                 remedy=f"give link {i} its motor_inertia",
             )
+
+
+def check_inertia(robot: Robot, mass: Program, size: int) -> None:
+    """Refuse an arm of which a coordinate moves without inertia in every pose.
+
+    ``mass`` is the program of the mass matrix of ``size`` coordinates; run-time parameters are taken as 1.
+
+    Raises
+    ------
+    InputError: there is such a coordinate; says at which joint.
+    """
+    largest = np.zeros(size)
+    for pose in _POSES:
+        values = {Input("y", i): pose * (i + 1) for i in range(size)}
+        values |= {Input(name, None): 1.0 for name in robot.parameters}
+        matrix = np.reshape(evaluate(mass, values)["M"], (size, size)).astype(float)
+        sizes = abs(np.linalg.eigvalsh(matrix))
+        if sizes.min() > _SINGULAR * sizes.max():
+            return
+        largest = np.maximum(largest, np.diagonal(matrix))
+    raise without_inertia(robot.name, largest[: robot.n])
+
+
+def without_inertia(robot: str, largest: NDArray[np.float64]) -> InputError:
+    """The complaint about a mass matrix without inverse; ``largest`` [n] are its largest diagonal entries."""
+    bare = [str(i) for i, m in enumerate(largest, 1) if not m > _SINGULAR * largest.max()]
+    return InputError(
+        f"{robot}: nothing resists the acceleration of "
+        + (f"joint {', '.join(bare)}" if bare else "some joint together with others"),
+        found="a mass matrix without an inverse",
+        expected="links with mass and inertia, or motor_inertia, at every joint",
+        remedy="complete the description: a motion cannot be simulated without",
+    )

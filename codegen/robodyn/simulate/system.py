@@ -39,7 +39,7 @@ from robodyn.optimize.costing import exact
 from robodyn.optimize.programs import turned
 from robodyn.passes import FRESH, run
 from robodyn.robot.model import EffectEntry, Robot
-from robodyn.simulate.shape import Element, check_shape, elements_of, without_losses
+from robodyn.simulate.shape import Element, check_inertia, check_shape, elements_of, without_losses
 
 
 @dataclass(frozen=True, slots=True)
@@ -289,9 +289,11 @@ class _Builder:
         for i, entries in ((i, self.robot.effects_at(i + 1)) for i in range(self.n)):
             at_link = any("encoder" in e and e.text("encoder") == "link" for e in entries)
             encoders.append(i if at_link else motors[i])
+        programs = self.programs()
+        check_inertia(self.robot, programs["mass"], self.size)
         return System(
             self.robot, self.size, motors, tuple(encoders), self.coupled, self.elements, self.states,
-            self.affine, self.programs(), self._contacts(),
+            self.affine, programs, self._contacts(),
         )  # fmt: skip
 
 
