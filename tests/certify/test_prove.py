@@ -178,6 +178,7 @@ def test_a_title_forges_no_proof() -> None:
 
 
 @pytest.mark.parametrize("name", ["control", "eva_driver"])
+@pytest.mark.thorough
 def test_robots_are_not_taken_for_files_of_the_proof(tmp_path: Path, name: str) -> None:
     """The control file of MISRA's checker, Eva's driver: the kernel is what is looked at."""
     require_tool("cppcheck")

@@ -34,6 +34,7 @@ def run(capsys: Capture, *arguments: str, code: int = 0) -> tuple[str, str]:
 # --- bench --------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.thorough
 def test_bench_measures_and_says_what_follows(capsys: Capture) -> None:
     require_tool("gcc")
     out, _ = run(capsys, "bench", "puma560_3dof", "-p", "2", "--states", "300", "--cc", "gcc", "--json")

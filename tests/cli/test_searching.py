@@ -144,6 +144,7 @@ def test_a_short_search(level: str, here: Path, capsys: Capture) -> None:
 
 
 @pytest.mark.usefixtures("moment")
+@pytest.mark.thorough
 def test_a_search_goes_on_from_the_last_one(capsys: Capture) -> None:
     first = total(capsys, "--optimize", "full", "--budget-seconds", "0.1")
     assert total(capsys, "--optimize", "search", "--budget-seconds", "0.01", "--seed", "7") <= first
@@ -163,6 +164,7 @@ def test_keep_writes_beside_the_file(here: Path, capsys: Capture) -> None:
     assert total(capsys, "--objective", "mul") >= found
 
 
+@pytest.mark.thorough
 def test_keep_where_it_cannot(here: Path, capsys: Capture) -> None:
     (here / FOLDER).write_text("in the way")
     more = ["--optimize", "search", "--budget-seconds", "0.1", "--keep"]
@@ -171,6 +173,7 @@ def test_keep_where_it_cannot(here: Path, capsys: Capture) -> None:
     assert files(here) == {"elbow.yaml", FOLDER}
 
 
+@pytest.mark.thorough
 def test_keep_on_a_full_disk(here: Path, capsys: Capture, monkeypatch: pytest.MonkeyPatch) -> None:
     def full(record: object, folder: Path) -> Path:
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
@@ -183,6 +186,7 @@ def test_keep_on_a_full_disk(here: Path, capsys: Capture, monkeypatch: pytest.Mo
 
 
 @pytest.mark.parametrize("objective", representative(["depth", "weighted:cortex-m4f"], "weighted:cortex-m4f"))
+@pytest.mark.thorough
 def test_objectives(objective: str, here: Path, capsys: Capture) -> None:
     more = ["--optimize", "search", "--budget-seconds", "0.1", "--objective", objective, "--keep"]
     total(capsys, *more)
@@ -281,6 +285,7 @@ def test_rotors_folded_make_another_robot(here: Path, capsys: Capture) -> None:
     assert (total(capsys), total(capsys, "--fold-rotor")) == (plain, folded)
 
 
+@pytest.mark.thorough
 def test_bundled_records_stay_as_they_are(capsys: Capture) -> None:
     before = contents(bundled_records())
     main(["flops", "stanford_3dof_d3", "--optimize", "search", "--budget-seconds", "0.1"])

@@ -169,6 +169,7 @@ def test_an_interrupt_leaves_nothing_half_done(level: str, here: Path, tmp_path:
     assert eventually(lambda: not group_runs(process.pid)), "processes are left"
 
 
+@pytest.mark.thorough
 def test_a_record_that_is_kept_has_exact_numbers(here: Path, capsys: Capture) -> None:
     run(capsys, "flops", "elbow.yaml", "--optimize", "search", "--budget-seconds", "0.1", "--keep")
     record = parse_record((here / FOLDER / NAME).read_text(), "")

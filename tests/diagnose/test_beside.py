@@ -78,6 +78,7 @@ def held_equal(one: Fit, other: Fit) -> None:
 
 
 @pytest.mark.parametrize("masked", [False, True])
+@pytest.mark.thorough
 def test_candidates_are_fitted_as_by_all_samples(*, masked: bool) -> None:
     rng = np.random.default_rng(3)
     p = posed(rng)

@@ -21,6 +21,7 @@ def first_name(effect: str, seed: int) -> tuple[Candidate, dict[str, float | str
 
 
 @pytest.mark.parametrize("seed", [3, 5])
+@pytest.mark.thorough
 def test_a_gas_spring_is_named_with_its_torque(seed: int) -> None:
     candidate, estimate, hidden = first_name("gas_spring", seed)
     assert (candidate.effect, candidate.joint) == ("gas_spring", 2)
@@ -28,10 +29,12 @@ def test_a_gas_spring_is_named_with_its_torque(seed: int) -> None:
     assert float(estimate["dead_center"]) == pytest.approx(float(hidden.parameters["dead_center"]), abs=0.12)
 
 
+@pytest.mark.thorough
 def test_a_spring_that_is_no_counterbalance_stays_a_spring() -> None:
     assert first_name("spring", 1)[0].effect == "spring"
 
 
+@pytest.mark.thorough
 def test_a_weak_gas_spring_is_a_rival_of_what_explains_as_much() -> None:
     robot = load("puma560_3dof", warn=lambda _: None)
     weak = {"torque": 3.0, "rise": 0.3, "dead_center": 0.68, "ratio": 0.28}

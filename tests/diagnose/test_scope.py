@@ -44,6 +44,7 @@ def test_only_what_is_asked_for_is_named_and_said(blind: Blind) -> None:
     assert result.words[-1] == "looked for on request: only coulomb_friction, torque_bias; at joints 3 only"
 
 
+@pytest.mark.thorough
 def test_so_many_are_named_at_most(blind: Blind) -> None:
     assert len(select(blind.model, blind.train).findings) > 1
     assert len(select(blind.model, blind.train, scope=Scope(most=1)).findings) == 1

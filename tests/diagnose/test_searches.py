@@ -25,6 +25,7 @@ PAIRS = (
 
 
 @pytest.mark.parametrize(("hidden", "ratio"), sampled(PAIRS, every=3), ids=lambda x: str(x))
+@pytest.mark.thorough
 def test_two_effects_are_both_named(hidden: tuple[tuple[str, int | None], ...], ratio: float) -> None:
     made = Case("puma560_3dof", hidden, 1, ratio).make()
     found = diagnose(made.given, [made.train], made.validate)
@@ -35,6 +36,7 @@ def test_two_effects_are_both_named(hidden: tuple[tuple[str, int | None], ...], 
 @pytest.mark.parametrize(
     "effect", representative(["random_offset", "acceleration_friction"], "random_offset")
 )
+@pytest.mark.thorough
 def test_what_is_in_no_catalogue_is_not_named(effect: str) -> None:
     made = Case("puma560_3dof", ((effect, 1),), 1, 6.0).make()
     found = diagnose(made.given, [made.train], made.validate)

@@ -55,6 +55,7 @@ def test_what_is_hidden_is_named_first(
     ],
     ids=["a power", "a line"],
 )
+@pytest.mark.thorough
 def test_one_law_of_friction_stands_in_the_place_of_two_where_the_log_says_so(
     hidden: list[EffectEntry],
 ) -> None:
@@ -72,6 +73,7 @@ def test_nothing_is_named_where_nothing_is_hidden() -> None:
     assert select(hidden.given, hidden.train).findings == ()
 
 
+@pytest.mark.thorough
 def test_a_diagnosis_closes_the_gap_and_then_says_consistent() -> None:
     hidden = Case("puma560_3dof", (("coulomb_friction", 3),), 1, 7.6).make()
     found = diagnose(hidden.given, [hidden.train], hidden.validate)

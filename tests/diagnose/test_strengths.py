@@ -24,6 +24,7 @@ from robodyn.simulate.trajectories import fourier
 from robodyn.verify.reference import Reference
 
 
+@pytest.mark.thorough
 def test_a_load_dependent_loss_and_a_wrong_link_are_told_apart() -> None:
     """Each alone is wrong beside the other: what the loss does grows with the link."""
     described = load("puma560_3dof")

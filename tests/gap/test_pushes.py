@@ -47,6 +47,7 @@ def test_a_wrong_sign_and_a_false_window_are_counted() -> None:
     assert "1 signs claimed and wrong" in text
 
 
+@pytest.mark.thorough
 def test_pushes_vary_and_are_the_same_for_the_same_seed() -> None:
     one, again, other = (pushed_by("puma560_3dof", "rest", seed) for seed in (2, 2, 3))
     np.testing.assert_array_equal(one.log.tau, again.log.tau)
@@ -57,6 +58,7 @@ def test_pushes_vary_and_are_the_same_for_the_same_seed() -> None:
     assert not row["false"]
 
 
+@pytest.mark.thorough
 def test_effects_are_hidden_where_nobody_pushes() -> None:
     hidden, log = next(untouched("puma560_3dof", 1))
     assert hidden.startswith("viscous_friction@")

@@ -38,6 +38,7 @@ def test_torques_are_columns_times_parameters(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", ["ur10", "puma560", "stanford"])
+@pytest.mark.thorough
 def test_an_arm_is_identified(name: str) -> None:
     """Inertials 30 % wrong and friction unknown; held out, hardly more than the noise is left."""
     truth = rubbing(arm(name)) if name != "ur10" else _ur10()

@@ -30,6 +30,7 @@ NONE = Fraction(0)
     ],
     ids=lambda x: x.partition("/")[0] if isinstance(x, str) else "",
 )
+@pytest.mark.thorough
 def test_real_arms_are_possible_and_as_near_as_plain_least_squares(
     arm: str, logs: list[str], tmp_path: Path
 ) -> None:

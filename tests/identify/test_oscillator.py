@@ -45,6 +45,7 @@ def test_an_elastic_joint_is_named_and_its_spring_found() -> None:
     assert stiffness == pytest.approx(true, rel=0.15)
 
 
+@pytest.mark.thorough
 def test_the_true_spring_leaves_noise() -> None:
     hidden = ELASTIC.make()
     gate = inspect(hidden.validate, hidden.given)
@@ -56,6 +57,7 @@ def test_the_true_spring_leaves_noise() -> None:
     assert left[1].max() - 1 < 0.75 * (left[0].max() - 1)
 
 
+@pytest.mark.thorough
 def test_a_kernel_that_is_given_the_motors_motion_stays_bounded() -> None:
     hidden = ELASTIC.make()
     kernel = compile_kernel(hidden.truth.robot, functions=["inverse_dynamics"], optimize="fast", mode="abi")

@@ -89,6 +89,7 @@ def test_bits_are_those_of_the_scalar_kernel(name: str, scalar: str, width: int)
 
 
 @pytest.mark.parametrize(("scalar", "width"), covering(["double", "float"], representative(WIDTHS, 64)))
+@pytest.mark.thorough
 def test_no_number_and_huge_angles(scalar: str, width: int) -> None:
     """NaN, infinity and angles beyond the sine's range give what the scalar kernel gives, lane by lane."""
     scalars, made = kernel("puma560", scalar), kernel("puma560", scalar, width)
