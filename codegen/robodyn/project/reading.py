@@ -9,9 +9,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
-from robodyn.errors import InputError, Place
+from robodyn.errors import InputError, Place, did_you_mean
 from robodyn.files import label, read_text
-from robodyn.project.keys import KERNELS, PACKAGE, Key, Keys, did_you_mean, shown
+from robodyn.project.keys import KERNELS, PACKAGE, Key, Keys, shown
 from robodyn.project.limits import LARGEST_BUDGET, LARGEST_FILE
 from robodyn.project.places import Places
 from robodyn.resources import bundled_robot
