@@ -156,7 +156,7 @@ def cli() -> None:
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command and return the exit code; `arguments` default to those of the process."""
     words = list(sys.argv[1:] if arguments is None else arguments)
-    document = Document(asked=asks_for_json(words))
+    document = Document(as_json=asks_for_json(words))
     return guard(lambda: _begin(words, document), document)
 
 

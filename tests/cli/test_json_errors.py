@@ -98,11 +98,11 @@ def test_all_that_can_end_a_command(error: BaseException, code: int, what: str, 
     def run() -> None:
         raise error
 
-    assert guard(run, Document(asked=True)) == code
+    assert guard(run, Document(as_json=True)) == code
     printed = json.loads(capsys.readouterr().out)["error"]
     assert printed["exit_code"] == code
     assert printed["what"].startswith(what)
-    assert guard(run, Document(asked=True, begun=True)) == code
+    assert guard(run, Document(as_json=True, begun=True)) == code
     assert capsys.readouterr().out == ""
 
 
@@ -112,7 +112,7 @@ def test_no_document_where_nothing_failed(capsys: Capture) -> None:
         def run(raised: Exception = error) -> None:
             raise raised
 
-        assert guard(run, Document(asked=True)) in (4, 141)
+        assert guard(run, Document(as_json=True)) in (4, 141)
         assert capsys.readouterr().out == ""
 
 
