@@ -17,6 +17,7 @@ from robodyn.dynamics.inverse import Inverse, inverse_of
 from robodyn.formats.loading import load
 from robodyn.robot.model import Placement, Robot
 from robodyn.robot.values import Angle
+from robodyn.verify.numbers import exact_value
 
 UNIT = Fraction(1, 1 << 52)
 
@@ -29,11 +30,11 @@ def _inverse(robot: Robot) -> Inverse:
 def _pose(robot: Robot, q: list[float]) -> NDArray[np.float64]:
     """The tool's frame [4, 4], by products of transforms [4, 4] of the description's rows."""
 
-    def placed(place: object) -> NDArray[np.float64]:
+    def placed(place: Placement | None) -> NDArray[np.float64]:
         T = np.eye(4)
         if place is not None:
-            T[:3, :3] = np.array(place.rotation, dtype=float)  # type: ignore[attr-defined]
-            T[:3, 3] = np.array(place.xyz, dtype=float)  # type: ignore[attr-defined]
+            T[:3, :3] = np.array(place.rotation, dtype=np.float64)
+            T[:3, 3] = np.array(place.xyz, dtype=np.float64)
         return T
 
     T = placed(robot.base)
@@ -42,12 +43,12 @@ def _pose(robot: Robot, q: list[float]) -> NDArray[np.float64]:
         turn, out = (x, 0.0) if joint.kind == "revolute" else (0.0, x)
         c, s = math.cos(joint.theta.radians + turn), math.sin(joint.theta.radians + turn)
         e, f = float(joint.alpha.cos), float(joint.alpha.sin)
-        a, b, d = float(joint.a), float(joint.b), float(joint.d) + out
+        a, b, d = (float(exact_value(x, {})) for x in (joint.a, joint.b, joint.d))
         T = T @ np.array(
             [
                 [c, -s, 0, a],
-                [e * s, e * c, -f, e * b - f * d],
-                [f * s, f * c, e, f * b + e * d],
+                [e * s, e * c, -f, e * b - f * (d + out)],
+                [f * s, f * c, e, f * b + e * (d + out)],
                 [0, 0, 0, 1],
             ]
         )
