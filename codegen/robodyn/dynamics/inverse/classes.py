@@ -2,7 +2,7 @@
 
 Pieper (1968): a spherical wrist, or its mirror image at the base. Hawkins (2013): three parallel axes, as the
 arms of Universal Robots have them. An arm of seven joints is of a class if one without one of its joints is,
-whatever that joint's position; its axes are then looked at with it in several positions.
+whatever that joint's position; its axes are then joints at with it in several positions.
 """
 
 from __future__ import annotations
@@ -133,7 +133,7 @@ def _placed(
 
 
 @dataclass(frozen=True, slots=True)
-class Looked:
+class Joints:
     """Joints that are to be recognised: their ``axes`` at rest, of exact numbers; the ``tip`` [m]; the arm's
     ``size`` [m].
 
@@ -148,7 +148,7 @@ class Looked:
     moved: int = 0
 
 
-def wrists(arm: Looked) -> Iterator[Wrist]:
+def wrists(arm: Joints) -> Iterator[Wrist]:
     """Ways to see the last three of six axes as a spherical wrist."""
     four, five, six = arm.axes[3:]
     if arm.moved > 3 or not (four.revolute and five.revolute and six.revolute):
@@ -165,7 +165,7 @@ def wrists(arm: Looked) -> Iterator[Wrist]:
         yield Wrist(structure, mirrored, centre, marker_of(six), points, (meeting, words))
 
 
-def parallels(arm: Looked) -> Iterator[ThreeParallel]:
+def parallels(arm: Joints) -> Iterator[ThreeParallel]:
     """The way to see the second, third and fourth of six axes as parallel, if there is one."""
     one, two, three, four, five, six = arm.axes
     if arm.moved > 1 or not all(axis.revolute for axis in arm.axes):
@@ -193,14 +193,14 @@ def parallels(arm: Looked) -> Iterator[ThreeParallel]:
     )
 
 
-def whole_places(arm: Looked) -> Iterator[Place]:
+def whole_places(arm: Joints) -> Iterator[Place]:
     """Ways to bring the tip to a point by three axes."""
     for structure, mirrored, points in _structures(arm):
         words = structure.words.format(*_numbers(_mirror(arm.axes) if mirrored else arm.axes))
         yield Place(structure, mirrored, arm.tip, points, (words,))
 
 
-def _structures(arm: Looked) -> Iterator[tuple[Structure, bool, Points]]:
+def _structures(arm: Joints) -> Iterator[tuple[Structure, bool, Points]]:
     """Ways to place a point by the first three axes; whether these are taken from the last to the first."""
     for mirrored in (False, True):
         axes = _mirror(arm.axes) if mirrored else _three(arm.axes)

@@ -14,7 +14,7 @@ from robodyn.dynamics.functions.record import NoSuchFunction
 from robodyn.dynamics.inverse.branch import Branch, Setting
 from robodyn.dynamics.inverse.classes import (
     Class,
-    Looked,
+    Joints,
     parallels,
     shares,
     whole_places,
@@ -148,12 +148,12 @@ def _classes(chain: Chain, redundant: int | None, size: Fraction) -> Iterator[Cl
         return [through.without(place, position) for position in positions]
 
     axes = chain.axes if place is None else (*chain.axes[:place], *chain.axes[place + 1 :])
-    looked = Looked(axes, chain.tool.origin, size, stances, place or 0)
+    joints = Joints(axes, chain.tool.origin, size, stances, place or 0)
     if len(axes) == 6:
-        yield from wrists(looked)
-        yield from parallels(looked)
+        yield from wrists(joints)
+        yield from parallels(joints)
     elif len(axes) == 3:
-        yield from whole_places(looked)
+        yield from whole_places(joints)
 
 
 def _named(inverse: Inverse) -> Inverse:

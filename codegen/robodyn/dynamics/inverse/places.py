@@ -66,9 +66,9 @@ def second_and_third_parallel(arm: Reach, branch: Branch, at: Setting) -> Iterat
     one, two, three = arm.axes
     p, a, b, c = arm.p, arm.a, arm.b, arm.c
     h = two.direction
-    for branch_ in branch.each(one.joint, at.reach(one, h, p, dot(h, plus(a, b, c)), 1)):
-        u = minus(branch_.inward(one, p), a)
-        yield from in_a_plane((two, three), b, c, u, branch_, at)
+    for shoulder in branch.each(one.joint, at.reach(one, h, p, dot(h, plus(a, b, c)), 1)):
+        u = minus(shoulder.inward(one, p), a)
+        yield from in_a_plane((two, three), b, c, u, shoulder, at)
 
 
 def first_and_second_meet(arm: Reach, branch: Branch, at: Setting) -> Iterator[Branch]:
@@ -77,9 +77,9 @@ def first_and_second_meet(arm: Reach, branch: Branch, at: Setting) -> Iterator[B
     one, two, three = arm.axes
     p, b, c = arm.p, arm.b, arm.c
     bend = HALF * (_square(p) - _square(b) - _square(c))
-    for bent in branch.each(three.joint, at.reach(three, c, b, bend, 2)):
-        v = plus(b, bent.outward(three, c))
-        yield from through_a_point((one, two), v, p, bent, at, 1)
+    for folded in branch.each(three.joint, at.reach(three, c, b, bend, 2)):
+        v = plus(b, folded.outward(three, c))
+        yield from through_a_point((one, two), v, p, folded, at, 1)
 
 
 def in_a_plane(
@@ -89,9 +89,9 @@ def in_a_plane(
     one, two = axes
     b, c, u = (across(one.direction, v) for v in (b, c, u))
     bend = HALF * (_square(u) - _square(b) - _square(c))
-    for bent in branch.each(two.joint, at.reach(two, c, b, bend, 2)):
-        v = plus(b, bent.outward(two, c))
-        yield bent.one(one.joint, at.onto(one, v, u, 2))
+    for folded in branch.each(two.joint, at.reach(two, c, b, bend, 2)):
+        v = plus(b, folded.outward(two, c))
+        yield folded.one(one.joint, at.onto(one, v, u, 2))
 
 
 def through_a_point(
@@ -140,11 +140,11 @@ def a_slide_across_a_turn(arm: Reach, branch: Branch, at: Setting) -> Iterator[B
     along that."""
     one, two, three = arm.axes
     p, a, c, h = arm.p, plus(arm.a, arm.b), arm.c, one.direction
-    for bent in branch.each(three.joint, at.reach(three, c, h, dot(h, minus(p, a)), 1)):
-        w = plus(a, bent.outward(three, c))
+    for folded in branch.each(three.joint, at.reach(three, c, h, dot(h, minus(p, a)), 1)):
+        w = plus(a, folded.outward(three, c))
         flat_w, flat_p = across(h, w), across(h, p)
         slide = at.slide(dot(flat_w, two.direction), _square(flat_w) - _square(flat_p))
-        for out in bent.each(two.joint, slide):
+        for out in folded.each(two.joint, slide):
             v = plus(flat_w, scaled(out.positions[two.joint], two.direction))
             yield out.one(one.joint, at.onto(one, v, flat_p, 2))
 
