@@ -119,8 +119,8 @@ def first_lines(output: str, count: int = 3) -> str:
 
 
 def find_compiler(language: str, choice: str | None = None) -> Compiler:
-    """The compiler of ``language``: ``choice`` if there is one, else the environment's, else the first of those that
-    are usual.
+    """The compiler of ``language``: ``choice`` if there is one, else the one that the environment names, else
+    the first of the usual ones.
 
     Raises
     ------
