@@ -39,8 +39,10 @@ class Precision:
 
 @dataclass(frozen=True, slots=True)
 class Two:
-    """Two answers, whether there are any (1 or 0), and whether they meet or are free (1 or 0); ``beyond``: how
-    far what was wanted is beyond what is reached."""
+    """Two answers, whether there are any (1 or 0), and whether they meet or are free (1 or 0).
+
+    ``beyond``: how far what was wanted is beyond what is reached.
+    """
 
     answers: tuple[Any, Any]
     exist: Any
