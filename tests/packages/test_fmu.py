@@ -14,7 +14,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from packages.consumers import run
+from packages.consumers import MAINTAINER, run
 from packages.units import ARMS, PERIOD, SAMPLES, Floats, Unit, torques, unit_of
 from robodyn.errors import InputError
 from robodyn.kernels.generate import Options, generate
@@ -49,6 +49,7 @@ def test_fmpy_has_no_complaint(name: str, units: Units) -> None:
     assert validate_fmu(str(unit.path)) == []
     (build,) = read_build_description(str(unit.path))
     assert build.modelIdentifier == f"{unit.robot.name}_dynamics"
+    assert unit.description.author == MAINTAINER
     coordinates = unit.robot.n + (name == "elastic")
     assert unit.description.numberOfContinuousStates == 2 * coordinates + (name == "bristles")
 
