@@ -47,10 +47,10 @@ class Batch:
         threads: int,
     ) -> Any:
         function, where, dtype = self.function, self.function.where, self.function.dtype
-        asked: object = threads  # nobody checks what is passed from Python
-        if isinstance(asked, bool) or not isinstance(asked, (int, np.integer)) or asked < 1:
+        value: object = threads  # nobody checks what is passed from Python
+        if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or value < 1:
             raise InputError(
-                f"{where}: threads is not a number of threads", found=repr(asked), expected="1 or more"
+                f"{where}: threads is not a number of threads", found=repr(value), expected="1 or more"
             )
         names = [name for name, _ in function.inputs]
         passed = function.read(arrays, read_states)
