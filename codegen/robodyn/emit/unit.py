@@ -42,7 +42,8 @@ OF_LIBM = frozenset({"tanh", "sqrt", "abs", "exp", "pow"})
 
 def calls(unit: Unit) -> set[str]:
     """The operations of all functions."""
-    return {operation.op for _, program in unit.functions for operation in program.operations}
+    parts = (part for _, program in unit.functions for part in program.parts())
+    return {operation.op for part in parts for operation in part.operations}
 
 
 def needs_libm(unit: Unit) -> bool:

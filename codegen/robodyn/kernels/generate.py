@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
@@ -161,10 +162,10 @@ def generate(
         programs = {f: trig_given(p, layout) for f, p in programs.items()}
         interfaces = {f: _with_sc(interface, max(1, len(layout))) for f, interface in interfaces.items()}
     if options.trig == "builtin":
-        programs = {f: angles_first(p) for f, p in programs.items()}
+        programs = {f: p.changed(angles_first) for f, p in programs.items()}
     if options.by_registers:
         available = {} if options.profile is None else {"available": options.profile.registers}
-        programs = {f: registers(p, **available) for f, p in programs.items()}
+        programs = {f: p.changed(partial(registers, **available)) for f, p in programs.items()}
     unit = Unit(
         robot=robot,
         functions=tuple((interfaces[f], programs[f]) for f in programs),

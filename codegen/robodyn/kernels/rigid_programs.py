@@ -125,7 +125,7 @@ class RigidPrograms:
         """The program of ``function`` after the passes of its level."""
         draft = self.draft(function)  # may leave what the passes made of it
         if function not in self._after_passes:
-            self._after_passes[function] = self._least([draft])[1]
+            self._after_passes[function] = draft.changed(lambda part: self._least([part])[1])
         return self._after_passes[function]
 
     def _least(self, drafts: Sequence[Program]) -> tuple[int, Program]:
