@@ -245,8 +245,7 @@ def _run(robot: Robot, settings: SimulationOptions, values: Mapping[str, float])
             sample_period=1 / settings.rate,
             method=settings.solver,  # type: ignore[arg-type]  # checked by click
             step=settings.fixed_step,
-            rtol=settings.rtol if settings.rtol is not None else 1e-8,
-            atol=settings.atol if settings.atol is not None else 1e-10,
+            **settings.tolerances(),
             parameters=values,
             plant=what.plant,
             progress=tell,
@@ -271,8 +270,7 @@ def _log(run: Simulation, sensors: Sensors, settings: SimulationOptions, what: D
         "parameters": run.parameters,
     }
     if settings.solver == "adaptive":
-        options["rtol"] = settings.rtol if settings.rtol is not None else 1e-8
-        options["atol"] = settings.atol if settings.atol is not None else 1e-10
+        options |= settings.tolerances()
     return replace(
         run.log(sensors, seed=settings.seed),
         provenance=provenance(

@@ -72,6 +72,15 @@ class SimulationOptions:
             return self.step
         return min(1 / self.rate, 1e-3) * (1 if self.solver == "rk4" else 10)
 
+    def tolerances(self) -> dict[str, float]:
+        """Those of adaptive steps, ``rtol`` and ``atol`` [rad, m and their rates]."""
+        from robodyn.simulate.engine import ATOL, RTOL
+
+        return {
+            "rtol": RTOL if self.rtol is None else self.rtol,
+            "atol": ATOL if self.atol is None else self.atol,
+        }
+
     def check(self) -> None:
         """Refuse options that cannot be combined.
 
