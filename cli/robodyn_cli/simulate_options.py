@@ -72,14 +72,12 @@ class SimulationOptions:
             return self.step
         return min(1 / self.rate, 1e-3) * (1 if self.solver == "rk4" else 10)
 
-    def tolerances(self) -> dict[str, float]:
-        """Those of adaptive steps, ``rtol`` and ``atol`` [rad, m and their rates]."""
+    @property
+    def tolerances(self) -> tuple[float, float]:
+        """Those of adaptive steps: relative, and absolute [rad, m and their rates]."""
         from robodyn.simulate.engine import ATOL, RTOL
 
-        return {
-            "rtol": RTOL if self.rtol is None else self.rtol,
-            "atol": ATOL if self.atol is None else self.atol,
-        }
+        return RTOL if self.rtol is None else self.rtol, ATOL if self.atol is None else self.atol
 
     def check(self) -> None:
         """Refuse options that cannot be combined.
