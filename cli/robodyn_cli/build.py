@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from robodyn.errors import CheckError, InputError, RobodynError
+from robodyn.errors import CheckError, InputError, RobodynError, did_you_mean
 from robodyn_cli.choices import FILE, REPORTS
 from robodyn_cli.common import (
     echo_document,
@@ -135,7 +135,6 @@ def _format(name: str, *, as_json: bool) -> str:
     ------
     InputError: there is no such format, or --json contradicts it.
     """
-    from robodyn.project.keys import did_you_mean
     from robodyn.project.reports import FORMATS
 
     if name not in FORMATS:

@@ -7,7 +7,8 @@ from typing import Any, TypeVar
 
 import click
 
-from robodyn_cli.choices import CONTRACTIONS, ORDERS, SCALARS, TRIGONOMETRY
+from robodyn_cli.choices import CONTRACTIONS, ORDERS, TRIGONOMETRY
+from robodyn_cli.options import scalar_option
 from robodyn_cli.targets import TargetOption
 
 Command = TypeVar("Command", bound=Callable[..., Any])
@@ -27,14 +28,7 @@ def code_options(*, lists: Mapping[str, str], target_help: str = "") -> Callable
 
 def _options(lists: dict[str, str], target_help: str) -> list[Callable[[Command], Command]]:
     return [
-        click.option(
-            "--scalar",
-            type=SCALARS,
-            metavar="TYPE",
-            default="double",
-            show_default=True,
-            help="Scalar type: double or float.",
-        ),
+        scalar_option,
         click.option(
             "--trig",
             type=TRIGONOMETRY,

@@ -40,7 +40,7 @@ class Document:
     """The one JSON document that stdout gets from a command: whether the command line asks for one, and
     whether its printing has begun. It is the object of click's context."""
 
-    asked: bool = False
+    as_json: bool = False
     begun: bool = False
 
 

@@ -71,7 +71,7 @@ def _failed(error: BaseException, document: Document) -> int:
         talk(str(error.format_message()))  # type: ignore[attr-defined]
         return int(error.exit_code)  # type: ignore[attr-defined]
     failure = _failure(error)
-    if document.asked and not document.begun:
+    if document.as_json and not document.begun:
         _print(failure)
     if isinstance(failure, _SystemRefusedError):
         drop(sys.stdout)

@@ -100,10 +100,9 @@ class LazyGroup(click.Group):
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
         if args[0] not in COMMANDS:
-            import difflib
+            from robodyn.errors import did_you_mean
 
-            close = difflib.get_close_matches(args[0], COMMANDS, n=1)
-            hint = f"did you mean {close[0]!r}?" if close else f"the commands are {', '.join(COMMANDS)}."
+            hint = did_you_mean(args[0], COMMANDS) or f"the commands are {', '.join(COMMANDS)}."
             ctx.fail(f"No such command {args[0]!r}; {hint}")
         return super().resolve_command(ctx, [args[0], *renamed(args[0], args[1:])])
 
@@ -157,7 +156,7 @@ def cli() -> None:
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command and return the exit code; `arguments` default to those of the process."""
     words = list(sys.argv[1:] if arguments is None else arguments)
-    document = Document(asked=asks_for_json(words))
+    document = Document(as_json=asks_for_json(words))
     return guard(lambda: _begin(words, document), document)
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
-from robodyn_cli.choices import ENGINES, FORMULATIONS, LEVELS, SEVERAL_FUNCTIONS
+from robodyn_cli.choices import ENGINES, FORMULATIONS, LEVELS, SCALARS, SEVERAL_FUNCTIONS
 from robodyn_cli.targets import TargetOption
 
 if TYPE_CHECKING:
@@ -60,6 +60,18 @@ def model_options(command: Command) -> Command:
     ):
         command = option(command)
     return command
+
+
+def scalar_option(command: Command) -> Command:
+    """Add ``--scalar``, passed as ``scalar: str``."""
+    return click.option(
+        "--scalar",
+        type=SCALARS,
+        metavar="TYPE",
+        default="double",
+        show_default=True,
+        help="Scalar type: double or float.",
+    )(command)
 
 
 def search_options(command: Command) -> Command:

@@ -56,6 +56,11 @@ class _Formats(click.Option):
     help="Version of the package.",
 )
 @click.option("--license", metavar="ID", help="Licence of the package, an SPDX expression such as MIT.")
+@click.option(
+    "--maintainer",
+    metavar="NAME <EMAIL>",
+    help='Maintainer of the package, such as "Ada Lovelace <ada@example.org>".  [default: not stated]',
+)
 @functions_option(
     text="Functions, separated by commas, or all that ROBOT has.  [default: those of the format]"
 )
@@ -72,6 +77,7 @@ def command(
     output: str | None,
     version: str,
     license: str | None,
+    maintainer: str | None,
     check: bool,
     as_json: bool,
     **others: Any,
@@ -83,21 +89,26 @@ def command(
     otherwise. The same input gives the same bytes on any machine, except where a package has a binary.
     """
     folder = None if output is None else output_folder(output)
-    package, asked = packed(robot, format_, version, license, **others)
+    package, product = packed(robot, format_, version, license, maintainer, **others)
     with line() as shown:
-        shown.tell(f"robodyn: {asked.robot.name}: {package.format.title} ...")
+        shown.tell(f"robodyn: {product.robot.name}: {package.format.title} ...")
         files = package.files()
-    folder = Path("packages") / asked.robot.name / package.format.name if folder is None else folder
+    folder = Path("packages") / product.robot.name / package.format.name if folder is None else folder
     if check:
         _check(folder, files)
     else:
         refuse_foreign(folder, files)
         write_files(folder, files)
-    _report(package, asked, folder, files, checked=check, as_json=as_json)
+    _report(package, product, folder, files, checked=check, as_json=as_json)
 
 
 def packed(
-    robot: str, format_: str, version: str, license: str | None, **options: Any
+    robot: str,
+    format_: str,
+    version: str,
+    license: str | None,
+    maintainer: str | None,
+    **options: Any,
 ) -> tuple[Package, Kernels]:
     """The package that the command line in the current context of click asks for, and its kernels.
 
@@ -108,8 +119,11 @@ def packed(
     from robodyn.packages import format_named, package
 
     form = format_named(format_)
-    asked = _kernels(robot, form, options)
-    return package(asked.generated, form, version=version, license=license), asked
+    product = _kernels(robot, form, options)
+    return (
+        package(product.generated, form, version=version, license=license, maintainer=maintainer),
+        product,
+    )
 
 
 def _kernels(robot: str, form: Format, options: dict[str, Any]) -> Kernels:
@@ -175,7 +189,7 @@ def refuse_foreign(folder: Path, files: Mapping[str, str | bytes]) -> None:
 
 def _report(
     package: Package,
-    asked: Kernels,
+    product: Kernels,
     folder: Path,
     files: Mapping[str, str | bytes],
     *,
@@ -183,9 +197,9 @@ def _report(
     as_json: bool,
 ) -> None:
     """Say what was written or checked, and how the tool takes it."""
-    name, formulation = asked.robot.name, asked.options.formulation
+    name, formulation = product.robot.name, product.options.formulation
     take = package.format.take.format(folder=shlex.quote(str(folder)), name=package.name)
-    counts = asked.generated.counts
+    counts = product.generated.counts
     if as_json:
         echo_json(
             {
@@ -194,7 +208,7 @@ def _report(
                 "package": package.name,
                 "version": package.version,
                 "checked" if checked else "files": [str(folder / path) for path in files],
-                "functions": [record(asked.robot, f, formulation, c) for f, c in counts.items()],
+                "functions": [record(product.robot, f, formulation, c) for f, c in counts.items()],
                 "take": take,
             }
         )

@@ -17,6 +17,7 @@ from click.shell_completion import CompletionItem, ShellComplete, add_completion
 
 VARIABLE: Final = "_ROBODYN_COMPLETE"
 MARK: Final = 'as "robodyn completion'
+_DATA: Final = ("XDG_DATA_HOME", ".local/share")
 
 
 class Shell(ShellComplete):
@@ -25,10 +26,18 @@ class Shell(ShellComplete):
     file: ClassVar[str]
     """The name of the script's file."""
 
-    @staticmethod
-    def folder(environment: Mapping[str, str], home: Path) -> Path:
-        """The user's folder of completions."""
-        raise NotImplementedError
+    base: ClassVar[tuple[str, str]]
+    """The variable that names the folder it is in (XDG base directories), and that folder below the user's
+    home where the variable names none."""
+    below: ClassVar[str]
+    """The user's folder of completions, below that."""
+
+    @classmethod
+    def folder(cls, environment: Mapping[str, str], home: Path) -> Path:
+        """The user's folder of completions. A variable whose path is not absolute does not count."""
+        variable, default = cls.base
+        stated = Path(environment.get(variable, ""))
+        return (stated if stated.is_absolute() else home / default) / cls.below
 
     @staticmethod
     def needed(folder: Path) -> str | None:
@@ -58,6 +67,7 @@ class Shell(ShellComplete):
 class _Bash(Shell):
     name = "bash"
     file = "robodyn"
+    base, below = _DATA, "bash-completion/completions"
     source_template = """\
 # Completion of robodyn for bash 4.4 or newer, as "robodyn completion bash" prints it.
 
@@ -84,11 +94,10 @@ class _Bash(Shell):
 complete -o nosort -F %(complete_func)s %(prog_name)s
 """
 
-    @staticmethod
-    def folder(environment: Mapping[str, str], home: Path) -> Path:
+    @classmethod
+    def folder(cls, environment: Mapping[str, str], home: Path) -> Path:
         own = environment.get("BASH_COMPLETION_USER_DIR", "").partition(":")[0]
-        folder = Path(own) if own else _of_xdg(environment, "XDG_DATA_HOME", home / ".local/share")
-        return (folder if own else folder / "bash-completion") / "completions"
+        return Path(own) / "completions" if own else super().folder(environment, home)
 
     @staticmethod
     def needed(folder: Path) -> str | None:
@@ -111,6 +120,7 @@ complete -o nosort -F %(complete_func)s %(prog_name)s
 class _Zsh(Shell):
     name = "zsh"
     file = "_robodyn"
+    base, below = _DATA, "zsh/site-functions"
     source_template = """\
 #compdef %(prog_name)s
 # Completion of robodyn for zsh, as "robodyn completion zsh" prints it.
@@ -147,10 +157,6 @@ fi
 """
 
     @staticmethod
-    def folder(environment: Mapping[str, str], home: Path) -> Path:
-        return _of_xdg(environment, "XDG_DATA_HOME", home / ".local/share") / "zsh/site-functions"
-
-    @staticmethod
     def needed(folder: Path) -> str | None:
         return f"zsh looks there with this line before compinit in ~/.zshrc: fpath=({folder} $fpath)"
 
@@ -161,6 +167,7 @@ fi
 class _Fish(Shell):
     name = "fish"
     file = "robodyn.fish"
+    base, below = ("XDG_CONFIG_HOME", ".config"), "fish/completions"
     source_template = """\
 # Completion of robodyn for fish, as "robodyn completion fish" prints it.
 
@@ -186,19 +193,9 @@ end
 complete --no-files --command %(prog_name)s --arguments "(%(complete_func)s)"
 """
 
-    @staticmethod
-    def folder(environment: Mapping[str, str], home: Path) -> Path:
-        return _of_xdg(environment, "XDG_CONFIG_HOME", home / ".config") / "fish/completions"
-
     def format_completion(self, item: CompletionItem[Any]) -> str:
         help_ = _short(item.help)
         return f"{item.type},{item.value}" + (f"\t{help_}" if help_ else "")
-
-
-def _of_xdg(environment: Mapping[str, str], variable: str, default: Path) -> Path:
-    """The folder that `variable` names; one that is not absolute does not count."""
-    named = Path(environment.get(variable, ""))
-    return named if named.is_absolute() else default
 
 
 def _short(text: str | None) -> str:

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from robodyn_cli.choices import SCALARS, TRIGONOMETRY
+from robodyn_cli.choices import TRIGONOMETRY
 from robodyn_cli.common import echo_json, json_option, robot_argument, wrapped
 from robodyn_cli.languages import compiled_language_option
-from robodyn_cli.options import functions_option, listed, load, model_options
+from robodyn_cli.options import functions_option, listed, load, model_options, scalar_option
 
 if TYPE_CHECKING:
     from robodyn.kernels.generate import Generated
@@ -22,14 +22,7 @@ if TYPE_CHECKING:
     "--states", type=click.IntRange(1, 1_000_000), default=200, show_default=True, help="Number of states."
 )
 @click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Seed of the sample.")
-@click.option(
-    "--scalar",
-    type=SCALARS,
-    metavar="TYPE",
-    default="double",
-    show_default=True,
-    help="Scalar type: double or float.",
-)
+@scalar_option
 @click.option(
     "--trig",
     type=TRIGONOMETRY,

@@ -9,7 +9,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import Any, Final
 
-from robodyn.errors import InputError
+from robodyn.errors import InputError, did_you_mean
 from robodyn.toolchain.running import end_all, run
 from robodyn.tools import Library, Tool, Use
 from robodyn.tools.libraries import OPTIONAL, REQUIRED
@@ -85,13 +85,10 @@ def named(name: str) -> Tool | Library:
     called = others | {tool.name: tool for tool in reversed(tools)}
     if name in called:
         return called[name]
-    import difflib
-
-    near = difflib.get_close_matches(name, called, n=1)
     raise InputError(
         f"robodyn uses no tool {name!r}",
         expected="a name that robodyn doctor --all lists",
-        remedy=f"did you mean {near[0]!r}?" if near else None,
+        remedy=did_you_mean(name, called),
     )
 
 

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Iterable
     from typing import Any, Self
 
 
@@ -32,6 +33,14 @@ class Place:
     def to_dict(self) -> dict[str, Any]:
         """As JSON has it."""
         return {"file": self.file, "line": self.line, "column": self.column}
+
+
+def did_you_mean(word: str, words: Iterable[str]) -> str | None:
+    """What an error asks if one of ``words`` is close to ``word``; the closest of them."""
+    import difflib
+
+    close = difflib.get_close_matches(word, list(words), n=1)
+    return f"did you mean {close[0]!r}?" if close else None
 
 
 def escaped(text: str) -> str:

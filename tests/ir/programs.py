@@ -15,13 +15,14 @@ from hypothesis import strategies as st
 
 from robodyn.ir import Input, Label, Operand, Operation, Program
 from robodyn.ir.evaluate import evaluate_exact
+from robodyn.ir.program import ARITY
 from robodyn.robot.values import circle_point
 
 INPUTS: Final = (*(Input("q", i) for i in range(3)), Input("qd", 0), Input("qd", 1), Input("m_tool", None))
 ANGLES: Final = INPUTS[:3]
 ARITHMETIC: Final = ("add", "sub", "mul", "div", "neg")
 #: What can be evaluated without rounding.
-EXACT: Final = (*ARITHMETIC, "add", "sub", "mul", "mul", "sin", "cos", "angle", "sign")
+EXACT: Final = (*ARITHMETIC, "add", "sub", "mul", "mul", "sin", "cos", "angle", "sign", "select")
 EVERYTHING: Final = (*EXACT, "sqrt", "tanh")
 
 Linear = dict[Input, int]
@@ -69,7 +70,7 @@ def every_value(program: Program, at: Point) -> list[Fraction]:
 def interpreted(
     program: Program,
     leaf: Callable[[Input], Any],
-    functions: Mapping[str, Callable[[Any], Any]],
+    functions: Mapping[str, Callable[..., Any]],
     constant: Callable[[Fraction], Any] = lambda x: x,
 ) -> list[Any]:
     """The results of ``program`` by Python's own operators."""
@@ -93,7 +94,7 @@ def interpreted(
         elif op == "neg":
             values.append(-x)
         else:
-            values.append(functions[op](x))
+            values.append(functions[op](x, *rest))
     return [value(operand) for operand in program.results()]
 
 
@@ -154,7 +155,7 @@ def programs(draw: st.DrawFn, ops: tuple[str, ...] = EXACT, most: int = 14, labe
         elif op in ("neg", "sqrt"):
             args = (operand(),)
         else:
-            args = (operand(), operand())
+            args = tuple(operand() for _ in range(ARITY[op]))
         operations.append(Operation(op, args, label))
     outputs = [("tau", tuple(operand() for _ in range(draw(st.integers(1, 3)))))]
     if draw(st.booleans()):

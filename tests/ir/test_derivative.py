@@ -31,6 +31,8 @@ def made(graph: Graph, x: Any, y: Any, p: Any) -> list[Any]:
         graph.pow(graph.abs(x), Fraction(7, 5)),
         graph.pow(x * x, p),
         graph.sign(x) * y,
+        graph.atan2(-x * y, x - p),
+        graph.select(x - y, x * x, -y),
         -(x - x * 2) * 5,
         7,
     ]
@@ -49,6 +51,8 @@ def expected(x: Any, y: Any, p: Any) -> list[Any]:
         sympy.Abs(x) ** sympy.Rational(7, 5),
         (x * x) ** p,
         sympy.sign(x) * y,
+        sympy.atan2(-x * y, x - p),
+        sympy.Piecewise((x * x, x > y), (-y, True)),
         5 * x,
         sympy.Integer(7),
     ]

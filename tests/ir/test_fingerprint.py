@@ -50,7 +50,7 @@ def test_fingerprints_differ_exactly_where_values_do(made: Program, at: Point, s
         exact = results(made, at)
     except ZeroDivisionError:
         reject()
-    signs = any(op.op == "sign" for op in made.operations)
+    signs = any(op.op in ("sign", "select") for op in made.operations)
     for i, (one, a) in enumerate(zip(prints, exact, strict=True)):
         for other, b in zip(prints[:i], exact[:i], strict=True):
             if a != b:
@@ -65,7 +65,7 @@ def mutations(made: Program) -> list[Program]:
     """``made`` with one operation changed, for every operation and every change."""
     other: dict[str, tuple[str, ...]] = {
         "add": ("sub", "mul"), "sub": ("add",), "mul": ("add", "div"), "div": ("mul",), "sin": ("cos",),
-        "cos": ("sin",), "tanh": ("sign",), "sign": ("tanh",), "neg": (),
+        "cos": ("sin",), "tanh": ("sign",), "sign": ("tanh",), "neg": (), "select": (),
     }  # fmt: skip
     found: list[Program] = []
 
@@ -131,6 +131,34 @@ def test_a_function_has_its_own_value_at_zero(op: str) -> None:
     args = (0, Fraction(3, 2)) if op == "pow" else (0,)
     made = Program((Operation("sub", (X, X)), Operation(op, args)), (("t", (1,)),))
     assert fingerprint(made, 1, circle_point) == (int(op == "exp"),)
+
+
+def test_the_angle_of_a_point_is_odd_and_of_both_coordinates() -> None:
+    graph = Graph()
+    x, y = graph.input("x"), graph.input("y")
+    values = [graph.atan2(y - x, x), graph.atan2(x - y, x), graph.atan2(y - x, y), graph.atan2(0, x)]
+    field = Field("here")
+    a, minus_a, b, half_turn = fingerprint(lower(graph, [("t", values)]), field, circle_point)
+    assert (a + minus_a) % field.prime == 0
+    assert len({a, minus_a, b, half_turn, 0}) == 5  # the last is pi where x is negative
+
+
+def test_a_choice_is_looked_at_on_both_sides() -> None:
+    """Linear in what is chosen from, so that what holds for either choice holds; else for neither alone."""
+    graph = Graph()
+    x, y, z = (graph.input(name) for name in "xyz")
+    chosen = graph.select(x, y, z)
+    pairs = [
+        (3 * chosen, graph.select(x, 3 * y, 3 * z), True),
+        (graph.select(x, y, z) - z, graph.select(x, y - z, 0), True),
+        (chosen, graph.select(x, y, z + 1), False),
+        (chosen, graph.select(x, y + 1, z), False),
+        (chosen, graph.select(-x, z, y), False),  # not where x is 0
+        (chosen, graph.select(y, y, z), False),
+    ]
+    for one, other, same in pairs:
+        a, b = fingerprint(lower(graph, [("t", [one, other])]), 1, circle_point)
+        assert (a == b) == same
 
 
 def test_a_parameter_is_not_the_joint_variable_that_is_called_like_it() -> None:

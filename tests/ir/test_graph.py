@@ -15,8 +15,9 @@ from ir.programs import ARITHMETIC, EXACT, Point, interpreted, points, programs,
 from robodyn.ir import Graph, Input, Label, Node, Operation, Program
 from robodyn.ir.key import children
 from robodyn.ir.lowering import lower, needed
+from robodyn.passes.negate import negate
 
-SIGNED = {"add", "scale", "mul", "div"}
+SIGNED = {"add", "scale", "mul", "div", "atan2", "select"}
 
 
 def leaf(graph: Graph) -> Callable[[Input], Node]:
@@ -24,7 +25,7 @@ def leaf(graph: Graph) -> Callable[[Input], Node]:
 
 
 def functions_of(graph: Graph) -> dict[str, Callable[[Any], Any]]:
-    return {op: getattr(graph, op) for op in ("sin", "cos", "sqrt", "tanh", "sign")}
+    return {op: getattr(graph, op) for op in ("sin", "cos", "sqrt", "tanh", "sign", "select")}
 
 
 def built(program: Program, graph: Graph) -> list[Any]:
@@ -301,3 +302,37 @@ def test_a_value_may_stand_in_for_an_operation() -> None:
     program = Program((Operation("sin", (x,)), Operation("mul", (0, x))), (("t", (1, 0)),))
     graph = Graph()
     assert graph.replay(program, {0: 3}) == [3 * graph.input("x"), 3]
+
+
+# --- angles of points, choices ----------------------------------------------------------------------------
+
+
+def test_the_angle_of_a_point_is_odd_in_its_second_coordinate() -> None:
+    graph = Graph()
+    x, y = graph.input("x"), graph.input("y")
+    assert graph.atan2(-y, x) == -graph.atan2(y, x)
+    assert graph.atan2(y, -x) not in (graph.atan2(y, x), -graph.atan2(y, x))
+    assert graph.atan2(Fraction(0), Fraction(3)) == 0 == graph.atan2(0, 0)
+    (operation,) = lower(graph, [("t", [graph.atan2(Fraction(0), Fraction(-3))])]).operations
+    assert (operation.op, operation.args) == ("atan2", (0, -3))  # pi
+
+
+def test_choices_that_are_none() -> None:
+    graph = Graph()
+    x, y = graph.input("x"), graph.input("y")
+    assert [graph.select(c, x, y) for c in (Fraction(1, 9), 0, -1)] == [x, y, y]
+    assert graph.select(x, y, y) == y
+    assert graph.select(x, Fraction(1, 2), Fraction(1, 2)) == Fraction(1, 2)
+
+
+def test_a_choice_changes_its_sign_with_both_sides() -> None:
+    graph = Graph()
+    x, y, z = (graph.input(name) for name in "xyz")
+    assert graph.select(z, -x, -y) == -graph.select(z, x, y)
+    assert graph.select(z, x, -y) == -graph.select(z, -x, y) != graph.select(z, x, y)
+    assert graph.select(z, 0, -y) == -graph.select(z, 0, y)
+    assert graph.select(z, -x, 0) == -graph.select(z, x, 0)
+    assert graph.select(-z, x, y) not in (graph.select(z, x, y), graph.select(z, y, x))
+    plain = lower(graph, [("t", [graph.select(z, y - x, 0)])])
+    assert [op.op for op in plain.operations] == ["sub", "select", "neg"]
+    assert [op.op for op in negate(plain).operations] == ["sub", "select"]

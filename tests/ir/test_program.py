@@ -16,7 +16,7 @@ from ir.printed import Q1, Q2, X, small
 from ir.programs import EXACT, Point, exactly, interpreted, points, programs, results
 from robodyn import load, program
 from robodyn.ir import Graph, Input, Label, Operation, Program, Signature
-from robodyn.ir.evaluate import angle_form, evaluate, evaluate_exact, turn
+from robodyn.ir.evaluate import angle_form, evaluate, evaluate_exact, selected, turn
 from robodyn.ir.fingerprint import fingerprint
 from robodyn.ir.lowering import lower
 from robodyn.robot.values import circle_point
@@ -26,7 +26,13 @@ def sign(x: float) -> float:
     return float((x > 0) - (x < 0))
 
 
-REAL: dict[str, Callable[[Any], Any]] = {"sin": math.sin, "cos": math.cos, "tanh": math.tanh, "sign": sign}
+REAL: dict[str, Callable[..., Any]] = {
+    "sin": math.sin,
+    "cos": math.cos,
+    "tanh": math.tanh,
+    "sign": sign,
+    "select": selected,
+}
 
 
 def test_a_dump_can_be_read() -> None:

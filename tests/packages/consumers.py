@@ -22,6 +22,8 @@ from robodyn.robot import load
 from robodyn_cli.main import main
 
 STATES = 5
+#: A maintainer whose name XML has to escape, METADATA to quote, and no file to write in ASCII.
+MAINTAINER = "Ø. O'Brien & Søns <o.brien+arm@example.org>"
 #: Relative to the largest result of a function; of float.
 TOLERANCE = {"double": 1e-11, "float": 2e-5}
 
@@ -67,13 +69,16 @@ def consumer(
     *,
     version: str = "1.2.3",
     license: str | None = None,
+    maintainer: str | None = None,
     parameters: Mapping[str, float] | None = None,
 ) -> Consumer:
     """Somebody who uses the package of ``robot`` (a name or a path) in the format ``form``.
 
     What is expected is the recursion of the book, not optimised, evaluated in Python.
     """
-    packed = package(generate(load(robot), options), form, version=version, license=license)
+    packed = package(
+        generate(load(robot), options), form, version=version, license=license, maintainer=maintainer
+    )
     assert not packed.states, "the programs here remember nothing"
     values = dict(parameters or {})
     random = np.random.default_rng(0)

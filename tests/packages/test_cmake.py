@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from packages.consumers import Consumer, c_program, consumer, run, write
+from packages.consumers import MAINTAINER, Consumer, c_program, consumer, run, write
 from robodyn.kernels.generate import Options, generate
 from robodyn.packages import package
 from robodyn.robot import load
@@ -40,7 +40,7 @@ def cmake() -> str:
 
 @pytest.fixture(scope="module")
 def user() -> Consumer:
-    return consumer(ROBOT, "cmake", Options(FUNCTIONS), license="BSD-3-Clause")
+    return consumer(ROBOT, "cmake", Options(FUNCTIONS), license="BSD-3-Clause", maintainer=MAINTAINER)
 
 
 def installed(cmake: str, user: Consumer, folder: Path, *options: str) -> Path:
@@ -101,6 +101,8 @@ def test_pkg_config_finds_it(shared: str, cmake: str, user: Consumer, tmp_path: 
     assert (
         run(pkg_config, "--modversion", user.package.name, cwd=tmp_path, environment=environment) == "1.2.3\n"
     )
+    record = (prefix / "lib" / "pkgconfig" / f"{user.package.name}.pc").read_text(encoding="utf-8")
+    assert f"\nMaintainer: {MAINTAINER}\n" in record
     project = write(tmp_path / "consumer", {"main.c": c_program(user)})
     run(require_tool("cc"), "main.c", *flags, f"-Wl,-rpath,{prefix}/lib", "-o", "consumer", cwd=project)
     user.check(run(project / "consumer", cwd=project, stdin=user.stdin))

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import os
+import tomllib
 from pathlib import Path
 
 import pytest
 
 from emit.crates import without_network
-from packages.consumers import Consumer, consumer, run, rust_program, write
+from packages.consumers import MAINTAINER, Consumer, consumer, run, rust_program, write
 from robodyn.kernels.generate import Options
 from robodyn_testing import require_tool
 
@@ -61,8 +62,11 @@ def test_in_float_with_parameters_and_the_sines_of_libm(tmp_path: Path) -> None:
 def test_cargo_would_publish_it(tmp_path: Path) -> None:
     """Built from the very archive, its tests included, without a warning."""
     cargo = require_tool("cargo")
-    user = consumer("stanford_3dof", "crate", Options(("gravity",), trig="builtin"), license="MIT")
+    options = Options(("gravity",), trig="builtin")
+    user = consumer("stanford_3dof", "crate", options, license="MIT", maintainer=MAINTAINER)
     package = write(tmp_path / "package", user.package.files())
+    manifest = tomllib.loads((package / "Cargo.toml").read_text(encoding="utf-8"))
+    assert manifest["package"]["authors"] == [MAINTAINER]
     environ = environment(tmp_path)
     run(cargo, "package", "--offline", "--quiet", "--allow-dirty", cwd=package, environment=environ)
     listed = run(cargo, "package", "--offline", "--list", "--allow-dirty", cwd=package, environment=environ)

@@ -15,6 +15,7 @@ from robodyn.errors import InputError
 from robodyn.kernels.generate import Generated, Options, generate
 from robodyn.packages import FORMATS, Format, format_named, package
 from robodyn.packages.format import Trait
+from robodyn.packages.maintainer import Maintainer
 from robodyn.packages.writing import MARK, zipped
 from robodyn.robot import read_text
 from robodyn_testing import require_tool
@@ -100,6 +101,16 @@ def test_the_files(name: str) -> None:
             assert " \n" not in content
 
 
+@pytest.mark.parametrize("name", every())
+def test_what_nobody_states_is_not_left_to_do(name: str) -> None:
+    """Without a licence and a maintainer the files are complete; who reads them sees that none is stated."""
+    form = FORMATS[name]
+    if form.binary:
+        require_tool("cc")
+    for path, content in package(kernels(form), form).files().items():
+        assert not re.search(r"todo|fixme", str(content), re.IGNORECASE), path
+
+
 @pytest.mark.parametrize("trait", TRAITS)
 @pytest.mark.parametrize("name", FORMATS)
 def test_what_has_no_place_is_refused(name: str, trait: Trait) -> None:
@@ -131,6 +142,49 @@ def test_what_is_no_licence(license: str) -> None:
     form = next(iter(FORMATS.values()))
     with pytest.raises(InputError, match="this is no licence"):
         package(kernels(form), form, license=license)
+
+
+@pytest.mark.parametrize(
+    ("text", "name", "email"),
+    [
+        ("Ada Lovelace <ada@example.org>", "Ada Lovelace", "ada@example.org"),
+        (" J. O’Brien-Søns  & Co+\t<a.b+c%d@x-y.org>", "J. O’Brien-Søns & Co+", "a.b+c%d@x-y.org"),
+        ("आरती 2 <arti@example.org>", "आरती 2", "arti@example.org"),
+    ],
+)  # fmt: skip
+def test_a_maintainer(text: str, name: str, email: str) -> None:
+    form = next(iter(FORMATS.values()))
+    packed = package(kernels(form), form, maintainer=text)
+    assert packed.maintainer == Maintainer(name, email)
+    assert f"maintained by {name.replace('&', '&amp;')} ({email})" in packed.files()["README.md"]
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("Ada Lovelace", "this is no maintainer of a package; found 'Ada Lovelace'; expected a name and an"),
+        ("ada@example.org", "this is no maintainer"),
+        ("", "this is no maintainer"),
+        ("A <a@example.org> <b@example.org>", "this is no maintainer"),
+        ("<ada@example.org>", "this name of a maintainer; found ''"),
+        ("... <ada@example.org>", "this name of a maintainer"),
+        ('Ada "A" <ada@example.org>', "this name of a maintainer; found '\"'; expected letters"),
+        ("Ada, Bob <ada@example.org>", "this name of a maintainer; found ','"),
+        ("Ada ${HOME} \\ <ada@example.org>", "this name of a maintainer; found '\\$' "),
+        ("Ada\u202eavA <ada@example.org>", "this name of a maintainer; found '.*u202e'"),
+        ("x" * 300 + " <ada@example.org>", "this name of a maintainer"),
+        ("Ada <ada>", "this is no address of a maintainer; found 'ada'; expected one such as"),
+        ("Ada <ada@example>", "no address"),
+        ("Ada <ada@example.org\n>", "no address"),
+        ("Ada <ada@exämple.org>", "no address"),
+        ("Ada <a..b@example.org>", "no address"),
+        ("Ada <" + "a" * 300 + "@example.org>", "no address"),
+    ],
+)
+def test_what_is_no_maintainer(text: str, message: str) -> None:
+    form = next(iter(FORMATS.values()))
+    with pytest.raises(InputError, match=message):
+        package(kernels(form), form, maintainer=text)
 
 
 def test_an_archive() -> None:

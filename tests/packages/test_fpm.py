@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import sys
+import tomllib
 from pathlib import Path
 
 import pytest
 
-from packages.consumers import Consumer, consumer, fortran_program, run, write
+from packages.consumers import MAINTAINER, Consumer, consumer, fortran_program, run, write
 from robodyn.kernels.generate import Options
 from robodyn_testing import require_module, require_tool
 
@@ -58,8 +59,9 @@ def test_in_float_with_parameters_and_sines_of_its_own(arm: Path, tmp_path: Path
 
 
 def test_it_is_installed(tmp_path: Path) -> None:
-    user = consumer("stanford_3dof", "fpm", Options(("gravity",)), license="MIT")
+    user = consumer("stanford_3dof", "fpm", Options(("gravity",)), license="MIT", maintainer=MAINTAINER)
     package = write(tmp_path / "package", user.package.files())
+    assert tomllib.loads((package / "fpm.toml").read_text(encoding="utf-8"))["maintainer"] == MAINTAINER
     run(*FPM, "install", "--prefix", tmp_path / "prefix", cwd=package)
     write(tmp_path, {"main.f90": fortran_program(user)})
     prefix = tmp_path / "prefix"

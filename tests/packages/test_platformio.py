@@ -15,7 +15,7 @@ from pathlib import Path
 
 import pytest
 
-from packages.consumers import packaged, run, write
+from packages.consumers import MAINTAINER, packaged, run, write
 from robodyn_testing import require_module, require_tool
 
 pytestmark = pytest.mark.thorough
@@ -144,6 +144,12 @@ def test_it_is_packed(core: Path, tmp_path: Path) -> None:
     pio(core, library, "pkg", "pack", "-o", str(tmp_path / "arduino.tar.gz"))  # by library.properties
 
 
-def test_a_licence_is_stated(tmp_path: Path) -> None:
-    library = packaged(tmp_path / "library", "stanford_3dof", "platformio", "--license", "BSD-3-Clause")
-    assert json.loads((library / "library.json").read_text())["license"] == "BSD-3-Clause"
+def test_licence_and_maintainer_are_stated(tmp_path: Path) -> None:
+    options = ("--license", "BSD-3-Clause", "--maintainer", MAINTAINER)
+    library = packaged(tmp_path / "library", "stanford_3dof", "platformio", *options)
+    manifest = json.loads((library / "library.json").read_text())
+    assert manifest["license"] == "BSD-3-Clause"
+    (author,) = manifest["authors"]
+    assert "{name} <{email}>".format(**author) == MAINTAINER
+    lines = (library / "library.properties").read_text(encoding="utf-8").splitlines()
+    assert {f"author={MAINTAINER}", f"maintainer={MAINTAINER}"} <= set(lines)

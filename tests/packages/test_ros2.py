@@ -10,11 +10,12 @@ import os
 import re
 from dataclasses import dataclass
 from pathlib import Path
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
 
-from packages.consumers import STATES, Consumer, consumer, run, write
+from packages.consumers import MAINTAINER, STATES, Consumer, c_program, consumer, run, write
 from robodyn.kernels.generate import Options, generate
 from robodyn.logs.log import read_log
 from robodyn.packages import FORMATS, package
@@ -158,7 +159,10 @@ def lift(workspace: Workspace) -> tuple[str, Consumer]:
     """An arm with a sliding joint, a run-time parameter, friction, and names that C++ has to escape."""
     path = workspace.folder / "lift.yaml"
     path.write_text(ARM, encoding="utf-8")
-    user = consumer(str(path), "ros2", Options(FUNCTIONS), license="BSD-3-Clause", parameters={"m_tool": 1.5})
+    user = consumer(
+        str(path), "ros2", Options(FUNCTIONS),
+        license="BSD-3-Clause", maintainer=MAINTAINER, parameters={"m_tool": 1.5},
+    )  # fmt: skip
     return workspace.install(user), user
 
 
@@ -211,20 +215,25 @@ def test_a_run_time_parameter_must_be_set(workspace: Workspace, lift: tuple[str,
 
 @pytest.mark.thorough
 def test_a_controller_calls_the_kernel(workspace: Workspace, lift: tuple[str, Consumer]) -> None:
-    name, _ = lift
-    main = f"""#include <{name}/Lift_arm.h>
-int main() {{ double q[2] = {{}}, tau[2]; Lift_arm_params p = {{1.5}}; Lift_arm_gravity(q, tau, &p); }}
-"""
+    name, user = lift
+    robot = user.package.robot.name
+    main = c_program(user).replace(f"#include <{robot}.h>", f"#include <{name}/{robot}.h>")
+    assert f"#include <{name}/" in main
     text = DIRECT.format(package=name)
     write(workspace.folder, {"direct/CMakeLists.txt": text, "direct/main.cpp": main})
     workspace.cmake("direct")
-    run(workspace.folder / "build-direct" / "direct", cwd=workspace.folder)
+    direct = workspace.folder / "build-direct" / "direct"
+    user.check(run(direct, cwd=workspace.folder, stdin=user.stdin))
 
 
 @pytest.mark.thorough
 def test_the_schema_of_packages(workspace: Workspace, lift: tuple[str, Consumer]) -> None:
     """That of package.xml which ROS publishes; the build has read it too."""
     name, _ = lift
+    manifest = ElementTree.parse(workspace.folder / name / "package.xml")
+    maintainer = manifest.find("maintainer")
+    assert maintainer is not None
+    assert f"{maintainer.text} <{maintainer.get('email')}>" == MAINTAINER
     schema = "/usr/share/ament_xmllint/xml-catalog/download.ros.org/schema/package_format3.xsd"
     run("xmllint", "--noout", "--schema", schema, f"{name}/package.xml", cwd=workspace.folder)
     run("xmllint", "--noout", f"{name}/plugins.xml", cwd=workspace.folder)

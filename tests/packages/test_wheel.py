@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+import email
 import os
 import sys
 import venv
 import zipfile
 from collections.abc import Mapping
 from dataclasses import dataclass
+from email.utils import parseaddr
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from packages.consumers import Consumer, consumer, run, write
+from packages.consumers import MAINTAINER, Consumer, consumer, run, write
 from robodyn.kernels.generate import Options, generate
 from robodyn.packages import package
 from robodyn.packages.formats.wheel import tag_of
@@ -288,7 +290,7 @@ def test_a_tag_promises_no_more_than_is_so(
 
 
 def test_a_wheel_as_pip_and_zip_want_it(tmp_path: Path) -> None:
-    user = consumer("stanford_3dof", "wheel", Options(("gravity",)), license="MIT")
+    user = consumer("stanford_3dof", "wheel", Options(("gravity",)), license="MIT", maintainer=MAINTAINER)
     wheel = written(tmp_path, user)
     name, version, python, abi, machine = wheel.stem.split("-")
     assert (name, version, python, abi) == ("stanford_3dof_dynamics", "1.2.3", "py3", "none")
@@ -300,3 +302,5 @@ def test_a_wheel_as_pip_and_zip_want_it(tmp_path: Path) -> None:
     assert sorted(line.partition(",")[0] for line in record) == sorted(names)
     assert f"Tag: py3-none-{machine}\n" in tags
     assert "\nLicense: MIT\n" in metadata
+    stated = email.message_from_string(metadata)["Maintainer-email"]
+    assert "{} <{}>".format(*parseaddr(stated)) == MAINTAINER

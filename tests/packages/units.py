@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from packages.consumers import MAINTAINER
 from robodyn.kernels.generate import Options, generate
 from robodyn.packages import package
 from robodyn.robot import Robot, load, read_text
@@ -142,7 +143,8 @@ def unit_of(name: str, folder: Path) -> Unit:
     text, values = ARMS[name]
     robot = read_text(text) if "\n" in text else load(text)
     functions = ("forward_kinematics", "kinetic_energy")
-    packed = package(generate(robot, Options(functions=functions)), "fmu", version="1.2.3", license="MIT")
+    generated = generate(robot, Options(functions=functions))
+    packed = package(generated, "fmu", version="1.2.3", license="MIT", maintainer=MAINTAINER)
     path = folder / f"{packed.name}.fmu"
     content = packed.files()[path.name]
     assert isinstance(content, bytes)

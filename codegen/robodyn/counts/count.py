@@ -17,7 +17,7 @@ from robodyn.ir.program import Program
 @dataclass(frozen=True, slots=True)
 class Count:
     """Operations by kind. ``other`` are absolute values, signs, tanh, exp and pow,
-    which friction may need."""
+    which friction may need, and the arctangents and choices of inverse kinematics."""
 
     mul: int = 0
     add: int = 0
@@ -52,7 +52,7 @@ class Count:
 _KIND = {
     "mul": "mul", "add": "add", "sub": "add", "div": "div", "sqrt": "sqrt", "neg": "neg",
     "sin": "sincos", "cos": "sincos", "tanh": "other", "sign": "other", "abs": "other", "exp": "other",
-    "pow": "other",
+    "pow": "other", "atan2": "other", "select": "other",
 }  # fmt: skip
 
 

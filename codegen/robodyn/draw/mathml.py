@@ -263,6 +263,9 @@ def _of(expression: Expression) -> tuple[str, int]:
         return f"<mrow><mo>|</mo>{parts[0][0]}<mo>|</mo></mrow>", _ATOM
     if op == "pow":
         return f"<msup>{_bracketed(parts[0], _ATOM)}{parts[1][0]}</msup>", _ATOM
+    if op == "atan2" or op == "select":
+        inside = "<mo>,</mo>".join(text for text, _ in parts)
+        return f"<mrow>{_APPLIED.format(op)}<mo>(</mo>{inside}<mo>)</mo></mrow>", _ATOM
     name = {"sign": "sgn"}.get(op, op)
     return f"<mrow>{_APPLIED.format(name)}{_bracketed(parts[0], _ATOM)}</mrow>", _PRODUCT
 

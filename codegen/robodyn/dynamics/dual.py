@@ -11,7 +11,18 @@ from dataclasses import replace
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, Motion
-from robodyn.effects.scalars import cosine, exponential, magnitude, quotient, root, sign, sine, tangent
+from robodyn.effects.scalars import (
+    arctangent,
+    choose,
+    cosine,
+    exponential,
+    magnitude,
+    quotient,
+    root,
+    sign,
+    sine,
+    tangent,
+)
 
 
 class Dual:
@@ -89,6 +100,21 @@ class Dual:
     def cos(self) -> Dual:
         """Cosine."""
         return Dual(cosine(self.value), -(sine(self.value) * self.slope))
+
+    def atan2(self, x: Any) -> Dual:
+        """The angle of the point (``x``, this)."""
+        x = _dual(x)
+        above = x.value * self.slope - self.value * x.slope
+        return Dual(arctangent(self.value, x.value), above / (x.value * x.value + self.value * self.value))
+
+    def select(self, a: Any, b: Any) -> Dual:
+        """``a`` where this is more than 0, else ``b``."""
+        a, b = _dual(a), _dual(b)
+        return Dual(choose(self.value, a.value, b.value), choose(self.value, a.slope, b.slope))
+
+
+def _dual(x: Any) -> Dual:
+    return x if isinstance(x, Dual) else Dual(x, 0)
 
 
 def slopes(values: Sequence[Any]) -> list[Any]:

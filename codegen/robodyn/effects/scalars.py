@@ -11,6 +11,7 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
+from robodyn.ir.evaluate import selected
 from robodyn.ir.graph import Node
 
 # Exact where there is nothing to round.
@@ -38,6 +39,8 @@ def _call(name: str, x: Any) -> Any:
         import numpy as np
 
         return getattr(np, name)(x)
+    if hasattr(x, "context"):  # mpmath's numbers
+        return getattr(x.context, name)(x)
     if hasattr(x, name):
         return getattr(x, name)()
     return _AT_ZERO[name] if x == 0 and name in _AT_ZERO else _PLAIN[name](x)
@@ -71,6 +74,43 @@ def sine(x: Any) -> Any:
 def cosine(x: Any) -> Any:
     """Cosine of ``x`` [rad]."""
     return _call("cos", x)
+
+
+def arctangent(y: Any, x: Any) -> Any:
+    """The angle of the point (``x``, ``y``) [rad], within [-pi, pi]; 0 of two zeros."""
+    for each in (y, x):
+        if hasattr(each, "graph"):
+            return each.graph.atan2(y, x)
+    for each in (y, x):
+        if hasattr(each, "free_symbols"):
+            import sympy
+
+            return sympy.atan2(y, x) if y != 0 or x != 0 else 0
+        if hasattr(each, "dtype"):
+            import numpy as np
+
+            of_y, of_x = (z if hasattr(z, "dtype") else float(z) for z in (y, x))
+            return np.arctan2(of_y, of_x)
+        if hasattr(each, "context"):  # mpmath's numbers
+            return each.context.atan2(y, x)
+    if hasattr(y, "atan2"):
+        return y.atan2(x)
+    if hasattr(x, "atan2"):
+        return (y + 0 * x).atan2(x)
+    return 0 if y == 0 <= x else math.atan2(y, x)
+
+
+def choose(condition: Any, a: Any, b: Any) -> Any:
+    """``a`` where ``condition`` is more than 0, else (also where that is no number) ``b``."""
+    if hasattr(condition, "graph"):
+        return condition.graph.select(condition, a, b)
+    if hasattr(condition, "free_symbols"):
+        import sympy
+
+        return sympy.Piecewise((a, condition > 0), (b, True))
+    if hasattr(condition, "select"):
+        return condition.select(a, b)
+    return selected(condition, a, b)
 
 
 def sign(x: Any) -> Any:

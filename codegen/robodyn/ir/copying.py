@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.ir.graph import Graph, Node, Scalar
-from robodyn.ir.key import Key, plain_sum
+from robodyn.ir.key import SIGNED, Key, plain_sum, signed_operands
 
 
 def copied(graph: Graph, key: Key, copies: Mapping[int, Scalar]) -> Scalar:
@@ -25,10 +25,8 @@ def copied(graph: Graph, key: Key, copies: Mapping[int, Scalar]) -> Scalar:
     if op == "const":
         constant: Fraction = key[1]
         return constant
-    if op in ("sqrt", "exp"):
-        return graph.apply(op, [copies[key[1]] * key[2]])
-    if op == "pow":
-        return graph.pow(copies[key[1]] * key[2], copies[key[3]] * key[4])
+    if op in SIGNED:
+        return graph.apply(op, [copies[p] * s for p, s in signed_operands(key)])
     operands: list[Any] = [copies[p] for p in key[1:]]
     return graph.apply(op, operands)
 

@@ -10,7 +10,8 @@ from robodyn.ir.graph import Graph, Node, Scalar
 from robodyn.ir.lowering import needed
 from robodyn.ir.program import Input
 
-#: Added to a root in a denominator: where a sum of squares is zero, so is the derivative of its root taken.
+#: Added to a root or a sum of squares in a denominator: where the sum is zero, so is the derivative of its
+#: root taken, and that of the angle of a point.
 _TINY = Fraction(1, 10**150)
 
 
@@ -18,7 +19,7 @@ def jacobian(graph: Graph, outputs: Sequence[Scalar], inputs: Sequence[Input]) -
     """``d outputs_i / d inputs_j`` as rows [i][j].
 
     Where ``|x|`` and ``sgn x`` have no derivative, that of ``|x|`` is 0, and that of ``sgn x`` is 0
-    everywhere.
+    everywhere. What is selected has the derivative of what it is selected from, wherever the border lies.
 
     Raises
     ------
@@ -82,6 +83,13 @@ def _tangent(
         return key[1] * slope(key[2])
     if op == "mul":
         return slope(key[1]) * at(key[2]) + at(key[1]) * slope(key[2])
+    if op == "atan2":
+        _, y, _, x, sign = key
+        above = sign * (at(x) * slope(y) - at(y) * slope(x))
+        return graph.div(above, at(x) * at(x) + at(y) * at(y) + _TINY)
+    if op == "select":
+        _, condition, sign, a, _, b, relative = key
+        return graph.select(sign * at(condition), slope(a), relative * slope(b))
     inner = slope(key[1])
     if op == "div":
         below = slope(key[2])

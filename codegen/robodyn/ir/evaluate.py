@@ -19,7 +19,17 @@ REAL_FUNCTIONS: dict[str, Callable[..., Any]] = {
     "abs": abs,
     "exp": math.exp,
     "pow": math.pow,
+    "atan2": math.atan2,
 }
+
+
+def selected(condition: Any, a: Any, b: Any) -> Any:
+    """``a`` where ``condition`` is more than 0, else ``b``; element by element where it is a numpy array."""
+    if hasattr(condition, "dtype"):
+        import numpy as np
+
+        return np.where(condition > 0, a, b)[()]  # of a single number a number
+    return a if condition > 0 else b
 
 
 def evaluate(
@@ -32,9 +42,11 @@ def evaluate(
     """Run ``program`` on ``inputs``; the outputs by name.
 
     ``constant`` turns a constant into the scalar in use (``float``, ``Fraction``, ``sympy.Rational``...);
-    ``functions`` has ``sin cos sqrt tanh sign abs exp pow`` over that scalar, those that the program needs.
+    ``functions`` has ``sin cos sqrt tanh sign abs exp pow atan2`` over that scalar, those that the program
+    needs, and ``select`` where :func:`selected` does not do for it.
     """
     values: list[Any] = []
+    of = {"select": selected, **functions}
 
     def value(operand: Operand) -> Any:
         if isinstance(operand, int):
@@ -55,10 +67,8 @@ def evaluate(
             values.append(x / value(args[1]))
         elif op == "neg":
             values.append(-x)
-        elif op == "pow":
-            values.append(functions[op](x, value(args[1])))
         else:
-            values.append(functions[op](x))
+            values.append(of[op](x, *[value(arg) for arg in args[1:]]))
     return {name: [value(operand) for operand in elements] for name, elements in program.outputs}
 
 

@@ -114,14 +114,26 @@ class Field:
             raise Vanishes(f"a constant is a multiple of the prime {p}")
         return place
 
-    def opaque(self, op: str, x: int, exponent: int | None = None) -> int:
-        """``op`` of ``x`` as a random function: odd or even as it is, with its own value at zero."""
+    def opaque(self, op: str, x: int, *others: int) -> int:
+        """``op`` of ``x`` (and ``others``) as a random function: odd or even as it is, with its own value at
+        zero.
+
+        ``select`` is linear in what is chosen from, with a random function of the condition as the factor:
+        programs that agree there agree for either choice.
+        """
         p = self.prime
         x %= p
+        if op == "select":
+            a, b = others
+            return (b + self.random(f"select {x}") * (a - b)) % p if x else b % p
+        if op == "atan2":
+            y, of_x = min(x, p - x), others[0] % p
+            drawn = self.random(f"atan2 {y} {of_x}") if y or of_x else 0
+            return drawn if y == x else p - drawn
         if not x:
             return int(op in ("exp", "cos"))
         if op == "pow":
-            return self.random(f"pow {x} {exponent}")
+            return self.random(f"pow {x} {others[0]}")
         if op in ("sqrt", "exp"):
             return self.random(f"{op} {x}")
         y = min(x, p - x)

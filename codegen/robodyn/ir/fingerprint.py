@@ -24,8 +24,8 @@ def fingerprint(
     point; two that differ agree with a probability of about their degree / 2^119. Exact as ``Fraction``s are,
     and a hundred times faster, so that every pass can be checked on every run. The angles of joints are
     random points of the circle group, so that sines of sums obey the addition theorems; a part of an angle,
-    as in ``sin(q / 2)``, is an angle of its own. A sine of anything but multiples of inputs, sqrt, exp, pow,
-    tanh, sign and abs are random functions (tanh and sign odd, abs even) with their own values at zero.
+    as in ``sin(q / 2)``, is an angle of its own. A sine of anything but multiples of inputs and all else that
+    arithmetic does not have are random functions, as :meth:`~robodyn.ir.field.Field.opaque` has them.
 
     Raises
     ------
@@ -86,10 +86,8 @@ def fingerprint(
             x = x * pow(divisor, -1, p)
         elif op == "neg":
             x = -x
-        elif op == "pow":
-            x = field.opaque(op, x, value(args[1]))
         else:
-            x = field.opaque(op, x)
+            x = field.opaque(op, x, *[value(arg) for arg in args[1:]])
         values.append(x % p)
     return tuple([value(operand) for operand in program.results()])
 

@@ -174,17 +174,13 @@ class Graph:
 
     def cos(self, a: Scalar) -> Scalar:
         """Cosine; even."""
-        if not isinstance(a, Node):
-            if a == 0:
-                return Fraction(1)
-            a = self.constant(a)
-        return self._node(("cos", a.position))
+        if not isinstance(a, Node) and a == 0:
+            return Fraction(1)
+        return self._node(("cos", self._as_node(a).position))
 
     def sqrt(self, a: Scalar) -> Scalar:
         """Square root."""
-        if not isinstance(a, Node):
-            a = self.constant(a)
-        return self._node(("sqrt", a.position, a.sign))
+        return self._signed("sqrt", a)
 
     def tanh(self, a: Scalar) -> Scalar:
         """Hyperbolic tangent; odd."""
@@ -196,26 +192,36 @@ class Graph:
 
     def abs(self, a: Scalar) -> Scalar:
         """Absolute value; even."""
-        if not isinstance(a, Node):
-            return a if a >= 0 else -a
-        return self._node(("abs", a.position))
+        return self._node(("abs", a.position)) if isinstance(a, Node) else max(a, -a)
 
     def exp(self, a: Scalar) -> Scalar:
         """Exponential."""
-        if not isinstance(a, Node):
-            if a == 0:
-                return Fraction(1)
-            a = self.constant(a)
-        return self._node(("exp", a.position, a.sign))
+        if not isinstance(a, Node) and a == 0:
+            return Fraction(1)
+        return self._signed("exp", a)
 
     def pow(self, a: Scalar, b: Scalar) -> Scalar:
         """``a`` to the power of ``b``, for ``a`` of 0 or more; whole powers up to 4 are products."""
         if not isinstance(b, Node) and b in (1, 2, 3, 4):
             square = a if b == 1 else self.mul(a, a)
             return square if b <= 2 else self.mul(square, a if b == 3 else square)
-        a = a if isinstance(a, Node) else self.constant(a)
-        b = b if isinstance(b, Node) else self.constant(b)
-        return self._node(("pow", a.position, a.sign, b.position, b.sign))
+        return self._signed("pow", a, b)
+
+    def atan2(self, y: Scalar, x: Scalar) -> Scalar:
+        """The angle of the point (x, y), within [-pi, pi]; 0 of two zeros. Odd in ``y``."""
+        if not isinstance(y, Node) and not isinstance(x, Node) and y == 0 <= x:
+            return 0
+        sign = self._as_node(y).sign
+        return sign * self._signed("atan2", sign * y, x)
+
+    def select(self, condition: Scalar, a: Scalar, b: Scalar) -> Scalar:
+        """``a`` where ``condition`` is more than 0, else ``b``."""
+        if not isinstance(condition, Node):
+            return a if condition > 0 else b
+        if a == b:
+            return a
+        sign = self._as_node(b if a == 0 else a).sign
+        return sign * self._signed("select", condition, sign * a, sign * b)
 
     def apply(self, op: str, args: Sequence[Scalar]) -> Scalar:
         """An operation by its name in a program."""
@@ -294,11 +300,17 @@ class Graph:
     def _node(self, key: Key, sign: int = 1, known: Key | None = None) -> Node:
         return Node(self, self.position(key, known), sign)
 
+    def _as_node(self, a: Scalar) -> Node:
+        return a if isinstance(a, Node) else self.constant(a)
+
+    def _signed(self, op: str, *operands: Scalar) -> Node:
+        nodes = map(self._as_node, operands)
+        return self._node((op, *(x for node in nodes for x in (node.position, node.sign))))
+
     def _odd(self, op: str, a: Scalar) -> Scalar:
-        if not isinstance(a, Node):
-            if a == 0:
-                return 0
-            a = self.constant(a)
+        if not isinstance(a, Node) and a == 0:
+            return 0
+        a = self._as_node(a)
         return self._node((op, a.position), a.sign)
 
     def _simpler_sum(self, a: Node, b: Node) -> Scalar | None:

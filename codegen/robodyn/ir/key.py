@@ -10,6 +10,12 @@ from typing import Any
 #: ``("pow", i, sign, j, sign)``, ``("const", value)``, ``("input", Input)``.
 Key = tuple[Any, ...]
 
+#: Operations whose keys have a sign behind every operand.
+SIGNED = frozenset(("sqrt", "exp", "pow", "atan2", "select"))
+#: Those of them that change sign with these operands (from 0), all together; the first of these has the
+#: sign 1 in a key.
+ODD = {"atan2": (0,), "select": (1, 2)}
+
 
 def children(key: Key) -> tuple[int, ...]:
     """Positions that ``key`` reads."""
@@ -22,11 +28,19 @@ def children(key: Key) -> tuple[int, ...]:
         return (key[2],)
     if op in ("input", "const"):
         return ()
-    if op in ("sqrt", "exp"):
-        return (key[1],)
-    if op == "pow":
-        return (key[1], key[3])
+    if op in SIGNED:
+        return key[1::2]
     return key[1:]
+
+
+def signed_operands(key: Key, own: int = 1) -> tuple[tuple[int, int], ...]:
+    """The positions that ``key``, one of ``SIGNED``, reads, each with the sign it is read with where
+    the value is wanted with the sign ``own``, -1 only of :data:`ODD` operations."""
+    operands = tuple(zip(key[1::2], key[2::2], strict=True))
+    if own > 0:
+        return operands
+    odd = ODD[key[0]]
+    return tuple([(p, -s if k in odd else s) for k, (p, s) in enumerate(operands)])
 
 
 #: What may be a value plus a constant.

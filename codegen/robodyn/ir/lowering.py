@@ -10,6 +10,7 @@ from fractions import Fraction
 from itertools import compress
 
 from robodyn.ir.graph import Graph, Node, Scalar
+from robodyn.ir.key import SIGNED, signed_operands
 from robodyn.ir.program import Operand, Operation, Program, operation_of
 
 Outputs = Iterable[tuple[str, Sequence[Scalar]]]
@@ -80,10 +81,8 @@ def lower(graph: Graph, outputs: Outputs, stored: Mapping[int, int] | None = Non
         elif op == "input" or op == "const":
             place[position] = key[1]
             continue
-        elif op in ("sqrt", "exp"):
-            args = (signed(key[1], key[2]),)
-        elif op == "pow":
-            args = (signed(key[1], key[2]), signed(key[3], key[4]))
+        elif op in SIGNED:
+            args = tuple([signed(p, s) for p, s in signed_operands(key, own)])
         elif op in ("cos", "abs"):
             args = (place[key[1]],)
         else:

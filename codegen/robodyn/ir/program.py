@@ -47,9 +47,14 @@ class Label(NamedTuple):
 #: The value of an earlier operation (its position), an input, or a constant.
 Operand = int | Input | Fraction
 
-#: Operations with two operands and with one.
-BINARY = ("add", "sub", "mul", "div", "pow")
+#: Operations with one operand, two and three. ``atan2`` is of y and x: the angle of the point (x, y) [rad],
+#: within [-pi, pi], 0 of two zeros. ``select`` is its second operand where the first is more than 0, else (so
+#: also where that is no number) the third; both are computed.
 UNARY = ("neg", "sqrt", "sin", "cos", "tanh", "sign", "abs", "exp")
+BINARY = ("add", "sub", "mul", "div", "pow", "atan2")
+TERNARY = ("select",)
+#: How many operands each operation has.
+ARITY = {op: n for n, ops in enumerate((UNARY, BINARY, TERNARY), 1) for op in ops}
 
 
 class Operation(NamedTuple):

@@ -94,8 +94,17 @@ class Residue:
         """Hyperbolic tangent; odd."""
         return self._call("tanh")
 
-    def _call(self, op: str) -> Residue:
-        return Residue(self.field, self.field.opaque(op, self.value))
+    def atan2(self, x: Residue | Number) -> Residue:
+        """The angle of the point (``x``, this)."""
+        return self._call("atan2", x)
+
+    def select(self, a: Residue | Number, b: Residue | Number) -> Residue:
+        """``a`` where this is more than 0, else ``b``."""
+        return self._call("select", a, b)
+
+    def _call(self, op: str, *others: Residue | Number) -> Residue:
+        values = [x.value if isinstance(x, Residue) else self.field.number(x) for x in others]
+        return Residue(self.field, self.field.opaque(op, self.value, *values))
 
     def __repr__(self) -> str:
         return f"{self.value:x} mod {self.field.prime:x}"

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from robodyn.dynamics.functions import FUNCTIONS, by_default, function_named
-from robodyn.errors import InputError
+from robodyn.errors import InputError, did_you_mean
 from robodyn.ir.signature import ScalarType
 from robodyn.optimize.programs import FORMULATIONS, Choice
 from robodyn.optimize.records import Record
@@ -226,11 +226,8 @@ def _check_functions(functions: tuple[str, ...]) -> None:
 
 def _one_of(what: str, value: str, allowed: Sequence[str]) -> None:
     if value not in allowed:
-        import difflib
-
-        close = difflib.get_close_matches(value, allowed, n=1)
         raise InputError(
             f"unknown {what} {value!r}",
             expected=f"one of {', '.join(allowed)}",
-            remedy=f"did you mean {close[0]!r}?" if close else None,
+            remedy=did_you_mean(value, allowed),
         )

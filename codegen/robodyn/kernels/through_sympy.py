@@ -208,5 +208,11 @@ class _Converter:
             return power if expression.exp > 0 else self.graph.div(1, power)
         if expression in (sympy.zoo, sympy.nan):
             raise ZeroDivisionError("division by zero in the model")
-        functions = {sympy.sin: "sin", sympy.cos: "cos", sympy.tanh: "tanh", sympy.sign: "sign"}
-        return self.graph.apply(functions[expression.func], [self.convert(expression.args[0])])
+        if isinstance(expression, sympy.Piecewise):
+            (chosen, relation), (other, _) = expression.args
+            condition = self.convert(relation.gts - relation.lts)
+            return self.graph.select(condition, self.convert(chosen), self.convert(other))
+        functions = {
+            sympy.sin: "sin", sympy.cos: "cos", sympy.tanh: "tanh", sympy.sign: "sign", sympy.atan2: "atan2",
+        }  # fmt: skip
+        return self.graph.apply(functions[expression.func], [self.convert(arg) for arg in expression.args])

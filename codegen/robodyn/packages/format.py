@@ -13,6 +13,7 @@ from robodyn.emit.unit import needs_libm
 from robodyn.firmware.language_tests import language_tests
 from robodyn.ir.signature import ScalarType, Signature
 from robodyn.kernels.generate import Generated
+from robodyn.packages.maintainer import Maintainer
 from robodyn.robot.model import Robot
 
 #: Files by path within the folder of the package; bytes where a file is no text.
@@ -90,13 +91,14 @@ class Routine:
 class Package:
     """A package: what its files are made of.
 
-    ``license`` is an SPDX expression, or None where none is stated.
+    ``license`` is an SPDX expression; it and ``maintainer`` are None where none is stated.
     """
 
     generated: Generated
     format: Format
     version: str
     license: str | None
+    maintainer: Maintainer | None
 
     @property
     def robot(self) -> Robot:

@@ -11,6 +11,7 @@ from robodyn.errors import InputError
 from robodyn.kernels.generate import Generated
 from robodyn.packages.format import Format, Package, Trait
 from robodyn.packages.formats import format_named
+from robodyn.packages.maintainer import read_maintainer
 
 #: The version of a package whose user states none.
 FIRST_VERSION: Final = "0.1.0"
@@ -26,17 +27,23 @@ _PHRASES: Final[Mapping[Trait, str]] = {
 
 
 def package(
-    generated: Generated, form: str | Format, *, version: str = FIRST_VERSION, license: str | None = None
+    generated: Generated,
+    form: str | Format,
+    *,
+    version: str = FIRST_VERSION,
+    license: str | None = None,
+    maintainer: str | None = None,
 ) -> Package:
-    """The package of ``generated`` in the format ``form``.
+    """The package of ``generated`` in the format ``form``; ``maintainer`` as ``NAME <EMAIL>``.
 
     Raises
     ------
     InputError: there is no such format, it has no place for what the kernels are, the robot lacks a function
-        that it needs, or version or licence are none.
+        that it needs, or version, licence or maintainer are none.
     """
     form = format_named(form) if isinstance(form, str) else form
     _check_metadata(version, license)
+    contact = None if maintainer is None else read_maintainer(maintainer)
     missing = [function for function in form.needs if function not in generated.counts]
     if missing:
         reasons = (f"{name}: {generated.left_out.get(name, 'not generated')}" for name in missing)
@@ -51,7 +58,7 @@ def package(
             f"{form.title} has no place for {' and '.join(unfit)}",
             remedy="choose another format, or a description and options without them",
         )
-    return Package(generated, form, version, license)
+    return Package(generated, form, version, license, contact)
 
 
 def _check_metadata(version: str, license: str | None) -> None:

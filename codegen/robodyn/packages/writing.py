@@ -16,6 +16,7 @@ from robodyn.errors import InputError
 from robodyn.files import read_bytes
 from robodyn.packages.format import Files, Package
 from robodyn.packages.limits import LARGEST_FILE
+from robodyn.packages.maintainer import NOT_STATED
 
 #: What every file says that is ours, and may be written again; one without it is somebody else's.
 MARK: Final = "Written by robodyn"
@@ -54,6 +55,8 @@ def context(package: Package) -> dict[str, Any]:
         "prefix": package.name.upper(),
         "version": package.version,
         "license": package.license,
+        "maintainer": package.maintainer,
+        "contact": package.maintainer or NOT_STATED,
         "n": robot.n,
         "scalar": package.scalar,
         "libm": package.libm,

@@ -6,12 +6,13 @@ from __future__ import annotations
 from typing import Any
 
 from robodyn.ir.graph import Graph, Node
+from robodyn.ir.key import ODD, SIGNED, signed_operands
 from robodyn.ir.lowering import lower, needed
 from robodyn.ir.program import Program
 from robodyn.passes.replay import as_graph
 
 #: Operations whose sign is free to choose.
-_FREE = frozenset(("add", "scale", "mul", "div"))
+_FREE = frozenset(("add", "scale", "mul", "div", *ODD))
 
 #: How many reversed names a unary minus is worth.
 _MINUS = 3
@@ -122,10 +123,9 @@ class _Signs:
             return _MINUS if sign[p] * sign[key[1]] * sign[key[2]] < 0 else 0
         if op == "scale":
             return 1 if sign[p] * sign[key[2]] < 0 else 0
-        if op in ("sqrt", "exp"):
-            return _MINUS if key[2] != sign[key[1]] else 0
-        if op == "pow":
-            return _MINUS * (int(key[2] != sign[key[1]]) + int(key[4] != sign[key[3]]))
+        if op in SIGNED:
+            against = [q for q, s in signed_operands(key, sign[p]) if s != sign[q]]
+            return _MINUS * len([q for q in against if self.keys[q][0] != "const"])
         if op in ("sin", "tanh", "sign"):
             return _MINUS if sign[key[1]] < 0 else 0
         return 0

@@ -8,10 +8,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final, Literal
 
-from robodyn.errors import InputError
+from robodyn.errors import InputError, did_you_mean
 from robodyn.files import label, read_start
 from robodyn.project.fingerprint import digest
-from robodyn.project.keys import did_you_mean
 from robodyn.project.limits import LARGEST_OUTPUT
 from robodyn.project.lock import Lock, Locked
 from robodyn.project.product import Product

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import difflib
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, Final
 
-from robodyn.errors import InputError
+from robodyn.errors import InputError, did_you_mean
 
 #: The commands that write the entries of a project.
 KERNELS: Final = "gen"
@@ -79,12 +78,6 @@ class Keys:
     def of(self, command: str) -> Mapping[str, Key]:
         """Those of the command that writes an entry."""
         return self.packages if command == PACKAGE else self.kernels
-
-
-def did_you_mean(word: str, words: Iterable[str]) -> str | None:
-    """A question, if one of ``words`` is close to ``word``."""
-    close = difflib.get_close_matches(word, list(words), n=1)
-    return f"did you mean {close[0]!r}?" if close else None
 
 
 def shown(value: Any) -> str:

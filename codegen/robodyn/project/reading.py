@@ -9,9 +9,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
-from robodyn.errors import InputError, Place
+from robodyn.errors import InputError, Place, did_you_mean
 from robodyn.files import label, read_text
-from robodyn.project.keys import KERNELS, PACKAGE, Key, Keys, did_you_mean, shown
+from robodyn.project.keys import KERNELS, PACKAGE, Key, Keys, shown
 from robodyn.project.limits import LARGEST_BUDGET, LARGEST_FILE
 from robodyn.project.places import Places
 from robodyn.resources import bundled_robot
@@ -170,17 +170,17 @@ class _Reader:
         """The packages of the robot ``entry``: formats in a list, or a table for each. They have the options
         of the robot that packages have."""
         at = ("robots", entry.name, "packages")
-        asked = self._table("robots", entry.name).get("packages", {})
-        if isinstance(asked, list):
-            if not all(isinstance(form, str) for form in asked) or len(set(asked)) < len(asked):
-                raise self._no_packages(at, asked)
-        elif not isinstance(asked, dict):
-            raise self._no_packages(at, asked)
+        formats = self._table("robots", entry.name).get("packages", {})
+        if isinstance(formats, list):
+            if not all(isinstance(form, str) for form in formats) or len(set(formats)) < len(formats):
+                raise self._no_packages(at, formats)
+        elif not isinstance(formats, dict):
+            raise self._no_packages(at, formats)
         keys = self.keys.packages
         inherited = {name: value for name, value in entry.settings.items() if name in keys}
-        for form in asked:
-            table = self._table(*at, form) if isinstance(asked, dict) else {}
-            own = self._options((*at, form), OWN_OF_PACKAGE, keys) if isinstance(asked, dict) else {}
+        for form in formats:
+            table = self._table(*at, form) if isinstance(formats, dict) else {}
+            own = self._options((*at, form), OWN_OF_PACKAGE, keys) if isinstance(formats, dict) else {}
             settings = {**inherited, **own}
             output = table.get("output", f"packages/{entry.name}/{form}")
             yield Entry(
@@ -195,11 +195,11 @@ class _Reader:
                 PACKAGE,
             )
 
-    def _no_packages(self, at: tuple[str, ...], asked: Any) -> InputError:
+    def _no_packages(self, at: tuple[str, ...], formats: Any) -> InputError:
         return InputError(
             "these are no formats of packages",
             where=self.places.of(*at),
-            found=shown(asked),
+            found=shown(formats),
             expected="a list of formats, each once, or a table for each",
         )
 

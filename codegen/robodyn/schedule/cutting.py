@@ -17,11 +17,11 @@ from graphlib import TopologicalSorter
 from typing import Final
 
 from robodyn.errors import InputError
-from robodyn.ir.program import BINARY, UNARY, Program
+from robodyn.ir.program import ARITY, Program
 from robodyn.schedule.graph import TaskGraph, TaskId
 
 #: What operations cost where nothing else is said: the thesis's convention.
-COSTS: Final[Mapping[str, int]] = {op: 0 if op in ("neg", "sin", "cos") else 1 for op in (*BINARY, *UNARY)}
+COSTS: Final[Mapping[str, int]] = {op: 0 if op in ("neg", "sin", "cos") else 1 for op in ARITY}
 
 #: More than this in a task is no cutting any more.
 MOST_OPERATIONS: Final = 100_000

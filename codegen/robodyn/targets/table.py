@@ -5,50 +5,15 @@ A module is called as its target is, ``_`` for ``-``, and has it as ``TARGET``; 
 
 from __future__ import annotations
 
-import importlib
-import pkgutil
-from collections.abc import Iterable, Iterator, Mapping
-from functools import cache
+from collections.abc import Iterable, Mapping
 from typing import Final
 
-from robodyn.errors import InputError
-from robodyn.targets import processors
+from robodyn.errors import InputError, did_you_mean
+from robodyn.registry import Registry
 from robodyn.targets.target import Target
 
-
-@cache
-def _names() -> tuple[str, ...]:
-    modules = (module.name for module in pkgutil.iter_modules(processors.__path__))
-    return tuple(sorted(name.replace("_", "-") for name in modules))
-
-
-@cache
-def _read(name: str) -> Target:
-    module = importlib.import_module(f"{processors.__name__}.{name.replace('-', '_')}")
-    target = module.TARGET
-    assert isinstance(target, Target)
-    assert target.name == name, f"{module.__file__}: its target is called {target.name}"
-    return target
-
-
-class _Table(Mapping[str, Target]):
-    def __getitem__(self, name: str) -> Target:
-        if name not in _names():
-            raise KeyError(name)
-        return _read(name)
-
-    def __contains__(self, name: object) -> bool:
-        return name in _names()
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(_names())
-
-    def __len__(self) -> int:
-        return len(_names())
-
-
 #: Targets by name, in the order of their names.
-TARGETS: Final[Mapping[str, Target]] = _Table()
+TARGETS: Final[Mapping[str, Target]] = Registry(f"{__package__}.processors", "TARGET", Target)
 
 
 def all_targets() -> tuple[Target, ...]:
@@ -89,12 +54,9 @@ def target_named(
     known = {target.name: target for target in (all_targets() if among is None else among)}
     spellings = {alias: target for target in known.values() for alias in (target.name, *target.aliases)}
     if name not in spellings:
-        import difflib
-
-        close = difflib.get_close_matches(name, spellings, n=1)
         raise InputError(
             f"{what} {name!r}",
             expected=f"one of {', '.join(known)}{others}",
-            remedy=f"did you mean {close[0]!r}?" if close else None,
+            remedy=did_you_mean(name, spellings),
         )
     return spellings[name]

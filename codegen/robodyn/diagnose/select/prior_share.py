@@ -15,7 +15,7 @@ from robodyn.diagnose.select.limits import LEAST_PRIOR_SHARE, PRIOR_SHARES, TIGH
 
 
 def prior_share(p: Problem, fit: Fit) -> float:
-    """As what share of what is said of them the arm's own numbers are wrong, no larger than is taken: its root
+    """As what share of what is said of them the arm's own numbers are wrong, at most as is taken: the root
     mean square over its posterior. ``p``: with all that was named, ``fit``: its fit."""
     taken = share_taken(p)
     if not p.nuisance or taken <= LEAST_PRIOR_SHARE:

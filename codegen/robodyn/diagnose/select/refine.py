@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from robodyn.diagnose.amend.amend import Amendment, amended
 from robodyn.diagnose.select.fit import Problem
 from robodyn.diagnose.select.library import Context
+from robodyn.diagnose.select.library.sensors import leave_little
 from robodyn.diagnose.select.limits import (
     HUBER,
     HUBER_ROUNDS,
@@ -123,10 +124,12 @@ class Freed:
 
     def missed(self, x: Floats) -> Floats | None:
         """What is left [N n] of the logs with values ``x`` [P], in units of the noise; None where no robot
-        has such values, or its springs diverge."""
+        has such values, its springs diverge, or its limits leave next to nothing to be explained."""
         try:
             model = amended(self.robot, self.changed(x))
         except InputError:
+            return None
+        if leave_little([c.signals.tau for c in self.contexts], model):
             return None
         speeds = self.speeds(x)
         rows = np.concatenate([remainder(model, c, sticking=speeds) for c in self.contexts])
@@ -197,17 +200,20 @@ def fitted(freed: Freed) -> Floats:
 def costs(
     robot: Robot, models: Sequence[Sequence[Amendment]], contexts: Sequence[Context], start: Problem
 ) -> list[float]:
-    """What ``robot`` with all of each of the ``models`` leaves of the logs, in units of log-likelihood;
-    bursts, by the measure of the first model, count by their size (Huber 1964)."""
+    """What ``robot`` with all of each of the ``models`` leaves of the logs, in units of log-likelihood,
+    infinite where there is no such robot or its springs diverge; bursts, by the measure of the first model,
+    count by their size (Huber 1964)."""
     usual: Floats | None = None
     residuals = []
     for model in models:
-        arm = amended(robot, model)
-        nuisance, prior = own_numbers_of(arm, robot, contexts, start)
-        left = np.concatenate([remainder(arm, c) for c in contexts])
-        left *= start.weight / start.sigma
-        weight, usual = weights(left, nuisance, prior, usual)
-        least = _least(weight * left.reshape(-1), weight[:, None] * nuisance, prior)[0]
+        freed = Freed.of(robot, model, contexts, start)
+        left = freed.missed(freed.x)
+        if left is None:
+            residuals.append(np.inf)
+            continue
+        nuisance, prior = freed.own_numbers(freed.x)
+        weight, usual = weights(left.reshape(-1, start.n), nuisance, prior, usual)
+        least = _least(weight * left, weight[:, None] * nuisance, prior)[0]
         residuals.append(least / 2 / start.thin)
     return residuals
 

@@ -110,13 +110,14 @@ def _judge(robot: Robot, findings: dict[Key, Detected], begun: Selection, share:
 def _is_better(
     robot: Robot, findings: Mapping[Key, Detected], more: Mapping[Key, Detected], first: Selection
 ) -> bool:
-    """Whether ``more`` explains more of the logs than ``findings``, by as much as its numbers are worth."""
+    """Whether ``more`` explains more of the logs than ``findings``, by as much as its numbers are worth; the
+    first that are named need only be of an arm that can be."""
     if set(more) == set(findings):
         return False
-    if not findings:
-        return True
     added = [one for key, one in more.items() if key not in findings]
     before, after = costs(robot, [_amendments(findings), _amendments(more)], first.contexts, first.start)
+    if not findings:
+        return bool(np.isfinite(after))
     worth = sum(evidence_threshold(first.start, numbers_of(one.named.trial)) for one in added)
     return before - after > PRICE * worth
 
@@ -131,7 +132,8 @@ def _pruned(robot: Robot, findings: dict[Key, Detected], first: Selection) -> No
                 _refit(robot, others, first)
             without.append(others)
         models = [_amendments(findings), *(_amendments(others) for others in without)]
-        whole, *less = costs(robot, models, first.contexts, first.start)
+        # Of effects that diverge together each is spare, first those without which nothing does.
+        whole, *less = np.nan_to_num(costs(robot, models, first.contexts, first.start))
         spare = [
             cost - whole - PRICE * evidence_threshold(first.start, numbers_of(one.named.trial))
             for cost, one in zip(less, findings.values(), strict=True)

@@ -224,7 +224,7 @@ def select(
                 margin = TIGHT_EVIDENCE if best is described else 0.0
                 if view.chosen.findings and view.evidence > best.evidence + margin:
                     best = view
-            if best is not described and not best.may_name(robot, described):
+            if best is not described and not best.may_name(described):
                 best = described
         elif not is_stated:
             for share in UNSTATED:
@@ -266,19 +266,18 @@ class _View:
         """With its evidence."""
         return cls(start, chosen, _evidence(start, chosen), tight, unstated)
 
-    def may_name(self, robot: Robot, described: _View) -> bool:
+    def may_name(self, described: _View) -> bool:
         """Whether its names are none of what the view as ``described`` has it to be so. That the numbers of
         a link are wrong, or that there is a body more, is news where all other numbers are as exact as can
-        be; the first only where nothing is said of them. A scatter of them all, of which one shows most, is
-        what a description is expected to have, and on an arm of few joints one body may fit it."""
+        be, whatever is said of them (those of an identified arm are better than its description says). A
+        scatter of them all, of which one shows most, is what a description is expected to have, and on an
+        arm of few joints one body may fit it."""
         candidates = [each.trial.candidate for each in self.chosen.findings]
-        links = [robot.links[c.joint - 1] for c in candidates if is_of_link(c) and c.joint is not None]
-        bodies = sum(c.definition.traits.body for c in candidates)
-        if not links and not bodies:
+        several = sum(is_of_link(c) or c.definition.traits.body for c in candidates)
+        if not several:
             return True
-        is_stated = any(link.confidence is not None for link in links)
         is_exact = self.tight == min(TIGHT) and self.evidence > described.evidence + RIGID_EVIDENCE
-        return len(links) + bodies == 1 and is_exact and not is_stated
+        return several == 1 and is_exact
 
 
 def _evidence(start: Problem, chosen: Chosen) -> float:

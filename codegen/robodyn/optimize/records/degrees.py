@@ -6,6 +6,7 @@ A polynomial of low degree cannot be small at a few magnitudes and large between
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import reduce
 
 from robodyn.ir.program import Input, Operand, Program
 
@@ -65,10 +66,13 @@ def reading(program: Program) -> Reading:
             value = degrees(args[0]) + degrees(args[1])
         elif op == "add" or op == "sub":
             value = _each_highest(degrees(args[0]), degrees(args[1]))
-        else:
+        elif op == "neg" or op == "abs":
             value = degrees(args[0])
-            if op != "neg" and op != "abs":  # bounded
-                highest, value = _each_highest(highest, value), 0
+        elif op == "select":
+            highest = _each_highest(highest, degrees(args[0]))
+            value = _each_highest(degrees(args[1]), degrees(args[2]))
+        else:  # bounded
+            highest, value = reduce(_each_highest, map(degrees, args), highest), 0
         values.append(value)
         highest = _each_highest(highest, value)
     for x in program.results():

@@ -28,7 +28,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 
 from robodyn.errors import InputError, Place
-from robodyn.ir.program import BINARY, UNARY, Input, Label, Operand, Operation, Program
+from robodyn.ir.program import ARITY, Input, Label, Operand, Operation, Program
 from robodyn.optimize.records.function_key import function_key
 
 _TITLE = "robodyn record 1"
@@ -127,9 +127,8 @@ def parse_record(text: str, file: str) -> Record:
         words = body.split()
         if name == f"%{len(operations)}" and not outputs and words:
             op, *rest = words
-            arity = 2 if op in BINARY else 1 if op in UNARY else 0
-            if len(rest) != arity or not arity:
-                raise _fault(file, line_number, "not an operation", f"one of {', '.join((*BINARY, *UNARY))}")
+            if len(rest) != ARITY.get(op):
+                raise _fault(file, line_number, "not an operation", f"one of {', '.join(ARITY)}")
             args = tuple(_parsed(word, len(operations), file, line_number) for word in rest)
             sizes.append(_size(op, args, sizes, file, line_number))
             operations.append(Operation(op, args, _label(note, file, line_number) if colon else None))

@@ -5,50 +5,17 @@ A module is imported when its format is asked for; nothing else has to name it.
 
 from __future__ import annotations
 
-import difflib
-import importlib
-import pkgutil
-from collections.abc import Iterator, Mapping
-from functools import cache
+from collections.abc import Mapping
 from typing import Final
 
-from robodyn.errors import InputError
+from robodyn.errors import InputError, did_you_mean
 from robodyn.packages.format import Format
+from robodyn.registry import Registry
 
 __all__ = ["FORMATS", "format_named"]
 
-
-@cache
-def _names() -> tuple[str, ...]:
-    return tuple(sorted(module.name for module in pkgutil.iter_modules(__path__)))
-
-
-@cache
-def _read(name: str) -> Format:
-    record = importlib.import_module(f"{__name__}.{name}").FORMAT
-    assert isinstance(record, Format)
-    assert record.name == name, f"{name}.py: its format is called {record.name}"
-    return record
-
-
-class _Formats(Mapping[str, Format]):
-    def __getitem__(self, name: str) -> Format:
-        if name not in _names():
-            raise KeyError(name)
-        return _read(name)
-
-    def __contains__(self, name: object) -> bool:
-        return name in _names()
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(_names())
-
-    def __len__(self) -> int:
-        return len(_names())
-
-
 #: Formats by name, in the order of their names.
-FORMATS: Final[Mapping[str, Format]] = _Formats()
+FORMATS: Final[Mapping[str, Format]] = Registry(__name__, "FORMAT", Format)
 
 
 def format_named(name: str) -> Format:
@@ -60,9 +27,8 @@ def format_named(name: str) -> Format:
     """
     if name in FORMATS:
         return FORMATS[name]
-    close = difflib.get_close_matches(name, FORMATS, n=1)
     raise InputError(
         f"unknown format of a package {name!r}",
         expected=f"one of {', '.join(FORMATS)}",
-        remedy=f"did you mean {close[0]!r}?" if close else None,
+        remedy=did_you_mean(name, FORMATS),
     )

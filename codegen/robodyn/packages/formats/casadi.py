@@ -123,8 +123,8 @@ def _jacobian(package: Package, routine: Routine, routines: dict[str, Routine]) 
                 places = _by_columns(rows, columns, zeros)
                 outputs.append(Slot(title, _pattern(rows, columns, places)))
                 lines += _taken(f"res[{k}]", array.name, places)
-        asked = " || ".join(f"res[{k}]" for k in wanted)
-        body += [f"if ({asked}) {{", *(f"    {line}" for line in lines), "}"]
+        condition = " || ".join(f"res[{k}]" for k in wanted)
+        body += [f"if ({condition}) {{", *(f"    {line}" for line in lines), "}"]
         work = max(work, size)
     inputs = [Slot(array.name, _dense(*_plane(array))) for array in routine.inputs]
     rows, columns = _plane(result)

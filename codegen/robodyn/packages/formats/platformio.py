@@ -29,12 +29,15 @@ def _files(package: Package) -> Files:
 def _manifest(package: Package) -> dict[str, object]:
     """What PlatformIO reads. Which processor it is, the board says and not the library."""
     flags = [flag for flag in arithmetic_flags(package) if not flag.startswith("-m")]
+    contact = package.maintainer
+    authors = [] if contact is None else [{"name": contact.name, "email": contact.email, "maintainer": True}]
     return {
         "name": package.name,
         "version": package.version,
         "description": f"Dynamics of the arm {package.robot.name}. {MARK}; do not edit, generate again.",
         "keywords": ["robotics", "dynamics"],
         **({"license": package.license} if package.license else {}),
+        **({"authors": authors} if authors else {}),
         "headers": f"{package.robot.name}.h",
         "frameworks": "*",
         "platforms": "*",
