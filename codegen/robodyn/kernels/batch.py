@@ -52,11 +52,8 @@ class Batch:
             raise InputError(
                 f"{where}: threads is not a number of threads", found=repr(value), expected="1 or more"
             )
-        names = [name for name, _ in function.signature.inputs]
-        passed = [
-            read_states(where, name, length, value, dtype)
-            for (name, length), value in zip(function.signature.inputs, arrays, strict=True)
-        ]
+        names = [name for name, _ in function.inputs]
+        passed = function.read(arrays, read_states)
         (count,) = common_lead(where, names, passed)
         results, columns = self._results(count, out, passed, arrays)
         inputs = [laid_out(array, dtype, columns=columns) for array in passed]

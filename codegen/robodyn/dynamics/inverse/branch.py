@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
+from robodyn.dynamics.inverse.limits import TOLERANCE
 from robodyn.dynamics.inverse.screws import Axis, Circle, opposite, sum_of, turned
 from robodyn.dynamics.inverse.subproblems import (
     One,
@@ -14,6 +16,7 @@ from robodyn.dynamics.inverse.subproblems import (
     Two,
     both,
     either,
+    is_number,
     reaching,
     slides,
     turning_onto,
@@ -90,14 +93,16 @@ class Setting:
     size: Fraction
     precision: Precision
 
-    def onto(self, axis: Axis, v: Vector, onto: Vector, lengths: int = 0) -> One:
-        """See :func:`turning_onto`; ``lengths``: how many of the two vectors are not unit vectors."""
-        near, size = self.near(axis.joint), self.size**lengths
-        return turning_onto(v, onto, axis.direction, near, size, self.precision)
+    def onto(self, axis: Axis, v: Vector, onto: Vector, lengths: int = 0, *, lever: Any = 0) -> One:
+        """See :func:`turning_onto`; ``lengths``: how many of the two vectors are not unit vectors. ``lever``:
+        a number that is not 0 where ``v`` is never along the axis."""
+        sure = is_number(lever) and abs(lever) > TOLERANCE * self.size
+        near = None if sure else partial(self.near, axis.joint)
+        return turning_onto(v, onto, axis.direction, near, self.size**lengths, self.precision)
 
     def reach(self, axis: Axis, v: Vector, along: Vector, distance: Any, lengths: int = 0) -> Two:
         """See :func:`reaching`."""
-        near, size = self.near(axis.joint), self.size**lengths
+        near, size = partial(self.near, axis.joint), self.size**lengths
         return reaching(v, along, distance, axis.direction, near, size, self.precision)
 
     def slide(self, p: Any, q: Any) -> Two:

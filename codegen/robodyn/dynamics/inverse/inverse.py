@@ -64,6 +64,11 @@ class Inverse:
         """What holds for its axes."""
         return self.kind.conditions
 
+    @property
+    def place_only(self) -> bool:
+        """Whether only the place of the tool is solved for, however it is turned: three joints do no more."""
+        return len(self.joints) <= 3
+
     def solve(self, T: Sequence[Any], q_near: Sequence[Any], unit: Fraction) -> Solved:
         """All branches for the tool at ``T`` [12], ``[R p]`` row by row, over any scalar; ``q_near`` [n] (rad
         or m) says where joints are that the pose leaves free. ``unit``: the arithmetic's rounding unit."""

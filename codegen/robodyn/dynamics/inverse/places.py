@@ -14,7 +14,7 @@ from typing import Any
 
 from robodyn.dynamics.inverse.branch import Branch, Setting
 from robodyn.dynamics.inverse.screws import Axis, across, minus
-from robodyn.dynamics.inverse.subproblems import real_root
+from robodyn.dynamics.inverse.subproblems import lever_of, real_root
 from robodyn.dynamics.vectors import Vector, cross, dot, plus, scaled
 
 HALF = Fraction(1, 2)
@@ -66,9 +66,14 @@ def second_and_third_parallel(arm: Reach, branch: Branch, at: Setting) -> Iterat
     one, two, three = arm.axes
     p, a, b, c = arm.p, arm.a, arm.b, arm.c
     h = two.direction
-    for shoulder in branch.each(one.joint, at.reach(one, h, p, dot(h, plus(a, b, c)), 1)):
-        u = minus(shoulder.inward(one, p), a)
-        yield from in_a_plane((two, three), b, c, u, shoulder, at)
+    along = dot(h, plus(b, c))
+    two_ways = at.reach(one, h, p, along + dot(h, a), 1)
+    reached = along - two_ways.beyond
+    for shoulder in branch.each(one.joint, two_ways):
+        w = shoulder.inward(one, p)
+        # |u|^2 less what is along h, in terms that both shoulders share
+        square = _square(p) + _square(a) - 2 * dot(a, w) - reached * reached
+        yield from in_a_plane((two, three), b, c, minus(w, a), shoulder, at, square)
 
 
 def first_and_second_meet(arm: Reach, branch: Branch, at: Setting) -> Iterator[Branch]:
@@ -76,22 +81,30 @@ def first_and_second_meet(arm: Reach, branch: Branch, at: Setting) -> Iterator[B
     is; then there are two axes through a point."""
     one, two, three = arm.axes
     p, b, c = arm.p, arm.b, arm.c
-    bend = HALF * (_square(p) - _square(b) - _square(c))
+    bend = HALF * (_square(p) - (_square(b) + _square(c)))
     for folded in branch.each(three.joint, at.reach(three, c, b, bend, 2)):
         v = plus(b, folded.outward(three, c))
         yield from through_a_point((one, two), v, p, folded, at, 1)
 
 
 def in_a_plane(
-    axes: tuple[Axis, Axis], b: Vector, c: Vector, u: Vector, branch: Branch, at: Setting
+    axes: tuple[Axis, Axis],
+    b: Vector,
+    c: Vector,
+    u: Vector,
+    branch: Branch,
+    at: Setting,
+    square: Any = None,
 ) -> Iterator[Branch]:
-    """Two parallel revolute axes with ``u = R1 (b + R2 c)``, but for what is along them."""
+    """Two parallel revolute axes with ``u = R1 (b + R2 c)``, but for what is along them; ``square``: that of
+    ``u`` across them, if it is known."""
     one, two = axes
     b, c, u = (across(one.direction, v) for v in (b, c, u))
-    bend = HALF * (_square(u) - _square(b) - _square(c))
+    bend = HALF * ((_square(u) if square is None else square) - (_square(b) + _square(c)))
+    lever = lever_of(one.direction, b) - lever_of(one.direction, c)
     for folded in branch.each(two.joint, at.reach(two, c, b, bend, 2)):
         v = plus(b, folded.outward(two, c))
-        yield folded.one(one.joint, at.onto(one, v, u, 2))
+        yield folded.one(one.joint, at.onto(one, v, u, 2, lever=lever))
 
 
 def through_a_point(

@@ -9,6 +9,7 @@ error even where single angles are ill-determined.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 from math import isqrt
@@ -38,11 +39,15 @@ class Precision:
 
 @dataclass(frozen=True, slots=True)
 class Two:
-    """Two answers, whether there are any (1 or 0), and whether they meet or are free (1 or 0)."""
+    """Two answers, whether there are any (1 or 0), and whether they meet or are free (1 or 0).
+
+    ``beyond``: how far what was wanted is beyond what is reached.
+    """
 
     answers: tuple[Any, Any]
     exist: Any
     meet: Any
+    beyond: Any = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,51 +80,86 @@ def facing(near: Circle, free: Any, angle: Circle) -> Circle:
 
 
 def turning_onto(
-    v: Vector, onto: Vector, axis: Vector, near: Circle, size: Fraction, precision: Precision
+    v: Vector,
+    onto: Vector,
+    axis: Vector,
+    near: Callable[[], Circle] | None,
+    size: Fraction,
+    precision: Precision,
 ) -> One:
     """The angle about ``axis`` that turns ``v`` onto ``onto``, or nearest to it; ``near`` where that is the
-    same for every angle. ``size``: the largest ``|v| |onto|``."""
+    same for every angle, which for None does not occur where there is an answer. ``size``: the largest
+    ``|v| |onto|``."""
     c, s = dot(across(axis, v), onto), dot(cross(axis, v), onto)
     square = c * c + s * s
     floor = precision.floor(size)
+    if near is None:
+        length = 1 / real_root(square + floor)
+        return One((c * length, s * length), 0)
     free = choose(square - floor, 0, 1)
     length = 1 / real_root(choose(free, 1, square))
     meet = choose(square - precision.edge * size * size, 0, 1)
-    return One(facing(near, free, (c * length, s * length)), meet)
+    return One(facing(near(), free, (c * length, s * length)), meet)
 
 
 def reaching(
-    v: Vector, along: Vector, distance: Any, axis: Vector, near: Circle, size: Fraction, precision: Precision
+    v: Vector,
+    along: Vector,
+    distance: Any,
+    axis: Vector,
+    near: Callable[[], Circle],
+    size: Fraction,
+    precision: Precision,
 ) -> Two:
     """The two angles about ``axis`` at which ``v``, turned, is ``distance`` along the vector ``along``:
-    ``along . R v = distance``. Where none is, the nearest, twice; ``near`` where all are. ``size``: the
-    largest ``|v| |along|``."""
+    ``along . R v = distance``. Where none is, the nearest, twice; ``near``, and for two that are always half
+    a turn apart the other side of it, where all are. ``size``: the largest ``|v| |along|``."""
     base = across(axis, v)
     x, y = dot(along, base), dot(along, cross(axis, v))
     b = distance - dot(along, axis) * dot(axis, v)
     square = x * x + y * y
-    floor = precision.floor(size)
-    free = choose(square - floor, 0, 1)
-    rest = square - b * b
     edge = precision.edge * square
-    exist = choose(rest + edge + floor, 1, 0)
+    known = is_number(square)
+    floor = Fraction(0) if known else precision.floor(size)
+    free = 0 if known else choose(square - floor, 0, 1)
+    if is_zero(b):  # whatever the lever is, its two perpendiculars
+        share = 1 / real_root(choose(free, 1, square))
+        c, s = -(y * share), x * share
+        c, s = (c, s) if known else facing(near(), free, (c, s))
+        meet = 0 if known else choose(square - precision.edge * size * size, 0, 1)
+        return Two(((c, s), (-c, -s)), 1, meet)
+    rest = square - b * b
+    exist = choose(rest + (edge + floor), 1, 0)
     meet = either(free, choose(edge - rest, 1, 0))
     side = real_root(choose(rest, rest, 0))
     # Beyond reach, x^2 + y^2 < b^2: the root is 0, and what is left is brought back onto the circle.
-    whole = choose(free, 1, square if is_zero(b) else choose(rest, square, real_root(square) * magnitude(b)))
-    share = 1 / whole
-    plus = ((x * b - y * side) * share, (y * b + x * side) * share)
-    minus = ((x * b + y * side) * share, (y * b - x * side) * share)
-    if is_zero(b):  # the root is the lever: one division by it
-        whole = 1 / choose(free, 1, side)
-        plus = (-(y * whole), x * whole)
-        minus = (-plus[0], -plus[1])
-    return Two((facing(near, free, plus), facing(near, free, minus)), exist, meet)
+    most = real_root(square)
+    share = 1 / choose(free, 1, choose(rest, square, most * magnitude(b)))
+    answers = (
+        ((x * b - y * side) * share, (y * b + x * side) * share),
+        ((x * b + y * side) * share, (y * b - x * side) * share),
+    )
+    if not known:
+        one, other = answers
+        answers = facing(near(), free, one), facing(near(), free, other)
+    return Two(answers, exist, meet, choose(rest, 0, choose(b, b - most, b + most)))
+
+
+def is_number(x: Any) -> bool:
+    """Whether ``x`` is known before a program runs."""
+    return isinstance(x, (int, Fraction))
+
+
+def lever_of(axis: Vector, v: Vector) -> Any:
+    """How far ``v`` is from the line along ``axis``, where that is known; else 0."""
+    flat = across(axis, v)
+    square = dot(flat, flat)
+    return real_root(square) if is_number(square) else 0
 
 
 def real_root(x: Any) -> Any:
     """Square root; of a fraction a fraction, within 1e-40 of it as a share."""
-    if not isinstance(x, (int, Fraction)):
+    if not is_number(x):
         return root(x)
     if not x:
         return Fraction(0)
