@@ -200,18 +200,24 @@ def _vague(start: Problem, findings: Sequence[Named]) -> list[bool]:
 
 
 def _is_vague(candidate: Candidate, x: Floats, spread: Floats) -> bool:
-    """Whether the parameters in which an effect is linear are not known to better than about themselves;
-    ``x`` [c] are its coefficients, ``spread`` [c, c] their covariance."""
-    values = candidate.read(x)
-    names = [name for name in candidate.definition.linear if values.get(name)]
-    error = np.sqrt(np.maximum(np.diag(spread), 0.0))
-    if not names:
-        return bool(np.all(error > MOST_VAGUE * np.abs(x)))
+    """Whether the sizes of an effect, the parameters in which it is linear and how far others are from where
+    there is nothing of it, are not known to better than about themselves; ``x`` [c] are its coefficients,
+    ``spread`` [c, c] their covariance."""
+    none = candidate.definition.traits.nothing
+
+    def sizes_at(x: Floats) -> dict[str, float]:
+        values = candidate.read(x)
+        names = {*candidate.definition.linear, *none} & set(values)
+        return {name: float(values[name]) - none.get(name, 0.0) for name in names}
+
+    sizes = {name: size for name, size in sizes_at(x).items() if size}
+    if not sizes:
+        return bool(np.all(np.sqrt(np.maximum(np.diag(spread), 0.0)) > MOST_VAGUE * np.abs(x)))
     steps = np.diag(np.maximum(1e-3 * np.abs(x), 1e-6 * np.abs(x).max()))
-    for name in names:
-        value = float(values[name])
-        slope = np.array([(float(candidate.read(x + step)[name]) - value) / step.sum() for step in steps])
-        if np.sqrt(max(float(slope @ spread @ slope), 0.0)) < MOST_VAGUE * abs(value):
+    moved = [sizes_at(x + step) for step in steps]
+    for name, size in sizes.items():
+        slope = (np.array([each[name] for each in moved]) - size) / np.diag(steps)
+        if np.sqrt(max(float(slope @ spread @ slope), 0.0)) < MOST_VAGUE * abs(size):
             return False
     return True
 

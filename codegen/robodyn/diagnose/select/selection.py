@@ -32,7 +32,7 @@ from robodyn.diagnose.select.fit import (
     tighter,
     wider,
 )
-from robodyn.diagnose.select.forward import Chosen, Key, Named, forward, is_of_link
+from robodyn.diagnose.select.forward import Chosen, Key, Named, forward
 from robodyn.diagnose.select.library import Context, context_of, regressor_seen
 from robodyn.diagnose.select.library.several import usual_sizes
 from robodyn.diagnose.select.limits import (
@@ -53,6 +53,7 @@ from robodyn.diagnose.select.limits import (
 from robodyn.diagnose.select.prior_share import prior_share
 from robodyn.diagnose.select.scope import EVERYTHING, Scope
 from robodyn.diagnose.select.trial import Trial, evidence_threshold, numbers_of, trials
+from robodyn.effects.catalogue import CATALOGUE
 from robodyn.identify.rigid import Model
 from robodyn.logs.limits import MOTION_WIDER
 from robodyn.logs.log import Log
@@ -224,7 +225,7 @@ def select(
                 margin = TIGHT_EVIDENCE if best is described else 0.0
                 if view.chosen.findings and view.evidence > best.evidence + margin:
                     best = view
-            if best is not described and not best.may_name(described):
+            if best is not described and not best.may_name(described, known):
                 best = described
         elif not is_stated:
             for share in UNSTATED:
@@ -266,18 +267,24 @@ class _View:
         """With its evidence."""
         return cls(start, chosen, _evidence(start, chosen), tight, unstated)
 
-    def may_name(self, described: _View) -> bool:
+    def may_name(self, described: _View, known: frozenset[Key]) -> bool:
         """Whether its names are none of what the view as ``described`` has it to be so. That the numbers of
         a link are wrong, or that there is a body more, is news where all other numbers are as exact as can
         be, whatever is said of them (those of an identified arm are better than its description says). A
         scatter of them all, of which one shows most, is what a description is expected to have, and on an
-        arm of few joints one body may fit it."""
-        candidates = [each.trial.candidate for each in self.chosen.findings]
-        several = sum(is_of_link(c) or c.definition.traits.body for c in candidates)
-        if not several:
+        arm of few joints one body may fit it; so may a second one beside what is ``known``."""
+        named = [each.trial.candidate.effect for each in self.chosen.findings]
+        if not any(map(_is_of_mass, named)):
             return True
+        several = sum(map(_is_of_mass, [*named, *(effect for effect, _ in known)]))
         is_exact = self.tight == min(TIGHT) and self.evidence > described.evidence + RIGID_EVIDENCE
         return several == 1 and is_exact
+
+
+def _is_of_mass(id: str) -> bool:
+    """Whether an effect is of one link's numbers, or of a body more."""
+    traits = CATALOGUE[id].traits
+    return traits.body or (traits.fold is not None and traits.fold.into == "link")
 
 
 def _evidence(start: Problem, chosen: Chosen) -> float:
