@@ -154,7 +154,7 @@ def instructions(robot: Robot, scalar: str) -> dict[str, float]:
             folder=Path(folder),
             doing="the counted program",
         )
-        found = {}
+        instructions = {}
         for layout, arguments in (("columns", []), ("rows", ["rows"])):
             done = subprocess.run(
                 [
@@ -172,8 +172,8 @@ def instructions(robot: Robot, scalar: str) -> dict[str, float]:
             )
             counted = re.search(r"Collected : (\d+)", done.stderr)
             assert counted is not None, done.stderr
-            found[f"{scalar}, {layout}"] = int(counted[1]) / (1024 * 4)
-        return found
+            instructions[f"{scalar}, {layout}"] = int(counted[1]) / (1024 * 4)
+        return instructions
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

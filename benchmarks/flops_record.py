@@ -59,14 +59,14 @@ def unproved() -> list[str]:
         robot = robots.get(record.identity)
         if robot is None:
             faults.append(f"{path.name}: no bundled robot or example has these parameters any more")
-        elif _found(robot, record) != record.program:
+        elif _best_program(robot, record) != record.program:
             faults.append(f"{path.name}: another record stands in its way")
         elif not equals_recursion(robot, record.function, record.program, points=3):
             faults.append(f"{path.name}: not equal to the plain recursion")
     return faults
 
 
-def _found(robot: Robot, record: Record) -> object:
+def _best_program(robot: Robot, record: Record) -> object:
     best = best_record(robot, record.function, record.objective)
     return best and best.program
 
@@ -74,14 +74,14 @@ def _found(robot: Robot, record: Record) -> object:
 def worse(before: list[Row], now: list[Row]) -> list[str]:
     """What costs more than is committed, in words."""
     old = {(row["robot"], row["function"]): row for row in before}
-    found = []
+    regressions = []
     for row in now:
         key = (row["robot"], row["function"])
-        kept = old.pop(key, None)
+        committed = old.pop(key, None)
         for field in ("total", "sincos"):
-            if kept is not None and int(row[field]) > int(kept[field]):
-                found.append(f"{' '.join(key)}: {field} {row[field]}, committed {kept[field]}")
-    return found + [f"{' '.join(key)}: gone" for key in old]
+            if committed is not None and int(row[field]) > int(committed[field]):
+                regressions.append(f"{' '.join(key)}: {field} {row[field]}, committed {committed[field]}")
+    return regressions + [f"{' '.join(key)}: gone" for key in old]
 
 
 def main() -> int:

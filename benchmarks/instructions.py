@@ -50,11 +50,11 @@ def measure(
     subprocess.CalledProcessError: the compiler or valgrind fails.
     """
     options = Options(functions=(function,), trig=trig, scalar=scalar)  # type: ignore[arg-type]
-    made = generate(load(robot, warn=lambda _: None), options)
-    (interface,) = made.signatures
+    generated = generate(load(robot, warn=lambda _: None), options)
+    (interface,) = generated.signatures
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        for file, text in made.files(("c",)).items():
+        for file, text in generated.files(("c",)).items():
             (folder / file).write_text(text, encoding="ascii")
         arrays = [*interface.inputs, *interface.outputs]
         lines = [f"static {scalar} {array}[{size}];" for array, size in arrays]
@@ -64,14 +64,14 @@ def measure(
         ]
         call = f"{interface.symbol}({', '.join(array for array, _ in arrays)});"
         (folder / "main.c").write_text(
-            f'#include "{made.unit.robot.name}.h"\n#include <stdlib.h>\n' + "\n".join(lines) + "\n"
+            f'#include "{generated.unit.robot.name}.h"\n#include <stdlib.h>\n' + "\n".join(lines) + "\n"
             "int main(int argc, char **argv)\n{\n    long n = argc > 1 ? atol(argv[1]) : 1;\n    "
             + "\n    ".join(filled)
             + f"\n    for (long k = 0; k < n; ++k) {call}\n    return 0;\n}}\n",
             encoding="ascii",
         )
         flags = ["-std=c99", "-O2", *([f"-march={march}"] if march else [])]
-        sources = ["main.c", f"{made.unit.robot.name}.c"]
+        sources = ["main.c", f"{generated.unit.robot.name}.c"]
         subprocess.run([cc, *flags, *sources, "-o", "main", "-lm"], cwd=folder, check=True)
         inside = [f"--toggle-collect={interface.symbol}"]
         call_only, whole = (
@@ -85,10 +85,10 @@ def _collected(folder: Path, turns: int, options: list[str]) -> int:
     valgrind = ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null"]
     command = [*valgrind, *options, "./main", str(turns)]
     done = subprocess.run(command, cwd=folder, check=True, capture_output=True, text=True)
-    found = re.search(r"Collected\s*:\s*(\d+)", done.stderr)
-    if found is None:
+    collected = re.search(r"Collected\s*:\s*(\d+)", done.stderr)
+    if collected is None:
         raise RuntimeError(f"valgrind said nothing of what it collected:\n{done.stderr}")
-    return int(found[1])
+    return int(collected[1])
 
 
 def main() -> int:
@@ -101,21 +101,21 @@ def main() -> int:
     parser.add_argument("--march", nargs="+", default=["x86-64-v3"])
     parser.add_argument("--cc", default="gcc")
     parser.add_argument("--check", action="store_true")
-    asked = parser.parse_args()
-    for tool in ("valgrind", asked.cc):
+    options = parser.parse_args()
+    for tool in ("valgrind", options.cc):
         if shutil.which(tool) is None:
             print(f"there is no {tool}; Debian, Ubuntu: apt install {tool}", file=sys.stderr)
             return 3
     print(f"{'robot':20} {'trig':8} {'scalar':7} {'march':12} {'call':>6} {'loop':>6}")
     status = 0
-    for robot in asked.robots:
-        for march in asked.march:
-            for trig in asked.trig:
-                for scalar in asked.scalar:
-                    found = measure(robot, trig, scalar, march, asked.function, asked.cc)
-                    print(f"{robot:20} {trig:8} {scalar:7} {march:12} {found.call:6} {found.loop:6}")
-                    limited = asked.check and robot == "puma560" and asked.function == "inverse_dynamics"
-                    if limited and march == "x86-64-v3" and found.call > CEILINGS.get(trig, found.call):
+    for robot in options.robots:
+        for march in options.march:
+            for trig in options.trig:
+                for scalar in options.scalar:
+                    counts = measure(robot, trig, scalar, march, options.function, options.cc)
+                    print(f"{robot:20} {trig:8} {scalar:7} {march:12} {counts.call:6} {counts.loop:6}")
+                    limited = options.check and robot == "puma560" and options.function == "inverse_dynamics"
+                    if limited and march == "x86-64-v3" and counts.call > CEILINGS.get(trig, counts.call):
                         print(f"more than the {CEILINGS[trig]} allowed", file=sys.stderr)
                         status = 1
     return status

@@ -55,7 +55,7 @@ def expression(robot: Robot, function: str) -> Any:
     return ca.Function(function, [*inputs.values()], results, [*inputs], names)
 
 
-def swing(f: Any, n: int, steps: int = 12) -> tuple[float, Any]:
+def least_torque(f: Any, n: int, steps: int = 12) -> tuple[float, Any]:
     """Least torque that takes an arm from one place to another, at rest in both, within a second: the cost
     and the torques, by multiple shooting."""
     problem = ca.Opti()
@@ -149,7 +149,7 @@ def main(names: list[str]) -> int:
             costs: dict[str, float] = {}
 
             def solve(way: str, functions: Any = functions, costs: Any = costs, n: int = robot.n) -> None:
-                costs[way] = swing(functions[way], n)[0]
+                costs[way] = least_torque(functions[way], n)[0]
 
             solutions = least(_ROUNDS, {way: lambda way=way: solve(way) for way in functions})  # type: ignore[misc]
             calls = {}

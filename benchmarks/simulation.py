@@ -70,16 +70,16 @@ def with_friction(robot: Robot) -> Robot:
 
 def with_loads(robot: Robot) -> Robot:
     """``robot`` with bearings and gears that feel the load at the first three joints."""
-    found = list(robot.effects)
+    effects = list(robot.effects)
     for joint in (1, 2, 3):
         sizes = (("mu", Fraction(1, 10)), ("radius", Fraction(8, 100)), ("span", Fraction(1, 5)))
         bearing = (("bearing", "journal"), *sizes)
         gear = (("breakaway", Fraction(3)), ("efficiency", Fraction(7, 10)), ("interpolation", "linear"))
-        found += [
+        effects += [
             EffectEntry("load_dependent_friction", joint, bearing),
             EffectEntry("transmission_loss", joint, gear),
         ]
-    return replace(robot, effects=tuple(found))
+    return replace(robot, effects=tuple(effects))
 
 
 class Clock:
@@ -89,14 +89,14 @@ class Clock:
         self.library, self.spent = library, 0.0
 
     def __getattr__(self, name: str) -> Any:
-        found = getattr(self.library, name)
+        function = getattr(self.library, name)
         if name != "run_advance":
-            return found
+            return function
 
         def timed(*arguments: Any) -> Any:
             start = time.process_time()
             try:
-                return found(*arguments)
+                return function(*arguments)
             finally:
                 self.spent += time.process_time() - start
 
@@ -112,12 +112,12 @@ def ours(what: str, robot: Robot, seconds: float, runs: int) -> Row:
         clock = Clock(plant.engine.library)
         engine: Engine = replace(plant.engine, library=clock)
         start = time.process_time()
-        made = simulate(
+        simulation = simulate(
             robot, Follow(motion, "pd", kp=400.0, kd=40.0), plant=replace(plant, engine=engine), step=1e-3
         )
         total = time.process_time() - start
-        assert made.record.status == "done"
-        assert made.balance().error < 1e-3
+        assert simulation.record.status == "done"
+        assert simulation.balance().error < 1e-3
         if k:
             totals.append(total)
             insides.append(clock.spent)
@@ -154,8 +154,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options = parser.parse_args(arguments)
     rows: list[Row] = []
     if options.robot:
-        given = load(options.robot, warn=lambda _: None)
-        rows.append(ours(options.robot, given, options.seconds, options.runs))
+        arm = load(options.robot, warn=lambda _: None)
+        rows.append(ours(options.robot, arm, options.seconds, options.runs))
     else:
         arm = with_friction(load("puma560", warn=lambda _: None))
         rows.append(ours("puma560, viscous and Coulomb friction", arm, options.seconds, options.runs))

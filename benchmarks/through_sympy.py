@@ -85,11 +85,11 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("robots", nargs="*", default=["puma560", "stanford", "ur5", "iiwa"])
     parser.add_argument("-n", dest="runs", type=int, default=3)
-    asked = parser.parse_args()
+    options = parser.parse_args()
     code = "import time; began = time.perf_counter(); import sympy; print(time.perf_counter() - began)"
     seconds = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
     print(f"import sympy: {1000 * float(seconds):.0f} ms")
-    for name in asked.robots:
+    for name in options.robots:
         robot = load(name, warn=lambda _: None)
         ways: dict[str, Callable[[], Any]] = {
             "graph": partial(_total, build, robot),
@@ -97,7 +97,7 @@ def main() -> None:
             "sympy, unnamed": partial(unnamed, robot),
         }
         for way, run in ways.items():
-            operations, ms = smallest(run, asked.runs)
+            operations, ms = smallest(run, options.runs)
             print(f"{name:12} {way:15} {ms:8.1f} ms  {operations} operations")
 
 

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from benchmarks.functions.asked import Answers, asked
+from benchmarks.functions.answers import Answers, answers_of
 from benchmarks.functions.natural import NATURAL
 from benchmarks.functions.tables import in_document, markdown
 from benchmarks.functions.tables import versions as versions_text
@@ -129,7 +129,7 @@ def of_robot(
     for tool in tools:
         if tool == "pinocchio":
             traced(folder, [name + ending for name in table for ending in ("", "_world")])
-        for answers in asked(tool, folder, list(table), options.seconds):
+        for answers in answers_of(tool, folder, list(table), options.seconds):
             table[answers.function][tool] = _fewest(tool, answers, expected[answers.function])
     return table
 

@@ -67,7 +67,7 @@ def explained(figures: Mapping[str, Any]) -> str:
 
 def versions(figures: Mapping[str, Any]) -> str:
     """Names and versions of the tools."""
-    return ", ".join(f"{tool} {number}" for tool, number in figures["versions"].items())
+    return ", ".join(f"{tool} {version}" for tool, version in figures["versions"].items())
 
 
 def functions(figures: Mapping[str, Any]) -> list[str]:

@@ -103,10 +103,10 @@ def _columns(entry: EffectEntry) -> slice:
     return slice(None) if entry.joint is None else slice(entry.joint - 1, entry.joint)
 
 
-def score(model: Robot, motions: Sequence[Motion], given: Robot | None = None) -> Score:
-    """``model`` on ``motions`` beside plain least squares with the geometry of ``given``."""
+def score(model: Robot, motions: Sequence[Motion], start: Robot | None = None) -> Score:
+    """``model`` on ``motions`` beside plain least squares with the geometry of ``start``."""
     left = [residual(model, m) for m in motions]
-    plain = fit(given or model, motions).residuals
+    plain = fit(start or model, motions).residuals
     tau = [m.tau for m in motions]
 
     def part(tables: Sequence[Floats], which: str) -> list[Floats]:
@@ -114,8 +114,8 @@ def score(model: Robot, motions: Sequence[Motion], given: Robot | None = None) -
 
     held = part(tau, "held_out")
     before = None
-    if given is not None:
-        before = shares(part([residual(given, m) for m in motions], "held_out"), held)
+    if start is not None:
+        before = shares(part([residual(start, m) for m in motions], "held_out"), held)
     return Score(
         rms(part(left, "held_out")),
         shares(part(left, "held_out"), held),
@@ -137,10 +137,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--from", dest="given", help="description that the model was made of")
     parser.add_argument("--json", action="store_true")
     options = parser.parse_args(arguments)
-    model, given = (load(x, warn=lambda _: None) if x else None for x in (options.model, options.given))
+    model, start = (load(x, warn=lambda _: None) if x else None for x in (options.model, options.given))
     assert model is not None
     motions = [motion(read(path), options.cutoff, options.raster) for path in options.logs]
-    result = score(model, motions, given)
+    result = score(model, motions, start)
     lines = {
         "held out, RMS": result.rms,
         "least squares, RMS": result.plain_rms,

@@ -46,25 +46,25 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if options.render or options.only_functions:
         if not (out / "peers.json").is_file():
             parser.error(f"{out} has no peers.json; leave out --render and --only-functions to measure")
-        found = json.loads((out / "peers.json").read_text(encoding="utf-8"))
+        figures = json.loads((out / "peers.json").read_text(encoding="utf-8"))
         if options.only_functions:
-            found["functions"] = functions(options, work, harness(work))
-        write(found, out)
+            figures["functions"] = functions(options, work, harness(work))
+        write(figures, out)
     else:
-        for found in measured(options, work):
-            write(found, out)
+        for figures in measured(options, work):
+            write(figures, out)
     print((out / "peers.md").read_text(encoding="utf-8"))
     return 0
 
 
-def write(found: dict[str, Any], out: Path) -> None:
+def write(figures: dict[str, Any], out: Path) -> None:
     """peers.json, and what is made from it."""
     out.mkdir(parents=True, exist_ok=True)
-    (out / "peers.json").write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")
-    (out / "peers.md").write_text(markdown(found), encoding="utf-8")
-    peers_picture(found, out / "peers.svg")
-    if found["growth"]:
-        growth_picture(found["growth"], out / "growth.svg")
+    (out / "peers.json").write_text(json.dumps(figures, indent=1) + "\n", encoding="utf-8")
+    (out / "peers.md").write_text(markdown(figures), encoding="utf-8")
+    peers_picture(figures, out / "peers.svg")
+    if figures["growth"]:
+        growth_picture(figures["growth"], out / "growth.svg")
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -86,17 +86,17 @@ def measured(options: argparse.Namespace, work: Path) -> Iterator[dict[str, Any]
     """Everything, as peers.json has it: once without growth, and once with it."""
     runs = max(20, options.rounds // 4)
     race_harness = harness(work)
-    asked = tuple(name for name in options.peers.split(",") if name)
+    keys = tuple(name for name in options.peers.split(",") if name)
     folder = work / Path(options.robot).stem
-    found, pinocchio = native(options.robot, folder, race_harness, asked, options.rounds)
-    found = {"machine": machine(), **found, "python": python(options.robot, runs), "growth": []}
-    found["functions"] = {}
-    yield found
-    found["functions"] = functions(options, work, race_harness)
-    yield found
+    figures, pinocchio = native(options.robot, folder, race_harness, keys, options.rounds)
+    figures = {"machine": machine(), **figures, "python": python(options.robot, runs), "growth": []}
+    figures["functions"] = {}
+    yield figures
+    figures["functions"] = functions(options, work, race_harness)
+    yield figures
     if not options.no_growth:
-        found["growth"] = growth.measured(work, race_harness, pinocchio, runs, 3)
-        yield found
+        figures["growth"] = growth.measured(work, race_harness, pinocchio, runs, 3)
+        yield figures
 
 
 def functions(options: argparse.Namespace, work: Path, race_harness: Path) -> dict[str, Any]:
@@ -108,7 +108,7 @@ def functions(options: argparse.Namespace, work: Path, race_harness: Path) -> di
 
 
 def native(
-    name: str, folder: Path, race_harness: Path, asked: tuple[str, ...], rounds: int
+    name: str, folder: Path, race_harness: Path, keys: tuple[str, ...], rounds: int
 ) -> tuple[dict[str, Any], Candidate | None]:
     """The race in C and C++; and Pinocchio's runner, which takes any arm."""
     robot = load(name, warn=lambda _: None)
@@ -119,7 +119,7 @@ def native(
     race = Race(folder, race_harness)
     print("setting up our own kernels", file=sys.stderr)
     mine = kernels(robot, folder, states, tuple(BUILDS)) + batches(robot, folder)
-    theirs = list(peers(arm, folder, asked))
+    theirs = list(peers(arm, folder, keys))
     missing = [one for one in theirs if isinstance(one, Missing)]
     racing, worst = [], []
     wanted = reference(robot, states)
@@ -179,13 +179,13 @@ DEMANDS = (
 
 def demands(times: Any, index: dict[str, int]) -> list[dict[str, Any]]:
     """Each ratio that is asked for, measured, also with our kernels as built for any x86-64-v3."""
-    found = []
+    ratios = []
     for peer, mine, wanted in DEMANDS:
         for key in (mine + build for build in _OTHER_BUILDS):
             if peer in index and key in index:
                 ratio = paired(times[:, index[peer]], times[:, index[key]])
-                found.append({"peer": peer, "ours": key, "wanted": wanted, "ratio": ratio.to_list()})
-    return found
+                ratios.append({"peer": peer, "ours": key, "wanted": wanted, "ratio": ratio.to_list()})
+    return ratios
 
 
 def python(name: str, rounds: int) -> dict[str, Any]:
@@ -213,7 +213,7 @@ def python(name: str, rounds: int) -> dict[str, Any]:
         for k, call in enumerate(racing)
     ]
     index = {call.key: k for k, call in enumerate(racing)}
-    asked = [("workspace", 5.0), ("batch-F", 50.0), ("batch-C", 50.0)]
+    goals = [("workspace", 5.0), ("batch-F", 50.0), ("batch-C", 50.0)]
     met = [
         {
             "peer": "pin.rnea",
@@ -221,7 +221,7 @@ def python(name: str, rounds: int) -> dict[str, Any]:
             "wanted": wanted_ratio,
             "ratio": paired(times[:, index["pin.rnea"]], times[:, index[key]]).to_list(),
         }
-        for key, wanted_ratio in asked
+        for key, wanted_ratio in goals
         if "pin.rnea" in index and key in index
     ]
     absent = [{"title": one.title, "why": one.why} for one in missing]

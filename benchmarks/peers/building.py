@@ -54,10 +54,10 @@ def version(package: str) -> str:
 def package_folder(package: str, inside: str) -> Path:
     """The folder ``inside`` the place where ``package`` is installed."""
     version(package)
-    found = Path(str(importlib.metadata.distribution(package).locate_file(inside)))
-    if not found.exists():
+    place = Path(str(importlib.metadata.distribution(package).locate_file(inside)))
+    if not place.exists():
         raise Lacking(f"the installed {package} has no {inside}")
-    return found
+    return place
 
 
 @functools.cache
@@ -67,8 +67,8 @@ def compiler(language: str) -> tuple[str, str]:
     path = shutil.which(program)
     if path is None:
         raise Lacking(f"there is no {program}: apt-get install {program}")
-    said = subprocess.run([path, "--version"], capture_output=True, text=True, check=True).stdout
-    return path, said.splitlines()[0]
+    output = subprocess.run([path, "--version"], capture_output=True, text=True, check=True).stdout
+    return path, output.splitlines()[0]
 
 
 def library(target: Path, source: Source, optimise: Sequence[str]) -> Path:
@@ -89,13 +89,15 @@ def program(target: Path, source: Source, optimise: Sequence[str] = ("-O2",)) ->
 def _compiled(target: Path, source: Source, flags: Sequence[str], optimise: Sequence[str]) -> Path:
     paths = [NATIVE_FOLDER / file for file in source.files]
     plus = any(path.suffix == ".cpp" for path in paths)
-    path, said = compiler("c++" if plus else "c")
+    path, compiler_version = compiler("c++" if plus else "c")
     defines = [f"-D{name}={value}" for name, value in source.defines]
     if plus:
         flags = [flag for flag in flags if not flag.startswith("-std=c99")]
     rest = [*source.flags, f"-I{NATIVE_FOLDER}", *defines]
     command = [path, *flags, *rest, *map(str, paths), *source.libraries, "-lm", "-o", str(target)]
-    key = _key([*command, said, *(f"{p} {version(p)}" for p in source.packages)], _texts(paths, source))
+    key = _key(
+        [*command, compiler_version, *(f"{p} {version(p)}" for p in source.packages)], _texts(paths, source)
+    )
     note = target.with_suffix(".key")
     if target.is_file() and note.is_file() and note.read_text(encoding="utf-8") == key:
         return target
@@ -110,10 +112,10 @@ def _compiled(target: Path, source: Source, flags: Sequence[str], optimise: Sequ
 
 def _texts(paths: Iterable[Path], source: Source) -> Mapping[str, str]:
     """What is compiled: the sources, the headers beside them and those of this folder."""
-    found = {path for path in paths if path.is_file()}
-    for folder in {path.parent for path in found} | {NATIVE_FOLDER}:
-        found |= {*folder.glob("*.h"), *folder.glob("*.hpp")}
-    return {path.name: path.read_text(encoding="utf-8", errors="replace") for path in sorted(found)}
+    files = {path for path in paths if path.is_file()}
+    for folder in {path.parent for path in files} | {NATIVE_FOLDER}:
+        files |= {*folder.glob("*.h"), *folder.glob("*.hpp")}
+    return {path.name: path.read_text(encoding="utf-8", errors="replace") for path in sorted(files)}
 
 
 def _key(command: Sequence[str], texts: Mapping[str, str]) -> str:

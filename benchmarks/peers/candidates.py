@@ -69,9 +69,9 @@ def pinocchio(arm: Numbers, folder: Path) -> Candidate:
 def pinocchio_checked(arm: Numbers, folder: Path) -> Candidate:
     """The same without ``-DNDEBUG``, as who forgets it has it: Eigen checks sizes all the time."""
     source = Source(("pinocchio.cpp",), (*_CXX, *pinocchio_headers()), packages=("pin", "cmeel-eigen"))
-    made = library(folder / "pinocchio-checked.so", source, NATIVE)
+    compiled = library(folder / "pinocchio-checked.so", source, NATIVE)
     title = f"Pinocchio {version('pin')}, rnea, C++, without -DNDEBUG"
-    return Candidate("pinocchio-checked", title, " ".join(NATIVE), made, None)
+    return Candidate("pinocchio-checked", title, " ".join(NATIVE), compiled, None)
 
 
 def pinocchio_wheel(arm: Numbers, folder: Path) -> Candidate:
@@ -80,9 +80,9 @@ def pinocchio_wheel(arm: Numbers, folder: Path) -> Candidate:
     flags = (*_RELEASE, *pinocchio_headers(), "-DPINOCCHIO_ENABLE_TEMPLATE_INSTANTIATION")
     links = (f"-L{prefix / 'lib'}", "-lpinocchio_default", f"-Wl,-rpath,{prefix / 'lib'}")
     source = Source(("pinocchio.cpp",), flags, links, packages=("pin", "cmeel-eigen"))
-    made = library(folder / "pinocchio-wheel.so", source, ("-O3",))
+    compiled = library(folder / "pinocchio-wheel.so", source, ("-O3",))
     title = f"Pinocchio {version('pin')}, rnea, as in the wheel"
-    return Candidate("pinocchio-wheel", title, "its own", made, made)
+    return Candidate("pinocchio-wheel", title, "its own", compiled, compiled)
 
 
 def pinocchio_casadi(arm: Numbers, folder: Path) -> Candidate:
@@ -218,11 +218,9 @@ MAKERS: dict[str, tuple[str, Maker]] = {
 }
 
 
-def peers(
-    arm: Numbers, folder: Path, asked: tuple[str, ...] = tuple(MAKERS)
-) -> Iterator[Candidate | Missing]:
+def peers(arm: Numbers, folder: Path, keys: tuple[str, ...] = tuple(MAKERS)) -> Iterator[Candidate | Missing]:
     """Each peer, set up for ``arm`` in ``folder``, or the reason why it does not race."""
-    for key in asked:
+    for key in keys:
         title, make = MAKERS[key]
         print(f"setting up {title}", file=sys.stderr)
         try:

@@ -26,15 +26,15 @@ from robodyn.robot import Robot
 
 def calls(robot: Robot, arm: Numbers, states: States) -> tuple[list[Call], list[Missing]]:
     """All that can be called here, each given the same states; and what cannot."""
-    made = own_calls(robot, states, flags="-std=c99 " + " ".join(NATIVE))
+    results = own_calls(robot, states, flags="-std=c99 " + " ".join(NATIVE))
     missing = []
     for title, package, make in _PEERS:
         try:
             version(package)
-            made.append(make(arm, states))
+            results.append(make(arm, states))
         except Lacking as lacking:
             missing.append(Missing(title, title, str(lacking)))
-    return made, missing
+    return results, missing
 
 
 def _casadi_compiled(arm: Numbers, states: States) -> Call:

@@ -50,11 +50,11 @@ def _row(
     for one in racing:
         hold_against(f"{one.title}, {n} joints", wanted, race.torques(one.timed, wanted.shape))
     times = np.median(race.times([one.timed for one in racing], rounds), axis=0)
-    found = count(program(robot, "inverse_dynamics", Options(optimize="fast")))
+    operations = count(program(robot, "inverse_dynamics", Options(optimize="fast")))
     instructions = {one.key: race.instructions(one.counted, 64) for one in racing if one.counted}
     return {
         "joints": n,
-        "operations": found.total,
+        "operations": operations.total,
         "generation_s": generation_seconds(description, folder, runs),
         "ns": {one.key: float(t) for one, t in zip(racing, times, strict=True)},
         "instructions": instructions,

@@ -41,7 +41,7 @@ def kernels(
     robot: Robot, folder: Path, states: States, builds: Sequence[str], optimize: str = "record"
 ) -> list[Candidate]:
     """The inverse dynamics of ``robot``, one state a call, with every kind of sine and cosine."""
-    made = []
+    candidates = []
     for trig, title in _TRIG.items():
         options = Options(("inverse_dynamics",), trig=trig, optimize=optimize)  # type: ignore[arg-type]
         place = folder / trig
@@ -56,13 +56,13 @@ def kernels(
             timed = library(folder / f"robodyn-{trig}-{build}.so", source, BUILDS[build])
             key = f"robodyn-{trig}" + ("" if build == "native" else f"-{build}")
             flags = " ".join(BUILDS[build])
-            made.append(Candidate(key, f"robodyn, {title}", flags, timed, counted, ours=True))
-    return made
+            candidates.append(Candidate(key, f"robodyn, {title}", flags, timed, counted, ours=True))
+    return candidates
 
 
 def batches(robot: Robot, folder: Path) -> list[Candidate]:
     """Batches in double and float, with vectors of either width; ``given.bin`` is there."""
-    made = []
+    candidates = []
     for scalar in ("double", "float"):
         for trig in ("builtin", "given"):
             options = Options(("inverse_dynamics",), trig=trig, scalar=scalar)
@@ -85,9 +85,11 @@ def batches(robot: Robot, folder: Path) -> list[Candidate]:
                         continue
                     built = library(folder / f"{key}-{build}.so", source, flags)
                     own = key if build == "native" else f"{key}-{build}"
-                    said, single = " ".join(flags), scalar == "float"
-                    made.append(Candidate(own, title, said, built, counted, ours=True, single=single))
-    return made
+                    settings, single = " ".join(flags), scalar == "float"
+                    candidates.append(
+                        Candidate(own, title, settings, built, counted, ours=True, single=single)
+                    )
+    return candidates
 
 
 def write_given(robot: Robot, states: States, path: Path, optimize: str = "record") -> int:

@@ -60,8 +60,8 @@ class Race:
 
     def times(self, libraries: Sequence[Path], rounds: int, block_ns: float = 2e5) -> Floats:
         """Nanoseconds a state [rounds, runners], interleaved in one process."""
-        said = self._run(["time", *self._where, str(rounds), str(block_ns), *map(str, libraries)])
-        return np.array([[float(x) for x in line.split()] for line in said.splitlines()])
+        output = self._run(["time", *self._where, str(rounds), str(block_ns), *map(str, libraries)])
+        return np.array([[float(x) for x in line.split()] for line in output.splitlines()])
 
     def instructions(self, library: Path, states: int) -> float | None:
         """Instructions a state, the loop around it included; None where there is no valgrind."""

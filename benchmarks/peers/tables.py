@@ -6,9 +6,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 
-def markdown(found: Mapping[str, Any]) -> str:
+def markdown(figures: Mapping[str, Any]) -> str:
     """The results as Markdown."""
-    machine, native, python = found["machine"], found["native"], found["python"]
+    machine, native, python = figures["machine"], figures["native"], figures["python"]
     parts = [
         f"# Inverse dynamics of {native['robot']}: robodyn and its peers",
         f"{machine['processor']}, {machine['compiler']}, Python {machine['python']}; load {machine['load']} "
@@ -44,16 +44,16 @@ def markdown(found: Mapping[str, Any]) -> str:
         "## What was to be shown",
         table(
             ("how many times faster", "wanted", "measured"),
-            (_demand(row, found) for row in [*native["demands"], *python["demands"]]),
+            (_demand(row, figures) for row in [*native["demands"], *python["demands"]]),
         ),
     ]
     missing = [*native["missing"], *python["missing"]]
     if missing:
         parts += ["## Not raced", "\n".join(f"- {one['title']}: {one['why']}" for one in missing)]
-    if found["growth"]:
-        parts += _growth(found["growth"])
-    if found.get("functions"):
-        parts += _functions(found["functions"])
+    if figures["growth"]:
+        parts += _growth(figures["growth"])
+    if figures.get("functions"):
+        parts += _functions(figures["functions"])
     return "\n\n".join(parts) + "\n"
 
 
@@ -71,9 +71,9 @@ def _ratio(ratio: Sequence[float]) -> str:
     return "1" if low == high == 1 else f"{middle:.3g} [{low:.3g}, {high:.3g}]"
 
 
-def _demand(row: Mapping[str, Any], found: Mapping[str, Any]) -> tuple[str, str, str]:
-    titles = {one["key"]: (one["title"], one.get("flags", "")) for one in found["native"]["rows"]}
-    titles |= {one["key"]: (one["title"], "") for one in found["python"]["rows"]}
+def _demand(row: Mapping[str, Any], figures: Mapping[str, Any]) -> tuple[str, str, str]:
+    titles = {one["key"]: (one["title"], one.get("flags", "")) for one in figures["native"]["rows"]}
+    titles |= {one["key"]: (one["title"], "") for one in figures["python"]["rows"]}
     (peer, _), (ours, flags) = titles[row["peer"]], titles[row["ours"]]
     built = f" (`{flags}`)" if flags else ""
     verdict = "" if row["ratio"][0] >= row["wanted"] else ", **missed**"
@@ -110,13 +110,13 @@ def _growth(rows: Sequence[Mapping[str, Any]]) -> list[str]:
     ]
 
 
-def _functions(found: Mapping[str, Any]) -> Iterable[str]:
+def _functions(figures: Mapping[str, Any]) -> Iterable[str]:
     """Every function: what was to be shown first, then all who raced."""
-    races = found["races"]
+    machine, races = figures["machine"], figures["races"]
     yield "## Every function"
     yield (
-        f"{found['machine']['processor']}, {found['machine']['compiler']}; load {found['machine']['load']} "
-        f"on {found['machine']['cores']} cores. As above: the same arms and states, results held against "
+        f"{machine['processor']}, {machine['compiler']}; load {machine['load']} "
+        f"on {machine['cores']} cores. As above: the same arms and states, results held against "
         "ours, one process for all of a function, ratios round by round; C++ with `-DNDEBUG`, results stored "
         "as ours are. Of Pinocchio's two conventions the faster one is meant."
     )
@@ -133,8 +133,8 @@ def _functions(found: Mapping[str, Any]) -> Iterable[str]:
         for row in race["rows"]:
             title = f"**{row['title']}**" if row["ours"] else row["title"]
             counted = "-" if row["instructions"] is None else f"{row['instructions']:.0f}"
-            figures = (f"{row['ns']:.0f}", _ratio(row["ratio"]), counted, f"`{row['flags']}`")
-            rows.append((race["robot"], race["function"], title, *figures))
+            columns = (f"{row['ns']:.0f}", _ratio(row["ratio"]), counted, f"`{row['flags']}`")
+            rows.append((race["robot"], race["function"], title, *columns))
     yield table(("robot", "function", "", "ns", "ratio", "instructions", "compiled with"), rows)
     absent = {f"- {one['title']}: {one['why']}" for race in races for one in race["missing"]}
     if absent:

@@ -67,11 +67,11 @@ class TestInstalling:
             ("zsh", "data/zsh/site-functions/_robodyn"),
             ("fish", PLACES["fish"]),
         ):
-            told = json.loads(run(capsys, f"completion {shell} --install --json")[0])
-            assert told == {"shell": shell, "path": str(home / place), "installed": True, "changed": True}
+            report = json.loads(run(capsys, f"completion {shell} --install --json")[0])
+            assert report == {"shell": shell, "path": str(home / place), "installed": True, "changed": True}
         monkeypatch.setenv("BASH_COMPLETION_USER_DIR", f"{home / 'own'}:/elsewhere")
-        told = json.loads(run(capsys, "completion bash --install --json")[0])
-        assert told["path"] == str(home / "own" / "completions" / "robodyn")
+        report = json.loads(run(capsys, "completion bash --install --json")[0])
+        assert report["path"] == str(home / "own" / "completions" / "robodyn")
 
     def test_a_file_of_somebody_else_stays(self, home: Path, capsys: Capture) -> None:
         path = home / PLACES["fish"]

@@ -62,6 +62,15 @@ def test_pushes_are_found_though_the_model_is_wrong(kind: Kind) -> None:
         assert contact.at_rest == (kind == "rest")
 
 
+def test_what_stands_out_at_the_ends_of_a_log_hides_no_push() -> None:
+    """As a joint does that sticks before it sets out: no contact is looked for there."""
+    made, seen = found("puma560_3dof", "full", 1)
+    gate = inspect(made.log, made.given)
+    tau = gate.log.tau + 300.0 * ((gate.log.t > 0.2) & (gate.log.t < 0.3))[:, None]
+    again = contacts(made.given, replace(gate, log=replace(gate.log, tau=tau)))
+    assert [round(one.start, 1) for one in again] == [round(one.start, 1) for one in seen]
+
+
 @pytest.mark.parametrize("kind", ["rest", "stops"])
 def test_an_arm_that_nobody_pushes_is_not_touched(kind: Kind) -> None:
     assert found("puma560_3dof", kind, 2, pushes=0)[1] == ()

@@ -10,7 +10,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 import pytest
-from benchmarks.optimal_control import expression, swing
+from benchmarks.optimal_control import expression, least_torque
 
 from documents.blocks import blocks
 from packages.consumers import Consumer, consumer, run, write
@@ -149,8 +149,8 @@ def test_what_is_always_zero_is_left_out(built: Callable[[str], tuple[Consumer, 
 def test_an_optimal_control_problem(built: Callable[[str], tuple[Consumer, Path]]) -> None:
     user, file = built("puma560_full")
     robot = user.package.robot
-    ours, torques = swing(external(user, file, "forward_dynamics"), robot.n)
-    theirs, expected = swing(expression(robot, "forward_dynamics"), robot.n)
+    ours, torques = least_torque(external(user, file, "forward_dynamics"), robot.n)
+    theirs, expected = least_torque(expression(robot, "forward_dynamics"), robot.n)
     assert ours == pytest.approx(theirs, rel=1e-6)
     assert near(torques, expected, 1e-4)
 

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 from benchmarks.functions.__main__ import DOCUMENT, PEERS, REACH, RESULTS, _fewest, peers_text
-from benchmarks.functions.asked import Answers
+from benchmarks.functions.answers import Answers
 from benchmarks.functions.counting import Uncounted, of_python
 from benchmarks.functions.natural import NATURAL
 from benchmarks.functions.state import Rows, State, Values

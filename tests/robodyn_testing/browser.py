@@ -86,8 +86,8 @@ class Browser:
         )
         self._messages()  # those of the page before
         self.driver.get(file.as_uri())
-        complaints, asked = self._messages()
-        return Visit(complaints, tuple(url for url in asked if url.partition("#")[0] != file.as_uri()))
+        complaints, addresses = self._messages()
+        return Visit(complaints, tuple(url for url in addresses if url.partition("#")[0] != file.as_uri()))
 
     def _messages(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
         """Console messages and addresses asked for, since the last time."""

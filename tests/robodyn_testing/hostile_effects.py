@@ -66,39 +66,39 @@ def near_copy(seed: int, robot: Robot, primes: Sequence[int], *, effects: bool) 
 def primes_drawn() -> Iterator[list[int]]:
     """The primes that the library draws meanwhile."""
     drawn: dict[int, None] = {}
-    found: list[int] = []
+    primes: list[int] = []
     draw = field.drawn_prime
 
     def noted(seed: bytes, bits: int = field.BITS) -> int:
         prime = draw(seed, bits)
         if prime not in drawn:
             drawn[prime] = None
-            found.append(prime)
+            primes.append(prime)
         return prime
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(field, "drawn_prime", noted)
-        yield found
+        yield primes
 
 
 def _folding(rng: random.Random, robot: Robot) -> list[EffectEntry]:
     """Effects that reading puts into links and gravity."""
-    found = []
+    effects = []
     for joint in range(1, robot.n + 1):
         for id in ("viscous_friction", "coulomb_friction", "rotor_inertia", "inertial_error"):
             if rng.random() < 0.2:
                 settings: list[tuple[str, Any]] = []
                 for p in CATALOGUE[id].parameters:
-                    number = Fraction(rng.randint(0, 99), 100)
-                    value: Value = number
+                    share = Fraction(rng.randint(0, 99), 100)
+                    value: Value = share
                     if rng.random() < 0.1:
-                        value = parameter(rng.choice(NAMES)) * number + Fraction(rng.randint(1, 9))
+                        value = parameter(rng.choice(NAMES)) * share + Fraction(rng.randint(1, 9))
                     settings.append((p.name, value))
-                found.append(EffectEntry(id, joint, tuple(settings)))
+                effects.append(EffectEntry(id, joint, tuple(settings)))
     if rng.random() < 0.2:
         tilt = [PI / 2 * rng.randint(-2, 2) if rng.random() < 0.5 else Fraction(1, 3) for _ in range(2)]
-        found.append(EffectEntry("base_tilt", None, (("tilt_x", tilt[0]), ("tilt_y", tilt[1]))))
-    return found
+        effects.append(EffectEntry("base_tilt", None, (("tilt_x", tilt[0]), ("tilt_y", tilt[1]))))
+    return effects
 
 
 def swapped_effects(robot: Robot, numbers: Numbers) -> Robot:

@@ -39,17 +39,17 @@ def with_random_effects(
     ``names`` is the probability that a number which may be a run-time parameter is one.
     """
     rng = random.Random(seed)
-    found = []
+    effects = []
     for joint in range(1, robot.n + 1):
         for id in CATALOGUE:
             if id in ids and id not in FOLDED and CATALOGUE[id].level != "robot" and rng.random() < share:
-                found.append(_entry(rng, robot, CATALOGUE[id], joint, names))
-    elastic = {entry.joint for entry in found if entry and entry.effect == "joint_elasticity"}
-    found = [one for one in found if one and not (one.effect == "backlash" and one.joint in elastic)]
+                effects.append(_entry(rng, robot, CATALOGUE[id], joint, names))
+    elastic = {entry.joint for entry in effects if entry and entry.effect == "joint_elasticity"}
+    effects = [one for one in effects if one and not (one.effect == "backlash" and one.joint in elastic)]
     for id in CATALOGUE:
         if id in ids and id not in FOLDED and CATALOGUE[id].level == "robot" and rng.random() < share:
-            found.append(_entry(rng, robot, CATALOGUE[id], None, names))
-    return replace(robot, effects=tuple(entry for entry in found if entry))
+            effects.append(_entry(rng, robot, CATALOGUE[id], None, names))
+    return replace(robot, effects=tuple(entry for entry in effects if entry))
 
 
 def _entry(

@@ -164,7 +164,7 @@ class WorldArm:
     def feels_load(self) -> bool:
         """Whether friction depends on accelerations."""
         kinds = ("load_dependent_friction", *(("transmission_loss",) if self.motor else ()))
-        return any(id in kinds for found in self.at for id, _ in found)
+        return any(id in kinds for effects in self.at for id, _ in effects)
 
     def torques(
         self,
@@ -181,7 +181,7 @@ class WorldArm:
         before: list[list[Any]] = [[] for _ in range(self.robot.n)]
         for i in range(self.robot.n):
             if self.motor and state is not None:
-                for id, p in sorted(self.at[i], key=lambda found: found[0] not in COUPLERS):
+                for id, p in sorted(self.at[i], key=lambda effect: effect[0] not in COUPLERS):
                     if id in COUPLERS:
                         before[i], left = left[:3], left[3:]
                         if p["encoder"] == "motor":
@@ -194,7 +194,7 @@ class WorldArm:
         for i in range(self.robot.n if self.motor else 0):
             if before[i]:
                 left = left[3:]
-                id, p = next(found for found in self.at[i] if found[0] in COUPLERS)
+                id, p = next(effect for effect in self.at[i] if effect[0] in COUPLERS)
                 twist = next_twist(id, p, passed[i], before[i], dt)
                 after += twist
                 if p["encoder"] == "link":
@@ -226,12 +226,12 @@ class WorldArm:
 
     def _passed(self, link: Side) -> list[Any]:
         """Torques [n] behind the bearings: the arm's, springs', and friction under the load of both."""
-        found = self.loads(link.q, link.qd, link.qdd)
+        loads = self.loads(link.q, link.qd, link.qdd)
         passed = []
         for i, effects in enumerate(self.at):
             at = self._place(link, i)
-            tau = found.tau[i] + sum(equation(id, p, at) for id, p in effects if id in LINK)
-            loaded = self._place(link, i, tau=tau, f=found.f[i], n=found.n[i])
+            tau = loads.tau[i] + sum(equation(id, p, at) for id, p in effects if id in LINK)
+            loaded = self._place(link, i, tau=tau, f=loads.f[i], n=loads.n[i])
             rubbing = (equation(id, p, loaded) for id, p in effects if id == "load_dependent_friction")
             passed.append(tau + sum(rubbing))
         return passed

@@ -129,17 +129,17 @@ def loads(
 
             moment = plus(inertia(alpha), cross(w, inertia(w)))
             bodies.append((i, plus(p, r), force, moment))
-    found = Loads([], [], [])
+    loads = Loads([], [], [])
     for j in range(robot.n):
         total, about = [mpmath.mpf(0)] * 3, [mpmath.mpf(0)] * 3
         for i, where, force, moment in bodies:
             if i >= j:
                 total = plus(total, force)
                 about = plus(about, moment, cross(plus(where, times(-1, origins[j])), force))
-        found.tau.append(dot(axes[j], about if turning[j] else total))
-        found.f.append(matrix_vector(frames[j], total))
-        found.n.append(matrix_vector(frames[j], about))
-    return found
+        loads.tau.append(dot(axes[j], about if turning[j] else total))
+        loads.f.append(matrix_vector(frames[j], total))
+        loads.n.append(matrix_vector(frames[j], about))
+    return loads
 
 
 Solid = tuple[Any, Vector, list[Vector]]

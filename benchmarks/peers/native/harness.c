@@ -108,7 +108,7 @@ static void check(runner *all, int runners, const char *path)
 
 static void race(runner *all, int runners, long rounds, double wanted)
 {
-    double *found = malloc((size_t)runners * sizeof(double));
+    double *times = malloc((size_t)runners * sizeof(double));
     long round;
     int i;
     for (i = 0; i < runners; i++) { /* how often fits into a block */
@@ -126,12 +126,12 @@ static void race(runner *all, int runners, long rounds, double wanted)
         for (i = 0; i < runners; i++) {
             int who = (int)((i * (round % 2 ? runners - 1 : 1) + round) % runners);
             all[who].run();
-            found[who] = block_time(&all[who]);
+            times[who] = block_time(&all[who]);
         }
         for (i = 0; i < runners; i++)
-            printf("%.6g%c", found[i], i + 1 < runners ? ' ' : '\n');
+            printf("%.6g%c", times[i], i + 1 < runners ? ' ' : '\n');
     }
-    free(found);
+    free(times);
 }
 
 int main(int argc, char **argv)

@@ -13,10 +13,10 @@ static KDL::Wrenches wrenches;
 
 static KDL::JntArray array(const double *from, int n)
 {
-    KDL::JntArray made(n);
+    KDL::JntArray values(n);
     for (int i = 0; i < n; i++)
-        made(i) = from[i];
-    return made;
+        values(i) = from[i];
+    return values;
 }
 
 static KDL::Frame placed(const peer_link &link)

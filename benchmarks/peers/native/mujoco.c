@@ -8,9 +8,9 @@ static double *tau;
 static mjModel *model;
 static mjData *data;
 
-static void quiet(const char *said)
+static void quiet(const char *message)
 {
-    (void)said; /* it warns of a singular mass matrix, which inverse dynamics does not need */
+    (void)message; /* it warns of a singular mass matrix, which inverse dynamics does not need */
 }
 
 int peer_open(const char *folder, int states, int joints, const double *p, const double *v, const double *a)

@@ -164,8 +164,8 @@ def bench(
             files = schedule_files(robot, signature, cut, table, waiting=waiting, lanes=lanes_wide)
             crowded = p > here
             flags = (*THREADED_FLAGS, *([f"-D{signature.robot}_spins=1u"] if crowded else []))
-            asked = states or (CROWDED if crowded else STATES)
-            code, output = run_program(files, [str(asked)], cc=cc, flags=flags)
+            state_count = states or (CROWDED if crowded else STATES)
+            code, output = run_program(files, [str(state_count)], cc=cc, flags=flags)
             times = {name: float(value) for name, value in re.findall(r"(\w+) ([\d.]+)", output)}
             if code != 0 or times.get("differing") != 0:
                 raise CheckError(

@@ -63,17 +63,17 @@ def accounted(
     if len(resting) == len(first.contacts):
         return first
     whole = account(resting)
-    kept = [one for one in first.contacts if one in resting or not _is_explained(one, first, whole, lacks)]
-    if len(kept) == len(first.contacts):
+    windows = [one for one in first.contacts if one in resting or not _is_explained(one, first, whole, lacks)]
+    if len(windows) == len(first.contacts):
         return first
     # A window that an effect explains may have hidden a push, or have reached over one.
     arm = whole.by_torque.own.robot
     beside = [
         one
         for one in _moving(arm, logs, lacks)
-        if not any(overlap(one, other) for other in kept) and not _is_explained(one, first, whole, lacks)
+        if not any(overlap(one, other) for other in windows) and not _is_explained(one, first, whole, lacks)
     ]
-    return account([*kept, *beside]) if len(kept) + len(beside) > len(resting) else whole
+    return account([*windows, *beside]) if len(windows) + len(beside) > len(resting) else whole
 
 
 def _moving(arm: Robot, logs: Logs, lacks: Lacking) -> list[Touched]:

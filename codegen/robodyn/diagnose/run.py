@@ -87,9 +87,9 @@ def diagnose(
     ]  # fmt: skip
     digests = [hashes[k] if k < len(hashes) else f"log {k + 1}" for k in range(len(whole))]
     free, touched = touches(robot, whole, digests) if scope.has_contact else (whole, ())
-    seen = Logs(free, len(logs), digests, dict(zip(digests, whole, strict=True)))
+    evidence = Logs(free, len(logs), digests, dict(zip(digests, whole, strict=True)))
     lacks = Lacking()
-    account = accounted(robot, seen, touched, scope, lacks, tell)
+    account = accounted(robot, evidence, touched, scope, lacks, tell)
     outcome, by_torque, gates = account.outcome, account.by_torque, account.logs.fitted
     own, left = by_torque.own, by_torque.left
     result = completed(robot, by_torque, account.contacts, account.logs, scope, lacks)

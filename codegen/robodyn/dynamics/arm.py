@@ -44,7 +44,8 @@ class Body:
     """A link and its joint: DH numbers (cosine and sine of alpha), inertial numbers, what sits in the joint.
 
     ``b`` [m] is the offset along y behind the twist, which Denavit-Hartenberg rows do not have. ``ratio`` and
-    ``torque_constant`` [N m/A] are the gear's and the motor's, None where they are not stated.
+    ``torque_constant`` [N m/A] are the gear's and the motor's, ``limits`` the lowest and highest position of
+    the joint [rad or m]; None where they are not stated.
     ``com`` [m] and ``inertia`` [kg m^2] (about the centre of mass) are along the link's own axes.
     """
 
@@ -63,6 +64,7 @@ class Body:
     b: Any = 0
     ratio: Any = None
     torque_constant: Any = None
+    limits: tuple[Any, Any] | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,6 +148,7 @@ def build_arm(robot: Robot, constant: Callable[[Fraction], Any], parameter: Call
     bodies = []
     for link in robot.links:
         joint, i, gear = link.joint, link.inertia, link.joint.gear
+        span = joint.limits.position
         x, y, z = link.com
         bodies.append(
             Body(
@@ -166,6 +169,7 @@ def build_arm(robot: Robot, constant: Callable[[Fraction], Any], parameter: Call
                 torque_constant=None
                 if gear is None or gear.torque_constant is None or not motor
                 else constant(gear.torque_constant),
+                limits=None if span is None else (constant(span[0]), constant(span[1])),
             )
         )
     loads = [

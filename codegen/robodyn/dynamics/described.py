@@ -9,6 +9,7 @@ from typing import Any
 from robodyn.dynamics.arm import Arm, Motion
 from robodyn.dynamics.choosing import First
 from robodyn.dynamics.functions.record import Moving
+from robodyn.dynamics.limits import ROUNDING
 from robodyn.dynamics.lump import NO_LUMP, MomentForm
 from robodyn.dynamics.parallel import Turns, single_turns
 from robodyn.dynamics.regroup import lumps_of
@@ -20,6 +21,7 @@ class AsDescribed(ABC):
 
     mark = staticmethod(unmarked)
     cheapest = First()
+    rounding = ROUNDING["double"]
     arm: Arm
 
     @abstractmethod

@@ -7,7 +7,7 @@ from functools import cache
 from typing import Any
 
 from robodyn.dynamics.functions.arguments import INPUTS
-from robodyn.dynamics.functions.record import Dynamics, Function, Pair, Vector, parameters_of
+from robodyn.dynamics.functions.record import Dynamics, Function, Pair, Vector, lengths_of
 from robodyn.errors import InputError
 
 #: What stands between the names of functions that are fused.
@@ -30,6 +30,14 @@ def fused(functions: Sequence[Function]) -> Function:
 def _fused(functions: tuple[Function, ...]) -> Function:
     if len(functions) < 2:
         raise InputError("one function alone cannot be fused", remedy="name two or more, as in --fuse a,b")
+    of_pose = next((function for function in functions if function.of_pose), None)
+    of_state = next((function for function in functions if not function.of_pose), None)
+    if of_pose is not None and of_state is not None:
+        raise InputError(
+            f"{of_pose.name} and {of_state.name} cannot be fused",
+            found="one is of a pose, the other of joint positions: they have no work in common",
+            remedy="leave one of them out",
+        )
     results: dict[str, str] = {}
     for function in functions:
         for array in function.results:
@@ -59,10 +67,11 @@ def _fused(functions: tuple[Function, ...]) -> Function:
         tuple(array for function in functions for array in function.results),
         one_after_another([function.outputs for function in functions]),
         expected=one_after_another([f.expected for f in functions if f.expected]) if unconditional else None,
-        condition=None if unconditional else _compared(functions),
+        condition=None if unconditional or of_pose else _compared(functions),
         solves=any(function.solves for function in functions),
         rigid=any(function.rigid for function in functions),
         geometric=all(function.geometric for function in functions),
+        answers=None if of_pose is None else of_pose.answers,
         fuses=functions,
     )
 
@@ -95,9 +104,9 @@ def parts_of(
     functions: Sequence[Function], elements: Sequence[Any], n: int
 ) -> list[tuple[Function, Sequence[Any]]]:
     """Each function with its part of ``elements``, one after another, for ``n`` joints."""
-    parts, start, p = [], 0, parameters_of(functions, len(elements), n)
+    parts, start, lengths = [], 0, lengths_of(functions, len(elements), n)
     for function in functions:
-        end = start + function.size_at(n, p)
+        end = start + function.size_at(n, *lengths)
         parts.append((function, elements[start:end]))
         start = end
     return parts

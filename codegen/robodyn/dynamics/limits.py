@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from fractions import Fraction
+
 #: Joints of an arm at most for which a function is also written in ways that only few joints suit
 #: (``Function.small``): over the whole mass matrix, whose entries grow with the square of the joints, where
 #: a recursion grows with the joints. At 6 joints the recursion takes two thirds of the operations.
@@ -24,3 +27,17 @@ SECTIONS_TRIED: int = 12
 
 #: Finite fields at most, of 120 bits each, whose residues together write a factor of a base parameter down.
 MOST_FIELDS: int = 40
+
+#: The distance from 1 to the next number of a type: by it programs tell what is zero from what is rounding.
+ROUNDING: Mapping[str, Fraction] = {"double": Fraction(1, 2**52), "float": Fraction(1, 2**23)}
+
+#: Digits to which programs of poses are compared with plain forward kinematics; how far they may miss a pose
+#: as a share of the arm's size, and how far where numbers of the description were taken for its rounding;
+#: within which distance [rad or m] positions are the same.
+PROVEN_DIGITS: int = 60
+PROVEN_SHARE: Fraction = Fraction(1, 10**40)
+NEGLECTED_SHARE: Fraction = Fraction(1, 10**11)
+SAME_POSITION: Fraction = Fraction(1, 10**5)
+
+#: Poses at which that is looked at: an arm's branches exist together at about half of all poses.
+DRAWN_POSES: int = 6

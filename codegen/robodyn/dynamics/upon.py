@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from robodyn.dynamics.arm import Arm, Motion
@@ -25,6 +26,11 @@ class Upon:
     def arm(self) -> Arm:
         """The links as they are described."""
         return self._beneath.arm
+
+    @property
+    def rounding(self) -> Fraction:
+        """The rounding unit that programs are for."""
+        return self._beneath.rounding
 
     def motion(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Motion:
         """The arm at ``q``, with these rates and accelerations."""

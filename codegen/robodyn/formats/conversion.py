@@ -15,14 +15,16 @@ from robodyn.robot.parts import Gear, JointKind, Limits
 from robodyn.robot.plausibility import limits_doubt
 
 
-def robot_name(tree: Tree, asked: str = "") -> str:
+def robot_name(tree: Tree, preferred: str = "") -> str:
     """A C identifier out of the name that the file has for the robot, else out of the file's own name.
 
     Raises
     ------
-    InputError: it is a keyword, or what was ``asked`` for is no identifier.
+    InputError: it is a keyword, or the ``preferred`` name is no identifier.
     """
-    name = asked or identifier(tree.name) or identifier(PurePath(tree.file).name.partition(".")[0]) or "arm"
+    name = (
+        preferred or identifier(tree.name) or identifier(PurePath(tree.file).name.partition(".")[0]) or "arm"
+    )
     fault = robot_name_fault(name)
     if fault:
         raise InputError(

@@ -16,6 +16,9 @@ Array = NDArray[Any]
 Shape = tuple[int, ...]
 
 _REAL = frozenset("iuf")
+#: A frame ``[R p]``, the same with the row 0 0 0 1, and by how much that may be off: it takes no part.
+_FRAME, _WITH_LAST_ROW = (3, 4), (4, 4)
+_LAST_ROW, _LAST_ROW_OFF = np.array([0.0, 0.0, 0.0, 1.0]), 1e-9
 _KINDS = {"b": "booleans", "c": "complex numbers", "O": "Python objects", "S": "bytes", "U": "text"}
 
 
@@ -24,45 +27,80 @@ def shape_text(shape: Sequence[int | str]) -> str:
     return f"[{', '.join(str(k) for k in shape)}]"
 
 
-def read_input(where: str, name: str, length: int, value: object, dtype: np.dtype[Any]) -> Array:
-    """``value`` as a contiguous, aligned array of ``dtype``, ``[length]`` or ``[N, length]``.
+def read_input(where: str, name: str, shape: Shape, value: object, dtype: np.dtype[Any]) -> Array:
+    """``value``, one state or N of them, of this ``shape`` each or flat, as a contiguous, aligned array of
+    ``dtype``, ``[length]`` or ``[N, length]``.
 
     Real numbers of any other type are rounded to ``dtype``; where that is single precision a double is
     rounded too (and one beyond its range becomes infinite), for that is what the kernel computes in.
-    An array that already fits is not copied.
+    An array that already fits is not copied. A frame ``[3, 4]`` may have the row 0 0 0 1 beneath.
 
     Raises
     ------
     InputError: not an array of real numbers, or of another shape.
     """
-    array = _real_array(where, name, length, value, dtype)
-    shape = array.shape
-    if not 1 <= len(shape) <= 2 or shape[-1] != length:
-        raise InputError(
-            f"{where}: {name} has the wrong shape", found=shape_text(shape), expected=_either(length)
-        )
+    array = _real_array(where, name, shape, value, dtype)
+    length = math.prod(shape)
+    if not 1 <= array.ndim <= 2 or array.shape[-1] != length:
+        array = _flattened(where, name, shape, array)
     if array.dtype == dtype and array.flags.c_contiguous and array.flags.aligned:
         return array
     with np.errstate(over="ignore"):
         return np.array(array, dtype=dtype, order="C", copy=True, subok=False)
 
 
-def read_states(where: str, name: str, length: int, value: object, dtype: np.dtype[Any]) -> Array:
-    """``value`` as an array of real numbers ``[N, length]``, of any type and layout.
+def read_states(where: str, name: str, shape: Shape, value: object, dtype: np.dtype[Any]) -> Array:
+    """``value``, N states of this ``shape`` each or flat, as an array of real numbers ``[N, length]``, of any
+    type and layout.
 
     Raises
     ------
     InputError: not an array of real numbers, or of another shape.
     """
-    array = _real_array(where, name, length, value, dtype)
+    array = _real_array(where, name, shape, value, dtype)
+    length = math.prod(shape)
     if array.ndim != 2 or array.shape[1] != length:
+        one = array.shape in _shapes_of_one(shape)
+        if not one and array.ndim == len(shape) + 1 and len(shape) > 1:
+            return _flattened(where, name, shape, array)
         raise InputError(
             f"{where}: {name} is not a batch of states",
             found=shape_text(array.shape),
-            expected=shape_text(["N", length]),
-            remedy=f"for a single state call kernel.{where.partition('.')[2]}" if array.ndim == 1 else None,
+            expected=shape_text(["N", *shape]),
+            remedy=f"for a single state call kernel.{where.partition('.')[2]}" if one else None,
         )
     return array
+
+
+def _shapes_of_one(shape: Shape) -> list[Shape]:
+    """The shapes that one state's array may have."""
+    shapes: list[Shape] = [(math.prod(shape),)]
+    if len(shape) > 1:
+        shapes.append(shape)
+    if shape == _FRAME:
+        shapes.append(_WITH_LAST_ROW)
+    return shapes
+
+
+def _flattened(where: str, name: str, shape: Shape, array: Array) -> Array:
+    """Matrices of one state or N of them as rows of numbers."""
+    for inner in _shapes_of_one(shape):
+        lead = array.shape[: -len(inner)]
+        if len(lead) > 1 or array.shape[len(lead) :] != inner:
+            continue
+        if inner == _WITH_LAST_ROW:
+            last = array[..., 3, :]
+            if not (np.abs(last - _LAST_ROW) <= _LAST_ROW_OFF).all():
+                raise InputError(
+                    f"{where}: {name} is no frame",
+                    found=f"the last row {last.reshape(-1, 4)[0].tolist()}",
+                    expected="0 0 0 1, or the first three rows alone",
+                )
+            array = array[..., :3, :]
+        return array.reshape((*lead, math.prod(shape)))
+    raise InputError(
+        f"{where}: {name} has the wrong shape", found=shape_text(array.shape), expected=_either(shape)
+    )
 
 
 def laid_out(array: Array, dtype: np.dtype[Any], *, columns: bool) -> Array:
@@ -74,8 +112,8 @@ def laid_out(array: Array, dtype: np.dtype[Any], *, columns: bool) -> Array:
         return np.array(array, dtype=dtype, order="F" if columns else "C", copy=True, subok=False)
 
 
-def _real_array(where: str, name: str, length: int, value: object, dtype: np.dtype[Any]) -> Array:
-    array = value if type(value) is np.ndarray else _as_array(where, name, length, value)
+def _real_array(where: str, name: str, shape: Shape, value: object, dtype: np.dtype[Any]) -> Array:
+    array = value if type(value) is np.ndarray else _as_array(where, name, shape, value)
     if array.dtype.kind not in _REAL:
         kind = _KINDS.get(array.dtype.kind, f"{array.dtype}")
         raise InputError(
@@ -86,19 +124,19 @@ def _real_array(where: str, name: str, length: int, value: object, dtype: np.dty
     return array
 
 
-def _as_array(where: str, name: str, length: int, value: object) -> Array:
+def _as_array(where: str, name: str, shape: Shape, value: object) -> Array:
     if isinstance(value, np.ma.MaskedArray):
         raise InputError(f"{where}: {name} is a masked array", remedy="fill or drop what is masked")
     try:
         return np.asarray(value)
     except (ValueError, TypeError, OverflowError) as error:
         raise InputError(
-            f"{where}: {name} is not an array of numbers", found=str(error), expected=_either(length)
+            f"{where}: {name} is not an array of numbers", found=str(error), expected=_either(shape)
         ) from None
 
 
-def _either(length: int) -> str:
-    return f"{shape_text([length])} or {shape_text(['N', length])}"
+def _either(shape: Shape) -> str:
+    return f"{shape_text(shape)} or {shape_text(['N', *shape])}"
 
 
 def common_lead(where: str, names: Sequence[str], arrays: Sequence[Array]) -> Shape:

@@ -47,16 +47,13 @@ class Batch:
         threads: int,
     ) -> Any:
         function, where, dtype = self.function, self.function.where, self.function.dtype
-        asked: object = threads  # nobody checks what is passed from Python
-        if isinstance(asked, bool) or not isinstance(asked, (int, np.integer)) or asked < 1:
+        value: object = threads  # nobody checks what is passed from Python
+        if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or value < 1:
             raise InputError(
-                f"{where}: threads is not a number of threads", found=repr(asked), expected="1 or more"
+                f"{where}: threads is not a number of threads", found=repr(value), expected="1 or more"
             )
-        names = [name for name, _ in function.signature.inputs]
-        passed = [
-            read_states(where, name, length, value, dtype)
-            for (name, length), value in zip(function.signature.inputs, arrays, strict=True)
-        ]
+        names = [name for name, _ in function.inputs]
+        passed = function.read(arrays, read_states)
         (count,) = common_lead(where, names, passed)
         results, columns = self._results(count, out, passed, arrays)
         inputs = [laid_out(array, dtype, columns=columns) for array in passed]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -23,13 +23,17 @@ from robodyn.kernels.arrays import (
 )
 from robodyn.toolchain.library import Library
 
+#: What checks an input: ``(where, name, shape, value, dtype)``.
+Reader = Callable[[str, str, Shape, object, np.dtype[Any]], Array]
+
 
 class Function:
     """One function of a kernel, to be called on arrays; its ``__doc__`` says on which.
 
     Every input is one state or ``[N, ...]`` states; all agree. Lists, tuples and arrays of any real type
     are accepted and converted to the kernel's type (rounded, if it is wider); arrays of that type that are
-    contiguous are used in place. NaN and infinity are not refused: what depends on them is NaN.
+    contiguous are used in place. NaN and infinity are not refused: what depends on them is NaN. A frame is
+    ``[3, 4]`` or ``[4, 4]``. What is optional may be left out, and one may go with N states.
 
     ``params`` gives every run-time parameter by name. ``out`` is an array (a tuple of them, if there is more
     than one result) of the result's shape and the kernel's type, which is written to and returned.
@@ -50,6 +54,11 @@ class Function:
         self.dtype: np.dtype[Any] = np.dtype(np.float64 if signature.scalar == "double" else np.float32)
         self.library = library
         self._inputs = tuple(name for name, _ in signature.inputs)
+        self.inputs = tuple(
+            (name, _array(name, length).shape_of(length, signature.joints))
+            for name, length in signature.inputs
+        )
+        self.optional = frozenset(name for name, length in signature.inputs if _array(name, length).optional)
         self.results = tuple(
             (name, _array(name, length).shape_of(length, signature.joints))
             for name, length in signature.outputs
@@ -71,11 +80,8 @@ class Function:
     ) -> Any:
         if named or len(arrays) != len(self._inputs):
             arrays = self.bind(arrays, named)
-        where, dtype = self.where, self.dtype
-        inputs = [
-            read_input(where, name, length, value, dtype)
-            for (name, length), value in zip(self.signature.inputs, arrays, strict=True)
-        ]
+        where = self.where
+        inputs = self.read(arrays, read_input)
         lead = common_lead(where, self._inputs, inputs)
         if (state is not None or dt is not None) and not self.signature.states:
             raise InputError(f"{where} remembers nothing", found="state or dt", expected="neither")
@@ -83,7 +89,7 @@ class Function:
         values = self._null
         pointer, view = self._pointer, self._view
         if self.parameters or params:
-            values = view(pointer, read_parameters(where, self.parameters, params, dtype))
+            values = view(pointer, read_parameters(where, self.parameters, params, self.dtype))
         count = lead[0] if lead else 1
         if count:
             ins = [view(pointer, array) for array in inputs]
@@ -96,6 +102,30 @@ class Function:
             else:
                 self._call(count, *ins, *outs, values)
         return results[0] if len(results) == 1 else tuple(results)
+
+    def read(self, arrays: Sequence[object], read: Reader) -> list[Array]:
+        """The inputs, checked by ``read``; vectors that are optional, and come last, are zero where they are
+        left out (None), and that of one state goes with all."""
+        where, dtype = self.where, self.dtype
+        if not self.optional:
+            return [
+                read(where, name, shape, value, dtype)
+                for (name, shape), value in zip(self.inputs, arrays, strict=True)
+            ]
+        lead: Shape = ()
+        inputs: list[Array] = []
+        for (name, shape), value in zip(self.inputs, arrays, strict=True):
+            if name not in self.optional:
+                array = read(where, name, shape, value, dtype)
+                lead = array.shape[:-1]
+            elif value is None:
+                array = np.zeros((*lead, *shape), dtype)
+            else:
+                array = read_input(where, name, shape, value, dtype)
+                if array.ndim == 1:
+                    array = np.ascontiguousarray(np.broadcast_to(array, (*lead, *shape)))
+            inputs.append(array)
+        return inputs
 
     def _state(self, state: Array | None, dt: float | None) -> Array:
         """The memory of the effects: a new one, or ``state`` itself."""
@@ -122,6 +152,7 @@ class Function:
         bound = dict(zip(names, arrays, strict=False))
         wrong = [f"{name} twice" for name in named if name in bound]
         wrong += [f"unknown {name}" for name in named if name not in names]
+        named = {**dict.fromkeys(self.optional - bound.keys()), **named}
         wrong += [f"no {name}" for name in names if name not in bound and name not in named]
         if len(arrays) > len(names):
             wrong.append(f"{len(arrays)} arrays")
@@ -177,7 +208,10 @@ def _document(function: Function) -> str:
         "Parameters",
         "----------",
     ]
-    lines += [line(name, (length,)) for name, length in s.inputs]
+    lines += [
+        line(name, shape) + ("; zeros if left out" if name in function.optional else "")
+        for name, shape in function.inputs
+    ]
     if function.parameters:
         lines.append(f"params: run-time parameters, SI units: {', '.join(function.parameters)}")
     lines += ["out: array to write to, of the shape and type of the result", "", "Returns", "-------"]

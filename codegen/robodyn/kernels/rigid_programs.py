@@ -151,6 +151,8 @@ class RigidPrograms:
         known = function_named(function)
         if known.parts:
             return self._composed(known)
+        if known.of_pose:
+            return None
         best: Program | None = None
         for source in _sources(known):
             record = self._record(source)
@@ -238,7 +240,7 @@ class RigidPrograms:
         writings = [self._writings.get(part.name, part.outputs) for part in function.fuses]
         # What chooses first should be what has most to lose.
         order = sorted(range(len(writings)), key=lambda k: -self._cost(best[function.fuses[k].name]))
-        anew = build(self.robot, function.name, self.choice, one_after_another(writings, order))
+        anew = self._built(function.name, one_after_another(writings, order))
         drafts = [anew, side_by_side(function, list(best.values()))]
         # What records have is as it is; poses and Jacobians, which have none, still share their axes.
         geometric = [part.name for part in function.fuses if part.geometric]
@@ -276,6 +278,10 @@ class RigidPrograms:
                 del self.taken[part]
         return drafts[k]
 
+    def _built(self, function: str, writing: Writing) -> Program:
+        """The program of ``function``, written so, no pass run yet."""
+        return build(self.robot, function, self.choice, writing, scalar=self.options.scalar)
+
     def _written(self, function: Function) -> tuple[list[Writing], list[Program]]:
         """The ways to write ``function`` that may take the fewest operations, and what they give.
 
@@ -284,7 +290,7 @@ class RigidPrograms:
         """
 
         def built(ways: Sequence[Writing]) -> list[Program]:
-            return [build(self.robot, function.name, self.choice, way) for way in ways]
+            return [self._built(function.name, way) for way in ways]
 
         n = self.robot.n
         others = function.without_effects(n)

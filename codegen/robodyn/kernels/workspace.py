@@ -34,10 +34,11 @@ class Workspace(functools.partial[None]):
         start = -raw.ctypes.data % 64
         memory = raw[start : start + size].view(dtype)
         views: dict[str, Array] = {}
+        shapes = dict((*function.inputs, *function.results))
         outputs = dict(function.results)
         for name, offset, length in block.places:
             view = memory[offset : offset + length]
-            views[name] = view.reshape(outputs[name]) if name in outputs else view
+            views[name] = view.reshape(shapes[name])
             if name in outputs:
                 view[:] = np.nan
         if function.parameters:

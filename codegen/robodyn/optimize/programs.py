@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import importlib
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, fields
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
@@ -23,6 +22,7 @@ from robodyn.dynamics.arm import (
 from robodyn.dynamics.functions import Moving, NoSuchFunction, Rotor, function_named
 from robodyn.dynamics.fusing import Writing
 from robodyn.dynamics.joints import rotors_of
+from robodyn.dynamics.limits import ROUNDING
 from robodyn.dynamics.lump import NO_LUMP, MomentForm
 from robodyn.dynamics.mass_matrix import mass_matrix
 from robodyn.dynamics.parallel import Turns, chain_turns, single_turns
@@ -35,91 +35,25 @@ from robodyn.ir.lowering import lower
 from robodyn.ir.signature import ScalarType
 from robodyn.optimize.base_parameters import base_newton_euler
 from robodyn.optimize.cheapest import Cheapest
+from robodyn.optimize.choice import FORMULATIONS as FORMULATIONS
+from robodyn.optimize.choice import Choice as Choice
+from robodyn.optimize.choice import choice_from as choice_from
 from robodyn.optimize.costing import exact as exact
 from robodyn.optimize.gauge import regrouped_as, with_displacements
 from robodyn.optimize.merging import MergingGraph
 from robodyn.optimize.reading_order import in_reading_order
 from robodyn.optimize.slide import centred, slid
 from robodyn.optimize.suited import suited_variant
-from robodyn.optimize.variant import Variant
 from robodyn.robot.identity import identity
 from robodyn.robot.model import Robot
 
 if TYPE_CHECKING:
     from robodyn.dynamics.base_parameter import BaseParameter
-
-#: Formulations of the inverse dynamics, from the description as it stands.
-FORMULATIONS = (
-    "modified_newton_euler",
-    "newton_euler",
-    "newton_euler_base",
-    "orin",
-    "balafoutis",
-    "kane",
-    "lagrange_3x3",
-    "lagrange_4x4",
-    "lagrange",
-)
+    from robodyn.dynamics.inverse import Inverse as InverseKinematics
 
 
 class NoForwardDynamics(NoSuchFunction):
     """An arm has no forward dynamics, or none in closed form; ``found`` says why."""
-
-
-@dataclass(frozen=True, slots=True)
-class Choice:
-    """How the recursion is written: the formulation, and whether base parameters are regrouped (in the
-    modified Newton-Euler recursion); then ``chains`` says whether parallel joints turn as one, and
-    ``forms`` picks the form of each link's moment (empty: the forms that suit the arm), unless ``variant``
-    says everything."""
-
-    formulation: str = "modified_newton_euler"
-    regroup: bool = True
-    chains: bool = True
-    forms: tuple[MomentForm, ...] = ()
-    variant: Variant | None = None
-
-    def to_dict(self) -> dict[str, Any]:
-        """As JSON has it: what is as usual is left out."""
-        data: dict[str, Any] = {}
-        for field in fields(self):
-            value = getattr(self, field.name)
-            if value != field.default:
-                data[field.name] = list(value) if field.name == "forms" else value
-        if self.variant is not None:
-            data["variant"] = self.variant.to_dict()
-        return data
-
-    @staticmethod
-    def from_dict(data: Any) -> Choice:
-        """The choice of :meth:`to_dict`; :class:`InputError` where that is none."""
-        return choice_from(data)
-
-
-def choice_from(data: Any) -> Choice:
-    """The choice that :meth:`Choice.to_dict` wrote; :class:`InputError` where that is none."""
-    allowed = {field.name: field for field in fields(Choice)}
-    if not isinstance(data, Mapping) or not set(data) <= set(allowed):
-        raise InputError(
-            "no choice of a formulation variant", found=repr(data), expected=f"some of {', '.join(allowed)}"
-        )
-    settings = dict(data)
-    for name in ("regroup", "chains"):
-        if not isinstance(settings.get(name, True), bool):
-            raise InputError(f"{name} must be true or false", found=repr(settings[name]))
-    if settings.get("formulation", FORMULATIONS[0]) not in FORMULATIONS:
-        raise InputError(
-            "unknown formulation",
-            found=repr(settings["formulation"]),
-            expected=f"one of {', '.join(FORMULATIONS)}",
-        )
-    forms = settings.get("forms", [])
-    if not isinstance(forms, list) or not set(forms) <= {"inertia", "second_moment"}:
-        raise InputError("forms of moments", found=repr(forms), expected="a list of inertia, second_moment")
-    settings["forms"] = tuple(forms)
-    if "variant" in settings:
-        settings["variant"] = Variant.from_dict(settings["variant"])
-    return Choice(**settings)
 
 
 def signature(robot: Robot, function: str, scalar: ScalarType = "double") -> Signature:
@@ -127,11 +61,12 @@ def signature(robot: Robot, function: str, scalar: ScalarType = "double") -> Sig
     record, n = function_named(function), robot.n
     columns = base_set_of(robot) if record.has_parameters else ()
     p = len(columns)
+    b = inverse_kinematics_of(robot).branches if record.has_branches else 0
     return Signature(
         robot=robot.name,
         function=function,
-        inputs=tuple((array.name, array.size_at(n, p)) for array in record.inputs),
-        outputs=tuple((array.name, array.size_at(n, p)) for array in record.results),
+        inputs=tuple((array.name, array.size_at(n, p, b)) for array in record.inputs),
+        outputs=tuple((array.name, array.size_at(n, p, b)) for array in record.results),
         parameters=robot.parameters,
         scalar=scalar,
         states=_states(robot) if record.is_recursion and robot.effects else (),
@@ -162,22 +97,43 @@ def base_set_of(robot: Robot) -> tuple[BaseParameter, ...]:
         raise NoSuchFunction(error.what, found=error.found, remedy=error.remedy) from None
 
 
+def inverse_kinematics_of(robot: Robot) -> InverseKinematics:
+    """How the joint positions of a pose are solved for.
+
+    Raises
+    ------
+    NoSuchFunction: no closed form is known for arms like ``robot``.
+    """
+    from robodyn.dynamics.inverse import inverse_of
+
+    arm = build_arm(robot, exact, Graph().input)
+    return inverse_of(arm, [body.limits for body in arm.bodies])
+
+
 def _states(robot: Robot) -> tuple[str, ...]:
     from robodyn.drives.drive import layer_of
 
     return layer_of(robot, lambda x: x, lambda _: 1).state_names
 
 
-def build(robot: Robot, function: str, choice: Choice, writing: Writing | None = None) -> Program:
+def build(
+    robot: Robot,
+    function: str,
+    choice: Choice,
+    writing: Writing | None = None,
+    *,
+    scalar: ScalarType = "double",
+) -> Program:
     """The program of ``function`` as the recursion leaves it: equal nodes merged, constants folded,
-    nothing dead, no pass run yet. ``writing`` says how its outputs are written, if not as usual."""
+    nothing dead, no pass run yet. ``writing`` says how its outputs are written, if not as usual; ``scalar``
+    what it is for, which programs with thresholds depend on."""
     # Where equal values are one node whichever way they were written, there is nothing to choose from.
     known = function_named(function)
     if choice.variant is None or known.geometric or known.at_rest:
-        return _built(Graph(), robot, function, choice, writing)
+        return _built(Graph(), robot, function, choice, writing, scalar)
     numbers = identity(robot).encode()
     program: Program = in_drawn_field(
-        lambda field: _built(MergingGraph(field), robot, function, choice, writing),
+        lambda field: _built(MergingGraph(field), robot, function, choice, writing, scalar),
         function.encode(),
         numbers,
         prime_of=b"merging " + numbers,
@@ -185,10 +141,17 @@ def build(robot: Robot, function: str, choice: Choice, writing: Writing | None =
     return program
 
 
-def _built(graph: Graph, robot: Robot, function: str, choice: Choice, writing: Writing | None) -> Program:
+def _built(
+    graph: Graph,
+    robot: Robot,
+    function: str,
+    choice: Choice,
+    writing: Writing | None,
+    scalar: ScalarType,
+) -> Program:
     interface = signature(robot, function)
     inputs = {name: [graph.input(name, i) for i in range(size)] for name, size in interface.inputs}
-    recursion = recursion_in(graph, robot, choice, inputs)
+    recursion = recursion_in(graph, robot, choice, inputs, scalar)
     values = list((writing or function_named(function).outputs)(recursion))
     if choice.regroup:
         graph, values = in_reading_order(graph, values)
@@ -221,8 +184,9 @@ class Recursion:
         trigonometry: Trigonometry,
         constant: Callable[[Fraction], Any],
         mark: Mark,
+        scalar: ScalarType = "double",
     ) -> None:
-        self.inputs, self.mark = inputs, mark
+        self.inputs, self.mark, self.rounding = inputs, mark, ROUNDING[scalar]
         self.rest: Sequence[Any] = [0] * len(arm.bodies)
         self.arm, self._choice, self._trigonometry, self._number = arm, choice, trigonometry, constant
         self._inverse: Inverse | None = None
@@ -283,7 +247,11 @@ class Recursion:
 
 
 def recursion_in(
-    graph: Graph, robot: Robot, choice: Choice, inputs: Mapping[str, Sequence[Any]]
+    graph: Graph,
+    robot: Robot,
+    choice: Choice,
+    inputs: Mapping[str, Sequence[Any]],
+    scalar: ScalarType = "double",
 ) -> Recursion:
     """The dynamics of ``robot`` in ``graph``, ``inputs`` ``[n]`` by name."""
 
@@ -293,7 +261,8 @@ def recursion_in(
     def mark(value: Any, label: Label) -> Any:
         return graph.label(value, label)
 
-    return Recursion(build_arm(robot, exact, graph.input), choice, inputs, trigonometry, exact, mark)
+    arm = build_arm(robot, exact, graph.input)
+    return Recursion(arm, choice, inputs, trigonometry, exact, mark, scalar)
 
 
 def turned(graph: Graph, q: Sequence[Node], angle: JointAngle) -> tuple[Any, Any]:

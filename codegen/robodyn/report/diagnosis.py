@@ -45,7 +45,7 @@ def page(diagnosis: Diagnosis, *, validated: bool) -> str:
     travels = travelled(diagnosis.robot, diagnosis.series[0]) if diagnosis.series else []
     windows = _windows(diagnosis)
     trained = [window for window in windows if window.name == "train"]
-    asked, finding_cards = next_of(diagnosis), cards(diagnosis, places, trained)
+    experiments, finding_cards = next_of(diagnosis), cards(diagnosis, places, trained)
     line, lead = in_a_line(diagnosis, validated=validated)
     return markup_template("diagnosis.html.j2").render(
         robot=diagnosis.robot,
@@ -65,7 +65,7 @@ def page(diagnosis: Diagnosis, *, validated: bool) -> str:
         if diagnosis.verdict == "unexplained"
         else [],
         is_changed=diagnosis.verdict == "missing_effect" and not is_touched_only(diagnosis),
-        experiments=[*asked, *advice(diagnosis, places, travels)],
+        experiments=[*experiments, *advice(diagnosis, places, travels)],
         ladder=ladder(diagnosis, validated),
         tables=tables(diagnosis, validated),
         unit=units_of(diagnosis),

@@ -23,7 +23,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from importlib.resources import files as resources
 from pathlib import Path, PurePosixPath
-from typing import Any, Literal
+from typing import Any, Final, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -37,6 +37,9 @@ from robodyn.toolchain.compiler import C_FLAGS, find_c
 Floats = NDArray[np.float64]
 Method = Literal["rk4", "adaptive"]
 
+#: Tolerances of adaptive steps unless others are named: relative, and absolute [rad, m and their rates].
+RTOL: Final = 1e-8
+ATOL: Final = 1e-10
 _COUNTERS = ("steps", "rejected", "evaluations", "events", "iterations")
 _METHODS = ("rk4", "adaptive")
 _CHUNK = 0.05  # s between two looks at what Python has to do
@@ -67,8 +70,8 @@ class Engine:
         control: Control | None = None,
         method: Method = "rk4",
         step: float | None = None,
-        rtol: float = 1e-8,
-        atol: float = 1e-10,
+        rtol: float = RTOL,
+        atol: float = ATOL,
         breaks: Sequence[float] = (),
         parameters: ArrayLike = (),
         progress: Callable[[float], object] | None = None,
@@ -101,36 +104,36 @@ class Engine:
             kept.append(values)
             return self.ffi.from_buffer("double[]", values)
 
-        asked = new("settings *")
-        asked.method = _METHODS.index(method)
-        asked.step = step if step is not None else sample_period * (1 if method == "rk4" else 10)
-        asked.rtol, asked.atol = rtol, atol
-        asked.duration, asked.sample_period, asked.max_steps = duration, sample_period, max_steps
-        asked.y, asked.v = pointer(_read("y", y, self.n)), pointer(_read("v", v, self.n))
-        asked.z = pointer(_read("z", z, self.states))
-        asked.parameters = pointer(_read("parameters", parameters, self.parameters))
+        settings = new("settings *")
+        settings.method = _METHODS.index(method)
+        settings.step = step if step is not None else sample_period * (1 if method == "rk4" else 10)
+        settings.rtol, settings.atol = rtol, atol
+        settings.duration, settings.sample_period, settings.max_steps = duration, sample_period, max_steps
+        settings.y, settings.v = pointer(_read("y", y, self.n)), pointer(_read("v", v, self.n))
+        settings.z = pointer(_read("z", z, self.states))
+        settings.parameters = pointer(_read("parameters", parameters, self.parameters))
         times = np.sort(_read("breaks", breaks, len(breaks)))
-        asked.breaks, asked.break_count = pointer(times), len(times)
+        settings.breaks, settings.break_count = pointer(times), len(times)
         motors = plan.motors
-        asked.control, asked.motors, asked.period = plan.kind, motors, min(plan.period, 1e300)
+        settings.control, settings.motors, settings.period = plan.kind, motors, min(plan.period, 1e300)
         for name in ("place", "seen"):
             places = new("int[]", list(getattr(plan, name)))
             kept.append(places)
-            setattr(asked, name, places)
-        asked.rows = plan.rows
+            setattr(settings, name, places)
+        settings.rows = plan.rows
         for name in ("torque", "q", "qd", "qdd", "kp", "kd"):
-            setattr(asked, name, pointer(getattr(plan, name)))
-        asked.limit = self.ffi.NULL if plan.limit is None else pointer(plan.limit)
+            setattr(settings, name, pointer(getattr(plan, name)))
+        settings.limit = self.ffi.NULL if plan.limit is None else pointer(plan.limit)
         raised: list[BaseException] = []
         if plan.callback is not None:
             call = self._callback(plan, raised)
             kept.append(call)
-            asked.callback = call
+            settings.callback = call
         samples = math.floor(duration / sample_period + 1e-9) + 1
         width = 1 + 3 * self.n + self.states + self.elements + 2 * motors + 2
         rows = np.empty((samples, width))
-        asked.record = pointer(rows)
-        run = self.library.run_new(asked)
+        settings.record = pointer(rows)
+        run = self.library.run_new(settings)
         if run == self.ffi.NULL:
             raise MemoryError
         state = self.ffi.gc(run, self.library.run_free)

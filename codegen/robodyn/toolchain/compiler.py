@@ -118,9 +118,9 @@ def first_lines(output: str, count: int = 3) -> str:
     return " | ".join(chosen)
 
 
-def find_compiler(language: str, asked: str | None = None) -> Compiler:
-    """The compiler of ``language``: ``asked`` if given, else the one that the environment names, else the
-    first of the usual ones.
+def find_compiler(language: str, choice: str | None = None) -> Compiler:
+    """The compiler of ``language``: ``choice`` if there is one, else the one that the environment names, else
+    the first of the usual ones.
 
     Raises
     ------
@@ -130,7 +130,7 @@ def find_compiler(language: str, asked: str | None = None) -> Compiler:
     spoken, compiled = compiled_language(language)
     title, compiler, variable = spoken.title, compiled.compiler, compiled.compiler.variable or ""
     remedy = f"install one ({compiler.install}) or name one in {variable}"
-    named, by = (asked, "it was asked for") if asked else (os.environ.get(variable), f"{variable} names it")
+    named, by = (choice, "it was asked for") if choice else (os.environ.get(variable), f"{variable} names it")
     if named and named.strip():
         try:
             command = shlex.split(named)

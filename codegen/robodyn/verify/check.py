@@ -15,6 +15,8 @@ to the kernel's precision are left out, and counted.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -25,8 +27,8 @@ from robodyn.dynamics.functions import INPUTS, Function, function_named
 from robodyn.dynamics.fusing import parts_of
 from robodyn.errors import InputError, ToolError
 from robodyn.robot.model import Robot
+from robodyn.verify.judging import is_regular, relative_to, ulps_of
 from robodyn.verify.lagrangian import LIMIT
-from robodyn.verify.numbers import real
 from robodyn.verify.oracles import (
     Oracle,
     differences,
@@ -34,9 +36,10 @@ from robodyn.verify.oracles import (
     lagrangian_oracle,
     reference_oracle,
 )
+from robodyn.verify.poses import pose_errors
 from robodyn.verify.reference import Floats, Reference
 from robodyn.verify.report import Comparison, VerifyReport
-from robodyn.verify.sample import draw, draw_parameters, drawn_besides
+from robodyn.verify.sample import draw, draw_parameters, drawn_besides, poses_of
 from robodyn.verify.stepping import Stepping
 
 if TYPE_CHECKING:
@@ -109,14 +112,17 @@ def verify(
             functions.append(name)
         else:
             skipped[name] = reason
-    total = len(functions) * len(oracles)
+    wanted: list[Callable[[], Comparison]] = []
+    for name in functions:
+        if function_named(name).of_pose:
+            wanted.append(partial(run.compare_poses, name))
+        else:
+            wanted += [partial(run.compare, name, oracle, count) for oracle, count in oracles]
     comparisons = []
-    for done, (name, (oracle, count)) in enumerate(
-        ((name, pair) for name in functions for pair in oracles), start=1
-    ):
-        comparisons.append(run.compare(name, oracle, count))
+    for done, comparison in enumerate(wanted, start=1):
+        comparisons.append(comparison())
         if progress is not None:
-            progress(done, total)
+            progress(done, len(wanted))
     return VerifyReport(
         robot=robot.name,
         scalar=kernel.scalar,
@@ -146,15 +152,16 @@ class _Run:
         self.values = values
         self.tolerance = TOLERANCE[kernel.scalar]
         sample = draw(robot, states, seed, kernel.dtype)
-        reference = Reference(robot, values)
+        self.reference = reference = Reference(robot, values)
         tau = reference.inverse_dynamics(sample.q, sample.qd, sample.qdd)
         self.largest = float(np.abs(tau).max())
-        self.regular = _regular(reference.mass_matrix(sample.q), kernel.dtype)
+        self.regular = is_regular(reference.mass_matrix(sample.q), kernel.dtype)
         self._reference = reference_oracle(robot, values)
         self._largest: dict[str, Floats] = {}
         rounded = tau.astype(kernel.dtype).astype(np.float64)
         more = drawn_besides(kernel.signatures.values(), states, seed, kernel.dtype)
-        drawn = (sample.q, sample.qd, sample.qdd, rounded, *more)
+        poses = poses_of(reference, sample.q, kernel.dtype)
+        drawn = (sample.q, sample.qd, sample.qdd, rounded, *more, poses, sample.q)
         self.inputs: dict[str, Floats] = dict(zip((array.name for array in INPUTS), drawn, strict=True))
         if any(name == "sc" for s in kernel.signatures.values() for name, _ in s.inputs):
             if trig is None:
@@ -193,6 +200,18 @@ class _Run:
         compared = [self._compare(function, part, list(own), oracle, count) for part, own in parts]
         return max(compared, key=lambda comparison: (not comparison.passed, comparison.error))
 
+    def compare_poses(self, function: str) -> Comparison:
+        """``function``, of poses, against the reference's forward kinematics at all of them."""
+        outputs = self.kernel.signatures[function].outputs
+        ends = np.cumsum([length for _, length in outputs])[:-1]
+        rows = np.split(self._result(function), ends, axis=1)
+        results = dict(zip((name for name, _ in outputs), rows, strict=True))
+        error = pose_errors(
+            self.robot, self.reference, function_named(function), results, self.inputs, self.tolerance
+        )
+        state = int(np.argmax(error))
+        return self._comparison_at(function, "reference", len(error), 0, float(error[state]), state)
+
     def _compare(
         self, function: str, record: Function, elements: list[int], oracle: Oracle, count: int
     ) -> Comparison:
@@ -225,7 +244,9 @@ class _Run:
             if not record.gives_torques:
                 yardstick = self._largest_of(record)
         error = differences(actual, expected)
-        ulps = self._ulps(record, error, expected, yardstick) if oracle.name == "exact" else None
+        ulps = (
+            ulps_of(record, error, expected, yardstick, self.kernel.dtype) if oracle.name == "exact" else None
+        )
         return self._comparison(function, record, oracle, places, left_out, error, yardstick, ulps)
 
     def _largest_of(self, record: Function) -> Floats:
@@ -273,25 +294,32 @@ class _Run:
         yardstick: float | Floats,
         ulps: float | None,
     ) -> Comparison:
-        relative = _relative(error, np.broadcast_to(yardstick, error.shape))
+        relative = relative_to(error, np.broadcast_to(yardstick, error.shape))
         worst = np.unravel_index(int(np.argmax(relative)), error.shape)
         state = int(places[worst[0]])
         joint, column = self._place(record, int(worst[1]))
+        at = self._comparison_at(function, oracle.name, len(places), left_out, float(relative[worst]), state)
+        return replace(at, joint=joint, column=column, ulps=ulps)
+
+    def _comparison_at(
+        self, function: str, against: str, states: int, left_out: int, error: float, state: int
+    ) -> Comparison:
+        """A comparison whose worst state this is."""
         return Comparison(
             function=function,
-            against=oracle.name,
-            states=len(places),
+            against=against,
+            states=states,
             left_out=left_out,
-            error=float(relative[worst]),
+            error=error,
             tolerance=self.tolerance,
-            joint=joint,
-            column=column,
+            joint=None,
+            column=None,
             state=state,
             inputs={
                 name: tuple(self.inputs[name][state].tolist())
                 for name, _ in self.kernel.signatures[function].inputs
             },
-            ulps=ulps,
+            ulps=None,
         )
 
     def _place(self, function: Function, element: int) -> tuple[int | None, int | None]:
@@ -309,38 +337,3 @@ class _Run:
                 return joint, int(place[-1]) + 1 if len(place) > 1 else None
             element -= size
         raise AssertionError("no such element")
-
-    def _ulps(
-        self, function: Function, error: Floats, expected: NDArray[Any], yardstick: float | Floats
-    ) -> float:
-        """The largest error in units in the last place of each joint's largest torque, or of the yardstick of
-        what are no torques."""
-        sizes = np.reshape([real(abs(x)) for x in expected.flat], expected.shape)
-        most = np.broadcast_to(yardstick, sizes.shape[1:])
-        vectors = all(array.shape == ("n",) for array in function.results)
-        unit = sizes.max(axis=0) if vectors else most
-        unit = np.where(unit > 0, unit, np.where(most > 0, most, 1.0))
-        worst = float((error / np.spacing(unit.astype(self.kernel.dtype)).astype(np.float64)).max())
-        return np.inf if np.isnan(worst) else worst
-
-
-def _relative(error: Floats, yardstick: Floats) -> Floats:
-    """``error / yardstick``; infinite where the yardstick is, or is 0 and the error is not."""
-    relative: Floats = np.divide(error, yardstick, out=np.full(error.shape, np.inf), where=yardstick > 0)
-    relative[(yardstick == 0) & (error == 0)] = 0.0
-    relative[~np.isfinite(yardstick)] = np.inf
-    return relative
-
-
-def _regular(matrix: Floats, dtype: np.dtype[Any]) -> NDArray[np.bool_]:
-    """At which states ``[N]`` the mass matrix can be inverted in ``dtype``."""
-    diagonal = np.einsum("kii->ki", matrix)
-    fit = (diagonal > 0).all(axis=1)
-    scale = 1 / np.sqrt(np.where(diagonal > 0, diagonal, 1.0))
-    scaled = matrix * scale[:, :, None] * scale[:, None, :]
-    fit &= np.isfinite(scaled).all(axis=(1, 2))
-    try:
-        condition = np.linalg.cond(np.where(fit[:, None, None], scaled, 0.0))
-    except np.linalg.LinAlgError:
-        return np.zeros(len(matrix), np.bool_)
-    return np.asarray(fit & (condition < 0.01 / float(np.finfo(dtype).eps)))

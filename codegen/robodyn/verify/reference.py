@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from robodyn.errors import InputError
-from robodyn.robot.model import EffectEntry, Inertia, Link, Robot
+from robodyn.robot.model import EffectEntry, Inertia, Link, Placement, Robot
 from robodyn.verify.effects import Drives, Reactions
 from robodyn.verify.effects import Floats as Floats
 from robodyn.verify.numbers import Parameters, exact_value, filled
@@ -105,6 +105,17 @@ class Reference:
             unit[:, j] = 1.0
             matrix[:, :, j] = self._rigid(positions, rest, unit, np.zeros(3)).tau
         return (matrix + self._drives.inertia()).reshape((*lead, n, n))
+
+    def tool_pose(self, q: ArrayLike) -> Floats:
+        """Frame ``[R p]`` of the tool in the world (1 and m); ``[3, 4]`` or ``[N, 3, 4]``."""
+        (states,), lead = self._read(q)
+        R, p = (np.broadcast_to(x, (len(states), *x.shape)) for x in _placed(self.robot.base))
+        for i, body in enumerate(self._bodies):
+            turn, arm = _transform(body, states[:, i])
+            R, p = R @ turn, p + _apply(R, arm)
+        turn, arm = _placed(self.robot.tool)
+        p = p + R @ arm
+        return np.concatenate([R @ turn, p[:, :, None]], axis=2).reshape((*lead, 3, 4))
 
     def forward_dynamics(self, q: ArrayLike, qd: ArrayLike, tau: ArrayLike) -> Floats:
         """Joint accelerations [rad/s^2 or m/s^2] under the torques ``tau``; ``[n]`` or ``[N, n]``.
@@ -221,6 +232,13 @@ class Reference:
             f = _apply(turns[i], f)
             n = _apply(turns[i], n) + _cross(arms[i], f)
         return reactions
+
+
+def _placed(place: Placement | None) -> tuple[Floats, Floats]:
+    """Rotation ``[3, 3]`` and origin ``[3]`` of a frame in another."""
+    if place is None:
+        return np.eye(3), np.zeros(3)
+    return np.array(place.rotation, np.float64), np.array(place.xyz, np.float64)
 
 
 def _transform(body: _Body, q: Floats) -> tuple[Floats, Floats]:

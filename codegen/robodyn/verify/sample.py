@@ -9,6 +9,7 @@ from fractions import Fraction
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from robodyn.dynamics.functions.arguments import PI
 from robodyn.errors import InputError
@@ -16,7 +17,7 @@ from robodyn.ir.signature import Signature
 from robodyn.robot.filling import parameter_values
 from robodyn.robot.model import Joint, Robot
 from robodyn.verify.numbers import Parameters, real
-from robodyn.verify.reference import Floats
+from robodyn.verify.reference import Floats, Reference
 
 # However wide the limits are: an angle of many turns loses the digits of its offset, and what is squared must
 # stay a number.
@@ -96,6 +97,25 @@ def bounds_of(joint: Joint) -> list[tuple[float, float]]:
 
 #: How hard tools are pushed [N, N m].
 _PUSH = 10.0
+
+
+#: How many poses of a sample are out of the reach of an arm of revolute joints.
+UNREACHABLE = 3
+
+
+def poses_of(reference: Reference, q: Floats, dtype: np.dtype[Any]) -> Floats:
+    """Poses ``[N, 12]`` of the tool at the positions ``q`` ``[N, n]``, in ``dtype``; of twenty or more the
+    first :data:`UNREACHABLE` are moved away, further than all poses are from each other."""
+    T = reference.tool_pose(q).reshape(len(q), 12)
+    if len(T) >= 20:
+        places = T[:, 3::4]
+        T[:UNREACHABLE, 3::4] += 10 * (1 + np.abs(places - places.mean(axis=0)).max())
+    return T.astype(dtype).astype(np.float64)
+
+
+def is_reachable(states: int) -> NDArray[np.bool_]:
+    """Which of so many :func:`poses_of` are those of positions."""
+    return np.arange(states) >= (UNREACHABLE if states >= 20 else 0)
 
 
 def drawn_besides(

@@ -95,9 +95,9 @@ static auto counted(std::size_t expected, const char * method, Call call)
 {
   const std::size_t before = allocations;
   auto result = call();
-  const std::size_t made = allocations - before;
-  if (made != expected) {
-    throw std::logic_error(std::string(method) + ": " + std::to_string(made) + " allocations");
+  const std::size_t allocated = allocations - before;
+  if (allocated != expected) {
+    throw std::logic_error(std::string(method) + ": " + std::to_string(allocated) + " allocations");
   }
   return result;
 }

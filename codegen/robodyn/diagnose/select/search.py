@@ -11,9 +11,10 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.amend.amend import Amendment, amended
 from robodyn.diagnose.result import Bounds
-from robodyn.diagnose.select.forward import Key, Named, special_cases
+from robodyn.diagnose.select.fit import share_taken, tighter
+from robodyn.diagnose.select.forward import Key, Named, is_of_link, special_cases
 from robodyn.diagnose.select.library import Candidate
-from robodyn.diagnose.select.limits import FEW, PASSES, PASSES_ROUGH, PRICE, STANDING
+from robodyn.diagnose.select.limits import BY_PRIOR, FEW, PASSES, PASSES_ROUGH, PRICE, STANDING
 from robodyn.diagnose.select.refine import costs, refined
 from robodyn.diagnose.select.scope import EVERYTHING, Scope
 from robodyn.diagnose.select.selection import Selection, select
@@ -87,33 +88,36 @@ def search(
         last = look(model, findings, first.unstated)
     if findings:
         tell("asking how sure the numbers are")
-        _judge(robot, findings, first)
+        _judge(robot, findings, first, last.share)
         model = amended(robot, _amendments(findings))
     return Outcome(findings, model, first, last)
 
 
-def _judge(robot: Robot, findings: dict[Key, Detected], begun: Selection) -> None:
-    """The findings with errors and intervals of their numbers in the joint fit."""
-    better, sure = uncertainties(robot, _amendments(findings), begun.contexts, begun.start)
+def _judge(robot: Robot, findings: dict[Key, Detected], begun: Selection, share: float) -> None:
+    """The findings with errors and intervals of their numbers in the joint fit, the arm's own numbers being
+    wrong by a ``share`` of what is said of them."""
+    start = tighter(begun.start, min(1.0, share / share_taken(begun.start)))
+    better, sure = uncertainties(robot, _amendments(findings), begun.contexts, start)
     for key, amendment, known in zip(list(findings), better, sure, strict=True):
         one = findings[key]
         # What nothing was fitted to has no error.
         errors = {name: error for name, error in one.errors.items() if error and name not in known}
         errors |= {name: each.stderr for name, each in known.items() if each.stderr is not None}
-        bounds = {name: (each.low, each.high) for name, each in known.items()}
+        bounds = {**one.bounds, **{name: (each.low, each.high) for name, each in known.items()}}
         findings[key] = replace(one, parameters=dict(amendment.parameters), errors=errors, bounds=bounds)
 
 
 def _is_better(
     robot: Robot, findings: Mapping[Key, Detected], more: Mapping[Key, Detected], first: Selection
 ) -> bool:
-    """Whether ``more`` explains more of the logs than ``findings``, by as much as its numbers are worth."""
+    """Whether ``more`` explains more of the logs than ``findings``, by as much as its numbers are worth; the
+    first that are named need only be of an arm that can be."""
     if set(more) == set(findings):
         return False
-    if not findings:
-        return True
     added = [one for key, one in more.items() if key not in findings]
     before, after = costs(robot, [_amendments(findings), _amendments(more)], first.contexts, first.start)
+    if not findings:
+        return bool(np.isfinite(after))
     worth = sum(evidence_threshold(first.start, numbers_of(one.named.trial)) for one in added)
     return before - after > PRICE * worth
 
@@ -128,7 +132,8 @@ def _pruned(robot: Robot, findings: dict[Key, Detected], first: Selection) -> No
                 _refit(robot, others, first)
             without.append(others)
         models = [_amendments(findings), *(_amendments(others) for others in without)]
-        whole, *less = costs(robot, models, first.contexts, first.start)
+        # Of effects that diverge together each is spare, first those without which nothing does.
+        whole, *less = np.nan_to_num(costs(robot, models, first.contexts, first.start))
         spare = [
             cost - whole - PRICE * evidence_threshold(first.start, numbers_of(one.named.trial))
             for cost, one in zip(less, findings.values(), strict=True)
@@ -195,7 +200,12 @@ def _take(step: Selection, findings: dict[Key, Detected]) -> None:
     cases."""
     for named in step.findings:
         candidate = named.trial.candidate
-        values, errors = estimates(candidate, named.x, named.spread, step.context.model)
+        model = step.context.model
+        values, errors = estimates(candidate, named.x, named.spread, model)
+        _, by_prior = estimates(candidate, named.x, named.by_prior, model)
+        open_ones = [name for name, error in errors.items() if by_prior[name] > BY_PRIOR * error > 0]
+        errors |= dict.fromkeys(open_ones, 0.0)
+        bounds = dict.fromkeys(open_ones, (None, None))
         key = (candidate.effect, candidate.joint)
         for plain in [(id, candidate.joint) for id in special_cases(candidate)]:
             if plain in findings:
@@ -209,7 +219,7 @@ def _take(step: Selection, findings: dict[Key, Detected]) -> None:
                 joined[name] = joined[name] + value if both and name in linear else value  # type: ignore[operator]
             findings[key] = replace(before, parameters=joined)
         else:
-            findings[key] = Detected(named, values, errors, step.first.held_out.mean(axis=0))
+            findings[key] = Detected(named, values, errors, step.first.held_out.mean(axis=0), bounds)
 
 
 def _take_levels(candidate: Candidate, values: dict[str, float | str], plain: Mapping[str, Any]) -> None:
@@ -232,9 +242,7 @@ def estimates(
 ) -> tuple[dict[str, float | str], dict[str, float]]:
     """The catalogue's parameters of the coefficients ``x`` [c], and their standard errors by the ``spread``
     [c, c] of those."""
-    fold = candidate.definition.traits.fold
-    of_link = fold is not None and fold.into == "link"
-    read = (lambda v: _deltas(candidate, v, model)) if of_link else candidate.read
+    read = (lambda v: _deltas(candidate, v, model)) if is_of_link(candidate) else candidate.read
     values = read(x)
     errors: dict[str, float] = {}
     for name, value in values.items():

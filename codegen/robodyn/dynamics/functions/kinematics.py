@@ -10,7 +10,7 @@ from robodyn.dynamics.arm import Motion, inertial
 from robodyn.dynamics.articulated import articulated_bodies
 from robodyn.dynamics.drift import tool_drift
 from robodyn.dynamics.dual import Dual, moving_along, slopes
-from robodyn.dynamics.functions.arguments import QD, Array, Q
+from robodyn.dynamics.functions.arguments import POSE, QD, Array, Q
 from robodyn.dynamics.functions.record import Derivative, Dynamics, Function, Pair, Vector
 from robodyn.dynamics.jacobians import Column, columns
 from robodyn.dynamics.kinematics import frames, jacobian
@@ -20,7 +20,6 @@ from robodyn.dynamics.poses import flat, link_places, placed, pose, rows_of, see
 from robodyn.dynamics.responses import lambda_inverse_by_answers
 from robodyn.dynamics.transforms import Matrix, applied, product, transform, transposed
 
-POSE = Array("T", "frame of the tool in the world, [R p]", "1 and m", shape=(3, 4))
 LINK_POSITIONS = Array("link_positions", "origins of the links in the world", "m", shape=("n", 3))
 LINK_ROTATIONS = Array(
     "link_rotations", "turn vectors of the links' frames into the world's", "", shape=("n", 3, 3)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
 from robodyn.dynamics.functions.arguments import INPUTS, Array
@@ -53,6 +54,7 @@ class Dynamics(Protocol):
     mark: gives a quantity its name in emitted code; where nothing is emitted it does nothing.
     arm: the links as they are described, the base in the world, and the tool.
     cheapest: chooses, of several ways to write the same values, those that take the fewest operations.
+    rounding: the rounding unit of the numbers that the program is for, as a share.
     """
 
     @property
@@ -65,6 +67,8 @@ class Dynamics(Protocol):
     def arm(self) -> Arm: ...
     @property
     def cheapest(self) -> Chooser: ...
+    @property
+    def rounding(self) -> Fraction: ...
 
     def motion(self, qd: Vector, qdd: Vector) -> Motion:
         """``arm`` at ``inputs["q"]``, with these velocities and accelerations ``[n]``."""
@@ -132,6 +136,16 @@ class Derivative(NamedTuple):
     affine: bool = False
 
 
+class Answers(NamedTuple):
+    """Of a function of a pose the names of its results: joint positions, a row for each branch or of one; and
+    whether each reaches the pose, is within the joints' limits, and is singular."""
+
+    solutions: str
+    exists: str
+    within: str
+    singular: str
+
+
 @dataclass(frozen=True, slots=True, eq=False, repr=False)  # one object each; every command imports this
 class Function:
     """A function that kernels may have.
@@ -168,6 +182,8 @@ class Function:
     drives: whether it depends on what drives do; if not, robots with effects have the rigid arm's.
     geometric: whether it is of the links' places and motion alone: drives and effects have no part in it.
     derivatives: of its only result by each of its inputs; none: no function has them.
+    answers: of a function of a pose, and of no state, its results. What is right is that the poses of its
+        solutions are the one that it was given (:mod:`robodyn.dynamics.closing`).
     """
 
     name: str
@@ -193,6 +209,7 @@ class Function:
     drives: bool = True
     geometric: bool = False
     derivatives: tuple[Derivative, ...] = ()
+    answers: Answers | None = None
 
     def __post_init__(self) -> None:
         """:class:`ValueError` for a record that is none: found where the package is imported."""
@@ -208,8 +225,10 @@ class Function:
         taken = _TAKEN & {array.name for array in self.results}
         if taken:
             raise ValueError(f"function {self.name!r}: emitted code has other arguments called {taken}")
-        if self.expected is None and self.condition is None:
-            raise ValueError(f"function {self.name!r}: nothing says what is right: expected or condition")
+        if self.expected is None and self.condition is None and self.answers is None:
+            raise ValueError(
+                f"function {self.name!r}: nothing says what is right: expected, condition or answers"
+            )
         if self.derivatives and (len(self.results), tuple(d.by for d in self.derivatives)) != (
             1,
             self.input_names,
@@ -235,8 +254,9 @@ class Function:
     @property
     def searchable(self) -> bool:
         """Whether fewer operations are searched for, and recorded: not for what is made of other functions,
-        and not for what divides again and again, whose terms have too many factors."""
-        return not self.parts and not self.fuses and not self.solves
+        not for what divides again and again, whose terms have too many factors, nor for what is of a pose:
+        it is no polynomial."""
+        return not self.parts and not self.fuses and not self.solves and not self.of_pose
 
     def nodes(self, node: Callable[[str, int], Any], n: int) -> dict[str, list[Any]]:
         """Its inputs by name, each element a ``node`` of name and index."""
@@ -246,6 +266,16 @@ class Function:
     def has_parameters(self) -> bool:
         """Whether a shape depends on how many base parameters there are."""
         return any("p" in array.shape for array in (*self.inputs, *self.results))
+
+    @property
+    def has_branches(self) -> bool:
+        """Whether a shape depends on how many branches the inverse kinematics has."""
+        return any("b" in array.shape for array in self.results)
+
+    @property
+    def of_pose(self) -> bool:
+        """Whether it is of a pose, and not of a state."""
+        return self.answers is not None
 
     @property
     def words(self) -> str:
@@ -269,15 +299,15 @@ class Function:
         """All other ways to write them where drives have no effects."""
         return (*self.of_rigid_arms, *(self.of_long_arms if n >= MANY_JOINTS else ()))
 
-    def size_at(self, n: int, p: int = 0) -> int:
-        """How many numbers the results are for ``n`` joints and ``p`` base parameters."""
-        return sum(array.size_at(n, p) for array in self.results)
+    def size_at(self, n: int, p: int = 0, b: int = 0) -> int:
+        """How many numbers the results are for ``n`` joints, ``p`` base parameters and ``b`` branches."""
+        return sum(array.size_at(n, p, b) for array in self.results)
 
     def split(self, elements: Sequence[Any], n: int) -> list[tuple[str, Sequence[Any]]]:
         """``elements``, one after another, as ``(name, elements)`` of each result."""
-        parts, start, p = [], 0, parameters_of([self], len(elements), n)
+        parts, start, lengths = [], 0, lengths_of([self], len(elements), n)
         for array in self.results:
-            end = start + array.size_at(n, p)
+            end = start + array.size_at(n, *lengths)
             parts.append((array.name, elements[start:end]))
             start = end
         return parts
@@ -291,8 +321,11 @@ class Function:
         return result, self.expected(dynamics)
 
 
-def parameters_of(functions: Sequence[Function], size: int, n: int) -> int:
-    """How many base parameters an arm of ``n`` joints has if results of ``functions`` are ``size`` numbers;
-    0 where these do not depend on them."""
-    known, more = (sum(function.size_at(n, p) for function in functions) for p in (0, 1))
-    return (size - known) // (more - known) if more > known else 0
+def lengths_of(functions: Sequence[Function], size: int, n: int) -> tuple[int, int]:
+    """How many base parameters and how many branches an arm of ``n`` joints has if results of ``functions``,
+    which do not depend on both, are ``size`` numbers; 0 where these do not depend on them."""
+    known, with_parameter, with_branch = (
+        sum(function.size_at(n, p, b) for function in functions) for p, b in ((0, 0), (1, 0), (0, 1))
+    )
+    p, b = ((size - known) // (more - known) if more > known else 0 for more in (with_parameter, with_branch))
+    return p, b

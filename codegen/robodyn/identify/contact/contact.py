@@ -130,7 +130,7 @@ def _pushed(
     if not last:
         return pushed
     # In motion: if much else stands out, the model lacks something, and this may be that.
-    excess: Floats = np.where(view.hot & ~view.quiet, (view.z**2).sum(axis=1), 0.0)
+    excess: Floats = np.where(view.hot & ~view.quiet & ~_at_ends(rough), (view.z**2).sum(axis=1), 0.0)
     inside: Mask = np.zeros(len(excess), dtype=bool)
     for rows, _ in pushed:
         inside[max(rows[0] - 6, 0) : rows[-1] + 7] = True
@@ -140,7 +140,7 @@ def _pushed(
     pushed = [
         (rows, push)
         for rows, push in pushed
-        if view.quiet[rows].all() or _size(view, rows) > ABOVE_OTHERS * outside
+        if view.quiet[rows].all() or _size(view, rows) * _odds(push) > ABOVE_OTHERS * outside
     ]
     length = sum(len(rows) for rows, _ in pushed)
     return pushed if length <= LONGEST_SHARE * len(rough.t) or view.quiet.all() else []
@@ -159,10 +159,21 @@ def _size(view: Seen, rows: NDArray[np.intp]) -> float:
     return float(np.sqrt((view.z[rows] ** 2).sum(axis=1).mean()))
 
 
+def _at_ends(rough: Rough) -> Mask:
+    """Which rows [N] are near either end of the log, where joints set out or come to rest."""
+    return np.asarray((rough.t < rough.t[0] + END_TIME) | (rough.t > rough.t[-1] - END_TIME))
+
+
+def _odds(push: Push) -> float:
+    """What a force explains of a burst, by what it does not."""
+    return push.explained / max(1 - push.explained, 1e-9)
+
+
 def _largest(rough: Rough, view: Seen, inside: Mask) -> float:
-    """The largest RMS over a short time of what stands out in motion, but for what is ``inside`` [N]."""
+    """The largest RMS over a short time of what stands out in motion, but for what is ``inside`` [N], and for
+    the ends of the log, where no contact is looked for either."""
     wide = max(1, round(SHORT_TIME / rough.step))
-    squares = np.where(inside | view.quiet, 0.0, (view.z**2).sum(axis=1))
+    squares = np.where(inside | view.quiet | _at_ends(rough), 0.0, (view.z**2).sum(axis=1))
     return float(np.sqrt(np.convolve(squares, np.ones(wide) / wide, mode="same").max()))
 
 
@@ -190,7 +201,7 @@ def _starts(rough: Rough, view: Seen, rows: NDArray[np.intp]) -> bool:
     if not view.quiet[rows].all():
         if view.quiet[rows].any():
             return True
-        return bool(rough.t[first] < rough.t[0] + END_TIME or rough.t[last] > rough.t[-1] - END_TIME)
+        return bool(_at_ends(rough)[[first, last]].any())
     if _slack(rough, rows):
         return True
     same = view.quiet & (rough.part == rough.part[first])

@@ -7,9 +7,9 @@
 static void consider(walk *w, const candidate *c, int freed) {
     int delta = hold_def(w, c, &c->own) - freed;
     release_def(w, c, &c->own);
-    if (delta > w->limit || w->n_found >= CANDIDATES) return;
-    w->found[w->n_found] = *c;
-    w->found[w->n_found++].delta = delta;
+    if (delta > w->limit || w->n_candidates >= CANDIDATES) return;
+    w->candidates[w->n_candidates] = *c;
+    w->candidates[w->n_candidates++].delta = delta;
 }
 static inline int usable(const walk *w, int x) { return w->mark[x] != w->stamp; }
 static inline int fresh(const walk *w, const entry *e) {
@@ -22,7 +22,7 @@ static inline def pair_def(const entry *e) {
 }
 static inline int new_value(candidate *c, def d, int how, int p, int y) {
     int i = c->count++;
-    c->made[i] = d;
+    c->defs[i] = d;
     c->from[i] = (origin){how, p, y, 0};
     return i;
 }
@@ -109,8 +109,8 @@ static void scan(walk *w, const candidate *start, int hole, int p, u64 p0, u64 p
         candidate c = *start;
         int t = new_value(&c, (def){0, 0, 0, 0}, how, p, y);
         def outer = {how == OVER ? MUL : ADD, how == PLUS ? TEMP + t : y, how == PLUS ? y : TEMP + t, how == PLUS ? -1 : 1};
-        *(hole < 0 ? &c.own : &c.made[hole]) = outer;
-        ways(w, &c, &c.made[t], -1, x0, w->ratio_of[i], offset_key(x0, x1), freed);
+        *(hole < 0 ? &c.own : &c.defs[hole]) = outer;
+        ways(w, &c, &c.defs[t], -1, x0, w->ratio_of[i], offset_key(x0, x1), freed);
     }
 }
 
@@ -147,7 +147,7 @@ static void both_new(walk *w, int v, int freed) {
             for (u64 j = h & mask; w->pairs.slot[j].key != ~(u64)0; j = (j + 1) & mask) {
                 const entry *e = &w->pairs.slot[j];
                 if ((e->key & P) != key || !fresh(w, e)) continue;
-                c.made[t] = pair_def(e);
+                c.defs[t] = pair_def(e);
                 consider(w, &c, freed);
             }
             (void)s1;

@@ -23,7 +23,7 @@ static int hold_def(walk *w, const candidate *c, const def *d) {
     int cost = w->weight[d->op], k = arity(d->op);
     for (int i = 0; i < k; i++) {
         int x = i ? d->b : d->a;
-        if (x >= TEMP) { if (!i || d->b != d->a) cost += hold_def(w, c, &c->made[x - TEMP]); }
+        if (x >= TEMP) { if (!i || d->b != d->a) cost += hold_def(w, c, &c->defs[x - TEMP]); }
         else if (w->refs[x]++ == 0) cost += hold(w, x);
     }
     return cost;
@@ -32,7 +32,7 @@ static void release_def(walk *w, const candidate *c, const def *d) {
     int k = arity(d->op);
     for (int i = 0; i < k; i++) {
         int x = i ? d->b : d->a;
-        if (x >= TEMP) { if (!i || d->b != d->a) release_def(w, c, &c->made[x - TEMP]); }
+        if (x >= TEMP) { if (!i || d->b != d->a) release_def(w, c, &c->defs[x - TEMP]); }
         else if (--w->refs[x] == 0) release(w, x);
     }
 }

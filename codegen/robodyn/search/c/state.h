@@ -21,7 +21,7 @@ enum { MINUS, PLUS, OVER, INSIDE, PART, SUM };
 typedef struct { int how, p, y, z; } origin;
 
 typedef struct {
-    def own, made[NEW]; /* operands from TEMP on are made[] */
+    def own, defs[NEW]; /* operands from TEMP on are defs[] */
     origin from[NEW];
     int count;
     int delta;
@@ -42,14 +42,14 @@ typedef struct walk {
     quad truth[SLOTS][STATES];
     float factor[SLOTS], run[SLOTS][STATES];
     int flip[SLOTS]; /* the value is minus what its definition gives */
-    double asked[OUTPUTS][STATES];
+    double expected[OUTPUTS][STATES];
     table pairs, ratios;
     int hash_v[2 * SLOTS], hash_r[2 * SLOTS], hash_o[2 * SLOTS];
     u64 rng;
-    candidate found[CANDIDATES];
-    int n_found, limit;
+    candidate candidates[CANDIDATES];
+    int n_candidates, limit;
     network best;
-    long steps, taken, refused, false_hits, rebuilt;
+    long steps, accepted, refused, false_hits, rebuilt;
     /* scratch */
     int stack[4 * SLOTS], seen[SLOTS], deep[SLOTS];
     u64 t0[3 * SLOTS], t1[3 * SLOTS], pre[3 * SLOTS + 1], ratio_of[3 * SLOTS], hash_of[3 * SLOTS], ratio_hash[3 * SLOTS];

@@ -144,7 +144,7 @@ static double single_error(walk *w) {
     }
     for (int o = 0; o < w->n_out; o++)
         for (int s = 0; s < w->states; s++) {
-            double e = fabs((double)w->run[w->out[o]][s] - (double)w->asked[o][s]);
+            double e = fabs((double)w->run[w->out[o]][s] - (double)w->expected[o][s]);
             if (!(e <= worst)) worst = e == e ? e : INFINITY;
         }
     return worst / w->yardstick;

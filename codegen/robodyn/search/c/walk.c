@@ -32,12 +32,12 @@ static void keep_best(walk *w) {
 }
 
 static int take(walk *w, int v, const candidate *c, double temperature) {
-    int slot[NEW], made = 0, ok = 1, before = whole_cost(w);
+    int slot[NEW], n_slots = 0, ok = 1, before = whole_cost(w);
     /* the tables of pairs stay at most half full, whatever the temperature: a search in a full one never ends */
     if (c->count && 3 * (u64)(w->n_live + NEW) * (u64)(w->n_live + NEW) > (u64)1 << w->pairs.bits) return 0;
     for (int i = 0; i < c->count; i++) {
-        if (w->n_free == 0) { while (made) w->free_slot[w->n_free++] = slot[--made]; return 0; }
-        slot[made++] = w->free_slot[--w->n_free];
+        if (w->n_free == 0) { while (n_slots) w->free_slot[w->n_free++] = slot[--n_slots]; return 0; }
+        slot[n_slots++] = w->free_slot[--w->n_free];
     }
     /* outside-in first come in order of making, save what comes by its own definition: until all are formed */
     int formed[NEW] = {0}, left = c->count;
@@ -45,7 +45,7 @@ static int take(walk *w, int v, const candidate *c, double temperature) {
         for (int i = 0; i < c->count && ok; i++) {
             const origin *o = &c->from[i];
             if (formed[i]) continue;
-            def d = c->made[i];
+            def d = c->defs[i];
             if (o->how == INSIDE) {
                 if ((d.a >= TEMP && !formed[d.a - TEMP]) || (d.b >= TEMP && !formed[d.b - TEMP])) continue;
             } else if ((o->how <= OVER && o->y >= TEMP && !formed[o->y - TEMP]) || (o->p >= TEMP && o->how <= OVER && !formed[o->p - TEMP])) continue;
@@ -59,8 +59,8 @@ static int take(walk *w, int v, const candidate *c, double temperature) {
             formed[i] = 1; left--;
         }
     if (left) ok = 0;
-    for (int i = 0; i < made && ok; i++) {
-        def d = c->made[i];
+    for (int i = 0; i < n_slots && ok; i++) {
+        def d = c->defs[i];
         d.a = place_of(slot, d.a); d.b = place_of(slot, d.b);
         w->d[slot[i]] = d; w->refs[slot[i]] = 0;
         if (!holds(w, slot[i])) ok = 0, w->false_hits++;
@@ -94,7 +94,7 @@ static int take(walk *w, int v, const candidate *c, double temperature) {
         }
     }
     if (!ok) {
-        while (made) { int s = slot[--made]; w->gen[s]++; w->place[s] = -1; w->free_slot[w->n_free++] = s; }
+        while (n_slots) { int s = slot[--n_slots]; w->gen[s]++; w->place[s] = -1; w->free_slot[w->n_free++] = s; }
         return 0;
     }
     /* what nothing needs goes; what is new joins */
@@ -102,12 +102,12 @@ static int take(walk *w, int v, const candidate *c, double temperature) {
     for (int i = 0; i < w->n_live; i++) w->mark[w->live[i]] = -1;
     for (int s = w->leaves; s < SLOTS; s++)
         if (w->mark[s] != -1 && w->place[s] >= 0) { w->place[s] = -1; w->gen[s]++; w->refs[s] = 0; w->free_slot[w->n_free++] = s; }
-    for (int i = 0; i < made; i++)
+    for (int i = 0; i < n_slots; i++)
         if (w->mark[slot[i]] != -1) { w->gen[slot[i]]++; }
     rebuild_small(w);
-    if (w->pairs.filled + (long)made * 3 * w->n_live > (long)((u64)1 << w->pairs.bits) / 2) rebuild_pairs(w);
-    else for (int i = 0; i < made; i++) if (w->mark[slot[i]] == -1) put_pairs(w, slot[i], w->n_live);
-    w->taken++;
+    if (w->pairs.filled + (long)n_slots * 3 * w->n_live > (long)((u64)1 << w->pairs.bits) / 2) rebuild_pairs(w);
+    else for (int i = 0; i < n_slots; i++) if (w->mark[slot[i]] == -1) put_pairs(w, slot[i], w->n_live);
+    w->accepted++;
     return 1;
 }
 
@@ -125,7 +125,7 @@ static int step(walk *w, double temperature) {
     int freed = release(w, v);
     double reach = -temperature * log(unit(w));
     w->limit = (int)(reach < 40 ? reach : 40);
-    w->n_found = 0;
+    w->n_candidates = 0;
     candidate c;
     memset(&c, 0, sizeof c);
     const u64 *x = w->val[v];
@@ -153,25 +153,25 @@ static int step(walk *w, double temperature) {
         combined(w, v, 24, freed);
     }
     hold(w, v);
-    if (!w->n_found) return 0;
+    if (!w->n_candidates) return 0;
     /* one of the cheapest within reach */
     int n = 0;
-    for (int i = 0; i < w->n_found; i++) {
-        def *o = &w->found[i].own, *d = &w->d[v];
+    for (int i = 0; i < w->n_candidates; i++) {
+        def *o = &w->candidates[i].own, *d = &w->d[v];
         if (o->op == d->op && o->a == d->a && o->b == d->b) continue;
         if (o->op == d->op && o->a == d->b && o->b == d->a && arity(o->op) == 2) continue;
-        if (n != i) w->found[n] = w->found[i];
+        if (n != i) w->candidates[n] = w->candidates[i];
         n++;
     }
     if (!n) return 0;
     int least = w->limit + 1, choice = -1, equal = 0;
     if (w->objective) choice = below(w, n);
     else {
-        for (int i = 0; i < n; i++) if (w->found[i].delta < least) least = w->found[i].delta;
-        if (least < 0) { for (int i = 0; i < n; i++) if (w->found[i].delta == least && below(w, ++equal) == 0) choice = i; }
+        for (int i = 0; i < n; i++) if (w->candidates[i].delta < least) least = w->candidates[i].delta;
+        if (least < 0) { for (int i = 0; i < n; i++) if (w->candidates[i].delta == least && below(w, ++equal) == 0) choice = i; }
         else choice = below(w, n);
     }
-    return take(w, v, &w->found[choice], temperature);
+    return take(w, v, &w->candidates[choice], temperature);
 }
 
 /* ---- for the caller ---- */
@@ -200,7 +200,7 @@ walk *walk_new(int leaves, int count, int outputs, int primes, int states, const
     for (int o = 0; o < outputs; o++) {
         w->out[o] = out[o]; w->is_out[out[o]] = 1;
         w->refs[out[o]]++;
-        for (int s = 0; s < states; s++) { double m = fabs((double)w->truth[out[o]][s]); w->asked[o][s] = (double)w->truth[out[o]][s]; if (m > w->yardstick) w->yardstick = m; }
+        for (int s = 0; s < states; s++) { double m = fabs((double)w->truth[out[o]][s]); w->expected[o][s] = (double)w->truth[out[o]][s]; if (m > w->yardstick) w->yardstick = m; }
     }
     for (int v = 0; v < n; v++) w->refs[v] += v < leaves; /* leaves stay */
     for (int o = 0; o < outputs; o++) {
@@ -238,7 +238,7 @@ int walk_run(walk *w, long steps, double temperature) { /* the best cost so far 
 }
 int walk_cost(const walk *w) { return w->cost; }
 double walk_error(const walk *w) { return w->error; }
-long walk_count(const walk *w, int what) { return what == 0 ? w->steps : what == 1 ? w->taken : what == 2 ? w->refused : what == 3 ? w->false_hits : w->rebuilt; }
+long walk_count(const walk *w, int what) { return what == 0 ? w->steps : what == 1 ? w->accepted : what == 2 ? w->refused : what == 3 ? w->false_hits : w->rebuilt; }
 int walk_best(const walk *w, int *ids, int *ops, u64 *residues) { /* rows of the best program, operands first */
     const network *b = &w->best;
     for (int i = 0; i < b->count; i++) {

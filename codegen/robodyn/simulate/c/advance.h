@@ -39,16 +39,16 @@ static double adaptive_step(run *r, double rest, int *whole) {
     if (*whole) h = rest;
     else if (2 * h > rest) h = rest / 2;
     for (;;) {
-        int made = attempt(r, h);
+        int ok = attempt(r, h);
         r->counter[STEPS]++;
-        if (made && r->error <= 1 && finite(r->end)) break;
+        if (ok && r->error <= 1 && finite(r->end)) break;
         r->counter[REJECTED]++;
         tried = 1;
-        double by = made && r->error <= 1e300 ? 0.9 * pow(r->error, -0.2) : 0.2;
+        double by = ok && r->error <= 1e300 ? 0.9 * pow(r->error, -0.2) : 0.2;
         h *= by > 0.2 ? by : 0.2;
         *whole = 0;
         if (h < 1e-15 * (1 + fabs(r->t)))
-            return failed(r, !made ? missing(r) : finite(r->end) ? STEP_TOO_SMALL : NOT_FINITE);
+            return failed(r, !ok ? missing(r) : finite(r->end) ? STEP_TOO_SMALL : NOT_FINITE);
         if (r->counter[STEPS] >= r->is.max_steps) return failed(r, TOO_MANY_STEPS);
     }
     double error = r->error > 1e-10 ? r->error : 1e-10, by = pow(error, 0.17) / pow(r->last_error, 0.04) / 0.9;
@@ -126,7 +126,7 @@ static void begin(run *r, const settings *is) {
     memcpy(r->x + V, is->v, sizeof(double) * N);
     if (K > 0) memcpy(r->x + Z, is->z, sizeof(double) * K);
     for (int e = 0; e < E; e++) {
-        int entries = 0, taken = 0;
+        int entries = 0;
         r->unit[e] = -1;
         r->square[e] = dot(system_w[e], system_w[e]);
         for (int i = 0; i < N; i++)
@@ -134,11 +134,11 @@ static void begin(run *r, const settings *is) {
         if (entries != 1) r->unit[e] = -1;
         /* elements of one colour have no coordinate in common */
         for (int colour = 0; colour <= e; colour++) {
-            taken = 0;
+            int clash = 0;
             for (int other = 0; other < e; other++)
                 for (int i = 0; i < N && r->colour[other] == colour; i++)
-                    taken |= system_w[other][i] != 0 && system_w[e][i] != 0;
-            if (taken) continue;
+                    clash |= system_w[other][i] != 0 && system_w[e][i] != 0;
+            if (clash) continue;
             r->colour[e] = colour;
             if (colour >= r->colours) r->colours = colour + 1;
             break;

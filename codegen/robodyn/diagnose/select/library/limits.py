@@ -28,8 +28,9 @@ SENSOR_PILED: Final = 0.003
 LIMIT_SHARE: Final = 0.3
 """[share of samples] A drive at its limit for more leaves nothing to compare."""
 
-LIMIT_EXPLAINED: Final = 0.4
-"""[share of squares] What a limit must explain where it clips."""
+LIMIT_EXPLAINED: Final = 0.55
+"""[share of squares] What a limit must explain where it clips, and where the arm needs as much: of noise
+about a level half of the squares lie beyond it."""
 
 GAIN_MOST: Final = 0.5
 """[share] A torque constant is wrong by less."""

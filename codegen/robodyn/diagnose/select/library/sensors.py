@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,7 +19,9 @@ from robodyn.diagnose.select.library.limits import (
 from robodyn.effects.effect import Effect
 from robodyn.effects.traits import Channel, Shown
 from robodyn.gate.limits import PILED_SAMPLES
+from robodyn.identify.predict import given_torque
 from robodyn.identify.twist import slopes_of
+from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]
 
@@ -84,19 +86,33 @@ def _clipped(
     c: Context, effect: Effect, channel: Channel, shown: Shown, j: int, settings: Mapping[str, float]
 ) -> Candidate:
     """A drive's limit: what the commands have beyond it."""
-    tau, limit = c.signals.tau[:, j], settings["limit"]
+    tau, total, limit = c.signals.tau[:, j], c.at.total[:, j], settings["limit"]
     beyond = np.sign(tau) * np.maximum(np.abs(tau) - limit, 0.0)
-    # It must be right where it clips: cutting peaks off makes every torque smaller.
-    at = beyond != 0
-    rest = (tau - c.at.total[:, j])[at]
-    right = np.sum((rest - beyond[at]) ** 2) < (1 - LIMIT_EXPLAINED) * np.sum(rest**2)
-    if np.mean(at) > LIMIT_SHARE or not right:
+    if np.mean(beyond != 0) > LIMIT_SHARE or not _is_limit(tau, total, beyond, limit):
         beyond = np.zeros_like(tau)
     return single(
         effect.id, j, [beyond], (1,), lambda x: {channel.parameter: limit, channel.who: "drive"}, shown.order,
         fixed=True, local=True, values=settings, feasible=_about_one,
         again=lambda c, values: _clipped(c, effect, channel, shown, j, values),
     )  # fmt: skip
+
+
+def _is_limit(tau: Floats, total: Floats, beyond: Floats, limit: float) -> bool:
+    """Whether a drive has a limit by which commands ``tau`` [K] go ``beyond`` [K] what the arm needs, by a
+    model ``total`` [K]. It must be right where it clips, for cutting peaks off makes every torque smaller;
+    and where the arm needs as much: of noise about a torque that is level (friction) as much lies below."""
+    rest, at = tau - total, beyond != 0
+    miss = np.sqrt(np.mean((rest - beyond)[at] ** 2)) if at.any() else 0.0
+    near = at | (np.abs(total) > limit - 2 * miss)
+    left = float(np.sum((rest - beyond)[near] ** 2))
+    return left < (1 - LIMIT_EXPLAINED) * float(np.sum(rest[near] ** 2))
+
+
+def leave_little(commands: Sequence[Floats], robot: Robot) -> bool:
+    """Whether some drive of ``robot`` would be at its limit for most of the ``commands`` [K, n] of logs: the
+    lower the limit, the less is left to be explained."""
+    clipped = np.concatenate([given_torque(tau, robot) != tau for tau in commands])
+    return bool(np.any(clipped.mean(axis=0) > LIMIT_SHARE))
 
 
 def _about_one(x: Floats) -> bool:

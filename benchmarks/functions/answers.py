@@ -22,7 +22,7 @@ class Answers:
     why: str | None = None
 
 
-def asked(tool: str, folder: Path, functions: Sequence[str], seconds: int) -> Iterator[Answers]:
+def answers_of(tool: str, folder: Path, functions: Sequence[str], seconds: int) -> Iterator[Answers]:
     """The answers to all ``functions``; ``tool`` has ``seconds`` of processor time for each."""
     rest = list(functions)
     while rest:

@@ -1,0 +1,185 @@
+"""A program of inverse kinematics against plain forward kinematics, at 60 digits.
+
+Its roots and angles have no place in a finite field, where other programs are compared. So joint positions
+are drawn from a hash of robot and program, the tool is brought there by multiplying up the frames of the
+description, and the program is asked where the joints are: every branch that exists must bring the tool back
+to where it is, one of them being the positions that were drawn. Beyond the arm's reach no branch may exist,
+and at no pose may a result be no number.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from robodyn.dynamics.arm import Arm, JointAngle, build_arm, build_motion
+from robodyn.dynamics.functions import function_named
+from robodyn.dynamics.functions.record import Answers
+from robodyn.dynamics.kinematics import frames
+from robodyn.dynamics.limits import DRAWN_POSES, NEGLECTED_SHARE, PROVEN_DIGITS, PROVEN_SHARE, SAME_POSITION
+from robodyn.ir.fingerprint import digest
+from robodyn.ir.many_digits import evaluate_to_digits, to_digits
+from robodyn.ir.program import Input, Program
+from robodyn.robot.identity import identity
+from robodyn.robot.model import Robot
+
+#: Positions are drawn from so many numbers.
+_RANGE = 1 << 32
+
+
+@dataclass(frozen=True, slots=True)
+class Drawn:
+    """Joint positions [n] (rad or m), the pose of the tool there [12], and ``words`` for them; ``q`` None: a
+    pose that no positions reach."""
+
+    words: str
+    q: Sequence[Any] | None
+    T: Sequence[Any]
+    near: Sequence[Any]
+
+
+def flaw(robot: Robot, function: str, program: Program, *, place_only: bool) -> str | None:
+    """What is wrong with ``program`` as ``function`` of ``robot``, in words; None where nothing is.
+
+    ``place_only``: whether only the place of the tool counts. Poses may be missed by
+    :data:`~robodyn.dynamics.limits.PROVEN_SHARE` of the arm's size, or by what is taken for rounding of the
+    description where that is not of :func:`simple numbers <is_simple>`.
+    """
+    import mpmath
+
+    chance = random.Random(f"{digest(program).hex()} {identity(robot)} {function}")
+    with mpmath.workdps(PROVEN_DIGITS):
+        arm = build_arm(robot, to_digits, lambda name: mpmath.mpf(1))
+        size = mpmath.mpf(1) + sum(abs(x) for body in arm.bodies for x in (body.a, body.b, body.d))
+        most = size * to_digits(PROVEN_SHARE if is_simple(robot) else NEGLECTED_SHARE)
+        for drawn in _draws(arm, size, chance):
+            inputs = {Input("T", k): x for k, x in enumerate(drawn.T)}
+            inputs |= {Input("q_near", k): x for k, x in enumerate(drawn.near)}
+            try:
+                results = evaluate_to_digits(program, inputs)
+            except ZeroDivisionError:
+                return f"at {drawn.words}: a divisor is 0"
+            for part in function_named(function).fuses or (function_named(function),):
+                assert part.answers is not None
+                wrong = _wrong(arm, part.answers, results, drawn, most, 3 if place_only else 12)
+                if wrong is not None:
+                    return f"at {drawn.words}: {wrong}"
+    return None
+
+
+def is_simple(robot: Robot) -> bool:
+    """Whether no two axes are almost parallel, or almost meet: between them are quarter turns and whole
+    nanometres."""
+    place = robot.tool
+    lengths = [x for link in robot.links for x in (link.joint.a, link.joint.b, link.joint.d)]
+    lengths += [] if place is None else list(place.xyz)
+    angles = [angle for link in robot.links for angle in (link.joint.alpha, link.joint.theta)]
+    turns = [] if place is None else [x for row in place.rotation for x in row]
+    return (
+        all(angle.quarter is not None for angle in angles)
+        and all(x in (-1, 0, 1) for x in turns)
+        and all(isinstance(x, Fraction) and (x * 10**9).denominator == 1 for x in lengths)
+    )
+
+
+def _draws(arm: Arm, size: Any, chance: random.Random) -> Iterator[Drawn]:
+    """Positions within the limits, and where all joints are revolute a pose beyond reach."""
+
+    def between(low: Any, high: Any) -> Any:
+        return low + (high - low) * chance.randint(0, _RANGE) / _RANGE
+
+    def positions() -> list[Any]:
+        return [between(*_span(body.limits, revolute=body.revolute)) for body in arm.bodies]
+
+    for _ in range(DRAWN_POSES):
+        q = positions()
+        yield Drawn(f"q = {_words(q)}", q, pose(arm, q), q)
+    if all(body.revolute for body in arm.bodies):
+        q = positions()
+        T = pose(arm, q)
+        for k in (3, 7, 11):
+            T[k] += 3 * size * between(1, 2)
+        yield Drawn(f"p = {_words(T[3::4])}, out of reach", None, T, q)
+
+
+def _span(limits: tuple[Any, Any] | None, *, revolute: bool) -> tuple[Any, Any]:
+    """Between which positions a joint is drawn: its limits, of a revolute joint half a turn about their
+    middle at most, which is as far as its answers go."""
+    import mpmath
+
+    reach = mpmath.pi if revolute else mpmath.mpf(1) / 2
+    if limits is None:
+        return -reach, reach
+    low, high = limits
+    middle = (low + high) / 2
+    return (max(low, middle - reach), min(high, middle + reach)) if revolute else (low, high)
+
+
+def pose(arm: Arm, q: Sequence[Any]) -> list[Any]:
+    """The tool's frame [12] in the world, ``[R p]`` row by row, of joint positions [n], by the frames of the
+    description one after another."""
+    import mpmath
+
+    def trigonometry(angle: JointAngle) -> tuple[Any, Any]:
+        ((joint, sign),) = angle.terms
+        x, offset = sign * q[joint], angle.offset
+        if offset.quarter is None:
+            return mpmath.cos(x + offset.radians), mpmath.sin(x + offset.radians)
+        c, s = mpmath.cos(x), mpmath.sin(x)
+        ct, st = int(offset.cos), int(offset.sin)
+        return ct * c - st * s, ct * s + st * c
+
+    rest = [0] * len(q)
+    motion = build_motion(arm, q, rest, rest, trigonometry, to_digits)
+    tool = arm.tool.within(frames(arm, motion, arm.base)[-1])
+    rows = zip(tool.rotation(), tool.origin, strict=True)
+    return [x for row, place in rows for x in (*row, place)]
+
+
+def _wrong(
+    arm: Arm, names: Answers, results: Mapping[str, Sequence[Any]], drawn: Drawn, most: Any, count: int
+) -> str | None:
+    """What is wrong with results at one pose."""
+    import mpmath
+
+    n = len(arm.bodies)
+    flat = results[names.solutions]
+    if not all(mpmath.isfinite(x) for row in results.values() for x in row):
+        return "a result is no number"
+    solutions = [flat[k : k + n] for k in range(0, len(flat), n)]
+    flags = list(zip(results[names.exists], results[names.within], results[names.singular], strict=True))
+    if any(x not in (0, 1) for row in flags for x in row):
+        return "a flag is neither 0 nor 1"
+    existing = [k for k, (exists, _, _) in enumerate(flags) if exists]
+    if drawn.q is None:
+        return f"branch {existing[0]} is said to reach it" if existing else None
+    counted = (3, 7, 11) if count == 3 else range(12)
+    for k in existing:
+        T = pose(arm, solutions[k])
+        missed = max(abs(T[j] - drawn.T[j]) for j in counted)
+        if missed > most:
+            return f"branch {k} misses the pose by {mpmath.nstr(missed, 3)}"
+    for k in existing:
+        if flags[k][1] and _apart(arm, solutions[k], drawn.q) < to_digits(SAME_POSITION):
+            return None
+    return "no branch within the limits is the positions that were drawn"
+
+
+def _apart(arm: Arm, one: Sequence[Any], other: Sequence[Any]) -> Any:
+    """How far positions are apart [rad, m], whole turns aside."""
+    import mpmath
+
+    gaps = (
+        2 * abs(mpmath.sin((x - y) / 2)) if body.revolute else abs(x - y)
+        for body, x, y in zip(arm.bodies, one, other, strict=True)
+    )
+    return max(gaps)
+
+
+def _words(numbers: Sequence[Any]) -> str:
+    import mpmath
+
+    return "[" + ", ".join(mpmath.nstr(x, 6) for x in numbers) + "]"

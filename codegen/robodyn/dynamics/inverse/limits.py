@@ -1,0 +1,32 @@
+"""Numbers that decide in inverse kinematics."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+#: Share of an arm's size (and of a unit vector) below which a number of its geometry is the rounding of its
+#: description. What is neglected adds less than this to the error of a pose.
+NEGLIGIBLE: Fraction = Fraction(1, 10**15)
+
+#: Share of an arm's size [1], and angle [rad], up to which axes meet, or are parallel, for a class to apply.
+#: What is neglected adds as much to the error of a pose.
+TOLERANCE: float = 1e-12
+
+#: Rounding units by which a square root's argument may be negative, as a share of what it would be where the
+#: joint's two positions are a quarter turn from where they meet: such a pose is at the edge of reach and is
+#: still reached. As much on the other side a branch is singular: its two positions are within some 5e-7 rad
+#: of each other in doubles, 0.01 rad in floats.
+EDGE: int = 1024
+
+#: Rounding units, as a share of its largest value, below which a lever is nothing but rounding: what it would
+#: turn is free, and takes its position from the reference.
+LEVER: int = 16
+
+#: Positions at which the redundant joint of an arm is looked at to tell whether the other joints are of a
+#: class whatever it does [rad, and for a prismatic joint shares of the arm's size]: no multiples of each
+#: other or of a quarter turn.
+TRIED: tuple[float, ...] = (0.7371, -1.9083, 2.6119)
+
+#: What is left at least of the Jacobian's last column, those before eliminated (lengths as shares of the
+#: arm's size), in some configuration of an arm whose joints move the tool in all directions.
+FULL_RANK: float = 1e-6

@@ -1,0 +1,52 @@
+"""Errors beside their yardsticks, and states at which there is none."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.dynamics.functions import Function
+from robodyn.verify.numbers import real
+from robodyn.verify.reference import Floats
+
+
+def relative_to(error: Floats, yardstick: Floats) -> Floats:
+    """``error / yardstick``; infinite where the yardstick is, or is 0 and the error is not."""
+    relative: Floats = np.divide(error, yardstick, out=np.full(error.shape, np.inf), where=yardstick > 0)
+    relative[(yardstick == 0) & (error == 0)] = 0.0
+    relative[~np.isfinite(yardstick)] = np.inf
+    return relative
+
+
+def is_regular(matrix: Floats, dtype: np.dtype[Any]) -> NDArray[np.bool_]:
+    """At which states ``[N]`` the mass matrix can be inverted in ``dtype``."""
+    diagonal = np.einsum("kii->ki", matrix)
+    fit = (diagonal > 0).all(axis=1)
+    scale = 1 / np.sqrt(np.where(diagonal > 0, diagonal, 1.0))
+    scaled = matrix * scale[:, :, None] * scale[:, None, :]
+    fit &= np.isfinite(scaled).all(axis=(1, 2))
+    try:
+        condition = np.linalg.cond(np.where(fit[:, None, None], scaled, 0.0))
+    except np.linalg.LinAlgError:
+        return np.zeros(len(matrix), np.bool_)
+    return np.asarray(fit & (condition < 0.01 / float(np.finfo(dtype).eps)))
+
+
+def ulps_of(
+    function: Function,
+    error: Floats,
+    expected: NDArray[Any],
+    yardstick: float | Floats,
+    dtype: np.dtype[Any],
+) -> float:
+    """The largest error in units in the last place of each joint's largest torque, or of the yardstick of
+    what are no torques."""
+    sizes = np.reshape([real(abs(x)) for x in expected.flat], expected.shape)
+    most = np.broadcast_to(yardstick, sizes.shape[1:])
+    vectors = all(array.shape == ("n",) for array in function.results)
+    unit = sizes.max(axis=0) if vectors else most
+    unit = np.where(unit > 0, unit, np.where(most > 0, most, 1.0))
+    worst = float((error / np.spacing(unit.astype(dtype)).astype(np.float64)).max())
+    return np.inf if np.isnan(worst) else worst
