@@ -65,13 +65,15 @@ def repeated(whole: Signature, program: Program) -> Repeated:
     every = iteration.size * iteration.rows
     start, step, finish = program.parts()
 
-    def stage(
-        name: str, part: Program, state: int, outputs: Sequence[tuple[str, int]], words: str
-    ) -> Stage:
+    def stage(name: str, part: Program, state: int, outputs: Sequence[tuple[str, int]], words: str) -> Stage:
         read = {x.array for x in part.inputs()}
         inputs = [(array, size) for array, size in (*whole.inputs, (STATE, state)) if array in read]
         own = replace(
-            whole, alias=f"{whole.called}_{name}_", inputs=tuple(inputs), outputs=tuple(outputs), parameters=()
+            whole,
+            alias=f"{whole.called}_{name}_",
+            inputs=tuple(inputs),
+            outputs=tuple(outputs),
+            parameters=(),
         )
         return Stage(own, part, f"{whole.symbol}: {words}")
 

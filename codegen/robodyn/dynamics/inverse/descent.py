@@ -25,6 +25,7 @@ from robodyn.dynamics.inverse.limits import (
     FURTHEST,
     LEAST_DAMPED,
     MOST_REFUSED,
+    NEARLY,
     REGULAR,
     SHARPENED,
     SHORTENED,
@@ -91,7 +92,7 @@ class Descent:
         missing = self.missing(pose(at), T)
         error = sum((y * y for y in missing[1:]), missing[0] * missing[0])
         lower = choose(x.error - error, 1, 0)
-        close = choose(self._square(EDGE) - x.error, 1, 0)
+        close = choose(self._square(NEARLY) - x.error, 1, 0)
 
         eased = choose(LEAST_DAMPED - x.gain * EASED, LEAST_DAMPED, x.gain * EASED)
         moves, pivot = self._moves(at, missing, eased * error + REGULAR * self.unit)

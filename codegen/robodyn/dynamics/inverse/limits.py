@@ -31,7 +31,7 @@ TRIED: tuple[float, ...] = (0.7371, -1.9083, 2.6119)
 #: arm's size), in some configuration of an arm whose joints move the tool in all directions.
 FULL_RANK: float = 1e-6
 
-# --- damped least squares ------------------------------------------------------------------------------------
+# --- damped least squares -----------------------------------------------------------------------------------
 
 #: Iterations at most. Of reachable poses that are reached at all nearly all take fewer than half.
 ITERATIONS: int = 40
@@ -48,10 +48,12 @@ SHARPENED: Fraction = Fraction(4)
 SHORTENED: Fraction = Fraction(1, 2)
 MOST_REFUSED: int = 12
 
-#: Rounding units: the damping at least, for pivots to be positive; and the error (as a share of the size, and
-#: in rad) at which a pose is reached so well that no step can do better.
+#: Rounding units: the damping at least, for pivots to be positive; the error (as a share of the size, and in
+#: rad) at which a pose is reached so well that no step can do better; and that at which a step that does
+#: worse is rounding.
 REGULAR: int = 64
 SOLVED: int = 8
+NEARLY: int = 64
 
 #: The squared error before the first step: more than any.
 FURTHEST: Fraction = Fraction(1 << 100)

@@ -8,15 +8,17 @@ from dataclasses import replace
 from typing import Any
 
 from robodyn.emit.advice import advice
+from robodyn.emit.arctangent import arctangent_context
 from robodyn.emit.body import Lines
 from robodyn.emit.language import Compiled, FunctionText, Language, SelfTest
+from robodyn.emit.runs import Run
 from robodyn.emit.sines import ANGLES, COSINES, SINES
 from robodyn.emit.spelling import WIDTH, Spelling, elements
 from robodyn.emit.stages import NEXT, Repeated, Stage, arguments_of
 from robodyn.emit.statements import Expression
 from robodyn.emit.syntax import Sines, Syntax
 from robodyn.emit.trig import trig_context
-from robodyn.emit.unit import Unit
+from robodyn.emit.unit import Unit, has_arctangents, has_sines
 from robodyn.ir.program import STATE
 from robodyn.ir.signature import Signature
 from robodyn.tools import Tool, Use
@@ -37,6 +39,8 @@ def fortran_spelling(*, single: bool, states: Sequence[str] = ()) -> Spelling:
             "abs": lambda x: f"abs({x})",
             "exp": lambda x: f"exp({x})",
             "pow": lambda x, y: f"({x})**({y})",
+            "atan2": lambda y, x: f"atan2({y}, {x})",
+            "select": lambda c, a, b: f"merge({a}, {b}, {c} > 0.0_rk)",
             "sign": lambda x: f"merge(1.0_rk, merge(-1.0_rk, 0.0_rk, {x} < 0.0_rk), {x} > 0.0_rk)",
         },
         single=single,
@@ -52,7 +56,10 @@ def _plain_syntax(spelling: Spelling) -> Syntax:
 
 
 def _syntax(signature: Signature, unit: Unit) -> Syntax:
-    syntax = _plain_syntax(fortran_spelling(single=signature.scalar == "float", states=signature.states))
+    spelling = fortran_spelling(single=signature.scalar == "float", states=signature.states)
+    if unit.builtin:
+        spelling = spelling.calling(atan2=lambda y, x: f"{signature.robot}_atan2({y}, {x})")
+    syntax = _plain_syntax(spelling)
     return replace(syntax, sines=_sines(signature.robot, syntax))
 
 
@@ -68,7 +75,15 @@ def _sines(name: str, syntax: Syntax) -> Sines:
     def pair(array: str, angle: Expression) -> list[str]:
         return syntax.line(f"call {name}_sincos({syntax.spelling.text(angle)}, {array}(1), {array}(2))")
 
-    return Sines(loop, pair)
+    def run(it: Run) -> list[str]:
+        lines = []
+        for array, values in zip(it.arrays, (it.ups, it.alongs), strict=False):
+            for i, value in enumerate(values):
+                lines += syntax.result(syntax.spelling.element(array, i), value)
+        ups, alongs, angles = it.arrays
+        return [*lines, f"    {angles} = {name}_atan2({ups}, {alongs})"]
+
+    return Sines(loop, pair, run)
 
 
 def _repeating(it: Repeated) -> Lines:
@@ -110,7 +125,7 @@ def _function(text: FunctionText) -> dict[str, Any]:
         arguments += ["state", "dt"]
     return {
         "bound": _bound(signature),
-        "arguments": " &\n      ".join(textwrap.wrap(", ".join(arguments), WIDTH - 16)),
+        "arguments": _listed(arguments, len(f"  pure subroutine {signature.symbol}() &")),
         "inputs": signature.inputs,
         "outputs": signature.outputs,
         "states": signature.states,
@@ -122,6 +137,14 @@ def _function(text: FunctionText) -> dict[str, Any]:
     }
 
 
+def _listed(arguments: Sequence[str], beside: int) -> str:
+    """``arguments``, on lines of their own where they are too long for one with so many other characters."""
+    text = ", ".join(arguments)
+    if beside + len(text) <= WIDTH:
+        return text
+    return " &\n      ".join(["", *textwrap.wrap(text, WIDTH - 16)])
+
+
 def _bound(signature: Signature) -> str:
     """The name in the object file: that of the C with a tail, so that both can stand in one program."""
     return f"{signature.symbol}_f"
@@ -129,8 +152,11 @@ def _bound(signature: Signature) -> str:
 
 def _context(unit: Unit) -> dict[str, Any]:
     single = unit.functions[0][0].scalar == "float"
+    syntax = _plain_syntax(fortran_spelling(single=single))
     return {
-        "trig": trig_context(_plain_syntax(fortran_spelling(single=single))),
+        "trig": trig_context(syntax) if has_sines(unit) else None,
+        "arctangent": arctangent_context(syntax) if has_arctangents(unit) else None,
+        "bits": 32 if single else 64,
         "kind": "c_float" if single else "c_double",
     }
 
