@@ -229,6 +229,7 @@ def _run(robot: Robot, settings: SimulationOptions, values: Mapping[str, float])
             found=f"{what.duration:g} s at {settings.rate:g} Hz",
             remedy="a higher --rate",
         )
+    rtol, atol = settings.tolerances
     begun = time.monotonic()
     with progress.line() as shown:
 
@@ -245,8 +246,8 @@ def _run(robot: Robot, settings: SimulationOptions, values: Mapping[str, float])
             sample_period=1 / settings.rate,
             method=settings.solver,  # type: ignore[arg-type]  # checked by click
             step=settings.fixed_step,
-            rtol=settings.rtol if settings.rtol is not None else 1e-8,
-            atol=settings.atol if settings.atol is not None else 1e-10,
+            rtol=rtol,
+            atol=atol,
             parameters=values,
             plant=what.plant,
             progress=tell,
@@ -271,8 +272,7 @@ def _log(run: Simulation, sensors: Sensors, settings: SimulationOptions, what: D
         "parameters": run.parameters,
     }
     if settings.solver == "adaptive":
-        options["rtol"] = settings.rtol if settings.rtol is not None else 1e-8
-        options["atol"] = settings.atol if settings.atol is not None else 1e-10
+        options["rtol"], options["atol"] = settings.tolerances
     return replace(
         run.log(sensors, seed=settings.seed),
         provenance=provenance(

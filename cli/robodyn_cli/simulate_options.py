@@ -72,6 +72,13 @@ class SimulationOptions:
             return self.step
         return min(1 / self.rate, 1e-3) * (1 if self.solver == "rk4" else 10)
 
+    @property
+    def tolerances(self) -> tuple[float, float]:
+        """Those of adaptive steps: relative, and absolute [rad, m and their rates]."""
+        from robodyn.simulate.engine import ATOL, RTOL
+
+        return RTOL if self.rtol is None else self.rtol, ATOL if self.atol is None else self.atol
+
     def check(self) -> None:
         """Refuse options that cannot be combined.
 

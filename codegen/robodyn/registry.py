@@ -49,16 +49,17 @@ class Registry(Mapping[str, Record], Generic[Record]):
         Raises
         ------
         KeyError: no module is called so.
-        TypeError: the module defines no record, or another.
+        TypeError: the module defines no record.
+        ValueError: the record is called otherwise than the module.
         """
         if name not in self._records:
             module = importlib.import_module(f"{self._package}.{self._by_name()[name]}")
             record = getattr(module, self._attribute, None)
-            if not isinstance(record, self._kind) or record.name != name:
-                raise TypeError(
-                    f"{module.__name__}.{self._attribute} has to be the {self._kind.__name__} {name!r}, "
-                    f"and is {record!r}"
-                )
+            what = self._attribute.lower()
+            if not isinstance(record, self._kind):
+                raise TypeError(f"{module.__name__} has no {self._attribute} that is a {what}")
+            if record.name != name:
+                raise ValueError(f"{module.__name__}: its {what} is called {record.name}, not {name}")
             self._records[name] = record
         return self._records[name]
 

@@ -11,7 +11,7 @@ from diagnose.hidden.arms import misjudged
 from diagnose.hidden.logs import hidden_log
 from robodyn.diagnose.select.choice import _is_likely
 from robodyn.diagnose.select.fit import Fit, fitted, problem
-from robodyn.diagnose.select.forward import Chosen, Named
+from robodyn.diagnose.select.forward import Chosen, Key, Named
 from robodyn.diagnose.select.library.candidate import single
 from robodyn.diagnose.select.limits import TIGHT
 from robodyn.diagnose.select.selection import _View, select
@@ -26,7 +26,7 @@ def test_of_a_scatter_of_all_numbers_no_link_and_no_load_is_named() -> None:
     assert select(misjudged(logs.given, 0.1, 5), logs.train).findings == ()
 
 
-def view(names: list[tuple[str, int | None]], tight: float, evidence: float) -> _View:
+def view(names: list[Key], tight: float, evidence: float) -> _View:
     now = problem(np.ones((100, 1)), np.ones((100, 1, 1)), np.ones(1), 1.0)
     named = [
         Named(
@@ -42,21 +42,23 @@ def view(names: list[tuple[str, int | None]], tight: float, evidence: float) -> 
 
 
 @pytest.mark.parametrize(
-    ("names", "tight", "evidence", "may"),
+    ("names", "known", "tight", "evidence", "may"),
     [
-        ([("gas_spring", 2)], 0.1, 6.0, True),
-        ([("inertial_error", 2)], min(TIGHT), 1000.0, True),
-        ([("inertial_error", 2)], max(TIGHT), 1000.0, False),  # the others are not exact
-        ([("inertial_error", 2)], min(TIGHT), 20.0, False),
-        ([("inertial_error", 2), ("inertial_error", 3)], min(TIGHT), 1000.0, False),
-        ([("payload", None)], min(TIGHT), 1000.0, True),
-        ([("payload", None)], max(TIGHT), 1000.0, False),
+        ([("gas_spring", 2)], [], 0.1, 6.0, True),
+        ([("inertial_error", 2)], [], min(TIGHT), 1000.0, True),
+        ([("inertial_error", 2)], [], max(TIGHT), 1000.0, False),  # the others are not exact
+        ([("inertial_error", 2)], [], min(TIGHT), 20.0, False),
+        ([("inertial_error", 2), ("inertial_error", 3)], [], min(TIGHT), 1000.0, False),
+        ([("payload", None)], [], min(TIGHT), 1000.0, True),
+        ([("payload", None)], [], max(TIGHT), 1000.0, False),
+        ([("payload", None)], [("coulomb_friction", 1)], min(TIGHT), 1000.0, True),
+        ([("payload", None)], [("inertial_error", 3)], min(TIGHT), 1000.0, False),
     ],
 )
 def test_a_body_is_news_beside_exact_numbers_only(
-    names: list[tuple[str, int | None]], tight: float, evidence: float, may: bool
+    names: list[Key], known: list[Key], tight: float, evidence: float, may: bool
 ) -> None:
-    assert view(names, tight, evidence).may_name(view([], 1.0, 0.0)) == may
+    assert view(names, tight, evidence).may_name(view([], 1.0, 0.0), frozenset(known)) == may
 
 
 def trial(x: float, error: float, left: float) -> Trial:

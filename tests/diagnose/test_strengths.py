@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from robodyn.diagnose.amend.amend import Amendment
-from robodyn.diagnose.refit import without_vague_claim
+from robodyn.diagnose.refit import _with_estimates, without_vague_claim
 from robodyn.diagnose.result import Estimate, Finding
 from robodyn.diagnose.select.fit import less, problem, without
 from robodyn.diagnose.select.limits import REST_WEIGHT
@@ -85,3 +85,11 @@ def test_a_claim_of_one_number_needs_that_number(stderr: float | None, is_claim:
     assert (without_vague_claim(finding).confidence > 0.5) is is_claim
     two = replace(finding, parameters={**offset, "other": Estimate(1.0, 0.01, "1")})
     assert without_vague_claim(two).confidence == 0.95
+
+
+@pytest.mark.parametrize(("id", "is_claim"), [("inertial_error", True), ("payload", False)])
+def test_sums_of_a_links_numbers_are_known_where_each_is_vague(id: str, is_claim: bool) -> None:
+    finding = Finding(id, 2, {}, 0.95, (), "", None, 100.0, 5.0)
+    names = {"inertial_error": ("delta_mass", "delta_com_x"), "payload": ("mass", "com_x")}[id]
+    estimates = {name: Estimate(0.8, 0.9, "kg") for name in names}
+    assert (_with_estimates(finding, estimates).confidence > 0.5) is is_claim

@@ -16,6 +16,7 @@ import pytest
 from numpy.typing import NDArray
 
 from robodyn.ir.signature import Signature
+from robodyn.kernels.kernel import Kernel, load
 
 Scalar = Literal["double", "float"]
 
@@ -146,6 +147,20 @@ def own_cache(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.Monk
 def toy() -> Callable[..., Toy]:
     """:func:`make_toy`."""
     return make_toy
+
+
+@pytest.fixture
+def kernel(toy: Callable[..., Toy]) -> Kernel:
+    """The arm with numbers."""
+    arm = toy()
+    return load(arm.signatures, arm.files)
+
+
+@pytest.fixture
+def tunable(toy: Callable[..., Toy]) -> Kernel:
+    """The arm with run-time parameters."""
+    arm = toy(parameters=True)
+    return load(arm.signatures, arm.files)
 
 
 @pytest.fixture

@@ -11,30 +11,12 @@ from typing import Any
 import numpy as np
 import pytest
 
+from kernels.toys import PARAMS, states
 from robodyn.errors import InputError, ToolError
 from robodyn.ir.signature import Signature
 from robodyn.kernels.kernel import Kernel, load
 from robodyn.toolchain import library
 from robodyn_testing import require_tool
-
-PARAMS = {"inertia": 0.5, "bend": -1.5}
-
-
-def states(count: int | None, dtype: Any = np.float64, seed: int = 0) -> Any:
-    shape = (3, 2) if count is None else (3, count, 2)
-    return np.random.default_rng(seed).normal(size=shape).astype(dtype)
-
-
-@pytest.fixture
-def kernel(toy: Callable[..., Any]) -> Kernel:
-    arm = toy()
-    return load(arm.signatures, arm.files)
-
-
-@pytest.fixture
-def tunable(toy: Callable[..., Any]) -> Kernel:
-    arm = toy(parameters=True)
-    return load(arm.signatures, arm.files)
 
 
 @pytest.mark.parametrize("mode", ["api", "abi"])

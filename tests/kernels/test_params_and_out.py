@@ -2,34 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
 import numpy as np
 import pytest
 
+from kernels.toys import PARAMS, states
 from robodyn.errors import InputError
-from robodyn.kernels.kernel import Kernel, load
-
-PARAMS = {"inertia": 0.5, "bend": -1.5}
-
-
-def states(count: int | None, dtype: Any = np.float64, seed: int = 0) -> Any:
-    shape = (3, 2) if count is None else (3, count, 2)
-    return np.random.default_rng(seed).normal(size=shape).astype(dtype)
-
-
-@pytest.fixture
-def kernel(toy: Callable[..., Any]) -> Kernel:
-    arm = toy()
-    return load(arm.signatures, arm.files)
-
-
-@pytest.fixture
-def tunable(toy: Callable[..., Any]) -> Kernel:
-    arm = toy(parameters=True)
-    return load(arm.signatures, arm.files)
+from robodyn.kernels.kernel import Kernel
 
 
 def test_params(tunable: Kernel) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import ctypes
+import re
 import sys
 from collections.abc import Callable
 from functools import cache
@@ -19,9 +20,10 @@ from packages.units import ARMS, PERIOD, SAMPLES, Floats, Unit, torques, unit_of
 from robodyn.errors import InputError
 from robodyn.kernels.generate import Options, generate
 from robodyn.packages import package
-from robodyn.packages.fmi import base_units, results_of
+from robodyn.packages.fmi import base_units, describe, results_of
 from robodyn.robot import load
 from robodyn.simulate.simulation import Torques
+from robodyn.simulate.system import system_of
 from robodyn_testing import require_module, require_tool
 
 Units = Callable[[str], Unit]
@@ -52,6 +54,23 @@ def test_fmpy_has_no_complaint(name: str, units: Units) -> None:
     assert unit.description.author == MAINTAINER
     coordinates = unit.robot.n + (name == "elastic")
     assert unit.description.numberOfContinuousStates == 2 * coordinates + (name == "bristles")
+
+
+@pytest.mark.thorough
+def test_the_readme_names_every_output() -> None:
+    """As the description does, also those that the arm has itself; nothing of functions that are left out."""
+    require_tool("cc")
+    robot = load("stanford_3dof")
+    functions = ("inverse_dynamics", "kinetic_energy", "mass_matrix", "momentum")
+    for options in (Options(functions), Options(("all",))):
+        packed = package(generate(robot, options), "fmu")
+        readme = packed.files()["README.md"]
+        assert isinstance(readme, str)
+        rows = re.findall(r"(?m)^\| (`.*`) \| .* \| outputs", readme)
+        listed = re.findall(r"`(\w+)(?:\[[i.]+\])?`", " ".join(rows))
+        system = system_of(robot, packed.generated.options)
+        outputs = describe(packed, system, results_of(packed)).outputs
+        assert listed == list(dict.fromkeys(variable.name.partition("[")[0] for variable in outputs))
 
 
 @pytest.mark.thorough

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import random
 
 import pytest
@@ -13,39 +12,13 @@ from robodyn.schedule.heuristics import critical_path_order
 from robodyn.schedule.methods import Method
 from robodyn.schedule.tree import Limits, Tree
 from robodyn.thesis.judge import printed_graph, rule_graph
+from schedule.graphs import shortest, some_graph
 
 BOTH: tuple[Method, ...] = ("df-ihs", "a-star")
 #: Limits that no clock has a part in.
 FOR_EVER = 1e9
 
 both = pytest.mark.parametrize("method", BOTH)
-
-
-def some_graph(seed: int, tasks: int, longest: int = 1) -> TaskGraph:
-    """A graph of tasks, each of which may need any that stand before it."""
-    rng = random.Random(seed)
-    after = {
-        t: frozenset(other for other in range(1, t) if rng.random() < 2.2 / tasks)
-        for t in range(1, tasks + 1)
-    }
-    lengths = {t: rng.randint(1, longest) for t in after} if longest > 1 else {}
-    return TaskGraph(after, dict.fromkeys(after, 1), lengths, dict.fromkeys(after, 1))
-
-
-def shortest(graph: TaskGraph, p: int) -> int:
-    """By all orders of the tasks, each begun as soon as it can be: a shortest schedule is among them."""
-    least = graph.work
-    for order in itertools.permutations(graph.tasks):
-        free, done = [0] * p, dict[int, int]()
-        for task in order:
-            if not graph.after[task] <= done.keys():
-                break
-            k = free.index(min(free))
-            start = max([free[k], *(done[other] for other in graph.after[task])])
-            free[k] = done[task] = start + graph.length(task)
-        else:
-            least = min(least, max(free))
-    return least
 
 
 @both

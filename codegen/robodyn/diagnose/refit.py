@@ -227,14 +227,16 @@ def _bounded(size: Estimate, *, is_size: bool) -> Estimate:
 
 
 def _with_estimates(finding: Finding, estimates: Mapping[str, Estimate]) -> Finding:
-    """The finding with better numbers; no claim where nothing is known of them."""
+    """The finding with better numbers; no claim where nothing is known of them. Of the numbers of a link
+    torques show sums: each may be vague where it is certain that they are wrong."""
     if CATALOGUE[finding.effect].needs_load:
         estimates = {
             name: _beside_loads(one, finding.parameters.get(name)) for name, one in estimates.items()
         }
     known = [one for one in estimates.values() if isinstance(one.value, float) and one.value]
     vague = [one.stderr is None or one.stderr > MOST_VAGUE * abs(float(one.value)) for one in known]
-    confidence = min(finding.confidence, WITHDRAWN) if vague and all(vague) else finding.confidence
+    is_vague = bool(vague) and all(vague) and _fold(finding.effect) != "link"
+    confidence = min(finding.confidence, WITHDRAWN) if is_vague else finding.confidence
     return replace(finding, parameters={**finding.parameters, **estimates}, confidence=confidence)
 
 

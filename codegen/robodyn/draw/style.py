@@ -10,7 +10,7 @@ import textwrap
 from typing import Any, Final
 
 BLUE, VERMILION, GREEN = "#0072b2", "#d55e00", "#009e73"
-PURPLE, ORANGE, SKY, YELLOW = "#cc79a7", "#e69f00", "#56b4e9", "#f0e442"
+PURPLE, ORANGE, SKY = "#cc79a7", "#e69f00", "#56b4e9"
 GREY: Final = "#8b949e"
 #: Lines and bars of one panel, in this order.
 SERIES: Final = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, GREY)

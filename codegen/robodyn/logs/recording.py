@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Protocol
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -127,12 +127,3 @@ def damaged(file: str, kind: str, reason: object, remedy: str | None = None) -> 
     return InputError(
         f"the file is not {kind}, or damaged", where=Place(file), found=text.rstrip("."), remedy=remedy
     )
-
-
-def array_columns(name: str, value: Any, columns: dict[str, Floats]) -> None:
-    """Put the array ``value`` [K] or [K, m] into ``columns``, as ``name``, or ``name.0`` and so on."""
-    if value.ndim == 1:
-        columns[name] = value
-    else:
-        for j in range(value.shape[1]):
-            columns[f"{name}.{j}"] = value[:, j]

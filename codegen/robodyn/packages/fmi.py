@@ -139,6 +139,13 @@ def results_of(package: Package) -> tuple[Result, ...]:
     return tuple(results)
 
 
+def arrays_of(results: Iterable[Result]) -> dict[str, Argument]:
+    """The arrays of all results, each once, by what the unit calls them: ``function_tau`` where it has a
+    ``tau`` itself."""
+    arrays = (array for result in results for array in result.routine.outputs)
+    return {f"{'function_' if array.name in KNOWN else ''}{array.name}": array for array in arrays}
+
+
 def size_of(results: Iterable[Result]) -> int:
     """How many numbers all results are."""
     ends = (p + a.size for r in results for p, a in zip(r.places, r.routine.outputs, strict=True))
@@ -281,18 +288,18 @@ def _outputs(
 ) -> Iterator[Variable]:
     """The elements of all results, in their order."""
     behind = _programs(package)
-    listed = set()
+    names = {array.name: name for name, array in arrays_of(results).items()}
     for result in results:
         inputs = [known[x] for x in behind[result.routine].inputs() if x in known]
         depends = None if None in inputs else tuple(sorted({r for refs in inputs for r in refs or ()}))
         for array, place in zip(result.routine.outputs, result.places, strict=True):
-            if array.name in listed:
-                continue
-            listed.add(array.name)
+            name = names.pop(array.name, None)
+            if name is None:
+                continue  # another function has it, too
             for k, index in enumerate(_indices(array.shape)):
                 yield Variable(
                     first + place + k,
-                    f"{'function_' if array.name in KNOWN else ''}{array.name}{index}",
+                    f"{name}{index}",
                     "output", "continuous", "calculated", _unit_of(array, k, package), array.holds,
                     None, None, depends,
                 )  # fmt: skip

@@ -107,6 +107,3 @@ TASKS: Final[tuple[Task, ...]] = (
     _backward(43, "8", 3, "n, z", _own(*_MOMENT)),
 )
 """Table 4.1, ``TASKS[row - 1]``."""
-
-FORWARD_LAYERS: Final = 6
-BACKWARD_LAYERS: Final = 3

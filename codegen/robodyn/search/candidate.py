@@ -41,7 +41,6 @@ class Candidates:
 
     def __init__(self, robot: Robot, objective: Objective | None = None) -> None:
         self.robot, self.objective = robot, objective or Objective()
-        self.evaluations = 0
         self._costing = Costing(robot)
         self._costs: dict[Variant, tuple[float, Sketch] | None] = {}
 
@@ -64,7 +63,6 @@ class Candidates:
             tally, outputs = self._costing.run(variant)
         except Unsuited:
             return None
-        self.evaluations += 1
         wanted = tally.needed(outputs)
         sketch = tuple(nsmallest(_SKETCH, wanted))
         if self.objective.name == "total":

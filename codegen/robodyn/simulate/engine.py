@@ -23,7 +23,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from importlib.resources import files as resources
 from pathlib import Path, PurePosixPath
-from typing import Any, Literal
+from typing import Any, Final, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -37,6 +37,9 @@ from robodyn.toolchain.compiler import C_FLAGS, find_c
 Floats = NDArray[np.float64]
 Method = Literal["rk4", "adaptive"]
 
+#: Tolerances of adaptive steps unless others are named: relative, and absolute [rad, m and their rates].
+RTOL: Final = 1e-8
+ATOL: Final = 1e-10
 _COUNTERS = ("steps", "rejected", "evaluations", "events", "iterations")
 _METHODS = ("rk4", "adaptive")
 _CHUNK = 0.05  # s between two looks at what Python has to do
@@ -67,8 +70,8 @@ class Engine:
         control: Control | None = None,
         method: Method = "rk4",
         step: float | None = None,
-        rtol: float = 1e-8,
-        atol: float = 1e-10,
+        rtol: float = RTOL,
+        atol: float = ATOL,
         breaks: Sequence[float] = (),
         parameters: ArrayLike = (),
         progress: Callable[[float], object] | None = None,

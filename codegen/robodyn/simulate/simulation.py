@@ -24,7 +24,7 @@ from robodyn.robot.filling import parameter_values
 from robodyn.robot.model import Robot
 from robodyn.simulate.balance import Balance, stored_energy
 from robodyn.simulate.control import Callback, Control
-from robodyn.simulate.engine import Method
+from robodyn.simulate.engine import ATOL, RTOL, Method
 from robodyn.simulate.plant import Plant, build_plant
 from robodyn.simulate.run import Record
 from robodyn.simulate.sensors import Sensors, acting_on, measure
@@ -154,8 +154,8 @@ def simulate(
     sample_period: float = PERIOD,
     method: Method = "rk4",
     step: float | None = None,
-    rtol: float = 1e-8,
-    atol: float = 1e-10,
+    rtol: float = RTOL,
+    atol: float = ATOL,
     parameters: Mapping[str, float] | None = None,
     options: Options | None = None,
     plant: Plant | None = None,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 
 import numpy as np
@@ -28,7 +28,8 @@ Key = tuple[str, int | None]
 class Named:
     """A selected effect, ids of what explains as much, and the trials ``beside`` it, best first; its
     coefficients ``x`` [c], and by columns of ``spread`` [c, c] how they go together, each a standard error
-    (the sum of the columns' outer products is their covariance); ``is_common``: most joints lack it."""
+    (the sum of the columns' outer products is their covariance), of which ``by_prior`` [c, c] comes from
+    their own prior; ``is_common``: most joints lack it."""
 
     trial: Trial
     rivals: tuple[str, ...]
@@ -37,6 +38,7 @@ class Named:
     spread: Floats
     beside: tuple[Trial, ...] = ()
     is_common: bool = False
+    by_prior: Floats = field(default_factory=lambda: np.zeros((0, 0)))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -198,18 +200,24 @@ def _vague(start: Problem, findings: Sequence[Named]) -> list[bool]:
 
 
 def _is_vague(candidate: Candidate, x: Floats, spread: Floats) -> bool:
-    """Whether the parameters in which an effect is linear are not known to better than about themselves;
-    ``x`` [c] are its coefficients, ``spread`` [c, c] their covariance."""
-    values = candidate.read(x)
-    names = [name for name in candidate.definition.linear if values.get(name)]
-    error = np.sqrt(np.maximum(np.diag(spread), 0.0))
-    if not names:
-        return bool(np.all(error > MOST_VAGUE * np.abs(x)))
+    """Whether the sizes of an effect, the parameters in which it is linear and how far others are from where
+    there is nothing of it, are not known to better than about themselves; ``x`` [c] are its coefficients,
+    ``spread`` [c, c] their covariance."""
+    none = candidate.definition.traits.nothing
+
+    def sizes_at(x: Floats) -> dict[str, float]:
+        values = candidate.read(x)
+        names = {*candidate.definition.linear, *none} & set(values)
+        return {name: float(values[name]) - none.get(name, 0.0) for name in names}
+
+    sizes = {name: size for name, size in sizes_at(x).items() if size}
+    if not sizes:
+        return bool(np.all(np.sqrt(np.maximum(np.diag(spread), 0.0)) > MOST_VAGUE * np.abs(x)))
     steps = np.diag(np.maximum(1e-3 * np.abs(x), 1e-6 * np.abs(x).max()))
-    for name in names:
-        value = float(values[name])
-        slope = np.array([(float(candidate.read(x + step)[name]) - value) / step.sum() for step in steps])
-        if np.sqrt(max(float(slope @ spread @ slope), 0.0)) < MOST_VAGUE * abs(value):
+    moved = [sizes_at(x + step) for step in steps]
+    for name, size in sizes.items():
+        slope = (np.array([each[name] for each in moved]) - size) / np.diag(steps)
+        if np.sqrt(max(float(slope @ spread @ slope), 0.0)) < MOST_VAGUE * abs(size):
             return False
     return True
 

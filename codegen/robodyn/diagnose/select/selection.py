@@ -23,14 +23,16 @@ from robodyn.diagnose.select.choice import nearest
 from robodyn.diagnose.select.fit import (
     Fit,
     Problem,
+    by_prior,
     coarser,
     covariance,
     fitted,
     problem,
+    share_taken,
     tighter,
     wider,
 )
-from robodyn.diagnose.select.forward import Chosen, Key, Named, forward, is_of_link
+from robodyn.diagnose.select.forward import Chosen, Key, Named, forward
 from robodyn.diagnose.select.library import Context, context_of, regressor_seen
 from robodyn.diagnose.select.library.several import usual_sizes
 from robodyn.diagnose.select.limits import (
@@ -48,8 +50,10 @@ from robodyn.diagnose.select.limits import (
     TIGHT_EVIDENCE,
     UNSTATED,
 )
+from robodyn.diagnose.select.prior_share import prior_share
 from robodyn.diagnose.select.scope import EVERYTHING, Scope
 from robodyn.diagnose.select.trial import Trial, evidence_threshold, numbers_of, trials
+from robodyn.effects.catalogue import CATALOGUE
 from robodyn.identify.rigid import Model
 from robodyn.logs.limits import MOTION_WIDER
 from robodyn.logs.log import Log
@@ -66,7 +70,8 @@ class Selection:
     best first; ``residue`` [n]: the median of what is left, in units of the noise (a median, so that short
     bursts of joints that stick at reversals do not count); ``unstated``: by which share the inertial numbers
     were taken to be wrong of which nothing is stated, None: by that of the description;
-    ``rough``: the log has more in it than the catalogue."""
+    ``rough``: the log has more in it than the catalogue; ``share``: as what share of what is said
+    of them or taken the numbers are wrong, as the log has it."""
 
     contexts: tuple[Context, ...]
     start: Problem
@@ -77,6 +82,7 @@ class Selection:
     residue: Floats
     unstated: float | None = None
     rough: bool = False
+    share: float = 1.0
 
     @property
     def context(self) -> Context:
@@ -219,7 +225,7 @@ def select(
                 margin = TIGHT_EVIDENCE if best is described else 0.0
                 if view.chosen.findings and view.evidence > best.evidence + margin:
                     best = view
-            if best is not described and not best.may_name(described):
+            if best is not described and not best.may_name(described, known):
                 best = described
         elif not is_stated:
             for share in UNSTATED:
@@ -230,13 +236,16 @@ def select(
         start, chosen, unstated = best.start, best.chosen, best.unstated
     now, current, findings = chosen.now, chosen.current, chosen.findings
     first = fitted(start)
-    estimated = _estimated(now, current, findings)
+    share = prior_share(now, current)
+    borne_out = tighter(now, share / share_taken(now))
+    estimated = _estimated(borne_out, fitted(borne_out), findings)
     residue = factor * now.usual(now.rest - now.A @ current.known)
     for each in contexts:
         each.kept.clear()
     return Selection(
-        tuple(contexts), start, estimated, first, current, tuple(chosen.trials), residue, unstated, rough
-    )
+        tuple(contexts), start, estimated, first, current, tuple(chosen.trials), residue, unstated, rough,
+        share,
+    )  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -258,18 +267,24 @@ class _View:
         """With its evidence."""
         return cls(start, chosen, _evidence(start, chosen), tight, unstated)
 
-    def may_name(self, described: _View) -> bool:
+    def may_name(self, described: _View, known: frozenset[Key]) -> bool:
         """Whether its names are none of what the view as ``described`` has it to be so. That the numbers of
         a link are wrong, or that there is a body more, is news where all other numbers are as exact as can
         be, whatever is said of them (those of an identified arm are better than its description says). A
         scatter of them all, of which one shows most, is what a description is expected to have, and on an
-        arm of few joints one body may fit it."""
-        candidates = [each.trial.candidate for each in self.chosen.findings]
-        several = sum(is_of_link(c) or c.definition.traits.body for c in candidates)
-        if not several:
+        arm of few joints one body may fit it; so may a second one beside what is ``known``."""
+        named = [each.trial.candidate.effect for each in self.chosen.findings]
+        if not any(map(_is_of_mass, named)):
             return True
+        several = sum(map(_is_of_mass, [*named, *(effect for effect, _ in known)]))
         is_exact = self.tight == min(TIGHT) and self.evidence > described.evidence + RIGID_EVIDENCE
         return several == 1 and is_exact
+
+
+def _is_of_mass(id: str) -> bool:
+    """Whether an effect is of one link's numbers, or of a body more."""
+    traits = CATALOGUE[id].traits
+    return traits.body or (traits.fold is not None and traits.fold.into == "link")
 
 
 def _evidence(start: Problem, chosen: Chosen) -> float:
@@ -323,7 +338,10 @@ def _estimated(now: Problem, last: Fit, findings: Sequence[Named]) -> tuple[Name
         signs = np.array(one.trial.candidate.signs)
         if np.any((signs > 0) & (x < 0)) or np.abs(x).max() > DIVERGED * np.abs(one.trial.fit.x).max():
             x = one.trial.fit.x  # the fit of all together cannot separate them
-        sizes, ways = np.linalg.eigh(spread[at : at + wide, at : at + wide])
-        done.append(replace(one, x=x, spread=ways * np.sqrt(np.maximum(sizes, 0))))
+        part = slice(at, at + wide)
+        sizes, ways = np.linalg.eigh(spread[part, part])
+        done.append(
+            replace(one, x=x, spread=ways * np.sqrt(np.maximum(sizes, 0)), by_prior=by_prior(now, part))
+        )
         at += wide
     return tuple(done)

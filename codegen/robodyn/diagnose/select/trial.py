@@ -78,8 +78,7 @@ def trials(
     errors = per_part.std(axis=1, ddof=1) / np.sqrt(BLOCKS) + 1e-12
     ts = per_part.mean(axis=1) / errors
     shares = 1 - held_out.mean(axis=1) / np.maximum(base.held_out.mean(axis=0), 1e-300)
-    # The residual is small either way: the arm's numbers would be wrong.
-    relieved = relief > np.maximum(0.5 * gains, RELIEF)
+    relieved = _relieved(gains, relief)
     ts = np.where(relieved, np.maximum(ts, LEAST_T), ts)
     tried = []
     for m, (k, fit, explained) in enumerate(zip(outcome.which, outcome.fits, outcome.explained, strict=True)):
@@ -97,6 +96,15 @@ def trials(
     # Those that gain alike stay in the catalogue's order.
     order = np.lexsort((outcome.which, -gains))
     return [tried[m] for m in order]
+
+
+def _relieved(gains: Floats, relief: Floats) -> NDArray[np.bool_]:
+    """Of which trials [M] the ``relief`` of the arm's numbers is most of the ``gains``: the residual is small
+    either way, but these would be wrong. What gains more than such a one is judged no more strictly."""
+    mostly = relief > np.maximum(0.5 * gains, RELIEF)
+    if not mostly.any():
+        return np.asarray(mostly)
+    return np.asarray(relief > np.maximum(0.5 * np.minimum(gains, gains[mostly].max()), RELIEF))
 
 
 def _own_penalty(candidate: Candidate, fit: Fit) -> float:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 
 from robodyn.dynamics.inverse.branch import Branch, Setting
 from robodyn.dynamics.inverse.screws import Axis
-from robodyn.dynamics.inverse.subproblems import real_root
+from robodyn.dynamics.inverse.subproblems import lever_of, real_root
 from robodyn.dynamics.vectors import Vector, dot
 
 #: A rotation as what it does to a vector.
@@ -29,9 +29,10 @@ def oriented(
     # along = second . (R1^T pointing) = pointing . (R1 second)
     for one in branch.each(first.joint, at.reach(first, second.direction, pointing, along)):
         rest = one.inward(first, pointing)
-        two = one.one(second.joint, at.onto(second, third.direction, rest))
+        lever = lever_of(second.direction, third.direction)
+        two = one.one(second.joint, at.onto(second, third.direction, rest, lever=lever))
         marked = two.inward(second, two.inward(first, sideways))
-        yield two.one(third.joint, at.onto(third, marker, marked))
+        yield two.one(third.joint, at.onto(third, marker, marked, lever=1))
 
 
 def marker_of(axis: Axis) -> Vector:

@@ -31,8 +31,6 @@ _TIMES: Final = ("builtin_interfaces/msg/Time", "builtin_interfaces/msg/Duration
 #: Sequences of words that name the elements of the sequences beside them.
 _LABELS: Final = ("name", "names", "joint_names", "interface_names")
 
-Fields = Mapping[str, Any]
-
 
 class NotCdr(ValueError):
     """A message that is not what its definition says."""

@@ -18,6 +18,7 @@ from robodyn.errors import InputError
 from robodyn.packages.fmi import (
     KNOWN,
     Result,
+    arrays_of,
     describe,
     platform_name,
     results_of,
@@ -31,10 +32,6 @@ from robodyn.resources import data_dir
 if TYPE_CHECKING:
     from robodyn.simulate.system import System
 
-#: Of co-simulation, unless the importer states a relative tolerance; as in ``robodyn simulate``.
-TOLERANCE: Final = 1e-8
-#: The absolute tolerance (rad, m and their rates) by the relative one.
-ABSOLUTE: Final = 1e-2
 #: The longest step [s]: nothing else limits it while all is stuck.
 LONGEST_STEP: Final = 1e-2
 #: Steps that one call may take.
@@ -71,7 +68,9 @@ def _files(package: Package) -> Files:
     library = f"{package.name}{library_suffix()}"
     binary = shared_library(sources, library, flags=(*flags, "-fvisibility=hidden"))
     archive: Files = {**texts, f"binaries/{machine}/{library}": binary}
-    notes = readme(package, machine=Markdown(machine), elastic=bool(system.coupled))
+    notes = readme(
+        package, machine=Markdown(machine), elastic=bool(system.coupled), outputs=arrays_of(results)
+    )
     return {f"{package.name}.fmu": zipped(archive), **notes}
 
 
@@ -115,6 +114,7 @@ def _token(texts: Mapping[str, str]) -> str:
 def _values(package: Package, system: System, results: tuple[Result, ...]) -> dict[str, Any]:
     """What the templates of the sources are told."""
     from robodyn.emit.static import static_function
+    from robodyn.simulate.engine import ATOL, RTOL
     from robodyn.simulate.simulation import drive_limits
     from robodyn.simulate.start import start_program
 
@@ -123,8 +123,8 @@ def _values(package: Package, system: System, results: tuple[Result, ...]) -> di
         "unit_motors", ("q",), {"motor": "motor"}, start_program(system), system.parameters
     )
     return {
-        "tolerance": repr(TOLERANCE),
-        "absolute": repr(ABSOLUTE),
+        "tolerance": repr(RTOL),
+        "absolute": repr(ATOL / RTOL),
         "longest_step": repr(LONGEST_STEP),
         "steps": STEPS,
         "stop_time": repr(STOP_TIME),

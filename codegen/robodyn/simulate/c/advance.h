@@ -126,7 +126,7 @@ static void begin(run *r, const settings *is) {
     memcpy(r->x + V, is->v, sizeof(double) * N);
     if (K > 0) memcpy(r->x + Z, is->z, sizeof(double) * K);
     for (int e = 0; e < E; e++) {
-        int entries = 0, clash = 0;
+        int entries = 0;
         r->unit[e] = -1;
         r->square[e] = dot(system_w[e], system_w[e]);
         for (int i = 0; i < N; i++)
@@ -134,7 +134,7 @@ static void begin(run *r, const settings *is) {
         if (entries != 1) r->unit[e] = -1;
         /* elements of one colour have no coordinate in common */
         for (int colour = 0; colour <= e; colour++) {
-            clash = 0;
+            int clash = 0;
             for (int other = 0; other < e; other++)
                 for (int i = 0; i < N && r->colour[other] == colour; i++)
                     clash |= system_w[other][i] != 0 && system_w[e][i] != 0;
