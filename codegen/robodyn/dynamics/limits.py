@@ -32,12 +32,15 @@ MOST_FIELDS: int = 40
 ROUNDING: Mapping[str, Fraction] = {"double": Fraction(1, 2**52), "float": Fraction(1, 2**23)}
 
 #: Digits to which programs of poses are compared with plain forward kinematics; how far they may miss a pose
-#: as a share of the arm's size, and how far where numbers of the description were taken for its rounding;
-#: within which distance [rad or m] positions are the same.
+#: as a share of the arm's size, how far where numbers of the description were taken for its rounding, and how
+#: far at the edge of reach, which single precision does not tell from what is beyond; within which distance
+#: [rad or m] positions are the same.
 PROVEN_DIGITS: int = 60
 PROVEN_SHARE: Fraction = Fraction(1, 10**40)
 NEGLECTED_SHARE: Fraction = Fraction(1, 10**11)
+EDGE_SHARE: Fraction = Fraction(1, 500)
 SAME_POSITION: Fraction = Fraction(1, 10**5)
 
-#: Poses at which that is looked at: an arm's branches exist together at about half of all poses.
+#: Poses of drawn positions, and as many others, at which that is looked at: an arm's branches exist together
+#: at about half of all poses.
 DRAWN_POSES: int = 6

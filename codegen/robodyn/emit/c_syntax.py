@@ -77,7 +77,7 @@ def c_builtin(name: str, *, single: bool, sines: bool, arctangents: bool) -> dic
     what = "sine and cosine" if sines else "arctangents"
     return {
         "bits": 32 if single else 64,
-        "refused": [(test, said.format(what)) for test, said in _REFUSED],
+        "refused": [(test, reason.format(what)) for test, reason in _REFUSED],
         "trig": trig_context(one) if sines else None,
         "arctangent": arctangent_context(one) if arctangents else None,
         "lanes_trig": trig_context(lanes) if sines else None,

@@ -24,7 +24,12 @@ def prove(robot: Robot, function: str, program: Program) -> None:
     Unequal: they differ.
     """
     if function_named(function).of_pose:
-        _prove_closing(robot, function, program)
+        wrong = _flaw(robot, function, program)
+        if wrong is not None:
+            raise Unequal(
+                f"{function} of {robot.name} differs from plain forward kinematics {wrong}; "
+                "please report the robot file"
+            )
         return
     if not same_in_field(robot, function, program):
         raise Unequal(
@@ -32,11 +37,10 @@ def prove(robot: Robot, function: str, program: Program) -> None:
         )
 
 
-def _prove_closing(robot: Robot, function: str, program: Program) -> None:
-    place_only = inverse_kinematics_of(robot).place_only
-    wrong = flaw(robot, function, program, place_only=place_only)
-    if wrong is not None:
-        raise Unequal(
-            f"{function} of {robot.name} differs from plain forward kinematics {wrong}; "
-            "please report the robot file"
-        )
+def closes(robot: Robot, function: str, program: Program) -> bool:
+    """Whether ``program``, of poses, leads back to them in plain forward kinematics."""
+    return _flaw(robot, function, program) is None
+
+
+def _flaw(robot: Robot, function: str, program: Program) -> str | None:
+    return flaw(robot, function, program, place_only=inverse_kinematics_of(robot).place_only)

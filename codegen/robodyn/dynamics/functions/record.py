@@ -138,8 +138,8 @@ class Derivative(NamedTuple):
 
 
 class Answers(NamedTuple):
-    """Of a function of a pose the names of its results: joint positions, a row for each branch or of one; and
-    whether each reaches the pose, is within the joints' limits, and is singular."""
+    """Of a function of a pose the names of its results: joint positions, a row for each branch or of one;
+    whether each reaches the pose, is within the joints' limits, and is singular; which ``branch`` it is."""
 
     solutions: str
     exists: str
