@@ -6,7 +6,6 @@ import textwrap
 from dataclasses import dataclass
 from typing import Any
 
-from robodyn.counts.count import count
 from robodyn.dynamics.functions import function_named
 from robodyn.emit.body import body_lines
 from robodyn.emit.head import contained
@@ -14,7 +13,7 @@ from robodyn.emit.language import FunctionText, Language
 from robodyn.emit.spelling import WIDTH
 from robodyn.emit.stages import Repeated, repeated
 from robodyn.emit.statements import Body, statements
-from robodyn.emit.unit import Unit, counted_text
+from robodyn.emit.unit import Unit, counted
 from robodyn.ir.program import Program
 from robodyn.ir.signature import Signature
 
@@ -39,15 +38,15 @@ def pieces(signature: Signature, program: Program, unit: Unit) -> tuple[Piece, .
             program, in_order=unit.early_writes, readable=unit.readable, concise=not unit.readable
         )
 
-    purpose, counted = function_named(signature.function).purpose, counted_text(count(program))
+    purpose, words = function_named(signature.function).purpose, counted(program)
     if program.iteration is None:
-        return (Piece(signature, body(program), purpose, counted),)
+        return (Piece(signature, body(program), purpose, words),)
     whole = repeated(signature, program)
     stages = (
-        Piece(each.signature, body(each.program), each.words, counted_text(count(each.program)), True)
+        Piece(each.signature, body(each.program), each.words, counted(each.program), True)
         for each in whole.stages
     )
-    return (*stages, Piece(signature, whole, purpose, f"{counted}, in {whole.most} steps at most"))
+    return (*stages, Piece(signature, whole, purpose, words))
 
 
 def function_text(language: Language, piece: Piece, unit: Unit) -> dict[str, Any]:

@@ -70,6 +70,16 @@ def builtin_words(unit: Unit) -> str:
     return f"{'Sine, cosine and arctangent are' if has_sines(unit) else 'The arctangent is'} built in"
 
 
+def counted(program: Program) -> str:
+    """The operations of ``program`` in words."""
+    if program.iteration is None:
+        return counted_text(count(program))
+    start, step, finish = map(count, program.parts())
+    steps = program.iteration.rows * program.iteration.most
+    beside = f"{start.total + finish.total} operations beside them; {count(program).total} in all at most"
+    return f"{steps} steps at most, each of {counted_text(step)}; {beside}"
+
+
 def counted_text(count: Count) -> str:
     parts = [str(count), f"{count.neg} unary minus", f"{count.sincos} sine/cosine"]
     if count.other:

@@ -8,6 +8,8 @@ from fractions import Fraction
 from functools import partial
 from typing import Any, NamedTuple
 
+from robodyn.errors import InputError
+
 
 class Input(NamedTuple):
     """An input: element ``index`` (from 0) of an array, or a run-time parameter (``index`` None)."""
@@ -94,6 +96,21 @@ class Program:
         if self.iteration is None:
             return (self,)
         return (self.iteration.start, self.iteration.step, replace(self, iteration=None))
+
+    def straight(self, what: str) -> Program:
+        """The program itself, where it repeats nothing.
+
+        Raises
+        ------
+        InputError: it does; ``what`` is only of straight-line code.
+        """
+        if self.iteration is not None:
+            raise InputError(
+                f"{what} only of straight-line code",
+                found=f"a step that is repeated {self.iteration.most} times at most",
+                expected="a function that the arm has in closed form",
+            )
+        return self
 
     def changed(self, change: Callable[[Program], Program]) -> Program:
         """The program with ``change`` applied to each of its :meth:`parts`."""

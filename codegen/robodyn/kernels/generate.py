@@ -157,6 +157,8 @@ def generate(
     described: tuple[str, ...] = ()
     no_angle = False
     if options.trig == "given":
+        for p in programs.values():
+            p.straight("given sines and cosines (--trig given) are")
         layout = given_layout(list(programs.values()))
         no_angle = not layout  # C has no array of no elements: sc has one then
         described = tuple(describe(angle) for angle in layout)

@@ -118,7 +118,7 @@ class RigidPrograms:
             if record is None or self._cost(passed) <= self._cost(record):
                 record = passed
                 self.taken.pop(function, None)
-        prove(self.robot, function, record)
+        prove(self.robot, function, record, self.options.scalar)
         return record
 
     def _passed(self, function: str) -> Program:
@@ -236,7 +236,8 @@ class RigidPrograms:
 
     def _fused(self, function: Function) -> list[Program]:
         """``function`` written anew as a whole, and put together from the best programs of its parts."""
-        best = {part.name: self.best(part.name) for part in function.fuses}
+        alone = "functions that are joined are"
+        best = {part.name: self.best(part.name).straight(alone) for part in function.fuses}
         writings = [self._writings.get(part.name, part.outputs) for part in function.fuses]
         # What chooses first should be what has most to lose.
         order = sorted(range(len(writings)), key=lambda k: -self._cost(best[function.fuses[k].name]))

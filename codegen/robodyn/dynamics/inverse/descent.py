@@ -1,13 +1,13 @@
 """Inverse kinematics of any arm by damped least squares: one solution near a reference, step by step.
 
 The step is Levenberg's and Marquardt's, ``dq = J^T (J J^T + damping 1)^-1 error``. The damping is
-proportional to the squared error (T. Sugihara, IEEE Trans. Robotics 27, 2011): steps are short where the arm
-is far from the pose, whatever the Jacobian is there, and Newton's where it is near. A step that does not lower
-the error is taken back, a shorter one is tried from there, and the damping rises. Joints that stand at a limit
-and are pushed against it stay there (D. Bertsekas, SIAM J. Control 20, 1982).
+proportional to the squared error (T. Sugihara, IEEE Trans. Robotics 27, 2011): steps are short where the
+arm is far from the pose, whatever the Jacobian is there, and Newton's where it is near. A step that does not
+lower the error is taken back, a shorter one is tried from there, and the damping rises. Joints that stand at
+a limit and are pushed against it stay there (D. Bertsekas, SIAM J. Control 20, 1982).
 
-Lengths count as shares of the arm's size, so that metres and radians weigh alike. Where there are more joints
-than the pose needs, the step is the shortest; where there are fewer, the error is least where it ends.
+Lengths count as shares of the arm's size, so that metres and radians weigh alike. Where there are more
+joints than the pose needs, the step is the shortest; where there are fewer, the error is least where it ends.
 """
 
 from __future__ import annotations
@@ -91,7 +91,7 @@ class Descent:
         """The next state; ``at`` is the arm at ``x.q``, ``T`` [12] where the tool is to be."""
         missing = self.missing(pose(at), T)
         error = sum((y * y for y in missing[1:]), missing[0] * missing[0])
-        lower = choose(x.error - error, 1, 0)
+        lower = x.error - error
         close = choose(self._square(NEARLY) - x.error, 1, 0)
 
         eased = choose(LEAST_DAMPED - x.gain * EASED, LEAST_DAMPED, x.gain * EASED)

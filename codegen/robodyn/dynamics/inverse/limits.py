@@ -44,7 +44,8 @@ EASED: Fraction = Fraction(1, 2)
 LEAST_DAMPED: Fraction = Fraction(1, 64)
 SHARPENED: Fraction = Fraction(4)
 
-#: What of a step is tried next where it does not lower the error, and how often in a row until it is given up.
+#: What of a step is tried next where it does not lower the error, and how often in a row until that is given
+#: up.
 SHORTENED: Fraction = Fraction(1, 2)
 MOST_REFUSED: int = 12
 
