@@ -5,9 +5,15 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from identify.exact import log_of
 from robodyn.diagnose.select.forward import _is_vague
+from robodyn.diagnose.select.library import candidates, context_of
 from robodyn.diagnose.select.library.candidate import single
+from robodyn.diagnose.select.scope import Scope
 from robodyn.diagnose.select.trial import _relieved
+from robodyn.identify.rigid import Model
+from robodyn.logs.signals import signals_of
+from robodyn.robot import load
 
 
 @pytest.mark.parametrize(
@@ -37,3 +43,12 @@ def test_what_gains_more_is_judged_no_more_strictly() -> None:
     relief = np.array([26.0, 26.0, 20.0, 10.0, 26.0])
     assert _relieved(gains, relief).tolist() == [True, True, False, False, True]
     assert _relieved(gains[1:], relief[1:]).tolist() == [False] * 4  # none is by itself
+
+
+def test_no_gear_has_ten_degrees_of_play() -> None:
+    robot = load("puma560_3dof", warn=lambda _: None)
+    context = context_of(Model(robot), signals_of(log_of(robot, noise=0.01, seconds=1.0)))
+    one = next(c for c in candidates(context, Scope(frozenset({"backlash"}))) if "stiffness" in c.values)
+    assert one.again is not None
+    likely = {gap: one.again(context, {**one.values, "gap": gap}) for gap in (0.004, 0.17)}
+    assert [each.likely(np.ones(1)) for each in likely.values()] == [True, False]

@@ -92,6 +92,8 @@ def _lag(p: Values, tau: Any) -> Any:
 _NATURAL_FREQUENCIES, _TEETH = tuple(4.0 * 1.25**k for k in range(12)), (8.0, 12.0, 18.0, 30.0)
 #: Widths of backlash that are tried [rad or m], and the torques of its rounding [N m or N].
 _GAPS, _ROUNDED, _TRANSITIONS = tuple(1e-3 * 1.25**k for k in range(17)), 0.05, (0.05, 0.5)
+#: Play of a gear [rad or m] that is wider is hardly one: worn hobby servos have as much.
+_WIDEST = 0.05
 #: How far steps of refinement go, in logarithms.
 _REACH = {"stiffness": 0.3, "damping": 0.5}
 
@@ -220,6 +222,7 @@ BACKLASH = Effect(
                 _TEETH, {"gap": 0.1, **_REACH},
                 tuple({"gap": 1.0, "stiffness": math.inf, "transition": w} for w in _TRANSITIONS),
                 _play_read, 5, more=tuple({"gap": gap} for gap in _GAPS), fixed={"transition": _ROUNDED},
+                likely={"gap": _WIDEST},
             ),
         ),
         reevaluate=True,

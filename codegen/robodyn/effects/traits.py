@@ -158,7 +158,8 @@ class Dahl:
 class Twist:
     """A link behind its motor, on springs with these natural frequencies (``hertz``), and with each of
     ``more``; ``fixed`` values go along. ``ahead``: with the encoder at the link, unit values at which the
-    motor's lead is linear in one number, and how that is read. ``reach``: how far steps of refinement go."""
+    motor's lead is linear in one number, and how that is read. ``reach``: how far steps of refinement go;
+    ``likely``: larger values are so unlikely that they are no name, unless nothing else explains the log."""
 
     hertz: tuple[float, ...]
     reach: Mapping[str, float]
@@ -167,6 +168,7 @@ class Twist:
     order: int
     more: tuple[Mapping[str, float], ...] = ({},)
     fixed: Mapping[str, float] = field(default_factory=dict)
+    likely: Mapping[str, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)

@@ -79,6 +79,7 @@ def _behind(c: Context, effect: Effect, twist: Twist, j: int, settings: Mapping[
     return Candidate(
         effect.id, j + 1, tuple(range(c.n)), column[:, :, None], (1,),
         lambda x: {**values, "encoder": "motor"}, twist.order, coarse=True, fixed=True, reach=twist.reach,
+        likely=lambda x: all(settings[name] <= most for name, most in twist.likely.items()),
         values=settings, again=lambda c, values: _behind(c, effect, twist, j, values),
     )  # fmt: skip
 
