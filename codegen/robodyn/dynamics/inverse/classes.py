@@ -15,7 +15,7 @@ from typing import Protocol
 from robodyn.dynamics.inverse.branch import Branch, Setting, Sum
 from robodyn.dynamics.inverse.lines import feet, nearest
 from robodyn.dynamics.inverse.orientation import marker_of, oriented
-from robodyn.dynamics.inverse.places import Reach, in_a_plane
+from robodyn.dynamics.inverse.places import Reach, in_a_plane, shoulders
 from robodyn.dynamics.inverse.screws import Axis, Target, minus
 from robodyn.dynamics.inverse.structures import (
     STRUCTURES,
@@ -90,12 +90,12 @@ class ThreeParallel:
         back = target.inverse()
         distance = dot(h, minus(self.centre, one.point))
         ways = (six.reversed(), five.reversed(), four.reversed())
-        for first in Branch().each(one.joint, at.reach(one, h, p, distance, 1)):
+        for first, w in shoulders(one, h, p, distance, Branch(), at):
 
             def rotation(v: Vector, branch: Branch = first) -> Vector:
                 return back.turned(branch.outward(one, v))
 
-            u = minus(first.inward(one, p), minus(two.point, one.point))
+            u = minus(w, minus(two.point, one.point))
             for turned in oriented(ways, rotation, self.marker, first, at):
                 beyond = turned.outward(four, minus(self.centre, four.point))
                 b, c = minus(three.point, two.point), minus(four.point, three.point)

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import pairwise
-from math import cos, sin
+from math import cos, isqrt, sin
 from typing import Any
 
 from robodyn.dynamics.arm import Arm
@@ -20,7 +20,7 @@ from robodyn.dynamics.inverse.classes import (
     whole_places,
     wrists,
 )
-from robodyn.dynamics.inverse.limits import EDGE, TRIED
+from robodyn.dynamics.inverse.limits import TRIED
 from robodyn.dynamics.inverse.rank import moves_all_ways
 from robodyn.dynamics.inverse.screws import Axis, Chain, Circle, as_floats, chain_of, minus, sum_of
 from robodyn.dynamics.inverse.solution import (
@@ -89,8 +89,8 @@ class Inverse:
         return nearest(self.solve(T, q_near, unit), self.joints, q_near, self._rounding(unit))
 
     def _rounding(self, unit: Fraction) -> Fraction:
-        """What positions may be beyond limits by [rad or m]."""
-        return EDGE * unit
+        """What positions may be beyond limits by [rad or m]: near singular poses angles are no more exact."""
+        return Fraction(1, isqrt(unit.denominator))
 
     def _branches(self, T: Sequence[Any], q_near: Sequence[Any], unit: Fraction) -> list[Branch]:
         circles: dict[int, Circle] = {}
