@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from collections.abc import Callable
 from fractions import Fraction
 from functools import cache
 from typing import Any
@@ -26,7 +27,13 @@ from robodyn.simulate.inverse_kinematics import rotation_vector
 from robodyn.simulate.kinematics import Kinematics
 
 Floats = NDArray[np.float64]
-VECTORS = {**REAL_FUNCTIONS, "sin": np.sin, "cos": np.cos, "sqrt": np.sqrt, "abs": np.abs}
+VECTORS: dict[str, Callable[..., Any]] = {
+    **REAL_FUNCTIONS,
+    "sin": np.sin,
+    "cos": np.cos,
+    "sqrt": np.sqrt,
+    "abs": np.abs,
+}
 
 
 @cache
@@ -99,7 +106,7 @@ def test_where_no_pose_is_reached_the_error_is_least() -> None:
     def error(q: Floats) -> Floats:
         now = poses(robot, q).reshape(-1, 3, 4)
         goal = T.reshape(-1, 3, 4)
-        place = ((goal - now)[:, :, 3] / float(solver.size)) ** 2  # type: ignore[union-attr]
+        place = ((goal - now)[:, :, 3] / float(solver.size)) ** 2
         turn = 3 - np.einsum("kij,kij->k", goal[:, :, :3], now[:, :, :3])
         total: Floats = place.sum(axis=1) + turn
         return total

@@ -6,6 +6,7 @@ import dataclasses
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -40,7 +41,7 @@ def program(most: int = 20, rows: int = 3) -> Program:
     start = lower(graph, [(STATE, [x for a in squares for x in (a, a, Fraction(0))])])
     graph = Graph()
     a, y, _ = (graph.input(STATE, i) for i in range(3))
-    better = (y + a / y) / 2
+    better: Any = (y + a / y) / 2
     done = choose(magnitude(better - y) - TOLERANCE, 0, 1)
     step = lower(graph, [(STATE, [a, better, done])])
     graph = Graph()
@@ -49,11 +50,12 @@ def program(most: int = 20, rows: int = 3) -> Program:
     return dataclasses.replace(finish, iteration=Iteration(start, step, most))
 
 
-def states() -> NDArray[np.float64]:
-    return np.random.default_rng(7).uniform(-1, 1, (50, 3)) * np.array([0.1, 30.0, 1e4])
+def states() -> NDArray[Any]:
+    q: NDArray[Any] = np.random.default_rng(7).uniform(-1, 1, (50, 3)) * np.array([0.1, 30.0, 1e4])
+    return q
 
 
-def expected(made: Program, q: NDArray[np.float64]) -> NDArray[np.float64]:
+def expected(made: Program, q: NDArray[np.float64]) -> NDArray[Any]:
     inputs = ({Input("q", i): float(x) for i, x in enumerate(row)} for row in q)
     return np.array([evaluate(made, each)["tau"] for each in inputs])
 

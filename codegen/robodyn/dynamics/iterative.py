@@ -4,13 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-if TYPE_CHECKING:
-    from robodyn.dynamics.functions.record import Dynamics
-
-#: What gives numbers of an arm at one state.
-Stage = Callable[["Dynamics"], Sequence[Any]]
+#: What gives numbers of an arm at one state, a :class:`~robodyn.dynamics.functions.record.Dynamics`.
+Stage = Callable[[Any], Sequence[Any]]
 
 
 @dataclass(frozen=True, slots=True)

@@ -167,8 +167,10 @@ def generate(
     if options.trig == "builtin":
         programs = {f: p.changed(angles_first) for f, p in programs.items()}
     if options.by_registers:
-        available = {} if options.profile is None else {"available": options.profile.registers}
-        programs = {f: p.changed(partial(registers, **available)) for f, p in programs.items()}
+        allocate = registers
+        if options.profile is not None:
+            allocate = partial(registers, available=options.profile.registers)
+        programs = {f: p.changed(allocate) for f, p in programs.items()}
     if options.trig == "builtin":
         programs = {f: p.changed(arctangents_together) for f, p in programs.items()}
     unit = Unit(
