@@ -25,11 +25,13 @@ from robodyn.dynamics.limits import (
     NEGLECTED_SHARE,
     PROVEN_DIGITS,
     PROVEN_SHARE,
+    ROUNDING,
     SAME_POSITION,
 )
 from robodyn.ir.fingerprint import digest
 from robodyn.ir.many_digits import evaluate_to_digits, to_digits
 from robodyn.ir.program import Input, Program
+from robodyn.ir.signature import ScalarType
 from robodyn.robot.identity import identity
 from robodyn.robot.model import Robot
 
@@ -49,12 +51,14 @@ class Drawn:
     far: bool = False
 
 
-def flaw(robot: Robot, function: str, program: Program, *, place_only: bool) -> str | None:
+def flaw(
+    robot: Robot, function: str, program: Program, scalar: ScalarType, *, place_only: bool
+) -> str | None:
     """What is wrong with ``program`` as ``function`` of ``robot``, in words; None where nothing is.
 
-    ``place_only``: whether only the place of the tool counts. Poses may be missed by
-    :data:`~robodyn.dynamics.limits.PROVEN_SHARE` of the arm's size, or by what is taken for rounding of the
-    description where that is not of :func:`simple numbers <is_simple>`.
+    ``place_only``: whether only the place of the tool counts. Poses may be missed by some squares of what
+    ``scalar``, the type that the program is for, rounds, as a share of the arm's size; or by what is taken
+    for rounding of the description where that is not of :func:`simple numbers <is_simple>`.
     """
     import mpmath
 
@@ -62,7 +66,9 @@ def flaw(robot: Robot, function: str, program: Program, *, place_only: bool) -> 
     with mpmath.workdps(PROVEN_DIGITS):
         arm = build_arm(robot, to_digits, lambda name: mpmath.mpf(1))
         size = mpmath.mpf(1) + sum(abs(x) for body in arm.bodies for x in (body.a, body.b, body.d))
-        share = to_digits(PROVEN_SHARE if is_simple(robot) else NEGLECTED_SHARE)
+        share = to_digits(PROVEN_SHARE * ROUNDING[scalar] ** 2)
+        if not is_simple(robot):
+            share = max(share, to_digits(NEGLECTED_SHARE))
         for drawn in _draws(arm, size, chance):
             inputs = {Input("T", k): x for k, x in enumerate(drawn.T)}
             inputs |= {Input("q_near", k): x for k, x in enumerate(drawn.near)}
@@ -72,7 +78,7 @@ def flaw(robot: Robot, function: str, program: Program, *, place_only: bool) -> 
                 return f"at {drawn.words}: a divisor is 0"
             for part in function_named(function).fuses or (function_named(function),):
                 assert part.answers is not None
-                wrong = _wrong(_Asked(arm, size, share, place_only), part.answers, results, drawn)
+                wrong = _wrong(_Goal(arm, size, share, place_only), part.answers, results, drawn)
                 if wrong is not None:
                     return f"at {drawn.words}: {wrong}"
     return None
@@ -151,7 +157,7 @@ def pose(arm: Arm, q: Sequence[Any]) -> list[Any]:
 
 
 @dataclass(frozen=True, slots=True)
-class _Asked:
+class _Goal:
     """An arm of this ``size`` [m], by what ``share`` of that poses may be missed, and of what of them."""
 
     arm: Arm
@@ -170,11 +176,11 @@ class _Asked:
         return self.size * (to_digits(EDGE_SHARE) if singular else self.share)
 
 
-def _wrong(asked: _Asked, names: Answers, results: Mapping[str, Sequence[Any]], drawn: Drawn) -> str | None:
+def _wrong(goal: _Goal, names: Answers, results: Mapping[str, Sequence[Any]], drawn: Drawn) -> str | None:
     """What is wrong with results at one pose."""
     import mpmath
 
-    n = len(asked.arm.bodies)
+    n = len(goal.arm.bodies)
     flat = results[names.solutions]
     if not all(mpmath.isfinite(x) for row in results.values() for x in row):
         return "a result is no number"
@@ -186,13 +192,13 @@ def _wrong(asked: _Asked, names: Answers, results: Mapping[str, Sequence[Any]], 
     if drawn.far:
         return f"branch {existing[0]} is said to reach it" if existing else None
     for k in existing:
-        missed = asked.missed(solutions[k], drawn.T)
-        if missed > asked.allowed(singular=flags[k][2] == 1):
+        missed = goal.missed(solutions[k], drawn.T)
+        if missed > goal.allowed(singular=flags[k][2] == 1):
             return f"branch {k} misses the pose by {mpmath.nstr(missed, 3)}"
     if drawn.q is None:
         return None
     for k in existing:
-        if flags[k][1] and _apart(asked.arm, solutions[k], drawn.q) < to_digits(SAME_POSITION):
+        if flags[k][1] and _apart(goal.arm, solutions[k], drawn.q) < to_digits(SAME_POSITION):
             return None
     return "no branch within the limits is the positions that were drawn"
 
