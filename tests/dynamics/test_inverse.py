@@ -113,7 +113,7 @@ def test_branches_give_the_pose_again_and_the_positions_are_among_them(
 
 
 def _text(rows: list[tuple[str, str, float, float, str]]) -> str:
-    """A description of joints of these kinds, alpha, a, d and theta, with base and tool out of the ordinary."""
+    """A description of joints by kind, alpha, a, d and theta, with an uncommon base and tool."""
     links = "".join(
         f"  - {{joint: {kind}, alpha: {alpha}, a: {a}, d: {d}, theta: {theta}, mass: 1, com: [0, 0, 0], "
         "inertia: {xx: 1, yy: 1, zz: 1}}\n"
