@@ -86,8 +86,9 @@ def command(
     missed = [k for k, each in enumerate(posed, start=1) if not each.reached]
     if missed:
         raise CheckError(
-            f"{described.name} does not reach {'the pose' if len(posed) == 1 else f'{len(missed)} poses'}",
-            found=None if len(posed) == 1 else f"the first is pose {missed[0]} of {len(posed)}",
+            f"{described.name} does not reach "
+            + ("the pose" if len(posed) == 1 else f"{len(missed)} of {len(posed)} poses"),
+            found=None if len(posed) == 1 else f"pose {missed[0]} as the first",
             remedy="move it into the arm's reach",
         )
 

@@ -125,7 +125,7 @@ def _closing(generated: Generated) -> dict[str, bool]:
     from robodyn.kernels.proof import closes
 
     return {
-        interface.function: closes(generated.unit.robot, interface.function, program)
+        interface.function: closes(generated.unit.robot, interface.function, program, interface.scalar)
         for interface, program in generated.unit.functions
         if function_named(interface.function).of_pose
     }

@@ -77,7 +77,7 @@ def flaw(
         steps = program.iteration is not None
         if steps:
             share = to_digits(EDGE * ROUNDING[scalar])
-        asked = _Asked(arm, size, share, place_only, sure=not steps)
+        goal = _Goal(arm, size, share, place_only, sure=not steps)
         reached = False
         for drawn in _draws(arm, size, chance, _BESIDE if steps else Fraction(0)):
             inputs = {Input("T", k): x for k, x in enumerate(drawn.T)}
@@ -88,7 +88,7 @@ def flaw(
                 return f"at {drawn.words}: a divisor is 0"
             for part in function_named(function).fuses or (function_named(function),):
                 assert part.answers is not None
-                wrong = _wrong(asked, part.answers, results, drawn)
+                wrong = _wrong(goal, part.answers, results, drawn)
                 if wrong is not None:
                     return f"at {drawn.words}: {wrong}"
                 reached |= 1 in results[part.answers.exists]
@@ -168,7 +168,7 @@ def pose(arm: Arm, q: Sequence[Any]) -> list[Any]:
 
 
 @dataclass(frozen=True, slots=True)
-class _Asked:
+class _Goal:
     """An arm of this ``size`` [m], by what ``share`` of that poses may be missed, and of what of them;
     ``sure``: whether all are reached that can be, in every branch."""
 
@@ -189,11 +189,11 @@ class _Asked:
         return self.size * (to_digits(EDGE_SHARE) if singular else self.share)
 
 
-def _wrong(asked: _Asked, names: Answers, results: Mapping[str, Sequence[Any]], drawn: Drawn) -> str | None:
+def _wrong(goal: _Goal, names: Answers, results: Mapping[str, Sequence[Any]], drawn: Drawn) -> str | None:
     """What is wrong with results at one pose."""
     import mpmath
 
-    n = len(asked.arm.bodies)
+    n = len(goal.arm.bodies)
     flat = results[names.solutions]
     if not all(mpmath.isfinite(x) for row in results.values() for x in row):
         return "a result is no number"
@@ -205,13 +205,13 @@ def _wrong(asked: _Asked, names: Answers, results: Mapping[str, Sequence[Any]], 
     if drawn.far:
         return f"branch {existing[0]} is said to reach it" if existing else None
     for k in existing:
-        missed = asked.missed(solutions[k], drawn.T)
-        if missed > asked.allowed(singular=flags[k][2] == 1):
+        missed = goal.missed(solutions[k], drawn.T)
+        if missed > goal.allowed(singular=flags[k][2] == 1):
             return f"branch {k} misses the pose by {mpmath.nstr(missed, 3)}"
-    if drawn.q is None or not asked.sure:
+    if drawn.q is None or not goal.sure:
         return None
     for k in existing:
-        if flags[k][1] and _apart(asked.arm, solutions[k], drawn.q) < to_digits(SAME_POSITION):
+        if flags[k][1] and _apart(goal.arm, solutions[k], drawn.q) < to_digits(SAME_POSITION):
             return None
     return "no branch within the limits is the positions that were drawn"
 

@@ -16,6 +16,8 @@ from robodyn.simulate.poses import Posed, PoseSolver, Solution
 Floats = NDArray[np.float64]
 #: Positions and errors nearer to 0 than this are shown as 0 [rad or m].
 _NOTHING = 5e-7
+#: Errors [m, rad, deg] up to this are no more than rounding.
+_ROUNDING = 1e-12
 
 
 def poses_document(
@@ -113,10 +115,14 @@ def _table(solver: PoseSolver, solutions: Sequence[Solution], *, degrees: bool) 
 
 def _off(solution: Solution, solver: PoseSolver, *, degrees: bool) -> str:
     place, turn = solution.off
-    text = f"{place:.1e} m"
+    text = f"{_error(place)} m"
     if solver.place_only:
         return text
-    return f"{text}, {to_degrees(turn) if degrees else turn:.1e} {_unit(degrees)}"
+    return f"{text}, {_error(to_degrees(turn) if degrees else turn)} {_unit(degrees)}"
+
+
+def _error(x: float) -> str:
+    return f"{x:.1e}" if x > _ROUNDING else f"<{_ROUNDING:.0e}"
 
 
 def _summary(solver: PoseSolver, posed: Posed, *, nearest_only: bool) -> str:

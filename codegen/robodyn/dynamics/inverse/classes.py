@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Protocol
 
+from robodyn.dynamics.inverse import few_joints
 from robodyn.dynamics.inverse.branch import Branch, Setting, Sum
 from robodyn.dynamics.inverse.lines import feet, nearest
 from robodyn.dynamics.inverse.orientation import marker_of, oriented
@@ -121,6 +122,19 @@ class Place:
         yield from _placed(self.structure, self.mirrored, _three(axes), self.tip, place, at)
 
 
+@dataclass(frozen=True, slots=True)
+class FewJoints:
+    """One or two joints that bring the tool's origin to a point, however it is turned."""
+
+    tip: Vector
+    points: Points
+    conditions: tuple[str, ...]
+
+    def solve(self, axes: Sequence[Axis], target: Target, at: Setting) -> Iterator[Branch]:
+        """All branches."""
+        yield from few_joints.placed(axes, self.tip, target.placed(self.tip), at)
+
+
 def _placed(
     structure: Structure, mirrored: bool, axes: Axes, tip: Vector, place: Vector, at: Setting
 ) -> Iterator[Branch]:
@@ -198,6 +212,16 @@ def whole_places(arm: Joints) -> Iterator[Place]:
     for structure, mirrored, points in _structures(arm):
         words = structure.words.format(*_numbers(_mirror(arm.axes) if mirrored else arm.axes))
         yield Place(structure, mirrored, arm.tip, points, (words,))
+
+
+def few(arm: Joints) -> Iterator[FewJoints]:
+    """The way to bring the tip to a point by one or two axes."""
+    points = {}
+    if len(arm.axes) == 2:
+        one, two = arm.axes
+        first, second = feet(one, two)
+        points = {one.joint: first, two.joint: second}
+    yield FewJoints(arm.tip, points, ("there are fewer than three joints",))
 
 
 def _structures(arm: Joints) -> Iterator[tuple[Structure, bool, Points]]:

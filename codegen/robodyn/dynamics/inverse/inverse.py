@@ -15,6 +15,7 @@ from robodyn.dynamics.inverse.branch import Branch, Setting
 from robodyn.dynamics.inverse.classes import (
     Class,
     Joints,
+    few,
     parallels,
     shares,
     whole_places,
@@ -140,7 +141,7 @@ def inverse_of(arm: Arm, limits: Sequence[Limits]) -> Inverse:
     raise _none(
         "its axes are of no class that has inverse kinematics in closed form",
         "a spherical wrist or shoulder (three axes that meet) with two axes that are parallel or meet; three "
-        "parallel axes; or an arm of two or three joints",
+        "parallel axes; or an arm of three joints or fewer",
     )
 
 
@@ -164,6 +165,8 @@ def _classes(chain: Chain, redundant: int | None, size: Fraction) -> Iterator[Cl
         yield from parallels(joints)
     elif len(axes) == 3:
         yield from whole_places(joints)
+    elif len(axes) < 3:
+        yield from few(joints)
 
 
 def _named(inverse: Inverse) -> Inverse:
