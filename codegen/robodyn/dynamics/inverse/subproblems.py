@@ -150,7 +150,10 @@ def reaching(
     slack = scale.edge * (most if known else scale.size**scale.lengths)
     exist = choose(rest + slack * (2 * most + slack), 1, 0)
     meet = either(blunt, choose(scale.edge * square - rest, 1, 0))
-    side = real_root(choose(rest, rest, 0))
+    inner = choose(rest, rest, 0)
+    if margins is not None:  # stretched to within rounding is stretched: the two answers are one
+        inner = choose(margins[1] - LEVER * scale.unit * most, inner, 0)
+    side = real_root(inner)
     # Beyond reach, x^2 + y^2 < b^2: the root is 0, and what is left is brought back onto the circle.
     share = 1 / choose(free, 1, choose(rest, square, most * magnitude(b)))
     answers = (
