@@ -32,8 +32,9 @@ def command(need: str | None, all_: bool, as_json: bool) -> None:
     from robodyn.tools import Use
 
     tools = known()
-    whole = any(tool.use is not Use.EVERYTHING for tool in tools)
-    needed = [named(name) for name in listed(need or "") if whole]
+    # Without a library that everything needs only those are known: it is missing, whatever --need names.
+    all_are_known = any(tool.use is not Use.EVERYTHING for tool in tools)
+    needed = [named(name) for name in listed(need or "")] if all_are_known else []
     tools = tuple(tool for tool in tools if all_ or tool.use is not Use.DEVELOPMENT or tool in needed)
     states = examine(tools)
     if as_json:

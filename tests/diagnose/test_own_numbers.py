@@ -10,6 +10,7 @@ import pytest
 
 from robodyn.diagnose.amend.amend import Amendment, amended
 from robodyn.diagnose.select import own_numbers as room
+from robodyn.diagnose.select import refine
 from robodyn.diagnose.select.fit import Problem
 from robodyn.diagnose.select.library import Context, context_of
 from robodyn.diagnose.select.own_numbers import own_numbers, own_numbers_of
@@ -98,3 +99,23 @@ def test_joints_that_stick_at_reversals_are_no_delay(monkeypatch: pytest.MonkeyP
     assert off() < 2.5
     monkeypatch.setattr(room, "TURN_TIME", 1e-9)
     assert off() > 4
+
+
+def test_joints_that_creep_near_rest_have_no_less_static_friction(monkeypatch: pytest.MonkeyPatch) -> None:
+    law = {"level": 10.0, "static": 25.0, "velocity": 0.6}
+    slow = Amendment("stribeck_friction", 2, law)
+
+    def torques(q: Any, qd: Any, qdd: Any, t: Any) -> Any:
+        free, rubbing = (Model(arm).torque(q, qd, qdd) for arm in (ARM, amended(ARM, [slow])))
+        return free + (rubbing - free) * np.minimum(1.0, np.abs(qd) / 0.1)
+
+    contexts, start = seen(ARM, 0.1, torques, 0.002)
+
+    def off() -> float:
+        (one,) = refined(ARM, [slow], contexts, start)
+        (one,), _ = uncertainties(ARM, [one], contexts, start)
+        return abs(float(one.parameters["static"]) / 25.0 - 1)
+
+    assert off() < 0.005
+    monkeypatch.setattr(refine, "STICKING_SPEEDS", (1e-9,))
+    assert off() > 0.02

@@ -44,5 +44,5 @@ def test_beyond_floats_are_right_to_what_the_bounds_add() -> None:
 @pytest.mark.parametrize("scalar", SCALARS)
 def test_what_is_no_angle_gives_nan(scalar: Any) -> None:
     x = np.array([np.inf, -np.inf, np.nan, 1e30], DTYPE[scalar])
-    for function in kernel_sine(scalar).values():
-        assert np.isnan(function(x)).all()
+    for name in ("sin", "cos"):
+        assert np.isnan(kernel_sine(scalar)[name](x)).all()

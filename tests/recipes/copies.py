@@ -15,14 +15,26 @@ ROOT = Path(__file__).parents[2]
 _PARTS = ("codegen", "cli", "templates", "robots")
 
 
-def source_in_recipe(title: str, file: str) -> str:
-    """The source that the section ``title`` of CONTRIBUTING.md gives for the path ``file``."""
+def _section(title: str) -> str:
     text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
     section = re.search(rf"^## {re.escape(title)}\n(.*?)(?=^## |\Z)", text, re.S | re.M)
     assert section, f"CONTRIBUTING.md has no section {title!r}"
-    block = re.search(rf"`{re.escape(file)}`.*?\n( *)```\w+\n(.*?)\n\1```", section[1], re.S)
+    return section[1]
+
+
+def source_in_recipe(title: str, file: str) -> str:
+    """The source that the section ``title`` of CONTRIBUTING.md gives for the path ``file``."""
+    block = re.search(rf"`{re.escape(file)}`.*?\n( *)```\w+\n(.*?)\n\1```", _section(title), re.S)
     assert block, f"the recipe {title!r} has no source for {file}"
     return textwrap.dedent(block[2]) + "\n"
+
+
+def commands_in_recipe(title: str) -> list[list[str]]:
+    """The commands of robodyn in the console block of the section ``title``, without ``robodyn`` itself."""
+    (block,) = re.findall(r"```console\n(.*?) *```", _section(title), re.S)
+    commands = [line.removeprefix("$ ").split() for line in textwrap.dedent(block).splitlines()]
+    assert {command[0] for command in commands} == {"robodyn"}
+    return [command[1:] for command in commands]
 
 
 class Copy:

@@ -2,73 +2,31 @@
 
 from __future__ import annotations
 
-import os
 import re
 import runpy
-import shutil
-import subprocess
-import sys
-import textwrap
-from collections.abc import Callable
-from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 import robodyn
+from recipes.copies import Copy, commands_in_recipe, source_in_recipe
 
-TOP = Path(__file__).parents[2]
-Run = Callable[..., "subprocess.CompletedProcess[str]"]
+TITLE = "Add a language"
+FILES = ("codegen/robodyn/emit/languages/python.py", "templates/python/kernel.py.j2")
 STATES = 20
 
 
-def _section() -> str:
-    text = (TOP / "CONTRIBUTING.md").read_text(encoding="utf-8")
-    return text.partition("\n## Add a language\n")[2].partition("\n## ")[0]
-
-
-def _block(language: str) -> str:
-    """The only block of that language in the section, as it would be typed."""
-    (block,) = re.findall(rf"```{language}\n(.*?) *```", _section(), re.DOTALL)
-    return textwrap.dedent(block)
-
-
 @pytest.fixture(scope="module")
-def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A copy of the package, and in it the two files that the recipe adds."""
-    folder = tmp_path_factory.mktemp("copy")
-    for name in ("codegen", "cli", "templates", "robots"):
-        shutil.copytree(TOP / name, folder / name, ignore=shutil.ignore_patterns("__pycache__"))
-    for place, block in re.findall(
-        r"`((?:codegen|templates)/[^`]*python[^`]*)`.*?```(\w+)", _section(), re.S
-    ):
-        path = folder / place
-        path.parent.mkdir(exist_ok=True)
-        path.write_text(_block(block), encoding="utf-8")
-    return folder
+def copy(tmp_path_factory: pytest.TempPathFactory) -> Copy:
+    return Copy(tmp_path_factory.mktemp("language"), {file: source_in_recipe(TITLE, file) for file in FILES})
 
 
-@pytest.fixture
-def run(copy: Path) -> Run:
-    def run(*arguments: str, code: int = 0) -> subprocess.CompletedProcess[str]:
-        path = os.pathsep.join([str(copy / "codegen"), str(copy / "cli")])
-        environment = {**os.environ, "PYTHONPATH": path, "PYTHONDONTWRITEBYTECODE": "1"}
-        done = subprocess.run(
-            [sys.executable, "-m", "robodyn", *arguments],
-            cwd=copy, env=environment, capture_output=True, text=True, check=False,
-        )  # fmt: skip
-        assert done.returncode == code, done.stderr
-        return done
-
-    return run
-
-
-def test_help_and_errors_know_the_language(run: Run) -> None:
-    assert re.search(r"python \(py\)", run("gen", "--help").stdout)
+def test_help_and_errors_know_the_language(copy: Copy) -> None:
+    assert re.search(r"python \(py\)", copy.robodyn("gen", "--help"))
     expected = "one of c, fortran, javascript, python, rust"
-    assert expected in run("gen", "puma560", "--lang", "basic", code=2).stderr
-    assert "did you mean 'python'?" in run("gen", "puma560", "--lang", "pyton", code=2).stderr
+    assert expected in copy.robodyn("gen", "puma560", "--lang", "basic", code=2)
+    assert "did you mean 'python'?" in copy.robodyn("gen", "puma560", "--lang", "pyton", code=2)
 
 
 @pytest.mark.parametrize(
@@ -81,18 +39,18 @@ def test_help_and_errors_know_the_language(run: Run) -> None:
         (["--compile"], "Python is written, and cannot be called from Python"),
     ],
 )
-def test_what_the_language_lacks_is_refused(run: Run, options: list[str], message: str) -> None:
-    assert message in run("gen", "puma560", "--lang", "py", *options, code=2).stderr
+def test_what_the_language_lacks_is_refused(copy: Copy, options: list[str], message: str) -> None:
+    assert message in copy.robodyn("gen", "puma560", "--lang", "py", *options, code=2)
 
 
-def test_every_command_of_the_recipe_works(run: Run, copy: Path) -> None:
-    commands = [line.removeprefix("$ ").split() for line in _block("console").splitlines()]
-    assert [command[:2] for command in commands] == [["robodyn", "gen"]] * 2
+def test_every_command_of_the_recipe_works(copy: Copy) -> None:
+    commands = commands_in_recipe(TITLE)
+    assert [command[0] for command in commands] == ["gen", "gen"]
     for command in commands:
-        run(*command[1:])
-    assert (copy / "generated/puma560/puma560.py").is_file()
-    assert {p.name for p in (copy / "both").iterdir()} == {"puma560.h", "puma560.c", "puma560.py"}
-    run("gen", "puma560", "--lang", "py", "-o", "both", "--check")
+        copy.robodyn(*command)
+    assert (copy.work / "generated/puma560/puma560.py").is_file()
+    assert {p.name for p in (copy.work / "both").iterdir()} == {"puma560.h", "puma560.c", "puma560.py"}
+    copy.robodyn("gen", "puma560", "--lang", "py", "-o", "both", "--check")
 
 
 TOOL = """
@@ -104,15 +62,15 @@ links:
 
 
 @pytest.mark.parametrize("name", ["puma560", "tool"])
-def test_the_module_gives_the_right_torques(run: Run, copy: Path, name: str) -> None:
+def test_the_module_gives_the_right_torques(copy: Copy, name: str) -> None:
     """Every function, run-time parameters too, to the bits of the C: math's sines are those of libm."""
-    (copy / "tool.yaml").write_text(TOOL)
+    (copy.work / "tool.yaml").write_text(TOOL)
     source = {"tool": "tool.yaml"}.get(name, name)
-    run("gen", source, "--lang", "py", "-o", name)
-    place = copy / "tool.yaml" if name == "tool" else copy / "robots" / f"{name}.yaml"
+    copy.robodyn("gen", source, "--lang", "py", "-o", name)
+    place = copy.work / "tool.yaml" if name == "tool" else copy.folder / "robots" / f"{name}.yaml"
     kernel = robodyn.compile(robot := robodyn.load(str(place), warn=lambda _: None))
     parameters = dict.fromkeys(robot.parameters, 0.7)
-    module = runpy.run_path(str(copy / name / f"{name}.py"))
+    module = runpy.run_path(str(copy.work / name / f"{name}.py"))
     rng = np.random.default_rng(5)
     for function, interface in kernel.signatures.items():
         ((_, size),) = interface.outputs

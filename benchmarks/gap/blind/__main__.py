@@ -7,7 +7,9 @@
 
 A run can be stopped at any time and begun again. With a cache, logs are made once and used for every version
 of the tool. The kinds are those of :mod:`benchmarks.gap.blind.trials`. ``--named`` asks for the numbers of
-what is hidden and not for its name, at a fraction of the time: for the coverage of intervals.
+what is hidden and not for its name, at a fraction of the time: for the coverage of intervals, of which
+``--summary`` has a table for each kind. In ``exact`` and ``uncertain`` the description is as right as it
+says.
 """
 
 from __future__ import annotations

@@ -11,6 +11,8 @@ from benchmarks.gap.blind.summary import WIDE, coverage
 TITLES = {
     "clear": "one effect, 3 to 8 times the noise",
     "near": "one effect, 1.5 to 3 times the noise",
+    "exact": "one effect, 3 to 8 times the noise; the description exact, and said to be",
+    "uncertain": "one effect, 8 to 20 times the noise; inertial numbers 10 % off, and said to be",
     "after": "one effect of 3 times the noise, the arm identified before from a description 30 % off",
     "backlash": "backlash, 3 to 8 times the noise",
     "load": "load-dependent friction, 3 to 8 times the noise",

@@ -13,8 +13,11 @@ Row = Mapping[str, Any]
 
 
 def summary(rows: Sequence[Row]) -> str:
-    """Text for people: names by kind, what was wrong, coverage, contacts, widths of backlash."""
-    parts = [names(rows), wrongs(rows), intervals(rows), contacts(rows)]
+    """Text for people: names by kind, what was wrong, coverage by kind and of all, contacts, widths of
+    backlash."""
+    kinds = list(dict.fromkeys(row["kind"] for row in rows))
+    by_kind = [intervals([row for row in rows if row["kind"] == kind], f"{kind}: ") for kind in kinds]
+    parts = [names(rows), wrongs(rows), *(by_kind if len(kinds) > 1 else []), intervals(rows), contacts(rows)]
     return "\n\n".join(part for part in parts if part)
 
 
@@ -72,12 +75,12 @@ def coverage(rows: Sequence[Row]) -> dict[str, list[float]]:
     return off
 
 
-def intervals(rows: Sequence[Row]) -> str:
+def intervals(rows: Sequence[Row], heading: str = "") -> str:
     """By parameter: how many, share within their 95 % interval, median and worst distance."""
     off = coverage(rows)
     if not off:
         return ""
-    lines = ["intervals: estimates, within 95 %, median and worst in standard errors"]
+    lines = [f"{heading}intervals: estimates, within 95 %, median and worst in standard errors"]
     for name, each in sorted(off.items()):
         each = sorted(each)
         lines.append(f"  {name}: {len(each)}, {_share(each)}, {each[len(each) // 2]:.1f}, {each[-1]:.1f}")

@@ -31,7 +31,8 @@ _FRICTIONLESS = (
 )
 #: Noise of the torques where nothing is hidden, as a share of their RMS.
 _NOISE = 0.015
-_SIZES = {"clear": (3.0, 8.0), "near": (1.5, 3.0)}
+_SIZES = {"near": (1.5, 3.0)}
+_CLEAR = (3.0, 8.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,7 +109,22 @@ def _one(kind: str, arm: str, seed: int) -> Iterator[Trial]:
         places = joints(arm, id)
         joint = places[int(rng.integers(len(places)))]
         known = id not in _FRICTIONLESS and bool(rng.integers(2))
-        yield Trial(kind, arm, seed, id, joint, _size(rng, *_SIZES[kind]), known)
+        yield Trial(kind, arm, seed, id, joint, _size(rng, *_SIZES.get(kind, _CLEAR)), known)
+
+
+def _uncertain(kind: str, arm: str, seed: int) -> Iterator[Trial]:
+    """One effect, large, the description being a tenth off and saying so. Of a link that is wrong among such
+    nobody could say by how much."""
+    rng = _draw(f"{kind}:sizes", arm, seed)
+    for trial in _one(kind, arm, seed):
+        if trial.effect != "inertial_error":
+            yield replace(trial, ratio=_size(rng, 8.0, 20.0), off=0.1, stated=0.1)
+
+
+def _exact(kind: str, arm: str, seed: int) -> Iterator[Trial]:
+    """One effect, the description being exact and saying so."""
+    for trial in _one(kind, arm, seed):
+        yield replace(trial, stated=0.001)
 
 
 def _null(kind: str, arm: str, seed: int) -> Iterator[Trial]:
@@ -149,7 +165,7 @@ def _of(*effects: str, motions: tuple[Motion, ...] = ("full",)) -> Callable[[str
             places = joints(arm, id)
             for motion in motions:
                 joint = places[int(rng.integers(len(places)))]
-                yield Trial(kind, arm, seed, id, joint, _size(rng, 3.0, 8.0), motion=motion)
+                yield Trial(kind, arm, seed, id, joint, _size(rng, *_CLEAR), motion=motion)
 
     return trials
 
@@ -157,6 +173,8 @@ def _of(*effects: str, motions: tuple[Motion, ...] = ("full",)) -> Callable[[str
 KINDS: dict[str, Callable[[str, str, int], Iterator[Trial]]] = {
     "clear": _one,
     "near": _one,
+    "exact": _exact,
+    "uncertain": _uncertain,
     "null": _null,
     "backlash": _of("backlash"),
     "load": _of("load_dependent_friction"),

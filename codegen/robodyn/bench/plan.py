@@ -215,7 +215,7 @@ def _units(costs: Costs) -> tuple[int, dict[str, int]]:
     """Costs as whole numbers, and how many of them are a cycle: tenths, where cycles are not whole."""
     named = {
         "mul": costs.mul, "add": costs.add, "sub": costs.add, "div": costs.div, "sqrt": costs.sqrt,
-        "sin": costs.sincos / 2, "cos": costs.sincos / 2,
+        "sin": costs.sincos / 2, "cos": costs.sincos / 2, "atan2": costs.sincos,
     }  # fmt: skip
     units = 1 if all(float(value).is_integer() for value in named.values()) else 10
     scaled = {op: round(units * value) for op, value in named.items()}

@@ -17,8 +17,8 @@ from robodyn.tools.programs import GCC
 #: A folder with what a kernel includes of the C library, for compilers that come without one.
 STAND_IN = "stand_in"
 MATH_H = "".join(
-    f"{real} {name}{end}({real}{', ' + real if name == 'pow' else ''});\n"
-    for name in ("sin", "cos", "tanh", "sqrt", "fabs", "exp", "pow")
+    f"{real} {name}{end}({real}{', ' + real if name in ('pow', 'atan2') else ''});\n"
+    for name in ("sin", "cos", "tanh", "sqrt", "fabs", "exp", "pow", "atan2")
     for real, end in (("double", ""), ("float", "f"))
 )
 #: gcc has a <stdint.h> of its own, but leaves it to the library.

@@ -21,7 +21,7 @@ from robodyn.gate.gate import Gate
 from robodyn.identify.fit import Options, fit_arm
 from robodyn.identify.outcome import Identified, identified
 from robodyn.identify.rows import Strength
-from robodyn.robot.model import Robot
+from robodyn.robot.model import EffectEntry, Robot
 
 
 def fit_with(
@@ -62,7 +62,9 @@ def fit_with(
 
 
 def strengths_of(amended: Amended, amendments: Sequence[Amendment]) -> list[Strength]:
-    """The numbers of new effects that torques are in proportion to, and show at once."""
+    """The numbers of new effects that torques are in proportion to, and show at once; not of dry friction
+    that no load is part of: what it is does not depend on the arm's numbers, and the fit that let joints
+    stick at rest knows it better."""
     keys = {(a.effect, a.joint): a for a in amendments}
     return [
         (k, name)
@@ -71,9 +73,15 @@ def strengths_of(amended: Amended, amendments: Sequence[Amendment]) -> list[Stre
         and (one := keys.get((entry.effect, entry.joint))) is not None
         and entry.definition.memory is None
         and entry.definition.traits.channel is None
+        and (entry.definition.needs_load or not _is_dry(amended.robot, entry))
         for name, value in one.parameters.items()
         if isinstance(value, float) and value and name in entry.definition.linear
     ]
+
+
+def _is_dry(robot: Robot, entry: EffectEntry) -> bool:
+    revolute = entry.joint is None or robot.links[entry.joint - 1].joint.kind == "revolute"
+    return entry.definition.is_dry(dict(entry.settings), revolute)
 
 
 def _with(one: Amendment, numbers: Mapping[str, Estimate]) -> Amendment:

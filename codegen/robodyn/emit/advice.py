@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from robodyn.emit.unit import Unit
+from robodyn.emit.unit import Unit, builtin_words
 
 
 def advice(unit: Unit) -> tuple[str, ...]:
@@ -10,7 +10,7 @@ def advice(unit: Unit) -> tuple[str, ...]:
     notes: tuple[str, ...] = () if unit.target is None else (unit.target,)
     if unit.builtin:
         notes += (
-            "Sine and cosine are built in: no libm. "
+            f"{builtin_words(unit)}: no libm. "
             + (
                 "Products and sums may be fused (-ffp-contract=fast): bits depend on the compiler."
                 if unit.contraction == "on"

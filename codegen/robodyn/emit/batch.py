@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from robodyn.dynamics.functions import array_named, function_named
-from robodyn.emit.c_syntax import c_spelling, c_syntax, c_trig
+from robodyn.emit.c_syntax import c_builtin, c_spelling, c_syntax
 from robodyn.emit.lines import head_of
 from robodyn.emit.render import Unit, environment
 from robodyn.emit.spelling import WIDTH, Spelling
@@ -33,7 +33,7 @@ TILE = 32
 CHUNK = 1024
 
 #: What is done lane by lane or with masks, in the order in which the functions stand in the file.
-_HELPERS = ("sign", "abs", "sqrt", "tanh", "exp", "pow")
+_HELPERS = ("sign", "abs", "sqrt", "tanh", "exp", "pow", "select")
 
 
 def batch_files(unit: Unit) -> dict[str, str]:
@@ -58,7 +58,7 @@ def batch_files(unit: Unit) -> dict[str, str]:
     functions = [
         _Function(signature, statements(registers(program), in_order=True)) for signature, program in able
     ]
-    used = {helper for function in functions for helper in function.helpers}
+    used = {op for function in functions for op in _operations(function.body)}
     context: dict[str, Any] = {
         "name": name,
         "upper": name.upper(),
@@ -67,9 +67,7 @@ def batch_files(unit: Unit) -> dict[str, str]:
         "suffix": "f" if single else "",
         "functions": [function.context() for function in functions],
         "helpers": [helper for helper in _HELPERS if helper in used],
-        "trig": c_trig(name, single=single),
-        "lanes_trig": c_trig(name, single=single, real="LANES_VEC"),
-        "sines": any(function.sines for function in functions),
+        **c_builtin(name, single=single, sines="sin" in used or "cos" in used, arctangents="atan2" in used),
         "tile": TILE,
         "chunk": CHUNK,
         "head": head_of(unit.robot, _notes(able[0][0], unit)),
@@ -104,16 +102,6 @@ class _Function:
 
     signature: Signature
     body: Body
-
-    @property
-    def helpers(self) -> set[str]:
-        """Operations that vectors have no sign for."""
-        return {op for op in _operations(self.body) if op in _HELPERS}
-
-    @property
-    def sines(self) -> bool:
-        """Whether there is a sine or a cosine."""
-        return any(op in ("sin", "cos") for op in _operations(self.body))
 
     def context(self) -> dict[str, Any]:
         """What the templates ask for."""
@@ -247,7 +235,7 @@ class _Lines:
         operators mix the two by themselves."""
         if not isinstance(e, Apply):
             return e
-        if e.op not in _HELPERS:
+        if e.op not in _HELPERS and e.op != "atan2":
             return Apply(e.op, tuple(map(self._lifted, e.args)))
         if self._same(e):
             return self._scalar.spelling.text(e)
@@ -258,7 +246,9 @@ class _Lines:
             return e in self._uniform
         if isinstance(e, Input):
             return e.index is None
-        return all(map(self._same, e.args)) if isinstance(e, Apply) else True
+        if isinstance(e, Apply):  # our own arctangent is there for vectors alone
+            return e.op != "atan2" and all(map(self._same, e.args))
+        return True
 
     def _add(self, text: str) -> None:
         self.lines += self._vector.line(text)
@@ -272,7 +262,7 @@ def _on_lanes(scalar: Spelling) -> Spelling:
     def call(op: str) -> Callable[..., str]:
         return lambda *args: f"LANES_NAME({op})({', '.join(args)})"
 
-    functions = {op: call(op) for op in _HELPERS}
+    functions = {op: call(op) for op in _HELPERS} | {"atan2": lambda y, x: f"LANES_ATAN2({y}, {x})"}
     return replace(scalar, element=lambda array, j: f"LANES_AT({array}, {j})", functions=functions)
 
 

@@ -5,17 +5,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from robodyn.emit.arctangent import arctangent_context
 from robodyn.emit.spelling import Spelling, elements
 from robodyn.emit.syntax import Syntax
 from robodyn.emit.trig import trig_context
 
 #: Compilations that would not round as written, and what is said of them. 16 is 0 but for _Float16: gcc
 #: has it with -march=native where the processor computes in half precision.
-REFUSED = (
-    ("defined(__FAST_MATH__)", "sine and cosine are for arithmetic as written: no -ffast-math"),
+_REFUSED = (
+    ("defined(__FAST_MATH__)", "{} are for arithmetic as written: no -ffast-math"),
     (
         "defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16",
-        "sine and cosine are for arithmetic in their own type: no x87, use -msse2 -mfpmath=sse",
+        "{} are for arithmetic in their own type: no x87, use -msse2 -mfpmath=sse",
     ),
 )
 
@@ -41,6 +42,8 @@ def c_spelling(*, single: bool, states: Sequence[str] = (), explicit: bool = Fal
             "abs": lambda x: f"fabs{f}({x})",
             "exp": lambda x: f"exp{f}({x})",
             "pow": lambda x, y: f"pow{f}({x}, {y})",
+            "atan2": lambda y, x: f"atan2{f}({y}, {x})",
+            "select": lambda c, a, b: f"({positive.format(c)} ? {a} : {b})",
             "sign": lambda x: f"({positive.format(x)} ? {one} : ({negative.format(x)} ? -{one} : {zero}))",
         },
         single=single,
@@ -65,7 +68,18 @@ def c_syntax(spelling: Spelling, real: str, *, libm: bool = True) -> Syntax:
     )
 
 
-def c_trig(name: str, *, single: bool, real: str | None = None) -> dict[str, Any]:
-    """What the templates of our sine and cosine are told; ``real`` is the type of its numbers."""
-    syntax = c_syntax(c_spelling(single=single), real or f"{name}_real")
-    return {**trig_context(syntax), "refused": REFUSED}
+def c_builtin(name: str, *, single: bool, sines: bool, arctangents: bool) -> dict[str, Any]:
+    """What the templates of our sine and cosine, and of our arctangent, are told; None of what a file does
+    not have. Those called ``lanes_...`` are on vectors."""
+    one, lanes = (
+        c_syntax(c_spelling(single=single), real, libm=False) for real in (f"{name}_real", "LANES_VEC")
+    )
+    what = "sine and cosine" if sines else "arctangents"
+    return {
+        "bits": 32 if single else 64,
+        "refused": [(test, reason.format(what)) for test, reason in _REFUSED],
+        "trig": trig_context(one) if sines else None,
+        "arctangent": arctangent_context(one) if arctangents else None,
+        "lanes_trig": trig_context(lanes) if sines else None,
+        "lanes_arctangent": arctangent_context(lanes) if arctangents else None,
+    }

@@ -37,11 +37,14 @@ class Writer:
             for arg in operation.args
             if isinstance(arg, int)
         }
-        # C writes the argument of a sign twice.
+        # C writes the argument of a sign twice, and a choice without branches where both sides are there.
         self._whole = self._angles | {
-            arg for operation in program.operations if operation.op == "sign" for arg in operation.args
+            arg
+            for operation in program.operations
+            if operation.op in ("sign", "select")
+            for arg in operation.args
             if isinstance(arg, int)
-        }  # fmt: skip
+        }
         self._results = {operand for operand in program.results() if isinstance(operand, int)}
         for i, operation in enumerate(program.operations):
             for arg in operation.args:

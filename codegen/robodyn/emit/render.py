@@ -12,7 +12,7 @@ from robodyn.emit.head import comment, head_lines, state_members
 from robodyn.emit.language import Language
 from robodyn.emit.languages import defaults, languages_named
 from robodyn.emit.statements import statements
-from robodyn.emit.unit import Unit, has_sines
+from robodyn.emit.unit import Unit
 from robodyn.errors import InputError
 from robodyn.resources import data_dir
 from robodyn.robot.names import check_names
@@ -94,7 +94,8 @@ def _context(unit: Unit, functions: list[dict[str, Any]], language: Language) ->
         "functions": functions,
         "head": head_lines(unit, language),
         **own,
-        "trig": own.get("trig") if has_sines(unit) else None,
+        "trig": own.get("trig"),
+        "arctangent": own.get("arctangent"),
     }
 
 

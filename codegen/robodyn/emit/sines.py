@@ -38,7 +38,7 @@ def together(body: Body, lanes: int) -> Together:
     later: dict[Expression, str] = {}
     needed: set[str] = set()
     statements: list[Statement] = []
-    called: dict[str, Expression] = {}
+    places: dict[str, Expression] = {}
     for statement in body.statements:
         value = statement.expression
         if not (isinstance(value, Apply) and value.op in ("sin", "cos")):
@@ -51,20 +51,20 @@ def together(body: Body, lanes: int) -> Together:
         else:
             needed |= names
             place = first.setdefault(angle, len(first))
-            called[statement.name] = Input(SINES if value.op == "sin" else COSINES, place)
+            places[statement.name] = Input(SINES if value.op == "sin" else COSINES, place)
             continue
         statements.append(statement._replace(expression=pair))
     angles = list(first)
     if lanes > 1 and len(angles) > 2 and len(angles) % 2:
         angles.append(angles[0])
-    rest = [s._replace(expression=_called(s.expression, called)) for s in statements if s.name not in needed]
-    outputs = tuple((array, tuple(_called(x, called) for x in elements)) for array, elements in body.outputs)
+    rest = [s._replace(expression=called(s.expression, places)) for s in statements if s.name not in needed]
+    outputs = tuple((array, tuple(called(x, places) for x in elements)) for array, elements in body.outputs)
     read = inputs_of(*(s.expression for s in rest), *(x for _, elements in outputs for x in elements))
     return Together(
         tuple(s for s in body.statements if s.name in needed),
         tuple(angles),
         Body(tuple(rest), outputs, frozenset(read)),
-        {name: _called(angle, called) for angle, name in later.items()},
+        {name: called(angle, places) for angle, name in later.items()},
     )
 
 
@@ -84,12 +84,12 @@ def _names(expressions: Sequence[Expression], known: Mapping[str, Expression]) -
     return names
 
 
-def _called(expression: Expression, names: Mapping[str, Expression]) -> Expression:
+def called(expression: Expression, names: Mapping[str, Expression]) -> Expression:
     """``expression`` with what ``names`` says in place of names."""
     if isinstance(expression, str):
         return names.get(expression, expression)
     if isinstance(expression, Apply):
-        return Apply(expression.op, tuple(_called(arg, names) for arg in expression.args))
+        return Apply(expression.op, tuple(called(arg, names) for arg in expression.args))
     return expression
 
 

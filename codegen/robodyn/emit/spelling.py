@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from robodyn.emit.statements import Apply, Expression
@@ -49,6 +49,10 @@ class Spelling:
     explicit: bool = False
     #: The sign of a product; that of the others has blanks about it.
     times: str = "*"
+
+    def calling(self, **functions: Callable[..., str]) -> Spelling:
+        """The same with other ``functions``."""
+        return replace(self, functions={**self.functions, **functions})
 
     def number(self, value: Fraction) -> str:
         """``value`` rounded once to the scalar type, in the fewest digits that give it back."""

@@ -231,8 +231,10 @@ def _named(program: Program) -> tuple[set[int], set[int]]:
         if op in ("sin", "cos"):
             arguments.update(x for x in args if isinstance(x, int))
             named.add(i)
-        elif op == "sign":  # C writes its argument twice
-            named.update(x for x in args if isinstance(x, int))
+        elif op == "atan2":
+            named.add(i)
+        elif op in ("sign", "select"):  # C writes the argument of a sign twice, and a choice without branches
+            named.update(x for x in args if isinstance(x, int))  # where both sides are there
         if label is not None or uses[i] > 1:
             named.add(i)
     return named | arguments, arguments

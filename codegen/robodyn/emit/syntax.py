@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
+from robodyn.emit.runs import Run
 from robodyn.emit.spelling import WIDTH, Spelling
 from robodyn.emit.statements import Apply, Expression, Statement
 from robodyn.ir.program import Input
@@ -16,6 +17,8 @@ class Sines:
 
     all: Callable[[Sequence[Expression]], list[str]]
     pair: Callable[[str, Expression], list[str]]
+    #: Our arctangent of a run of points in one loop; None where that gains nothing.
+    run: Callable[[Run], list[str]] | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -102,7 +102,7 @@ def trig_context(syntax: Syntax) -> dict[str, Any]:
         return spelling.number(Fraction(value))
 
     def polynomial(name: str, coefficients: tuple[float, ...]) -> list[str]:
-        terms = _polynomial([number(c) for c in coefficients])
+        terms = polynomial_text([number(c) for c in coefficients])
         return syntax.line(syntax.declare(name, terms))
 
     # For x = -0 the sine is -0: w must be +0 for k = +0, whatever the sign of the second piece.
@@ -124,7 +124,7 @@ def trig_context(syntax: Syntax) -> dict[str, Any]:
     }
 
 
-def _polynomial(terms: list[str]) -> str:
+def polynomial_text(terms: list[str]) -> str:
     """``a - b z + c zz - d z zz ...`` in pairs: as few operations as Horner's, half as deep."""
     pairs = [f"({a} - (z*{b}))" for a, b in zip(terms[::2], terms[1::2], strict=False)]
     text = terms[-1] if len(terms) % 2 else pairs.pop()

@@ -16,9 +16,9 @@ class Unit:
 
     ``sc`` describes the elements of the array of given sines and cosines, if there is one; ``notes`` are
     lines for the head of the file; ``misra``: C with products within sums in parentheses. ``builtin``: with
-    our own sine and cosine, those of ``lanes`` angles at a time. ``early_writes``: results are written as
-    soon as they are there. ``contraction``, on or off, stands in a pragma; ``target`` is a note on the
-    processor; ``options`` are those it was written with, as on the command line;
+    our own sine, cosine and arctangent, those of ``lanes`` angles at a time. ``early_writes``: results are
+    written as soon as they are there. ``contraction``, on or off, stands in a pragma; ``target`` is a note on
+    the processor; ``options`` are those it was written with, as on the command line;
     ``readable``: every value is named after its step of the recursion.
     """
 
@@ -38,6 +38,8 @@ class Unit:
 
 #: What is libm's, whoever makes the sines.
 OF_LIBM = frozenset({"tanh", "sqrt", "abs", "exp", "pow"})
+#: What is libm's unless it is built in.
+BUILTIN = frozenset({"sin", "cos", "atan2"})
 
 
 def calls(unit: Unit) -> set[str]:
@@ -53,6 +55,18 @@ def needs_libm(unit: Unit) -> bool:
 def has_sines(unit: Unit) -> bool:
     """Whether a function of ``unit`` calls our own sine and cosine."""
     return unit.builtin and any(count(program).sincos for _, program in unit.functions)
+
+
+def has_arctangents(unit: Unit) -> bool:
+    """Whether a function of ``unit`` calls our own arctangent."""
+    return unit.builtin and "atan2" in calls(unit)
+
+
+def builtin_words(unit: Unit) -> str:
+    """What of the functions that a library would have is built in: the beginning of a sentence."""
+    if not has_arctangents(unit):
+        return "Sine and cosine are built in"
+    return f"{'Sine, cosine and arctangent are' if has_sines(unit) else 'The arctangent is'} built in"
 
 
 def counted_text(count: Count) -> str:

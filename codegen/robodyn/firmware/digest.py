@@ -33,7 +33,7 @@ def outputs(
     trigonometry: Mapping[str, Sine],
 ) -> NDArray[Any]:
     """The outputs of ``program`` one after another, ``[N, size]`` in the kernel's type, to the bit;
-    ``trigonometry`` has the kernel's own ``sin`` and ``cos``."""
+    ``trigonometry`` has the kernel's own ``sin``, ``cos`` and ``atan2``."""
     real = DTYPE[scalar]
     count = len(next(iter(states.values())))
     inputs = {Input(array, i): x[:, i] for array, x in states.items() for i in range(x.shape[1])}

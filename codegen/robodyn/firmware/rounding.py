@@ -7,6 +7,7 @@ on and adds its own rounding. Terms of second order are kept, so the bound is on
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -14,6 +15,7 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.emit import arctangent
 from robodyn.emit.spelling import nearest_float
 from robodyn.emit.trig import DOUBLE, FLOAT
 from robodyn.ir.program import Input, Operand, Program
@@ -33,6 +35,9 @@ FAR: Mapping[ScalarType, float] = {"float": 5.5e-8, "double": 0.0}
 #: Functions of a mathematical library, and how many ulps they are off at most. C's libraries and Rust's libm
 #: promise nothing; glibc's manual lists 2 at most, and what they share with fdlibm has been measured below 3.
 _LIBRARY, _LIBRARY_ULPS = ("exp", "tanh", "pow"), 3
+
+#: How many ulps the kernel's arctangent is off at most; glibc's is better.
+_ANGLE_ULPS = arctangent.DOUBLE.ulps
 
 #: The values are doubles, and so are the bounds: what that loses is far below this share of them.
 _SPARE = 1.01
@@ -73,13 +78,15 @@ def rounding_bounds(
             raise ValueError(f"no bound is known for the rounding of {op}")
         operands = [at(arg) for arg in args]
         value, error = _RULES[op](*operands)
-        if op in ("sin", "cos"):  # an ulp is two units at most
+        if op == "atan2":
+            error = error + 2 * _ANGLE_ULPS * unit * (np.abs(value) + error) + tiny
+        elif op in ("sin", "cos"):  # an ulp is two units at most
             error = error + 2 * unit * (np.abs(value) + error) + tiny
             far = np.abs(at(args[0]).value) + at(args[0]).error > ACCURATE[scalar]
             error = np.where(far, error + FAR[scalar], error)
         elif op in _LIBRARY:
             error = error + 2 * _LIBRARY_ULPS * unit * (np.abs(value) + error) + tiny
-        elif op not in ("neg", "abs", "sign"):
+        elif op not in ("neg", "abs", "sign", "select"):
             rounded = error + unit * (np.abs(value) + error) + tiny
             error = np.where(_exact(op, value, *operands), error, rounded)
         bounded.append(_Bounded(value, error))
@@ -147,6 +154,26 @@ def _rising(function: Callable[[Floats], Floats]) -> Callable[[_Bounded], tuple[
     return rule
 
 
+def _angle(y: _Bounded, x: _Bounded) -> tuple[Floats, Floats]:
+    """Of a point that may lie anywhere in a circle: the angle of a tangent to it; any angle where the origin
+    may lie in it, or the half line on which the angle jumps."""
+    value, away, radius = np.arctan2(y.value, x.value), np.hypot(x.value, y.value), np.hypot(x.error, y.error)
+    inside = radius < away
+    turned = np.arcsin(np.where(inside, radius / np.where(inside, away, 1.0), 0.0))
+    sure = (radius == 0) | (inside & ((np.abs(y.value) > y.error) | (x.value > x.error)))
+    return value, np.where(sure, turned, 2 * math.pi)
+
+
+def _choice(condition: _Bounded, x: _Bounded, y: _Bounded) -> tuple[Floats, Floats]:
+    """The other one where the condition's sign is not certain."""
+    first = condition.value > 0
+    value = np.where(first, x.value, y.value)
+    other = np.abs(x.value - y.value) + np.where(first, y.error, x.error)
+    own = np.where(first, x.error, y.error)
+    certain = (np.abs(condition.value) > condition.error) | (condition.error == 0)
+    return value, np.where(certain, own, np.maximum(own, other))
+
+
 def _power(x: _Bounded, y: _Bounded) -> tuple[Floats, Floats]:
     """Farthest off at a corner. What is raised to anything but a whole number is never negative."""
     value = x.value**y.value
@@ -178,4 +205,6 @@ _RULES: Mapping[str, Callable[..., tuple[Floats, Floats]]] = {
     "exp": _rising(np.exp),
     "tanh": _rising(np.tanh),
     "pow": _power,
+    "atan2": _angle,
+    "select": _choice,
 }

@@ -1,7 +1,8 @@
-"""The kernel's own sine and cosine in numpy, to the bit: what ``templates/c/trig.c.j2`` says, once more.
+"""The kernel's own sine, cosine and arctangent in numpy, to the bit: what ``templates/c/trig.c.j2`` and
+``templates/c/atan2.c.j2`` say, once more.
 
-The numbers are those of :mod:`robodyn.emit.trig`; the steps are written out here a second time, so
-that neither can change without the self-test noticing.
+The numbers are those of :mod:`robodyn.emit.trig` and :mod:`robodyn.emit.arctangent`; the steps are written
+out here a second time, so that neither can change without the self-test noticing.
 """
 
 from __future__ import annotations
@@ -12,16 +13,22 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.emit import arctangent
 from robodyn.emit.trig import DOUBLE, FLOAT, Trigonometric
 from robodyn.ir.signature import ScalarType
 
 Array = NDArray[Any]
 
 
-def kernel_sine(scalar: ScalarType) -> dict[str, Callable[[Array], Array]]:
-    """``sin`` and ``cos`` of arrays [rad] in float32 (``float``) or float64."""
+def kernel_sine(scalar: ScalarType) -> dict[str, Callable[..., Array]]:
+    """``sin`` and ``cos`` of arrays [rad], and ``atan2`` of two, in float32 (``float``) or float64."""
     of = FLOAT if scalar == "float" else DOUBLE
-    return {"sin": lambda x: _sincos(x, of)[0], "cos": lambda x: _sincos(x, of)[1]}
+    angle_of = arctangent.FLOAT if scalar == "float" else arctangent.DOUBLE
+    return {
+        "sin": lambda x: _sincos(x, of)[0],
+        "cos": lambda x: _sincos(x, of)[1],
+        "atan2": lambda y, x: _atan2(y, x, angle_of),
+    }
 
 
 @np.errstate(all="ignore")  # angles that are too large end in NaN
@@ -47,6 +54,25 @@ def _sincos(x: Array, of: Trigonometric) -> tuple[Array, Array]:
     half = ((quarter >> unsigned(1)) & unsigned(1)) << unsigned(last)
     sine, cosine = np.where(odd != 0, c, s), np.where(odd != 0, s, c)
     return (sine.view(unsigned) ^ half).view(real), (cosine.view(unsigned) ^ odd ^ half).view(real)
+
+
+@np.errstate(all="ignore")  # points that are too far end in NaN
+def _atan2(y: Array, x: Array, of: arctangent.Arctangent) -> Array:
+    real: Any = np.float32 if of.bits == 32 else np.float64
+    zero, half, one = real(0), real(0.5), real(1)
+    steep = np.abs(y) > np.abs(x)
+    a, b = np.where(steep, np.abs(y), np.abs(x)), np.where(steep, np.abs(x), np.abs(y))
+    side = np.copysign(one, np.where(steep, -x, x))
+    wide = b > a * real(arctangent.WIDE)
+    over = a + np.where(wide, b, zero)
+    t = side * ((b - np.where(wide, a, zero)) / np.where(over == 0, one, over))
+    k = ((one - np.where(steep, zero, side)) + side * np.where(wide, half, zero)) + zero * over
+    z = t * t
+    p = _polynomial([real(c) for c in of.coefficients], z, z * z)
+    q = k * real(of.first)
+    h = q + t
+    n = (q - h) + t
+    return np.asarray(np.copysign(h + (n + (k * real(of.second) - (t * z) * p)), y))
 
 
 def _polynomial(coefficients: Sequence[Any], z: Array, zz: Array) -> Array:

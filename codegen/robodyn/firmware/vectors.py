@@ -105,6 +105,7 @@ def evaluated(
             "exp": mpmath.exp,
             "tanh": mpmath.tanh,
             "pow": mpmath.power,
+            "atan2": mpmath.atan2,
         }
         outputs = evaluate(
             program,

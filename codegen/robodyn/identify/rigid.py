@@ -92,7 +92,8 @@ class Rigid:
 class Model:
     """A robot on arrays: ``q, qd, qdd`` [K, n]. Stateful effects are at their steady values. ``reuse`` is
     shared by models that may have the same rigid arm. ``seen``: what directions of motion [K, ...] go
-    through, where states are evenly sampled and went through a filter of their own."""
+    through, where states are evenly sampled and went through a filter of their own. ``sticking`` [n]: speeds
+    [rad/s or m/s] below which dry friction fades to 0 in proportion to the speed, 0 where it does not."""
 
     def __init__(
         self,
@@ -100,10 +101,12 @@ class Model:
         parameters: Mapping[str, float] | None = None,
         reuse: Reuse | None = None,
         seen: Callable[[Floats], Floats] | None = None,
+        sticking: Floats | None = None,
     ) -> None:
         self.robot = robot
         self.reuse = reuse
         self._seen = seen
+        self._sticking = sticking
         values = dict(parameters or {})
         self.n = robot.n
         self.arm: Arm = build_arm(rigid_part(robot, bare=True), float, values.__getitem__)
@@ -131,6 +134,8 @@ class Model:
     def direction(self, qd: Floats) -> Floats:
         """Directions of motion as the robot has them near rest."""
         way = np.asarray(smoothed_sign(qd, self._rest, self._band), dtype=np.float64)
+        if self._sticking is not None and qd.ndim == 2:  # joints', and not of motors that drive two
+            way *= np.minimum(np.abs(qd) / np.maximum(self._sticking, 1e-300), 1.0)
         return way if self._seen is None else self._seen(way)
 
     def evaluate(self, q: Floats, qd: Floats, qdd: Floats, motors: Moved | None = None) -> Evaluated:

@@ -35,6 +35,7 @@ from robodyn.kernels.options import (
 from robodyn.kernels.rigid_programs import RigidPrograms, SingularArm
 from robodyn.optimize.programs import Choice, NoForwardDynamics, base_set_of, signature
 from robodyn.passes.angles import angles_first
+from robodyn.passes.arctangents import arctangents_together
 from robodyn.passes.registers import registers
 from robodyn.passes.trig_given import describe, given_layout, trig_given
 from robodyn.robot.model import Robot
@@ -165,6 +166,8 @@ def generate(
     if options.by_registers:
         available = {} if options.profile is None else {"available": options.profile.registers}
         programs = {f: registers(p, **available) for f, p in programs.items()}
+    if options.trig == "builtin":
+        programs = {f: arctangents_together(p) for f, p in programs.items()}
     unit = Unit(
         robot=robot,
         functions=tuple((interfaces[f], programs[f]) for f in programs),

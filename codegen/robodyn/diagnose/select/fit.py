@@ -14,7 +14,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.select.limits import BLOCKS, FEW_PARTS, FREE_PRECISION, UNSEEN_NUISANCE
+from robodyn.diagnose.select.limits import BLOCKS, FEW_PARTS, FREE_PRECISION, UNPULLED, UNSEEN_NUISANCE
 
 Floats = NDArray[np.float64]
 Columns = Floats | NDArray[np.float32]
@@ -144,6 +144,11 @@ def tighter(p: Problem, share: float) -> Problem:
     return replace(p, prior=prior)
 
 
+def share_taken(p: Problem) -> float:
+    """As what share of what is said of them the arm's own numbers are taken to be wrong."""
+    return float(np.sqrt(p.thin / p.prior[: p.nuisance].min())) if p.nuisance else 1.0
+
+
 def wider(p: Problem, fresh: Problem) -> Problem:
     """The problem with the nuisance of ``fresh``, which is of the same log: its columns in the weights and
     without the rows that no longer count."""
@@ -251,13 +256,27 @@ def covariance(now: Problem, last: Fit) -> Floats:
     """The covariance [p, p] of the coefficients, by how much the parts of the log pull at them (White 1980,
     with parts as clusters: what is left is correlated over time), no less than of as many independent
     samples."""
-    inverse = np.linalg.pinv(now.grams.sum(axis=0) + np.diag(now.prior), hermitian=True)
+    inverse = _inverse(now)
     pulls = now.rights - now.grams @ last.known - now.prior * last.known / BLOCKS
     clustered = inverse @ (pulls.T @ pulls) @ inverse * (BLOCKS / (BLOCKS - 1)) * FEW_PARTS**2
     independent = now.thin * inverse * max(float(last.held_out.mean()), 1e-300)
     least, own = np.diag(independent), np.diag(clustered)
-    scale = np.sqrt(np.maximum(1.0, least / np.maximum(own, 1e-12 * least + 1e-300)))
-    return np.asarray(clustered * np.outer(scale, scale))
+    scale = np.sqrt(np.maximum(1.0, least / np.maximum(own, UNPULLED * least + 1e-300)))
+    spread = clustered * np.outer(scale, scale)
+    alone = own < UNPULLED * least  # no part of the log pulls at these
+    spread[alone], spread[:, alone] = independent[alone], independent[:, alone]
+    return np.asarray(spread)
+
+
+def by_prior(now: Problem, part: slice) -> Floats:
+    """What of the errors of the coefficients in ``part`` [c, c] comes from their own prior:
+    columns whose outer products add up to their covariance."""
+    return np.asarray(_inverse(now)[part, part] * np.sqrt(now.thin * now.prior[part]))
+
+
+def _inverse(now: Problem) -> Floats:
+    """The inverse of the system [p, p] of all parts."""
+    return np.asarray(np.linalg.pinv(now.grams.sum(axis=0) + np.diag(now.prior), hermitian=True))
 
 
 def counts(p: Problem) -> Floats:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 
 import numpy as np
@@ -28,7 +28,8 @@ Key = tuple[str, int | None]
 class Named:
     """A selected effect, ids of what explains as much, and the trials ``beside`` it, best first; its
     coefficients ``x`` [c], and by columns of ``spread`` [c, c] how they go together, each a standard error
-    (the sum of the columns' outer products is their covariance); ``is_common``: most joints lack it."""
+    (the sum of the columns' outer products is their covariance), of which ``by_prior`` [c, c] comes from
+    their own prior; ``is_common``: most joints lack it."""
 
     trial: Trial
     rivals: tuple[str, ...]
@@ -37,6 +38,7 @@ class Named:
     spread: Floats
     beside: tuple[Trial, ...] = ()
     is_common: bool = False
+    by_prior: Floats = field(default_factory=lambda: np.zeros((0, 0)))
 
 
 @dataclass(frozen=True, slots=True, eq=False)

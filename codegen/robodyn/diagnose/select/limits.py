@@ -17,6 +17,10 @@ BLOCKS: Final = 10
 FREE_PRECISION: Final = 1e-9
 """[1/variance] The prior of a coefficient that may be anything."""
 
+UNPULLED: Final = 1e-12
+"""[share of the variance] At a coefficient that spreads less from part to part of a log than this, nothing in
+the log pulls: it is known as well as its prior says."""
+
 UNSEEN_NUISANCE: Final = 1e-6
 """[squares over the noise] A direction of the arm's own numbers that shows less along the whole logs, if it
 is off by one standard deviation of its prior, is left out: no fit would move it."""
@@ -190,6 +194,9 @@ REFINE_WORTH: Final = 1e-3
 REFINE_FARTHEST: Final = 5.0
 """[-] A number that is so many times larger than it began is lost."""
 
+STICKING_SPEEDS: Final = (1e-4, 3e-4, 1e-3, 3e-3, 1e-2)
+"""[shares of the top speed] Below one of these a joint with friction sticks, to begin with."""
+
 HUBER: Final = 2.0
 """[median residuals] From here on an error counts by its size and no more by its square (Huber)."""
 
@@ -224,6 +231,16 @@ BETTER_FIT: Final = 0.5
 
 PROFILE_RESTARTS: Final = 2
 """[times] at most."""
+
+LEAST_PRIOR_SHARE: Final = 0.005
+"""[share of what is said] No better than this are the arm's own numbers taken to be where logs bear it out: a
+filtered log shows them to half a thousandth at best;"""
+
+PRIOR_SHARES: Final = 15
+"""[shares] so many are tried, up to what is said."""
+
+BY_PRIOR: Final = 0.7
+"""[share of the error] A number whose error comes from its own prior by more is not told by the logs."""
 
 LAG_ACCURACY: Final = 0.01
 """[share of the value] The arm is taken to be linear in a link's lag: its spring is known no better."""

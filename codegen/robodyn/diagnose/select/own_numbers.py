@@ -29,17 +29,25 @@ Floats = NDArray[np.float64]
 
 
 def own_numbers(start: Problem) -> tuple[Floats, Floats]:
-    """Columns [N n, p] of the arm's own numbers, as it is described, and how they are held [p, p]."""
+    """Columns [N n, p] of the arm's own numbers, as it is described, and how they are held [p, p]: a
+    root of their precision."""
     columns = start.A[:, :, : start.nuisance].reshape(-1, start.nuisance)
     return columns, np.diag(np.sqrt(start.prior[: start.nuisance]))
 
 
 def own_numbers_of(
-    arm: Robot, robot: Robot, contexts: Sequence[Context], start: Problem, *, by_drives: bool = False
+    arm: Robot,
+    robot: Robot,
+    contexts: Sequence[Context],
+    start: Problem,
+    *,
+    by_drives: bool = False,
+    sticking: Floats | None = None,
 ) -> tuple[Floats, Floats]:
     """The same of ``arm``, which is ``robot`` with findings, and of when its friction turns; ``contexts`` and
-    ``start`` are of ``robot``. ``by_drives``: with what drives make of the loads on their joints. Names are
-    sought without: so free, the arm's numbers would take what is to be named."""
+    ``start`` are of ``robot``, joints ``sticking`` as in :func:`remainder`. ``by_drives``: with what drives
+    make of the loads on their joints. Names are sought without: so free, the arm's numbers would take what is
+    to be named."""
     scale = (start.weight / start.sigma)[:, :, None]
     columns, prior = own_numbers(start)
     whole = None
@@ -50,21 +58,27 @@ def own_numbers_of(
     elif _stands_otherwise(arm, robot):
         whole = np.concatenate([_along(arm, c) for c in contexts]) * scale * start.sizes
     if whole is not None:
-        columns, prior = _held(whole @ directions(whole), start.thin)
-    turns = np.concatenate([turning(arm, c) for c in contexts]) * scale * TURN_TIME
+        ways = directions(whole)
+        columns = (whole @ ways).reshape(-1, ways.shape[1])
+        prior = np.linalg.qr(_roots(start, len(ways)) @ ways).R
+    turns = np.concatenate([turning(arm, c, sticking) for c in contexts]) * scale * TURN_TIME
     turns = turns[:, :, turns.any(axis=(0, 1))]
-    if not turns.shape[2]:
+    p, more = len(prior), turns.shape[2]
+    if not more:
         return columns, prior
-    more, held = _held(turns, start.thin)
-    whole_prior = np.zeros((len(prior) + len(held),) * 2)
-    whole_prior[: len(prior), : len(prior)], whole_prior[len(prior) :, len(prior) :] = prior, held
-    return np.concatenate([columns, more], axis=1), whole_prior
+    both = np.zeros((p + more, p + more))
+    both[:p, :p], both[p:, p:] = prior, np.sqrt(start.thin) * np.eye(more)
+    return np.concatenate([columns, turns.reshape(-1, more)], axis=1), both
 
 
-def _held(columns: Floats, thin: float) -> tuple[Floats, Floats]:
-    """Columns [N, n, p] as [N n, p], a unit being a standard deviation, and how they are held [p, p]."""
-    p = columns.shape[2]
-    return columns.reshape(-1, p), np.sqrt(thin) * np.eye(p)
+def _roots(start: Problem, count: int) -> Floats:
+    """How ``count`` numbers, the first of them all of the arm's links, are held [count, count]: those that
+    show in the torques of the rigid arm as ``start`` has it, the others as they are said to be known."""
+    plain, links = np.sqrt(start.thin), len(start.basis)
+    roots = plain * np.eye(count)
+    tighter = np.sqrt(start.prior[: start.nuisance]) - plain
+    roots[:links, :links] += (start.basis * tighter) @ start.basis.T
+    return np.asarray(roots)
 
 
 def _stands_otherwise(arm: Robot, robot: Robot) -> bool:

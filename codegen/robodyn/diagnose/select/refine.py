@@ -6,8 +6,8 @@ miss would look like something else.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +23,7 @@ from robodyn.diagnose.select.limits import (
     REFINE_ROUNDS,
     REFINE_STEP,
     REFINE_WORTH,
+    STICKING_SPEEDS,
 )
 from robodyn.diagnose.select.own_numbers import own_numbers_of
 from robodyn.diagnose.select.remainder import remainder
@@ -36,9 +37,10 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Freed:
-    """The numbers of ``amendments`` to ``robot`` that logs say, at ``places`` (index, name): their values
-    ``x`` [P] are what is changed; ``contexts`` and ``start`` are of ``robot`` as it was given; ``by_drives``
-    as in :func:`own_numbers_of`."""
+    """The numbers of ``amendments`` to ``robot`` that logs say, at ``places`` (index, name), and the speeds
+    below which joints (from 0) are ``sticking``: their values ``x`` [P], speeds last, are what is changed;
+    ``contexts`` and ``start`` are of ``robot`` as it was given; ``by_drives`` as in
+    :func:`own_numbers_of`."""
 
     robot: Robot
     amendments: tuple[Amendment, ...]
@@ -46,6 +48,7 @@ class Freed:
     start: Problem
     places: tuple[tuple[int, str], ...]
     by_drives: bool = False
+    sticking: Mapping[int, float] = field(default_factory=dict)
 
     @classmethod
     def of(
@@ -69,7 +72,8 @@ class Freed:
     @property
     def x(self) -> Floats:
         """The values [P] of the amendments as they are."""
-        return np.array([float(self.amendments[k].parameters[name]) for k, name in self.places])
+        values = [float(self.amendments[k].parameters[name]) for k, name in self.places]
+        return np.array([*values, *self.sticking.values()])
 
     @property
     def sizes(self) -> NDArray[np.bool_]:
@@ -78,14 +82,45 @@ class Freed:
             next(p.sign for p in effect(self.amendments[k].effect).parameters if p.name == name)
             for k, name in self.places
         ]
-        return np.array([kind != "any" for kind in kinds], dtype=bool)
+        return np.array([kind != "any" for kind in kinds] + [True] * len(self.sticking), dtype=bool)
 
     def changed(self, x: Floats) -> list[Amendment]:
         """The amendments with values ``x`` [P]."""
         values = [dict(one.parameters) for one in self.amendments]
-        for (k, name), each in zip(self.places, x, strict=True):
+        for (k, name), each in zip(self.places, x, strict=False):
             values[k][name] = float(each)
         return [Amendment(one.effect, one.joint, v) for one, v in zip(self.amendments, values, strict=True)]
+
+    def with_sticking(self) -> Freed:
+        """With the speeds below which joints of new friction stick: of a few, those that fit best."""
+        tops = [np.abs(c.signals.qd).max(axis=0) for c in self.contexts]
+        top = np.max(tops, axis=0, initial=0.0)
+        arm, freed = amended(self.robot, self.amendments), self
+        rubbing = {one.joint - 1 for one in self.amendments if one.joint and effect(one.effect).dissipative}
+        for j in sorted(rubbing) if tops else ():
+            if is_dry(arm, j) and top[j] > 0:
+                speeds = [share * float(top[j]) for share in STICKING_SPEEDS]
+                tried = [replace(freed, sticking={**freed.sticking, j: speed}) for speed in speeds]
+                freed = min(tried, key=Freed.misfit)
+        return freed
+
+    def misfit(self) -> float:
+        """The sum of squares that its values leave, the arm's own numbers refitted."""
+        x = self.x
+        left = self.missed(x)
+        if left is None:
+            return np.inf
+        nuisance, prior = self.own_numbers(x)
+        weight, _ = weights(left.reshape(-1, self.start.n), nuisance, prior)
+        return _least(weight * left, weight[:, None] * nuisance, prior)[0]
+
+    def speeds(self, x: Floats) -> Floats | None:
+        """Of values ``x`` [P] the speeds [n] below which joints stick; None where no friction is new."""
+        if not self.sticking:
+            return None
+        speeds = np.zeros(self.start.n)
+        speeds[list(self.sticking)] = x[len(self.places) :]
+        return speeds
 
     def missed(self, x: Floats) -> Floats | None:
         """What is left [N n] of the logs with values ``x`` [P], in units of the noise; None where no robot
@@ -96,14 +131,18 @@ class Freed:
             return None
         if leave_little([c.signals.tau for c in self.contexts], model):
             return None
-        rows = np.concatenate([remainder(model, c) for c in self.contexts]) / self.start.sigma
+        speeds = self.speeds(x)
+        rows = np.concatenate([remainder(model, c, sticking=speeds) for c in self.contexts])
+        rows /= self.start.sigma
         left = (rows * self.start.weight).reshape(-1)
         return left if np.isfinite(left).all() else None
 
     def own_numbers(self, x: Floats) -> tuple[Floats, Floats]:
         """Columns [N n, p] of the arm's own numbers beside values ``x`` [P], and how they are held [p, p]."""
         arm = amended(self.robot, self.changed(x))
-        return own_numbers_of(arm, self.robot, self.contexts, self.start, by_drives=self.by_drives)
+        return own_numbers_of(
+            arm, self.robot, self.contexts, self.start, by_drives=self.by_drives, sticking=self.speeds(x)
+        )
 
     def slopes(self, x: Floats, left: Floats) -> Floats:
         """Of what is ``left`` [N n] the derivatives [N n, P] by ``x`` [P]; 0 where there is no robot."""
@@ -117,23 +156,21 @@ class Freed:
 
 
 def refined(
-    robot: Robot,
-    amendments: Sequence[Amendment],
-    contexts: Sequence[Context],
-    start: Problem,
-    *,
-    by_drives: bool = False,
+    robot: Robot, amendments: Sequence[Amendment], contexts: Sequence[Context], start: Problem
 ) -> list[Amendment]:
     """``amendments`` with numbers that explain more of the logs together; ``contexts`` and ``start`` are of
-    ``robot`` as it was given, ``by_drives`` as in :func:`own_numbers_of`. By Gauss and Newton, differences
-    taken one by one."""
-    freed = Freed.of(robot, amendments, contexts, start, by_drives=by_drives)
-    if not freed.places:
-        return list(amendments)
-    x, sizes = freed.x, freed.sizes
-    begun, now = x, freed.missed(x)
+    ``robot`` as it was given."""
+    freed = Freed.of(robot, amendments, contexts, start)
+    return freed.changed(fitted(freed))
+
+
+def fitted(freed: Freed) -> Floats:
+    """Values [P] that explain more of the logs together, by Gauss and Newton, differences taken one by
+    one."""
+    start, x, sizes = freed.start, freed.x, freed.sizes
+    begun, now = x, freed.missed(x) if len(x) else None
     if now is None:
-        return list(amendments)
+        return x
     for _ in range(REFINE_ROUNDS):
         nuisance, prior = freed.own_numbers(x)
         weight, _ = weights(now.reshape(-1, start.n), nuisance, prior)
@@ -157,7 +194,7 @@ def refined(
         x, now = tried, other
         if not worth:
             break
-    return freed.changed(x)
+    return x
 
 
 def costs(
@@ -179,6 +216,13 @@ def costs(
         least = _least(weight * left, weight[:, None] * nuisance, prior)[0]
         residuals.append(least / 2 / start.thin)
     return residuals
+
+
+def is_dry(robot: Robot, j: int) -> bool:
+    """Whether joint ``j`` (from 0) has friction that may hold it at rest."""
+    joint = robot.links[j].joint
+    entries, revolute = robot.effects_at(j + 1), joint.kind == "revolute"
+    return bool(joint.coulomb) or any(e.definition.is_dry(dict(e.settings), revolute) for e in entries)
 
 
 def _is_refined(known: Effect, name: str) -> bool:

@@ -3,7 +3,9 @@
 A joint with dry friction that turns round sticks for a moment: its friction goes from one side to the other
 while the joint stands, and not when a filtered velocity changes its sign. So in a model friction turns some
 thousandths of a second too early or too late, at every reversal alike, which would be taken for a delay or
-for friction of another size.
+for friction of another size. While it sticks or creeps, its friction is anything within its level, and a law
+that is steepest near rest (Stribeck's) would be fitted to that: so below some speed, to be fitted as well, it
+fades (Karnopp 1985 has an interval about zero velocity; the course in it is taken to be a straight line).
 """
 
 from __future__ import annotations
@@ -25,10 +27,15 @@ from robodyn.simulate.sensors import measured_torque
 Floats = NDArray[np.float64]
 
 
-def remainder(robot: Robot, c: Context, seen: Callable[[Floats], Floats] | None = None) -> Floats:
+def remainder(
+    robot: Robot,
+    c: Context,
+    seen: Callable[[Floats], Floats] | None = None,
+    sticking: Floats | None = None,
+) -> Floats:
     """What ``robot`` leaves [N, n] of a log, filtered and thinned; its directions of motion are ``seen``
-    through this (:class:`Model`)."""
-    s, model = c.signals, Model(robot, reuse=c.reuse, seen=seen)
+    through this, its joints ``sticking`` below these speeds [n] (:class:`Model`)."""
+    s, model = c.signals, Model(robot, reuse=c.reuse, seen=seen, sticking=sticking)
     q = c.reuse.shifted(s.q, offsets(robot))
     torque = behind_motors(model, q, s.qd, s.qdd, s.period, s.tau)
     total = torque.total
@@ -46,9 +53,9 @@ def remainder(robot: Robot, c: Context, seen: Callable[[Floats], Floats] | None 
     return s.thinned(s.filtered(given_torque(s.tau, robot) - tau))
 
 
-def turning(robot: Robot, c: Context) -> Floats:
+def turning(robot: Robot, c: Context, sticking: Floats | None = None) -> Floats:
     """What torques [N, n, n] change by, filtered and thinned, per second by which the friction of each joint
-    turns later than the model has it."""
+    turns later than the model has it, whose joints stick below the speeds ``sticking`` [n]."""
 
     def late(way: Floats) -> Floats:
         return np.concatenate([way[:1], way[:-1]])
@@ -56,5 +63,6 @@ def turning(robot: Robot, c: Context) -> Floats:
     def early(way: Floats) -> Floats:
         return np.concatenate([way[1:], way[-1:]])
 
-    change = (remainder(robot, c, early) - remainder(robot, c, late)) / (2 * c.signals.period)
+    change = remainder(robot, c, early, sticking) - remainder(robot, c, late, sticking)
+    change /= 2 * c.signals.period
     return np.asarray(change[:, :, None] * np.eye(c.n))

@@ -11,9 +11,10 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.amend.amend import Amendment, amended
 from robodyn.diagnose.result import Bounds
-from robodyn.diagnose.select.forward import Key, Named, special_cases
+from robodyn.diagnose.select.fit import share_taken, tighter
+from robodyn.diagnose.select.forward import Key, Named, is_of_link, special_cases
 from robodyn.diagnose.select.library import Candidate
-from robodyn.diagnose.select.limits import FEW, PASSES, PASSES_ROUGH, PRICE, STANDING
+from robodyn.diagnose.select.limits import BY_PRIOR, FEW, PASSES, PASSES_ROUGH, PRICE, STANDING
 from robodyn.diagnose.select.refine import costs, refined
 from robodyn.diagnose.select.scope import EVERYTHING, Scope
 from robodyn.diagnose.select.selection import Selection, select
@@ -87,20 +88,22 @@ def search(
         last = look(model, findings, first.unstated)
     if findings:
         tell("asking how sure the numbers are")
-        _judge(robot, findings, first)
+        _judge(robot, findings, first, last.share)
         model = amended(robot, _amendments(findings))
     return Outcome(findings, model, first, last)
 
 
-def _judge(robot: Robot, findings: dict[Key, Detected], begun: Selection) -> None:
-    """The findings with errors and intervals of their numbers in the joint fit."""
-    better, sure = uncertainties(robot, _amendments(findings), begun.contexts, begun.start)
+def _judge(robot: Robot, findings: dict[Key, Detected], begun: Selection, share: float) -> None:
+    """The findings with errors and intervals of their numbers in the joint fit, the arm's own numbers being
+    wrong by a ``share`` of what is said of them."""
+    start = tighter(begun.start, min(1.0, share / share_taken(begun.start)))
+    better, sure = uncertainties(robot, _amendments(findings), begun.contexts, start)
     for key, amendment, known in zip(list(findings), better, sure, strict=True):
         one = findings[key]
         # What nothing was fitted to has no error.
         errors = {name: error for name, error in one.errors.items() if error and name not in known}
         errors |= {name: each.stderr for name, each in known.items() if each.stderr is not None}
-        bounds = {name: (each.low, each.high) for name, each in known.items()}
+        bounds = {**one.bounds, **{name: (each.low, each.high) for name, each in known.items()}}
         findings[key] = replace(one, parameters=dict(amendment.parameters), errors=errors, bounds=bounds)
 
 
@@ -197,7 +200,12 @@ def _take(step: Selection, findings: dict[Key, Detected]) -> None:
     cases."""
     for named in step.findings:
         candidate = named.trial.candidate
-        values, errors = estimates(candidate, named.x, named.spread, step.context.model)
+        model = step.context.model
+        values, errors = estimates(candidate, named.x, named.spread, model)
+        _, by_prior = estimates(candidate, named.x, named.by_prior, model)
+        open_ones = [name for name, error in errors.items() if by_prior[name] > BY_PRIOR * error > 0]
+        errors |= dict.fromkeys(open_ones, 0.0)
+        bounds = dict.fromkeys(open_ones, (None, None))
         key = (candidate.effect, candidate.joint)
         for plain in [(id, candidate.joint) for id in special_cases(candidate)]:
             if plain in findings:
@@ -211,7 +219,7 @@ def _take(step: Selection, findings: dict[Key, Detected]) -> None:
                 joined[name] = joined[name] + value if both and name in linear else value  # type: ignore[operator]
             findings[key] = replace(before, parameters=joined)
         else:
-            findings[key] = Detected(named, values, errors, step.first.held_out.mean(axis=0))
+            findings[key] = Detected(named, values, errors, step.first.held_out.mean(axis=0), bounds)
 
 
 def _take_levels(candidate: Candidate, values: dict[str, float | str], plain: Mapping[str, Any]) -> None:
@@ -234,9 +242,7 @@ def estimates(
 ) -> tuple[dict[str, float | str], dict[str, float]]:
     """The catalogue's parameters of the coefficients ``x`` [c], and their standard errors by the ``spread``
     [c, c] of those."""
-    fold = candidate.definition.traits.fold
-    of_link = fold is not None and fold.into == "link"
-    read = (lambda v: _deltas(candidate, v, model)) if of_link else candidate.read
+    read = (lambda v: _deltas(candidate, v, model)) if is_of_link(candidate) else candidate.read
     values = read(x)
     errors: dict[str, float] = {}
     for name, value in values.items():

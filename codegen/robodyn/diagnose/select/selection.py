@@ -23,10 +23,12 @@ from robodyn.diagnose.select.choice import nearest
 from robodyn.diagnose.select.fit import (
     Fit,
     Problem,
+    by_prior,
     coarser,
     covariance,
     fitted,
     problem,
+    share_taken,
     tighter,
     wider,
 )
@@ -48,6 +50,7 @@ from robodyn.diagnose.select.limits import (
     TIGHT_EVIDENCE,
     UNSTATED,
 )
+from robodyn.diagnose.select.prior_share import prior_share
 from robodyn.diagnose.select.scope import EVERYTHING, Scope
 from robodyn.diagnose.select.trial import Trial, evidence_threshold, numbers_of, trials
 from robodyn.effects.catalogue import CATALOGUE
@@ -67,7 +70,8 @@ class Selection:
     best first; ``residue`` [n]: the median of what is left, in units of the noise (a median, so that short
     bursts of joints that stick at reversals do not count); ``unstated``: by which share the inertial numbers
     were taken to be wrong of which nothing is stated, None: by that of the description;
-    ``rough``: the log has more in it than the catalogue."""
+    ``rough``: the log has more in it than the catalogue; ``share``: as what share of what is said
+    of them or taken the numbers are wrong, as the log has it."""
 
     contexts: tuple[Context, ...]
     start: Problem
@@ -78,6 +82,7 @@ class Selection:
     residue: Floats
     unstated: float | None = None
     rough: bool = False
+    share: float = 1.0
 
     @property
     def context(self) -> Context:
@@ -231,13 +236,16 @@ def select(
         start, chosen, unstated = best.start, best.chosen, best.unstated
     now, current, findings = chosen.now, chosen.current, chosen.findings
     first = fitted(start)
-    estimated = _estimated(now, current, findings)
+    share = prior_share(now, current)
+    borne_out = tighter(now, share / share_taken(now))
+    estimated = _estimated(borne_out, fitted(borne_out), findings)
     residue = factor * now.usual(now.rest - now.A @ current.known)
     for each in contexts:
         each.kept.clear()
     return Selection(
-        tuple(contexts), start, estimated, first, current, tuple(chosen.trials), residue, unstated, rough
-    )
+        tuple(contexts), start, estimated, first, current, tuple(chosen.trials), residue, unstated, rough,
+        share,
+    )  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -330,7 +338,10 @@ def _estimated(now: Problem, last: Fit, findings: Sequence[Named]) -> tuple[Name
         signs = np.array(one.trial.candidate.signs)
         if np.any((signs > 0) & (x < 0)) or np.abs(x).max() > DIVERGED * np.abs(one.trial.fit.x).max():
             x = one.trial.fit.x  # the fit of all together cannot separate them
-        sizes, ways = np.linalg.eigh(spread[at : at + wide, at : at + wide])
-        done.append(replace(one, x=x, spread=ways * np.sqrt(np.maximum(sizes, 0))))
+        part = slice(at, at + wide)
+        sizes, ways = np.linalg.eigh(spread[part, part])
+        done.append(
+            replace(one, x=x, spread=ways * np.sqrt(np.maximum(sizes, 0)), by_prior=by_prior(now, part))
+        )
         at += wide
     return tuple(done)

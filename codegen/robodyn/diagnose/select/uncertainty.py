@@ -36,7 +36,7 @@ from robodyn.diagnose.select.limits import (
     SCORE_PARTS,
 )
 from robodyn.diagnose.select.own_numbers import feels_loads
-from robodyn.diagnose.select.refine import Freed, refined, weights
+from robodyn.diagnose.select.refine import Freed, fitted, weights
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.identify.intervals import correlations
 from robodyn.robot.model import Robot
@@ -59,10 +59,10 @@ def uncertainties(
 ) -> tuple[list[Amendment], list[dict[str, Uncertainty]]]:
     """The ``amendments``, with better numbers where a profile comes across such, and by name how well the
     logs tell the numbers of each; of choices, and of numbers that nothing was fitted to, nothing."""
-    if feels_loads(amended(robot, amendments)):
-        amendments = refined(robot, amendments, contexts, start, by_drives=True)
-    freed = Freed.of(robot, amendments, contexts, start, by_drives=True)
+    freed = Freed.of(robot, amendments, contexts, start, by_drives=True).with_sticking()
     x, known = freed.x, list[Uncertainty | None]()
+    if freed.sticking or feels_loads(amended(robot, amendments)):
+        x = fitted(freed)
     if freed.places:
         for restarts in range(PROFILE_RESTARTS, -1, -1):
             fit = LocalFit.of(freed, x)

@@ -12,10 +12,11 @@ from robodyn.dynamics.inverse.limits import TOLERANCE
 from robodyn.dynamics.inverse.screws import Axis, Circle, opposite, sum_of, turned
 from robodyn.dynamics.inverse.subproblems import (
     One,
-    Precision,
+    Scale,
     Two,
     both,
     either,
+    folding,
     is_number,
     reaching,
     slides,
@@ -40,12 +41,16 @@ class Branch:
     def each(self, joint: int, two: Two) -> Iterator[Branch]:
         """With the two positions of ``joint``, one after the other."""
         for sign, answer in zip((1, -1), two.answers, strict=True):
-            yield Branch(
-                {**self.positions, joint: answer},
-                both(self.exists, two.exist),
-                either(self.singular, two.meet),
-                (*self.signs, (joint, sign)),
-            )
+            yield self.sided(joint, sign, answer, two.exist, two.meet)
+
+    def sided(self, joint: int, sign: int, answer: Any, exist: Any, meet: Any) -> Branch:
+        """With that of the two positions of ``joint``."""
+        return Branch(
+            {**self.positions, joint: answer},
+            both(self.exists, exist),
+            either(self.singular, meet),
+            (*self.signs, (joint, sign)),
+        )
 
     def one(self, joint: int, one: One) -> Branch:
         """With the position of ``joint``."""
@@ -87,27 +92,36 @@ class Branch:
 @dataclass(frozen=True, slots=True)
 class Setting:
     """What the equations of an arm share: where free joints are taken to be, ``near`` by joint; the arm's
-    ``size``, no shorter than any lever [m]; the precision."""
+    ``size``, no shorter than any lever [m]; the rounding ``unit``."""
 
     near: Callable[[int], Circle]
     size: Fraction
-    precision: Precision
+    unit: Fraction
 
     def onto(self, axis: Axis, v: Vector, onto: Vector, lengths: int = 0, *, lever: Any = 0) -> One:
         """See :func:`turning_onto`; ``lengths``: how many of the two vectors are not unit vectors. ``lever``:
         a number that is not 0 where ``v`` is never along the axis."""
         sure = is_number(lever) and abs(lever) > TOLERANCE * self.size
         near = None if sure else partial(self.near, axis.joint)
-        return turning_onto(v, onto, axis.direction, near, self.size**lengths, self.precision)
+        return turning_onto(v, onto, axis.direction, near, self.scale(lengths))
 
     def reach(self, axis: Axis, v: Vector, along: Vector, distance: Any, lengths: int = 0) -> Two:
         """See :func:`reaching`."""
-        near, size = partial(self.near, axis.joint), self.size**lengths
-        return reaching(v, along, distance, axis.direction, near, size, self.precision)
+        near = partial(self.near, axis.joint)
+        return reaching(v, along, distance, axis.direction, near, self.scale(lengths))
+
+    def fold(self, axis: Axis, b: Vector, c: Vector, square: Any) -> Two:
+        """See :func:`folding`."""
+        near = partial(self.near, axis.joint)
+        return folding(b, c, square, axis.direction, near, self.scale(2))
 
     def slide(self, p: Any, q: Any) -> Two:
         """See :func:`slides`."""
-        return slides(p, q, self.size, self.precision)
+        return slides(p, q, self.scale(1))
+
+    def scale(self, lengths: int) -> Scale:
+        """That of products of so many lengths and unit vectors."""
+        return Scale(self.unit, self.size, lengths)
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import pairwise
-from math import cos, sin
+from math import cos, isqrt, sin
 from typing import Any
 
 from robodyn.dynamics.arm import Arm
@@ -15,6 +15,7 @@ from robodyn.dynamics.inverse.branch import Branch, Setting
 from robodyn.dynamics.inverse.classes import (
     Class,
     Joints,
+    few,
     parallels,
     shares,
     whole_places,
@@ -25,7 +26,6 @@ from robodyn.dynamics.inverse.rank import moves_all_ways
 from robodyn.dynamics.inverse.screws import Axis, Chain, Circle, as_floats, chain_of, minus, sum_of
 from robodyn.dynamics.inverse.solution import Joint, Limits, Nearest, Solved, nearest, solved
 from robodyn.dynamics.inverse.structures import Points
-from robodyn.dynamics.inverse.subproblems import Precision
 from robodyn.effects.scalars import cosine, sine
 
 #: The order in which the joints of an arm of seven are tried as the redundant one (from 0): the one between
@@ -73,7 +73,7 @@ class Inverse:
         """All branches for the tool at ``T`` [12], ``[R p]`` row by row, over any scalar; ``q_near`` [n] (rad
         or m) says where joints are that the pose leaves free. ``unit``: the arithmetic's rounding unit."""
         fixed = {} if self.redundant is None else {self.redundant: q_near[self.redundant]}
-        branches = self._branches(T, q_near, Precision(unit))
+        branches = self._branches(T, q_near, unit)
         return solved(branches, self.joints, fixed, self._rounding(unit))
 
     def nearest(self, T: Sequence[Any], q_near: Sequence[Any], unit: Fraction) -> Nearest:
@@ -81,10 +81,10 @@ class Inverse:
         return nearest(self.solve(T, q_near, unit), self.joints, q_near, self._rounding(unit))
 
     def _rounding(self, unit: Fraction) -> Fraction:
-        """What positions may be beyond limits by [rad or m]."""
-        return Precision(unit).edge
+        """What positions may be beyond limits by [rad or m]: near singular poses angles are no more exact."""
+        return Fraction(1, isqrt(unit.denominator))
 
-    def _branches(self, T: Sequence[Any], q_near: Sequence[Any], precision: Precision) -> list[Branch]:
+    def _branches(self, T: Sequence[Any], q_near: Sequence[Any], unit: Fraction) -> list[Branch]:
         circles: dict[int, Circle] = {}
 
         def near(joint: int) -> Circle:
@@ -102,7 +102,7 @@ class Inverse:
             place = next(k for k, axis in enumerate(axes) if axis.joint == self.redundant)
             position = near(self.redundant) if axes[place].revolute else q_near[self.redundant]
             target, axes = target.behind(axes[place], position), chain.without(place, position)
-        return list(self.kind.solve(axes, target, Setting(near, self.size, precision)))
+        return list(self.kind.solve(axes, target, Setting(near, self.size, unit)))
 
 
 def inverse_of(arm: Arm, limits: Sequence[Limits]) -> Inverse:
@@ -135,7 +135,7 @@ def inverse_of(arm: Arm, limits: Sequence[Limits]) -> Inverse:
     raise _none(
         "its axes are of no class that has inverse kinematics in closed form",
         "a spherical wrist or shoulder (three axes that meet) with two axes that are parallel or meet; three "
-        "parallel axes; or an arm of two or three joints",
+        "parallel axes; or an arm of three joints or fewer",
     )
 
 
@@ -159,13 +159,15 @@ def _classes(chain: Chain, redundant: int | None, size: Fraction) -> Iterator[Cl
         yield from parallels(joints)
     elif len(axes) == 3:
         yield from whole_places(joints)
+    elif len(axes) < 3:
+        yield from few(joints)
 
 
 def _named(inverse: Inverse) -> Inverse:
     """With the names of its branches, found by solving for a pose in floats."""
     T = [float(k == j) for k in range(3) for j in range(4)]
     near = [0.1 * (k + 1) for k in range(len(inverse.joints))]
-    branches = inverse._branches(T, near, Precision(Fraction(1, 1 << 52)))
+    branches = inverse._branches(T, near, Fraction(1, 1 << 52))
     names = (
         " ".join(f"{joint + 1}{'+' if sign > 0 else '-'}" for joint, sign in sorted(branch.signs))
         for branch in branches

@@ -9,15 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.inverse.branch import Branch, Setting
-from robodyn.dynamics.inverse.screws import Axis, across, minus
-from robodyn.dynamics.inverse.subproblems import lever_of, real_root
+from robodyn.dynamics.inverse.screws import Axis, across, minus, opposite, turned
+from robodyn.dynamics.inverse.subproblems import chosen, is_number, lever_of, real_root
 from robodyn.dynamics.vectors import Vector, cross, dot, plus, scaled
-
-HALF = Fraction(1, 2)
+from robodyn.effects.scalars import choose
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,16 +62,27 @@ def second_and_third_parallel(arm: Reach, branch: Branch, at: Setting) -> Iterat
     """The second and third axes are parallel: the first turns the place as far along them as the tip is; then
     there are two links in a plane."""
     one, two, three = arm.axes
-    p, a, b, c = arm.p, arm.a, arm.b, arm.c
-    h = two.direction
-    along = dot(h, plus(b, c))
-    two_ways = at.reach(one, h, p, along + dot(h, a), 1)
-    reached = along - two_ways.beyond
-    for shoulder in branch.each(one.joint, two_ways):
-        w = shoulder.inward(one, p)
-        # |u|^2 less what is along h, in terms that both shoulders share
-        square = _square(p) + _square(a) - 2 * dot(a, w) - reached * reached
-        yield from in_a_plane((two, three), b, c, minus(w, a), shoulder, at, square)
+    for shoulder, w in shoulders(
+        one, two.direction, arm.p, dot(two.direction, plus(arm.a, arm.b, arm.c)), branch, at
+    ):
+        yield from in_a_plane((two, three), arm.b, arm.c, minus(w, arm.a), shoulder, at)
+
+
+def shoulders(
+    one: Axis, along: Vector, p: Vector, distance: Any, branch: Branch, at: Setting
+) -> Iterator[tuple[Branch, Vector]]:
+    """The two positions of a revolute joint from behind which ``p`` is ``distance`` along ``along``, and
+    ``p`` as it is seen from there."""
+    ways = at.reach(one, along, p, distance, 1)
+    cosine = dot(one.direction, along)
+    for sign, shoulder in zip((-1, 1), branch.each(one.joint, ways), strict=True):
+        if not is_number(cosine) or cosine:
+            yield shoulder, shoulder.inward(one, p)
+            continue
+        # Three directions at right angles: what is along the axis stays, and the others are known.
+        sideways = scaled(sign * ways.side, cross(one.direction, along))
+        height = scaled(dot(one.direction, p), one.direction)
+        yield shoulder, plus(scaled(distance - ways.beyond, along), height, sideways)
 
 
 def first_and_second_meet(arm: Reach, branch: Branch, at: Setting) -> Iterator[Branch]:
@@ -81,40 +90,46 @@ def first_and_second_meet(arm: Reach, branch: Branch, at: Setting) -> Iterator[B
     is; then there are two axes through a point."""
     one, two, three = arm.axes
     p, b, c = arm.p, arm.b, arm.c
-    bend = HALF * (_square(p) - (_square(b) + _square(c)))
-    for folded in branch.each(three.joint, at.reach(three, c, b, bend, 2)):
+    for folded in branch.each(three.joint, at.fold(three, b, c, _square(p))):
         v = plus(b, folded.outward(three, c))
-        yield from through_a_point((one, two), v, p, folded, at, 1)
+        yield from through_a_point((one, two), v, p, folded, at)
 
 
 def in_a_plane(
-    axes: tuple[Axis, Axis],
-    b: Vector,
-    c: Vector,
-    u: Vector,
-    branch: Branch,
-    at: Setting,
-    square: Any = None,
+    axes: tuple[Axis, Axis], b: Vector, c: Vector, u: Vector, branch: Branch, at: Setting
 ) -> Iterator[Branch]:
-    """Two parallel revolute axes with ``u = R1 (b + R2 c)``, but for what is along them; ``square``: that of
-    ``u`` across them, if it is known."""
+    """Two parallel revolute axes with ``u = R1 (b + R2 c)``, but for what is along them."""
     one, two = axes
     b, c, u = (across(one.direction, v) for v in (b, c, u))
-    bend = HALF * ((_square(u) if square is None else square) - (_square(b) + _square(c)))
     lever = lever_of(one.direction, b) - lever_of(one.direction, c)
-    for folded in branch.each(two.joint, at.reach(two, c, b, bend, 2)):
+    for folded in branch.each(two.joint, at.fold(two, b, c, _square(u))):
         v = plus(b, folded.outward(two, c))
         yield folded.one(one.joint, at.onto(one, v, u, 2, lever=lever))
 
 
 def through_a_point(
-    axes: tuple[Axis, Axis], v: Vector, onto: Vector, branch: Branch, at: Setting, lengths: int
+    axes: tuple[Axis, Axis], v: Vector, onto: Vector, branch: Branch, at: Setting
 ) -> Iterator[Branch]:
-    """Two revolute axes through a point with ``R1 R2 v = onto``."""
+    """Two revolute axes through a point with ``R1 R2 v = onto``, ``v`` and ``onto`` lengths.
+
+    Along the second axis ``v`` and ``R1^T onto`` agree, which tells the first angle, and the second turns one
+    onto the other; or along the first axis ``R2 v`` and ``onto`` do. Where what is turned last has a short
+    lever, the equation before is blind to it: both are worked out, and the longer lever decides.
+    """
     one, two = axes
-    k = two.direction
-    for turned in branch.each(one.joint, at.reach(one, k, onto, dot(k, v), lengths)):
-        yield turned.one(two.joint, at.onto(two, v, turned.inward(one, onto), 2 * lengths))
+    h, k = one.direction, two.direction
+    by_first = at.reach(one, k, onto, dot(k, v), 1)
+    by_second = at.reach(two, v, h, dot(h, onto), 1)
+    longer = _square(across(k, v)) - _square(across(h, onto))
+    exist = choose(longer, by_second.exist, by_first.exist)
+    for sign, start, other in zip((1, -1), by_first.answers, by_second.answers, strict=True):
+        last = at.onto(two, v, turned(h, opposite(start), onto), 2)
+        before = at.onto(one, turned(k, other, v), onto, 2)
+        meet = choose(longer, by_second.meet, by_first.meet)
+        first = chosen(longer, start, before.answer)
+        yield branch.sided(one.joint, sign, first, exist, meet).known(
+            two.joint, chosen(longer, last.answer, other)
+        )
 
 
 # --- with prismatic joints ----------------------------------------------------------------------------------
@@ -127,7 +142,7 @@ def two_turns_and_a_slide_that_meet(arm: Reach, branch: Branch, at: Setting) -> 
     p, b, h = arm.p, plus(arm.b, arm.c), three.direction
     for out in branch.each(three.joint, at.slide(dot(b, h), _square(b) - _square(p))):
         v = plus(b, scaled(out.positions[three.joint], h))
-        yield from through_a_point((one, two), v, p, out, at, 1)
+        yield from through_a_point((one, two), v, p, out, at)
 
 
 def two_parallel_turns_and_a_slide(arm: Reach, branch: Branch, at: Setting) -> Iterator[Branch]:
@@ -169,11 +184,11 @@ def a_turn_and_two_slides(arm: Reach, branch: Branch, at: Setting) -> Iterator[B
     n = cross(h, k)
     length = real_root(dot(n, n))
     n = scaled(1 / length, n)
-    for turned in branch.each(one.joint, at.reach(one, n, p, dot(n, a), 1)):
-        w = minus(turned.inward(one, p), a)
+    for facing in branch.each(one.joint, at.reach(one, n, p, dot(n, a), 1)):
+        w = minus(facing.inward(one, p), a)
         x, y, cosine = dot(w, h), dot(w, k), dot(h, k)
         share = 1 / (1 - cosine * cosine)
-        out = turned.known(two.joint, share * (x - cosine * y))
+        out = facing.known(two.joint, share * (x - cosine * y))
         yield out.known(three.joint, share * (y - cosine * x))
 
 

@@ -9,13 +9,14 @@ from robodyn.emit import misra
 from robodyn.emit.advice import advice
 from robodyn.emit.batch import batch_files
 from robodyn.emit.body import Lines
-from robodyn.emit.c_syntax import c_spelling, c_syntax, c_trig
+from robodyn.emit.c_syntax import c_builtin, c_spelling, c_syntax
 from robodyn.emit.language import Compiled, FunctionText, Language
+from robodyn.emit.runs import Run
 from robodyn.emit.sines import ANGLES, COSINES, SINES
 from robodyn.emit.spelling import WIDTH
 from robodyn.emit.statements import Expression
 from robodyn.emit.syntax import Sines, Syntax
-from robodyn.emit.unit import Unit, needs_libm
+from robodyn.emit.unit import Unit, has_arctangents, has_sines, needs_libm
 from robodyn.ir.signature import Signature
 from robodyn.tools import Tool, Use
 
@@ -24,6 +25,8 @@ def _syntax(signature: Signature, unit: Unit) -> Syntax:
     from dataclasses import replace
 
     spelling = c_spelling(single=signature.scalar == "float", states=signature.states, explicit=unit.misra)
+    if unit.builtin:
+        spelling = spelling.calling(atan2=lambda y, x: f"{signature.robot}_atan2_({y}, {x})")
     syntax = c_syntax(spelling, f"{signature.robot}_real", libm=not unit.builtin)
     return replace(syntax, sines=_sines(signature.robot, syntax))
 
@@ -49,7 +52,23 @@ def _sines(name: str, syntax: Syntax) -> Sines:
         call = f"{name}_sincos_({spelling.text(angle)}, &{array}[0], &{array}[1]);"
         return [f"    {real} {array}[2];", *syntax.line(call)]
 
-    return Sines(loop, pair)
+    def run(it: Run) -> list[str]:
+        size = len(it.ups)
+        ups, alongs, angles = it.arrays
+        lines = []
+        for array, values in ((ups, it.ups), (alongs, it.alongs)):
+            texts = ", ".join(spelling.text(value) for value in values)
+            lines += syntax.line(f"const {real} {array}[{size}] = {{{texts}}};")
+        call = spelling.functions["atan2"](f"{ups}[i]", f"{alongs}[i]")
+        return [
+            *lines,
+            f"    {real} {angles}[{size}];",
+            f"    for (int i = 0; i < {size}; ++i) {{",
+            f"        {angles}[i] = {call};",
+            "    }",
+        ]
+
+    return Sines(loop, pair, run)
 
 
 def _function(text: FunctionText) -> dict[str, Any]:
@@ -102,7 +121,12 @@ def _prototype(head: str, arguments: list[str]) -> str:
 def _context(unit: Unit) -> dict[str, Any]:
     name = unit.robot.name
     return {
-        "trig": c_trig(name, single=unit.functions[0][0].scalar == "float"),
+        **c_builtin(
+            name,
+            single=unit.functions[0][0].scalar == "float",
+            sines=has_sines(unit),
+            arctangents=has_arctangents(unit),
+        ),
         "contraction": None if unit.contraction is None else unit.contraction.upper(),
         "math": needs_libm(unit),
         "guard": f"{name.upper()}_H",

@@ -8,13 +8,15 @@ from dataclasses import replace
 from typing import Any
 
 from robodyn.emit.advice import advice
+from robodyn.emit.arctangent import arctangent_context
 from robodyn.emit.language import Compiled, FunctionText, Language, SelfTest
+from robodyn.emit.runs import Run
 from robodyn.emit.sines import ANGLES, COSINES, SINES
 from robodyn.emit.spelling import WIDTH, Spelling, elements
 from robodyn.emit.statements import Expression
 from robodyn.emit.syntax import Sines, Syntax
 from robodyn.emit.trig import trig_context
-from robodyn.emit.unit import Unit
+from robodyn.emit.unit import Unit, has_arctangents, has_sines
 from robodyn.ir.signature import Signature
 from robodyn.tools import Tool, Use
 
@@ -34,6 +36,8 @@ def fortran_spelling(*, single: bool, states: Sequence[str] = ()) -> Spelling:
             "abs": lambda x: f"abs({x})",
             "exp": lambda x: f"exp({x})",
             "pow": lambda x, y: f"({x})**({y})",
+            "atan2": lambda y, x: f"atan2({y}, {x})",
+            "select": lambda c, a, b: f"merge({a}, {b}, {c} > 0.0_rk)",
             "sign": lambda x: f"merge(1.0_rk, merge(-1.0_rk, 0.0_rk, {x} < 0.0_rk), {x} > 0.0_rk)",
         },
         single=single,
@@ -49,7 +53,10 @@ def _plain_syntax(spelling: Spelling) -> Syntax:
 
 
 def _syntax(signature: Signature, unit: Unit) -> Syntax:
-    syntax = _plain_syntax(fortran_spelling(single=signature.scalar == "float", states=signature.states))
+    spelling = fortran_spelling(single=signature.scalar == "float", states=signature.states)
+    if unit.builtin:
+        spelling = spelling.calling(atan2=lambda y, x: f"{signature.robot}_atan2({y}, {x})")
+    syntax = _plain_syntax(spelling)
     return replace(syntax, sines=_sines(signature.robot, syntax))
 
 
@@ -65,7 +72,15 @@ def _sines(name: str, syntax: Syntax) -> Sines:
     def pair(array: str, angle: Expression) -> list[str]:
         return syntax.line(f"call {name}_sincos({syntax.spelling.text(angle)}, {array}(1), {array}(2))")
 
-    return Sines(loop, pair)
+    def run(it: Run) -> list[str]:
+        lines = []
+        for array, values in zip(it.arrays, (it.ups, it.alongs), strict=False):
+            for i, value in enumerate(values):
+                lines += syntax.result(syntax.spelling.element(array, i), value)
+        ups, alongs, angles = it.arrays
+        return [*lines, f"    {angles} = {name}_atan2({ups}, {alongs})"]
+
+    return Sines(loop, pair, run)
 
 
 def _function(text: FunctionText) -> dict[str, Any]:
@@ -96,8 +111,11 @@ def _bound(signature: Signature) -> str:
 
 def _context(unit: Unit) -> dict[str, Any]:
     single = unit.functions[0][0].scalar == "float"
+    syntax = _plain_syntax(fortran_spelling(single=single))
     return {
-        "trig": trig_context(_plain_syntax(fortran_spelling(single=single))),
+        "trig": trig_context(syntax) if has_sines(unit) else None,
+        "arctangent": arctangent_context(syntax) if has_arctangents(unit) else None,
+        "bits": 32 if single else 64,
         "kind": "c_float" if single else "c_double",
     }
 

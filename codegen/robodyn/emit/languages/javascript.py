@@ -11,13 +11,14 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any
 
+from robodyn.emit.arctangent import arctangent_context
 from robodyn.emit.language import FunctionText, Language
 from robodyn.emit.sines import ANGLES, COSINES, SINES
 from robodyn.emit.spelling import Spelling, elements
 from robodyn.emit.statements import Expression
 from robodyn.emit.syntax import Sines, Syntax
 from robodyn.emit.trig import trig_context
-from robodyn.emit.unit import Unit, calls
+from robodyn.emit.unit import BUILTIN, Unit, builtin_words, calls, has_arctangents, has_sines
 from robodyn.ir.signature import Signature
 from robodyn.tools import Tool, Use
 
@@ -31,13 +32,14 @@ def javascript_spelling(*, states: Sequence[str] = ()) -> Spelling:
     def of_math(name: str) -> Callable[..., str]:
         return lambda *arguments: f"Math.{name}({', '.join(arguments)})"
 
-    names = ("sin", "cos", "tanh", "sqrt", "exp", "pow", "abs")
+    names = ("sin", "cos", "tanh", "sqrt", "exp", "pow", "abs", "atan2")
     return Spelling(
         literal=lambda digits: digits,
         element=elements(states, "state.{}", "{}[{}]"),
         member=lambda name: f"p.{name}",
         functions={
             **{name: of_math(name) for name in names},
+            "select": lambda c, a, b: f"({c} > 0.0 ? {a} : {b})",
             # Math.sign keeps the sign of -0, which C's comparison does not.
             "sign": lambda x: f"({x} > 0.0 ? 1.0 : {x} < 0.0 ? -1.0 : 0.0)",
         },
@@ -57,7 +59,10 @@ def _plain_syntax(spelling: Spelling) -> Syntax:
 
 
 def _syntax(signature: Signature, unit: Unit) -> Syntax:
-    syntax = _plain_syntax(javascript_spelling(states=signature.states))
+    spelling = javascript_spelling(states=signature.states)
+    if unit.builtin:
+        spelling = spelling.calling(atan2=lambda y, x: f"atan2({y}, {x})")
+    syntax = _plain_syntax(spelling)
     return replace(syntax, sines=_sines(syntax))
 
 
@@ -99,7 +104,11 @@ def _function(text: FunctionText) -> dict[str, Any]:
 
 
 def _context(unit: Unit) -> dict[str, Any]:
-    return {"trig": trig_context(_plain_syntax(javascript_spelling()))}
+    syntax = _plain_syntax(javascript_spelling())
+    return {
+        "trig": trig_context(syntax) if has_sines(unit) else None,
+        "arctangent": arctangent_context(syntax) if has_arctangents(unit) else None,
+    }
 
 
 def _advice(unit: Unit) -> tuple[str, ...]:
@@ -108,10 +117,10 @@ def _advice(unit: Unit) -> tuple[str, ...]:
     )
     if unit.builtin:
         advice += (
-            "Sine and cosine are built in. The same bits in every engine, and those of the C with "
+            f"{builtin_words(unit)}. The same bits in every engine, and those of the C with "
             "-ffp-contract=off.",
         )
-    if calls(unit) & (_INEXACT if unit.builtin else _INEXACT | {"sin", "cos"}):
+    if calls(unit) & (_INEXACT if unit.builtin else _INEXACT | BUILTIN):
         advice += (
             "Functions of Math are called; but for sqrt and abs their last bits are the engine's own.",
         )

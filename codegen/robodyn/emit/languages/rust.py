@@ -11,13 +11,15 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
+from robodyn.emit.arctangent import arctangent_context
 from robodyn.emit.language import FunctionText, Language
+from robodyn.emit.runs import Run
 from robodyn.emit.sines import ANGLES, COSINES, SINES
 from robodyn.emit.spelling import WIDTH, Spelling, elements
 from robodyn.emit.statements import Expression
 from robodyn.emit.syntax import Sines, Syntax
 from robodyn.emit.trig import trig_context
-from robodyn.emit.unit import Unit, calls
+from robodyn.emit.unit import BUILTIN, Unit, builtin_words, calls, has_arctangents, has_sines
 from robodyn.errors import InputError
 from robodyn.ir.signature import Signature
 from robodyn.tools import Tool, Use
@@ -56,6 +58,8 @@ def rust_spelling(*, single: bool, states: Sequence[str] = ()) -> Spelling:
             "sqrt": lambda x: f"libm::sqrt{f}({x})",
             "exp": lambda x: f"libm::exp{f}({x})",
             "pow": lambda x, y: f"libm::pow{f}({x}, {y})",
+            "atan2": lambda y, x: f"libm::atan2{f}({y}, {x})",
+            "select": lambda c, a, b: f"select({c}, {a}, {b})",
             "abs": lambda x: f"abs({x})",
             "sign": lambda x: f"sign({x})",
         },
@@ -93,7 +97,10 @@ def _plain_syntax(spelling: Spelling) -> Syntax:
 
 
 def _syntax(signature: Signature, unit: Unit) -> Syntax:
-    syntax = _plain_syntax(rust_spelling(single=signature.scalar == "float", states=signature.states))
+    spelling = rust_spelling(single=signature.scalar == "float", states=signature.states)
+    if unit.builtin:
+        spelling = spelling.calling(atan2=lambda y, x: f"atan2({y}, {x})")
+    syntax = _plain_syntax(spelling)
     return replace(syntax, sines=_sines(syntax.spelling))
 
 
@@ -119,7 +126,23 @@ def _sines(spelling: Spelling) -> Sines:
     def pair(array: str, angle: Expression) -> list[str]:
         return [f"    let {array} = sincos({spelling.text(angle)});"]
 
-    return Sines(loop, pair)
+    def run(it: Run) -> list[str]:
+        ups, alongs, angles = it.arrays
+        lines = []
+        for array, values in ((ups, it.ups), (alongs, it.alongs)):
+            texts = ", ".join(spelling.text(value) for value in values)
+            long = len(texts) > _ARGUMENTS
+            lines += ["    #[rustfmt::skip]"] if long else []
+            lines += spelling.wrapped(f"let {array} = [{texts}];", "    ")
+        return [
+            *lines,
+            f"    let mut {angles} = [0.0; {len(it.ups)}];",
+            f"    for (i, angle) in {angles}.iter_mut().enumerate() {{",
+            f"        *angle = atan2({ups}[i], {alongs}[i]);",
+            "    }",
+        ]
+
+    return Sines(loop, pair, run)
 
 
 def _function(text: FunctionText) -> dict[str, Any]:
@@ -144,20 +167,22 @@ def _function(text: FunctionText) -> dict[str, Any]:
 
 def uses_libm(unit: Unit) -> bool:
     """Whether the crate needs ``libm``."""
-    return bool(calls(unit) & (_OF_LIBM if unit.builtin else _OF_LIBM | {"sin", "cos"}))
+    return bool(calls(unit) & (_OF_LIBM if unit.builtin else _OF_LIBM | BUILTIN))
 
 
 def _context(unit: Unit) -> dict[str, Any]:
     interface = unit.functions[0][0]
     single = interface.scalar == "float"
     operations = calls(unit)
+    syntax = _plain_syntax(rust_spelling(single=single))
     states = next((signature.states for signature, _ in unit.functions if signature.states), ())
     return {
-        "trig": trig_context(_plain_syntax(rust_spelling(single=single))),
+        "trig": trig_context(syntax) if has_sines(unit) else None,
+        "arctangent": arctangent_context(syntax) if has_arctangents(unit) else None,
         "crate": crate_name(unit.robot.name),
         "real": "f32" if single else "f64",
         "bits": 32 if single else 64,
-        "helpers": sorted({"abs", "sign"} & operations),
+        "helpers": sorted({"abs", "select", "sign"} & operations),
         "libm": uses_libm(unit),
         "parameters": [identifier(name) for name in interface.parameters],
         "states": [identifier(name) for name in states],
@@ -168,7 +193,7 @@ def _advice(unit: Unit) -> tuple[str, ...]:
     advice: tuple[str, ...] = ()
     if unit.builtin:
         advice += (
-            "Sine and cosine are built in. The same bits on every machine with IEEE arithmetic, and those of "
+            f"{builtin_words(unit)}. The same bits on every machine with IEEE arithmetic, and those of "
             "the C with -ffp-contract=off: Rust fuses no products and sums.",
         )
     if uses_libm(unit):

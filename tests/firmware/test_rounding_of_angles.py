@@ -1,0 +1,49 @@
+"""Bounds of rounding errors of angles of points and of choices."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from emit.angles import SCALARS, TYPES, program
+from robodyn.effects.scalars import arctangent, choose
+from robodyn.firmware.digest import outputs
+from robodyn.firmware.rounding import rounding_bounds
+from robodyn.firmware.sine import kernel_sine
+from robodyn.ir import Graph, Input
+from robodyn.ir.evaluate import evaluate
+from robodyn.ir.lowering import lower
+from robodyn_testing import require_machine
+
+
+@pytest.mark.parametrize("scalar", SCALARS)
+def test_rounding_stays_within_its_bound(scalar: str) -> None:
+    require_machine(np.finfo(np.longdouble).nmant >= 60, "extended precision in numpy")
+    q = np.random.default_rng(2).uniform(-3, 3, (1000, 3)).astype(TYPES[scalar])
+    found = outputs(program(), {"q": q}, {}, scalar, kernel_sine(scalar))  # type: ignore[arg-type]
+    inputs = {Input("q", i): q[:, i].astype(float) for i in range(3)}
+    bounds = rounding_bounds(program(), inputs, scalar)["tau"]  # type: ignore[arg-type]
+    functions = {"sin": np.sin, "sqrt": np.sqrt, "abs": np.abs, "atan2": np.arctan2}
+    exact = evaluate(
+        program(),
+        {name: x.astype(np.longdouble) for name, x in inputs.items()},
+        constant=lambda x: np.longdouble(x.numerator) / np.longdouble(x.denominator),
+        functions=functions,
+    )["tau"]
+    error = np.abs(found - np.stack(exact, axis=1))
+    assert (error <= bounds).all()
+    assert (error > bounds / 30).any()
+    assert np.median(bounds) < 100 * np.finfo(TYPES[scalar]).eps
+
+
+def test_bounds_are_large_where_an_angle_or_a_choice_may_jump() -> None:
+    graph = Graph()
+    x, y = graph.input("q", 0), graph.input("q", 1)
+    values = [arctangent(y / 3 + x - y / 3, -1), choose(x + y / 3 - y / 3, 1, 5)]
+    made = lower(graph, [("tau", values)])
+    at = {Input("q", 0): np.array([0.0, 1.0]), Input("q", 1): np.array([1.0, 1.0])}
+    bounds = rounding_bounds(made, at, "double")["tau"]
+    assert (bounds[0] >= [2 * math.pi, 4]).all()
+    assert (bounds[1] < 1e-14).all()
