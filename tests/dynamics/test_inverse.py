@@ -6,6 +6,7 @@ import math
 import random
 from dataclasses import replace
 from fractions import Fraction
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -109,6 +110,65 @@ def test_branches_give_the_pose_again_and_the_positions_are_among_them(
         best = inverse.nearest(list(T[:3].ravel()), [x + 1e-3 for x in q] if redundant is None else q, UNIT)
         assert best.exists
         assert _apart(best.solution, q) < 1e-9
+
+
+def _text(rows: list[tuple[str, str, float, float, str]]) -> str:
+    """A description of joints by kind, alpha, a, d and theta, with an uncommon base and tool."""
+    links = "".join(
+        f"  - {{joint: {kind}, alpha: {alpha}, a: {a}, d: {d}, theta: {theta}, mass: 1, com: [0, 0, 0], "
+        "inertia: {xx: 1, yy: 1, zz: 1}}\n"
+        for kind, alpha, a, d, theta in rows
+    )
+    return (
+        "name: arm\ngravity: [0, 0, -9.81]\nbase: {xyz: [0.3, 0.1, 0.2], rpy: [0.4, 0.2, 0]}\n"
+        "tool: {xyz: [0.1, 0.05, 0.2], rpy: [0.3, 0.2, pi/2]}\nlinks:\n" + links
+    )
+
+
+def _row(rng: random.Random, kind: str) -> tuple[str, str, float, float, str]:
+    alpha, theta = rng.choice(["0", "pi/2", "-pi/2", "pi", "pi/3"]), rng.choice(["0", "pi/2", "0.4"])
+    return kind, alpha, rng.choice([0, 0, 0.3]), rng.choice([0, 0.1, 0.4]), theta
+
+
+def _drawn_arm(rng: random.Random) -> list[tuple[str, str, float, float, str]]:
+    """Few joints; or three before a wrist of any angles; or three parallel axes in one or the other sense."""
+    kinds = [rng.choice(["revolute", "prismatic"]) for _ in range(3)]
+    turn = "revolute"
+    case = rng.randrange(3)
+    if case == 0:
+        return [_row(rng, kind) for kind in kinds[: rng.randint(1, 3)]]
+    if case == 1:
+        wrist = [(turn, rng.choice(["pi/2", "-pi/2", "pi/3"]), 0.0, 0.0, "0.3") for _ in range(2)]
+        return [*(_row(rng, kind) for kind in [*kinds, turn]), *wrist]
+    parallel = [(turn, rng.choice(["0", "pi"]), 0.4 - 0.05 * k, 0.1 * k, "0.2") for k in range(2)]
+    across = [(turn, rng.choice(["pi/2", "-pi/2", "pi/3"]), 0.05, 0.1, "0") for _ in range(2)]
+    last = (turn, rng.choice(["pi/2", "-pi/2", "pi/4"]), 0.0, 0.1, "0")
+    return [(turn, "0", 0.0, 0.2, "0"), across[0], *parallel, across[1], last]
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("seed", range(40))
+def test_arms_of_any_numbers_are_solved_or_refused(seed: int, tmp_path: Path) -> None:
+    rng = random.Random(seed)
+    solved_arms = 0
+    for _ in range(6):
+        file = tmp_path / "arm.yaml"
+        file.write_text(_text(_drawn_arm(rng)), encoding="utf-8")
+        robot = load(str(file))
+        try:
+            inverse = _inverse(robot)
+        except NoSuchFunction:
+            continue
+        solved_arms += 1
+        for _ in range(5):
+            q = _drawn(robot, rng)
+            T = _pose(robot, q)
+            solved = inverse.solve(list(T[:3].ravel()), q, UNIT)
+            existing = [x for x, exists in zip(solved.solutions, solved.exists, strict=True) if exists]
+            shape = (slice(3), slice(4) if robot.n > 3 else 3)
+            assert all(np.abs(_pose(robot, x)[shape] - T[shape]).max() < 1e-11 for x in existing)
+            assert min(_apart(x, q) for x in existing) < 1e-6
+    assert solved_arms
 
 
 def test_out_of_reach_is_the_nearest_and_no_branch_exists() -> None:

@@ -103,23 +103,24 @@ class Setting:
         a number that is not 0 where ``v`` is never along the axis."""
         sure = is_number(lever) and abs(lever) > TOLERANCE * self.size
         near = None if sure else partial(self.near, axis.joint)
-        return turning_onto(v, onto, axis.direction, near, self._scale(lengths))
+        return turning_onto(v, onto, axis.direction, near, self.scale(lengths))
 
     def reach(self, axis: Axis, v: Vector, along: Vector, distance: Any, lengths: int = 0) -> Two:
         """See :func:`reaching`."""
         near = partial(self.near, axis.joint)
-        return reaching(v, along, distance, axis.direction, near, self._scale(lengths))
+        return reaching(v, along, distance, axis.direction, near, self.scale(lengths))
 
     def fold(self, axis: Axis, b: Vector, c: Vector, square: Any) -> Two:
         """See :func:`folding`."""
         near = partial(self.near, axis.joint)
-        return folding(b, c, square, axis.direction, near, self._scale(2))
+        return folding(b, c, square, axis.direction, near, self.scale(2))
 
     def slide(self, p: Any, q: Any) -> Two:
         """See :func:`slides`."""
-        return slides(p, q, self._scale(1))
+        return slides(p, q, self.scale(1))
 
-    def _scale(self, lengths: int) -> Scale:
+    def scale(self, lengths: int) -> Scale:
+        """That of products of so many lengths and unit vectors."""
         return Scale(self.unit, self.size, lengths)
 
 

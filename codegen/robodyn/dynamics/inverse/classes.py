@@ -12,10 +12,11 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Protocol
 
+from robodyn.dynamics.inverse import few_joints
 from robodyn.dynamics.inverse.branch import Branch, Setting, Sum
 from robodyn.dynamics.inverse.lines import feet, nearest
 from robodyn.dynamics.inverse.orientation import marker_of, oriented
-from robodyn.dynamics.inverse.places import Reach, in_a_plane
+from robodyn.dynamics.inverse.places import Reach, in_a_plane, shoulders
 from robodyn.dynamics.inverse.screws import Axis, Target, minus
 from robodyn.dynamics.inverse.structures import (
     STRUCTURES,
@@ -90,12 +91,12 @@ class ThreeParallel:
         back = target.inverse()
         distance = dot(h, minus(self.centre, one.point))
         ways = (six.reversed(), five.reversed(), four.reversed())
-        for first in Branch().each(one.joint, at.reach(one, h, p, distance, 1)):
+        for first, w in shoulders(one, h, p, distance, Branch(), at):
 
             def rotation(v: Vector, branch: Branch = first) -> Vector:
                 return back.turned(branch.outward(one, v))
 
-            u = minus(first.inward(one, p), minus(two.point, one.point))
+            u = minus(w, minus(two.point, one.point))
             for turned in oriented(ways, rotation, self.marker, first, at):
                 beyond = turned.outward(four, minus(self.centre, four.point))
                 b, c = minus(three.point, two.point), minus(four.point, three.point)
@@ -119,6 +120,19 @@ class Place:
         """All branches."""
         place = target.placed(self.tip)
         yield from _placed(self.structure, self.mirrored, _three(axes), self.tip, place, at)
+
+
+@dataclass(frozen=True, slots=True)
+class FewJoints:
+    """One or two joints that bring the tool's origin to a point, however it is turned."""
+
+    tip: Vector
+    points: Points
+    conditions: tuple[str, ...]
+
+    def solve(self, axes: Sequence[Axis], target: Target, at: Setting) -> Iterator[Branch]:
+        """All branches."""
+        yield from few_joints.placed(axes, self.tip, target.placed(self.tip), at)
 
 
 def _placed(
@@ -198,6 +212,16 @@ def whole_places(arm: Joints) -> Iterator[Place]:
     for structure, mirrored, points in _structures(arm):
         words = structure.words.format(*_numbers(_mirror(arm.axes) if mirrored else arm.axes))
         yield Place(structure, mirrored, arm.tip, points, (words,))
+
+
+def few(arm: Joints) -> Iterator[FewJoints]:
+    """The way to bring the tip to a point by one or two axes."""
+    points = {}
+    if len(arm.axes) == 2:
+        one, two = arm.axes
+        first, second = feet(one, two)
+        points = {one.joint: first, two.joint: second}
+    yield FewJoints(arm.tip, points, ("there are fewer than three joints",))
 
 
 def _structures(arm: Joints) -> Iterator[tuple[Structure, bool, Points]]:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import pairwise
-from math import cos, sin
+from math import cos, isqrt, sin
 from typing import Any
 
 from robodyn.dynamics.arm import Arm
@@ -15,12 +15,13 @@ from robodyn.dynamics.inverse.branch import Branch, Setting
 from robodyn.dynamics.inverse.classes import (
     Class,
     Joints,
+    few,
     parallels,
     shares,
     whole_places,
     wrists,
 )
-from robodyn.dynamics.inverse.limits import EDGE, TRIED
+from robodyn.dynamics.inverse.limits import TRIED
 from robodyn.dynamics.inverse.rank import moves_all_ways
 from robodyn.dynamics.inverse.screws import Axis, Chain, Circle, as_floats, chain_of, minus, sum_of
 from robodyn.dynamics.inverse.solution import Joint, Limits, Nearest, Solved, nearest, solved
@@ -80,8 +81,8 @@ class Inverse:
         return nearest(self.solve(T, q_near, unit), self.joints, q_near, self._rounding(unit))
 
     def _rounding(self, unit: Fraction) -> Fraction:
-        """What positions may be beyond limits by [rad or m]."""
-        return EDGE * unit
+        """What positions may be beyond limits by [rad or m]: near singular poses angles are no more exact."""
+        return Fraction(1, isqrt(unit.denominator))
 
     def _branches(self, T: Sequence[Any], q_near: Sequence[Any], unit: Fraction) -> list[Branch]:
         circles: dict[int, Circle] = {}
@@ -134,7 +135,7 @@ def inverse_of(arm: Arm, limits: Sequence[Limits]) -> Inverse:
     raise _none(
         "its axes are of no class that has inverse kinematics in closed form",
         "a spherical wrist or shoulder (three axes that meet) with two axes that are parallel or meet; three "
-        "parallel axes; or an arm of two or three joints",
+        "parallel axes; or an arm of three joints or fewer",
     )
 
 
@@ -158,6 +159,8 @@ def _classes(chain: Chain, redundant: int | None, size: Fraction) -> Iterator[Cl
         yield from parallels(joints)
     elif len(axes) == 3:
         yield from whole_places(joints)
+    elif len(axes) < 3:
+        yield from few(joints)
 
 
 def _named(inverse: Inverse) -> Inverse:

@@ -20,7 +20,7 @@ EDGE: int = 1024
 
 #: Rounding units, as a share of its largest value, below which a lever is nothing but rounding: what it would
 #: turn is free, and takes its position from the reference.
-LEVER: int = 16
+LEVER: int = 64
 
 #: Positions at which the redundant joint of an arm is looked at to tell whether the other joints are of a
 #: class whatever it does [rad, and for a prismatic joint shares of the arm's size]: no multiples of each

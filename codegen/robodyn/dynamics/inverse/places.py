@@ -13,7 +13,7 @@ from typing import Any
 
 from robodyn.dynamics.inverse.branch import Branch, Setting
 from robodyn.dynamics.inverse.screws import Axis, across, minus, opposite, turned
-from robodyn.dynamics.inverse.subproblems import chosen, lever_of, real_root
+from robodyn.dynamics.inverse.subproblems import chosen, is_number, lever_of, real_root
 from robodyn.dynamics.vectors import Vector, cross, dot, plus, scaled
 from robodyn.effects.scalars import choose
 
@@ -62,16 +62,27 @@ def second_and_third_parallel(arm: Reach, branch: Branch, at: Setting) -> Iterat
     """The second and third axes are parallel: the first turns the place as far along them as the tip is; then
     there are two links in a plane."""
     one, two, three = arm.axes
-    p, a, b, c = arm.p, arm.a, arm.b, arm.c
-    h = two.direction
-    along = dot(h, plus(b, c))
-    two_ways = at.reach(one, h, p, along + dot(h, a), 1)
-    reached = along - two_ways.beyond
-    for shoulder in branch.each(one.joint, two_ways):
-        w = shoulder.inward(one, p)
-        # |u|^2 less what is along h, in terms that both shoulders share
-        square = _square(p) + _square(a) - 2 * dot(a, w) - reached * reached
-        yield from in_a_plane((two, three), b, c, minus(w, a), shoulder, at, square)
+    for shoulder, w in shoulders(
+        one, two.direction, arm.p, dot(two.direction, plus(arm.a, arm.b, arm.c)), branch, at
+    ):
+        yield from in_a_plane((two, three), arm.b, arm.c, minus(w, arm.a), shoulder, at)
+
+
+def shoulders(
+    one: Axis, along: Vector, p: Vector, distance: Any, branch: Branch, at: Setting
+) -> Iterator[tuple[Branch, Vector]]:
+    """The two positions of a revolute joint from behind which ``p`` is ``distance`` along ``along``, and
+    ``p`` as it is seen from there."""
+    ways = at.reach(one, along, p, distance, 1)
+    cosine = dot(one.direction, along)
+    for sign, shoulder in zip((-1, 1), branch.each(one.joint, ways), strict=True):
+        if not is_number(cosine) or cosine:
+            yield shoulder, shoulder.inward(one, p)
+            continue
+        # Three directions at right angles: what is along the axis stays, and the others are known.
+        sideways = scaled(sign * ways.side, cross(one.direction, along))
+        height = scaled(dot(one.direction, p), one.direction)
+        yield shoulder, plus(scaled(distance - ways.beyond, along), height, sideways)
 
 
 def first_and_second_meet(arm: Reach, branch: Branch, at: Setting) -> Iterator[Branch]:
@@ -85,21 +96,13 @@ def first_and_second_meet(arm: Reach, branch: Branch, at: Setting) -> Iterator[B
 
 
 def in_a_plane(
-    axes: tuple[Axis, Axis],
-    b: Vector,
-    c: Vector,
-    u: Vector,
-    branch: Branch,
-    at: Setting,
-    square: Any = None,
+    axes: tuple[Axis, Axis], b: Vector, c: Vector, u: Vector, branch: Branch, at: Setting
 ) -> Iterator[Branch]:
-    """Two parallel revolute axes with ``u = R1 (b + R2 c)``, but for what is along them; ``square``: that of
-    ``u`` across them, if it is known."""
+    """Two parallel revolute axes with ``u = R1 (b + R2 c)``, but for what is along them."""
     one, two = axes
     b, c, u = (across(one.direction, v) for v in (b, c, u))
-    square = _square(u) if square is None else square
     lever = lever_of(one.direction, b) - lever_of(one.direction, c)
-    for folded in branch.each(two.joint, at.fold(two, b, c, square)):
+    for folded in branch.each(two.joint, at.fold(two, b, c, _square(u))):
         v = plus(b, folded.outward(two, c))
         yield folded.one(one.joint, at.onto(one, v, u, 2, lever=lever))
 

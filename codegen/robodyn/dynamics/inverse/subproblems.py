@@ -54,13 +54,15 @@ class Scale:
 class Two:
     """Two answers, whether there are any (1 or 0), and whether they meet or are free (1 or 0).
 
-    ``beyond``: how far what was wanted is beyond what is reached.
+    ``beyond``: how far what was wanted is beyond what is reached; ``side``: how far ``R v`` is across that
+    and the axis, ``along . (R v x axis)``, the first answer having it on the positive side.
     """
 
     answers: tuple[Any, Any]
     exist: Any
     meet: Any
     beyond: Any = 0
+    side: Any = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,12 +122,12 @@ def reaching(
     axis: Vector,
     near: Callable[[], Circle],
     scale: Scale,
-    margins: tuple[Any, Any] | None = None,
+    margins: tuple[Any, Any, Any] | None = None,
 ) -> Two:
     """The two angles about ``axis`` at which ``v``, turned, is ``distance`` along the vector ``along``:
     ``along . R v = distance``. Where none is, the nearest, twice; ``near``, and for two that are always half
     a turn apart the other side of it, where all are. ``margins``: how far what turns of
-    ``distance`` is from its lowest and highest values, where that is known better."""
+    ``distance`` is from its lowest and highest values, where that is known better, and how exactly."""
     base = across(axis, v)
     x, y = dot(along, base), dot(along, cross(axis, v))
     square = x * x + y * y
@@ -136,18 +138,23 @@ def reaching(
     known = is_number(square) and square != 0
     floor = Fraction(0) if known else scale.floor
     free = 0 if known else choose(square - floor, 0, 1)
+    blunt = 0 if known else choose(square - scale.short, 0, 1)
     if is_zero(b):  # whatever the lever is, its two perpendiculars
-        share = 1 / real_root(choose(free, 1, square))
+        most = real_root(square)
+        share = 1 / choose(free, 1, most)
         c, s = -(y * share), x * share
         c, s = (c, s) if known else chosen(free, near(), (c, s))
-        meet = 0 if known else choose(square - scale.short, 0, 1)
-        return Two(((c, s), (-c, -s)), 1, meet)
+        return Two(((c, s), (-c, -s)), 1, blunt, side=most)
     rest = square - b * b if margins is None else margins[0] * margins[1]
     most = real_root(square)
     slack = scale.edge * (most if known else scale.size**scale.lengths)
     exist = choose(rest + slack * (2 * most + slack), 1, 0)
-    meet = either(free, choose(scale.edge * square - rest, 1, 0))
-    side = real_root(choose(rest, rest, 0))
+    meet = either(blunt, choose(scale.edge * square - rest, 1, 0))
+    if margins is None:
+        side = real_root(choose(rest, rest, 0))
+    else:  # folded or stretched to within rounding is folded or stretched: the two answers are one
+        low, high, noise = margins
+        side = real_root(choose(low - noise, choose(high - noise, rest, 0), 0))
     # Beyond reach, x^2 + y^2 < b^2: the root is 0, and what is left is brought back onto the circle.
     share = 1 / choose(free, 1, choose(rest, square, most * magnitude(b)))
     answers = (
@@ -157,7 +164,7 @@ def reaching(
     if not known:
         one, other = answers
         answers = chosen(free, near(), one), chosen(free, near(), other)
-    return Two(answers, exist, meet, choose(rest, 0, choose(b, b - most, b + most)))
+    return Two(answers, exist, meet, choose(rest, 0, choose(b, b - most, b + most)), side)
 
 
 def folding(b: Vector, c: Vector, square: Any, axis: Vector, near: Callable[[], Circle], scale: Scale) -> Two:
@@ -174,6 +181,7 @@ def folding(b: Vector, c: Vector, square: Any, axis: Vector, near: Callable[[], 
         margins = (
             (square - (fixed + (long - short) ** 2)) / 2,
             ((fixed + (long + short) ** 2) - square) / 2,
+            LEVER * scale.unit * square,
         )
     bend = (square - (fixed + squares[0] + squares[1])) / 2
     return reaching(other, one, bend, axis, near, scale, margins)
