@@ -74,7 +74,3 @@ def outside(robot: Robot, motion: Trajectory) -> list[str]:
                     f"limits {low:.4g} to {high:.4g}"
                 )
     return violations
-
-
-#: From how many positions joint positions of a pose are searched for where the reference does not lead there.
-STARTS: int = 24

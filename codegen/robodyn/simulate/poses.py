@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from robodyn.dynamics.functions import function_named
 from robodyn.dynamics.inverse import Numerical
+from robodyn.dynamics.inverse.limits import STARTS
 from robodyn.errors import InputError
 from robodyn.ir.evaluate import REAL_FUNCTIONS, evaluate
 from robodyn.ir.program import Input, Program
@@ -23,7 +24,6 @@ from robodyn.optimize.programs import Choice, build, inverse_kinematics_of
 from robodyn.robot.model import Robot
 from robodyn.simulate.inverse_kinematics import drawn_between, position_limits, rotation_vector
 from robodyn.simulate.kinematics import Kinematics
-from robodyn.simulate.limits import STARTS
 
 Floats = NDArray[np.float64]
 
@@ -133,9 +133,15 @@ class PoseSolver:
             posed = [each if each.reached else self._from_elsewhere(each) for each in posed]
         return posed
 
+    def branches(self, T: Floats, near: Floats) -> tuple[Floats, NDArray[np.bool_]]:
+        """The positions [K, b, n] of all branches for poses [K, 3, 4], and which [K, b] reach their pose
+        within the limits; ``near`` [n] as in :meth:`solve`."""
+        every = self._evaluated(_FUNCTIONS[0], T, near)
+        return every.q, every.flags[:, :, 0] & every.flags[:, :, 1]
+
     def _from_elsewhere(self, posed: Posed) -> Posed:
-        """A pose that is not reached by iteration from the reference, by iteration from other positions: the
-        nearest to where it would have ended of the solutions within limits, else the best there is."""
+        """A pose that is not reached by iteration from the reference, by iteration from other positions: of
+        those that are reached the nearest to where it would have ended, else the best there is."""
         low, high = drawn_between(self.robot, *position_limits(self.robot).T)
         starts = np.random.default_rng(0).uniform(low, high, (STARTS, self.robot.n))
         tried = self._posed(np.repeat(posed.T[None], STARTS, axis=0), starts)
@@ -149,9 +155,7 @@ class PoseSolver:
 
     def _posed(self, poses: Floats, near: Floats) -> list[Posed]:
         """The solutions of all poses at once, from one reference [n] or one each [K, n]."""
-        inputs: dict[Input, Any] = {Input("T", k): x for k, x in enumerate(poses.reshape(-1, 12).T)}
-        inputs |= {Input("q_near", k): np.float64(x) for k, x in enumerate(near.T)}
-        every, best = (self._evaluated(name, inputs, len(poses)) for name in _FUNCTIONS)
+        every, best = (self._evaluated(name, poses, near) for name in _FUNCTIONS)
         names = self.solver.branch_names
         posed = []
         for k, T in enumerate(poses):
@@ -161,12 +165,16 @@ class PoseSolver:
             )
             (missed,) = self._off(T, best.q[k])
             nearest = _solution(names[best.branch[k]], best.q[k, 0], best.flags[k, 0], missed)
+            if not nearest.exists:  # nearest to the pose then, not to the reference
+                nearest = min(solutions, key=lambda solution: solution.off)
             posed.append(Posed(T, solutions, nearest))
         return posed
 
-    def _evaluated(self, function: str, inputs: Mapping[Input, Any], count: int) -> _Evaluated:
+    def _evaluated(self, function: str, poses: Floats, near: Floats) -> _Evaluated:
         """What the program of ``function`` gives for all poses."""
-        program = self._programs[function]
+        program, count = self._programs[function], len(poses)
+        inputs: dict[Input, Any] = {Input("T", k): x for k, x in enumerate(poses.reshape(-1, 12).T)}
+        inputs |= {Input("q_near", k): np.float64(x) for k, x in enumerate(near.T)}
         with np.errstate(all="ignore"):  # what is not chosen may divide by zero
             results = evaluate(program, inputs, functions=_OF_ARRAYS)
         answers = function_named(function).answers

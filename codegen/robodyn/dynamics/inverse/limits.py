@@ -36,6 +36,9 @@ FULL_RANK: float = 1e-6
 #: Iterations at most. Of reachable poses that are reached at all nearly all take fewer than half.
 ITERATIONS: int = 40
 
+#: From how many positions it begins where the reference does not lead to a pose and there is time.
+STARTS: int = 24
+
 #: The damping [1] by the squared error to begin with: half over its root is the longest step, in a norm in
 #: which radians and shares of the arm's size weigh alike. What it is multiplied by after a step that lowers
 #: the error, down to the least, and after one that does not.
