@@ -62,7 +62,7 @@ def measured(name: str, race_harness: Path, work: Path, options: argparse.Namesp
         arm = arm_of(robot, race_harness, work)
     except NoSuchFunction as reason:
         return {"refused": str(reason)}
-    found = {
+    figures = {
         "joints": robot.n,
         "redundant": arm.ours.redundant,
         "branches": arm.ours.branches,
@@ -73,7 +73,7 @@ def measured(name: str, race_harness: Path, work: Path, options: argparse.Namesp
         "race": raced(arm, options.rounds) if robot.n >= 6 else None,
     }
     print(f"{robot.name}: {time.monotonic() - begin:.0f} s", file=sys.stderr, flush=True)
-    return found
+    return figures
 
 
 def _results() -> dict[str, Any]:

@@ -83,9 +83,9 @@ def sets(arm: Arm, poses: int, searched: int) -> Iterator[dict[str, Any]]:
         parts = [*(_swept if swept else _same)(arm, peer, q)]
         yield {"peer": peer.title, "swept": swept, **total(parts).to_dict()}
     few = q[:searched]
-    found = multistart.search(arm.chain, arm.chain.poses(few), few, arm.ours.redundant)
+    searched_for = multistart.search(arm.chain, arm.chain.poses(few), few, arm.ours.redundant)
     own = arm.solved(arm.chain.poses(few), few).answers
-    beside = compared(arm.chain, arm.chain.poses(few), own, found, arm.ours.redundant)
+    beside = compared(arm.chain, arm.chain.poses(few), own, searched_for, arm.ours.redundant)
     yield {"peer": f"search from {multistart.STARTS} starts", "swept": False, **beside.to_dict()}
 
 
@@ -128,39 +128,39 @@ def hard(arm: Arm, count: int) -> Iterator[dict[str, Any]]:
     }
     for title, q in kinds.items():
         poses = chain.poses(q)
-        said = arm.solved(poses, q)
+        result = arm.solved(poses, q)
         drawn = Answers(q[:, None], np.ones((count, 1), dtype=bool))
-        same = matched(chain, said.answers, drawn)[:, :, 0]
+        same = matched(chain, result.answers, drawn)[:, :, 0]
         allowed = ((q >= chain.limits[:, 0]) & (q <= chain.limits[:, 1])).all(axis=1)
         yield {
             "kind": title,
             "poses": count,
-            **_counted(arm, said),
-            "unsolved": int((~said.answers.exists.any(axis=1)).sum()),
-            "closes": float(closures(chain, poses, said.answers).max(initial=0.0)),
-            "refused": int((allowed & same.any(axis=1) & ~(same & (said.within > 0)).any(axis=1)).sum()),
+            **_counted(arm, result),
+            "unsolved": int((~result.answers.exists.any(axis=1)).sum()),
+            "closes": float(closures(chain, poses, result.answers).max(initial=0.0)),
+            "refused": int((allowed & same.any(axis=1) & ~(same & (result.within > 0)).any(axis=1)).sum()),
         }
     q = positions.drawn(chain, count, "beyond")
     poses = chain.poses(q)
     out = poses[:, :3, 3] - chain.points[0]
     far = np.linspace(*BEYOND, count)[:, None] * chain.reach
     poses[:, :3, 3] = chain.points[0] + out / np.linalg.norm(out, axis=1, keepdims=True) * far
-    said = arm.solved(poses, q)
+    result = arm.solved(poses, q)
     yield {
         "kind": "out of reach",
         "poses": count,
-        **_counted(arm, said),
-        "solved": int(said.answers.exists.any(axis=1).sum()),
+        **_counted(arm, result),
+        "solved": int(result.answers.exists.any(axis=1).sum()),
     }
 
 
-def _counted(arm: Arm, said: Flagged) -> dict[str, int]:
+def _counted(arm: Arm, result: Flagged) -> dict[str, int]:
     """Results that no kernel may give."""
-    flags = np.stack([said.answers.exists, said.within, said.singular])
+    flags = np.stack([result.answers.exists, result.within, result.singular])
     return {
-        "not_finite": int((~np.isfinite(said.answers.q)).any(axis=(1, 2)).sum()),
+        "not_finite": int((~np.isfinite(result.answers.q)).any(axis=(1, 2)).sum()),
         "no_flags": int(((flags != 0) & (flags != 1)).sum()),
-        "miscounted": int((said.count != said.answers.exists.sum(axis=1)).sum()),
+        "miscounted": int((result.count != result.answers.exists.sum(axis=1)).sum()),
     }
 
 

@@ -22,13 +22,13 @@ _DAMPING = 1e-10
 def search(chain: Chain, poses: Floats, near: Floats, redundant: int | None, starts: int = STARTS) -> Answers:
     """The distinct solutions of ``poses`` [N, 4, 4] that so many random starts lead to; the redundant joint
     stays where ``near`` [N, n] has it."""
-    found = [
+    sets = [
         _solutions(chain, pose, row, redundant, starts, k)
         for k, (pose, row) in enumerate(zip(poses, near, strict=True))
     ]
-    most = max(1, *(len(rows) for rows in found))
+    most = max(1, *(len(rows) for rows in sets))
     q, exists = np.zeros((len(poses), most, chain.n)), np.zeros((len(poses), most), dtype=bool)
-    for k, rows in enumerate(found):
+    for k, rows in enumerate(sets):
         q[k, : len(rows)], exists[k, : len(rows)] = rows, True
     return Answers(q, exists)
 

@@ -195,7 +195,7 @@ def ssik(chain: Chain, folder: Path, work: Path, one: bool = False) -> Candidate
     ------
     Lacking: it cannot be had here, or does not solve this arm in C++.
     """
-    said = version("ssik")
+    release = version("ssik")
     manipulator, cpp = import_module("ssik").Manipulator, import_module("ssik.cpp")
 
     if not chain.revolute.all():
@@ -217,7 +217,7 @@ def ssik(chain: Chain, folder: Path, work: Path, one: bool = False) -> Candidate
     defines += (("JOINTS", str(chain.n)), ("SLOTS", str(slots)))
     flags = (*_RELEASE, f"-I{cpp.get_include()}", f"-I{_eigen()}")
     source = Source((_NATIVE_FOLDER / "ssik.cpp",), flags, ("-lpthread",), defines, ("ssik", "cmeel-eigen"))
-    return _both(f"ssik-{key.replace(', ', '-').replace(' ', '-')}", f"ssik {said}, {key}", source, work)
+    return _both(f"ssik-{key.replace(', ', '-').replace(' ', '-')}", f"ssik {release}, {key}", source, work)
 
 
 def peers(chain: Chain, folder: Path, work: Path, redundant: int | None) -> Iterator[Candidate | Missing]:

@@ -84,12 +84,12 @@ def doubled(chain: Chain, a: Answers) -> Bools:
     return np.asarray(_same(chain, a, a, both).any(axis=2))
 
 
-def _same(chain: Chain, a: Answers, b: Answers, asked: Bools) -> Bools:
-    """Of the pairs that are ``asked`` for [N, places of a, of b], those that are one solution."""
-    pose, i, j = np.nonzero(asked)
+def _same(chain: Chain, a: Answers, b: Answers, pairs: Bools) -> Bools:
+    """Of ``pairs`` [N, places of a, of b], those that are one solution."""
+    pose, i, j = np.nonzero(pairs)
     difference = a.q[pose, i] - b.q[pose, j]
     turns = np.where(chain.revolute, np.round(difference / (2 * np.pi)), 0.0)
-    same = asked.copy()
+    same = pairs.copy()
     same[pose, i, j] = np.abs(difference - 2 * np.pi * turns).max(axis=1) < SAME
     return same
 

@@ -18,14 +18,20 @@ def written(page: str, results: Results) -> str:
 
 
 def _arms(arms: Results) -> Iterator[str]:
-    yield "| arm | joints | what holds of its axes | joint that is given | CPU time to generate, s |"
+    yield "| arm | joints | what holds of its axes | joint that is redundant | CPU time to generate, s |"
     yield "|---|---:|---|---:|---:|"
     for name, arm in arms.items():
         if "refused" in arm:
             yield f"| {name} | | refused: {arm['refused']} | | |"
             continue
-        given = "" if arm["redundant"] is None else arm["redundant"] + 1
-        row = (name, arm["joints"], "; ".join(arm["conditions"]), given, f"{arm['generated_seconds']:.1f}")
+        redundant = "" if arm["redundant"] is None else arm["redundant"] + 1
+        row = (
+            name,
+            arm["joints"],
+            "; ".join(arm["conditions"]),
+            redundant,
+            f"{arm['generated_seconds']:.1f}",
+        )
         yield _row(row)
 
 

@@ -40,6 +40,7 @@ COMMANDS: Final[dict[str, tuple[str, str]]] = {
         "robodyn_cli.bench",
         "Time a kernel on this machine: serial, packed, on threads, and compared with installed peers.",
     ),
+    "ik": ("robodyn_cli.ik", "Solve for the joint positions that bring the tool to a pose."),
     "simulate": (
         "robodyn_cli.simulate",
         "Simulate a robot with all its effects, and write the log.",

@@ -53,10 +53,12 @@ def command(
 ) -> None:
     """Compare the compiled kernels with independent references.
 
-    The programs must equal plain Newton-Euler on exact fractions. The compiled kernels are compared with
-    plain Newton-Euler in double, with exact torques and, up to three joints, with the Lagrangian. Prints the
-    largest error relative to the largest torque, and the state where it occurs. Exits with 1 if an error
-    exceeds 1e-10 (float: 1e-5).
+    The programs must equal plain Newton-Euler on exact fractions; those of inverse kinematics must lead back
+    to the pose in plain forward kinematics, at 60 digits. The compiled kernels are compared with plain
+    Newton-Euler in double, with exact torques and, up to three joints, with the Lagrangian; solutions of
+    inverse kinematics with plain forward kinematics. Prints the largest error relative to the largest torque
+    (of poses to the arm's reach), and the state where it occurs. Exits with 1 if an error exceeds 1e-10
+    (float: 1e-5).
     """
     from robodyn.emit.languages import compiled_language
     from robodyn.errors import CheckError, InputError
@@ -79,12 +81,13 @@ def command(
     described = load(robot, strict=strict, fold_rotor=fold_rotor)
     generated = generate(described, options)
     kernel = load_kernel(generated.signatures, generated.files((lang,)), language=lang)
-    exact = _exactly(generated)
+    exact, closing = _exactly(generated), _closing(generated)
     with _Bar() as step:
         report = verify(described, kernel, states=states, seed=seed, progress=step)
-    passed = report.passed and all(exact.values())
+    passed = report.passed and all(exact.values()) and all(closing.values())
     if as_json:
-        echo_json({**report.to_dict(), "equal_on_fractions": exact, "passed": passed})
+        exactly = {"equal_on_fractions": exact, "closing_to_60_digits": closing}
+        echo_json({**report.to_dict(), **exactly, "passed": passed})
     else:
         click.echo(report.to_text())
         if report.worst is not None:
@@ -95,12 +98,16 @@ def command(
             click.echo(
                 f"{function}: {'equal to' if equal else 'NOT EQUAL to'} plain Newton-Euler on fractions"
             )
+        for function, right in closing.items():
+            verb = "leads" if right else "DOES NOT LEAD"
+            click.echo(f"{function}: {verb} back to the pose in plain forward kinematics, at 60 digits")
     if not passed:
         raise CheckError(f"{described.name}: the kernel does not agree with the references")
 
 
 def _exactly(generated: Generated) -> dict[str, bool]:
     from robodyn.dynamics.equality import equals_recursion
+    from robodyn.dynamics.functions import function_named
 
     robot = generated.unit.robot
     smooth = robot.rest_velocity is not None and any(link.joint.coulomb for link in robot.links)
@@ -109,6 +116,18 @@ def _exactly(generated: Generated) -> dict[str, bool]:
     return {
         interface.function: equals_recursion(robot, interface.function, program)
         for interface, program in generated.unit.functions
+        if not function_named(interface.function).of_pose
+    }
+
+
+def _closing(generated: Generated) -> dict[str, bool]:
+    from robodyn.dynamics.functions import function_named
+    from robodyn.kernels.proof import closes
+
+    return {
+        interface.function: closes(generated.unit.robot, interface.function, program, interface.scalar)
+        for interface, program in generated.unit.functions
+        if function_named(interface.function).of_pose
     }
 
 

@@ -51,7 +51,8 @@ def of_function(function: Function) -> str:
             [_row(array, "input") for array in function.inputs]
             + [_row(array, "result") for array in function.results],
         ),
-        "`n` is the number of joints, `p` that of base parameters. In C, Fortran and Rust each argument is "
+        "`n` is the number of joints, `p` that of base parameters, `b` that of branches. In C, Fortran and "
+        "Rust each argument is "
         "one array, a matrix row by row; Python has arrays of these shapes, or `[N, ...]` for N states.",
         "## What it includes",
         _facts(function),
@@ -93,6 +94,16 @@ def _facts(function: Function) -> str:
         facts.append("It is that of the rigid arm, without friction and other effects of the drives.")
     else:
         facts.append("It includes the drives: friction, rotors, and the effects of the description.")
+    if function.of_pose:
+        facts.append(
+            "Only arms whose inverse kinematics has a closed form have it ([which, and how it is "
+            "used](../inverse-kinematics.md))."
+        )
+        facts.append(
+            "Before it is written, its program is evaluated at 60 digits: what it says of a pose must lead "
+            "back there in plain forward kinematics."
+        )
+        return "\n".join(f"- {fact}" for fact in facts)
     facts.append(
         "Before it is written, its program is compared without rounding with "
         + ("the same by another way." if function.expected else "an equation that the results must fulfil.")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -87,6 +88,28 @@ def test_an_interval_is_open_where_the_motion_does_not_close_it(monkeypatch: pyt
     _, sure = fitted(monkeypatch, v, torque, {**TRUTH, "velocity": 0.03})
     assert sure["velocity"].low is None
     assert sure["velocity"].stderr is None
+
+
+def test_errors_allow_for_what_the_filter_takes_from_the_motion(monkeypatch: pytest.MonkeyPatch) -> None:
+    v = speeds(0.0)
+    torque = curve(v, TRUTH) + noise(np.random.default_rng(6), 1)
+    start = problem(torque[:, None], 0.2 * np.ones((SAMPLES, 1, 1)), np.array([0.3]), 1.0)
+    monkeypatch.setattr(Freed, "own_numbers", lambda self, x: own_numbers(start))
+    errors = []
+    for shift in (0.0, 0.5):
+
+        def missed(self: Freed, x: Any, shift: float = shift) -> Any:
+            (one,) = self.changed(x)
+            static = float(one.parameters["static"]) - (0.0 if self.by_drives else shift)
+            return (torque - curve(v, {**one.parameters, "static": static})) / 0.3
+
+        monkeypatch.setattr(Freed, "missed", missed)
+        monkeypatch.setattr(Freed, "smoother", lambda self: replace(self, by_drives=False))
+        _, (sure,) = uncertainties(ROBOT, [Amendment("stribeck_friction", 1, TRUTH)], [], start)
+        stderr = sure["static"].stderr
+        assert stderr is not None
+        errors.append(stderr)
+    assert errors[1] == pytest.approx(np.hypot(errors[0], 0.5), rel=0.02)
 
 
 def test_a_better_fit_on_the_way_is_taken(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from robodyn.effects.catalogue import CATALOGUE
+from robodyn.identify import twist
 from robodyn.identify.oscillator import oscillation
 from robodyn.identify.twist import lag_of
 
@@ -38,3 +39,19 @@ def test_the_state_behind_a_wrong_edge_is_that_of_the_torque(effect: str, side: 
     lag = lag_of(effect, values, seen, felt, PERIOD, passed)
     apart = (lag - true)[500:]  # within its backlash a link may be anywhere: no torque tells
     assert np.abs(apart[:, 0]).max() < 0.03 * np.abs(true[:, 0]).max()
+
+
+def test_a_spring_is_as_stiff_in_samples_that_are_far_apart(monkeypatch: pytest.MonkeyPatch) -> None:
+    values = SPRINGS["joint_elasticity"]
+
+    def lag(every: int) -> Any:
+        t = PERIOD * every * np.arange(SAMPLES // every)
+        load = 6 * np.sin(0.5 * (2 * np.pi * 7.0) * t) * np.minimum(t, 1.0)
+        felt = (np.full(len(t), INERTIA), np.zeros(len(t)), np.zeros(len(t)))
+        return lag_of("joint_elasticity", values, load, felt, PERIOD * every)[:, 0]
+
+    fine = lag(1)
+    for every in (4, 8):
+        assert np.abs(lag(every) - fine[::every]).max() < 5e-4 * np.abs(fine).max()
+    monkeypatch.setattr(twist, "STEP_ANGLE", 10.0)
+    assert np.abs(lag(8) - fine[::8]).max() > 4e-3 * np.abs(fine).max()

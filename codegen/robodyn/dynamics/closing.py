@@ -19,10 +19,19 @@ from robodyn.dynamics.arm import Arm, JointAngle, build_arm, build_motion
 from robodyn.dynamics.functions import function_named
 from robodyn.dynamics.functions.record import Answers
 from robodyn.dynamics.kinematics import frames
-from robodyn.dynamics.limits import DRAWN_POSES, NEGLECTED_SHARE, PROVEN_DIGITS, PROVEN_SHARE, SAME_POSITION
+from robodyn.dynamics.limits import (
+    DRAWN_POSES,
+    EDGE_SHARE,
+    NEGLECTED_SHARE,
+    PROVEN_DIGITS,
+    PROVEN_SHARE,
+    ROUNDING,
+    SAME_POSITION,
+)
 from robodyn.ir.fingerprint import digest
 from robodyn.ir.many_digits import evaluate_to_digits, to_digits
 from robodyn.ir.program import Input, Program
+from robodyn.ir.signature import ScalarType
 from robodyn.robot.identity import identity
 from robodyn.robot.model import Robot
 
@@ -32,21 +41,24 @@ _RANGE = 1 << 32
 
 @dataclass(frozen=True, slots=True)
 class Drawn:
-    """Joint positions [n] (rad or m), the pose of the tool there [12], and ``words`` for them; ``q`` None: a
-    pose that no positions reach."""
+    """A pose [12] and the reference [n] (rad or m) that go with it, and ``words`` for them. ``q`` [n]: the
+    positions that the pose is of; None: any pose, ``far`` beyond reach."""
 
     words: str
-    q: Sequence[Any] | None
     T: Sequence[Any]
     near: Sequence[Any]
+    q: Sequence[Any] | None = None
+    far: bool = False
 
 
-def flaw(robot: Robot, function: str, program: Program, *, place_only: bool) -> str | None:
+def flaw(
+    robot: Robot, function: str, program: Program, scalar: ScalarType, *, place_only: bool
+) -> str | None:
     """What is wrong with ``program`` as ``function`` of ``robot``, in words; None where nothing is.
 
-    ``place_only``: whether only the place of the tool counts. Poses may be missed by
-    :data:`~robodyn.dynamics.limits.PROVEN_SHARE` of the arm's size, or by what is taken for rounding of the
-    description where that is not of :func:`simple numbers <is_simple>`.
+    ``place_only``: whether only the place of the tool counts. Poses may be missed by some squares of what
+    ``scalar``, the type that the program is for, rounds, as a share of the arm's size; or by what is taken
+    for rounding of the description where that is not of :func:`simple numbers <is_simple>`.
     """
     import mpmath
 
@@ -54,7 +66,9 @@ def flaw(robot: Robot, function: str, program: Program, *, place_only: bool) -> 
     with mpmath.workdps(PROVEN_DIGITS):
         arm = build_arm(robot, to_digits, lambda name: mpmath.mpf(1))
         size = mpmath.mpf(1) + sum(abs(x) for body in arm.bodies for x in (body.a, body.b, body.d))
-        most = size * to_digits(PROVEN_SHARE if is_simple(robot) else NEGLECTED_SHARE)
+        share = to_digits(PROVEN_SHARE * ROUNDING[scalar] ** 2)
+        if not is_simple(robot):
+            share = max(share, to_digits(NEGLECTED_SHARE))
         for drawn in _draws(arm, size, chance):
             inputs = {Input("T", k): x for k, x in enumerate(drawn.T)}
             inputs |= {Input("q_near", k): x for k, x in enumerate(drawn.near)}
@@ -64,7 +78,7 @@ def flaw(robot: Robot, function: str, program: Program, *, place_only: bool) -> 
                 return f"at {drawn.words}: a divisor is 0"
             for part in function_named(function).fuses or (function_named(function),):
                 assert part.answers is not None
-                wrong = _wrong(arm, part.answers, results, drawn, most, 3 if place_only else 12)
+                wrong = _wrong(_Goal(arm, size, share, place_only), part.answers, results, drawn)
                 if wrong is not None:
                     return f"at {drawn.words}: {wrong}"
     return None
@@ -86,7 +100,8 @@ def is_simple(robot: Robot) -> bool:
 
 
 def _draws(arm: Arm, size: Any, chance: random.Random) -> Iterator[Drawn]:
-    """Positions within the limits, and where all joints are revolute a pose beyond reach."""
+    """Positions within the limits; poses that the arm may reach or not, nearer and nearer to its base; and
+    where all joints are revolute one beyond reach."""
 
     def between(low: Any, high: Any) -> Any:
         return low + (high - low) * chance.randint(0, _RANGE) / _RANGE
@@ -96,13 +111,15 @@ def _draws(arm: Arm, size: Any, chance: random.Random) -> Iterator[Drawn]:
 
     for _ in range(DRAWN_POSES):
         q = positions()
-        yield Drawn(f"q = {_words(q)}", q, pose(arm, q), q)
-    if all(body.revolute for body in arm.bodies):
+        yield Drawn(f"q = {_words(q)}", pose(arm, q), q, q)
+    scales = [size / 4**k for k in range(DRAWN_POSES)]
+    far = [(3 * size, True)] if all(body.revolute for body in arm.bodies) else []
+    for scale, beyond in (*((scale, False) for scale in scales), *far):
         q = positions()
         T = pose(arm, q)
-        for k in (3, 7, 11):
-            T[k] += 3 * size * between(1, 2)
-        yield Drawn(f"p = {_words(T[3::4])}, out of reach", None, T, q)
+        for k, base in zip((3, 7, 11), arm.base.origin, strict=True):
+            T[k] = base + scale * between(1, 2) * chance.choice((-1, 1))
+        yield Drawn(f"p = {_words(T[3::4])}", T, q, far=beyond)
 
 
 def _span(limits: tuple[Any, Any] | None, *, revolute: bool) -> tuple[Any, Any]:
@@ -139,13 +156,31 @@ def pose(arm: Arm, q: Sequence[Any]) -> list[Any]:
     return [x for row, place in rows for x in (*row, place)]
 
 
-def _wrong(
-    arm: Arm, names: Answers, results: Mapping[str, Sequence[Any]], drawn: Drawn, most: Any, count: int
-) -> str | None:
+@dataclass(frozen=True, slots=True)
+class _Goal:
+    """An arm of this ``size`` [m], by what ``share`` of that poses may be missed, and of what of them."""
+
+    arm: Arm
+    size: Any
+    share: Any
+    place_only: bool
+
+    def missed(self, q: Sequence[Any], T: Sequence[Any]) -> Any:
+        """By how much positions miss a pose."""
+        counted = (3, 7, 11) if self.place_only else range(12)
+        reached = pose(self.arm, q)
+        return max(abs(reached[j] - T[j]) for j in counted)
+
+    def allowed(self, *, singular: bool) -> Any:
+        """By how much they may."""
+        return self.size * (to_digits(EDGE_SHARE) if singular else self.share)
+
+
+def _wrong(goal: _Goal, names: Answers, results: Mapping[str, Sequence[Any]], drawn: Drawn) -> str | None:
     """What is wrong with results at one pose."""
     import mpmath
 
-    n = len(arm.bodies)
+    n = len(goal.arm.bodies)
     flat = results[names.solutions]
     if not all(mpmath.isfinite(x) for row in results.values() for x in row):
         return "a result is no number"
@@ -154,16 +189,16 @@ def _wrong(
     if any(x not in (0, 1) for row in flags for x in row):
         return "a flag is neither 0 nor 1"
     existing = [k for k, (exists, _, _) in enumerate(flags) if exists]
-    if drawn.q is None:
+    if drawn.far:
         return f"branch {existing[0]} is said to reach it" if existing else None
-    counted = (3, 7, 11) if count == 3 else range(12)
     for k in existing:
-        T = pose(arm, solutions[k])
-        missed = max(abs(T[j] - drawn.T[j]) for j in counted)
-        if missed > most:
+        missed = goal.missed(solutions[k], drawn.T)
+        if missed > goal.allowed(singular=flags[k][2] == 1):
             return f"branch {k} misses the pose by {mpmath.nstr(missed, 3)}"
+    if drawn.q is None:
+        return None
     for k in existing:
-        if flags[k][1] and _apart(arm, solutions[k], drawn.q) < to_digits(SAME_POSITION):
+        if flags[k][1] and _apart(goal.arm, solutions[k], drawn.q) < to_digits(SAME_POSITION):
             return None
     return "no branch within the limits is the positions that were drawn"
 

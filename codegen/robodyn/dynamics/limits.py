@@ -31,13 +31,16 @@ MOST_FIELDS: int = 40
 #: The distance from 1 to the next number of a type: by it programs tell what is zero from what is rounding.
 ROUNDING: Mapping[str, Fraction] = {"double": Fraction(1, 2**52), "float": Fraction(1, 2**23)}
 
-#: Digits to which programs of poses are compared with plain forward kinematics; how far they may miss a pose
-#: as a share of the arm's size, and how far where numbers of the description were taken for its rounding;
-#: within which distance [rad or m] positions are the same.
+#: Digits to which programs of poses are compared with plain forward kinematics. How far they may miss a pose,
+#: as a share of the arm's size: by so many squares of the rounding unit, which keep divisors from 0; where
+#: numbers of the description were taken for its rounding; at the edge of reach, which single precision does
+#: not tell from what is beyond. Within which distance [rad or m] positions are the same.
 PROVEN_DIGITS: int = 60
-PROVEN_SHARE: Fraction = Fraction(1, 10**40)
+PROVEN_SHARE: int = 1 << 20
 NEGLECTED_SHARE: Fraction = Fraction(1, 10**11)
+EDGE_SHARE: Fraction = Fraction(1, 500)
 SAME_POSITION: Fraction = Fraction(1, 10**5)
 
-#: Poses at which that is looked at: an arm's branches exist together at about half of all poses.
+#: Poses of drawn positions, and as many others, at which that is looked at: an arm's branches exist together
+#: at about half of all poses.
 DRAWN_POSES: int = 6

@@ -1,8 +1,9 @@
 """Tests with vectors that go with the sources of a language (``Language.tests``), or with a package of them
 (``Language.package_tests``).
 
-What is expected is the program evaluated to 40 digits, and confirmed by exact torques where the arm is rigid;
-the tolerance is what rounding can change (:mod:`robodyn.firmware.rounding`).
+What is expected is the program evaluated to 40 digits, and confirmed by exact torques where the arm is rigid
+(what is of a pose was compared with forward kinematics when it was generated); the tolerance is what rounding
+can change (:mod:`robodyn.firmware.rounding`).
 """
 
 from __future__ import annotations
@@ -15,6 +16,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.dynamics.functions import function_named
+from robodyn.dynamics.functions.arguments import NEAR, POSE
 from robodyn.emit.head import state_members
 from robodyn.emit.languages import languages_named
 from robodyn.emit.lines import head_of
@@ -26,7 +29,9 @@ from robodyn.firmware.vectors import SMALLEST, confirm, evaluated, rounded_up
 from robodyn.ir.program import Input, Program
 from robodyn.ir.signature import ScalarType, Signature
 from robodyn.kernels.generate import Generated
+from robodyn.robot.model import Robot
 from robodyn.verify.numbers import real
+from robodyn.verify.reference import Reference
 from robodyn.verify.sample import draw_parameters
 
 #: States that are drawn for each function; one more is the first of them at rest.
@@ -67,7 +72,7 @@ def language_tests(
         inputs = _states(generated, signature)
         inputs |= {Input(name, None): np.full(_STATES + 1, value) for name, value in values.items()}
         rows = _rows(signature, program, inputs, scalar)
-        if confirmed and rows:
+        if confirmed and rows and not function_named(signature.function).of_pose:
             _confirm(generated, signature, inputs, values, rows)
         if rows:
             functions.append((signature, inputs, rows))
@@ -101,6 +106,8 @@ def _rendered(templates: Mapping[str, str], name: str, context: Mapping[str, Any
 def _states(generated: Generated, signature: Signature) -> dict[Input, NDArray[np.float64]]:
     """Each input of a function at the states: within the joints' limits what has such, else in -1 .. 1."""
     robot, scalar = generated.unit.robot, generated.options.scalar
+    if function_named(signature.function).of_pose:
+        return _poses(robot, scalar)
     known = ("q", "qd", "qdd", "tau")
     states: dict[Input, NDArray[np.float64]] = {}
     sizes = [*signature.inputs, ("state", len(signature.states)), ("dt", int(bool(signature.states)))]
@@ -115,6 +122,14 @@ def _states(generated: Generated, signature: Signature) -> dict[Input, NDArray[n
         rows = np.concatenate([x, last]) if array != "dt" else np.full((_STATES + 1, 1), _STEP)
         states |= {Input(array, i): rows[:, i] for i in range(size)}
     return states
+
+
+def _poses(robot: Robot, scalar: ScalarType) -> dict[Input, NDArray[np.float64]]:
+    """Poses of positions within the joints' limits, which are the reference as well."""
+    q = draw(ranges(robot, ("q",), scalar), _STATES + 1, _SEED, scalar)["q"].astype(np.float64)
+    T = Reference(robot).tool_pose(q).reshape(len(q), 12).astype(DTYPE[scalar]).astype(np.float64)
+    rows = {POSE.name: T, NEAR.name: q}
+    return {Input(array, i): row for array, x in rows.items() for i, row in enumerate(x.T)}
 
 
 #: Of a state its number, and for each output its name, the expected elements and their tolerances.

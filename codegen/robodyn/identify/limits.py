@@ -35,6 +35,13 @@ TANGENT_STEP: Final = 1e-6
 
 # --- twist --------------------
 
+STEP_ANGLE: Final = 0.1
+"""[rad] By a larger angle a link does not swing on its spring in a step: that would make the spring a
+thousandth softer;"""
+
+MOST_STEPS: Final = 8
+"""[steps] but there are no more from a sample to the next."""
+
 TWIST_PLACES: Final = 4001
 """[places] at which a spring is tabulated,"""
 

@@ -22,6 +22,8 @@ from robodyn.identify.limits import (
     LAG_SHARES,
     LAG_TRIES,
     LAG_WORTH,
+    MOST_STEPS,
+    STEP_ANGLE,
     SWEEPS,
     TWIST_BEYOND,
     TWIST_DIVERGED,
@@ -74,8 +76,36 @@ def lag_of(
 
     How it begins follows from the torque that was measured to pass, ``passed`` [K], over the first second but
     for the log's edge, where accelerations are not known; without that it begins at rest.
+
+    Where samples are far apart for so quick a spring there are steps between them: by the trapezoidal rule it
+    is softer by a sixth of the square of its angle in a step.
     """
     spring = _Spring.of(effect, values, float(np.abs(torque).max()))
+    angle = period * float(np.sqrt(spring.stiffest / max(float(np.median(felt[0])), 1e-9)))
+    steps = min(max(1, int(np.ceil(angle / STEP_ANGLE))), MOST_STEPS)
+    if steps == 1:
+        return _lag(spring, torque, felt, period, passed)
+    torque, mass, rub, stiff = (_between(x, steps) for x in (torque, *felt))
+    known = None if passed is None else _between(passed, steps)
+    return _lag(spring, torque, (mass, rub, stiff), period / steps, known)[::steps]
+
+
+def _between(x: Floats, steps: int) -> Floats:
+    """Samples [K] with ``steps`` - 1 values of a cubic spline between each two."""
+    from scipy.interpolate import CubicSpline
+
+    places = np.arange((len(x) - 1) * steps + 1) / steps
+    return np.asarray(CubicSpline(np.arange(len(x)), x)(places))
+
+
+def _lag(
+    spring: _Spring,
+    torque: Floats,
+    felt: tuple[Floats, Floats, Floats],
+    period: float,
+    passed: Floats | None,
+) -> Floats:
+    """The lag [K, 3] of a link on a ``spring``, with a step at each sample."""
     link = Oscillator((torque, *felt), period, (spring.force, spring.low, spring.width), spring.damping)
     begin = np.array([spring.at_rest(float(torque[0])), 0.0])
     if passed is not None and len(passed) * period > LAG_PIECE:  # two numbers more for each piece of a log

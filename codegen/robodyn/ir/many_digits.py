@@ -22,6 +22,13 @@ def evaluate_to_digits(program: Program, inputs: Mapping[Input, Any]) -> dict[st
     The root of what is negative is no number, as in the languages that programs are emitted in."""
     import mpmath
 
+    known: dict[Fraction, Any] = {}
+
+    def constant(x: Fraction) -> Any:
+        if x not in known:
+            known[x] = to_digits(x)
+        return known[x]
+
     def root(x: Any) -> Any:
         return mpmath.nan if x < 0 else mpmath.sqrt(x)
 
@@ -36,5 +43,5 @@ def evaluate_to_digits(program: Program, inputs: Mapping[Input, Any]) -> dict[st
         "pow": mpmath.power,
         "atan2": mpmath.atan2,
     }
-    results = evaluate(program, inputs, constant=to_digits, functions=functions)
+    results = evaluate(program, inputs, constant=constant, functions=functions)
     return {name: [mpmath.mpf(x) for x in row] for name, row in results.items()}

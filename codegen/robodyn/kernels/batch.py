@@ -18,6 +18,7 @@ from robodyn.kernels.arrays import (
     states_last,
 )
 from robodyn.kernels.function import Function
+from robodyn.kernels.solutions import handed_back
 from robodyn.kernels.threads import run_all
 from robodyn.toolchain.library import Library
 
@@ -62,7 +63,7 @@ class Batch:
             values = self._view(read_parameters(where, function.parameters, params, dtype))
         if count:
             self._run(count, int(threads), [*inputs, *results], values, columns=columns)
-        return results[0] if len(results) == 1 else tuple(results)
+        return handed_back(tuple(name for name, _ in function.results), results)
 
     def _results(
         self,

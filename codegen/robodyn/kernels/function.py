@@ -21,6 +21,7 @@ from robodyn.kernels.arrays import (
     read_parameters,
     shape_text,
 )
+from robodyn.kernels.solutions import handed_back
 from robodyn.toolchain.library import Library
 
 #: What checks an input: ``(where, name, shape, value, dtype)``.
@@ -63,6 +64,7 @@ class Function:
             (name, _array(name, length).shape_of(length, signature.joints))
             for name, length in signature.outputs
         )
+        self._names = tuple(name for name, _ in signature.outputs)
         self.where = f"{signature.robot}.{signature.function}"
         self._call = getattr(library.lib, f"{signature.function}_robodyn_batch")
         self._pointer = f"{signature.scalar}[]"
@@ -101,7 +103,7 @@ class Function:
                 self._call(count, *ins, *outs, values, memory, dt)
             else:
                 self._call(count, *ins, *outs, values)
-        return results[0] if len(results) == 1 else tuple(results)
+        return handed_back(self._names, results)
 
     def read(self, arrays: Sequence[object], read: Reader) -> list[Array]:
         """The inputs, checked by ``read``; vectors that are optional, and come last, are zero where they are

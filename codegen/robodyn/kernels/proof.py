@@ -7,6 +7,7 @@ from robodyn.dynamics.closing import flaw
 from robodyn.dynamics.equality import same_in_field
 from robodyn.dynamics.functions import function_named
 from robodyn.ir.program import Program
+from robodyn.ir.signature import ScalarType
 from robodyn.optimize.programs import inverse_kinematics_of
 from robodyn.robot.model import Robot
 
@@ -15,16 +16,21 @@ class Unequal(AssertionError):
     """A program does not compute what it should: a defect of robodyn, never of its input."""
 
 
-def prove(robot: Robot, function: str, program: Program) -> None:
+def prove(robot: Robot, function: str, program: Program, scalar: ScalarType = "double") -> None:
     """Compare ``program`` with the plain recursion at a point of a field that is drawn from both; what is of
-    a pose with plain forward kinematics, at positions that are drawn so.
+    a pose with plain forward kinematics, at positions that are drawn so; ``scalar`` is what that is for.
 
     Raises
     ------
     Unequal: they differ.
     """
     if function_named(function).of_pose:
-        _prove_closing(robot, function, program)
+        wrong = _flaw(robot, function, program, scalar)
+        if wrong is not None:
+            raise Unequal(
+                f"{function} of {robot.name} differs from plain forward kinematics {wrong}; "
+                "please report the robot file"
+            )
         return
     if not same_in_field(robot, function, program):
         raise Unequal(
@@ -32,11 +38,10 @@ def prove(robot: Robot, function: str, program: Program) -> None:
         )
 
 
-def _prove_closing(robot: Robot, function: str, program: Program) -> None:
-    place_only = inverse_kinematics_of(robot).place_only
-    wrong = flaw(robot, function, program, place_only=place_only)
-    if wrong is not None:
-        raise Unequal(
-            f"{function} of {robot.name} differs from plain forward kinematics {wrong}; "
-            "please report the robot file"
-        )
+def closes(robot: Robot, function: str, program: Program, scalar: ScalarType = "double") -> bool:
+    """Whether ``program``, of poses, leads back to them in plain forward kinematics."""
+    return _flaw(robot, function, program, scalar) is None
+
+
+def _flaw(robot: Robot, function: str, program: Program, scalar: ScalarType) -> str | None:
+    return flaw(robot, function, program, scalar, place_only=inverse_kinematics_of(robot).place_only)

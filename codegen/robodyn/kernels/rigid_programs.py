@@ -118,7 +118,7 @@ class RigidPrograms:
             if record is None or self._cost(passed) <= self._cost(record):
                 record = passed
                 self.taken.pop(function, None)
-        prove(self.robot, function, record)
+        prove(self.robot, function, record, self.options.scalar)
         return record
 
     def _passed(self, function: str) -> Program:

@@ -6,7 +6,7 @@ Source: Gautier 1997 (parallel filtering: what is compared goes through the same
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
@@ -33,7 +33,8 @@ class Signals:
     [K, n] as logged; ``cutoff`` [Hz] of the filter of :meth:`filtered`; ``every``: what :meth:`thinned`
     keeps, but for ``edge`` samples at either end; ``acceleration_noise`` [n]: standard deviations of
     the noise that the accelerations have from the encoders, after :meth:`filtered`; ``torque_noise`` [n]:
-    those of the torque channel's noise, unfiltered."""
+    those of the torque channel's noise, unfiltered; ``motion`` [Hz]: the cutoff of the filter that positions
+    went through, None where they did not."""
 
     t: Floats
     q: Floats
@@ -45,6 +46,7 @@ class Signals:
     edge: int
     acceleration_noise: Floats | None = None
     torque_noise: Floats | None = None
+    motion: float | None = None
 
     @property
     def period(self) -> float:
@@ -78,8 +80,15 @@ class Signals:
         t, q, qd, qdd, tau = (x[::step] for x in arrays)
         return Signals(
             t, q, qd, qdd, tau, self.cutoff, self.every // step, self.edge // step,
-            self.acceleration_noise, self.torque_noise,
+            self.acceleration_noise, self.torque_noise, self.motion,
         )  # fmt: skip
+
+    def smoother(self) -> Signals:
+        """The same with positions that went through their filter once more."""
+        if self.motion is None:
+            return self
+        q, qd, qdd = _moving(self.q, self.period, self.motion)
+        return replace(self, q=q, qd=qd, qdd=qdd)
 
 
 def signals_of(log: Log, *, cutoff: float | None = None, wider: float = 1.0) -> Signals:
@@ -91,9 +100,7 @@ def signals_of(log: Log, *, cutoff: float | None = None, wider: float = 1.0) -> 
     rate = 1 / period
     chosen = cutoff or knee(log.q, rate)
     motion = motion_cutoff(log.q, rate, chosen, wider)
-    smooth = smoothed_motion(log.q, rate, motion)
-    qd = np.gradient(smooth, period, axis=0)
-    qdd = np.gradient(qd, period, axis=0)
+    smooth, qd, qdd = _moving(log.q, period, motion)
     every = thinning(rate, chosen)
     edge = every * max(1, round(min(1.5 / chosen * rate, len(t) / 20) / every))
     # So many samples that coarse signals have the same places.
@@ -102,7 +109,14 @@ def signals_of(log: Log, *, cutoff: float | None = None, wider: float = 1.0) -> 
         1.4826 * np.median(np.abs(log.q - smooth), axis=0) * _acceleration_noise(chosen, motion, rate)
     )
     t, smooth, qd, qdd, tau = (x[:count] for x in (t, smooth, qd, qdd, log.tau))
-    return Signals(t, smooth, qd, qdd, tau, chosen, every, edge, acceleration_noise, _raw_noise(tau))
+    return Signals(t, smooth, qd, qdd, tau, chosen, every, edge, acceleration_noise, _raw_noise(tau), motion)
+
+
+def _moving(q: Floats, period: float, cutoff: float) -> tuple[Floats, Floats, Floats]:
+    """Positions [K, n] through their filter, and their rates."""
+    smooth = smoothed_motion(q, 1 / period, cutoff)
+    qd = np.gradient(smooth, period, axis=0)
+    return smooth, qd, np.gradient(qd, period, axis=0)
 
 
 def thinning(rate: float, cutoff: float = ENOUGH_CUTOFF) -> int:

@@ -65,13 +65,15 @@ class Format:
 @dataclass(frozen=True, slots=True)
 class Argument:
     """An array of a function: its shape for this robot, ``()`` for a single number; ``holds`` and ``unit``
-    say what it is. In C it is one row of ``size`` numbers, a matrix row by row."""
+    say what it is. In C it is one row of ``size`` numbers, a matrix row by row. ``optional``: where
+    a language lets callers leave it out it is zero then."""
 
     name: str
     shape: tuple[int, ...]
     size: int
     holds: str
     unit: str
+    optional: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -180,4 +182,4 @@ def _routine(signature: Signature) -> Routine:
 def _argument(name: str, size: int, signature: Signature) -> Argument:
     array = array_named(name)
     units = " or ".join(unit for unit in (array.unit, array.prismatic) if unit)
-    return Argument(name, array.shape_of(size, signature.joints), size, array.holds, units)
+    return Argument(name, array.shape_of(size, signature.joints), size, array.holds, units, array.optional)

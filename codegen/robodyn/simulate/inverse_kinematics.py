@@ -16,13 +16,13 @@ from numpy.typing import ArrayLike, NDArray
 from robodyn.errors import InputError
 from robodyn.robot.model import Robot
 from robodyn.simulate.kinematics import Kinematics
-from robodyn.simulate.puma_inverse import closest_turns
 
 Floats = NDArray[np.float64]
 
 _STEPS = 300
 _REFUSALS = 12  # steps in a row that do not lower the error before a start is given up
 _LARGEST_JUMP = math.pi / 2
+_TURN = 2 * math.pi
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,17 +69,28 @@ class InverseKinematics:
         ------
         InputError: the place cannot be reached from any start; says how near the arm came.
         """
+        q, error = self.nearest(point, rotation, start)
+        if error <= self.tolerance:
+            return q
+        target, turn = _target(point, rotation)
+        raise self._unreachable("the pose" if turn is not None else "the point", target, error, self.starts)
+
+    def nearest(
+        self, point: ArrayLike, rotation: ArrayLike | None = None, start: ArrayLike | None = None
+    ) -> tuple[Floats, float]:
+        """As :meth:`solve`, with the error; the nearest joint positions where the place is out of reach."""
         target, turn = _target(point, rotation)
         low, high = self._range()
         first = (low + high) / 2 if start is None else self._start(start)
         rng = np.random.default_rng(self.seed)
-        nearest = math.inf
+        best, least = first, math.inf
         for attempt in range(max(1, self.starts)):
             q, error = self._descend(target, turn, first if attempt == 0 else rng.uniform(low, high))
+            if error < least:
+                best, least = q, error
             if error <= self.tolerance:
-                return self._in_turn(q, first)
-            nearest = min(nearest, error)
-        raise self._unreachable("the pose" if turn is not None else "the point", target, nearest, self.starts)
+                break
+        return self._in_turn(best, first), least
 
     def along(
         self, points: ArrayLike, rotations: ArrayLike | None = None, start: ArrayLike | None = None
@@ -205,6 +216,11 @@ class InverseKinematics:
             expected=f"at most {self.tolerance:g} (m and rad)",
             remedy="move it into the arm's reach, widen the joints' limits, or give another start",
         )
+
+
+def closest_turns(q: Floats, near: Floats) -> Floats:
+    """``q`` [.., n] (rad) with whole turns added, so that each is within half a turn of ``near``."""
+    return q - _TURN * np.round((q - near) / _TURN)
 
 
 def position_limits(robot: Robot) -> Floats:

@@ -206,9 +206,8 @@ class _Run:
         ends = np.cumsum([length for _, length in outputs])[:-1]
         rows = np.split(self._result(function), ends, axis=1)
         results = dict(zip((name for name, _ in outputs), rows, strict=True))
-        error = pose_errors(
-            self.robot, self.reference, function_named(function), results, self.inputs, self.tolerance
-        )
+        record, dtype = function_named(function), self.kernel.dtype
+        error = pose_errors(self.robot, self.reference, record, results, self.inputs, self.tolerance, dtype)
         state = int(np.argmax(error))
         return self._comparison_at(function, "reference", len(error), 0, float(error[state]), state)
 

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.dynamics.functions.record import Answers, Function
+from robodyn.dynamics.inverse.limits import EDGE
 from robodyn.optimize.programs import inverse_kinematics_of
 from robodyn.robot.model import Robot
 from robodyn.verify.reference import Floats, Reference
@@ -16,6 +18,8 @@ from robodyn.verify.sample import is_reachable
 
 #: How near a limit [rad or m] a joint may be for rounding to decide whether it is within.
 _AT_LIMIT = 1e-3
+#: What a pose may be off where it is taken for one at the edge of reach, as a multiple of that share.
+_EDGE = 10
 #: Up to what distance [rad or m] positions are the same, as a multiple of the root of the tolerance: where
 #: branches meet positions lose half their digits.
 _SAME = 10.0
@@ -28,15 +32,17 @@ def pose_errors(
     results: Mapping[str, Floats],
     inputs: Mapping[str, Floats],
     tolerance: float,
+    dtype: np.dtype[Any],
 ) -> Floats:
     """How far the solutions of ``function``, ``[N, size]`` by name, are off the poses ``T`` ``[N, 12]`` of
     ``inputs`` at most, as a share of the arm's size: ``[N]``.
 
     Infinite where a result is no number, where a flag is wrong, where the positions ``q`` ``[N, n]`` that a
-    pose is of are not among the solutions, and where a pose out of reach has one.
+    pose is of are not among the solutions, and where a pose out of reach has one. What is off at the edge of
+    reach, which a kernel of ``dtype`` does not tell from beyond, counts by so much less.
     """
     parts = [part.answers for part in function.fuses or (function,) if part.answers is not None]
-    errors = [_errors(robot, reference, part, results, inputs, tolerance) for part in parts]
+    errors = [_errors(robot, reference, part, results, inputs, tolerance, dtype) for part in parts]
     sound = np.isfinite(np.concatenate(list(results.values()), axis=1)).all(axis=1)
     worst: Floats = np.where(sound, np.max(errors, axis=0), np.inf)
     return worst
@@ -49,6 +55,7 @@ def _errors(
     results: Mapping[str, Floats],
     inputs: Mapping[str, Floats],
     tolerance: float,
+    dtype: np.dtype[Any],
 ) -> Floats:
     T, q = inputs["T"], inputs["q"]
     count, n = q.shape
@@ -60,7 +67,9 @@ def _errors(
     missed = np.abs(poses - T[:, None, :])
     if inverse_kinematics_of(robot).place_only:
         missed = missed[:, :, 3::4]
-    closure = np.where(exists == 1, missed.max(axis=2), 0.0).max(axis=1)
+    at_edge = max(1.0, _EDGE * EDGE * float(np.finfo(dtype).eps) / tolerance)
+    share = missed.max(axis=2) / np.where(singular == 1, at_edge, 1.0)
+    closure = np.where(exists == 1, share, 0.0).max(axis=1)
     reachable = is_reachable(count)
     same = (_apart(robot, solutions, q[:, None, :]) < _SAME * math.sqrt(tolerance)) & (exists == 1)
     right = np.where(reachable, same.any(axis=1), (exists == 0).all(axis=1))

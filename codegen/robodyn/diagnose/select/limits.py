@@ -242,8 +242,9 @@ PRIOR_SHARES: Final = 15
 BY_PRIOR: Final = 0.7
 """[share of the error] A number whose error comes from its own prior by more is not told by the logs."""
 
-LAG_ACCURACY: Final = 0.01
-"""[share of the value] The arm is taken to be linear in a link's lag: its spring is known no better."""
+STRIKE_ACCURACY: Final = 0.01
+"""[share of the value] A link in backlash strikes its motor between samples: a gap and its teeth are known no
+better. (A spring that does not strike is as well known as the log shows it.)"""
 
 # --- walk --------------------
 

@@ -30,6 +30,7 @@ from robodyn.diagnose.select.remainder import remainder
 from robodyn.effects.catalogue import effect
 from robodyn.effects.effect import Effect
 from robodyn.errors import InputError
+from robodyn.identify.rigid import Reuse
 from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]
@@ -136,6 +137,11 @@ class Freed:
         rows /= self.start.sigma
         left = (rows * self.start.weight).reshape(-1)
         return left if np.isfinite(left).all() else None
+
+    def smoother(self) -> Freed:
+        """The same along motions that went through their filter once more."""
+        contexts = [replace(c, signals=c.signals.smoother(), reuse=Reuse()) for c in self.contexts]
+        return replace(self, contexts=tuple(contexts))
 
     def own_numbers(self, x: Floats) -> tuple[Floats, Floats]:
         """Columns [N n, p] of the arm's own numbers beside values ``x`` [P], and how they are held [p, p]."""

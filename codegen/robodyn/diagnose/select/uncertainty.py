@@ -2,7 +2,8 @@
 
 Standard errors are those of the joint fit with the arm's own numbers left free within their confidence:
 curvature of the misfit, with residuals that are correlated over time (Liang and Zeger 1986: scores by parts
-of the log; and no less than their autocorrelation has it).
+of the log; and no less than their autocorrelation has it). What the filter of positions takes from the
+motion is in no residual: about as much as a second pass of it moves the numbers by.
 
 A number in which an effect is not linear (a width of backlash, a velocity, a stiffness) need not have a
 misfit that is a parabola. Its interval is where the misfit along it, all other numbers refitted, is larger by
@@ -12,7 +13,7 @@ error (Chandler and Bate 2007). A side on which it never grows so much is open.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -26,7 +27,6 @@ from robodyn.diagnose.select.library import Context
 from robodyn.diagnose.select.limits import (
     BETTER_FIT,
     FARTHEST_BOUND,
-    LAG_ACCURACY,
     LEAST_CURVATURE,
     LEAST_SPREAD,
     NEAR_BOUND,
@@ -34,10 +34,12 @@ from robodyn.diagnose.select.limits import (
     PROFILE_STEPS,
     PROFILE_TRIES,
     SCORE_PARTS,
+    STRIKE_ACCURACY,
 )
 from robodyn.diagnose.select.own_numbers import feels_loads
 from robodyn.diagnose.select.refine import Freed, fitted, weights
 from robodyn.effects.catalogue import CATALOGUE
+from robodyn.effects.effect import Coupler
 from robodyn.identify.intervals import correlations
 from robodyn.robot.model import Robot
 
@@ -115,7 +117,11 @@ class LocalFit:
         # What the arm's own numbers make up for of the columns is taken off first: two numbers that only
         # their ratio shows would be lost among many columns.
         others = -inverse @ cross @ (own := _inverse(curvature))
-        errors = _errors(start, J @ own + A @ others, others, np.diag(own), left - A @ z, prior)
+        influence = J @ own + A @ others
+        errors = _errors(start, influence, others, np.diag(own), left - A @ z, prior)
+        smoother = freed.smoother().missed(x)
+        if smoother is not None:
+            errors = np.hypot(errors, influence.T @ (weight * smoother - left))
         return cls(freed, x, weight, J, A, inverse, misfit, curvature, errors)
 
     def misfit_at(self, x: Floats) -> tuple[float, Floats] | None:
@@ -147,7 +153,7 @@ def _all(fit: LocalFit, *, may_move: bool) -> tuple[list[Uncertainty | None], Fl
             if better is not None:
                 return known, better
             bounds.append(bound)
-        if definition.coupler is not None:
+        if _strikes(definition.coupler, fit.freed.amendments[k].parameters):
             bounds = [None if end is None else value + _wider(end - value, value) for end in bounds]
         low, high = bounds
         stderr = None if low is None or high is None else (high - low) / 2 / HALF_WIDTH
@@ -155,10 +161,17 @@ def _all(fit: LocalFit, *, may_move: bool) -> tuple[list[Uncertainty | None], Fl
     return known, None
 
 
+def _strikes(coupler: Coupler | None, values: Mapping[str, float | str]) -> bool:
+    """Whether a link strikes what passes torque on to it: the twist between is not in proportion to that."""
+    if coupler is None:
+        return False
+    return not np.isclose(coupler.twist(values, 2.0), 2 * coupler.twist(values, 1.0))
+
+
 def _wider(half: float, value: float) -> float:
     """The signed distance ``half`` of an interval's end from a ``value``, with what the model of a link that
-    lags is off by."""
-    return float(np.copysign(np.hypot(half, HALF_WIDTH * LAG_ACCURACY * value), half))
+    strikes is off by."""
+    return float(np.copysign(np.hypot(half, HALF_WIDTH * STRIKE_ACCURACY * value), half))
 
 
 class Profile:

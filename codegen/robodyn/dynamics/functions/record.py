@@ -137,13 +137,14 @@ class Derivative(NamedTuple):
 
 
 class Answers(NamedTuple):
-    """Of a function of a pose the names of its results: joint positions, a row for each branch or of one; and
-    whether each reaches the pose, is within the joints' limits, and is singular."""
+    """Of a function of a pose the names of its results: joint positions, a row for each branch or of one;
+    whether each reaches the pose, is within the joints' limits, and is singular; which ``branch`` it is."""
 
     solutions: str
     exists: str
     within: str
     singular: str
+    branch: str = ""
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)  # one object each; every command imports this

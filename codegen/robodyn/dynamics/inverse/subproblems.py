@@ -122,12 +122,12 @@ def reaching(
     axis: Vector,
     near: Callable[[], Circle],
     scale: Scale,
-    margins: tuple[Any, Any] | None = None,
+    margins: tuple[Any, Any, Any] | None = None,
 ) -> Two:
     """The two angles about ``axis`` at which ``v``, turned, is ``distance`` along the vector ``along``:
     ``along . R v = distance``. Where none is, the nearest, twice; ``near``, and for two that are always half
     a turn apart the other side of it, where all are. ``margins``: how far what turns of
-    ``distance`` is from its lowest and highest values, where that is known better."""
+    ``distance`` is from its lowest and highest values, where that is known better, and how exactly."""
     base = across(axis, v)
     x, y = dot(along, base), dot(along, cross(axis, v))
     square = x * x + y * y
@@ -150,7 +150,11 @@ def reaching(
     slack = scale.edge * (most if known else scale.size**scale.lengths)
     exist = choose(rest + slack * (2 * most + slack), 1, 0)
     meet = either(blunt, choose(scale.edge * square - rest, 1, 0))
-    side = real_root(choose(rest, rest, 0))
+    if margins is None:
+        side = real_root(choose(rest, rest, 0))
+    else:  # folded or stretched to within rounding is folded or stretched: the two answers are one
+        low, high, noise = margins
+        side = real_root(choose(low - noise, choose(high - noise, rest, 0), 0))
     # Beyond reach, x^2 + y^2 < b^2: the root is 0, and what is left is brought back onto the circle.
     share = 1 / choose(free, 1, choose(rest, square, most * magnitude(b)))
     answers = (
@@ -177,6 +181,7 @@ def folding(b: Vector, c: Vector, square: Any, axis: Vector, near: Callable[[], 
         margins = (
             (square - (fixed + (long - short) ** 2)) / 2,
             ((fixed + (long + short) ** 2) - square) / 2,
+            LEVER * scale.unit * square,
         )
     bend = (square - (fixed + squares[0] + squares[1])) / 2
     return reaching(other, one, bend, axis, near, scale, margins)

@@ -148,7 +148,12 @@ def _call(
     lines, arguments, size = [], [], 0
     for array in called.inputs:
         place = f"arg[{names.index(array.name)}]" if array.name in names else ""
-        arguments.append(f"{place} ? {place} : zero" if place else "zero")
+        source = f"{place} ? {place} : zero" if place else "zero"
+        if _is_matrix(array):
+            lines.append(f"double *{array.name} = w + {start + size};")
+            lines += _taken(array.name, source, _by_rows(*_plane(array)))
+            source, size = array.name, size + array.size
+        arguments.append(source)
     for k, array in enumerate(called.outputs):
         room = f"w + {start + size}"
         direct = bool(results) and not _is_matrix(array)
@@ -183,6 +188,11 @@ def _by_columns(rows: int, columns: int, zeros: Sequence[int] = ()) -> list[int]
     """Elements of a matrix that is stored by rows, in the order of one that is stored by columns."""
     every = (row * columns + column for column in range(columns) for row in range(rows))
     return [place for place in every if place not in set(zeros)]
+
+
+def _by_rows(rows: int, columns: int) -> list[int]:
+    """Elements of a matrix that is stored by columns, in the order of one that is stored by rows."""
+    return [column * rows + row for row in range(rows) for column in range(columns)]
 
 
 def _dense(rows: int, columns: int) -> tuple[int, ...]:

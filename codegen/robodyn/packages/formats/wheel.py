@@ -112,7 +112,7 @@ def _functions(package: Package) -> Iterator[PythonFunction]:
         yield PythonFunction(
             routine.name,
             f"{signature.function}_robodyn_batch",
-            repr(tuple((array.name, array.size) for array in routine.inputs)),
+            repr(tuple((array.name, array.shape, array.optional) for array in routine.inputs)),
             repr(tuple((array.name, array.shape) for array in routine.outputs)),
             repr(parameters if signature.parameters else ()),
             repr(signature.states),
@@ -124,7 +124,8 @@ def _functions(package: Package) -> Iterator[PythonFunction]:
 
 def _arguments(signature: Signature, routine: Routine, result: str) -> Iterator[str]:
     """The arguments of a function as its stub has them."""
-    yield from (f"{array.name}: ArrayLike" for array in routine.inputs)
+    for array in routine.inputs:
+        yield f"{array.name}: ArrayLike{' | None = None' if array.optional else ''}"
     yield "*"
     if signature.parameters:
         yield "params: Params"
@@ -138,6 +139,8 @@ def _text(routine: Routine) -> str:
 
     def line(array: Argument) -> str:
         shape = ", ".join(["...", *map(str, array.shape)])
+        if array.optional:
+            return f"{array.name}: [{shape}], {array.holds} ({array.unit}); zeros if left out"
         return f"{array.name}: [{shape}], {array.holds}" + (f" ({array.unit})" if array.unit else "")
 
     purpose = f"{routine.purpose[:1].upper()}{routine.purpose[1:]}."
@@ -149,7 +152,7 @@ def _text(routine: Routine) -> str:
 def _example(package: Package) -> str:
     """A call of the first function at rest."""
     routine = package.routines[0]
-    zeros = ", ".join(f"[0.0] * {array.size}" for array in routine.inputs)
+    zeros = ", ".join(f"[0.0] * {array.size}" for array in routine.inputs if not array.optional)
     return f"{routine.name}({zeros})"
 
 

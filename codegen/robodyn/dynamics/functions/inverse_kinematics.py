@@ -1,0 +1,74 @@
+"""Inverse kinematics: the joint positions that bring the tool to a pose, all branches or the nearest.
+
+How they are solved for is in :mod:`robodyn.dynamics.inverse`. Flags are numbers, 0 or 1: all that a kernel
+takes and gives is of one type (docs/decisions/0034).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from robodyn.dynamics.functions.arguments import NEAR, POSE, Array
+from robodyn.dynamics.functions.record import Answers, Dynamics, Function
+from robodyn.dynamics.poses import flat
+
+if TYPE_CHECKING:
+    from robodyn.dynamics.inverse import Inverse
+
+SOLUTIONS = Array("solutions", "joint positions, a row for each branch", "rad", "m", shape=("b", "n"))
+EXISTS = Array(
+    "exists",
+    "1 for a branch that reaches the pose; 0 where its row is the nearest that it comes",
+    "",
+    shape=("b",),
+)
+WITHIN = Array("within", "1 for a row within the joints' limits, else 0", "", shape=("b",))
+SINGULAR = Array("singular", "1 for a branch that meets another or leaves a joint free", "", shape=("b",))
+COUNT = Array("solution_count", "how many branches reach the pose", "", shape=())
+
+SOLUTION = Array("solution", "joint positions", "rad", "m")
+REACHED = Array(
+    "solution_exists", "1 where they reach the pose, 0 where they are the nearest to it", "", shape=()
+)
+ALLOWED = Array("solution_within", "1 where they are within the joints' limits, else 0", "", shape=())
+MEETING = Array("solution_singular", "1 where two branches meet or a joint is free, else 0", "", shape=())
+BRANCH = Array("branch", "which branch it is, from 0", "", shape=())
+
+
+def _inverse(at: Dynamics) -> Inverse:
+    from robodyn.dynamics.inverse import inverse_of
+
+    return inverse_of(at.arm, [body.limits for body in at.arm.bodies])
+
+
+def _all_branches(at: Dynamics) -> Sequence[Any]:
+    solved = _inverse(at).solve(at.inputs["T"], at.inputs["q_near"], at.rounding)
+    return [*flat(solved.solutions), *solved.exists, *solved.within, *solved.singular, solved.count]
+
+
+def _nearest(at: Dynamics) -> Sequence[Any]:
+    nearest = _inverse(at).nearest(at.inputs["T"], at.inputs["q_near"], at.rounding)
+    return [*nearest.solution, nearest.exists, nearest.within, nearest.singular, nearest.branch]
+
+
+FUNCTIONS = (
+    Function(
+        "inverse_kinematics",
+        "joint positions that bring the tool to a pose, in all branches",
+        (POSE, NEAR),
+        (SOLUTIONS, EXISTS, WITHIN, SINGULAR, COUNT),
+        _all_branches,
+        geometric=True,
+        answers=Answers("solutions", "exists", "within", "singular"),
+    ),
+    Function(
+        "nearest_inverse_kinematics",
+        "joint positions that bring the tool to a pose, of the branch nearest to a reference",
+        (POSE, NEAR),
+        (SOLUTION, REACHED, ALLOWED, MEETING, BRANCH),
+        _nearest,
+        geometric=True,
+        answers=Answers("solution", "solution_exists", "solution_within", "solution_singular", "branch"),
+    ),
+)

@@ -1,0 +1,148 @@
+"""Inverse kinematics in words and figures: what leads to each pose, branch by branch."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import degrees as to_degrees
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.simulate.pose_text import roll_pitch_yaw
+from robodyn.simulate.poses import Posed, PoseSolver, Solution
+
+Floats = NDArray[np.float64]
+#: Positions and errors nearer to 0 than this are shown as 0 [rad or m].
+_NOTHING = 5e-7
+#: Errors [m, rad, deg] up to this are no more than rounding.
+_ROUNDING = 1e-12
+
+
+def poses_document(
+    solver: PoseSolver, posed: Sequence[Posed], *, nearest_only: bool = False
+) -> dict[str, Any]:
+    """For JSON: rad and m."""
+    closed = solver.closed_form
+    return {
+        "robot": solver.robot.name,
+        "method": "search" if closed is None else "closed form",
+        "reason": solver.reason or None,
+        "conditions": [] if closed is None else list(closed.conditions),
+        "place_only": solver.place_only,
+        "free_joint": None if closed is None or closed.redundant is None else closed.redundant + 1,
+        "poses": [
+            {
+                "pose": each.T.tolist(),
+                "reached": len(each.reached),
+                "nearest": _solution(each.nearest),
+                **({} if nearest_only else {"branches": [_solution(x) for x in each.solutions]}),
+            }
+            for each in posed
+        ],
+    }
+
+
+def _solution(solution: Solution) -> dict[str, Any]:
+    place, turn = solution.off
+    return {
+        "branch": solution.name,
+        "q": solution.q.tolist(),
+        "exists": solution.exists,
+        "within": solution.within,
+        "singular": solution.singular,
+        "off": {"place": place, "rotation": turn},
+    }
+
+
+def poses_text(
+    solver: PoseSolver, posed: Sequence[Posed], *, nearest_only: bool = False, degrees: bool = False
+) -> list[str]:
+    """The same as lines of text."""
+    lines = _method(solver)
+    for k, each in enumerate(posed, start=1):
+        lines += ["", _pose(each.T, k if len(posed) > 1 else None, degrees=degrees)]
+        shown = [each.nearest] if nearest_only else list(each.solutions)
+        lines += _table(solver, shown, degrees=degrees)
+        lines.append(_summary(solver, each, nearest_only=nearest_only))
+    return lines
+
+
+def _method(solver: PoseSolver) -> list[str]:
+    closed, name = solver.closed_form, solver.robot.name
+    if closed is None:
+        return [
+            f"{name}: no closed form ({solver.reason}); one solution, by search from the reference (--near)"
+        ]
+    lines = [f"{name}: closed form, {closed.branches} branches; {'; '.join(closed.conditions)}"]
+    if closed.place_only:
+        lines.append(f"{solver.robot.n} joints bring the tool to a place; its rotation follows")
+    if closed.redundant is not None:
+        lines.append(
+            f"joint {closed.redundant + 1} is free, and takes its position from the reference (--near)"
+        )
+    return lines
+
+
+def _pose(T: Floats, k: int | None, *, degrees: bool) -> str:
+    angles = [to_degrees(x) if degrees else x for x in roll_pitch_yaw(T[:, :3])]
+    place, turn = (" ".join(map(_number, values)) for values in (T[:, 3], angles))
+    return f"pose{'' if k is None else f' {k}'}: x y z {place} m, roll pitch yaw {turn} {_unit(degrees)}"
+
+
+def _unit(degrees: bool) -> str:
+    return "deg" if degrees else "rad"
+
+
+def _table(solver: PoseSolver, solutions: Sequence[Solution], *, degrees: bool) -> list[str]:
+    joints = [link.joint for link in solver.robot.links]
+    turns = [degrees and joint.kind == "revolute" for joint in joints]
+    heads = ["branch", *(f"q{i}" for i in range(1, len(joints) + 1)), "reached", "within", "singular", "off"]
+    rows = [heads]
+    for each in solutions:
+        q = [_number(to_degrees(x) if turn else x) for x, turn in zip(each.q.tolist(), turns, strict=True)]
+        flags = ["yes" if flag else "no" for flag in (each.exists, each.within, each.singular)]
+        rows.append([each.name, *q, *flags, _off(each, solver, degrees=degrees)])
+    widths = [max(len(row[k]) for row in rows) for k in range(len(heads))]
+    last = len(heads) - 1
+    return [
+        "  ".join(
+            cell if k == last else cell.ljust(w) if k == 0 else cell.rjust(w)
+            for k, (cell, w) in enumerate(zip(row, widths, strict=True))
+        ).rstrip()
+        for row in rows
+    ]
+
+
+def _off(solution: Solution, solver: PoseSolver, *, degrees: bool) -> str:
+    place, turn = solution.off
+    text = f"{_error(place)} m"
+    if solver.place_only:
+        return text
+    return f"{text}, {_error(to_degrees(turn) if degrees else turn)} {_unit(degrees)}"
+
+
+def _error(x: float) -> str:
+    return f"{x:.1e}" if x > _ROUNDING else f"<{_ROUNDING:.0e}"
+
+
+def _summary(solver: PoseSolver, posed: Posed, *, nearest_only: bool) -> str:
+    near = posed.nearest
+    if not posed.reached:
+        place, turn = near.off
+        beside = "" if solver.place_only else f" and {turn:.3g} rad"
+        again = ""
+        if solver.closed_form is not None and solver.closed_form.redundant is not None:
+            again = f"; another position of joint {solver.closed_form.redundant + 1} in --near may reach it"
+        return f"not reached: {place:.3g} m{beside} are missing at {near.name}{again}"
+    if solver.closed_form is None or nearest_only:
+        return "reached" if near.within else "reached, beyond the joints' limits"
+    within = sum(each.within for each in posed.reached)
+    return (
+        f"{len(posed.reached)} of {len(posed.solutions)} branches reach it, {within} within the joints' "
+        f"limits; nearest to the reference: {near.name}"
+    )
+
+
+def _number(x: float) -> str:
+    return f"{0.0 if abs(x) < _NOTHING else x:.6f}"

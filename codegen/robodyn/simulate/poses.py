@@ -1,0 +1,211 @@
+"""The joint positions of poses, of any arm: in closed form where its class has one, else by search.
+
+The closed form is that of the kernels (:mod:`robodyn.dynamics.inverse`), in double precision and without a
+compiler.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from robodyn.dynamics.functions import NoSuchFunction, function_named
+from robodyn.dynamics.inverse import Inverse
+from robodyn.errors import InputError
+from robodyn.ir.evaluate import REAL_FUNCTIONS, evaluate
+from robodyn.ir.program import Input, Program
+from robodyn.optimize.programs import Choice, build, inverse_kinematics_of
+from robodyn.robot.model import Robot
+from robodyn.simulate.inverse_kinematics import InverseKinematics, position_limits, rotation_vector
+from robodyn.simulate.kinematics import Kinematics
+
+Floats = NDArray[np.float64]
+
+#: All branches, and the nearest.
+_FUNCTIONS = ("inverse_kinematics", "nearest_inverse_kinematics")
+#: Functions of programs, over arrays of many poses.
+_OF_ARRAYS: dict[str, Callable[..., Any]] = {
+    **REAL_FUNCTIONS,
+    "sin": np.sin,
+    "cos": np.cos,
+    "sqrt": np.sqrt,
+    "atan2": np.arctan2,
+}
+
+
+@dataclass(frozen=True, slots=True)
+class _Evaluated:
+    """Of many poses joint positions ``q`` [K, b, n], ``flags`` [K, b, 3]: exists, within, singular; and where
+    there is one, which ``branch`` [K] it is."""
+
+    q: Floats
+    flags: NDArray[np.bool_]
+    branch: NDArray[np.int_]
+
+
+@dataclass(frozen=True, slots=True)
+class Solution:
+    """Joint positions for a pose.
+
+    ``name`` of the branch, ``q`` [n] (rad or m); ``exists``: they reach it; ``within`` the joints' limits;
+    ``singular``: branches meet here, or a joint is free; ``off`` the pose by so much: place [m], and angle of
+    the rotation that is missing [rad].
+    """
+
+    name: str
+    q: Floats
+    exists: bool
+    within: bool
+    singular: bool
+    off: tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Posed:
+    """A pose ``T`` [3, 4], its ``solutions``, all branches in the order of the kernels, and the one nearest
+    to the reference of those that exist, within limits if any is."""
+
+    T: Floats
+    solutions: tuple[Solution, ...]
+    nearest: Solution
+
+    @property
+    def reached(self) -> tuple[Solution, ...]:
+        """The solutions that exist."""
+        return tuple(solution for solution in self.solutions if solution.exists)
+
+
+class PoseSolver:
+    """Inverse kinematics of ``robot`` with run-time ``parameters`` at these values.
+
+    Attributes
+    ----------
+    closed_form: what solves in closed form; None where the arm is of no class, and ``reason`` says why.
+
+    Raises
+    ------
+    InputError: a run-time parameter has no value.
+    """
+
+    def __init__(self, robot: Robot, parameters: Mapping[str, float] | None = None) -> None:
+        self.robot = robot.at(parameters or {}) if robot.parameters else robot
+        self.closed_form: Inverse | None = None
+        self.reason = ""
+        try:
+            self.closed_form = inverse_kinematics_of(self.robot)
+        except NoSuchFunction as reason:
+            self.reason = reason.found or reason.what
+        tool = self.robot.tool
+        point = (0.0, 0.0, 0.0) if tool is None else tool.xyz
+        self._turn = np.eye(3) if tool is None else np.array(tool.rotation, np.float64)
+        self._kinematics = Kinematics(self.robot, None, [float(x) for x in point])
+
+    @property
+    def place_only(self) -> bool:
+        """Whether only the place of the tool counts, and its rotation follows."""
+        return self.robot.n <= 3
+
+    def pose(self, q: ArrayLike) -> Floats:
+        """The tool's frame ``[R p]`` at ``q``: [n] to [3, 4], [K, n] to [K, 3, 4]."""
+        place, rotation = self._kinematics.pose(q)
+        return np.concatenate([rotation @ self._turn, place[..., None]], axis=-1)
+
+    def solve(self, T: ArrayLike, near: ArrayLike | None = None) -> list[Posed]:
+        """The solutions of poses ``T`` [K, 3, 4]; ``near`` [n] (rad or m; zeros if not stated) is what joints
+        take that a pose leaves free, and what the nearest solution is near to.
+
+        Raises
+        ------
+        InputError: ``near`` is not of so many joints.
+        """
+        poses = np.asarray(T, np.float64).reshape(-1, 3, 4)
+        n = self.robot.n
+        reference = np.zeros(n) if near is None else np.asarray(near, np.float64)
+        if reference.shape != (n,) or not np.isfinite(reference).all():
+            raise InputError(
+                f"{self.robot.name}: this is no reference for {n} joints",
+                found=f"shape {list(reference.shape)}",
+                expected=f"[{n}], finite",
+            )
+        if self.closed_form is None:
+            return [self._searched(pose, reference) for pose in poses]
+        return self._closed(self.closed_form, poses, reference)
+
+    def branches(self, T: Floats, near: Floats) -> tuple[Floats, NDArray[np.bool_]]:
+        """Of an arm with a closed form the positions [K, b, n] of all branches for poses [K, 3, 4], and which
+        [K, b] reach their pose within the limits; ``near`` [n] as in :meth:`solve`."""
+        every = self._evaluated(_FUNCTIONS[0], T, near)
+        return every.q, every.flags[:, :, 0] & every.flags[:, :, 1]
+
+    def _closed(self, inverse: Inverse, poses: Floats, near: Floats) -> list[Posed]:
+        """All branches of all poses at once."""
+        every, best = (self._evaluated(name, poses, near) for name in _FUNCTIONS)
+        names = inverse.branch_names
+        posed = []
+        for k, T in enumerate(poses):
+            off = self._off(T, every.q[k])
+            solutions = tuple(
+                _solution(name, every.q[k, b], every.flags[k, b], off[b]) for b, name in enumerate(names)
+            )
+            (missed,) = self._off(T, best.q[k])
+            nearest = _solution(names[best.branch[k]], best.q[k, 0], best.flags[k, 0], missed)
+            if not nearest.exists:  # nearest to the pose then, not to the reference
+                nearest = min(solutions, key=lambda solution: solution.off)
+            posed.append(Posed(T, solutions, nearest))
+        return posed
+
+    def _evaluated(self, function: str, poses: Floats, near: Floats) -> _Evaluated:
+        """What the program of ``function`` gives for all poses."""
+        program, count = self._programs[function], len(poses)
+        inputs: dict[Input, Any] = {Input("T", k): x for k, x in enumerate(poses.reshape(-1, 12).T)}
+        inputs |= {Input("q_near", k): np.float64(x) for k, x in enumerate(near)}
+        with np.errstate(all="ignore"):  # what is not chosen may divide by zero
+            results = evaluate(program, inputs, functions=_OF_ARRAYS)
+        answers = function_named(function).answers
+        assert answers is not None
+
+        def rows(name: str) -> Floats:
+            return np.stack([np.broadcast_to(x, count) for x in results[name]], axis=-1)
+
+        flags = np.stack([rows(name) > 0 for name in answers[1:4]], axis=-1)
+        branch = rows(answers.branch)[:, 0].astype(int) if answers.branch else np.zeros(count, int)
+        return _Evaluated(rows(answers.solutions).reshape(count, -1, self.robot.n), flags, branch)
+
+    def _searched(self, T: Floats, near: Floats) -> Posed:
+        """The one solution that a search from ``near`` leads to."""
+        rotation = None if self.place_only else T[:, :3] @ self._turn.T
+        q, _ = self._search.nearest(T[:, 3], rotation, near)
+        (off,) = self._off(T, q[None])
+        low, high = position_limits(self.robot).T
+        within = bool(((low <= q) & (q <= high)).all())
+        exists = max(off) <= self._search.tolerance
+        solution = Solution("search", q, exists, within, singular=False, off=off)
+        return Posed(T, (solution,), solution)
+
+    @cached_property
+    def _programs(self) -> dict[str, Program]:
+        # As they are written: what a pose is off is looked at each time.
+        return {name: build(self.robot, name, Choice()) for name in _FUNCTIONS}
+
+    @cached_property
+    def _search(self) -> InverseKinematics:
+        return InverseKinematics(self._kinematics)
+
+    def _off(self, T: Floats, q: Floats) -> list[tuple[float, float]]:
+        """How far the tool is off ``T`` at ``q`` [b, n]: place [m], angle [rad]."""
+        poses = self.pose(q)
+        places = np.linalg.norm(poses[:, :, 3] - T[:, 3], axis=1)
+        if self.place_only:
+            return [(float(x), 0.0) for x in places]
+        turns = [float(np.linalg.norm(rotation_vector(T[:, :3] @ R[:, :3].T))) for R in poses]
+        return list(zip(places.tolist(), turns, strict=True))
+
+
+def _solution(name: str, q: Floats, flags: NDArray[np.bool_], off: tuple[float, float]) -> Solution:
+    exists, within, singular = flags.tolist()
+    return Solution(name, q, exists, within, singular, off)

@@ -1,0 +1,90 @@
+"""robodyn ik: poses from the command line and from files, as text and as JSON, reached or not."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from robodyn_cli.main import main
+
+POSE = "0.4,0.1,0.5,0,3,0"
+
+
+def ik(capsys: pytest.CaptureFixture[str], *arguments: str, code: int = 0) -> tuple[str, str]:
+    assert main(["ik", *arguments]) == code
+    captured = capsys.readouterr()
+    return captured.out, captured.err
+
+
+def test_all_branches(capsys: pytest.CaptureFixture[str]) -> None:
+    out, err = ik(capsys, "puma560", "--pose", POSE)
+    assert err == ""
+    lines = out.splitlines()
+    assert lines[0].startswith(
+        "puma560: closed form, 8 branches; axes 4, 5 and 6 meet in a point; axes 2 and 3"
+    )
+    assert lines[2].startswith("pose: x y z 0.400000 0.100000 0.500000 m, roll pitch yaw ")
+    assert len([line for line in lines if line.endswith("yes     yes        no  <1e-12 m, <1e-12 rad")]) == 8
+    assert lines[-1].startswith(
+        "8 of 8 branches reach it, 8 within the joints' limits; nearest to the reference"
+    )
+
+
+def test_the_same_pose_in_three_ways_and_degrees(capsys: pytest.CaptureFixture[str]) -> None:
+    of = "0.1,-0.5,0.4,0.2,0.9,0.3"
+    data = json.loads(ik(capsys, "puma560", "--of", of, "--json")[0])
+    (pose,) = data["poses"]
+    rows = ",".join(str(x) for row in pose["pose"] for x in row)
+    degrees = ",".join(str(np.degrees(float(x))) for x in of.split(","))
+    other = json.loads(ik(capsys, "puma560", "--pose", rows, "--of", degrees, "--degrees", "--json")[0])
+    q = [[branch["q"] for branch in each["branches"]] for each in (pose, *other["poses"])]
+    np.testing.assert_allclose(q[1:], [q[0], q[0]], atol=1e-9)
+    assert pose["reached"] == 8
+    assert data["method"] == "closed form"
+    assert data["free_joint"] is None
+    assert all(branch["off"]["place"] < 1e-14 for branch in pose["branches"])
+
+
+def test_the_nearest_alone(capsys: pytest.CaptureFixture[str]) -> None:
+    near = "0.1,-0.5,0.4,0.2,0.9,0.3"
+    data = json.loads(ik(capsys, "puma560", "--of", near, "--near", near, "--nearest", "--json")[0])
+    (pose,) = data["poses"]
+    assert "branches" not in pose
+    np.testing.assert_allclose(pose["nearest"]["q"], [float(x) for x in near.split(",")], atol=1e-12)
+    out, _ = ik(capsys, "puma560", "--of", near, "--near", near, "--nearest")
+    assert out.splitlines()[-1] == "reached"
+
+
+def test_a_pose_out_of_reach(capsys: pytest.CaptureFixture[str]) -> None:
+    out, err = ik(capsys, "puma560", "--pose", "3,0,0,0,0,0", code=1)
+    assert "not reached: 2." in out
+    assert err == "robodyn: error: puma560 does not reach the pose; move it into the arm's reach\n"
+
+
+def test_a_file_of_poses_of_a_redundant_arm(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    file = tmp_path / "poses.csv"
+    file.write_text("x,y,z,roll,pitch,yaw\n0.4,0.1,0.5,0,3,0\n0.4,0.1,9,0,3,0\n", encoding="utf-8")
+    out, err = ik(capsys, "panda", "--poses", str(file), code=1)
+    assert "\njoint 7 is free, and takes its position from the reference (--near)\n" in out
+    assert "\npose 2: x y z 0.400000 0.100000 9.000000 m" in out
+    assert "another position of joint 7 in --near may reach it" in out
+    assert "panda does not reach 1 of 2 poses; found pose 2 as the first" in err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ((), "there is no pose; expected --pose with 6 numbers x y z roll pitch yaw, 12 of"),
+        (("--pose", "1,2"), "this is not a pose; found 2 numbers"),
+        (("--of", "1,2"), "--of does not fit puma560; found 2 numbers"),
+        (("--pose", POSE, "--near", "1"), "--near does not fit puma560; found 1 numbers"),
+        (("--poses", "none.csv"), "none.csv: the file cannot be read"),
+    ],
+)
+def test_what_is_refused(
+    capsys: pytest.CaptureFixture[str], arguments: tuple[str, ...], message: str
+) -> None:
+    assert message in ik(capsys, "puma560", *arguments, code=2)[1]

@@ -1,0 +1,151 @@
+"""Poses as they are written, and their solutions for arms with and without a closed form."""
+
+from __future__ import annotations
+
+from functools import cache
+from math import pi
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from robodyn.errors import InputError
+from robodyn.robot import load, read_text
+from robodyn.robot.model import Robot
+from robodyn.simulate.pose_text import frame_of, frames_in, roll_pitch_yaw
+from robodyn.simulate.poses import PoseSolver
+
+QUARTER = np.array([[0.0, -1.0, 0.0, 1.0], [1.0, 0.0, 0.0, 2.0], [0.0, 0.0, 1.0, 3.0]])
+
+
+def odd_arm() -> Robot:
+    """Six joints of no class, with a tool that is turned."""
+    text = "name: odd\nlinks:\n"
+    for k in range(6):
+        text += f"  - {{joint: revolute, alpha: 0.{k + 3}, a: 0.{k + 1}, d: 0.2, mass: 1}}\n"
+    return read_text(text + "tool: {xyz: [0.1, 0, 0.2], rpy: [0.3, 0, 0.1]}\n", "odd.yaml")
+
+
+def test_three_ways_to_write_a_pose() -> None:
+    rows: list[float] = QUARTER.ravel().tolist()
+    for numbers in ([1, 2, 3, 0, 0, pi / 2], rows, [*rows, 0, 0, 0, 1]):
+        np.testing.assert_allclose(frame_of(numbers), QUARTER, atol=1e-15)
+    np.testing.assert_allclose(frame_of([1, 2, 3, 0, 0, 90], degrees=True), QUARTER, atol=1e-15)
+
+
+@pytest.mark.parametrize("angles", [(0.3, -0.4, 2.0), (0.0, pi / 2, 0.5), (-3.0, 1.5, -3.1)])
+def test_angles_there_and_back(angles: tuple[float, float, float]) -> None:
+    R = frame_of([0, 0, 0, *angles])[:, :3]
+    np.testing.assert_allclose(frame_of([0, 0, 0, *roll_pitch_yaw(R)])[:, :3], R, atol=1e-12)
+
+
+def test_a_rotation_with_few_digits_is_the_nearest() -> None:
+    R = frame_of([0, 0, 0, 0.3, -0.4, 2.0])
+    rounded = frame_of(np.round(R, 5).ravel().tolist())[:, :3]
+    assert np.abs(rounded @ rounded.T - np.eye(3)).max() < 1e-15
+    assert np.abs(rounded - R[:, :3]).max() < 1e-5
+
+
+@pytest.mark.parametrize(
+    ("numbers", "message"),
+    [
+        ([1, 2, 3], "not a pose; found 3 numbers; expected 6 numbers x y z roll pitch yaw"),
+        ([1, 2, 3, 4, 5, float("nan")], "not finite"),
+        ([*(2 * QUARTER).ravel()], "no rotation"),
+        ([*QUARTER[[1, 0, 2]].ravel()], "no rotation"),
+        ([*QUARTER.ravel(), 0, 0, 1, 1], "last row of a pose is wrong"),
+    ],
+)
+def test_what_is_no_pose(numbers: list[float], message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        frame_of(numbers)
+
+
+@pytest.mark.parametrize(
+    ("file", "text", "count"),
+    [
+        ("poses.csv", "x,y,z,roll,pitch,yaw\n1,2,3,0,0,1.5707963267948966\n\n1,2,3,0,0,0\n", 2),
+        ("poses.csv", ",".join(map(str, QUARTER.ravel())) + "\n", 1),
+        ("poses.json", f"[{QUARTER.tolist()}, [1, 2, 3, 0, 0, 0]]", 2),
+        ("poses.json", '{"poses": [[1, 2, 3, 0, 0, 1.5707963267948966]]}', 1),
+        ("poses.json", "[1, 2, 3, 0, 0, 1.5707963267948966]", 1),
+    ],
+)
+def test_files_of_poses(tmp_path: Path, file: str, text: str, count: int) -> None:
+    (tmp_path / file).write_text(text, encoding="utf-8")
+    frames = frames_in(tmp_path / file)
+    assert frames.shape == (count, 3, 4)
+    np.testing.assert_allclose(frames[0], QUARTER, atol=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("file", "text", "message"),
+    [
+        ("a.csv", "1,2,3,0,0,0\n1,2,x,0,0,0\n", r"a.csv:2: .*something else than numbers; found .*'x'"),
+        ("a.csv", "x,y\n", "there is no pose"),
+        ("a.csv", "1,2,3,0,0,0\n1,2\n", r"a.csv:2: this is not a pose; found 2 numbers"),
+        ("a.json", '{"frames": []}', "no list of poses"),
+        ("a.json", '[[1, 2, 3, 0, 0, "x"]]', "pose 1 has something else than numbers"),
+        ("a.json", "[[1, 2", "not JSON"),
+    ],
+)
+def test_what_is_no_file_of_poses(tmp_path: Path, file: str, text: str, message: str) -> None:
+    (tmp_path / file).write_text(text, encoding="utf-8")
+    with pytest.raises(InputError, match=message):
+        frames_in(tmp_path / file)
+
+
+@cache
+def puma() -> PoseSolver:
+    return PoseSolver(load("puma560", warn=lambda _: None))
+
+
+def test_all_branches_of_many_poses() -> None:
+    solver = puma()
+    q = np.random.default_rng(1).uniform(-1, 1, (20, 6))
+    for own, posed in zip(q, solver.solve(solver.pose(q)), strict=True):
+        assert max(max(x.off) for x in posed.reached) < 1e-14
+        assert min(np.abs(x.q - own).max() for x in posed.reached) < 1e-9
+    near = solver.solve(solver.pose(q[:1]), q[0] + 0.01)[0].nearest
+    np.testing.assert_allclose(near.q, q[0], atol=1e-9)
+
+
+def test_out_of_reach_the_nearest_is_said_to_be_off() -> None:
+    posed = puma().solve(frame_of([5, 0, 0, 0, 0, 0])[None])[0]
+    assert posed.reached == ()
+    assert not posed.nearest.exists
+    assert 3.5 < posed.nearest.off[0] < 5
+
+
+def test_an_arm_of_no_class_is_searched() -> None:
+    robot = odd_arm()
+    solver = PoseSolver(robot)
+    assert solver.closed_form is None
+    assert "no class" in solver.reason
+    q = np.array([0.2, -0.3, 0.4, 0.1, 0.5, -0.2])
+    (posed,) = solver.solve(solver.pose(q[None]), q + 0.05)
+    assert posed.nearest.exists
+    np.testing.assert_allclose(posed.nearest.q, q, atol=1e-6)
+
+
+@pytest.mark.thorough
+def test_a_search_comes_as_near_as_it_can() -> None:
+    (far,) = PoseSolver(odd_arm()).solve(frame_of([9, 0, 0, 0, 0, 0])[None])
+    assert far.reached == ()
+    assert 5 < far.nearest.off[0] < 9
+
+
+def test_lengths_get_their_values_first() -> None:
+    text = "name: lengthy\nlinks:\n"
+    for alpha, a in ((0, 0), ("pi/2", 0), (0, "reach")):
+        text += f"  - {{joint: revolute, alpha: {alpha}, a: {a}, mass: 1}}\n"
+    solver = PoseSolver(read_text(text + "tool: {xyz: [0.4, 0, 0]}\n", "l.yaml"), {"reach": 0.5})
+    assert solver.closed_form is not None
+    assert solver.closed_form.place_only
+    (posed,) = solver.solve(solver.pose(np.array([[0.1, 0.2, 0.3]])))
+    assert len(posed.reached) == 4
+
+
+def test_a_reference_of_another_length() -> None:
+    with pytest.raises(InputError, match=r"no reference for 6 joints; found shape \[5\]"):
+        PoseSolver(load("ur5", warn=lambda _: None)).solve(np.eye(3, 4)[None], np.zeros(5))
