@@ -16,13 +16,13 @@ from numpy.typing import ArrayLike, NDArray
 from robodyn.errors import InputError
 from robodyn.robot.model import Robot
 from robodyn.simulate.kinematics import Kinematics
-from robodyn.simulate.puma_inverse import closest_turns
 
 Floats = NDArray[np.float64]
 
 _STEPS = 300
 _REFUSALS = 12  # steps in a row that do not lower the error before a start is given up
 _LARGEST_JUMP = math.pi / 2
+_TURN = 2 * math.pi
 
 
 @dataclass(frozen=True, slots=True)
@@ -216,6 +216,11 @@ class InverseKinematics:
             expected=f"at most {self.tolerance:g} (m and rad)",
             remedy="move it into the arm's reach, widen the joints' limits, or give another start",
         )
+
+
+def closest_turns(q: Floats, near: Floats) -> Floats:
+    """``q`` [.., n] (rad) with whole turns added, so that each is within half a turn of ``near``."""
+    return q - _TURN * np.round((q - near) / _TURN)
 
 
 def position_limits(robot: Robot) -> Floats:

@@ -136,11 +136,15 @@ class PoseSolver:
             return [self._searched(pose, reference) for pose in poses]
         return self._closed(self.closed_form, poses, reference)
 
+    def branches(self, T: Floats, near: Floats) -> tuple[Floats, NDArray[np.bool_]]:
+        """Of an arm with a closed form the positions [K, b, n] of all branches for poses [K, 3, 4], and which
+        [K, b] reach their pose within the limits; ``near`` [n] as in :meth:`solve`."""
+        every = self._evaluated(_FUNCTIONS[0], T, near)
+        return every.q, every.flags[:, :, 0] & every.flags[:, :, 1]
+
     def _closed(self, inverse: Inverse, poses: Floats, near: Floats) -> list[Posed]:
         """All branches of all poses at once."""
-        inputs: dict[Input, Any] = {Input("T", k): x for k, x in enumerate(poses.reshape(-1, 12).T)}
-        inputs |= {Input("q_near", k): np.float64(x) for k, x in enumerate(near)}
-        every, best = (self._evaluated(name, inputs, len(poses)) for name in _FUNCTIONS)
+        every, best = (self._evaluated(name, poses, near) for name in _FUNCTIONS)
         names = inverse.branch_names
         posed = []
         for k, T in enumerate(poses):
@@ -150,12 +154,16 @@ class PoseSolver:
             )
             (missed,) = self._off(T, best.q[k])
             nearest = _solution(names[best.branch[k]], best.q[k, 0], best.flags[k, 0], missed)
+            if not nearest.exists:  # nearest to the pose then, not to the reference
+                nearest = min(solutions, key=lambda solution: solution.off)
             posed.append(Posed(T, solutions, nearest))
         return posed
 
-    def _evaluated(self, function: str, inputs: Mapping[Input, Any], count: int) -> _Evaluated:
+    def _evaluated(self, function: str, poses: Floats, near: Floats) -> _Evaluated:
         """What the program of ``function`` gives for all poses."""
-        program = self._programs[function]
+        program, count = self._programs[function], len(poses)
+        inputs: dict[Input, Any] = {Input("T", k): x for k, x in enumerate(poses.reshape(-1, 12).T)}
+        inputs |= {Input("q_near", k): np.float64(x) for k, x in enumerate(near)}
         with np.errstate(all="ignore"):  # what is not chosen may divide by zero
             results = evaluate(program, inputs, functions=_OF_ARRAYS)
         answers = function_named(function).answers

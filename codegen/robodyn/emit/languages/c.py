@@ -10,6 +10,7 @@ from robodyn.emit.advice import advice
 from robodyn.emit.batch import batch_files
 from robodyn.emit.body import Lines
 from robodyn.emit.c_syntax import c_builtin, c_spelling, c_syntax
+from robodyn.emit.freestanding import freestanding_calls, freestanding_context
 from robodyn.emit.language import Compiled, FunctionText, Language
 from robodyn.emit.runs import Run
 from robodyn.emit.sines import ANGLES, COSINES, SINES
@@ -27,6 +28,8 @@ def _syntax(signature: Signature, unit: Unit) -> Syntax:
     spelling = c_spelling(single=signature.scalar == "float", states=signature.states, explicit=unit.misra)
     if unit.builtin:
         spelling = spelling.calling(atan2=lambda y, x: f"{signature.robot}_atan2_({y}, {x})")
+    own = {op: f"{signature.robot}_{op}_({{}})".format for op in freestanding_calls(unit)}
+    spelling = spelling.calling(**own)
     syntax = c_syntax(spelling, f"{signature.robot}_real", libm=not unit.builtin)
     return replace(syntax, sines=_sines(signature.robot, syntax))
 
@@ -120,15 +123,17 @@ def _prototype(head: str, arguments: list[str]) -> str:
 
 def _context(unit: Unit) -> dict[str, Any]:
     name = unit.robot.name
+    single = unit.functions[0][0].scalar == "float"
     return {
         **c_builtin(
             name,
-            single=unit.functions[0][0].scalar == "float",
+            single=single,
             sines=has_sines(unit),
             arctangents=has_arctangents(unit),
         ),
         "contraction": None if unit.contraction is None else unit.contraction.upper(),
         "math": needs_libm(unit),
+        "freestanding": freestanding_context(unit, c_spelling(single=single).number),
         "guard": f"{name.upper()}_H",
         "macros": _macros(unit),
     }
