@@ -20,6 +20,9 @@ from robodyn.emit.unit import Unit, has_arctangents, has_sines
 from robodyn.ir.signature import Signature
 from robodyn.tools import Tool, Use
 
+#: Characters that a line of free form has at most.
+_LONGEST_LINE = 132
+
 
 def fortran_spelling(*, single: bool, states: Sequence[str] = ()) -> Spelling:
     """``states`` are the members of ``state``, where a function has one; it has ``dt`` then."""
@@ -93,7 +96,7 @@ def _function(text: FunctionText) -> dict[str, Any]:
         arguments += ["state", "dt"]
     return {
         "bound": _bound(signature),
-        "arguments": " &\n      ".join(textwrap.wrap(", ".join(arguments), WIDTH - 16)),
+        "arguments": " &\n      ".join(_argument_lines(signature.symbol, arguments)),
         "inputs": signature.inputs,
         "outputs": signature.outputs,
         "states": signature.states,
@@ -102,6 +105,13 @@ def _function(text: FunctionText) -> dict[str, Any]:
         "results": lines.results,
         "unused": [f"p%{signature.parameters[0]}" if name == "p" else name for name in text.unused],
     }
+
+
+def _argument_lines(symbol: str, arguments: Sequence[str]) -> list[str]:
+    """``arguments`` in lines, the first of them empty where it does not fit behind the name."""
+    lines = textwrap.wrap(", ".join(arguments), WIDTH - 16)
+    fits = len(f"  pure subroutine {symbol}({lines[0]}) &") <= _LONGEST_LINE
+    return lines if fits else ["", *lines]
 
 
 def _bound(signature: Signature) -> str:
