@@ -85,7 +85,8 @@ def check_firmware(generated: Generated) -> None:
                 found=", ".join(interface.states),
                 remedy="leave out the effects with memory, or use robodyn gen without --firmware",
             )
-        called = [op for op in _LIBRARY if any(operation.op == op for operation in program.operations)]
+        operations = {operation.op for part in program.parts() for operation in part.operations}
+        called = [op for op in _LIBRARY if op in operations]
         if called:
             raise InputError(
                 f"{interface.symbol} calls {', '.join(called)} of the C library, whose bits differ from "
