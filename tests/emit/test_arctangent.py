@@ -270,7 +270,7 @@ def test_a_choice_for_misra_has_its_condition_in_parentheses() -> None:
     generated = of_program(program(), "double")
     unit = dataclasses.replace(generated.unit, misra=True)
     files = dataclasses.replace(generated, unit=unit).files(("c",))
-    assert "((q[1] > 0.0) ? 3.0 : t" in files[f"{NAME}.c"]
+    assert "((q[1] > 0.0) ? 3.0 :" in files[f"{NAME}.c"]
 
 
 # --- order ------------------------------------------------------------------------------------------------

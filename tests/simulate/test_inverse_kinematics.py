@@ -15,7 +15,7 @@ from robodyn.robot import load, read_text
 from robodyn.robot.model import Robot
 from robodyn.simulate.inverse_kinematics import InverseKinematics, rotation_vector
 from robodyn.simulate.kinematics import Kinematics
-from robodyn.simulate.puma_inverse import BRANCHES, PumaArm, puma_positions
+from robodyn.thesis.puma_inverse import BRANCHES, PumaArm, puma_positions
 
 OFFSET, UPPER, FOREARM = 0.127, 0.4318, 0.4318  # of the thesis's program D.1.3
 

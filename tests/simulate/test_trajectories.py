@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 import re
+import sys
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
@@ -17,10 +18,11 @@ from hypothesis import strategies as st
 from robodyn.errors import InputError
 from robodyn.robot import load
 from robodyn.robot.model import Limits, Robot
+from robodyn.simulate.inverse_kinematics import InverseKinematics
 from robodyn.simulate.kinematics import Kinematics
-from robodyn.simulate.puma_inverse import PumaArm
 from robodyn.simulate.trajectories import Trajectory, fourier, line, quintic, trapezoid, via
 from robodyn.simulate.trajectories.spline import hermite, least_jerk
+from robodyn.thesis.puma_inverse import PumaArm
 from robodyn_testing import exactly, require_module
 
 START, END = [0.4, 0.1, 0.1], [0.2, 0.5, 0.3]
@@ -323,3 +325,25 @@ def test_arrays_that_do_not_fit() -> None:
 def test_makers_refuse(make: Callable[[], Trajectory], message: str) -> None:
     with pytest.raises(InputError, match=message):
         make()
+
+
+@pytest.mark.parametrize(("name", "link"), [("puma560_3dof", 3), ("ur5", 6)])
+def test_a_line_in_closed_form(name: str, link: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """An arm of a class needs no search, and comes where a search does."""
+    robot = arm(name)
+    kinematics = Kinematics(robot, point=(0.0, 0.3, 0.0) if link == 3 else (0.0, 0.0, 0.1), link=link)
+    start = [0.3, -0.5, 0.9, 0.4, 0.9, 0.1][:link]
+    place, turn = kinematics.pose(start)
+    rotation = turn if link == 6 else None
+
+    def led() -> Trajectory:
+        end = place + np.array([0.05, -0.1, 0.05])
+        return line(kinematics, place, end, 1.0, rotation=rotation, start=start, period=1e-2)
+
+    with monkeypatch.context() as patched:
+        patched.setattr(InverseKinematics, "along", None)
+        closed = led()
+    module = sys.modules[line.__module__]
+    monkeypatch.setattr(module, "along_branch", lambda *arguments: None)
+    np.testing.assert_allclose(led().q, closed.q, atol=1e-9)
+    np.testing.assert_allclose(closed.q[0], start, atol=1e-12)

@@ -167,9 +167,10 @@ class _Reader:
             return values.of("neg", self._value(expression.expr))
         if isinstance(expression, c.FuncCall):
             match = _CALLS.match(expression.name.name)
-            if match is None:
+            own = expression.name.name == f"{self.signature.robot}_abs_"
+            if match is None and not own:
                 raise ValueError(f"a call of {expression.name.name}")
-            name = "abs" if match[1] == "fabs" else match[1]
+            name = "abs" if match is None or match[1] == "fabs" else match[1]
             return values.of(name, self._value(expression.args.exprs[0]))
         if isinstance(expression, c.TernaryOp):
             return self._sign(expression)

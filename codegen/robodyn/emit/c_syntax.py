@@ -74,7 +74,7 @@ def c_builtin(name: str, *, single: bool, sines: bool, arctangents: bool) -> dic
     one, lanes = (
         c_syntax(c_spelling(single=single), real, libm=False) for real in (f"{name}_real", "LANES_VEC")
     )
-    what = "sine and cosine" if sines else "arctangents"
+    what = "sine and cosine" if sines else "arctangents" if arctangents else "square roots"
     return {
         "bits": 32 if single else 64,
         "refused": [(test, reason.format(what)) for test, reason in _REFUSED],

@@ -6,6 +6,8 @@ import dataclasses
 from collections.abc import Sequence
 
 from robodyn.dynamics.functions import function_named
+from robodyn.emit.freestanding import FREESTANDING
+from robodyn.emit.unit import OF_LIBM
 from robodyn.errors import InputError
 from robodyn.ir.signature import ScalarType
 from robodyn.kernels.generate import Generated, Options
@@ -14,8 +16,8 @@ from robodyn.targets import Target, firmware_targets, target_named
 #: What a controller calls; more of them make the code larger.
 FUNCTIONS = ("inverse_dynamics",)
 
-#: What the C library has, and -ffreestanding leaves to it.
-_LIBRARY = ("tanh", "exp", "pow", "sqrt", "abs")
+#: What the C library has, and only that.
+_LIBRARY = sorted(OF_LIBM - FREESTANDING)
 
 
 def targets_named(names: Sequence[str]) -> tuple[Target, ...]:
@@ -83,7 +85,8 @@ def check_firmware(generated: Generated) -> None:
                 found=", ".join(interface.states),
                 remedy="leave out the effects with memory, or use robodyn gen without --firmware",
             )
-        called = [op for op in _LIBRARY if any(operation.op == op for operation in program.operations)]
+        operations = {operation.op for part in program.parts() for operation in part.operations}
+        called = [op for op in _LIBRARY if op in operations]
         if called:
             raise InputError(
                 f"{interface.symbol} calls {', '.join(called)} of the C library, whose bits differ from "

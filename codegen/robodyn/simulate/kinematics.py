@@ -46,6 +46,7 @@ class Kinematics:
             raise InputError("a point is three numbers", found=str(list(point)), expected="[x, y, z] in m")
         values = filled(robot, parameters)
         self.robot = robot
+        self.parameters = values
         self.point = (float(point[0]), float(point[1]), float(point[2]))
         self.link = robot.n if link is None else link
         self._arm: Arm = build_arm(robot, real, lambda name: float(values[name]))

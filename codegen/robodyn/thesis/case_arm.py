@@ -23,7 +23,7 @@ from robodyn.thesis.printed_counts import TABLE_3_4, TABLE_3_5, PrintedDrive, Pr
 
 if TYPE_CHECKING:
     from robodyn.simulate.kinematics import Kinematics
-    from robodyn.simulate.puma_inverse import PumaArm
+    from robodyn.thesis.puma_inverse import PumaArm
 
 Arm = Literal["programs", "consistent"]
 ARMS: Final[tuple[Arm, ...]] = ("programs", "consistent")
@@ -168,7 +168,7 @@ def led(arm: Arm) -> Led:
 def led_at(robot: Robot, along: Fraction) -> Led:
     """``robot`` led at ``along`` [m] on y of frame 3."""
     from robodyn.simulate.kinematics import Kinematics
-    from robodyn.simulate.puma_inverse import PumaArm
+    from robodyn.thesis.puma_inverse import PumaArm
 
     point = (0.0, float(along), 0.0)
     return Led(Kinematics(robot, point=point), PumaArm.of(robot, point=point))

@@ -24,7 +24,16 @@ from robodyn.dynamics.inverse.classes import (
 from robodyn.dynamics.inverse.limits import TRIED
 from robodyn.dynamics.inverse.rank import moves_all_ways
 from robodyn.dynamics.inverse.screws import Axis, Chain, Circle, as_floats, chain_of, minus, sum_of
-from robodyn.dynamics.inverse.solution import Joint, Limits, Nearest, Solved, nearest, solved
+from robodyn.dynamics.inverse.solution import (
+    Joint,
+    Limits,
+    Nearest,
+    Solved,
+    joints_of,
+    nearest,
+    places_only,
+    solved,
+)
 from robodyn.dynamics.inverse.structures import Points
 from robodyn.effects.scalars import cosine, sine
 
@@ -67,7 +76,7 @@ class Inverse:
     @property
     def place_only(self) -> bool:
         """Whether only the place of the tool is solved for, however it is turned: three joints do no more."""
-        return len(self.joints) <= 3
+        return places_only(self.joints)
 
     def solve(self, T: Sequence[Any], q_near: Sequence[Any], unit: Fraction) -> Solved:
         """All branches for the tool at ``T`` [12], ``[R p]`` row by row, over any scalar; ``q_near`` [n] (rad
@@ -116,11 +125,8 @@ def inverse_of(arm: Arm, limits: Sequence[Limits]) -> Inverse:
     if not all(isinstance(x, (int, Fraction)) for body in arm.bodies for x in (body.a, body.b, body.d)):
         raise _none("lengths are run-time parameters", "numbers")
     chain = chain_of(arm)
-    size = _size(chain)
-    joints = tuple(
-        Joint(body.revolute, (body.theta.cos, body.theta.sin), each)
-        for body, each in zip(arm.bodies, limits, strict=True)
-    )
+    size = size_of(chain)
+    joints = joints_of(arm, limits)
     if not moves_all_ways(as_floats(chain, size)):
         raise _none(
             "its joints do not move the tool in all directions",
@@ -175,7 +181,7 @@ def _named(inverse: Inverse) -> Inverse:
     return replace(inverse, branch_names=tuple(names))
 
 
-def _size(chain: Chain) -> Fraction:
+def size_of(chain: Chain) -> Fraction:
     """No less than any lever of the arm at any position, and about its reach [m]."""
     points = [*(axis.point for axis in chain.axes), chain.tool.origin]
     total = sum(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 from typing import Any
 
 from robodyn.emit import misra
@@ -10,13 +11,16 @@ from robodyn.emit.advice import advice
 from robodyn.emit.batch import batch_files
 from robodyn.emit.body import Lines
 from robodyn.emit.c_syntax import c_builtin, c_spelling, c_syntax
+from robodyn.emit.freestanding import freestanding_calls, freestanding_context
 from robodyn.emit.language import Compiled, FunctionText, Language
 from robodyn.emit.runs import Run
 from robodyn.emit.sines import ANGLES, COSINES, SINES
 from robodyn.emit.spelling import WIDTH
+from robodyn.emit.stages import NEXT, ROW, Repeated, Stage, arguments_of
 from robodyn.emit.statements import Expression
 from robodyn.emit.syntax import Sines, Syntax
 from robodyn.emit.unit import Unit, has_arctangents, has_sines, needs_libm
+from robodyn.ir.program import STATE
 from robodyn.ir.signature import Signature
 from robodyn.tools import Tool, Use
 
@@ -27,6 +31,8 @@ def _syntax(signature: Signature, unit: Unit) -> Syntax:
     spelling = c_spelling(single=signature.scalar == "float", states=signature.states, explicit=unit.misra)
     if unit.builtin:
         spelling = spelling.calling(atan2=lambda y, x: f"{signature.robot}_atan2_({y}, {x})")
+    own = {op: f"{signature.robot}_{op}_({{}})".format for op in freestanding_calls(unit)}
+    spelling = spelling.calling(**own)
     syntax = c_syntax(spelling, f"{signature.robot}_real", libm=not unit.builtin)
     return replace(syntax, sines=_sines(signature.robot, syntax))
 
@@ -71,6 +77,38 @@ def _sines(name: str, syntax: Syntax) -> Sines:
     return Sines(loop, pair, run)
 
 
+def _repeating(it: Repeated) -> Lines:
+    real, syntax = f"{it.whole.robot}_real", c_syntax(c_spelling(single=it.whole.scalar == "float"), "")
+    zero = syntax.spelling.number(Fraction(0))
+
+    def call(stage: Stage, indent: str = "", **places: str) -> list[str]:
+        arguments = ", ".join(places.get(name, name) for name in arguments_of(stage.signature))
+        return [indent + line for line in syntax.line(f"{stage.signature.symbol}({arguments});")]
+
+    row = STATE if it.rows == 1 else ROW
+    loop = [
+        f"    for (int k = 0; k < {it.most}; ++k) {{",
+        f"        if ({row}[{it.size - 1}] > {zero}) {{",
+        "            break;",
+        "        }",
+        *call(it.step, "    ", **{STATE: row}),
+        f"        for (int i = 0; i < {it.size}; ++i) {{",
+        f"            {row}[i] = {NEXT}[i];",
+        "        }",
+        "    }",
+    ]
+    if it.rows > 1:
+        loop = [
+            f"    for (int j = 0; j < {it.rows}; ++j) {{",
+            f"        {real} *const {ROW} = &{STATE}[{it.size} * j];",
+            *(f"    {line}" for line in loop),
+            "    }",
+        ]
+    arrays = {STATE: it.size * it.rows, NEXT: it.size}
+    declared = [f"    {real} {array}[{size}];" for array, size in arrays.items()]
+    return Lines.of([*declared, *call(it.start), *loop, *call(it.finish)], arrays)
+
+
 def _function(text: FunctionText) -> dict[str, Any]:
     signature, lines = text.signature, text.lines
     real = f"{signature.robot}_real"
@@ -82,7 +120,7 @@ def _function(text: FunctionText) -> dict[str, Any]:
         arguments += [f"{signature.robot}_state *state", f"{real} dt"]
     return {
         "arguments": arguments,
-        "prototype": _prototype(f"void {signature.symbol}(", arguments),
+        "prototype": _prototype(f"{'static ' if text.stage else ''}void {signature.symbol}(", arguments),
         "lines": lines.statements,
         "results": lines.results,
         "again": text.rereads,
@@ -120,15 +158,17 @@ def _prototype(head: str, arguments: list[str]) -> str:
 
 def _context(unit: Unit) -> dict[str, Any]:
     name = unit.robot.name
+    single = unit.functions[0][0].scalar == "float"
     return {
         **c_builtin(
             name,
-            single=unit.functions[0][0].scalar == "float",
+            single=single,
             sines=has_sines(unit),
             arctangents=has_arctangents(unit),
         ),
         "contraction": None if unit.contraction is None else unit.contraction.upper(),
         "math": needs_libm(unit),
+        "freestanding": freestanding_context(unit, c_spelling(single=single).number),
         "guard": f"{name.upper()}_H",
         "macros": _macros(unit),
     }
@@ -155,6 +195,7 @@ LANGUAGE = Language(
     spelling=lambda single: c_spelling(single=single),
     syntax=_syntax,
     function=_function,
+    repeating=_repeating,
     context=_context,
     advice=advice,
     notes=_notes,

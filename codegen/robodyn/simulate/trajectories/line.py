@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from robodyn.errors import InputError
 from robodyn.simulate.inverse_kinematics import InverseKinematics
 from robodyn.simulate.kinematics import Kinematics
+from robodyn.simulate.trajectories.branch import along_branch, solver_up_to
 from robodyn.simulate.trajectories.profiles import Profile, ProfileName, profile_of
 from robodyn.simulate.trajectories.spline import hermite
 from robodyn.simulate.trajectories.trajectory import PERIOD, Trajectory, joint_vector, sample_times
@@ -45,7 +46,8 @@ def line(
 
     The point alone is led by the three joints up to its link; with ``rotation`` [3, 3], which the link then
     keeps, by six. Joints beyond stay where ``start`` [n] has them. Positions of the led joints come from
-    ``solver`` (the closed form of a PUMA, say) or numerically, beginning at ``start`` (0 by default); rates
+    ``solver``, by default those of the arm's own closed form or a search, nearest to ``start`` (0 by default)
+    at the beginning; rates
     are ``J^-1 xd`` and ``J^-1 (xdd - Jd qd)``. ``profile``: at rest at both ends (quintic; trapezoid, whose
     acceleration jumps), or constant speed throughout.
 
@@ -68,7 +70,7 @@ def line(
     turn = None if rotation is None else np.asarray(rotation, dtype=np.float64)
     robot = kinematics.robot
     begin = np.zeros(robot.n) if start is None else joint_vector("the start", start, robot.n)
-    solve = solver or _numerical(kinematics, turn, begin)
+    solve = solver or _inverse(kinematics, turn, begin)
     along = profile_of(profile, float(duration))
     t = sample_times(duration, period, beyond=profile != "constant")
     way = _Line(kinematics, (a, b), turn, along)
@@ -195,13 +197,20 @@ def _between(
     return q, *way.rates(t, q)
 
 
-def _numerical(kinematics: Kinematics, rotation: Floats | None, start: Floats) -> Solver:
-    """Numerical inverse kinematics of the led joints."""
-    search = InverseKinematics(kinematics)
+def _inverse(kinematics: Kinematics, rotation: Floats | None, start: Floats) -> Solver:
+    """Inverse kinematics of the led joints: in closed form, or where there is none, or where the path leaves
+    its branch, by a search, which says where it cannot go on."""
+    solver = solver_up_to(kinematics)
 
     def solve(path: Floats) -> Floats:
-        rotations = None if rotation is None else np.broadcast_to(rotation, (len(path), 3, 3))
-        return search.along(path, rotations, start)[:, : kinematics.link]
+        turn = np.eye(3) if rotation is None else rotation
+        rotations = np.broadcast_to(turn, (len(path), 3, 3))
+        poses = np.concatenate([rotations, path[:, :, None]], axis=2)
+        joints = along_branch(solver, poses, start[: kinematics.link])
+        if joints is not None:
+            return joints
+        search = InverseKinematics(kinematics)
+        return search.along(path, None if rotation is None else rotations, start)[:, : kinematics.link]
 
     return solve
 

@@ -21,9 +21,9 @@ from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.ir.program import Label
 from robodyn.robot import load
 from robodyn.robot.model import Robot
-from robodyn.simulate.puma_inverse import BRANCHES
 from robodyn.thesis.case_arm import D4_BRANCH, FOREARM, Led, led, led_at
 from robodyn.thesis.printed_counts import TABLE_3_4, TABLE_3_5
+from robodyn.thesis.puma_inverse import BRANCHES
 from robodyn.verify.numbers import real
 
 Floats = NDArray[np.float64]

@@ -25,6 +25,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from robodyn.errors import InputError
 from robodyn.robot.model import Joint, Robot
+from robodyn.simulate.inverse_kinematics import closest_turns
 from robodyn.verify.numbers import Parameters, exact_value, filled, real
 
 Floats = NDArray[np.float64]
@@ -209,8 +210,3 @@ def puma_positions(
 ) -> Floats:
     """:meth:`PumaArm.positions` of an arm of these lengths [m]."""
     return PumaArm(offset, upper, forearm, elbow).positions(point)
-
-
-def closest_turns(q: Floats, near: Floats) -> Floats:
-    """``q`` [.., n] (rad) with whole turns added, so that each is within half a turn of ``near``."""
-    return q - _TURN * np.round((q - near) / _TURN)
