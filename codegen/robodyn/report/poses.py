@@ -72,9 +72,7 @@ def _method(solver: PoseSolver) -> list[str]:
     used, name = solver.solver, solver.robot.name
     way = f"closed form, {used.branches} branches"
     if isinstance(used, Numerical):
-        way = (
-            f"closed form of a similar arm, {used.branches} branches, made exact in {used.most} steps at most"
-        )
+        way = f"closed form of a similar arm, {used.branches} branches, refined in {used.most} steps at most"
         if used.alone:
             way = f"one solution near the reference (--near), by iteration of {used.most} steps at most"
     lines = [f"{name}: {way}; {'; '.join(used.conditions)}"]
