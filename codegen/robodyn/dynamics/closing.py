@@ -77,7 +77,8 @@ def flaw(
         steps = program.iteration is not None
         if steps:
             share = to_digits(EDGE * ROUNDING[scalar])
-        goal = _Goal(arm, size, share, place_only, sure=not steps)
+        same = SAME_POSITION * mpmath.sqrt(to_digits(ROUNDING[scalar]))
+        goal = _Goal(arm, size, share, same, place_only, sure=not steps)
         reached = False
         for drawn in _draws(arm, size, chance, _BESIDE if steps else Fraction(0)):
             inputs = {Input("T", k): x for k, x in enumerate(drawn.T)}
@@ -169,12 +170,14 @@ def pose(arm: Arm, q: Sequence[Any]) -> list[Any]:
 
 @dataclass(frozen=True, slots=True)
 class _Goal:
-    """An arm of this ``size`` [m], by what ``share`` of that poses may be missed, and of what of them;
-    ``sure``: whether all are reached that can be, in every branch."""
+    """An arm of this ``size`` [m], by what ``share`` of that poses may be missed, within what distance
+    positions are the ``same`` [rad or m], and whether the place alone counts; ``sure``: whether all are
+    reached that can be, in every branch."""
 
     arm: Arm
     size: Any
     share: Any
+    same: Any
     place_only: bool
     sure: bool
 
@@ -211,7 +214,7 @@ def _wrong(goal: _Goal, names: Answers, results: Mapping[str, Sequence[Any]], dr
     if drawn.q is None or not goal.sure:
         return None
     for k in existing:
-        if flags[k][1] and _apart(goal.arm, solutions[k], drawn.q) < to_digits(SAME_POSITION):
+        if flags[k][1] and _apart(goal.arm, solutions[k], drawn.q) < goal.same:
             return None
     return "no branch within the limits is the positions that were drawn"
 
