@@ -75,7 +75,7 @@ def _without_limits(function: str) -> list[str]:
 
 def check_firmware(generated: Generated) -> None:
     """:class:`InputError` where a self-test cannot say what the kernel must give: it remembers from call to
-    call, or it calls the C library."""
+    call, repeats a step, or calls the C library."""
     name = generated.unit.robot.name
     for interface, program in generated.unit.functions:
         if interface.states:
@@ -85,8 +85,8 @@ def check_firmware(generated: Generated) -> None:
                 found=", ".join(interface.states),
                 remedy="leave out the effects with memory, or use robodyn gen without --firmware",
             )
-        operations = {operation.op for part in program.parts() for operation in part.operations}
-        called = [op for op in _LIBRARY if op in operations]
+        program.straight("self-tests of firmware are")
+        called = [op for op in _LIBRARY if any(operation.op == op for operation in program.operations)]
         if called:
             raise InputError(
                 f"{interface.symbol} calls {', '.join(called)} of the C library, whose bits differ from "

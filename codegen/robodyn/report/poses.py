@@ -72,7 +72,9 @@ def _method(solver: PoseSolver) -> list[str]:
     used, name = solver.solver, solver.robot.name
     way = f"closed form, {used.branches} branches"
     if isinstance(used, Numerical):
-        way = f"one solution near the reference (--near), by iteration of {used.most} steps at most"
+        way = f"closed form of a similar arm, {used.branches} branches, refined in {used.most} steps at most"
+        if used.alone:
+            way = f"one solution near the reference (--near), by iteration of {used.most} steps at most"
     lines = [f"{name}: {way}; {'; '.join(used.conditions)}"]
     if used.place_only:
         lines.append(f"{solver.robot.n} joints bring the tool to a place; its rotation follows")
@@ -134,7 +136,7 @@ def _summary(solver: PoseSolver, posed: Posed, *, nearest_only: bool) -> str:
         if solver.solver.redundant is not None:
             again = f"; another position of joint {solver.solver.redundant + 1} in --near may reach it"
         return f"not reached: {place:.3g} m{beside} are missing at {near.name}{again}"
-    if isinstance(solver.solver, Numerical) or nearest_only:
+    if nearest_only or (isinstance(solver.solver, Numerical) and solver.solver.alone):
         return "reached" if near.within else "reached, beyond the joints' limits"
     within = sum(each.within for each in posed.reached)
     return (

@@ -129,13 +129,13 @@ class PoseSolver:
                 expected=f"[{n}], finite",
             )
         posed = self._posed(poses, reference)
-        if isinstance(self.solver, Numerical):
+        if isinstance(self.solver, Numerical) and self.solver.alone:
             posed = [each if each.reached else self._from_elsewhere(each) for each in posed]
         return posed
 
     def branches(self, T: Floats, near: Floats) -> tuple[Floats, NDArray[np.bool_]]:
         """The positions [K, b, n] of all branches for poses [K, 3, 4], and which [K, b] reach their pose
-        within the limits; ``near`` [n] as in :meth:`solve`."""
+        within the limits; ``near`` [n] as in :meth:`solve`, or [K, n]."""
         every = self._evaluated(_FUNCTIONS[0], T, near)
         return every.q, every.flags[:, :, 0] & every.flags[:, :, 1]
 

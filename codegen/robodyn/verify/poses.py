@@ -24,6 +24,14 @@ _EDGE = 10
 #: Up to what distance [rad or m] positions are the same, as a multiple of the root of the tolerance: where
 #: branches meet positions lose half their digits.
 _SAME = 10.0
+#: How far beside positions steps begin [rad or m], and how many of the poses they have to come to.
+_BESIDE, _REACHED = 0.05, 0.9
+
+
+def references(robot: Robot, q: Floats) -> Floats:
+    """The references [N, n] of poses of positions ``q`` [N, n]: these; where steps begin at them, beside."""
+    solver = inverse_kinematics_of(robot)
+    return q + _BESIDE if isinstance(solver, Numerical) and solver.alone else q
 
 
 def pose_errors(
@@ -74,8 +82,9 @@ def _errors(
     closure = np.where(exists == 1, share, 0.0).max(axis=1)
     reachable = is_reachable(count)
     same = (_apart(robot, solutions, q[:, None, :]) < _SAME * math.sqrt(tolerance)) & (exists == 1)
-    if isinstance(solver, Numerical):  # comes to some positions or none; but it begins at these
-        same = exists == 1
+    if isinstance(solver, Numerical):  # steps lead to some positions, near where branches meet to none
+        came = (exists == 1).any(axis=1)
+        same = np.full_like(same, came[reachable].mean() > _REACHED)
     right = np.where(reachable, same.any(axis=1), (exists == 0).all(axis=1))
     if any(link.joint.kind == "prismatic" for link in robot.links):
         right |= ~reachable  # what slides comes anywhere

@@ -32,7 +32,7 @@ from robodyn.dynamics.inverse.limits import (
     SOLVED,
 )
 from robodyn.dynamics.inverse.solution import Joint, Solved, places_only
-from robodyn.dynamics.inverse.subproblems import either
+from robodyn.dynamics.inverse.subproblems import both, either
 from robodyn.dynamics.jacobians import columns
 from robodyn.dynamics.mass_matrix import Factored
 from robodyn.dynamics.poses import pose
@@ -82,10 +82,12 @@ class Descent:
     unit: Fraction
     locked: frozenset[int] = frozenset()
 
-    def start(self, q: Sequence[Any]) -> State:
-        """Before the first step, at ``q`` [n] (rad or m) or the nearest positions that limits allow."""
+    def start(self, q: Sequence[Any], *, within: Fraction | None = None) -> State:
+        """Before the first step, at ``q`` [n] (rad or m) or the nearest positions that limits allow; with
+        ``within`` it is given up there unless the error is less than that."""
         inside = [joint.clamped(x) for joint, x in zip(self.joints, q, strict=True)]
-        return State(inside, inside, FURTHEST, Fraction(0), DAMPED, Fraction(0), Fraction(0))
+        error, refused = (FURTHEST, 0) if within is None else (within**2, MOST_REFUSED)
+        return State(inside, inside, error, Fraction(0), DAMPED, Fraction(refused), Fraction(0))
 
     def step(self, at: Dynamics, T: Sequence[Any], x: State) -> State:
         """The next state; ``at`` is the arm at ``x.q``, ``T`` [12] where the tool is to be."""
@@ -109,13 +111,14 @@ class Descent:
         chosen = [choose(lower, a, b) for a, b in zip(of_step.flat(), of_refusal.flat(), strict=True)]
         return State.of(chosen)
 
-    def finish(self, states: Sequence[State]) -> Solved:
-        """What was reached from each of several starts."""
+    def finish(self, states: Sequence[State], joints: Sequence[Joint]) -> Solved:
+        """What was reached from each of several starts; ``joints`` have the limits that flags are about."""
         result = Solved([], [], [], [])
         for x in states:
             result.solutions.append(list(x.best))
             result.exists.append(choose(self._square(EDGE) - x.error, 1, 0))
-            result.within.append(Fraction(1))  # a step ends where a limit is
+            allowed = (joint.allows(q, EDGE * self.unit) for joint, q in zip(joints, x.best, strict=True))
+            result.within.append(both(*allowed))
             result.singular.append(x.singular)
         return result
 

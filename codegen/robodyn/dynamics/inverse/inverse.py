@@ -61,12 +61,20 @@ class Inverse:
     redundant: int | None
     kind: Class
     size: Fraction
-    branch_names: tuple[str, ...] = ()
+    signs: tuple[tuple[tuple[int, int], ...], ...] = ()
+
+    @property
+    def branch_names(self) -> tuple[str, ...]:
+        """Names of the branches."""
+        return tuple(
+            " ".join(f"{joint + 1}{'+' if sign > 0 else '-'}" for joint, sign in signs)
+            for signs in self.signs
+        )
 
     @property
     def branches(self) -> int:
         """How many solutions there are at most."""
-        return len(self.branch_names)
+        return len(self.signs)
 
     @property
     def conditions(self) -> tuple[str, ...]:
@@ -114,8 +122,9 @@ class Inverse:
         return list(self.kind.solve(axes, target, Setting(near, self.size, unit)))
 
 
-def inverse_of(arm: Arm, limits: Sequence[Limits]) -> Inverse:
-    """The inverse kinematics of ``arm``, its numbers exact, with position ``limits`` [n] by joint.
+def inverse_of(arm: Arm, limits: Sequence[Limits], chain: Chain | None = None) -> Inverse:
+    """The inverse kinematics of ``arm``, its numbers exact, with position ``limits`` [n] by joint; of other
+    axes, ``chain``, in the place of its own.
 
     Raises
     ------
@@ -124,7 +133,7 @@ def inverse_of(arm: Arm, limits: Sequence[Limits]) -> Inverse:
     n = len(arm.bodies)
     if not all(isinstance(x, (int, Fraction)) for body in arm.bodies for x in (body.a, body.b, body.d)):
         raise _none("lengths are run-time parameters", "numbers")
-    chain = chain_of(arm)
+    chain = chain or chain_of(arm)
     size = size_of(chain)
     joints = joints_of(arm, limits)
     if not moves_all_ways(as_floats(chain, size)):
@@ -170,15 +179,11 @@ def _classes(chain: Chain, redundant: int | None, size: Fraction) -> Iterator[Cl
 
 
 def _named(inverse: Inverse) -> Inverse:
-    """With the names of its branches, found by solving for a pose in floats."""
+    """With the signs of its branches, found by solving for a pose in floats."""
     T = [float(k == j) for k in range(3) for j in range(4)]
     near = [0.1 * (k + 1) for k in range(len(inverse.joints))]
     branches = inverse._branches(T, near, Fraction(1, 1 << 52))
-    names = (
-        " ".join(f"{joint + 1}{'+' if sign > 0 else '-'}" for joint, sign in sorted(branch.signs))
-        for branch in branches
-    )
-    return replace(inverse, branch_names=tuple(names))
+    return replace(inverse, signs=tuple(tuple(sorted(branch.signs)) for branch in branches))
 
 
 def size_of(chain: Chain) -> Fraction:

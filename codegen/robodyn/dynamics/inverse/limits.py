@@ -22,6 +22,10 @@ EDGE: int = 1024
 #: turn is free, and takes its position from the reference.
 LEVER: int = 64
 
+#: Share of an arm's size [1], and angle [rad], up to which axes nearly meet, or are nearly parallel, for the
+#: branches of an arm whose axes do to be where those of this one begin.
+ALMOST: float = 1e-3
+
 #: Positions at which the redundant joint of an arm is looked at to tell whether the other joints are of a
 #: class whatever it does [rad, and for a prismatic joint shares of the arm's size]: no multiples of each
 #: other or of a quarter turn.
@@ -35,6 +39,16 @@ FULL_RANK: float = 1e-6
 
 #: Iterations at most. Of reachable poses that are reached at all nearly all take fewer than half.
 ITERATIONS: int = 40
+
+#: Iterations at most where they begin at a branch of a similar arm: 4 or 5, more near where branches meet.
+REFINEMENTS: int = 20
+
+#: The error (as a share of the size, and in rad) up to which such a branch is begun: where it is more it does
+#: not exist, and steps would lead to another one.
+BEGUN: Fraction = Fraction(1, 8)
+
+#: How far aside of where two branches meet each begins [rad, and shares of the arm's size].
+ASIDE: Fraction = Fraction(1, 40)
 
 #: From how many positions it begins where the reference does not lead to a pose and there is time.
 STARTS: int = 24

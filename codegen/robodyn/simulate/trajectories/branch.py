@@ -37,8 +37,8 @@ def solver_up_to(kinematics: Kinematics) -> PoseSolver:
 
 def along_branch(solver: PoseSolver, poses: Floats, start: Floats) -> Floats | None:
     """Joint positions [K, n] for ``poses`` [K, 3, 4], within the limits, the first those nearest to ``start``
-    [n]; None where there is no closed form, a pose is not reached, or a joint would have to jump."""
-    if isinstance(solver.solver, Numerical):
+    [n]; None where branches are not known, a pose is not reached, or a joint would have to jump."""
+    if isinstance(solver.solver, Numerical) and solver.solver.alone:
         return None
     q, usable = solver.branches(poses, start)
     revolute = np.array([link.joint.kind == "revolute" for link in solver.robot.links])
