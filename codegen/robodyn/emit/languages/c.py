@@ -140,7 +140,7 @@ def _listing(signature: Signature) -> dict[str, Any] | None:
     arguments += [f"const {real} q_near[{listing.joints}]"] if listing.near else []
     arguments += [f"{real} Q[{listing.size}]", f"int flags[{listing.branches}]"]
     arguments += [f"const {signature.robot}_params *p"] if signature.parameters else []
-    number = c_spelling(single=signature.scalar == "float").number
+    zero = c_spelling(single=signature.scalar == "float").number(Fraction(0))
     return {
         "prototype": _prototype(f"int {listing.symbol}(", arguments),
         "kernel": signature.symbol,
@@ -149,7 +149,7 @@ def _listing(signature: Signature) -> dict[str, Any] | None:
         "joints": listing.joints,
         "size": listing.size,
         "parameters": bool(signature.parameters),
-        "zero": number(Fraction(0)),
+        "zero": zero,
         "flags": {name: f"{signature.robot}_IK_{name}" for name in FLAGS},
         "branch": BRANCH,
     }
@@ -209,7 +209,7 @@ def _macros(unit: Unit) -> list[str]:
     numbers = {"REGRESSOR_COLUMNS": columns} if columns else {}
     for listing in filter(None, (listing_of(interface) for interface, _ in unit.functions)):
         numbers |= {"IK_MAX": listing.branches, **{f"IK_{name}": bit for name, bit in FLAGS.items()}}
-    return [f"#define {name}_{what} {number}" for name in names for what, number in numbers.items()]
+    return [f"#define {name}_{what} {value}" for name in names for what, value in numbers.items()]
 
 
 def _notes(unit: Unit) -> tuple[str, ...]:
