@@ -9,6 +9,7 @@ from robodyn.dynamics.functions import function_named
 from robodyn.emit.freestanding import FREESTANDING
 from robodyn.emit.unit import OF_LIBM
 from robodyn.errors import InputError
+from robodyn.firmware.states import DRAWN
 from robodyn.ir.signature import ScalarType
 from robodyn.kernels.generate import Generated, Options
 from robodyn.targets import Target, firmware_targets, target_named
@@ -69,8 +70,8 @@ def firmware_options(
 
 
 def _without_limits(function: str) -> list[str]:
-    """The inputs of ``function`` that no joint has limits of: there is no telling what to test them with."""
-    return sorted(set(function_named(function).input_names) - {"q", "qd", "qdd", "tau"})
+    """The inputs of ``function`` that no range is known of: there is no telling what to test them with."""
+    return sorted(set(function_named(function).input_names) - DRAWN)
 
 
 def check_firmware(generated: Generated) -> None:
