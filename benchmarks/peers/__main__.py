@@ -125,7 +125,7 @@ def native(
     wanted = reference(robot, states)
     for one in [*mine, *(one for one in theirs if isinstance(one, Candidate))]:
         try:
-            torques = race.torques(one.timed, wanted.shape)
+            torques = race.results(one.timed, wanted.shape)
             worst.append(
                 hold_against(one.title, wanted, torques, TOLERANCE_FLOAT if one.single else TOLERANCE)
             )

@@ -63,7 +63,7 @@ def _race(robot: Robot, function: str, race: Race, states: States, rounds: int) 
             missing.append(one)
             continue
         try:
-            worst.append(hold_against(one.title, expected, race.torques(one.timed, expected.shape)))
+            worst.append(hold_against(one.title, expected, race.results(one.timed, expected.shape)))
             racing.append(one)
         except Disagreement as error:
             if one.ours:

@@ -48,7 +48,7 @@ def _row(
         racing.append(theirs)
     wanted = reference(robot, states)
     for one in racing:
-        hold_against(f"{one.title}, {n} joints", wanted, race.torques(one.timed, wanted.shape))
+        hold_against(f"{one.title}, {n} joints", wanted, race.results(one.timed, wanted.shape))
     times = np.median(race.times([one.timed for one in racing], rounds), axis=0)
     operations = count(program(robot, "inverse_dynamics", Options(optimize="fast")))
     instructions = {one.key: race.instructions(one.counted, 64) for one in racing if one.counted}

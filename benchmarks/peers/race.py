@@ -47,14 +47,14 @@ class Race:
     def __init__(self, folder: Path, harness: Path) -> None:
         self.folder, self.harness = folder, harness
 
-    def torques(self, library: Path, shape: tuple[int, int]) -> Floats:
+    def results(self, library: Path, shape: tuple[int, int]) -> Floats:
         """What a runner computes [N, n].
 
         Raises
         ------
         Lacking: it cannot be set up.
         """
-        out = self.folder / "torques.bin"
+        out = self.folder / "results.bin"
         self._run(["check", *self._where, str(out), str(library)])
         return np.frombuffer(out.read_bytes()).reshape(shape)
 

@@ -61,16 +61,23 @@ def effect_lines(counts: Mapping[str, Count], rigid: Mapping[str, Count | None])
 
 def lines(robot: Robot, rows: Iterable[tuple[str, str, str, Count]]) -> list[str]:
     """A table of counts, one row per ``(heading, function, formulation, count)``, with the thesis's figure of
-    that formulation."""
+    that formulation; roots and other operations (arctangents, choices) where functions are of poses."""
     from robodyn.counts import beside
+    from robodyn.dynamics.functions import function_named
 
-    heads = ("", "mul", "add", "div", "total", "minus", "sin/cos", "thesis", "verdict")
+    rows = list(rows)
+    of_poses = any(function_named(function).of_pose for _, function, _, _ in rows)
+    heads: tuple[str, ...] = ("", "mul", "add", "div", "total", "minus", "sin/cos", "thesis", "verdict")
+    if of_poses:
+        heads = (*heads[:4], "sqrt", *heads[4:7], "other", *heads[7:])
     table: list[tuple[str, ...]] = [heads]
     notes: dict[str, None] = {}
     for heading, function, formulation, count in rows:
         printed = beside(robot, function, count, formulation)
         thesis = f"{printed.mul}+{printed.add} = {printed.total}" if printed else "-"
-        numbers = (count.mul, count.add, count.div, count.total, count.neg, count.sincos)
+        numbers = [count.mul, count.add, count.div, count.total, count.neg, count.sincos]
+        if of_poses:
+            numbers = [*numbers[:3], count.sqrt, *numbers[3:], count.other]
         table.append((heading, *map(str, numbers), thesis, printed.verdict if printed else "-"))
         if printed:
             notes[_note(printed)] = None
@@ -83,9 +90,10 @@ def _note(printed: Beside) -> str:
 
 def _aligned(table: Sequence[tuple[str, ...]]) -> list[str]:
     widths = [max(len(row[k]) for row in table) for k in range(len(table[0]))]
+    words = (0, len(widths) - 2, len(widths) - 1)
     return [
         "  ".join(
-            cell.ljust(width) if k in (0, 7, 8) else cell.rjust(width)
+            cell.ljust(width) if k in words else cell.rjust(width)
             for k, (cell, width) in enumerate(zip(row, widths, strict=True))
         ).rstrip()
         for row in table

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import os
+import re
 import sys
 from collections.abc import Callable, Sequence
 from itertools import pairwise
@@ -92,7 +93,7 @@ def _failure(error: BaseException) -> RobodynError:
     if isinstance(error, click.ClickException):  # wrong usage
         context = error.ctx if isinstance(error, click.UsageError) else None
         command = context.command_path if context is not None else "robodyn"
-        return InputError(error.format_message().rstrip("."), remedy=f"see {command} --help")
+        return InputError(error.format_message().rstrip("."), remedy=f"{_hint(error)}see {command} --help")
     if os.environ.get("ROBODYN_DEBUG") == "1":
         import traceback
 
@@ -149,3 +150,11 @@ def _print(failure: RobodynError) -> None:
 def _complain(text: str) -> None:
     """Print `text` on stderr as one line, control characters escaped."""
     talk(escaped(" ".join(f"robodyn: {text}".split())))
+
+
+def _hint(error: click.ClickException) -> str:
+    """What may have been meant where numbers are left over: those of an option are one word."""
+    numbers = re.match(
+        r"Got unexpected extra arguments? \([-+.\deE\s]+\)|No such option:? '?-\d", error.format_message()
+    )
+    return "" if numbers is None else "write the numbers of one option with commas, as 0.1,0.2,0.3; "

@@ -64,8 +64,9 @@ def command(
 
     Arms of many classes have a closed form: all branches are shown, whether each reaches the pose, is within
     the joints' limits, is singular (meets another, or leaves a joint free), and by how much the tool is off.
-    Of other arms one solution is searched for. Exits with 1 if a pose is not reached. With --json: {"robot",
-    "method", "conditions", "free_joint", "poses": [{"pose", "reached", "nearest", "branches"}]}, in rad, m.
+    Of other arms one solution comes by iteration. Exits with 1 if a pose is not reached. With --json:
+    {"robot", "method", "conditions", "free_joint", "poses": [{"pose", "reached", "nearest", "branches"}]}, in
+    rad and m.
     """
     from robodyn.errors import CheckError
     from robodyn.report.poses import poses_document, poses_text

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -15,9 +16,14 @@ else:
 Command = TypeVar("Command", bound=Callable[..., Any])
 
 
+#: Blanks between two numbers, and not between a number and an operator: before one, or before a sign that
+#: belongs to one, and not behind an operator.
+_BLANKS = re.compile(r"(?<=[^-+*/(\s])\s+(?=[^-+*/)\s]|[-+]\S)")
+
+
 class Numbers(_Type):
-    """Numbers separated by commas, written as in a robot file (``pi/2``). ``sign`` restricts them:
-    ``positive``, or ``size`` (not negative)."""
+    """Numbers separated by commas, or by blanks where there is no comma, written as in a robot file
+    (``pi/2``). ``sign`` restricts them: ``positive``, or ``size`` (not negative)."""
 
     name = "numbers"
 
@@ -30,7 +36,7 @@ class Numbers(_Type):
 
         if not isinstance(value, str):  # a default
             return value
-        parts = [value] if self.single else value.split(",")
+        parts = [value] if self.single else _parts(value)
         try:
             values = tuple(float(parse_number(part)) for part in parts)
         except InputError as error:
@@ -40,6 +46,10 @@ class Numbers(_Type):
                 expected = "more than 0" if self.sign == "positive" else "0 or more"
                 self.fail(f"{x:g} is not {expected}", param, ctx)
         return values[0] if self.single else values
+
+
+def _parts(value: str) -> list[str]:
+    return value.split(",") if "," in value else _BLANKS.split(value.strip())
 
 
 class Line(_Type):

@@ -197,3 +197,14 @@ def test_a_robot_of_ones_own(tmp_path: Path, capsys: Capture) -> None:
     file.write_text("name: rod\nlinks: [{joint: revolute, mass: m, com: [0.5, 0, 0], inertia: {zz: 2}}]\n")
     found = flops_json(capsys, str(file), "--functions", "mass_matrix")
     assert (found["robot"], found["mul"], found["add"]) == ("rod", 1, 1)
+
+
+def test_roots_and_other_operations_of_poses(capsys: pytest.CaptureFixture[str]) -> None:
+    """They are in the total, or beside it; functions of states have no such columns."""
+    assert main(["flops", "stanford", "--functions", "inverse_kinematics"]) == 0
+    head, row = (line.split() for line in capsys.readouterr().out.splitlines()[1:3])
+    numbers = dict(zip(head, map(int, row[1:9]), strict=False))
+    assert numbers["mul"] + numbers["add"] + numbers["div"] + numbers["sqrt"] == numbers["total"]
+    assert numbers["sqrt"] > 0 < numbers["other"]
+    assert main(["flops", "stanford", "--functions", "gravity"]) == 0
+    assert "sqrt" not in capsys.readouterr().out

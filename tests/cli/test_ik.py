@@ -33,6 +33,14 @@ def test_all_branches(capsys: pytest.CaptureFixture[str]) -> None:
     )
 
 
+def test_numbers_may_stand_apart_with_blanks(capsys: pytest.CaptureFixture[str]) -> None:
+    wanted = ik(capsys, "puma560", "--pose", "0.4,-0.1,0.5,0,pi/2,0")[0]
+    assert ik(capsys, "puma560", "--pose", "0.4 -0.1 0.2 + 0.3  0 pi / 2 0")[0] == wanted
+    for numbers in (("0.4", "0.1"), ("0.4", "-0.1")):  # the second is an option to click
+        _, err = ik(capsys, "puma560", "--pose", *numbers, code=2)
+        assert "with commas, as 0.1,0.2,0.3" in err
+
+
 def test_the_same_pose_in_three_ways_and_degrees(capsys: pytest.CaptureFixture[str]) -> None:
     of = "0.1,-0.5,0.4,0.2,0.9,0.3"
     data = json.loads(ik(capsys, "puma560", "--of", of, "--json")[0])

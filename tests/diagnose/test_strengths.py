@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 import pytest
@@ -17,37 +18,54 @@ from robodyn.diagnose.select.selection import weight_of
 from robodyn.diagnose.strengths import fit_with
 from robodyn.gate.gate import inspect
 from robodyn.identify.fit import Options
+from robodyn.identify.rigid import Model
 from robodyn.logs.log import Log
 from robodyn.robot import load
 from robodyn.robot.model import EffectEntry, Limits
 from robodyn.simulate.trajectories import fourier
 from robodyn.verify.reference import Reference
 
+NONE = {name: frozenset[int]() for name in ("viscous", "coulomb", "rotor")}
+DESCRIBED = load("puma560_3dof")
+
+
+def fitted_with(lacks: EffectEntry, start: Amendment, periods: int) -> tuple[Any, Any, Any, Any]:
+    """A fit of the arm, known to half, to a log of it with what it lacks and a second link 40 % heavier: the
+    outcome, the estimates, the motion and its torques with noise of 0.05."""
+    links = list(DESCRIBED.links)
+    links[1] = replace(links[1], mass=links[1].mass * Fraction(7, 5))
+    truth = replace(DESCRIBED, links=tuple(links), effects=(lacks,))
+    limits = Limits((Fraction(-2), Fraction(2)), Fraction(2), Fraction(8))
+    motion = fourier(DESCRIBED, 0.1, 5, default=limits, seed=4, periods=periods, period=5e-3)
+    tau = Reference(truth).inverse_dynamics(motion.q, motion.qd, motion.qdd)
+    tau = tau + 0.05 * np.random.default_rng(1).standard_normal(tau.shape)
+    guess = tuple(replace(link, confidence=Fraction(1, 2)) for link in DESCRIBED.links)
+    gates = [inspect(Log(motion.t, motion.q, None, None, tau), DESCRIBED)]
+    options = Options(offsets=False, joints=NONE)
+    return *fit_with(replace(DESCRIBED, links=guess), [start], gates, options), motion, tau
+
 
 @pytest.mark.thorough
-def test_a_load_dependent_loss_and_a_wrong_link_are_told_apart() -> None:
-    """Each alone is wrong beside the other: what the loss does grows with the link."""
-    described = load("puma560_3dof")
-    described = replace(
-        described, links=tuple(replace(link, confidence=Fraction(1, 2)) for link in described.links)
-    )
-    links = list(described.links)
-    links[1] = replace(links[1], mass=links[1].mass * Fraction(7, 5))
+def test_a_spring_and_a_wrong_link_are_told_apart() -> None:
+    """Each alone is wrong beside the other: either bears weight."""
+    settings = (("stiffness", Fraction(30)), ("rest", Fraction(0)), ("cubic", Fraction(0)))
+    start = Amendment("spring", 2, {"stiffness": 18.0, "rest": 0.0, "cubic": 0.0})
+    _, estimates, *_ = fitted_with(EffectEntry("spring", 2, settings), start, periods=2)
+    stiffness = estimates["spring", 2]["stiffness"]
+    assert stiffness.value == pytest.approx(30.0, rel=0.05)
+    assert abs(float(stiffness.value) - 30.0) < 4 * stiffness.stderr
+
+
+@pytest.mark.thorough
+def test_friction_under_load_is_held_and_follows_the_arms_new_numbers() -> None:
     loss = EffectEntry("load_dependent_friction", 2, (("bearing", "torque"), ("mu", Fraction(3, 10))))
-    truth = replace(described, links=tuple(links), effects=(loss,))
-    limits = Limits((Fraction(-2), Fraction(2)), Fraction(2), Fraction(8))
-    motion = fourier(described, 0.1, 5, default=limits, seed=4, periods=2, period=5e-3)
-    rng = np.random.default_rng(1)
-    tau = Reference(truth).inverse_dynamics(motion.q, motion.qd, motion.qdd)
-    log = Log(motion.t, motion.q, None, None, tau + 0.05 * rng.standard_normal(tau.shape))
-    gates = [inspect(log, described)]
-    start = Amendment("load_dependent_friction", 2, {"bearing": "torque", "mu": 0.15})
-    none = {name: frozenset[int]() for name in ("viscous", "coulomb", "rotor")}
-    _, estimates = fit_with(described, [start], gates, Options(offsets=False, joints=none))
-    mu = estimates["load_dependent_friction", 2]["mu"]
-    assert mu.value == pytest.approx(0.3, rel=0.05)
-    assert mu.stderr is not None
-    assert abs(float(mu.value) - 0.3) < 4 * mu.stderr
+    start = Amendment("load_dependent_friction", 2, {"bearing": "torque", "mu": 0.3})
+    outcome, estimates, motion, tau = fitted_with(loss, start, periods=1)
+    assert not any(estimates.values())
+    assert outcome.robot.effects == (loss,)
+    left = tau - Model(outcome.robot).torque(motion.q, motion.qd, motion.qdd)
+    moves = np.abs(motion.qd[:, 1]) > 0.2
+    assert np.sqrt(np.mean(left[moves, 1] ** 2)) < 1.5 * 0.05
 
 
 def test_rows_of_joints_that_rest_count_little() -> None:

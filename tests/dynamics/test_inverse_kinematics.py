@@ -45,14 +45,6 @@ def test_an_arm_for_places() -> None:
     assert signature(robot, "inverse_kinematics").outputs[0] == ("solutions", 4 * 3)
 
 
-def test_arms_of_no_class_do_not_have_it_and_say_why() -> None:
-    text = "name: odd\nlinks:\n"
-    for k in range(6):
-        text += f"  - {{joint: revolute, alpha: 0.{k + 3}, a: 0.{k + 1}, d: 0.2, mass: 1}}\n"
-    with pytest.raises(NoSuchFunction, match="no class that has inverse kinematics in closed form"):
-        signature(read_text(text, "odd.yaml"), "inverse_kinematics")
-
-
 def test_run_time_lengths_have_no_closed_form() -> None:
     text = "name: lengthy\nlinks:\n"
     for a in ("0", "reach", "0.3"):

@@ -19,6 +19,7 @@ from robodyn.errors import InputError
 from robodyn.kernels.generate import Options, generate
 from robodyn.packages import package
 from robodyn.robot import load
+from robodyn.simulate.poses import PoseSolver
 from robodyn_testing import require_tool
 from robodyn_testing.wanted import ROOT
 
@@ -204,3 +205,13 @@ def test_the_example_of_the_documents(tmp_path: Path, monkeypatch: pytest.Monkey
         for axis in ca.horzsplit(ca.DM.eye(6))
     ]
     assert near(by_torque(tau), ca.horzcat(*columns), 1e-6)
+
+
+def test_a_frame_goes_in_by_columns(tmp_path: Path) -> None:
+    """CasADi has matrices by columns, the kernel by rows."""
+    q = np.array([0.3, -1.2, 1.5, -0.4, 0.8, 0.1])
+    user = Consumer(package(generate(load("ur5"), Options(("inverse_kinematics",))), "casadi"))
+    inverse = external(user, library(tmp_path, user), "inverse_kinematics")
+    solutions, exists, *_ = inverse(PoseSolver(load("ur5")).pose(q), np.zeros(6))
+    rows = np.array(solutions)[np.array(exists).ravel() > 0]
+    assert np.abs(rows - q).max(axis=1).min() < 1e-12

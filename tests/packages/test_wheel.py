@@ -20,6 +20,7 @@ from robodyn.kernels.generate import Options, generate
 from robodyn.packages import package
 from robodyn.packages.formats.wheel import tag_of
 from robodyn.robot import load
+from robodyn.simulate.poses import PoseSolver
 from robodyn_testing import require_module, require_tool
 
 pytestmark = pytest.mark.thorough
@@ -304,3 +305,34 @@ def test_a_wheel_as_pip_and_zip_want_it(tmp_path: Path) -> None:
     assert "\nLicense: MIT\n" in metadata
     stated = email.message_from_string(metadata)["Maintainer-email"]
     assert "{} <{}>".format(*parseaddr(stated)) == MAINTAINER
+
+
+POSES = """\
+import numpy as np
+import ur5_dynamics as arm
+
+T = np.array(%r)
+whole = np.vstack([T, [0.0, 0.0, 0.0, 1.0]])
+first = arm.inverse_kinematics(T)
+for poses in (T.ravel(), whole, [T, T], [whole, whole]):
+    solutions = arm.inverse_kinematics(poses)[0]
+    assert np.array_equal(solutions if solutions.ndim == 2 else solutions[1], first[0])
+assert all(map(np.array_equal, arm.inverse_kinematics(T, q_near=np.zeros(6)), first))
+try:
+    arm.inverse_kinematics(T[:2])
+except ValueError as error:
+    print(error)
+print(*first[0][first[1] > 0].ravel())
+"""
+
+
+def test_poses_as_matrices(tmp_path: Path) -> None:
+    """As 3 by 4 or 4 by 4 matrices or rows of numbers, one or many, with a reference or without."""
+    q = np.array([0.3, -1.2, 1.5, -0.4, 0.8, 0.1])
+    user = consumer("ur5", "wheel", Options(("inverse_kinematics",)))
+    here = environment(tmp_path / "environment", written(tmp_path / "wheel", user))
+    (tmp_path / "poses.py").write_text(POSES % PoseSolver(load("ur5")).pose(q).tolist(), encoding="utf-8")
+    message, row = here.run(tmp_path / "poses.py", folder=tmp_path).splitlines()
+    assert message == "T has the shape [2, 4], expected [..., 3, 4]"
+    reached = np.array([float(word) for word in row.split()]).reshape(-1, 6)
+    assert np.abs(reached - q).max(axis=1).min() < 1e-12

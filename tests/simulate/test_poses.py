@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from robodyn.dynamics.inverse import Numerical
 from robodyn.errors import InputError
 from robodyn.robot import load, read_text
 from robodyn.robot.model import Robot
@@ -117,19 +118,28 @@ def test_out_of_reach_the_nearest_is_said_to_be_off() -> None:
     assert 3.5 < posed.nearest.off[0] < 5
 
 
-def test_an_arm_of_no_class_is_searched() -> None:
+def test_an_arm_of_no_class_is_solved_by_iteration() -> None:
     robot = odd_arm()
     solver = PoseSolver(robot)
-    assert solver.closed_form is None
-    assert "no class" in solver.reason
+    assert isinstance(solver.solver, Numerical)
+    assert "no class" in solver.solver.conditions[0]
     q = np.array([0.2, -0.3, 0.4, 0.1, 0.5, -0.2])
     (posed,) = solver.solve(solver.pose(q[None]), q + 0.05)
     assert posed.nearest.exists
-    np.testing.assert_allclose(posed.nearest.q, q, atol=1e-6)
+    np.testing.assert_allclose(posed.nearest.q, q, atol=1e-9)
 
 
 @pytest.mark.thorough
-def test_a_search_comes_as_near_as_it_can() -> None:
+def test_iteration_begins_elsewhere_where_the_reference_leads_nowhere() -> None:
+    solver = PoseSolver(odd_arm())
+    q = np.random.default_rng(1).uniform(-2, 2, (40, 6))
+    posed = solver.solve(solver.pose(q))
+    assert all(each.reached for each in posed)
+    assert max(max(each.nearest.off) for each in posed) < 1e-11
+
+
+@pytest.mark.thorough
+def test_iteration_comes_as_near_as_it_can() -> None:
     (far,) = PoseSolver(odd_arm()).solve(frame_of([9, 0, 0, 0, 0, 0])[None])
     assert far.reached == ()
     assert 5 < far.nearest.off[0] < 9
@@ -140,8 +150,7 @@ def test_lengths_get_their_values_first() -> None:
     for alpha, a in ((0, 0), ("pi/2", 0), (0, "reach")):
         text += f"  - {{joint: revolute, alpha: {alpha}, a: {a}, mass: 1}}\n"
     solver = PoseSolver(read_text(text + "tool: {xyz: [0.4, 0, 0]}\n", "l.yaml"), {"reach": 0.5})
-    assert solver.closed_form is not None
-    assert solver.closed_form.place_only
+    assert solver.solver.place_only
     (posed,) = solver.solve(solver.pose(np.array([[0.1, 0.2, 0.3]])))
     assert len(posed.reached) == 4
 

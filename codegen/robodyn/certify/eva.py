@@ -10,14 +10,14 @@ from typing import Any
 from robodyn.certify.tools import Done, last_lines
 from robodyn.ir.signature import Signature
 
-#: Special numbers are values like others; every function is entered; integers must not overflow either;
-#: loops, which run over the angles of a kernel, are followed to their end.
+#: Special numbers are values like others; every function is entered; integers must not overflow either. Loops
+#: through the angles of a function are looked at turn by turn: what is read later has been written.
 OPTIONS = (
     "-eva",
     "-eva-precision",
     "1",
     "-eva-auto-loop-unroll",
-    "256",
+    "128",
     "-warn-special-float",
     "none",
     "-warn-signed-overflow",

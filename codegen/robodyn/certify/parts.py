@@ -9,6 +9,7 @@ from robodyn.certify import eva, misra, stack
 from robodyn.certify.finding import Finding, Tell, not_run
 from robodyn.certify.plan import ProofOptions, Subject
 from robodyn.certify.tools import run, version
+from robodyn.emit.freestanding import freestanding_calls
 from robodyn.emit.misra import deviations
 from robodyn.emit.render import environment
 from robodyn.tools.programs import CPPCHECK, FRAMA_C, GCC
@@ -56,7 +57,7 @@ def prove_eva(subject: Subject, proofs: ProofOptions, folder: Path, tell: Tell) 
 
 def prove_stack(subject: Subject, proofs: ProofOptions, folder: Path, tell: Tell) -> Finding:
     """The most stack a call needs, machine by machine."""
-    machines = stack.machines()
+    machines = stack.machines(freestanding=bool(freestanding_calls(subject.generated.unit)))
     if all(machine.tool.path() is None for machine in machines):
         return not_run("stack", GCC)
     source = f"{subject.generated.unit.robot.name}.c"

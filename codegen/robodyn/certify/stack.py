@@ -43,15 +43,17 @@ class Machine:
 _HERE = ("-mno-red-zone",) if platform.machine() in ("x86_64", "AMD64") else ()
 
 
-def machines() -> tuple[Machine, ...]:
-    """This machine, and every target that a firmware image is made for."""
+def machines(*, freestanding: bool = False) -> tuple[Machine, ...]:
+    """This machine, and every target that a firmware image is made for; ``freestanding``: those compile a
+    kernel that does without a C library."""
+    without = ("-ffreestanding",) if freestanding else ()
     return (
         Machine("this machine, gcc -O2", GCC, (*C_FLAGS, *_HERE)),
         *(
             Machine(
                 f"{target.name}, gcc -O2",
                 target.board.architecture.compiler,
-                (*C_FLAGS, *(target.flags or ())),
+                (*C_FLAGS, *without, *(target.flags or ())),
             )
             for target in firmware_targets()
             if target.board is not None

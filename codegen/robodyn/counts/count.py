@@ -57,8 +57,17 @@ _KIND = {
 
 
 def count(program: Program) -> Count:
-    """The operations of ``program``."""
+    """The operations of ``program``; at most, where it repeats a step."""
     totals: Counter[str] = Counter()
-    for op, times in Counter(map(itemgetter(0), program.operations)).items():
-        totals[_KIND[op]] += times
+    for repeats, part in repeated(program):
+        for op, times in Counter(map(itemgetter(0), part.operations)).items():
+            totals[_KIND[op]] += repeats * times
     return Count(**totals)
+
+
+def repeated(program: Program) -> list[tuple[int, Program]]:
+    """The parts of ``program``, each with how often it runs at most."""
+    iteration, parts = program.iteration, program.parts()
+    if iteration is None:
+        return [(1, program)]
+    return list(zip((1, iteration.rows * iteration.most, 1), parts, strict=True))

@@ -229,23 +229,11 @@ def _bounded(size: Estimate, *, is_size: bool) -> Estimate:
 def _with_estimates(finding: Finding, estimates: Mapping[str, Estimate]) -> Finding:
     """The finding with better numbers; no claim where nothing is known of them. Of the numbers of a link
     torques show sums: each may be vague where it is certain that they are wrong."""
-    if CATALOGUE[finding.effect].needs_load:
-        estimates = {
-            name: _beside_loads(one, finding.parameters.get(name)) for name, one in estimates.items()
-        }
     known = [one for one in estimates.values() if isinstance(one.value, float) and one.value]
     vague = [one.stderr is None or one.stderr > MOST_VAGUE * abs(float(one.value)) for one in known]
     is_vague = bool(vague) and all(vague) and _fold(finding.effect) != "link"
     confidence = min(finding.confidence, WITHDRAWN) if is_vague else finding.confidence
     return replace(finding, parameters={**finding.parameters, **estimates}, confidence=confidence)
-
-
-def _beside_loads(one: Estimate, before: Estimate | None) -> Estimate:
-    """A number that torques by loads are in proportion to. Its refit holds the loads; its error is no less
-    than ``before``, where the arm's numbers changed them along."""
-    if before is None or before.stderr is None or one.stderr is None or before.stderr <= one.stderr:
-        return one
-    return replace(one, stderr=before.stderr)
 
 
 def refitted_places(robot: Robot, model: Robot) -> frozenset[Place]:

@@ -1,8 +1,10 @@
-"""Numbers of effects, fitted together with the arm's own: of friction that grows with the load, of springs.
+"""Numbers of effects, fitted together with the arm's own: of springs, couplings and the like.
 
 The arm's numbers are fitted to what effects leave of the torques, and what effects do may depend on the arm's
 numbers: neither is right without the other. So torques are linearised by factors of the effects' numbers,
-which are columns beside those of the arm, and that is repeated about the new values (Gauss and Newton).
+which are columns beside those of the arm, and that is repeated about the new values (Gauss and Newton). Dry
+friction is held: under load it shows masses that the rigid arm's torques do not, and the fit before knew
+that, and that joints stick at rest. What it does is worked out anew with the arm's new numbers.
 """
 
 from __future__ import annotations
@@ -31,7 +33,8 @@ def fit_with(
     amended = apply_amendments(robot, amendments)
     strengths = strengths_of(amended, amendments)
     beside, estimates = amended.robot, dict[Key, Mapping[str, Estimate]]()
-    rounds = STRENGTH_ROUNDS if strengths else 1
+    feels_loads = any(entry.definition.needs_load for entry in amended.robot.effects)
+    rounds = STRENGTH_ROUNDS if strengths or feels_loads else 1
     while True:
         rounds -= 1
         fit = fit_arm(amended.robot, gates, replace(options, strengths=tuple(strengths)), beside)
@@ -48,8 +51,6 @@ def fit_with(
             own = fresh.setdefault((entry.effect, entry.joint), {})
             own[name] = Estimate(was * factor, abs(was) * error, unit)
         better = [_with(one, fresh.get((one.effect, one.joint), {})) for one in amendments]
-        if not strengths:
-            return outcome, {}
         try:
             again = apply_amendments(robot, better)
         except InputError:
@@ -62,9 +63,7 @@ def fit_with(
 
 
 def strengths_of(amended: Amended, amendments: Sequence[Amendment]) -> list[Strength]:
-    """The numbers of new effects that torques are in proportion to, and show at once; not of dry friction
-    that no load is part of: what it is does not depend on the arm's numbers, and the fit that let joints
-    stick at rest knows it better."""
+    """The numbers of new effects that torques are in proportion to, and show at once; not of dry friction."""
     keys = {(a.effect, a.joint): a for a in amendments}
     return [
         (k, name)
@@ -73,7 +72,7 @@ def strengths_of(amended: Amended, amendments: Sequence[Amendment]) -> list[Stre
         and (one := keys.get((entry.effect, entry.joint))) is not None
         and entry.definition.memory is None
         and entry.definition.traits.channel is None
-        and (entry.definition.needs_load or not _is_dry(amended.robot, entry))
+        and not _is_dry(amended.robot, entry)
         for name, value in one.parameters.items()
         if isinstance(value, float) and value and name in entry.definition.linear
     ]

@@ -18,6 +18,7 @@ from typing import Any
 from robodyn.dynamics.arm import Arm, JointAngle, build_arm, build_motion
 from robodyn.dynamics.functions import function_named
 from robodyn.dynamics.functions.record import Answers
+from robodyn.dynamics.inverse.limits import EDGE
 from robodyn.dynamics.kinematics import frames
 from robodyn.dynamics.limits import (
     DRAWN_POSES,
@@ -37,6 +38,8 @@ from robodyn.robot.model import Robot
 
 #: Positions are drawn from so many numbers.
 _RANGE = 1 << 32
+#: How far from them the reference of a program is that repeats a step [rad or m]: a few steps.
+_BESIDE = Fraction(1, 64)
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +61,9 @@ def flaw(
 
     ``place_only``: whether only the place of the tool counts. Poses may be missed by some squares of what
     ``scalar``, the type that the program is for, rounds, as a share of the arm's size; or by what is taken
-    for rounding of the description where that is not of :func:`simple numbers <is_simple>`.
+    for rounding of the description where that is not of :func:`simple numbers <is_simple>`. A program that
+    repeats a step stops near what ``scalar`` rounds; it begins near the positions that were drawn, and is not
+    sure to reach each pose.
     """
     import mpmath
 
@@ -69,7 +74,13 @@ def flaw(
         share = to_digits(PROVEN_SHARE * ROUNDING[scalar] ** 2)
         if not is_simple(robot):
             share = max(share, to_digits(NEGLECTED_SHARE))
-        for drawn in _draws(arm, size, chance):
+        steps = program.iteration is not None
+        if steps:
+            share = to_digits(EDGE * ROUNDING[scalar])
+        same = SAME_POSITION * mpmath.sqrt(to_digits(ROUNDING[scalar]))
+        goal = _Goal(arm, size, share, same, place_only, sure=not steps)
+        reached = False
+        for drawn in _draws(arm, size, chance, _BESIDE if steps else Fraction(0)):
             inputs = {Input("T", k): x for k, x in enumerate(drawn.T)}
             inputs |= {Input("q_near", k): x for k, x in enumerate(drawn.near)}
             try:
@@ -78,10 +89,11 @@ def flaw(
                 return f"at {drawn.words}: a divisor is 0"
             for part in function_named(function).fuses or (function_named(function),):
                 assert part.answers is not None
-                wrong = _wrong(_Goal(arm, size, share, place_only), part.answers, results, drawn)
+                wrong = _wrong(goal, part.answers, results, drawn)
                 if wrong is not None:
                     return f"at {drawn.words}: {wrong}"
-    return None
+                reached |= 1 in results[part.answers.exists]
+    return None if reached else "no pose is reached"
 
 
 def is_simple(robot: Robot) -> bool:
@@ -99,9 +111,9 @@ def is_simple(robot: Robot) -> bool:
     )
 
 
-def _draws(arm: Arm, size: Any, chance: random.Random) -> Iterator[Drawn]:
-    """Positions within the limits; poses that the arm may reach or not, nearer and nearer to its base; and
-    where all joints are revolute one beyond reach."""
+def _draws(arm: Arm, size: Any, chance: random.Random, beside: Fraction) -> Iterator[Drawn]:
+    """Positions within the limits, the reference so much ``beside`` them [rad or m]; poses that the arm may
+    reach or not, nearer and nearer to its base; and where all joints are revolute one beyond reach."""
 
     def between(low: Any, high: Any) -> Any:
         return low + (high - low) * chance.randint(0, _RANGE) / _RANGE
@@ -111,7 +123,7 @@ def _draws(arm: Arm, size: Any, chance: random.Random) -> Iterator[Drawn]:
 
     for _ in range(DRAWN_POSES):
         q = positions()
-        yield Drawn(f"q = {_words(q)}", pose(arm, q), q, q)
+        yield Drawn(f"q = {_words(q)}", pose(arm, q), [x + to_digits(beside) for x in q], q)
     scales = [size / 4**k for k in range(DRAWN_POSES)]
     far = [(3 * size, True)] if all(body.revolute for body in arm.bodies) else []
     for scale, beyond in (*((scale, False) for scale in scales), *far):
@@ -158,12 +170,16 @@ def pose(arm: Arm, q: Sequence[Any]) -> list[Any]:
 
 @dataclass(frozen=True, slots=True)
 class _Goal:
-    """An arm of this ``size`` [m], by what ``share`` of that poses may be missed, and of what of them."""
+    """An arm of this ``size`` [m], by what ``share`` of that poses may be missed, within what distance
+    positions are the ``same`` [rad or m], and whether the place alone counts; ``sure``: whether all are
+    reached that can be, in every branch."""
 
     arm: Arm
     size: Any
     share: Any
+    same: Any
     place_only: bool
+    sure: bool
 
     def missed(self, q: Sequence[Any], T: Sequence[Any]) -> Any:
         """By how much positions miss a pose."""
@@ -195,10 +211,10 @@ def _wrong(goal: _Goal, names: Answers, results: Mapping[str, Sequence[Any]], dr
         missed = goal.missed(solutions[k], drawn.T)
         if missed > goal.allowed(singular=flags[k][2] == 1):
             return f"branch {k} misses the pose by {mpmath.nstr(missed, 3)}"
-    if drawn.q is None:
+    if drawn.q is None or not goal.sure:
         return None
     for k in existing:
-        if flags[k][1] and _apart(goal.arm, solutions[k], drawn.q) < to_digits(SAME_POSITION):
+        if flags[k][1] and _apart(goal.arm, solutions[k], drawn.q) < goal.same:
             return None
     return "no branch within the limits is the positions that were drawn"
 

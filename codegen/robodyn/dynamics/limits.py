@@ -34,12 +34,13 @@ ROUNDING: Mapping[str, Fraction] = {"double": Fraction(1, 2**52), "float": Fract
 #: Digits to which programs of poses are compared with plain forward kinematics. How far they may miss a pose,
 #: as a share of the arm's size: by so many squares of the rounding unit, which keep divisors from 0; where
 #: numbers of the description were taken for its rounding; at the edge of reach, which single precision does
-#: not tell from what is beyond. Within which distance [rad or m] positions are the same.
+#: not tell from what is beyond. Within how many roots of the rounding unit [rad or m] positions are the
+#: same: where branches meet half the digits are lost.
 PROVEN_DIGITS: int = 60
 PROVEN_SHARE: int = 1 << 20
 NEGLECTED_SHARE: Fraction = Fraction(1, 10**11)
 EDGE_SHARE: Fraction = Fraction(1, 500)
-SAME_POSITION: Fraction = Fraction(1, 10**5)
+SAME_POSITION: int = 128
 
 #: Poses of drawn positions, and as many others, at which that is looked at: an arm's branches exist together
 #: at about half of all poses.

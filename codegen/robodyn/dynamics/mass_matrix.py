@@ -82,7 +82,8 @@ class Factored:
     """A positive definite matrix [n, n] as ``U D U^T``; n divisions at most, no square root.
 
     ``matrix`` is read on and below its diagonal. Joints are eliminated from tip to base: near the tip a mass
-    matrix has its zeros and numbers, and a number divides when the program is written.
+    matrix has its zeros and numbers, and a number divides when the program is written. ``pivots`` [n]: what
+    is on the diagonal of D, from tip to base.
     """
 
     def __init__(self, matrix: Sequence[Sequence[Any]], mark: Mark = unmarked) -> None:
@@ -91,12 +92,14 @@ class Factored:
         factor: list[list[Any]] = [[0] * n for _ in range(n)]
         scaled: list[list[Any]] = [[0] * n for _ in range(n)]  # U D
         inverse: list[Any] = [0] * n
+        pivots: list[Any] = []
         for j in range(n):
             row = order[j]
             pivot = matrix[row][row]
             for k in range(j):
                 pivot = pivot - factor[j][k] * scaled[j][k]
             pivot = mark(pivot, Label(row + 1, "pivot", ""))
+            pivots.append(pivot)
             inverse[j] = mark(Fraction(1) / pivot, Label(row + 1, "ipivot", ""))
             for i in range(j + 1, n):
                 entry = matrix[row][order[i]]
@@ -105,6 +108,7 @@ class Factored:
                 scaled[i][j] = mark(entry, Label(order[i] + 1, "ud", str(row + 1)))
                 factor[i][j] = mark(entry * inverse[j], Label(order[i] + 1, "u", str(row + 1)))
         self._factor, self._inverse, self._mark, self._order = factor, inverse, mark, order
+        self.pivots = tuple(pivots)
 
     def halved(self, right: Sequence[Any]) -> list[Any]:
         """``U^-1 right`` [n], from tip to base; what is zero at the tip stays zero there."""

@@ -39,13 +39,16 @@ _HELPERS = ("sign", "abs", "sqrt", "tanh", "exp", "pow", "select")
 def batch_files(unit: Unit) -> dict[str, str]:
     """``NAME_batch.h``, ``NAME_batch.c`` and ``NAME_lanes.h``: text by file name.
 
-    Functions that remember between calls are left out.
+    Functions that remember between calls, or repeat a step, are left out.
 
     Raises
     ------
     InputError: all of them do, or a number does not fit.
     """
-    able = [(signature, program) for signature, program in unit.functions if not signature.states]
+    straight = [each for each in unit.functions if each[1].iteration is None]
+    if not straight:
+        unit.functions[0][1].straight("batches on vectors are")
+    able = [(signature, program) for signature, program in straight if not signature.states]
     if not able:
         signature = unit.functions[0][0]
         raise InputError(

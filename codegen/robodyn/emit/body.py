@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from robodyn.emit.results import Result, results_after
@@ -17,7 +17,7 @@ from robodyn.ir.program import Input
 class Lines:
     """A function in lines: ``angles`` with the loop of our sine and cosine, which stands before the body (or
     nothing), the statements, the results at the end, the names that are defined, local arrays with their
-    sizes, the arrays that the body reads, and whether it reads run-time parameters."""
+    sizes, the arrays that the body reads, whether it reads run-time parameters, and counters of loops."""
 
     angles: list[str]
     statements: list[str]
@@ -26,6 +26,12 @@ class Lines:
     arrays: dict[str, int]
     reads: set[str]
     parameters: bool
+    counters: Sequence[str] = ()
+
+    @classmethod
+    def of(cls, statements: list[str], arrays: dict[str, int], counters: Sequence[str] = ()) -> Lines:
+        """Ready lines that need local ``arrays``, and integers as ``counters``."""
+        return cls([], statements, [], [], arrays, set(), False, counters)
 
 
 def body_lines(body: Body, syntax: Syntax, *, builtin: bool, lanes: int, early_writes: bool) -> Lines:

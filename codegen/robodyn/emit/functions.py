@@ -3,39 +3,80 @@
 from __future__ import annotations
 
 import textwrap
+from dataclasses import dataclass
 from typing import Any
 
-from robodyn.counts.count import Count
 from robodyn.dynamics.functions import function_named
 from robodyn.emit.body import body_lines
 from robodyn.emit.head import contained
 from robodyn.emit.language import FunctionText, Language
 from robodyn.emit.spelling import WIDTH
-from robodyn.emit.statements import Body
-from robodyn.emit.unit import Unit, counted_text
+from robodyn.emit.stages import Repeated, repeated
+from robodyn.emit.statements import Body, statements
+from robodyn.emit.unit import Unit, counted
+from robodyn.ir.program import Program
 from robodyn.ir.signature import Signature
 
 
-def function_text(
-    language: Language, signature: Signature, counted: Count, body: Body, unit: Unit
-) -> dict[str, Any]:
-    """``body`` as ``language``'s templates place it."""
-    syntax = language.syntax(signature, unit)
-    lines = body_lines(body, syntax, builtin=unit.builtin, lanes=unit.lanes, early_writes=unit.early_writes)
-    read = body.arrays
-    unused = [array for array, _ in signature.inputs if array not in read]
-    if signature.parameters and not body.reads_parameters:
-        unused.append("p")
-    if signature.states and "dt" not in read:
-        unused.append("dt")
-    rereads = not unit.builtin and any(syntax.rereads(s.expression) for s in body.statements)
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """A function before it is written in a language: its statements, or the stages that it repeats one of;
+    ``stage``: only another function calls it."""
+
+    signature: Signature
+    body: Body | Repeated
+    purpose: str
+    counted: str
+    stage: bool = False
+
+
+def pieces(signature: Signature, program: Program, unit: Unit) -> tuple[Piece, ...]:
+    """The function, before it the stages that it consists of."""
+
+    def body(program: Program) -> Body:
+        return statements(
+            program, in_order=unit.early_writes, readable=unit.readable, concise=not unit.readable
+        )
+
+    purpose, words = function_named(signature.function).purpose, counted(program)
+    if program.iteration is None:
+        return (Piece(signature, body(program), purpose, words),)
+    whole = repeated(signature, program)
+    stages = (
+        Piece(each.signature, body(each.program), each.words, counted(each.program), True)
+        for each in whole.stages
+    )
+    return (*stages, Piece(signature, whole, purpose, words))
+
+
+def function_text(language: Language, piece: Piece, unit: Unit) -> dict[str, Any]:
+    """``piece`` as ``language``'s templates place it."""
+    signature, body = piece.signature, piece.body
+    if isinstance(body, Repeated):
+        unused, rereads = body.unread, False
+        lines = language.repeating(body)
+    else:
+        syntax = language.syntax(signature, unit)
+        lines = body_lines(
+            body, syntax, builtin=unit.builtin, lanes=unit.lanes, early_writes=unit.early_writes
+        )
+        read = body.arrays
+        unused = [array for array, _ in signature.inputs if array not in read]
+        if signature.parameters and not body.reads_parameters:
+            unused.append("p")
+        if signature.states and "dt" not in read:
+            unused.append("dt")
+        rereads = not unit.builtin and any(syntax.rereads(s.expression) for s in body.statements)
     return {
         "symbol": signature.symbol,
-        "purpose": function_named(signature.function).purpose,
-        "contains": textwrap.wrap(_contains(signature, unit), WIDTH, break_on_hyphens=False),
-        "counted": textwrap.wrap(counted_text(counted), WIDTH, break_on_hyphens=False),
+        "purpose": piece.purpose,
+        "contains": textwrap.wrap(
+            "" if piece.stage else _contains(signature, unit), WIDTH, break_on_hyphens=False
+        ),
+        "counted": textwrap.wrap(piece.counted, WIDTH, break_on_hyphens=False),
         "unused": unused,
-        **language.function(FunctionText(signature, unit, lines, tuple(unused), rereads)),
+        "stage": piece.stage,
+        **language.function(FunctionText(signature, unit, lines, tuple(unused), rereads, piece.stage)),
     }
 
 

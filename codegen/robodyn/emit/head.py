@@ -7,11 +7,10 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
-from robodyn.counts.count import count
 from robodyn.dynamics.functions import array_named, function_named
 from robodyn.emit.language import Language
 from robodyn.emit.spelling import WIDTH
-from robodyn.emit.unit import Unit, counted_text
+from robodyn.emit.unit import Unit, counted
 from robodyn.robot.identity import identity
 from robodyn.robot.model import EffectEntry, Inertia, Joint, Placement, Robot
 from robodyn.robot.values import Affine, Angle, Value
@@ -82,7 +81,7 @@ def head_lines(unit: Unit, language: Language) -> list[str]:
     lines.append("")
     say("Operations (every binary * is a multiplication, every binary + or - an addition):")
     for signature, program in unit.functions:
-        say(f"  {signature.function}: {counted_text(count(program))}", "    ")
+        say(f"  {signature.function}: {counted(program)}", "    ")
     for line in _zeros(unit):
         say(line, "    ")
     return lines

@@ -14,6 +14,7 @@ from robodyn.tools import Tool
 
 if TYPE_CHECKING:
     from robodyn.emit.body import Lines
+    from robodyn.emit.stages import Repeated
     from robodyn.emit.unit import Unit
     from robodyn.ir.signature import ScalarType, Signature
 
@@ -26,13 +27,15 @@ class FunctionText:
     """One function on its way to the templates: its interface, its lines, and which arguments nothing reads.
 
     ``rereads``: a sine reads an angle under another name (:class:`~robodyn.emit.syntax.Syntax`).
+    ``stage``: only another function calls it.
     """
 
     signature: Signature
     unit: Unit
     lines: Lines
     unused: tuple[str, ...]
-    rereads: bool
+    rereads: bool = False
+    stage: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,6 +78,8 @@ class Language:
     """Numbers and operators of ``double``, or of ``float`` (True)."""
     syntax: Callable[[Signature, Unit], Syntax]
     function: Callable[[FunctionText], dict[str, Any]]
+    repeating: Callable[[Repeated], Lines]
+    """The lines of a function that repeats a step."""
     context: Callable[[Unit], dict[str, Any]] = lambda unit: {}
     aliases: tuple[str, ...] = ()
     #: Whether ``gen`` writes it unless told otherwise.

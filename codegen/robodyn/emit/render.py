@@ -6,12 +6,10 @@ from collections.abc import Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
-from robodyn.counts.count import count
-from robodyn.emit.functions import function_text
+from robodyn.emit.functions import function_text, pieces
 from robodyn.emit.head import comment, head_lines, state_members
 from robodyn.emit.language import Language
 from robodyn.emit.languages import defaults, languages_named
-from robodyn.emit.statements import statements
 from robodyn.emit.unit import Unit
 from robodyn.errors import InputError
 from robodyn.resources import data_dir
@@ -43,19 +41,10 @@ def render(unit: Unit, languages: Sequence[str] | None = None) -> dict[str, str]
 
 
 def _render(unit: Unit, languages: Sequence[Language]) -> dict[str, str]:
-    bodies = [
-        (
-            signature,
-            count(program),
-            statements(
-                program, in_order=unit.early_writes, readable=unit.readable, concise=not unit.readable
-            ),
-        )
-        for signature, program in unit.functions
-    ]
+    every = [piece for signature, program in unit.functions for piece in pieces(signature, program, unit)]
     files: dict[str, str] = {}
     for language in languages:
-        functions = [function_text(language, *body, unit) for body in bodies]
+        functions = [function_text(language, piece, unit) for piece in every]
         context = _context(unit, functions, language)
         for file, template in language.files.items():
             files[file.replace("NAME", unit.robot.name)] = _template(template).render(context)

@@ -44,7 +44,8 @@ BUILTIN = frozenset({"sin", "cos", "atan2"})
 
 def calls(unit: Unit) -> set[str]:
     """The operations of all functions."""
-    return {operation.op for _, program in unit.functions for operation in program.operations}
+    parts = (part for _, program in unit.functions for part in program.parts())
+    return {operation.op for part in parts for operation in part.operations}
 
 
 def needs_libm(unit: Unit) -> bool:
@@ -67,6 +68,16 @@ def builtin_words(unit: Unit) -> str:
     if not has_arctangents(unit):
         return "Sine and cosine are built in"
     return f"{'Sine, cosine and arctangent are' if has_sines(unit) else 'The arctangent is'} built in"
+
+
+def counted(program: Program) -> str:
+    """The operations of ``program`` in words."""
+    if program.iteration is None:
+        return counted_text(count(program))
+    start, step, finish = map(count, program.parts())
+    steps = program.iteration.rows * program.iteration.most
+    beside = f"{start.total + finish.total} operations beside them; {count(program).total} in all at most"
+    return f"{steps} steps at most, each of {counted_text(step)}; {beside}"
 
 
 def counted_text(count: Count) -> str:

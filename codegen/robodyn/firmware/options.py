@@ -76,7 +76,7 @@ def _without_limits(function: str) -> list[str]:
 
 def check_firmware(generated: Generated) -> None:
     """:class:`InputError` where a self-test cannot say what the kernel must give: it remembers from call to
-    call, or it calls the C library."""
+    call, repeats a step, or calls the C library."""
     name = generated.unit.robot.name
     for interface, program in generated.unit.functions:
         if interface.states:
@@ -86,6 +86,7 @@ def check_firmware(generated: Generated) -> None:
                 found=", ".join(interface.states),
                 remedy="leave out the effects with memory, or use robodyn gen without --firmware",
             )
+        program.straight("self-tests of firmware are")
         called = [op for op in _LIBRARY if any(operation.op == op for operation in program.operations)]
         if called:
             raise InputError(

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any
 
-from robodyn.ir.program import Input, Operand, Program
+from robodyn.ir.program import STATE, Input, Iteration, Operand, Program
 
 #: Functions over float; give others for other scalars.
 REAL_FUNCTIONS: dict[str, Callable[..., Any]] = {
@@ -47,6 +47,12 @@ def evaluate(
     """
     values: list[Any] = []
     of = {"select": selected, **functions}
+    if program.iteration is not None:
+
+        def run(part: Program, inputs: Mapping[Input, Any]) -> list[Any]:
+            return evaluate(part, inputs, constant=constant, functions=functions)[STATE]
+
+        inputs = {**inputs, **_iterated(program.iteration, inputs, run, of["select"])}
 
     def value(operand: Operand) -> Any:
         if isinstance(operand, int):
@@ -70,6 +76,28 @@ def evaluate(
         else:
             values.append(of[op](x, *[value(arg) for arg in args[1:]]))
     return {name: [value(operand) for operand in elements] for name, elements in program.outputs}
+
+
+def _iterated(
+    iteration: Iteration,
+    inputs: Mapping[Input, Any],
+    run: Callable[[Program, Mapping[Input, Any]], list[Any]],
+    select: Callable[..., Any],
+) -> dict[Input, Any]:
+    """What ``iteration`` leaves in its array; of arrays of numbers each stops where it is done."""
+    size = iteration.size
+    numbers = run(iteration.start, inputs)
+    for first in range(0, len(numbers), size):
+        row = numbers[first : first + size]
+        for _ in range(iteration.most):
+            done = row[-1] > 0
+            if done.all() if hasattr(done, "dtype") else done:
+                break
+            state = {Input(STATE, k): x for k, x in enumerate(row)}
+            new = run(iteration.step, {**inputs, **state})
+            row = [select(row[-1], x, y) for x, y in zip(row, new, strict=True)]
+        numbers[first : first + size] = row
+    return {Input(STATE, k): x for k, x in enumerate(numbers)}
 
 
 AngleForm = tuple[tuple[tuple[Input, int | Fraction], ...], Fraction]

@@ -106,6 +106,10 @@ def constants(program: Program) -> Iterator[Fraction]:
 def digest(program: Program) -> bytes:
     """A hash of all that ``program`` computes: operations, constants, outputs; not of its labels."""
     lines: list[str] = []
+    if program.iteration is not None:
+        most = program.iteration.most
+        start, step, program = program.parts()
+        lines += [f"at most {most}", digest(start).hex(), digest(step).hex()]
     for op, args, _ in program.operations:
         lines.append(op)
         lines.extend([_word(arg) for arg in args])

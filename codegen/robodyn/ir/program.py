@@ -8,6 +8,8 @@ from fractions import Fraction
 from functools import partial
 from typing import Any, NamedTuple
 
+from robodyn.errors import InputError
+
 
 class Input(NamedTuple):
     """An input: element ``index`` (from 0) of an array, or a run-time parameter (``index`` None)."""
@@ -65,6 +67,10 @@ class Operation(NamedTuple):
     label: Label | None = None
 
 
+#: The array that an iteration works on.
+STATE = "x"
+
+
 #: An :class:`Operation` of its three fields as a tuple, in half the time; there are many.
 operation_of: Callable[[tuple[str, tuple[Operand, ...], Label | None]], Operation]
 operation_of = partial(tuple.__new__, Operation)
@@ -82,6 +88,36 @@ class Program:
     #: The graph that the program was written out from, with its outputs there: passes start from it
     #: instead of building it again. Whoever has it reads it only.
     origin: Any = field(default=None, compare=False, repr=False)
+    #: What is repeated before the operations, which read what it leaves.
+    iteration: Iteration | None = None
+
+    def parts(self) -> tuple[Program, ...]:
+        """The straight-line programs that it consists of, in the order in which they run first."""
+        if self.iteration is None:
+            return (self,)
+        return (self.iteration.start, self.iteration.step, replace(self, iteration=None))
+
+    def straight(self, what: str) -> Program:
+        """The program itself, where it repeats nothing.
+
+        Raises
+        ------
+        InputError: it does; ``what`` is only of straight-line code.
+        """
+        if self.iteration is not None:
+            raise InputError(
+                f"{what} only of straight-line code",
+                found=f"a step that is repeated {self.iteration.most} times at most",
+                expected="a function that the arm has in closed form",
+            )
+        return self
+
+    def changed(self, change: Callable[[Program], Program]) -> Program:
+        """The program with ``change`` applied to each of its :meth:`parts`."""
+        if self.iteration is None:
+            return change(self)
+        start, step, finish = map(change, self.parts())
+        return replace(finish, iteration=replace(self.iteration, start=start, step=step))
 
     def results(self) -> tuple[Operand, ...]:
         """All elements of all outputs, one after another."""
@@ -89,6 +125,9 @@ class Program:
 
     def inputs(self) -> tuple[Input, ...]:
         """The inputs that are read, in the order of their first use."""
+        if self.iteration is not None:
+            of_parts = dict.fromkeys(x for part in self.parts() for x in part.inputs())
+            return tuple(x for x in of_parts if not x.is_of(STATE))
         seen: dict[Input, None] = {}
         for operation in self.operations:
             for arg in operation.args:
@@ -141,3 +180,27 @@ class Program:
             yield f"%{i} = {op} {', '.join(map(show, args))}{note}"
         for name, elements in self.outputs:
             yield f"{name} = [{', '.join(map(show, elements))}]"
+
+
+@dataclass(frozen=True, slots=True)
+class Iteration:
+    """A step that is repeated a bounded number of times, on each of several rows of numbers.
+
+    ``start`` gives the rows one after another in the array :data:`STATE`. ``step`` takes one as the input of
+    that name, beside the inputs of all, and gives what it becomes, until its last number is more than 0, and
+    ``most`` times at most.
+    """
+
+    start: Program
+    step: Program
+    most: int
+
+    @property
+    def size(self) -> int:
+        """Numbers in a row."""
+        return len(self.step.results())
+
+    @property
+    def rows(self) -> int:
+        """How many rows there are."""
+        return len(self.start.results()) // self.size

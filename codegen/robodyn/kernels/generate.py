@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
@@ -156,18 +157,22 @@ def generate(
     described: tuple[str, ...] = ()
     no_angle = False
     if options.trig == "given":
+        for p in programs.values():
+            p.straight("given sines and cosines (--trig given) are")
         layout = given_layout(list(programs.values()))
         no_angle = not layout  # C has no array of no elements: sc has one then
         described = tuple(describe(angle) for angle in layout)
         programs = {f: trig_given(p, layout) for f, p in programs.items()}
         interfaces = {f: _with_sc(interface, max(1, len(layout))) for f, interface in interfaces.items()}
     if options.trig == "builtin":
-        programs = {f: angles_first(p) for f, p in programs.items()}
+        programs = {f: p.changed(angles_first) for f, p in programs.items()}
     if options.by_registers:
-        available = {} if options.profile is None else {"available": options.profile.registers}
-        programs = {f: registers(p, **available) for f, p in programs.items()}
+        allocate = registers
+        if options.profile is not None:
+            allocate = partial(registers, available=options.profile.registers)
+        programs = {f: p.changed(allocate) for f, p in programs.items()}
     if options.trig == "builtin":
-        programs = {f: arctangents_together(p) for f, p in programs.items()}
+        programs = {f: p.changed(arctangents_together) for f, p in programs.items()}
     unit = Unit(
         robot=robot,
         functions=tuple((interfaces[f], programs[f]) for f in programs),

@@ -125,7 +125,7 @@ class RigidPrograms:
         """The program of ``function`` after the passes of its level."""
         draft = self.draft(function)  # may leave what the passes made of it
         if function not in self._after_passes:
-            self._after_passes[function] = self._least([draft])[1]
+            self._after_passes[function] = draft.changed(lambda part: self._least([part])[1])
         return self._after_passes[function]
 
     def _least(self, drafts: Sequence[Program]) -> tuple[int, Program]:
@@ -236,7 +236,8 @@ class RigidPrograms:
 
     def _fused(self, function: Function) -> list[Program]:
         """``function`` written anew as a whole, and put together from the best programs of its parts."""
-        best = {part.name: self.best(part.name) for part in function.fuses}
+        alone = "functions that are joined are"
+        best = {part.name: self.best(part.name).straight(alone) for part in function.fuses}
         writings = [self._writings.get(part.name, part.outputs) for part in function.fuses]
         # What chooses first should be what has most to lose.
         order = sorted(range(len(writings)), key=lambda k: -self._cost(best[function.fuses[k].name]))

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 from robodyn.dynamics.arm import JointAngle, build_arm
 from robodyn.dynamics.functions import function_named
+from robodyn.errors import InputError
 from robodyn.formats.loading import robot_of
 from robodyn.ir import Graph, Label, Program
 from robodyn.ir.graph import Scalar
@@ -104,10 +105,17 @@ def symbolic(
 
     Raises
     ------
-    InputError: an unknown function or formulation.
+    InputError: an unknown function or formulation, or a function of poses, whose geometry is exact.
     """
     import sympy
 
+    if function_named(function).of_pose:
+        raise InputError(
+            f"{function} is not written through sympy",
+            found="a function of a pose",
+            expected="a function of joint positions",
+            remedy="use the engine graph",
+        )
     robot = robot_of(robot)
     interface = signature(robot, function)
     inputs = {

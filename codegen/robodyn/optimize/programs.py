@@ -40,6 +40,7 @@ from robodyn.optimize.choice import Choice as Choice
 from robodyn.optimize.choice import choice_from as choice_from
 from robodyn.optimize.costing import exact as exact
 from robodyn.optimize.gauge import regrouped_as, with_displacements
+from robodyn.optimize.iterated import Inputs, Split, iterated
 from robodyn.optimize.merging import MergingGraph
 from robodyn.optimize.reading_order import in_reading_order
 from robodyn.optimize.slide import centred, slid
@@ -49,7 +50,8 @@ from robodyn.robot.model import Robot
 
 if TYPE_CHECKING:
     from robodyn.dynamics.base_parameter import BaseParameter
-    from robodyn.dynamics.inverse import Inverse as InverseKinematics
+    from robodyn.dynamics.inverse import Inverse as ClosedForm
+    from robodyn.dynamics.inverse import Numerical
 
 
 class NoForwardDynamics(NoSuchFunction):
@@ -97,17 +99,16 @@ def base_set_of(robot: Robot) -> tuple[BaseParameter, ...]:
         raise NoSuchFunction(error.what, found=error.found, remedy=error.remedy) from None
 
 
-def inverse_kinematics_of(robot: Robot) -> InverseKinematics:
+def inverse_kinematics_of(robot: Robot) -> ClosedForm | Numerical:
     """How the joint positions of a pose are solved for.
 
     Raises
     ------
-    NoSuchFunction: no closed form is known for arms like ``robot``.
+    NoSuchFunction: a length is a run-time parameter.
     """
-    from robodyn.dynamics.inverse import inverse_of
+    from robodyn.dynamics.inverse import solver_of
 
-    arm = build_arm(robot, exact, Graph().input)
-    return inverse_of(arm, [body.limits for body in arm.bodies])
+    return solver_of(build_arm(robot, exact, Graph().input))
 
 
 def _states(robot: Robot) -> tuple[str, ...]:
@@ -149,13 +150,19 @@ def _built(
     writing: Writing | None,
     scalar: ScalarType,
 ) -> Program:
-    interface = signature(robot, function)
+    interface, known = signature(robot, function), function_named(function)
+
+    def written(graph: Graph, inputs: Inputs, writing: Writing, split: Split) -> Program:
+        values = list(writing(recursion_in(graph, robot, choice, inputs, scalar)))
+        if choice.regroup:
+            graph, values = in_reading_order(graph, values)
+        return lower(graph, split(values))
+
+    approach = known.iterative(build_arm(robot, exact, graph.input))
+    if approach is not None:
+        return iterated(known, approach, robot.n, written)
     inputs = {name: [graph.input(name, i) for i in range(size)] for name, size in interface.inputs}
-    recursion = recursion_in(graph, robot, choice, inputs, scalar)
-    values = list((writing or function_named(function).outputs)(recursion))
-    if choice.regroup:
-        graph, values = in_reading_order(graph, values)
-    return lower(graph, function_named(function).split(values, robot.n))
+    return written(graph, inputs, writing or known.outputs, lambda values: known.split(values, robot.n))
 
 
 def outputs_of(

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from robodyn.ir.program import Input, Operand, Program
+from robodyn.ir.program import STATE, Input, Operand, Program
 from robodyn.passes.dce import kept
 
 #: What an angle is made with.
@@ -15,8 +15,9 @@ SUMS = ("add", "sub", "mul", "neg")
 
 
 def is_position(operand: Input | Fraction) -> bool:
-    """Whether the caller gives it with the positions: a constant, a run-time parameter, a position."""
-    return isinstance(operand, Fraction) or operand.index is None or operand.is_of("q")
+    """Whether the caller gives it with the positions: a constant, a run-time parameter, a position, or
+    one that a step goes on from."""
+    return isinstance(operand, Fraction) or operand.index is None or operand.is_of("q", STATE)
 
 
 def angles_first(program: Program) -> Program:

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.dynamics.inverse import Numerical
 from robodyn.simulate.pose_text import roll_pitch_yaw
 from robodyn.simulate.poses import Posed, PoseSolver, Solution
 
@@ -23,14 +24,13 @@ def poses_document(
     solver: PoseSolver, posed: Sequence[Posed], *, nearest_only: bool = False
 ) -> dict[str, Any]:
     """For JSON: rad and m."""
-    closed = solver.closed_form
+    used = solver.solver
     return {
         "robot": solver.robot.name,
-        "method": "search" if closed is None else "closed form",
-        "reason": solver.reason or None,
-        "conditions": [] if closed is None else list(closed.conditions),
+        "method": "iteration" if isinstance(used, Numerical) else "closed form",
+        "conditions": list(used.conditions),
         "place_only": solver.place_only,
-        "free_joint": None if closed is None or closed.redundant is None else closed.redundant + 1,
+        "free_joint": None if used.redundant is None else used.redundant + 1,
         "poses": [
             {
                 "pose": each.T.tolist(),
@@ -69,17 +69,18 @@ def poses_text(
 
 
 def _method(solver: PoseSolver) -> list[str]:
-    closed, name = solver.closed_form, solver.robot.name
-    if closed is None:
-        return [
-            f"{name}: no closed form ({solver.reason}); one solution, by search from the reference (--near)"
-        ]
-    lines = [f"{name}: closed form, {closed.branches} branches; {'; '.join(closed.conditions)}"]
-    if closed.place_only:
+    used, name = solver.solver, solver.robot.name
+    way = f"closed form, {used.branches} branches"
+    if isinstance(used, Numerical):
+        way = f"closed form of a similar arm, {used.branches} branches, refined in {used.most} steps at most"
+        if used.alone:
+            way = f"one solution near the reference (--near), by iteration of {used.most} steps at most"
+    lines = [f"{name}: {way}; {'; '.join(used.conditions)}"]
+    if used.place_only:
         lines.append(f"{solver.robot.n} joints bring the tool to a place; its rotation follows")
-    if closed.redundant is not None:
+    if used.redundant is not None:
         lines.append(
-            f"joint {closed.redundant + 1} is free, and takes its position from the reference (--near)"
+            f"joint {used.redundant + 1} is free, and takes its position from the reference (--near)"
         )
     return lines
 
@@ -132,10 +133,10 @@ def _summary(solver: PoseSolver, posed: Posed, *, nearest_only: bool) -> str:
         place, turn = near.off
         beside = "" if solver.place_only else f" and {turn:.3g} rad"
         again = ""
-        if solver.closed_form is not None and solver.closed_form.redundant is not None:
-            again = f"; another position of joint {solver.closed_form.redundant + 1} in --near may reach it"
+        if solver.solver.redundant is not None:
+            again = f"; another position of joint {solver.solver.redundant + 1} in --near may reach it"
         return f"not reached: {place:.3g} m{beside} are missing at {near.name}{again}"
-    if solver.closed_form is None or nearest_only:
+    if nearest_only or (isinstance(solver.solver, Numerical) and solver.solver.alone):
         return "reached" if near.within else "reached, beyond the joints' limits"
     within = sum(each.within for each in posed.reached)
     return (

@@ -73,8 +73,9 @@ def cut(program: Program, k: int = 3, costs: Mapping[str, int] | None = None) ->
 
     Raises
     ------
-    InputError: ``k`` is less than one.
+    InputError: ``k`` is less than one, or ``program`` repeats a step.
     """
+    program.straight("tasks are")
     if not 1 <= k <= MOST_OPERATIONS:
         raise InputError("a task has operations", found=f"{k}", expected=f"1 to {MOST_OPERATIONS} of them")
     price = COSTS if costs is None else costs

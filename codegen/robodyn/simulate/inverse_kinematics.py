@@ -69,28 +69,17 @@ class InverseKinematics:
         ------
         InputError: the place cannot be reached from any start; says how near the arm came.
         """
-        q, error = self.nearest(point, rotation, start)
-        if error <= self.tolerance:
-            return q
         target, turn = _target(point, rotation)
-        raise self._unreachable("the pose" if turn is not None else "the point", target, error, self.starts)
-
-    def nearest(
-        self, point: ArrayLike, rotation: ArrayLike | None = None, start: ArrayLike | None = None
-    ) -> tuple[Floats, float]:
-        """As :meth:`solve`, with the error; the nearest joint positions where the place is out of reach."""
-        target, turn = _target(point, rotation)
-        low, high = self._range()
+        low, high = drawn_between(self.kinematics.robot, *self._bounds())
         first = (low + high) / 2 if start is None else self._start(start)
         rng = np.random.default_rng(self.seed)
-        best, least = first, math.inf
+        nearest = math.inf
         for attempt in range(max(1, self.starts)):
             q, error = self._descend(target, turn, first if attempt == 0 else rng.uniform(low, high))
-            if error < least:
-                best, least = q, error
             if error <= self.tolerance:
-                break
-        return self._in_turn(best, first), least
+                return self._in_turn(q, first)
+            nearest = min(nearest, error)
+        raise self._unreachable("the pose" if turn is not None else "the point", target, nearest, self.starts)
 
     def along(
         self, points: ArrayLike, rotations: ArrayLike | None = None, start: ArrayLike | None = None
@@ -194,13 +183,6 @@ class InverseKinematics:
             raise InputError("this is not a start", found=f"shape {list(q.shape)}", expected=f"[{n}], finite")
         return q
 
-    def _range(self) -> tuple[Floats, Floats]:
-        """Between what starts are drawn [n]: the limits, or within pi or 1 m where there are none."""
-        low, high = self._bounds()
-        reach = np.where(_revolute(self.kinematics.robot), math.pi, 1.0)
-        lowest = np.where(np.isfinite(low), low, np.minimum(-reach, high - reach))
-        return lowest, np.where(np.isfinite(high), high, np.maximum(reach, lowest + reach))
-
     def _in_turn(self, q: Floats, near: Floats) -> Floats:
         """``q`` in the turns closest to ``near`` that the limits allow."""
         low, high = self._bounds()
@@ -228,6 +210,13 @@ def position_limits(robot: Robot) -> Floats:
     none = (-math.inf, math.inf)
     bounds = [link.joint.limits.position or none for link in robot.links]
     return np.array([[float(low), float(high)] for low, high in bounds])
+
+
+def drawn_between(robot: Robot, low: Floats, high: Floats) -> tuple[Floats, Floats]:
+    """Between what positions are drawn [n]: the limits, or within pi or 1 m where there are none."""
+    reach = np.where(_revolute(robot), math.pi, 1.0)
+    lowest = np.where(np.isfinite(low), low, np.minimum(-reach, high - reach))
+    return lowest, np.where(np.isfinite(high), high, np.maximum(reach, lowest + reach))
 
 
 def rotation_vector(R: Floats) -> Floats:

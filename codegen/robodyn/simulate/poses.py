@@ -1,7 +1,7 @@
-"""The joint positions of poses, of any arm: in closed form where its class has one, else by search.
+"""The joint positions of poses, of any arm: in closed form where its class has one, else by iteration.
 
-The closed form is that of the kernels (:mod:`robodyn.dynamics.inverse`), in double precision and without a
-compiler.
+What is evaluated are the programs of the kernels, in double precision and without a compiler. Where iteration
+from the reference does not come to a pose, it begins elsewhere as well, which a kernel leaves to its caller.
 """
 
 from __future__ import annotations
@@ -14,14 +14,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from robodyn.dynamics.functions import NoSuchFunction, function_named
-from robodyn.dynamics.inverse import Inverse
+from robodyn.dynamics.functions import function_named
+from robodyn.dynamics.inverse import Numerical
+from robodyn.dynamics.inverse.limits import STARTS
 from robodyn.errors import InputError
 from robodyn.ir.evaluate import REAL_FUNCTIONS, evaluate
 from robodyn.ir.program import Input, Program
 from robodyn.optimize.programs import Choice, build, inverse_kinematics_of
 from robodyn.robot.model import Robot
-from robodyn.simulate.inverse_kinematics import InverseKinematics, position_limits, rotation_vector
+from robodyn.simulate.inverse_kinematics import drawn_between, position_limits, rotation_vector
 from robodyn.simulate.kinematics import Kinematics
 
 Floats = NDArray[np.float64]
@@ -85,7 +86,7 @@ class PoseSolver:
 
     Attributes
     ----------
-    closed_form: what solves in closed form; None where the arm is of no class, and ``reason`` says why.
+    solver: what solves, in closed form or by iteration.
 
     Raises
     ------
@@ -94,12 +95,7 @@ class PoseSolver:
 
     def __init__(self, robot: Robot, parameters: Mapping[str, float] | None = None) -> None:
         self.robot = robot.at(parameters or {}) if robot.parameters else robot
-        self.closed_form: Inverse | None = None
-        self.reason = ""
-        try:
-            self.closed_form = inverse_kinematics_of(self.robot)
-        except NoSuchFunction as reason:
-            self.reason = reason.found or reason.what
+        self.solver = inverse_kinematics_of(self.robot)
         tool = self.robot.tool
         point = (0.0, 0.0, 0.0) if tool is None else tool.xyz
         self._turn = np.eye(3) if tool is None else np.array(tool.rotation, np.float64)
@@ -132,20 +128,35 @@ class PoseSolver:
                 found=f"shape {list(reference.shape)}",
                 expected=f"[{n}], finite",
             )
-        if self.closed_form is None:
-            return [self._searched(pose, reference) for pose in poses]
-        return self._closed(self.closed_form, poses, reference)
+        posed = self._posed(poses, reference)
+        if isinstance(self.solver, Numerical) and self.solver.alone:
+            posed = [each if each.reached else self._from_elsewhere(each) for each in posed]
+        return posed
 
     def branches(self, T: Floats, near: Floats) -> tuple[Floats, NDArray[np.bool_]]:
-        """Of an arm with a closed form the positions [K, b, n] of all branches for poses [K, 3, 4], and which
-        [K, b] reach their pose within the limits; ``near`` [n] as in :meth:`solve`."""
+        """The positions [K, b, n] of all branches for poses [K, 3, 4], and which [K, b] reach their pose
+        within the limits; ``near`` [n] as in :meth:`solve`, or [K, n]."""
         every = self._evaluated(_FUNCTIONS[0], T, near)
         return every.q, every.flags[:, :, 0] & every.flags[:, :, 1]
 
-    def _closed(self, inverse: Inverse, poses: Floats, near: Floats) -> list[Posed]:
-        """All branches of all poses at once."""
+    def _from_elsewhere(self, posed: Posed) -> Posed:
+        """A pose that is not reached by iteration from the reference, by iteration from other positions: of
+        those that are reached the nearest to where it would have ended, else the best there is."""
+        low, high = drawn_between(self.robot, *position_limits(self.robot).T)
+        starts = np.random.default_rng(0).uniform(low, high, (STARTS, self.robot.n))
+        tried = self._posed(np.repeat(posed.T[None], STARTS, axis=0), starts)
+
+        def badness(other: Posed) -> tuple[bool, float, float]:
+            one = other.nearest
+            missed = 0.0 if one.exists else sum(one.off)
+            return not one.exists, missed, float(np.abs(one.q - posed.nearest.q).max())
+
+        return min((posed, *tried), key=badness)
+
+    def _posed(self, poses: Floats, near: Floats) -> list[Posed]:
+        """The solutions of all poses at once, from one reference [n] or one each [K, n]."""
         every, best = (self._evaluated(name, poses, near) for name in _FUNCTIONS)
-        names = inverse.branch_names
+        names = self.solver.branch_names
         posed = []
         for k, T in enumerate(poses):
             off = self._off(T, every.q[k])
@@ -163,7 +174,7 @@ class PoseSolver:
         """What the program of ``function`` gives for all poses."""
         program, count = self._programs[function], len(poses)
         inputs: dict[Input, Any] = {Input("T", k): x for k, x in enumerate(poses.reshape(-1, 12).T)}
-        inputs |= {Input("q_near", k): np.float64(x) for k, x in enumerate(near)}
+        inputs |= {Input("q_near", k): np.float64(x) for k, x in enumerate(near.T)}
         with np.errstate(all="ignore"):  # what is not chosen may divide by zero
             results = evaluate(program, inputs, functions=_OF_ARRAYS)
         answers = function_named(function).answers
@@ -176,25 +187,10 @@ class PoseSolver:
         branch = rows(answers.branch)[:, 0].astype(int) if answers.branch else np.zeros(count, int)
         return _Evaluated(rows(answers.solutions).reshape(count, -1, self.robot.n), flags, branch)
 
-    def _searched(self, T: Floats, near: Floats) -> Posed:
-        """The one solution that a search from ``near`` leads to."""
-        rotation = None if self.place_only else T[:, :3] @ self._turn.T
-        q, _ = self._search.nearest(T[:, 3], rotation, near)
-        (off,) = self._off(T, q[None])
-        low, high = position_limits(self.robot).T
-        within = bool(((low <= q) & (q <= high)).all())
-        exists = max(off) <= self._search.tolerance
-        solution = Solution("search", q, exists, within, singular=False, off=off)
-        return Posed(T, (solution,), solution)
-
     @cached_property
     def _programs(self) -> dict[str, Program]:
         # As they are written: what a pose is off is looked at each time.
         return {name: build(self.robot, name, Choice()) for name in _FUNCTIONS}
-
-    @cached_property
-    def _search(self) -> InverseKinematics:
-        return InverseKinematics(self._kinematics)
 
     def _off(self, T: Floats, q: Floats) -> list[tuple[float, float]]:
         """How far the tool is off ``T`` at ``q`` [b, n]: place [m], angle [rad]."""

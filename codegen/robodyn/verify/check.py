@@ -36,7 +36,7 @@ from robodyn.verify.oracles import (
     lagrangian_oracle,
     reference_oracle,
 )
-from robodyn.verify.poses import pose_errors
+from robodyn.verify.poses import pose_errors, references
 from robodyn.verify.reference import Floats, Reference
 from robodyn.verify.report import Comparison, VerifyReport
 from robodyn.verify.sample import draw, draw_parameters, drawn_besides, poses_of
@@ -161,7 +161,9 @@ class _Run:
         rounded = tau.astype(kernel.dtype).astype(np.float64)
         more = drawn_besides(kernel.signatures.values(), states, seed, kernel.dtype)
         poses = poses_of(reference, sample.q, kernel.dtype)
-        drawn = (sample.q, sample.qd, sample.qdd, rounded, *more, poses, sample.q)
+        of_poses = any(function_named(name).of_pose for name in kernel.functions)
+        near = references(robot, sample.q).astype(kernel.dtype) if of_poses else sample.q
+        drawn = (sample.q, sample.qd, sample.qdd, rounded, *more, poses, near.astype(np.float64))
         self.inputs: dict[str, Floats] = dict(zip((array.name for array in INPUTS), drawn, strict=True))
         if any(name == "sc" for s in kernel.signatures.values() for name, _ in s.inputs):
             if trig is None:

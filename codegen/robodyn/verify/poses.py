@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.dynamics.functions.record import Answers, Function
+from robodyn.dynamics.inverse import Numerical
 from robodyn.dynamics.inverse.limits import EDGE
 from robodyn.optimize.programs import inverse_kinematics_of
 from robodyn.robot.model import Robot
@@ -23,6 +24,14 @@ _EDGE = 10
 #: Up to what distance [rad or m] positions are the same, as a multiple of the root of the tolerance: where
 #: branches meet positions lose half their digits.
 _SAME = 10.0
+#: How far beside positions steps begin [rad or m], and how many of the poses they have to come to.
+_BESIDE, _REACHED = 0.05, 0.9
+
+
+def references(robot: Robot, q: Floats) -> Floats:
+    """The references [N, n] of poses of positions ``q`` [N, n]: these; where steps begin at them, beside."""
+    solver = inverse_kinematics_of(robot)
+    return q + _BESIDE if isinstance(solver, Numerical) and solver.alone else q
 
 
 def pose_errors(
@@ -65,13 +74,17 @@ def _errors(
     sound &= _is_within(robot, solutions, within).all(axis=1)
     poses = reference.tool_pose(solutions.reshape(-1, n)).reshape(count, -1, 12)
     missed = np.abs(poses - T[:, None, :])
-    if inverse_kinematics_of(robot).place_only:
+    solver = inverse_kinematics_of(robot)
+    if solver.place_only:
         missed = missed[:, :, 3::4]
     at_edge = max(1.0, _EDGE * EDGE * float(np.finfo(dtype).eps) / tolerance)
     share = missed.max(axis=2) / np.where(singular == 1, at_edge, 1.0)
     closure = np.where(exists == 1, share, 0.0).max(axis=1)
     reachable = is_reachable(count)
     same = (_apart(robot, solutions, q[:, None, :]) < _SAME * math.sqrt(tolerance)) & (exists == 1)
+    if isinstance(solver, Numerical):  # steps lead to some positions, near where branches meet to none
+        came = (exists == 1).any(axis=1)
+        same = np.full_like(same, came[reachable].mean() > _REACHED)
     right = np.where(reachable, same.any(axis=1), (exists == 0).all(axis=1))
     if any(link.joint.kind == "prismatic" for link in robot.links):
         right |= ~reachable  # what slides comes anywhere

@@ -14,7 +14,9 @@ from robodyn.dynamics.functions.record import Answers, Dynamics, Function
 from robodyn.dynamics.poses import flat
 
 if TYPE_CHECKING:
-    from robodyn.dynamics.inverse import Inverse
+    from robodyn.dynamics.arm import Arm
+    from robodyn.dynamics.inverse import Inverse, Nearest, Solved
+    from robodyn.dynamics.iterative import Iterative
 
 SOLUTIONS = Array("solutions", "joint positions, a row for each branch", "rad", "m", shape=("b", "n"))
 EXISTS = Array(
@@ -36,20 +38,42 @@ MEETING = Array("solution_singular", "1 where two branches meet or a joint is fr
 BRANCH = Array("branch", "which branch it is, from 0", "", shape=())
 
 
-def _inverse(at: Dynamics) -> Inverse:
+def _closed_form(at: Dynamics) -> Inverse:
     from robodyn.dynamics.inverse import inverse_of
 
     return inverse_of(at.arm, [body.limits for body in at.arm.bodies])
 
 
 def _all_branches(at: Dynamics) -> Sequence[Any]:
-    solved = _inverse(at).solve(at.inputs["T"], at.inputs["q_near"], at.rounding)
+    return _rows(_closed_form(at).solve(at.inputs["T"], at.inputs["q_near"], at.rounding))
+
+
+def _rows(solved: Solved) -> Sequence[Any]:
     return [*flat(solved.solutions), *solved.exists, *solved.within, *solved.singular, solved.count]
 
 
 def _nearest(at: Dynamics) -> Sequence[Any]:
-    nearest = _inverse(at).nearest(at.inputs["T"], at.inputs["q_near"], at.rounding)
+    return _one(_closed_form(at).nearest(at.inputs["T"], at.inputs["q_near"], at.rounding))
+
+
+def _one(nearest: Nearest) -> Sequence[Any]:
     return [*nearest.solution, nearest.exists, nearest.within, nearest.singular, nearest.branch]
+
+
+def _approached(arm: Arm) -> Iterative | None:
+    from robodyn.dynamics.inverse import Numerical, solver_of
+
+    solver = solver_of(arm)
+    return solver.approach(lambda at, solved: _rows(solved)) if isinstance(solver, Numerical) else None
+
+
+def _nearest_approached(arm: Arm) -> Iterative | None:
+    from robodyn.dynamics.inverse import Numerical, solver_of
+
+    solver = solver_of(arm)
+    if not isinstance(solver, Numerical):
+        return None
+    return solver.approach(lambda at, solved: _one(solver.nearest(solved, at.inputs["q_near"], at.rounding)))
 
 
 FUNCTIONS = (
@@ -60,6 +84,7 @@ FUNCTIONS = (
         (SOLUTIONS, EXISTS, WITHIN, SINGULAR, COUNT),
         _all_branches,
         geometric=True,
+        iterative=_approached,
         answers=Answers("solutions", "exists", "within", "singular"),
     ),
     Function(
@@ -69,6 +94,7 @@ FUNCTIONS = (
         (SOLUTION, REACHED, ALLOWED, MEETING, BRANCH),
         _nearest,
         geometric=True,
+        iterative=_nearest_approached,
         answers=Answers("solution", "solution_exists", "solution_within", "solution_singular", "branch"),
     ),
 )

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from robodyn.dynamics.arm import Arm, Motion
     from robodyn.dynamics.base_parameter import BaseParameter
     from robodyn.dynamics.choosing import Chooser
+    from robodyn.dynamics.iterative import Iterative
     from robodyn.dynamics.lump import Lump, MomentForm
     from robodyn.dynamics.parallel import Turns
 
@@ -183,6 +184,7 @@ class Function:
     drives: whether it depends on what drives do; if not, robots with effects have the rigid arm's.
     geometric: whether it is of the links' places and motion alone: drives and effects have no part in it.
     derivatives: of its only result by each of its inputs; none: no function has them.
+    iterative: how its results are approached, of an arm of which it cannot be written straight; else None.
     answers: of a function of a pose, and of no state, its results. What is right is that the poses of its
         solutions are the one that it was given (:mod:`robodyn.dynamics.closing`).
     """
@@ -210,6 +212,7 @@ class Function:
     drives: bool = True
     geometric: bool = False
     derivatives: tuple[Derivative, ...] = ()
+    iterative: Callable[[Arm], Iterative | None] = lambda arm: None
     answers: Answers | None = None
 
     def __post_init__(self) -> None:

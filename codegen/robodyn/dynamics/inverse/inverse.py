@@ -24,7 +24,16 @@ from robodyn.dynamics.inverse.classes import (
 from robodyn.dynamics.inverse.limits import TRIED
 from robodyn.dynamics.inverse.rank import moves_all_ways
 from robodyn.dynamics.inverse.screws import Axis, Chain, Circle, as_floats, chain_of, minus, sum_of
-from robodyn.dynamics.inverse.solution import Joint, Limits, Nearest, Solved, nearest, solved
+from robodyn.dynamics.inverse.solution import (
+    Joint,
+    Limits,
+    Nearest,
+    Solved,
+    joints_of,
+    nearest,
+    places_only,
+    solved,
+)
 from robodyn.dynamics.inverse.structures import Points
 from robodyn.effects.scalars import cosine, sine
 
@@ -52,12 +61,20 @@ class Inverse:
     redundant: int | None
     kind: Class
     size: Fraction
-    branch_names: tuple[str, ...] = ()
+    signs: tuple[tuple[tuple[int, int], ...], ...] = ()
+
+    @property
+    def branch_names(self) -> tuple[str, ...]:
+        """Names of the branches."""
+        return tuple(
+            " ".join(f"{joint + 1}{'+' if sign > 0 else '-'}" for joint, sign in signs)
+            for signs in self.signs
+        )
 
     @property
     def branches(self) -> int:
         """How many solutions there are at most."""
-        return len(self.branch_names)
+        return len(self.signs)
 
     @property
     def conditions(self) -> tuple[str, ...]:
@@ -67,7 +84,7 @@ class Inverse:
     @property
     def place_only(self) -> bool:
         """Whether only the place of the tool is solved for, however it is turned: three joints do no more."""
-        return len(self.joints) <= 3
+        return places_only(self.joints)
 
     def solve(self, T: Sequence[Any], q_near: Sequence[Any], unit: Fraction) -> Solved:
         """All branches for the tool at ``T`` [12], ``[R p]`` row by row, over any scalar; ``q_near`` [n] (rad
@@ -105,8 +122,9 @@ class Inverse:
         return list(self.kind.solve(axes, target, Setting(near, self.size, unit)))
 
 
-def inverse_of(arm: Arm, limits: Sequence[Limits]) -> Inverse:
-    """The inverse kinematics of ``arm``, its numbers exact, with position ``limits`` [n] by joint.
+def inverse_of(arm: Arm, limits: Sequence[Limits], chain: Chain | None = None) -> Inverse:
+    """The inverse kinematics of ``arm``, its numbers exact, with position ``limits`` [n] by joint; of other
+    axes, ``chain``, in the place of its own.
 
     Raises
     ------
@@ -115,12 +133,9 @@ def inverse_of(arm: Arm, limits: Sequence[Limits]) -> Inverse:
     n = len(arm.bodies)
     if not all(isinstance(x, (int, Fraction)) for body in arm.bodies for x in (body.a, body.b, body.d)):
         raise _none("lengths are run-time parameters", "numbers")
-    chain = chain_of(arm)
-    size = _size(chain)
-    joints = tuple(
-        Joint(body.revolute, (body.theta.cos, body.theta.sin), each)
-        for body, each in zip(arm.bodies, limits, strict=True)
-    )
+    chain = chain or chain_of(arm)
+    size = size_of(chain)
+    joints = joints_of(arm, limits)
     if not moves_all_ways(as_floats(chain, size)):
         raise _none(
             "its joints do not move the tool in all directions",
@@ -164,18 +179,14 @@ def _classes(chain: Chain, redundant: int | None, size: Fraction) -> Iterator[Cl
 
 
 def _named(inverse: Inverse) -> Inverse:
-    """With the names of its branches, found by solving for a pose in floats."""
+    """With the signs of its branches, found by solving for a pose in floats."""
     T = [float(k == j) for k in range(3) for j in range(4)]
     near = [0.1 * (k + 1) for k in range(len(inverse.joints))]
     branches = inverse._branches(T, near, Fraction(1, 1 << 52))
-    names = (
-        " ".join(f"{joint + 1}{'+' if sign > 0 else '-'}" for joint, sign in sorted(branch.signs))
-        for branch in branches
-    )
-    return replace(inverse, branch_names=tuple(names))
+    return replace(inverse, signs=tuple(tuple(sorted(branch.signs)) for branch in branches))
 
 
-def _size(chain: Chain) -> Fraction:
+def size_of(chain: Chain) -> Fraction:
     """No less than any lever of the arm at any position, and about its reach [m]."""
     points = [*(axis.point for axis in chain.axes), chain.tool.origin]
     total = sum(

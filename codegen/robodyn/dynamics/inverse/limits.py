@@ -22,6 +22,10 @@ EDGE: int = 1024
 #: turn is free, and takes its position from the reference.
 LEVER: int = 64
 
+#: Share of an arm's size [1], and angle [rad], up to which axes nearly meet, or are nearly parallel, for the
+#: branches of an arm whose axes do to be where those of this one begin.
+ALMOST: float = 1e-3
+
 #: Positions at which the redundant joint of an arm is looked at to tell whether the other joints are of a
 #: class whatever it does [rad, and for a prismatic joint shares of the arm's size]: no multiples of each
 #: other or of a quarter turn.
@@ -30,3 +34,44 @@ TRIED: tuple[float, ...] = (0.7371, -1.9083, 2.6119)
 #: What is left at least of the Jacobian's last column, those before eliminated (lengths as shares of the
 #: arm's size), in some configuration of an arm whose joints move the tool in all directions.
 FULL_RANK: float = 1e-6
+
+# --- damped least squares -----------------------------------------------------------------------------------
+
+#: Iterations at most. Of reachable poses that are reached at all nearly all take fewer than half.
+ITERATIONS: int = 40
+
+#: Iterations at most where they begin at a branch of a similar arm: 4 or 5, more near where branches meet.
+REFINEMENTS: int = 20
+
+#: The error (as a share of the size, and in rad) up to which such a branch is begun: where it is more it does
+#: not exist, and steps would lead to another one.
+BEGUN: Fraction = Fraction(1, 8)
+
+#: How far aside of where two branches meet each begins [rad, and shares of the arm's size].
+ASIDE: Fraction = Fraction(1, 40)
+
+#: From how many positions it begins where the reference does not lead to a pose and there is time.
+STARTS: int = 24
+
+#: The damping [1] by the squared error to begin with: half over its root is the longest step, in a norm in
+#: which radians and shares of the arm's size weigh alike. What it is multiplied by after a step that lowers
+#: the error, down to the least, and after one that does not.
+DAMPED: Fraction = Fraction(1, 8)
+EASED: Fraction = Fraction(1, 2)
+LEAST_DAMPED: Fraction = Fraction(1, 64)
+SHARPENED: Fraction = Fraction(4)
+
+#: What of a step is tried next where it does not lower the error, and how often in a row until that is given
+#: up.
+SHORTENED: Fraction = Fraction(1, 2)
+MOST_REFUSED: int = 12
+
+#: Rounding units: the damping at least, for pivots to be positive; the error (as a share of the size, and in
+#: rad) at which a pose is reached so well that no step can do better; and that at which a step that does
+#: worse is rounding.
+REGULAR: int = 64
+SOLVED: int = 8
+NEARLY: int = 64
+
+#: The squared error before the first step: more than any.
+FURTHEST: Fraction = Fraction(1 << 100)

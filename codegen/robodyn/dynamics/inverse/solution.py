@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from robodyn.dynamics.arm import Arm
 from robodyn.dynamics.inverse.branch import Branch, Sum
 from robodyn.dynamics.inverse.screws import Circle, opposite, sum_of
 from robodyn.dynamics.inverse.subproblems import both
@@ -51,6 +52,26 @@ class Joint:
         if self.revolute and high - low >= 2 * PI:
             return 1
         return both(choose(high + rounding - position, 1, 0), choose(position - (low - rounding), 1, 0))
+
+    def clamped(self, position: Any) -> Any:
+        """``position``, or the nearest that the limits allow."""
+        if self.limits is None:
+            return position
+        low, high = self.limits
+        return choose(low - position, low, choose(position - high, high, position))
+
+
+def joints_of(arm: Arm, limits: Sequence[Limits]) -> tuple[Joint, ...]:
+    """The joints [n] of ``arm``, with position ``limits`` [n]."""
+    return tuple(
+        Joint(body.revolute, (body.theta.cos, body.theta.sin), each)
+        for body, each in zip(arm.bodies, limits, strict=True)
+    )
+
+
+def places_only(joints: Sequence[Joint]) -> bool:
+    """Whether only the place of the tool is solved for, however it is turned: three joints do no more."""
+    return len(joints) <= 3
 
 
 @dataclass(frozen=True, slots=True)

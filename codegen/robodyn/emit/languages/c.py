@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 from typing import Any
 
 from robodyn.emit import misra
@@ -15,9 +16,11 @@ from robodyn.emit.language import Compiled, FunctionText, Language
 from robodyn.emit.runs import Run
 from robodyn.emit.sines import ANGLES, COSINES, SINES
 from robodyn.emit.spelling import WIDTH
+from robodyn.emit.stages import NEXT, ROW, Repeated, Stage, arguments_of
 from robodyn.emit.statements import Expression
 from robodyn.emit.syntax import Sines, Syntax
 from robodyn.emit.unit import Unit, has_arctangents, has_sines, needs_libm
+from robodyn.ir.program import STATE
 from robodyn.ir.signature import Signature
 from robodyn.tools import Tool, Use
 
@@ -74,6 +77,38 @@ def _sines(name: str, syntax: Syntax) -> Sines:
     return Sines(loop, pair, run)
 
 
+def _repeating(it: Repeated) -> Lines:
+    real, syntax = f"{it.whole.robot}_real", c_syntax(c_spelling(single=it.whole.scalar == "float"), "")
+    zero = syntax.spelling.number(Fraction(0))
+
+    def call(stage: Stage, indent: str = "", **places: str) -> list[str]:
+        arguments = ", ".join(places.get(name, name) for name in arguments_of(stage.signature))
+        return [indent + line for line in syntax.line(f"{stage.signature.symbol}({arguments});")]
+
+    row = STATE if it.rows == 1 else ROW
+    loop = [
+        f"    for (int k = 0; k < {it.most}; ++k) {{",
+        f"        if ({row}[{it.size - 1}] > {zero}) {{",
+        "            break;",
+        "        }",
+        *call(it.step, "    ", **{STATE: row}),
+        f"        for (int i = 0; i < {it.size}; ++i) {{",
+        f"            {row}[i] = {NEXT}[i];",
+        "        }",
+        "    }",
+    ]
+    if it.rows > 1:
+        loop = [
+            f"    for (int j = 0; j < {it.rows}; ++j) {{",
+            f"        {real} *const {ROW} = &{STATE}[{it.size} * j];",
+            *(f"    {line}" for line in loop),
+            "    }",
+        ]
+    arrays = {STATE: it.size * it.rows, NEXT: it.size}
+    declared = [f"    {real} {array}[{size}];" for array, size in arrays.items()]
+    return Lines.of([*declared, *call(it.start), *loop, *call(it.finish)], arrays)
+
+
 def _function(text: FunctionText) -> dict[str, Any]:
     signature, lines = text.signature, text.lines
     real = f"{signature.robot}_real"
@@ -85,7 +120,7 @@ def _function(text: FunctionText) -> dict[str, Any]:
         arguments += [f"{signature.robot}_state *state", f"{real} dt"]
     return {
         "arguments": arguments,
-        "prototype": _prototype(f"void {signature.symbol}(", arguments),
+        "prototype": _prototype(f"{'static ' if text.stage else ''}void {signature.symbol}(", arguments),
         "lines": lines.statements,
         "results": lines.results,
         "again": text.rereads,
@@ -160,6 +195,7 @@ LANGUAGE = Language(
     spelling=lambda single: c_spelling(single=single),
     syntax=_syntax,
     function=_function,
+    repeating=_repeating,
     context=_context,
     advice=advice,
     notes=_notes,

@@ -9,14 +9,17 @@ from typing import Any
 
 from robodyn.emit.advice import advice
 from robodyn.emit.arctangent import arctangent_context
+from robodyn.emit.body import Lines
 from robodyn.emit.language import Compiled, FunctionText, Language, SelfTest
 from robodyn.emit.runs import Run
 from robodyn.emit.sines import ANGLES, COSINES, SINES
 from robodyn.emit.spelling import WIDTH, Spelling, elements
+from robodyn.emit.stages import NEXT, Repeated, Stage, arguments_of
 from robodyn.emit.statements import Expression
 from robodyn.emit.syntax import Sines, Syntax
 from robodyn.emit.trig import trig_context
 from robodyn.emit.unit import Unit, has_arctangents, has_sines
+from robodyn.ir.program import STATE
 from robodyn.ir.signature import Signature
 from robodyn.tools import Tool, Use
 
@@ -83,6 +86,35 @@ def _sines(name: str, syntax: Syntax) -> Sines:
     return Sines(loop, pair, run)
 
 
+def _repeating(it: Repeated) -> Lines:
+    syntax = _plain_syntax(fortran_spelling(single=it.whole.scalar == "float"))
+
+    def call(stage: Stage, indent: str = "", **places: str) -> list[str]:
+        arguments = ", ".join(places.get(name, name) for name in arguments_of(stage.signature))
+        return [indent + line for line in syntax.line(f"call {stage.signature.symbol}({arguments})")]
+
+    def loop(row: str, last: str) -> list[str]:
+        return [
+            f"    do k = 1, {it.most}",
+            f"      if ({last} > 0.0_rk) exit",
+            *call(it.step, "  ", **{STATE: row}),
+            f"      {row} = {NEXT}",
+            "    end do",
+        ]
+
+    steps = loop(STATE, f"{STATE}({it.size})")
+    if it.rows > 1:
+        size = it.size
+        row = f"{STATE}({size}*(j - 1) + 1:{size}*j)"
+        steps = [
+            f"    do j = 1, {it.rows}",
+            *(f"  {line}" for line in loop(row, f"{STATE}({size}*j)")),
+            "    end do",
+        ]
+    arrays = {STATE: it.size * it.rows, NEXT: it.size}
+    return Lines.of([*call(it.start), *steps, *call(it.finish)], arrays, ["k", "j"][: 1 + (it.rows > 1)])
+
+
 def _function(text: FunctionText) -> dict[str, Any]:
     signature, lines = text.signature, text.lines
     names = [*lines.names, *(f"{array}({size})" for array, size in lines.arrays.items())]
@@ -93,15 +125,24 @@ def _function(text: FunctionText) -> dict[str, Any]:
         arguments += ["state", "dt"]
     return {
         "bound": _bound(signature),
-        "arguments": " &\n      ".join(textwrap.wrap(", ".join(arguments), WIDTH - 16)),
+        "arguments": _listed(arguments, len(f"  pure subroutine {signature.symbol}() &")),
         "inputs": signature.inputs,
         "outputs": signature.outputs,
         "states": signature.states,
         "locals": [line.rstrip(",") for line in textwrap.wrap(", ".join(names), WIDTH - 16)],
+        "counters": lines.counters,
         "lines": lines.angles + lines.statements,
         "results": lines.results,
         "unused": [f"p%{signature.parameters[0]}" if name == "p" else name for name in text.unused],
     }
+
+
+def _listed(arguments: Sequence[str], beside: int) -> str:
+    """``arguments``, on lines of their own where they are too long for one with so many other characters."""
+    text = ", ".join(arguments)
+    if beside + len(text) <= WIDTH:
+        return text
+    return " &\n      ".join(["", *textwrap.wrap(text, WIDTH - 16)])
 
 
 def _bound(signature: Signature) -> str:
@@ -142,6 +183,7 @@ LANGUAGE = Language(
     spelling=lambda single: fortran_spelling(single=single),
     syntax=_syntax,
     function=_function,
+    repeating=_repeating,
     context=_context,
     advice=advice,
     longest_name=63,

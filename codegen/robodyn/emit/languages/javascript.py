@@ -12,13 +12,16 @@ from dataclasses import replace
 from typing import Any
 
 from robodyn.emit.arctangent import arctangent_context
+from robodyn.emit.body import Lines
 from robodyn.emit.language import FunctionText, Language
 from robodyn.emit.sines import ANGLES, COSINES, SINES
 from robodyn.emit.spelling import Spelling, elements
+from robodyn.emit.stages import NEXT, ROW, Repeated, Stage, arguments_of
 from robodyn.emit.statements import Expression
 from robodyn.emit.syntax import Sines, Syntax
 from robodyn.emit.trig import trig_context
 from robodyn.emit.unit import BUILTIN, Unit, builtin_words, calls, has_arctangents, has_sines
+from robodyn.ir.program import STATE
 from robodyn.ir.signature import Signature
 from robodyn.tools import Tool, Use
 
@@ -90,6 +93,32 @@ def _sines(syntax: Syntax) -> Sines:
     return Sines(loop, pair)
 
 
+def _repeating(it: Repeated) -> Lines:
+    syntax = _plain_syntax(javascript_spelling())
+
+    def call(stage: Stage, indent: str = "", **places: str) -> list[str]:
+        arguments = ", ".join(places.get(name, name) for name in arguments_of(stage.signature))
+        return [indent + line for line in syntax.line(f"{stage.signature.symbol}({arguments});")]
+
+    row = STATE if it.rows == 1 else ROW
+    loop = [
+        f"    for (let k = 0; k < {it.most} && !({row}[{it.size - 1}] > 0.0); ++k) {{",
+        *call(it.step, "    ", **{STATE: row}),
+        f"        {row}.set({NEXT});",
+        "    }",
+    ]
+    if it.rows > 1:
+        loop = [
+            f"    for (let j = 0; j < {it.rows}; ++j) {{",
+            f"        const {ROW} = {STATE}.subarray({it.size} * j, {it.size} * (j + 1));",
+            *(f"    {line}" for line in loop),
+            "    }",
+        ]
+    arrays = {STATE: it.size * it.rows, NEXT: it.size}
+    declared = [f"    const {array} = new Float64Array({size});" for array, size in arrays.items()]
+    return Lines.of([*declared, *call(it.start), *loop, *call(it.finish)], arrays)
+
+
 def _function(text: FunctionText) -> dict[str, Any]:
     signature, lines = text.signature, text.lines
     arguments = [array for array, _ in (*signature.inputs, *signature.outputs)]
@@ -137,6 +166,7 @@ LANGUAGE = Language(
     spelling=lambda single: javascript_spelling(),
     syntax=_syntax,
     function=_function,
+    repeating=_repeating,
     context=_context,
     advice=_advice,
     type_name=lambda robot, kind: {"params": "p"}.get(kind, kind),

@@ -12,15 +12,18 @@ from dataclasses import replace
 from typing import Any
 
 from robodyn.emit.arctangent import arctangent_context
+from robodyn.emit.body import Lines
 from robodyn.emit.language import FunctionText, Language
 from robodyn.emit.runs import Run
 from robodyn.emit.sines import ANGLES, COSINES, SINES
 from robodyn.emit.spelling import WIDTH, Spelling, elements
+from robodyn.emit.stages import NEXT, ROW, Repeated, Stage
 from robodyn.emit.statements import Expression
 from robodyn.emit.syntax import Sines, Syntax
 from robodyn.emit.trig import trig_context
 from robodyn.emit.unit import BUILTIN, Unit, builtin_words, calls, has_arctangents, has_sines
 from robodyn.errors import InputError
+from robodyn.ir.program import STATE
 from robodyn.ir.signature import Signature
 from robodyn.tools import Tool, Use
 
@@ -145,6 +148,51 @@ def _sines(spelling: Spelling) -> Sines:
     return Sines(loop, pair, run)
 
 
+def _repeating(it: Repeated) -> Lines:
+    own = {name for name, _ in it.whole.inputs}
+
+    def call(stage: Stage, indent: str, state: str) -> list[str]:
+        """Arrays of the caller are references; of our own one is lent."""
+        inputs = [name if name in own else f"&{state}" for name, _ in stage.signature.inputs]
+        lent = {STATE: f"&mut {STATE}", NEXT: f"&mut {NEXT}"}
+        arguments = [*inputs, *(lent.get(name, name) for name, _ in stage.signature.outputs)]
+        line = f"{indent}{stage.signature.called}({', '.join(arguments)});"
+        if len(line) <= WIDTH and len(", ".join(arguments)) <= _ARGUMENTS:
+            return [line]
+        return [
+            f"{indent}{stage.signature.called}(",
+            *(f"{indent}    {argument}," for argument in arguments),
+            f"{indent});",
+        ]
+
+    last, inner = it.size - 1, "        "
+    state = STATE if it.rows == 1 else ROW
+    loop = [
+        f"    for _ in 0..{it.most} {{",
+        f"        if {state}[{last}] > 0.0 {{",
+        "            break;",
+        "        }",
+        *call(it.step, inner, state),
+        f"        {state} = {NEXT};",
+        "    }",
+    ]
+    if it.rows > 1:
+        loop = [
+            f"    for each in {STATE}.chunks_exact_mut({it.size}) {{",
+            f"        let mut {ROW} = [0.0; {it.size}];",
+            f"        {ROW}.copy_from_slice(each);",
+            *(f"    {line}" for line in loop),
+            f"        each.copy_from_slice(&{ROW});",
+            "    }",
+        ]
+    declared = [
+        f"    let mut {STATE} = [0.0; {it.size * it.rows}];",
+        f"    let mut {NEXT} = [0.0; {it.size}];",
+    ]
+    lines = [*declared, *call(it.start, "    ", STATE), *loop, *call(it.finish, "    ", STATE)]
+    return Lines.of(lines, {})
+
+
 def _function(text: FunctionText) -> dict[str, Any]:
     signature, lines = text.signature, text.lines
     arguments = [f"{array}: &[Real; {size}]" for array, size in signature.inputs]
@@ -153,8 +201,9 @@ def _function(text: FunctionText) -> dict[str, Any]:
         arguments.append("p: &Params")
     if signature.states:
         arguments += ["state: &mut State", "dt: Real"]
-    one_line = f"pub fn {signature.called}({', '.join(arguments)}) {{"
-    broken = [f"pub fn {signature.called}(", *(f"    {argument}," for argument in arguments), ") {"]
+    opening = f"{'' if text.stage else 'pub '}fn {signature.called}("
+    one_line = f"{opening}{', '.join(arguments)}) {{"
+    broken = [opening, *(f"    {argument}," for argument in arguments), ") {"]
     unread = [array for array in (SINES, COSINES) if array in lines.arrays and array not in lines.reads]
     return {
         "name": signature.called,
@@ -214,6 +263,7 @@ LANGUAGE = Language(
     spelling=lambda single: rust_spelling(single=single),
     syntax=_syntax,
     function=_function,
+    repeating=_repeating,
     context=_context,
     advice=_advice,
     type_name=lambda robot, kind: kind.capitalize(),

@@ -9,6 +9,7 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.dynamics.inverse import Numerical
 from robodyn.robot.model import Placement, Robot
 from robodyn.robot.values import quarter_turns
 from robodyn.simulate.inverse_kinematics import closest_turns, position_limits
@@ -36,8 +37,8 @@ def solver_up_to(kinematics: Kinematics) -> PoseSolver:
 
 def along_branch(solver: PoseSolver, poses: Floats, start: Floats) -> Floats | None:
     """Joint positions [K, n] for ``poses`` [K, 3, 4], within the limits, the first those nearest to ``start``
-    [n]; None where there is no closed form, a pose is not reached, or a joint would have to jump."""
-    if solver.closed_form is None:
+    [n]; None where branches are not known, a pose is not reached, or a joint would have to jump."""
+    if isinstance(solver.solver, Numerical) and solver.solver.alone:
         return None
     q, usable = solver.branches(poses, start)
     revolute = np.array([link.joint.kind == "revolute" for link in solver.robot.links])

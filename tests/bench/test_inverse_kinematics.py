@@ -1,0 +1,110 @@
+"""The yardsticks of benchmarks/inverse_kinematics: arms as axes, sets of solutions, positions, searches."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from benchmarks.inverse_kinematics import positions
+from benchmarks.inverse_kinematics.chain import Chain, Floats, chain_of
+from benchmarks.inverse_kinematics.multistart import search
+from benchmarks.inverse_kinematics.sets import Answers, compared
+
+from robodyn import Options, program
+from robodyn.formats.loading import load
+from robodyn.ir.evaluate import evaluate
+from robodyn.ir.program import Input
+
+FOLDER = Path(__file__).parents[2] / "examples" / "kinematics"
+ARMS = sorted(FOLDER.glob("*.yaml"))
+
+
+def _chain(name: str) -> Chain:
+    return chain_of(load(name if (FOLDER / name).suffix == "" else FOLDER / name, warn=lambda _: None))
+
+
+def _row(q: Floats) -> Answers:
+    """One solution a pose."""
+    return Answers(q[:, None], np.ones((len(q), 1), dtype=bool))
+
+
+def test_every_arm_is_listed_with_its_source_and_licence() -> None:
+    rows = re.findall(
+        r"(?m)^\| `(\w+)\.yaml` \|.*\| (BSD 3-Clause|Apache 2\.0), .+ \|$", (FOLDER / "README.md").read_text()
+    )
+    assert sorted(name for name, _ in rows) == [path.stem for path in ARMS]
+    for path, (_, licence) in zip(ARMS, sorted(rows), strict=True):
+        robot = load(path, strict=True)
+        assert robot.name == path.stem
+        assert licence.partition(" ")[0] in robot.source
+
+
+@pytest.mark.parametrize("name", ["puma560", "stanford", "z1.yaml", "fr3.yaml"])
+def test_poses_are_those_of_the_kernels(name: str) -> None:
+    robot = load(name if name.isalnum() else FOLDER / name, warn=lambda _: None)
+    chain = chain_of(robot)
+    q = positions.drawn(chain, 3)
+    own = program(robot, "forward_kinematics", Options(("forward_kinematics",)))
+    (elements,) = evaluate(
+        own, {Input("q", i): q[:, i] for i in range(robot.n)}, functions={"sin": np.sin, "cos": np.cos}
+    ).values()
+    theirs = np.stack([np.broadcast_to(x, 3) for x in elements], axis=1).astype(float)
+    assert np.abs(chain.poses(q)[:, :3].reshape(3, -1) - theirs).max() < 1e-14
+
+
+def test_the_jacobian_is_the_rate_of_the_pose() -> None:
+    chain = _chain("stanford")
+    q, step = positions.drawn(chain, 2), 1e-6
+    for joint in range(chain.n):
+        aside = np.zeros(chain.n)
+        aside[joint] = step
+        rate = (chain.poses(q + aside) - chain.poses(q - aside)) / (2 * step)
+        turning = rate[:, :3, :3] @ chain.poses(q)[:, :3, :3].transpose(0, 2, 1)
+        column = np.concatenate([rate[:, :3, 3], turning[:, [2, 0, 1], [1, 2, 0]]], axis=1)
+        assert np.abs(chain.jacobians(q)[:, :, joint] - column).max() < 1e-8
+
+
+def test_sets_are_compared_modulo_turns_and_say_what_each_side_lacks() -> None:
+    chain = _chain("puma560")
+    q = positions.drawn(chain, 4)
+    poses = chain.poses(q)
+    turned = q.copy()
+    turned[:, 4] += 2 * np.pi
+    same = compared(chain, poses, _row(turned), _row(q))
+    assert (same.missing, same.only_ours, same.invented, same.twice) == (0, 0, 0, 0)
+    assert same.closes < 1e-14
+    other = q.copy()
+    other[1, 2] += 1e-3
+    wrong = compared(chain, poses, _row(other), _row(q))
+    assert (wrong.missing, wrong.invented, wrong.only_ours) == (1, 1, 0)
+    double = Answers(np.repeat(q[:, None], 2, axis=1), np.ones((4, 2), dtype=bool))
+    assert compared(chain, poses, double, _row(q)).twice == 4
+    none = Answers(double.q, np.zeros((4, 2), dtype=bool))
+    assert compared(chain, poses, none, _row(q)).missing == 4
+    assert compared(chain, poses, _row(q), none).only_ours == 4
+
+
+def test_singular_positions_are_singular() -> None:
+    for name, redundant in (("ur5", None), ("panda", 6)):
+        chain = _chain(name)
+        q = positions.singular(chain, 100, redundant)
+        beside = np.abs(positions.determinants(chain, q, redundant))
+        anywhere = np.abs(positions.determinants(chain, positions.drawn(chain, 100), redundant))
+        assert np.median(beside) < 1e-9 < 1e-5 < np.median(anywhere)
+        assert np.sum(beside < 1e-15) > 10
+
+
+def test_positions_belong_to_the_arm() -> None:
+    one, other = _chain("ur5"), _chain("ur10")
+    assert (positions.drawn(one, 2) == positions.drawn(one, 3)[:2]).all()
+    assert not (positions.drawn(one, 2) == positions.drawn(other, 2)).any()
+
+
+def test_a_search_leads_to_all_eight_solutions_of_the_puma() -> None:
+    chain = _chain("puma560")
+    q = positions.drawn(chain, 1)
+    found = search(chain, chain.poses(q), q, None)
+    assert found.exists.sum() == 8
+    assert compared(chain, chain.poses(q), found, _row(q)).missing == 0
