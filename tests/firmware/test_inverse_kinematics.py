@@ -67,7 +67,8 @@ def test_all_branches_on_a_microcontroller(name: str, target: str, scalar: str) 
     assert cost.stack is not None
     assert cost.stack_used is not None
     assert cost.instructions is not None
-    assert cost.stack - 16 <= cost.stack_used <= cost.stack + 32  # arguments beyond the fourth are on the stack
+    # Arguments beyond the fourth are on the caller's stack.
+    assert cost.stack - 16 <= cost.stack_used <= cost.stack + 32
     assert cost.stack <= stack
     assert cost.instructions <= instructions
 

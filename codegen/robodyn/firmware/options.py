@@ -66,7 +66,13 @@ def firmware_options(
                 found=f"its input {', '.join(inputs)}, of which no joint has limits",
                 remedy="leave it out of --functions, or out of --firmware",
             )
-    return dataclasses.replace(options, without=tuple(untested))
+    # Of a pose: only by name, since not every arm has one that can be tested.
+    unasked = [
+        name
+        for name in options.function_names
+        if function_named(name).of_pose and not options.insists_on(name)
+    ]
+    return dataclasses.replace(options, without=(*untested, *unasked))
 
 
 def _without_limits(function: str) -> list[str]:
