@@ -46,9 +46,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         work = Path(options.work).resolve()
         work.mkdir(parents=True, exist_ok=True)
         for name in options.arms or ARMS:
+            figures = measured(name, harness(work), work, options)
             results = _results()
             results["machine"] = machine()
-            results["arms"][Path(name).stem] = measured(name, harness(work), work, options)
+            results["arms"][Path(name).stem] = figures
             RESULTS.write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
     PAGE.write_text(written(PAGE.read_text(encoding="utf-8"), _results()), encoding="utf-8")
     return 0

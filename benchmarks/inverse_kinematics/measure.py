@@ -32,8 +32,8 @@ from robodyn.robot import Robot
 
 #: Poses that are compared at once.
 TOGETHER = 5000
-#: Poses of which a runner with many solutions each is asked at once.
-TOGETHER_SWEPT = 250
+#: Poses of which a runner with many solutions each is asked at once, and one in how many it is asked of.
+TOGETHER_SWEPT, ONE_IN = 250, 100
 #: How far out of reach poses are pushed, in reaches.
 BEYOND = (1.001, 4.0)
 #: Poses of a race; its rounds, and nanoseconds of a block.
@@ -80,7 +80,7 @@ def sets(arm: Arm, poses: int, searched: int) -> Iterator[dict[str, Any]]:
             yield {"peer": peer.title, "missing": peer.why}
             continue
         swept = arm.chain.n > 6 and peer.key.startswith("ssik")
-        parts = [*(_swept if swept else _same)(arm, peer, q)]
+        parts = [*(_swept(arm, peer, q[::ONE_IN]) if swept else _same(arm, peer, q))]
         yield {"peer": peer.title, "swept": swept, **total(parts).to_dict()}
     few = q[:searched]
     searched_for = multistart.search(arm.chain, arm.chain.poses(few), few, arm.ours.redundant)
@@ -140,6 +140,8 @@ def hard(arm: Arm, count: int) -> Iterator[dict[str, Any]]:
             "closes": float(closures(chain, poses, result.answers).max(initial=0.0)),
             "refused": int((allowed & same.any(axis=1) & ~(same & (result.within > 0)).any(axis=1)).sum()),
         }
+    if not chain.revolute.all():
+        return  # without its limits a slide reaches everything, and limits decide of `within` alone
     q = positions.drawn(chain, count, "beyond")
     poses = chain.poses(q)
     out = poses[:, :3, 3] - chain.points[0]

@@ -70,14 +70,17 @@ def _hard(arms: Results) -> Iterator[str]:
 
 
 def _race(arms: Results) -> Iterator[str]:
-    yield "| arm | runner | solutions a pose | ns a pose | times ours | 95 % interval | instructions a pose |"
-    yield "|---|---|" + "---:|" * 5
+    columns = ("solutions a pose", "ns a pose", "ns a solution", "times ours, a pose", "95 % interval")
+    yield f"| arm | runner | {' | '.join(columns)} | instructions a pose |"
+    yield "|---|---|" + "---:|" * (len(columns) + 1)
     for name, arm in arms.items():
         for one in (arm.get("race") or {"rows": ()})["rows"]:
             median, low, high = one["ratio"]
             ratio = ("", "") if one["ours"] else (f"{median:.1f}", f"{low:.1f} to {high:.1f}")
             counted = "" if one["instructions"] is None else f"{one['instructions']:,.0f}"
-            yield _row((name, one["title"], f"{one['solutions']:.1f}", f"{one['ns']:,.0f}", *ratio, counted))
+            each = one["ns"] / one["solutions"]
+            cells = (f"{one['solutions']:.1f}", f"{one['ns']:,.0f}", f"{each:,.0f}", *ratio, counted)
+            yield _row((name, one["title"], *cells))
 
 
 def _row(cells: Any) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from pathlib import Path
 
@@ -11,13 +12,16 @@ from benchmarks.inverse_kinematics import positions
 from benchmarks.inverse_kinematics.chain import Chain, Floats, chain_of
 from benchmarks.inverse_kinematics.multistart import search
 from benchmarks.inverse_kinematics.sets import Answers, compared
+from benchmarks.inverse_kinematics.tables import written
 
 from robodyn import Options, program
 from robodyn.formats.loading import load
 from robodyn.ir.evaluate import evaluate
 from robodyn.ir.program import Input
 
-FOLDER = Path(__file__).parents[2] / "examples" / "kinematics"
+ROOT = Path(__file__).parents[2]
+FOLDER = ROOT / "examples" / "kinematics"
+RESULTS = json.loads((ROOT / "benchmarks/results/inverse_kinematics.json").read_text(encoding="utf-8"))
 ARMS = sorted(FOLDER.glob("*.yaml"))
 
 
@@ -108,3 +112,22 @@ def test_a_search_leads_to_all_eight_solutions_of_the_puma() -> None:
     found = search(chain, chain.poses(q), q, None)
     assert found.exists.sum() == 8
     assert compared(chain, chain.poses(q), found, _row(q)).missing == 0
+
+
+def test_the_tables_are_those_of_the_results() -> None:
+    page = (ROOT / "docs" / "inverse-kinematics-benchmark.md").read_text(encoding="utf-8")
+    assert written(page, RESULTS) == page, "run python -m benchmarks.inverse_kinematics --render"
+
+
+@pytest.mark.parametrize("name", RESULTS["arms"])
+def test_results_show_what_the_document_says(name: str) -> None:
+    arm = RESULTS["arms"][name]
+    beside = [one for one in arm["sets"] if not isinstance(one["missing"], str)]
+    assert beside
+    for one in beside:
+        assert (one["missing"], one["invented"], one["twice"]) == (0, 0, 0), one["peer"]
+        assert one["closes"] < 1e-12
+    for one in arm["hard"]:
+        assert (one["not_finite"], one["no_flags"], one["miscounted"]) == (0, 0, 0), one["kind"]
+    for one in arm["race"]["rows"][1:]:
+        assert one["ratio"][0] > 3

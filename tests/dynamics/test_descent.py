@@ -16,9 +16,11 @@ from numpy.typing import NDArray
 from robodyn.dynamics.functions import NoSuchFunction
 from robodyn.dynamics.inverse import Numerical
 from robodyn.dynamics.inverse.descent import rotation_between
+from robodyn.errors import InputError
 from robodyn.ir import Input, Program
 from robodyn.ir.evaluate import REAL_FUNCTIONS, evaluate
 from robodyn.ir.program import Operation
+from robodyn.kernels.generate import Options, generate
 from robodyn.kernels.proof import closes
 from robodyn.optimize.programs import Choice, build, inverse_kinematics_of, signature
 from robodyn.robot import read_text
@@ -207,3 +209,16 @@ def test_run_time_lengths_have_none() -> None:
     text = "name: lengthy\nlinks:\n" + "  - {joint: revolute, alpha: 1, a: reach, mass: 1}\n" * 5
     with pytest.raises(NoSuchFunction, match="run-time parameters"):
         inverse_kinematics_of(read_text(text, "lengthy.yaml"))
+
+
+@pytest.mark.thorough
+def test_given_sines_are_of_other_functions() -> None:
+    options = Options(trig="given", functions=("nearest_inverse_kinematics",))
+    with pytest.raises(InputError, match=r"given sines and cosines .* only of straight-line code"):
+        generate(arm(5), options)
+
+
+@pytest.mark.slow
+def test_among_all_functions_it_is_left_out_where_sines_are_given() -> None:
+    generated = generate(arm(5), Options(trig="given", functions=("all",)))
+    assert "repeats a step" in generated.left_out["nearest_inverse_kinematics"]

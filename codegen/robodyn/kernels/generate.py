@@ -157,8 +157,11 @@ def generate(
     described: tuple[str, ...] = ()
     no_angle = False
     if options.trig == "given":
-        for p in programs.values():
-            p.straight("given sines and cosines (--trig given) are")
+        for f in [f for f, p in programs.items() if p.iteration is not None]:
+            if options.insists_on(f) or len(programs) == 1:
+                programs[f].straight("given sines and cosines (--trig given) are")
+            left_out[f] = "it repeats a step, whose angles are not given"
+            del programs[f], interfaces[f]
         layout = given_layout(list(programs.values()))
         no_angle = not layout  # C has no array of no elements: sc has one then
         described = tuple(describe(angle) for angle in layout)
