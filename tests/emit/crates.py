@@ -47,15 +47,27 @@ def without_network(manifest: str) -> dict[str, str]:
     return {".cargo/config.toml": f"[source.crates-io]\n{source}"}
 
 
+def _libm(folder: Path) -> tuple[str, ...]:
+    """Debian's crate libm, compiled; what tells rustc where it is."""
+    sources = sorted(REGISTRY.glob("libm-*/src/lib.rs"))
+    if not sources:
+        require_tool("librust-libm-dev")  # no program: it says what is missing
+    kind = ("--crate-type", "rlib", "--crate-name", "libm", "-C", "opt-level=2", "--cap-lints", "allow")
+    rustc(*kind, str(sources[-1]), folder=folder)
+    return "--extern", "libm=liblibm.rlib", "-L", "."
+
+
 class Crate:
-    """A crate without dependencies, compiled, and a program that runs its functions."""
+    """A crate, compiled with the crate libm if it needs that, and a program that runs its functions."""
 
     def __init__(self, generated: Generated, folder: Path, level: str = "2") -> None:
         self.signatures = {s.function: s for s in generated.signatures}
         self.dtype = np.dtype(_NUMBERS[generated.options.scalar])
         self.folder = write_crate(generated, folder)
         name = crate_name(generated.unit.robot.name)
-        optimised = ("-C", f"opt-level={level}")
+        optimised: tuple[str, ...] = ("-C", f"opt-level={level}")
+        if "[dependencies]" in (folder / "Cargo.toml").read_text(encoding="utf-8"):
+            optimised += _libm(folder)
         rustc("--crate-type", "rlib", "--crate-name", name, *optimised, "src/lib.rs", folder=folder)
         (folder / "main.rs").write_text(_driver(name, list(self.signatures.values())), encoding="utf-8")
         rustc(*optimised, "--extern", f"{name}=lib{name}.rlib", "main.rs", folder=folder)

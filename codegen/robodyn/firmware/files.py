@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import textwrap
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
@@ -10,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.dynamics.functions.arguments import Q
 from robodyn.emit.c_syntax import c_spelling
 from robodyn.emit.language import Language
 from robodyn.emit.languages import LANGUAGES, defaults, languages_named
@@ -29,14 +31,14 @@ from robodyn.firmware.states import (
     DTYPE,
     INCREMENT,
     MULTIPLIER,
+    VECTORS,
     Range,
     draw,
     ranges,
-    vector_states,
 )
-from robodyn.firmware.vectors import SMALLEST, Vectors, rounded_up, vectors
+from robodyn.firmware.vectors import SMALLEST, Vectors, rounded_up, states_of, vectors
 from robodyn.ir.evaluate import angle_form
-from robodyn.ir.program import Program
+from robodyn.ir.program import Input, Program
 from robodyn.ir.signature import ScalarType, Signature
 from robodyn.kernels.generate import Generated
 from robodyn.targets import Target
@@ -121,7 +123,7 @@ def firmware(
     files = generated.files(names)
     name = generated.unit.robot.name
     figures = {
-        "confirmed": " and confirmed by exact torques from virtual work" if context["confirmed"] else "",
+        "confirmed": f" and confirmed by {context['confirmed']}" if context["confirmed"] else "",
         "states": DIGEST_STATES,
         "prefix": context["prefix"],
         "ticks": ticks(targets),
@@ -195,24 +197,22 @@ def _context(generated: Generated, targets: Sequence[Target], others: Sequence[L
     arrays = tuple(dict.fromkeys(a for interface in generated.signatures for a, _ in interface.inputs))
     spans = ranges(robot, arrays, scalar)
     at = draw(spans, DIGEST_STATES, DIGEST_SEED, scalar)
-    vector_at = vector_states(spans, scalar)
     values = draw_parameters(robot, None, 0, np.dtype(DTYPE[scalar]))
-    functions, confirmed = [], True
+    functions, confirmed = [], []
     for interface, program in generated.unit.functions:
         pruning = generated.prunings.get(interface.function)
         spare = pruning.proven if pruning is not None else ()
-        inputs = [array for array, _ in interface.inputs]
-        vectors_of = vectors(
-            robot, interface.function, program, {a: vector_at[a] for a in inputs}, values, scalar, spare=spare
-        )
-        confirmed = confirmed and vectors_of.confirmed
-        bits = outputs(program, {a: at[a] for a in inputs}, values, scalar, kernel_sine(scalar))
-        functions.append(_function(interface, program, vectors_of, vector_at, fnv1a(bits), scalar))
+        states = states_of(robot, interface, program, values)
+        vectors_of = vectors(robot, interface.function, program, states, values, scalar, spare=spare)
+        confirmed.append(vectors_of.confirmed)
+        own = {array: at[array] for array, _ in interface.inputs}
+        bits = outputs(program, own, values, scalar, kernel_sine(scalar))
+        functions.append(_function(interface, program, vectors_of, states, fnv1a(bits), scalar))
     parameters = generated.signatures[0].parameters
     return _base(generated, targets, others) | {
-        "confirmed": confirmed,
+        "confirmed": " and ".join(dict.fromkeys(confirmed)) if all(confirmed) else "",
         "functions": functions,
-        "vectors": len(vector_at[arrays[0]]),
+        "vectors": VECTORS,
         "ranges": [
             {"array": s.array, "middle": _numbers(s.middle, c), "half": _numbers(s.half, c)} for s in spans
         ],
@@ -255,6 +255,11 @@ def _memory(interfaces: Sequence[Signature]) -> list[tuple[str, int]]:
     return list(sizes.items())
 
 
+def _continued(arguments: Sequence[str]) -> str:
+    """Arguments in Fortran, on several lines where they are long."""
+    return " &\n        ".join(textwrap.wrap(", ".join(arguments), _WIDTH - 30))
+
+
 def _slices(interface: Signature) -> list[str]:
     """The results in Fortran: parts of one array."""
     array, start, parts = f"{interface.function}_found", 1, []
@@ -268,7 +273,7 @@ def _function(
     interface: Signature,
     program: Program,
     vectors: Vectors,
-    states: dict[str, NDArray[Any]],
+    states: Mapping[str, NDArray[Any]],
     digest: int,
     scalar: ScalarType,
 ) -> dict[str, Any]:
@@ -279,33 +284,36 @@ def _function(
     vector = f"{interface.function}_vectors[k]"
     return {
         "name": interface.function,
-        "inputs": inputs,
+        "inputs": interface.inputs,
         "output": output,
         "size": size,
         "digest": digest,
         "angles": _angles(program),
         "vector_call": ", ".join([*(f"{vector}.{a}" for a in inputs), *places, *last]),
         "state_call": ", ".join([*(f"state.{a}" for a in inputs), *places, *last]),
-        "drawn_call": ", ".join(
+        "drawn_call": _continued(
             [
                 *(f"{a}_drawn" for a in inputs),
                 *_slices(interface),
                 *(["values"] if interface.parameters else []),
             ]
         ),
-        "vectors": _vector_lines(interface, vectors, {a: states[a] for a in inputs}, scalar),
+        "vectors": _vector_lines(vectors, states, scalar),
     }
 
 
 def _angles(program: Program) -> list[int]:
     """The elements of q whose sine or cosine is taken."""
+    read = {arg for op in program.operations for arg in op.args if isinstance(arg, Input)}
+    if not any(name.array == Q.name for name in read):
+        return []
     taken = [op.args[0] for op in program.operations if op.op in ("sin", "cos")]
     read = {name for arg in taken for name, _ in angle_form(program, arg)[0]}
     return sorted(name.index for name in read if name.index is not None)
 
 
 def _vector_lines(
-    interface: Signature, vectors: Vectors, states: dict[str, NDArray[Any]], scalar: ScalarType
+    vectors: Vectors, states: Mapping[str, NDArray[Any]], scalar: ScalarType
 ) -> list[list[list[str]]]:
     """Each vector as lists of lines, array by array."""
     spelling = c_spelling(single=scalar == "float")
@@ -324,8 +332,6 @@ def _vector_lines(
 
 def _braced(numbers: Sequence[Fraction], spelling: Spelling) -> list[str]:
     """An initialiser as lines."""
-    import textwrap
-
     text = "{ " + ", ".join(_numbers(numbers, spelling)) + " }"
     return textwrap.wrap(
         text,

@@ -17,21 +17,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.dynamics.functions import function_named
-from robodyn.dynamics.functions.arguments import NEAR, POSE
 from robodyn.emit.head import state_members
 from robodyn.emit.languages import languages_named
 from robodyn.emit.lines import head_of
 from robodyn.emit.render import environment
 from robodyn.emit.spelling import Spelling
+from robodyn.firmware.poses import pose_states
 from robodyn.firmware.rounding import UNIT, rounding_bounds
 from robodyn.firmware.states import DTYPE, Range, draw, ranges
 from robodyn.firmware.vectors import SMALLEST, confirm, evaluated, rounded_up
 from robodyn.ir.program import Input, Program
 from robodyn.ir.signature import ScalarType, Signature
 from robodyn.kernels.generate import Generated
-from robodyn.robot.model import Robot
 from robodyn.verify.numbers import real
-from robodyn.verify.reference import Reference
 from robodyn.verify.sample import draw_parameters
 
 #: States that are drawn for each function; one more is the first of them at rest.
@@ -111,7 +109,8 @@ def _states(generated: Generated, signature: Signature) -> dict[Input, NDArray[n
     """Each input of a function at the states: within the joints' limits what has such, else in -1 .. 1."""
     robot, scalar = generated.unit.robot, generated.options.scalar
     if function_named(signature.function).of_pose:
-        return _poses(robot, scalar)
+        values = draw_parameters(robot, None, 0, np.dtype(DTYPE[scalar]))
+        return _inputs(pose_states(robot, values, _STATES + 1, _SEED, scalar))
     known = ("q", "qd", "qdd", "tau")
     states: dict[Input, NDArray[np.float64]] = {}
     sizes = [*signature.inputs, ("state", len(signature.states)), ("dt", int(bool(signature.states)))]
@@ -128,12 +127,10 @@ def _states(generated: Generated, signature: Signature) -> dict[Input, NDArray[n
     return states
 
 
-def _poses(robot: Robot, scalar: ScalarType) -> dict[Input, NDArray[np.float64]]:
-    """Poses of positions within the joints' limits, which are the reference as well."""
-    q = draw(ranges(robot, ("q",), scalar), _STATES + 1, _SEED, scalar)["q"].astype(np.float64)
-    T = Reference(robot).tool_pose(q).reshape(len(q), 12).astype(DTYPE[scalar]).astype(np.float64)
-    rows = {POSE.name: T, NEAR.name: q}
-    return {Input(array, i): row for array, x in rows.items() for i, row in enumerate(x.T)}
+def _inputs(states: Mapping[str, NDArray[Any]]) -> dict[Input, NDArray[np.float64]]:
+    return {
+        Input(array, i): row.astype(np.float64) for array, x in states.items() for i, row in enumerate(x.T)
+    }
 
 
 #: Of a state its number, and for each output its name, the expected elements and their tolerances.

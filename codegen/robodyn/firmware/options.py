@@ -9,6 +9,7 @@ from robodyn.dynamics.functions import function_named
 from robodyn.emit.freestanding import FREESTANDING
 from robodyn.emit.unit import OF_LIBM
 from robodyn.errors import InputError
+from robodyn.firmware.states import DRAWN
 from robodyn.ir.signature import ScalarType
 from robodyn.kernels.generate import Generated, Options
 from robodyn.targets import Target, firmware_targets, target_named
@@ -65,12 +66,18 @@ def firmware_options(
                 found=f"its input {', '.join(inputs)}, of which no joint has limits",
                 remedy="leave it out of --functions, or out of --firmware",
             )
-    return dataclasses.replace(options, without=tuple(untested))
+    # Of a pose: only by name, since not every arm has one that can be tested.
+    unasked = [
+        name
+        for name in options.function_names
+        if function_named(name).of_pose and not options.insists_on(name)
+    ]
+    return dataclasses.replace(options, without=(*untested, *unasked))
 
 
 def _without_limits(function: str) -> list[str]:
-    """The inputs of ``function`` that no joint has limits of: there is no telling what to test them with."""
-    return sorted(set(function_named(function).input_names) - {"q", "qd", "qdd", "tau"})
+    """The inputs of ``function`` that no range is known of: there is no telling what to test them with."""
+    return sorted(set(function_named(function).input_names) - DRAWN)
 
 
 def check_firmware(generated: Generated) -> None:

@@ -39,6 +39,9 @@ _LIBRARY, _LIBRARY_ULPS = ("exp", "tanh", "pow"), 3
 #: How many ulps the kernel's arctangent is off at most; glibc's is better.
 _ANGLE_ULPS = arctangent.DOUBLE.ulps
 
+#: Whole numbers up to this are exact in float and double.
+_WHOLE = 2.0**24
+
 #: The values are doubles, and so are the bounds: what that loses is far below this share of them.
 _SPARE = 1.01
 
@@ -97,16 +100,18 @@ def rounding_bounds(
 
 
 def _exact(op: str, value: Floats, *operands: _Bounded) -> NDArray[np.bool_]:
-    """Where an operation rounds nothing: a zero is added, or a factor is 0, 1 or -1, and known to be that.
-    What guards a division or a memory is built of such."""
+    """Where an operation rounds nothing: a zero is added, or a factor is 0, 1 or -1, or all are small whole
+    numbers, and known to be that. What guards a division or a memory is built of such, and what counts flags.
+    """
+    if op not in ("add", "sub", "mul"):
+        return np.zeros(len(value), bool)
     sure = [x.error == 0 for x in operands]
-    if op == "mul":
-        unities = [known & (np.isin(x.value, (-1, 0, 1))) for known, x in zip(sure, operands, strict=True)]
-        return np.asarray(np.any(unities, axis=0))
-    if op in ("add", "sub"):
-        zeros = [known & (x.value == 0) for known, x in zip(sure, operands, strict=True)]
-        return np.asarray(np.any(zeros, axis=0) | (np.all(sure, axis=0) & (value == 0)))
-    return np.zeros(len(value), bool)
+    whole = [known & (x.value == np.rint(x.value)) for known, x in zip(sure, operands, strict=True)]
+    small = np.all(whole, axis=0) & (np.abs(value) <= _WHOLE)
+    neutral = (-1, 0, 1) if op == "mul" else (0,)
+    kept = [known & np.isin(x.value, neutral) for known, x in zip(sure, operands, strict=True)]
+    exact: NDArray[np.bool_] = small | np.any(kept, axis=0)
+    return exact if op == "mul" else exact | (np.all(sure, axis=0) & (value == 0))
 
 
 def _constant(value: Fraction, scalar: ScalarType, states: int) -> _Bounded:

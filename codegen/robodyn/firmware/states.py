@@ -16,8 +16,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.dynamics.functions.arguments import NEAR, POSE
 from robodyn.ir.signature import ScalarType
 from robodyn.robot.model import Robot
+from robodyn.verify.numbers import exact_value
 from robodyn.verify.sample import bounds_of
 
 MULTIPLIER, INCREMENT = 1664525, 1013904223
@@ -25,12 +27,17 @@ MULTIPLIER, INCREMENT = 1664525, 1013904223
 DIGEST_SEED, VECTOR_SEED = 1, 2
 #: How many states the digest is taken over, and how many vectors are drawn beside the special ones.
 DIGEST_STATES, DRAWN_VECTORS = 1000, 26
+#: How many vectors there are of each function.
+VECTORS = DRAWN_VECTORS + 6
 #: Torques that forward dynamics is given where a joint has no torque limit [N m or N].
 _TORQUE = 10.0
 #: How far a revolute joint goes at most [rad].
 _TURNS = 32.0
 #: Digits of the half ranges; and of the middles of ranges that are not symmetric.
 _DIGITS = 6
+
+#: Inputs of which it is known where they may be.
+DRAWN = frozenset({"q", "qd", "qdd", "tau", POSE.name, NEAR.name})
 
 DTYPE: Mapping[ScalarType, Any] = {"float": np.float32, "double": np.float64}
 
@@ -45,22 +52,43 @@ class Range:
 
 
 def ranges(robot: Robot, arrays: Sequence[str], scalar: ScalarType) -> tuple[Range, ...]:
-    """The ranges of ``arrays`` (of q, qd, qdd, tau), within the joints' limits; where there is none, those of
-    :func:`robodyn.verify.sample.draw`."""
+    """The ranges of ``arrays`` (of q, qd, qdd, tau, q_near, T), within the joints' limits; where there is
+    none, those of :func:`robodyn.verify.sample.draw`. T is any numbers, about as far as the arm reaches: no
+    rotation, which bits do not ask for."""
     bounds = [bounds_of(link.joint) for link in robot.links]
     for joint, link in zip(bounds, robot.links, strict=True):
         if link.joint.kind == "revolute":
             joint[0] = _near(joint[0])
+    reach = _reach(robot)
     result = []
     for array in arrays:
         if array == "tau":
             limits = [link.joint.limits.torque for link in robot.links]
             spans = [(-t, t) for t in (_TORQUE if x is None else float(x) for x in limits)]
+        elif array == POSE.name:
+            places = [(x - reach, x + reach) for x in _origin(robot)]
+            spans = [span for place in places for span in (*[(-1.0, 1.0)] * 3, place)]
+        elif array == NEAR.name:
+            spans = [joint[0] for joint in bounds]
         else:
             spans = [joint[("q", "qd", "qdd").index(array)] for joint in bounds]
         pairs = [_inside(low, high, scalar) for low, high in spans]
         result.append(Range(array, tuple(m for m, _ in pairs), tuple(h for _, h in pairs)))
     return tuple(result)
+
+
+def _origin(robot: Robot) -> tuple[float, float, float]:
+    """Of the base, in the world [m]."""
+    x, y, z = (0, 0, 0) if robot.base is None else robot.base.xyz
+    return float(x), float(y), float(z)
+
+
+def _reach(robot: Robot) -> float:
+    """How far turning joints bring the tool from the base at most [m], and a bit more; parameters are 1."""
+    values = dict.fromkeys(robot.parameters, 1.0)
+    lengths = [x for link in robot.links for x in (link.joint.a, link.joint.b, link.joint.d)]
+    lengths += [] if robot.tool is None else robot.tool.xyz
+    return float(sum((abs(exact_value(x, values)) for x in lengths), Fraction(1, 10)))
 
 
 def _near(span: tuple[float, float]) -> tuple[float, float]:
@@ -83,13 +111,13 @@ def draw(spans: Sequence[Range], states: int, seed: int, scalar: ScalarType) -> 
     """``states`` states, array by array ``[states, n]`` in the kernel's type; each draws array after array,
     joint 1 first."""
     real = DTYPE[scalar]
-    size = len(spans[0].middle) if spans else 0
-    numbers = np.array(_numbers(states * len(spans) * size, seed), np.int64)
+    ends = np.cumsum([len(span.middle) for span in spans], dtype=int)
+    numbers = np.array(_numbers(states * sum(ends[-1:]), seed), np.int64)
     unit = (numbers - 2**23).astype(real) * real(2.0**-23)
-    parts = unit.reshape(states, len(spans), size)
+    parts = np.split(unit.reshape(states, -1), ends[:-1], axis=1)
     return {
-        span.array: np.array(span.middle, real) + np.array(span.half, real) * parts[:, k]
-        for k, span in enumerate(spans)
+        span.array: np.array(span.middle, real) + np.array(span.half, real) * part
+        for span, part in zip(spans, parts, strict=True)
     }
 
 

@@ -2,7 +2,8 @@
 
 The results are those of the program, evaluated with mpmath, and every one of a rigid arm is confirmed by the
 torque of :func:`robodyn.verify.exact.exact_torque`, which shares nothing with the program: of the mass matrix
-and of forward dynamics what that torque is for the accelerations that they speak of.
+and of forward dynamics what that torque is for the accelerations that they speak of. Positions that belong to
+a pose are confirmed by the forward kinematics of :class:`robodyn.verify.reference.Reference`.
 """
 
 from __future__ import annotations
@@ -17,16 +18,20 @@ from numpy.typing import NDArray
 
 from robodyn.dynamics.functions import function_named
 from robodyn.errors import InputError
+from robodyn.firmware.poses import missed_poses, well_conditioned
 from robodyn.firmware.rounding import TINY, UNIT, rounding_bounds
+from robodyn.firmware.states import VECTOR_SEED, VECTORS, ranges, vector_states
 from robodyn.ir.evaluate import evaluate
 from robodyn.ir.program import Input, Program
-from robodyn.ir.signature import ScalarType
+from robodyn.ir.signature import ScalarType, Signature
 from robodyn.robot.model import Robot
 from robodyn.robot.values import Value
 from robodyn.verify.numbers import exact_value, real
 from robodyn.verify.oracles import exact_oracle
 
 _DIGITS = 40
+#: What confirms them.
+_BY_TORQUES, _BY_POSES = "exact torques from virtual work", "plain forward kinematics"
 #: Digits of a tolerance, which is rounded up.
 _UP = 1.0051
 #: The smallest normal numbers.
@@ -37,17 +42,33 @@ _AGREED = Fraction(1, 10**24)
 
 
 class Unconfirmed(AssertionError):
-    """The exact torque contradicts the program: a defect of robodyn, never of its input."""
+    """An exact torque, or a pose, contradicts the program: a defect of robodyn, never of its input."""
 
 
 @dataclass(frozen=True, slots=True)
 class Vectors:
     """Of one function the results ``expected``, one after another, and the ``tolerance`` of each,
-    ``[N, size]``: exact numbers, and bounds of the error of the kernel's."""
+    ``[N, size]``: exact numbers, and bounds of the error of the kernel's; ``confirmed`` by what, if it is."""
 
     expected: tuple[tuple[Fraction, ...], ...]
     tolerance: NDArray[np.float64]
-    confirmed: bool
+    confirmed: str = ""
+
+
+def states_of(
+    robot: Robot, interface: Signature, program: Program, parameters: Mapping[str, float]
+) -> Mapping[str, NDArray[Any]]:
+    """The states that a function is tested at, ``[32, size]`` array by array: within the joints' limits, and
+    of a pose such as rounding takes few digits at.
+
+    Raises
+    ------
+    InputError: there are not so many poses of these.
+    """
+    if function_named(interface.function).of_pose:
+        return well_conditioned(robot, program, parameters, VECTORS, VECTOR_SEED, interface.scalar)
+    arrays = [array for array, _ in interface.inputs]
+    return vector_states(ranges(robot, arrays, interface.scalar), interface.scalar)
 
 
 def vectors(
@@ -66,7 +87,7 @@ def vectors(
     Raises
     ------
     InputError: rounding errors have no bound at some state.
-    Unconfirmed: the program and the exact torque disagree.
+    Unconfirmed: the program and the exact torque, or forward kinematics, disagree.
     """
     inputs = {Input(a, i): x[:, i].astype(np.float64) for a, x in states.items() for i in range(x.shape[1])}
     count = len(next(iter(states.values())))
@@ -83,8 +104,14 @@ def vectors(
             found=f"errors up to {bounds.max():.1e} at states within the limits",
             remedy="leave that function out of --functions, or use --scalar double",
         )
-    confirmed = not robot.effects and robot.dead_band is None
-    if confirmed:
+    confirmed, record = "", function_named(function)
+    if record.of_pose:
+        confirmed = _BY_POSES
+        missed = missed_poses(robot, record, states, parameters, expected)
+        if missed:
+            raise Unconfirmed(f"{function} of {robot.name} does not lead back to pose {missed[0]}")
+    elif not robot.effects and robot.dead_band is None:
+        confirmed = _BY_TORQUES
         confirm(robot, function, states, parameters, expected, spare)
     return Vectors(expected, bounds + UNIT[scalar] * size, confirmed)  # the literal is rounded, too
 
