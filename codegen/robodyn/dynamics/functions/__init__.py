@@ -149,7 +149,10 @@ def pushed(name: str) -> str:
 
 def emitted_name(name: str, others: Collection[str]) -> str:
     """What the function ``name`` is called in code that has functions called ``others``: one with a wrench
-    like the one without, unless that is there as well."""
+    like the one without, unless that is there as well; one that stands behind another of its name, as the
+    record says."""
+    if name in FUNCTIONS and FUNCTIONS[name].emitted:
+        return FUNCTIONS[name].emitted
     without = AND.join(part.removesuffix(WITH_WRENCH) for part in name.split(AND))
     return name if without in others else without
 

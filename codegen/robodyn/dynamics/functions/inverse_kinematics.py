@@ -86,6 +86,7 @@ FUNCTIONS = (
         geometric=True,
         iterative=_approached,
         answers=Answers("solutions", "exists", "within", "singular"),
+        emitted="inverse_kinematics_branches",
     ),
     Function(
         "nearest_inverse_kinematics",

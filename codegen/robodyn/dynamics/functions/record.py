@@ -187,6 +187,8 @@ class Function:
     iterative: how its results are approached, of an arm of which it cannot be written straight; else None.
     answers: of a function of a pose, and of no state, its results. What is right is that the poses of its
         solutions are the one that it was given (:mod:`robodyn.dynamics.closing`).
+    emitted: what it is called in emitted code, where another function, written around it, has its name; else
+        nothing.
     """
 
     name: str
@@ -214,6 +216,7 @@ class Function:
     derivatives: tuple[Derivative, ...] = ()
     iterative: Callable[[Arm], Iterative | None] = lambda arm: None
     answers: Answers | None = None
+    emitted: str = ""
 
     def __post_init__(self) -> None:
         """:class:`ValueError` for a record that is none: found where the package is imported."""

@@ -13,6 +13,7 @@ from robodyn.emit.body import Lines
 from robodyn.emit.c_syntax import c_builtin, c_spelling, c_syntax
 from robodyn.emit.freestanding import freestanding_calls, freestanding_context
 from robodyn.emit.language import Compiled, FunctionText, Language
+from robodyn.emit.listing import BRANCH, FLAGS, listing_of
 from robodyn.emit.runs import Run
 from robodyn.emit.sines import ANGLES, COSINES, SINES
 from robodyn.emit.spelling import WIDTH
@@ -125,6 +126,32 @@ def _function(text: FunctionText) -> dict[str, Any]:
         "results": lines.results,
         "again": text.rereads,
         "inner": _inner(signature, lines, arguments) if lines.angles else None,
+        "listing": _listing(signature),
+    }
+
+
+def _listing(signature: Signature) -> dict[str, Any] | None:
+    """The function that lists solutions, before the kernel that has all branches."""
+    listing = listing_of(signature)
+    if listing is None:
+        return None
+    real = f"{signature.robot}_real"
+    arguments = [f"const {real} T[12]"]
+    arguments += [f"const {real} q_near[{listing.joints}]"] if listing.near else []
+    arguments += [f"{real} Q[{listing.size}]", f"int flags[{listing.branches}]"]
+    arguments += [f"const {signature.robot}_params *p"] if signature.parameters else []
+    zero = c_spelling(single=signature.scalar == "float").number(Fraction(0))
+    return {
+        "prototype": _prototype(f"int {listing.symbol}(", arguments),
+        "kernel": signature.symbol,
+        "near": listing.near,
+        "branches": listing.branches,
+        "joints": listing.joints,
+        "size": listing.size,
+        "parameters": bool(signature.parameters),
+        "zero": zero,
+        "flags": {name: f"{signature.robot}_IK_{name}" for name in FLAGS},
+        "branch": BRANCH,
     }
 
 
@@ -175,10 +202,14 @@ def _context(unit: Unit) -> dict[str, Any]:
 
 
 def _macros(unit: Unit) -> list[str]:
-    """How many columns a regressor has, under the robot's name as it is and in capitals."""
+    """How many columns a regressor has, how many solutions a pose, and the bits of their flags, under the
+    robot's name as it is and in capitals."""
     columns = max(len(interface.columns) for interface, _ in unit.functions)
     names = dict.fromkeys((unit.robot.name, unit.robot.name.upper()))
-    return [f"#define {name}_REGRESSOR_COLUMNS {columns}" for name in names] if columns else []
+    numbers = {"REGRESSOR_COLUMNS": columns} if columns else {}
+    for listing in filter(None, (listing_of(interface) for interface, _ in unit.functions)):
+        numbers |= {"IK_MAX": listing.branches, **{f"IK_{name}": bit for name, bit in FLAGS.items()}}
+    return [f"#define {name}_{what} {value}" for name in names for what, value in numbers.items()]
 
 
 def _notes(unit: Unit) -> tuple[str, ...]:

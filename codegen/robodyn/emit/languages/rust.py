@@ -14,6 +14,7 @@ from typing import Any
 from robodyn.emit.arctangent import arctangent_context
 from robodyn.emit.body import Lines
 from robodyn.emit.language import FunctionText, Language
+from robodyn.emit.listing import BRANCH, FLAGS, listing_of
 from robodyn.emit.runs import Run
 from robodyn.emit.sines import ANGLES, COSINES, SINES
 from robodyn.emit.spelling import WIDTH, Spelling, elements
@@ -193,6 +194,36 @@ def _repeating(it: Repeated) -> Lines:
     return Lines.of(lines, {})
 
 
+def _listing(signature: Signature) -> dict[str, Any] | None:
+    """The function that lists solutions, before the kernel that has all branches."""
+    listing = listing_of(signature)
+    if listing is None:
+        return None
+    arguments = ["T: &[Real; 12]"]
+    arguments += [f"q_near: &[Real; {listing.joints}]"] if listing.near else []
+    arguments += [f"Q: &mut [Real; {listing.size}]", f"flags: &mut [i32; {listing.branches}]"]
+    arguments += ["p: &Params"] if signature.parameters else []
+    return {
+        "head": _head(f"pub fn {listing.name}(", arguments, ") -> i32 {"),
+        "name": listing.name,
+        "symbol": listing.symbol,
+        "kernel": signature.called,
+        "near": listing.near,
+        "branches": listing.branches,
+        "joints": listing.joints,
+        "size": listing.size,
+        "parameters": bool(signature.parameters),
+        "flags": FLAGS,
+        "branch": BRANCH,
+    }
+
+
+def _head(opening: str, arguments: list[str], closing: str) -> list[str]:
+    """The head of a function, on one line if it fits."""
+    line = f"{opening}{', '.join(arguments)}{closing}"
+    return [line] if len(line) <= WIDTH else [opening, *(f"    {x}," for x in arguments), closing]
+
+
 def _function(text: FunctionText) -> dict[str, Any]:
     signature, lines = text.signature, text.lines
     arguments = [f"{array}: &[Real; {size}]" for array, size in signature.inputs]
@@ -202,12 +233,11 @@ def _function(text: FunctionText) -> dict[str, Any]:
     if signature.states:
         arguments += ["state: &mut State", "dt: Real"]
     opening = f"{'' if text.stage else 'pub '}fn {signature.called}("
-    one_line = f"{opening}{', '.join(arguments)}) {{"
-    broken = [opening, *(f"    {argument}," for argument in arguments), ") {"]
     unread = [array for array in (SINES, COSINES) if array in lines.arrays and array not in lines.reads]
     return {
         "name": signature.called,
-        "head": [one_line] if len(one_line) <= WIDTH else broken,
+        "head": _head(opening, arguments, ") {"),
+        "listing": _listing(signature),
         "lines": lines.angles + lines.statements,
         "results": lines.results,
         "unused": [*text.unused, *unread],

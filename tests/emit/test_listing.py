@@ -1,0 +1,77 @@
+"""Solutions as a list: those that exist in front, in the order of the branches, and their flags."""
+
+from __future__ import annotations
+
+import ctypes
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import robodyn
+from emit.crates import rustc, write_crate
+from emit.kernels import STRICT, write
+from robodyn.kernels.generate import Options, generate
+from robodyn.robot import load
+from robodyn_testing import require_tool
+
+NAMES = ("forward_kinematics", "inverse_kinematics")
+OPTIONS = Options(functions=NAMES, trig="builtin")
+
+
+@pytest.mark.parametrize("name", ["ur5", "panda"])
+def test_solutions_that_exist_stand_in_front(name: str, tmp_path: Path) -> None:
+    robot = load(name, warn=lambda _: None)
+    write(tmp_path, generate(robot, OPTIONS).files(("c",)))
+    command = [require_tool("gcc"), *STRICT, "-O1", "-shared", "-fPIC", f"{name}.c", "-o", "kernel.so", "-lm"]
+    subprocess.run(command, cwd=tmp_path, check=True)
+    listed = getattr(ctypes.CDLL(str(tmp_path / "kernel.so")), f"{name}_inverse_kinematics")
+    kernel = robodyn.compile(name, functions=NAMES)
+    redundant = robot.n > 6
+    random, lengths = np.random.default_rng(1), set()
+    for k in range(40):
+        q = random.uniform(-2.5, 2.5, robot.n)
+        T = np.array(kernel.forward_kinematics(q))
+        T[:, 3] *= 1.0 if k % 2 else 1.4
+        near = q if redundant else np.zeros(robot.n)
+        expected = kernel.inverse_kinematics(T, near)
+        Q, flags = np.full((8, robot.n), np.nan), np.full(8, -1, np.intc)
+        arrays = [T, near, Q, flags] if redundant else [T, Q, flags]
+        count = listed(*(a.ctypes.data_as(ctypes.c_void_p) for a in arrays))
+        lengths.add(count)
+        exists = expected.exists > 0
+        order = np.concatenate([np.flatnonzero(exists), np.flatnonzero(~exists)])
+        assert count == exists.sum()
+        np.testing.assert_array_equal(flags >> 3, order)
+        bits = exists + 2 * (expected.within > 0) + 4 * (expected.singular > 0)
+        np.testing.assert_array_equal(flags & 7, bits[order])
+        np.testing.assert_allclose(Q, expected.solutions[order], atol=1e-6)
+    assert len(lengths) > 2
+
+
+def test_rust_lists_them_as_well(tmp_path: Path) -> None:
+    generated = generate(load("puma560", warn=lambda _: None), OPTIONS)
+    text = next(iter(write_crate(generated, tmp_path).glob("src/*.rs"))).read_text(encoding="utf-8")
+    assert (
+        "pub fn inverse_kinematics(T: &[Real; 12], Q: &mut [Real; 48], flags: &mut [i32; 8]) -> i32 {" in text
+    )
+    (tmp_path / "libm.rs").write_text("pub fn sqrt(x: f64) -> f64 { x.sqrt() }\n", encoding="utf-8")
+    rustc("--crate-type", "rlib", "--crate-name", "libm", "-o", "liblibm.rlib", "libm.rs", folder=tmp_path)
+    main = """
+fn main() {
+    let mut T = [0.0; 12];
+    puma560::forward_kinematics(&[0.1, -0.5, 0.4, 0.2, 0.9, 0.3], &mut T);
+    let (mut Q, mut flags) = ([0.0; 48], [0; 8]);
+    assert_eq!(puma560::inverse_kinematics(&T, &mut Q, &mut flags), 8);
+    assert_eq!(flags, [3, 11, 19, 27, 35, 43, 51, 59]);
+    T[3] += 5.0;
+    assert_eq!(puma560::puma560_inverse_kinematics(&T, &mut Q, &mut flags), 0);
+    assert!(flags.iter().all(|bits| bits % 2 == 0));
+}
+"""
+    (tmp_path / "main.rs").write_text("#![allow(non_snake_case)]" + main, encoding="utf-8")
+    known = ("--extern", "libm=liblibm.rlib", "-L", ".")
+    rustc("--crate-type", "rlib", "--crate-name", "puma560", *known, "src/lib.rs", folder=tmp_path)
+    rustc("--extern", "puma560=libpuma560.rlib", *known, "main.rs", "-o", "main", folder=tmp_path)
+    subprocess.run([str(tmp_path / "main")], check=True)
