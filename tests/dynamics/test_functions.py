@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from fractions import Fraction
 from operator import mul
+from typing import Any
 
 import pytest
 
@@ -13,7 +14,6 @@ from ir.programs import Point, exactly
 from robodyn import InputError, Options, load, program
 from robodyn.counts import count
 from robodyn.dynamics.functions import function_named
-from robodyn.dynamics.fusing import Writing
 from robodyn.dynamics.mass_matrix import solve_symmetric
 from robodyn.ir import Graph, Input, Program
 from robodyn.kernels import rigid_programs
@@ -161,9 +161,9 @@ def test_of_a_long_arm_what_cannot_win_is_not_built(slides: bool, monkeypatch: p
     that all slide is made of numbers."""
     ways = []
 
-    def counted(robot: Robot, function: str, choice: Choice, writing: Writing | None = None) -> Program:
-        ways.append((function, writing))
-        return build(robot, function, choice, writing)
+    def counted(robot: Robot, function: str, *how: Any, **options: Any) -> Program:
+        ways.append((function, how[1] if len(how) > 1 else None))
+        return build(robot, function, *how, **options)
 
     monkeypatch.setattr(rigid_programs, "build", counted)
     arm = exact_arm(4, joints=16, prismatic=1 if slides else 0, parallel=0.2)

@@ -7,13 +7,14 @@ from dataclasses import dataclass
 from typing import Any
 
 from robodyn.dynamics.functions import function_named
-from robodyn.emit.body import body_lines
+from robodyn.emit.body import Lines, body_lines
 from robodyn.emit.head import contained
 from robodyn.emit.language import FunctionText, Language
 from robodyn.emit.spelling import WIDTH
 from robodyn.emit.stages import Repeated, repeated
 from robodyn.emit.statements import Body, statements
 from robodyn.emit.unit import Unit, counted
+from robodyn.errors import InputError
 from robodyn.ir.program import Program
 from robodyn.ir.signature import Signature
 
@@ -54,7 +55,7 @@ def function_text(language: Language, piece: Piece, unit: Unit) -> dict[str, Any
     signature, body = piece.signature, piece.body
     if isinstance(body, Repeated):
         unused, rereads = body.unread, False
-        lines = language.repeating(body)
+        lines = _repeating(language, body)
     else:
         syntax = language.syntax(signature, unit)
         lines = body_lines(
@@ -78,6 +79,21 @@ def function_text(language: Language, piece: Piece, unit: Unit) -> dict[str, Any
         "stage": piece.stage,
         **language.function(FunctionText(signature, unit, lines, tuple(unused), rereads, piece.stage)),
     }
+
+
+def _repeating(language: Language, body: Repeated) -> Lines:
+    """The lines of a function that repeats a step.
+
+    Raises
+    ------
+    InputError: the language has no such functions.
+    """
+    if language.repeating is None:
+        raise InputError(
+            f"{body.whole.symbol} repeats a step, and {language.title} is written without such functions",
+            remedy=f"leave the function out, or {language.name} out of the languages (--lang)",
+        )
+    return language.repeating(body)
 
 
 def _contains(signature: Signature, unit: Unit) -> str:

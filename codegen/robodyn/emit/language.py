@@ -78,10 +78,10 @@ class Language:
     """Numbers and operators of ``double``, or of ``float`` (True)."""
     syntax: Callable[[Signature, Unit], Syntax]
     function: Callable[[FunctionText], dict[str, Any]]
-    repeating: Callable[[Repeated], Lines]
-    """The lines of a function that repeats a step."""
     context: Callable[[Unit], dict[str, Any]] = lambda unit: {}
     aliases: tuple[str, ...] = ()
+    #: The lines of a function that repeats a step; None: it has no such functions.
+    repeating: Callable[[Repeated], Lines] | None = None
     #: Whether ``gen`` writes it unless told otherwise.
     default: bool = False
     #: Notes for the head of the file.
