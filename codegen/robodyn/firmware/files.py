@@ -284,6 +284,7 @@ def _function(
     vector = f"{interface.function}_vectors[k]"
     return {
         "name": interface.function,
+        "symbol": interface.symbol,
         "inputs": interface.inputs,
         "output": output,
         "size": size,

@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from robodyn.dynamics.functions import emitted_name
 from robodyn.errors import CheckError, InputError, ToolError
 from robodyn.targets import Board, Target
 from robodyn.toolchain.compiler import first_lines
@@ -105,7 +106,7 @@ def measure(name: str, files: Mapping[str, str], functions: Sequence[str], targe
             undefined=tuple(
                 line.split()[-1] for line in _run([tools.nm.name, "-u", f"{name}.o"], folder).splitlines()
             ),
-            costs=tuple(Cost(f, stacks.get(f"{name}_{f}")) for f in functions),
+            costs=tuple(Cost(f, stacks.get(f"{name}_{emitted_name(f, functions)}")) for f in functions),
             not_run=_missing(tools.emulator),
         )
         return figures if figures.not_run else _with_run(figures, name, image, folder)
