@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from robodyn.certify.tools import Done, last_lines
+from robodyn.emit.listing import Listing, listing_of
 from robodyn.ir.signature import Signature
 
 #: Special numbers are values like others; every function is entered; integers must not overflow either. Loops
@@ -76,10 +77,33 @@ def driver_context(name: str, signatures: Sequence[Signature]) -> dict[str, Any]
                 "parameters": bool(interface.parameters),
                 "states": bool(interface.states),
                 "fills": fills,
+                "integers": [],
                 "arguments": ", ".join(arguments),
             }
         )
+        listing = listing_of(interface)
+        if listing is not None:
+            calls.append(_list_call(listing))
     return {"name": name, "calls": calls, "end": END}
+
+
+def _list_call(listing: Listing) -> dict[str, Any]:
+    """The function that lists the solutions of a kernel."""
+    inputs = [("T", 12), *([("q_near", listing.joints)] if listing.near else [])]
+    fills = [f"{array}[{i}]" for array, size in inputs for i in range(size)]
+    arguments = [*(array for array, _ in inputs), "Q", "flags"]
+    if listing.kernel.parameters:
+        arguments.append("&p")
+        fills += [f"p.{member}" for member in listing.kernel.parameters]
+    return {
+        "symbol": listing.symbol,
+        "arrays": [*inputs, ("Q", listing.size)],
+        "integers": [("flags", listing.branches)],
+        "parameters": bool(listing.kernel.parameters),
+        "states": False,
+        "fills": fills,
+        "arguments": ", ".join(arguments),
+    }
 
 
 def read(done: Done, seconds: float) -> Analysis:
