@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from robodyn.dynamics.inverse import Numerical
 from robodyn.simulate.pose_text import roll_pitch_yaw
-from robodyn.simulate.poses import Posed, PoseSolver, Solution
+from robodyn.simulate.poses import LEAST_SQUARES, Posed, PoseSolver, Solution
 
 Floats = NDArray[np.float64]
 #: Positions and errors nearer to 0 than this are shown as 0 [rad or m].
@@ -63,6 +63,8 @@ def poses_text(
     for k, each in enumerate(posed, start=1):
         lines += ["", _pose(each.T, k if len(posed) > 1 else None, degrees=degrees)]
         shown = [each.nearest] if nearest_only else list(each.solutions)
+        if not nearest_only and each.nearest.name == LEAST_SQUARES:
+            shown.append(each.nearest)
         lines += _table(solver, shown, degrees=degrees)
         lines.append(_summary(solver, each, nearest_only=nearest_only))
     return lines
@@ -132,10 +134,11 @@ def _summary(solver: PoseSolver, posed: Posed, *, nearest_only: bool) -> str:
     if not posed.reached:
         place, turn = near.off
         beside = "" if solver.place_only else f" and {turn:.3g} rad"
-        again = ""
-        if solver.solver.redundant is not None:
-            again = f"; another position of joint {solver.solver.redundant + 1} in --near may reach it"
-        return f"not reached: {place:.3g} m{beside} are missing at {near.name}{again}"
+        by = "by" if near.name == LEAST_SQUARES else "at"
+        return f"not reached: {place:.3g} m{beside} are missing {by} {near.name}"
+    if near.name == LEAST_SQUARES:
+        joint = f"joint {(solver.solver.redundant or 0) + 1}"
+        return f"reached by no branch with {joint} as --near has it, by least squares with it elsewhere"
     if nearest_only or (isinstance(solver.solver, Numerical) and solver.solver.alone):
         return "reached" if near.within else "reached, beyond the joints' limits"
     within = sum(each.within for each in posed.reached)

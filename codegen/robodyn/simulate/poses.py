@@ -7,7 +7,7 @@ from the reference does not come to a pose, it begins elsewhere as well, which a
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -77,8 +77,17 @@ class Posed:
 
     @property
     def reached(self) -> tuple[Solution, ...]:
-        """The solutions that exist."""
-        return tuple(solution for solution in self.solutions if solution.exists)
+        """The solutions that exist; of a redundant arm with its joint elsewhere only if there is no other."""
+        branches = tuple(solution for solution in self.solutions if solution.exists)
+        return branches or ((self.nearest,) if self.nearest.exists else ())
+
+
+#: The solution where no branch reaches a pose.
+LEAST_SQUARES = "least squares"
+#: What may be missing of a pose that is reached [m, rad].
+_REACHED = 1e-9
+#: Steps of least squares at most.
+_EVALUATIONS = 40
 
 
 class PoseSolver:
@@ -129,9 +138,9 @@ class PoseSolver:
                 expected=f"[{n}], finite",
             )
         posed = self._posed(poses, reference)
-        if isinstance(self.solver, Numerical) and self.solver.alone:
-            posed = [each if each.reached else self._from_elsewhere(each) for each in posed]
-        return posed
+        alone = isinstance(self.solver, Numerical) and self.solver.alone
+        further = self._from_elsewhere if alone else self._by_least_squares
+        return [each if each.reached else further(each) for each in posed]
 
     def branches(self, T: Floats, near: Floats) -> tuple[Floats, NDArray[np.bool_]]:
         """The positions [K, b, n] of all branches for poses [K, 3, 4], and which [K, b] reach their pose
@@ -152,6 +161,32 @@ class PoseSolver:
             return not one.exists, missed, float(np.abs(one.q - posed.nearest.q).max())
 
         return min((posed, *tried), key=badness)
+
+    def _by_least_squares(self, posed: Posed) -> Posed:
+        """A pose that no branch reaches, with all joints free within their limits: from every branch to where
+        the sum of squares of what is missing is least, lengths as shares of the arm's size, and the least of
+        these. A redundant arm may reach the pose, with its joint elsewhere than the reference has it."""
+        from scipy.optimize import least_squares
+
+        T, size = posed.T, float(self.solver.size)
+        low, high = position_limits(self.robot).T
+
+        def missing(q: Floats) -> Floats:
+            pose = self.pose(q)
+            place = (pose[:, 3] - T[:, 3]) / size
+            if self.place_only:
+                return np.asarray(place)
+            return np.concatenate([place, rotation_vector(T[:, :3] @ pose[:, :3].T)])
+
+        starts = np.unique([np.clip(solution.q, low, high) for solution in posed.solutions], axis=0)
+        limits = {"bounds": (low, high), "max_nfev": _EVALUATIONS}
+        ends = [
+            least_squares(missing, start, xtol=1e-15, ftol=1e-15, gtol=1e-15, **limits) for start in starts
+        ]
+        q = min(ends, key=lambda end: float(end.cost)).x
+        (off,) = self._off(T, q[None])
+        solution = Solution(LEAST_SQUARES, q, max(off) < _REACHED, True, False, off)
+        return replace(posed, nearest=solution)
 
     def _posed(self, poses: Floats, near: Floats) -> list[Posed]:
         """The solutions of all poses at once, from one reference [n] or one each [K, n]."""
