@@ -66,7 +66,7 @@ def test_every_language_gives_the_bits_of_the_program(name: str, scalar: str, tm
         assert np.concatenate(results, axis=1).tobytes() == expected.tobytes()
         if scalar == "double":
             module = Module(generated, tmp_path)
-            assert module.run(signature.called, inputs, {}, 0.0).tobytes() == expected.tobytes()
+            assert module.run(signature.function, inputs, {}, 0.0).tobytes() == expected.tobytes()
 
 
 @pytest.mark.thorough

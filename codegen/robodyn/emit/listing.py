@@ -45,9 +45,9 @@ def listing_of(signature: Signature) -> Listing | None:
     function = FUNCTIONS.get(signature.function)
     if function is None or function.answers is None or function.answers.branch:
         return None
-    if "T" not in dict(signature.inputs):
+    sizes = dict(signature.outputs)  # a stage of it has others, and given sines are no pose
+    if "T" not in dict(signature.inputs) or function.answers.exists not in sizes:
         return None
-    sizes = dict(signature.outputs)
     branches = sizes[function.answers.exists]
     joints = sizes[function.answers.solutions] // branches
     near = joints > _POSED or branches == 1

@@ -170,7 +170,7 @@ class Package:
 def _routine(signature: Signature) -> Routine:
     function = function_named(signature.function)
     return Routine(
-        signature.called,
+        signature.function if function.emitted else signature.called,
         signature.symbol,
         function.purpose,
         tuple(_argument(name, size, signature) for name, size in signature.inputs),

@@ -161,7 +161,7 @@ class _Run:
         rounded = tau.astype(kernel.dtype).astype(np.float64)
         more = drawn_besides(kernel.signatures.values(), states, seed, kernel.dtype)
         poses = poses_of(reference, sample.q, kernel.dtype)
-        of_poses = any(function_named(name).of_pose for name in kernel.functions)
+        of_poses = any("q_near" in dict(signature.inputs) for signature in kernel.signatures.values())
         near = references(robot, sample.q).astype(kernel.dtype) if of_poses else sample.q
         drawn = (sample.q, sample.qd, sample.qdd, rounded, *more, poses, near.astype(np.float64))
         self.inputs: dict[str, Floats] = dict(zip((array.name for array in INPUTS), drawn, strict=True))
