@@ -109,9 +109,9 @@ def test_positions_belong_to_the_arm() -> None:
 def test_a_search_leads_to_all_eight_solutions_of_the_puma() -> None:
     chain = _chain("puma560")
     q = positions.drawn(chain, 1)
-    found = search(chain, chain.poses(q), q, None)
-    assert found.exists.sum() == 8
-    assert compared(chain, chain.poses(q), found, _row(q)).missing == 0
+    ends = search(chain, chain.poses(q), q, None)
+    assert ends.exists.sum() == 8
+    assert compared(chain, chain.poses(q), ends, _row(q)).missing == 0
 
 
 def test_the_tables_are_those_of_the_results() -> None:

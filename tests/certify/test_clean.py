@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import os
 import re
 import subprocess
@@ -13,7 +14,7 @@ import pytest
 from certify.harness import harness
 from robodyn.kernels.generate import TRIGONOMETRY, Generated, Options, generate
 from robodyn.robot import load
-from robodyn_testing import covering, require_module, require_tool, sampled
+from robodyn_testing import representative, require_module, require_tool, sampled
 
 SANITIZERS = "-fsanitize=address,undefined,float-cast-overflow"
 FIRM = ("-std=c99", "-g", "-O1", "-fno-sanitize-recover=all")
@@ -39,7 +40,10 @@ def said(command: list[str], folder: Path, seconds: float = 300.0) -> str:
     return done.stdout + done.stderr
 
 
-@pytest.mark.parametrize(("scalar", "trig"), covering(["float", "double"], TRIGONOMETRY))
+@pytest.mark.parametrize(
+    ("scalar", "trig"),
+    representative(itertools.product(["float", "double"], TRIGONOMETRY), ("float", "builtin")),
+)
 def test_sanitizers_find_nothing_on_random_bytes(tmp_path: Path, trig: str, scalar: str) -> None:
     gcc = require_tool("gcc")
     written(tmp_path, "puma560", trig, scalar)
@@ -47,6 +51,7 @@ def test_sanitizers_find_nothing_on_random_bytes(tmp_path: Path, trig: str, scal
     assert said(["./run"], tmp_path) == ""
 
 
+@pytest.mark.thorough
 def test_the_harness_notices(tmp_path: Path) -> None:
     gcc = require_tool("gcc")
     written(tmp_path, "puma560", "given", "float")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import itertools
 import json
+import re
 import shutil
 from dataclasses import replace
 from pathlib import Path
@@ -18,9 +19,9 @@ from robodyn.certify.plan import Subject, subject
 from robodyn.certify.run import Proof
 from robodyn.certify.tools import Done, run
 from robodyn.kernels.generate import Options, generate
-from robodyn.robot import load
+from robodyn.robot import load, read_text
 from robodyn_cli.main import main
-from robodyn_testing import covering, representative, require_tool, sampled
+from robodyn_testing import representative, require_tool, sampled
 from robodyn_testing.effect_arms import TEXTS
 
 PUMA = load("puma560", warn=lambda _: None)
@@ -47,7 +48,7 @@ def with_c(made: Subject, old: str, new: str) -> Subject:
 
 @pytest.mark.parametrize(
     ("scalar", "trig"),
-    covering(["float", "double"], representative(["builtin", "given", "libm"], "builtin", "libm")),
+    representative(itertools.product(["float", "double"], ["builtin", "given", "libm"]), ("double", "libm")),
 )
 def test_eva_finds_no_alarm(tmp_path: Path, trig: str, scalar: str) -> None:
     require_tool("frama-c")
@@ -142,9 +143,40 @@ def test_misra_findings_are_explained(tmp_path: Path, name: str, trig: str) -> N
 
 
 def _arm(name: str) -> Any:
-    from robodyn.robot import read_text
-
     return read_text(TEXTS[name])
+
+
+PAIR = """
+name: pair
+links: [{joint: revolute, mass: 1}, {joint: revolute, a: 0.3, mass: 1}]
+tool: {xyz: [0.2, 0, 0]}
+"""
+
+
+@pytest.mark.thorough
+def test_misra_findings_of_inverse_kinematics_are_explained(tmp_path: Path) -> None:
+    require_tool("cppcheck")
+    pair = read_text(PAIR)
+    kernel = subject(pair, pair, Options(("inverse_kinematics", "nearest_inverse_kinematics")))
+    result = finding(parts.prove_misra, kernel, tmp_path)
+    assert result.status == "proved", result.lines
+    assert {"2.5", "8.7"} <= set(result.data["rules"])
+
+
+@pytest.mark.parametrize(
+    ("function", "rules", "follows_values"),
+    [
+        ("inverse_kinematics", {"2.5", "8.7", "19.2"}, False),
+        ("nearest_inverse_kinematics", {"19.2"}, False),
+        ("regressor", {"2.5", "19.2"}, True),
+        ("gravity", {"19.2"}, True),
+    ],
+)
+def test_what_callers_need_is_explained(function: str, rules: set[str], follows_values: bool) -> None:
+    generated = generate(read_text(PAIR), Options((function,), trig="builtin", misra=True))
+    head = generated.files(("c",))["pair.c"]
+    assert set(re.findall(r"(?m)^ \* (\d+\.\d+): ", head)) == rules
+    assert ("--valueflow-max-iterations=0" not in misra.options(generated.unit)) is follows_values
 
 
 @pytest.mark.parametrize(

@@ -19,7 +19,7 @@ from robodyn.ir.evaluate import evaluate
 from robodyn.ir.program import Input
 from robodyn.kernels.generate import Generated, Options, generate
 from robodyn.robot import Robot, load, read_text
-from robodyn_testing import representative, require_tool
+from robodyn_testing import covering, representative, require_tool
 from robodyn_testing.waiting import eventually, runs
 
 TWO = read_text(
@@ -60,7 +60,7 @@ def proven(folder: Path, robot: Robot, scalar: str) -> tuple[list[Proven], Forwa
     return prove(gappa, folder, names, seconds=200, workers=2, progress=lambda _: None), bounds
 
 
-@pytest.mark.parametrize("scalar", ["float", "double"])
+@pytest.mark.parametrize("scalar", [pytest.param("float", marks=pytest.mark.thorough), "double"])
 def test_gappa_and_we_agree_and_nothing_worse_is_found(tmp_path: Path, scalar: str) -> None:
     found, bounds = proven(tmp_path, TWO, scalar)
     _, program = inverse_dynamics(TWO, scalar).unit.functions[0]
@@ -128,8 +128,9 @@ def test_a_wrong_script_is_seen(tmp_path: Path, what: str) -> None:
     assert other.error is None or other.error > 100 * right.error
 
 
-@pytest.mark.parametrize("trig", ["libm", "given", "builtin"])
-@pytest.mark.parametrize("robot", ["puma560", "stanford", "two"])
+@pytest.mark.parametrize(
+    ("robot", "trig"), covering(["puma560", "stanford", "two"], ["libm", "given", "builtin"])
+)
 def test_the_emitted_c_reads_back(robot: str, trig: str) -> None:
     described = TWO if robot == "two" else load(robot, warn=lambda _: None)
     made = generate(described, Options(scalar="float", trig=trig))  # type: ignore[arg-type]

@@ -164,34 +164,34 @@ def test_the_rotation_that_is_missing(angle: float) -> None:
         u = axis / np.linalg.norm(axis)
         K = np.array([[0, -u[2], u[1]], [u[2], 0, -u[0]], [-u[1], u[0], 0]])
         R = np.eye(3) + math.sin(angle) * K + (1 - math.cos(angle)) * K @ K
-        found = np.array(rotation_between(R.tolist()))
+        vector = np.array(rotation_between(R.tolist()))
         expected = 2 * math.sin(angle / 2) * (rotation_vector(R) / angle if angle else u)
         if angle == math.pi:  # either way round
-            expected = expected * np.sign(found @ expected)
-        np.testing.assert_allclose(found, expected, atol=2e-8)
+            expected = expected * np.sign(vector @ expected)
+        np.testing.assert_allclose(vector, expected, atol=2e-8)
 
 
 def test_proof_accepts_it_and_refuses_what_is_said_to_be_reached() -> None:
     robot = arm(5)
-    made = nearest(robot)
-    assert closes(robot, "nearest_inverse_kinematics", made)
+    program = nearest(robot)
+    assert closes(robot, "nearest_inverse_kinematics", program)
     outputs = tuple(
-        (name, (Fraction(1),) if name == "solution_exists" else row) for name, row in made.outputs
+        (name, (Fraction(1),) if name == "solution_exists" else row) for name, row in program.outputs
     )
-    assert not closes(robot, "nearest_inverse_kinematics", dataclasses.replace(made, outputs=outputs))
+    assert not closes(robot, "nearest_inverse_kinematics", dataclasses.replace(program, outputs=outputs))
 
 
 @pytest.mark.thorough
 def test_proof_refuses_steps_that_lead_nowhere() -> None:
     robot = arm(5)
-    made = nearest(robot)
-    assert made.iteration is not None
-    step = made.iteration.step
+    program = nearest(robot)
+    assert program.iteration is not None
+    step = program.iteration.step
     operations = list(step.operations)
     k = next(k for k, op in enumerate(operations) if op.op == "div")
     operations[k] = Operation("mul", operations[k].args, operations[k].label)
     wrong = dataclasses.replace(step, operations=tuple(operations), origin=None)
-    broken = dataclasses.replace(made, iteration=dataclasses.replace(made.iteration, step=wrong))
+    broken = dataclasses.replace(program, iteration=dataclasses.replace(program.iteration, step=wrong))
     assert not closes(robot, "nearest_inverse_kinematics", broken)
 
 

@@ -26,6 +26,7 @@ from robodyn.passes import FRESH, run, units
 from robodyn.robot import Robot, bundled_names
 from robodyn.robot.values import circle_point
 from robodyn.verify.exact import exact_torque
+from robodyn_testing import sampled
 from robodyn_testing.functions import SAMPLED
 
 ARMS = [exact_arm(seed, joints=1 + seed % 9) for seed in range(14)]
@@ -150,7 +151,7 @@ def test_programs_give_what_the_recursion_gives(robot: Robot) -> None:
         assert exactly(program(robot, "inverse_dynamics", options), state.at)["tau"] == expected, options
 
 
-@pytest.mark.parametrize("name", bundled_names())
+@pytest.mark.parametrize("name", sampled(bundled_names(), every=4))
 def test_programs_of_the_bundled_robots_give_what_the_recursion_gives(name: str) -> None:
     robot = bundled(name)
     state = State(robot, Point(1))
@@ -187,8 +188,8 @@ def test_every_named_value_is_the_quantity_of_that_name(choice: str, function: s
                     assert (-value if label.negative else value) in known, (robot.name, str(label))
         # Sums in other units lose their names: without that pass there are as many as links, or more.
         labels = [label for _, _, label in plain.operations if label is not None]
-        seen = sum(label.quantity.rstrip("0123456789") not in ("c", "s", "angle") for label in labels)
-        assert seen >= (robot.n - 1 if len(plain.operations) > 20 else 1)
+        named = sum(label.quantity.rstrip("0123456789") not in ("c", "s", "angle") for label in labels)
+        assert named >= (robot.n - 1 if len(plain.operations) > 20 else 1)
 
 
 @pytest.mark.parametrize("choice", [name for name in CHOICES if name != "newton_euler"])

@@ -19,6 +19,7 @@ from robodyn.ir.evaluate import evaluate
 from robodyn.ir.fingerprint import fingerprint
 from robodyn.robot import Robot, fold_rotor, read_text
 from robodyn.robot.values import circle_point
+from robodyn_testing import covering
 from robodyn_testing.functions import SAMPLED
 
 ARMS = [exact_arm(seed, joints=3, motors=0, friction=0) for seed in range(40, 44)]
@@ -54,8 +55,7 @@ def same_program(one: Robot, other: Robot, function: str = "inverse_dynamics") -
     return prints[0] == prints[1]
 
 
-@pytest.mark.parametrize("options", WAYS, ids=lambda o: f"{o.formulation}-{o.optimize}")
-@pytest.mark.parametrize("joint", [0, 1, 2])
+@pytest.mark.parametrize(("joint", "options"), covering([0, 1, 2], WAYS))
 def test_rotor_and_friction_add_to_their_own_joint_only(joint: int, options: Options) -> None:
     for robot in ARMS:
         at = Point(joint)

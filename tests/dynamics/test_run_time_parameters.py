@@ -68,6 +68,7 @@ def test_arithmetic_with_names() -> None:
     assert found == exactly(program(filled(NUMBERS), "inverse_dynamics"), Point(2))
 
 
+@pytest.mark.thorough
 @settings(deadline=None, max_examples=15, phases=NO_SHRINKING)
 @given(st.integers(0, 10**6), st.integers(1, 4), st.integers(1, 2**32), st.sampled_from(sorted(OF_ANY_ARM)))
 def test_any_choice_of_names_gives_what_the_numbers_give(

@@ -22,7 +22,7 @@ from robodyn.optimize.programs import Choice
 from robodyn.robot import Robot
 from robodyn.robot import read_text as read
 from robodyn.robot.values import circle_point
-from robodyn_testing import representative, sampled
+from robodyn_testing import representative
 
 CHOICES = (Choice(regroup=False, chains=False), Choice(), Choice("newton_euler", regroup=False, chains=False))
 
@@ -81,7 +81,7 @@ def arms() -> list[Robot]:
     return [*found, replace(few, name="named"), bundled("stanford_3dof"), bundled("puma560_3dof")]
 
 
-@pytest.mark.parametrize("robot", sampled(arms(), every=9), ids=lambda robot: robot.name)
+@pytest.mark.parametrize("robot", representative(arms(), arms()[-2]), ids=lambda robot: robot.name)
 def test_symbolic_models_are_the_graphs_programs(robot: Robot) -> None:
     at = Point(6)
     functions = [f for f in FUNCTIONS if f in generate(robot).counts]

@@ -39,12 +39,12 @@ def program() -> Program:
     return lower(graph, [("tau", results)])
 
 
-def of_program(made: Program, scalar: str, trig: str = "builtin") -> Generated:
-    """Kernels whose only function is ``made``."""
+def of_program(program: Program, scalar: str, trig: str = "builtin") -> Generated:
+    """Kernels whose only function is ``program``."""
     options = Options(trig=trig, scalar=scalar, functions=("gravity",))  # type: ignore[arg-type]
     generated = generate(load(NAME, warn=lambda _: None), options)
     ((signature, _),) = generated.unit.functions
-    in_runs = arctangents_together(made) if trig == "builtin" else made
+    in_runs = arctangents_together(program) if trig == "builtin" else program
     return dataclasses.replace(
         generated, unit=dataclasses.replace(generated.unit, functions=((signature, in_runs),))
     )

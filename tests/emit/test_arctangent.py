@@ -111,13 +111,13 @@ def test_two_pieces_of_a_quarter_turn_and_a_polynomial(of: Arctangent) -> None:
 # --- accuracy ---------------------------------------------------------------------------------------------
 
 
-def ulps(found: Any, y: Any, x: Any) -> Any:
+def ulps(angles: Any, y: Any, x: Any) -> Any:
     """Errors in units in the last place of the exact values."""
     require_machine(np.finfo(np.longdouble).nmant >= 60, "extended precision in numpy")
     exact = np.arctan2(y.astype(np.longdouble), x.astype(np.longdouble))
     _, exponent = np.frexp(exact)
-    unit = np.ldexp(1.0, exponent - np.finfo(found.dtype).nmant - 1)
-    return np.abs(found - exact) / unit
+    unit = np.ldexp(1.0, exponent - np.finfo(angles.dtype).nmant - 1)
+    return np.abs(angles - exact) / unit
 
 
 def test_errors_stay_below_what_is_said(case: tuple[str, Angle]) -> None:
@@ -138,10 +138,10 @@ def test_every_float(tmp_path: Path) -> None:
             y = np.arange(first, min(first + (1 << 22), 0x7F800000), dtype=np.uint32).view(np.float32)
             exact = np.arctan2(y.astype(float), x)
             unit = np.spacing(np.abs(exact)) * 2.0**29
-            found = angle(y, np.float32(x)).astype(float)
-            kept = np.abs(exact) > 2.0**-125
-            if kept.any():
-                worst = max(worst, float((np.abs(found - exact) / unit)[kept].max()))
+            own = angle(y, np.float32(x)).astype(float)
+            normal = np.abs(exact) > 2.0**-125
+            if normal.any():
+                worst = max(worst, float((np.abs(own - exact) / unit)[normal].max()))
     assert worst < FLOAT.ulps
 
 
@@ -153,9 +153,9 @@ def test_zeros_and_axes_are_as_in_c(case: tuple[str, Angle]) -> None:
     info = np.finfo(TYPES[scalar])
     numbers = np.array([0.0, -0.0, 1.0, -1.0, info.tiny, -info.tiny, info.max / 4, -info.max / 4])
     y, x = (a.ravel().astype(TYPES[scalar]) for a in np.meshgrid(numbers, numbers))
-    found, expected = angle(y, x), np.arctan2(y.astype(float), x.astype(float)).astype(TYPES[scalar])
-    assert np.array_equal(np.signbit(found), np.signbit(expected))
-    assert (np.abs(found - expected) <= 2 * np.spacing(np.abs(expected))).all()
+    own, expected = angle(y, x), np.arctan2(y.astype(float), x.astype(float)).astype(TYPES[scalar])
+    assert np.array_equal(np.signbit(own), np.signbit(expected))
+    assert (np.abs(own - expected) <= 2 * np.spacing(np.abs(expected))).all()
     assert angle(0.0, 0.0) == 0
 
 
@@ -211,13 +211,13 @@ def rows(library_: ctypes.CDLL, symbol: str, q: NDArray[Any]) -> NDArray[Any]:
 def test_every_language_gives_the_bits_of_the_program(scalar: str, tmp_path: Path) -> None:
     """The program in numpy, whose arctangent is written down a second time."""
     generated, q = of_program(program(), scalar), states(scalar)
-    ((_, made),) = generated.unit.functions
-    expected = outputs(made, {"q": q}, {}, scalar, kernel_sine(scalar))  # type: ignore[arg-type]
+    ((_, emitted),) = generated.unit.functions
+    expected = outputs(emitted, {"q": q}, {}, scalar, kernel_sine(scalar))  # type: ignore[arg-type]
     assert np.isfinite(expected).all()
     c = write(tmp_path, generated.files(("c",)))
-    found = {"c": rows(library(tmp_path, c, require_tool("gcc"), *STRICT, *_PLAIN), FUNCTION, q)}
+    torques = {"c": rows(library(tmp_path, c, require_tool("gcc"), *STRICT, *_PLAIN), FUNCTION, q)}
     fortran = write(tmp_path, generated.files(("fortran",)))
-    found["fortran"] = rows(
+    torques["fortran"] = rows(
         library(tmp_path, fortran, require_tool("gfortran"), *STRICT_FORTRAN, *_PLAIN), f"{FUNCTION}_f", q
     )
     write(tmp_path, batch_files(generated.unit))
@@ -226,10 +226,10 @@ def test_every_language_gives_the_bits_of_the_program(scalar: str, tmp_path: Pat
     getattr(batch, f"{FUNCTION}_batch_rows")(
         ctypes.c_size_t(len(q)), *(a.ctypes.data_as(ctypes.c_void_p) for a in (q, tau))
     )
-    found["batch"] = tau
+    torques["batch"] = tau
     if scalar == "double":
-        found["javascript"] = Module(generated, tmp_path).run("gravity", {"q": q}, {}, 0.0)
-    for language, results in found.items():
+        torques["javascript"] = Module(generated, tmp_path).run("gravity", {"q": q}, {}, 0.0)
+    for language, results in torques.items():
         assert results.tobytes() == expected.tobytes(), language
 
 
@@ -242,8 +242,8 @@ def test_rust_gives_the_bits_of_the_program(scalar: str, tmp_path: Path) -> None
     angles = [arctangent(q[i], q[(i + 1) % 3]) for i in range(3)]
     results = [choose(a, arctangent(a, q[i] - 1), magnitude(a)) for i, a in enumerate(angles)]
     generated, states_ = of_program(lower(graph, [("tau", results)]), scalar), states(scalar)
-    ((_, made),) = generated.unit.functions
-    expected = outputs(made, {"q": states_}, {}, scalar, kernel_sine(scalar))  # type: ignore[arg-type]
+    ((_, emitted),) = generated.unit.functions
+    expected = outputs(emitted, {"q": states_}, {}, scalar, kernel_sine(scalar))  # type: ignore[arg-type]
     assert Crate(generated, tmp_path).run("gravity", {"q": states_}, {}, 0.0).tobytes() == expected.tobytes()
 
 
@@ -277,12 +277,12 @@ def test_a_choice_for_misra_has_its_condition_in_parentheses() -> None:
 
 
 def test_arctangents_that_do_not_need_each_other_stand_together() -> None:
-    made = arctangents_together(program())
-    ops = [op.op for op in made.operations]
+    joined = arctangents_together(program())
+    ops = [op.op for op in joined.operations]
     runs = [len(run) for run in "".join("a" if op == "atan2" else " " for op in ops).split()]
     assert sum(runs) == ops.count("atan2") == [op.op for op in program().operations].count("atan2")
     assert runs == [5, 3, 1]  # two of the five have constant coordinates
-    for i, (_, args, _) in enumerate(made.operations):
+    for i, (_, args, _) in enumerate(joined.operations):
         assert all(arg < i for arg in args if isinstance(arg, int))
     q = {Input("q", i): x for i, x in enumerate((0.3, -0.8, 1.7))}
-    assert evaluate(made, q) == evaluate(program(), q)
+    assert evaluate(joined, q) == evaluate(program(), q)

@@ -20,7 +20,7 @@ NAMES = ("forward_kinematics", "inverse_kinematics")
 OPTIONS = Options(functions=NAMES, trig="builtin")
 
 
-@pytest.mark.parametrize("name", ["ur5", "panda"])
+@pytest.mark.parametrize("name", [pytest.param("ur5", marks=pytest.mark.thorough), "panda"])
 def test_solutions_that_exist_stand_in_front(name: str, tmp_path: Path) -> None:
     robot = load(name, warn=lambda _: None)
     write(tmp_path, generate(robot, OPTIONS).files(("c",)))

@@ -130,6 +130,7 @@ def test_names_that_are_accepted_compile(way: str, tmp_path: Path) -> None:
         assert complaints(tmp_path, require_tool("gfortran"), *flags, *modules) == ""
 
 
+@pytest.mark.thorough
 def test_images_and_proofs_take_them_too(tmp_path: Path) -> None:
     files = WAYS["firmware"](arm("zq", GOOD))
     sources = [name for name in written(tmp_path, files) if not name.endswith("_main.c")]

@@ -142,7 +142,7 @@ def structure(files: dict[str, str]) -> str:
             for trig in ("libm", "given")
             if not (name in RANDOM and trig == "given")
         ],
-        every=5,
+        every=11,
     ),
 )
 def test_the_text_has_the_operations_that_are_counted(name: str, trig: str) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
+import itertools
 import subprocess
 import sys
 from pathlib import Path
@@ -18,7 +19,7 @@ from robodyn.kernels.kernel import load as compiled
 from robodyn.passes.registers import registers
 from robodyn.robot import load
 from robodyn.robot.values import circle_point
-from robodyn_testing import covering, require_module, require_tool, sampled
+from robodyn_testing import covering, representative, require_module, require_tool, sampled
 
 ROBOTS = ("puma560", "stanford", "puma560_3dof")
 
@@ -86,7 +87,10 @@ def _benchmark() -> Any:
     return module
 
 
-@pytest.mark.parametrize(("trig", "scalar"), covering(["builtin", "given"], ["double", "float"]))
+@pytest.mark.parametrize(
+    ("trig", "scalar"),
+    representative(itertools.product(["builtin", "given"], ["double", "float"]), ("builtin", "double")),
+)
 def test_a_call_takes_no_more_instructions_than_allowed(trig: str, scalar: str) -> None:
     require_tool("valgrind")
     require_tool("gcc")
@@ -101,7 +105,7 @@ def _strange(name: str, **options: Any) -> Generated:
     return generate(robots()[name], Options(trig="builtin", **options))
 
 
-@pytest.mark.parametrize(("name", "scalar"), covering(sampled(ODD, every=3), ["double", "float"]))
+@pytest.mark.parametrize(("name", "scalar"), covering(sampled(ODD, every=5), ["double", "float"]))
 def test_compilers_have_nothing_to_say(name: str, scalar: str, tmp_path: Path) -> None:
     if (name, scalar) == ("huge_and_tiny", "float"):
         return  # not for float
@@ -122,7 +126,7 @@ def test_compilers_have_nothing_to_say(name: str, scalar: str, tmp_path: Path) -
         assert done.stderr == ""
 
 
-@pytest.mark.parametrize("name", sampled(ODD, every=5))
+@pytest.mark.parametrize("name", representative(ODD, "tool", "pendulum"))
 def test_sines_of_what_is_remembered_and_of_positions_agree_with_libm(name: str) -> None:
     require_tool("gfortran")
     found = [_strange(name), _strange(name), generate(robots()[name])]

@@ -28,7 +28,7 @@ def crate_of(name: str, scalar: str = "double", trig: str = "builtin") -> Genera
 @pytest.mark.parametrize(
     ("name", "scalar"),
     covering(
-        representative(["puma560", "stanford", "tool", "rubbing"], "stanford", "tool", "rubbing"),
+        representative(["puma560", "stanford", "tool", "rubbing"], "tool", "rubbing"),
         ["double", "float"],
     ),
 )
@@ -46,7 +46,7 @@ def test_rust_gives_the_bits_of_the_c(name: str, scalar: str, tmp_path: Path) ->
 
 
 @pytest.mark.parametrize(
-    ("name", "trig"), covering(sampled([*ODD, "puma560", "iiwa"], every=2), ["builtin", "libm", "given"])
+    ("name", "trig"), covering(sampled([*ODD, "puma560", "iiwa"], every=4), ["builtin", "libm", "given"])
 )
 def test_no_warning_and_nothing_to_format(name: str, trig: str, tmp_path: Path) -> None:
     """What rustc and rustfmt say; the functions of libm are those of a crate of that name."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import os
 import subprocess
 from pathlib import Path
@@ -14,7 +15,7 @@ from robodyn.errors import InputError
 from robodyn.firmware.language_tests import language_tests
 from robodyn.kernels.generate import Generated
 from robodyn_cli.main import main
-from robodyn_testing import require_tool
+from robodyn_testing import representative, require_tool
 
 
 def write_tested(generated: Generated, folder: Path) -> Path:
@@ -34,8 +35,14 @@ def cargo_test(folder: Path) -> subprocess.CompletedProcess[str]:
     return subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, timeout=300)
 
 
-@pytest.mark.parametrize("scalar", ["double", "float"])
-@pytest.mark.parametrize("name", ["puma560", "effects_remembering", "effects_smooth"])
+@pytest.mark.parametrize(
+    ("name", "scalar"),
+    representative(
+        itertools.product(["puma560", "effects_remembering", "effects_smooth"], ["double", "float"]),
+        ("puma560", "double"),
+        ("effects_remembering", "float"),
+    ),
+)
 def test_the_tests_of_a_crate_pass(name: str, scalar: str, tmp_path: Path) -> None:
     """Rigid, with memory and run-time parameters, with functions of libm."""
     generated = made(name, "builtin")

@@ -55,17 +55,17 @@ def states() -> NDArray[Any]:
     return q
 
 
-def expected(made: Program, q: NDArray[np.float64]) -> NDArray[Any]:
+def expected(whole: Program, q: NDArray[np.float64]) -> NDArray[Any]:
     inputs = ({Input("q", i): float(x) for i, x in enumerate(row)} for row in q)
-    return np.array([evaluate(made, each)["tau"] for each in inputs])
+    return np.array([evaluate(whole, each)["tau"] for each in inputs])
 
 
-def generated_of(made: Program, scalar: str = "double") -> Generated:
+def generated_of(whole: Program, scalar: str = "double") -> Generated:
     options = Options(trig="builtin", scalar=scalar, functions=("gravity",))  # type: ignore[arg-type]
     generated = generate(load(NAME, warn=lambda _: None), options)
     ((signature, _),) = generated.unit.functions
     return dataclasses.replace(
-        generated, unit=dataclasses.replace(generated.unit, functions=((signature, made),))
+        generated, unit=dataclasses.replace(generated.unit, functions=((signature, whole),))
     )
 
 
@@ -91,14 +91,14 @@ def test_arrays_of_states_stop_each_for_itself() -> None:
 
 
 def test_what_it_reads_and_counts_and_what_tells_it_from_others() -> None:
-    made = program()
-    assert set(made.inputs()) == {Input("q", i) for i in range(3)}
-    start, step, finish = map(count, made.parts())
-    assert count(made).total == start.total + 3 * 20 * step.total + finish.total
-    assert len({digest(each) for each in (made, program(19), program(20, 2), made.parts()[2])}) == 4
-    assert made.changed(lambda part: part) == made
+    whole = program()
+    assert set(whole.inputs()) == {Input("q", i) for i in range(3)}
+    start, step, finish = map(count, whole.parts())
+    assert count(whole).total == start.total + 3 * 20 * step.total + finish.total
+    assert len({digest(each) for each in (whole, program(19), program(20, 2), whole.parts()[2])}) == 4
+    assert whole.changed(lambda part: part) == whole
     with pytest.raises(InputError, match=r"tasks are only of straight-line code; found .* 20 times at most"):
-        made.straight("tasks are")
+        whole.straight("tasks are")
 
 
 # --- as text ------------------------------------------------------------------------------------------------
@@ -108,17 +108,17 @@ _PLAIN = ("-O2", "-ffp-contract=off")
 
 @pytest.mark.parametrize("count_of_rows", [3, pytest.param(1, marks=pytest.mark.thorough)])
 def test_every_language_gives_the_bits_of_the_program(count_of_rows: int, tmp_path: Path) -> None:
-    made, q = program(20, count_of_rows), states()
-    generated = generated_of(made)
+    whole, q = program(20, count_of_rows), states()
+    generated = generated_of(whole)
     c = write(tmp_path, generated.files(("c",)))
-    found = {"c": rows(library(tmp_path, c, require_tool("gcc"), *STRICT, *_PLAIN), FUNCTION, q)}
+    torques = {"c": rows(library(tmp_path, c, require_tool("gcc"), *STRICT, *_PLAIN), FUNCTION, q)}
     fortran = write(tmp_path, generated.files(("fortran",)))
-    found["fortran"] = rows(
+    torques["fortran"] = rows(
         library(tmp_path, fortran, require_tool("gfortran"), *STRICT_FORTRAN, *_PLAIN), f"{FUNCTION}_f", q
     )
-    found["javascript"] = Module(generated, tmp_path).run("gravity", {"q": q}, {}, 0.0)
-    for language, results in found.items():
-        assert results.tobytes() == expected(made, q).tobytes(), language
+    torques["javascript"] = Module(generated, tmp_path).run("gravity", {"q": q}, {}, 0.0)
+    for language, results in torques.items():
+        assert results.tobytes() == expected(whole, q).tobytes(), language
 
 
 @pytest.mark.thorough

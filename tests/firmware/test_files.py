@@ -17,7 +17,7 @@ from robodyn.firmware import firmware, firmware_options, measure, targets_named
 from robodyn.kernels.generate import Options, generate
 from robodyn.robot import load, read_text
 from robodyn.targets import TARGETS
-from robodyn_testing import covering, require_tool
+from robodyn_testing import representative, require_tool
 
 ALL = ("inverse_dynamics", "gravity", "bias", "mass_matrix", "forward_dynamics")
 _PRINT = """
@@ -31,6 +31,7 @@ print(hashlib.sha256(repr(sorted(files.items())).encode()).hexdigest())
 """
 
 
+@pytest.mark.thorough
 def test_the_same_bytes_in_another_process() -> None:
     files = folder("puma560", "float").files
     environment = {**os.environ, "PYTHONHASHSEED": "7", "TZ": "Asia/Tokyo", "LC_ALL": "C"}
@@ -48,7 +49,13 @@ def test_the_kernel_is_the_one_that_gen_writes() -> None:
     assert {name: files[name] for name in plain} == plain
 
 
-@pytest.mark.parametrize(("name", "functions", "scalar"), covering([("puma560", ()), ("tool", ALL)], SCALARS))
+@pytest.mark.parametrize(
+    ("name", "functions", "scalar"),
+    representative(
+        [(*arm, scalar) for arm in (("puma560", ()), ("tool", ALL)) for scalar in SCALARS],
+        ("tool", ALL, "float"),
+    ),
+)
 def test_compilers_are_content(name: str, functions: tuple[str, ...], scalar: str, tmp_path: Path) -> None:
     write(tmp_path, folder(name, scalar, functions).files)
     selftest = [f"{name}.c", f"{name}_selftest.c"]

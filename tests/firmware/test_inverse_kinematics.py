@@ -28,6 +28,7 @@ from robodyn.ir.program import Input
 from robodyn.kernels.generate import Generated, Options, generate
 from robodyn.robot import load
 from robodyn.verify.reference import Reference
+from robodyn.verify.sample import draw as draw_sample
 from robodyn_testing import require_tool
 
 ALL = ("inverse_kinematics", "nearest_inverse_kinematics")
@@ -43,13 +44,13 @@ CEILINGS = {
 
 
 @cache
-def made(name: str, scalar: Any, functions: tuple[str, ...] = ALL) -> Generated:
+def kernel_of(name: str, scalar: Any, functions: tuple[str, ...] = ALL) -> Generated:
     options = firmware_options(Options(functions=functions), (), scalar=scalar)
     return generate(load(name, warn=lambda _: None), options)
 
 
 def folder(name: str, scalar: str, *targets: str, functions: tuple[str, ...] = ALL) -> Folder:
-    return firmware(made(name, scalar, functions), targets_named(targets))
+    return firmware(kernel_of(name, scalar, functions), targets_named(targets))
 
 
 @pytest.mark.thorough
@@ -175,7 +176,7 @@ def named(of: Generated, rows: NDArray[Any]) -> dict[str, NDArray[Any]]:
 @pytest.mark.parametrize("scalar", ["float", "double"])
 @pytest.mark.parametrize("name", ["puma560", "ur5", "panda"])
 def test_the_same_bits_where_branches_meet_and_beyond_reach(name: str, scalar: str, tmp_path: Path) -> None:
-    of, states = made(name, scalar), edge_poses(name, scalar)
+    of, states = kernel_of(name, scalar), edge_poses(name, scalar)
     sines = kernel_sine(scalar)  # type: ignore[arg-type]
     rows = [outputs(program, states, {}, scalar, sines) for _, program in of.unit.functions]  # type: ignore[arg-type]
     expected = np.hstack(rows)
@@ -187,19 +188,35 @@ def test_the_same_bits_where_branches_meet_and_beyond_reach(name: str, scalar: s
     files = folder(name, scalar, *PROCESSORS).files
     table = {"table.c": c_table(name, states, of), f"{name}_image.c": _IMAGE.replace("NAME", name)}
     write(tmp_path, {**files, **table, "main.c": _MAIN})
-    found = {}
+    by_processor = {}
     for cc in ("gcc", "clang"):
         command = [require_tool(cc), "-std=c99", "-O2", "-ffp-contract=off", f"{name}.c", "main.c"]
         assert run([*command, "-lm", "-o", cc], tmp_path)[0] == 0
-        found[cc] = digest_in(run([str(tmp_path / cc)], tmp_path)[1])
+        by_processor[cc] = digest_in(run([str(tmp_path / cc)], tmp_path)[1])
     for target in targets_named(PROCESSORS):
         require_firmware_tools(target)
         command = [require_tool("make"), "run", f"TARGET={target.name}"]
-        found[target.name] = digest_in(run(command, tmp_path)[1])
-    found["fortran"] = fnv1a(in_fortran(of, states, tmp_path))
+        by_processor[target.name] = digest_in(run(command, tmp_path)[1])
+    by_processor["fortran"] = fnv1a(in_fortran(of, states, tmp_path))
     crate = Crate(of, tmp_path)
-    found["rust"] = fnv1a(np.hstack([crate.run(s.function, states, {}, 0.0) for s in of.signatures]))
-    assert set(found.values()) == {fnv1a(expected)}, found
+    by_processor["rust"] = fnv1a(np.hstack([crate.run(s.function, states, {}, 0.0) for s in of.signatures]))
+    assert set(by_processor.values()) == {fnv1a(expected)}, by_processor
+
+
+def test_in_floats_too_what_exists_reaches_its_pose_and_no_pose_is_lost() -> None:
+    """Of 10,000 poses some are nearly out of reach of elbow and wrist both: one of two equations is blind to
+    what is missing then, and an elbow moved by more than a rounding error leaves the wrist out of reach."""
+    arm = str(Path(__file__).parents[2] / "examples" / "kinematics" / "fr3.yaml")
+    robot = load(arm, warn=lambda _: None)
+    ((_, program),) = kernel_of(arm, "float", ALL[:1]).unit.functions
+    q = draw_sample(robot, 10_000, 1, np.dtype(np.float32)).q
+    T = Reference(robot).tool_pose(q).reshape(-1, 12).astype(np.float32)
+    states = {"T": T, "q_near": q.astype(np.float32)}
+    rows = outputs(program, states, {}, "float", kernel_sine("float"))
+    solutions, exists = rows[:, : 8 * 7].astype(float).reshape(-1, 8, 7), rows[:, 8 * 7 : 8 * 8] == 1
+    missed = np.abs(Reference(robot).tool_pose(solutions.reshape(-1, 7)).reshape(-1, 8, 12) - T[:, None])
+    assert missed.max(axis=2)[exists].max() < 1e-4
+    assert exists.any(axis=1).all()
 
 
 # --- the self-test ----------------------------------------------------------------------------------------
@@ -223,7 +240,7 @@ def test_c_and_fortran_pass_with_the_digest_of_numpy(tmp_path: Path) -> None:
 
 def test_poses_of_the_self_test_have_bounds_and_positions_that_lead_back() -> None:
     robot = load("puma560", warn=lambda _: None)
-    ((interface, program),) = made("puma560", "float", ALL[1:]).unit.functions
+    ((interface, program),) = kernel_of("puma560", "float", ALL[1:]).unit.functions
     states = well_conditioned(robot, program, {}, 8, 2, "float")
     inputs = {Input(a, i): x[:, i].astype(float) for a, x in states.items() for i in range(x.shape[1])}
     bounds = rounding_bounds(program, inputs, "float")

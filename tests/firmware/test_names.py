@@ -10,11 +10,11 @@ import pytest
 from emit.names import arm, for_firmware, of_firmware
 from firmware.folders import run, write
 from robodyn.firmware import firmware, measure, targets_named
-from robodyn_testing import require_tool
+from robodyn_testing import require_tool, sampled
 
 
 @pytest.mark.parametrize(
-    "name", ["main", "Startup", "semihosting", "Makefile", "CMakeLists", "readme", "link"]
+    "name", sampled(["main", "Startup", "semihosting", "Makefile", "CMakeLists", "readme", "link"], every=3)
 )
 def test_every_file_is_there_with_what_belongs_into_it(name: str) -> None:
     plain, files = of_firmware(arm("zq")), of_firmware(arm(name))
@@ -25,6 +25,7 @@ def test_every_file_is_there_with_what_belongs_into_it(name: str) -> None:
     assert len({file.lower() for file in [*files, "README.md"]}) == len(files) + 1
 
 
+@pytest.mark.thorough
 def test_images_run(tmp_path: Path) -> None:
     for tool in ("arm-none-eabi-gcc", "arm-none-eabi-nm", "arm-none-eabi-size", "qemu-system-arm"):
         require_tool(tool)
@@ -47,7 +48,7 @@ def test_make_does_not_make_its_makefile(tmp_path: Path) -> None:
     assert said.count("self-test passed") + said.count("Fortran kernel passed") == 2
 
 
-@pytest.mark.parametrize("name", ["cmake_c", "test"])
+@pytest.mark.parametrize("name", [pytest.param("cmake_c", marks=pytest.mark.thorough), "test"])
 def test_cmake_keeps_its_own_variables_and_targets(name: str, tmp_path: Path) -> None:
     """CMAKE_C_FLAGS is a variable of CMake's; ``test``, ``all`` and ``install`` are targets."""
     cmake = require_tool("cmake")

@@ -46,7 +46,7 @@ def test_all_processors_x86_and_fortran_give_the_same_bits(scalar: str, tmp_path
     write(tmp_path, files)
     code, said = host(require_tool("gcc"), "worn", tmp_path)
     assert code == 0, said
-    found = {
+    by_processor = {
         "x86": digests(said)["inverse_dynamics"][0],
         "fortran": digests(fortran(require_tool("gfortran"), "worn", tmp_path)[1])["inverse_dynamics"][0],
     }
@@ -54,8 +54,8 @@ def test_all_processors_x86_and_fortran_give_the_same_bits(scalar: str, tmp_path
         require_firmware_tools(target)
         figures = measure("worn", files, ["inverse_dynamics"], target)
         assert not any(name.startswith(("sqrt", "fabs")) for name in figures.undefined)
-        found[target.name] = figures.costs[0].digest or 0
-    assert len(set(found.values())) == 1, found
+        by_processor[target.name] = figures.costs[0].digest or 0
+    assert len(set(by_processor.values())) == 1, by_processor
 
 
 _ALL = """

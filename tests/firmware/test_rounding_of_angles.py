@@ -22,7 +22,7 @@ from robodyn_testing import require_machine
 def test_rounding_stays_within_its_bound(scalar: str) -> None:
     require_machine(np.finfo(np.longdouble).nmant >= 60, "extended precision in numpy")
     q = np.random.default_rng(2).uniform(-3, 3, (1000, 3)).astype(TYPES[scalar])
-    found = outputs(program(), {"q": q}, {}, scalar, kernel_sine(scalar))  # type: ignore[arg-type]
+    results = outputs(program(), {"q": q}, {}, scalar, kernel_sine(scalar))  # type: ignore[arg-type]
     inputs = {Input("q", i): q[:, i].astype(float) for i in range(3)}
     bounds = rounding_bounds(program(), inputs, scalar)["tau"]  # type: ignore[arg-type]
     functions = {"sin": np.sin, "sqrt": np.sqrt, "abs": np.abs, "atan2": np.arctan2}
@@ -32,7 +32,7 @@ def test_rounding_stays_within_its_bound(scalar: str) -> None:
         constant=lambda x: np.longdouble(x.numerator) / np.longdouble(x.denominator),
         functions=functions,
     )["tau"]
-    error = np.abs(found - np.stack(exact, axis=1))
+    error = np.abs(results - np.stack(exact, axis=1))
     assert (error <= bounds).all()
     assert (error > bounds / 30).any()
     assert np.median(bounds) < 100 * np.finfo(TYPES[scalar]).eps
@@ -42,8 +42,8 @@ def test_bounds_are_large_where_an_angle_or_a_choice_may_jump() -> None:
     graph = Graph()
     x, y = graph.input("q", 0), graph.input("q", 1)
     values = [arctangent(y / 3 + x - y / 3, -1), choose(x + y / 3 - y / 3, 1, 5)]
-    made = lower(graph, [("tau", values)])
+    lowered = lower(graph, [("tau", values)])
     at = {Input("q", 0): np.array([0.0, 1.0]), Input("q", 1): np.array([1.0, 1.0])}
-    bounds = rounding_bounds(made, at, "double")["tau"]
+    bounds = rounding_bounds(lowered, at, "double")["tau"]
     assert (bounds[0] >= [2 * math.pi, 4]).all()
     assert (bounds[1] < 1e-14).all()

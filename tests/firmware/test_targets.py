@@ -22,7 +22,7 @@ from robodyn.errors import CheckError
 from robodyn.firmware import Figures, measure, targets_named
 from robodyn.firmware.measure import worst_stack
 from robodyn.verify.exact import exact_torque
-from robodyn_testing import require_tool
+from robodyn_testing import representative, require_tool
 
 TARGETS = {target.name: target for target in targets_named(())}
 
@@ -51,7 +51,7 @@ def measured(target: str, scalar: str) -> Figures:
     return measure("puma560", folder("puma560", scalar).files, ["inverse_dynamics"], TARGETS[target])
 
 
-@pytest.mark.parametrize("scalar", SCALARS)
+@pytest.mark.parametrize("scalar", representative(SCALARS, "float"))
 def test_all_processors_x86_and_fortran_give_the_same_bits(scalar: str, tools: None, tmp_path: Path) -> None:
     write(tmp_path, folder("puma560", scalar).files)
     found = {
@@ -133,6 +133,7 @@ def test_make_checks_on_this_computer(tmp_path: Path) -> None:
     assert said.count("self-test passed") + said.count("Fortran kernel passed") == 2
 
 
+@pytest.mark.thorough
 def test_cmake_builds_and_tests_on_this_computer(tmp_path: Path) -> None:
     write(tmp_path, folder("puma560", "double").files)
     cmake = require_tool("cmake")
@@ -145,7 +146,7 @@ def test_cmake_builds_and_tests_on_this_computer(tmp_path: Path) -> None:
     assert f"out of {1 + bool(shutil.which('gfortran'))}" in said
 
 
-@pytest.mark.parametrize("target", ["cortex-m4f", "rv32imafc"])
+@pytest.mark.parametrize("target", [pytest.param("cortex-m4f", marks=pytest.mark.thorough), "rv32imafc"])
 def test_cmake_builds_the_image_and_runs_it(target: str, tools: None, tmp_path: Path) -> None:
     write(tmp_path, folder("puma560", "float").files)
     cmake = require_tool("cmake")

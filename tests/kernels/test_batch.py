@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import multiprocessing
 import pickle
 import threading
@@ -33,6 +34,13 @@ COUNTS = (0, 1, 3, 8, 31, 33, 70, 1027)
 ROBOTS = ("puma560", "stanford_3dof", "tool", "lift", "effects_rubbing", "effects_sliding")
 #: Where all functions are tried: the batch of each is compiled for itself.
 EVERY = (("tool", "double"), ("stanford_3dof", "float"))
+#: All widths, both types, all functions of one arm, run-time parameters.
+QUICK = (
+    ("puma560", "double", 0),
+    ("stanford_3dof", "float", 16),
+    ("lift", "double", 64),
+    ("effects_sliding", "float", 32),
+)
 
 
 @cache
@@ -71,7 +79,10 @@ def assert_same_bits(found: Array, wanted: Array) -> None:
     assert np.ascontiguousarray(found)[~nan].tobytes() == np.ascontiguousarray(wanted)[~nan].tobytes()
 
 
-@pytest.mark.parametrize(("name", "scalar", "width"), covering(ROBOTS, ["double", "float"], WIDTHS))
+@pytest.mark.parametrize(
+    ("name", "scalar", "width"),
+    representative(itertools.product(ROBOTS, ["double", "float"], WIDTHS), *QUICK),
+)
 def test_bits_are_those_of_the_scalar_kernel(name: str, scalar: str, width: int) -> None:
     scalars, made = kernel(name, scalar), kernel(name, scalar, width)
     for function in scalars.functions if (name, scalar) in EVERY else ("inverse_dynamics",):
@@ -113,6 +124,7 @@ def test_given_sines() -> None:
     assert_same_bits(made.batch(sc, function="mass_matrix"), made.mass_matrix(sc))
 
 
+@pytest.mark.thorough
 def test_openmp() -> None:
     """With threads in the C itself; what they share is more than one chunk."""
     made, flags = kernel("puma560"), (*C_FLAGS, "-fopenmp")
@@ -122,6 +134,7 @@ def test_openmp() -> None:
     assert_same_bits(shared.batch(*map(np.asfortranarray, given)), made.inverse_dynamics(*given))
 
 
+@pytest.mark.thorough
 def test_clang_too() -> None:
     made = kernel("puma560")
     other = robodyn.compile(robots()["puma560"], cc=require_tool("clang"), mode="abi")

@@ -28,52 +28,52 @@ def nearest() -> Kernel:
 
 
 def test_one_pose(kernel: Kernel) -> None:
-    found = kernel.inverse_kinematics(T[0])
-    assert isinstance(found, Solutions)
-    assert found.solutions.shape == (8, 6)
-    assert found.exists.shape == found.within.shape == found.singular.shape == (8,)
-    assert found.solution_count.shape == ()
-    reached = found.reached
+    answer = kernel.inverse_kinematics(T[0])
+    assert isinstance(answer, Solutions)
+    assert answer.solutions.shape == (8, 6)
+    assert answer.exists.shape == answer.within.shape == answer.singular.shape == (8,)
+    assert answer.solution_count.shape == ()
+    reached = answer.reached
     assert isinstance(reached, np.ndarray)
-    assert len(reached) == found.solution_count == found.exists.sum() >= 2
+    assert len(reached) == answer.solution_count == answer.exists.sum() >= 2
     assert min(np.abs(row - Q[0]).max() for row in reached) < 1e-9
     poses = PoseSolver(load("ur5")).pose(reached)
     np.testing.assert_allclose(poses, np.broadcast_to(T[0], poses.shape), atol=1e-14)
-    assert np.array_equal(found.allowed, reached)
+    assert np.array_equal(answer.allowed, reached)
 
 
 def test_many_poses(kernel: Kernel) -> None:
-    found = kernel.inverse_kinematics(T, Q[0])
-    assert found.solutions.shape == (7, 8, 6)
-    assert [len(rows) for rows in found.reached] == found.solution_count.tolist()
+    answer = kernel.inverse_kinematics(T, Q[0])
+    assert answer.solutions.shape == (7, 8, 6)
+    assert [len(rows) for rows in answer.reached] == answer.solution_count.tolist()
     assert kernel.inverse_kinematics(T).solutions.shape == (7, 8, 6)
 
 
 @pytest.mark.thorough
 def test_a_batch(kernel: Kernel) -> None:
-    found = kernel.inverse_kinematics(T, Q[0])
+    answer = kernel.inverse_kinematics(T, Q[0])
     batch = kernel.batch(T, Q[0], function="inverse_kinematics")
     assert isinstance(batch, Solutions)
-    for one, other in zip(found, batch, strict=True):
+    for one, other in zip(answer, batch, strict=True):
         np.testing.assert_allclose(one, other, atol=1e-13)
 
 
 @pytest.mark.thorough
 def test_the_nearest(kernel: Kernel, nearest: Kernel) -> None:
-    found = nearest.nearest_inverse_kinematics(T, Q + 0.01)
-    assert isinstance(found, NearestSolution)
-    np.testing.assert_allclose(found.solution, Q, atol=1e-9)
+    answer = nearest.nearest_inverse_kinematics(T, Q + 0.01)
+    assert isinstance(answer, NearestSolution)
+    np.testing.assert_allclose(answer.solution, Q, atol=1e-9)
     every = kernel.inverse_kinematics(T, Q)
-    rows = every.solutions[np.arange(7), found.branch.astype(int)]
+    rows = every.solutions[np.arange(7), answer.branch.astype(int)]
     np.testing.assert_allclose(rows, Q, atol=1e-9)
 
 
 def test_the_command_line_solves_alike(kernel: Kernel) -> None:
     solver = PoseSolver(load("ur5"))
     (posed,) = solver.solve(solver.pose(Q[:1]))
-    found = kernel.inverse_kinematics(T[0])
-    np.testing.assert_allclose([x.q for x in posed.solutions], found.solutions, atol=1e-12)
-    assert [x.exists for x in posed.solutions] == found.exists.astype(bool).tolist()
+    answer = kernel.inverse_kinematics(T[0])
+    np.testing.assert_allclose([x.q for x in posed.solutions], answer.solutions, atol=1e-12)
+    assert [x.exists for x in posed.solutions] == answer.exists.astype(bool).tolist()
 
 
 @pytest.mark.thorough

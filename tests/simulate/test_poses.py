@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 from math import pi
 from pathlib import Path
@@ -158,3 +159,12 @@ def test_lengths_get_their_values_first() -> None:
 def test_a_reference_of_another_length() -> None:
     with pytest.raises(InputError, match=r"no reference for 6 joints; found shape \[5\]"):
         PoseSolver(load("ur5", warn=lambda _: None)).solve(np.eye(3, 4)[None], np.zeros(5))
+
+
+def test_joints_without_limits_stay_within_half_a_turn_out_of_reach() -> None:
+    puma = load("puma560", warn=lambda _: None)
+    joints = [replace(link.joint, limits=replace(link.joint.limits, position=None)) for link in puma.links]
+    links = tuple(replace(link, joint=joint) for link, joint in zip(puma.links, joints, strict=True))
+    (posed,) = PoseSolver(replace(puma, links=links)).solve(frame_of([1.2, -0.3, 13, 0, 1.57, 0])[None])
+    assert not posed.nearest.exists
+    assert np.abs(posed.nearest.q).max() <= np.pi

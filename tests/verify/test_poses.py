@@ -95,3 +95,34 @@ def test_what_is_wrong_and_has_no_size(name: str, place: tuple[int, ...], value:
     off = errors(**{name: at(name, place, value)})
     assert np.isinf(off[place[0]])
     assert np.isfinite(np.delete(off, place[0])).all()
+
+
+def test_a_branch_that_is_missing_is_noticed() -> None:
+    _, inputs, results = sample()
+    apart = np.abs(results["solutions"][STATE].reshape(8, 6) - inputs["q"][STATE]).max(axis=1)
+    off = errors(exists=at("exists", (STATE, int(np.argmin(apart))), 0.0))
+    assert np.isinf(off[STATE])
+
+
+def test_where_branches_meet_twice_they_are_told_apart_by_doubles_only() -> None:
+    """An elbow that is nearly stretched and a wrist that nearly is: four branches within a tenth of a radian,
+    all of which lead to the pose to within some 1e-6."""
+    robot = load("panda", warn=lambda _: None)
+    near = np.array([2.357533455, -2.08733058, -2.702033281, -0.474501967, 1.835986733, -1.745181441, 2.929])
+    T = Reference(robot).tool_pose(near)
+    rows = [x.q for x in PoseSolver(robot).solve(T[None], near)[0].solutions]
+    gaps = np.abs(np.array(rows) - near).max(axis=1)
+    other = rows[int(np.argmin(np.where(gaps < 1e-6, np.inf, gaps)))]
+    assert 0.03 < np.abs(other - near).max() < 0.5
+    results = {
+        "solutions": np.array([other]),
+        **{flag: np.ones((1, 1)) for flag in ("exists", "within")},
+        "singular": np.zeros((1, 1)),
+    }
+    inputs = {"q": near[None], "T": T.reshape(1, 12)}
+    judged = [
+        pose_errors(robot, Reference(robot), FUNCTION, results, inputs, tolerance, DOUBLE)[0]
+        for tolerance in (1e-5, 1e-10)
+    ]
+    assert judged[0] < 1e-14
+    assert np.isinf(judged[1])

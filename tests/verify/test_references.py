@@ -15,6 +15,7 @@ from robodyn.errors import InputError
 from robodyn.robot.model import Inertia, Joint, Link, Robot
 from robodyn.robot.values import PI, ZERO, angle, parameter
 from robodyn.verify import Reference, exact_mass_matrix, exact_torque, lagrangian
+from robodyn_testing import covering
 from robodyn_testing.random_robots import random_robot
 
 #: Every angle general, nothing zero, nothing parallel: the robots on which no term vanishes.
@@ -46,8 +47,7 @@ def test_newton_euler_is_virtual_work(joints: int, seed: int) -> None:
     np.testing.assert_allclose(tau, exact(robot, q, qd, qdd), rtol=0, atol=2e-14 * np.abs(tau).max())
 
 
-@pytest.mark.parametrize("joints", [1, 2, 3])
-@pytest.mark.parametrize("seed", range(100, 106))
+@pytest.mark.parametrize(("joints", "seed"), covering([2, 1, 3], range(100, 106)))
 def test_newton_euler_is_the_lagrangian(joints: int, seed: int) -> None:
     robot = random_robot(seed, joints=joints, aside=0.4, **(GENERIC if joints < 3 or seed == 100 else {}))
     q, qd, qdd = states(robot, 20, seed)

@@ -7,6 +7,7 @@ from collections import Counter
 from dataclasses import dataclass
 
 from robodyn.certify.tools import Done, last_lines
+from robodyn.emit.unit import Unit, calls
 from robodyn.errors import ToolError
 
 _FORMAT = "{file}|{line}|{id}|{message}"
@@ -19,6 +20,8 @@ OPTIONS = (
     "--suppress=unusedFunction",
     f"--template={_FORMAT}",
 )
+#: For choices within choices: to follow values through them takes cppcheck hours, and no rule needs it.
+_FEW_VALUES = "--valueflow-max-iterations=0"
 #: A file that breaks two rules on purpose: the checker must see it, else it sees nothing at all.
 CONTROL = "int broken(int x);\nint broken(int x)\n{\n    goto end;\nend:\n    return x + 010;\n}\n"
 _CONTROL_RULES = {"7.1", "15.1"}
@@ -32,6 +35,11 @@ class Check:
 
     rules: dict[str, int]
     others: tuple[str, ...]
+
+
+def options(unit: Unit) -> tuple[str, ...]:
+    """What cppcheck is called with for the kernel of ``unit``."""
+    return (*OPTIONS, _FEW_VALUES) if "select" in calls(unit) else OPTIONS
 
 
 def read(done: Done) -> Check:

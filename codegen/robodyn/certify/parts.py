@@ -124,9 +124,10 @@ def prove_misra(subject: Subject, proofs: ProofOptions, folder: Path, tell: Tell
     control = folder / f"{subject.generated.unit.robot.name}_control.c"
     control.write_text(misra.CONTROL, encoding="utf-8", newline="\n")
     misra.check_control(run([cppcheck, *misra.OPTIONS, control.name], folder, PATIENCE))
-    done = run([cppcheck, *misra.OPTIONS, source], folder, PATIENCE)
+    options = misra.options(subject.generated.unit)
+    done = run([cppcheck, *options, source], folder, PATIENCE)
     report = misra.read(done)
-    explained = deviations(subject.generated.options.trig)
+    explained = deviations(subject.generated.unit)
     open_ = sorted(set(report.rules) - set(explained))
     lines = [
         f"rule {rule}, {count} times: "
@@ -142,6 +143,6 @@ def prove_misra(subject: Subject, proofs: ProofOptions, folder: Path, tell: Tell
         tuple(lines or ["no finding"]),
         {"rules": report.rules, "explained": explained, "unexplained": open_, "others": list(report.others)},
         (version(CPPCHECK),),
-        (" ".join(["cppcheck", *(f"'{o}'" if "|" in o else o for o in misra.OPTIONS), source]),),
+        (" ".join(["cppcheck", *(f"'{o}'" if "|" in o else o for o in options), source]),),
         {"misra.txt": done.output},
     )

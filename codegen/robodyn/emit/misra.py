@@ -2,25 +2,34 @@
 
 from __future__ import annotations
 
-#: Rule -> why it is not kept, by the kind of sine and cosine.
-DEVIATIONS: dict[str, dict[str, str]] = {
-    "libm": {},
-    "given": {},
-    "builtin": {
-        "19.2": "a union reads the bits of a floating number, to choose and to sign sine and cosine without "
-        "a branch; its members have one size, C99 defines what is read (6.5.2.3), and the number is IEEE 754"
-    },
-}
+from robodyn.emit.listing import listing_of
+from robodyn.emit.unit import Unit
+
+_MACROS = "macros of the header say sizes and bits of flags to callers; the kernel itself does not need all"
+_LISTED = "a function that another one of the file calls is for callers as well"
+_BITS = (
+    "a union reads the bits of a floating number, to choose and to sign sine and cosine without a branch; "
+    "its members have one size, C99 defines what is read (6.5.2.3), and the number is IEEE 754"
+)
 
 
-def deviations(trig: str) -> dict[str, str]:
+def deviations(unit: Unit) -> dict[str, str]:
     """Rules that a kernel written for MISRA C:2012 does not keep, and why."""
-    return DEVIATIONS.get(trig, {})
+    signatures = [signature for signature, _ in unit.functions]
+    listed = any(listing_of(signature) is not None for signature in signatures)
+    rules = {}
+    if listed or any(signature.columns for signature in signatures):
+        rules["2.5"] = _MACROS
+    if listed:
+        rules["8.7"] = _LISTED
+    if unit.builtin:
+        rules["19.2"] = _BITS
+    return rules
 
 
-def notes(trig: str) -> tuple[str, ...]:
+def notes(unit: Unit) -> tuple[str, ...]:
     """What the head of such a kernel says."""
-    lines = deviations(trig)
+    lines = deviations(unit)
     if not lines:
         return ("MISRA C:2012: cppcheck finds no rule that is not kept (robodyn prove).",)
     return (

@@ -26,6 +26,12 @@ class Stage:
     program: Program
     words: str
 
+    def call(self, **places: str) -> str:
+        """The call of it, as languages without references write it: with all its arrays under their own
+        names, or those of ``places``."""
+        arrays = (name for name, _ in (*self.signature.inputs, *self.signature.outputs))
+        return f"{self.signature.symbol}({', '.join(places.get(array, array) for array in arrays)})"
+
 
 @dataclass(frozen=True, slots=True)
 class Repeated:
@@ -51,11 +57,6 @@ class Repeated:
         read = {name for stage in self.stages for name, _ in stage.signature.inputs}
         names = [name for name, _ in self.whole.inputs if name not in read]
         return [*names, "p"] if self.whole.parameters else names
-
-
-def arguments_of(signature: Signature) -> list[str]:
-    """Names of the arrays that a stage is called with."""
-    return [name for name, _ in (*signature.inputs, *signature.outputs)]
 
 
 def repeated(whole: Signature, program: Program) -> Repeated:

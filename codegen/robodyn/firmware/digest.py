@@ -14,9 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.emit.spelling import nearest_float
-from robodyn.firmware.states import DTYPE
+from robodyn.firmware.states import DTYPE, program_inputs
 from robodyn.ir.evaluate import evaluate
-from robodyn.ir.program import Input, Program
+from robodyn.ir.program import Program
 from robodyn.ir.signature import ScalarType
 
 #: FNV-1a with 32 bits (G. Fowler, L. C. Noll, K.-P. Vo).
@@ -36,8 +36,7 @@ def outputs(
     ``trigonometry`` has the kernel's own ``sin``, ``cos`` and ``atan2``."""
     real = DTYPE[scalar]
     count = len(next(iter(states.values())))
-    inputs = {Input(array, i): x[:, i] for array, x in states.items() for i in range(x.shape[1])}
-    inputs |= {Input(name, None): np.full(count, value, real) for name, value in parameters.items()}
+    inputs = program_inputs(states, parameters, real)
 
     def number(value: Fraction) -> Any:
         return np.full(count, nearest_float(value) if scalar == "float" else float(value), real)

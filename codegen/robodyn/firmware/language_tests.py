@@ -24,7 +24,7 @@ from robodyn.emit.render import environment
 from robodyn.emit.spelling import Spelling
 from robodyn.firmware.poses import pose_states
 from robodyn.firmware.rounding import UNIT, rounding_bounds
-from robodyn.firmware.states import DTYPE, Range, draw, ranges
+from robodyn.firmware.states import DTYPE, Range, draw, program_inputs, ranges
 from robodyn.firmware.vectors import SMALLEST, confirm, evaluated, rounded_up
 from robodyn.ir.program import Input, Program
 from robodyn.ir.signature import ScalarType, Signature
@@ -110,7 +110,7 @@ def _states(generated: Generated, signature: Signature) -> dict[Input, NDArray[n
     robot, scalar = generated.unit.robot, generated.options.scalar
     if function_named(signature.function).of_pose:
         values = draw_parameters(robot, None, 0, np.dtype(DTYPE[scalar]))
-        return _inputs(pose_states(robot, values, _STATES + 1, _SEED, scalar))
+        return program_inputs(pose_states(robot, values, _STATES + 1, _SEED, scalar), {})
     known = ("q", "qd", "qdd", "tau")
     states: dict[Input, NDArray[np.float64]] = {}
     sizes = [*signature.inputs, ("state", len(signature.states)), ("dt", int(bool(signature.states)))]
@@ -125,12 +125,6 @@ def _states(generated: Generated, signature: Signature) -> dict[Input, NDArray[n
         rows = np.concatenate([x, last]) if array != "dt" else np.full((_STATES + 1, 1), _STEP)
         states |= {Input(array, i): rows[:, i] for i in range(size)}
     return states
-
-
-def _inputs(states: Mapping[str, NDArray[Any]]) -> dict[Input, NDArray[np.float64]]:
-    return {
-        Input(array, i): row.astype(np.float64) for array, x in states.items() for i, row in enumerate(x.T)
-    }
 
 
 #: Of a state its number, and for each output its name, the expected elements and their tolerances.

@@ -18,8 +18,8 @@ from robodyn.dynamics.functions.arguments import NEAR, POSE, Q
 from robodyn.dynamics.functions.record import Function
 from robodyn.errors import InputError
 from robodyn.firmware.rounding import rounding_bounds
-from robodyn.firmware.states import DTYPE, draw, ranges
-from robodyn.ir.program import Input, Program
+from robodyn.firmware.states import DTYPE, draw, program_inputs, ranges
+from robodyn.ir.program import Program
 from robodyn.ir.signature import ScalarType
 from robodyn.optimize.programs import inverse_kinematics_of
 from robodyn.robot.model import Robot
@@ -66,10 +66,9 @@ def well_conditioned(
     InputError: there are fewer among those that are drawn.
     """
     drawn = pose_states(robot, parameters, _DRAWN * states, seed, scalar)
-    inputs = {Input(a, i): x[:, i].astype(np.float64) for a, x in drawn.items() for i in range(x.shape[1])}
-    inputs |= {Input(name, None): np.full(_DRAWN * states, value) for name, value in parameters.items()}
-    bounds = np.concatenate(list(rounding_bounds(program, inputs, scalar).values()), axis=1)
-    (sound,) = np.nonzero(bounds.max(axis=1) <= _WELL_CONDITIONED)
+    bounds = rounding_bounds(program, program_inputs(drawn, parameters), scalar)
+    largest = np.concatenate(list(bounds.values()), axis=1).max(axis=1)
+    (sound,) = np.nonzero(largest <= _WELL_CONDITIONED)
     if len(sound) < states:
         raise InputError(
             f"rounding may leave no digit of {robot.name}'s inverse kinematics in {scalar}",

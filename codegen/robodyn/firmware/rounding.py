@@ -109,8 +109,8 @@ def _exact(op: str, value: Floats, *operands: _Bounded) -> NDArray[np.bool_]:
     whole = [known & (x.value == np.rint(x.value)) for known, x in zip(sure, operands, strict=True)]
     small = np.all(whole, axis=0) & (np.abs(value) <= _WHOLE)
     neutral = (-1, 0, 1) if op == "mul" else (0,)
-    kept = [known & np.isin(x.value, neutral) for known, x in zip(sure, operands, strict=True)]
-    exact: NDArray[np.bool_] = small | np.any(kept, axis=0)
+    idle = [known & np.isin(x.value, neutral) for known, x in zip(sure, operands, strict=True)]
+    exact: NDArray[np.bool_] = small | np.any(idle, axis=0)
     return exact if op == "mul" else exact | (np.all(sure, axis=0) & (value == 0))
 
 

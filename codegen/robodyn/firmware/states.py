@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.dynamics.functions.arguments import NEAR, POSE
+from robodyn.ir.program import Input
 from robodyn.ir.signature import ScalarType
 from robodyn.robot.model import Robot
 from robodyn.verify.numbers import exact_value
@@ -127,6 +128,16 @@ def _numbers(count: int, seed: int) -> list[int]:
         x = (MULTIPLIER * x + INCREMENT) % 2**32
         values.append(x >> 8)
     return values
+
+
+def program_inputs(
+    states: Mapping[str, NDArray[Any]], parameters: Mapping[str, float], real: Any = np.float64
+) -> dict[Input, NDArray[Any]]:
+    """What a program is evaluated at, ``[N]`` each and of type ``real``: the elements of ``states``
+    ``[N, size]`` by array, and run-time ``parameters``, the same in all."""
+    count = len(next(iter(states.values())))
+    inputs = {Input(array, i): x.astype(real) for array, rows in states.items() for i, x in enumerate(rows.T)}
+    return inputs | {Input(name, None): np.full(count, value, real) for name, value in parameters.items()}
 
 
 def vector_states(spans: Sequence[Range], scalar: ScalarType) -> dict[str, NDArray[Any]]:

@@ -20,8 +20,8 @@ from robodyn.dynamics.functions import function_named
 from robodyn.errors import InputError
 from robodyn.firmware.poses import missed_poses, well_conditioned
 from robodyn.firmware.rounding import TINY, UNIT, rounding_bounds
-from robodyn.firmware.states import VECTOR_SEED, VECTORS, ranges, vector_states
-from robodyn.ir.evaluate import evaluate
+from robodyn.firmware.states import VECTOR_SEED, VECTORS, program_inputs, ranges, vector_states
+from robodyn.ir.many_digits import evaluate_to_digits
 from robodyn.ir.program import Input, Program
 from robodyn.ir.signature import ScalarType, Signature
 from robodyn.robot.model import Robot
@@ -89,13 +89,11 @@ def vectors(
     InputError: rounding errors have no bound at some state.
     Unconfirmed: the program and the exact torque, or forward kinematics, disagree.
     """
-    inputs = {Input(a, i): x[:, i].astype(np.float64) for a, x in states.items() for i in range(x.shape[1])}
-    count = len(next(iter(states.values())))
-    inputs |= {Input(name, None): np.full(count, value) for name, value in parameters.items()}
+    inputs = program_inputs(states, parameters)
     bounds = np.concatenate(list(rounding_bounds(program, inputs, scalar).values()), axis=1)
     expected = tuple(
         tuple(x for elements in evaluated(program, inputs, k).values() for x in elements)
-        for k in range(count)
+        for k in range(len(next(iter(states.values()))))
     )
     size = np.array([[real(abs(x)) for x in row] for row in expected])
     if not bounds.max() <= max(size.max(), TINY[scalar]):
@@ -119,28 +117,18 @@ def vectors(
 def evaluated(
     program: Program, inputs: Mapping[Input, NDArray[np.float64]], k: int
 ) -> dict[str, list[Fraction]]:
-    """The outputs of ``program`` at state ``k``, to 40 digits."""
+    """The outputs of ``program`` at state ``k``, to 40 digits.
+
+    Raises
+    ------
+    ValueError: one of them is no number, or infinite.
+    """
     import mpmath
 
     with mpmath.workdps(_DIGITS):
-        functions = {
-            "sin": mpmath.sin,
-            "cos": mpmath.cos,
-            "sqrt": mpmath.sqrt,
-            "abs": abs,
-            "sign": mpmath.sign,
-            "exp": mpmath.exp,
-            "tanh": mpmath.tanh,
-            "pow": mpmath.power,
-            "atan2": mpmath.atan2,
-        }
-        outputs = evaluate(
-            program,
-            {name: mpmath.mpf(float(x[k])) for name, x in inputs.items()},
-            constant=lambda x: mpmath.mpf(x.numerator) / x.denominator,
-            functions=functions,
-        )
-        return {array: [_fraction(mpmath.mpf(x)) for x in row] for array, row in outputs.items()}
+        state = {name: mpmath.mpf(float(x[k])) for name, x in inputs.items()}
+        outputs = evaluate_to_digits(program, state)
+        return {array: [_fraction(x) for x in row] for array, row in outputs.items()}
 
 
 def rounded_up(tolerance: float, scalar: ScalarType) -> Fraction:
@@ -151,6 +139,10 @@ def rounded_up(tolerance: float, scalar: ScalarType) -> Fraction:
 
 
 def _fraction(x: Any) -> Fraction:
+    import mpmath
+
+    if not mpmath.isfinite(x):
+        raise ValueError(f"{x} is no fraction")
     sign, mantissa, exponent, _ = x._mpf_
     size: Fraction = Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
     return -size if sign else size

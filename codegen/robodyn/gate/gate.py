@@ -79,12 +79,14 @@ def inspect(
     most: int = MOST_SAMPLES,
     windows: int = WINDOWS,
     thinned: int | None = None,
+    is_one_of_many: bool = False,
 ) -> Gate:
     """Look at ``log`` of ``robot`` before anything is fitted.
 
     ``parameters``: values of the robot's run-time parameters; ``source``: what the log is called in messages;
     ``most``: as many samples are kept at most, of a longer log in so many ``windows``, and so that no more
-    than ``thinned`` are left where they are filtered and thinned (:mod:`robodyn.logs.signals`).
+    than ``thinned`` are left where they are filtered and thinned (:mod:`robodyn.logs.signals`);
+    ``is_one_of_many``: see :func:`robodyn.gate.model.check_model`.
 
     Raises
     ------
@@ -121,7 +123,7 @@ def inspect(
     floor = floor_of(grid.log.tau, grid.segments, grid.period, noise[1], flags)
     check_links(grid.log, source)
     rates, accelerations, lag = check_rates(smooth, robot, grid.period, source, flags, noise[0])
-    unexplained = check_model(smooth, moving, robot, parameters, source, flags)
+    unexplained = check_model(smooth, moving, robot, parameters, source, flags, is_one_of_many=is_one_of_many)
     used = grid.log
     if not rates or not accelerations:
         used = Log(

@@ -22,7 +22,12 @@ from robodyn.ir.evaluate import REAL_FUNCTIONS, evaluate
 from robodyn.ir.program import Input, Program
 from robodyn.optimize.programs import Choice, build, inverse_kinematics_of
 from robodyn.robot.model import Robot
-from robodyn.simulate.inverse_kinematics import drawn_between, position_limits, rotation_vector
+from robodyn.simulate.inverse_kinematics import (
+    closest_turns,
+    drawn_between,
+    position_limits,
+    rotation_vector,
+)
 from robodyn.simulate.kinematics import Kinematics
 
 Floats = NDArray[np.float64]
@@ -88,6 +93,8 @@ LEAST_SQUARES = "least squares"
 _REACHED = 1e-9
 #: Steps of least squares at most.
 _EVALUATIONS = 40
+#: How far a pose may be away [m]: squares of more are no numbers.
+_FARTHEST = 1e100
 
 
 class PoseSolver:
@@ -126,9 +133,16 @@ class PoseSolver:
 
         Raises
         ------
-        InputError: ``near`` is not of so many joints.
+        InputError: a pose is too far away to compute with, or no number; ``near`` is not of so many joints.
         """
         poses = np.asarray(T, np.float64).reshape(-1, 3, 4)
+        for k, pose in enumerate(poses, start=1):
+            if not np.abs(pose).max() < _FARTHEST:
+                raise InputError(
+                    f"{self.robot.name}: pose {k} is too far away to compute with",
+                    found=f"x y z {' '.join(f'{x:g}' for x in pose[:, 3])} m",
+                    expected=f"less than {_FARTHEST:g} m",
+                )
         n = self.robot.n
         reference = np.zeros(n) if near is None else np.asarray(near, np.float64)
         if reference.shape != (n,) or not np.isfinite(reference).all():
@@ -184,6 +198,8 @@ class PoseSolver:
             least_squares(missing, start, xtol=1e-15, ftol=1e-15, gtol=1e-15, **limits) for start in starts
         ]
         q = min(ends, key=lambda end: float(end.cost)).x
+        endless = np.isinf(high - low) & [link.joint.kind == "revolute" for link in self.robot.links]
+        q = np.where(endless, closest_turns(q, np.zeros_like(q)), q)
         (off,) = self._off(T, q[None])
         solution = Solution(LEAST_SQUARES, q, max(off) < _REACHED, True, False, off)
         return replace(posed, nearest=solution)

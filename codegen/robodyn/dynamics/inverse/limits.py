@@ -22,6 +22,11 @@ EDGE: int = 1024
 #: turn is free, and takes its position from the reference.
 LEVER: int = 64
 
+#: Rounding units, as a share of the squared distance that two links span, up to which they are folded or
+#: stretched: about what rounding leaves of that square. With more, an elbow near there is moved so far that
+#: what follows may no longer reach the pose, in floats.
+FOLD: int = 4
+
 #: Share of an arm's size [1], and angle [rad], up to which axes nearly meet, or are nearly parallel, for the
 #: branches of an arm whose axes do to be where those of this one begin.
 ALMOST: float = 1e-3

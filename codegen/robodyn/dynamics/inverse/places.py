@@ -121,7 +121,8 @@ def through_a_point(
     by_first = at.reach(one, k, onto, dot(k, v), 1)
     by_second = at.reach(two, v, h, dot(h, onto), 1)
     longer = _square(across(k, v)) - _square(across(h, onto))
-    exist = choose(longer, by_second.exist, by_first.exist)
+    # Of a pose out of reach both miss the same; how far off it is shows where the lever is short.
+    exist = choose(longer, by_first.exist, by_second.exist)
     for sign, start, other in zip((1, -1), by_first.answers, by_second.answers, strict=True):
         last = at.onto(two, v, turned(h, opposite(start), onto), 2)
         before = at.onto(one, turned(k, other, v), onto, 2)

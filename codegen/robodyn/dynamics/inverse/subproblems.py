@@ -15,7 +15,7 @@ from fractions import Fraction
 from math import isqrt
 from typing import Any
 
-from robodyn.dynamics.inverse.limits import EDGE, LEVER
+from robodyn.dynamics.inverse.limits import EDGE, FOLD, LEVER
 from robodyn.dynamics.inverse.screws import Circle, across
 from robodyn.dynamics.vectors import Vector, cross, dot
 from robodyn.effects.scalars import choose, is_zero, magnitude, root
@@ -181,7 +181,7 @@ def folding(b: Vector, c: Vector, square: Any, axis: Vector, near: Callable[[], 
         margins = (
             (square - (fixed + (long - short) ** 2)) / 2,
             ((fixed + (long + short) ** 2) - square) / 2,
-            LEVER * scale.unit * square,
+            FOLD * scale.unit * square,
         )
     bend = (square - (fixed + squares[0] + squares[1])) / 2
     return reaching(other, one, bend, axis, near, scale, margins)

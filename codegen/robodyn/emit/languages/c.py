@@ -17,7 +17,7 @@ from robodyn.emit.listing import BRANCH, FLAGS, listing_of
 from robodyn.emit.runs import Run
 from robodyn.emit.sines import ANGLES, COSINES, SINES
 from robodyn.emit.spelling import WIDTH
-from robodyn.emit.stages import NEXT, ROW, Repeated, Stage, arguments_of
+from robodyn.emit.stages import NEXT, ROW, Repeated, Stage
 from robodyn.emit.statements import Expression
 from robodyn.emit.syntax import Sines, Syntax
 from robodyn.emit.unit import Unit, has_arctangents, has_sines, needs_libm
@@ -83,8 +83,7 @@ def _repeating(it: Repeated) -> Lines:
     zero = syntax.spelling.number(Fraction(0))
 
     def call(stage: Stage, indent: str = "", **places: str) -> list[str]:
-        arguments = ", ".join(places.get(name, name) for name in arguments_of(stage.signature))
-        return [indent + line for line in syntax.line(f"{stage.signature.symbol}({arguments});")]
+        return [indent + line for line in syntax.line(f"{stage.call(**places)};")]
 
     row = STATE if it.rows == 1 else ROW
     loop = [
@@ -150,6 +149,7 @@ def _listing(signature: Signature) -> dict[str, Any] | None:
         "size": listing.size,
         "parameters": bool(signature.parameters),
         "zero": zero,
+        "zeros": ", ".join([zero] * listing.joints),
         "flags": {name: f"{signature.robot}_IK_{name}" for name in FLAGS},
         "branch": BRANCH,
     }
@@ -213,7 +213,7 @@ def _macros(unit: Unit) -> list[str]:
 
 
 def _notes(unit: Unit) -> tuple[str, ...]:
-    return misra.notes("builtin" if unit.builtin else "libm") if unit.misra else ()
+    return misra.notes(unit) if unit.misra else ()
 
 
 LANGUAGE = Language(

@@ -14,7 +14,7 @@ from robodyn.emit.language import Compiled, FunctionText, Language, SelfTest
 from robodyn.emit.runs import Run
 from robodyn.emit.sines import ANGLES, COSINES, SINES
 from robodyn.emit.spelling import WIDTH, Spelling, elements
-from robodyn.emit.stages import NEXT, Repeated, Stage, arguments_of
+from robodyn.emit.stages import NEXT, Repeated, Stage
 from robodyn.emit.statements import Expression
 from robodyn.emit.syntax import Sines, Syntax
 from robodyn.emit.trig import trig_context
@@ -90,8 +90,7 @@ def _repeating(it: Repeated) -> Lines:
     syntax = _plain_syntax(fortran_spelling(single=it.whole.scalar == "float"))
 
     def call(stage: Stage, indent: str = "", **places: str) -> list[str]:
-        arguments = ", ".join(places.get(name, name) for name in arguments_of(stage.signature))
-        return [indent + line for line in syntax.line(f"call {stage.signature.symbol}({arguments})")]
+        return [indent + line for line in syntax.line(f"call {stage.call(**places)}")]
 
     def loop(row: str, last: str) -> list[str]:
         return [

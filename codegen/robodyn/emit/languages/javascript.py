@@ -16,7 +16,7 @@ from robodyn.emit.body import Lines
 from robodyn.emit.language import FunctionText, Language
 from robodyn.emit.sines import ANGLES, COSINES, SINES
 from robodyn.emit.spelling import Spelling, elements
-from robodyn.emit.stages import NEXT, ROW, Repeated, Stage, arguments_of
+from robodyn.emit.stages import NEXT, ROW, Repeated, Stage
 from robodyn.emit.statements import Expression
 from robodyn.emit.syntax import Sines, Syntax
 from robodyn.emit.trig import trig_context
@@ -97,8 +97,7 @@ def _repeating(it: Repeated) -> Lines:
     syntax = _plain_syntax(javascript_spelling())
 
     def call(stage: Stage, indent: str = "", **places: str) -> list[str]:
-        arguments = ", ".join(places.get(name, name) for name in arguments_of(stage.signature))
-        return [indent + line for line in syntax.line(f"{stage.signature.symbol}({arguments});")]
+        return [indent + line for line in syntax.line(f"{stage.call(**places)};")]
 
     row = STATE if it.rows == 1 else ROW
     loop = [
