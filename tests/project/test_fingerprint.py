@@ -10,6 +10,7 @@ from records.made import ELBOW
 from robodyn.project import fingerprint
 from robodyn.project.fingerprint import fingerprints
 from robodyn.project.reading import read_project
+from robodyn.toolchain.sources import folder_key
 from robodyn_cli.project_keys import project_keys
 from robodyn_testing import require_module
 
@@ -64,8 +65,8 @@ def test_robodyns_own_files_matter(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     for change in ({"a.py": "x = 1\n"}, {"a.py": "x = 2\n"}, {"a.py": "x = 2\n", "b.py": ""}):
         for name, text in change.items():
             (tmp_path / name).write_text(text)
-        key = fingerprint._folder(tmp_path)
-        monkeypatch.setattr(fingerprint, "_robodyn", lambda key=key: key)
+        key = folder_key(tmp_path)
+        monkeypatch.setattr(fingerprint, "own_key", lambda key=key: key)
         assert before != (before := of(tmp_path, "ur5"))
 
 

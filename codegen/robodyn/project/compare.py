@@ -10,11 +10,11 @@ from typing import Final, Literal
 
 from robodyn.errors import InputError, did_you_mean
 from robodyn.files import label, read_start
-from robodyn.project.fingerprint import digest
 from robodyn.project.limits import LARGEST_OUTPUT
 from robodyn.project.lock import Lock, Locked
 from robodyn.project.product import Product
 from robodyn.project.reading import OF, Budgets, Entry, Project
+from robodyn.toolchain.sources import digest
 
 Kinds = Mapping[str, int]
 #: Before the place where two lines differ so much is shown, and twice as much behind it [characters].

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 from robodyn.errors import InputError, did_you_mean
+from robodyn.project.tables import shown
 
 #: The commands that write the entries of a project.
 KERNELS: Final = "gen"
@@ -78,11 +79,3 @@ class Keys:
     def of(self, command: str) -> Mapping[str, Key]:
         """Those of the command that writes an entry."""
         return self.packages if command == PACKAGE else self.kernels
-
-
-def shown(value: Any) -> str:
-    """A value of a TOML file for a message: its kind where it is a table, else the beginning of it."""
-    if isinstance(value, dict):
-        return "a table"
-    text = str(value).lower() if isinstance(value, bool) else repr(value)
-    return text if len(text) <= 60 else f"{text[:57]}..."

@@ -2,12 +2,21 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Final
 
 from robodyn.errors import Place
+
+#: What leads to a value: the names of tables and keys, and places (from 0) in lists of tables.
+Key = str | int
+#: What a line looks like that may begin a table or a key; lines inside of a long value mostly do not.
+_BEGINS: Final = re.compile(r"\s*\[|.*=")
+
+#: So many lines that look so are tried.
+_TRIES: Final = 200
 
 
 @dataclass(frozen=True, slots=True)
@@ -17,9 +26,16 @@ class Places:
     file: str
     text: str
 
-    def of(self, *path: str) -> Place:
+    def of(self, *path: Key) -> Place:
         """The line where the key ``path`` is stated, or the table that has it, and the column where that
         line begins to say something; the file alone if the key is nowhere."""
+        try:
+            return self._line(path)
+        except _TooIntricate:
+            return Place(self.file)
+
+    def _line(self, path: Sequence[Key]) -> Place:
+        """As :meth:`of`."""
         lines = [f"{line}\n" for line in self.text.split("\n")]  # where tomllib and editors break them
         first, last = 0, len(lines)
         if not path or not _has(self._before(lines, last)[1], path):
@@ -41,16 +57,24 @@ class Places:
     def _before(lines: Sequence[str], most: int) -> tuple[int, dict[str, Any]]:
         """The longest beginning of at most ``most`` lines that ends no value in its middle: how many lines
         it has, and what it says."""
-        while True:
+        for _ in range(_TRIES):
+            while 0 < most < len(lines) and not _BEGINS.match(lines[most]):
+                most -= 1
             try:
                 return most, tomllib.loads("".join(lines[:most]))
             except tomllib.TOMLDecodeError:
                 most -= 1
+        raise _TooIntricate
 
 
-def _has(data: Any, path: Sequence[str]) -> bool:
+class _TooIntricate(ValueError):
+    """The text has long values in which too many lines look as if they began another."""
+
+
+def _has(data: Any, path: Sequence[Key]) -> bool:
     for key in path:
-        if not isinstance(data, dict) or key not in data:
+        inside = range(len(data)) if isinstance(data, list) else data if isinstance(data, dict) else ()
+        if key not in inside:
             return False
         data = data[key]
     return True

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
-from robodyn.project.fingerprint import digest
 from robodyn.toolchain.cache import Cache
+from robodyn.toolchain.sources import digest
 
 _INDEX: Final = "product.json"
 _TEXTS: Final = "texts"

@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
-from robodyn.errors import InputError, Place, did_you_mean
+from robodyn.errors import InputError, Place
 from robodyn.files import label, read_text
-from robodyn.project.keys import KERNELS, PACKAGE, Key, Keys, shown
+from robodyn.project.keys import KERNELS, PACKAGE, Key, Keys
 from robodyn.project.limits import LARGEST_BUDGET, LARGEST_FILE
 from robodyn.project.places import Places
-from robodyn.resources import bundled_robot
+from robodyn.project.tables import Tables, shown
 
 #: What the file is called where nothing else is said.
 FILE: Final = "robodyn.toml"
@@ -97,42 +96,19 @@ def read_project(path: Path, keys: Keys) -> Project:
             remedy="name one with --file, or write one: a line [robots.puma560], and robodyn build",
         )
     text = read_text(path, LARGEST_FILE, "a project file, such as robodyn.toml", name)
-    return Project(path, _Reader(parsed(text, name), Places(name, text), path.parent, keys).entries())
-
-
-def parsed(text: str, name: str) -> dict[str, Any]:
-    """What the TOML ``text`` of the file that messages call ``name`` says.
-
-    Raises
-    ------
-    InputError: it is no TOML; with line and column.
-    """
-    try:
-        return tomllib.loads(text)
-    except (tomllib.TOMLDecodeError, RecursionError) as error:
-        words, _, place = (str(error) or "values nested too deeply").rpartition(" (at ")
-        at = re.fullmatch(r"line (\d+), column (\d+)\)", place)
-        line = text.count("\n") + 1 if place.startswith("end of") else int(at[1]) if at else None
-        raise InputError(
-            "this is not TOML",
-            where=Place(name, line, int(at[2]) if at else None),
-            found=words or place,
-            remedy="mend the file (https://toml.io describes the format)",
-        ) from None
+    return Project(path, _Reader(Tables(text, name), path.parent, keys).entries())
 
 
 class _Reader:
     """Reads the tables of one file, each with the place of what is wrong in it."""
 
-    def __init__(self, data: dict[str, Any], places: Places, folder: Path, keys: Keys) -> None:
-        self.data, self.places, self.folder, self.keys = data, places, folder, keys
+    def __init__(self, tables: Tables, folder: Path, keys: Keys) -> None:
+        self.tables, self.places, self.folder, self.keys = tables, tables.places, folder, keys
 
     def entries(self) -> tuple[Entry, ...]:
-        for name in self.data:
-            if name not in _TABLES:
-                raise self._unknown((), name, _TABLES)
+        self.tables.check_keys((), _TABLES)
         self._options(("options",), (), self.keys.kernels)  # also where every robot overrides it
-        robots = self._table("robots")
+        robots = self.tables.table("robots")
         if not robots:
             raise InputError(
                 "there is no robot in this project",
@@ -152,13 +128,15 @@ class _Reader:
                 found=shown(name),
                 expected="letters, digits, and . + - _ after the first of them",
             )
-        table = self._table(*at)
+        table = self.tables.table(*at)
         keys = self.keys.kernels
         settings = {**self._options(("options",), (), keys), **self._options(at, OWN, keys)}
         return Entry(
             name,
-            self._description(name, table),
-            self._text((*at, "output"), table.get("output", f"generated/{name}")),
+            self.tables.description(
+                (*at, "robot") if "robot" in table else at, table.get("robot", name), self.folder
+            ),
+            self.tables.text((*at, "output"), table.get("output", f"generated/{name}")),
             settings,
             _arguments(settings, keys),
             self._budgets(*at, "budgets"),
@@ -170,7 +148,7 @@ class _Reader:
         """The packages of the robot ``entry``: formats in a list, or a table for each. They have the options
         of the robot that packages have."""
         at = ("robots", entry.name, "packages")
-        formats = self._table("robots", entry.name).get("packages", {})
+        formats = self.tables.table("robots", entry.name).get("packages", {})
         if isinstance(formats, list):
             if not all(isinstance(form, str) for form in formats) or len(set(formats)) < len(formats):
                 raise self._no_packages(at, formats)
@@ -179,14 +157,14 @@ class _Reader:
         keys = self.keys.packages
         inherited = {name: value for name, value in entry.settings.items() if name in keys}
         for form in formats:
-            table = self._table(*at, form) if isinstance(formats, dict) else {}
+            table = self.tables.table(*at, form) if isinstance(formats, dict) else {}
             own = self._options((*at, form), OWN_OF_PACKAGE, keys) if isinstance(formats, dict) else {}
             settings = {**inherited, **own}
             output = table.get("output", f"packages/{entry.name}/{form}")
             yield Entry(
                 f"{entry.name}{OF}{form}",
                 entry.robot,
-                self._text((*at, form, "output"), output),
+                self.tables.text((*at, form, "output"), output),
                 settings,
                 (f"--as={form}", *_arguments(settings, keys)),
                 {},
@@ -206,11 +184,11 @@ class _Reader:
     def _options(self, at: tuple[str, ...], own: tuple[str, ...], keys: Mapping[str, Key]) -> dict[str, Any]:
         """The options in the table ``at``, each of the right type; the table has keys of its ``own``, too."""
         settings = {}
-        for name, value in self._table(*at).items():
+        for name, value in self.tables.table(*at).items():
             if name in own:
                 continue
             if name not in keys:
-                raise self._unknown(at, name, (*own, *keys))
+                raise self.tables.unknown(at, name, (*own, *keys))
             try:
                 keys[name].arguments(value)
             except InputError as error:
@@ -218,56 +196,14 @@ class _Reader:
             settings[name] = value
         return settings
 
-    def _table(self, *at: str) -> dict[str, Any]:
-        """The table ``at``, empty where there is none."""
-        table = self.data
-        for name in at:
-            inner: Any = table.get(name, {})
-            if not isinstance(inner, dict):
-                raise InputError(
-                    f"{name} is not a table",
-                    where=self.places.of(*at),
-                    found=shown(inner),
-                    expected=f"[{'.'.join(at)}] and keys below it",
-                )
-            table = inner
-        return table
-
-    def _text(self, at: tuple[str, ...], value: Any) -> str:
-        if not isinstance(value, str) or not value or "\0" in value:
-            raise InputError(
-                f"{at[-1]} is not a path", where=self.places.of(*at), found=shown(value), expected="a text"
-            )
-        return value
-
-    def _description(self, name: str, table: Mapping[str, Any]) -> str:
-        """The path of a description in the project, else of the bundled robot of that name."""
-        at = ("robots", name, "robot") if "robot" in table else ("robots", name)
-        text = self._text(at, table.get("robot", name))
-        path = self.folder / text
-        bundled = None if path.is_file() else bundled_robot(text)
-        if bundled is not None:
-            return str(bundled)
-        if not path.is_file():
-            from robodyn.robot.bundled import bundled_names
-
-            raise InputError(
-                "there is neither a description nor a bundled robot of this name",
-                where=self.places.of(*at),
-                found=shown(text),
-                expected="a path, as seen from this file's folder, or a name that robodyn robots lists",
-                remedy=did_you_mean(text, bundled_names()) or "say where it is: robot = 'arms/arm.yaml'",
-            )
-        return str(path)
-
     def _budgets(self, *at: str) -> Budgets:
-        budgets: dict[str, Any] = self._table(*at)
+        budgets: dict[str, Any] = self.tables.table(*at)
         for function in budgets:
             from robodyn.counts.budget import KINDS
 
-            for kind, most in self._table(*at, function).items():
+            for kind, most in self.tables.table(*at, function).items():
                 if kind not in KINDS:
-                    raise self._unknown((*at, function), kind, KINDS)
+                    raise self.tables.unknown((*at, function), kind, KINDS)
                 if not isinstance(most, int) or isinstance(most, bool) or not 0 <= most < LARGEST_BUDGET:
                     raise InputError(
                         f"the budget of {kind} is not a count",
@@ -276,16 +212,6 @@ class _Reader:
                         expected="how many operations there may be",
                     )
         return budgets
-
-    def _unknown(self, at: tuple[str, ...], name: str, words: tuple[str, ...]) -> InputError:
-        place = self.places.of(*at, name)
-        inside = f" in [{'.'.join(at)}]" if at else ""
-        return InputError(
-            f"unknown key {name!r}{inside}",
-            where=place,
-            expected=f"one of {', '.join(words)}",
-            remedy=did_you_mean(name, words),
-        )
 
 
 def _arguments(settings: Mapping[str, Any], keys: Mapping[str, Key]) -> tuple[str, ...]:

@@ -1,0 +1,134 @@
+"""The tables of a TOML file, read with the place of whatever is wrong in them."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+from robodyn.errors import InputError, Place, did_you_mean
+from robodyn.project.places import Key, Places
+from robodyn.resources import bundled_robot
+
+
+def parsed(text: str, name: str) -> dict[str, Any]:
+    """What the TOML ``text`` of the file that messages call ``name`` says.
+
+    Raises
+    ------
+    InputError: it is no TOML; with line and column.
+    """
+    try:
+        return tomllib.loads(text)
+    except (ValueError, RecursionError) as error:  # TOMLDecodeError, or a number of too many digits
+        words, _, place = (str(error) or "values nested too deeply").rpartition(" (at ")
+        at = re.fullmatch(r"line (\d+), column (\d+)\)", place)
+        line = text.count("\n") + 1 if place.startswith("end of") else int(at[1]) if at else None
+        raise InputError(
+            "this is not TOML",
+            where=Place(name, line, int(at[2]) if at else None),
+            found=words or place,
+            remedy="mend the file (https://toml.io describes the format)",
+        ) from None
+
+
+def shown(value: Any) -> str:
+    """A value of a TOML file for a message: its kind where it is a table, else the beginning of it."""
+    if isinstance(value, dict):
+        return "a table"
+    text = str(value).lower() if isinstance(value, bool) else repr(value)
+    return text if len(text) <= 60 else f"{text[:57]}..."
+
+
+class Tables:
+    """What the TOML ``text`` of the file that messages call ``name`` says, and where.
+
+    Raises
+    ------
+    InputError: it is no TOML; with line and column.
+    """
+
+    def __init__(self, text: str, name: str) -> None:
+        self.data, self.places = parsed(text, name), Places(name, text)
+
+    def table(self, *at: Key) -> dict[str, Any]:
+        """The table ``at``, empty where there is none.
+
+        Raises
+        ------
+        InputError: something else is there.
+        """
+        table: Any = self.data
+        for key in at:
+            inner: Any = table[key] if isinstance(key, int) else table.get(key, {})
+            if not isinstance(inner, dict) and (key == at[-1] or not isinstance(inner, list)):
+                raise InputError(
+                    f"{key} is not a table",
+                    where=self.places.of(*at),
+                    found=shown(inner),
+                    expected=f"[{'.'.join(map(str, at))}] and keys below it",
+                )
+            table = inner
+        return dict(table)
+
+    def check_keys(self, at: tuple[Key, ...], words: Iterable[str]) -> None:
+        """Hold the keys of the table ``at`` to the ``words`` there are.
+
+        Raises
+        ------
+        InputError: one is none of them.
+        """
+        words = tuple(words)
+        for name in self.table(*at):
+            if name not in words:
+                raise self.unknown(at, name, words)
+
+    def text(self, at: tuple[Key, ...], value: Any, what: str = "a path", expected: str = "a text") -> str:
+        """``value``, which stands ``at``, a text that is not empty.
+
+        Raises
+        ------
+        InputError: it is something else.
+        """
+        if not isinstance(value, str) or not value or "\0" in value:
+            raise InputError(
+                f"{at[-1]} is not {what}", where=self.places.of(*at), found=shown(value), expected=expected
+            )
+        return value
+
+    def description(self, at: tuple[Key, ...], value: Any, folder: Path) -> str:
+        """The path of the description that the ``value`` at ``at`` names: as seen from ``folder``, else the
+        bundled robot's.
+
+        Raises
+        ------
+        InputError: there is neither.
+        """
+        text = self.text(at, value)
+        path = folder / text
+        bundled = None if path.is_file() else bundled_robot(text)
+        if bundled is not None:
+            return str(bundled)
+        if not path.is_file():
+            from robodyn.robot.bundled import bundled_names
+
+            raise InputError(
+                "there is neither a description nor a bundled robot of this name",
+                where=self.places.of(*at),
+                found=shown(text),
+                expected="a path, as seen from this file's folder, or a name that robodyn robots lists",
+                remedy=did_you_mean(text, bundled_names()) or "say where it is: robot = 'arms/arm.yaml'",
+            )
+        return str(path)
+
+    def unknown(self, at: tuple[Key, ...], name: str, words: tuple[str, ...]) -> InputError:
+        """What to say of the key ``name`` of the table ``at``, which is none of the ``words``."""
+        inside = f" in [{'.'.join(key for key in at if isinstance(key, str))}]" if at else ""
+        return InputError(
+            f"unknown key {name!r}{inside}",
+            where=self.places.of(*at, name),
+            expected=f"one of {', '.join(words)}",
+            remedy=did_you_mean(name, words),
+        )
