@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import json
-import math
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
@@ -23,8 +21,9 @@ from robodyn_cli.common import (
     talk,
     write_files,
 )
+from robodyn_cli.diagnosis_files import DATA, KERNELS, MODEL, REPORT, files_of, kernels_of
 from robodyn_cli.log_files import description_of, handed_over, read_all, result_folder, spare_inputs
-from robodyn_cli.log_options import input_files, log_map, log_options
+from robodyn_cli.log_options import log_map, log_options
 from robodyn_cli.options import listed
 from robodyn_cli.values import parameter_option
 
@@ -35,7 +34,6 @@ if TYPE_CHECKING:
 
 #: Exit code if a residual remains that no effect explains.
 UNEXPLAINED: Final = 4
-_DATA, _MODEL, _REPORT, _KERNELS = "diagnosis.json", "model.yaml", "report.html", "kernels"
 
 
 @click.command()
@@ -88,10 +86,12 @@ def command(
     same input gives the same files. Exit code 4 means that a residual remains that no effect of the catalogue
     explains.
     """
+    from robodyn.logs.content import input_files
+
     folder = result_folder(out)
     sources = [*logs, *([] if validate is None else [validate])]
     inputs = [robot, *(str(file) for source in sources for file in input_files(source))]
-    spare_inputs([folder / name for name in (_DATA, _MODEL, _REPORT)], inputs)
+    spare_inputs([folder / name for name in (DATA, MODEL, REPORT)], inputs)
     described = load_robot(robot, strict=strict)
     values = parameter_values(described, param) or None
     scope = {
@@ -100,25 +100,18 @@ def command(
     }  # fmt: skip
     diagnosis = _diagnosed(described, robot, logs, validate, values, log_map(map_file, columns), scope)
     validated = validate is not None
-    text = json.dumps(_finite(diagnosis.to_dict()), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
-    from robodyn.report.diagnosis import page
-
-    files: dict[str, str | bytes] = {
-        _DATA: text,
-        _MODEL: diagnosis.model_text,
-        _REPORT: page(diagnosis, validated=validated),
-    }
+    files: dict[str, str | bytes] = {**files_of(diagnosis, validated=validated)}
     if not no_kernels:
-        files.update(_kernels(diagnosis))
-    elif (folder / _KERNELS).exists():
-        talk(f"robodyn: note: {printable(folder / _KERNELS)} is from an earlier run")
+        files.update(kernels_of(diagnosis))
+    elif (folder / KERNELS).exists():
+        talk(f"robodyn: note: {printable(folder / KERNELS)} is from an earlier run")
     write_files(folder, files)
     if as_json:
-        echo_document(text)
+        echo_document(str(files[DATA]))
     else:
         from robodyn.report.diagnosis_terminal import summary
 
-        for line in summary(diagnosis, printable(folder / _REPORT), validated=validated):
+        for line in summary(diagnosis, printable(folder / REPORT), validated=validated):
             click.echo(line)
     if diagnosis.verdict == "unexplained":
         raise click.exceptions.Exit(UNEXPLAINED)
@@ -175,19 +168,3 @@ def _diagnosed(
                 progress=tell,
                 **scope,
             )
-
-
-def _kernels(diagnosis: Diagnosis) -> dict[str, str]:
-    """C and Fortran of the amended model, by their paths in the folder."""
-    from robodyn.kernels.generate import generate
-
-    return {f"{_KERNELS}/{name}": text for name, text in generate(diagnosis.model).files().items()}
-
-
-def _finite(value: Any) -> Any:
-    """``value`` for JSON: non-finite numbers, such as the error of an unidentifiable parameter, are null."""
-    if isinstance(value, Mapping):
-        return {key: _finite(each) for key, each in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [_finite(each) for each in value]
-    return None if isinstance(value, float) and not math.isfinite(value) else value

@@ -22,7 +22,7 @@ from robodyn_cli.common import (
     write_files,
 )
 from robodyn_cli.log_files import description_of, handed_over, read_all, result_folder, spare_inputs
-from robodyn_cli.log_options import input_files, log_map, log_options
+from robodyn_cli.log_options import log_map, log_options
 from robodyn_cli.values import parameter_option
 
 if TYPE_CHECKING:
@@ -85,6 +85,7 @@ def command(
     from robodyn.identify.fit import Options
     from robodyn.identify.run import identify
     from robodyn.identify.stages import stages
+    from robodyn.logs.content import input_files
 
     folder = result_folder(out)
     paths = [*logs, *([] if validate is None else [validate])]

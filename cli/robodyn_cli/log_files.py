@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from robodyn.errors import InputError
 from robodyn_cli import progress
 from robodyn_cli.common import printable, talk
-from robodyn_cli.log_options import digest, read_logs
+from robodyn_cli.log_options import read_logs
 
 if TYPE_CHECKING:
     from robodyn.logs.log import Log
@@ -59,6 +59,8 @@ def read_all(
     ------
     InputError: a file is missing or no log.
     """
+    from robodyn.logs.content import digest
+
     logs = read_logs(robot, paths, mapping, shown.tell)
     hashes = [digest(path) for path in paths]
     for k, path in enumerate(paths):

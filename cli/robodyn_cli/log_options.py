@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -79,24 +78,3 @@ def read_logs(
         for note in logs[-1].notes:
             talk(f"robodyn: note: {printable(Path(source).name)}: {note}")
     return logs
-
-
-def input_files(source: str) -> list[Path]:
-    """The files of a log: one, two of A.csv+B.csv, or those of a recording's folder."""
-    from robodyn.logs.second_file import files_of
-
-    files = []
-    for name in files_of(source):
-        path = Path(name)
-        inside = sorted(inner for inner in path.iterdir() if inner.is_file()) if path.is_dir() else [path]
-        files += inside
-    return files
-
-
-def digest(source: str) -> str:
-    """SHA-256 of a log: of its file, or of the hashes of its files."""
-    digests = []
-    for path in input_files(source):
-        with path.open("rb") as file:
-            digests.append(hashlib.file_digest(file, "sha256").hexdigest())
-    return digests[0] if len(digests) == 1 else hashlib.sha256("+".join(digests).encode()).hexdigest()

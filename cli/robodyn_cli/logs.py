@@ -9,7 +9,7 @@ import click
 from robodyn.errors import InputError
 from robodyn_cli.choices import FILE, ROBOTS
 from robodyn_cli.common import echo_json, json_option, load_robot, printable, talk, write_files
-from robodyn_cli.log_options import input_files, log_map, log_options
+from robodyn_cli.log_options import log_map, log_options
 
 
 @click.command()
@@ -27,6 +27,7 @@ def command(
     lists its columns with their ranges, proposes a map by their names and numbers, says why, and shows the
     log as the map reads it. Give the map to diagnose with --map.
     """
+    from robodyn.logs.content import input_files
     from robodyn.logs.map_text import map_text
     from robodyn.logs.wizard import examine
     from robodyn.report.logs import data, lines

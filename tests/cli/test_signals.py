@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from robodyn_testing import require_module, require_tool
+from robodyn_testing import covering, require_module, require_tool
 from robodyn_testing.waiting import eventually, runs
 
 pytestmark = pytest.mark.skipif(not hasattr(signal, "SIGALRM"), reason="missing: POSIX signals")
@@ -89,10 +89,12 @@ def test_the_other_ways_to_begin(module: str, way: str) -> None:
 
 
 @pytest.mark.usefixtures("elsewhere")
-@pytest.mark.parametrize("module", ["robodyn_cli.robots", "yaml", "robodyn.robot.values"])
 @pytest.mark.parametrize(
-    ("name", "code", "word"),
-    [("SIGINT", 130, "interrupted"), ("SIGTERM", 143, "terminated"), ("SIGHUP", 129, "hung up")],
+    ("module", "name", "code", "word"),
+    covering(
+        ["robodyn_cli.robots", "yaml", "robodyn.robot.values"],
+        [("SIGINT", 130, "interrupted"), ("SIGTERM", 143, "terminated"), ("SIGHUP", 129, "hung up")],
+    ),
 )
 def test_a_signal_while_it_works(module: str, name: str, code: int, word: str) -> None:
     done = hooked(module, send(name), "robots")
@@ -174,8 +176,9 @@ def test_a_library_that_does_not_come_back() -> None:
     assert (done.returncode, done.stdout, done.stderr) == (143, "", "")
 
 
-@pytest.mark.parametrize(("name", "code"), [("SIGINT", 130), ("SIGTERM", 143)])
-@pytest.mark.parametrize("when", ["--version", "compile"])
+@pytest.mark.parametrize(
+    ("when", "name", "code"), covering(["--version", "compile"], [("SIGINT", 130), ("SIGTERM", 143)])
+)
 def test_a_compiler_that_hangs_goes_with_its_command(
     elsewhere: Path, name: str, code: int, when: str
 ) -> None:
@@ -238,8 +241,10 @@ def test_too_few_open_files(module: str) -> None:
 
 
 @pytest.mark.usefixtures("elsewhere")
-@pytest.mark.parametrize("module", ["click", "click.core", "yaml", "jinja2"])
-@pytest.mark.parametrize("error", ["ModuleNotFoundError", "ImportError"])
+@pytest.mark.parametrize(
+    ("module", "error"),
+    covering(["click", "click.core", "yaml", "jinja2"], ["ModuleNotFoundError", "ImportError"]),
+)
 def test_a_library_that_is_missing(module: str, error: str) -> None:
     done = hooked(
         module, f"raise {error}('No module named {module}', name='{module}')", "gen", "stanford_3dof"

@@ -57,7 +57,7 @@ def packs_nothing_out(monkeypatch: pytest.MonkeyPatch) -> None:
     def never(*_: Any, **__: Any) -> Any:
         pytest.fail("the columns are unpacked")
 
-    monkeypatch.setattr(parquet_file, "_tables", never)
+    monkeypatch.setattr(parquet_file, "_batches", never)
 
 
 # --- Parquet: what is claimed -----------------------------------------------------------------------------

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+import math
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager, nullcontext
 from typing import Any
 
 import numpy as np
@@ -18,13 +20,18 @@ Floats = NDArray[np.float64]
 WIDEST, COLUMNS = 4096, 1 << 16
 #: Fewer rows are no samples but settings.
 FEWEST = 2
+#: Numbers that are read at once.
+BLOCK = 1 << 20
+
+Load = Callable[[set[str]], Mapping[str, Any]]
 
 
 class ArraysRecording:
     """A ``file`` of arrays with the ``shapes``, by name; ``load`` reads some of them.
 
     Of an array with two axes the longer one is time; its columns are called ``NAME.0`` and so on. The stream
-    of the longest arrays has no name.
+    of the longest arrays has no name. ``mapped`` opens some of them of which only what is sliced is read, and
+    that only for as long as they are open.
     """
 
     notes: tuple[str, ...] = ()
@@ -34,10 +41,11 @@ class ArraysRecording:
         file: str,
         format: str,
         shapes: Mapping[str, Sequence[int]],
-        load: Callable[[set[str]], Mapping[str, NDArray[Any]]],
+        load: Load,
+        mapped: Callable[[set[str]], AbstractContextManager[Mapping[str, Any]]] | None = None,
     ) -> None:
         self.file, self.format = file, format
-        self._load = load
+        self._load, self._mapped, self._shapes = load, mapped, shapes
         self._source: dict[str, tuple[str, int]] = {}
         rows: dict[int, list[str]] = {}
         for name, shape in shapes.items():
@@ -73,22 +81,51 @@ class ArraysRecording:
             )
         tables = {}
         for group, names in groups.items():
-            table = np.empty((rows, len(names)))
-            loaded = self._load({self._source[name][0] for name in names})
-            for k, column in enumerate(names):
-                name, j = self._source[column]
-                with np.errstate(invalid="ignore"):
-                    table[:, k] = _column(loaded[name], j)
-            tables[group] = table
+            loaded = self._load(self._arrays(names))
+            tables[group] = self._columns(loaded, names, slice(0, rows))
         return Table(tables)
 
+    def blocks(
+        self, stream: Stream, groups: Mapping[str, Sequence[str]], stamp: str | None
+    ) -> Iterator[Table]:
+        """As :class:`~robodyn.logs.recording.Recording` says; arrays that are packed are unpacked whole."""
+        wanted = {array for names in groups.values() for array in self._arrays(names)}
+        whole = self._load(wanted) if self._mapped is None else None
+        length = stream.rows or 0
+        most = max(1, BLOCK * length // sum(math.prod(self._shapes[name]) for name in wanted))
+        for start in range(0, length, most):
+            rows = slice(start, min(start + most, length))
+            # Mapped anew for each block: what has been read of a file is memory for as long as it is mapped.
+            with nullcontext(whole) if self._mapped is None else self._mapped(wanted) as loaded:
+                assert loaded is not None
+                yield Table({group: self._columns(loaded, names, rows) for group, names in groups.items()})
 
-def _column(array: NDArray[Any], j: int) -> NDArray[Any]:
-    """Column ``j`` of ``array`` along its longer axis."""
-    flat = array.reshape([length for length in array.shape if length != 1])
-    if flat.ndim == 1:
-        return flat
-    return flat[:, j] if flat.shape[0] >= flat.shape[1] else flat[j]
+    def _arrays(self, names: Sequence[str]) -> set[str]:
+        """The arrays that columns are of."""
+        return {self._source[name][0] for name in names}
+
+    def _columns(self, loaded: Mapping[str, Any], names: Sequence[str], rows: slice) -> Floats:
+        """The columns ``names`` [k, m] of some ``rows``."""
+        parts = {array: _rows(loaded[array], rows) for array in self._arrays(names)}
+        table = np.empty((rows.stop - rows.start, len(names)))
+        for k, column in enumerate(names):
+            name, j = self._source[column]
+            with np.errstate(invalid="ignore"):
+                table[:, k] = parts[name][:, j]
+        return table
+
+
+def _rows(array: Any, rows: slice) -> NDArray[Any]:
+    """Some ``rows`` [k, m] of ``array`` along its longer axis."""
+    long = [axis for axis, length in enumerate(array.shape) if length != 1]
+    time = max(long, key=lambda axis: (array.shape[axis], -axis))
+    index: list[int | slice] = [0] * len(array.shape)
+    for axis in long:
+        index[axis] = rows if axis == time else slice(None)
+    part: NDArray[Any] = np.asarray(array[tuple(index)])
+    if part.ndim == 1:
+        return part[:, None]
+    return part if time == long[0] else part.T
 
 
 def is_numeric(dtype: np.dtype[Any]) -> bool:

@@ -46,8 +46,11 @@ def convert(x: Floats, channel: Channel, group: str, joint: int, stated: str, ro
         x += float(offset)
 
 
-def seconds(x: Floats, channel: Channel, stated: str) -> None:
-    """Bring times ``x`` [K] to seconds, in place; dates count from the first sample.
+def seconds(x: Floats, channel: Channel, stated: str, origin: float | None = None) -> float | None:
+    """Bring times ``x`` [K] to seconds, in place; dates count from the first sample, whose reading this
+    returns: 0 where times are no dates, None where none of them is finite.
+
+    ``origin``: what it has returned for earlier samples of the same stream.
 
     Raises
     ------
@@ -61,12 +64,23 @@ def seconds(x: Floats, channel: Channel, stated: str) -> None:
     zero, offset = channel.number("zero", 0), channel.number("offset", 0)
     if zero:
         x -= float(zero)
+        origin = 0.0
     finite = x[np.isfinite(x)]
-    if not zero and len(finite) and abs(float(finite[0]) * float(factor)) > DATES:
-        x -= finite[0]
+    if origin is None and len(finite):
+        first = float(finite[0])
+        origin = first if abs(first * float(factor)) > DATES else 0.0
+    if origin:
+        x -= origin
     scaled(x, factor * (channel.number("sign", 0) or 1))
     if offset:
         x += float(offset)
+    return origin
+
+
+def date_of(origin: float, channel: Channel, stated: str) -> float:
+    """The ``origin`` of times in seconds."""
+    factor = _unit(channel, "t", stated, prismatic=False).factor * (channel.number("factor", 0) or 1)
+    return origin * float(factor)
 
 
 def of_stamps(stamps: NDArray[np.int64], origin: int) -> Floats:

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import io
 import math
-import os
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO
 
@@ -72,10 +72,27 @@ def read_csv(
     InputError: not such a log, with the line and column of what is wrong.
     OSError: the file cannot be read.
     """
+    dialect, layout = _layout(path, file, n, wanted)
+    return layout, read_rows(path, file, layout, dialect)
+
+
+def csv_blocks(
+    path: Path, file: str, n: int | None, wanted: Sequence[str] = GROUPS
+) -> tuple[Layout, Iterator[dict[str, Floats]]]:
+    """As :func:`read_csv`, block by block, however long the log is.
+
+    Raises
+    ------
+    InputError, OSError: as :func:`read_csv`; of the rows when they are reached.
+    """
+    dialect, layout = _layout(path, file, n, wanted)
+    return layout, (block.groups(layout) for block in row_blocks(path, file, layout, dialect))
+
+
+def _layout(path: Path, file: str, n: int | None, wanted: Sequence[str]) -> tuple[Dialect, Layout]:
     dialect = read_dialect(path, file)
     where = Place(file, max(1, dialect.line - 1))
-    layout = layout_of(dialect.names, n, where, wanted, named=dialect.named)
-    return layout, read_rows(path, file, layout, dialect)
+    return dialect, layout_of(dialect.names, n, where, wanted, named=dialect.named)
 
 
 def read_dialect(path: Path, file: str) -> Dialect:
@@ -96,47 +113,77 @@ def read_dialect(path: Path, file: str) -> Dialect:
         return dialect_of(head) or Dialect(tuple(names))
 
 
+@dataclass(frozen=True, slots=True)
+class Block:
+    """Some lines of a table: their ``rows`` [k, columns wanted], how many bytes they take, and the line after
+    them (``end``)."""
+
+    rows: Floats
+    size: int
+    end: Place
+
+    def groups(self, layout: Layout) -> dict[str, Floats]:
+        """The rows group by group [k, m]."""
+        tables, start = {}, 0
+        for group, at in layout.groups.items():
+            tables[group] = self.rows[:, start : start + len(at)]
+            start += len(at)
+        return tables
+
+
 def read_rows(path: Path, file: str, layout: Layout, dialect: Dialect) -> dict[str, Floats]:
     """The groups of ``layout`` of a table: [K, m] each.
 
     Raises
     ------
-    InputError: a row is not one, with the line and column of what is wrong.
+    InputError: a row is not one, with the line and column of what is wrong; there are too many.
+    OSError: the file cannot be read.
+    """
+    size = path.stat().st_size
+    most = LARGEST // len(layout.wanted)
+    tables = {group: np.empty((0, len(at))) for group, at in layout.groups.items()}
+    samples = 0
+    for block in row_blocks(path, file, layout, dialect):
+        end = samples + len(block.rows)
+        if end > most:
+            raise too_large(layout, block.end)
+        room = len(next(iter(tables.values())))
+        if end > room:
+            # As many as the file has at this rate; lines that grow shorter may call for more.
+            room = max(end, int(1.02 * len(block.rows) * size / block.size) + 16, room * 5 // 4)
+            room = min(room, most)
+            for table in tables.values():
+                table.resize((room, table.shape[1]), refcheck=False)
+        for group, part in block.groups(layout).items():
+            tables[group][samples:end] = part
+        samples = end
+    for table in tables.values():
+        table.resize((samples, table.shape[1]), refcheck=False)
+    return tables
+
+
+def row_blocks(path: Path, file: str, layout: Layout, dialect: Dialect) -> Iterator[Block]:
+    """As :func:`read_rows`, block by block, however long the table is.
+
+    Raises
+    ------
+    InputError: a row is not one, with the line and column of what is wrong; there are none.
     OSError: the file cannot be read.
     """
     with io.BufferedReader(open_regular(path, "a log, such as log.csv", file)) as source:
         for line in range(1, dialect.line):
             if len(source.readline(LINE + 1)) > LINE:
                 raise _too_long(Place(file, line))
-        size = os.fstat(source.fileno()).st_size - source.tell()
-        most = LARGEST // len(layout.wanted)
-        tables = {group: np.empty((0, len(at))) for group, at in layout.groups.items()}
-        samples, line = 0, dialect.line
+        line, empty = dialect.line, True
         for block in _blocks(source, file, line):
             rows = _parse(block, layout, Place(file, line), dialect)
             line += block.count(b"\n")
-            end = samples + len(rows)
-            if end > most:
-                raise too_large(layout, Place(file, line))
-            room = len(next(iter(tables.values())))
-            if end > room:
-                # As many as the file has at this rate; lines that grow shorter may call for more.
-                room = max(end, int(1.02 * len(rows) * size / len(block)) + 16, room * 5 // 4)
-                room = min(room, most)
-                for table in tables.values():
-                    table.resize((room, table.shape[1]), refcheck=False)
-            start = 0
-            for table in tables.values():
-                table[samples:end] = rows[:, start : start + table.shape[1]]
-                start += table.shape[1]
-            samples = end
-    if not samples:
+            empty = empty and not len(rows)
+            yield Block(rows, len(block), Place(file, line))
+    if empty:
         raise InputError(
             "the log has no samples", where=Place(file), found="the header only", expected="a line a sample"
         )
-    for table in tables.values():
-        table.resize((samples, table.shape[1]), refcheck=False)
-    return tables
 
 
 def _header(source: BinaryIO, file: str) -> list[str]:

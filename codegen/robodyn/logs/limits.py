@@ -23,6 +23,12 @@ STILL_TIME: Final = 0.1
 STANDSTILL: Final = 1e-3
 """[share of the largest motion in that time] which it does if all its joints move less."""
 
+EARLIEST: Final = 631_152_000.0
+"""[s since 1970: 1990-01-01] No log is older: a clock that lost its date begins before,"""
+
+LATEST: Final = 4_102_444_800.0
+"""[s since 1970: 2100-01-01] and none is younger."""
+
 # --- proposals --------------------
 
 FASTEST_RATE: Final = 20_000.0

@@ -19,14 +19,17 @@ from numpy.typing import NDArray
 
 from robodyn.errors import InputError
 from robodyn.files import label
-from robodyn.logs.assemble import assemble
-from robodyn.logs.columns import GROUPS, LINKS
+from robodyn.logs.assemble import Arrays, assemble
+from robodyn.logs.columns import GROUPS, LINKS, Layout
+from robodyn.logs.conditions import Mean, mean_of
 from robodyn.logs.csv_file import read_csv, read_dialect, write_csv
 from robodyn.logs.formats import PARQUET, is_table, open_recording, readable
+from robodyn.logs.limits import EARLIEST, LATEST
 from robodyn.logs.mapping import LogMap
 from robodyn.logs.parquet_file import read_parquet, write_parquet
 from robodyn.logs.provenance import provenance_text
-from robodyn.logs.second_file import joined, split_pair, spread, with_second
+from robodyn.logs.recording import Recording
+from robodyn.logs.second_file import Joining, not_as_many, split_pair, spread, with_second
 from robodyn.logs.usual import usual_map
 from robodyn.robot.model import Robot
 
@@ -40,8 +43,9 @@ class Log:
 
     ``ql`` [K, n] are second encoders, behind the gears (rad or m): NaN throughout for joints that have none,
     None where no joint has one. ``provenance`` is what :func:`provenance` says of a run; ``ignored`` are the
-    columns of a file that were not read; ``notes`` say what was done to bring its streams together. NaN and
-    infinity may stand anywhere.
+    columns of a file that were not read; ``notes`` say what was done to bring its streams together.
+    ``began``: when t = 0 was [s since 1970, UTC], None where its times are no dates; ``conditions``: means of
+    the columns that a map calls so. NaN and infinity may stand anywhere.
 
     Raises
     ------
@@ -57,6 +61,8 @@ class Log:
     ignored: tuple[str, ...] = ()
     ql: Floats | None = None
     notes: tuple[str, ...] = ()
+    began: float | None = None
+    conditions: Mapping[str, Mean] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         for name in ("t", "q", "qd", "qdd", "tau", "ql"):
@@ -82,6 +88,11 @@ class Log:
     def samples(self) -> int:
         """Number of samples, K."""
         return len(self.t)
+
+    @property
+    def date(self) -> float | None:
+        """When its first sample was recorded [s since 1970, UTC]; None where its times are no dates."""
+        return None if self.began is None or not np.isfinite(self.t[0]) else self.began + float(self.t[0])
 
     @property
     def columns(self) -> tuple[str, ...]:
@@ -192,11 +203,7 @@ def _of_table(name: str, n: int | None) -> Log | None:
         if not parquet and read_dialect(Path(name), file).units:
             return None
         layout, tables = (read_parquet if parquet else read_csv)(Path(name), file, n, GROUPS)
-    ql = spread(tables.get("ql"), layout)
-    return Log(
-        tables["t"][:, 0], tables["q"], tables.get("qd"), tables.get("qdd"), tables["tau"], {},
-        layout.ignored, ql,
-    )  # fmt: skip
+    return log_of_arrays(arrays_of(layout, tables), layout.ignored)
 
 
 def _joined(log: Log, second: str) -> Log:
@@ -205,8 +212,10 @@ def _joined(log: Log, second: str) -> Log:
     with readable(file):
         read = read_parquet if second.lower().endswith(PARQUET) else read_csv
         layout, tables = read(Path(second), file, log.n, LINKS)
-    ql = joined(log.t, log.ql, tables["t"][:, 0], spread(tables["ql"], layout), file)
-    return replace(log, ql=ql)
+    times, ql = tables["t"][:, 0], spread(tables["ql"], layout)
+    if len(times) != log.samples:
+        raise not_as_many(file, len(times), log.samples)
+    return replace(log, ql=Joining(file).joined(log.t, log.ql, times, ql))
 
 
 def _of_recording(
@@ -214,14 +223,36 @@ def _of_recording(
 ) -> Log:
     """The log in a file of any format, by a map."""
     recording = open_recording(name)
-    if mapping is None:
-        mapping = usual_map(recording, robot)
-    if second is not None:
-        mapping = with_second(mapping, open_recording(second), second)
+    mapping = map_for(recording, second, mapping, robot)
     with readable(recording.file):
         arrays = assemble(recording, mapping, n, robot, open_recording)
+    return log_of_arrays(arrays, ())
+
+
+def map_for(recording: Recording, second: str | None, mapping: LogMap | None, robot: Robot | None) -> LogMap:
+    """The map of ``recording``: usual names where ``mapping`` says none; encoders of a ``second`` file."""
+    if mapping is None:
+        mapping = usual_map(recording, robot)
+    elif mapping.is_usual:
+        mapping = replace(usual_map(recording, robot), conditions=mapping.conditions)
+    return mapping if second is None else with_second(mapping, open_recording(second), second)
+
+
+def arrays_of(layout: Layout, tables: Mapping[str, Floats]) -> Arrays:
+    """The arrays of a table whose columns have the usual names."""
+    t = tables["t"][:, 0]
+    groups = {group: table for group, table in tables.items() if group not in ("t", "ql")}
+    if "ql" in tables:
+        groups["ql"] = spread(tables["ql"], layout)
+    dated = len(t) > 0 and EARLIEST <= float(t[0]) < LATEST
+    return Arrays(t, groups, (), 0.0 if dated else None)
+
+
+def log_of_arrays(arrays: Arrays, ignored: tuple[str, ...]) -> Log:
+    """The log that ``arrays`` are."""
     groups = arrays.groups
+    conditions = {**{name: mean_of(each) for name, each in arrays.readings.items()}, **arrays.apart}
     return Log(
-        arrays.t, groups["q"], groups.get("qd"), groups.get("qdd"), groups["tau"], {}, (),
-        groups.get("ql"), arrays.notes,
+        arrays.t, groups["q"], groups.get("qd"), groups.get("qdd"), groups["tau"], {}, ignored,
+        groups.get("ql"), arrays.notes, arrays.began, conditions,
     )  # fmt: skip

@@ -31,6 +31,9 @@ def map_text(
             lines.append(f"# {group}: {wanted}   <- write this")
         elif group in reasons:
             lines.append(f"# {group}: {reasons[group]}")
+    if mapping.conditions:
+        lines.append("conditions:")
+        lines += [f"  {quoted(name)}: {_channel(channel)}" for name, channel in mapping.conditions.items()]
     return "\n".join(lines) + "\n"
 
 

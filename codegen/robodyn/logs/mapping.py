@@ -36,7 +36,7 @@ NUMBERS: Final = {
 #: These may also be the word robot: as the description has it.
 OF_ROBOT: Final = ("gear", "torque_constant")
 _WORDS: Final = ("column", "columns", "unit", "joints", "file", "rate", *NUMBERS)
-_TOP: Final = (*GROUPS, "joints", "topic")
+_TOP: Final = (*GROUPS, "joints", "topic", "conditions")
 _UNIT = re.compile(r"(?P<name>.*?)\s*\[(?P<unit>[^\[\]]*)\]\Z", re.DOTALL)
 _INDEX = re.compile(r"\s*(%d|%s|[0-9]+|:)\s*\Z")
 
@@ -71,12 +71,18 @@ class Channel:
 
 @dataclass(frozen=True, slots=True)
 class LogMap:
-    """What the columns of a log are: ``groups`` of channels, the ``joints``' names base to tip, and the
-    ``topic`` that columns without one are of."""
+    """What the columns of a log are: ``groups`` of channels, the ``joints``' names base to tip, the ``topic``
+    that columns without one are of, and ``conditions`` of which the log's mean counts, by their names."""
 
     groups: Mapping[str, Channel]
     joints: tuple[str, ...] = ()
     topic: str = ""
+    conditions: Mapping[str, Channel] = field(default_factory=dict)
+
+    @property
+    def is_usual(self) -> bool:
+        """Whether it says nothing of the arm's columns: they have the usual names."""
+        return not (self.groups or self.joints or self.topic)
 
 
 def read_map(path: str | os.PathLike[str]) -> LogMap:
@@ -184,6 +190,7 @@ class _Reader:
         groups: dict[str, Channel] = {}
         joints: tuple[str, ...] = ()
         topic = ""
+        conditions: dict[str, Channel] = {}
         for key, value in self.entries(node, _TOP, "the map"):
             if key == "joints":
                 joints = self.words(value)
@@ -191,11 +198,25 @@ class _Reader:
                     self.fail(value, "a joint stands here twice", found=", ".join(joints[:9]))
             elif key == "topic":
                 topic = self.word(value)
+            elif key == "conditions":
+                conditions = self.conditions(value)
             else:
                 groups[key] = self.group(value, key)
-        if not groups and not joints and not topic:
+        if not (groups or joints or topic or conditions):
             self.fail(node, "the map says nothing", expected="q: joint_%d_pos[deg]")
-        return LogMap(groups, joints, topic)
+        return LogMap(groups, joints, topic, conditions)
+
+    def conditions(self, node: Node) -> dict[str, Channel]:
+        """Columns of conditions by name: a pattern, a list, or one of these with a unit."""
+        if not isinstance(node, document.Mapping):
+            self.fail(node, "conditions must be a mapping", found=describe(node), expected="NAME: COLUMN")
+        conditions = {}
+        for key, value in node.entries:
+            channel = self.group(value, f"the condition {key.text}")
+            if channel.numbers or channel.of_robot or channel.joints or channel.file:
+                self.fail(value, "a condition has columns and a unit only", expected="motor_temp_%d[degC]")
+            conditions[key.text] = channel
+        return conditions
 
     def group(self, node: Node, group: str) -> Channel:
         where = self.place(node)

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 import mmap
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, Final
 
@@ -20,6 +22,8 @@ from robodyn.tools.libraries import H5PY
 
 #: Most arrays of a file of version 7.3, and levels of groups in it.
 ARRAYS, LEVELS = 1 << 14, 16
+#: An array of a log has at most so many times the numbers that are read at once.
+SHARE: Final = 1 << 10
 
 _HDF5: Final = b"\x89HDF\r\n\x1a\n"
 _REMEDY: Final = "save it with save('log.mat', ..., '-v7')"
@@ -89,16 +93,21 @@ def _open_hdf5(path: Path, file: str) -> ArraysRecording:
         raise damaged(file, "HDF5", error) from None
 
     def load(names: set[str]) -> dict[str, NDArray[Any]]:
-        arrays = {}
+        with mapped(names) as arrays:
+            for name, array in arrays.items():
+                if array.size > LARGEST:
+                    raise ValueError(f"{name!a} has {array.size} numbers, more than are read at once")
+            return {name: np.asarray(array[()]) for name, array in arrays.items()}
+
+    @contextmanager
+    def mapped(names: set[str]) -> Iterator[dict[str, Any]]:
         try:
             with h5py.File(path, "r") as opened:
-                for name in names:
-                    arrays[name] = np.asarray(opened[name.replace(".", "/")][()])
+                yield {name: opened[name.replace(".", "/")] for name in names}
         except (OSError, ValueError, KeyError, RuntimeError) as error:
             raise damaged(file, "HDF5", error) from None
-        return arrays
 
-    recording = ArraysRecording(file, "HDF5", shapes, load)
+    recording = ArraysRecording(file, "HDF5", shapes, load, mapped)
     refuse_without_samples(recording, shapes)
     return recording
 
@@ -115,5 +124,6 @@ def _datasets(h5py: Any, group: Any, path: str, depth: int) -> Iterator[tuple[st
         elif isinstance(inner, h5py.Dataset) and is_numeric(inner.dtype) and "." not in key:
             plain = inner.external is None and not inner.is_virtual
             stored = inner.id.get_storage_size() > 0
-            if plain and stored and len(inner.shape) <= 3 and inner.size <= LARGEST:
+            together = math.prod(inner.chunks) if inner.chunks else 0  # numbers that are unpacked at once
+            if plain and stored and len(inner.shape) <= 3 and max(inner.size // SHARE, together) <= LARGEST:
                 yield name, inner

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import math
 import zipfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
-from typing import IO, Any
+from typing import IO, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.errors import InputError
+from robodyn.errors import InputError, Place
 from robodyn.files import open_regular
 from robodyn.logs.arrays import ArraysRecording, is_numeric, refuse_without_samples
 from robodyn.logs.columns import LARGEST
@@ -21,6 +23,8 @@ from robodyn.logs.recording import damaged
 #: Most arrays of a file, and the largest header of one [bytes].
 MEMBERS, HEADER = 4096, 1 << 14
 _EXPECTED = "a log, such as log.npz"
+#: Of zip archives: the length of the head before each file, but for its name and more [bytes], and a flag.
+_LOCAL, _ENCRYPTED = 30, 1
 
 
 def open_npz(path: Path, file: str) -> ArraysRecording:
@@ -33,31 +37,57 @@ def open_npz(path: Path, file: str) -> ArraysRecording:
     """
     shapes: dict[str, tuple[int, ...]] = {}
     with _members(path, file) as members:
-        for name, size, opened in members:
-            with opened() as source:
-                shape, kind = _head(source, size, name)
-            for field, part in _fields(name, kind):
+        packed = any(member.place is None for member in members)
+        for member in members:
+            with member.open() as source:
+                head = _head(source, member)
+            for field, part in _fields(member.name, head.kind):
                 if is_numeric(part):
-                    shapes[field] = shape
+                    shapes[field] = head.shape
 
     def load(names: set[str]) -> dict[str, NDArray[Any]]:
         arrays = {}
         with _members(path, file) as members:
-            for name, size, opened in members:
-                wanted = [field for field in names if field == name or field.startswith(f"{name}.")]
-                if not wanted:
+            for member in members:
+                if not (wanted := _wanted(names, member.name)):
                     continue
-                with opened() as source:
-                    _head(source, size, name)
-                with opened() as source:
+                with member.open() as source:
+                    size = _head(source, member).size
+                if size > 8 * LARGEST:
+                    raise InputError(
+                        "the log is too long",
+                        where=Place(file),
+                        found=f"{member.name!a} with {size} bytes",
+                        expected=f"at most {8 * LARGEST}",
+                        remedy="take a part of it, or write it with numpy.savez, which packs nothing",
+                    )
+                with member.open() as source:
                     array = np.lib.format.read_array(source, allow_pickle=False, max_header_size=HEADER)
-                for field in wanted:
-                    arrays[field] = array if field == name else array[field[len(name) + 1 :]]
+                arrays.update(_fields_of(array, member.name, wanted))
         return arrays
 
-    recording = ArraysRecording(file, "npz", shapes, load)
+    @contextmanager
+    def mapped(names: set[str]) -> Iterator[dict[str, NDArray[Any]]]:
+        arrays = {}
+        with _members(path, file) as members:
+            for member in members:
+                if wanted := _wanted(names, member.name):
+                    arrays.update(_fields_of(member.mapped(path), member.name, wanted))
+        yield arrays
+
+    recording = ArraysRecording(file, "npz", shapes, load, None if packed else mapped)
     refuse_without_samples(recording, shapes)
     return recording
+
+
+def _wanted(names: set[str], name: str) -> list[str]:
+    """Which of ``names`` are the array called ``name``, or fields of it."""
+    return [field for field in names if field == name or field.startswith(f"{name}.")]
+
+
+def _fields_of(array: NDArray[Any], name: str, wanted: list[str]) -> dict[str, NDArray[Any]]:
+    """The array called ``name``, or its fields, by the names ``wanted``."""
+    return {field: array if field == name else array[field[len(name) + 1 :]] for field in wanted}
 
 
 def _fields(name: str, kind: np.dtype[Any]) -> Iterator[tuple[str, np.dtype[Any]]]:
@@ -68,8 +98,44 @@ def _fields(name: str, kind: np.dtype[Any]) -> Iterator[tuple[str, np.dtype[Any]
         yield from ((f"{name}.{field}", part[0]) for field, part in kind.fields.items())
 
 
-def _head(source: IO[bytes], size: int, name: str) -> tuple[tuple[int, ...], np.dtype[Any]]:
-    """Shape and kind of the array that ``source`` of ``size`` bytes begins with.
+@dataclass(frozen=True, slots=True)
+class _Head:
+    """What an array says of itself: its ``shape``, its ``kind`` of numbers, which axis its bytes go along
+    (``fortran``: the first), and where they begin behind it."""
+
+    shape: tuple[int, ...]
+    fortran: bool
+    kind: np.dtype[Any]
+    end: int
+
+    @property
+    def size(self) -> int:
+        """How many bytes it takes."""
+        return math.prod(self.shape) * self.kind.itemsize
+
+
+@dataclass(frozen=True, slots=True)
+class _Member:
+    """An array of a file: its ``name``, its ``size`` unpacked [bytes], what opens it, and its ``place`` in
+    the file; None where it is packed."""
+
+    name: str
+    size: int
+    open: Callable[[], IO[bytes]]
+    place: int | None
+
+    def mapped(self, path: Path) -> NDArray[Any]:
+        """The array in the file at ``path``, of which only what is used is read. Checksums are not held
+        against it."""
+        assert self.place is not None
+        with self.open() as source:
+            head = _head(source, self)
+        order: Literal["C", "F"] = "F" if head.fortran else "C"
+        return np.memmap(path, head.kind, "r", self.place + head.end, head.shape, order)
+
+
+def _head(source: IO[bytes], member: _Member) -> _Head:
+    """What the array says that ``source`` begins with.
 
     Raises
     ------
@@ -77,20 +143,18 @@ def _head(source: IO[bytes], size: int, name: str) -> tuple[tuple[int, ...], np.
     """
     version = np.lib.format.read_magic(source)
     read = np.lib.format.read_array_header_1_0 if version == (1, 0) else np.lib.format.read_array_header_2_0
-    shape, _, kind = read(source, max_header_size=HEADER)
+    shape, fortran, kind = read(source, max_header_size=HEADER)
     if kind.hasobject:
-        raise ValueError(f"{name!a} has Python objects, which are not read")
-    needed = math.prod(shape) * kind.itemsize
-    if needed > size:
-        raise ValueError(f"{name!a} claims {needed} bytes, and has {size}")
-    if needed > 8 * LARGEST:
-        raise ValueError(f"{name!a} has {needed} bytes, more than is read")
-    return shape, kind
+        raise ValueError(f"{member.name!a} has Python objects, which are not read")
+    head = _Head(shape, fortran, kind, source.tell())
+    if head.size > member.size:
+        raise ValueError(f"{member.name!a} claims {head.size} bytes, and has {member.size}")
+    return head
 
 
 @contextmanager
-def _members(path: Path, file: str) -> Iterator[list[tuple[str, int, Any]]]:
-    """The arrays of a file: name, size unpacked [bytes], and what opens it."""
+def _members(path: Path, file: str) -> Iterator[list[_Member]]:
+    """The arrays of a file."""
     try:
         with open_regular(path, _EXPECTED, file) as raw, _buffered(raw) as source:
             start = source.read(6)
@@ -101,14 +165,19 @@ def _members(path: Path, file: str) -> Iterator[list[tuple[str, int, Any]]]:
                 def plain() -> IO[bytes]:
                     return path.open("rb")
 
-                yield [("array", size, plain)]
+                yield [_Member("array", size, plain, 0)]
                 return
             with zipfile.ZipFile(source) as archive:
                 listed = archive.infolist()
                 if len(listed) > MEMBERS:
                     raise ValueError(f"{len(listed)} arrays, more than {MEMBERS}")
                 yield [
-                    (one.filename.removesuffix(".npy"), one.file_size, _opener(archive, one))
+                    _Member(
+                        one.filename.removesuffix(".npy"),
+                        one.file_size,
+                        partial(archive.open, one),
+                        _place(source, one),
+                    )
                     for one in listed
                     if one.filename.endswith(".npy")
                 ]
@@ -124,8 +193,13 @@ def _members(path: Path, file: str) -> Iterator[list[tuple[str, int, Any]]]:
         raise damaged(file, "of numpy's", error) from None
 
 
-def _opener(archive: zipfile.ZipFile, one: zipfile.ZipInfo) -> Any:
-    return lambda: archive.open(one)
+def _place(source: IO[bytes], one: zipfile.ZipInfo) -> int | None:
+    """Where the bytes of a file in an archive begin, if they stand there as they are."""
+    if one.compress_type != zipfile.ZIP_STORED or one.flag_bits & _ENCRYPTED:
+        return None
+    source.seek(one.header_offset)
+    head = source.read(_LOCAL)
+    return one.header_offset + _LOCAL + sum(int.from_bytes(head[k : k + 2], "little") for k in (26, 28))
 
 
 def _buffered(raw: Any) -> Any:

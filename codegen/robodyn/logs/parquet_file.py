@@ -23,6 +23,8 @@ Floats = NDArray[np.float64]
 
 #: Rows that are read at once.
 BATCH = 1 << 16
+#: How much of a column is read at once [bytes].
+BUFFER = 1 << 20
 
 
 def write_parquet(names: Sequence[str], columns: Sequence[Floats]) -> bytes:
@@ -60,6 +62,20 @@ def read_parquet(
     return layout, tables
 
 
+def parquet_blocks(
+    path: Path, file: str, n: int | None, groups: Sequence[str] = GROUPS
+) -> tuple[Layout, Iterator[dict[str, Floats]]]:
+    """As :func:`read_parquet`, block by block, however long the log is.
+
+    Raises
+    ------
+    InputError, ToolError, OSError: as :func:`read_parquet`; of the rows when they are reached.
+    """
+    with _opened(path, file) as (_, opened, _, _):
+        layout = layout_of(opened.schema_arrow.names, n, Place(file), groups)
+    return layout, parquet_row_blocks(path, file, layout, gaps=False)
+
+
 def parquet_columns(path: Path, file: str) -> tuple[tuple[str, ...], int]:
     """Names of the columns of numbers, "" for all others, and how many rows there are.
 
@@ -84,6 +100,26 @@ def read_parquet_rows(path: Path, file: str, layout: Layout, names: Sequence[str
         return _rows(parts[0], *parts[1:], layout, file, gaps=True)
 
 
+def parquet_row_blocks(
+    path: Path, file: str, layout: Layout, *, gaps: bool = True
+) -> Iterator[dict[str, Floats]]:
+    """The groups of ``layout`` [k, m], block by block; ``gaps``: whether values may be missing.
+
+    Raises
+    ------
+    InputError, ToolError, OSError: as :func:`read_parquet`.
+    """
+    with _opened(path, file) as (pyarrow, opened, source, footer):
+        wanted = _checked(pyarrow, opened, source, footer, layout, file)
+        for _, columns in _batches(opened, wanted, footer.rows, file, gaps=gaps):
+            tables, start = {}, 0
+            for group, at in layout.groups.items():
+                tables[group] = np.column_stack(columns[start : start + len(at)])
+                start += len(at)
+            yield tables
+    pyarrow.default_memory_pool().release_unused()
+
+
 @contextmanager
 def _opened(path: Path, file: str) -> Iterator[tuple[Any, Any, IO[bytes], Footer]]:
     """pyarrow, the Parquet file, the file itself, and its footer; their errors become ours."""
@@ -91,8 +127,9 @@ def _opened(path: Path, file: str) -> Iterator[tuple[Any, Any, IO[bytes], Footer
     with io.BufferedReader(open_regular(path, "a log, such as log.parquet", file)) as source:
         try:
             footer = read_footer(source, os.fstat(source.fileno()).st_size)
-            # Buffered ahead, the whole file would be in memory beside its numbers.
-            with parquet.ParquetFile(source, pre_buffer=False) as opened:
+            # Buffered ahead, the whole file would be in memory beside its numbers; a column's pages all at
+            # once where they are not buffered at all.
+            with parquet.ParquetFile(source, pre_buffer=False, buffer_size=BUFFER) as opened:
                 yield pyarrow, opened, source, footer
         except (pyarrow.ArrowException, OSError, ValueError) as error:
             if isinstance(error, OSError) and error.errno is not None:  # of the system, not of pyarrow
@@ -118,16 +155,30 @@ def _rows(
     gaps: bool = False,
 ) -> dict[str, Floats]:
     """The groups of ``layout``; ``gaps``: whether values may be missing."""
+    if footer.rows > LARGEST // len(layout.wanted):
+        raise too_large(layout, Place(file))
+    wanted = _checked(pyarrow, opened, source, footer, layout, file)
+    tables = {group: np.empty((footer.rows, len(at))) for group, at in layout.groups.items()}
+    for rows, columns in _batches(opened, wanted, footer.rows, file, gaps=gaps):
+        each = iter(columns)
+        for table in tables.values():
+            for i in range(table.shape[1]):
+                table[rows, i] = next(each)
+    return tables
+
+
+def _checked(
+    pyarrow: Any, opened: Any, source: IO[bytes], footer: Footer, layout: Layout, file: str
+) -> list[str]:
+    """Names of the columns of ``layout``, once what the file says of them has been held against itself."""
     _check_kinds(pyarrow, opened.schema_arrow, layout, file)
     wanted = [opened.schema_arrow.names[position] for position in layout.wanted]
     if not footer.rows:
         raise InputError("the log has no samples", where=Place(file), expected="a row a sample")
-    if footer.rows > LARGEST // len(wanted):
-        raise too_large(layout, Place(file))
     size = os.fstat(source.fileno()).st_size
     for chunk in footer.chunks(wanted):
         check_pages(source, size, chunk)
-    return _tables(opened, layout, wanted, footer.rows, file, gaps=gaps)
+    return wanted
 
 
 def _is_number(pyarrow: Any, kind: Any) -> bool:
@@ -147,29 +198,26 @@ def _check_kinds(pyarrow: Any, schema: Any, layout: Layout, file: str) -> None:
             )
 
 
-def _tables(
-    opened: Any, layout: Layout, wanted: Sequence[str], rows: int, file: str, *, gaps: bool
-) -> dict[str, Floats]:
-    """The groups of a file whose columns are known to have so many ``rows``."""
-    tables = {group: np.empty((rows, len(at))) for group, at in layout.groups.items()}
+def _batches(
+    opened: Any, wanted: Sequence[str], rows: int, file: str, *, gaps: bool
+) -> Iterator[tuple[slice, list[Floats]]]:
+    """Which of the ``rows`` that a file is known to have, and the columns ``wanted`` of these."""
     start = 0
     for batch in opened.iter_batches(BATCH, columns=wanted):
         end = start + batch.num_rows
         if end > rows or any(len(batch.column(name)) != batch.num_rows for name in wanted):
             break
-        columns = iter(wanted)
-        for table in tables.values():
-            for i in range(table.shape[1]):
-                name = next(columns)
-                column = batch.column(name)
-                if not gaps:
-                    _refuse_gaps(column, name, start, file)
-                with np.errstate(invalid="ignore"):  # half floats that are no numbers
-                    table[start:end, i] = column.to_numpy(zero_copy_only=False)
+        columns = []
+        for name in wanted:
+            column = batch.column(name)
+            if not gaps:
+                _refuse_gaps(column, name, start, file)
+            with np.errstate(invalid="ignore"):  # half floats that are no numbers
+                columns.append(np.asarray(column.to_numpy(zero_copy_only=False), dtype=np.float64))
+        yield slice(start, end), columns
         start = end
     if start != rows:
         raise Damaged(f"columns that end at row {start} of {rows}")
-    return tables
 
 
 def _first_line(error: BaseException) -> str:

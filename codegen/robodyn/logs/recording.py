@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Protocol
 
@@ -48,6 +48,11 @@ class Table:
     stamps: NDArray[np.int64] | None = None
     skipped: int = 0
 
+    @property
+    def rows(self) -> int:
+        """How many were read."""
+        return len(next(iter(self.groups.values())))
+
 
 class Recording(Protocol):
     """A file that has been looked into: ``file`` is what messages call it, ``notes`` are on its state."""
@@ -66,6 +71,18 @@ class Recording(Protocol):
         Raises
         ------
         InputError: the file is damaged, or too long.
+        """
+        ...
+
+    def blocks(
+        self, stream: Stream, groups: Mapping[str, Sequence[str]], stamp: str | None
+    ) -> Iterator[Table]:
+        """As :meth:`read`, in order, block by block, however long the file is: none of them is large, and
+        any may be empty.
+
+        Raises
+        ------
+        InputError: the file is damaged, or its rows are too far out of order.
         """
         ...
 

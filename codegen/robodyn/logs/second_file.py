@@ -60,53 +60,68 @@ def with_second(mapping: LogMap, recording: Recording, file: str) -> LogMap:
     return replace(mapping, groups={**mapping.groups, "ql": replace(channel, file=file)})
 
 
-def spread(columns: Floats | None, layout: Layout) -> Floats | None:
+def spread(columns: Floats, layout: Layout) -> Floats:
     """``columns`` [K, m] of the joints that have a second encoder as [K, n], NaN for all others."""
-    if columns is None or len(layout.linked) == layout.n:
+    if len(layout.linked) == layout.n:
         return columns
     ql = np.full((len(columns), layout.n), np.nan)
     ql[:, list(layout.linked)] = columns
     return ql
 
 
-def joined(t: Floats, ql: Floats | None, times: Floats, second: Floats | None, file: str) -> Floats:
-    """``second`` [K, n], at the ``times`` of the second ``file``, beside a log of the times ``t`` [K] that
-    has the columns ``ql`` itself.
+class Joining:
+    """Puts the columns of second encoders in the ``file`` beside those of a log, row by row."""
 
-    Raises
-    ------
-    InputError: the times are not the same, or a joint's column is in both files.
-    """
-    assert second is not None
-    if len(times) != len(t):
-        raise InputError(
-            "the two files are not of the same samples",
-            where=Place(file),
-            found=f"{len(times)} rows",
-            expected=f"{len(t)}, as in the first file",
-            remedy="write both at the same times",
-        )
-    steps = np.diff(t)
-    steps = steps[steps > 0]
-    near = SAME_TIME * float(np.median(steps)) if len(steps) else 0.0
-    apart = np.flatnonzero(~(np.abs(times - t) <= near) & ~(np.isnan(times) & np.isnan(t)))
-    if len(apart):
-        k = int(apart[0])
-        raise InputError(
-            "the two files are not of the same times",
-            where=Place(file),
-            found=f"t = {times[k]:.9g} s in row {k + 1}",
-            expected=f"{t[k]:.9g} s, as in the first file",
-            remedy="write both at the same times",
-        )
-    if ql is None:
-        return second
-    both = np.flatnonzero(~np.isnan(ql).all(axis=0) & ~np.isnan(second).all(axis=0))
-    if len(both):
-        raise InputError(
-            "a joint has two second encoders",
-            where=Place(file),
-            found=f"ql{both[0] + 1} in both files",
-            remedy="delete one of the columns",
-        )
-    return np.where(np.isnan(ql), second, ql)
+    def __init__(self, file: str) -> None:
+        self._file = file
+        self._near: float | None = None
+        self._rows = 0
+        self._in_first, self._in_second = np.array(False), np.array(False)
+
+    def joined(self, t: Floats, ql: Floats | None, times: Floats, second: Floats) -> Floats:
+        """``second`` [K, n], at its ``times`` [K], beside the next rows of a log, of the times ``t`` [K],
+        that has the columns ``ql`` itself.
+
+        Raises
+        ------
+        InputError: the times are not the same, or a joint's column is in both files.
+        """
+        steps = np.diff(t)
+        steps = steps[steps > 0]
+        if self._near is None:
+            self._near = SAME_TIME * float(np.median(steps)) if len(steps) else 0.0
+        apart = np.flatnonzero(~(np.abs(times - t) <= self._near) & ~(np.isnan(times) & np.isnan(t)))
+        if len(apart):
+            k = int(apart[0])
+            raise InputError(
+                "the two files are not of the same times",
+                where=Place(self._file),
+                found=f"t = {times[k]:.9g} s in row {self._rows + k + 1}",
+                expected=f"{t[k]:.9g} s, as in the first file",
+                remedy="write both at the same times",
+            )
+        self._rows += len(t)
+        if ql is None:
+            return second
+        self._in_first = self._in_first | ~np.isnan(ql).all(axis=0)
+        self._in_second = self._in_second | ~np.isnan(second).all(axis=0)
+        both = np.flatnonzero(self._in_first & self._in_second)
+        if len(both):
+            raise InputError(
+                "a joint has two second encoders",
+                where=Place(self._file),
+                found=f"ql{both[0] + 1} in both files",
+                remedy="delete one of the columns",
+            )
+        return np.where(np.isnan(ql), second, ql)
+
+
+def not_as_many(file: str, rows: int, beside: int) -> InputError:
+    """What to say of a second ``file`` with other ``rows`` than the first has."""
+    return InputError(
+        "the two files are not of the same samples",
+        where=Place(file),
+        found=f"{rows} rows",
+        expected=f"{beside}, as in the first file",
+        remedy="write both at the same times",
+    )

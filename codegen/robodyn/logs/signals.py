@@ -34,7 +34,8 @@ class Signals:
     keeps, but for ``edge`` samples at either end; ``acceleration_noise`` [n]: standard deviations of
     the noise that the accelerations have from the encoders, after :meth:`filtered`; ``torque_noise`` [n]:
     those of the torque channel's noise, unfiltered; ``motion`` [Hz]: the cutoff of the filter that positions
-    went through, None where they did not."""
+    went through, None where they did not; ``position_noise`` [n]: standard deviations of the encoders'
+    noise before that."""
 
     t: Floats
     q: Floats
@@ -47,6 +48,7 @@ class Signals:
     acceleration_noise: Floats | None = None
     torque_noise: Floats | None = None
     motion: float | None = None
+    position_noise: Floats | None = None
 
     @property
     def period(self) -> float:
@@ -90,6 +92,14 @@ class Signals:
         q, qd, qdd = _moving(self.q, self.period, self.motion)
         return replace(self, q=q, qd=qd, qdd=qdd)
 
+    def noisier(self, rng: np.random.Generator) -> Signals:
+        """The same with as much noise of the encoders once more in its positions, white, drawn by ``rng``."""
+        if self.motion is None or self.position_noise is None:
+            return self
+        noise = rng.standard_normal(self.q.shape) * self.position_noise
+        q, qd, qdd = _moving(noise, self.period, self.motion)
+        return replace(self, q=self.q + q, qd=self.qd + qd, qdd=self.qdd + qdd)
+
 
 def signals_of(log: Log, *, cutoff: float | None = None, wider: float = 1.0) -> Signals:
     """Signals of an evenly sampled log. What moves above the cutoff is kept as well, up to ``wider`` times
@@ -105,11 +115,12 @@ def signals_of(log: Log, *, cutoff: float | None = None, wider: float = 1.0) -> 
     edge = every * max(1, round(min(1.5 / chosen * rate, len(t) / 20) / every))
     # So many samples that coarse signals have the same places.
     count = (len(t) - 1) // every * every + 1
-    acceleration_noise = (
-        1.4826 * np.median(np.abs(log.q - smooth), axis=0) * _acceleration_noise(chosen, motion, rate)
-    )
+    position_noise = 1.4826 * np.median(np.abs(log.q - smooth), axis=0)
     t, smooth, qd, qdd, tau = (x[:count] for x in (t, smooth, qd, qdd, log.tau))
-    return Signals(t, smooth, qd, qdd, tau, chosen, every, edge, acceleration_noise, _raw_noise(tau), motion)
+    return Signals(
+        t, smooth, qd, qdd, tau, chosen, every, edge,
+        position_noise * _acceleration_noise(chosen, motion, rate), _raw_noise(tau), motion, position_noise,
+    )  # fmt: skip
 
 
 def _moving(q: Floats, period: float, cutoff: float) -> tuple[Floats, Floats, Floats]:

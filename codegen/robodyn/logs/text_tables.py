@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import io
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
 from robodyn.errors import InputError, Place
 from robodyn.files import open_regular
 from robodyn.logs.columns import Layout
-from robodyn.logs.csv_file import read_dialect, read_rows
-from robodyn.logs.parquet_file import parquet_columns, read_parquet_rows
+from robodyn.logs.csv_file import read_dialect, read_rows, row_blocks
+from robodyn.logs.parquet_file import parquet_columns, parquet_row_blocks, read_parquet_rows
 from robodyn.logs.recording import Stream, Table
 
 
@@ -30,6 +30,17 @@ class CsvRecording:
 
     def read(self, stream: Stream, groups: Mapping[str, Sequence[str]], stamp: str | None) -> Table:
         """As :class:`~robodyn.logs.recording.Recording` says."""
+        return Table(read_rows(self.path, self.file, self._layout(groups), self.dialect))
+
+    def blocks(
+        self, stream: Stream, groups: Mapping[str, Sequence[str]], stamp: str | None
+    ) -> Iterator[Table]:
+        """As :class:`~robodyn.logs.recording.Recording` says."""
+        layout = self._layout(groups)
+        for block in row_blocks(self.path, self.file, layout, self.dialect):
+            yield Table(block.groups(layout))
+
+    def _layout(self, groups: Mapping[str, Sequence[str]]) -> Layout:
         names = self.dialect.names
         wanted = {name for group in groups.values() for name in group}
         twice = sorted(name for name in wanted if names.count(name) > 1)
@@ -40,7 +51,7 @@ class CsvRecording:
                 found=", ".join(twice[:8]),
                 remedy="delete or rename all but one",
             )
-        return Table(read_rows(self.path, self.file, _layout(names, groups), self.dialect))
+        return _layout(names, groups)
 
     def rough_rows(self) -> int | None:
         """About how many rows it has: its size by the length of its first ones."""
@@ -66,6 +77,13 @@ class ParquetRecording:
         """As :class:`~robodyn.logs.recording.Recording` says."""
         layout = _layout(stream.columns, groups)
         return Table(read_parquet_rows(self.path, self.file, layout, stream.columns))
+
+    def blocks(
+        self, stream: Stream, groups: Mapping[str, Sequence[str]], stamp: str | None
+    ) -> Iterator[Table]:
+        """As :class:`~robodyn.logs.recording.Recording` says."""
+        for tables in parquet_row_blocks(self.path, self.file, _layout(stream.columns, groups)):
+            yield Table(tables)
 
 
 def _layout(names: Sequence[str], groups: Mapping[str, Sequence[str]]) -> Layout:

@@ -19,6 +19,7 @@ from robodyn.logs.bags.sqlite import Database
 from robodyn.logs.bags.storage import BadStorage, Storage, Topic, needed
 from robodyn.logs.columns import LARGEST
 from robodyn.logs.recording import RECEIVED, Stream, Table, damaged
+from robodyn.logs.windows import Rows, in_order
 
 Floats = NDArray[np.float64]
 
@@ -27,6 +28,8 @@ BATCH, PLANS = 4096, 32
 #: Files of a folder.
 FILES: Final = 1000
 _STAMP: Final = "header.stamp"
+#: Beside groups of columns: the stamps of messages.
+_STAMPS: Final = "stamps"
 
 
 def open_bag(path: Path, file: str) -> BagRecording:
@@ -93,7 +96,6 @@ class BagRecording:
 
     def read(self, stream: Stream, groups: Mapping[str, Sequence[str]], stamp: str | None) -> Table:
         """As :class:`~robodyn.logs.recording.Recording` says."""
-        channel = self._channels[stream.name]
         rows, width = stream.rows or 0, sum(map(len, groups.values())) + 2
         if rows > LARGEST // width:
             raise InputError(
@@ -105,18 +107,12 @@ class BagRecording:
         tables = {group: np.empty((rows, len(names))) for group, names in groups.items()}
         stamps, received = np.empty(rows, np.int64), np.empty(rows, np.int64)
         filled = 0
-        reader = _Rows(channel, groups, None if stamp == RECEIVED else stamp)
-        try:
-            for times, messages in self._batches(channel, rows):
-                sound, parts, own = reader.rows(messages)
-                end = filled + int(sound.sum())
-                for group, table in tables.items():
-                    table[filled:end] = parts[group][sound]
-                received[filled:end] = times[sound]
-                stamps[filled:end] = own[sound] if own is not None else times[sound]
-                filled = end
-        except (BadStorage, NotCdr) as error:
-            raise damaged(self.file, self.format, f"{stream.name}: {error}") from None
+        for part in self._parts(stream, groups, stamp):
+            end = filled + len(part[RECEIVED])
+            for group, table in tables.items():
+                table[filled:end] = part[group]
+            received[filled:end], stamps[filled:end] = part[RECEIVED], part[_STAMPS]
+            filled = end
         for table in tables.values():
             table.resize((filled, table.shape[1]), refcheck=False)
         stamps, received = stamps[:filled], received[:filled]
@@ -125,6 +121,35 @@ class BagRecording:
             stamps = stamps[order]
             tables = {group: table[order] for group, table in tables.items()}
         return Table(tables, stamps, rows - filled)
+
+    def blocks(
+        self, stream: Stream, groups: Mapping[str, Sequence[str]], stamp: str | None
+    ) -> Iterator[Table]:
+        """As :class:`~robodyn.logs.recording.Recording` says."""
+        skipped = stream.rows or 0
+        for rows in in_order(self._parts(stream, groups, stamp), RECEIVED, self.file):
+            skipped -= len(rows[RECEIVED])
+            yield Table({group: rows[group] for group in groups}, rows[_STAMPS])
+        nothing = {group: np.empty((0, len(names))) for group, names in groups.items()}
+        yield Table(nothing, np.empty(0, np.int64), skipped)
+
+    def _parts(
+        self, stream: Stream, groups: Mapping[str, Sequence[str]], stamp: str | None
+    ) -> Iterator[Rows]:
+        """The messages of ``stream`` that have all columns, as they stand in the file: ``groups`` [k, m],
+        when they were received, and their stamps [k] in ns."""
+        channel = self._channels[stream.name]
+        reader = _Reader(channel, groups, None if stamp == RECEIVED else stamp)
+        try:
+            for times, messages in self._batches(channel, stream.rows or 0):
+                sound, tables, own = reader.rows(messages)
+                yield {
+                    **{group: table[sound] for group, table in tables.items()},
+                    RECEIVED: times[sound],
+                    _STAMPS: own[sound] if own is not None else times[sound],
+                }
+        except (BadStorage, NotCdr) as error:
+            raise damaged(self.file, self.format, f"{stream.name}: {error}") from None
 
     def _batches(self, channel: _Channel, rows: int) -> Iterator[tuple[NDArray[np.int64], list[bytes]]]:
         """Times [ns] and contents of the messages of ``channel``, ``rows`` of them at most."""
@@ -144,7 +169,7 @@ class BagRecording:
             yield np.array(times, dtype=np.int64), messages
 
 
-class _Rows:
+class _Reader:
     """Takes messages of a channel apart, as plans of earlier ones say."""
 
     def __init__(self, channel: _Channel, groups: Mapping[str, Sequence[str]], stamp: str | None) -> None:

@@ -1,0 +1,240 @@
+"""Logs in pieces have the samples of the log as a whole, whatever the format and the length of a piece."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from logs.files_of_logs import bag, write
+from robodyn.errors import InputError
+from robodyn.logs import arrays, csv_file, parquet_file, windows
+from robodyn.logs.bags import recording as bag_recording
+from robodyn.logs.conditions import together
+from robodyn.logs.log import Log, read_log
+from robodyn.logs.mapping import LogMap, map_of_text
+from robodyn.logs.pieces import pieces
+
+K = 403
+FORMATS = (
+    ".csv",
+    ".npz",
+    *(pytest.param(each, marks=pytest.mark.thorough) for each in (".parquet", ".mat", ".h5", ".json")),
+    *(pytest.param(each, marks=pytest.mark.thorough) for each in (".mcap", ".db3")),
+)
+MAP = map_of_text("joints: [base_joint, upper_joint, fore_joint]\ntopic: /joint_states\n"
+                  "q: position.%s\nqd: velocity.%s\ntau: effort.%s\n")  # fmt: skip
+
+
+@pytest.fixture(autouse=True)
+def short_blocks(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Blocks and windows of a few rows, as long files have many of."""
+    monkeypatch.setattr(csv_file, "BLOCK", 1 << 10)
+    monkeypatch.setattr(parquet_file, "BATCH", 32)
+    monkeypatch.setattr(arrays, "BLOCK", 256)
+    monkeypatch.setattr(bag_recording, "BATCH", 16)
+
+
+def a_log(samples: int = K, linked: bool = False) -> Log:
+    rng = np.random.default_rng(7)
+    q, qd, tau = rng.normal(size=(3, samples, 3))
+    ql = np.full((samples, 3), np.nan) if linked else None
+    if ql is not None:
+        ql[:, 1] = q[:, 1]
+    return Log(np.arange(samples) / 125, q, qd, None, tau, ql=ql)
+
+
+def same(whole: Log, parts: list[Log], most: int) -> None:
+    assert [part.samples for part in parts[:-1]] == [most] * (len(parts) - 1)
+    assert 1 <= parts[-1].samples <= most
+    for name in ("t", "q", "qd", "qdd", "tau", "ql"):
+        array = getattr(whole, name)
+        if array is None:
+            assert all(getattr(part, name) is None for part in parts)
+            continue
+        np.testing.assert_array_equal(np.concatenate([getattr(part, name) for part in parts]), array)
+    assert {part.ignored for part in parts} == {whole.ignored}
+    assert sorted(note for part in parts for note in part.notes) == sorted(whole.notes)
+    assert {part.began for part in parts} == {whole.began}
+    means = together(part.conditions for part in parts)
+    assert means.keys() == whole.conditions.keys()
+    for name, mean in whole.conditions.items():
+        assert means[name].count == mean.count
+        assert means[name].value == pytest.approx(mean.value, rel=1e-12)
+
+
+@pytest.mark.parametrize("kind", FORMATS)
+def test_every_format(kind: str, tmp_path: Path) -> None:
+    path = write(a_log(), tmp_path, kind)
+    mapping = MAP if kind in (".mcap", ".db3") else None
+    whole = read_log(path, 3, mapping=mapping)
+    for most in (1, 100, K, 10**9):
+        same(whole, list(pieces(path, 3, mapping=mapping, most=most)), most)
+
+
+@pytest.mark.thorough
+@settings(deadline=None, max_examples=40, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(most=st.integers(1, 500), block=st.integers(1, 4000), linked=st.booleans(), units=st.booleans())
+def test_every_length_of_a_piece(
+    most: int, block: int, linked: bool, units: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(csv_file, "BLOCK", block)
+    log = a_log(120, linked)
+    path = tmp_path / "log.csv"
+    lines = log.csv().splitlines()
+    if units:
+        lines.insert(1, ",".join(["s", *3 * ["deg"], *3 * ["deg/s"], *3 * ["N m"], *["deg"] * linked]))
+    path.write_text("\n".join([*lines, ""]), encoding="utf-8")
+    whole = read_log(path)
+    assert whole.q[0, 0] == pytest.approx(np.deg2rad(log.q[0, 0]) if units else log.q[0, 0], rel=1e-15)
+    same(whole, list(pieces(path, most=most)), most)
+
+
+def test_two_files_of_the_same_samples(tmp_path: Path) -> None:
+    log = a_log(linked=True)
+    assert log.ql is not None
+    (tmp_path / "a.csv").write_text(a_log().csv(), encoding="utf-8")
+    rows = [f"{t!r},{x!r}" for t, x in zip(log.t.tolist(), log.ql[:, 1].tolist(), strict=True)]
+    second = tmp_path / "b.csv"
+    second.write_text("\n".join(["t,ql2", *rows, ""]), encoding="utf-8")
+    name = f"{tmp_path}/a.csv+{second}"
+    same(read_log(name), list(pieces(name, most=50)), 50)
+    for bad, words in (
+        (rows[:-1], rf"b\.csv: .*found {K - 1} rows; expected {K}, as"),
+        ([*rows, "9,1"], rf"b\.csv: .*found {K + 1} rows; expected {K}, as"),
+        ([*rows[:300], "9,1", *rows[301:]], r"b\.csv: .* not of the same times; found t = 9 s in row 301;"),
+    ):
+        second.write_text("\n".join(["t,ql2", *bad, ""]), encoding="utf-8")
+        for read in (read_log, lambda each: list(pieces(each, most=50))):
+            with pytest.raises(InputError, match=words):
+                read(name)
+
+
+def streams(folder: Path, times: Callable[[np.ndarray], np.ndarray]) -> tuple[Path, LogMap]:
+    """Positions in one file, torques at other ``times`` in another."""
+    log = a_log()
+    (folder / "log.csv").write_text(
+        "t,q1,temp\n" + "".join(f"{t!r},{x!r},{30 + t!r}\n" for t, x in
+                                zip(log.t.tolist(), log.q[:, 0].tolist(), strict=True)), encoding="utf-8"
+    )  # fmt: skip
+    t = times(log.t)
+    (folder / "log_u.csv").write_text(
+        "t,u\n" + "".join(f"{x!r},{float(np.sin(x))!r}\n" for x in t.tolist()), encoding="utf-8"
+    )
+    text = "q: q1\ntau: {columns: u, file: '%s_u.csv'}\nconditions: {temperature: 'temp[K]'}\n"
+    return folder / "log.csv", map_of_text(text)
+
+
+TIMES: dict[str, Callable[[np.ndarray], np.ndarray]] = {
+    "same": lambda t: t,
+    "nearly the same": lambda t: t + 1e-4,
+    "as many, others": lambda t: t * 0.9 + 0.1,
+    "slower": lambda t: t[5::7] + 1e-3,
+    "faster, with a gap": lambda t: np.delete(np.arange(0.05, 3.0, 1e-3), slice(1000, 1200)),
+    "longer": lambda t: np.arange(-1.0, 9.0, 0.01),
+    "out of order": lambda t: (t + 1e-3)[np.arange(len(t) - 1) ^ 1],
+    "one": lambda t: t[200:201],
+}
+
+
+@pytest.mark.parametrize("times", TIMES)
+def test_streams_of_other_times(times: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(windows, "WINDOW", 64)
+    path, mapping = streams(tmp_path, TIMES[times])
+    whole = read_log(path, 1, mapping=mapping)
+    for most in (17, 10**6):
+        same(whole, list(pieces(path, 1, mapping=mapping, most=most)), most)
+    assert whole.conditions["temperature"].value == pytest.approx(30 - 273.15 + whole.t.mean())
+
+
+def test_rows_that_are_far_too_late_are_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path, mapping = streams(tmp_path, lambda t: np.concatenate([t[200:], t[:200], t[-1:] + 0.1]))
+    whole = read_log(path, 1, mapping=mapping)
+    same(whole, list(pieces(path, 1, mapping=mapping, most=50)), 50)
+    monkeypatch.setattr(windows, "WINDOW", 64)
+    with pytest.raises(InputError, match=r"log\.csv: the rows are too far out of order"):
+        list(pieces(path, 1, mapping=mapping, most=50))
+
+
+def test_a_second_file_without_times_has_as_many_rows(tmp_path: Path) -> None:
+    path, mapping = streams(tmp_path, lambda t: t)
+    lines = (tmp_path / "log_u.csv").read_text(encoding="utf-8").splitlines()
+    (tmp_path / "log_u.csv").write_text(
+        "\n".join(["x,u", *(f"0,{line.partition(',')[2]}" for line in lines[1:]), ""]), encoding="utf-8"
+    )
+    whole = read_log(path, 1, mapping=mapping)
+    np.testing.assert_array_equal(whole.tau[:, 0], np.sin(whole.t))
+    same(whole, list(pieces(path, 1, mapping=mapping, most=50)), 50)
+
+
+@pytest.mark.parametrize("unit", ["s", "ns"])
+def test_dates_count_from_the_first_sample(unit: str, tmp_path: Path) -> None:
+    path = tmp_path / "log.csv"
+    factor = {"s": 1, "ns": 10**9}[unit]
+    rows = [f"{(1777809600 + k) * factor},{k},{k}" for k in range(300)]
+    path.write_text("\n".join(["when,q1,tau1", *rows, ""]), encoding="utf-8")
+    mapping = map_of_text(f"t: 'when[{unit}]'\n")
+    whole = read_log(path, 1, mapping=mapping)
+    assert whole.date == 1777809600.0
+    assert whole.t[0] == 0.0
+    same(whole, list(pieces(path, 1, mapping=mapping, most=70)), 70)
+    path.write_text(path.read_text(encoding="utf-8").replace("when", "t"), encoding="utf-8")
+    assert read_log(path, 1).date == (1777809600.0 if unit == "s" else None)
+
+
+def test_what_is_wrong_is_said_as_of_the_whole(tmp_path: Path) -> None:
+    path = tmp_path / "log.csv"
+    lines = a_log().csv().splitlines()
+    for text in (
+        "\n".join([*lines[:300], lines[300].replace(",", ",x", 1), *lines[301:]]),
+        "\n".join([*lines[:300], "1,2", *lines[301:]]),
+        lines[0] + "\n",
+        "t,q1\n",
+        "",
+    ):
+        path.write_text(text, encoding="utf-8")
+        with pytest.raises(InputError) as of_whole:
+            read_log(path, 3)
+        with pytest.raises(InputError) as of_pieces:
+            list(pieces(path, 3, most=40))
+        assert str(of_pieces.value) == str(of_whole.value)
+    with pytest.raises(InputError, match="one sample or more"):
+        list(pieces(path, 3, most=0))
+
+
+@pytest.mark.thorough
+def test_a_bag_of_several_writers(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Messages of two files that overlap come in the order of their recording."""
+    monkeypatch.setattr(windows, "WINDOW", 512)
+    folder = tmp_path / "all"
+    folder.mkdir()
+    for k in (0, 1):
+        log = a_log(60)
+        late = Log(log.t + 0.2 * k + 0.001, log.q, log.qd, None, log.tau)
+        path = bag(late, tmp_path / f"part{k}", ".mcap")
+        path.rename(folder / f"part_{k}.mcap")
+    whole = read_log(folder, 3, mapping=MAP)
+    assert (np.diff(whole.t) >= 0).all()
+    same(whole, list(pieces(folder, 3, mapping=MAP, most=25)), 25)
+
+
+@pytest.mark.skipif(not hasattr(os, "posix_spawn"), reason="measures memory as POSIX does")
+@pytest.mark.thorough
+def test_memory_does_not_grow(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    import tracemalloc
+
+    monkeypatch.undo()
+    peaks = []
+    for samples in (60_000, 240_000):
+        path = tmp_path / "log.csv"
+        path.write_text(a_log(samples).csv(), encoding="utf-8")
+        tracemalloc.start()
+        assert sum(part.samples for part in pieces(path, 3, most=5000)) == samples
+        peaks.append(tracemalloc.get_traced_memory()[1])
+        tracemalloc.stop()
+    assert peaks[1] < 1.2 * peaks[0]
