@@ -72,6 +72,7 @@ def test_the_stiffness_is_within_its_error_beside_rotor_friction_offset_and_skew
     assert abs(one.without_skew / STIFFNESS - 1) > 0.3
 
 
+@pytest.mark.thorough
 def test_errors_hold_what_is_true(arm: Robot) -> None:
     ones = [elasticity(arm, gates(arm, seed))[0] for seed in range(3, 15)]
     off = np.array([(one.compliance - 1 / STIFFNESS) / one.stderr for one in ones])

@@ -99,6 +99,7 @@ def test_without_effects_the_whole_library_is_to_be_told_apart() -> None:
     assert found.pair is None
 
 
+@pytest.mark.thorough
 def test_every_joint_counts_where_none_is_named() -> None:
     robot = load("puma560_3dof", warn=lambda _: None)
     motion = motion_of(robot)

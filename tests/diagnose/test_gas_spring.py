@@ -7,7 +7,10 @@ import pytest
 
 from robodyn.diagnose.amend.amend import Amendment
 from robodyn.diagnose.blind.hide import Setup, hide
+from robodyn.diagnose.select.fit import problem
 from robodyn.diagnose.select.library.candidate import Candidate
+from robodyn.diagnose.select.limits import LEAST_SHAPE
+from robodyn.diagnose.select.refine import Freed
 from robodyn.diagnose.select.search import estimates
 from robodyn.diagnose.select.selection import select
 from robodyn.robot import load
@@ -44,6 +47,18 @@ def test_a_weak_gas_spring_is_a_rival_of_what_explains_as_much() -> None:
     assert "gas_spring" in one.rivals
 
 
+def test_what_shapes_its_curve_is_free_in_the_last_fit_only() -> None:
+    robot = load("puma560_3dof", warn=lambda _: None)
+    spring = Amendment("gas_spring", 2, {"torque": 30.0, "rise": 0.0, "dead_center": 0.6, "ratio": 0.25})
+    start = problem(np.zeros((100, 3)), np.ones((100, 3, 1)), np.ones(3), 1.0)
+    sought, last = (Freed.of(robot, [spring], [], start, by_drives=which) for which in (False, True))
+    assert [name for _, name in sought.places] == ["torque", "dead_center"]
+    assert dict(zip([name for _, name in last.places], last.x, strict=True)) == {
+        **spring.parameters, "rise": LEAST_SHAPE,
+    }  # fmt: skip
+
+
+@pytest.mark.thorough
 def test_errors_follow_what_coefficients_do_together() -> None:
     """Two coefficients that are known by their sum alone: its error is small, and that of each is not."""
     robot = load("puma560_3dof", warn=lambda _: None)

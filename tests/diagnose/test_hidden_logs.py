@@ -17,6 +17,7 @@ from robodyn.simulate.kinematics import Kinematics
 from robodyn.verify.effects import settings
 from robodyn.verify.reference import Reference
 from robodyn.verify.stateful import bristle_step, twist
+from robodyn_testing import sampled
 
 #: What may be left over, as a share of the gap: steps of 0.25 ms, not the law.
 _LEFT = 0.02
@@ -76,7 +77,9 @@ def share_left(made: Hidden, left: Array) -> float:
     return float((rms / made.truth.noise).max() / made.truth.ratio.max())
 
 
-@pytest.mark.parametrize(("arm", "entry"), _PLAIN, ids=lambda x: x if isinstance(x, str) else x.effect)
+@pytest.mark.parametrize(
+    ("arm", "entry"), sampled(_PLAIN, every=3), ids=lambda x: x if isinstance(x, str) else x.effect
+)
 def test_logs_obey_the_reference_with_the_effect_and_not_without(arm: str, entry: EffectEntry) -> None:
     made = short(arm, entry)
     tau = made.truth.clean.tau

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -11,13 +13,14 @@ import pytest
 from robodyn.diagnose.amend.amend import Amendment, amended
 from robodyn.diagnose.select import own_numbers as room
 from robodyn.diagnose.select import refine
-from robodyn.diagnose.select.fit import Problem
+from robodyn.diagnose.select.fit import Problem, tighter
 from robodyn.diagnose.select.library import Context, context_of
 from robodyn.diagnose.select.own_numbers import own_numbers, own_numbers_of
 from robodyn.diagnose.select.refine import refined
 from robodyn.diagnose.select.selection import prior_scales, start_of
 from robodyn.diagnose.select.uncertainty import uncertainties
 from robodyn.identify.rigid import Model
+from robodyn.identify.twist import behind_motors
 from robodyn.logs.log import Log
 from robodyn.logs.signals import signals_of
 from robodyn.robot import load
@@ -26,6 +29,7 @@ from robodyn.simulate.sensors import measured_torque
 
 Torques = Callable[[Any, Any, Any, Any], Any]
 ARM = load("puma560_3dof", warn=lambda _: None)
+ROTOR = ARM.links[1].joint.motor_inertia
 TILT = Amendment("base_tilt", None, {"tilt_x": 0.02, "tilt_y": -0.03})
 
 
@@ -77,6 +81,31 @@ def test_a_tilt_is_known_no_better_than_the_centre_of_mass_that_it_shows() -> No
         assert stderr is not None
         errors.append(stderr)
     assert errors[1] > 2 * errors[0]
+
+
+@pytest.mark.thorough
+def test_of_a_link_and_its_rotor_only_the_sum_is_known_better_than_said() -> None:
+    """An identified arm has the rigid arm's torques right, and a rotor for some of its link's inertia."""
+    step, spring = 0.005, Amendment("joint_elasticity", 2, {"stiffness": 3000.0, "damping": 6.0})
+    second = ARM.links[1]
+    less, more = (x + sign * Fraction(3, 20) for x, sign in ((second.inertia.zz, -1), (ROTOR, 1)))
+    mixed = replace(
+        second, inertia=replace(second.inertia, zz=less), joint=replace(second.joint, motor_inertia=more),
+        confidence=Fraction(3, 10),
+    )  # fmt: skip
+    described = replace(ARM, links=(ARM.links[0], mixed, ARM.links[2]))
+
+    def torques(q: Any, qd: Any, qdd: Any, t: Any) -> Any:
+        return behind_motors(Model(amended(ARM, [spring])), q, qd, qdd, step).total
+
+    contexts, start = seen(described, 0.3, torques, step)
+    (one,), (sure,) = uncertainties(described, [spring], contexts, tighter(start, 0.01))
+    low, high = sure["stiffness"].low, sure["stiffness"].high
+    assert low is not None
+    assert high is not None
+    assert low < 3000 < high < 1.1 * low
+    assert float(one.parameters["stiffness"]) == pytest.approx(3000, rel=0.02)
+    assert float(one.parameters["damping"]) == pytest.approx(6, rel=0.05)
 
 
 def test_joints_that_stick_at_reversals_are_no_delay(monkeypatch: pytest.MonkeyPatch) -> None:

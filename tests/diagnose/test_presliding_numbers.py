@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 from robodyn.diagnose.run import diagnose
 from robodyn.logs.log import Log
@@ -36,6 +37,7 @@ def log() -> Log:
     return Log(t, q[:, None], None, None, tau[:, None])
 
 
+@pytest.mark.thorough
 def test_stiffness_and_damping_are_within_their_intervals() -> None:
     outcome = diagnose(read_text(TURNTABLE, warn=lambda _: None), [log()])
     (finding,) = outcome.findings

@@ -11,6 +11,7 @@ import pytest
 from robodyn.diagnose.amend.amend import Amendment
 from robodyn.diagnose.select import uncertainty
 from robodyn.diagnose.select.fit import problem
+from robodyn.diagnose.select.local_fit import LocalFit
 from robodyn.diagnose.select.own_numbers import own_numbers
 from robodyn.diagnose.select.refine import Freed
 from robodyn.diagnose.select.uncertainty import Uncertainty, uncertainties
@@ -53,7 +54,7 @@ def fitted(
     monkeypatch.setattr(Freed, "own_numbers", lambda self, x: own_numbers(start))
     for _ in range(6):  # Gauss and Newton, as the search has done before
         freed = Freed.of(ROBOT, [Amendment("stribeck_friction", 1, begin)], [], start)
-        fit = uncertainty.LocalFit.of(freed, freed.x)
+        fit = LocalFit.of(freed, freed.x)
         assert fit is not None
         outcome = fit.misfit_at(freed.x)
         assert outcome is not None
@@ -130,6 +131,38 @@ def test_a_better_fit_on_the_way_is_taken(monkeypatch: pytest.MonkeyPatch) -> No
     assert sure["velocity"].low < 0.1
 
 
+def test_noise_in_the_motion_of_a_link_behind_its_motor_is_allowed_for(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A coefficient of what is measured with noise is too small by the share of that noise in its squares
+    (errors in variables): here by a fifth."""
+    rng, true, share = np.random.default_rng(8), {"stiffness": 3.0, "damping": 0.5}, 0.2
+    regular = np.stack([speeds(0.0), np.roll(speeds(0.0), 40)], axis=1)
+    spread = np.sqrt(share / (1 - share)) * np.array([0.0, regular[:, 1].std()])
+    monkeypatch.setattr(uncertainty, "fitted_about", lambda freed, x: (freed, x))  # of one number, no arm
+    monkeypatch.setattr(Freed, "noisier", lambda self, draw: replace(self, contexts=(draw,)))
+    held, values = 0, []
+    for _ in range(20):
+        seen = regular + spread * rng.standard_normal(regular.shape)
+        torque = regular @ list(true.values()) + noise(rng, 1)
+        start = problem(torque[:, None], 0.2 * np.ones((SAMPLES, 1, 1)), np.array([0.3]), 1.0)
+
+        def missed(self: Freed, x: Any, seen: Any = seen, torque: Any = torque) -> Any:
+            more = [np.random.default_rng(draw).standard_normal(seen.shape) for draw in self.contexts]
+            return (torque - sum((spread * one for one in more), seen) @ x) / 0.3
+
+        monkeypatch.setattr(Freed, "missed", missed)
+        monkeypatch.setattr(Freed, "own_numbers", lambda self, x, start=start: own_numbers(start))
+        (one,), (sure,) = uncertainties(ROBOT, [Amendment("joint_elasticity", 1, dict(true))], [], start)
+        low, high = sure["damping"].low, sure["damping"].high
+        assert low is not None
+        assert high is not None
+        held += low <= true["damping"] <= high
+        values.append(float(one.parameters["damping"]))
+    assert held >= 17
+    assert np.mean(values) == pytest.approx(0.5, rel=0.05)  # 0.4 as fitted
+
+
 def test_numbers_of_which_only_the_ratio_shows_are_open(monkeypatch: pytest.MonkeyPatch) -> None:
     rng, force = np.random.default_rng(5), 5.0 * speeds(0.0)
     torque = 0.3 * force + noise(rng, 3)
@@ -139,6 +172,7 @@ def test_numbers_of_which_only_the_ratio_shows_are_open(monkeypatch: pytest.Monk
         mu, span = x
         return (torque - mu / span * (1 + 1e-9 * span) * force) / 0.3
 
+    monkeypatch.setattr(uncertainty, "fitted_about", lambda freed, x: (freed, x))  # of one number, no arm
     monkeypatch.setattr(Freed, "missed", missed)
     monkeypatch.setattr(Freed, "own_numbers", lambda self, x: own_numbers(start))
     begin: dict[str, float | str] = {"bearing": "linear", "mu": 0.0003, "span": 0.001}

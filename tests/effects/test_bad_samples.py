@@ -20,7 +20,7 @@ from robodyn.kernels.options import Options
 from robodyn.kernels.robot_kernel import compile as compile_kernel
 from robodyn.robot import Robot, read_text
 from robodyn.verify.stepping import Stepping
-from robodyn_testing import require_tool
+from robodyn_testing import representative, require_tool
 from robodyn_testing.effect_arms import arm
 
 Floats = NDArray[Any]
@@ -151,7 +151,15 @@ def test_samples_that_are_bad_again_and_again(language: str, scalar: str) -> Non
 
 @pytest.mark.parametrize(
     ("compiler", "flags"),
-    [("gcc", "-std=c99 -O3"), ("gcc", "-std=c99 -Os"), ("clang", "-std=c99 -O2"), ("clang", "-std=c99 -O3")],
+    representative(
+        [
+            ("gcc", "-std=c99 -O3"),
+            ("gcc", "-std=c99 -Os"),
+            ("clang", "-std=c99 -O2"),
+            ("clang", "-std=c99 -O3"),
+        ],
+        ("clang", "-std=c99 -O3"),
+    ),
 )
 def test_other_compilers_and_flags(compiler: str, flags: str) -> None:
     require_tool(compiler)

@@ -25,6 +25,7 @@ from robodyn.simulate.control import Control
 from robodyn.simulate.plant import Plant, build_plant
 from robodyn.simulate.start import start_state
 from robodyn.verify import Reference
+from robodyn_testing import representative
 from robodyn_testing.effect_arms import TEXTS, arm
 
 Floats = NDArray[np.float64]
@@ -92,7 +93,7 @@ def test_emitted_c_is_the_definition_and_the_reference(name: str) -> None:
             close(compiled[k], run(plain, values, **inputs)["tau"], scale)
 
 
-@pytest.mark.parametrize("name", [name for name in TEXTS if name != "remembering"])
+@pytest.mark.parametrize("name", representative([name for name in TEXTS if name != "remembering"], "sliding"))
 def test_the_simulator_solves_for_the_accelerations_of_the_definition(name: str) -> None:
     robot = arm(name)
     values, (q, qd, qdd) = parameters(robot), states(robot, 1)
@@ -131,6 +132,7 @@ def test_effects_that_remember_step_as_the_definition_steps() -> None:
         close(state, expected["state"], max(1.0, float(np.abs(expected["state"]).max())))
 
 
+@pytest.mark.thorough
 def test_the_simulator_moves_couplers_and_bristles_as_the_definition_has_them() -> None:
     """Coordinates of links and motors apart: each equation of motion holds for the reference's rigid arm."""
     robot = arm("remembering")

@@ -53,6 +53,7 @@ def test_friction_of_the_ur10_is_what_its_owners_published() -> None:
         assert value == pytest.approx(level, rel=0.3), j
 
 
+@pytest.mark.thorough
 def test_errors_are_those_of_logs_by_another_engine() -> None:
     """MuJoCo moves the arm: what is seen lies within four standard errors, and most of it within two."""
     require_module("mujoco")

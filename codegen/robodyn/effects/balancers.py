@@ -147,7 +147,7 @@ GAS_SPRING = Effect(
             ),
         ),
         contains=("torque_bias",),
-        chosen=("ratio", "rise"),
+        shape=("ratio", "rise"),
         hidden=Hidden(_form, needs="gravity", kind="revolute"),
         over="position",
     ),

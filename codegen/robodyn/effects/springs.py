@@ -228,6 +228,7 @@ BACKLASH = Effect(
         reevaluate=True,
         chosen=("transition",),
         wide=True,
+        wears="gap",
         hidden=Hidden(_play_form, needs="load"),
         over="load",
     ),

@@ -271,9 +271,10 @@ class Traits:
         effects that it has as special cases, so that a tie with them says nothing. ``one_law_with``: effects
         that make one law with it at a joint. ``reevaluate``: it changes the columns of all others.
         ``both_ways``: it cannot be told of motion in one direction. ``chosen``: parameters that are choices,
-        not sizes. ``wide``: it shows at other joints than its own. ``limit``: where it is another effect.
+        not sizes. ``shape``: sizes that shape its curve, free in the last fit only. ``wide``: it shows at
+        other joints than its own. ``limit``: where it is another effect.
         ``twist``: the parameter that a second encoder, on the link, shows directly.
-        ``hidden``: how a blind test hides it.
+        ``wears``: the parameter that grows as teeth wear. ``hidden``: how a blind test hides it.
 
     In a picture
         ``noun``: what it is in a sentence, with its article, where the title is no such word; ``over``: what
@@ -299,8 +300,10 @@ class Traits:
     reevaluate: bool = False
     both_ways: bool = False
     chosen: tuple[str, ...] = ()
+    shape: tuple[str, ...] = ()
     wide: bool = False
     twist: str = ""
+    wears: str = ""
     limit: Limit | None = None
     hidden: Hidden | None = None
     noun: str = ""

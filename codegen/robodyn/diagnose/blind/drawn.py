@@ -6,14 +6,14 @@ shows as much as it should.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.amend.amend import Amendment
-from robodyn.diagnose.blind.limits import DRAWN_SAMPLES, LOADED_SHARE
+from robodyn.diagnose.blind.limits import DRAWN_SAMPLES, LOADED_SHARE, SIZE_TOLERANCE, SIZE_TRIALS
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Effect
 from robodyn.effects.traits import Form
@@ -177,6 +177,28 @@ def form(id: str, joint: int | None, u: Usual, rng: np.random.Generator) -> Form
         raise InputError(f"{id} cannot be drawn", remedy="give its parameters")
     way = float(rng.choice([-1.0, 1.0]))
     return hidden.form(u.at(joint), way, rng)
+
+
+def sized(drawn: Form, wanted: float, shows: Callable[[float], float]) -> tuple[float, float]:
+    """The scale of ``drawn`` at which it ``shows`` about as much as ``wanted``, and how much that is."""
+    x, best = drawn.start, None
+    tried: list[tuple[float, float]] = []
+    for _ in range(SIZE_TRIALS):
+        x = min(max(x, drawn.least), drawn.most)
+        ratio = shows(x)
+        if best is None or abs(np.log(ratio / wanted)) < abs(np.log(best[1] / wanted)):
+            best = x, ratio
+        tried.append((x, ratio))
+        power = 1.0
+        if len(tried) > 1 and tried[-1][0] != tried[-2][0]:
+            power = float(np.log(ratio / tried[-2][1]) / np.log(x / tried[-2][0]))
+        following = x * (wanted / ratio) ** (1 / min(max(power, 0.3), 4.0))
+        following = min(max(following, drawn.least), drawn.most)
+        if abs(ratio / wanted - 1) < SIZE_TOLERANCE or following == x or abs(power) < 1e-3:
+            break
+        x = following
+    assert best is not None
+    return best
 
 
 def settings(build: Parameters, fixed: Mapping[str, float | str]) -> Parameters:

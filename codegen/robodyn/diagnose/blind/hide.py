@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.amend.amend import Amendment, amended
-from robodyn.diagnose.blind.drawn import draw, form, places, settings, usual
+from robodyn.diagnose.blind.drawn import draw, form, places, settings, sized, usual
 from robodyn.diagnose.blind.limits import (
     BASE_FREQUENCY,
     DRAWS,
@@ -24,8 +24,6 @@ from robodyn.diagnose.blind.limits import (
     LEAST_SIZE,
     LIMITS_SHARE,
     QUIET_SHARE,
-    SIZE_TOLERANCE,
-    SIZE_TRIALS,
 )
 from robodyn.diagnose.blind.seal import seal
 from robodyn.diagnose.blind.true_arm import Arm, lacking, measured, rms
@@ -217,25 +215,12 @@ class _Bench:
             amended(self.robot, [one])  # refuses it
         self.tell("sizing an effect")
         drawn = form(one.effect, one.joint, self.usual, rng)
-        x, best = drawn.start, None
-        tried: list[tuple[float, float]] = []
-        for _ in range(SIZE_TRIALS):
-            x = min(max(x, drawn.least), drawn.most)
-            amendment = replace(one, parameters=settings(drawn.build(x), one.parameters))
-            ratio = self._shows(amendment)
-            if best is None or abs(np.log(ratio / self.how.ratio)) < abs(np.log(best[1] / self.how.ratio)):
-                best = amendment, ratio
-            tried.append((x, ratio))
-            power = 1.0
-            if len(tried) > 1 and tried[-1][0] != tried[-2][0]:
-                power = float(np.log(ratio / tried[-2][1]) / np.log(x / tried[-2][0]))
-            following = x * (self.how.ratio / ratio) ** (1 / min(max(power, 0.3), 4.0))
-            following = min(max(following, drawn.least), drawn.most)
-            if abs(ratio / self.how.ratio - 1) < SIZE_TOLERANCE or following == x or abs(power) < 1e-3:
-                break
-            x = following
-        assert best is not None
-        return best
+
+        def built(x: float) -> Amendment:
+            return replace(one, parameters=settings(drawn.build(x), one.parameters))
+
+        x, ratio = sized(drawn, self.how.ratio, lambda x: self._shows(built(x)))
+        return built(x), ratio
 
     def _shows(self, one: Amendment) -> float:
         """The gap that an effect makes, in noise floors, where it shows best."""

@@ -37,7 +37,17 @@ def seal(answer: Mapping[str, Any]) -> str:
 
 
 def open_seal(text: str, file: str = "answer.sealed") -> dict[str, Any]:
-    """The answer in ``text``.
+    """The answer to a blind test of one arm in ``text``.
+
+    Raises
+    ------
+    InputError: this is no sealed answer, or not all of one.
+    """
+    return checked(unsealed(text, file))
+
+
+def unsealed(text: str, file: str = "answer.sealed") -> Part:
+    """What is sealed in ``text``, whatever test it answers.
 
     Raises
     ------
@@ -53,7 +63,7 @@ def open_seal(text: str, file: str = "answer.sealed") -> dict[str, Any]:
             unpacking = zlib.decompressobj()
             data = unpacking.decompress(packed, LONGEST_ANSWER)
             if unpacking.eof and not unpacking.unused_data:
-                return _answer(Part(parsed_json(data), file, "a sealed answer", _REMEDY))
+                return Part(parsed_json(data), file, "a sealed answer", _REMEDY)
             fault = "a part of one, or more than one"
         except (binascii.Error, zlib.error, ValueError) as error:
             fault = str(error)
@@ -66,8 +76,13 @@ def open_seal(text: str, file: str = "answer.sealed") -> dict[str, Any]:
     )
 
 
-def _answer(whole: Part) -> dict[str, Any]:
-    """The answer, all of it that is used of the right kind."""
+def checked(whole: Part) -> dict[str, Any]:
+    """The answer to a blind test of one arm, all of it that is used of the right kind.
+
+    Raises
+    ------
+    InputError: it is none.
+    """
     for one in whole.need("effects", "the effects that are hidden").each():
         one.need("effect", "the name of an effect").name()
         joint = one.get("joint")
@@ -98,13 +113,15 @@ def _hidden_values(parameters: Part) -> None:
 
 @dataclass(frozen=True, slots=True)
 class Claim:
-    """A finding of a diagnosis with confidence enough; ``truth`` is what was hidden, where it is right."""
+    """A finding of a diagnosis with confidence enough; ``truth`` is what was hidden, where it is right;
+    ``answers``: the index of the hidden effect that it answers for, None where it is wrong."""
 
     effect: str
     joint: int | None
     status: Status
     parameters: Mapping[str, Any]
     truth: Mapping[str, Any] | None
+    answers: int | None = None
 
     @property
     def name(self) -> str:
@@ -178,7 +195,7 @@ def score(answer: Mapping[str, Any], diagnosis: Any, file: str = "diagnosis.json
     closed, same = _closed(answer, whole), _same(answer, whole)
     hidden = list(answer["effects"])
     open_ = list(range(len(hidden)))
-    matches: dict[int, tuple[Status, Mapping[str, Any] | None]] = {}
+    matches: dict[int, tuple[Status, Mapping[str, Any] | None, int]] = {}
     for status, fits in (("right", _is), ("in the declared set", _holds)):
         for k, finding in enumerate(findings):
             if k in matches:
@@ -187,11 +204,15 @@ def score(answer: Mapping[str, Any], diagnosis: Any, file: str = "diagnosis.json
             if match is not None:
                 open_.remove(match)
                 truth = hidden[match]["parameters"] if status == "right" else None
-                matches[k] = (status, truth)  # type: ignore[assignment]  # the words of Status
+                matches[k] = (status, truth, match)  # type: ignore[assignment]  # the words of Status
     claims = []
     for k, finding in enumerate(findings):
-        status, truth = matches.get(k, ("wrong", None))
-        claims.append(Claim(finding["effect"], finding["joint"], status, finding["parameters"], truth))
+        place = finding["effect"], finding["joint"]
+        if k in matches:
+            status, truth, answers = matches[k]
+            claims.append(Claim(*place, status, finding["parameters"], truth, answers))
+        else:
+            claims.append(Claim(*place, "wrong", finding["parameters"], None))
     return Score(verdict.value, len(hidden), len(open_), tuple(claims), closed, same)
 
 

@@ -203,6 +203,9 @@ HUBER: Final = 2.0
 HUBER_ROUNDS: Final = 3
 """[rounds] of such weights."""
 
+LEAST_SHAPE: Final = 0.1
+"""[-] What shapes a curve and is 0 begins with this in the last fit."""
+
 # --- uncertainty --------------------
 
 SCORE_PARTS: Final = 20
@@ -213,6 +216,18 @@ LEAST_CURVATURE: Final = 1e-12
 
 LEAST_SPREAD: Final = 1e-6
 """[variances of the noise] No residual is so small that a number is known better than with this."""
+
+NOISE_DRAWS: Final = 4
+"""[draws] of the encoders' noise say what it does to a fit: so many add an eighth to the error by it."""
+
+BIAS_ROUNDS: Final = 5
+"""[times] at most what it does is looked at where values are without it,"""
+
+BIAS_SETTLED: Final = 0.1
+"""[standard errors] until they move by less,"""
+
+BIAS_NEARER: Final = 0.1
+"""[share of the value] no farther than to this, and intervals are wider by no more than its inverse."""
 
 PROFILE_STEPS: Final = 3
 """[steps] in which all other numbers are refitted where one is held,"""

@@ -51,16 +51,17 @@ def own_numbers_of(
     scale = (start.weight / start.sigma)[:, :, None]
     columns, prior = own_numbers(start)
     whole = None
-    if by_drives and Model(arm).couplers:
-        whole = np.concatenate([_behind(arm, c, start.sizes) for c in contexts]) * scale
-    elif by_drives and feels_loads(arm):
-        whole = np.concatenate([_pressed(arm, c, start.sizes) for c in contexts]) * scale
+    if by_drives and feels_loads(arm):
+        whole = loaded(arm, robot, contexts, start)
     elif _stands_otherwise(arm, robot):
         whole = np.concatenate([_along(arm, c) for c in contexts]) * scale * start.sizes
     if whole is not None:
         ways = directions(whole)
         columns = (whole @ ways).reshape(-1, ways.shape[1])
-        prior = np.linalg.qr(_roots(start, len(ways)) @ ways).R
+        rotors = np.zeros((*whole.shape[:2], 0))
+        if by_drives:
+            rotors = np.concatenate([_seen(c, _turned(arm, robot, c)) for c in contexts]) * scale
+        prior = np.linalg.qr(_roots(start, rotors, len(ways)) @ ways).R
     turns = np.concatenate([turning(arm, c, sticking) for c in contexts]) * scale * TURN_TIME
     turns = turns[:, :, turns.any(axis=(0, 1))]
     p, more = len(prior), turns.shape[2]
@@ -71,14 +72,32 @@ def own_numbers_of(
     return np.concatenate([columns, turns.reshape(-1, more)], axis=1), both
 
 
-def _roots(start: Problem, count: int) -> Floats:
-    """How ``count`` numbers, the first of them all of the arm's links, are held [count, count]: those that
-    show in the torques of the rigid arm as ``start`` has it, the others as they are said to be known."""
-    plain, links = np.sqrt(start.thin), len(start.basis)
-    roots = plain * np.eye(count)
-    tighter = np.sqrt(start.prior[: start.nuisance]) - plain
-    roots[:links, :links] += (start.basis * tighter) @ start.basis.T
-    return np.asarray(roots)
+def loaded(arm: Robot, robot: Robot, contexts: Sequence[Context], start: Problem) -> Floats:
+    """Torques [N, n, count] by way of the drives of ``arm``, which is ``robot`` with findings, in the rows of
+    ``start`` are: by each number of its links, by the rotors of joints whose links lag behind them, each in
+    units of what it is known to, and by how these links begin."""
+    behind = bool(Model(arm).couplers)
+    parts = [
+        _behind(arm, robot, c, start.sizes) if behind else _pressed(arm, c, start.sizes) for c in contexts
+    ]
+    return np.asarray(np.concatenate(parts) * (start.weight / start.sigma)[:, :, None])
+
+
+def _roots(start: Problem, rotors: Floats, count: int) -> Floats:
+    """How ``count`` numbers are held [rows, count]: first those of the arm's links, then the rotors of
+    torques ``rotors`` [N, n, R] of a rigid joint, then others. The torques of the rigid arm as ``start`` has
+    it are known as it says, whatever makes them up: of a link and its rotor it is their sum that is. All else
+    is known as it is said to be."""
+    links, p = start.basis.shape
+    plain = np.sqrt(start.thin) * np.eye(count)
+    plain[:links, :links] -= np.sqrt(start.thin) * start.basis @ start.basis.T
+    shown = np.zeros((p, count))
+    shown[:, :links] = start.basis.T
+    if rotors.shape[2]:
+        columns = start.A[:, :, :p].reshape(-1, p)
+        torques = rotors.reshape(-1, rotors.shape[2])
+        shown[:, links : links + rotors.shape[2]] = np.linalg.lstsq(columns, torques, rcond=None)[0]
+    return np.concatenate([plain, np.sqrt(start.prior[:p])[:, None] * shown])
 
 
 def _stands_otherwise(arm: Robot, robot: Robot) -> bool:
@@ -103,18 +122,26 @@ def _pressed(arm: Robot, c: Context, sizes: Floats) -> Floats:
     return _seen(c, slopes.reshape(len(s.q), c.n, -1) * sizes)
 
 
-def _behind(arm: Robot, c: Context, sizes: Floats) -> Floats:
+def _behind(arm: Robot, robot: Robot, c: Context, sizes: Floats) -> Floats:
     """The same where links lag behind their motors, and torques by the rotors of these joints and by how
     their links begin."""
     s, full, model = c.slow, c.signals, Model(arm)
     motion = full.q - offsets(arm), full.qd, full.qdd
     slopes, begins = lagging_regressor(model, motion, full.period, round(s.period / full.period), full.tau)
-    rotors = np.zeros((len(s.q), c.n, len(model.couplers)))
-    for column, j in zip(np.moveaxis(rotors, 2, 0), model.couplers, strict=True):
-        link = arm.links[j]
-        column[:, j] = s.qdd[:, j] * float(link.inertial_share) * number_of(link.joint.motor_inertia)
     slopes = slopes.reshape(len(s.q), c.n, -1) * sizes
-    return _seen(c, np.concatenate([slopes, rotors, begins], axis=2))
+    return _seen(c, np.concatenate([slopes, _turned(arm, robot, c), begins], axis=2))
+
+
+def _turned(arm: Robot, robot: Robot, c: Context) -> Floats:
+    """Torques [K, n, R] by the rotors of joints whose links lag behind them, each in units of what it is
+    known to as ``robot`` has it."""
+    joints = tuple(Model(arm).couplers)
+    torques = np.zeros((len(c.slow.q), c.n, len(joints)))
+    for column, j in enumerate(joints):
+        link = robot.links[j]
+        size = float(link.inertial_share) * number_of(link.joint.motor_inertia)
+        torques[:, j, column] = c.slow.qdd[:, j] * size
+    return torques
 
 
 def _seen(c: Context, columns: Floats) -> Floats:

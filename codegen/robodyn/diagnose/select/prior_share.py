@@ -17,18 +17,18 @@ from robodyn.diagnose.select.limits import LEAST_PRIOR_SHARE, PRIOR_SHARES, TIGH
 def prior_share(p: Problem, fit: Fit) -> float:
     """As what share of what is said of them the arm's own numbers are wrong, at most as is taken: the root
     mean square over its posterior. ``p``: with all that was named, ``fit``: its fit."""
-    taken = share_taken(p)
-    if not p.nuisance or taken <= LEAST_PRIOR_SHARE:
-        return taken
+    assumed = share_taken(p)
+    if not p.nuisance or assumed <= LEAST_PRIOR_SHARE:
+        return assumed
     left = p.rest - p.A @ fit.known
     floor = np.maximum(np.mean(left**2, axis=0), 1.0) * p.thin
     gram = np.einsum("bjpq,j->pq", p.gram, 1 / floor)
     right = np.einsum("bjp,j->p", p.right, 1 / floor)
-    shares = np.geomspace(taken, LEAST_PRIOR_SHARE, PRIOR_SHARES)
+    shares = np.geomspace(assumed, LEAST_PRIOR_SHARE, PRIOR_SHARES)
     evidence = np.zeros(len(shares))
     for k, share in enumerate(shares):
         precision = p.prior / p.thin
-        precision[: p.nuisance] *= (taken / share) ** 2
+        precision[: p.nuisance] *= (assumed / share) ** 2
         system = gram + np.diag(precision)
         evidence[k] = right @ np.linalg.solve(system, right) - np.linalg.slogdet(system)[1]
         evidence[k] -= 2 * p.nuisance * np.log(share)

@@ -19,6 +19,7 @@ from robodyn.diagnose.select.library.sensors import leave_little
 from robodyn.diagnose.select.limits import (
     HUBER,
     HUBER_ROUNDS,
+    LEAST_SHAPE,
     REFINE_FARTHEST,
     REFINE_ROUNDS,
     REFINE_STEP,
@@ -41,7 +42,9 @@ class Freed:
     """The numbers of ``amendments`` to ``robot`` that logs say, at ``places`` (index, name), and the speeds
     below which joints (from 0) are ``sticking``: their values ``x`` [P], speeds last, are what is changed;
     ``contexts`` and ``start`` are of ``robot`` as it was given; ``by_drives`` as in
-    :func:`own_numbers_of`."""
+    :func:`own_numbers_of`. The model is that of ``about``, which is ``robot`` with numbers of its own that
+    are by ``changes`` [count] larger, and ``put_back`` [N n] what these explain
+    (:mod:`robodyn.diagnose.select.about`)."""
 
     robot: Robot
     amendments: tuple[Amendment, ...]
@@ -50,6 +53,9 @@ class Freed:
     places: tuple[tuple[int, str], ...]
     by_drives: bool = False
     sticking: Mapping[int, float] = field(default_factory=dict)
+    about: Robot | None = None
+    changes: Floats | None = None
+    put_back: Floats | float = 0.0
 
     @classmethod
     def of(
@@ -61,12 +67,14 @@ class Freed:
         *,
         by_drives: bool = False,
     ) -> Freed:
-        """All numbers that are sizes, and not 0."""
+        """All numbers that are sizes, and not 0; with ``by_drives``, in the last fit, what shapes curves."""
+        if by_drives:
+            amendments = [_with_shape(one) for one in amendments]
         places = tuple(
             (k, name)
             for k, one in enumerate(amendments)
             for name, value in one.parameters.items()
-            if isinstance(value, float) and value and _is_refined(effect(one.effect), name)
+            if isinstance(value, float) and value and _is_refined(effect(one.effect), name, shape=by_drives)
         )
         return cls(robot, tuple(amendments), tuple(contexts), start, places, by_drives)
 
@@ -92,6 +100,11 @@ class Freed:
             values[k][name] = float(each)
         return [Amendment(one.effect, one.joint, v) for one, v in zip(self.amendments, values, strict=True)]
 
+    def at(self, x: Floats) -> Freed:
+        """The same with values ``x`` [P]."""
+        speeds = dict(zip(self.sticking, x[len(self.places) :].tolist(), strict=True))
+        return replace(self, amendments=tuple(self.changed(x)), sticking=speeds)
+
     def with_sticking(self) -> Freed:
         """With the speeds below which joints of new friction stick: of a few, those that fit best."""
         tops = [np.abs(c.signals.qd).max(axis=0) for c in self.contexts]
@@ -113,7 +126,7 @@ class Freed:
             return np.inf
         nuisance, prior = self.own_numbers(x)
         weight, _ = weights(left.reshape(-1, self.start.n), nuisance, prior)
-        return _least(weight * left, weight[:, None] * nuisance, prior)[0]
+        return least_squares(weight * left, weight[:, None] * nuisance, prior)[0]
 
     def speeds(self, x: Floats) -> Floats | None:
         """Of values ``x`` [P] the speeds [n] below which joints stick; None where no friction is new."""
@@ -127,7 +140,7 @@ class Freed:
         """What is left [N n] of the logs with values ``x`` [P], in units of the noise; None where no robot
         has such values, its springs diverge, or its limits leave next to nothing to be explained."""
         try:
-            model = amended(self.robot, self.changed(x))
+            model = amended(self.about or self.robot, self.changed(x))
         except InputError:
             return None
         if leave_little([c.signals.tau for c in self.contexts], model):
@@ -135,7 +148,7 @@ class Freed:
         speeds = self.speeds(x)
         rows = np.concatenate([remainder(model, c, sticking=speeds) for c in self.contexts])
         rows /= self.start.sigma
-        left = (rows * self.start.weight).reshape(-1)
+        left = (rows * self.start.weight).reshape(-1) + self.put_back
         return left if np.isfinite(left).all() else None
 
     def smoother(self) -> Freed:
@@ -143,9 +156,18 @@ class Freed:
         contexts = [replace(c, signals=c.signals.smoother(), reuse=Reuse()) for c in self.contexts]
         return replace(self, contexts=tuple(contexts))
 
+    def noisier(self, draw: int) -> Freed:
+        """The same along motions with as much noise of the encoders once more, of which each ``draw`` is
+        another."""
+        contexts = [
+            replace(c, signals=c.signals.noisier(np.random.default_rng((draw, part))), reuse=Reuse())
+            for part, c in enumerate(self.contexts)
+        ]
+        return replace(self, contexts=tuple(contexts))
+
     def own_numbers(self, x: Floats) -> tuple[Floats, Floats]:
         """Columns [N n, p] of the arm's own numbers beside values ``x`` [P], and how they are held [p, p]."""
-        arm = amended(self.robot, self.changed(x))
+        arm = amended(self.about or self.robot, self.changed(x))
         return own_numbers_of(
             arm, self.robot, self.contexts, self.start, by_drives=self.by_drives, sticking=self.speeds(x)
         )
@@ -180,17 +202,17 @@ def fitted(freed: Freed) -> Floats:
     for _ in range(REFINE_ROUNDS):
         nuisance, prior = freed.own_numbers(x)
         weight, _ = weights(now.reshape(-1, start.n), nuisance, prior)
-        best = _least(weight * now, weight[:, None] * nuisance, prior)[0]
+        best = least_squares(weight * now, weight[:, None] * nuisance, prior)[0]
         J = freed.slopes(x, now)
         all_of_it = weight[:, None] * np.concatenate([J, nuisance], axis=1)
-        _, step = _least(weight * now, all_of_it, prior, free=len(x))
+        _, step = least_squares(weight * now, all_of_it, prior, free=len(x))
         for share in (1.0, 0.3, 0.1):
             tried = x - share * step[: len(x)]
             within = np.all(((tried / x > 0) & (np.abs(tried) < REFINE_FARTHEST * np.abs(begun)))[sizes])
             other = freed.missed(tried) if within else None
             if other is None:
                 continue
-            sum_of_squares = _least(weight * other, weight[:, None] * nuisance, prior)[0]
+            sum_of_squares = least_squares(weight * other, weight[:, None] * nuisance, prior)[0]
             if sum_of_squares < best:
                 break
         else:
@@ -219,7 +241,7 @@ def costs(
             continue
         nuisance, prior = freed.own_numbers(freed.x)
         weight, usual = weights(left.reshape(-1, start.n), nuisance, prior, usual)
-        least = _least(weight * left, weight[:, None] * nuisance, prior)[0]
+        least = least_squares(weight * left, weight[:, None] * nuisance, prior)[0]
         residuals.append(least / 2 / start.thin)
     return residuals
 
@@ -231,9 +253,17 @@ def is_dry(robot: Robot, j: int) -> bool:
     return bool(joint.coulomb) or any(e.definition.is_dry(dict(e.settings), revolute) for e in entries)
 
 
-def _is_refined(known: Effect, name: str) -> bool:
+def _with_shape(one: Amendment) -> Amendment:
+    """With all that shapes its curve."""
+    shapes = {name for name in effect(one.effect).traits.shape if not one.parameters.get(name)}
+    return replace(one, parameters={**one.parameters, **dict.fromkeys(shapes, LEAST_SHAPE)})
+
+
+def _is_refined(known: Effect, name: str, *, shape: bool) -> bool:
     """Whether the number is a size and not a choice, of an effect that is no window in time and whose numbers
-    the arm's own do not make up for."""
+    the arm's own do not make up for; a size that shapes its curve where ``shape``."""
+    if name in known.traits.shape and not shape:
+        return False
     fold = known.traits.fold
     is_body = known.traits.body or (fold is not None and fold.into == "link")
     return known.place != "outside" and not is_body and name not in known.traits.chosen
@@ -252,14 +282,14 @@ def weights(
     [N, n]."""
     weight, size = np.ones(left.size), np.ones(left.shape[1])
     for _ in range(HUBER_ROUNDS):
-        x = _least(weight * left.reshape(-1), weight[:, None] * nuisance, prior)[1]
+        x = least_squares(weight * left.reshape(-1), weight[:, None] * nuisance, prior)[1]
         rest = left - (nuisance @ x).reshape(left.shape)
         size = _usual(rest) if usual is None else usual
         weight = np.sqrt(np.minimum(1.0, HUBER * size / np.maximum(np.abs(rest), 1e-300))).reshape(-1)
     return weight, size
 
 
-def _least(b: Floats, A: Floats, prior: Floats, free: int = 0) -> tuple[float, Floats]:
+def least_squares(b: Floats, A: Floats, prior: Floats, free: int = 0) -> tuple[float, Floats]:
     """Least squares of ``b - A x``, all but the first ``free`` of ``x`` held by the ``prior``: the sum, and
     x."""
     rows = np.concatenate([np.zeros((len(prior), free)), prior], axis=1)

@@ -1,14 +1,10 @@
 """How well the logs tell the numbers of all findings: standard errors, and intervals by profile likelihood.
 
-Standard errors are those of the joint fit with the arm's own numbers left free within their confidence:
-curvature of the misfit, with residuals that are correlated over time (Liang and Zeger 1986: scores by parts
-of the log; and no less than their autocorrelation has it). What the filter of positions takes from the
-motion is in no residual: about as much as a second pass of it moves the numbers by.
-
-A number in which an effect is not linear (a width of backlash, a velocity, a stiffness) need not have a
-misfit that is a parabola. Its interval is where the misfit along it, all other numbers refitted, is larger by
-no more than chance would have it; the misfit is scaled so that near its minimum it agrees with the standard
-error (Chandler and Bate 2007). A side on which it never grows so much is open.
+Standard errors are those of :mod:`robodyn.diagnose.select.local_fit`. A number in which an effect is not
+linear (a width of backlash, a velocity, a stiffness) need not have a misfit that is a parabola. Its interval
+is where the misfit along it, all other numbers refitted, is larger by no more than chance would have it; the
+misfit is scaled so that near its minimum it agrees with the standard error (Chandler and Bate 2007). A side
+on which it never grows so much is open.
 """
 
 from __future__ import annotations
@@ -22,25 +18,24 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.amend.amend import Amendment, amended
 from robodyn.diagnose.limits import HALF_WIDTH
+from robodyn.diagnose.select.about import fitted_about
 from robodyn.diagnose.select.fit import Problem
 from robodyn.diagnose.select.library import Context
 from robodyn.diagnose.select.limits import (
     BETTER_FIT,
     FARTHEST_BOUND,
-    LEAST_CURVATURE,
-    LEAST_SPREAD,
     NEAR_BOUND,
     PROFILE_RESTARTS,
     PROFILE_STEPS,
     PROFILE_TRIES,
-    SCORE_PARTS,
     STRIKE_ACCURACY,
 )
+from robodyn.diagnose.select.local_fit import LocalFit, inverse_of
+from robodyn.diagnose.select.motion_noise import unbiased
 from robodyn.diagnose.select.own_numbers import feels_loads
-from robodyn.diagnose.select.refine import Freed, fitted, weights
+from robodyn.diagnose.select.refine import Freed, fitted
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Coupler
-from robodyn.identify.intervals import correlations
 from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]
@@ -63,8 +58,11 @@ def uncertainties(
     logs tell the numbers of each; of choices, and of numbers that nothing was fitted to, nothing."""
     freed = Freed.of(robot, amendments, contexts, start, by_drives=True).with_sticking()
     x, known = freed.x, list[Uncertainty | None]()
-    if freed.sticking or feels_loads(amended(robot, amendments)):
+    under_load = feels_loads(amended(robot, amendments))
+    if freed.sticking or under_load or freed.amendments != tuple(amendments):
         x = fitted(freed)
+    if under_load and freed.places:
+        freed, x = fitted_about(freed, x)
     if freed.places:
         for restarts in range(PROFILE_RESTARTS, -1, -1):
             fit = LocalFit.of(freed, x)
@@ -72,6 +70,7 @@ def uncertainties(
                 break
             known, better = _all(fit, may_move=restarts > 0)
             if better is None:
+                x, known = _without_bias(fit, known)
                 break
             x = better
     sure: list[dict[str, Uncertainty]] = [{} for _ in amendments]
@@ -79,61 +78,6 @@ def uncertainties(
         if one is not None:
             sure[k][name] = one
     return freed.changed(x), sure
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class LocalFit:
-    """The fit at values ``x`` [P]: what is ``left`` [N n], weighted by ``weight`` [N n]; weighted slopes
-    ``J`` [N n, P] and the arm's own numbers ``A`` [N n, p] with the inverse of their normal matrix, prior
-    included, ``inverse`` [p, p]; the ``misfit``, the normal matrix ``curvature`` [P, P] of x with the arm's
-    own numbers eliminated, and the standard ``errors`` [P] of x."""
-
-    freed: Freed
-    x: Floats
-    weight: Floats
-    J: Floats
-    A: Floats
-    inverse: Floats
-    misfit: float
-    curvature: Floats
-    errors: Floats
-
-    @classmethod
-    def of(cls, freed: Freed, x: Floats) -> LocalFit | None:
-        """None where there is no such robot."""
-        left = freed.missed(x)
-        if left is None:
-            return None
-        start = freed.start
-        nuisance, prior = freed.own_numbers(x)
-        weight, _ = weights(left.reshape(-1, start.n), nuisance, prior)
-        J, A = weight[:, None] * freed.slopes(x, left), weight[:, None] * nuisance
-        inverse = _inverse(A.T @ A + prior.T @ prior)
-        cross = A.T @ J
-        curvature = J.T @ J - cross.T @ inverse @ cross
-        left = weight * left
-        z = inverse @ (A.T @ left)
-        misfit = float(left @ left - (A.T @ left) @ z)
-        # What the arm's own numbers make up for of the columns is taken off first: two numbers that only
-        # their ratio shows would be lost among many columns.
-        others = -inverse @ cross @ (own := _inverse(curvature))
-        influence = J @ own + A @ others
-        errors = _errors(start, influence, others, np.diag(own), left - A @ z, prior)
-        smoother = freed.smoother().missed(x)
-        if smoother is not None:
-            errors = np.hypot(errors, influence.T @ (weight * smoother - left))
-        return cls(freed, x, weight, J, A, inverse, misfit, curvature, errors)
-
-    def misfit_at(self, x: Floats) -> tuple[float, Floats] | None:
-        """The misfit at values ``x`` [P], the arm's own numbers refitted, and half its slopes [P] by the
-        values, columns taken to be those of :attr:`x`."""
-        left = self.freed.missed(x)
-        if left is None:
-            return None
-        left = self.weight * left
-        pull = self.A.T @ left
-        z = self.inverse @ pull
-        return float(left @ left - pull @ z), self.J.T @ (left - self.A @ z)
 
 
 def _all(fit: LocalFit, *, may_move: bool) -> tuple[list[Uncertainty | None], Floats | None]:
@@ -161,6 +105,21 @@ def _all(fit: LocalFit, *, may_move: bool) -> tuple[list[Uncertainty | None], Fl
     return known, None
 
 
+def _without_bias(fit: LocalFit, known: list[Uncertainty | None]) -> tuple[Floats, list[Uncertainty | None]]:
+    """The values [P] of a ``fit``, and what is ``known`` of them, without what the encoders' noise does."""
+    other, moved = unbiased(fit), list[Uncertainty | None]()
+    for i, one in enumerate(known):
+        value, before, wider = float(other.x[i]), float(fit.x[i]), float(other.wider[i])
+        if one is None or value == before:
+            moved.append(one)
+            continue
+        ends = [None if end is None else value + wider * (end - before) for end in (one.low, one.high)]
+        if fit.freed.sizes[i]:  # an end beyond zero says that the logs leave that side open
+            ends = [None if end is None or end * value <= 0 else end for end in ends]
+        moved.append(Uncertainty(None if one.stderr is None else wider * one.stderr, *ends))
+    return other.x, moved
+
+
 def _strikes(coupler: Coupler | None, values: Mapping[str, float | str]) -> bool:
     """Whether a link strikes what passes torque on to it: the twist between is not in proportion to that."""
     if coupler is None:
@@ -180,14 +139,14 @@ class Profile:
 
     def __init__(self, fit: LocalFit, i: int) -> None:
         self.fit, self.i = fit, i
-        own = _inverse(fit.curvature)
+        own = inverse_of(fit.curvature)
         self.error = float(fit.errors[i])
         #: The misfit is larger by this, one standard error away.
         self.unit = max(self.error**2 / max(own[i, i], 1e-300), 1e-300)
         #: How the others go along.
         self.way = own[:, i] / own[i, i]
         self.others = np.delete(np.arange(len(fit.x)), i)
-        self.inverse = _inverse(fit.curvature[np.ix_(self.others, self.others)])
+        self.inverse = inverse_of(fit.curvature[np.ix_(self.others, self.others)])
         self.sizes = fit.freed.sizes
         self.is_size = bool(self.sizes[i])
 
@@ -254,42 +213,3 @@ class Profile:
         """Values [P] of which sizes keep their signs."""
         own = self.fit.x
         return np.asarray(np.where(self.sizes & (x * own <= 0), own / 10, x))
-
-
-def _inverse(H: Floats) -> Floats:
-    """The inverse of a positive matrix [P, P]; what has next to no curvature is left nearly free."""
-    scale = np.sqrt(np.where(np.diag(H) > 1e-200, np.diag(H), 1.0))
-    sizes, directions = np.linalg.eigh(H / np.outer(scale, scale))
-    return np.asarray(
-        (directions / np.maximum(sizes, LEAST_CURVATURE)) @ directions.T / np.outer(scale, scale)
-    )
-
-
-def _errors(
-    start: Problem, influence: Floats, others: Floats, least: Floats, left: Floats, prior: Floats
-) -> Floats:
-    """Standard errors [P] of numbers that change by the ``influence`` [N n, P] of each residual, of which
-    ``left`` [N n] are left, both weighted, and by ``others`` [p, P] with the arm's own numbers, which have a
-    prior (its root ``prior`` [p, p]); ``least`` [P]: their variances if each residual were of size 1.
-
-    The wider one of two counts: by how residuals are correlated over time, as seen through the
-    columns; and by how much the parts of the log pull. A direction in which nothing shows (its curvature was
-    raised) has no influence: there residuals like those of the quietest joint count."""
-    n, own = start.n, influence.shape[1]
-    by_joint, influence = left.reshape(-1, n), influence.reshape(-1, n, own)
-    of_prior = start.thin * others.T @ prior.T @ prior @ others
-    counted = np.maximum(np.mean(start.weight**2, axis=0), 1e-9)
-    plain = of_prior.copy()
-    squares = np.mean(by_joint**2, axis=0) / counted
-    for j, square in enumerate(squares):
-        U = influence[:, j]
-        for lag, share in enumerate(correlations(by_joint[:, j])):
-            together = U[: len(U) - lag].T @ U[lag:]
-            plain += square * share * (together + together.T if lag else together)
-    pulls = influence * by_joint[:, :, None]
-    scores = np.stack([part.sum(axis=(0, 1)) for part in np.array_split(pulls, SCORE_PARTS)])
-    scores = scores - scores.mean(axis=0)
-    wide = scores.T @ scores * SCORE_PARTS / (SCORE_PARTS - 1) + of_prior
-    quiet = max(LEAST_SPREAD, float(squares.min()))
-    widest = np.max([np.diag(plain), np.diag(wide), np.diag(of_prior), quiet * least], axis=0)
-    return np.asarray(np.sqrt(widest))

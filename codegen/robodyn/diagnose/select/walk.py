@@ -24,8 +24,8 @@ from robodyn.diagnose.select.limits import (
     WALK_STEP,
     WALK_STEPS,
 )
+from robodyn.diagnose.select.local_fit import LocalFit
 from robodyn.diagnose.select.refine import Freed
-from robodyn.diagnose.select.uncertainty import LocalFit
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.robot.model import Robot
 
