@@ -49,6 +49,8 @@ OPTIONAL: Final = frozenset(
         "SCons",
         "build",
         "casadi",
+        "cryptography",
+        "distributed",
         "fmpy",
         "fpm",
         "h5py",

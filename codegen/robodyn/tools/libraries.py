@@ -20,6 +20,12 @@ SYMPY: Final = Library("sympy", Use.EVERYTHING, "equations and exact references"
 REQUIRED: Final = (CFFI, CLICK, JINJA2, MATPLOTLIB, NUMPY, PYCPARSER, PYYAML, SCIPY, SYMPY)
 """What ``pip install robodyn`` brings."""
 
+CRYPTOGRAPHY: Final = Library(
+    "cryptography", Use.CLUSTERS, "connections that other users of this machine cannot use", extra="fleet"
+)
+DISTRIBUTED: Final = Library(
+    "distributed", Use.CLUSTERS, "processes that work together", extra="fleet", title="Dask"
+)
 H5PY: Final = Library("h5py", Use.LOGS, "logs of MATLAB 7.3 and in HDF5", extra="mat")
 MUJOCO: Final = Library("mujoco", Use.ARMS, "arms in MJCF", extra="mujoco")
 ORTOOLS: Final = Library(
@@ -35,5 +41,7 @@ CASADI: Final = Library(
 )
 FMPY: Final = Library("fmpy", Use.PACKAGES, "simulations of robodyn package --as fmu")
 
-OPTIONAL: Final = (CASADI, FMPY, MUJOCO, XACRO, H5PY, PYARROW, ROSBAGS, ORTOOLS, PINOCCHIO)
+OPTIONAL: Final = (
+    CASADI, FMPY, MUJOCO, XACRO, DISTRIBUTED, CRYPTOGRAPHY, H5PY, PYARROW, ROSBAGS, ORTOOLS, PINOCCHIO,
+)  # fmt: skip
 """What an extra brings, or one installs oneself."""

@@ -25,6 +25,7 @@ class Use(StrEnum):
     ARMS = "arms in other formats"
     LOGS = "logs in other formats"
     SCHEDULES = "schedules"
+    CLUSTERS = "work on many processors"
     COMPARISONS = "measurements and comparisons"
     DEVELOPMENT = "robodyn's own tests"
 

@@ -1,0 +1,112 @@
+"""Where work can run, and what is said where it cannot."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+
+import pytest
+
+from cluster.functions import picky, square
+from robodyn.cluster import Done, Failed, open_cluster
+from robodyn.cluster.remote import compare
+from robodyn.cluster.work import ONE_THREAD, WrongWorker, likeness, outcome, work, worker_likeness
+from robodyn.errors import InputError, ToolError
+from robodyn.toolchain.sources import own_key
+
+
+@pytest.fixture(autouse=True)
+def own_environment(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What is set for the processes of a test is gone after it."""
+    for name in ONE_THREAD:
+        monkeypatch.setenv(name, "1")
+
+
+@pytest.mark.parametrize(
+    "on",
+    ["", "there", "local:", "local:0", "local:-1", "local:2x", "local:99999", "here:2", "dask://", "dask://host",
+     "dask://host:", "dask://host:port", "dask:host:8786", "tcp://host:8786", "dask://a b:1", "dask://host:1/x"],
+)  # fmt: skip
+def test_what_is_no_place(on: str) -> None:
+    with pytest.raises(InputError, match="no place where work could run") as error, open_cluster(on):
+        pass
+    assert error.value.found == repr(on)
+    assert "dask://HOST:PORT" in str(error.value)
+
+
+def test_too_many_processes() -> None:
+    too_many = pytest.raises(InputError, match="too many processes; found 1025; expected 1024")
+    with too_many, open_cluster("local:1025"):
+        pass
+
+
+@pytest.mark.parametrize("on", ["local:2", "local", "dask://host:8786"])
+def test_without_dask(on: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    missing = pytest.raises(ToolError, match=r"pip install 'robodyn\[fleet\]', or take --on here")
+    with missing as error, open_cluster(on):
+        pass
+    assert error.value.exit_code == 3
+    with open_cluster("here") as cluster:
+        assert dict(cluster.each(square, [("a", (3,))])) == {"a": Done(9)}
+
+
+def test_this_process_takes_tasks_when_it_is_free() -> None:
+    taken: list[int] = []
+
+    def tasks() -> Iterator[tuple[int, tuple[int]]]:
+        for k in range(5):
+            taken.append(k)
+            yield k, (k,)
+
+    with open_cluster("here") as cluster:
+        assert cluster.count == 1
+        for key, result in cluster.each(picky, tasks()):
+            assert taken == list(range(key + 1))
+            if key == 3:
+                assert isinstance(result, Failed)
+                assert isinstance(result.error, InputError)
+                assert (result.error.found, str(result.error)) == ("3", "three cannot be used; found 3")
+            else:
+                assert result == Done(key)
+
+
+class Odd(Exception):
+    """Cannot be pickled: its arguments are not those that it is made from."""
+
+    def __init__(self, a: int, b: int) -> None:
+        super().__init__(f"{a} and {b}")
+
+
+def raises_odd() -> None:
+    raise Odd(1, 2)
+
+
+def test_an_exception_that_cannot_be_sent_is_sent_as_its_words() -> None:
+    done, error = outcome(raises_odd, ())
+    assert not done
+    assert (type(error), str(error)) == (ToolError, "Odd: 1 and 2")
+
+
+def test_another_robodyn_does_not_work() -> None:
+    assert work(own_key(), square, (3,)) == (True, 9)
+    with pytest.raises(WrongWorker, match=r"has another robodyn; found .*; expected the sources 01234567"):
+        work("0123456789", square, (3,))
+
+
+@pytest.mark.parametrize("name", ["robodyn", "Python", "numpy", "distributed"])
+def test_other_versions_are_refused(name: str) -> None:
+    compare("the worker tcp://a:1", worker_likeness())
+    theirs = {**likeness(), name: "0.1"}
+    with pytest.raises(WrongWorker, match=rf"the worker tcp://a:1 has other versions.*found {name} 0\.1;"):
+        compare("the worker tcp://a:1", theirs)
+
+
+@pytest.mark.parametrize("threads", ["4", None])
+def test_a_worker_with_many_threads_is_refused(threads: str | None, monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in ONE_THREAD:
+        monkeypatch.delenv(name)
+    if threads:
+        monkeypatch.setenv("OMP_NUM_THREADS", threads)
+    with pytest.raises(WrongWorker, match="more threads than one; start it with OMP_NUM_THREADS=1"):
+        compare("a worker", worker_likeness())
