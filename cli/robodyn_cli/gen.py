@@ -46,6 +46,18 @@ if TYPE_CHECKING:
 @fuse_option
 @model_options
 @search_options
+@click.option(
+    "--on",
+    metavar="WHERE",
+    help="Search with many seeds at once, and take the best: here, local[:N] (N processes) or "
+    "dask://HOST:PORT (a scheduler of Dask).",
+)
+@click.option(
+    "--seeds",
+    type=click.IntRange(1, 100_000),
+    metavar="N",
+    help="How many seeds, from --seed on, with --on; each has the whole budget.  [default: 8]",
+)
 @prune_option
 @firmware_option
 @click.option("--latex", is_flag=True, help="Also write NAME.tex, the typeset recursion (uses sympy).")

@@ -72,6 +72,8 @@ def kernels(
     keep: bool,
     prune: str | None,
     latex: bool,
+    on: str | None = None,
+    seeds: int | None = None,
     compiled: bool = False,
     firmware: bool = False,
     derivatives: bool = False,
@@ -112,7 +114,7 @@ def kernels(
         unfit = {"compile": compiled, "latex": latex, "batch": batch, "contraction on": contraction == "on"}
         options = for_firmware(options, target, **unfit)
     described = load(robot, strict=strict, fold_rotor=fold_rotor)
-    options = Search(budget_seconds, seed, options.objective, keep).applied(
+    options = Search(budget_seconds, seed, options.objective, keep, on, seeds).applied(
         described, options, options.function_names
     )
     with pruning_progress() as tell:

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, Final
 
 if TYPE_CHECKING:
     from robodyn.kernels.generate import Options
+    from robodyn.optimize.records import Record
     from robodyn.robot import Robot
     from robodyn.search.improve import Progress
+    from robodyn_cli.progress import Line
 
+#: With --on, so many seeds are tried unless --seeds says otherwise.
+SEEDS: Final = 8
 #: Share of the time for the inverse dynamics if other functions are searched for as well.
 _FIRST = 0.8
 
@@ -23,6 +27,8 @@ class Search:
     seed: int
     objective: str
     keep: bool
+    on: str | None = None
+    seeds: int | None = None
 
     def applied(self, robot: Robot, options: Options, functions: Sequence[str]) -> Options:
         """``options`` with the records that a search for ``functions`` finds, if they request one.
@@ -40,7 +46,12 @@ class Search:
             objective = parse_objective(objective).key
         options = replace(options, objective=objective)
         if options.optimize not in ("search", "full"):
-            for value, name in ((self.budget_seconds, "--budget-seconds"), (self.keep or None, "--keep")):
+            for value, name in (
+                (self.budget_seconds, "--budget-seconds"),
+                (self.keep or None, "--keep"),
+                (self.on, "--on"),
+                (self.seeds, "--seeds"),
+            ):
                 if value is not None:
                     raise InputError(
                         f"{name} requires a search",
@@ -48,6 +59,8 @@ class Search:
                         expected="--optimize search or full",
                     )
             return options
+        if self.seeds is not None and self.on is None:
+            raise InputError("--seeds says nothing without --on", remedy="add --on local")
         if not options.takes_records:
             raise InputError(
                 "a search supports only modified_newton_euler with regrouping and the graph engine",
@@ -58,12 +71,10 @@ class Search:
         return self._searched(robot, options, functions)
 
     def _searched(self, robot: Robot, options: Options, functions: Sequence[str]) -> Options:
-        from robodyn.counts.objective import parse_objective
-        from robodyn.drives.drive import rigid_part
         from robodyn.files import cannot_write
         from robodyn.optimize.records import folder_beside
         from robodyn.resources import from_here
-        from robodyn.search.improve import BUDGET, improved, write_record
+        from robodyn.search.improve import BUDGET, write_record
         from robodyn_cli.common import printable, talk
         from robodyn_cli.progress import line
 
@@ -74,23 +85,8 @@ class Search:
         for k, function in enumerate(wanted):
             share = 1.0 if len(wanted) == 1 else _FIRST if k == 0 else (1 - _FIRST) / (len(wanted) - 1)
             with line() as shown:
-
-                def tell(at: Progress, function: str = function) -> None:
-                    shown.tell(
-                        f"robodyn: {robot.name} {function}: {at.stage}, {at.seconds:.0f} of {at.of:.0f} s, "
-                        f"{self.objective} {at.best:.6g}"
-                    )
-
-                record = improved(
-                    rigid_part(robot),
-                    level=options.optimize,  # type: ignore[arg-type]  # one of the two
-                    function=function,
-                    seconds=share * budget,
-                    seed=self.seed,
-                    objective=parse_objective(self.objective),
-                    progress=tell,
-                )
-            records.append(record)
+                records.append(self._record(robot, options, function, share * budget, shown))
+            record = records[-1]
             if self.keep:
                 try:
                     talk(f"robodyn: wrote {printable(from_here(write_record(record, folder)))}")
@@ -99,6 +95,37 @@ class Search:
                         f"to {printable(from_here(folder))}", error, "remove --keep, or free some space there"
                     ) from error
         return replace(options, records=tuple(records))
+
+    def _record(self, robot: Robot, options: Options, function: str, seconds: float, shown: Line) -> Record:
+        """What a search for a ``function`` finds in ``seconds``, or many of them on other processes."""
+        from robodyn.counts.objective import parse_objective
+        from robodyn.drives.drive import rigid_part
+        from robodyn.search.improve import improved
+        from robodyn.search.seeds import best_of_seeds
+
+        level: Any = options.optimize
+        objective = parse_objective(self.objective)
+        head = f"robodyn: {robot.name} {function}"
+        if self.on is None:
+
+            def tell(at: Progress) -> None:
+                shown.tell(
+                    f"{head}: {at.stage}, {at.seconds:.0f} of {at.of:.0f} s, {self.objective} {at.best:.6g}"
+                )
+
+            return improved(
+                rigid_part(robot), level=level, function=function, seconds=seconds, seed=self.seed,
+                objective=objective, progress=tell,
+            )  # fmt: skip
+        count = self.seeds or SEEDS
+
+        def tell_seeds(done: int, best: float) -> None:
+            shown.tell(f"{head}: {done} of {count} searches, {self.objective} {best:.6g}", at_once=True)
+
+        return best_of_seeds(
+            rigid_part(robot), self.on, range(self.seed, self.seed + count), level=level, function=function,
+            seconds=seconds, objective=objective, progress=tell_seeds,
+        )  # fmt: skip
 
 
 def _searchable(functions: Sequence[str], level: str) -> list[str]:

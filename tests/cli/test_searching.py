@@ -129,7 +129,7 @@ def test_a_damaged_record_writes_nothing(
 
 
 @pytest.mark.usefixtures("moment")
-@pytest.mark.parametrize("level", ["search", "full"])
+@pytest.mark.parametrize("level", ["search", pytest.param("full", marks=pytest.mark.thorough)])
 def test_a_short_search(level: str, here: Path, capsys: Capture) -> None:
     out, err = run(
         capsys, "gen", "elbow.yaml", "-o", "out", "--optimize", level, "--budget-seconds", "0.5", "--json"
@@ -269,7 +269,9 @@ def test_what_is_wrong_is_told_before_the_search(
     assert files(here) == {"elbow.yaml"}
 
 
-@pytest.mark.parametrize("function", ["forward_dynamics", "gravity", "mass_matrix"])
+@pytest.mark.parametrize(
+    "function", ["forward_dynamics", "gravity", pytest.param("mass_matrix", marks=pytest.mark.thorough)]
+)
 def test_functions_that_have_no_writings(function: str, capsys: Capture) -> None:
     found = total(capsys, "--functions", function, "--optimize", "search", "--budget-seconds", "0.3")
     assert found <= total(capsys, "--functions", function, "--optimize", "fast")

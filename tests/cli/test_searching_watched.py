@@ -105,6 +105,7 @@ def test_a_terminal_that_goes_away_stops_nothing(monkeypatch: pytest.MonkeyPatch
     assert work
 
 
+@pytest.mark.thorough
 def test_a_search_tells_how_far_it_is_on_a_terminal(monkeypatch: pytest.MonkeyPatch, capsys: Capture) -> None:
     terminal = Terminal()
     monkeypatch.setattr(sys, "stderr", terminal)

@@ -32,6 +32,7 @@ from robodyn.search.network import (
 )
 from robodyn.search.reconstruction import fraction
 from robodyn.search.recovery import rebuilt
+from robodyn_testing import sampled
 from robodyn_testing.functions import SAMPLED
 from search.arms import SPECIAL, bundled, random_arms
 
@@ -77,7 +78,7 @@ def check_by_hand(made: Program) -> Network:
     return found
 
 
-@pytest.mark.parametrize("name", bundled_names())
+@pytest.mark.parametrize("name", sampled(bundled_names(), every=4))
 def test_bundled_robots(name: str) -> None:
     check(bundled(name), "inverse_dynamics")
 

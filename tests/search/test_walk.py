@@ -30,7 +30,7 @@ from robodyn.robot import Robot, bundled_names
 from robodyn.robot.values import circle_point
 from robodyn.search.network import NoWalk
 from robodyn.search.walk import CHAIN, FUSED, SUM, TOLERANCE, Walk
-from robodyn_testing import require_module
+from robodyn_testing import representative, require_module
 from robodyn_testing.random_robots import random_states
 from search.arms import SPECIAL, bundled, random_arms
 
@@ -88,7 +88,9 @@ def check(
     return made
 
 
-@pytest.mark.parametrize("name", ["puma560", "stanford_d3", "tx40", "ur10"])
+@pytest.mark.parametrize(
+    "name", representative(["puma560", "stanford_d3", "tx40", "ur10"], "stanford_d3", "ur10")
+)
 def test_bundled_robots(name: str) -> None:
     check(bundled(name), "inverse_dynamics", 100)
 

@@ -76,25 +76,26 @@ def improved(
     processes: int = 2,
     folders: Sequence[Path] = (),
     resume: bool = True,
+    known: Sequence[Record] = (),
     progress: Callable[[Progress], None] | None = None,
 ) -> Record:
     """The best program of ``function`` that is found in ``seconds``, as a record.
 
     With ``resume`` the search starts from the records that there are (in ``folders``, in the cache, bundled)
-    and what it finds goes into the cache; without, it starts from nothing and keeps nothing. It is never
-    worse than what ``fast`` gives.
+    and what it finds goes into the cache; without, it starts from the ``known`` ones and keeps nothing. It is
+    never worse than what ``fast`` gives.
 
     Raises
     ------
     InputError: an unknown function or level, or a budget that is none.
     ToolError: ``full`` without a C compiler (``search`` then does not walk).
     """
-    _checked(level, function, seconds)
+    check_search(level, function, seconds)
     budget = BUDGET[level] if seconds is None else seconds
     end = time.monotonic() + budget
     objective = objective or Objective()
     recursion = generated(robot, function, Options((function,), optimize="fast"))
-    known = _known(robot, function, objective, folders, recursion) if resume else []
+    known = known_records(robot, function, objective, folders, recursion) if resume else list(known)
     starts = [recursion, *(record.program for record in known)]
     if resume and not known:
         starts += transferred(robot, function, time.monotonic() + _ALIKE * budget)
@@ -118,7 +119,7 @@ def improved(
             if resume and at.best < saved[1] and at.seconds > saved[0] + _SAVE_AFTER:
                 saved = (at.seconds, at.best)
                 if (better := proved(robot, function, at.program, recursion, objective, how)) is not None:
-                    _keep(better)
+                    keep(better)
 
         distinct = climb(
             distinct, seconds=left, seed=seed, objective=objective, threads=processes, progress=tell
@@ -129,7 +130,7 @@ def improved(
             kept = [old for old in known if old.program.operations == record.program.operations]
             record = kept[0] if kept else record
             if resume:
-                _keep(record)
+                keep(record)
             return record
     raise AssertionError("the recursion itself equals the recursion")
 
@@ -148,7 +149,12 @@ def cost(program: Program, objective: Objective) -> float:
     return objective.cost(operations_of(program))
 
 
-def _checked(level: str, function: str, seconds: float | None) -> None:
+def check_search(level: str, function: str, seconds: float | None) -> None:
+    """
+    Raises
+    ------
+    InputError: an unknown function or level, or a budget that is none.
+    """
     if level not in BUDGET:
         raise InputError(f"unknown search {level!r}", expected=f"one of {', '.join(BUDGET)}")
     if function not in FUNCTIONS or not FUNCTIONS[function].searchable:
@@ -200,7 +206,7 @@ def proved(
     return record if same_in_field(robot, function, named) else None
 
 
-def _known(
+def known_records(
     robot: Robot, function: str, objective: Objective, folders: Sequence[Path], recursion: Program
 ) -> list[Record]:
     """Records of earlier searches; damaged ones are passed over, since a search makes new ones."""
@@ -231,7 +237,8 @@ def kept_folder() -> Path | None:
     return None if root is None else root / "records"
 
 
-def _keep(record: Record) -> None:
+def keep(record: Record) -> None:
+    """Keep ``record`` in the cache, if there is one."""
     folder = kept_folder()
     if folder is not None:
         try:
@@ -259,4 +266,7 @@ def write_record(record: Record, folder: Path) -> Path:
     return path
 
 
-__all__ = ["BUDGET", "Progress", "cost", "improved", "kept_folder", "proved", "write_record"]
+__all__ = [
+    "BUDGET", "Progress", "Stage", "check_search", "cost", "improved", "keep", "kept_folder", "known_records",
+    "proved", "write_record",
+]  # fmt: skip
