@@ -1,0 +1,50 @@
+"""A fleet of a two-link arm whose logs are files: small enough to be digested in a test."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+
+from robodyn.diagnose.result import Diagnosis
+from robodyn.fleet.sources.fleet import ArmType, Fleet, LogFile
+from robodyn.formats.loading import load, text_of
+from robodyn.identify.rigid import Model
+from robodyn.logs.log import Log
+
+NAME = "stanford_3dof"
+DAY = 86400.0
+
+
+def write_log(path: Path, seed: int, friction: float = 5.0, seconds: float = 6.0) -> None:
+    """A log of a motion of its own, with viscous ``friction`` and noise."""
+    rng = np.random.default_rng(seed)
+    robot = load(NAME)
+    t = np.arange(int(seconds * 100)) / 100
+    phase, speed, size = (rng.uniform(low, high, (3, 3)) for low, high in ((0, 6), (0.8, 2.5), (0.05, 0.25)))
+    angle = speed[:, None] * t[None, :, None] + phase[:, None]
+    q = (size[:, None] * np.sin(angle)).sum(axis=0)
+    q[:, 2] += 0.8
+    qd = ((size * speed)[:, None] * np.cos(angle)).sum(axis=0)
+    qdd = -((size * speed**2)[:, None] * np.sin(angle)).sum(axis=0)
+    tau = Model(robot).torque(q, qd, qdd) + friction * qd
+    log = Log(t, q, None, None, tau + 0.05 * rng.standard_normal(tau.shape))
+    path.write_text(log.csv(), encoding="utf-8")
+
+
+def small_fleet(folder: Path, units: int = 3, logs: int = 2, seconds: float = 6.0) -> Fleet:
+    """Its logs, written into ``folder``."""
+    folder.mkdir(exist_ok=True)
+    files = []
+    for unit in range(units):
+        for k in range(logs):
+            path = folder / f"{unit}-{k}.csv"
+            write_log(path, 100 * unit + k, seconds=seconds)
+            files.append(LogFile(str(path), NAME, f"unit {unit}", k * 30 * DAY, {}))
+    return Fleet("small", {NAME: ArmType(NAME, NAME, text_of(NAME))}, tuple(files))
+
+
+def files_of(diagnosis: Diagnosis) -> Mapping[str, str]:
+    """A page of few words."""
+    return {"report.html": f"<p>{diagnosis.verdict}</p>", "diagnosis.json": str(len(diagnosis.logs))}
