@@ -1,0 +1,172 @@
+"""Whole simulated fleets: their files, the same bytes however they come about, and their recipes."""
+
+from __future__ import annotations
+
+import errno
+import json
+from pathlib import Path
+
+import pytest
+
+from robodyn.cluster import open_cluster
+from robodyn.errors import InputError, OutputError
+from robodyn.files import parsed_json
+from robodyn.fleet.planted import plant as module
+from robodyn.fleet.planted.plant import Planted, finish, plant_fleet
+from robodyn.fleet.planted.recipe import Recipe, read_recipe
+from robodyn.fleet.planted.units import log_of_day
+from robodyn.fleet.sources.reading import read_fleet
+from robodyn.robot import load
+from robodyn_cli.main import main
+
+Capture = pytest.CaptureFixture[str]
+SMALL = Recipe(units=3, seed=2, logs=(5, 5), duration=(1.0, 1.0), friction_units=0.34)
+TEXT = "logs = [5, 5]\nduration = [1, 1]\nfriction_units = 0.34\n"
+
+
+def planted(folder: Path, recipe: Recipe = SMALL, on: str = "here") -> Planted:
+    robots = [load("puma560_3dof"), load("stanford_3dof")]
+    with open_cluster(on) as cluster:
+        return plant_fleet(robots, recipe, folder, format="csv", cluster=cluster)
+
+
+def bytes_of(folder: Path) -> dict[str, bytes]:
+    return {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*.csv")}
+
+
+@pytest.fixture(scope="module")
+def fleet(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Planted]:
+    folder = tmp_path_factory.mktemp("fleet")
+    return folder, planted(folder)
+
+
+def test_the_files_are_a_fleet(fleet: tuple[Path, Planted], tmp_path: Path) -> None:
+    folder, result = fleet
+    for name, text in result.files.items():
+        (folder / name).parent.mkdir(exist_ok=True)
+        (folder / name).write_text(text)
+    read = read_fleet(folder)
+    assert list(read.types) == ["puma560_3dof", "stanford_3dof"]
+    assert (result.units, result.logs, result.changes, len(read.logs)) == (3, 15, 1, 15)
+    assert set(bytes_of(folder / "logs")) == {
+        str(Path(log.source).relative_to(folder / "logs")) for log in read.logs
+    }
+    assert all(0 < log.conditions["temperature"] < 60 for log in read.logs)
+    assert {log.unit for log in read.logs} == {
+        unit for units in result.answer["fleet"].values() for unit in units
+    }
+    (change,) = result.answer["planted"]
+    dates = sorted(log.date for log in read.logs if log.unit == change["unit"])
+    assert len(dates) == 5
+    json.dumps(result.answer, allow_nan=False)
+
+
+def test_the_rest_where_it_was_broken_off(
+    fleet: tuple[Path, Planted], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    original, calls = log_of_day, iter(range(8))
+
+    def fails(*arguments: object) -> object:
+        if next(calls, None) is None:
+            raise OSError(errno.ENOSPC, "No space left on device")
+        return original(*arguments)  # type: ignore[arg-type]  # as they were
+
+    with monkeypatch.context() as context:
+        context.setattr(module, "log_of_day", fails)
+        with pytest.raises(OutputError, match="goes on where it was"):
+            planted(tmp_path)
+    assert len(bytes_of(tmp_path / "logs")) < 15
+    with pytest.raises(InputError, match="another recipe"):
+        planted(tmp_path, Recipe(units=3, seed=3))
+    again = planted(tmp_path)
+    assert again.answer == fleet[1].answer
+    assert bytes_of(tmp_path / "logs") == bytes_of(fleet[0] / "logs")
+    finish(tmp_path)
+    with pytest.raises(InputError, match="not empty"):
+        planted(tmp_path)
+
+
+@pytest.mark.thorough
+def test_the_same_bytes_from_two_processes(fleet: tuple[Path, Planted], tmp_path: Path) -> None:
+    both = planted(tmp_path, on="local:2")
+    assert both == fleet[1]
+    assert bytes_of(tmp_path / "logs") == bytes_of(fleet[0] / "logs")
+
+
+def test_what_cannot_be_planted(tmp_path: Path) -> None:
+    arm = load("puma560_3dof")
+    with pytest.raises(InputError, match="one name"):
+        plant_fleet([arm, arm], SMALL, tmp_path)
+    with pytest.raises(InputError, match="more is planted"):
+        plant_fleet([arm], Recipe(units=3, friction_units=1.0, play_units=1.0), tmp_path)
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    ("text", "what"),
+    [
+        ("frictoin_units = 0.1", "did you mean 'friction_units'"),
+        ("\nfriction_units = 1.5", "recipe.toml:2:1: friction.*from 0 to 1"),
+        ("growth = [200, 30]", r"\[least, most\]"),
+        ("logs = [2, 9]", "5 logs of a unit"),
+        ("temperature = 1", "true or false"),
+        ("encoder_bits = 1.5", "a whole number"),
+        ("[effects]\nrust = 0.1", "rust"),
+        ("noise = 0", "more than 0"),
+    ],
+)
+def test_recipes_that_are_wrong(text: str, what: str, tmp_path: Path) -> None:
+    (tmp_path / "recipe.toml").write_text(text)
+    with pytest.raises(InputError, match=what):
+        read_recipe(tmp_path / "recipe.toml")
+
+
+def test_a_recipe(tmp_path: Path) -> None:
+    (tmp_path / "recipe.toml").write_text(f"{TEXT}[effects]\ntorque_gain = 0.01\n")
+    recipe = read_recipe(tmp_path / "recipe.toml", units=3, seed=2)
+    assert recipe == Recipe(
+        units=3,
+        seed=2,
+        logs=(5, 5),
+        duration=(1.0, 1.0),
+        friction_units=0.34,
+        effects=(("torque_gain", 0.01),),
+    )
+
+
+def test_on_the_command_line(tmp_path: Path, capsys: Capture, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("recipe.toml").write_text(TEXT)
+    arguments = "puma560_3dof --fleet 3 --seed 2 --recipe recipe.toml --format csv --on here -o d"
+    assert main(["hide", *arguments.split()]) == 0
+    out = capsys.readouterr().out.splitlines()
+    assert out[0] == "3 units, 15 logs, 1 changes are hidden in d"
+    assert sorted(path.name for path in Path("d").iterdir()) == [
+        "answer.sealed", "fleet.toml", "logs", "manifest.csv", "types",
+    ]  # fmt: skip
+    assert main(["hide", "--open", "d"]) == 0
+    (change,) = parsed_json(capsys.readouterr().out)["planted"]
+    claims = [{**change, "since_interval": [change["since"], change["full"]]}]
+    unit = {"type": change["type"], "unit": change["unit"]}
+    Path("fleet.json").write_text(json.dumps({"units": [{**unit, "claims": claims}]}))
+    assert main(["hide", "--score", "d", "fleet.json"]) == 0
+    assert "overall: right" in capsys.readouterr().out
+    Path("fleet.json").write_text(json.dumps({"units": [{**unit, "claims": []}]}))
+    assert main(["hide", "--score", "d", ".", "--json"]) == 1
+    assert parsed_json(capsys.readouterr().out)["result"] == "missed"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "what"),
+    [
+        ("--fleet 3 -o d", "no robot"),
+        ("ur10 --fleet 3", "no output folder"),
+        ("ur10 --fleet 3 --noise 0.1 -o d", "--noise is an option of one arm"),
+        ("ur10 --on here -o d", "--on is an option of a fleet"),
+        ("ur10 iiwa -o d", "add --fleet N"),
+        ("--score a b --fleet 3", "cannot be combined"),
+    ],
+)
+def test_options_that_do_not_fit(arguments: str, what: str, capsys: Capture, tmp_path: Path) -> None:
+    assert main(["hide", *arguments.split()]) == 2
+    assert what in capsys.readouterr().err

@@ -1,0 +1,124 @@
+"""The score of an answer about a simulated fleet."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from benchmarks.fleet.table import page
+
+from robodyn.diagnose.blind.json_part import Part
+from robodyn.diagnose.blind.seal import seal, unsealed
+from robodyn.effects.friction import COULOMB, VISCOUS
+from robodyn.effects.rigid import PAYLOAD
+from robodyn.errors import InputError
+from robodyn.fleet.planted.score import FleetScore, is_fleet, score_fleet
+
+
+def planted(unit: str, kind: str, effects: list[str], joint: int | None, since: str | None) -> dict[str, Any]:
+    return {"type": "a", "unit": unit, "kind": kind, "effects": effects, "joint": joint, "since": since}
+
+
+ANSWER = {
+    "fleet": {"a": [f"u{k}" for k in range(100)]},
+    "planted": [
+        planted("u1", "friction", [COULOMB.id, VISCOUS.id], 3, "2025-05-01T00:00:00Z"),
+        planted("u2", "payload", [PAYLOAD.id], None, None),
+    ],
+}
+
+
+def claim(effects: list[str], joint: int | None, since: str | None = None, days: int = 10) -> dict[str, Any]:
+    interval = [f"2025-05-{10 - days + 1:02d}T00:00:00Z", "2025-05-31T00:00:00Z"]
+    return {
+        "effects": effects, "joint": joint, "since": since, "since_interval": interval if since else None,
+    }  # fmt: skip
+
+
+def scored(named: dict[str, list[dict[str, Any]]]) -> FleetScore:
+    units = [{"type": "a", "unit": f"u{k}", "claims": named.get(f"u{k}", [])} for k in range(100)]
+    return score_fleet(Part(ANSWER, "answer.sealed", "an answer", "look"), {"units": units})
+
+
+RIGHT = {"u1": [claim([VISCOUS.id], 3, "2025-05-11T00:00:00Z")], "u2": [claim([PAYLOAD.id], None)]}
+
+
+def test_all_right() -> None:
+    score = scored(RIGHT)
+    assert score.result == "right"
+    assert (score.units, score.healthy, score.planted, score.named, score.false) == (100, 98, 2, 2, 0)
+    assert (score.claims, score.right) == (2, 2)
+    assert (score.days_off, score.near, score.interval_holds) == (10.0, 1.0, 1.0)
+    assert score.to_dict()["kinds"]["friction"] == {"planted": 1, "named": 1, "right": 1}
+
+
+def test_dates_far_off_and_outside_of_their_interval() -> None:
+    score = scored({"u1": [claim([VISCOUS.id], 3, "2025-08-01T00:00:00Z", days=5)]})
+    assert (score.days_off, score.near, score.interval_holds) == (92.0, 0.0, 0.0)
+
+
+@pytest.mark.parametrize(
+    ("named", "result"),
+    [
+        ({}, "missed"),
+        ({"u1": RIGHT["u1"]}, "missed"),
+        ({**RIGHT, "u2": [claim([VISCOUS.id], 3)]}, "wrong"),
+        ({**RIGHT, "u1": [claim([VISCOUS.id], 2)]}, "wrong"),
+        ({**RIGHT, "u5": [claim([VISCOUS.id], 2)]}, "right"),
+        ({**RIGHT, **{f"u{k}": [claim([VISCOUS.id], 2)] for k in (5, 6)}}, "wrong"),
+    ],
+    ids=["nothing", "one", "effect", "joint", "one healthy of 98", "two healthy of 98"],
+)
+def test_what_is_wrong_or_missed(named: dict[str, list[dict[str, Any]]], result: str) -> None:
+    assert scored(named).result == result
+
+
+def test_cases_say_what_is_planted_and_named() -> None:
+    score = scored({"u2": [claim([VISCOUS.id], 3)], "u5": [claim([VISCOUS.id], 2)]})
+    assert [(case.unit, case.planted, case.named, case.right) for case in score.cases] == [
+        ("u1", f"{COULOMB.id} and {VISCOUS.id} at joint 3", (), False),
+        ("u2", PAYLOAD.id, (f"{VISCOUS.id} at joint 3",), False),
+        ("u5", None, (f"{VISCOUS.id} at joint 2",), False),
+    ]
+
+
+def test_another_fleet_is_noticed() -> None:
+    answer = Part(ANSWER, "answer.sealed", "an answer", "look")
+    assert not score_fleet(answer, {"units": [{"type": "b", "unit": "u1", "claims": []}]}).same
+    assert scored({}).same
+
+
+def test_the_seal_of_a_fleet() -> None:
+    assert is_fleet(unsealed(seal(ANSWER)))
+    assert not is_fleet(unsealed(seal({"effects": []})))
+
+
+@pytest.mark.parametrize(
+    ("result", "part"),
+    [
+        ([], "a JSON object"),
+        ({}, "units"),
+        ({"units": [{"type": "a", "claims": []}]}, r"units\[0\].unit"),
+        ({"units": [{"type": "a", "unit": "u1", "claims": [{"effects": 3}]}]}, r"claims\[0\].effects"),
+        (
+            {"units": [{"type": "a", "unit": "u1", "claims": [claim([VISCOUS.id], 3, "yesterday")]}]},
+            r"claims\[0\].since",
+        ),
+    ],
+)
+def test_no_answer_about_a_fleet(result: Any, part: str) -> None:
+    with pytest.raises(InputError, match=part):
+        score_fleet(Part(ANSWER, "answer.sealed", "an answer", "look"), result)
+
+
+def test_the_page_of_the_benchmark() -> None:
+    figures = {"seed": 7, "logs": 1200, "seconds": {"judged": 90.0}}
+    text = page({"fleets": {"mujoco": {**figures, "score": scored({**RIGHT, "u5": RIGHT["u1"]}).to_dict()}}})
+    rows = {line.split("|")[1].strip(): line for line in text.splitlines() if line.startswith("| ")}
+    assert rows["units, logs, seed"].endswith("| 100, 1200, 7 |")
+    assert rows["planted units named"] == "| planted units named | 90 % | 2 of 2 (100.0%) |"
+    assert rows["healthy units named"].endswith("1 of 98 (1.0%) |")
+    assert rows["friction: named; right"].endswith("1; 1 of 1 |")
+    assert rows["dates off by (median)"].endswith("10 days |")
+    assert rows["judged in"].endswith("1.5 min |")
+    assert rows["u5"] == f"| u5 | nothing | {VISCOUS.id} at joint 3 |"
