@@ -1,0 +1,127 @@
+"""What is said of a fleet: of each type what its units have in common, of each unit what its own."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+#: How a unit came to be what it is: it went up or down from a day on, jumped, or was so in all its logs.
+Shape = Literal["drift", "step", "always"]
+
+
+@dataclass(frozen=True, slots=True)
+class Feature:
+    """A number that every log of a type shows: what ``effects`` (ids of the catalogue) do at a ``joint``
+    (from 1; None: of the whole arm). ``name`` is its own among the type's; ``unit``: its unit.
+
+    Of the type: its ``mean``, the standard deviation from unit to unit (``between_units``) and from log to
+    log of one unit (``between_logs``), and what it changes by with conditions that were logged (``slopes``,
+    by the condition's name, in its unit a unit of the condition); ``logs`` that show it."""
+
+    name: str
+    effects: tuple[str, ...]
+    joint: int | None
+    unit: str
+    mean: float
+    between_units: float
+    between_logs: float
+    slopes: Mapping[str, float]
+    logs: int
+
+
+@dataclass(frozen=True, slots=True)
+class TypeResult:
+    """What units of a type have in common: their number, their logs, the features; ``joints``: how many."""
+
+    name: str
+    joints: int
+    units: int
+    logs: int
+    features: tuple[Feature, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Claim:
+    """What is peculiar to a unit: ``effects`` at a ``joint``, by the type's ``feature``; ``since`` [s since
+    1970, UTC] with the interval that holds the day in 95 of 100 cases (None where it has always been so).
+
+    ``size``: how much more of the feature there is now than there was (``always``: than its siblings have),
+    with its standard error, and as a share of what it was (None where that was nothing); ``p``: how often
+    chance alone looks like this, over all features and days that were looked at; ``q``: the share of names
+    that are false alarms among all that are no less sure than this one (Benjamini and Hochberg)."""
+
+    effects: tuple[str, ...]
+    joint: int | None
+    feature: str
+    shape: Shape
+    since: float | None
+    since_interval: tuple[float, float] | None
+    size: float
+    stderr: float
+    unit: str
+    share: float | None
+    p: float
+    q: float
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """What a log shows of a feature: ``value`` without what conditions do, and its standard error; when."""
+
+    date: float
+    value: float
+    stderr: float
+
+
+@dataclass(frozen=True, slots=True)
+class UnitResult:
+    """A unit: its ``logs`` that were used, the first and the last day of them; what is peculiar to it (the
+    surest first); by name of a feature its ``readings``, what it comes to ``now`` after pooling (value,
+    standard error), and how far it is from its siblings or from what it was, in standard deviations of what
+    is usual (``unusual``, the larger of both, with the sign of the difference); ``diagnosis``: the page of
+    its diagnosis, relative to the fleet's."""
+
+    type: str
+    unit: str
+    logs: int
+    first: float
+    last: float
+    claims: tuple[Claim, ...]
+    readings: Mapping[str, tuple[Reading, ...]]
+    now: Mapping[str, tuple[float, float]]
+    unusual: Mapping[str, float]
+    diagnosis: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Unused:
+    """A log that was not used, and ``why``: it cannot be read, is not of its type, or is another's copy."""
+
+    source: str
+    type: str
+    unit: str
+    why: str
+
+
+@dataclass(frozen=True, slots=True)
+class Look:
+    """A unit to look at, in the order of their worth: ``why``, and what to record next of it, in words."""
+
+    type: str
+    unit: str
+    why: str
+    record: str
+
+
+@dataclass(frozen=True, slots=True)
+class FleetResult:
+    """All that is said of a fleet. Names are so sure that at most the share ``false_names`` of them is false
+    in the mean."""
+
+    name: str
+    types: tuple[TypeResult, ...]
+    units: tuple[UnitResult, ...]
+    unused: tuple[Unused, ...]
+    first_to_look_at: tuple[Look, ...]
+    false_names: float

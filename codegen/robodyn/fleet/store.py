@@ -1,0 +1,212 @@
+"""What was worked out of logs, by their content: a second run does only what is new.
+
+An SQLite file with a write-ahead log, held by one run at a time. Each result is a transaction of its own, so
+that a run that is killed, or whose disk is full, leaves every result that it had; and because nobody else
+holds it, no shared memory is needed, which network file systems do not have.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import sqlite3
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from hashlib import sha256
+from pathlib import Path
+from typing import Final
+
+from robodyn.errors import InputError, OutputError, Place, RobodynError
+from robodyn.files import label
+from robodyn.version import VERSION
+
+#: The layout of the file; files of another are not read. The mark by which SQLite's own files are told apart.
+_LAYOUT: Final = 1
+_MARK: Final = 0x726F626F
+#: [ns] A file that is younger than this when it is looked at may be written again without a new time.
+_YOUNG: Final = 2_000_000_000
+_TABLES: Final = (
+    "create table results (key text primary key, robodyn text, refused integer, value blob)",
+    "create table files (source blob primary key, signature text, content text)",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Refused:
+    """A log that cannot be used: ``why``."""
+
+    why: str
+
+
+def key_of(*parts: str) -> str:
+    """The key of what is worked out of ``parts``: hashes, texts, the version of what works it out."""
+    joined = b"".join(len(data).to_bytes(8, "big") + data for data in map(_encoded, parts))
+    return sha256(joined).hexdigest()
+
+
+class Store:
+    """Results by key, and what files were when they were last looked at: see :func:`open_store`."""
+
+    def __init__(self, connection: sqlite3.Connection, name: str) -> None:
+        self._connection, self._name = connection, name
+
+    def result(self, key: str) -> bytes | Refused | None:
+        """What was worked out; None: it was not yet."""
+        with self._guarded():
+            row = self._connection.execute(
+                "select refused, value from results where key = ?", [key]
+            ).fetchone()
+        if row is None:
+            return None
+        return Refused(row[1].decode()) if row[0] else bytes(row[1])
+
+    def refusal(self, key: str) -> str | None:
+        """Why a log cannot be used; None: it can, or it is not known."""
+        with self._guarded():
+            row = self._connection.execute(
+                "select value from results where key = ? and refused", [key]
+            ).fetchone()
+        return None if row is None else row[0].decode()
+
+    def has(self, key: str) -> bool:
+        """Whether there is a result, of whichever kind."""
+        with self._guarded():
+            return bool(self._connection.execute("select 1 from results where key = ?", [key]).fetchone())
+
+    def keep(self, key: str, value: bytes | Refused) -> None:
+        """Keep a result, for good.
+
+        Raises
+        ------
+        OutputError: there is no room for it; all others stay.
+        """
+        refused = isinstance(value, Refused)
+        data = value.why.encode() if isinstance(value, Refused) else value
+        with self._guarded():
+            self._connection.execute(
+                "insert or replace into results values (?, ?, ?, ?)", [key, VERSION, refused, data]
+            )
+
+    def content(self, source: str, signature: str) -> str | None:
+        """The hash of a log whose files have that ``signature``; None: they were not read yet, or written
+        since."""
+        with self._guarded():
+            row = self._connection.execute(
+                "select content from files where source = ? and signature = ?",
+                [os.fsencode(source), signature],
+            ).fetchone()
+        return None if row is None else str(row[0])
+
+    def saw(self, source: str, signature: str, youngest: int, content: str) -> None:
+        """Remember the hash of a log whose files had that ``signature``, the ``youngest`` written then [ns].
+
+        Raises
+        ------
+        OutputError: there is no room for it.
+        """
+        if time.time_ns() - youngest < _YOUNG:
+            return
+        with self._guarded():
+            self._connection.execute(
+                "insert or replace into files values (?, ?, ?)", [os.fsencode(source), signature, content]
+            )
+
+    @contextmanager
+    def _guarded(self) -> Iterator[None]:
+        try:
+            yield
+        except sqlite3.DatabaseError as error:
+            raise _cannot(self._name, error) from None
+
+
+@contextmanager
+def open_store(path: Path) -> Iterator[Store]:
+    """The store in the file ``path``, which is there afterwards; what other versions of robodyn left there is
+    dropped.
+
+    Raises
+    ------
+    InputError: another run holds it, it is something else or damaged, or it cannot be written there.
+    OutputError: there is no room.
+    """
+    name = label(path)
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        connection = sqlite3.connect(path, timeout=0.0, isolation_level=None)
+    except (OSError, sqlite3.DatabaseError) as error:
+        raise InputError("results cannot be kept", where=Place(name), found=str(error)) from None
+    with contextlib.closing(connection):
+        try:
+            connection.execute("pragma locking_mode = exclusive")
+            is_new = _is_new(connection, name)  # before anything of it is changed
+            connection.execute("pragma journal_mode = wal")
+            connection.execute("pragma synchronous = normal")
+            connection.execute("begin immediate")
+            if is_new:
+                _become(connection)
+            connection.execute("delete from results where robodyn != ?", [VERSION])
+            connection.execute("commit")
+        except sqlite3.DatabaseError as error:
+            raise _cannot(name, error) from None
+        yield Store(connection, name)
+
+
+def _is_new(connection: sqlite3.Connection, name: str) -> bool:
+    """Whether the file is empty; else it is a store.
+
+    Raises
+    ------
+    InputError: it is something else.
+    """
+    if connection.execute("select count(*) from sqlite_master").fetchone()[0] == 0:
+        return True
+    mark = connection.execute("pragma application_id").fetchone()[0]
+    layout = connection.execute("pragma user_version").fetchone()[0]
+    if (mark, layout) == (_MARK, _LAYOUT):
+        return False
+    raise InputError(
+        "this is no store of results",
+        where=Place(name),
+        found="the layout of another robodyn" if mark == _MARK else "another program's data",
+        expected=f"a store of layout {_LAYOUT}",
+        remedy="choose another folder with -o, or delete the file",
+    )
+
+
+def _become(connection: sqlite3.Connection) -> None:
+    """Let an empty file be a store."""
+    for statement in _TABLES:
+        connection.execute(statement)
+    connection.execute(f"pragma application_id = {_MARK}")
+    connection.execute(f"pragma user_version = {_LAYOUT}")
+
+
+def _cannot(name: str, error: sqlite3.DatabaseError) -> RobodynError:
+    """What to say where SQLite fails."""
+    code = (getattr(error, "sqlite_errorcode", 0) or 0) & 0xFF
+    where = Place(name)
+    if code in (sqlite3.SQLITE_BUSY, sqlite3.SQLITE_LOCKED):
+        return InputError(
+            "another run holds the results", where=where, remedy="wait for its end, or choose another folder"
+        )
+    if code in (sqlite3.SQLITE_NOTADB, sqlite3.SQLITE_CORRUPT):
+        return InputError(
+            "the store of results is damaged",
+            where=where,
+            found=str(error),
+            remedy="delete it: all logs are read again then",
+        )
+    if code in (sqlite3.SQLITE_READONLY, sqlite3.SQLITE_CANTOPEN, sqlite3.SQLITE_PERM):
+        return InputError("results cannot be kept", where=where, found=str(error))
+    return OutputError(
+        "results cannot be kept",
+        where=where,
+        found=str(error),
+        remedy="free some space and run it again: what is done is kept",
+    )
+
+
+def _encoded(text: str) -> bytes:
+    return text.encode(errors="surrogatepass")

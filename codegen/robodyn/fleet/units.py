@@ -1,0 +1,172 @@
+"""The diagnoses of units: of what a unit is now, and of what it was before it changed."""
+
+from __future__ import annotations
+
+import logging
+import os
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from robodyn.cluster import Cluster, Done
+from robodyn.errors import InputError
+from robodyn.files import cannot_write, label
+from robodyn.fleet.limits import LOGS_AFTER, LOGS_BEFORE
+from robodyn.fleet.places import unit_folder
+from robodyn.fleet.result import UnitResult
+from robodyn.fleet.sources.fleet import ArmType, Fleet, LogFile
+from robodyn.fleet.store import Refused, Store, key_of
+from robodyn.fleet.work import diagnose_unit, unpacked, why
+from robodyn.toolchain.sources import own_key
+
+#: What makes files, by their names, of a diagnosis; it can be imported by its name.
+Maker = Callable[..., Mapping[str, str]]
+#: The page among them, and the folder of those of before a change.
+PAGE, BEFORE = "report.html", "before"
+_log = logging.getLogger("robodyn.fleet")
+
+
+@dataclass(frozen=True, slots=True)
+class _Case:
+    """Logs of a ``unit`` of a ``type`` that are diagnosed together: their ``sources`` and ``hashes``, where
+    the files go (``place``, relative), and the ``key`` of what they come to."""
+
+    type: str
+    unit: str
+    place: str
+    sources: tuple[str, ...]
+    hashes: tuple[str, ...]
+    key: str
+
+
+@dataclass(frozen=True, slots=True)
+class Diagnosed:
+    """What came of the diagnosis of a unit: its ``page`` and what is ``new`` since before it changed, effects
+    with their joints."""
+
+    page: str
+    new: tuple[tuple[str, int | None], ...]
+
+
+def diagnosed(
+    fleet: Fleet,
+    units: Sequence[UnitResult],
+    hashes: Mapping[str, str],
+    store: Store,
+    cluster: Callable[[], Cluster],
+    folder: Path,
+    files_of: Maker,
+    tell: Callable[[int, int], object],
+) -> dict[tuple[str, str], Diagnosed]:
+    """Diagnose ``units`` by their logs of which ``hashes`` (by source) are known, and write the files into
+    ``folder``: what came of it by type and unit.
+
+    Raises
+    ------
+    InputError, OutputError: a file cannot be written.
+    """
+    of_unit: dict[tuple[str, str], list[LogFile]] = {}
+    for log in fleet.logs:
+        if log.source in hashes:
+            of_unit.setdefault((log.type, log.unit), []).append(log)
+    cases = [
+        case
+        for unit in units
+        for case in _cases(unit, of_unit[unit.type, unit.unit], fleet.types[unit.type], hashes, files_of)
+    ]
+    new = {case.key: case for case in cases if not store.has(case.key)}
+    tasks = (
+        (key, (fleet.types[case.type], case.sources, case.hashes, files_of)) for key, case in new.items()
+    )
+    if new:
+        tell(0, len(new))
+        for k, (key, outcome) in enumerate(cluster().each(diagnose_unit, tasks)):
+            if isinstance(outcome, Done):
+                store.keep(key, outcome.value)
+            else:
+                case = new[key]
+                reason = why(outcome.error, "")
+                _log.warning("%s %s: no diagnosis: %s", case.type, case.unit, reason)
+                if isinstance(outcome.error, InputError):
+                    store.keep(key, Refused(reason))
+            tell(k + 1, len(new))
+    pages = dict[tuple[str, str], str]()
+    named = dict[str, list[tuple[str, int | None]]]()
+    for case in cases:
+        packed = store.result(case.key)
+        if isinstance(packed, bytes):
+            named[case.place], files = unpacked(packed)
+            for name, text in files.items():
+                write(folder / case.place / name, text)
+            if case.place == unit_folder(case.type, case.unit):
+                pages[case.type, case.unit] = f"{case.place}/{PAGE}"
+    return {unit: Diagnosed(page, tuple(_new(named, unit_folder(*unit)))) for unit, page in pages.items()}
+
+
+def _new(
+    named: Mapping[str, Sequence[tuple[str, int | None]]], place: str
+) -> Iterator[tuple[str, int | None]]:
+    """What the diagnosis of a unit names that the one of before did not."""
+    before = named.get(f"{place}/{BEFORE}")
+    if before is not None:
+        yield from (one for one in named[place] if one not in before)
+
+
+def completed(unit: UnitResult, diagnosis: Diagnosed | None) -> UnitResult:
+    """A unit with its diagnosis: what has changed and no number of its logs explains is called what is new
+    in it at that joint."""
+    if diagnosis is None:
+        return unit
+    claims = []
+    for claim in unit.claims:
+        names = tuple(effect for effect, joint in diagnosis.new if joint == claim.joint)
+        claims.append(claim if claim.effects else replace(claim, effects=names[:1]))
+    return replace(unit, claims=tuple(claims), diagnosis=diagnosis.page)
+
+
+def _cases(
+    unit: UnitResult, logs: Sequence[LogFile], arm: ArmType, hashes: Mapping[str, str], files_of: Maker
+) -> list[_Case]:
+    """What is diagnosed of a ``unit``: its last logs since it changed last, and the last of before."""
+    days = [claim.since for claim in unit.claims if claim.since is not None]
+    after = [log for log in logs if not days or log.date >= max(days)] or list(logs[-1:])
+    before = [log for log in logs if days and log.date < min(days)]
+    place = unit_folder(unit.type, unit.unit)
+    groups = [(place, after[-LOGS_AFTER:]), (f"{place}/{BEFORE}", before[-LOGS_BEFORE:])]
+    cases = []
+    for where, chosen in groups:
+        if chosen:
+            sources = tuple(log.source for log in chosen)
+            own = tuple(hashes[source] for source in sources)
+            maker: Any = files_of
+            names = (Path(source).name for source in sources)  # stand in the files
+            key = key_of(
+                "diagnosis", own_key(), maker.__module__, maker.__qualname__, arm.text, arm.mapping or "",
+                *names, *own,
+            )  # fmt: skip
+            cases.append(_Case(unit.type, unit.unit, where, sources, own, key))
+    return cases
+
+
+def write(path: Path, text: str) -> None:
+    """Write a file as a whole or not at all; one that is the same already stays.
+
+    Raises
+    ------
+    InputError, OutputError: it cannot be written.
+    """
+    data = text.encode(errors="surrogateescape")
+    try:
+        if path.is_file() and path.read_bytes() == data:
+            return
+        path.parent.mkdir(parents=True, exist_ok=True)
+        unfinished = path.with_name(f".unfinished-{os.getpid()}")
+        try:
+            unfinished.write_bytes(data)
+            unfinished.replace(path)
+        except BaseException:
+            unfinished.unlink(missing_ok=True)
+            raise
+    except OSError as error:
+        raise cannot_write(label(path), error, "free some space, or choose another folder") from error

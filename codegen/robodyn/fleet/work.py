@@ -1,0 +1,129 @@
+"""What is done to a log in whatever process is free: reading its content, its digest, a unit's diagnosis."""
+
+from __future__ import annotations
+
+import json
+import zlib
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from struct import Struct
+from typing import TYPE_CHECKING, Final
+
+from robodyn.errors import InputError, RobodynError
+from robodyn.fleet.sources.fleet import IN_LOG, ArmType
+
+if TYPE_CHECKING:
+    from robodyn.fleet.digest.digest import Digest
+    from robodyn.logs.conditions import Mean
+    from robodyn.logs.log import Log
+
+#: When a log began stands before its digest.
+_BEGAN: Final = Struct("<d")
+
+
+def contents(sources: Sequence[str]) -> list[tuple[str, str, int] | str]:
+    """Of each log its hash, the signature of its files and when the youngest was written
+    (:func:`robodyn.logs.content.signature`), or why it cannot be read."""
+    from robodyn.logs.content import digest, signature
+
+    def content(source: str) -> tuple[str, str, int] | str:
+        try:
+            before, youngest = signature(source)
+            return digest(source), before, youngest
+        except OSError as error:
+            return f"the file cannot be read: {(error.strerror or str(error)).lower()}"
+
+    return [content(source) for source in sources]
+
+
+def digest_log(arm: ArmType, source: str, content: str) -> bytes:
+    """The digest of the log ``source`` of an ``arm``, whose files had the hash ``content``, and when it
+    began, as :func:`digested` has them.
+
+    Raises
+    ------
+    InputError: it cannot be used.
+    Changed: it is another by now.
+    """
+    from robodyn.fleet.digest.digest import digest_of
+    from robodyn.fleet.limits import PIECE
+    from robodyn.logs.conditions import together
+    from robodyn.logs.content import digest
+    from robodyn.logs.mapping import map_of_text
+    from robodyn.logs.pieces import pieces
+    from robodyn.robot.reader import read_text
+
+    robot = read_text(arm.text, arm.spec, warn=lambda _: None)
+    mapping = None if arm.mapping is None else map_of_text(arm.mapping, f"the map of {arm.name}")
+    parts = pieces(source, robot.n, mapping=mapping, robot=robot, most=PIECE)
+    notes: list[tuple[float | None, Mapping[str, Mean]]] = []
+
+    def noted() -> Iterator[Log]:
+        for part in parts:
+            notes.append((part.date, part.conditions))
+            yield part
+
+    value = digest_of(arm, noted())
+    means = together(conditions for _, conditions in notes)
+    conditions = {name: mean.value for name, mean in means.items() if mean.count}
+    began = next((date for date, _ in notes if date is not None), IN_LOG)
+    if digest(source) != content:
+        raise Changed(f"{source} was written while it was read", remedy="run it again when it is complete")
+    return _BEGAN.pack(began) + replace(value, conditions=conditions).to_bytes()
+
+
+def digested(data: bytes) -> tuple[float, Digest]:
+    """When a log began [s since 1970, UTC; nan: it does not say], and its digest, of :func:`digest_log`."""
+    from robodyn.fleet.digest.digest import Digest
+
+    return _BEGAN.unpack_from(data)[0], Digest.from_bytes(data[_BEGAN.size :])
+
+
+class Changed(RobodynError):
+    """A log was written while it was read."""
+
+
+def diagnose_unit(
+    arm: ArmType,
+    sources: Sequence[str],
+    hashes: Sequence[str],
+    files_of: Callable[..., Mapping[str, str]],
+) -> bytes:
+    """What a diagnosis of an ``arm``'s logs names, and the files that ``files_of`` makes of it, as
+    :func:`unpacked` has them.
+
+    Raises
+    ------
+    InputError: a log cannot be used.
+    """
+    from robodyn.diagnose.run import diagnose
+    from robodyn.logs.log import read_log
+    from robodyn.logs.mapping import map_of_text
+    from robodyn.robot.reader import read_text
+
+    robot = read_text(arm.text, arm.spec, warn=lambda _: None)
+    mapping = None if arm.mapping is None else map_of_text(arm.mapping, f"the map of {arm.name}")
+    logs = [read_log(source, robot.n, mapping=mapping, robot=robot) for source in sources]
+    names = [Path(source).name for source in sources]
+    diagnosis = diagnose(robot, logs, text=arm.text, names=names, hashes=hashes)
+    names_of = [(one.effect, one.joint) for one in diagnosis.findings]
+    return zlib.compress(json.dumps([names_of, dict(files_of(diagnosis))], sort_keys=True).encode(), 6)
+
+
+def unpacked(data: bytes) -> tuple[list[tuple[str, int | None]], dict[str, str]]:
+    """What :func:`diagnose_unit` packed: effects with their joints, the surest first, and files by their
+    names."""
+    named, files = json.loads(zlib.decompress(data))
+    return [(effect, joint) for effect, joint in named], files
+
+
+def why(error: Exception, source: str) -> str:
+    """What an ``error`` says of a log, without the path of its file: others have the same content."""
+    if not isinstance(error, RobodynError):
+        return f"robodyn fails at it: {type(error).__name__}: {error}"
+    if error.where is None or error.where.file not in (source, *source.split("+")):
+        return str(error)
+    line = "" if error.where.line is None else f"line {error.where.line}: "
+    bare = InputError(error.what, found=error.found, expected=error.expected, remedy=error.remedy)
+    return f"{line}{bare}"

@@ -1,0 +1,138 @@
+"""``fleet.json`` and ``fleet.parquet``: whole, as their schema says, the same bytes from the same result."""
+
+from __future__ import annotations
+
+import io
+import json
+from dataclasses import fields, replace
+from datetime import UTC, datetime
+from typing import Any
+
+import pytest
+
+from report.made_up_fleet import fleet, of_one
+from robodyn.errors import ToolError
+from robodyn.fleet.as_json import document, text
+from robodyn.fleet.result import FleetResult
+from robodyn.fleet.schema import DESCRIPTIONS, fleet_schema
+from robodyn.fleet.table import COLUMNS, check_parquet, parquet, rows_of
+from robodyn.tools.libraries import PYARROW
+from robodyn_cli.main import main
+from robodyn_testing import require_module
+
+
+@pytest.fixture(scope="module")
+def small() -> FleetResult:
+    return fleet(12, 4)
+
+
+@pytest.mark.parametrize("result", [fleet(12, 4), of_one(), replace(fleet(3, 0), types=(), units=())])
+def test_the_json_is_as_its_schema_says(result: FleetResult) -> None:
+    jsonschema = require_module("jsonschema")
+    schema = fleet_schema()
+    jsonschema.Draft202012Validator.check_schema(schema)
+    read = json.loads(text(document(result)))
+    jsonschema.Draft202012Validator(schema).validate(read)
+    assert read == document(result)
+
+
+def test_the_schema_refuses_what_is_not_there(small: FleetResult) -> None:
+    validator = require_module("jsonschema").Draft202012Validator(fleet_schema())
+    for path, value in (
+        (("false_names",), "0.05"),
+        (("units", 0, "claims", 0, "since"), 5),
+        (("units", 0, "claims", 0, "shape"), "jump"),
+        (("units", 0, "claims", 0, "since_interval"), ["2025-01-01T00:00:00Z"]),
+        (("units", 0, "more"), 1),
+        (("types", 0, "features", 0, "effects"), "backlash"),
+    ):
+        wrong = document(small)
+        at: Any = wrong
+        for key in path[:-1]:
+            at = at[key]
+        at[path[-1]] = value
+        assert not validator.is_valid(wrong), path
+
+
+def test_every_field_is_described() -> None:
+    for kind, texts in DESCRIPTIONS.items():
+        assert [each.name for each in fields(kind)] == list(texts)
+
+
+def test_the_text_has_a_line_for_each_unit(small: FleetResult) -> None:
+    lines = text(document(small)).splitlines()
+    for unit in small.units:
+        (line,) = [line for line in lines if f'"unit": "{unit.unit}", "logs"' in line]
+        assert json.loads(line.rstrip(","))["type"] == unit.type
+    assert text(document(small)) == text(document(fleet(12, 4)))
+
+
+def test_what_is_no_number_is_null(small: FleetResult) -> None:
+    unit = replace(
+        small.units[0],
+        unusual={"joint1.friction": float("nan")},
+        now={"joint1.friction": (1.0, float("inf"))},
+    )
+    read = document(replace(small, units=(unit,)))["units"][0]
+    assert read["unusual"] == {"joint1.friction": None}
+    assert read["now"] == {"joint1.friction": [1.0, None]}
+
+
+def test_readings_are_columns_of_one_length(small: FleetResult) -> None:
+    unit, read = small.units[0], document(small)["units"][0]
+    for name, readings in unit.readings.items():
+        assert read["readings"][name]["value"] == [r.value for r in readings]
+        assert [len(column) for column in read["readings"][name].values()] == [unit.logs] * 3
+
+
+def test_the_table_has_a_row_for_each_unit_and_feature(small: FleetResult) -> None:
+    files = require_module("pyarrow.parquet")
+    table = files.read_table(io.BytesIO(parquet(small))).to_pylist()
+    assert len(table) == sum(len(unit.readings) for unit in small.units) == len(list(rows_of(small)))
+    assert list(table[0]) == list(COLUMNS)
+    claims = {(u.type, u.unit, c.feature): c for u in small.units for c in u.claims}
+    rows = {(row["type"], row["unit"], row["feature"]): row for row in table}
+    assert {key for key, row in rows.items() if row["claimed"]} == set(claims)
+    for key, claim in claims.items():
+        row = rows[key]
+        assert (row["size"], row["size_stderr"], row["share"], row["p"], row["q"]) == (
+            claim.size, claim.stderr, claim.share, claim.p, claim.q,
+        )  # fmt: skip
+        assert (row["joint"], row["shape"], row["claimed_effects"]) == (
+            claim.joint,
+            claim.shape,
+            list(claim.effects),
+        )
+        since = None if claim.since is None else datetime.fromtimestamp(round(claim.since), UTC)
+        assert row["since"] == since
+    quiet = next(row for row in table if not row["claimed"])
+    empty = ("shape", "since", "since_from", "since_to", "size", "claimed_effects", "q")
+    assert [quiet[name] for name in empty] == [None] * len(empty)
+    assert parquet(small) == parquet(fleet(12, 4))
+
+
+def test_of_two_claims_of_a_feature_the_surer_one_stands_in_the_table(small: FleetResult) -> None:
+    unit = next(unit for unit in small.units if unit.claims)
+    twice = replace(unit, claims=(replace(unit.claims[0], q=0.01), replace(unit.claims[0], q=0.04)))
+    claims = [row.claim for row in rows_of(replace(small, units=(twice,))) if row.claim is not None]
+    assert [claim.q for claim in claims] == [0.01]
+
+
+def test_a_number_that_is_none_is_null_in_the_table(small: FleetResult) -> None:
+    files = require_module("pyarrow.parquet")
+    unit = replace(small.units[0], unusual=dict.fromkeys(small.units[0].unusual, float("nan")), now={})
+    table = files.read_table(io.BytesIO(parquet(replace(small, units=(unit,))))).to_pylist()
+    assert {(row["unusual"], row["value"], row["stderr"]) for row in table} == {(None, None, None)}
+
+
+def test_without_pyarrow_there_is_a_remedy(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(__import__("sys").modules, PYARROW.module, None)
+    with pytest.raises(ToolError, match=r"pyarrow.*, or add --no-parquet"):
+        check_parquet("add --no-parquet")
+
+
+def test_the_command_prints_the_schema(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["schema", "--fleet"]) == 0
+    assert json.loads(capsys.readouterr().out) == fleet_schema()
+    assert main(["schema", "--fleet", "--project"]) == 2
+    assert "found --project and --fleet" in capsys.readouterr().err

@@ -1,0 +1,175 @@
+"""Results are there or not there, whatever happens to the run that keeps them."""
+
+from __future__ import annotations
+
+import os
+import signal
+import sqlite3
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from robodyn.errors import InputError, OutputError
+from robodyn.fleet import store as store_module
+from robodyn.fleet.store import Refused, Store, key_of, open_store
+
+
+def test_what_is_kept_is_there_in_the_next_run(tmp_path: Path) -> None:
+    path = tmp_path / "results" / "store.sqlite"
+    with open_store(path) as store:
+        assert store.result("a") is None
+        store.keep("a", b"\0bytes")
+        store.keep("b", Refused("too short: 3 samples"))
+    with open_store(path) as store:
+        assert (store.result("a"), store.result("b")) == (b"\0bytes", Refused("too short: 3 samples"))
+        assert (store.refusal("a"), store.refusal("b")) == (None, "too short: 3 samples")
+        assert [store.has(key) for key in "abc"] == [True, True, False]
+    assert [file.name for file in path.parent.iterdir()] == ["store.sqlite"]  # no log left over
+
+
+def test_keys_differ_wherever_their_parts_do() -> None:
+    several = [("a", "b"), ("ab", ""), ("", "ab"), ("a", "b", ""), ("b", "a"), ("a\udc80", "b")]
+    assert len({key_of(*parts) for parts in several}) == len(several)
+    assert key_of("a", "b") == key_of("a", "b")
+
+
+def test_a_file_is_known_by_size_and_time_unless_it_is_young(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("time.time_ns", lambda: 10_000_000_000)
+    with open_store(tmp_path / "store") as store:
+        store.saw("/logs/\udc80.csv", "12@7", 7_000_000_000, "hash")
+        assert store.content("/logs/\udc80.csv", "12@7") == "hash"
+        assert store.content("/logs/\udc80.csv", "12@8") is None
+        store.saw("/logs/young.csv", "12@9", 9_000_000_000, "hash")
+        assert store.content("/logs/young.csv", "12@9") is None
+
+
+def test_two_runs_do_not_share_a_folder(tmp_path: Path) -> None:
+    with (
+        open_store(tmp_path / "store") as store,
+        pytest.raises(InputError, match="another run holds the results; wait for its end"),
+        open_store(tmp_path / "store"),
+    ):
+        store.keep("never", b"")
+
+
+def test_results_of_another_version_are_dropped(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    with open_store(tmp_path / "store") as store:
+        store.keep("a", b"old")
+    monkeypatch.setattr(store_module, "VERSION", "another")
+    with open_store(tmp_path / "store") as store:
+        assert store.result("a") is None
+
+
+def damaged(path: Path) -> str:
+    path.write_bytes(b"SQLite format 3\0" + bytes(range(256)) * 40)
+    return "the store of results is damaged"
+
+
+def of_another_program(path: Path) -> str:
+    with sqlite3.connect(path) as connection:
+        connection.execute("create table notes (text)")
+    connection.close()
+    return "this is no store of results; found another program's data"
+
+
+def of_another_layout(path: Path) -> str:
+    with open_store(path):
+        pass
+    with sqlite3.connect(path) as connection:
+        connection.execute("pragma user_version = 999")
+    connection.close()
+    return "this is no store of results; found the layout of another robodyn"
+
+
+@pytest.mark.parametrize("make", [damaged, of_another_program, of_another_layout])
+def test_what_is_no_store_is_left_alone(make: Callable[[Path], str], tmp_path: Path) -> None:
+    path = tmp_path / "store"
+    message = make(path)
+    before = path.read_bytes()
+    with pytest.raises(InputError, match=message) as error, open_store(path):
+        pass
+    assert "delete" in str(error.value)
+    assert path.read_bytes() == before
+
+
+def test_a_place_that_cannot_be_written(tmp_path: Path) -> None:
+    (tmp_path / "file").touch()
+    with pytest.raises(InputError, match="results cannot be kept"), open_store(tmp_path / "file" / "store"):
+        pass
+
+
+KEEPS = """
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from robodyn.fleet.store import open_store
+{before}
+with open_store(Path(sys.argv[1])) as store:
+    for k in range(100000):
+        store.keep(str(k), bytes([k % 251]) * 5000)
+        print(k, flush=True)
+"""
+
+
+def keeping(path: Path, before: str = "") -> subprocess.Popen[str]:
+    """A process that keeps one result after the other, and says which it has kept."""
+    return subprocess.Popen(
+        [sys.executable, "-c", KEEPS.format(before=before), path],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
+    )
+
+
+def check(path: Path, last: int) -> None:
+    """All results up to the ``last`` are there, and right."""
+    with open_store(path) as store:
+        for k in range(last + 1):
+            assert store.result(str(k)) == bytes([k % 251]) * 5000
+
+
+def test_a_run_that_is_killed_has_kept_what_it_had(tmp_path: Path) -> None:
+    path = tmp_path / "store"
+    with keeping(path) as process:
+        assert process.stdout is not None
+        for _ in range(500):
+            last = int(process.stdout.readline())
+        process.send_signal(signal.SIGKILL)
+        last = max([last, *map(int, process.stdout.read().split()[:-1])])
+    check(path, last)
+
+
+def test_a_disk_without_room_costs_nothing_that_was_kept(tmp_path: Path) -> None:
+    pytest.importorskip("resource")
+    path = tmp_path / "store"
+    limit = "import resource; resource.setrlimit(resource.RLIMIT_FSIZE, (2_000_000, 2_000_000))"
+    with keeping(path, limit) as process:
+        lines, errors = process.communicate()
+    assert "OutputError" in errors
+    assert "free some space and run it again: what is done is kept" in errors
+    last = int(lines.split()[-1])
+    assert last > 100
+    check(path, last)
+
+
+def test_no_room_is_the_systems_fault_and_not_the_users(tmp_path: Path) -> None:
+    """SQLite's own limit of pages is what a full disk is to it."""
+    with open_store(tmp_path / "store") as store:
+        store._connection.execute("pragma max_page_count = 20")
+        with pytest.raises(
+            OutputError, match="results cannot be kept; found database or disk is full"
+        ) as error:
+            fill(store)
+        assert error.value.exit_code == 74
+        assert store.result("0") == b"x" * 9000
+
+
+def fill(store: Store) -> None:
+    for k in range(100):
+        store.keep(str(k), b"x" * 9000)
