@@ -18,8 +18,9 @@ from robodyn.emit.statements import Apply
 from robodyn.errors import InputError
 from robodyn.ir.program import Input
 from robodyn.report.arm_data import Arm, arm_of
-from robodyn.report.arm_page import highlighted, json_text, page, script_text
+from robodyn.report.arm_page import highlighted, page
 from robodyn.report.arm_parts import ellipsoid, links
+from robodyn.report.scripts import json_text, script_text
 from robodyn.robot import load, read_text
 from robodyn.robot.model import Inertia
 from robodyn.verify.reference import Reference

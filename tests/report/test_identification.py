@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from robodyn.report.identification import _with_error
+from robodyn.report.figures import with_error
 
 
 @pytest.mark.parametrize(
@@ -21,4 +21,4 @@ from robodyn.report.identification import _with_error
     ],
 )
 def test_numbers_have_the_digits_that_their_errors_allow(value: float, error: float, text: str) -> None:
-    assert _with_error(value, error) == text
+    assert with_error(value, error) == text

@@ -20,6 +20,6 @@ def markup_template(name: str) -> jinja2.Template:
 
 def _visible(value: Any) -> Any:
     """``value``; a text with a mark for each character that XML forbids or that nobody sees."""
-    if not isinstance(value, str) or value.isprintable():
+    if not isinstance(value, str) or value.replace("\n", "").replace("\t", "").isprintable():
         return value
     return type(value)("".join("\ufffd" if is_unprintable(c) and c not in "\t\n" else c for c in value))

@@ -6,9 +6,6 @@ their hashes, so that no browser runs anything else.
 
 from __future__ import annotations
 
-import base64
-import hashlib
-import json
 import re
 from collections.abc import Sequence
 from typing import Any, Final
@@ -24,13 +21,12 @@ from robodyn.report.chart_frames import Chart, Frame, Mark, span
 from robodyn.report.figures import formatted
 from robodyn.report.gantt import gantt_svg
 from robodyn.report.layers import layers_svg
+from robodyn.report.scripts import json_text, policy, script_text
 
 #: What the script is told of an arm; the rest of its data stands in the page.
 _LIVE: Final = ("robot", "base", "reach", "joints", "links", "home", "kernel", "motion")
 _MODULES: Final = ("report/arm_scene.js", "report/arm_kernel.js", "report/arm_panel.js", "report/arm_main.js")
 _DYNAMICS: Final = r"\tau = M(q)\,\ddot q + h(q, \dot q) + g(q)"
-#: What begins or ends an element of HTML within a script.
-_MARKUP: Final = re.compile(r"<(?=/|!--|script)", re.IGNORECASE)
 #: Charts are drawn of so many joints at most.
 _MOST_CHARTS: Final = 16
 #: A task graph of more tasks, and a file of more characters, are too large to be looked at in a page.
@@ -50,25 +46,12 @@ def page(arms: Sequence[Arm], comparison: dict[str, Any] | None = None) -> str:
         dynamics=Markup(of_latex(_DYNAMICS)),
         live=live,
         scripts=scripts,
-        policy=_policy(scripts),
+        policy=policy(scripts),
         version=arms[0].data["version"],
     )
 
 
 # --- scripts ----------------------------------------------------------------------------------------------
-
-
-def json_text(value: Any) -> Markup:
-    """``value`` as JSON that may stand in a ``script`` element: no sign in it ends or opens one."""
-    text = json.dumps(value, ensure_ascii=True, allow_nan=False, separators=(",", ":"))
-    for sign in "<>&":
-        text = text.replace(sign, f"\\u{ord(sign):04x}")
-    return Markup(text)
-
-
-def script_text(text: str) -> Markup:
-    """A script, whose comments may hold anything, for a ``script`` element."""
-    return Markup(_MARKUP.sub(r"<\\", text))
 
 
 def _kernel_script(arm: Arm) -> Markup:
@@ -78,15 +61,6 @@ def _kernel_script(arm: Arm) -> Markup:
     initial = "initial_state" if remembers else "null"
     handed = f"(globalThis.robodynKernels ??= []).push({{ {functions}, initial_state: {initial} }});\n"
     return script_text(f"{arm.kernel.module}\n{handed}")
-
-
-def _policy(scripts: Sequence[str]) -> str:
-    """What a browser may do with the page: run these ``scripts``, and load nothing."""
-    hashes = " ".join(
-        f"'sha256-{base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()}'"
-        for script in scripts
-    )
-    return f"default-src 'none'; script-src {hashes}; style-src 'unsafe-inline'; img-src data:"
 
 
 # --- what the template is told ----------------------------------------------------------------------------

@@ -14,6 +14,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.draw.dates import date_ticks
 from robodyn.draw.scales import ticks
 
 Floats = NDArray[np.float64]
@@ -106,6 +107,13 @@ class Frame:
         steps = zip(np.diff(a).tolist(), np.diff(b).tolist(), strict=True)
         return f"M{a[0]} {b[0]}h0" + "".join(f"m{p}{_signed(q)}h0" for p, q in steps)
 
+    def whiskers(self, x: Floats, low: Floats, high: Floats) -> str:
+        """A path of upright strokes."""
+        a, b = self._places(x, high)
+        _, c = self._places(x, low)
+        rows = zip(a.tolist(), b.tolist(), c.tolist(), strict=True)
+        return "".join(f"M{at} {top}V{bottom}" for at, top, bottom in rows)
+
     def level(self, low: float, high: float) -> str:
         """A band across the frame; empty where it would be outside."""
         edges = np.array([low, high])
@@ -123,15 +131,15 @@ class Frame:
 
     def chart(
         self, title: str, text: str, labels: tuple[str, str], marks: Sequence[Mark], *,
-        most: tuple[int, int] = (5, 5), shades: Sequence[Shade] = (),
+        most: tuple[int, int] = (5, 5), shades: Sequence[Shade] = (), days: bool = False,
     ) -> Chart:  # fmt: skip
-        """The whole, with ``most`` ticks on either axis and ``labels`` of the axes."""
+        """The whole, with ``most`` ticks on either axis and ``labels`` of the axes; ``days``: the horizontal
+        axis is time [s since 1970]."""
         rows = tuple(
             Tick(percent(self.down(v)), label) for v, label in _labelled(self.bottom, self.top, most[1])
         )
-        columns = tuple(
-            Tick(percent(self.across(v)), label) for v, label in _labelled(self.left, self.right, most[0])
-        )
+        places = (date_ticks if days else _labelled)(self.left, self.right, most[0])
+        columns = tuple(Tick(percent(self.across(v)), label) for v, label in places)
         zero = percent(self.down(0.0)) if self.bottom <= 0 <= self.top else None
         kept = tuple(mark for mark in marks if mark.path)
         return Chart(title, text, *labels, columns, rows, zero, kept, tuple(shades))

@@ -10,3 +10,18 @@ def formatted(value: float) -> str:
     if not math.isfinite(value):
         return "n/a"
     return f"{value:,.0f}" if 999.5 <= abs(value) < 1e6 else f"{value:.3g}"
+
+
+def with_error(value: float, error: float, sign: str = "+-") -> str:
+    """A number and its standard error, both to the error's first digit (the second, of 10 to 19), with a
+    ``sign`` between them."""
+    if not error > 0:
+        return f"{value:.4g}"
+    digits = 1 - math.floor(math.log10(error))
+    first = round(error * 10.0**digits)
+    places = digits if first < 20 else digits - 1
+    if places > 6:
+        return f"{value:.3g} {sign} {error:.1g}"
+    value, error = round(value, places), round(error, places)
+    places = max(places, 0)
+    return f"{value + 0.0:.{places}f} {sign} {error:.{places}f}"

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.identify.run import Identification
+from robodyn.report.figures import with_error
 
 Floats = NDArray[np.float64]
 
@@ -46,27 +45,13 @@ def _joints(outcome: Identification) -> list[str]:
         place, _, what = name.partition(".")
         if not place.startswith("joint"):
             continue
-        value = "not seen" if one.stderr is None else _with_error(one.value, one.stderr)
+        value = "not seen" if one.stderr is None else with_error(one.value, one.stderr)
         names.setdefault(f"{what.split('.')[0].replace('_', ' ')} [{one.unit}]", []).append(
             f"{place.removeprefix('joint')}: {value}"
         )
     for what, cells in names.items():
         lines.append(f"{what}: {', '.join(cells)}")
     return lines
-
-
-def _with_error(value: float, error: float) -> str:
-    """A number and its standard error, both to the error's first digit (the second, of 10 to 19)."""
-    if not error > 0:
-        return f"{value:.4g}"
-    digits = 1 - math.floor(math.log10(error))
-    first = round(error * 10.0**digits)
-    places = digits if first < 20 else digits - 1
-    if places > 6:
-        return f"{value:.3g} +- {error:.1g}"
-    value, error = round(value, places), round(error, places)
-    places = max(places, 0)
-    return f"{value + 0.0:.{places}f} +- {error:.{places}f}"
 
 
 def _share(left: Floats, torque: Floats) -> str:

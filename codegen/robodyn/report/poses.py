@@ -66,7 +66,7 @@ def poses_text(
         if not nearest_only and each.nearest.name == LEAST_SQUARES:
             shown.append(each.nearest)
         lines += _table(solver, shown, degrees=degrees)
-        lines.append(_summary(solver, each, nearest_only=nearest_only))
+        lines.append(_summary(solver, each, nearest_only=nearest_only, degrees=degrees))
     return lines
 
 
@@ -129,13 +129,17 @@ def _error(x: float) -> str:
     return f"{x:.1e}" if x > _ROUNDING else f"<{_ROUNDING:.0e}"
 
 
-def _summary(solver: PoseSolver, posed: Posed, *, nearest_only: bool) -> str:
+def _summary(solver: PoseSolver, posed: Posed, *, nearest_only: bool, degrees: bool) -> str:
     near = posed.nearest
     if not posed.reached:
         place, turn = near.off
-        beside = "" if solver.place_only else f" and {turn:.3g} rad"
-        by = "by" if near.name == LEAST_SQUARES else "at"
-        return f"not reached: {place:.3g} m{beside} are missing {by} {near.name}"
+        angle = f"{to_degrees(turn) if degrees else turn:.3g} {_unit(degrees)}"
+        beside = "" if solver.place_only else f" and {angle}"
+        if near.name == LEAST_SQUARES:
+            by = f"by {near.name}"
+        else:
+            by = "where the iteration ends" if len(posed.solutions) == 1 else f"at {near.name}"
+        return f"not reached: {place:.3g} m{beside} are missing {by}"
     if near.name == LEAST_SQUARES:
         joint = f"joint {(solver.solver.redundant or 0) + 1}"
         return f"reached by no branch with {joint} as --near has it, by least squares with it elsewhere"

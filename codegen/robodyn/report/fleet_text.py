@@ -1,0 +1,198 @@
+"""What is said of a fleet, in words: effects, sizes, days, how unusual."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Final, TypeGuard
+
+from robodyn.draw.dates import DAY, day_text, range_text
+from robodyn.fleet.result import Claim, Feature, FleetResult, UnitResult
+from robodyn.report import figures
+from robodyn.report.diagnosis_text import listed, named, place_of
+from robodyn.report.figures import formatted
+
+#: Units of what has none.
+_NO_UNIT: Final = ("", "1", "-")
+#: Units of small things, which have prefixes; the smallest figure that is read easily.
+_SMALL: Final = ("rad", "m")
+_PREFIXES: Final = ((1.0, ""), (1e3, "m"), (1e6, "\u00b5"))
+_LEAST: Final = 0.1
+#: An error that is so small a share of its value is none.
+_NOTHING: Final = 1e-6
+_SINCE: Final = {"drift": "drifting since", "step": "changed on"}
+
+
+def effects_text(effects: Sequence[str]) -> str:
+    """What effects do together, within a sentence: ``Coulomb and viscous friction``; what no effect
+    explains, where there are none."""
+    names = [named(effect) for effect in effects]
+    if not names:
+        return "unexplained torque"
+    heads, _, tails = zip(*(name.rpartition(" ") for name in names), strict=True)
+    if len(set(tails)) == 1 and all(heads):
+        return f"{listed(heads)} {tails[0]}"
+    return listed(names)
+
+
+def place_text(joint: int | None) -> str:
+    """Where a feature is."""
+    return "the whole arm" if joint is None else place_of(joint)
+
+
+def what_text(one: Feature | Claim) -> str:
+    """A feature, or what is peculiar: effects and their place."""
+    return f"{effects_text(one.effects)}, {place_text(one.joint)}"
+
+
+def capital(text: str) -> str:
+    """``text`` at the beginning of a line."""
+    return text[:1].upper() + text[1:]
+
+
+def plain(value: float, *, signed: bool = False) -> str:
+    """A figure of three digits with a true minus sign."""
+    return ("+" if signed and value > 0 else "") + _true_signs(formatted(value))
+
+
+def _true_signs(text: str) -> str:
+    """Minus signs in the place of hyphens, but for those of powers of ten."""
+    return text.replace("-", "\u2212").replace("e\u2212", "e-")
+
+
+def with_error(value: float, error: float, unit: str, *, signed: bool = False) -> str:
+    """A figure and its standard error, digits as far as that lets them count, with its unit."""
+    if not is_known(value):
+        return "\u2013"
+    if not is_known(error) or error <= _NOTHING * abs(value):
+        return with_unit(value, unit, signed=signed)
+    factor, name = _scale(max(abs(value), abs(error)), unit)
+    text = _true_signs(figures.with_error(factor * value, factor * error, "\u00b1"))
+    return ("+" if signed and value > 0 else "") + text + name
+
+
+def with_unit(value: float, unit: str, *, signed: bool = False) -> str:
+    """A figure with its unit."""
+    factor, name = _scale(abs(value), unit)
+    return plain(factor * value, signed=signed) + name
+
+
+def has_unit(unit: str) -> bool:
+    """Whether a figure has a unit of measurement."""
+    return unit not in _NO_UNIT
+
+
+def _scale(size: float, unit: str) -> tuple[float, str]:
+    """The factor, and the unit after a space, in which a figure of this ``size`` is read most easily."""
+    if not has_unit(unit):
+        return 1.0, ""
+    for factor, prefix in _PREFIXES if unit in _SMALL and size > 0 else ():
+        if factor * size >= _LEAST:
+            return factor, f" {prefix}{unit}"
+    return 1.0, f" {unit}"
+
+
+def size_text(claim: Claim) -> str:
+    """How much more there is, with its standard error: ``+0.42 ± 0.03 N m (+18 %)``."""
+    more = f" ({share_text(claim)})" if is_known(claim.share) else ""
+    return with_error(claim.size, claim.stderr, claim.unit, signed=True) + more
+
+
+def share_text(claim: Claim) -> str:
+    """How much more there is, as a share of what there was; where that was nothing, with its unit."""
+    if is_known(claim.share):
+        return f"{100 * claim.share:+.0f} %".replace("-", "\u2212")
+    return with_unit(claim.size, claim.unit, signed=True)
+
+
+def brief(claim: Claim) -> str:
+    """What is peculiar in a few words: ``backlash J3 +25 % since 3 May 2025``."""
+    place = "" if claim.joint is None else f" J{claim.joint}"
+    since = "" if claim.since is None else f" since {day_text(claim.since)}"
+    return f"{effects_text(claim.effects)}{place} {share_text(claim)}{since}"
+
+
+def since_text(claim: Claim) -> str:
+    """Since when: ``drifting since 3 May 2025``; ``in all its logs`` where there was no change."""
+    if claim.shape not in _SINCE or claim.since is None:
+        return "in all its logs"
+    return f"{_SINCE[claim.shape]} {day_text(claim.since)}"
+
+
+def interval_text(claim: Claim) -> str:
+    """The days between which the change was, in 95 of 100 cases; empty where there was none."""
+    return "" if claim.since_interval is None else range_text(*claim.since_interval)
+
+
+def unusual_text(value: float | None) -> str:
+    """How far from usual, with its sign: ``+4.2``; of ten and more without a digit after the point."""
+    if not is_known(value):
+        return "\u2013"
+    text = f"{value:+.0f}" if abs(value) >= 9.95 else f"{value:+.1f}"
+    return "0.0" if text in ("+0.0", "-0.0") else text.replace("-", "\u2212")
+
+
+def is_known(value: float | None) -> TypeGuard[float]:
+    """Whether it is a number."""
+    return value is not None and math.isfinite(value)
+
+
+def most_unusual(unit: UnitResult) -> float:
+    """How far the unit's most unusual feature is from usual, without its sign."""
+    return max((abs(value) for value in unit.unusual.values() if is_known(value)), default=0.0)
+
+
+def several(count: int, noun: str) -> str:
+    """``1 unit``, ``1,000 units``."""
+    return f"{count:,} {noun}{'' if count == 1 else 's'}"
+
+
+def days_of(result: FleetResult) -> tuple[float, float] | None:
+    """The first and the last moment of the logs that were used."""
+    if not result.units:
+        return None
+    return min(unit.first for unit in result.units), max(unit.last for unit in result.units)
+
+
+def extent_text(result: FleetResult) -> str:
+    """How much was looked at: ``1,000 units of 3 types, 12,345 logs of 364 days (2 not used)``."""
+    logs = sum(kind.logs for kind in result.types)
+    text = f"{several(len(result.units), 'unit')} of {several(len(result.types), 'type')}"
+    text += f", {several(logs, 'log')}"
+    span = days_of(result)
+    if span is not None:
+        text += f" of {several(round((span[1] - span[0]) / DAY) or 1, 'day')}"
+    return f"{text} ({len(result.unused):,} not used)" if result.unused else text
+
+
+def headline(result: FleetResult) -> str:
+    """How many units differ, and how sure that is, as a sentence."""
+    different = [unit for unit in result.units if unit.claims]
+    of_all = f"{len(different):,} of {several(len(result.units), 'unit')}"
+    if not result.units:
+        return "No log of this fleet could be used"
+    if len(result.units) == 1 and not different:
+        return "The only unit is what it was"
+    if not different:
+        return f"None of {several(len(result.units), 'unit')} differs from its siblings or from what it was"
+    verb = "differs from its siblings or from what it was"
+    if len(different) > 1:
+        verb = "differ from their siblings or from what they were"
+    return f"{of_all} {verb}; {false_text(result)}"
+
+
+def false_text(result: FleetResult) -> str:
+    """How many of the names are false, at most."""
+    count = sum(len(unit.claims) for unit in result.units)
+    expected = result.false_names * count
+    names = f"the {count:,} names" if count > 1 else "such names" if count else "names"
+    if count > 1 and expected >= 1:
+        return f"on average at most {formatted(expected)} of {names} {'is' if expected == 1 else 'are'} false"
+    return f"on average at most {formatted(100 * result.false_names)} % of {names} are false"
+
+
+def counted(names: Sequence[str]) -> str:
+    """How often each of ``names`` is there, the most frequent first."""
+    counts = {name: names.count(name) for name in dict.fromkeys(names)}
+    ordered = sorted(counts.items(), key=lambda item: (-item[1], item[0]))
+    return listed([f"{name} ({count})" for name, count in ordered])
