@@ -12,7 +12,8 @@ VENV := .venv
 PEERS := .venv-peers
 BIN := $(VENV)/bin
 PIP := $(BIN)/python -m pip --disable-pip-version-check --no-input install --quiet --quiet
-PYTEST := $(BIN)/python -m pytest -n $(WORKERS) --dist loadgroup
+# The tests of a file stay together: what they share is computed once. Who is done first takes from the others.
+PYTEST := $(BIN)/python -m pytest -n $(WORKERS) --dist worksteal
 
 SHELL := /bin/sh
 .DELETE_ON_ERROR:

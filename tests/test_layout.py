@@ -7,6 +7,7 @@ import graphlib
 import importlib
 import re
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -74,23 +75,53 @@ def test_what_the_map_names_is_there() -> None:
         assert hasattr(importlib.import_module(f"robodyn.{module}"), name), f"{module}.{name}"
 
 
-@pytest.mark.parametrize("file", FILES, ids=str)
-def test_imports_only_rooms_above(file: Path) -> None:
-    tree = ast.parse((ROOT / file).read_text(encoding="utf-8"))
+@cache
+def tree_of(file: Path) -> ast.Module:
+    return ast.parse((ROOT / file).read_text(encoding="utf-8"))
+
+
+def out_of_order(tree: ast.Module, file: Path) -> Iterator[str]:
+    """What of the imports of ``file`` goes against the order of the rooms, or comes too early."""
     room = room_of(file)
     if room not in FACADE:
-        assert room in ROOMS, f"{file}: {room} is not in the table of docs/architecture.md"
         names = {name for statement in ast.walk(tree) for name in imported(statement, file)}
+        above = ROOMS[: ROOMS.index(room) + 1]
         for parts in (name.split(".") for name in sorted(names)):
-            assert parts[0] != "robodyn_cli", f"{file} imports the command line"
-            if parts[0] == "robodyn":
-                above = ROOMS[: ROOMS.index(room) + 1]
-                assert "".join(parts[1:2]) in above, f"{room} imports {'.'.join(parts)}, not above it"
+            if parts[0] == "robodyn" and "".join(parts[1:2]) not in above:
+                yield f"{file}: {room} imports {'.'.join(parts)}, which is not above it"
+            if parts[0] == "robodyn_cli":
+                yield f"{file} imports the command line"
     early = {name for statement in at_module_level(tree) for name in imported(statement, file)}
     packages = {name.partition(".")[0] for name in early}
-    assert "robodyn_cli" not in packages
+    if "robodyn_cli" in packages:
+        yield f"{file} imports the command line"
     if room in LEAN | FACADE:
-        assert not packages & LATE, "import it in the function that needs it"
+        yield from (f"{file} imports {name}: do so in the function that needs it" for name in packages & LATE)
+
+
+def test_imports_only_rooms_above() -> None:
+    """All files in one test, which takes as long as it takes to read them."""
+    places = [place for file in FILES for place in out_of_order(tree_of(file), file)]
+    assert not places, "\n".join(places)
+
+
+@pytest.mark.parametrize(
+    ("file", "text", "words"),
+    [
+        ("ir/graph.py", "from robodyn.dynamics import arm", "ir imports robodyn.dynamics.arm, which is not"),
+        ("dynamics/arm.py", "def f(): from ..kernels import load", "dynamics imports robodyn.kernels.load"),
+        ("report/page.py", "import robodyn_cli.gen", "imports the command line"),
+        ("__init__.py", "import robodyn_cli", "imports the command line"),
+        ("ir/graph.py", "import numpy as np", "imports numpy: do so in the function that needs it"),
+    ],
+)
+def test_what_is_out_of_order_is_noticed(file: str, text: str, words: str) -> None:
+    assert words in "".join(out_of_order(ast.parse(text), Path("robodyn", file)))
+
+
+def test_what_is_in_order_is_not_noticed() -> None:
+    text = "from robodyn.ir import Graph\nfrom .vectors import dot\ndef f(): import numpy"
+    assert not [*out_of_order(ast.parse(text), Path("robodyn/dynamics/arm.py"))]
 
 
 SOURCES = sorted(path.relative_to(ROOT.parent) for top in TOPS for path in (ROOT.parent / top).rglob("*.py"))
@@ -113,8 +144,7 @@ def test_no_file_imports_itself_through_others() -> None:
     modules = {".".join(file.with_suffix("").parts): file for file in FILES if file.stem not in FACADE}
     graph: dict[str, set[str]] = {}
     for module, file in modules.items():
-        tree = ast.parse((ROOT / file).read_text(encoding="utf-8"))
-        names = {name for statement in ast.walk(tree) for name in imported(statement, file)}
+        names = {name for statement in ast.walk(tree_of(file)) for name in imported(statement, file)}
         graph[module] = {m for name in names for m in (name, name.rpartition(".")[0]) if m in modules}
     with_circles = graphlib.TopologicalSorter(graph)
     with_circles.prepare()  # raises CycleError, which names the files

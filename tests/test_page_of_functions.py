@@ -12,6 +12,7 @@ from benchmarks.kinematics import PAGE, SHOWN, functions_table, ours
 
 from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.robot import bundled_names
+from robodyn_testing import representative
 
 TEXT = PAGE.read_text(encoding="utf-8")
 
@@ -29,7 +30,7 @@ def test_every_function_stands_there_as_it_is() -> None:
     assert {row[0]: row[1] for row in expected} == rows, "run python -m benchmarks.kinematics"
 
 
-@pytest.mark.parametrize("robot", SHOWN)
+@pytest.mark.parametrize("robot", representative(SHOWN, "puma560"))
 @pytest.mark.parametrize("names", [kinematics.NAMES, dynamics.NAMES], ids=["kinematics", "dynamics"])
 def test_operations(robot: str, names: tuple[str, ...]) -> None:
     column = 2 + SHOWN.index(robot)

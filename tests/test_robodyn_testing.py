@@ -115,6 +115,7 @@ def test_missing_packages_skip_what_imports_them(small_suite: Path) -> None:
         assert f"test_with_{package}.py: module {package}, for all of this file; to run this" in run.stdout
 
 
+@pytest.mark.thorough
 def test_missing_packages_fail_in_ci(small_suite: Path) -> None:
     run = collected([small_suite], wanted.OPTIONAL, ci="true")
     assert run.returncode != 0
@@ -122,6 +123,7 @@ def test_missing_packages_fail_in_ci(small_suite: Path) -> None:
         assert f"ModuleNotFoundError: import of {package} halted" in run.stdout, run.stdout
 
 
+@pytest.mark.thorough
 def test_what_nobody_offers_is_no_skip(small_suite: Path) -> None:
     """A typing error in an import, or a file of the tests that is gone, is an error on every machine."""
     (small_suite / "test_misspelt.py").write_text("import hypothesys\n")

@@ -49,6 +49,10 @@ COMMANDS: Final[dict[str, tuple[str, str]]] = {
         "robodyn_cli.diagnose",
         "Find the effects that a model is missing, add them, and validate the amended model.",
     ),
+    "fleet": (
+        "robodyn_cli.fleet",
+        "Find the arms of a fleet that differ from their siblings or have changed.",
+    ),
     "logs": ("robodyn_cli.logs", "Show what is in a log, and propose which columns are what."),
     "identify": (
         "robodyn_cli.identify",

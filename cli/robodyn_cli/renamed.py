@@ -15,6 +15,7 @@ RENAMED: Final[Mapping[str, Mapping[str, str]]] = {
     "schedule": {"--function": "--functions", "--seconds": "--budget-seconds", "--emit": "--output"},
     "prove": {"--seconds": "--budget-seconds"},
     "diagnose": {"--out": "--output"},
+    "fleet": {"--out": "--output"},
     "report": {"--out": "--output"},
 }
 

@@ -10,26 +10,37 @@ from robodyn_cli.common import echo_json, json_option
 
 @click.command()
 @click.option("--project", is_flag=True, help="That of the project file, robodyn.toml, instead.")
+@click.option("--fleet", is_flag=True, help="That of fleet.json, the result of robodyn fleet, instead.")
+@click.option("--fleet-file", is_flag=True, help="That of the description of a fleet, fleet.toml, instead.")
 @click.option("--error", is_flag=True, help="That of what --json prints where a command fails, instead.")
 @json_option
-def command(project: bool, error: bool, as_json: bool) -> None:
+def command(project: bool, fleet: bool, fleet_file: bool, error: bool, as_json: bool) -> None:
     """Print the JSON Schema of the robot description.
 
-    An editor can use it to complete keys and mark mistakes in the YAML file, or in robodyn.toml. The output
-    is JSON with and without --json.
+    An editor can use it to complete keys and mark mistakes in the YAML file, in robodyn.toml or in
+    fleet.toml. The output is JSON with and without --json.
     """
-    if project and error:
-        raise InputError("one schema at a time", found="--project and --error", remedy="remove one of them")
+    options = {"--project": project, "--fleet": fleet, "--fleet-file": fleet_file, "--error": error}
+    flags = [flag for flag, there in options.items() if there]
+    if len(flags) > 1:
+        raise InputError("one schema at a time", found=" and ".join(flags), remedy="remove one of them")
     if error:
         echo_json(error_schema())
-        return
-    if project:
+    elif fleet:
+        from robodyn.fleet.schema import fleet_schema
+
+        echo_json(fleet_schema())
+    elif fleet_file:
+        from robodyn.fleet.sources.schema import fleet_file_schema
+
+        echo_json(fleet_file_schema())
+    elif project:
         from robodyn.project.schema import project_schema
         from robodyn_cli.choices import PACKAGES
         from robodyn_cli.project_keys import project_keys
 
         echo_json(project_schema(project_keys(), PACKAGES.words()))
-        return
-    import robodyn.robot
+    else:
+        import robodyn.robot
 
-    echo_json(robodyn.robot.json_schema())
+        echo_json(robodyn.robot.json_schema())

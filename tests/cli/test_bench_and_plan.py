@@ -63,6 +63,7 @@ def test_bench_counts_instructions(capsys: Capture) -> None:
     assert 80 < counts["given"] < counts["libm"]  # it has 80 operations
 
 
+@pytest.mark.thorough
 def test_bench_names_what_is_not_measured(capsys: Capture, monkeypatch: pytest.MonkeyPatch) -> None:
     require_tool("gcc")
     gcc = shutil.which("gcc")
@@ -181,6 +182,7 @@ def test_the_command_names_the_file_that_was_planned(capsys: Capture, tmp_path: 
     assert f"robodyn gen '{arm}'\n" in text
 
 
+@pytest.mark.thorough
 def test_this_machine_is_measured(capsys: Capture) -> None:
     require_tool("cc")
     found = planned(capsys, "puma560_3dof", "-p", "2", "--deadline", "1s", "--target", "here")

@@ -93,7 +93,7 @@ def test_another_robodyn_generates_anew(
     from robodyn.project import fingerprint
 
     build()
-    monkeypatch.setattr(fingerprint, "_robodyn", lambda: "other sources")
+    monkeypatch.setattr(fingerprint, "own_key", lambda: "other sources")
     build()
     assert generated == ["one", "two"] * 2
 

@@ -65,6 +65,7 @@ def test_a_pipe_has_no_thread_that_follows() -> None:
         assert threading.active_count() == before
 
 
+@pytest.mark.thorough
 def test_every_stage_is_known_and_comes_in_its_order(arm: tuple[Robot, Log]) -> None:
     robot, log = arm
     for work, known in ((identify, stages(robot.n, [log])), (diagnose, stages_of_diagnosis(robot.n, [log]))):

@@ -13,7 +13,7 @@ from robodyn.kernels.generate import Options, generate
 from robodyn.optimize.programs import FORMULATIONS
 from robodyn.robot import bundled_names, load
 from robodyn_cli.main import main
-from robodyn_testing import sampled
+from robodyn_testing import representative
 
 KEYS = {
     "robot", "function", "formulation", "mul", "add", "div", "sqrt", "neg", "sincos", "total", "thesis",
@@ -40,7 +40,7 @@ USUAL = ",".join(by_default())
 # --- figures ----------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("robot", sampled(bundled_names(), every=5))
+@pytest.mark.parametrize("robot", representative(bundled_names(), "puma560_3dof_d3", "rx90"))
 def test_the_counts_are_those_of_what_gen_writes(robot: str, capsys: Capture) -> None:
     made = generate(load(robot, warn=lambda _: None))
     found = flops_json(capsys, robot, "--functions", ",".join(made.counts))
@@ -178,6 +178,7 @@ def test_what_is_unknown_gets_a_hint(arguments: list[str], hint: str, capsys: Ca
     assert hint in err
 
 
+@pytest.mark.thorough
 def test_an_arm_without_forward_dynamics(capsys: Capture) -> None:
     found = flops_json(capsys, "tx40", "--functions", "all")
     functions = [record["function"] for record in found]

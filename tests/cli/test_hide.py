@@ -165,6 +165,7 @@ def test_a_trajectory_is_not_written_over(capsys: Capture) -> None:
     assert np.abs(moved.q[::10] - wanted.q).max() < 2e-3
 
 
+@pytest.mark.thorough
 def test_excite(capsys: Capture) -> None:
     command = "excite pendulum.yaml --tell coulomb_friction,viscous_friction@1 --tries 4 --duration 4"
     out, _ = run(capsys, f"{command} -o t.csv")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 from typing import Any
 
@@ -57,6 +58,11 @@ def test_the_same_pose_in_three_ways_and_degrees(capsys: pytest.CaptureFixture[s
     assert all(branch["off"]["place"] < 1e-14 for branch in pose["branches"])
 
 
+def test_what_is_missing_in_degrees(capsys: pytest.CaptureFixture[str]) -> None:
+    out, _ = ik(capsys, "puma560", "--pose", "0.4,0.1,9,10,20,30", "--degrees", "--nearest", code=1)
+    assert re.search(r"\nnot reached: 8\.\d+ m and \S+ deg are missing by least squares\n", out)
+
+
 def test_the_nearest_alone(capsys: pytest.CaptureFixture[str]) -> None:
     near = "0.1,-0.5,0.4,0.2,0.9,0.3"
     data = json.loads(ik(capsys, "puma560", "--of", near, "--near", near, "--nearest", "--json")[0])
@@ -108,6 +114,7 @@ def test_a_file_of_poses_of_a_redundant_arm(capsys: pytest.CaptureFixture[str], 
     ("arguments", "message"),
     [
         ((), "there is no pose; expected --pose with 6 numbers x y z roll pitch yaw, 12 of"),
+        (("--pose", "1e308,0,0,0,0,0"), "pose 1 is too far away to compute with; found x y z 1e+308 0 0 m"),
         (("--pose", "1,2"), "this is not a pose; found 2 numbers"),
         (("--of", "1,2"), "--of does not fit puma560; found 2 numbers"),
         (("--pose", POSE, "--near", "1"), "--near does not fit puma560; found 1 numbers"),

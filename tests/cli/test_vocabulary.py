@@ -53,9 +53,10 @@ def test_an_option_takes_the_same_everywhere() -> None:
                 number = option.type.name.removesuffix(" range") in ("float", "integer", "numbers")
                 kinds[spelling].add((option.is_flag, "number" if number else "word"))
     # -p of a sweep is a range, of a plan a number; joints are how many (new) or which (diagnose); what is
-    # led to is a pose (simulate) or a format (export); a tolerance may have a percent sign (prove)
+    # led to is a pose (simulate) or a format (export); a tolerance may have a percent sign (prove); a fleet
+    # is how many units (hide) or a flag (schema)
     different = {spelling for spelling, several in kinds.items() if len(several) > 1}
-    assert different <= {"-p", "--processors", "--cut", "--joints", "--to", "--tolerance"}
+    assert different <= {"-p", "--processors", "--cut", "--joints", "--to", "--tolerance", "--fleet"}
 
 
 @pytest.mark.parametrize("name", COMMANDS)

@@ -10,6 +10,7 @@ import pytest
 from robodyn.robot import bundled_names
 from robodyn_cli.common import WIDTH
 from robodyn_cli.main import main
+from robodyn_testing import sampled
 
 Capture = pytest.CaptureFixture[str]
 pytestmark = pytest.mark.usefixtures("elsewhere")
@@ -34,7 +35,7 @@ def test_the_first_command_is_quiet_and_narrow(capsys: Capture) -> None:
     assert "c: compiled with " in out
 
 
-@pytest.mark.parametrize("robot", bundled_names())
+@pytest.mark.parametrize("robot", sampled(bundled_names(), every=5))
 def test_every_bundled_robot_is(capsys: Capture, robot: str) -> None:
     out = checked(capsys, "gen", robot)
     assert f"{robot}.h" in out

@@ -11,7 +11,7 @@ from documents.blocks import ROOT, TUTORIALS, commands, read
 from robodyn_testing import require_tool
 from robodyn_testing.environments import clean_environment, pip_install, run
 
-pytestmark = [pytest.mark.thorough, pytest.mark.xdist_group("tutorials")]  # one worker: one environment
+pytestmark = pytest.mark.thorough
 
 
 @pytest.fixture(scope="module")

@@ -19,8 +19,6 @@ DATA = {
     if path.is_file()
 }
 
-pytestmark = pytest.mark.xdist_group("packaging")  # one worker: the environment is built once
-
 
 def use(environment: Path, folder: Path) -> Path:
     """What a user does first, from `folder`; returns where the installed package lies."""
@@ -69,6 +67,7 @@ def test_wheel_holds_code_and_data(built: Path) -> None:
     assert not [name for name in names if "__pycache__" in name]
 
 
+@pytest.mark.thorough
 def test_sdist_builds_the_same_wheel(built: Path, tmp_path: Path) -> None:
     run(sys.executable, "-m", "build", "--no-isolation", "--wheel", "--outdir", tmp_path, ROOT, cwd=tmp_path)
     assert wheel_of(tmp_path).read_bytes() == wheel_of(built).read_bytes()

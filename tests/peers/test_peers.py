@@ -78,7 +78,7 @@ def test_peers_agree_with_each_other(chunk: int) -> None:
     assert [text for text in found if text is not None] == []
 
 
-@pytest.mark.parametrize("name", representative(robodyn.robot.bundled_names(), "puma560", "stanford", "tx40"))
+@pytest.mark.parametrize("name", representative(robodyn.robot.bundled_names(), "stanford"))
 def test_bundled_robot(name: str) -> None:
     robot = robodyn.robot.load(name, warn=print)
     refs = references(robot)

@@ -38,6 +38,7 @@ def perturbed(folder: Path, target: Path) -> Candidate:
     return Candidate("other", "a peer with another arm", "", built, None)
 
 
+@pytest.mark.thorough
 def test_a_peer_with_other_torques_does_not_race(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     require_tool("gcc")
 

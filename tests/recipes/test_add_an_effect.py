@@ -122,6 +122,7 @@ def test_a_dry_one_sticks_and_loses_what_its_like_does(copy: Copy) -> None:
     assert error < 1e-3
 
 
+@pytest.mark.thorough
 def test_hidden_and_named(copy: Copy) -> None:
     copy.robodyn(
         "hide", "arm.yaml", "--effect", "fluid_drag@2", "--duration", "6", "--rate", "500", "-o", "blind"

@@ -237,7 +237,10 @@ HEAD = "name: arm\nlinks:\n  - joint: revolute\n    effects: "
 @pytest.mark.parametrize(
     "text",
     [
-        HEAD + "[" + "{effect: torque_ripple, amplitude: 1, cycles_per_rev: 2}," * 2000 + "]",
+        pytest.param(
+            HEAD + "[" + "{effect: torque_ripple, amplitude: 1, cycles_per_rev: 2}," * 2000 + "]",
+            marks=pytest.mark.thorough,
+        ),
         HEAD + "[" + "{}," * 20_000 + "]",
         HEAD + "[{effect: transmission_loss, rated_torque: 1, efficiency: " + "[" * 25 + "]" * 25 + "}]",
         HEAD + "[{effect: transmission_loss, rated_torque: 1, efficiency: [" + "[0, 1]," * 5000 + "]}]",

@@ -143,6 +143,7 @@ def test_values_that_contradict_each_other() -> None:
         robot.at({"peak": 1})
 
 
+@pytest.mark.thorough
 def test_a_diagnosis_of_a_robot_whose_parameter_is_called_mass() -> None:
     """The same as of the robot with the number written in its place."""
     from robodyn.diagnose.run import diagnose

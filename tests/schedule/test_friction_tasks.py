@@ -218,6 +218,7 @@ def test_sources_with_friction_say_what_there_is_without() -> None:
         robot_source(stanford, as_printed=True, friction={1: Friction("journal")})
 
 
+@pytest.mark.thorough
 def test_the_table_of_friction(monkeypatch: pytest.MonkeyPatch) -> None:
     found = make("friction")
     both = found.row("six joints, both").ours

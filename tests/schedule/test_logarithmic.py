@@ -19,6 +19,7 @@ from robodyn.thesis.logarithmic import (
     general_program,
     thesis_chain,
 )
+from robodyn_testing import representative
 
 
 @pytest.mark.parametrize("n", [1, 2, 5])
@@ -31,7 +32,7 @@ def test_all_forms_compute_the_same(n: int, right_angled: bool) -> None:
     assert all(torques == found[0] for torques in found)
 
 
-@pytest.mark.parametrize("form", LOGARITHMIC)
+@pytest.mark.parametrize("form", representative(LOGARITHMIC, "lathrop"))
 def test_chains_grow_with_the_logarithm(form: str) -> None:
     chain = {n: cost(form, n).chain for n in (4, 8, 16, 32)}
     steps = [chain[8] - chain[4], chain[16] - chain[8], chain[32] - chain[16]]
@@ -45,7 +46,7 @@ def test_linear_chains_grow_with_n(form: str) -> None:
     assert len({b - a for a, b in pairwise(chains)}) == 1
 
 
-@pytest.mark.parametrize("form", LOGARITHMIC)
+@pytest.mark.parametrize("form", representative(LOGARITHMIC, "lathrop"))
 def test_from_three_joints_on_the_chain_is_shorter_at_twice_the_work(form: str) -> None:
     for linear in LINEAR:
         assert first_shorter(form, lambda n, linear=linear: cost(linear, n).chain, most=12) == 3  # type: ignore[misc]

@@ -50,13 +50,18 @@ def all_elastic(robot: Robot) -> Effects:
 
 
 KINDS = [rigid, springs, ripple, pairs, elastic, play, together, all_elastic]
-QUICK = {
-    ("puma560", together), ("stanford", springs), ("panda", rigid), ("puma560_3dof", elastic),
-    ("puma560_3dof", play),
-}  # fmt: skip
+QUICK = {("stanford", springs), ("puma560_3dof", elastic), ("puma560_3dof", play)}
+THOROUGH = {("puma560", together), ("panda", rigid)}
 CASES = [
     pytest.param(
-        name, kind, id=f"{name} {kind.__name__}", marks=[] if (name, kind) in QUICK else pytest.mark.slow
+        name,
+        kind,
+        id=f"{name} {kind.__name__}",
+        marks=()
+        if (name, kind) in QUICK
+        else pytest.mark.thorough
+        if (name, kind) in THOROUGH
+        else pytest.mark.slow,
     )
     for name in ("puma560", "stanford", "panda", "puma560_3dof")
     for kind in KINDS

@@ -88,15 +88,13 @@ LOSSES = [
     dry_and_viscous, asymmetric, stribeck, thinned, bristles, gears, damped_elastic, damped_play, lossy_pair,
     limits,
 ]  # fmt: skip
-SLOW_LOSSES = {asymmetric, stribeck, lossy_pair, damped_elastic, damped_play}
+MARKS = {
+    **dict.fromkeys((asymmetric, stribeck, lossy_pair, damped_elastic, damped_play), pytest.mark.slow),
+    **dict.fromkeys((bristles, gears), pytest.mark.thorough),
+}
 LOSS_CASES = [
-    *(
-        pytest.param(
-            "puma560_3dof", kind, id=kind.__name__, marks=[pytest.mark.slow] if kind in SLOW_LOSSES else []
-        )
-        for kind in LOSSES
-    ),
-    pytest.param("stanford", bearings, id="bearings"),
+    *(pytest.param("puma560_3dof", kind, id=kind.__name__, marks=MARKS.get(kind, ())) for kind in LOSSES),
+    pytest.param("stanford", bearings, id="bearings", marks=pytest.mark.thorough),
     *(
         pytest.param("stanford", kind, id=f"stanford {kind.__name__}", marks=pytest.mark.slow)
         for kind in LOSSES

@@ -216,7 +216,7 @@ def test_other_files_are_compiled_along(tmp_path: Path) -> None:
         build_engine({}, "#error nothing", cache=tmp_path)
 
 
-@pytest.mark.parametrize("name", ["gcc", "clang"])
+@pytest.mark.parametrize("name", ["gcc", pytest.param("clang", marks=pytest.mark.thorough)])
 def test_compilers_have_nothing_to_say(name: str) -> None:
     require_tool(name)
     for glue in (BLOCK, LIFT):

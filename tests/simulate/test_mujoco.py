@@ -155,7 +155,11 @@ def test_an_arm_without_anything_falls(name: str, duration: float) -> None:
 
 @pytest.mark.parametrize(
     "name",
-    ["stanford", "panda", *(pytest.param(name, marks=pytest.mark.slow) for name in ("puma560", "ur10"))],
+    [
+        "stanford",
+        pytest.param("panda", marks=pytest.mark.thorough),
+        *(pytest.param(name, marks=pytest.mark.slow) for name in ("puma560", "ur10")),
+    ],
 )
 def test_a_laden_arm_let_go_driven_and_controlled(name: str) -> None:
     """Damping, rotors, springs, a payload on a tilted base; no torque, a table, PD, computed torque."""

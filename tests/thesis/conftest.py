@@ -11,7 +11,7 @@ from robodyn.thesis.tables import (
 from thesis.recomputed import IDS
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def tables() -> dict[str, Table]:
     """All tables but that of all robots, made once."""
     return {name: make(name) for name in IDS}

@@ -274,6 +274,7 @@ def test_claims_follow_the_graphs_edges(monkeypatch: Patch) -> None:
     assert tight.row("least Stanford time").ours["levels"] > 25
 
 
+@pytest.mark.thorough
 def test_claims_follow_the_rules_of_elimination(tables: dict[str, Table], monkeypatch: Patch) -> None:
     """Nothing spared for the first and the last link: more tasks, wider layers, another share saved."""
     monkeypatch.setattr(elimination, "FIRST_LINK", frozenset())

@@ -1,0 +1,1 @@
+"""What ``robodyn fleet`` says of simulated fleets, of robodyn's own simulator and of MuJoCo."""

@@ -1,0 +1,161 @@
+"""``robodyn fleet``: which arms of a fleet differ from their siblings, since when and in what."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Final
+
+import click
+
+from robodyn.errors import InputError
+from robodyn_cli import progress
+from robodyn_cli.choices import FILE, FOLDER
+from robodyn_cli.common import echo_document, json_option, printable, write_files
+from robodyn_cli.log_files import result_folder, spare_inputs
+from robodyn_cli.values import POSITIVE
+
+if TYPE_CHECKING:
+    from robodyn.cluster import Security
+    from robodyn.fleet.result import FleetResult
+    from robodyn.fleet.sources.fleet import Fleet
+
+_DATA, _TABLE, _PAGE = "fleet.json", "fleet.parquet", "index.html"
+#: Pages of units that are in memory together.
+_PAGES: Final = 100
+
+
+@click.command()
+@click.argument("fleet", type=FILE, metavar="FLEET")
+@click.option("-o", "--output", "out", required=True, type=FOLDER, metavar="DIR", help="Output folder.")
+@click.option(
+    "--on",
+    default="local",
+    metavar="WHERE",
+    help="Where the work runs: here (in this process), local[:N] (N processes of this machine; without N one "
+    "for each core), or dask://HOST:PORT (a scheduler of Dask).  [default: local]",
+)
+@click.option(
+    "--diagnose",
+    type=click.Choice(["named", "all", "none"]),
+    default="named",
+    help="Units that get a full diagnosis of their logs.  [default: named]",
+)
+@click.option(
+    "--false-names",
+    type=POSITIVE,
+    metavar="SHARE",
+    help="Share of all names over the whole fleet that may be false on average.  [default: 0.05]",
+)
+@click.option("--tls-ca", type=FILE, metavar="FILE", help="Certificate that signs the scheduler's (PEM).")
+@click.option("--tls-cert", type=FILE, metavar="FILE", help="Own certificate for dask:// (PEM).")
+@click.option(
+    "--tls-key", type=FILE, metavar="FILE", help="Its key (PEM).  [default: in the file of --tls-cert]"
+)
+@click.option("--no-parquet", is_flag=True, help="Do not write fleet.parquet, which needs pyarrow.")
+@json_option
+def command(
+    fleet: str,
+    out: str,
+    on: str,
+    diagnose: Any,
+    false_names: float | None,
+    no_parquet: bool,
+    as_json: bool,
+    **tls: str | None,
+) -> None:
+    """Find the arms of a fleet that differ from their siblings or have changed.
+
+    FLEET is a file such as fleet.toml, which says what types of arms there are and where their logs lie, or a
+    folder with one, or with logs as TYPE/UNIT/DATE.csv. Every log is read once; what was worked out stays in
+    DIR, so that a second run reads new logs only. The command writes fleet.json, fleet.parquet, index.html
+    (one page, no network access) and a page for each unit in units/ to DIR. The exit code is 0 whether units
+    are named or not: a script looks at fleet.json. The same input gives the same files.
+    """
+    from robodyn.fleet.sources.reading import read_fleet
+
+    folder = result_folder(out)
+    security = _security(tls, on)
+    if not no_parquet:
+        from robodyn.fleet.table import check_parquet
+
+        check_parquet("add --no-parquet")
+    if false_names is not None and not false_names < 1:
+        raise InputError("--false-names is not a share", found=f"{false_names:g}", expected="less than 1")
+    described = read_fleet(fleet)
+    inputs = [fleet, *(part for log in described.logs for part in log.source.split("+"))]
+    spare_inputs([folder / name for name in (_DATA, _TABLE, _PAGE)], inputs)
+    with progress.line() as shown:
+        result = _judged(described, folder, on, diagnose, false_names, security, shown.tell)
+        text = _written(result, folder, shown.tell, table=not no_parquet)
+    if as_json:
+        echo_document(text)
+        return
+    from robodyn.report.fleet_terminal import summary
+
+    for line in summary(result, printable(folder / _PAGE)):
+        click.echo(line)
+
+
+def _security(tls: Mapping[str, str | None], on: str) -> Security | None:
+    """The files of --tls-ca, --tls-cert and --tls-key; None without: then Dask's own configuration counts."""
+    authority, certificate, key = (tls[name] for name in ("tls_ca", "tls_cert", "tls_key"))
+    if authority is None and certificate is None and key is None:
+        return None
+    if authority is None or certificate is None:
+        raise InputError(
+            "TLS takes two files at least",
+            expected="--tls-ca and --tls-cert, and --tls-key where the certificate's file has no key",
+        )
+    if not on.startswith("dask://"):
+        raise InputError(
+            "TLS is for a scheduler of Dask", found=f"--on {on}", expected="--on dask://HOST:PORT"
+        )
+    from robodyn.cluster import Security
+
+    return Security(authority, certificate, key or "")
+
+
+def _judged(
+    fleet: Fleet,
+    folder: Path,
+    on: str,
+    diagnose: Any,
+    false_names: float | None,
+    security: Security | None,
+    tell: Callable[[str], None],
+) -> FleetResult:
+    """What is said of the fleet; files of diagnoses are in ``folder`` then."""
+    from robodyn.fleet.pool.limits import FALSE_NAMES
+    from robodyn.fleet.run import run_fleet
+    from robodyn_cli.diagnosis_files import files_of
+
+    def progress(stage: str, done: int, of: int) -> None:
+        tell(f"robodyn: {printable(fleet.name)}: {stage}{f', {done:,} of {of:,}' if of else ''}")
+
+    return run_fleet(
+        fleet, folder, on, diagnose=diagnose, files_of=files_of, security=security, progress=progress,
+        false_names=FALSE_NAMES if false_names is None else false_names,
+    )  # fmt: skip
+
+
+def _written(result: FleetResult, folder: Path, tell: Callable[[str], None], *, table: bool) -> str:
+    """Write the files; the page that links all others last. The text of fleet.json."""
+    from robodyn.fleet.as_json import document, text
+    from robodyn.fleet.table import parquet
+    from robodyn.report.fleet import page
+    from robodyn.report.fleet_unit import unit_pages
+
+    tell("robodyn: writing pages")
+    pages: dict[str, str] = {}
+    for k, (path, html) in enumerate(unit_pages(result), 1):
+        pages[path] = html
+        if len(pages) == _PAGES or k == len(result.units):
+            write_files(folder, pages)
+            pages.clear()
+    data = text(document(result))
+    files: dict[str, str | bytes] = {_DATA: data}
+    if table:
+        files[_TABLE] = parquet(result)
+    write_files(folder, {**files, _PAGE: page(result)})
+    return data

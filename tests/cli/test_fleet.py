@@ -1,0 +1,126 @@
+"""``robodyn fleet``: a fleet from its logs to files and lines; what is refused before work begins."""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+
+import pytest
+
+from fleet.small_fleet import NAME, write_log
+from robodyn.fleet.schema import fleet_schema
+from robodyn.tools.libraries import PYARROW
+from robodyn_cli.main import main
+from robodyn_testing import require_module
+
+Capture = pytest.CaptureFixture[str]
+DAYS = ("2025-01-03", "2025-06-07T0830")
+
+
+@pytest.fixture(scope="module")
+def logs(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder TYPE/UNIT/DATE.csv of three units, one of which has a log that is none."""
+    folder = tmp_path_factory.mktemp("fleet") / "plant"
+    for unit in range(3):
+        path = folder / NAME / f"unit {unit}"
+        path.mkdir(parents=True)
+        for k, day in enumerate(DAYS):
+            write_log(path / f"{day}.csv", 10 * unit + k)
+    (folder / NAME / "unit 2" / "2025-07-01.csv").write_text("t,q1\n0,nothing\n", encoding="utf-8")
+    return folder
+
+
+@pytest.fixture
+def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def test_a_fleet_becomes_a_page_a_table_and_data(logs: Path, here: Path, capsys: Capture) -> None:
+    """The second run says the same, byte for byte, and with --json prints what fleet.json has."""
+    words = ["fleet", str(logs), "-o", "out", "--on", "here", "--diagnose", "none"]
+    assert main(words) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert "3 units of 1 type, 6 logs of 155 days (1 not used)" in lines
+    assert lines[-1] == "page: out/index.html"
+    out = here / "out"
+    written = {path: path.read_bytes() for path in out.rglob("*.*") if path.name != "store.sqlite"}
+    pages = {f"units/{NAME}/unit {k}/index.html" for k in range(3)}
+    assert {str(path.relative_to(out)) for path in written} == {
+        "fleet.json", "fleet.parquet", "index.html", *pages,
+    }  # fmt: skip
+    data = json.loads(written[out / "fleet.json"])
+    require_module("jsonschema").Draft202012Validator(fleet_schema()).validate(data)
+    assert [(unit["unit"], unit["logs"]) for unit in data["units"]] == [(f"unit {k}", 2) for k in range(3)]
+    (unused,) = data["unused"]
+    assert unused["unit"] == "unit 2"
+    html = written[out / "index.html"].decode()
+    assert all(f'href="{path.replace(" ", "%20")}"' in html for path in pages)
+
+    assert main([*words, "--json"]) == 0
+    assert json.loads(capsys.readouterr().out) == data
+    assert all(path.read_bytes() == content for path, content in written.items())
+
+
+@pytest.mark.thorough
+def test_units_are_diagnosed_and_their_pages_lead_there(here: Path) -> None:
+    log = here / "plant" / NAME / "unit 0" / "2025-01-03.csv"
+    log.parent.mkdir(parents=True)
+    write_log(log, 1)
+    assert main(["fleet", "plant", "-o", "out", "--on", "here", "--diagnose", "all"]) == 0
+    out = here / "out"
+    (unit,) = json.loads((out / "fleet.json").read_text(encoding="utf-8"))["units"]
+    assert unit["diagnosis"] == f"units/{NAME}/unit 0/report.html"
+    assert (out / unit["diagnosis"]).is_file()
+    page = (out / f"units/{NAME}/unit 0/index.html").read_text(encoding="utf-8")
+    assert '<a href="report.html">' in page
+
+
+@pytest.mark.parametrize(
+    ("options", "code", "what"),
+    [
+        ("--on nowhere", 2, "no place where work could run"),
+        ("--false-names 1", 2, "--false-names is not a share; found 1; expected less than 1"),
+        ("--tls-ca ca.pem", 2, "TLS takes two files at least"),
+        (
+            "--tls-ca ca.pem --tls-cert own.pem --on local",
+            2,
+            "TLS is for a scheduler of Dask",
+        ),
+        ("--diagnose some", 2, "'some' is not one of"),
+    ],
+)
+def test_what_cannot_be_is_refused(
+    options: str, code: int, what: str, logs: Path, here: Path, capsys: Capture
+) -> None:
+    assert main(["fleet", str(logs), "-o", "out", *options.split()]) == code
+    assert what in " ".join(capsys.readouterr().err.split())
+    assert not (here / "out" / "index.html").exists()
+
+
+def test_what_parquet_needs_is_asked_for_before_the_work(
+    logs: Path, here: Path, capsys: Capture, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, PYARROW.module, None)
+    assert main(["fleet", str(logs), "-o", "out"]) == 3
+    assert "or add --no-parquet" in capsys.readouterr().err
+    assert not (here / "out").exists()
+    assert main(["fleet", str(logs), "-o", "out", "--on", "here", "--no-parquet", "--diagnose", "none"]) == 0
+    assert sorted(path.name for path in (here / "out").iterdir()) == [
+        "fleet.json", "index.html", "store.sqlite", "units",
+    ]  # fmt: skip
+
+
+def test_a_log_is_not_written_over(here: Path, capsys: Capture) -> None:
+    log = here / NAME / "unit" / "2025-01-03.csv"
+    log.parent.mkdir(parents=True)
+    write_log(log, 1)
+    (here / "out").mkdir()
+    (here / "fleet.toml").write_text(
+        f'[types.{NAME}]\n[[logs]]\nfiles = "out/*.json"\ntype = "{NAME}"\nunit = "a"\ndate = 2025-01-03\n'
+    )
+    (here / "out" / "fleet.json").write_text("{}")
+    assert main(["fleet", "fleet.toml", "-o", "out"]) == 2
+    assert "is an input and would be overwritten" in capsys.readouterr().err
+    assert (here / "out" / "fleet.json").read_text() == "{}"
