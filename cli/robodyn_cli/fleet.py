@@ -46,7 +46,7 @@ _PAGES: Final = 100
     "--false-names",
     type=POSITIVE,
     metavar="SHARE",
-    help="Share of all names over the whole fleet that may be false on average.  [default: 0.05]",
+    help="Share of the named units of the whole fleet that may be healthy on average.  [default: 0.05]",
 )
 @click.option("--tls-ca", type=FILE, metavar="FILE", help="Certificate that signs the scheduler's (PEM).")
 @click.option("--tls-cert", type=FILE, metavar="FILE", help="Own certificate for dask:// (PEM).")
