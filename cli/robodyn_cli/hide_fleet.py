@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from robodyn_cli import progress
-from robodyn_cli.common import echo_json, load_robot, output_folder, printable, write_files
+from robodyn_cli.common import echo_json, load_robot, output_folder, printable, talk, write_files
 
 if TYPE_CHECKING:
     from robodyn.fleet.planted.plant import Format
@@ -45,6 +45,11 @@ def plant(robots: Sequence[str], options: dict[str, Any], *, as_json: bool) -> N
         )
     write_files(folder, {**planted.files, ANSWER: seal(planted.answer)})
     finish(folder)
+    if not planted.changes:
+        talk(
+            f"robodyn: note: in {planted.units} units nothing is hidden: too few for the recipe's shares; "
+            "more of them, or larger shares in a --recipe, have some"
+        )
     if as_json:
         echo_json(
             {

@@ -170,3 +170,18 @@ def test_on_the_command_line(tmp_path: Path, capsys: Capture, monkeypatch: pytes
 def test_options_that_do_not_fit(arguments: str, what: str, capsys: Capture, tmp_path: Path) -> None:
     assert main(["hide", *arguments.split()]) == 2
     assert what in capsys.readouterr().err
+
+
+@pytest.mark.thorough
+def test_a_fleet_without_a_change_says_so(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Four of a hundred units of 2 are none."""
+    monkeypatch.chdir(tmp_path)
+    recipe = "logs = [5, 5]\nduration = [4, 4]\nrates = [100]\n"
+    (tmp_path / "recipe.toml").write_text(recipe, encoding="utf-8")
+    words = ["hide", "puma560_3dof", "--fleet", "2", "--recipe", "recipe.toml", "--on", "here", "-o", "two"]
+    assert main(words) == 0
+    shown = capsys.readouterr()
+    assert "2 units, 10 logs, 0 changes are hidden in two" in shown.out
+    assert "note: in 2 units nothing is hidden" in shown.err

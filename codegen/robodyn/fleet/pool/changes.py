@@ -63,7 +63,7 @@ def courses(dates: Floats, *, steps_only: bool = False, fine: bool = False) -> C
     span = dates[-1] - dates[0]
     onsets = dates[0] + np.arange(0.0, span, step * DAY)
     shares, begins, lengths = list[Floats](), list[float](), list[float]()
-    seen = set[bytes]()
+    different = set[bytes]()
     for length in (x * DAY for x in ramps):
         for onset in onsets.tolist():
             rise = np.clip((dates - onset) / length, 0, 1) if length else (dates > onset) * 1.0
@@ -71,9 +71,9 @@ def courses(dates: Floats, *, steps_only: bool = False, fine: bool = False) -> C
             if (rise >= HALF).sum() < LEAST_AFTER or (rise <= NOT_YET).sum() < LEAST_BEFORE:
                 continue
             key = np.round(rise, 9).tobytes()
-            if not fine and key in seen:
+            if not fine and key in different:
                 continue
-            seen.add(key)
+            different.add(key)
             shares.append(rise)
             begins.append(onset)
             lengths.append(length)
