@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
+from time import monotonic
 from typing import TYPE_CHECKING, Any, Final
 
 import click
@@ -45,7 +46,7 @@ _PAGES: Final = 100
     "--false-names",
     type=POSITIVE,
     metavar="SHARE",
-    help="Share of all names over the whole fleet that may be false on average.  [default: 0.05]",
+    help="Share of the named units of the whole fleet that may be healthy on average.  [default: 0.05]",
 )
 @click.option("--tls-ca", type=FILE, metavar="FILE", help="Certificate that signs the scheduler's (PEM).")
 @click.option("--tls-cert", type=FILE, metavar="FILE", help="Own certificate for dask:// (PEM).")
@@ -72,8 +73,10 @@ def command(
     (one page, no network access) and a page for each unit in units/ to DIR. The exit code is 0 whether units
     are named or not: a script looks at fleet.json. The same input gives the same files.
     """
+    from robodyn.cluster import check_place
     from robodyn.fleet.sources.reading import read_fleet
 
+    check_place(on)
     folder = result_folder(out)
     security = _security(tls, on)
     if not no_parquet:
@@ -129,9 +132,13 @@ def _judged(
     from robodyn.fleet.pool.limits import FALSE_NAMES
     from robodyn.fleet.run import run_fleet
     from robodyn_cli.diagnosis_files import files_of
+    from robodyn_cli.progress import Pace
+
+    pace = Pace()
 
     def progress(stage: str, done: int, of: int) -> None:
-        tell(f"robodyn: {printable(fleet.name)}: {stage}{f', {done:,} of {of:,}' if of else ''}")
+        rest = f", {done:,} of {of:,}{pace.words(stage, done, of, monotonic())}" if of else ""
+        tell(f"robodyn: {printable(fleet.name)}: {stage}{rest}")
 
     return run_fleet(
         fleet, folder, on, diagnose=diagnose, files_of=files_of, security=security, progress=progress,

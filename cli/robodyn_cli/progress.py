@@ -16,6 +16,9 @@ from typing import Final
 
 import click
 
+#: [s] More must be left to be told.
+_SOON: Final = 1.0
+
 
 class Line:
     """A line on stderr that is updated at most a few times a second."""
@@ -53,8 +56,6 @@ class Countdown:
 
     #: So far from the usual [-] may a machine seem by the first stages.
     _SLOWEST: Final = 20.0
-    #: [s] More must be left to be told.
-    _SOON: Final = 1.0
 
     def __init__(self, stages: Mapping[str, float], now: float) -> None:
         self._costs = dict(stages)
@@ -85,12 +86,33 @@ class Countdown:
     def words(self, now: float) -> str:
         """For people; empty where little is left."""
         left = self.left(now)
-        if left is None or left < self._SOON:
-            return ""
-        if left < 90:
-            step = 1 if left < 20 else 5
-            return f"; about {step * math.ceil(left / step)} s left"
-        return f"; about {math.ceil(left / 60)} min left"
+        return "" if left is None else _in_words(left)
+
+
+class Pace:
+    """About how long the rest of a stage takes that consists of many pieces of one kind, by those that are
+    done."""
+
+    def __init__(self) -> None:
+        self._stage, self._begun, self._before = "", 0.0, 0
+
+    def words(self, stage: str, done: int, of: int, now: float) -> str:
+        """For people, of a ``stage`` with ``done`` pieces ``of`` all; empty where little is left, or nothing
+        was done yet."""
+        if stage != self._stage:
+            self._stage, self._begun, self._before = stage, now, done
+        own = done - self._before
+        return _in_words((now - self._begun) / own * (of - done)) if own > 0 else ""
+
+
+def _in_words(left: float) -> str:
+    """``left`` [s] for people; empty where it is little."""
+    if left < _SOON:
+        return ""
+    if left < 90:
+        step = 1 if left < 20 else 5
+        return f"; about {step * math.ceil(left / step)} s left"
+    return f"; about {math.ceil(left / 60)} min left"
 
 
 @contextmanager

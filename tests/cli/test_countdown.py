@@ -20,7 +20,7 @@ from robodyn.identify.stages import stages
 from robodyn.logs.log import Log
 from robodyn.robot import to_yaml
 from robodyn.robot.model import Robot
-from robodyn_cli.progress import Countdown, Line, countdown
+from robodyn_cli.progress import Countdown, Line, Pace, countdown
 from robodyn_testing import require_module
 
 
@@ -29,6 +29,15 @@ def arm() -> tuple[Robot, Log]:
     return perturbed(bare("puma560_3dof"), 0.2, 3), log_of(
         rubbing(bare("puma560_3dof")), noise=0.01, seconds=6.0
     )
+
+
+def test_what_is_left_of_many_pieces_follows_from_those_that_are_done() -> None:
+    pace = Pace()
+    assert pace.words("digesting", 5, 105, 10.0) == ""  # how long the first took is not known
+    assert pace.words("digesting", 15, 105, 14.0) == "; about 40 s left"  # ten in 4 s, ninety to go
+    assert pace.words("diagnosing", 0, 10, 14.0) == ""
+    assert pace.words("diagnosing", 1, 10, 44.0) == "; about 5 min left"
+    assert pace.words("diagnosing", 10, 10, 300.0) == ""
 
 
 def test_what_is_left_follows_from_the_pace_of_what_was_done() -> None:

@@ -13,6 +13,7 @@ from typing import Any
 import pytest
 
 import robodyn_cli
+from fleet.small_fleet import NAME, write_log
 from robodyn.errors import InputError, OutputError
 from robodyn.files import cannot_write
 from robodyn_cli.common import write_files
@@ -126,6 +127,27 @@ def test_a_limit_of_the_system(command: str, here: Path) -> None:
     assert "File too large" in done.stderr
     assert list(here.iterdir()) == []
     assert limited(command, 1 << 20).returncode == 0
+
+
+@pytest.mark.parametrize("size", [3_000, 30_000])
+def test_a_fleet_goes_on_when_there_is_room_again(size: int, here: Path) -> None:
+    """Where there is no room for results, and where there is none for pages."""
+    require_module("resource")
+    for unit in range(2):
+        log = here / "plant" / NAME / f"unit {unit}" / "2025-01-03.csv"
+        log.parent.mkdir(parents=True)
+        write_log(log, unit)
+    command = "fleet plant -o out --on here --diagnose none --no-parquet"
+    done = limited(command, size)
+    assert (done.returncode, done.stdout) == (74, ""), done.stderr
+    assert re.search(
+        r"robodyn: error: (out/store.sqlite: results cannot be kept|cannot write out/)", done.stderr
+    )
+    assert not (here / "out" / "index.html").exists()
+    assert not list(here.rglob(".robodyn.*"))
+    done = limited(command, 1 << 24)
+    assert done.returncode == 0, done.stderr
+    assert (here / "out" / "index.html").is_file()
 
 
 def test_a_disk_that_is_small(here: Path, capsys: Capture) -> None:

@@ -102,8 +102,8 @@ def test_what_is_lost_is_done_again(
                     for _ in workers:  # the others end with their scheduler
                         machines.worker()
     assert sorted(keys) == list(range(100))
-    said = [record for record in caplog.records if record.name == "robodyn.cluster"]
-    assert bool(said) == (lost in ("scheduler", "all"))
+    warnings = [record for record in caplog.records if record.name == "robodyn.cluster"]
+    assert bool(warnings) == (lost in ("scheduler", "all"))
 
 
 def test_one_that_is_told_to_end_ends_with_its_processes(tmp_path: Path, notes: Path) -> None:

@@ -24,7 +24,7 @@ def own_environment(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.parametrize(
     "on",
-    ["", "there", "local:", "local:0", "local:-1", "local:2x", "local:99999", "here:2", "dask://", "dask://host",
+    ["", "there", "local:", "local:0", "local:-1", "local:2x", "here:2", "dask://", "dask://host",
      "dask://host:", "dask://host:port", "dask:host:8786", "tcp://host:8786", "dask://a b:1", "dask://host:1/x"],
 )  # fmt: skip
 def test_what_is_no_place(on: str) -> None:
@@ -35,8 +35,16 @@ def test_what_is_no_place(on: str) -> None:
 
 
 def test_too_many_processes() -> None:
-    too_many = pytest.raises(InputError, match="too many processes; found 1025; expected 1024")
+    too_many = pytest.raises(InputError, match="too many processes; found 1025; expected at most 1024")
     with too_many, open_cluster("local:1025"):
+        pass
+
+
+@pytest.mark.parametrize("port", ["0", "65536", "99999"])
+def test_no_such_port(port: str) -> None:
+    """Refused at once, and not after the time in which a scheduler would answer."""
+    wrong = pytest.raises(InputError, match=f"there is no such port; found {port}; expected 1 to 65535")
+    with wrong, open_cluster(f"dask://host:{port}"):
         pass
 
 

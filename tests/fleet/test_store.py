@@ -44,8 +44,8 @@ def test_a_file_is_known_by_size_and_time_unless_it_is_young(
         store.saw("/logs/\udc80.csv", "12@7", 7_000_000_000, "hash")
         assert store.content("/logs/\udc80.csv", "12@7") == "hash"
         assert store.content("/logs/\udc80.csv", "12@8") is None
-        store.saw("/logs/young.csv", "12@9", 9_000_000_000, "hash")
-        assert store.content("/logs/young.csv", "12@9") is None
+        store.saw("young.csv", "12@9", 9_000_000_000, "hash")
+        assert store.content("young.csv", "12@9") is None
 
 
 def test_two_runs_do_not_share_a_folder(tmp_path: Path) -> None:
@@ -70,6 +70,15 @@ def damaged(path: Path) -> str:
     return "the store of results is damaged"
 
 
+def without_a_table(path: Path) -> str:
+    with open_store(path):
+        pass
+    with sqlite3.connect(path) as connection:
+        connection.execute("drop table results")
+    connection.close()
+    return "the store of results is damaged; found no such table"
+
+
 def of_another_program(path: Path) -> str:
     with sqlite3.connect(path) as connection:
         connection.execute("create table notes (text)")
@@ -86,7 +95,7 @@ def of_another_layout(path: Path) -> str:
     return "this is no store of results; found the layout of another robodyn"
 
 
-@pytest.mark.parametrize("make", [damaged, of_another_program, of_another_layout])
+@pytest.mark.parametrize("make", [damaged, without_a_table, of_another_program, of_another_layout])
 def test_what_is_no_store_is_left_alone(make: Callable[[Path], str], tmp_path: Path) -> None:
     path = tmp_path / "store"
     message = make(path)
@@ -95,6 +104,37 @@ def test_what_is_no_store_is_left_alone(make: Callable[[Path], str], tmp_path: P
         pass
     assert "delete" in str(error.value)
     assert path.read_bytes() == before
+
+
+@pytest.mark.parametrize("value", ["x'0011'", "null", "'text'"])
+def test_a_result_that_has_changed_is_not_used(value: str, tmp_path: Path) -> None:
+    """SQLite notices damaged pages; what is in them it does not check."""
+    path = tmp_path / "store"
+    with open_store(path) as store:
+        store.keep("a", b"result")
+        store.keep("b", Refused("no motion"))
+    with sqlite3.connect(path) as connection:
+        connection.execute(f"update results set value = {value}")
+    connection.close()
+    with open_store(path) as store:
+        for read in (lambda: store.result("a"), lambda: store.refusal("b")):
+            with pytest.raises(InputError, match=r"the store of results is damaged; .* delete it"):
+                read()
+
+
+def test_a_store_without_checksums_is_taken_over(tmp_path: Path) -> None:
+    path = tmp_path / "store"
+    with open_store(path) as store:
+        store.keep("a", b"result")
+    with sqlite3.connect(path) as connection:
+        connection.execute("alter table results drop column crc")
+        connection.execute("pragma user_version = 1")
+    connection.close()
+    for _ in range(2):
+        with open_store(path) as store:
+            assert store.result("a") == b"result"
+            store.keep("b", b"new")
+            assert store.result("b") == b"new"
 
 
 def test_a_place_that_cannot_be_written(tmp_path: Path) -> None:

@@ -9,7 +9,7 @@ from robodyn.fleet.units import Diagnosed, completed
 def claim(joint: int, *effects: str) -> Claim:
     """A claim about ``joint``."""
     return Claim(
-        effects, joint, f"feature_{joint}", "drift", 1e9, (9e8, 1.1e9), 1.0, 0.1, "-", 1.7, 1e-6, 1e-5
+        effects, joint, f"feature_{joint}", "drift", 1e9, (9e8, 1.1e9), None, 1.0, 0.1, "-", 1.7, 1e-6, 1e-5
     )
 
 

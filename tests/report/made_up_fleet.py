@@ -41,7 +41,9 @@ def claim(feature: Feature, k: int, first: float, last: float) -> Claim:
     size = feature.mean * 0.25 if feature.mean else 2.0
     return Claim(
         feature.effects, feature.joint, feature.name, shape, since,  # type: ignore[arg-type]
-        None if since is None else (since - 12 * DAY, since + 9 * DAY), size, size / 12, feature.unit,
+        None if since is None else (since - 12 * DAY, since + 9 * DAY),
+        since + 60 * DAY if since is not None and k % 6 == 0 and since + 60 * DAY < last else None,
+        size, size / 12, feature.unit,
         0.25 if feature.mean else None, 1e-9 * (k + 1), 1e-7 * (k + 1),
     )  # fmt: skip
 

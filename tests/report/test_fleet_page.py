@@ -72,11 +72,9 @@ class Elements(HTMLParser):
 def test_the_head_says_how_many_and_how_sure(small: FleetResult) -> None:
     assert headline(small) == (
         "6 of 30 units differ from their siblings or from what they were; "
-        "on average at most 5 % of the 6 names are false"
+        "on average at most 5 % of units with a name are healthy"
     )
-    assert headline(replace(small, false_names=0.5)).endswith(
-        "; on average at most 3 of the 6 names are false"
-    )
+    assert headline(replace(small, false_names=0.5)).endswith("; on average at most 3 of these are healthy")
     assert headline(fleet(3, 0)) == "None of 3 units differs from its siblings or from what it was"
     assert headline(of_one()) == "The only unit is what it was"
     assert headline(replace(small, units=(), types=())) == "No log of this fleet could be used"

@@ -17,7 +17,7 @@ def test_what_to_look_at_first() -> None:
     assert "look at first:" in lines
     first = " ".join(line.strip() for line in lines[4:6])
     assert first.startswith("1. arm<6>/AR-0000: Coulomb and viscous friction, joint 1: +1.10 ")
-    assert first.endswith("(+25 %), drifting since 28 Apr 2025 (16 Apr to 7 May 2025)")
+    assert first.endswith("(+25 %), drifted until 27 Jun 2025 from 28 Apr 2025 (16 Apr to 7 May 2025)")
     assert "and 4 more on the page" in lines
     assert "record next of AR-0000: Record the same motion again." in lines
     assert "- 1: times go backward (logs/a.csv)" in lines

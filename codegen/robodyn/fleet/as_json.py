@@ -12,7 +12,7 @@ from typing import Any, Final
 from robodyn.fleet.result import FleetResult, Reading
 
 #: Fields that are points in time.
-DAYS: Final = frozenset({"since", "since_interval", "first", "last", "date"})
+DAYS: Final = frozenset({"since", "since_interval", "until", "first", "last", "date"})
 
 
 def document(result: FleetResult) -> dict[str, Any]:

@@ -46,10 +46,11 @@ class Claim:
     """What is peculiar to a unit: ``effects`` at a ``joint``, by the type's ``feature``; ``since`` [s since
     1970, UTC] with the interval that holds the day in 95 of 100 cases (None where it has always been so).
 
+    ``until``: the day from which on it has not grown (a drift that ended; None: it still grows, or is none).
     ``size``: how much more of the feature there is now than there was (``always``: than its siblings have),
     with its standard error, and as a share of what it was (None where that was nothing); ``p``: how often
-    chance alone looks like this, over all features and days that were looked at; ``q``: the share of names
-    that are false alarms among all that are no less sure than this one (Benjamini and Hochberg)."""
+    chance alone makes a unit look as odd, over all features and days that were looked at; ``q``: the share of
+    healthy units among all that are named and no less sure than this one (Benjamini and Hochberg)."""
 
     effects: tuple[str, ...]
     joint: int | None
@@ -57,6 +58,7 @@ class Claim:
     shape: Shape
     since: float | None
     since_interval: tuple[float, float] | None
+    until: float | None
     size: float
     stderr: float
     unit: str
@@ -116,8 +118,8 @@ class Look:
 
 @dataclass(frozen=True, slots=True)
 class FleetResult:
-    """All that is said of a fleet. Names are so sure that at most the share ``false_names`` of them is false
-    in the mean."""
+    """All that is said of a fleet. Names are so sure that at most the share ``false_names`` of the units that
+    have one is healthy, in the mean."""
 
     name: str
     types: tuple[TypeResult, ...]

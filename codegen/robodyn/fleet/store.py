@@ -11,24 +11,27 @@ import contextlib
 import os
 import sqlite3
 import time
+import zlib
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
 from robodyn.errors import InputError, OutputError, Place, RobodynError
 from robodyn.files import label
 from robodyn.version import VERSION
 
-#: The layout of the file; files of another are not read. The mark by which SQLite's own files are told apart.
-_LAYOUT: Final = 1
+#: The layout of the file; files of another are not read, but for the one before, which had no checksums. The
+#: mark by which SQLite's own files are told apart.
+_LAYOUT: Final = 2
+_WITHOUT_CRC: Final = 1
 _MARK: Final = 0x726F626F
 #: [ns] A file that is younger than this when it is looked at may be written again without a new time.
 _YOUNG: Final = 2_000_000_000
 _TABLES: Final = (
-    "create table results (key text primary key, robodyn text, refused integer, value blob)",
+    "create table results (key text primary key, robodyn text, refused integer, value blob, crc integer)",
     "create table files (source blob primary key, signature text, content text)",
 )
 
@@ -56,19 +59,32 @@ class Store:
         """What was worked out; None: it was not yet."""
         with self._guarded():
             row = self._connection.execute(
-                "select refused, value from results where key = ?", [key]
+                "select value, crc, refused from results where key = ?", [key]
             ).fetchone()
         if row is None:
             return None
-        return Refused(row[1].decode()) if row[0] else bytes(row[1])
+        data = self._intact(*row[:2])
+        return Refused(data.decode()) if row[2] else data
 
     def refusal(self, key: str) -> str | None:
         """Why a log cannot be used; None: it can, or it is not known."""
         with self._guarded():
             row = self._connection.execute(
-                "select value from results where key = ? and refused", [key]
+                "select value, crc from results where key = ? and refused", [key]
             ).fetchone()
-        return None if row is None else row[0].decode()
+        return None if row is None else self._intact(*row).decode()
+
+    def _intact(self, value: Any, crc: int | None) -> bytes:
+        """``value``, if it is what was stored: SQLite notices where its pages are damaged, and not what is in
+        them.
+
+        Raises
+        ------
+        InputError: it is not.
+        """
+        if not isinstance(value, bytes) or (crc is not None and zlib.crc32(value) != crc):
+            raise _damaged(self._name, "a result that differs from its checksum")
+        return value
 
     def has(self, key: str) -> bool:
         """Whether there is a result, of whichever kind."""
@@ -86,7 +102,8 @@ class Store:
         data = value.why.encode() if isinstance(value, Refused) else value
         with self._guarded():
             self._connection.execute(
-                "insert or replace into results values (?, ?, ?, ?)", [key, VERSION, refused, data]
+                "insert or replace into results values (?, ?, ?, ?, ?)",
+                [key, VERSION, refused, data, zlib.crc32(data)],
             )
 
     def content(self, source: str, signature: str) -> str | None:
@@ -140,12 +157,11 @@ def open_store(path: Path) -> Iterator[Store]:
     with contextlib.closing(connection):
         try:
             connection.execute("pragma locking_mode = exclusive")
-            is_new = _is_new(connection, name)  # before anything of it is changed
+            layout = _layout(connection, name)  # before anything of it is changed
             connection.execute("pragma journal_mode = wal")
             connection.execute("pragma synchronous = normal")
             connection.execute("begin immediate")
-            if is_new:
-                _become(connection)
+            _become(connection, layout)
             connection.execute("delete from results where robodyn != ?", [VERSION])
             connection.execute("commit")
         except sqlite3.DatabaseError as error:
@@ -153,19 +169,19 @@ def open_store(path: Path) -> Iterator[Store]:
         yield Store(connection, name)
 
 
-def _is_new(connection: sqlite3.Connection, name: str) -> bool:
-    """Whether the file is empty; else it is a store.
+def _layout(connection: sqlite3.Connection, name: str) -> int:
+    """The layout of a store; 0 of an empty file.
 
     Raises
     ------
     InputError: it is something else.
     """
     if connection.execute("select count(*) from sqlite_master").fetchone()[0] == 0:
-        return True
+        return 0
     mark = connection.execute("pragma application_id").fetchone()[0]
-    layout = connection.execute("pragma user_version").fetchone()[0]
-    if (mark, layout) == (_MARK, _LAYOUT):
-        return False
+    layout = int(connection.execute("pragma user_version").fetchone()[0])
+    if mark == _MARK and layout in (_WITHOUT_CRC, _LAYOUT):
+        return layout
     raise InputError(
         "this is no store of results",
         where=Place(name),
@@ -175,10 +191,13 @@ def _is_new(connection: sqlite3.Connection, name: str) -> bool:
     )
 
 
-def _become(connection: sqlite3.Connection) -> None:
-    """Let an empty file be a store."""
-    for statement in _TABLES:
-        connection.execute(statement)
+def _become(connection: sqlite3.Connection, layout: int) -> None:
+    """Let an empty file, or a store of an older ``layout``, be a store of today's."""
+    if layout == 0:
+        for statement in _TABLES:
+            connection.execute(statement)
+    elif layout == _WITHOUT_CRC:
+        connection.execute("alter table results add column crc integer")
     connection.execute(f"pragma application_id = {_MARK}")
     connection.execute(f"pragma user_version = {_LAYOUT}")
 
@@ -191,20 +210,27 @@ def _cannot(name: str, error: sqlite3.DatabaseError) -> RobodynError:
         return InputError(
             "another run holds the results", where=where, remedy="wait for its end, or choose another folder"
         )
-    if code in (sqlite3.SQLITE_NOTADB, sqlite3.SQLITE_CORRUPT):
-        return InputError(
-            "the store of results is damaged",
-            where=where,
-            found=str(error),
-            remedy="delete it: all logs are read again then",
-        )
+    if code in (sqlite3.SQLITE_NOTADB, sqlite3.SQLITE_CORRUPT, sqlite3.SQLITE_ERROR):  # the last: no table
+        return _damaged(name, str(error))
     if code in (sqlite3.SQLITE_READONLY, sqlite3.SQLITE_CANTOPEN, sqlite3.SQLITE_PERM):
-        return InputError("results cannot be kept", where=where, found=str(error))
+        return InputError(
+            "results cannot be kept", where=where, found=str(error),
+            remedy="choose another folder with -o, or allow this one to be written",
+        )  # fmt: skip
     return OutputError(
         "results cannot be kept",
         where=where,
         found=str(error),
         remedy="free some space and run it again: what is done is kept",
+    )
+
+
+def _damaged(name: str, found: str) -> InputError:
+    return InputError(
+        "the store of results is damaged",
+        where=Place(name),
+        found=found,
+        remedy="delete it: all logs are read again then",
     )
 
 

@@ -56,6 +56,7 @@ COLUMNS: Final[dict[str, tuple[Kind, Callable[[Cells], Any]]]] = {
     "since": ("time", lambda row: row.claimed("since")),
     "since_from": ("time", lambda row: row.day(0)),
     "since_to": ("time", lambda row: row.day(1)),
+    "until": ("time", lambda row: row.claimed("until")),
     "size": ("double", lambda row: row.claimed("size")),
     "size_stderr": ("double", lambda row: row.claimed("stderr")),
     "share": ("double", lambda row: row.claimed("share")),

@@ -88,7 +88,7 @@ def _tiles(result: FleetResult) -> list[tuple[str, str, str]]:
     always = len(claims) - len(changed)
     tiles = [
         ("Units that differ", f"{different:,} of {len(result.units):,}", what),
-        ("How sure", f"{100 * result.false_names:g} % false names", f"{false_text(result)}"),
+        ("How sure", f"{100 * result.false_names:g} % false names", false_text(result)),
         ("Since when", when if claims else "nothing", _latest(changed, always) if claims else "has changed"),
     ]
     if result.first_to_look_at:

@@ -105,7 +105,9 @@ def _course(unit: UnitResult, feature: Feature, claim: Claim) -> tuple[Floats, F
         return np.array([unit.first, unit.last]), np.array([before, before])
     after = before + claim.size
     if claim.shape == "drift":
-        return np.array([unit.first, claim.since, unit.last]), np.array([before, before, after])
+        end = unit.last if claim.until is None else claim.until
+        days = np.array([unit.first, claim.since, end, max(end, unit.last)])
+        return days, np.array([before, before, after, after])
     days = np.array([unit.first, claim.since, claim.since, unit.last])
     return days, np.array([before, before, after, after])
 

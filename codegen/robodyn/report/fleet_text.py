@@ -113,9 +113,12 @@ def brief(claim: Claim) -> str:
 
 
 def since_text(claim: Claim) -> str:
-    """Since when: ``drifting since 3 May 2025``; ``in all its logs`` where there was no change."""
+    """Since when: ``drifting since 3 May 2025``, ``drifted until ... from 3 May 2025`` where that has
+    ended; ``in all its logs`` where there was no change."""
     if claim.shape not in _SINCE or claim.since is None:
         return "in all its logs"
+    if claim.until is not None:
+        return f"drifted until {day_text(claim.until)} from {day_text(claim.since)}"
     return f"{_SINCE[claim.shape]} {day_text(claim.since)}"
 
 
@@ -182,13 +185,13 @@ def headline(result: FleetResult) -> str:
 
 
 def false_text(result: FleetResult) -> str:
-    """How many of the names are false, at most."""
-    count = sum(len(unit.claims) for unit in result.units)
+    """How many of the units with a name are healthy, at most."""
+    count = sum(1 for unit in result.units if unit.claims)
     expected = result.false_names * count
-    names = f"the {count:,} names" if count > 1 else "such names" if count else "names"
     if count > 1 and expected >= 1:
-        return f"on average at most {formatted(expected)} of {names} {'is' if expected == 1 else 'are'} false"
-    return f"on average at most {formatted(100 * result.false_names)} % of {names} are false"
+        return f"on average at most {formatted(expected)} of these {'is' if expected == 1 else 'are'} healthy"
+    units = "units with a name" if count != 1 else "such units"
+    return f"on average at most {formatted(100 * result.false_names)} % of {units} are healthy"
 
 
 def counted(names: Sequence[str]) -> str:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from scipy.stats import chi2, norm
+from scipy.stats import chi2, f, norm
 
 from robodyn.fleet.pool.changes import DAY, courses
-from robodyn.fleet.pool.names import false_shares, inflation, tail
+from robodyn.fleet.pool.names import Chance, Odds, chance_of, false_shares, of_several
 
 
 def test_false_shares_are_those_of_the_paper() -> None:
@@ -42,7 +42,7 @@ def test_the_largest_of_many_is_no_rarer_than_it_should_be() -> None:
     centred = several.shares - several.shares.mean(axis=1, keepdims=True)
     centred /= np.sqrt((centred**2).sum(axis=1, keepdims=True))
     worth = ((rng.standard_normal((4000, 12)) @ centred.T) ** 2 / 2).max(axis=1)
-    p = np.array([tail(x, 1, several.worth) for x in worth])
+    p = _odds(worth, tests=several.worth).tails(Chance())
     assert 0.01 < (p < 0.05).mean() < 0.06
     assert (p < 0.001).mean() < 0.003
 
@@ -50,7 +50,49 @@ def test_the_largest_of_many_is_no_rarer_than_it_should_be() -> None:
 def test_inflation_is_that_of_the_middle() -> None:
     rng = np.random.default_rng(4)
     worth = chi2.rvs(2, size=4000, random_state=rng) / 2
-    assert inflation(worth, 2) == pytest.approx(1.0, abs=0.08)
-    assert inflation(2.5 * worth, 2) == pytest.approx(2.5, rel=0.08)
-    worth[:200] += 40.0
-    assert inflation(worth, 2) < 1.15
+    assert chance_of(_odds(worth, 2)).inflation == pytest.approx(1.0, abs=0.08)
+    assert chance_of(_odds(2.5 * worth, 2)).inflation == pytest.approx(2.5, rel=0.08)
+    worth[:120] += 40.0
+    assert chance_of(_odds(worth, 2)).inflation < 1.15
+
+
+@pytest.mark.parametrize(("freedom", "likely"), [(np.inf, (15.0, np.inf)), (6.0, (4.0, 10.0))])
+def test_heavy_tails_are_seen_where_most_units_are(freedom: float, likely: tuple[float, float]) -> None:
+    """And a few units that are odd do not make them."""
+    rng = np.random.default_rng(5)
+    worth = f.rvs(1, freedom, size=30000, random_state=rng) / 2 if np.isfinite(freedom) else (
+        chi2.rvs(1, size=30000, random_state=rng) / 2
+    )  # fmt: skip
+    assert likely[0] <= chance_of(_odds(worth)).freedom <= likely[1]
+    worth[:300] += 40.0
+    odd = chance_of(_odds(worth))
+    assert likely[0] <= odd.freedom <= likely[1]
+    p = _odds(worth).tails(odd)
+    assert 0.003 < (p[300:] < 0.01).mean() < 0.012
+    assert 0.1 < 1e3 * (p[300:] < 1e-3).mean() < 1.5
+
+
+def test_few_units_say_nothing_of_tails() -> None:
+    worth = chi2.rvs(1, size=12, random_state=np.random.default_rng(6)) / 2
+    worth[0] = 30.0
+    assert chance_of(_odds(worth)).freedom == np.inf
+    assert chance_of(_odds(np.zeros(0))) == Chance()
+
+
+@pytest.mark.parametrize("freedom", [np.inf, 7.0])
+def test_sizes_are_those_of_tails(freedom: float) -> None:
+    odds = _odds(np.linspace(0.1, 9, 50), 4, tests=5.5)
+    worth = odds.sizes(0.03, freedom) / 2
+    assert _odds(worth, 4, tests=5.5).tails(Chance(1.0, freedom)) == pytest.approx(0.03, rel=1e-9)
+
+
+def test_the_rarest_of_several_is_less_rare() -> None:
+    p = of_several(np.array([1e-12, 0.01, 1.0]), 20.0)
+    assert p[0] == pytest.approx(20e-12)
+    assert p[1] == pytest.approx(1 - 0.99**20)
+    assert p[2] == pytest.approx(1.0)
+
+
+def _odds(worth: np.ndarray, numbers: int = 1, tests: float = 1.0) -> Odds:
+    same = np.ones_like(worth)
+    return Odds(worth, numbers, tests * same, np.inf * same)

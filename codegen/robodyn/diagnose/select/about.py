@@ -54,9 +54,9 @@ def moved(freed: Freed, changes: Floats) -> Freed:
     phi = Model(robot).standard_parameters()
     links[phi[:, 0] + sizes[:, 0] * links[:, 0] <= 0] = 0.0
     rotors = total[sizes.size : sizes.size + len(joints)]
-    kept = np.concatenate([links.reshape(-1), rotors, np.zeros(len(total) - sizes.size - len(joints))])
+    padded = np.concatenate([links.reshape(-1), rotors, np.zeros(len(total) - sizes.size - len(joints))])
     about = _with_numbers(robot, phi + sizes * links, dict(zip(joints, rotors.tolist(), strict=True)))
-    return replace(freed, about=about, changes=kept)
+    return replace(freed, about=about, changes=padded)
 
 
 def _stepped(freed: Freed, x: Floats) -> tuple[Freed, Floats, float] | None:
@@ -76,8 +76,8 @@ def _stepped(freed: Freed, x: Floats) -> tuple[Freed, Floats, float] | None:
 
     def misfit(rest: Floats, numbers: Floats) -> float:
         by_others = weight * (rest - columns[:, p:] @ others)
-        held = prior @ np.concatenate([numbers, others])
-        return float(by_others @ by_others + held @ held)
+        penalty = prior @ np.concatenate([numbers, others])
+        return float(by_others @ by_others + penalty @ penalty)
 
     before = misfit(left - freed.put_back, begun)
     for share in (1.0, 0.3, 0.1):

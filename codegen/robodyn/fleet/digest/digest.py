@@ -221,10 +221,10 @@ def _robust(A: Floats, tau: Floats, used: Floats) -> tuple[Floats, Floats, int]:
         gram = (A * weight) @ A.T
         size = np.sqrt(np.maximum(np.diag(gram), 1e-300))
         values, vectors = np.linalg.eigh(gram / np.outer(size, size))
-        seen = values > RIDGE * values[-1]
-        basis = vectors[:, seen] / np.sqrt(values[seen]) / size[:, None]
+        independent = values > RIDGE * values[-1]
+        basis = vectors[:, independent] / np.sqrt(values[independent]) / size[:, None]
         left = tau - (basis @ (basis.T @ (A @ (weight * tau)))) @ A
-        rank = int(seen.sum())
+        rank = int(independent.sum())
         if k < ROUNDS - 1:
             rms = float(np.sqrt(weight @ left**2 / weight.sum()))
             weight = used * np.minimum(1.0, KNEE * rms / np.maximum(np.abs(left), 1e-300))

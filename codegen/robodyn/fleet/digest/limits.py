@@ -8,9 +8,6 @@ from __future__ import annotations
 
 from typing import Final
 
-PIECE_SAMPLES: Final = 60_000
-"""[samples] So many of a log are looked at at a time."""
-
 RIDGE: Final = 1e-8
 """[share of the largest] Columns of a joint that are farther from independent count as dependent."""
 

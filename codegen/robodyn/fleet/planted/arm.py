@@ -205,8 +205,10 @@ class Arm:
                 found=record.status,
                 expected="a state that stays finite",
             )
-        seen = list(plant.system.encoders)
-        return Log(record.t, record.y[:, seen], record.v[:, seen], record.a[:, seen], record.command)
+        encoders = list(plant.system.encoders)
+        return Log(
+            record.t, record.y[:, encoders], record.v[:, encoders], record.a[:, encoders], record.command
+        )
 
 
 @lru_cache(maxsize=64)

@@ -112,10 +112,10 @@ def score_fleet(answer: Part, result: Any, file: str = "fleet.json") -> FleetSco
     }
     planted = {_unit(one): one for one in answer.need("planted", "what is planted").each()}
     claims: dict[tuple[str, str], list[Part]] = {}
-    seen = set()
+    reported = set()
     for one in whole.need("units", "a list of units").each():
         listed = one.need("claims", "a list of claims").each()
-        seen.add(_unit(one))
+        reported.add(_unit(one))
         if listed:
             claims[_unit(one)] = listed
     cases = [
@@ -137,7 +137,7 @@ def score_fleet(answer: Part, result: Any, file: str = "fleet.json") -> FleetSco
         statistics.median(off) if off else None,
         sum(x <= NEAR for x in off) / len(off) if off else None,
         sum(holds) / len(holds) if holds else None,
-        bool(seen & units), tuple(cases),
+        bool(reported & units), tuple(cases),
     )  # fmt: skip
 
 

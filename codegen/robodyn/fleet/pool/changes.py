@@ -175,9 +175,24 @@ def change_at(A: Floats, b: Floats, direction: Floats) -> Change:
     return Change(float(worth[0]), amplitudes[0], covariance)
 
 
-def dated(several: Courses, worth: Floats) -> tuple[float, tuple[float, float], float]:
-    """When a change began, the interval that holds the day in 95 of 100 cases, and the share of courses that
-    are steps; of log-likelihoods ``worth`` [M] of fine courses that are all as likely before."""
+@dataclass(frozen=True, slots=True)
+class Dated:
+    """When a change began (``since`` [s since 1970]), the ``interval`` that holds the day in 95 of 100 cases,
+    and when it ended (``until``; at once: the day on which it began)."""
+
+    since: float
+    interval: tuple[float, float]
+    until: float
+
+    @property
+    def is_step(self) -> bool:
+        """Whether it came at once."""
+        return self.until == self.since
+
+
+def dated(several: Courses, worth: Floats) -> Dated:
+    """The days of a change, of log-likelihoods ``worth`` [M] of fine courses, all lengths of which are as
+    likely before."""
     weight: Floats = np.exp(worth - worth.max())
     for length in set(several.lengths.tolist()):  # so are all lengths
         same = several.lengths == length
@@ -188,7 +203,15 @@ def dated(several: Courses, worth: Floats) -> tuple[float, tuple[float, float], 
     at = np.minimum(np.searchsorted(total, (0.025, 0.5, 0.975)), len(days) - 1)
     low, middle, high = days[at].tolist()
     half = FINE_STEP * DAY / 2
-    return middle + half, (low, high + 2 * half), float(weight[several.lengths == 0].sum())
+    since, interval = middle + half, (low, high + 2 * half)
+    takes_time = several.lengths > 0
+    if weight[takes_time].sum() < HALF:
+        return Dated(since, interval, since)
+    ends, weight = (several.onsets + several.lengths)[takes_time], weight[takes_time]
+    order = np.argsort(ends, kind="stable")
+    total = np.cumsum(weight[order])
+    end = float(ends[order][np.searchsorted(total, total[-1] / 2)]) + half
+    return Dated(since, interval, max(end, interval[1]))
 
 
 def directions_of(places: Sequence[int], size: int, values: Floats | None = None) -> Floats:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from robodyn.fleet.digest.digest import Digest
 from robodyn.fleet.pool.claims import claim_of, holds, is_worth_a_name, largest_rise, likeliest_way
 from robodyn.fleet.pool.limits import FALSE_NAMES, MOST_CLAIMS
-from robodyn.fleet.pool.names import false_shares, inflation, tail
+from robodyn.fleet.pool.names import Chance, Odds, chance_of, false_shares, of_several
 from robodyn.fleet.pool.summary import first_to_look_at, type_result, unit_result
 from robodyn.fleet.pool.type_model import TypeModel, type_model
 from robodyn.fleet.pool.unit import Suspicion, Unit
@@ -32,6 +32,16 @@ class _Judged:
     suspicions: tuple[Suspicion, ...]
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class _Sure:
+    """A suspicion, how often chance alone makes a unit as odd (``p``), and the share of false names among all
+    that are no less sure (``q``)."""
+
+    suspicion: Suspicion
+    p: float
+    q: float
+
+
 def judge(
     fleet: Fleet,
     digests: Mapping[str, Digest],
@@ -41,7 +51,8 @@ def judge(
     progress: Callable[[str], object] | None = None,
 ) -> FleetResult:
     """What the ``digests`` of a fleet's logs (by source) say of its types and units. Logs without a digest do
-    not count; ``unused`` says why. At most the share ``false_names`` of names is false, in the mean."""
+    not count; ``unused`` says why. At most the share ``false_names`` of the units
+    with a name is false, in the mean."""
     tell = progress or (lambda _: None)
     models, judged = list[TypeModel](), list[_Judged]()
     logs = [log for log in fleet.logs if log.source in digests]
@@ -54,11 +65,11 @@ def judge(
             judged.append(_Judged(unit, (*unit.suspicions(), *unit.deviations())))
             unit.forget()
     tell("comparing units")
-    inflations = _inflations(judged)
-    claims = _claims(judged, inflations, false_names)
+    chances = _chances(judged)
+    claims = _claims(judged, chances, false_names)
     types = tuple(type_result(model) for model in models)
     units = tuple(
-        unit_result(one.unit, tuple(own), _unusual(one, inflations))
+        unit_result(one.unit, tuple(own), _unusual(one, chances))
         for one, own in zip(judged, claims, strict=True)
     )
     return FleetResult(fleet.name, types, units, tuple(unused), first_to_look_at(types, units), false_names)
@@ -68,98 +79,86 @@ def _kind(one: Suspicion) -> _Kind:
     return one.feature.kind, one.always, one.numbers
 
 
-def _inflations(judged: Sequence[_Judged]) -> dict[_Kind, float]:
-    """By kind how much larger log-likelihood ratios are in this fleet than they should be, by the units in
-    the middle: most of a fleet is healthy."""
-    worth = dict[_Kind, list[float]]()
+def _odds(several: Sequence[Suspicion]) -> Odds:
+    return Odds(
+        np.array([one.worth for one in several]), several[0].numbers,
+        np.array([one.tests for one in several]), np.array([one.freedom for one in several]),
+    )  # fmt: skip
+
+
+def _chances(judged: Sequence[_Judged]) -> dict[_Kind, Chance]:
+    """By kind what chance does in this fleet."""
+    kinds = dict[_Kind, list[Suspicion]]()
     for one in judged:
         for each in one.suspicions:
-            if each.always:
-                worth.setdefault(_kind(each), []).append(each.worth)
-    factors = {kind: inflation(np.array(values), kind[2]) for kind, values in worth.items()}
-    p = dict[_Kind, list[float]]()
-    for one in judged:
-        for each in one.suspicions:
-            if not each.always:
-                p.setdefault(_kind(each), []).append(
-                    tail(each.worth, each.numbers, each.tests, freedom=each.freedom)
-                )
-    for kind, values in p.items():
-        # Half of all p-values are below 0.5: what the middle one lacks, ratios are too large by.
-        factors[kind] = _inflation_of_maxima(judged, kind, values)
-    return factors
+            kinds.setdefault(_kind(each), []).append(each)
+    return {kind: chance_of(_odds(several)) for kind, several in kinds.items()}
 
 
-def _inflation_of_maxima(judged: Sequence[_Judged], kind: _Kind, p: Sequence[float]) -> float:
-    if np.median(p) >= 0.5:
-        return 1.0
-    several = [each for one in judged for each in one.suspicions if _kind(each) == kind]
-    low, high = 1.0, 100.0
-    for _ in range(30):
-        middle = (low * high) ** 0.5
-        centre = np.median(
-            [
-                tail(each.worth, each.numbers, each.tests, freedom=each.freedom, inflation=middle)
-                for each in several
-            ]
-        )
-        low, high = (middle, high) if centre < 0.5 else (low, middle)
-    return high
-
-
-def _p(one: Suspicion, inflations: Mapping[_Kind, float]) -> float:
-    return tail(
-        one.worth, one.numbers, one.tests, freedom=one.freedom, inflation=inflations.get(_kind(one), 1.0)
-    )
+def _p(one: Suspicion, chances: Mapping[_Kind, Chance]) -> float:
+    """How often chance alone makes a feature look as odd."""
+    return float(_odds([one]).tails(chances.get(_kind(one), Chance()))[0])
 
 
 def _claims(
-    judged: Sequence[_Judged], inflations: Mapping[_Kind, float], false_names: float
+    judged: Sequence[_Judged], chances: Mapping[_Kind, Chance], false_names: float
 ) -> list[list[Claim]]:
-    """Of each unit what is claimed: what is sure over the whole fleet, one after the other."""
-    flat = [(k, each, _p(each, inflations)) for k, one in enumerate(judged) for each in one.suspicions]
-    best = dict[tuple[int, str, bool], tuple[float, Suspicion]]()
-    for k, each, p in flat:
-        key = (k, each.feature.name, each.always)
-        if key not in best or p < best[key][0]:
-            best[key] = (p, each)
-    keys = list(best)
-    q = false_shares(np.array([best[key][0] for key in keys]))
-    threshold = max(
-        (best[key][0] for key, share in zip(keys, q, strict=True) if share <= false_names), default=-1.0
-    )
-    share_at = sorted((best[key][0], float(share)) for key, share in zip(keys, q, strict=True))
+    """Of each unit what is claimed: what is sure over the whole fleet, one after the other. A unit is one
+    name, however many of its features are odd: what shakes a joint shows in all of them."""
+    rarest = [
+        _unit_p(one, min((_p(each, chances) for each in one.suspicions), default=1.0)) for one in judged
+    ]
+    shares = false_shares(rarest)
+    share_at = sorted(zip(rarest, shares.tolist(), strict=True))
 
-    def q_of(p: float) -> float:
+    def share_of(p: float) -> float:
         return min((share for other, share in share_at if other >= p), default=1.0)
 
     claims = []
     for one in judged:
-        claims.append(_of_unit(one.unit, one.suspicions, inflations, threshold, q_of))
+        sureness = _Sureness(one, chances, share_of, false_names)
+        claims.append(_of_unit(one.unit, one.suspicions, sureness))
         one.unit.forget()
     return claims
 
 
-def _of_unit(
-    unit: Unit,
-    suspicions: Sequence[Suspicion],
-    inflations: Mapping[_Kind, float],
-    threshold: float,
-    q_of: Callable[[float], float],
-) -> list[Claim]:
-    """The surest first, play before all; what is left once a change is taken out is looked at again."""
-    claims, history = list[Claim](), unit.history
+def _unit_p(one: _Judged, p: float) -> float:
+    """How often chance alone makes the oddest feature of a unit as odd as ``p``."""
+    features = {(each.feature.name, each.always) for each in one.suspicions}
+    return float(of_several(np.array([p]), len(features))[0])
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Sureness:
+    """How sure suspicions of a unit are beside all of its fleet."""
+
+    judged: _Judged
+    chances: Mapping[_Kind, Chance]
+    share_of: Callable[[float], float]
+    false_names: float
+
+    def sure(self, suspicions: Sequence[Suspicion]) -> list[_Sure]:
+        """Those that are sure, the surest first, play before all."""
+        found = list[_Sure]()
+        for each in suspicions:
+            p = _unit_p(self.judged, _p(each, self.chances))
+            if (q := self.share_of(p)) <= self.false_names:
+                found.append(_Sure(each, p, q))
+        return sorted(found, key=lambda one: (_rank(one.suspicion), one.p, -one.suspicion.worth))
+
+
+def _of_unit(unit: Unit, suspicions: Sequence[Suspicion], sureness: _Sureness) -> list[Claim]:
+    """The surest first; what is left once a change is taken out is looked at again."""
+    claims, history = list[Claim](), None
     while len(claims) < MOST_CLAIMS:
-        sure = [(p, each) for each in suspicions if (p := _p(each, inflations)) <= threshold]
-        ordered = sorted(sure, key=lambda pair: (_rank(pair[1]), pair[0], -pair[1].worth))
-        best = next(_sure_claims(unit, ordered, suspicions, q_of), None)
+        best = next(_sure_claims(unit, sureness.sure(suspicions), suspicions), None)
         if best is None:
             break
         one, claim = best
         claims.append(claim)
         if one.direction is None or one.always:
             break
-        history = history.without(one.share, one.direction @ one.change.amplitudes)
+        history = (history or unit.history).without(one.share, one.direction @ one.change.amplitudes)
         again = unit.suspicions(history)
         suspicions = [
             each for each in again if each.direction is not None and each.feature.name != one.feature.name
@@ -168,16 +167,14 @@ def _of_unit(
 
 
 def _sure_claims(
-    unit: Unit,
-    ordered: Sequence[tuple[float, Suspicion]],
-    suspicions: Sequence[Suspicion],
-    q_of: Callable[[float], float],
+    unit: Unit, ordered: Sequence[_Sure], suspicions: Sequence[Suspicion]
 ) -> Iterator[tuple[Suspicion, Claim]]:
     """Claims of suspicions that hold, in their order."""
-    for p, one in ordered:
+    for sure in ordered:
+        one = sure.suspicion
         if is_worth_a_name(unit, one) and unit.stands_alone(one):
             best = likeliest_way(largest_rise(one, suspicions), suspicions)
-            claim = claim_of(unit, best, p, q_of(p))
+            claim = claim_of(unit, best, sure.p, sure.q)
             if holds(best, claim):
                 yield best, claim
 
@@ -187,13 +184,13 @@ def _rank(one: Suspicion) -> int:
     return 0 if one.direction is None and one.effects else 1
 
 
-def _unusual(one: _Judged, inflations: Mapping[_Kind, float]) -> dict[str, float]:
+def _unusual(one: _Judged, chances: Mapping[_Kind, Chance]) -> dict[str, float]:
     """By feature how far it is from what is usual, in standard deviations that are as rare."""
     from scipy.stats import norm
 
     unusual = dict[str, float]()
     for each in one.suspicions:
-        size = float(norm.isf(max(_p(each, inflations), 1e-300) / 2))
+        size = float(norm.isf(max(_p(each, chances), 1e-300) / 2))
         way = 1.0 if each.change.amplitudes[0] >= 0 else -1.0
         if size > abs(unusual.get(each.feature.name, 0.0)):
             unusual[each.feature.name] = way * size

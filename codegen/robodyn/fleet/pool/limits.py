@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from typing import Final
 
+import numpy as np
+
 # --- reduction --------------------
 
 LINK_SCATTER: Final = 0.03
@@ -144,7 +146,16 @@ LEFT_RISE: Final = 0.7
 # --- names --------------------
 
 FALSE_NAMES: Final = 0.05
-"""[share] of all names that are false, in the mean (Benjamini and Hochberg 1995)."""
+"""[share] of all units with a name that are false, in the mean (Benjamini and Hochberg 1995)."""
+
+MIDDLE: Final = 0.5
+"""[-] Half of all healthy units are as likely, and less likely the other half,"""
+
+RARE: Final = 0.1
+"""[-] and so many as are no likelier than that."""
+
+FREEDOMS: Final = (np.inf, 100.0, 50.0, 30.0, 20.0, 15.0, 12.0, 10.0, 8.0, 7.0, 6.0, 5.0, 4.0)
+"""[-] Of the scatter beside which units are odd, as far as units that are not very odd say."""
 
 MOST_CLAIMS: Final = 3
 """[claims] A unit has at most so many."""

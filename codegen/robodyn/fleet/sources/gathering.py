@@ -35,6 +35,7 @@ class Gathering:
 
     def __init__(self) -> None:
         self._facts: dict[str, Facts] = {}
+        self._sources: dict[str, str] = {}
         self._faults: dict[str, list[InputError]] = {}
 
     def add(self, source: str, facts: Facts) -> None:
@@ -44,7 +45,9 @@ class Gathering:
         ------
         InputError: there are too many logs, or another place says otherwise.
         """
-        key = "+".join(os.path.normpath(part) for part in source.split("+"))
+        key = "+".join(os.path.abspath(part) for part in source.split("+"))  # noqa: PTH100 (a million)
+        source = "+".join(os.path.normpath(part) for part in source.split("+"))
+        source = self._sources.setdefault(key, source)
         own = self._facts.setdefault(key, facts)
         if len(self._facts) > MOST_LOGS:
             raise InputError("there are too many logs", where=facts.where, found=f"more than {MOST_LOGS}")
@@ -59,7 +62,7 @@ class Gathering:
         for name, (one, other) in pairs.items():
             if one is not None and other is not None and one != other:
                 raise InputError(
-                    f"two places differ in the {name} of {label(key)}",
+                    f"two places differ in the {name} of {label(source)}",
                     where=facts.where,
                     found=_in_words(name, other),
                     expected=f"{_in_words(name, one)}, as {own.where} has it",
@@ -82,9 +85,9 @@ class Gathering:
         InputError: there are no logs; one lacks its type, unit or date, or has those that no log can have.
         """
         logs = []
-        for source, facts in self._facts.items():
+        for key, facts in self._facts.items():
             try:
-                logs.append(_log(source, facts, types))
+                logs.append(_log(self._sources[key], facts, types))
             except InputError as error:
                 self.fault(error)
         for same in self._faults.values():

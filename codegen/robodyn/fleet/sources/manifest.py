@@ -22,6 +22,8 @@ from robodyn.robot.names import shown
 JSON_LINES: Final = (".jsonl", ".ndjson")
 #: What a column may say of a log, beside conditions.
 COLUMNS: Final = ("source", "type", "unit", "date")
+#: [characters] Longer paths are not repeated in messages.
+_LONGEST_SHOWN: Final = 200
 _MARKS: Final = (",", ";", "\t", "|")
 
 
@@ -103,12 +105,12 @@ def _check_files(path: str, source: str, where: Place) -> None:
         try:
             kind = kind_of(Path(part))
         except (OSError, ValueError) as error:
-            kind = f"not to be read: {error}"
+            kind = f"not to be read: {(getattr(error, 'strerror', None) or str(error)).lower()}"
         if kind is not None:
             raise InputError(
                 f"the log {shown(source, 80)} is {kind}",
                 where=where,
-                found=label(part),
+                found=label(part) if len(part) <= _LONGEST_SHOWN else None,
                 expected="the path of a log, as seen from the manifest's folder",
                 remedy="correct the path, or delete the line",
             )
@@ -212,7 +214,7 @@ def _check_header(header: list[str], name: str, manifest: Manifest) -> None:
             raise InputError(
                 f"the manifest has no column {shown(column)}",
                 where=where,
-                found=", ".join(map(shown, header[:12])),
+                found=", ".join(map(shown, header[:12])) or "nothing",
                 remedy=did_you_mean(column, header) or "say how it is called: columns = {source = 'file'}",
             )
     twice = sorted({column for column in header if column and header.count(column) > 1})

@@ -103,7 +103,7 @@ def _part(text: str, format: str, formats: list[str]) -> _Part:
     strict = re.escape(text[: next(_TOKENS.finditer(text)).start()])
     shape = strict
     names: list[str] = []
-    held = free = 0
+    formatted = free = 0
     tokens = list(_TOKENS.finditer(text))
     for match, after in zip(tokens, [*tokens[1:], None], strict=True):
         literal = re.escape(text[match.end() : None if after is None else after.start()])
@@ -119,7 +119,7 @@ def _part(text: str, format: str, formats: list[str]) -> _Part:
                 inner = f"({_NUMBER})"
             names.append(name)
         free += inner in (".*?", "(.+?)")
-        held += inner not in (".", ".*?", "(.+?)")
+        formatted += inner not in (".", ".*?", "(.+?)")
         strict += inner + literal
         # As far as the first place that fits, and never back: that finds a fit where there is one.
         shape += any_text + literal if after is None else f"(?>{any_text}{literal})"
@@ -130,7 +130,9 @@ def _part(text: str, format: str, formats: list[str]) -> _Part:
             expected=f"at most {MOST_FIELDS}",
         )
     flags = re.DOTALL | re.ASCII
-    return _Part(text, re.compile(shape, flags), re.compile(strict, flags) if held else None, tuple(names))
+    return _Part(
+        text, re.compile(shape, flags), re.compile(strict, flags) if formatted else None, tuple(names)
+    )
 
 
 def _field(text: str) -> tuple[str, str]:
@@ -147,12 +149,13 @@ def _field(text: str) -> tuple[str, str]:
 
 @dataclass(slots=True)
 class _Walk:
-    """A walk through folders for a ``pattern``; ``seen``: entries; ``furthest``: the last folder in which
-    nothing fitted a part, and how many parts had."""
+    """A walk through folders for a ``pattern``; ``exclude``: what need not be read; ``listed``: how many
+    entries; ``furthest``: the last folder in which nothing fitted a part, and how many parts had."""
 
     pattern: Pattern
     base: str
-    seen: int = 0
+    exclude: Sequence[Pattern] = ()
+    listed: int = 0
     furthest: tuple[int, str, list[str]] = field(default_factory=lambda: (-1, "", []))
 
     def paths(
@@ -211,22 +214,31 @@ class _Walk:
         full = self._full(folder)
         try:
             with os.scandir(full) as entries:
-                listed = sorted((entry.name, entry.is_dir()) for entry in entries)
+                listed = sorted((entry.name, _is_folder(entry)) for entry in entries)
         except OSError as error:
+            if any(excluded(each, self.pattern.anchor + folder) for each in self.exclude):
+                return []
             raise InputError(
                 "the folder cannot be read",
                 where=Place(label(full)),
                 found=(error.strerror or str(error)).lower(),
                 remedy="leave it out (exclude), or allow it to be read",
             ) from None
-        self.seen += len(listed)
-        if self.seen > MOST_ENTRIES:
+        self.listed += len(listed)
+        if self.listed > MOST_ENTRIES:
             raise InputError(
                 "the pattern leads through too many files",
                 found=f"more than {MOST_ENTRIES}",
                 remedy="name the folder of the logs in the pattern",
             )
         return listed
+
+
+def _is_folder(entry: os.DirEntry[str]) -> bool:
+    try:
+        return entry.is_dir()
+    except OSError:  # links that lead round in circles
+        return False
 
 
 def _below(folder: str, name: str) -> str:
@@ -258,7 +270,7 @@ def matches(pattern: Pattern, base: Path, exclude: Sequence[Pattern]) -> Iterato
     InputError: there are none, a folder cannot be read, or what fits is no file.
     """
     base = Path(pattern.anchor) if pattern.anchor else base
-    walk = _Walk(pattern, os.fspath(base))
+    walk = _Walk(pattern, os.fspath(base), exclude)
     count = 0
     for match in walk.paths("", 0, {}, ()):
         count += 1
