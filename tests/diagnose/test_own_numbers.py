@@ -148,3 +148,15 @@ def test_joints_that_creep_near_rest_have_no_less_static_friction(monkeypatch: p
     assert off() < 0.005
     monkeypatch.setattr(refine, "STICKING_SPEEDS", (1e-9,))
     assert off() > 0.02
+
+
+def test_a_sticking_speed_that_does_not_show_leaves_the_other_numbers_free() -> None:
+    """No sample of the log is so slow: the speed has no slope at all."""
+    friction = Amendment("load_dependent_friction", 2, {"bearing": "torque", "mu": 0.05})
+    true = Model(amended(ARM, [friction]))
+    contexts, start = seen(ARM, 0.1, lambda q, qd, qdd, t: true.torque(q, qd, qdd))
+    began = replace(friction, parameters={**friction.parameters, "mu": 0.06})
+    freed = refine.Freed.of(ARM, [began], contexts, start, by_drives=True)
+    x = refine.fitted(replace(freed, sticking={1: 1e-9}))
+    assert x[0] == pytest.approx(0.05, rel=0.05)
+    assert x[1] == 1e-9

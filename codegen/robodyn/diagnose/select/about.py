@@ -81,9 +81,8 @@ def _stepped(freed: Freed, x: Floats) -> tuple[Freed, Floats, float] | None:
 
     before = misfit(left - freed.put_back, begun)
     for share in (1.0, 0.3, 0.1):
-        tried, numbers = x - share * step[: len(x)], begun + share * (towards - begun)
-        if np.any((tried / x <= 0)[freed.sizes]):
-            continue
+        tried = freed.with_signs(x, x - share * step[: len(x)])
+        numbers = begun + share * (towards - begun)
         other = replace(moved(freed, share * (ways @ (towards - begun))), put_back=0.0)
         rest = other.missed(tried)
         now = np.inf if rest is None else misfit(rest, numbers)

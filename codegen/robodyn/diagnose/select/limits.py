@@ -194,6 +194,9 @@ REFINE_WORTH: Final = 1e-3
 REFINE_FARTHEST: Final = 5.0
 """[-] A number that is so many times larger than it began is lost."""
 
+TOWARDS_ZERO: Final = 0.1
+"""[share of the value] A size that a round would take through zero is reduced to so much instead."""
+
 STICKING_SPEEDS: Final = (1e-4, 3e-4, 1e-3, 3e-3, 1e-2)
 """[shares of the top speed] Below one of these a joint with friction sticks, to begin with."""
 
@@ -341,8 +344,7 @@ DIVERGED: Final = 30.0
 """[-] So many times larger in the fit of all than alone, a coefficient has diverged."""
 
 REST_WEIGHT: Final = 0.3
-"""[-] What a row of a joint that rests counts, as a factor: stiction holds it with any torque within its
-level,"""
+"""[-] What a row of a joint that rests counts, as a factor (stiction holds it with any torque),"""
 
 LEAST_MOVING: Final = 0.1
 """[share] if the joint moves for more than this: else there is nothing better to go by."""

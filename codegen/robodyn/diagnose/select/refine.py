@@ -25,6 +25,7 @@ from robodyn.diagnose.select.limits import (
     REFINE_STEP,
     REFINE_WORTH,
     STICKING_SPEEDS,
+    TOWARDS_ZERO,
 )
 from robodyn.diagnose.select.own_numbers import own_numbers_of
 from robodyn.diagnose.select.remainder import remainder
@@ -92,6 +93,13 @@ class Freed:
             for k, name in self.places
         ]
         return np.array([kind != "any" for kind in kinds] + [True] * len(self.sticking), dtype=bool)
+
+    def with_signs(self, x: Floats, tried: Floats) -> Floats:
+        """Values ``tried`` [P] beside ``x`` [P]: a size that would change its sign goes a part of the way to
+        zero instead. Else a number that hardly shows, such as a speed below which a joint sticks, would keep
+        all others where they are."""
+        lost = self.sizes & (tried * x <= 0)
+        return np.asarray(np.where(lost, TOWARDS_ZERO * x, tried))
 
     def changed(self, x: Floats) -> list[Amendment]:
         """The amendments with values ``x`` [P]."""
@@ -207,8 +215,8 @@ def fitted(freed: Freed) -> Floats:
         all_of_it = weight[:, None] * np.concatenate([J, nuisance], axis=1)
         _, step = least_squares(weight * now, all_of_it, prior, free=len(x))
         for share in (1.0, 0.3, 0.1):
-            tried = x - share * step[: len(x)]
-            within = np.all(((tried / x > 0) & (np.abs(tried) < REFINE_FARTHEST * np.abs(begun)))[sizes])
+            tried = freed.with_signs(x, x - share * step[: len(x)])
+            within = np.all((np.abs(tried) < REFINE_FARTHEST * np.abs(begun))[sizes])
             other = freed.missed(tried) if within else None
             if other is None:
                 continue
@@ -294,7 +302,8 @@ def least_squares(b: Floats, A: Floats, prior: Floats, free: int = 0) -> tuple[f
     x."""
     rows = np.concatenate([np.zeros((len(prior), free)), prior], axis=1)
     G, g = A.T @ A + rows.T @ rows, A.T @ b
-    scale = np.sqrt(np.maximum(np.diag(G), 1e-300))
+    sizes = np.diag(G)
+    scale = np.sqrt(np.where(sizes > 1e-200, sizes, np.inf))  # what does not show at all stays at 0
     x = np.linalg.lstsq(G / np.outer(scale, scale), g / scale, rcond=1e-12)[0] / scale
     left = b - A @ x
     return float(left @ left + np.sum((rows @ x) ** 2)), x
