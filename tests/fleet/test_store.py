@@ -122,21 +122,6 @@ def test_a_result_that_has_changed_is_not_used(value: str, tmp_path: Path) -> No
                 read()
 
 
-def test_a_store_without_checksums_is_taken_over(tmp_path: Path) -> None:
-    path = tmp_path / "store"
-    with open_store(path) as store:
-        store.keep("a", b"result")
-    with sqlite3.connect(path) as connection:
-        connection.execute("alter table results drop column crc")
-        connection.execute("pragma user_version = 1")
-    connection.close()
-    for _ in range(2):
-        with open_store(path) as store:
-            assert store.result("a") == b"result"
-            store.keep("b", b"new")
-            assert store.result("b") == b"new"
-
-
 def test_a_place_that_cannot_be_written(tmp_path: Path) -> None:
     (tmp_path / "file").touch()
     with pytest.raises(InputError, match="results cannot be kept"), open_store(tmp_path / "file" / "store"):

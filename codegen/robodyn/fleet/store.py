@@ -23,10 +23,8 @@ from robodyn.errors import InputError, OutputError, Place, RobodynError
 from robodyn.files import label
 from robodyn.version import VERSION
 
-#: The layout of the file; files of another are not read, but for the one before, which had no checksums. The
-#: mark by which SQLite's own files are told apart.
-_LAYOUT: Final = 2
-_WITHOUT_CRC: Final = 1
+#: The layout of the file; files of another are not read. The mark by which SQLite's own files are told apart.
+_LAYOUT: Final = 1
 _MARK: Final = 0x726F626F
 #: [ns] A file that is younger than this when it is looked at may be written again without a new time.
 _YOUNG: Final = 2_000_000_000
@@ -74,7 +72,7 @@ class Store:
             ).fetchone()
         return None if row is None else self._intact(*row).decode()
 
-    def _intact(self, value: Any, crc: int | None) -> bytes:
+    def _intact(self, value: Any, crc: int) -> bytes:
         """``value``, if it is what was stored: SQLite notices where its pages are damaged, and not what is in
         them.
 
@@ -82,7 +80,7 @@ class Store:
         ------
         InputError: it is not.
         """
-        if not isinstance(value, bytes) or (crc is not None and zlib.crc32(value) != crc):
+        if not isinstance(value, bytes) or zlib.crc32(value) != crc:
             raise _damaged(self._name, "a result that differs from its checksum")
         return value
 
@@ -157,11 +155,12 @@ def open_store(path: Path) -> Iterator[Store]:
     with contextlib.closing(connection):
         try:
             connection.execute("pragma locking_mode = exclusive")
-            layout = _layout(connection, name)  # before anything of it is changed
+            is_new = _is_new(connection, name)  # before anything of it is changed
             connection.execute("pragma journal_mode = wal")
             connection.execute("pragma synchronous = normal")
             connection.execute("begin immediate")
-            _become(connection, layout)
+            if is_new:
+                _become(connection)
             connection.execute("delete from results where robodyn != ?", [VERSION])
             connection.execute("commit")
         except sqlite3.DatabaseError as error:
@@ -169,19 +168,19 @@ def open_store(path: Path) -> Iterator[Store]:
         yield Store(connection, name)
 
 
-def _layout(connection: sqlite3.Connection, name: str) -> int:
-    """The layout of a store; 0 of an empty file.
+def _is_new(connection: sqlite3.Connection, name: str) -> bool:
+    """Whether the file is empty; else it is a store.
 
     Raises
     ------
     InputError: it is something else.
     """
     if connection.execute("select count(*) from sqlite_master").fetchone()[0] == 0:
-        return 0
+        return True
     mark = connection.execute("pragma application_id").fetchone()[0]
-    layout = int(connection.execute("pragma user_version").fetchone()[0])
-    if mark == _MARK and layout in (_WITHOUT_CRC, _LAYOUT):
-        return layout
+    layout = connection.execute("pragma user_version").fetchone()[0]
+    if (mark, layout) == (_MARK, _LAYOUT):
+        return False
     raise InputError(
         "this is no store of results",
         where=Place(name),
@@ -191,13 +190,10 @@ def _layout(connection: sqlite3.Connection, name: str) -> int:
     )
 
 
-def _become(connection: sqlite3.Connection, layout: int) -> None:
-    """Let an empty file, or a store of an older ``layout``, be a store of today's."""
-    if layout == 0:
-        for statement in _TABLES:
-            connection.execute(statement)
-    elif layout == _WITHOUT_CRC:
-        connection.execute("alter table results add column crc integer")
+def _become(connection: sqlite3.Connection) -> None:
+    """Let an empty file be a store."""
+    for statement in _TABLES:
+        connection.execute(statement)
     connection.execute(f"pragma application_id = {_MARK}")
     connection.execute(f"pragma user_version = {_LAYOUT}")
 
