@@ -180,7 +180,8 @@ def _called(one: Part) -> str:
     """What is planted or named, for people."""
     effects = [effect.name() for effect in one.need("effects", "ids of effects").each()]
     joint = _joint(one)
-    return " and ".join(effects) + (f" at joint {joint}" if joint else "")
+    what = " and ".join(effects) or "unexplained torque"
+    return what + (f" at joint {joint}" if joint else "")
 
 
 def _seconds(part: Part) -> float:
