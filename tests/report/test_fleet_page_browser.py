@@ -21,8 +21,9 @@ pytestmark = pytest.mark.thorough
 WIDTHS: Final = (1280, 700, PHONE, 320)
 #: Bytes of the page of a thousand units, at most.
 LARGEST: Final = 3 * 2**20
-BIG, HOSTILE_NAMES, ONE, QUIET, UNIT = "big", "hostile", "one", "quiet", "unit"
-NAMES: Final = (BIG, HOSTILE_NAMES, ONE, QUIET, UNIT)
+BIG, FEWER, HOSTILE_NAMES, ONE, QUIET, UNIT = "big", "fewer", "hostile", "one", "quiet", "unit"
+#: The page of ninety units is made as that of a thousand is, which takes axe-core a minute to look at.
+NAMES: Final = (FEWER, HOSTILE_NAMES, ONE, QUIET, UNIT)
 
 #: Elements that reach beyond the window, those within a box that scrolls apart.
 OUTSIDE: Final = """
@@ -53,6 +54,7 @@ def files(tmp_path_factory: pytest.TempPathFactory, big: FleetResult) -> dict[st
     folder = tmp_path_factory.mktemp("fleet")
     texts = {
         BIG: page(big),
+        FEWER: page(fleet(90, 9)),
         HOSTILE_NAMES: page(renamed(fleet(30, 6), HOSTILE)),
         ONE: page(of_one()),
         QUIET: page(fleet(9, 0)),
@@ -64,7 +66,7 @@ def files(tmp_path_factory: pytest.TempPathFactory, big: FleetResult) -> dict[st
     return written
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", [BIG, *NAMES])
 def test_it_asks_for_nothing_and_nothing_goes_wrong(
     browser: Browser, files: dict[str, Path], name: str
 ) -> None:
