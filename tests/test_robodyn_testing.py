@@ -88,7 +88,7 @@ def collected(paths: list[Path], packages: frozenset[str], ci: str = "") -> subp
             *map(str, paths),
         ],
         cwd=TESTS.parent,
-        env={**os.environ, "CI": ci, "PYTHONDONTWRITEBYTECODE": "1"},
+        env={**os.environ, "CI": ci, "PYTEST_ADDOPTS": "", "PYTHONDONTWRITEBYTECODE": "1"},
         capture_output=True,
         text=True,
         check=False,
