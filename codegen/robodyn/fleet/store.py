@@ -221,11 +221,11 @@ def _cannot(name: str, error: sqlite3.DatabaseError) -> RobodynError:
     )
 
 
-def _damaged(name: str, found: str) -> InputError:
+def _damaged(name: str, what: str) -> InputError:
     return InputError(
         "the store of results is damaged",
         where=Place(name),
-        found=found,
+        found=what,
         remedy="delete it: all logs are read again then",
     )
 

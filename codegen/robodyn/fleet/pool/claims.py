@@ -106,22 +106,22 @@ def holds(one: Suspicion, claim: Claim) -> bool:
 
 def claim_of(unit: Unit, one: Suspicion, p: float, q: float) -> Claim:
     """What is said of it."""
-    feature, found = one.feature, None
+    feature, days = one.feature, None
     if not one.always:
         several = unit.courses_of(feature, fine=True)
         history = unit.history_of(feature)
         direction = one.direction if one.direction is not None else np.ones((1, 1))
         A, b = history.scores(several.shares)
         worth, _ = changes(A, b, direction)
-        found = dated(several, worth)
+        days = dated(several, worth)
         m = int(np.argmax(worth))
         one = replace(one, change=change_at(A[m], b[m], direction), share=several.shares[m])
     size, stderr, share = size_of(unit, one)
-    shape: Shape = "always" if found is None else "step" if found.is_step else "drift"
-    until = found.until if found is not None and shape == "drift" else None
+    shape: Shape = "always" if days is None else "step" if days.is_step else "drift"
+    until = days.until if days is not None and shape == "drift" else None
     return Claim(
         one.effects, feature.joint, feature.name, shape,
-        found.since if found else None, found.interval if found else None,
+        days.since if days else None, days.interval if days else None,
         until if until is None or until < float(unit.dates[-1]) else None,
         size, stderr, feature.unit, share, p, q,
     )  # fmt: skip

@@ -139,12 +139,12 @@ class _Sureness:
 
     def sure(self, suspicions: Sequence[Suspicion]) -> list[_Sure]:
         """Those that are sure, the surest first, play before all."""
-        found = list[_Sure]()
+        sure = list[_Sure]()
         for each in suspicions:
             p = _unit_p(self.judged, _p(each, self.chances))
             if (q := self.share_of(p)) <= self.false_names:
-                found.append(_Sure(each, p, q))
-        return sorted(found, key=lambda one: (_rank(one.suspicion), one.p, -one.suspicion.worth))
+                sure.append(_Sure(each, p, q))
+        return sorted(sure, key=lambda one: (_rank(one.suspicion), one.p, -one.suspicion.worth))
 
 
 def _of_unit(unit: Unit, suspicions: Sequence[Suspicion], sureness: _Sureness) -> list[Claim]:
