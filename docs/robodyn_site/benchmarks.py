@@ -6,6 +6,7 @@ import json
 from collections.abc import Callable, Mapping
 from typing import Any, Final
 
+from benchmarks.fleet import table as fleet
 from benchmarks.functions import tables as functions
 from benchmarks.gap import tables as gap
 from benchmarks.peers import limits
@@ -14,6 +15,7 @@ from benchmarks.peers import tables as peers
 from robodyn_site.outside import RESULTS, ROOT
 
 _WRITERS: Final[Mapping[str, Callable[[Any], str]]] = {
+    "benchmarks/fleet.md": fleet.page,
     "benchmarks/peers.md": peers.markdown,
     "benchmarks/functions.md": functions.markdown,
     "benchmarks/limits.md": limits.markdown,

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from benchmarks.fleet import by_mujoco
 
 from robodyn.effects.springs import BACKLASH, ELASTICITY
 from robodyn.errors import InputError
@@ -18,9 +19,6 @@ from robodyn.fleet.planted.types import TrueType, draw_type
 from robodyn.fleet.planted.units import moved
 from robodyn.robot import load
 from robodyn.simulate.trajectories.trajectory import Trajectory
-
-pytest.importorskip("mujoco", minversion="3.3")
-from benchmarks.fleet import by_mujoco
 
 
 @pytest.fixture(scope="module")
