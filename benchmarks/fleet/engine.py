@@ -30,7 +30,6 @@ from pathlib import Path
 import numpy as np
 
 from robodyn.cluster import Done, open_cluster
-from robodyn.cluster.work import one_thread
 from robodyn.fleet.run import DIGESTING, run_fleet
 from robodyn.fleet.sources.fleet import ArmType, Fleet, LogFile
 from robodyn.fleet.work import digest_log
@@ -226,7 +225,6 @@ def main() -> int:
     parser.add_argument("--pairs", type=int, default=3)
     options = parser.parse_args()
     everything = not (options.overhead or options.speed or options.memory)
-    one_thread()
     results = []
     if options.overhead or everything:
         results.append(overhead(2000))

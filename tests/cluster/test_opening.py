@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Iterator
 
+import numpy as np  # noqa: F401 - its library is there from the start
 import pytest
+from threadpoolctl import threadpool_info, threadpool_limits
 
 from cluster.functions import picky, square
 from robodyn.cluster import Done, Failed, open_cluster
@@ -13,13 +16,6 @@ from robodyn.cluster.remote import compare
 from robodyn.cluster.work import ONE_THREAD, WrongWorker, likeness, outcome, work, worker_likeness
 from robodyn.errors import InputError, ToolError
 from robodyn.toolchain.sources import own_key
-
-
-@pytest.fixture(autouse=True)
-def own_environment(monkeypatch: pytest.MonkeyPatch) -> None:
-    """What is set for the processes of a test is gone after it."""
-    for name in ONE_THREAD:
-        monkeypatch.setenv(name, "1")
 
 
 @pytest.mark.parametrize(
@@ -32,6 +28,25 @@ def test_what_is_no_place(on: str) -> None:
         pass
     assert error.value.found == repr(on)
     assert "dask://HOST:PORT" in str(error.value)
+
+
+def blas_threads() -> set[int]:
+    return {library["num_threads"] for library in threadpool_info() if library["user_api"] == "blas"}
+
+
+@pytest.mark.parametrize("value", ["3", None])
+def test_linear_algebra_has_one_thread_and_then_what_it_had(
+    value: str | None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Sums depend on the number of threads: in this process they would be others than in one of its own."""
+    for name in ONE_THREAD:
+        monkeypatch.setenv(name, value) if value else monkeypatch.delenv(name, raising=False)
+    with threadpool_limits(2):
+        with open_cluster("here"):
+            assert {os.environ[name] for name in ONE_THREAD} == {"1"}
+            assert blas_threads() == {1}
+        assert blas_threads() == {2}
+    assert {os.environ.get(name) for name in ONE_THREAD} == {value}
 
 
 def test_too_many_processes() -> None:
@@ -103,7 +118,9 @@ def test_another_robodyn_does_not_work() -> None:
 
 
 @pytest.mark.parametrize("name", ["robodyn", "Python", "numpy", "distributed"])
-def test_other_versions_are_refused(name: str) -> None:
+def test_other_versions_are_refused(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    for variable in ONE_THREAD:
+        monkeypatch.setenv(variable, "1")
     compare("the worker tcp://a:1", worker_likeness())
     theirs = {**likeness(), name: "0.1"}
     with pytest.raises(WrongWorker, match=rf"the worker tcp://a:1 has other versions.*found {name} 0\.1;"):
@@ -113,7 +130,7 @@ def test_other_versions_are_refused(name: str) -> None:
 @pytest.mark.parametrize("threads", ["4", None])
 def test_a_worker_with_many_threads_is_refused(threads: str | None, monkeypatch: pytest.MonkeyPatch) -> None:
     for name in ONE_THREAD:
-        monkeypatch.delenv(name)
+        monkeypatch.delenv(name, raising=False)
     if threads:
         monkeypatch.setenv("OMP_NUM_THREADS", threads)
     with pytest.raises(WrongWorker, match="more threads than one; start it with OMP_NUM_THREADS=1"):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from typing import Final
 
 from robodyn.cluster.cluster import Cluster, ThisProcess
@@ -50,16 +50,15 @@ def open_cluster(on: str, *, security: Security | None = None) -> Iterator[Clust
     """
     check_place(on)
     place, _, rest = on.partition(":")
-    one_thread()
-    if on == "here":
-        yield ThisProcess()
-    elif place == "local":
-        from robodyn.cluster.local import local_processes
+    with ExitStack() as stack:
+        stack.enter_context(one_thread())
+        if on == "here":
+            yield ThisProcess()
+        elif place == "local":
+            from robodyn.cluster.local import local_processes
 
-        with local_processes(int(rest) if rest else cores()) as cluster:
-            yield cluster
-    else:
-        from robodyn.cluster.remote import scheduler_at
+            yield stack.enter_context(local_processes(int(rest) if rest else cores()))
+        else:
+            from robodyn.cluster.remote import scheduler_at
 
-        with scheduler_at(on.removeprefix("dask://"), security) as cluster:
-            yield cluster
+            yield stack.enter_context(scheduler_at(on.removeprefix("dask://"), security))

@@ -7,7 +7,8 @@ import pickle
 import socket
 import sys
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any, Final
 
 from robodyn.errors import ToolError
@@ -26,10 +27,22 @@ class WrongWorker(ToolError):
     """A process that works is not like the one that asks."""
 
 
-def one_thread() -> None:
-    """Let linear algebra use one thread, in this process if numpy is not imported yet, and in those that it
-    starts."""
-    os.environ.update(ONE_THREAD)
+@contextmanager
+def one_thread() -> Iterator[None]:
+    """Linear algebra uses one thread while the context lasts, in this process and in those that it starts."""
+    from threadpoolctl import threadpool_limits
+
+    before = {name: os.environ.get(name) for name in ONE_THREAD}
+    os.environ.update(ONE_THREAD)  # what is loaded or started from now on
+    try:
+        with threadpool_limits(limits=1):  # what is loaded
+            yield
+    finally:
+        for name, value in before.items():
+            if value is None:
+                os.environ.pop(name, None)
+            else:
+                os.environ[name] = value
 
 
 def likeness() -> dict[str, str]:

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Final, Literal
 
 from robodyn.cluster import Cluster, Done, Failed, Security, open_cluster
+from robodyn.cluster.work import one_thread
 from robodyn.errors import InputError
 from robodyn.fleet.digest.digest import DIGEST_VERSION, Digest
 from robodyn.fleet.limits import HASHED
@@ -102,6 +103,7 @@ def run_fleet(
     """
     tell = progress or (lambda *_: None)
     with ExitStack() as stack:
+        stack.enter_context(one_thread())  # also where nothing is left to be worked out
         store = stack.enter_context(open_store(folder / STORE))
         opened: list[Cluster] = []
 

@@ -16,8 +16,9 @@ PYCPARSER: Final = Library("pycparser", Use.EVERYTHING, "operations counted in t
 PYYAML: Final = Library("yaml", Use.EVERYTHING, "robots", package="pyyaml")
 SCIPY: Final = Library("scipy", Use.EVERYTHING, "simulations and fits")
 SYMPY: Final = Library("sympy", Use.EVERYTHING, "equations and exact references")
+THREADPOOLCTL: Final = Library("threadpoolctl", Use.EVERYTHING, "the same sums with any number of cores")
 
-REQUIRED: Final = (CFFI, CLICK, JINJA2, MATPLOTLIB, NUMPY, PYCPARSER, PYYAML, SCIPY, SYMPY)
+REQUIRED: Final = (CFFI, CLICK, JINJA2, MATPLOTLIB, NUMPY, PYCPARSER, PYYAML, SCIPY, SYMPY, THREADPOOLCTL)
 """What ``pip install robodyn`` brings."""
 
 CRYPTOGRAPHY: Final = Library(
