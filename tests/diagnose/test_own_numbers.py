@@ -130,6 +130,40 @@ def test_joints_that_stick_at_reversals_are_no_delay(monkeypatch: pytest.MonkeyP
     assert off() > 4
 
 
+@pytest.mark.parametrize(
+    ("wrong", "name", "true"),
+    [
+        (Amendment("torque_gain", 2, {"gain": -0.6}), "gain", -0.6),
+        (Amendment("time_delay", None, {"delay": 0.04}), "delay", 0.04),
+        (Amendment("torque_saturation", 3, {"limit": 4.0, "clips": "sensor"}), "limit", 4.0),
+    ],
+    ids=lambda value: value.effect if isinstance(value, Amendment) else None,
+)
+def test_torque_channels_pass_the_arms_own_numbers_on(
+    wrong: Amendment, name: str, true: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Errors of the links' numbers come through late, scaled or not at all, as the torque does."""
+    ARMS_OWN = 1.1  # its inertial numbers are larger than described
+
+    def torques(q: Any, qd: Any, qdd: Any, t: Any) -> Any:
+        torque = Model(ARM).torque(q, qd, qdd)
+        more = (ARMS_OWN - 1) * Model(ARM).rigid_torque(q, qd, qdd)
+        return measured_torque(torque + more, t, amended(ARM, [wrong]).effects)
+
+    contexts, start = seen(ARM, 0.1, torques)
+
+    def off() -> float:
+        begun = Amendment(wrong.effect, wrong.joint, {**wrong.parameters, name: 1.02 * true})
+        (one,) = refined(ARM, [begun], contexts, start)
+        _, (sure,) = uncertainties(ARM, [one], contexts, start)
+        assert sure[name].stderr is not None
+        return abs(float(one.parameters[name]) - true) / sure[name].stderr
+
+    assert off() < 2.5
+    monkeypatch.setattr(room, "measured_slopes", lambda slopes, *_: slopes)
+    assert off() > 4
+
+
 def test_joints_that_creep_near_rest_have_no_less_static_friction(monkeypatch: pytest.MonkeyPatch) -> None:
     law = {"level": 10.0, "static": 25.0, "velocity": 0.6}
     slow = Amendment("stribeck_friction", 2, law)

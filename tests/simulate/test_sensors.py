@@ -18,7 +18,14 @@ from robodyn.logs.log import Log
 from robodyn.robot.model import EffectEntry
 from robodyn.robot.values import Affine
 from robodyn.simulate.differences import difference, low_pass
-from robodyn.simulate.sensors import Sensors, measure, measured_position, measured_torque, resolution_of
+from robodyn.simulate.sensors import (
+    Sensors,
+    measure,
+    measured_position,
+    measured_slopes,
+    measured_torque,
+    resolution_of,
+)
 from robodyn_testing import require_module
 
 STEP = 1e-3
@@ -138,6 +145,26 @@ def test_entries_of_one_kind_add_up() -> None:
     )
     np.testing.assert_allclose(late[3:, 2], TRUE.tau[:-3, 2], atol=1e-12)
     np.testing.assert_allclose(late[3:, 1], TRUE.tau[1:-2, 1], atol=1e-12)
+
+
+def test_small_changes_come_through_as_the_torque_does() -> None:
+    entries = [
+        entry("time_delay", 1, delay=0.02), entry("torque_gain", 2, gain=-0.3),
+        entry("torque_bias", 2, bias=4), entry("torque_saturation", 3, limit=9.5, clips="sensor"),
+    ]  # fmt: skip
+    log, rng = smooth(200), np.random.default_rng(3)
+    t, tau, changes = log.t, log.tau, rng.standard_normal((200, 3, 2))
+    step = 1e-7
+    expected = [
+        (measured_torque(tau + step * change, t, entries) - measured_torque(tau, t, entries)) / step
+        for change in np.moveaxis(changes, 2, 0)
+    ]
+    measured = measured_torque(tau, t, entries)
+    shown = measured_slopes(changes, t, entries, measured)
+    clear = (np.abs(measured) < 9.49) | (np.abs(measured) == 9.5)  # a log may be rounded
+    clear[:, :2] = True
+    np.testing.assert_allclose(shown[clear], np.stack(expected, axis=2)[clear], atol=1e-5)
+    assert 0 < np.count_nonzero(shown[:, 2, 0]) < 200
 
 
 def test_the_log_has_the_command_of_a_drive_that_clips() -> None:

@@ -30,6 +30,8 @@ Parameters = Mapping[str, float]
 
 _RATES = ("true", "difference", "filtered", "none")
 _POSITION, _TORQUE = 0, 1
+#: A torque so near to the sensor's limit is at it, as a share of the limit: logs are rounded.
+_AT_LIMIT = 1e-3
 
 
 @dataclass(frozen=True, slots=True)
@@ -149,6 +151,24 @@ def measured_torque(
     return _clipped(torque, effects, parameters, noise)
 
 
+def measured_slopes(slopes: Floats, t: Floats, effects: Sequence[EffectEntry], measured: Floats) -> Floats:
+    """What the torque channel shows of small changes ``slopes`` [K, n, c] of the torque, at times ``t`` [K]
+    (s): late and scaled as the torque is, and nothing of them while what was ``measured`` [K, n] is at the
+    sensor's limit.
+
+    Raises
+    ------
+    InputError: as :func:`measured_torque`.
+    """
+    shown = np.zeros_like(slopes)
+    for column in range(slopes.shape[2]):
+        shown[:, :, column] = _scaled(slopes[:, :, column], t, effects, None)
+    sizes, limits = np.abs(measured), _limits(effects, measured.shape[1], None)
+    reached = np.where(np.isfinite(limits), np.minimum(limits, sizes.max(axis=0, initial=0.0)), np.inf)
+    within = sizes < (1 - _AT_LIMIT) * reached  # a limit that is put too high is that of what is measured
+    return np.asarray(shown * within[:, :, None])
+
+
 def measured_position(
     q: Floats, effects: Sequence[EffectEntry], parameters: Parameters | None = None
 ) -> Floats:
@@ -171,6 +191,14 @@ def _amplified(
     tau: Floats, t: Floats, effects: Sequence[EffectEntry], parameters: Parameters | None
 ) -> Floats:
     """Delay, gain and bias."""
+    torque = _scaled(tau, t, effects, parameters)
+    for entry, name, joints in _entries("bias", effects, tau.shape[1]):
+        torque[:, joints] += entry.number(name, parameters)
+    return torque
+
+
+def _scaled(tau: Floats, t: Floats, effects: Sequence[EffectEntry], parameters: Parameters | None) -> Floats:
+    """Delay and gain."""
     n = tau.shape[1]
     delays = np.zeros(n)
     for entry, name, joints in _entries("delay", effects, n):
@@ -184,8 +212,6 @@ def _amplified(
         torque[:, j] = np.interp(t - delays[j], t, tau[:, j])
     for entry, name, joints in _entries("gain", effects, n):
         torque[:, joints] *= 1 + entry.number(name, parameters)
-    for entry, name, joints in _entries("bias", effects, n):
-        torque[:, joints] += entry.number(name, parameters)
     return torque
 
 
@@ -194,15 +220,21 @@ def _clipped(
 ) -> Floats:
     """Saturation of the sensors, and its mean where there is ``noise`` [n] beforehand: near a limit that
     takes off what goes beyond and leaves what does not, so that the mean stays below both."""
-    limits = np.full(tau.shape[1], np.inf)
-    for entry, name, joints in _entries("limit", effects, tau.shape[1], who="sensor"):
-        limits[joints] = np.minimum(limits[joints], entry.number(name, parameters))
+    limits = _limits(effects, tau.shape[1], parameters)
     clipped = np.clip(tau, -limits, limits)
     if noise is not None:
         for j in np.flatnonzero(np.isfinite(limits) & (noise > 0)):
             below, above = (limits[j] + way * tau[:, j] for way in (1, -1))
             clipped[:, j] = tau[:, j] + _excess(-below, noise[j]) - _excess(-above, noise[j])
     return clipped
+
+
+def _limits(effects: Sequence[EffectEntry], n: int, parameters: Parameters | None) -> Floats:
+    """The limits [n] of the sensors; infinite where there is none."""
+    limits = np.full(n, np.inf)
+    for entry, name, joints in _entries("limit", effects, n, who="sensor"):
+        limits[joints] = np.minimum(limits[joints], entry.number(name, parameters))
+    return limits
 
 
 def _excess(x: Floats, noise: float) -> Floats:

@@ -23,7 +23,8 @@ from robodyn.identify.motor_regressor import lagging_regressor, motor_regressor
 from robodyn.identify.predict import offsets
 from robodyn.identify.prior import number_of
 from robodyn.identify.rigid import Model
-from robodyn.robot.model import Robot
+from robodyn.robot.model import EffectEntry, Robot
+from robodyn.simulate.sensors import acting_on, measured_slopes
 
 Floats = NDArray[np.float64]
 
@@ -53,14 +54,14 @@ def own_numbers_of(
     whole = None
     if by_drives and feels_loads(arm):
         whole = loaded(arm, robot, contexts, start)
-    elif _stands_otherwise(arm, robot):
+    elif _shows_otherwise(arm, robot):
         whole = np.concatenate([_along(arm, c) for c in contexts]) * scale * start.sizes
     if whole is not None:
         ways = directions(whole)
         columns = (whole @ ways).reshape(-1, ways.shape[1])
         rotors = np.zeros((*whole.shape[:2], 0))
         if by_drives:
-            rotors = np.concatenate([_seen(c, _turned(arm, robot, c)) for c in contexts]) * scale
+            rotors = np.concatenate([_seen(robot, c, _turned(arm, robot, c)) for c in contexts]) * scale
         prior = np.linalg.qr(_roots(start, rotors, len(ways)) @ ways).R
     turns = np.concatenate([turning(arm, c, sticking) for c in contexts]) * scale * TURN_TIME
     turns = turns[:, :, turns.any(axis=(0, 1))]
@@ -100,8 +101,16 @@ def _roots(start: Problem, rotors: Floats, count: int) -> Floats:
     return np.concatenate([plain, np.sqrt(start.prior[:p])[:, None] * shown])
 
 
-def _stands_otherwise(arm: Robot, robot: Robot) -> bool:
-    return arm.gravity != robot.gravity or not np.array_equal(offsets(arm), offsets(robot))
+def _shows_otherwise(arm: Robot, robot: Robot) -> bool:
+    """Whether its own numbers show otherwise in the torques of ``arm`` than in those of ``robot``: it stands
+    otherwise, or its torque channels pass them on otherwise."""
+    is_turned = arm.gravity != robot.gravity or not np.array_equal(offsets(arm), offsets(robot))
+    return is_turned or _channels(arm) != _channels(robot)
+
+
+def _channels(robot: Robot) -> list[EffectEntry]:
+    """What of the effects of a robot the torque channel does to a change of the torque."""
+    return [entry for acts in ("delay", "gain", "limit") for entry, _ in acting_on(robot.effects, acts)]
 
 
 def feels_loads(arm: Robot) -> bool:
@@ -112,14 +121,14 @@ def feels_loads(arm: Robot) -> bool:
 def _along(arm: Robot, c: Context) -> Floats:
     """Torques [N, n, 10 n] by the numbers of all links."""
     s = c.slow
-    return _seen(c, Model(arm).regressor(s.q - offsets(arm), s.qd, s.qdd).reshape(len(s.q), c.n, -1))
+    return _seen(arm, c, Model(arm).regressor(s.q - offsets(arm), s.qd, s.qdd).reshape(len(s.q), c.n, -1))
 
 
 def _pressed(arm: Robot, c: Context, sizes: Floats) -> Floats:
     """The same by way of the drives, each number in units of what it is known to, ``sizes`` [10 n]."""
     s = c.slow
     slopes = motor_regressor(Model(arm), s.q - offsets(arm), s.qd, s.qdd, sizes.reshape(c.n, -1))
-    return _seen(c, slopes.reshape(len(s.q), c.n, -1) * sizes)
+    return _seen(arm, c, slopes.reshape(len(s.q), c.n, -1) * sizes)
 
 
 def _behind(arm: Robot, robot: Robot, c: Context, sizes: Floats) -> Floats:
@@ -129,7 +138,7 @@ def _behind(arm: Robot, robot: Robot, c: Context, sizes: Floats) -> Floats:
     motion = full.q - offsets(arm), full.qd, full.qdd
     slopes, begins = lagging_regressor(model, motion, full.period, round(s.period / full.period), full.tau)
     slopes = slopes.reshape(len(s.q), c.n, -1) * sizes
-    return _seen(c, np.concatenate([slopes, _turned(arm, robot, c), begins], axis=2))
+    return _seen(arm, c, np.concatenate([slopes, _turned(arm, robot, c), begins], axis=2))
 
 
 def _turned(arm: Robot, robot: Robot, c: Context) -> Floats:
@@ -144,6 +153,7 @@ def _turned(arm: Robot, robot: Robot, c: Context) -> Floats:
     return torques
 
 
-def _seen(c: Context, columns: Floats) -> Floats:
-    """Columns along the coarse signals, filtered and thinned."""
-    return c.slow.thinned(c.slow.filtered(columns))
+def _seen(arm: Robot, c: Context, columns: Floats) -> Floats:
+    """Columns along the coarse signals as the torque channel of ``arm`` shows them, filtered and thinned."""
+    s = c.slow
+    return s.thinned(s.filtered(measured_slopes(columns, s.t, arm.effects, s.tau)))

@@ -25,6 +25,7 @@ from robodyn.effects.traits import Shown
 from robodyn.identify.prior import sizes_of as sizes_of_links
 from robodyn.identify.rigid import PARAMETERS, Model, physical
 from robodyn.robot.model import AXES
+from robodyn.simulate.sensors import measured_slopes
 
 Floats = NDArray[np.float64]
 
@@ -94,10 +95,13 @@ def without_regressor(c: Context) -> None:
 
 
 def regressor_seen(c: Context) -> Floats:
-    """Torques [N, n, 10 n] by the numbers of all links, filtered and thinned like the torque."""
+    """Torques [N, n, 10 n] by the numbers of all links, as the torque channel shows them, filtered and
+    thinned like the torque."""
     key = ("regressor", 1)
     if key not in c.kept:
-        flat = _regressor(c).reshape(len(c.slow.q), c.n, -1)
+        s = c.slow
+        flat = _regressor(c).reshape(len(s.q), c.n, -1)
+        flat = measured_slopes(flat, s.t, c.model.robot.effects, s.tau)
         c.kept[key] = c.slow.thinned(c.slow.filtered(flat)).copy()
     Y: Floats = c.kept[key]
     return Y
