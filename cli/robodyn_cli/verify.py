@@ -101,6 +101,11 @@ def command(
         for function, right in closing.items():
             verb = "leads" if right else "DOES NOT LEAD"
             click.echo(f"{function}: {verb} back to the pose in plain forward kinematics, at 60 digits")
+    if report.uncompared:
+        raise CheckError(
+            f"{described.name}: not every function was compared with a reference",
+            found=f"nothing to compare {', '.join(report.uncompared)} with",
+        )
     if not passed:
         raise CheckError(f"{described.name}: the kernel does not agree with the references")
 

@@ -190,18 +190,20 @@ def test_run_time_parameters(arm: Robot) -> None:
         check(robot, Stand(robot), parameters={"mass": 1.0})
 
 
-def test_functions_that_no_reference_knows_are_told(arm: Robot) -> None:
+def test_a_function_that_was_compared_with_nothing_fails(arm: Robot) -> None:
     kernel = Stand(arm, functions=("gravity",))
     kernel.functions = ("gravity", "unheard_of")
     report = check(arm, kernel)
-    assert report.passed
+    assert not report.passed
+    assert report.uncompared == ("unheard_of",)
     assert report.skipped == {"unheard_of": "no reference knows it"}
     assert "not compared: unheard_of: no reference knows it" in report.to_text()
+    assert report.to_text().endswith("COMPARED WITH NOTHING: unheard_of")
+    assert report.to_dict()["uncompared"] == ["unheard_of"]
     kernel.functions = ("unheard_of",)
     report = check(arm, kernel)
     assert not report.passed
     assert report.worst is None
-    assert report.to_text().endswith("nothing was compared")
 
 
 def test_another_robots_kernel(arm: Robot) -> None:

@@ -71,7 +71,8 @@ class Body:
 class Arm:
     """Bodies from base to tip and gravity [m/s^2] in the base frame; the base frame in the world, and the
     tool in the last link's frame. ``motors``: whether torques are the motors', with rotors and friction in
-    them."""
+    them. ``stated_frames``: where the description has the links' frames elsewhere, as standard DH has: ``a``
+    along x [m], and turned about x by an angle of this cosine and sine; one a body, or none."""
 
     bodies: tuple[Body, ...]
     gravity: Vector
@@ -80,6 +81,7 @@ class Arm:
     base: Frame = BASE
     tool: Frame = BASE
     motors: bool = True
+    stated_frames: tuple[Vector, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -188,13 +190,31 @@ def build_arm(robot: Robot, constant: Callable[[Fraction], Any], parameter: Call
     if loads:
         bodies[-1] = _loaded(bodies[-1], loads)
     base, tool = (BASE if place is None else _frame(constant, place) for place in (robot.base, robot.tool))
-    return Arm(tuple(bodies), (constant(gx), constant(gy), constant(gz)), rest, band, base, tool, motor)
+    stated: list[Vector] = []
+    if robot.standard_end is not None:  # each row moves up by one, see robodyn.robot.dh
+        end, roll = robot.standard_end.xyz[0], robot.standard_end.rpy[0]
+        stated = [(body.a, body.cos_alpha, body.sin_alpha) for body in bodies[1:]]
+        stated.append((constant(end), constant(roll.cos), constant(roll.sin)))
+    along = (constant(gx), constant(gy), constant(gz))
+    return Arm(tuple(bodies), along, rest, band, base, tool, motor, tuple(stated))
 
 
 def inertial(arm: Arm) -> Arm:
     """``arm`` without gravity and friction."""
     bodies = tuple(replace(body, viscous=0, coulomb=0) for body in arm.bodies)
     return replace(arm, bodies=bodies, gravity=ZERO)
+
+
+def in_stated_frame(arm: Arm, link: int, x: Vector, y: Vector, z: Vector) -> tuple[Vector, Vector, Vector]:
+    """The axes of the frame that the description has for ``link`` (from 0), from those of its frame here."""
+    if not arm.stated_frames:
+        return x, y, z
+    _, c, s = arm.stated_frames[link]
+    return x, _sum_of(c, y, s, z), _sum_of(-s, y, c, z)
+
+
+def _sum_of(p: Any, u: Vector, q: Any, v: Vector) -> Vector:
+    return (p * u[0] + q * v[0], p * u[1] + q * v[1], p * u[2] + q * v[2])
 
 
 def _frame(constant: Callable[[Fraction], Any], place: Placement) -> Frame:

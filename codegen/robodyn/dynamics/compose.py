@@ -39,6 +39,26 @@ def side_by_side(function: Function, programs: Sequence[Program]) -> Program:
     return lower(graph, [(array.name, results[array.name]) for array in function.results])
 
 
+#: Matrices as rows.
+Rows = list[list[Any]]
+
+
+def torque_derivatives(
+    graph: Graph, torques: Callable[[Vector, Vector], Vector], qd: Vector, qdd: Vector
+) -> tuple[Rows, Rows]:
+    """Derivatives of ``torques(qd, qdd)`` by positions and by velocities, as rows. The accelerations are
+    constant, also where they are made of positions and velocities: they are variables until all is
+    differentiated, and only then what they are made of."""
+    n = len(qdd)
+    variables = [Input("qdd", i) for i in range(n)]
+    tau = torques(qd, [graph.input("qdd", i) for i in range(n)])
+    rows = [jacobian(graph, tau, [Input(array, i) for i in range(n)]) for array in ("q", "qd")]
+    program = lower(graph, [("", [x for matrix in rows for row in matrix for x in row])])
+    entries = graph.replay(program, inputs=dict(zip(variables, qdd, strict=True)))
+    matrix = [entries[k : k + n] for k in range(0, len(entries), n)]
+    return matrix[:n], matrix[n:]
+
+
 class _OfParts(Upon):
     """The dynamics that programs give, see :class:`robodyn.dynamics.functions.Dynamics`."""
 
@@ -71,9 +91,9 @@ class _OfParts(Upon):
         inputs = {Input(name, i): x for name in other for i, x in enumerate(rates[name])}
         return self._graph.replay(self._programs[part], inputs=inputs)
 
-    def differentiated(self, values: Sequence[Any], array: str) -> list[list[Any]]:
-        """Derivatives of ``values`` by the elements of ``array``."""
-        return jacobian(self._graph, values, [Input(array, i) for i in range(len(self.rest))])
+    def torque_derivatives(self, qdd: Sequence[Any]) -> tuple[Rows, Rows]:
+        """Derivatives of the part that gives torques by positions and by velocities, as rows."""
+        return torque_derivatives(self._graph, self.torques, self.inputs["qd"], qdd)
 
     def mass_matrix(self) -> list[list[Any]]:
         """Mass matrix [n][n]."""

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, Motion
 from robodyn.dynamics.choosing import First
+from robodyn.dynamics.dual import moving_along, slopes
 from robodyn.dynamics.functions.record import Moving
 from robodyn.dynamics.limits import ROUNDING
 from robodyn.dynamics.lump import NO_LUMP, MomentForm
+from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.dynamics.parallel import Turns, single_turns
 from robodyn.dynamics.regroup import lumps_of
 from robodyn.dynamics.vectors import unmarked
@@ -23,6 +25,7 @@ class AsDescribed(ABC):
     cheapest = First()
     rounding = ROUNDING["double"]
     arm: Arm
+    inputs: Mapping[str, Sequence[Any]]
 
     @abstractmethod
     def motion(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Motion:
@@ -37,6 +40,11 @@ class AsDescribed(ABC):
         motion = self.motion(qd, qdd)
         return Moving(self.arm, motion, single_turns(motion), lumps_of(self.arm), NO_LUMP)
 
-    def differentiated(self, values: Sequence[Any], array: str) -> None:
+    def torque_derivatives(self, qdd: Sequence[Any]) -> None:
         """None: the rigid arm's derivatives are written out."""
         return
+
+    def torque_slopes(self, qdd: Sequence[Any], dq: Sequence[Any], dqd: Sequence[Any]) -> list[Any]:
+        """The plain recursion of the rigid arm, differentiated along ``dq, dqd`` by dual numbers."""
+        motion = self.motion(self.inputs["qd"], qdd)
+        return slopes(newton_euler(self.arm, moving_along(self.arm, motion, dq, dqd, [0] * len(dq))))

@@ -7,7 +7,7 @@ from functools import cache
 from typing import Any
 
 from robodyn.dynamics.functions.arguments import INPUTS
-from robodyn.dynamics.functions.record import Dynamics, Function, Pair, Vector, lengths_of
+from robodyn.dynamics.functions.record import Dynamics, Function, Pair, ReferenceDynamics, Vector, lengths_of
 from robodyn.errors import InputError
 
 #: What stands between the names of functions that are fused.
@@ -69,7 +69,6 @@ def _fused(functions: tuple[Function, ...]) -> Function:
         expected=one_after_another([f.expected for f in functions if f.expected]) if unconditional else None,
         condition=None if unconditional or of_pose else _compared(functions),
         solves=any(function.solves for function in functions),
-        rigid=any(function.rigid for function in functions),
         geometric=all(function.geometric for function in functions),
         answers=None if of_pose is None else of_pose.answers,
         fuses=functions,
@@ -87,8 +86,8 @@ def one_after_another(writings: Sequence[Writing], order: Sequence[int] = ()) ->
     return written
 
 
-def _compared(functions: Sequence[Function]) -> Callable[[Dynamics, Sequence[Any], Vector], Pair]:
-    def compared(at: Dynamics, result: Sequence[Any], anywhere: Vector) -> Pair:
+def _compared(functions: Sequence[Function]) -> Callable[[ReferenceDynamics, Sequence[Any], Vector], Pair]:
+    def compared(at: ReferenceDynamics, result: Sequence[Any], anywhere: Vector) -> Pair:
         one: list[Any] = []
         other: list[Any] = []
         for function, elements in parts_of(functions, result, len(anywhere)):

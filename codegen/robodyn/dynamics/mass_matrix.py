@@ -6,7 +6,6 @@ Sources: Walker and Orin 1982 (composite rigid bodies); Featherstone 2008, chapt
 from __future__ import annotations
 
 from collections.abc import Sequence
-from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, Motion, about_x, about_z, origin
@@ -14,7 +13,7 @@ from robodyn.dynamics.lump import NO_LUMP, Lump
 from robodyn.dynamics.parallel import Turns
 from robodyn.dynamics.regroup import about_axis_x, about_axis_z, merged, shifted
 from robodyn.dynamics.vectors import Mark, Vector, cross, named, plus, unmarked
-from robodyn.effects.scalars import is_zero
+from robodyn.effects.scalars import is_zero, quotient
 from robodyn.ir.program import Label
 
 
@@ -100,7 +99,7 @@ class Factored:
                 pivot = pivot - factor[j][k] * scaled[j][k]
             pivot = mark(pivot, Label(row + 1, "pivot", ""))
             pivots.append(pivot)
-            inverse[j] = mark(Fraction(1) / pivot, Label(row + 1, "ipivot", ""))
+            inverse[j] = mark(quotient(1, pivot), Label(row + 1, "ipivot", ""))
             for i in range(j + 1, n):
                 entry = matrix[row][order[i]]
                 for k in range(j):

@@ -14,6 +14,7 @@ from robodyn.ir.field import FINAL_BITS
 from robodyn.ir.fingerprint import agree
 from robodyn.ir.graph import Graph
 from robodyn.ir.program import Program
+from robodyn.kernels.condition import meets_condition
 from robodyn.kernels.drafts import least
 from robodyn.kernels.options import Options
 from robodyn.kernels.proof import Unequal
@@ -78,11 +79,8 @@ class Layered:
             return self.rigid.best(function)
         check_solvable(self.robot, record)
         try:
-            drafts = self._drafts(record)
-            k, passed = least(drafts, () if self.options.optimize == "none" else FRESH_SAVING)
-            # Of what is put together from parts there may be no other formula: its parts are compared.
-            alone = record.parts and record.expected is None
-            self._compare(function, passed, drafts[k] if alone else self._plain(record))
+            _, passed = least(self._drafts(record), () if self.options.optimize == "none" else FRESH_SAVING)
+            self._prove(record, passed)
         except ZeroDivisionError:  # a pivot that is zero as a number or, in a drawn field, as a function
             raise self.rigid.singular(function) from None
         return passed
@@ -93,7 +91,7 @@ class Layered:
         drafts: list[Program] = []
         remembers = any(function_named(part).is_recursion for part in record.parts) and self._has_states
         # A step of what remembers is the inverse dynamics' own: elsewhere effects are in their steady form.
-        if record.parts and not record.rigid and not remembers:
+        if record.parts and not remembers:
             parts = {part: self.program(part) for part in record.parts}
             drafts = composed(record, parts, self.robot.n, self._beneath)
             if record.by_parts is None:
@@ -123,12 +121,25 @@ class Layered:
 
         return layered(self.robot, record, rigid, "newton_euler", writing=None)
 
-    def _compare(self, function: str, program: Program, plain: Program) -> None:
-        """In a finite field, where roots and the like are random functions, so that their arguments must be
-        equal as well."""
-        context = (identity(self.robot).encode(), function.encode())
-        if not agree(program, plain, circle_point, *context, bits=FINAL_BITS):
-            raise Unequal(f"{function} of {self.robot.name} differs from plain Newton-Euler with its effects")
+    def _prove(self, record: Function, program: Program) -> None:
+        """Compare ``program`` with another formula in a finite field, where roots and the like are random
+        functions, so that their arguments must be equal as well; or, where there is none, with the condition
+        on it at 60 digits.
+
+        Raises
+        ------
+        Unequal: they differ.
+        """
+        if record.expected is None:
+            same = meets_condition(self.robot, record.name, program)
+        else:
+            context = (identity(self.robot).encode(), record.name.encode())
+            same = agree(program, self._plain(record), circle_point, *context, bits=FINAL_BITS)
+        if not same:
+            raise Unequal(
+                f"{record.name} of {self.robot.name} differs from plain Newton-Euler with its effects; "
+                "please report the robot file"
+            )
 
     def rigid_count(self, function: str) -> Count | None:
         """Operations of the rigid arm beneath; None of functions that are composed."""

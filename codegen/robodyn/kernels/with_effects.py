@@ -19,6 +19,7 @@ from robodyn.drives.drive import (
     rigid_part,
 )
 from robodyn.dynamics.arm import JointAngle, build_arm, build_motion
+from robodyn.dynamics.compose import Rows, torque_derivatives
 from robodyn.dynamics.functions import Function, Rotor, function_named, torques_at
 from robodyn.dynamics.modified_newton_euler import modified_newton_euler
 from robodyn.dynamics.newton_euler import newton_euler
@@ -26,7 +27,6 @@ from robodyn.dynamics.rotor import with_rotors
 from robodyn.dynamics.upon import Upon
 from robodyn.effects.effect import Site
 from robodyn.errors import InputError
-from robodyn.ir.derivative import jacobian
 from robodyn.ir.graph import Graph
 from robodyn.ir.lowering import lower
 from robodyn.ir.program import Input, Label, Program
@@ -124,9 +124,9 @@ class _Layered(Upon):
         self.inputs = function.nodes(self.graph.input, robot.n)
         super().__init__(recursion_in(self.graph, rigid_part(robot), choice, self.inputs))
 
-    def differentiated(self, values: Sequence[Any], array: str) -> list[list[Any]]:
-        """Derivatives of ``values`` by the elements of ``array``, through all effects."""
-        return jacobian(self.graph, values, [Input(array, i) for i in range(self._robot.n)])
+    def torque_derivatives(self, qdd: Sequence[Any]) -> tuple[Rows, Rows]:
+        """Derivatives of the torques by positions and by velocities, through all effects, as rows."""
+        return torque_derivatives(self.graph, self.torques, self.inputs["qd"], qdd)
 
     def base_set(self) -> tuple[BaseParameter, ...]:
         """There are none: torques are not linear in any."""
@@ -203,6 +203,16 @@ def outputs(
     pairs = directions(robot, [combined(pair, moved.qd) for pair in layer.pairs], as_is)
     tau = at_motors(layer, passed, moved, pairs, remembered if remembers else None)
     return [graph.label(x, Label(i, "tau", "")) for i, x in enumerate(tau, 1)], states
+
+
+def steady_torques(robot: Robot) -> Program:
+    """Motor torques ``tau`` of ``q, qd, qdd`` by the recursion of the book with the drives on it; what
+    remembers is in its steady form."""
+    graph = Graph()
+    q, qd, qdd = ([graph.input(name, i) for i in range(robot.n)] for name in ("q", "qd", "qdd"))
+    layer = layer_of(robot, as_is, graph.input)
+    tau, _ = outputs(robot, layer, graph, _Motion(q, qd, qdd), None, "newton_euler", remembers=False)
+    return lower(graph, [("tau", tau)])
 
 
 def _given_states(layer: Layer, graph: Graph) -> tuple[dict[int, TwistState], dict[int, list[list[Any]]]]:

@@ -239,7 +239,7 @@ class Recursion:
         turns = chain_turns(arm, motion, trigonometry) if choice.chains else single_turns(motion)
         return Moving(arm, motion, turns, lumps, ground)
 
-    def differentiated(self, values: Sequence[Any], array: str) -> None:
+    def torque_derivatives(self, qdd: Sequence[Any]) -> None:
         """The rigid arm's derivatives are written out."""
 
     def base_set(self) -> tuple[BaseParameter, ...]:

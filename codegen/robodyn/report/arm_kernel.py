@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Final
 
 import numpy as np
@@ -95,5 +95,7 @@ def _stacked(columns: list[Any], count: int) -> Floats:
 
 
 def arm_kernel(robot: Robot) -> ArmKernel:
-    """The kernel of ``robot``, which has no run-time parameters, with the fewest operations known."""
-    return ArmKernel(generate(robot, Options(functions=FUNCTIONS, trig="builtin")))
+    """The kernel of ``robot``, which has no run-time parameters, with the fewest operations known; frames of
+    links are those in which joints turn about z, whatever the description's convention."""
+    turning = replace(robot, standard_end=None)
+    return ArmKernel(generate(turning, Options(functions=FUNCTIONS, trig="builtin")))

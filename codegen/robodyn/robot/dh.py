@@ -15,15 +15,16 @@ from collections.abc import Iterable
 from dataclasses import replace
 from fractions import Fraction
 
-from robodyn.robot.model import EffectEntry, Inertia, Link, Setting, Vector
+from robodyn.robot.model import EffectEntry, Inertia, Link, Placement, Setting, Vector
 from robodyn.robot.numbers import rounded
-from robodyn.robot.values import ZERO, Angle, Value, angle
+from robodyn.robot.rotations import applied, placement, product
+from robodyn.robot.values import ZERO, Angle, Value, angle, quarter_turns
 
 
 def from_standard(links: Iterable[Link]) -> tuple[Link, ...]:
     """The same arm with modified rows; ``links`` hold alpha_i, a_i and inertials of standard frames.
 
-    The transformation behind the last link (to its tool frame) is absorbed by its centre and inertia. Right
+    What stands in the last link's frame moves with it: its centre and inertia, a payload, the tool. Right
     angles keep every number exact; at other twists centres and inertias are rounded to double.
 
     Raises
@@ -45,6 +46,22 @@ def from_standard(links: Iterable[Link]) -> tuple[Link, ...]:
         )
         a, alpha = own_a, own_alpha
     return tuple(converted)
+
+
+def standard_end(last: Link) -> Placement:
+    """The last standard frame in the last modified one, by ``last``, the last standard row, whose length is a
+    number."""
+    a, alpha = last.joint.a, last.joint.alpha
+    assert isinstance(a, Fraction)
+    return Placement((a, ZERO, ZERO), (alpha, quarter_turns(0), quarter_turns(0)))
+
+
+def tool_from_standard(tool: Placement | None, end: Placement) -> Placement | None:
+    """``tool`` of the last standard frame, which stands at ``end``, in the last modified frame."""
+    if tool is None:
+        return placement(end.rotation, end.xyz, 0.0)
+    x, y, z = applied(end.rotation, tool.xyz)
+    return placement(product(end.rotation, tool.rotation), (end.xyz[0] + x, y, z), 0.0)
 
 
 def effect_from_standard(entry: EffectEntry, last: Link) -> EffectEntry:

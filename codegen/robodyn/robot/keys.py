@@ -240,6 +240,13 @@ ROBOT = (
     ),
     Key("tool", "group", "Where the tool's frame stands in the last link's frame.", members=PLACEMENT),
     Key(
+        "standard_end",
+        "group",
+        "Of rows that were converted from standard DH: where the last link's standard frame stands in its "
+        "modified one. link_poses are then those of the standard frames.",
+        members=PLACEMENT,
+    ),
+    Key(
         "torque_side",
         "choice",
         "motor: the motor torque, reflected to the joint (rotor, friction in it); link: behind the gear.",

@@ -63,7 +63,8 @@ class Robot:
     joint torque is the motor's (rotor and friction are in it) or the link's (they are not).
     ``dead_band``: the sign is 0 below that velocity. ``effects``: base to tip, then those of the whole robot.
     ``gravity`` [m/s^2] is in the frame that ``base`` places the base frame in (None: in the base frame);
-    ``tool`` is the tool's frame in the last link's. ``file`` is where the description was read, None if it
+    ``tool`` is the tool's frame in the last link's. ``standard_end``: of a description in standard DH
+    the last link's frame by it, in the last one here. ``file`` is where the description was read, None if it
     came from no file; records may lie beside it.
     """
 
@@ -80,6 +81,7 @@ class Robot:
     file: Path | None = field(default=None, compare=False, repr=False)
     base: Placement | None = None
     tool: Placement | None = None
+    standard_end: Placement | None = None
 
     def __repr__(self) -> str:
         """A screen's worth: one line a joint, the first twenty. :func:`~robodyn.robot.to_yaml` shows all."""

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from robodyn.errors import InputError
 from robodyn.robot import numbers
-from robodyn.robot.dh import effect_from_standard, from_standard
+from robodyn.robot.dh import effect_from_standard, from_standard, standard_end, tool_from_standard
 from robodyn.robot.document import Mapping, Node, Scalar, compose, decode, describe
 from robodyn.robot.expectations import expectation
 from robodyn.robot.fields import Section, Source
@@ -67,7 +67,7 @@ def _robot(section: Section) -> Robot:
     compared = section.section("compare")
     comparison = Comparison(compared.text("table"), compared.text("row")) if compared else None
     convention = section.choice("convention") or "mdh"
-    links, effects, base = _links(section, convention)
+    links, effects, base, end = _links(section, convention)
     _refuse_clashes(section.source, name)
     side = section.choice("torque_side")
     rest, band = _at_rest(section)
@@ -79,7 +79,11 @@ def _robot(section: Section) -> Robot:
     if gravity is not None:
         x, y, z = (value for value in gravity if isinstance(value, Fraction))  # no names there: all three
         robot = replace(robot, gravity=(x, y, z))
-    robot = replace(robot, base=base, tool=_placement(section, "tool"))
+    tool = _placement(section, "tool")
+    if convention == "sdh":
+        assert end is not None
+        tool = tool_from_standard(tool, end)
+    robot = replace(robot, base=base, tool=tool, standard_end=end)
     if side == "link":
         robot = replace(robot, torque_side="link")
     if effects:
@@ -135,8 +139,9 @@ def _written(section: Section, joint: int | None, kind: JointKind, joints: int) 
 
 def _links(
     section: Section, convention: str
-) -> tuple[tuple[Link, ...], tuple[Written, ...], Placement | None]:
-    """The links in modified frames, effects in them, and where the base frame stands."""
+) -> tuple[tuple[Link, ...], tuple[Written, ...], Placement | None, Placement | None]:
+    """The links in modified frames, effects in them, where the base frame stands, and where the last standard
+    frame does in the last modified one."""
     source = section.source
     nodes = section.items("links") or ()
     if not 1 <= len(nodes) <= LINKS:
@@ -152,11 +157,11 @@ def _links(
     _refuse_twins(sections, rows)
     effects = [entry for _, entries in read for entry in entries]
     effects += _written(section, None, "revolute", len(nodes))
-    links, base = rows, _placement(section, "base")
+    links, base, end = rows, _placement(section, "base"), _placement(section, "standard_end")
     poses = [_pose(part, convention) for part in sections]
     try:
         if convention == "sdh":
-            links = from_standard(rows)
+            links, end = from_standard(rows), _standard_end(section, sections, rows[-1])
             effects = [replace(one, entry=effect_from_standard(one.entry, rows[-1])) for one in effects]
         elif any(poses):
             from robodyn.robot.poses import from_poses  # rows of numbers do without it
@@ -183,7 +188,36 @@ def _links(
                 f"{part.path('acknowledged')}: nothing about this link is implausible",
                 "delete the key",
             )
-    return links, tuple(effects), base
+    return links, tuple(effects), base, end
+
+
+def _standard_end(section: Section, sections: list[Section], last: Link) -> Placement:
+    """Where the frame of ``last``, the last standard row, stands in the modified frame."""
+    for part in sections:
+        if "b" in part.values:
+            part.source.fail(
+                part.values["b"],
+                f"{part.path('b')} is an offset of modified DH rows",
+                found="convention: sdh",
+                remedy="delete it, or state modified rows (convention: mdh)",
+            )
+    if "standard_end" in section.values:
+        section.source.fail(
+            section.values["standard_end"],
+            "standard_end is of rows that were converted",
+            found="convention: sdh",
+            remedy="delete it: the last row says it",
+        )
+    if not isinstance(last.joint.a, Fraction):
+        part = sections[-1]
+        part.source.fail(
+            part.values["a"],
+            f"{part.path('a')} cannot be a run-time parameter: it places the tool's frame",
+            found=describe(part.values["a"]),
+            expected="a number",
+            remedy="state a number, or modified rows (convention: mdh)",
+        )
+    return standard_end(last)
 
 
 def _pose(section: Section, convention: str) -> Placement | None:

@@ -50,6 +50,8 @@ def to_yaml(robot: Robot) -> str:
         lines += _effect_lines(robot.effects_at(i), "    ")
     if robot.tool is not None:
         lines.append(f"tool: {_placement(robot.tool)}")
+    if robot.standard_end is not None:
+        lines.append(f"standard_end: {_placement(robot.standard_end)}")
     if robot.torque_side != "motor":
         lines.append(f"torque_side: {robot.torque_side}")
     if robot.rest_velocity is not None:

@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from robodyn.robot.model import EffectEntry, Robot
 from robodyn.robot.values import Affine
 from robodyn.verify.declared import declared_place, declared_torque
-from robodyn.verify.numbers import Parameters, exact_value, real
+from robodyn.verify.numbers import Parameters, exact_value, length, real, sign, size
 
 Floats = NDArray[np.float64]
 #: Parameters of an effect by name: floats, words, knots, numbers of joints.
@@ -75,8 +75,8 @@ def direction(speed: Floats, rest_velocity: float | None, dead_band: float | Non
     if rest_velocity is not None:
         return np.tanh(speed / rest_velocity)
     if dead_band is not None:
-        return np.sign(speed) * np.heaviside(np.abs(speed) - dead_band, 0.5)
-    return np.sign(speed)
+        return sign(speed) * np.heaviside(np.abs(np.real(speed)) - dead_band, 0.5)
+    return sign(speed)
 
 
 def added_torque(effect: str, p: Settings, at: State) -> Floats:
@@ -92,14 +92,14 @@ def added_torque(effect: str, p: Settings, at: State) -> Floats:
             return np.asarray(p["coefficient"] * at.qd)
         case "power_law_friction":
             ratio = at.qd / p["velocity"]
-            stretched = np.hypot(ratio, 1e-3)
+            stretched = np.sqrt(ratio**2 + 1e-6)
             return np.asarray(p["level"] * ratio / stretched * stretched ** p["exponent"])
         case "coulomb_friction" | "presliding_hysteresis":
             return np.asarray(p["level"] * at.way)
         case "asymmetric_friction":
             return _between(at.way, -p["negative"], 0.0, p["positive"])
         case "stribeck_friction":
-            fading = np.exp(-np.power(np.abs(at.qd) / p["velocity"], p["exponent"]))
+            fading = np.exp(-np.power(size(at.qd) / p["velocity"], p["exponent"]))
             return np.asarray((p["static"] * fading + p["level"] * (1 - fading)) * at.way)
         case "spring":
             way = at.q - p["rest"]
@@ -130,7 +130,9 @@ def _symbols(at: State) -> dict[str, Floats]:
 
 def _between(way: Floats, backward: Any, still: Any, forward: Any) -> Floats:
     """Forward or backward torque; for directions in between, that share of it from the one at rest."""
-    return np.asarray(np.where(way > 0, still + way * (forward - still), still - way * (backward - still)))
+    return np.asarray(
+        np.where(np.real(way) > 0, still + way * (forward - still), still - way * (backward - still))
+    )
 
 
 def _normal_forces(p: Settings, at: State) -> Floats:
@@ -138,16 +140,16 @@ def _normal_forces(p: Settings, at: State) -> Floats:
     grip = p["mu_r"] if "mu_r" in p else p["mu"] * p.get("radius", 1.0)
     match p["bearing"]:
         case "torque":
-            load = np.abs(at.tau)
+            load = size(at.tau)
         case "thrust":
-            load = np.abs(at.f[:, 2])
+            load = size(at.f[:, 2])
         case "journal" if "span" in p:
             one, other = two_supports(p["span"], at.f, at.n, mirrored=p.get("variant") == "printed")
-            load = np.hypot(one[:, 0], one[:, 1]) + np.hypot(other[:, 0], other[:, 1])
+            load = length(one[:, 0], one[:, 1]) + length(other[:, 0], other[:, 1])
         case "linear":
-            load = np.sum(np.abs(two_supports(p["span"], at.f, at.n)), axis=(0, 2))
+            load = np.sum(size(np.stack(two_supports(p["span"], at.f, at.n))), axis=(0, 2))
         case _:
-            load = np.hypot(at.f[:, 0], at.f[:, 1])
+            load = length(at.f[:, 0], at.f[:, 1])
     return np.asarray(grip * load)
 
 
@@ -176,9 +178,9 @@ def _strut(p: Settings, angle: Floats) -> Floats:
         return np.asarray(p["torque"] * (1 + p["rise"] * (1 - np.cos(angle))) * np.sin(angle))
     end = crank * np.stack([np.cos(angle), np.sin(angle)])
     along = np.array([[1.0], [0.0]]) - end
-    length = np.hypot(along[0], along[1])
-    travel = (length - (1 - crank)) / crank
-    pull = p["torque"] * (1 + p["rise"] * travel) / crank * along / length
+    strut = length(along[0], along[1])
+    travel = (strut - (1 - crank)) / crank
+    pull = p["torque"] * (1 + p["rise"] * travel) / crank * along / strut
     return np.asarray(-(end[0] * pull[1] - end[1] * pull[0]))
 
 
@@ -186,21 +188,24 @@ def _loss(p: Settings, at: State) -> Floats:
     """Table 3.2 by its cases, less the torque that goes in at rest."""
     eta: Any = p["efficiency"]
     if isinstance(eta, tuple):
-        eta = efficiency(np.abs(at.tau) / p["rated_torque"], eta, p["interpolation"])
-    drives, brakes = at.tau / eta, at.tau * eta
-    forward = np.where(at.tau > 0, drives, brakes) + p["breakaway"]
-    backward = np.where(at.tau < 0, drives, brakes) - p["breakaway"]
+        eta = efficiency(size(at.tau) / p["rated_torque"], eta, p["interpolation"])
+    drives, brakes, load = at.tau / eta, at.tau * eta, np.real(at.tau)
+    forward = np.where(load > 0, drives, brakes) + p["breakaway"]
+    backward = np.where(load < 0, drives, brakes) - p["breakaway"]
     return np.asarray(_between(at.way, backward, at.tau, forward) - at.tau)
 
 
 def efficiency(load: Floats, knots: tuple[tuple[float, float], ...], interpolation: str) -> Floats:
     """Efficiency ``[N]`` at load fractions ``[N]``; level beyond the outer knots."""
     x, y = np.array(knots).T
-    if interpolation == "linear" or len(x) <= 2:
-        return np.asarray(np.interp(load, x, y))
-    k = np.clip(np.searchsorted(x, load, side="right") - 1, 0, len(x) - 2)
+    if len(x) == 1:
+        return np.full_like(load, y[0])
+    within = np.real(load)
+    k = np.clip(np.searchsorted(x, within, side="right") - 1, 0, len(x) - 2)
+    t = (np.where(within < x[0], x[0], np.where(within > x[-1], x[-1], load)) - x[k]) / (x[k + 1] - x[k])
+    if interpolation == "linear" or len(x) == 2:
+        return np.asarray(y[k] + (y[k + 1] - y[k]) * t)
     width, slopes = x[k + 1] - x[k], _slopes_at_knots(x, y)
-    t = (np.clip(load, x[0], x[-1]) - x[k]) / width
     rise = t * t * (3 - 2 * t)
     start, end = t * (1 - t) ** 2, t * t * (t - 1)
     return np.asarray(y[k] * (1 - rise) + y[k + 1] * rise + width * (slopes[k] * start + slopes[k + 1] * end))

@@ -5,6 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from fractions import Fraction
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from robodyn.robot.filling import without_values
 from robodyn.robot.model import Robot
@@ -41,3 +45,23 @@ def filled(robot: Robot, parameters: Parameters | None) -> Parameters:
     if complaint is not None:
         raise complaint
     return parameters or {}
+
+
+# Arrays may be complex: imaginary parts are what :meth:`.Reference.torque_slope` differentiates by. Signs and
+# sizes are those of the real parts.
+
+
+def sign(x: NDArray[Any]) -> NDArray[Any]:
+    """-1, 0 or 1."""
+    return np.asarray(np.sign(np.real(x)))
+
+
+def size(x: NDArray[Any]) -> NDArray[Any]:
+    """``|x|``."""
+    return np.asarray(x * sign(x))
+
+
+def length(x: NDArray[Any], y: NDArray[Any]) -> NDArray[Any]:
+    """``sqrt(x^2 + y^2)``; where that is 0 it does not change either."""
+    squares = x * x + y * y
+    return np.sqrt(np.where(np.real(squares) > 0, squares, 0.0))

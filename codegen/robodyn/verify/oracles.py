@@ -24,11 +24,12 @@ from robodyn.dynamics.described import AsDescribed
 from robodyn.dynamics.functions import Function, Rotor
 from robodyn.dynamics.joints import rotors_of
 from robodyn.dynamics.rotor import with_rotors
+from robodyn.errors import InputError
 from robodyn.ir.evaluate import turn
 from robodyn.optimize.programs import base_set_of
 from robodyn.robot.model import Robot
 from robodyn.robot.values import ZERO, circle_point
-from robodyn.verify.exact import exact_torque
+from robodyn.verify.exact import exact_torque, exact_torque_slope
 from robodyn.verify.lagrangian import lagrangian
 from robodyn.verify.numbers import Parameters, filled, real
 from robodyn.verify.reference import Floats, Reference
@@ -38,6 +39,10 @@ if TYPE_CHECKING:
 
 #: float64, or Fractions in an array of objects.
 Numbers = NDArray[Any]
+
+
+class NoDerivatives(InputError):
+    """A reference has torques and no derivatives of them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,6 +57,8 @@ class Oracle:
     robot: Robot
     parameters: Parameters
     matrix: Callable[[Floats], Numbers] | None = None
+    #: Derivatives ``[N, n]`` of the torques at ``(q, qd, qdd)`` along ``(dq, dqd)``, if it has any.
+    slope: Callable[[Floats, Floats, Floats, Floats, Floats], Numbers] | None = None
     #: Whether the torques are Fractions.
     exact: bool = False
     #: The same reference of another robot.
@@ -147,6 +154,18 @@ class _Columns(AsDescribed):
         speeds, accelerations = (self._oracle._rows(x, len(self._q)) for x in (qd, qdd))
         return with_rotors(list(links.torque(self._q, speeds, accelerations).T), self.rotors(), qdd)
 
+    def torque_slopes(self, qdd: Sequence[Any], dq: Sequence[Any], dqd: Sequence[Any]) -> list[Any]:
+        """Derivatives of the torques, ``n`` columns.
+
+        Raises
+        ------
+        NoDerivatives: the reference has none.
+        """
+        if self._oracle.slope is None:
+            raise NoDerivatives("it has torques and no derivatives of them")
+        arrays = (self._oracle._rows(x, len(self._q)) for x in (self.inputs["qd"], qdd, dq, dqd))
+        return list(self._oracle.slope(self._q, *arrays).T)
+
     def mass_matrix(self) -> list[list[Any]]:
         """Mass matrix ``[n][n]``, of columns."""
         matrix = self._oracle.mass_matrix(self._q)
@@ -164,6 +183,7 @@ def reference_oracle(robot: Robot, parameters: Parameters) -> Oracle:
         robot,
         values,
         reference.mass_matrix,
+        reference.torque_slope,
         other=reference_oracle,
     )
 
@@ -177,7 +197,15 @@ def exact_oracle(robot: Robot, parameters: Parameters) -> Oracle:
             torques[k] = exact_torque(robot, q[k].tolist(), qd[k].tolist(), qdd[k].tolist(), parameters)
         return torques
 
-    return Oracle("exact", torque, robot, filled(robot, parameters), exact=True, other=exact_oracle)
+    def slope(*arrays: Floats) -> Numbers:
+        slopes = np.empty(arrays[0].shape, dtype=object)
+        for k in range(len(slopes)):
+            q, qd, qdd, dq, dqd = (array[k].tolist() for array in arrays)
+            slopes[k] = exact_torque_slope(robot, q, qd, qdd, dq, dqd, parameters)
+        return slopes
+
+    values = filled(robot, parameters)
+    return Oracle("exact", torque, robot, values, slope=slope, exact=True, other=exact_oracle)
 
 
 def lagrangian_oracle(robot: Robot, parameters: Parameters) -> Oracle:

@@ -27,6 +27,8 @@ from robodyn.verify.numbers import real as rounded
 
 #: Newton's rounds for accelerations under friction that depends on them, and halvings of a step.
 _ROUNDS, _HALVINGS = 60, 40
+#: Its square is nothing beside 1, whatever it is multiplied by.
+_IMAGINARY_STEP = 1e-60
 #: What share of the torques may be left over: what ends the search, and what is refused after it.
 _CONVERGED, _TOO_MUCH = 1e-14, 1e-9
 
@@ -116,6 +118,21 @@ class Reference:
         turn, arm = _placed(self.robot.tool)
         p = p + R @ arm
         return np.concatenate([R @ turn, p[:, :, None]], axis=2).reshape((*lead, 3, 4))
+
+    def torque_slope(
+        self, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike, dq: ArrayLike, dqd: ArrayLike
+    ) -> Floats:
+        """Derivative of the torques [N m or N] at the accelerations ``qdd`` along the direction ``dq, dqd``
+        of positions and velocities; ``[n]`` or ``[N, n]``.
+
+        By an imaginary step (W. Squire and G. Trapp 1998): as no difference is taken, it is as exact as the
+        torques. Where ``|x|`` and ``sgn x`` have no derivative it is 0.
+        """
+        (positions, speeds, rates, turned, hastened), lead = self._read(q, qd, qdd, dq, dqd)
+        step = 1j * _IMAGINARY_STEP
+        arrays: tuple[Any, ...] = (positions + step * turned, speeds + step * hastened, rates + 0j)
+        tau = self._torque(*arrays)
+        return np.imag(tau).reshape((*lead, self.robot.n)) / _IMAGINARY_STEP
 
     def forward_dynamics(self, q: ArrayLike, qd: ArrayLike, tau: ArrayLike) -> Floats:
         """Joint accelerations [rad/s^2 or m/s^2] under the torques ``tau``; ``[n]`` or ``[N, n]``.
@@ -220,7 +237,8 @@ class Reference:
             moments.append(moment)
             turns.append(R)
             arms.append(p)
-        reactions = Reactions(np.empty_like(q), np.empty((*q.shape, 3)), np.empty((*q.shape, 3)))
+        vectors = np.empty((2, *q.shape, 3), q.dtype)
+        reactions = Reactions(np.empty_like(q), *vectors)
         f = np.zeros((count, 3))  # what link i+1 takes from link i, in frame i
         n = np.zeros((count, 3))
         for i in reversed(range(len(self._bodies))):

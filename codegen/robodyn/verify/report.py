@@ -65,7 +65,7 @@ class VerifyReport:
     """All comparisons of one kernel.
 
     ``largest_torque`` [N m or N] is the yardstick of torques, ``parameters`` the values of the run-time
-    parameters, ``skipped`` what was not compared and why.
+    parameters, ``functions`` all that the kernel has, ``skipped`` what was not compared and why.
     """
 
     robot: str
@@ -75,13 +75,20 @@ class VerifyReport:
     states: int
     largest_torque: float
     parameters: Mapping[str, float]
+    functions: tuple[str, ...]
     comparisons: tuple[Comparison, ...]
     skipped: Mapping[str, str]
 
     @property
     def passed(self) -> bool:
-        """Whether something was compared and all of it is within its tolerance."""
-        return bool(self.comparisons) and all(c.passed for c in self.comparisons)
+        """Whether every function was compared with something, and all is within its tolerance."""
+        return bool(self.comparisons) and not self.uncompared and all(c.passed for c in self.comparisons)
+
+    @property
+    def uncompared(self) -> tuple[str, ...]:
+        """Functions that were compared with nothing."""
+        compared = {c.function for c in self.comparisons}
+        return tuple(function for function in self.functions if function not in compared)
 
     @property
     def worst(self) -> Comparison | None:
@@ -100,6 +107,7 @@ class VerifyReport:
             "largest_torque": _finite(self.largest_torque),
             "parameters": dict(self.parameters),
             "comparisons": [c.to_dict() for c in self.comparisons],
+            "uncompared": list(self.uncompared),
             "skipped": dict(self.skipped),
         }
 
@@ -119,10 +127,10 @@ class VerifyReport:
         lines += [f"not compared: {what}: {why}" for what, why in self.skipped.items()]
         if self.passed:
             lines.append("all within tolerance")
-        elif not self.comparisons:
-            lines.append("nothing was compared")
-        else:
-            failed = sum(not c.passed for c in self.comparisons)
+        if self.uncompared:
+            lines.append(f"COMPARED WITH NOTHING: {', '.join(self.uncompared)}")
+        failed = sum(not c.passed for c in self.comparisons)
+        if failed:
             lines.append(f"FAILED: {failed} of {len(self.comparisons)}")
             worst = self.worst
             assert worst is not None

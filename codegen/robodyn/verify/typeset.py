@@ -20,18 +20,18 @@ _BLANK = re.compile(r"\\(?:[,;!]|(?:left|right|[bB]igg?[lr]|q?quad)(?![A-Za-z]))
 #: Functions over floats; give others for other scalars.
 PLAIN: dict[str, Any] = {
     "number": float, "pow": math.pow, "sqrt": math.sqrt, "exp": math.exp, "sin": math.sin, "cos": math.cos,
-    "tanh": math.tanh, "ln": math.log,
+    "tanh": math.tanh, "ln": math.log, "abs": abs, "real": lambda x: x,
 }  # fmt: skip
 #: The same over arrays.
 ARRAYS: dict[str, Any] = {
     "number": float, "pow": np.power, "sqrt": np.sqrt, "exp": np.exp, "sin": np.sin, "cos": np.cos,
-    "tanh": np.tanh, "ln": np.log,
+    "tanh": np.tanh, "ln": np.log, "abs": lambda x: x * np.sign(np.real(x)), "real": np.real,
 }  # fmt: skip
 
 
 def value(latex: str, symbols: Mapping[str, Any], functions: Mapping[str, Any] = PLAIN) -> Any:
     """The value of the expression ``latex``; ``symbols`` by their spelling, such as ``F_c^+`` or ``\\dot q``;
-    ``functions`` (of the names in ``PLAIN``) over the scalars of the symbols.
+    ``functions`` over the scalars of the symbols, in place of those of ``PLAIN`` with their names.
 
     Raises
     ------
@@ -40,7 +40,7 @@ def value(latex: str, symbols: Mapping[str, Any], functions: Mapping[str, Any] =
     cases = re.fullmatch(r"\s*\\begin\{cases\}(.*)\\end\{cases\}\s*,?\s*", latex, re.S)
     if cases:
         return _by_case(cases[1].split(r"\\"), symbols, functions)
-    reader = _Reader(latex, symbols, functions)
+    reader = _Reader(latex, symbols, {**PLAIN, **functions})
     total = reader.sum()
     if reader.peek():
         raise SyntaxError(f"{latex}: cannot read on at {reader.rest}")
@@ -52,7 +52,8 @@ def _by_case(rows: list[str], symbols: Mapping[str, Any], functions: Mapping[str
     for row in rows:
         then, _, condition = row.partition("&")
         left, relation, right = re.split(r"(\\ge|\\le|<|>)", condition)
-        a, b = value(left, symbols, functions), value(right, symbols, functions)
+        real = functions.get("real", PLAIN["real"])
+        a, b = (real(value(side, symbols, functions)) for side in (left, right))
         conditions.append({"<": a < b, ">": a > b, r"\ge": a >= b, r"\le": a <= b}[relation])
         values.append(value(then, symbols, functions))
     if not any(isinstance(condition, np.ndarray) for condition in conditions):
@@ -153,5 +154,5 @@ class _Reader:
             inner = self.sum()
             self.need("|")
             self.bars -= 1
-            return abs(inner)
+            return self.functions["abs"](inner)
         raise SyntaxError(f"cannot read {self.rest!r}")

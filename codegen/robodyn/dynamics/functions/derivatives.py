@@ -7,9 +7,8 @@ from dataclasses import replace
 from typing import Any
 
 from robodyn.dynamics.derivatives import coriolis_matrix, torque_derivatives
-from robodyn.dynamics.dual import moving_along, slopes
 from robodyn.dynamics.functions.arguments import QD, QDD, TAU, Array, Length, Q
-from robodyn.dynamics.functions.record import Dynamics, Function, Pair, Vector
+from robodyn.dynamics.functions.record import Dynamics, Function, Pair, ReferenceDynamics, Vector
 from robodyn.dynamics.joints import friction_slope
 from robodyn.dynamics.mass_matrix import Factored, solve_symmetric
 from robodyn.dynamics.newton_euler import newton_euler
@@ -36,12 +35,9 @@ def _by_q_and_qd(at: Dynamics, qdd: Vector) -> tuple[Sequence[Vector], Sequence[
     """Derivatives of the torques by positions and by velocities, as rows: written out, or of a program that
     is there already."""
     qd = at.inputs["qd"]
-    if at.differentiated((), "q") is not None:
-        torques = at.torques(qd, qdd)
-        by_q, by_qd = (at.differentiated(torques, array) for array in ("q", "qd"))
-        assert by_q is not None
-        assert by_qd is not None
-        return by_q, by_qd
+    differentiated = at.torque_derivatives(qdd)
+    if differentiated is not None:
+        return differentiated
     derivatives = torque_derivatives(at.links(qd, qdd), at.mark)
     for i, row in enumerate(derivatives.by_qd):
         row[i] = row[i] + friction_slope(at.arm, i, qd[i])
@@ -52,13 +48,10 @@ def _of_torques(at: Dynamics) -> Sequence[Any]:
     return _flat(*_by_q_and_qd(at, at.inputs["qdd"]))
 
 
-def _slopes(at: Dynamics, qdd: Vector, x: Vector) -> tuple[list[Any], list[Any]]:
-    """Derivatives [n] of the plain recursion along ``x``, of the positions and of the velocities."""
+def _slopes(at: ReferenceDynamics, qdd: Vector, x: Vector) -> list[Any]:
+    """Derivatives [2 n] of the torques along ``x``, of the positions and of the velocities."""
     none = [0] * len(x)
-    motion = at.motion(at.inputs["qd"], qdd)
-    by_q = newton_euler(at.arm, moving_along(at.arm, motion, x, none, none))
-    by_qd = newton_euler(at.arm, moving_along(at.arm, motion, none, x, none))
-    return slopes(by_q), slopes(by_qd)
+    return [*at.torque_slopes(qdd, x, none), *at.torque_slopes(qdd, none, x)]
 
 
 def _times(entries: Sequence[Any], x: Vector) -> list[list[Any]]:
@@ -69,11 +62,10 @@ def _times(entries: Sequence[Any], x: Vector) -> list[list[Any]]:
     return [products[k : k + n] for k in range(0, len(products), n)]
 
 
-def _torques_change(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
-    """Both matrices times ``x``, beside the derivative of the plain recursion along it."""
+def _torques_change(at: ReferenceDynamics, result: Sequence[Any], x: Vector) -> Pair:
+    """Both matrices times ``x``, beside the derivative of the torques along it."""
     by_q, by_qd = _times(result, x)
-    right_q, right_qd = _slopes(at, at.inputs["qdd"], x)
-    return by_q + by_qd, right_q + right_qd
+    return by_q + by_qd, _slopes(at, at.inputs["qdd"], x)
 
 
 def _of_accelerations(at: Dynamics) -> Sequence[Any]:
@@ -91,7 +83,7 @@ def _minus_product(one: Sequence[Vector], other: Sequence[Vector]) -> list[list[
     return [[-sum(x * y for x, y in zip(row, column, strict=True)) for column in columns] for row in one]
 
 
-def _accelerations_change(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
+def _accelerations_change(at: ReferenceDynamics, result: Sequence[Any], x: Vector) -> Pair:
     """Each matrix times ``x``, carried back to torques: to compare accelerations would measure the condition
     of the mass matrix instead."""
     matrix, qd = at.mass_matrix(), at.inputs["qd"]
@@ -99,8 +91,7 @@ def _accelerations_change(at: Dynamics, result: Sequence[Any], x: Vector) -> Pai
     qdd = solve_symmetric(matrix, [tau - h for tau, h in zip(at.inputs["tau"], bias, strict=True)])
     entries = _flat(matrix)
     needed = [torque for column in _times(result, x) for torque in _times(entries, column)[0]]
-    right_q, right_qd = _slopes(at, qdd, x)
-    return needed, [-slope for slope in right_q + right_qd] + list(x)
+    return needed, [-slope for slope in _slopes(at, qdd, x)] + list(x)
 
 
 def _coriolis(at: Dynamics) -> Sequence[Any]:
@@ -138,7 +129,6 @@ FUNCTIONS = (
         _of_torques,
         condition=_torques_change,
         parts=("inverse_dynamics",),
-        rigid=True,
     ),
     Function(
         "forward_dynamics_derivatives",
@@ -147,7 +137,6 @@ FUNCTIONS = (
         (DQDD_DQ, DQDD_DQD, DQDD_DTAU),
         _of_accelerations,
         condition=_accelerations_change,
-        rigid=True,
         solves=True,
     ),
 )

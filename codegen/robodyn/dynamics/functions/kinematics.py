@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
-from robodyn.dynamics.arm import Motion, inertial
+from robodyn.dynamics.arm import Motion, in_stated_frame, inertial
 from robodyn.dynamics.articulated import articulated_bodies
 from robodyn.dynamics.drift import tool_drift
 from robodyn.dynamics.dual import Dual, moving_along, slopes
@@ -19,6 +19,7 @@ from robodyn.dynamics.operational import by_elimination, lambda_inverse
 from robodyn.dynamics.poses import flat, link_places, placed, pose, rows_of, seen_from_tool
 from robodyn.dynamics.responses import lambda_inverse_by_answers
 from robodyn.dynamics.transforms import Matrix, applied, product, transform, transposed
+from robodyn.dynamics.vectors import plus, scaled
 
 LINK_POSITIONS = Array("link_positions", "origins of the links in the world", "m", shape=("n", 3))
 LINK_ROTATIONS = Array(
@@ -55,9 +56,16 @@ def _forward_kinematics(at: Dynamics) -> Sequence[Any]:
 
 def _link_poses(at: Dynamics) -> Sequence[Any]:
     arm = placed(at)
-    rotations = [rows_of(arm.links[i]) for i in range(len(arm.links))]
+    axes = [arm.links[i] for i in range(len(arm.links))]
+    rotations = [rows_of(in_stated_frame(at.arm, i, *axes[i])) for i in range(len(axes))]
     at.cheapest([[flat(flat(rotations))]])
-    return [*flat(link_places(at, arm)), *flat(flat(rotations))]
+    places = link_places(at, arm)
+    if at.arm.stated_frames:
+        places = [
+            plus(place, scaled(a, x))
+            for place, (x, _, _), (a, _, _) in zip(places, axes, at.arm.stated_frames, strict=True)
+        ]
+    return [*flat(places), *flat(flat(rotations))]
 
 
 def _jacobian(at: Dynamics) -> Sequence[Any]:
@@ -102,6 +110,9 @@ def _tool_pose(at: Dynamics) -> Sequence[Any]:
 
 def _all_poses(at: Dynamics) -> Sequence[Any]:
     poses = _poses(at, at.motion(at.rest, at.rest))[:-1]
+    if at.arm.stated_frames:
+        ends = (((1, 0, 0, a), (0, c, -s, 0), (0, s, c, 0), (0, 0, 0, 1)) for a, c, s in at.arm.stated_frames)
+        poses = [product(T, end) for T, end in zip(poses, ends, strict=True)]
     return [*(row[3] for T in poses for row in T[:3]), *(x for T in poses for row in T[:3] for x in row[:3])]
 
 

@@ -84,9 +84,10 @@ class Dynamics(Protocol):
         second moments along the axes of revolute joints are 0, with ``inertia`` the inertias about y."""
         ...
 
-    def differentiated(self, values: Vector, array: str) -> Sequence[Vector] | None:
-        """Derivatives of ``values`` by the elements of an input, as rows; None for the rigid arm, whose
-        derivatives are written out."""
+    def torque_derivatives(self, qdd: Vector) -> tuple[Sequence[Vector], Sequence[Vector]] | None:
+        """Derivatives of the torques at ``inputs["qd"]`` and these accelerations by positions and by
+        velocities, as rows, the accelerations constant whatever they are made of; None for the rigid arm,
+        whose derivatives are written out."""
         ...
 
     def base_set(self) -> Sequence[BaseParameter]:
@@ -112,6 +113,15 @@ class Dynamics(Protocol):
 
     def mass_matrix(self) -> Sequence[Vector]:
         """Mass matrix ``[n][n]``, rotors included [kg m^2, kg m, kg]."""
+        ...
+
+
+class ReferenceDynamics(Dynamics, Protocol):
+    """Dynamics that functions are checked by."""
+
+    def torque_slopes(self, qdd: Vector, dq: Vector, dqd: Vector) -> Vector:
+        """The derivative ``[n]`` of the torques at ``inputs["qd"]`` and these accelerations, which stay,
+        along the direction ``dq, dqd`` ``[n]`` of positions and velocities."""
         ...
 
 
@@ -170,8 +180,6 @@ class Function:
         None: it is something else.
     solves: whether it solves for accelerations: an arm in which a joint moves without inertia has no such
         function, nor has one with friction that depends on the accelerations.
-    rigid: whether what it is checked by knows the rigid arm only. With drives that have effects it is
-        compared with the plain recursion under the same drives, as all programs are, and with nothing else.
     fuses: functions that it is the results of, one after another, see :mod:`robodyn.dynamics.fusing`.
     others: other ways to write ``outputs``; what is emitted is the one that takes the fewest operations.
     small: the same, for arms of few joints.
@@ -197,12 +205,11 @@ class Function:
     results: tuple[Array, ...]
     outputs: Callable[[Dynamics], Sequence[Any]]
     expected: Callable[[Dynamics], Sequence[Any]] | None = None
-    condition: Callable[[Dynamics, Sequence[Any], Vector], Pair] | None = None
+    condition: Callable[[ReferenceDynamics, Sequence[Any], Vector], Pair] | None = None
     by_default: bool = False
     parts: tuple[str, ...] = ()
     zeros: tuple[str, ...] | None = None
     solves: bool = False
-    rigid: bool = False
     fuses: tuple[Function, ...] = ()
     others: tuple[Callable[[Dynamics], Sequence[Any]], ...] = ()
     small: tuple[Callable[[Dynamics], Sequence[Any]], ...] = ()
@@ -319,7 +326,7 @@ class Function:
             start = end
         return parts
 
-    def compared(self, dynamics: Dynamics, result: Sequence[Any], anywhere: Vector) -> Pair:
+    def compared(self, dynamics: ReferenceDynamics, result: Sequence[Any], anywhere: Vector) -> Pair:
         """Two sequences that are equal if the elements ``result`` are what ``dynamics`` say; ``anywhere``
         ``[n]`` are numbers that no rule connects."""
         if self.condition is not None:

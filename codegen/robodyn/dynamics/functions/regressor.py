@@ -122,7 +122,6 @@ FUNCTIONS = (
         (Y,),
         _columns,
         condition=_of_any_masses,
-        rigid=True,
     ),
     Function(
         "inverse_dynamics_from_parameters",
@@ -131,6 +130,5 @@ FUNCTIONS = (
         (TAU,),
         _from_parameters,
         condition=_of_an_arm_with_them,
-        rigid=True,
     ),
 )

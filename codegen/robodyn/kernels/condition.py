@@ -1,0 +1,153 @@
+"""A program against the condition on its function, at 60 digits: for arms whose drives have effects.
+
+What a function is equal to by another formula is compared in a finite field. Where there is no other formula,
+as of derivatives and of what is solved for, the condition on the function says what is right, and it asks for
+derivatives of torques, which the random functions of a field do not have. So it is evaluated here with
+numbers of many digits, at a state drawn from a hash of robot and program: torques are those of plain
+Newton-Euler with the drives on it, and their derivatives differences of these, right to more digits than are
+compared.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from typing import Any
+
+from robodyn.drives.drive import Layer, layer_of, rigid_part
+from robodyn.dynamics.arm import JointAngle, Motion, build_arm, build_motion, inertial
+from robodyn.dynamics.base_parameter import BaseParameter
+from robodyn.dynamics.described import AsDescribed
+from robodyn.dynamics.functions import INPUTS, Rotor, function_named
+from robodyn.dynamics.joints import rotors_of
+from robodyn.dynamics.limits import PROVEN_DIGITS
+from robodyn.dynamics.newton_euler import newton_euler
+from robodyn.dynamics.rotor import with_rotors
+from robodyn.ir.evaluate import turn
+from robodyn.ir.fingerprint import digest
+from robodyn.ir.many_digits import evaluate_to_digits, to_digits
+from robodyn.ir.program import Input, Program
+from robodyn.kernels.with_effects import steady_torques
+from robodyn.optimize.programs import base_set_of
+from robodyn.robot.identity import identity
+from robodyn.robot.model import Robot
+
+#: A central difference loses as many digits to rounding as its step has, and is right to twice as many: with
+#: a third of them two thirds are right, of which half are compared; the rest is for numbers that cancel.
+_DIGITS = PROVEN_DIGITS // 3
+#: Inputs are drawn from so many numbers, up to 1; run-time parameters from half as far, as efficiencies are.
+_RANGE = 1 << 32
+
+
+def meets_condition(robot: Robot, function: str, program: Program) -> bool:
+    """Whether ``program`` is ``function`` of ``robot``, by the condition on it.
+
+    Raises
+    ------
+    ZeroDivisionError: what is solved for has no solution.
+    """
+    import mpmath
+
+    chance = random.Random(f"{digest(program).hex()} {identity(robot)} {function}")
+
+    def drawn() -> Any:
+        return mpmath.mpf(chance.randint(_RANGE // 2, _RANGE)) / _RANGE
+
+    with mpmath.workdps(PROVEN_DIGITS):
+        inputs = {
+            Input(array.name, i): drawn() * chance.choice((-1, 1))
+            for array in INPUTS
+            for i in range(array.size_at(robot.n))
+        }
+        inputs |= {Input(name, None): drawn() for name in robot.parameters}
+        results = evaluate_to_digits(program, inputs)
+        elements = [x for row in results.values() for x in row]
+        anywhere = [drawn() for _ in range(robot.n)]
+        reference = _ToDigits(robot, inputs)
+        one, other = function_named(function).compared(reference, elements, anywhere)
+        size = max((abs(x) for x in (*one, *other)), default=0)
+        allowed = size * mpmath.mpf(10) ** -_DIGITS
+        return all(abs(x - y) <= allowed for x, y in zip(one, other, strict=True))
+
+
+class _ToDigits(AsDescribed):
+    """Newton-Euler with the drives on it over numbers of mpmath, effects that remember in their steady form;
+    see :class:`robodyn.dynamics.functions.record.ReferenceDynamics`."""
+
+    def __init__(self, robot: Robot, inputs: dict[Input, Any]) -> None:
+        self._robot, self._values = robot, inputs
+        self.inputs = {
+            array.name: [x for key, x in inputs.items() if key.is_of(array.name)] for array in INPUTS
+        }
+        self.rest = [0] * robot.n
+        self._torques = steady_torques(robot)
+        self._parameters = {key: x for key, x in inputs.items() if key.index is None}
+        self.arm = build_arm(rigid_part(robot), to_digits, self._parameter)
+
+    def _parameter(self, name: str) -> Any:
+        return self._values[Input(name, None)]
+
+    def motion(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Motion:
+        """The arm at ``q``, with these rates and accelerations."""
+        import mpmath
+
+        q = self.inputs["q"]
+
+        def trigonometry(angle: JointAngle) -> tuple[Any, Any]:
+            point = (to_digits(angle.offset.cos), to_digits(angle.offset.sin))
+            for joint, sign in angle.terms:
+                point = turn(point, (mpmath.cos(q[joint]), sign * mpmath.sin(q[joint])))
+            return point
+
+        return build_motion(self.arm, q, qd, qdd, trigonometry, to_digits)
+
+    def torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
+        """Motor torques [n]."""
+        return self._torques_at(self.inputs["q"], qd, qdd)
+
+    def _torques_at(self, q: Sequence[Any], qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
+        arrays = {"q": q, "qd": qd, "qdd": qdd}
+        state = {Input(name, i): x for name, array in arrays.items() for i, x in enumerate(array)}
+        return evaluate_to_digits(self._torques, {**self._parameters, **state})["tau"]
+
+    def torque_slopes(self, qdd: Sequence[Any], dq: Sequence[Any], dqd: Sequence[Any]) -> list[Any]:
+        """Central differences, right to more digits than are compared."""
+        import mpmath
+
+        step = mpmath.mpf(10) ** -_DIGITS
+
+        def torques(way: Any) -> list[Any]:
+            q, qd = (
+                [x + way * dx for x, dx in zip(self.inputs[name], direction, strict=True)]
+                for name, direction in (("q", dq), ("qd", dqd))
+            )
+            return self._torques_at(q, qd, qdd)
+
+        return [(x - y) / (2 * step) for x, y in zip(torques(step), torques(-step), strict=True)]
+
+    def inertial_torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
+        """Torques [n] of links and rotors, without gravity and what drives do besides."""
+        links = newton_euler(inertial(self.arm), self.motion(qd, qdd))
+        return with_rotors(links, self._layer().rotors(), qdd)
+
+    def mass_matrix(self) -> list[list[Any]]:
+        """Mass matrix [n][n]: torques of unit accelerations less those of none, of the arm at rest."""
+        still = self.torques(self.rest, self.rest)
+        columns = []
+        for j in range(len(self.rest)):
+            moving = self.torques(self.rest, [int(i == j) for i in range(len(self.rest))])
+            columns.append([x - y for x, y in zip(moving, still, strict=True)])
+        return [list(row) for row in zip(*columns, strict=True)]
+
+    def rotors(self) -> list[Rotor]:
+        """The rotors of the drives."""
+        return [*rotors_of(self.arm), *self._layer().rotors()]
+
+    def base_set(self) -> tuple[BaseParameter, ...]:
+        """There are none: torques are not linear in any."""
+        return base_set_of(self._robot)
+
+    def _layer(self) -> Layer:
+        constant: Callable[[Fraction], Any] = to_digits
+        return layer_of(self._robot, constant, self._parameter)
