@@ -15,10 +15,11 @@ from robodyn.dynamics.lump import NO_LUMP, MomentForm
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.dynamics.parallel import Turns, single_turns
 from robodyn.dynamics.regroup import lumps_of
+from robodyn.dynamics.rigid_drives import RigidDrives
 from robodyn.dynamics.vectors import unmarked
 
 
-class AsDescribed(ABC):
+class AsDescribed(RigidDrives, ABC):
     """Turns and masses of ``arm``; see :class:`robodyn.dynamics.functions.Dynamics`."""
 
     mark = staticmethod(unmarked)

@@ -10,12 +10,13 @@ from robodyn.dynamics.arm import Arm, Motion
 from robodyn.dynamics.functions.record import Dynamics, Moving, Rotor
 from robodyn.dynamics.lump import MomentForm
 from robodyn.dynamics.parallel import Turns
+from robodyn.dynamics.rigid_drives import RigidDrives
 
 if TYPE_CHECKING:
     from robodyn.dynamics.base_parameter import BaseParameter
 
 
-class Upon:
+class Upon(RigidDrives):
     """What the dynamics ``beneath`` say of places, motion and masses; see
     :class:`robodyn.dynamics.functions.Dynamics`."""
 

@@ -102,5 +102,6 @@ def _contains(signature: Signature, unit: Unit) -> str:
     taken = {array.name for array in function.inputs}
     drives: tuple[str, ...] = ()
     if "qd" in taken:
-        drives = contained(unit.robot, accelerated="qdd" in taken or function.solves)
+        accelerated = "qdd" in taken or function.solves
+        drives = contained(unit.robot, accelerated=accelerated, remembers=bool(signature.states))
     return f"with {', '.join(drives)}" if drives else ""

@@ -113,9 +113,10 @@ def comment(text: str) -> str:
     return text
 
 
-def contained(robot: Robot, *, accelerated: bool) -> tuple[str, ...]:
+def contained(robot: Robot, *, accelerated: bool, remembers: bool) -> tuple[str, ...]:
     """What the drives add to torques of a moving arm, for the comment of a function; with ``accelerated``
-    what needs an acceleration too."""
+    what needs an acceleration too. What has a state is in its steady form unless the function ``remembers``:
+    elastic joints are stiff."""
     if robot.torque_side == "link":
         return ()
     plain = [
@@ -124,8 +125,10 @@ def contained(robot: Robot, *, accelerated: bool) -> tuple[str, ...]:
         if (accelerated or field != "motor_inertia")
         and any(getattr(link.joint, field) for link in robot.links)
     ]
+    steady = "" if remembers else " (steady: as if nothing had changed for long)"
+    forms = {"algebraic": "", "state": steady}
     entries = (entry.definition for entry in robot.effects)
-    titles = [lowered(effect.title) for effect in entries if effect.kind in ("algebraic", "state")]
+    titles = [lowered(effect.title) + forms[effect.kind] for effect in entries if effect.kind in forms]
     return tuple(dict.fromkeys([*plain, *titles]))
 
 

@@ -9,6 +9,7 @@ from robodyn.counts import Count, count
 from robodyn.drives.drive import layer_of, rigid_part
 from robodyn.dynamics.compose import composed
 from robodyn.dynamics.functions import FUNCTIONS, Function, function_named
+from robodyn.dynamics.functions.arguments import WRENCH
 from robodyn.errors import InputError
 from robodyn.ir.field import FINAL_BITS
 from robodyn.ir.fingerprint import agree
@@ -21,6 +22,7 @@ from robodyn.kernels.proof import Unequal
 from robodyn.kernels.rigid_programs import RigidPrograms
 from robodyn.kernels.with_effects import (
     check_solvable,
+    is_affine,
     layered,
     needs_reactions,
 )
@@ -91,7 +93,9 @@ class Layered:
         drafts: list[Program] = []
         remembers = any(function_named(part).is_recursion for part in record.parts) and self._has_states
         # A step of what remembers is the inverse dynamics' own: elsewhere effects are in their steady form.
-        if record.parts and not remembers:
+        # Friction that depends on the load feels a wrench: nothing can be taken from torques afterwards.
+        felt = WRENCH in record.inputs and not is_affine(self.robot)
+        if record.parts and not remembers and not felt:
             parts = {part: self.program(part) for part in record.parts}
             drafts = composed(record, parts, self.robot.n, self._beneath)
             if record.by_parts is None:

@@ -21,10 +21,12 @@ from robodyn.drives.drive import (
 from robodyn.dynamics.arm import JointAngle, build_arm, build_motion
 from robodyn.dynamics.compose import Rows, torque_derivatives
 from robodyn.dynamics.functions import Function, Rotor, function_named, torques_at
+from robodyn.dynamics.kinematics import frames
 from robodyn.dynamics.modified_newton_euler import modified_newton_euler
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.dynamics.rotor import with_rotors
 from robodyn.dynamics.upon import Upon
+from robodyn.dynamics.vectors import cross, plus, scaled
 from robodyn.effects.effect import Site
 from robodyn.errors import InputError
 from robodyn.ir.graph import Graph
@@ -146,6 +148,24 @@ class _Layered(Upon):
 
     def torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
         """Motor torques [n]."""
+        return self._torques(qd, qdd, None)
+
+    def torques_under_wrench(
+        self, qd: Sequence[Any], qdd: Sequence[Any], wrench_torques: Sequence[Any]
+    ) -> list[Any]:
+        """The same under the wrench, which bearings and gears feel as they feel the arm."""
+        placed = frames(self.arm, self.motion(self.rest, self.rest), self.arm.base)
+        place = self.arm.tool.within(placed[-1]).origin
+        fx, fy, fz, nx, ny, nz = self.inputs["w"]
+        f: dict[int, Any] = {}
+        n: dict[int, Any] = {}
+        for i in self._layer.needs_reactions:
+            lever = plus(place, scaled(-1, placed[i].origin))
+            f[i] = placed[i].back((fx, fy, fz))
+            n[i] = placed[i].back(plus((nx, ny, nz), cross(lever, (fx, fy, fz))))
+        return self._torques(qd, qdd, Loads(wrench_torques, f, n))
+
+    def _torques(self, qd: Sequence[Any], qdd: Sequence[Any], relief: Loads | None) -> list[Any]:
         motion = _Motion(self.inputs["q"], list(qd), list(qdd))
         tau, self.states = outputs(
             self._robot,
@@ -155,6 +175,7 @@ class _Layered(Upon):
             self._rigid(torques_at(qd, qdd).name),
             self._formulation,
             remembers=self._remembers,
+            relief=relief,
         )
         return tau
 
@@ -175,8 +196,10 @@ def outputs(
     formulation: str,
     *,
     remembers: bool,
+    relief: Loads | None = None,
 ) -> tuple[list[Any], list[Any]]:
-    """Motor torques [n] and the states after the step, if what has memory ``remembers``."""
+    """Motor torques [n] and the states after the step, if what has memory ``remembers``. ``relief`` is what a
+    wrench on the tool takes from the joints."""
     twists, memories = _given_states(layer, graph) if remembers else ({}, {})
     measured = Rates(motion.q, motion.qd, motion.qdd, directions(robot, motion.qd, as_is))
     link, moved = measured, measured
@@ -184,6 +207,8 @@ def outputs(
         link = link_rates(layer, measured, twists)
         link = Rates(link.q, link.qd, link.qdd, directions(robot, link.qd, as_is))
     loads = rigid_loads(robot, layer, graph, link, rigid, formulation)
+    if relief is not None:
+        loads = _relieved(loads, relief)
     passed = passed_on(layer, loads, link)
     states: list[Any] = []
     dt = graph.input("dt", 0) if twists or memories else 0
@@ -203,6 +228,15 @@ def outputs(
     pairs = directions(robot, [combined(pair, moved.qd) for pair in layer.pairs], as_is)
     tau = at_motors(layer, passed, moved, pairs, remembered if remembers else None)
     return [graph.label(x, Label(i, "tau", "")) for i, x in enumerate(tau, 1)], states
+
+
+def _relieved(loads: Loads, relief: Loads) -> Loads:
+    """``loads`` less ``relief``."""
+    f, n = (
+        {i: plus(u, scaled(-1, less[i])) for i, u in vectors.items()}
+        for vectors, less in ((loads.f, relief.f), (loads.n, relief.n))
+    )
+    return Loads([tau - push for tau, push in zip(loads.tau, relief.tau, strict=True)], f, n)
 
 
 def steady_torques(robot: Robot) -> Program:

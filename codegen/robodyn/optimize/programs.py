@@ -27,6 +27,7 @@ from robodyn.dynamics.lump import NO_LUMP, MomentForm
 from robodyn.dynamics.mass_matrix import mass_matrix
 from robodyn.dynamics.parallel import Turns, chain_turns, single_turns
 from robodyn.dynamics.regroup import lumps_of, regrouped_with_ground
+from robodyn.dynamics.rigid_drives import RigidDrives
 from robodyn.dynamics.vectors import Mark
 from robodyn.errors import InputError
 from robodyn.ir import Graph, Label, Node, Program, Signature
@@ -180,7 +181,7 @@ def outputs_of(
     return list((writing or function_named(function).outputs)(recursion))
 
 
-class Recursion:
+class Recursion(RigidDrives):
     """The dynamics of ``arm`` by the recursion that ``choice`` says; see :class:`Dynamics`."""
 
     def __init__(

@@ -57,6 +57,8 @@ class Oracle:
     robot: Robot
     parameters: Parameters
     matrix: Callable[[Floats], Numbers] | None = None
+    #: Torques ``[N, n]`` at ``(q, qd, qdd, w)``, if it knows what a wrench on the tool does to drives.
+    under_wrench: Callable[[Floats, Floats, Floats, Floats], Numbers] | None = None
     #: Derivatives ``[N, n]`` of the torques at ``(q, qd, qdd)`` along ``(dq, dqd)``, if it has any.
     slope: Callable[[Floats, Floats, Floats, Floats, Floats], Numbers] | None = None
     #: Whether the torques are Fractions.
@@ -148,6 +150,17 @@ class _Columns(AsDescribed):
         speeds, accelerations = (self._oracle._rows(x, len(self._q)) for x in (qd, qdd))
         return list(self._oracle.torque(self._q, speeds, accelerations).T)
 
+    def torques_under_wrench(
+        self, qd: Sequence[Any], qdd: Sequence[Any], wrench_torques: Sequence[Any]
+    ) -> Sequence[Any]:
+        """Torques under the wrench, ``n`` columns."""
+        if self._oracle.under_wrench is None:
+            return super().torques_under_wrench(qd, qdd, wrench_torques)
+        speeds, accelerations, wrench = (
+            self._oracle._rows(x, len(self._q)) for x in (qd, qdd, self.inputs["w"])
+        )
+        return list(self._oracle.under_wrench(self._q, speeds, accelerations, wrench).T)
+
     def inertial_torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
         """The reference's torques of links in no gravity, and what accelerates the rotors."""
         links = self._oracle.links()
@@ -183,6 +196,7 @@ def reference_oracle(robot: Robot, parameters: Parameters) -> Oracle:
         robot,
         values,
         reference.mass_matrix,
+        reference.inverse_dynamics,
         reference.torque_slope,
         other=reference_oracle,
     )

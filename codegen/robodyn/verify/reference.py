@@ -78,10 +78,13 @@ class Reference:
         self._gravity = np.array([float(g) for g in robot.base_gravity])
         self._drives = Drives(robot, values)
 
-    def inverse_dynamics(self, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike) -> Floats:
-        """Joint torques [N m or N] that give the accelerations ``qdd``; ``[n]`` or ``[N, n]``."""
+    def inverse_dynamics(
+        self, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike, wrench: Floats | None = None
+    ) -> Floats:
+        """Joint torques [N m or N] that give the accelerations ``qdd``; ``[n]`` or ``[N, n]``. ``wrench``
+        ``[N, 6]``: force [N] and moment [N m] on the tool, at its origin, along the world's axes."""
         (positions, speeds, rates), lead = self._read(q, qd, qdd)
-        return self._torque(positions, speeds, rates).reshape((*lead, self.robot.n))
+        return self._torque(positions, speeds, rates, wrench).reshape((*lead, self.robot.n))
 
     def gravity(self, q: ArrayLike) -> Floats:
         """Torques [N m or N] that hold the arm still at ``q``; ``[n]`` or ``[N, n]``."""
@@ -204,11 +207,13 @@ class Reference:
             )
         return qdd
 
-    def _torque(self, q: Floats, qd: Floats, qdd: Floats) -> Floats:
+    def _torque(self, q: Floats, qd: Floats, qdd: Floats, wrench: Floats | None = None) -> Floats:
         """Torques of the rigid arm and of its drives over states ``[N, n]``."""
-        return self._drives.torque(q, qd, qdd, self._rigid(q, qd, qdd, self._gravity))
+        return self._drives.torque(q, qd, qdd, self._rigid(q, qd, qdd, self._gravity, wrench))
 
-    def _rigid(self, q: Floats, qd: Floats, qdd: Floats, gravity: Floats) -> Reactions:
+    def _rigid(
+        self, q: Floats, qd: Floats, qdd: Floats, gravity: Floats, wrench: Floats | None = None
+    ) -> Reactions:
         """Newton-Euler over states ``[N, n]``; the comments give Craig's equations."""
         count, z = len(q), np.array([0.0, 0.0, 1.0])
         w = np.zeros((count, 3))  # angular velocity, in the link's own frame
@@ -241,6 +246,11 @@ class Reference:
         reactions = Reactions(np.empty_like(q), *vectors)
         f = np.zeros((count, 3))  # what link i+1 takes from link i, in frame i
         n = np.zeros((count, 3))
+        if wrench is not None:  # the world is the link beyond the last: what acts from it need not be held
+            back = np.swapaxes(self.tool_pose(q)[:, :, :3], 1, 2)
+            turn, arm = _placed(self.robot.tool)
+            f = -_apply(back, wrench[:, :3]) @ turn.T
+            n = -_apply(back, wrench[:, 3:]) @ turn.T + _cross(np.broadcast_to(arm, f.shape), f)
         for i in reversed(range(len(self._bodies))):
             body = self._bodies[i]
             n = moments[i] + n  # 6.52, moments about the frame's origin

@@ -107,6 +107,10 @@ class Dynamics(Protocol):
         """Joint torques ``[n]`` at these velocities and accelerations, drives included [N m, prismatic N]."""
         ...
 
+    def torques_under_wrench(self, qd: Vector, qdd: Vector, wrench_torques: Vector) -> Vector:
+        """The same while ``inputs["w"]`` pushes the tool; ``wrench_torques`` ``[n]`` are its ``J^T w``."""
+        ...
+
     def inertial_torques(self, qd: Vector, qdd: Vector) -> Vector:
         """The same of links and rotors alone, without gravity and all else that drives do."""
         ...

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from robodyn.dynamics.articulated import articulated_bodies
@@ -30,18 +30,26 @@ def _less(torques: Vector, wrench: Vector) -> list[Any]:
 
 def _with_wrench(function: Function) -> Function:
     """Torques of ``function`` that hold the wrench as well."""
-    expected = function.expected
-    assert expected is not None
+    zeros = function.zeros
+    assert zeros is not None
+
+    def under(wrench_torques: Callable[[Dynamics], Vector]) -> Callable[[Dynamics], Sequence[Any]]:
+        def torques(at: Dynamics) -> Sequence[Any]:
+            qd, qdd = (at.rest if name in zeros else at.inputs[name] for name in ("qd", "qdd"))
+            return at.torques_under_wrench(qd, qdd, wrench_torques(at))
+
+        return torques
+
     return Function(
         function.name + WITH_WRENCH,
         f"{function.purpose}, and bear a wrench on the tool",
         (*function.inputs, WRENCH),
         (TAU,),
-        lambda at: _less(function.outputs(at), by_jacobian(at)),
-        expected=lambda at: _less(expected(at), _through_the_jacobian(at)),
+        under(by_jacobian),
+        expected=under(_through_the_jacobian),
         parts=(function.name,),
         apart=True,
-        others=(lambda at: _less(function.outputs(at), carried_outward(at)),),
+        others=(under(carried_outward),),
     )
 
 
