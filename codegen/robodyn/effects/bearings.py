@@ -130,7 +130,9 @@ LOAD = Effect(
     r"\text{torque: } \tau = \mu |\tau_L| \operatorname{sgn}\dot q \end{aligned}",
     doc="Coulomb friction in bearings under the load that the arm puts on them: two journals `span` apart "
     "(without `span` as `radial`), two sliding bearings, a thrust bearing, the radial force alone, or a "
-    "share of the joint torque. f and n act about the origin of the link's frame, z along the joint.",
+    "share of the joint torque. f and n act about the origin of the link's modified DH frame, z along the "
+    "joint, also where the description is in standard DH. `variant: printed` has n_x in Eq 3.3 with the sign "
+    "of n_y, as the thesis prints it.",
     signature="the friction band widens with the load, in both directions alike",
     rivals=("coulomb_friction", "transmission_loss", "torque_gain"),
     separates="poses of much reaction and little torque (the arm upright, then stretched out), a change of "
@@ -236,8 +238,9 @@ TRANSMISSION = Effect(
     r" \qquad s = \operatorname{sgn}\dot q, \quad \eta = \eta(|\tau|/\tau_{\max})",
     doc="What a harmonic drive loses: the motor must give more than the joint takes when it drives, tau/eta, "
     "and gets less back when it brakes, tau eta (Table 3.2, all four quadrants), and a breakaway torque "
-    "besides. Rotor inertia acts before the gear. A cubic through the knots is monotone; beyond the outer "
-    "knots the curve stays level.",
+    "besides. Rotor inertia acts before the gear. A cubic through the knots is the monotone one of "
+    "Fritsch and Butland (PCHIP: weighted harmonic means for slopes, three-point ones at the ends); beyond "
+    "the outer knots the curve stays level.",
     signature="two branches over the joint torque: steeper than 1 where the motor drives, flatter where it "
     "brakes",
     rivals=("load_dependent_friction", "torque_gain", "coulomb_friction"),

@@ -126,7 +126,8 @@ ELASTICITY = Effect(
     latex=r"\tau_L = K(\theta - q) + D(\dot\theta - \dot q)",
     doc="A spring between motor (theta, on the joint's side of the gear) and link (q). A kernel that is "
     "given the motor's motion takes the link's rates to be the motor's, as they are well below the "
-    "resonance; simulation and diagnosis do not.",
+    "resonance; simulation and diagnosis do not. Only `inverse_dynamics` takes steps: functions without "
+    "memory have the joint stiff.",
     signature="a sag under static load and a lag at high frequency, along with the load and its derivatives",
     rivals=("encoder_offset", "time_delay", "payload", "presliding_hysteresis"),
     separates="a multisine near the resonance; best an encoder on either side",
@@ -208,7 +209,8 @@ BACKLASH = Effect(
     latex=r"\theta - q = \frac{\tau_L}{K} + \frac g2\,\frac{\tau_L}{|\tau_L| + w}",
     doc="Play in the gear with stiff teeth: the motor runs ahead of the link by half the gap, on the side to "
     "which the torque pushes. The flanks are rounded by `transition`, so that torque and twist are smooth "
-    "functions of each other.",
+    "functions of each other. `damping` acts on the rate of the twist, as in an elastic joint. Only "
+    "`inverse_dynamics` takes steps: functions without memory have the joint stiff.",
     signature="pulses where the joint torque changes sign, at no particular velocity",
     rivals=("presliding_hysteresis", "stribeck_friction", "joint_elasticity"),
     separates="an unloaded joint that passes zero torque while it keeps moving one way",

@@ -92,7 +92,7 @@ def base_set_of(robot: Robot) -> tuple[BaseParameter, ...]:
         raise NoSuchFunction(
             f"{robot.name}: torques are not linear in base parameters",
             found="drives with effects",
-            remedy="leave the effects out, or state torque_side: link",
+            remedy="leave the effects out; torque_side: link leaves out all but springs and bearings",
         )
     try:
         return base_set(build_arm(robot, exact, Graph().input))
