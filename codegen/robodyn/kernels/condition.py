@@ -66,7 +66,9 @@ def meets_condition(robot: Robot, function: str, program: Program) -> bool:
         anywhere = [drawn() for _ in range(robot.n)]
         reference = _ToDigits(robot, inputs)
         one, other = function_named(function).compared(reference, elements, anywhere)
-        size = max((abs(x) for x in (*one, *other)), default=0)
+        # Where all is 0 but for rounding, as Coriolis torques of one joint are, torques say what is small.
+        torques = reference.torques(reference.inputs["qd"], reference.inputs["qdd"])
+        size = max(abs(x) for x in (*one, *other, *torques, mpmath.mpf(10) ** -_DIGITS))
         allowed = size * mpmath.mpf(10) ** -_DIGITS
         return all(abs(x - y) <= allowed for x, y in zip(one, other, strict=True))
 
