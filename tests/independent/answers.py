@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any, Final
+from typing import Final
 
+import casadi as ca
 import numpy as np
 
 from independent.reference import Array, Reference
@@ -19,11 +20,15 @@ def _state(at: State, *names: str) -> dict[str, Array]:
 
 def _expression(name: str, *inputs: str) -> Answer:
     """A property of the reference at some of the inputs."""
-    return lambda arm, at: (arm.value(name, getattr(arm, name), **_state(at, *inputs)),)
+    return lambda arm, at: (arm.value(name, lambda: getattr(arm, name), **_state(at, *inputs)),)
 
 
 def _torques(*inputs: str) -> Answer:
     return lambda arm, at: (arm.inverse_dynamics(**_state(at, *inputs)),)
+
+
+def _inverse(matrix: Array) -> Array:
+    return np.asarray(np.linalg.inv(matrix), np.float64)
 
 
 def _gravity(arm: Reference, at: State) -> Array:
@@ -31,21 +36,23 @@ def _gravity(arm: Reference, at: State) -> Array:
 
 
 def _kinetic(arm: Reference, at: State) -> tuple[Array, ...]:
-    energy = arm.value("kinetic", arm.kinetic_of_links + arm.kinetic_of_motors, **_state(at, "q", "qd"))
+    energy = arm.value(
+        "kinetic", lambda: arm.kinetic_of_links + arm.kinetic_of_motors, **_state(at, "q", "qd")
+    )
     return (energy,)
 
 
 def _momentum(arm: Reference, at: State) -> tuple[Array, ...]:
-    return (arm.value("mass_matrix", arm.mass_matrix, q=at["q"]) @ at["qd"],)
+    return (arm.value("mass_matrix", lambda: arm.mass_matrix, q=at["q"]) @ at["qd"],)
 
 
 def _pose(arm: Reference, at: State) -> tuple[Array, ...]:
-    return (arm.value("tool", arm.tool[:3, :], q=at["q"]),)
+    return (arm.value("tool", lambda: arm.tool[:3, :], q=at["q"]),)
 
 
 def _links(arm: Reference, at: State) -> tuple[Array, ...]:
-    frames = [arm.value(f"frame {k}", frame, q=at["q"]) for k, frame in enumerate(arm.frames)]
-    return np.array([x[:3, 3] for x in frames]), np.array([x[:3, :3] for x in frames])
+    frames = arm.value("frames", lambda: ca.vertcat(*arm.frames), q=at["q"]).reshape(arm.n, 4, 4)
+    return frames[:, :3, 3], frames[:, :3, :3]
 
 
 def _tool_jacobian(arm: Reference, at: State) -> tuple[Array, ...]:
@@ -54,15 +61,15 @@ def _tool_jacobian(arm: Reference, at: State) -> tuple[Array, ...]:
 
 
 def _jacobian(arm: Reference, at: State) -> Array:
-    return arm.value("jacobian", arm.jacobian, q=at["q"])
+    return arm.value("jacobian", lambda: arm.jacobian, q=at["q"])
 
 
 def _drift(arm: Reference, at: State) -> tuple[Array, ...]:
-    return (arm.value("drift", arm.rate(arm.jacobian) @ arm.qd, **_state(at, "q", "qd")),)
+    return (arm.value("drift", lambda: arm.rate(arm.jacobian) @ arm.qd, **_state(at, "q", "qd")),)
 
 
 def _mass(arm: Reference, at: State) -> Array:
-    return arm.value("mass_matrix", arm.mass_matrix, q=at["q"])
+    return arm.value("mass_matrix", lambda: arm.mass_matrix, q=at["q"])
 
 
 def _lambda(arm: Reference, at: State) -> tuple[Array, ...]:
@@ -71,18 +78,17 @@ def _lambda(arm: Reference, at: State) -> tuple[Array, ...]:
 
 
 def _coriolis(arm: Reference, at: State) -> Array:
-    return arm.value("coriolis_matrix", arm.coriolis_matrix, **_state(at, "q", "qd"))
+    return arm.value("coriolis_matrix", lambda: arm.coriolis_matrix, **_state(at, "q", "qd"))
 
 
 def _symbols(arm: Reference, at: State) -> tuple[Array, ...]:
-    n = arm.n
-    rows = [[arm.value(f"h {i} {k}", arm.christoffel[i][k], q=at["q"]) for k in range(n)] for i in range(n)]
-    return (np.array(rows).reshape(n, n, n),)
+    rows = [ca.vertcat(*block) for block in arm.christoffel]
+    return (arm.value("christoffel", lambda: ca.vertcat(*rows), q=at["q"]).reshape(arm.n, arm.n, arm.n),)
 
 
 def _motors(arm: Reference, at: State) -> Array:
     ratios = np.array([link["gear"]["ratio"] for link in arm.links])
-    return arm.inverse_dynamics(**_state(at, "q", "qd", "qdd")) / ratios
+    return np.asarray(arm.inverse_dynamics(**_state(at, "q", "qd", "qdd")) / ratios, np.float64)
 
 
 def _currents(arm: Reference, at: State) -> tuple[Array, ...]:
@@ -102,7 +108,7 @@ def _forward_slopes(arm: Reference, at: State) -> tuple[Array, ...]:
     """The derivative of what solves ``inverse dynamics (q, qd, qdd) = tau``."""
     moving = _state(at, "q", "qd")
     moving["qdd"] = arm.accelerations(at["tau"], **moving)
-    inverse = np.linalg.inv(arm.slopes("qdd", **moving))
+    inverse = _inverse(arm.slopes("qdd", **moving))
     return -inverse @ arm.slopes("q", **moving), -inverse @ arm.slopes("qd", **moving), inverse
 
 
@@ -111,11 +117,14 @@ ANSWERS: Final[dict[str, Answer]] = {
     "gravity": lambda arm, at: (_gravity(arm, at),),
     "bias": _torques("q", "qd"),
     "mass_matrix": lambda arm, at: (_mass(arm, at),),
-    "inverse_mass_matrix": lambda arm, at: (np.linalg.inv(_mass(arm, at)),),
+    "inverse_mass_matrix": lambda arm, at: (_inverse(_mass(arm, at)),),
     "forward_dynamics": _forward("q", "qd"),
     "christoffel_symbols": _symbols,
     "controller": lambda arm, at: (
-        *_pose(arm, at), _jacobian(arm, at), arm.inverse_dynamics(**_state(at, "q", "qd")), _mass(arm, at)
+        *_pose(arm, at),
+        _jacobian(arm, at),
+        arm.inverse_dynamics(**_state(at, "q", "qd")),
+        _mass(arm, at),
     ),
     "coriolis_matrix": lambda arm, at: (_coriolis(arm, at),),
     "inverse_dynamics_derivatives": _inverse_slopes,

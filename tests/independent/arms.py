@@ -1,7 +1,7 @@
 """Arms as plain data: Denavit-Hartenberg numbers, masses, effects; and as the text that robodyn reads.
 
-The reference (:mod:`independent.reference`) takes the data, robodyn the text. Numbers are drawn once from a seed
-and rounded, so that none is special; a right angle is one where it is asked for.
+The reference (:mod:`independent.reference`) takes the data, robodyn the text. Numbers are drawn once from a
+seed and rounded, so that none is special; a right angle is one where it is asked for.
 """
 
 from __future__ import annotations
@@ -25,7 +25,10 @@ def _body(rng: random.Random) -> dict[str, Any]:
     mass = sum(masses)
     com = [sum(m * x[k] for m, x in zip(masses, points, strict=True)) / mass for k in range(3)]
     second = [
-        [sum(m * (x[i] - com[i]) * (x[j] - com[j]) for m, x in zip(masses, points, strict=True)) for j in range(3)]
+        [
+            sum(m * (x[i] - com[i]) * (x[j] - com[j]) for m, x in zip(masses, points, strict=True))
+            for j in range(3)
+        ]
         for i in range(3)
     ]
     trace = sum(second[k][k] for k in range(3)) + 0.003
@@ -36,17 +39,22 @@ def _body(rng: random.Random) -> dict[str, Any]:
 
 
 def arm(joints: str, convention: str, seed: int, alphas: Sequence[float] = (), **more: Any) -> Arm:
-    """An arm of ``joints`` (a letter each, R or P), with general numbers but for ``alphas``; ``more`` are keys
-    of the whole description (``base``, ``tool``, ``gravity``, ``torque_side`` ...)."""
+    """An arm of ``joints`` (a letter each, R or P), with general numbers but for ``alphas``; ``more`` are
+    keys of the whole description (``base``, ``tool``, ``gravity``, ``torque_side`` ...)."""
     rng = random.Random(seed)
     links = []
     for k, kind in enumerate(joints):
         row = {x: round(rng.uniform(0.1, 0.6) * rng.choice((-1, 1)), 3) for x in ("a", "d", "theta")}
         link: Arm = {"joint": "revolute" if kind == "R" else "prismatic", **row}
-        link["alpha"] = alphas[k] if k < len(alphas) else round(rng.uniform(0.4, 1.3) * rng.choice((-1, 1)), 3)
+        link["alpha"] = (
+            alphas[k] if k < len(alphas) else round(rng.uniform(0.4, 1.3) * rng.choice((-1, 1)), 3)
+        )
         link.update(_body(rng))
         link["motor_inertia"] = round(rng.uniform(0.05, 0.6), 3)
-        link["gear"] = {"ratio": round(rng.uniform(20, 90), 1), "torque_constant": round(rng.uniform(0.05, 0.2), 3)}
+        link["gear"] = {
+            "ratio": round(rng.uniform(20, 90), 1),
+            "torque_constant": round(rng.uniform(0.05, 0.2), 3),
+        }
         links.append(link)
     return {
         "name": f"arm_{joints.lower()}_{convention}",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import copy
 import random
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any, Final
 
 from independent.arms import Arm
@@ -48,7 +48,7 @@ def _loss(**more: Any) -> Put:
 
 def _of_robot(**entry: Any) -> Put:
     def put(arm: Arm, _: random.Random) -> Arm:
-        arm.setdefault("effects", []).append(entry)
+        arm.setdefault("effects", []).append(dict(entry))
         return arm
 
     return put
@@ -71,6 +71,26 @@ def _friction(arm: Arm, rng: random.Random) -> Arm:
     return arm
 
 
+def _named(keys: Mapping[str, tuple[str, ...]]) -> Put:
+    """Names in the place of numbers of the last link, and of effects; ``values`` has the numbers."""
+
+    def put(arm: Arm, _: random.Random) -> Arm:
+        link, values = arm["links"][-1], arm.setdefault("values", {})
+        for key, inner in keys.items():
+            table = link[key] if inner else link
+            for name in inner or (key,):
+                values[f"p_{key}_{name}".replace(f"_{key}_{key}", f"_{key}")] = table[name]
+                table[name] = f"p_{key}_{name}".replace(f"_{key}_{key}", f"_{key}")
+        for number, entry in enumerate([*link.get("effects", ()), *arm.get("effects", ())]):
+            for name, value in entry.items():
+                if isinstance(value, float) and (entry["effect"], name) not in _NUMBERS:
+                    values[f"p{number}_{name}"] = value
+                    entry[name] = f"p{number}_{name}"
+        return arm
+
+    return put
+
+
 def _together(*puts: Put, **keys: Any) -> Put:
     """Several effects at once, and keys of the description."""
 
@@ -82,6 +102,20 @@ def _together(*puts: Put, **keys: Any) -> Put:
     return put
 
 
+_NUMBERS: Final = {
+    ("torque_ripple", "phase"),
+    ("torque_ripple", "cycles_per_rev"),
+    ("stribeck_friction", "exponent"),
+    ("motor_coupling", "ratio"),
+    ("gas_spring", "ratio"),
+}
+"""What may be no name."""
+_INERTIAL: Final[dict[str, tuple[str, ...]]] = {
+    "mass": (),
+    "motor_inertia": (),
+    "inertia": ("xx", "yz"),
+    "friction": ("viscous", "coulomb"),
+}
 _WEIGHT: Final = {"xx": 0.02, "yy": 0.03, "zz": 0.025, "xy": 0.004, "xz": -0.003, "yz": 0.005}
 _PAYLOAD: Final = {"mass": 1.7, "com": [0.06, -0.04, 0.13], "inertia": _WEIGHT}
 _ALL_DRIVES: Final = (
@@ -91,6 +125,12 @@ _ALL_DRIVES: Final = (
     _coupling,
     _of_robot(effect="payload", **_PAYLOAD),
 )
+_TEETH: Final[dict[str, Any]] = {
+    "gap": (0.002, 0.01),
+    "stiffness": (300, 600),
+    "damping": (10, 15),
+    "transition": (1, 3),
+}
 _SMOOTH: Final = {"smooth": {"velocity": 0.4}}
 _DEAD: Final = {"dead_band": {"velocity": 0.05}}
 
@@ -111,7 +151,9 @@ CASES: Final[dict[str, Put]] = {
     "presliding_hysteresis": _entry(
         "presliding_hysteresis", stiffness=(200, 400), level=(1, 3), damping=(0.1, 1)
     ),
-    "load_dependent_friction, journal": _bearing("journal", "R", mu=(0.05, 0.2), radius=(0.03, 0.1), span=(0.1, 0.4)),
+    "load_dependent_friction, journal": _bearing(
+        "journal", "R", mu=(0.05, 0.2), radius=(0.03, 0.1), span=(0.1, 0.4)
+    ),
     "load_dependent_friction, printed": _bearing(
         "journal", "R", mu=(0.05, 0.2), radius=(0.03, 0.1), span=(0.1, 0.4), variant="printed"
     ),
@@ -126,10 +168,12 @@ CASES: Final[dict[str, Put]] = {
     "transmission_loss, cubic": _loss(efficiency=KNOTS, rated_torque=(40, 90), interpolation="cubic"),
     "spring": _entry("spring", stiffness=(-5, 30), rest=(-1, 1)),
     "spring, cubic": _entry("spring", stiffness=(5, 30), rest=(-1, 1), cubic=(1, 5)),
-    "joint_elasticity": _entry("joint_elasticity", stiffness=(500, 2000), damping=(1, 5)),
-    "joint_elasticity, link": _entry("joint_elasticity", stiffness=(500, 2000), damping=(1, 5), encoder="link"),
-    "backlash": _entry("backlash", gap=(0.002, 0.01)),
-    "backlash, link": _entry("backlash", gap=(0.002, 0.01), encoder="link"),
+    "joint_elasticity": _entry("joint_elasticity", stiffness=(300, 600), damping=(10, 15)),
+    "joint_elasticity, link": _entry(
+        "joint_elasticity", stiffness=(300, 600), damping=(10, 15), encoder="link"
+    ),
+    "backlash": _entry("backlash", **_TEETH),
+    "backlash, link": _entry("backlash", encoder="link", **_TEETH),
     "gas_spring": _entry("gas_spring", "R", torque=(20, 60), dead_center=(-1, 1), rise=(0.1, 0.5)),
     "gas_spring, pushing": _entry("gas_spring", "R", torque=(20, 60), rise=(0.1, 0.5), ratio=(-0.6, -0.2)),
     "rotor_inertia": _entry("rotor_inertia", inertia=(0.2, 1)),
@@ -138,9 +182,16 @@ CASES: Final[dict[str, Put]] = {
     "payload": _of_robot(effect="payload", **_PAYLOAD),
     "inertial_error": _entry(
         "inertial_error",
-        delta_mass=(0.1, 0.5), delta_com_x=(-0.05, 0.05), delta_com_y=(-0.05, 0.05), delta_com_z=(-0.05, 0.05),
-        delta_xx=(0.01, 0.02), delta_yy=(0.01, 0.02), delta_zz=(0.01, 0.02),
-        delta_xy=(-0.002, 0.002), delta_xz=(-0.002, 0.002), delta_yz=(-0.002, 0.002),
+        delta_mass=(0.1, 0.5),
+        delta_com_x=(-0.05, 0.05),
+        delta_com_y=(-0.05, 0.05),
+        delta_com_z=(-0.05, 0.05),
+        delta_xx=(0.01, 0.02),
+        delta_yy=(0.01, 0.02),
+        delta_zz=(0.01, 0.02),
+        delta_xy=(-0.002, 0.002),
+        delta_xz=(-0.002, 0.002),
+        delta_yz=(-0.002, 0.002),
     ),
     "base_tilt": _of_robot(effect="base_tilt", tilt_x=0.21, tilt_y=-0.34),
     "external_contact": _of_robot(effect="external_contact", start=0, end=1, link=1, force_x=30),
@@ -169,6 +220,14 @@ CASES: Final[dict[str, Put]] = {
     ),
     "loss, smooth": _together(_loss(breakaway=(0.5, 3), efficiency=(0.5, 0.9)), friction_at_rest=_SMOOTH),
     "rigid, link side": _together(torque_side="link"),
+    "names": _together(_friction, _named(_INERTIAL)),
+    "names, lengths": _together(_friction, _named({**_INERTIAL, "a": (), "d": ()})),
+    "names, drives together": _together(
+        _entry("stribeck_friction", level=(1, 2), static=(3, 5), velocity=(0.4, 1)),
+        *_ALL_DRIVES,
+        _named(_INERTIAL),
+    ),
+    "names, load": _together(_bearing("torque", "RP", mu=(0.05, 0.2)), _loss(breakaway=(0.5, 3)), _named({})),
     "payload and tilt": _together(
         _of_robot(effect="payload", **_PAYLOAD), _of_robot(effect="base_tilt", tilt_x=0.21, tilt_y=-0.34)
     ),

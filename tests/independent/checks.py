@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Final
 
+import casadi as ca
 import numpy as np
 
 from independent.reference import Array, Reference, same_turn
@@ -17,7 +18,7 @@ Check = Callable[[Reference, Any, Run, Sequence[Mapping[str, Array]]], float]
 
 def _columns(arm: Reference, at: Mapping[str, Array], names: Sequence[tuple[str, int]]) -> Array:
     moving = {x: at[x] for x in ("q", "qd", "qdd")}
-    return np.hstack([arm.value(f"column {name}", arm.columns[name], **moving) for name in names])
+    return arm.value(f"columns {names}", lambda: ca.horzcat(*[arm.columns[x] for x in names]), **moving)
 
 
 def _numbers(columns: Any) -> list[tuple[str, int]]:
@@ -26,7 +27,7 @@ def _numbers(columns: Any) -> list[tuple[str, int]]:
 
 
 def regressor(arm: Reference, base: Any, run: Run, states: Sequence[Mapping[str, Array]]) -> float:
-    """Columns are those of the first numbers, are independent, and are all; with values they are the torques."""
+    """Columns are those of the first numbers, are independent, and are all; with values, torques."""
     names = _numbers(base.columns)
     worst, ours, all_columns = 0.0, [], []
     for at in states:
@@ -57,7 +58,7 @@ def _off(result: Array, expected: Array) -> float:
 
 def _misses(arm: Reference, q: Array, frame: Array) -> float:
     """How far joint positions are off a pose; of up to three joints, off its place."""
-    reached = arm.value("tool", arm.tool[:3, :], q=q)
+    reached = arm.value("tool", lambda: arm.tool[:3, :], q=q)
     return float(np.abs(reached - frame)[:, 3 if arm.n <= 3 else 0 :].max())
 
 
@@ -65,7 +66,7 @@ def branches(arm: Reference, base: Any, run: Run, states: Sequence[Mapping[str, 
     """Every branch that is said to exist leads to the pose, and one of them is where the pose is from."""
     worst = 0.0
     for at in states:
-        q, frame = at["q"], arm.value("tool", arm.tool[:3, :], q=at["q"])
+        q, frame = at["q"], arm.value("tool", lambda: arm.tool[:3, :], q=at["q"])
         solutions, exists, *_, count = run({"T": frame.ravel(), "q_near": q + 0.05})
         rows = solutions.reshape(-1, arm.n)[exists > 0]
         if not len(rows) or count[0] != len(rows):
@@ -79,7 +80,7 @@ def nearest(arm: Reference, base: Any, run: Run, states: Sequence[Mapping[str, A
     """That the reference is near to is where the pose is from."""
     worst = 0.0
     for at in states:
-        q, frame = at["q"], arm.value("tool", arm.tool[:3, :], q=at["q"])
+        q, frame = at["q"], arm.value("tool", lambda: arm.tool[:3, :], q=at["q"])
         solution, exists, *_ = run({"T": frame.ravel(), "q_near": q + 0.05})
         if not exists[0]:
             return np.inf
@@ -88,11 +89,17 @@ def nearest(arm: Reference, base: Any, run: Run, states: Sequence[Mapping[str, A
 
 
 def _apart(arm: Reference, row: Array, q: Array) -> float:
-    """0 for arms with a joint to spare: where a pose is from is one of many there."""
+    """0 for arms with a joint to spare, and for joints on which the pose does not depend: where a pose is
+    from is one of many there."""
     if arm.n > 6:
         return 0.0
-    pairs = zip(row, q, arm.links, strict=True)
-    return max(same_turn(x, y) if link["joint"] == "revolute" else abs(x - y) for x, y, link in pairs)
+    moved = arm.value("jacobian", lambda: arm.jacobian, q=q)[: 3 if arm.n <= 3 else 6]
+    worst = 0.0
+    for k, link in enumerate(arm.links):
+        if np.abs(moved[:, k]).max() > 1e-9:
+            apart = same_turn(row[k], q[k]) if link["joint"] == "revolute" else abs(row[k] - q[k])
+            worst = max(worst, float(apart))
+    return worst
 
 
 CHECKS: Final[dict[str, Check]] = {

@@ -1,4 +1,4 @@
-"""What stands between motors and links: the formulas of docs/effects.md, in the order that the page states."""
+"""What stands between motors and links: the formulas of docs/effects.md, in the order of the page."""
 
 from __future__ import annotations
 
@@ -109,7 +109,9 @@ def losses(arm: Reference, k: int, torque: SX) -> SX:
         s = direction(arm.arm, arm.qd[k])
         good = entry.get("efficiency", 1)
         if isinstance(good, list):
-            good = efficiency(good, entry.get("interpolation", "linear"), ca.fabs(torque) / entry["rated_torque"])
+            good = efficiency(
+                good, entry.get("interpolation", "linear"), ca.fabs(torque) / entry["rated_torque"]
+            )
         lost = ca.if_else(torque * s >= 0, 1 / good - 1, good - 1) * torque * ca.fabs(s)
         torque = torque + lost + entry.get("breakaway", 0) * s
     return torque
@@ -159,4 +161,3 @@ def friction(arm: Reference, k: int) -> SX:
             drag = entry.get("viscous", 0) * turns + entry.get("coulomb", 0) * direction(arm.arm, turns)
             total += share * drag
     return total
-

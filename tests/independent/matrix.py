@@ -7,11 +7,12 @@ import traceback
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 
 import robodyn
+from independent import memory, refusals
 from independent.answers import ANSWERS
 from independent.arms import Arm, text
 from independent.checks import CHECKS
@@ -22,6 +23,8 @@ from robodyn.ir.program import Program
 from robodyn.kernels.generate import maker
 from robodyn.kernels.options import Level, Options
 
+TOLERANCE: Final = 1e-10
+
 
 @dataclass(frozen=True)
 class Outcome:
@@ -31,8 +34,24 @@ class Outcome:
     case: str
     arm: str
     error: float = 0.0
+    tolerance: float = TOLERANCE
     refused: str = ""
     broken: str = ""
+
+    allowed: bool = False
+
+    @property
+    def fails(self) -> bool:
+        """Wrong, or refused without need or reason."""
+        if self.refused:
+            return not (self.allowed and refusals.gives_a_reason(self.refused))
+        return bool(self.broken) or not self.error <= self.tolerance
+
+    @property
+    def text(self) -> str:
+        """For a person."""
+        said = self.broken or (f"refused: {self.refused}" if self.refused else f"off by {self.error:.2g}")
+        return f"{self.function} of {self.arm} with {self.case}: {said}"
 
 
 def read(arm: Arm) -> Any:
@@ -62,7 +81,9 @@ def states(arm: Arm, count: int, seed: int) -> list[dict[str, Array]]:
 
 def run(program: Program, at: Mapping[str, Array], values: Mapping[str, float]) -> list[Array]:
     """The program's results, flat, in the order of the record."""
-    inputs = {x: values[x.array] if x.index is None else float(at[x.array][x.index]) for x in program.inputs()}
+    inputs = {
+        x: values[x.array] if x.index is None else float(at[x.array][x.index]) for x in program.inputs()
+    }
     return [np.array(values) for values in evaluate(program, inputs).values()]
 
 
@@ -79,27 +100,36 @@ def compare(
     builder = maker(robot, Options(optimize=level))
     for name in functions:
         try:
-            error = _error(name, reference, robot, builder.program(name), states(arm, count, len(case)))
-            yield Outcome(name, case, arm["name"], error=error)
+            program = builder.program(name)
+            error, tolerance = _error(name, reference, robot, program, states(arm, count, len(case)))
+            yield Outcome(name, case, arm["name"], error, tolerance)
         except InputError as refusal:
-            yield Outcome(name, case, arm["name"], refused=str(refusal))
+            may = refusals.allowed(name, arm)
+            yield Outcome(name, case, arm["name"], refused=str(refusal), allowed=may)
         except Exception as broken:
             yield Outcome(name, case, arm["name"], broken=f"{broken!r} {traceback.format_exc()[-600:]}")
 
 
 def _error(
     name: str, reference: Reference, robot: Any, program: Program, at: Sequence[Mapping[str, Array]]
-) -> float:
+) -> tuple[float, float]:
+    """The worst error, and how large it may be."""
     known = reference.arm.get("values", {})
     if name in CHECKS:
         base = robodyn.base_parameters(robot, known) if "kinematics" not in name else None
         at = states(reference.arm, 30, 1) if name == "regressor" else at
-        return CHECKS[name](reference, base, lambda x: run(program, x, known), at)
+        return CHECKS[name](reference, base, lambda x: run(program, x, known), at), TOLERANCE
+    memory_size = sum(len(values) for array, values in program.outputs if array == "state")
+    if memory_size:
+        return memory.compared(reference, memory_size, lambda x: run(program, x, known))
     worst = 0.0
     for each in at:
-        expected = [np.ravel(x) for x in ANSWERS[name](reference, each)]
+        parts = (
+            [name] if name in ANSWERS else name.split("_and_")
+        )  # fused functions are named after their parts
+        expected = [np.ravel(x) for part in parts for x in ANSWERS[part](reference, each)]
         worst = max(worst, *errors(run(program, each, known), expected))
-    return worst
+    return worst, TOLERANCE
 
 
 def errors(results: Sequence[Array], expected: Sequence[Array]) -> list[float]:

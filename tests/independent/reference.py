@@ -1,15 +1,15 @@
-"""What each function of a kernel should give, from the textbook and from docs/, by other means than robodyn's.
+"""What a kernel's functions should give, from the textbook and from docs/, by other means than robodyn's.
 
-Nothing here imports robodyn. Bodies are 4 x 4 matrices of their masses' moments, places 4 x 4 products of the rows'
-matrices, energies traces of both; torques are Lagrange's equations of these energies, with CasADi's algorithmic
-differentiation (exact to rounding), and reactions d'Alembert's sums ``int (x'' - g) x^T dm``. Drives are the formulas
-of docs/effects.md, in the order that the page states.
+Nothing here imports robodyn. Bodies are 4 x 4 matrices of their masses' moments, places 4 x 4 products of the
+rows' matrices, energies traces of both; torques are Lagrange's equations of these energies, with CasADi's
+algorithmic differentiation (exact to rounding), and reactions d'Alembert's sums ``int (x'' - g) x^T dm``.
+Drives are the formulas of docs/effects.md, in the order that the page states.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 from typing import Any
 
@@ -45,11 +45,10 @@ def pose(place: Mapping[str, Sequence[float]]) -> SX:
 
 def moments(mass: Any, com: Any, inertia: Mapping[str, Any]) -> SX:
     """4 x 4: the integrals of ``[x; 1] [x; 1]^T dm`` of a body over its own frame."""
-    of = lambda i, j: inertia.get("".join(sorted("xyz"[i] + "xyz"[j])), 0)  # noqa: E731
     tensor = ca.SX(3, 3)
     for i in range(3):
         for j in range(3):
-            tensor[i, j] = of(i, j)
+            tensor[i, j] = inertia.get("".join(sorted("xyz"[i] + "xyz"[j])), 0)
     c = ca.vertcat(*[ca.SX(x) for x in com])
     second = ca.trace(tensor) / 2 * ca.SX.eye(3) - tensor + mass * c @ c.T
     return ca.vertcat(ca.horzcat(second, mass * c), ca.horzcat(mass * c.T, ca.SX(mass)))
@@ -57,9 +56,7 @@ def moments(mass: Any, com: Any, inertia: Mapping[str, Any]) -> SX:
 
 def skew_part(matrix: SX) -> SX:
     """Of ``int a b^T dm`` the vector ``int b x a dm``."""
-    return ca.vertcat(
-        matrix[2, 1] - matrix[1, 2], matrix[0, 2] - matrix[2, 0], matrix[1, 0] - matrix[0, 1]
-    )
+    return ca.vertcat(matrix[2, 1] - matrix[1, 2], matrix[0, 2] - matrix[2, 0], matrix[1, 0] - matrix[0, 1])
 
 
 class Reference:
@@ -116,7 +113,7 @@ class Reference:
 
     @cached_property
     def gravity(self) -> SX:
-        """Along the world's axes; it is stated there, or along the base's, which are the same without ``base``."""
+        """Along the world's axes, which are the base's where there is no ``base``."""
         g = ca.vertcat(*[ca.SX(x) for x in self.arm.get("gravity", (0, 0, -9.81))])
         for entry in self.effects.of("base_tilt", None):
             g = (turn(1, entry.get("tilt_y", 0)) @ turn(0, entry.get("tilt_x", 0)))[:3, :3] @ g
@@ -142,7 +139,9 @@ class Reference:
             return ca.SX(0)
         energy = ca.SX(0)
         for k, link in enumerate(self.links):
-            rotor = link.get("motor_inertia", 0) + sum(x["inertia"] for x in self.effects.of("rotor_inertia", k))
+            rotor = link.get("motor_inertia", 0) + sum(
+                x["inertia"] for x in self.effects.of("rotor_inertia", k)
+            )
             energy += rotor * self.qd[k] ** 2 / 2
             for entry in self.effects.of("motor_coupling", k):
                 turns = self.qd[k] + entry.get("ratio", 1) * self.qd[entry["with"] - 1]
@@ -198,8 +197,8 @@ class Reference:
 
     @cached_property
     def columns(self) -> dict[tuple[str, int], SX]:
-        """Torques by the numbers of each link (from 1): mass, first and second moments about the joint's frame,
-        rotor and friction; those that enter linearly. A column of torques each."""
+        """Torques by the numbers of each link (from 1) that enter linearly, a column each: mass, first and
+        second moments about the joint's frame, rotor and friction."""
         found = {}
         for k, (joint, link) in enumerate(zip(self.joints, range(1, self.n + 1), strict=True)):
             for name, body in _units().items():
@@ -253,26 +252,27 @@ class Reference:
 
     # numbers
 
-    def value(self, name: str, expression: SX, **at: Any) -> Array:
+    def value(self, name: str, expression: Callable[[], SX], **at: Any) -> Array:
         """An expression's value; ``name`` is what it is remembered by, inputs left out are 0."""
         if name not in self._compiled:
             inputs = [self.q, self.qd, self.qdd, self.w]
-            self._compiled[name] = ca.Function("f", inputs, [ca.densify(expression)])
-        zero = np.zeros(self.n)
-        inputs = (at.get("q", zero), at.get("qd", zero), at.get("qdd", zero), at.get("w", np.zeros(6)))
-        return np.array(self._compiled[name](*inputs), dtype=np.float64)
+            self._compiled[name] = ca.Function("f", inputs, [ca.densify(expression())])
+        state = [at.get(x, np.zeros(self.n)) for x in ("q", "qd", "qdd")]
+        return np.array(self._compiled[name](*state, at.get("w", np.zeros(6))), dtype=np.float64)
 
     def inverse_dynamics(self, **at: Any) -> Array:
-        return self.value("torques", self.torques, **at).ravel()
+        return self.value("torques", lambda: self.torques, **at).ravel()
 
     def slopes(self, by: str, **at: Any) -> Array:
         """Of inverse dynamics by ``q``, ``qd`` or ``qdd``."""
-        return self.value(f"by {by}", ca.jacobian(self.torques, getattr(self, by)), **at)
+        return self.value(f"by {by}", lambda: ca.jacobian(self.torques, getattr(self, by)), **at)
 
     def accelerations(self, tau: Array, **at: Any) -> Array:
         """Where torques are affine in the accelerations."""
         at.pop("qdd", None)
-        return np.linalg.solve(self.slopes("qdd", **at), tau - self.inverse_dynamics(**at))
+        return np.asarray(
+            np.linalg.solve(self.slopes("qdd", **at), tau - self.inverse_dynamics(**at)), np.float64
+        )
 
 
 def _numbers(value: Any, values: Mapping[str, float]) -> Any:
