@@ -120,6 +120,7 @@ def test_what_a_compiler_makes_of_it(convention: str, case: str) -> None:
     names = tuple(name for name in ANSWERS if name in FUNCTIONS)
     kernel = robodyn.compile(read(described), functions=names, optimize="fast")
     reference = Reference(described)
+    wrong = {}
     for at in states(described, 3, 7):
         for name in names:
             function = getattr(kernel, name)
@@ -127,21 +128,23 @@ def test_what_a_compiler_makes_of_it(convention: str, case: str) -> None:
             results = function(*(at[x] for x, _ in function.inputs), params=params)
             results = results if isinstance(results, tuple) else (results,)
             expected = [np.ravel(x) for x in ANSWERS[name](reference, at)]
-            off = errors([np.ravel(x) for x in results], expected)
-            assert max(off) <= TOLERANCE, (name, off)
+            off = max(errors([np.ravel(x) for x in results], expected))
+            if not off <= TOLERANCE:
+                wrong[name] = off
+    assert not wrong
 
 
 #: Twists of an arm with a spherical wrist whose second and third axes are parallel.
-WRIST = {"mdh": (0, -RIGHT, 0, RIGHT, -RIGHT, RIGHT), "sdh": (-RIGHT, 0, RIGHT, -RIGHT, RIGHT, 0)}
+WRIST = {"mdh": (0.3, -RIGHT, 0, RIGHT, -RIGHT, RIGHT), "sdh": (-RIGHT, 0, RIGHT, -RIGHT, RIGHT, 0.3)}
 
 
 def six_joints(convention: str) -> Arm:
+    """The last three axes meet; where the first or the last row is free, it is general."""
     described = placed("RRRRRR", convention, 6, WRIST[convention])
-    for link in described["links"][3 if convention == "sdh" else 4 :]:
+    wrist = described["links"][4:] if convention == "mdh" else described["links"][3:5]
+    for link in wrist:
         link["a"] = 0
     described["links"][4]["d"] = 0
-    if convention == "sdh":
-        described["links"][3]["a"] = 0
     return described
 
 
