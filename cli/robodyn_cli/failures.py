@@ -13,7 +13,7 @@ from typing import Final
 import click
 
 from robodyn.errors import InputError, OutputError, RobodynError, ToolError, escaped
-from robodyn.process import quiet, received
+from robodyn.process import exit_code, quiet, received
 from robodyn_cli.common import Document, drop, talk
 
 INTERNAL_ERROR: Final = 70  # EX_SOFTWARE: robodyn itself is at fault
@@ -57,7 +57,7 @@ def guard(run: Callable[[], None], document: Document | None = None) -> int:
         quiet()
     except BaseException as error:
         quiet()
-        return _failed(error, document or Document())
+        return exit_code(_failed(error, document or Document()))
     return 0
 
 

@@ -103,11 +103,18 @@ def listen() -> None:
 
 
 def quiet() -> None:
-    """The work is done, or has failed: from now on no signal raises anything."""
+    """The work is done, or has failed: from now on no signal raises anything.
+
+    A signal that waits is looked at no more: its timer would run out when the interpreter has taken back its
+    handlers, and end the process by SIGALRM.
+    """
+    import signal
     from time import monotonic
 
     if _State.quiet is None:
         _State.quiet = monotonic()
+    if hasattr(signal, "setitimer"):
+        signal.setitimer(signal.ITIMER_REAL, 0.0)
 
 
 def received() -> tuple[int, str]:
@@ -116,6 +123,11 @@ def received() -> tuple[int, str]:
 
     signum = _State.received or signal.SIGINT
     return 128 + signum, _WORDS.get(signal.Signals(signum).name, "ended")
+
+
+def exit_code(code: int) -> int:
+    """The exit code of a command that failed with ``code``: the signal's, if one came before its end."""
+    return 128 + _State.received if _State.received and code else code
 
 
 def _handle(signum: int, frame: FrameType | None) -> None:

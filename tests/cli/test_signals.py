@@ -163,6 +163,48 @@ def test_when_the_work_is_done_no_signal_matters() -> None:
     assert (done.returncode, done.stderr) == (130, "")
 
 
+@pytest.mark.usefixtures("elsewhere")
+@pytest.mark.parametrize(
+    ("error", "message"),
+    [
+        ("MemoryError", "error: the operating system refused: out of memory"),
+        ("ImportError('no', name='yaml')", "error: a library cannot be loaded: no; reinstall it"),
+        ("KeyError('k')", "internal error: KeyError: 'k'"),
+    ],
+)
+@pytest.mark.parametrize(("name", "code"), [("SIGINT", 130), ("SIGTERM", 143)])
+def test_a_signal_that_waits_when_the_command_fails(name: str, code: int, error: str, message: str) -> None:
+    """Its timer would run out when the interpreter has taken back its handlers: a death by SIGALRM."""
+    slow = "import atexit, time; atexit.register(time.sleep, 0.1)"
+    for last in ("", f"; {slow}"):
+        done = hooked("yaml", f"{send(name)}{last}; raise {error}", "robots")
+        assert (done.returncode, done.stdout) == (code, ""), done.stderr
+        assert done.stderr.startswith(f"robodyn: {message.partition(';')[0]}")
+        assert done.stderr.count("\n") == 1
+
+
+@pytest.mark.usefixtures("elsewhere")
+@pytest.mark.parametrize(("name", "code"), [("SIGINT", 130), ("SIGTERM", 143)])
+def test_a_signal_that_waits_when_robodyn_cannot_be_imported(name: str, code: int) -> None:
+    """Once signals are listened for: a module that the command's own table imports."""
+    then = f"{send(name)}; raise ImportError('no', name='robodyn_cli.robots')"
+    done = hooked("robodyn_cli.robots", then, "robots")
+    assert done.returncode == code, done.stderr
+
+
+def test_a_signal_that_was_lost_when_the_command_fails() -> None:
+    """Raised in a destructor while an error is on its way, it is raised once more unless the work is over."""
+    done = python(
+        LISTENING
+        + "class Last:\n"
+        + "    def __del__(self):\n        os.kill(os.getpid(), signal.SIGINT)\n        time.sleep(0)\n"
+        + "from robodyn_cli.failures import guard\nfrom robodyn.errors import InputError\n"
+        + "def work():\n    last = Last()\n    del last\n    raise InputError('wrong')\n"
+        + "code = guard(work)\nsys.exit(code)\n"
+    )
+    assert (done.returncode, done.stderr) == (130, "robodyn: error: wrong\n")
+
+
 def test_a_library_that_does_not_come_back() -> None:
     require_module("hashlib")
     done = python(
