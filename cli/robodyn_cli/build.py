@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import replace
 from pathlib import Path
@@ -12,21 +12,23 @@ from typing import TYPE_CHECKING
 import click
 
 from robodyn.errors import CheckError, InputError, RobodynError, did_you_mean
+from robodyn.outputs import check_outputs, remove_leftovers, write_files
 from robodyn_cli.choices import FILE, REPORTS
 from robodyn_cli.common import (
+    FORCE,
     echo_document,
+    force_option,
     json_option,
     output_folder,
     printable,
-    remove_leftovers,
     talk,
-    write_files,
+    write_file,
 )
 
 if TYPE_CHECKING:
     from robodyn.project.compare import Comparison
     from robodyn.project.lock import Lock
-    from robodyn.project.reading import Entry, Project
+    from robodyn.project.reading import Project
     from robodyn_cli.building import Products
 
 
@@ -75,6 +77,7 @@ if TYPE_CHECKING:
     metavar="FILE",
     help="Write the report to FILE, and the text of it to stdout.",
 )
+@force_option(FORCE)
 @json_option
 def command(
     path: str,
@@ -83,6 +86,7 @@ def command(
     against: str | None,
     format_: str,
     output: str | None,
+    force: bool,
     as_json: bool,
 ) -> None:
     """Write or check the kernels of all robots of a project.
@@ -92,8 +96,10 @@ def command(
     hashes of all files: commit it, and let CI run "robodyn build --check".
     """
     form = _format(format_, as_json=as_json)
+    if output is not None:
+        check_outputs(output_folder(output).parent, [Path(output).name], named=True)
     try:
-        comparison, written = _built(Path(path), workers, check=check, against=against)
+        comparison, written = _built(Path(path), workers, check=check, force=force, against=against)
     except RobodynError as error:
         _show_error(error, form, output)
         raise
@@ -102,7 +108,7 @@ def command(
 
 
 def _built(
-    path: Path, workers: int | None, *, check: bool, against: str | None
+    path: Path, workers: int | None, *, check: bool, force: bool, against: str | None
 ) -> tuple[Comparison, list[str]]:
     """Write or check what the project file asks for: how it compares, and the paths of what was written."""
     from robodyn.project.compare import check_products, compare, locked
@@ -120,7 +126,7 @@ def _built(
         base = before if against is None else read_lock(Path(against))
         products = Products(project, keys, workers)
         check_products(project, products.by_name)
-        written = [] if check else _write(project, products)
+        written = [] if check else _write(project, products, force=force)
         if not check:
             _name_leftovers(project, before or {}, locked(project, products.by_name))
         lock = before if check else locked(project, products.by_name)
@@ -177,10 +183,9 @@ def _lock_before(project: Project) -> Lock | None:
         return None
 
 
-def _write(project: Project, products: Products) -> list[str]:
+def _write(project: Project, products: Products, *, force: bool) -> list[str]:
     """Write the files that are not as they should be, the lock file last, all or none; their paths."""
     from robodyn.project.compare import locked, outdated
-    from robodyn.project.keys import PACKAGE
     from robodyn.project.lock import lock_text
 
     files: dict[str, str | bytes] = {}
@@ -190,9 +195,12 @@ def _write(project: Project, products: Products) -> list[str]:
         folders |= {(folder / name).parent for name in product.files}
         different = outdated(folder, product)
         texts = products.texts(entry) if different else {}
-        if different and entry.command == PACKAGE:
-            _refuse_foreign(entry, folder, {name: texts[name] for name in different})
-        files |= {f"{entry.output}/{name}": texts[name] for name in different}
+        own = {f"{entry.output}/{name}": texts[name] for name in different}
+        try:
+            check_outputs(project.folder, own, force=force)
+        except InputError as error:
+            raise error.at(entry.place()) from None
+        files |= own
     remove_leftovers(folders)
     lock = lock_text(locked(project, products.by_name)).encode("utf-8")
     if not project.lock.is_file() or project.lock.read_bytes() != lock:
@@ -200,21 +208,7 @@ def _write(project: Project, products: Products) -> list[str]:
     if not files:
         return []
     remedy = f"choose another output in {printable(project.path)}, or free some space there"
-    return [printable(path) for path in write_files(project.folder, files, remedy=remedy)]
-
-
-def _refuse_foreign(entry: Entry, folder: Path, files: Mapping[str, bytes]) -> None:
-    """
-    Raises
-    ------
-    InputError: a file of the package ``entry`` would take the place of one that robodyn did not write.
-    """
-    from robodyn_cli.package import refuse_foreign
-
-    try:
-        refuse_foreign(folder, files)
-    except InputError as error:
-        raise error.at(entry.place()) from None
+    return [printable(path) for path in write_files(project.folder, files, force=force, remedy=remedy)]
 
 
 def _name_leftovers(project: Project, before: Lock, now: Lock) -> None:
@@ -245,7 +239,7 @@ def _show(comparison: Comparison, written: list[str], form: str, output: str | N
     text = FORMATS[form](shown)
     if output is not None:
         path = output_folder(output)
-        write_files(path.parent, {path.name: text})
+        write_file(path, text)
         text = FORMATS["text"](shown)
         form = "text"
     if form == "json":
@@ -262,7 +256,7 @@ def _show_error(error: RobodynError, form: str, output: str | None) -> None:
     if output:
         path = Path(output)
         try:
-            write_files(path.parent, {path.name: text})
+            write_file(path, text)
         except RobodynError as second:
             talk(f"robodyn: error: {second}")
     elif form == "json":

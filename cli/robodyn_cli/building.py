@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from robodyn.project.reading import Entry, Project
 
 #: Options of the commands for what becomes of what is written.
-_OF_A_RUN = ("output", "compile_", "check", "as_json")
+_OF_A_RUN = ("output", "compile_", "check", "force", "as_json")
 _BY_EXIT_CODE = {kind.exit_code: kind for kind in (CheckError, InputError, ToolError, OutputError)}
 
 

@@ -6,8 +6,9 @@ import sys
 
 import click
 
+from robodyn.outputs import write_files
 from robodyn_cli.choices import ARMS, FOLDER, PROFILES
-from robodyn_cli.common import echo_json, json_option, output_folder, printable, talk, write_files
+from robodyn_cli.common import echo_json, json_option, output_folder, printable, talk
 
 
 @click.command()

@@ -1,12 +1,11 @@
-"""Shared by the commands: arguments, output, and atomic writing of files."""
+"""Shared by the commands: arguments, output, and writing of files."""
 
 from __future__ import annotations
 
 import contextlib
-import errno
 import os
 import sys
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any, Final, TypeVar
@@ -14,7 +13,7 @@ from typing import IO, TYPE_CHECKING, Any, Final, TypeVar
 import click
 
 from robodyn.errors import InputError
-from robodyn.files import cannot_write
+from robodyn.outputs import ELSEWHERE, write_files
 from robodyn_cli.choices import ROBOTS
 
 if TYPE_CHECKING:
@@ -33,6 +32,29 @@ def json_option(command: Command) -> Command:
     return click.option("--json", "as_json", is_flag=True, help="Print the results, or the error, as JSON.")(
         command
     )
+
+
+def force_option(text: str) -> Callable[[Command], Command]:
+    """Add the flag ``--force``, passed to the command as ``force: bool``; ``text`` is its help."""
+    return click.option("--force", is_flag=True, help=text)
+
+
+#: Help of ``--force`` where robodyn chooses the names of files.
+FORCE: Final = "Also replace files that robodyn did not write, and links."
+#: Help of ``--force`` where the command line names the file.
+FORCE_FILE: Final = "Overwrite an existing file."
+
+
+def write_file(
+    path: Path, content: str | bytes, *, force: bool | None = None, remedy: str = ELSEWHERE
+) -> None:
+    """Write the file that the command line names: what is there is replaced, but no link.
+
+    Raises
+    ------
+    InputError, OutputError: as of :func:`robodyn.outputs.write_files`.
+    """
+    write_files(path.parent, {path.name: content}, named=True, force=force, remedy=remedy)
 
 
 @dataclass(slots=True)
@@ -141,90 +163,6 @@ def parameter_values(robot: Robot, options: Sequence[tuple[str, float]]) -> dict
             remedy="leave one of the two out",
         )
     return parameter_values(robot, dict(options))
-
-
-_ELSEWHERE: Final = "choose another path with -o, or free some space there"
-
-
-def write_files(folder: Path, files: Mapping[str, str | bytes], *, remedy: str = _ELSEWHERE) -> list[Path]:
-    """Write `files` (path relative to `folder` -> text or bytes) atomically; return the paths.
-
-    All files are first written under temporary names in their folders, and renamed only when all of them are
-    complete. On an error the temporary files, and the folders created for them, are removed again.
-    A symbolic link is kept, and the file it leads to is written. ``remedy`` is what an error says to do.
-
-    Raises
-    ------
-    InputError: the path cannot be written, or something that is not a file is in the way.
-    OutputError: the disk is full, or the device fails.
-    """
-    targets = [folder / name for name in files]
-    ends: list[Path] = []
-    new_folders: list[Path] = []
-    temporary: list[Path] = []
-    path = folder
-    try:
-        for path in targets:
-            ends.append(_end_of_links(path))
-        path = folder
-        new_folders = _missing_folders(end.parent for end in ends)
-        for path, end, content in zip(targets, ends, files.values(), strict=True):
-            if end.exists() and not end.is_file():
-                raise InputError(
-                    f"cannot write {printable(path)}",
-                    found="something that is not a file",
-                    remedy=remedy,
-                )
-            end.parent.mkdir(parents=True, exist_ok=True)
-            temporary.append(end.parent / _TEMPORARY.format(process=os.getpid(), file=len(temporary)))
-            if isinstance(content, bytes):
-                temporary[-1].write_bytes(content)
-            else:
-                temporary[-1].write_text(content, encoding="utf-8", newline="\n")
-        for path, end, source in zip(targets, ends, temporary, strict=True):  # noqa: B007 (the error names it)
-            source.replace(end)
-    except BaseException as error:
-        _remove(temporary, new_folders)
-        if isinstance(error, OSError):
-            raise cannot_write(printable(path), error, remedy) from error
-        raise
-    return targets
-
-
-def remove_leftovers(folders: Iterable[Path]) -> None:
-    """Remove the temporary files that a killed process has left in ``folders``; none may be writing there."""
-    _remove(
-        [path for folder in folders for path in folder.glob(_TEMPORARY.format(process="*", file="*"))], []
-    )
-
-
-_TEMPORARY: Final = ".robodyn.{process}.{file}.tmp"
-
-
-def _end_of_links(path: Path) -> Path:
-    """`path`, or the target of a symbolic link, which need not exist."""
-    if not path.is_symlink():
-        return path
-    end = Path(os.path.realpath(path))
-    if end.is_symlink():
-        raise OSError(errno.ELOOP, os.strerror(errno.ELOOP))
-    return end
-
-
-def _missing_folders(folders: Iterable[Path]) -> list[Path]:
-    """The folders and parent folders that do not exist yet, deepest first."""
-    missing = {level for folder in folders for level in (folder, *folder.parents) if not level.exists()}
-    return sorted(missing, key=lambda level: len(level.parts), reverse=True)
-
-
-def _remove(temporary: list[Path], folders: list[Path]) -> None:
-    for path in temporary:
-        with contextlib.suppress(OSError):  # report the original error, not this one
-            path.unlink(missing_ok=True)
-    for folder in folders:
-        with contextlib.suppress(OSError):
-            if folder.is_dir() and not any(folder.iterdir()):
-                folder.rmdir()
 
 
 def compare_files(folder: Path, files: Mapping[str, str | bytes]) -> list[str]:

@@ -8,7 +8,7 @@ from pathlib import Path
 import click
 
 from robodyn_cli.choices import SHELLS
-from robodyn_cli.common import echo_json, json_option, printable, write_files
+from robodyn_cli.common import echo_json, json_option, printable, write_file
 
 
 @click.command()
@@ -87,7 +87,7 @@ def _write(path: Path, text: str) -> bool:
     """Write `text` to `path`; False if it is there already."""
     if _is_ours(path) and path.read_text(encoding="utf-8") == text:
         return False
-    write_files(path.parent, {path.name: text}, remedy="print it: robodyn completion SHELL")
+    write_file(path, text, remedy="print it: robodyn completion SHELL")
     return True
 
 

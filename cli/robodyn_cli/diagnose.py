@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Final
 import click
 
 from robodyn.errors import InputError
+from robodyn.outputs import write_files
 from robodyn_cli import progress
 from robodyn_cli.choices import FILE, FOLDER, SEVERAL_EFFECTS
 from robodyn_cli.common import (
@@ -19,7 +20,6 @@ from robodyn_cli.common import (
     printable,
     robot_argument,
     talk,
-    write_files,
 )
 from robodyn_cli.diagnosis_files import DATA, KERNELS, MODEL, REPORT, files_of, kernels_of
 from robodyn_cli.log_files import description_of, handed_over, read_all, result_folder, spare_inputs

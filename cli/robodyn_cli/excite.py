@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -17,7 +16,7 @@ from robodyn_cli.common import (
     printable,
     robot_argument,
     talk,
-    write_files,
+    write_file,
 )
 from robodyn_cli.hide import placed
 from robodyn_cli.values import POSITIVE
@@ -108,7 +107,9 @@ def command(robot: str, tell: str | None, output: str, as_json: bool, rate: floa
     if output == "-":
         click.echo(text, nl=False)
     else:
-        files = [str(path) for path in write_files(Path(), {str(output_folder(output)): text})]
+        path = output_folder(output)
+        write_file(path, text)
+        files = [str(path)]
     if as_json:
         echo_json(_summary(best, files))
         return

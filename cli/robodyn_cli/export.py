@@ -10,7 +10,9 @@ import click
 from robodyn.errors import InputError
 from robodyn_cli.choices import FILE, TARGET_FORMATS
 from robodyn_cli.common import (
+    FORCE_FILE,
     echo_json,
+    force_option,
     json_option,
     load_robot,
     output_folder,
@@ -18,7 +20,7 @@ from robodyn_cli.common import (
     printable,
     robot_argument,
     talk,
-    write_files,
+    write_file,
 )
 from robodyn_cli.values import parameter_option
 
@@ -34,7 +36,7 @@ from robodyn_cli.values import parameter_option
 )
 @parameter_option()
 @click.option("-o", "--output", type=FILE, metavar="FILE", help="Output file; default: stdout.")
-@click.option("--force", is_flag=True, help="Overwrite an existing file.")
+@force_option(FORCE_FILE)
 @json_option
 def command(
     robot: str, to: str, param: Sequence[tuple[str, float]], output: str | None, force: bool, as_json: bool
@@ -57,7 +59,7 @@ def command(
         arm = arm.at(parameter_values(arm, param))
     exported = export_arm(arm, to)
     if path is not None:
-        write_files(path.parent, {path.name: exported.text})
+        write_file(path, exported.text, force=force)
     for remark in exported.remarks:
         talk(f"robodyn: note: {remark}")
     for what in exported.missing:

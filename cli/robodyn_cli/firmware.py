@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
-from robodyn_cli.common import compare_files, echo_json, printable, talk, write_files
+from robodyn_cli.common import compare_files, echo_json, printable, talk
 from robodyn_cli.options import listed
 
 if TYPE_CHECKING:
@@ -67,9 +67,10 @@ def write_firmware(
     *,
     check: bool,
     as_json: bool,
+    write: Callable[[Path, dict[str, str]], None],
 ) -> None:
-    """Write the folder, or compare it with what would be written (except the README, which depends on this
-    machine).
+    """``write`` the folder, or compare it with what would be written (except the README, which depends on
+    this machine).
 
     Raises
     ------
@@ -97,7 +98,7 @@ def write_firmware(
     functions = [interface.function for interface in generated.signatures]
     figures = [measure(name, files, functions, one) for one in targets]
     files["README.md"] = made_folder.readme(figures)
-    write_files(folder, files)
+    write(folder, files)
     for needed in dict.fromkeys(
         missing for measured in figures for missing in (measured.missing, measured.not_run)
     ):

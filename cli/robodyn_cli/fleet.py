@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Any, Final
 import click
 
 from robodyn.errors import InputError
+from robodyn.outputs import check_outputs, write_files
 from robodyn_cli import progress
 from robodyn_cli.choices import FILE, FOLDER
-from robodyn_cli.common import echo_document, json_option, printable, write_files
+from robodyn_cli.common import echo_document, json_option, printable
 from robodyn_cli.log_files import result_folder, spare_inputs
 from robodyn_cli.values import POSITIVE
 
@@ -88,6 +89,7 @@ def command(
     described = read_fleet(fleet)
     inputs = [fleet, *(part for log in described.logs for part in log.source.split("+"))]
     spare_inputs([folder / name for name in (_DATA, _TABLE, _PAGE)], inputs)
+    check_outputs(folder, (_DATA, _PAGE, *[_TABLE] * (not no_parquet)))
     with progress.line() as shown:
         result = _judged(described, folder, on, diagnose, false_names, security, shown.tell)
         text = _written(result, folder, shown.tell, table=not no_parquet)
@@ -149,11 +151,13 @@ def _judged(
 def _written(result: FleetResult, folder: Path, tell: Callable[[str], None], *, table: bool) -> str:
     """Write the files; the page that links all others last. The text of fleet.json."""
     from robodyn.fleet.as_json import document, text
+    from robodyn.fleet.places import unit_folder
     from robodyn.fleet.table import parquet
     from robodyn.report.fleet import page
     from robodyn.report.fleet_unit import unit_pages
 
     tell("robodyn: writing pages")
+    check_outputs(folder, [f"{unit_folder(unit.type, unit.unit)}/{_PAGE}" for unit in result.units])
     pages: dict[str, str] = {}
     for k, (path, html) in enumerate(unit_pages(result), 1):
         pages[path] = html

@@ -3,22 +3,25 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
+from robodyn.outputs import write_files
 from robodyn_cli.choices import FOLDER
 from robodyn_cli.code_options import code_options
 from robodyn_cli.common import (
+    FORCE,
     compare_files,
     echo_json,
+    force_option,
     json_option,
     output_folder,
     printable,
     robot_argument,
     wrapped,
-    write_files,
 )
 from robodyn_cli.counted import effect_lines, fused_lines, lines, record, with_rigid
 from robodyn_cli.firmware import firmware_option, write_firmware
@@ -62,6 +65,7 @@ if TYPE_CHECKING:
 @firmware_option
 @click.option("--latex", is_flag=True, help="Also write NAME.tex, the typeset recursion (uses sympy).")
 @click.option("--check", is_flag=True, help="Write nothing; exit with 1 if the files in DIR differ.")
+@force_option(FORCE)
 @json_option
 def command(
     robot: str,
@@ -74,6 +78,7 @@ def command(
     firmware: bool,
     latex: bool,
     check: bool,
+    force: bool,
     as_json: bool,
     **others: Any,
 ) -> None:
@@ -104,7 +109,10 @@ def command(
     if folder is None:
         folder = Path("generated") / described.name
     if firmware:
-        write_firmware(generated, folder, product.languages, target, check=check, as_json=as_json)
+        write_firmware(
+            generated, folder, product.languages, target, check=check, as_json=as_json,
+            write=lambda folder, files: _write(folder, files, default=output is None, force=force),
+        )  # fmt: skip
         return
     files = product.files(batch=batch, latex=latex)
     if check:
@@ -122,7 +130,7 @@ def command(
     built = (
         _compiled(generated, product.languages, explicit=lang is not None, batch=batch) if compile_ else None
     )
-    write_files(folder, files)
+    _write(folder, files, default=output is None, force=force)
     if as_json:
         echo_json(
             {
@@ -155,6 +163,13 @@ def command(
         click.echo(line)
     for language, text in (built or {}).items():
         click.echo(f"{language}: {text}")
+
+
+def _write(folder: Path, files: Mapping[str, str | bytes], *, default: bool, force: bool) -> None:
+    """Write ``files`` to ``folder``; of the ``default`` one no part may be a link, which nobody has named."""
+    base = Path() if default else folder
+    paths = {str((folder / name).relative_to(base)): content for name, content in files.items()}
+    write_files(base, paths, force=force)
 
 
 def _profile(options: Options) -> dict[str, Any]:

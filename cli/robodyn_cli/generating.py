@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from robodyn.outputs import SENTENCE
 from robodyn_cli.common import talk
 from robodyn_cli.firmware import for_firmware
 from robodyn_cli.languages import chosen_languages, tests_of, trig_for
@@ -41,7 +42,8 @@ class Kernels:
                 if interface.states:
                     talk(f"robodyn: note: no batch of {interface.function}, which is stateful")
         if latex:
-            files[f"{self.robot.name}.tex"] = _typeset(self.robot, self.options.formulation)
+            text = _typeset(self.robot, self.options.formulation)
+            files[f"{self.robot.name}.tex"] = f"% {SENTENCE}\n{text}"
         return files
 
 

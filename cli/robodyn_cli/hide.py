@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 from click.core import ParameterSource
 
+from robodyn.outputs import write_files
 from robodyn_cli import hide_campaign, hide_fleet, hide_score, progress
 from robodyn_cli.choices import EFFECTS, FILE, FOLDER, ROBOTS
 from robodyn_cli.common import (
@@ -20,7 +21,6 @@ from robodyn_cli.common import (
     output_folder,
     printable,
     talk,
-    write_files,
 )
 from robodyn_cli.values import POSITIVE, SIZE
 

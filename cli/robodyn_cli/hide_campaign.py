@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Any, Final
 
 import click
 
+from robodyn.outputs import write_files
 from robodyn_cli import progress
-from robodyn_cli.common import echo_document, output_folder, printable, talk, write_files
+from robodyn_cli.common import echo_document, output_folder, printable, talk
 
 if TYPE_CHECKING:
     from robodyn.diagnose.amend.amend import Amendment

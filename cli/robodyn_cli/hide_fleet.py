@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from robodyn.outputs import write_files
 from robodyn_cli import progress
-from robodyn_cli.common import echo_json, load_robot, output_folder, printable, talk, write_files
+from robodyn_cli.common import echo_json, load_robot, output_folder, printable, talk
 
 if TYPE_CHECKING:
     from robodyn.fleet.planted.plant import Format

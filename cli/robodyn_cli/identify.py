@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Final
 import click
 
 from robodyn.errors import InputError
+from robodyn.outputs import write_files
 from robodyn_cli import progress
 from robodyn_cli.choices import FILE, FOLDER
 from robodyn_cli.common import (
@@ -19,7 +20,6 @@ from robodyn_cli.common import (
     parameter_values,
     printable,
     robot_argument,
-    write_files,
 )
 from robodyn_cli.log_files import description_of, handed_over, read_all, result_folder, spare_inputs
 from robodyn_cli.log_options import log_map, log_options

@@ -11,7 +11,16 @@ import click
 
 from robodyn.errors import InputError
 from robodyn_cli.choices import FILE
-from robodyn_cli.common import echo_json, json_option, output_folder, printable, talk, write_files
+from robodyn_cli.common import (
+    FORCE_FILE,
+    echo_json,
+    force_option,
+    json_option,
+    output_folder,
+    printable,
+    talk,
+    write_file,
+)
 from robodyn_cli.values import Argument, Parameter, Point
 
 if TYPE_CHECKING:
@@ -52,7 +61,7 @@ if TYPE_CHECKING:
 @click.option("--name", default="", metavar="NAME", help="Name of the robot; default: the one in the file.")
 @click.option("--strict", is_flag=True, help="Refuse inertias that no body has.")
 @click.option("-o", "--output", type=FILE, metavar="ARM.yaml", help="Output file; default: stdout.")
-@click.option("--force", is_flag=True, help="Overwrite an existing file.")
+@force_option(FORCE_FILE)
 @json_option
 def command(
     file: str,
@@ -98,7 +107,7 @@ def command(
     imported = import_arm(file, snap=snap, **options)
     text = description_text(imported)
     if path is not None:
-        write_files(path.parent, {path.name: text})
+        write_file(path, text, force=force)
     _tell(imported)
     if imported.near:
         _tell_angles(imported, import_arm(file, snap=_widest(imported), **options))

@@ -8,7 +8,7 @@ import click
 
 from robodyn.errors import InputError
 from robodyn_cli.choices import FILE, ROBOTS
-from robodyn_cli.common import echo_json, json_option, load_robot, printable, talk, write_files
+from robodyn_cli.common import echo_json, json_option, load_robot, printable, talk, write_file
 from robodyn_cli.log_options import log_map, log_options
 
 
@@ -45,7 +45,7 @@ def command(
         title = f"Map of {Path(file).name}. Check it; robodyn logs FILE --map shows what it does."
         text = map_text(result.mapping, result.reasons, result.missing, title)
         path = Path(out)
-        write_files(path.parent, {path.name: text})
+        write_file(path, text)
         talk(f"robodyn: wrote {printable(out)}")
 
 

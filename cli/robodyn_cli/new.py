@@ -9,7 +9,16 @@ import click
 
 from robodyn.errors import InputError
 from robodyn_cli.choices import FILE
-from robodyn_cli.common import echo_json, json_option, output_folder, printable, talk, write_files
+from robodyn_cli.common import (
+    FORCE_FILE,
+    echo_json,
+    force_option,
+    json_option,
+    output_folder,
+    printable,
+    talk,
+    write_file,
+)
 
 
 @click.command()
@@ -25,7 +34,7 @@ from robodyn_cli.common import echo_json, json_option, output_folder, printable,
 @click.option(
     "-o", "--output", type=FILE, metavar="FILE", help="Output file, - for stdout.  [default: NAME.yaml]"
 )
-@click.option("--force", is_flag=True, help="Overwrite an existing file.")
+@force_option(FORCE_FILE)
 @json_option
 def command(name: str, joints: int, output: str | None, force: bool, as_json: bool) -> None:
     """Write a commented starter file to fill in.
@@ -48,7 +57,7 @@ def command(name: str, joints: int, output: str | None, force: bool, as_json: bo
             f"{printable(path)} already exists",
             remedy="choose another path with -o, or overwrite it with --force",
         )
-    write_files(path.parent, {path.name: text})
+    write_file(path, text, force=force)
     if as_json:
         echo_json({"name": name, "joints": joints, "path": str(path)})
     label = printable(path)

@@ -9,17 +9,19 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from robodyn.outputs import write_files
 from robodyn_cli.choices import FOLDER, PACKAGES
 from robodyn_cli.code_options import code_options
 from robodyn_cli.common import (
+    FORCE,
     compare_files,
     echo_json,
+    force_option,
     json_option,
     output_folder,
     printable,
     robot_argument,
     wrapped,
-    write_files,
 )
 from robodyn_cli.counted import record
 from robodyn_cli.generating import Kernels, kernels
@@ -70,6 +72,7 @@ class _Formats(click.Option):
 @search_options
 @prune_option
 @click.option("--check", is_flag=True, help="Write nothing; exit with 1 if the files in DIR differ.")
+@force_option(FORCE)
 @json_option
 def command(
     robot: str,
@@ -79,6 +82,7 @@ def command(
     license: str | None,
     maintainer: str | None,
     check: bool,
+    force: bool,
     as_json: bool,
     **others: Any,
 ) -> None:
@@ -97,8 +101,9 @@ def command(
     if check:
         _check(folder, files)
     else:
-        refuse_foreign(folder, files)
-        write_files(folder, files)
+        base = Path() if output is None else folder
+        paths = {str((folder / name).relative_to(base)): each for name, each in files.items()}
+        write_files(base, paths, force=force)
     _report(package, product, folder, files, checked=check, as_json=as_json)
 
 
@@ -165,26 +170,6 @@ def _check(folder: Path, files: Mapping[str, str | bytes]) -> None:
             f"{', '.join(printable(folder / name) for name in different)}: not up to date",
             remedy="run the same command without --check",
         )
-
-
-def refuse_foreign(folder: Path, files: Mapping[str, str | bytes]) -> None:
-    """Leave alone what robodyn did not write: a project's own CMakeLists.txt or README.md, for one.
-
-    Raises
-    ------
-    InputError: such a file is in the way.
-    """
-    from robodyn.errors import InputError
-    from robodyn.packages.writing import is_ours
-
-    for name in compare_files(folder, files):
-        path = folder / name
-        if path.exists() and not is_ours(path):
-            raise InputError(
-                f"{printable(path)} is in the way, which robodyn did not write",
-                expected="an empty folder, or one with an earlier package",
-                remedy="choose another folder",
-            )
 
 
 def _report(

@@ -17,7 +17,19 @@ from robodyn_cli.package import command as package
 #: Options that say what a run does, and not what is written; those of a search, which may come to another
 #: program on another machine; the output, which each entry of a project has, and what its table says.
 _OF_A_RUN: Final = frozenset(
-    {"output", "compile_", "check", "as_json", "keep", "budget_seconds", "seed", "on", "seeds", "format_"}
+    [
+        "output",
+        "compile_",
+        "check",
+        "as_json",
+        "force",
+        "keep",
+        "budget_seconds",
+        "seed",
+        "on",
+        "seeds",
+        "format_",
+    ]
 )
 _SEARCHES: Final = ("search", "full")
 

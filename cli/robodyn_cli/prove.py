@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 
 import click
 
+from robodyn.outputs import write_files
 from robodyn_cli.choices import FILE, FOLDER, PROOFS, SCALARS, TRIGONOMETRY
-from robodyn_cli.common import echo_json, json_option, output_folder, printable, robot_argument, write_files
+from robodyn_cli.common import echo_json, json_option, output_folder, printable, robot_argument
 from robodyn_cli.options import functions_option, listed, load, model_options
 
 if TYPE_CHECKING:

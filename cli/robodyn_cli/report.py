@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from robodyn.outputs import write_files
 from robodyn_cli.choices import FILE, ROBOTS
 from robodyn_cli.common import (
     echo_json,
@@ -18,7 +19,7 @@ from robodyn_cli.common import (
     printable,
     robot_argument,
     talk,
-    write_files,
+    write_file,
 )
 from robodyn_cli.values import parameter_option
 
@@ -71,7 +72,11 @@ def command(
     if not as_json or out is not None:
         from robodyn.report.arm_page import page
 
-        write_files(path.parent, {path.name: page(arms, comparison)})
+        text = page(arms, comparison)
+        if out is not None and path == Path(out):
+            write_file(path, text)
+        else:
+            write_files(path.parent, {path.name: text})
         talk(f"robodyn: wrote {printable(path)}")
     if as_json:
         data: list[dict[str, Any]] = [arm.data for arm in arms]

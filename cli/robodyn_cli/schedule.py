@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from robodyn.outputs import check_outputs, write_files
 from robodyn_cli.choices import ROBOTS
-from robodyn_cli.common import echo_json, json_option, output_folder, printable, talk, write_files
+from robodyn_cli.common import echo_json, json_option, output_folder, printable, talk, write_file
 from robodyn_cli.options import load, model_options
 from robodyn_cli.schedule_options import ScheduleOptions, picture_file, schedule_options
 from robodyn_cli.searching import Search
@@ -116,9 +117,11 @@ def _schedule(settings: ScheduleOptions, as_json: bool) -> None:
     if layers is not None:
         pictures[layers] = layers_svg(source)
     folder, files = _emitted(settings, described, source, signature, solutions[0])
-    for file, text in pictures.items():
-        write_files(file.parent, {file.name: text})
+    for file in pictures:
+        check_outputs(file.parent, [file.name], named=True)
     written = (*pictures, *write_files(folder, files))
+    for file, text in pictures.items():
+        write_file(file, text)
     if as_json:
         records = [to_dict(source, one) for one in solutions]
         echo_json(records[0] if len(records) == 1 else records)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 import click
 
+from robodyn.outputs import check_outputs, write_files
 from robodyn_cli import progress
 from robodyn_cli.choices import FILE
 from robodyn_cli.common import (
@@ -20,7 +21,6 @@ from robodyn_cli.common import (
     printable,
     robot_argument,
     talk,
-    write_files,
 )
 from robodyn_cli.simulate_options import SimulationOptions, exactly, simulation_options, spread, whole
 
@@ -87,15 +87,16 @@ def command(
     log = _log(run, sensors, settings, what, robot)
     from robodyn.report.run import to_text, warnings_of
 
-    files: dict[str, str | bytes] = {}
-    if target is not None:
-        files.update(log.files(str(target)))
+    files: dict[str, str | bytes] = {} if target is None else log.files(str(target))
+    pictures: dict[str, str | bytes] = {}
     if drawn is not None:
         from robodyn.report.motion import motion_picture
 
-        files[str(drawn)] = motion_picture(described, log, drawn.suffix[1:].lower(), what.reference)
-    write_files(Path(), files)
-    summary = _summary(run, log, settings, what, list(files))
+        pictures[str(drawn)] = motion_picture(described, log, drawn.suffix[1:].lower(), what.reference)
+    check_outputs(Path(), pictures, named=True)
+    write_files(Path(), files, named=output is not None)
+    write_files(Path(), pictures, named=True)
+    summary = _summary(run, log, settings, what, [*files, *pictures])
     if target is None:
         click.echo(log.csv(), nl=False)
     if as_json:

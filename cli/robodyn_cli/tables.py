@@ -9,7 +9,7 @@ from pathlib import Path
 import click
 
 from robodyn_cli.choices import FILE, TABLES
-from robodyn_cli.common import echo_json, json_option, printable, talk, write_files
+from robodyn_cli.common import echo_json, json_option, printable, talk, write_file
 
 
 @click.command()
@@ -46,7 +46,7 @@ def command(table_id: str | None, picture: str | None, as_json: bool) -> None:
     if as_json:
         echo_json(tables if table_id is None else tables[0])
     if target is not None:
-        write_files(target.parent, {target.name: _picture(ids)})
+        write_file(target, _picture(ids))
         talk(f"robodyn: wrote {printable(target)}")
 
 

@@ -17,7 +17,7 @@ import robodyn
 import robodyn_cli
 from robodyn.errors import RobodynError
 from robodyn.version import VERSION
-from robodyn_cli.common import write_files
+from robodyn_cli.common import write_file
 
 _PACKAGES: Final = (*robodyn.__path__, *robodyn_cli.__path__)
 """The folders with the tables."""
@@ -78,4 +78,4 @@ def _write(path: Path, text: str) -> None:
     """Write ``text`` whole or not at all; a folder that cannot be written costs time only."""
     with contextlib.suppress(OSError, RobodynError):
         path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)  # as the cache of kernels wants it
-        write_files(path.parent, {path.name: text})
+        write_file(path, text)

@@ -103,7 +103,8 @@ def test_a_file_that_somebody_changed_is_written_again_without_generating(
 ) -> None:
     build()
     wanted = outputs(project)
-    (project / "generated/one/elbow.c").write_text("mine\n")
+    with (project / "generated/one/elbow.c").open("a") as file:  # its head says what becomes of that
+        file.write("/* edited */\n")
     (project / "firmware/two/other.h").unlink()
     generated.clear()
     capsys.readouterr()
@@ -177,7 +178,7 @@ def test_what_no_build_can_do_is_refused(
     assert not set(tree(project)) & FILES
 
 
-@pytest.mark.parametrize("way", ["generated/../generated/one", "link", "generated/one/"])
+@pytest.mark.parametrize("way", ["generated/./one", "link", "generated/one/"])
 def test_two_robots_that_write_the_same_file_by_two_ways(way: str, project: Path, capsys: Capture) -> None:
     (project / "link").symlink_to("generated/one", target_is_directory=True)
     text = PROJECT.replace("other.yaml", "elbow.yaml").replace("firmware/two", way)
@@ -284,7 +285,7 @@ def test_packages_are_written_with_the_kernels(project: Path, generated: list[st
         ("packages.cmake.version = '1'", "robodyn.toml:12:1: this is no version of a package; found '1'"),
         ("packages.cmake.scalar = 'flot'", "robodyn.toml:12:1: unknown scalar 'flot'"),
         (
-            "packages.fpm.output = 'generated/one/../../x'\npackages.cmake.output = 'x'",
+            "packages.fpm.output = './x/'\npackages.cmake.output = 'x'",
             "write the same file",
         ),
     ],

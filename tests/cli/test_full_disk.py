@@ -8,15 +8,15 @@ import re
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 import robodyn_cli
 from fleet.small_fleet import NAME, write_log
+from robodyn import outputs
 from robodyn.errors import InputError, OutputError
 from robodyn.files import cannot_write
-from robodyn_cli.common import write_files
+from robodyn.outputs import write_files
 from robodyn_cli.main import main
 from robodyn_testing import representative, require_machine, require_module
 
@@ -59,21 +59,17 @@ def test_whose_fault_it_is(name: str) -> None:
 
 def full_after(monkeypatch: pytest.MonkeyPatch, files: int, code: int) -> None:
     """Let so many of the files that a command writes go well, and the next one half."""
-    text, data = Path.write_text, Path.write_bytes
+    create = outputs._create
     written: list[Path] = []
 
-    def write(path: Path, content: Any, *rest: Any, **named: Any) -> int:
-        plain = text if isinstance(content, str) else data
-        if not path.name.startswith(".robodyn."):
-            return plain(path, content, *rest, **named)
+    def write(path: Path, content: bytes) -> None:
         if len(written) == files:
-            plain(path, content[: len(content) // 2], *rest, **named)
+            create(path, content[: len(content) // 2])
             raise OSError(code, os.strerror(code), str(path))
         written.append(path)
-        return plain(path, content, *rest, **named)
+        create(path, content)
 
-    monkeypatch.setattr(Path, "write_text", write)
-    monkeypatch.setattr(Path, "write_bytes", write)
+    monkeypatch.setattr(outputs, "_create", write)
 
 
 @pytest.mark.parametrize("command", representative(COMMANDS, *QUICK))

@@ -52,7 +52,7 @@ def test_a_second_run_overwrites_and_leaves_other_files_alone(elsewhere: Path, c
     out = elsewhere / "out"
     out.mkdir()
     (out / "main.c").write_text("mine")
-    (out / "stanford_3dof.c").write_text("old")
+    gen(capsys, "stanford_3dof", "-o", "out", "--formulation", "newton_euler")
     gen(capsys, "stanford_3dof", "-o", "out")
     once = tree(out)
     gen(capsys, "stanford_3dof", "-o", "out")
@@ -131,7 +131,7 @@ def test_folded_rotors(elsewhere: Path, capsys: Capture) -> None:
 def test_latex_beside_the_kernels(elsewhere: Path, capsys: Capture) -> None:
     gen(capsys, "stanford_3dof", "--latex", "-o", "out")
     text = (elsewhere / "out" / "stanford_3dof.tex").read_text()
-    assert text.startswith(r"\begin{align*}")
+    assert text.startswith("% Written by robodyn; do not edit, generate again.\n\\begin{align*}")
     assert r"\tau_{3}" in text
     gen(capsys, "stanford_3dof", "--latex", "-o", "out", "--check")
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 import json
 import shutil
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 from cli.generated import FILES, TOOL, Capture, gen, tree
+from robodyn import outputs
 from robodyn.kernels.generate import Options, generate
 from robodyn.robot import bundled_text, load
 from robodyn_cli.main import main
@@ -126,15 +126,15 @@ def test_a_disk_that_is_full_halfway(
     elsewhere: Path, capsys: Capture, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The second file does not fit: the first is not there either, nor anything temporary."""
-    write, calls = Path.write_text, []
+    create, calls = outputs._create, list[Path]()
 
-    def full(path: Path, *arguments: Any, **options: Any) -> int:
+    def full(path: Path, content: bytes) -> None:
         calls.append(path)
         if len(calls) == 2:
             raise OSError(28, "No space left on device")
-        return write(path, *arguments, **options)
+        create(path, content)
 
-    monkeypatch.setattr(Path, "write_text", full)
+    monkeypatch.setattr(outputs, "_create", full)
     _, err = gen(capsys, "stanford_3dof", "-o", "new/folder", code=74)
     assert "No space left on device" in err
     assert len(calls) == 2

@@ -73,7 +73,7 @@ def test_json(capsys: Capture) -> None:
 def test_what_robodyn_did_not_write_stays(capsys: Capture) -> None:
     Path("CMakeLists.txt").write_text("project(mine)\n")
     _, err = package(capsys, "--as", "cmake", "-o", ".", *GRAVITY, code=2)
-    assert "CMakeLists.txt is in the way, which robodyn did not write; expected an empty folder" in err
+    assert "CMakeLists.txt is in the way, which robodyn did not write; expected nothing there" in err
     assert [path.name for path in Path().iterdir()] == ["CMakeLists.txt"]
     Path("CMakeLists.txt").unlink()
     package(capsys, "--as", "cmake", "-o", ".", *GRAVITY)
@@ -86,7 +86,7 @@ def test_what_robodyn_did_not_write_stays(capsys: Capture) -> None:
 def test_a_folder_where_a_file_should_be_stays_too(capsys: Capture) -> None:
     (Path("out") / "README.md").mkdir(parents=True)
     _, err = package(capsys, "--as", "cmake", "-o", "out", *GRAVITY, code=2)
-    assert "out/README.md is in the way" in err
+    assert "cannot write out/README.md; found something that is not a file" in err
     assert [path.name for path in Path("out").iterdir()] == ["README.md"]
 
 

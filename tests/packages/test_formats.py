@@ -13,10 +13,11 @@ import pytest
 from robodyn.dynamics.functions import by_default, function_named
 from robodyn.errors import InputError
 from robodyn.kernels.generate import Generated, Options, generate
+from robodyn.outputs import is_marked
 from robodyn.packages import FORMATS, Format, format_named, package
 from robodyn.packages.format import Trait
 from robodyn.packages.maintainer import Maintainer
-from robodyn.packages.writing import MARK, zipped
+from robodyn.packages.writing import zipped
 from robodyn.robot import read_text
 from robodyn_testing import require_tool
 
@@ -94,7 +95,7 @@ def test_the_files(name: str) -> None:
         assert not pure.is_absolute()
         assert ".." not in pure.parts
         data = content if isinstance(content, bytes) else content.encode("utf-8")
-        assert MARK.encode("ascii") in data, f"{path}: a second run would take it for somebody else's"
+        assert is_marked(data), f"{path}: a second run would take it for somebody else's"
         if isinstance(content, str):
             assert content.endswith("\n")
             assert "\n\n\n\n" not in content

@@ -207,10 +207,10 @@ def test_a_cache_that_cannot_be_written_is_none(
 
 
 def test_a_full_disk_costs_nothing_but_the_cache(monkeypatch: pytest.MonkeyPatch) -> None:
-    def full(self: Path, *args: Any, **more: Any) -> int:
+    def full(path: Path, content: bytes) -> None:
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(Path, "write_text", full)
+    monkeypatch.setattr(improving, "replace_file", full)
     check(quick())
 
 

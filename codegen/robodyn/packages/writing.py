@@ -5,32 +5,19 @@ from __future__ import annotations
 import io
 import zipfile
 from collections.abc import Mapping
-from pathlib import Path
 from typing import Any, Final
 
 from robodyn.emit.languages.c import LANGUAGE as C
 from robodyn.emit.lines import head_of
 from robodyn.emit.markdown import Markdown, markdown_environment
 from robodyn.emit.render import environment
-from robodyn.errors import InputError
-from robodyn.files import read_bytes
 from robodyn.packages.format import Files, Package
-from robodyn.packages.limits import LARGEST_FILE
 from robodyn.packages.maintainer import NOT_STATED
 
-#: What every file says that is ours, and may be written again; one without it is somebody else's.
+#: How the sentence begins by which a second run knows a file again (:mod:`robodyn.outputs`).
 MARK: Final = "Written by robodyn"
 #: The oldest date that an archive can have: no clock is in what we write.
 _DATE: Final = (1980, 1, 1, 0, 0, 0)
-
-
-def is_ours(path: Path) -> bool:
-    """Whether the file at ``path`` may be written again: it says that it is ours. What cannot be read, or is
-    no file of a package by its size, is not."""
-    try:
-        return MARK.encode("ascii") in read_bytes(path, LARGEST_FILE, "a file of a package")
-    except InputError:
-        return False
 
 
 def rendered(package: Package, templates: Mapping[str, str], **more: Any) -> dict[str, str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from pathlib import Path
+from pathlib import Path, PurePosixPath, PureWindowsPath
 from typing import Any, Final
 
 from robodyn.errors import InputError, Place
@@ -136,7 +136,7 @@ class _Reader:
             self.tables.description(
                 (*at, "robot") if "robot" in table else at, table.get("robot", name), self.folder
             ),
-            self.tables.text((*at, "output"), table.get("output", f"generated/{name}")),
+            self._output((*at, "output"), table.get("output", f"generated/{name}")),
             settings,
             _arguments(settings, keys),
             self._budgets(*at, "budgets"),
@@ -164,7 +164,7 @@ class _Reader:
             yield Entry(
                 f"{entry.name}{OF}{form}",
                 entry.robot,
-                self.tables.text((*at, form, "output"), output),
+                self._output((*at, form, "output"), output),
                 settings,
                 (f"--as={form}", *_arguments(settings, keys)),
                 {},
@@ -172,6 +172,26 @@ class _Reader:
                 ((*at, form), at, *entry.tables),
                 PACKAGE,
             )
+
+    def _output(self, at: tuple[str, ...], value: Any) -> str:
+        """The folder of an output: below that of the project file, whoever wrote that, for CI builds what a
+        pull request asks for. Links on the way are refused where files are written.
+
+        Raises
+        ------
+        InputError: it lies elsewhere, as Windows or others spell it.
+        """
+        text = self.tables.text(at, value)
+        for path in (PurePosixPath(text), PureWindowsPath(text)):
+            if path.anchor or ".." in path.parts:
+                raise InputError(
+                    "this output leaves the folder of the project file",
+                    where=self.places.of(*at),
+                    found=shown(text),
+                    expected="a folder below it, without ..",
+                    remedy="choose another output, or put the project file further up",
+                )
+        return text
 
     def _no_packages(self, at: tuple[str, ...], formats: Any) -> InputError:
         return InputError(

@@ -8,7 +8,6 @@ compared with the plain recursion without rounding, or not handed out at all.
 from __future__ import annotations
 
 import math
-import os
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
@@ -30,6 +29,7 @@ from robodyn.optimize.records.find import file_name, identity_at
 from robodyn.optimize.records.labels import labelled
 from robodyn.optimize.records.rounding import Rounding
 from robodyn.optimize.records.validation import check_reading, validated
+from robodyn.outputs import replace_file
 from robodyn.passes import SPELLING, run, units
 from robodyn.robot.model import Robot
 from robodyn.search.climb import Climbed, climb
@@ -257,12 +257,7 @@ def write_record(record: Record, folder: Path) -> Path:
     if identity_at(path) not in (None, record.identity):
         name = f"{record.robot}-{record.identity[:8]}"
         path = folder / file_name(name, record.function, record.objective)
-    unfinished = folder / f".{path.name}.{os.getpid()}.tmp"
-    try:
-        unfinished.write_text(record.text(), encoding="utf-8", newline="\n")
-        unfinished.replace(path)
-    finally:
-        unfinished.unlink(missing_ok=True)
+    replace_file(path, record.text().encode())
     return path
 
 
