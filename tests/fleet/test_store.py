@@ -122,6 +122,74 @@ def test_a_result_that_has_changed_is_not_used(value: str, tmp_path: Path) -> No
                 read()
 
 
+EXCHANGES = [
+    "key = case key when '?' then 'a' when 'a' then 'c' else key end",
+    "value = (select value from results as other where other.key = 'c')",
+    "(value, seal) = (select value, seal from results as other where other.key = 'c')",
+    "robodyn = robodyn, refused = 1 - refused",
+]
+
+
+@pytest.mark.parametrize("change", EXCHANGES)
+def test_a_result_of_another_key_is_not_used(change: str, tmp_path: Path) -> None:
+    path = tmp_path / "store"
+    with open_store(path) as store:
+        store.keep("a", b"one")
+        store.keep("b", Refused("no motion"))
+        store.keep("c", b"another")
+    seal = "seal" if "seal text" in "".join(store_module._TABLES) else "crc"
+    with sqlite3.connect(path) as connection:
+        if "?" in change:  # the keys of two rows, exchanged
+            for old, new in (("a", "?"), ("c", "a"), ("?", "c")):
+                connection.execute("update results set key = ? where key = ?", [new, old])
+        else:
+            connection.execute(f"update results set {change} where key = 'a'".replace("seal", seal))
+    connection.close()
+    with open_store(path) as store:
+        with pytest.raises(InputError, match="a row that differs from its checksum; delete it"):
+            store.result("a")
+        assert store.refusal("b") == "no motion"
+
+
+@pytest.mark.parametrize("column", ["content", "source", "signature"])
+def test_a_hash_of_another_log_is_not_used(
+    column: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Two logs of the same size and time: the digest of one would stand for the other."""
+    monkeypatch.setattr("time.time_ns", lambda: 10_000_000_000)
+    with open_store(tmp_path / "store") as store:
+        store.saw("one.csv", "12@7", 0, "hash of one")
+        store.saw("two.csv", "12@8", 0, "hash of two")
+    changes = {"content": "'hash of two'", "source": "X'6f74686572'", "signature": "'12@9'"}
+    with sqlite3.connect(tmp_path / "store") as connection:
+        connection.execute(f"update files set {column} = {changes[column]} where content = 'hash of one'")
+    connection.close()
+    with open_store(tmp_path / "store") as store:
+        source = "other" if column == "source" else "one.csv"
+        with pytest.raises(InputError, match="a row that differs from its checksum"):
+            store.content(source, "12@9" if column == "signature" else "12@7")
+        assert store.content("two.csv", "12@8") == "hash of two"
+
+
+def test_a_store_of_the_layout_before_is_refused(tmp_path: Path) -> None:
+    """Its checksums said nothing of keys."""
+    with open_store(tmp_path / "store"):
+        pass
+    with sqlite3.connect(tmp_path / "store") as connection:
+        connection.execute("pragma user_version = 1")
+    connection.close()
+    with pytest.raises(InputError, match=r"another robodyn.*delete the file"), open_store(tmp_path / "store"):
+        pass
+
+
+def test_a_store_is_not_written_through_a_link(tmp_path: Path) -> None:
+    (tmp_path / "precious").touch()
+    (tmp_path / "store").symlink_to("precious")
+    with pytest.raises(InputError, match="symbolic link"), open_store(tmp_path / "store"):
+        pass
+    assert (tmp_path / "precious").read_bytes() == b""
+
+
 def test_a_place_that_cannot_be_written(tmp_path: Path) -> None:
     (tmp_path / "file").touch()
     with pytest.raises(InputError, match="results cannot be kept"), open_store(tmp_path / "file" / "store"):

@@ -18,10 +18,11 @@ from robodyn.fleet.pool.judge import judge
 from robodyn.fleet.pool.limits import FALSE_NAMES
 from robodyn.fleet.pool.summary import first_to_look_at
 from robodyn.fleet.result import FleetResult, Unused
+from robodyn.fleet.same_files import absolute_source, check_changed, check_same_file
 from robodyn.fleet.sources.fleet import Fleet, LogFile
 from robodyn.fleet.store import Refused, Store, key_of, open_store
 from robodyn.fleet.units import Maker, completed, diagnosed
-from robodyn.fleet.work import contents, digest_log, digested, why
+from robodyn.fleet.work import Changed, contents, digest_log, digested, why
 from robodyn.logs.content import signature
 
 #: What is told of a stage: its name, how much of it is done, and of how much.
@@ -140,30 +141,44 @@ def run_fleet(
 def _read(fleet: Fleet, store: Store, cluster: Callable[[], Cluster], tell: Progress) -> _Logs:
     """The content of all logs; what was read before and is unchanged is not read again."""
     hashes, unused, new = dict[str, str](), dict[str, str](), list[str]()
-    for log in fleet.logs:
-        try:
-            content = store.content(log.source, signature(log.source)[0])
-        except OSError:  # whoever works may see another file system, and says what is wrong
-            content = None
+    paths = {log.source: absolute_source(log.source) for log in fleet.logs}
+    signatures = {source: _signature(path) for source, path in paths.items()}
+    for source, path in paths.items():
+        seen = signatures[source]
+        content = None if seen is None else store.content(path, seen)
         if content is None:
-            new.append(log.source)
+            new.append(source)
         else:
-            hashes[log.source] = content
+            hashes[source] = content
     if new:
         tell(READING, len(hashes), len(fleet.logs))
         parts = [new[k : k + HASHED] for k in range(0, len(new), HASHED)]
-        tasks = ((k, (part,)) for k, part in enumerate(parts))
+        tasks = ((k, ([paths[source] for source in part],)) for k, part in enumerate(parts))
         for k, outcome in cluster().each(contents, tasks):
             if isinstance(outcome, Failed):
                 raise outcome.error
             for source, read in zip(parts[k], outcome.value, strict=True):
+                path, seen = paths[source], signatures[source]
                 if isinstance(read, str):
+                    check_same_file(path, None, read)
                     unused[source] = read
-                else:
-                    hashes[source] = read[0]
-                    store.saw(source, read[1], read[2], read[0])
+                    continue
+                content, worker_signature, youngest = read
+                # Where it is being written here, too, the digest of the log finds out.
+                if seen is not None and seen != worker_signature and seen == _signature(path):
+                    check_same_file(path, content, f"one with the SHA-256 {content[:16]}...")
+                hashes[source] = content
+                store.saw(path, worker_signature, youngest, content)
             tell(READING, len(hashes) + len(unused), len(fleet.logs))
     return _Logs(hashes, unused)
+
+
+def _signature(path: str) -> str | None:
+    """The signature of a log; None where it is not here: whoever works may see another file system."""
+    try:
+        return signature(path)[0]
+    except OSError:
+        return None
 
 
 def _distinct(fleet: Fleet, logs: _Logs) -> _Logs:
@@ -188,14 +203,20 @@ def _digested(
     refused = dict[str, str]()
     if new:
         tell(DIGESTING, 0, len(new))
-        tasks = ((log.source, (fleet.types[log.type], log.source, logs.hashes[log.source])) for log in new)
+        tasks = (
+            (log.source, (fleet.types[log.type], absolute_source(log.source), logs.hashes[log.source]))
+            for log in new
+        )
         for k, (source, outcome) in enumerate(cluster().each(digest_log, tasks)):
             if isinstance(outcome, Done):
                 store.keep(keys[source], outcome.value)
             elif isinstance(outcome.error, InputError):
-                store.keep(keys[source], Refused(why(outcome.error, source)))
+                store.keep(keys[source], Refused(why(outcome.error, absolute_source(source))))
             else:  # not of the log's making: tried again in the next run
-                refused[source] = why(outcome.error, source)
+                reason = why(outcome.error, absolute_source(source))
+                if isinstance(outcome.error, Changed):
+                    check_changed([absolute_source(source)], [logs.hashes[source]], reason)
+                refused[source] = reason
             tell(DIGESTING, k + 1, len(new))
     for source, key in keys.items():
         value = store.refusal(key)

@@ -11,7 +11,6 @@ import contextlib
 import os
 import sqlite3
 import time
-import zlib
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -21,16 +20,17 @@ from typing import Any, Final
 
 from robodyn.errors import InputError, OutputError, Place, RobodynError
 from robodyn.files import label
+from robodyn.outputs import check_outputs
 from robodyn.version import VERSION
 
 #: The layout of the file; files of another are not read. The mark by which SQLite's own files are told apart.
-_LAYOUT: Final = 1
+_LAYOUT: Final = 2
 _MARK: Final = 0x726F626F
 #: [ns] A file that is younger than this when it is looked at may be written again without a new time.
 _YOUNG: Final = 2_000_000_000
 _TABLES: Final = (
-    "create table results (key text primary key, robodyn text, refused integer, value blob, crc integer)",
-    "create table files (source blob primary key, signature text, content text)",
+    "create table results (key text primary key, robodyn text, refused integer, value blob, seal text)",
+    "create table files (source blob primary key, signature text, content text, seal text)",
 )
 
 
@@ -41,7 +41,7 @@ class Refused:
     why: str
 
 
-def key_of(*parts: str) -> str:
+def key_of(*parts: str | bytes) -> str:
     """The key of what is worked out of ``parts``: hashes, texts, the version of what works it out."""
     joined = b"".join(len(data).to_bytes(8, "big") + data for data in map(_encoded, parts))
     return sha256(joined).hexdigest()
@@ -54,35 +54,46 @@ class Store:
         self._connection, self._name = connection, name
 
     def result(self, key: str) -> bytes | Refused | None:
-        """What was worked out; None: it was not yet."""
-        with self._guarded():
-            row = self._connection.execute(
-                "select value, crc, refused from results where key = ?", [key]
-            ).fetchone()
-        if row is None:
-            return None
-        data = self._intact(*row[:2])
-        return Refused(data.decode()) if row[2] else data
-
-    def refusal(self, key: str) -> str | None:
-        """Why a log cannot be used; None: it can, or it is not known."""
-        with self._guarded():
-            row = self._connection.execute(
-                "select value, crc from results where key = ? and refused", [key]
-            ).fetchone()
-        return None if row is None else self._intact(*row).decode()
-
-    def _intact(self, value: Any, crc: int) -> bytes:
-        """``value``, if it is what was stored: SQLite notices where its pages are damaged, and not what is in
-        them.
+        """What was worked out; None: it was not yet.
 
         Raises
         ------
-        InputError: it is not.
+        InputError: it is not what was kept under this key.
         """
-        if not isinstance(value, bytes) or zlib.crc32(value) != crc:
-            raise _damaged(self._name, "a result that differs from its checksum")
-        return value
+        with self._guarded():
+            row = self._connection.execute(
+                "select robodyn, refused, value, seal from results where key = ?", [key]
+            ).fetchone()
+        if row is None:
+            return None
+        robodyn, refused, value, seal = row
+        self._check(seal, key, robodyn, refused, value)
+        return Refused(value.decode()) if refused else bytes(value)
+
+    def refusal(self, key: str) -> str | None:
+        """Why a log cannot be used; None: it can, or it is not known.
+
+        Raises
+        ------
+        InputError: as of :meth:`result`.
+        """
+        with self._guarded():
+            refused = self._connection.execute(
+                "select 1 from results where key = ? and refused", [key]
+            ).fetchone()
+        value = self.result(key) if refused else None
+        return value.why if isinstance(value, Refused) else None
+
+    def _check(self, seal: Any, *row: Any) -> None:
+        """Hold a ``row`` to its ``seal``: SQLite notices where its pages are damaged, and neither what is in
+        them nor that the value of one key stands at another.
+
+        Raises
+        ------
+        InputError: it is another row.
+        """
+        if seal != _seal(*row):
+            raise _damaged(self._name, "a row that differs from its checksum")
 
     def has(self, key: str) -> bool:
         """Whether there is a result, of whichever kind."""
@@ -98,21 +109,29 @@ class Store:
         """
         refused = isinstance(value, Refused)
         data = value.why.encode() if isinstance(value, Refused) else value
+        row = (key, VERSION, int(refused), data)
         with self._guarded():
             self._connection.execute(
-                "insert or replace into results values (?, ?, ?, ?, ?)",
-                [key, VERSION, refused, data, zlib.crc32(data)],
+                "insert or replace into results values (?, ?, ?, ?, ?)", [*row, _seal(*row)]
             )
 
     def content(self, source: str, signature: str) -> str | None:
         """The hash of a log whose files have that ``signature``; None: they were not read yet, or written
-        since."""
+        since.
+
+        Raises
+        ------
+        InputError: it is not what was kept of this log.
+        """
         with self._guarded():
             row = self._connection.execute(
-                "select content from files where source = ? and signature = ?",
+                "select content, seal from files where source = ? and signature = ?",
                 [os.fsencode(source), signature],
             ).fetchone()
-        return None if row is None else str(row[0])
+        if row is None:
+            return None
+        self._check(row[1], os.fsencode(source), signature, row[0])
+        return str(row[0])
 
     def saw(self, source: str, signature: str, youngest: int, content: str) -> None:
         """Remember the hash of a log whose files had that ``signature``, the ``youngest`` written then [ns].
@@ -123,10 +142,9 @@ class Store:
         """
         if time.time_ns() - youngest < _YOUNG:
             return
+        row = (os.fsencode(source), signature, content)
         with self._guarded():
-            self._connection.execute(
-                "insert or replace into files values (?, ?, ?)", [os.fsencode(source), signature, content]
-            )
+            self._connection.execute("insert or replace into files values (?, ?, ?, ?)", [*row, _seal(*row)])
 
     @contextmanager
     def _guarded(self) -> Iterator[None]:
@@ -147,6 +165,7 @@ def open_store(path: Path) -> Iterator[Store]:
     OutputError: there is no room.
     """
     name = label(path)
+    check_outputs(path.parent, [path.name], named=True)  # SQLite would follow a link
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         connection = sqlite3.connect(path, timeout=0.0, isolation_level=None)
@@ -230,5 +249,14 @@ def _damaged(name: str, what: str) -> InputError:
     )
 
 
-def _encoded(text: str) -> bytes:
+def _seal(*row: Any) -> str:
+    """The checksum of a ``row``, its key first: of what each column holds, and of which kind."""
+    fields = [(type(value).__name__, value if isinstance(value, bytes) else str(value)) for value in row]
+    return key_of(f"layout {_LAYOUT}", *(part for field in fields for part in field))
+
+
+def _encoded(text: str | bytes) -> bytes:
+    if isinstance(text, bytes):
+        return text
+
     return text.encode(errors="surrogatepass")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import logging
-import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -11,13 +10,14 @@ from typing import Any
 
 from robodyn.cluster import Cluster, Done
 from robodyn.errors import InputError
-from robodyn.files import cannot_write, label
 from robodyn.fleet.limits import LOGS_AFTER, LOGS_BEFORE
 from robodyn.fleet.places import unit_folder
 from robodyn.fleet.result import UnitResult
+from robodyn.fleet.same_files import absolute_source, check_changed
 from robodyn.fleet.sources.fleet import ArmType, Fleet, LogFile
 from robodyn.fleet.store import Refused, Store, key_of
-from robodyn.fleet.work import diagnose_unit, unpacked, why
+from robodyn.fleet.work import Changed, diagnose_unit, unpacked, why
+from robodyn.outputs import check_outputs, write_files
 from robodyn.toolchain.sources import own_key
 
 #: What makes files, by their names, of a diagnosis; it can be imported by its name.
@@ -38,6 +38,11 @@ class _Case:
     sources: tuple[str, ...]
     hashes: tuple[str, ...]
     key: str
+
+    @property
+    def paths(self) -> tuple[str, ...]:
+        """The sources as a worker reads them."""
+        return tuple(map(absolute_source, self.sources))
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,6 +70,7 @@ def diagnosed(
     Raises
     ------
     InputError, OutputError: a file cannot be written.
+    WrongWorker: a worker does not see the logs.
     """
     of_unit: dict[tuple[str, str], list[LogFile]] = {}
     for log in fleet.logs:
@@ -76,9 +82,7 @@ def diagnosed(
         for case in _cases(unit, of_unit[unit.type, unit.unit], fleet.types[unit.type], hashes, files_of)
     ]
     new = {case.key: case for case in cases if not store.has(case.key)}
-    tasks = (
-        (key, (fleet.types[case.type], case.sources, case.hashes, files_of)) for key, case in new.items()
-    )
+    tasks = ((key, (fleet.types[case.type], case.paths, case.hashes, files_of)) for key, case in new.items())
     if new:
         tell(0, len(new))
         for k, (key, outcome) in enumerate(cluster().each(diagnose_unit, tasks)):
@@ -87,18 +91,23 @@ def diagnosed(
             else:
                 case = new[key]
                 reason = why(outcome.error, "")
+                if isinstance(outcome.error, Changed):
+                    check_changed(case.paths, case.hashes, reason)
                 _log.warning("%s %s: no diagnosis: %s", case.type, case.unit, reason)
                 if isinstance(outcome.error, InputError):
                     store.keep(key, Refused(reason))
             tell(k + 1, len(new))
+    for case in cases:  # all of them, before the first is written
+        packed = store.result(case.key)
+        if isinstance(packed, bytes):
+            check_outputs(folder, _files(case, packed))
     pages = dict[tuple[str, str], str]()
     named = dict[str, list[tuple[str, int | None]]]()
     for case in cases:
         packed = store.result(case.key)
         if isinstance(packed, bytes):
-            named[case.place], files = unpacked(packed)
-            for name, text in files.items():
-                write(folder / case.place / name, text)
+            named[case.place], _ = unpacked(packed)
+            write_files(folder, _files(case, packed))
             if case.place == unit_folder(case.type, case.unit):
                 pages[case.type, case.unit] = f"{case.place}/{PAGE}"
     return {unit: Diagnosed(page, tuple(_new(named, unit_folder(*unit)))) for unit, page in pages.items()}
@@ -149,24 +158,7 @@ def _cases(
     return cases
 
 
-def write(path: Path, text: str) -> None:
-    """Write a file as a whole or not at all; one that is the same already stays.
-
-    Raises
-    ------
-    InputError, OutputError: it cannot be written.
-    """
-    data = text.encode(errors="surrogateescape")
-    try:
-        if path.is_file() and path.read_bytes() == data:
-            return
-        path.parent.mkdir(parents=True, exist_ok=True)
-        unfinished = path.with_name(f".unfinished-{os.getpid()}")
-        try:
-            unfinished.write_bytes(data)
-            unfinished.replace(path)
-        except BaseException:
-            unfinished.unlink(missing_ok=True)
-            raise
-    except OSError as error:
-        raise cannot_write(label(path), error, "free some space, or choose another folder") from error
+def _files(case: _Case, packed: bytes) -> dict[str, bytes]:
+    """The files of the diagnosis of a ``case``, relative to the folder of results."""
+    _, files = unpacked(packed)
+    return {f"{case.place}/{name}": text.encode(errors="surrogateescape") for name, text in files.items()}

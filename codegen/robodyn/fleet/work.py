@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import zlib
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 from struct import Struct
@@ -44,12 +45,50 @@ def digest_log(arm: ArmType, source: str, content: str) -> bytes:
     Raises
     ------
     InputError: it cannot be used.
-    Changed: it is another by now.
+    Changed: it is another by now, or not here.
     """
+    with _unchanged([source], [content]):
+        return _digest(arm, source)
+
+
+@contextmanager
+def _unchanged(sources: Sequence[str], hashes: Sequence[str]) -> Iterator[None]:
+    """What is worked out meanwhile, or what is said of a log that cannot be used, is of the logs with these
+    ``hashes``.
+
+    Raises
+    ------
+    Changed: a log has another content when it has been read.
+    """
+    try:
+        yield
+    except Exception:
+        _check_content(sources, hashes)
+        raise
+    _check_content(sources, hashes)
+
+
+def _check_content(sources: Sequence[str], hashes: Sequence[str]) -> None:
+    """As :func:`_unchanged`, of now."""
+    from robodyn.logs.content import digest
+
+    for source, content in zip(sources, hashes, strict=True):
+        try:
+            same = digest(source) == content
+        except OSError as error:
+            reason = (error.strerror or str(error)).lower()
+            raise Changed(f"{source} cannot be read any more: {reason}") from None
+        if not same:
+            raise Changed(
+                f"{source} was written while it was read", remedy="run it again when it is complete"
+            ) from None
+
+
+def _digest(arm: ArmType, source: str) -> bytes:
+    """As :func:`digest_log`, of whatever is at ``source``."""
     from robodyn.fleet.digest.digest import digest_of
     from robodyn.fleet.limits import PIECE
     from robodyn.logs.conditions import together
-    from robodyn.logs.content import digest
     from robodyn.logs.mapping import map_of_text
     from robodyn.logs.pieces import pieces
     from robodyn.robot.reader import read_text
@@ -68,8 +107,6 @@ def digest_log(arm: ArmType, source: str, content: str) -> bytes:
     means = together(conditions for _, conditions in notes)
     conditions = {name: mean.value for name, mean in means.items() if mean.count}
     began = next((date for date, _ in notes if date is not None), IN_LOG)
-    if digest(source) != content:
-        raise Changed(f"{source} was written while it was read", remedy="run it again when it is complete")
     return _BEGAN.pack(began) + replace(value, conditions=conditions).to_bytes()
 
 
@@ -81,7 +118,7 @@ def digested(data: bytes) -> tuple[float, Digest]:
 
 
 class Changed(RobodynError):
-    """A log was written while it was read."""
+    """A log was written while it was read, or is another where it was read."""
 
 
 def diagnose_unit(
@@ -96,7 +133,19 @@ def diagnose_unit(
     Raises
     ------
     InputError: a log cannot be used.
+    Changed: one is another by now, or not here.
     """
+    with _unchanged(sources, hashes):
+        return _diagnose(arm, sources, hashes, files_of)
+
+
+def _diagnose(
+    arm: ArmType,
+    sources: Sequence[str],
+    hashes: Sequence[str],
+    files_of: Callable[..., Mapping[str, str]],
+) -> bytes:
+    """As :func:`diagnose_unit`, of whatever is at ``sources``."""
     from robodyn.diagnose.run import diagnose
     from robodyn.logs.log import read_log
     from robodyn.logs.mapping import map_of_text

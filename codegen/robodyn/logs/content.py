@@ -36,10 +36,13 @@ def signature(source: str) -> tuple[str, int]:
     """Sizes and times of a log's files, by which one sees that they were not written since; the time at
     which the youngest was [ns].
 
+    Of the two times one can be set back (``cp -p``, ``touch -d``), that of the last change of the entry
+    cannot.
+
     Raises
     ------
     OSError: one of them is not there.
     """
     states = [path.stat() for path in input_files(source)]
-    text = " ".join(f"{state.st_size}@{state.st_mtime_ns}" for state in states)
+    text = " ".join(f"{state.st_size}@{state.st_mtime_ns}@{state.st_ctime_ns}" for state in states)
     return text, max((state.st_mtime_ns for state in states), default=0)

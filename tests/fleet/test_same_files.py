@@ -1,0 +1,132 @@
+"""A worker reads the log that is meant, wherever it stands, or the run ends."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+from fleet.small_fleet import files_of, small_fleet, write_log
+from robodyn.cluster.cluster import Done, Failed, ThisProcess
+from robodyn.errors import ToolError
+from robodyn.fleet import run as run_module
+from robodyn.fleet.result import FleetResult
+from robodyn.fleet.run import run_fleet
+from robodyn.fleet.sources.fleet import Fleet
+from robodyn.logs.content import signature
+
+Outcomes = Iterator[tuple[Any, Done | Failed]]
+
+
+@dataclass
+class Elsewhere:
+    """A worker that was started in another ``folder``, and to which paths with ``logs`` lead ``to`` others in
+    the work called ``names`` (none: in none)."""
+
+    folder: Path
+    to: str = "logs"
+    names: tuple[str, ...] = ()
+    count: int = 1
+
+    def each(self, function: Callable[..., Any], tasks: Iterable[tuple[Any, tuple[Any, ...]]]) -> Outcomes:
+        for key, arguments in tasks:
+            if function.__name__ in self.names:
+                arguments = tuple(map(self._led, arguments))
+            before = Path.cwd()
+            os.chdir(self.folder)
+            try:
+                outcomes = list(ThisProcess().each(function, [(key, arguments)]))
+            finally:
+                os.chdir(before)
+            yield from outcomes
+
+    def _led(self, value: Any) -> Any:
+        if isinstance(value, (list, tuple)):
+            return type(value)(map(self._led, value))
+        return value.replace("/logs/", f"/{self.to}/") if isinstance(value, str) else value
+
+
+@pytest.fixture
+def fleet(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Fleet:
+    """Logs by relative paths; in another folder are others by the same paths."""
+    (tmp_path / "here").mkdir()
+    monkeypatch.chdir(tmp_path / "here")
+    fleet = small_fleet(Path("logs"), units=2, logs=2, seconds=4.0)
+    (tmp_path / "there" / "logs").mkdir(parents=True)
+    for log in fleet.logs:
+        write_log(tmp_path / "there" / log.source, seed=1000, friction=50.0, seconds=4.0)
+    shutil.copytree("logs", "others")
+    for path in Path("others").iterdir():
+        write_log(path, seed=2000, friction=50.0, seconds=4.0)
+    return fleet
+
+
+def run(fleet: Fleet, worker: Any, monkeypatch: pytest.MonkeyPatch, out: str = "out") -> FleetResult:
+    @contextmanager
+    def opened(on: str, **_: Any) -> Iterator[Any]:
+        yield worker
+
+    def diagnose(robot: Any, logs: Any, **_: Any) -> Any:
+        return SimpleNamespace(findings=[], verdict=f"{sum(log.tau.sum() for log in logs)}", logs=logs)
+
+    monkeypatch.setattr("robodyn.diagnose.run.diagnose", diagnose)  # which takes seconds
+    monkeypatch.setattr(run_module, "open_cluster", opened)
+    return run_fleet(fleet, Path(out), "here", diagnose="all", files_of=files_of)
+
+
+def test_relative_paths_are_those_of_who_asks(
+    fleet: Fleet, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    expected = run(fleet, ThisProcess(), monkeypatch, "expected")
+    assert run(fleet, Elsewhere(tmp_path / "there"), monkeypatch) == expected
+    assert fleet.logs[0].source == "logs/0-0.csv"  # no path of this machine is in a result
+
+
+@pytest.mark.parametrize("names", [("contents", "digest_log"), ("digest_log",), ("diagnose_unit",)])
+@pytest.mark.parametrize("to", ["others", "nowhere"])
+def test_a_worker_that_sees_another_file_or_none(
+    names: tuple[str, ...], to: str, fleet: Fleet, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with pytest.raises(ToolError, match="a worker does not see the same file") as caught:
+        run(fleet, Elsewhere(tmp_path, to, names), monkeypatch)
+    assert "shared" in str(caught.value.remedy) or "share" in str(caught.value.remedy)
+    assert caught.value.exit_code == 3
+    assert run(fleet, ThisProcess(), monkeypatch) == run(fleet, ThisProcess(), monkeypatch, "expected")
+
+
+def test_a_log_that_is_only_there_is_taken_from_there(
+    fleet: Fleet, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A data store that the machine of who asks does not see."""
+    expected = run(fleet, ThisProcess(), monkeypatch, "expected")
+    shutil.copytree("logs", tmp_path / "store")
+    shutil.rmtree("logs")
+    worker = Elsewhere(tmp_path, "../store", ("contents", "digest_log", "diagnose_unit"))
+    assert run(fleet, worker, monkeypatch) == expected
+
+
+def test_a_log_that_both_cannot_read_is_named(
+    fleet: Fleet, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    gone = replace(fleet.logs[0], source="logs/gone.csv")
+    result = run(replace(fleet, logs=(gone, *fleet.logs[1:])), Elsewhere(tmp_path / "there"), monkeypatch)
+    assert [(log.source, log.why) for log in result.unused] == [
+        ("logs/gone.csv", "the file cannot be read: no such file or directory")
+    ]
+
+
+def test_a_log_that_was_written_and_whose_time_was_set_back_is_another(tmp_path: Path) -> None:
+    log = tmp_path / "log.csv"
+    log.write_text("12345")
+    state = log.stat()
+    before = signature(str(log))[0]
+    log.write_text("54321")
+    os.utime(log, ns=(state.st_atime_ns, state.st_mtime_ns))
+    assert signature(str(log))[0] != before
