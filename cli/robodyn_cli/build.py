@@ -195,12 +195,12 @@ def _write(project: Project, products: Products, *, force: bool) -> list[str]:
         folders |= {(folder / name).parent for name in product.files}
         different = outdated(folder, product)
         texts = products.texts(entry) if different else {}
-        own = {f"{entry.output}/{name}": texts[name] for name in different}
+        contents = {f"{entry.output}/{name}": texts[name] for name in different}
         try:
-            check_outputs(project.folder, own, force=force)
+            check_outputs(project.folder, contents, force=force)
         except InputError as error:
             raise error.at(entry.place()) from None
-        files |= own
+        files |= contents
     remove_leftovers(folders)
     lock = lock_text(locked(project, products.by_name)).encode("utf-8")
     if not project.lock.is_file() or project.lock.read_bytes() != lock:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Final
 import click
 
 from robodyn.errors import InputError
-from robodyn.outputs import write_files
+from robodyn.outputs import check_outputs, write_files
 from robodyn_cli import progress
 from robodyn_cli.choices import FILE, FOLDER, SEVERAL_EFFECTS
 from robodyn_cli.common import (
@@ -92,6 +92,7 @@ def command(
     sources = [*logs, *([] if validate is None else [validate])]
     inputs = [robot, *(str(file) for source in sources for file in input_files(source))]
     spare_inputs([folder / name for name in (DATA, MODEL, REPORT)], inputs)
+    check_outputs(folder, (DATA, MODEL, REPORT))
     described = load_robot(robot, strict=strict)
     values = parameter_values(described, param) or None
     scope = {

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Final
 import click
 
 from robodyn.errors import InputError
-from robodyn.outputs import write_files
+from robodyn.outputs import check_outputs, write_files
 from robodyn_cli import progress
 from robodyn_cli.choices import FILE, FOLDER
 from robodyn_cli.common import (
@@ -91,6 +91,7 @@ def command(
     paths = [*logs, *([] if validate is None else [validate])]
     inputs = [robot, *(str(file) for path in paths for file in input_files(path))]
     spare_inputs([folder / _DATA, folder / _MODEL], inputs)
+    check_outputs(folder, (_DATA, _MODEL))
     described = load_robot(robot, strict=strict)
     values = parameter_values(described, param) or None
     options = Options(

@@ -99,12 +99,12 @@ def check_outputs(
     contents = files if isinstance(files, Mapping) else dict.fromkeys(files)
     path = folder
     try:
-        known = None if named or force else _listed(folder)
+        hashes = None if named or force else _listed(folder)
         for name, content in contents.items():
             path = folder / name
             if not named:
-                _check_way(folder, name)
-            _check_target(path, content, force=force, known=known, name=name, remedy=remedy)
+                _check_parents(folder, name)
+            _check_target(path, content, force=force, hashes=hashes, name=name, remedy=remedy)
     except OSError as error:
         raise cannot_write(label(path), error, remedy) from error
 
@@ -136,15 +136,15 @@ def replace_file(path: Path, content: bytes) -> None:
 # --- what is in the way ---------------------------------------------------------------------------------
 
 
-def _check_way(folder: Path, name: str) -> None:
+def _check_parents(folder: Path, name: str) -> None:
     """Hold the folders between ``folder`` and its file ``name`` to be none that lie elsewhere."""
-    way = folder
+    parent = folder
     for part in Path(name).parts[:-1]:
-        way = way / part
-        if way.is_symlink():
+        parent = parent / part
+        if parent.is_symlink():
             raise InputError(
-                f"{label(way)} is a symbolic link, through which nothing is written",
-                found=f"-> {label(way.readlink())}",
+                f"{label(parent)} is a symbolic link, through which nothing is written",
+                found=f"-> {label(parent.readlink())}",
                 expected="a folder, or nothing",
                 remedy="remove the link, or choose another output",
             )
@@ -155,11 +155,11 @@ def _check_target(
     content: bytes | None,
     *,
     force: bool | None,
-    known: Mapping[str, str] | None,
+    hashes: Mapping[str, str] | None,
     name: str,
     remedy: str,
 ) -> None:
-    """As :func:`check_outputs`, of one file; ``known``: hashes of robodyn's files by name; None: whose it is
+    """As :func:`check_outputs`, of one file; ``hashes``: those of robodyn's files by name; None: whose it is
     does not matter."""
     otherwise = "" if force is None else ", or replace it with --force"
     if path.is_symlink():
@@ -175,9 +175,9 @@ def _check_target(
         return
     if not path.is_file():
         raise InputError(f"cannot write {label(path)}", found="something that is not a file", remedy=remedy)
-    if known is None or _has_content(path, content) or says_robodyn(path):
+    if hashes is None or _has_content(path, content) or says_robodyn(path):
         return
-    listed = known.get(name)
+    listed = hashes.get(name)
     if listed is not None and listed == _hash(path):
         return
     since = "which robodyn did not write" if listed is None else "which was edited since robodyn wrote it"

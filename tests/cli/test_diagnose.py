@@ -152,7 +152,7 @@ def test_what_is_written_and_said(capsys: Capture, tmp_path: Path) -> None:
     folder = tmp_path / "deep" / "out"
     files = {str(path.relative_to(folder)) for path in folder.rglob("*") if path.is_file()}
     kernels = {f"kernels/arm.{ending}" for ending in ("c", "h", "f90")}
-    assert files == {"diagnosis.json", "model.yaml", "report.html", *kernels}
+    assert files == {".robodyn.sha256", "diagnosis.json", "model.yaml", "report.html", *kernels}
     assert (folder / "model.yaml").read_text() == RUBBING
     level = {
         "value": 2.0, "stderr": 0.01, "unit": "N*m", "interval": [1.9804, 2.0196], "identifiable": True

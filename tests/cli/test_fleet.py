@@ -48,7 +48,7 @@ def test_a_fleet_becomes_a_page_a_table_and_data(logs: Path, here: Path, capsys:
     written = {path: path.read_bytes() for path in out.rglob("*.*") if path.name != "store.sqlite"}
     pages = {f"units/{NAME}/unit {k}/index.html" for k in range(3)}
     assert {str(path.relative_to(out)) for path in written} == {
-        "fleet.json", "fleet.parquet", "index.html", *pages,
+        ".robodyn.sha256", "fleet.json", "fleet.parquet", "index.html", *pages,
     }  # fmt: skip
     data = json.loads(written[out / "fleet.json"])
     require_module("jsonschema").Draft202012Validator(fleet_schema()).validate(data)
@@ -109,7 +109,7 @@ def test_what_parquet_needs_is_asked_for_before_the_work(
     assert not (here / "out").exists()
     assert main(["fleet", str(logs), "-o", "out", "--on", "here", "--no-parquet", "--diagnose", "none"]) == 0
     assert sorted(path.name for path in (here / "out").iterdir()) == [
-        "fleet.json", "index.html", "store.sqlite", "units",
+        ".robodyn.sha256", "fleet.json", "index.html", "store.sqlite", "units",
     ]  # fmt: skip
 
 

@@ -234,7 +234,7 @@ def test_positions_in_degrees_are_doubted(capsys: Capture) -> None:
 
 def test_log_provenance_and_table(capsys: Capture) -> None:
     out, err = simulate(capsys, "weak.yaml --to 0.5 --duration 0.5")
-    assert made() == {"weak.csv", "weak.csv.json"}
+    assert made() == {".robodyn.sha256", "weak.csv", "weak.csv.json"}
     assert Path("weak.csv").read_text().startswith("t,q1,qd1,qdd1,tau1\n0.0,0.0,")
     lines = out.splitlines()
     assert lines[0] == "weak: wrote weak.csv, weak.csv.json"

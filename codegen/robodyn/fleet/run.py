@@ -144,8 +144,8 @@ def _read(fleet: Fleet, store: Store, cluster: Callable[[], Cluster], tell: Prog
     paths = {log.source: absolute_source(log.source) for log in fleet.logs}
     signatures = {source: _signature(path) for source, path in paths.items()}
     for source, path in paths.items():
-        seen = signatures[source]
-        content = None if seen is None else store.content(path, seen)
+        here = signatures[source]
+        content = None if here is None else store.content(path, here)
         if content is None:
             new.append(source)
         else:
@@ -158,14 +158,14 @@ def _read(fleet: Fleet, store: Store, cluster: Callable[[], Cluster], tell: Prog
             if isinstance(outcome, Failed):
                 raise outcome.error
             for source, read in zip(parts[k], outcome.value, strict=True):
-                path, seen = paths[source], signatures[source]
+                path, here = paths[source], signatures[source]
                 if isinstance(read, str):
                     check_same_file(path, None, read)
                     unused[source] = read
                     continue
                 content, worker_signature, youngest = read
                 # Where it is being written here, too, the digest of the log finds out.
-                if seen is not None and seen != worker_signature and seen == _signature(path):
+                if here is not None and here != worker_signature and here == _signature(path):
                     check_same_file(path, content, f"one with the SHA-256 {content[:16]}...")
                 hashes[source] = content
                 store.saw(path, worker_signature, youngest, content)
