@@ -6,6 +6,7 @@ import os
 import subprocess
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -32,7 +33,7 @@ def tree(folder: Path) -> dict[str, str]:
     }
 
 
-def refused(folder: Path, message: str, **how: bool) -> str:
+def refused(folder: Path, message: str, **how: Any) -> str:
     """What is said of :data:`FILES` that are not written into ``folder``; nothing else is there then."""
     before = tree(folder.parent)
     with pytest.raises(InputError, match=message) as caught:
