@@ -50,7 +50,7 @@ def one_body(robot: Robot, refitted: Robot, gates: Sequence[Gate]) -> OneBody | 
     before, after = (Model(arm) for arm in (robot, refitted))
     weight = before.rigid_torque(q, zeros, zeros)
     difference = (after.rigid_torque(q, zeros, zeros) - weight).reshape(-1)
-    if difference @ difference < BODY_SHARE**2 * float(np.sum(weight**2)):
+    if difference @ difference <= BODY_SHARE**2 * float(np.sum(weight**2)):  # both may be 0: no gravity
         return None
     columns = before.regressor(q, zeros, zeros)[..., :4]  # mass, and mass times centre
     bodies = []

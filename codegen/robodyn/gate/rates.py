@@ -62,9 +62,11 @@ def _check(
     flags: list[Flag],
     noise: Floats,
 ) -> bool:
+    if not smooth.inside.any():
+        return True
     a, b = logged[smooth.inside], derived[smooth.inside]
     a, b = a - a.mean(axis=0), b - b.mean(axis=0)
-    reach = np.ptp(smooth.q[smooth.inside], axis=0) if smooth.inside.any() else np.zeros(robot.n)
+    reach = np.ptp(smooth.q[smooth.inside], axis=0)
     moving = reach > np.maximum(30 * noise, 1e-3)
     sizes = np.sqrt((a * a).mean(axis=0)), np.sqrt((b * b).mean(axis=0))
     if not moving.any():

@@ -25,6 +25,7 @@ from robodyn.gate.limits import (
 )
 from robodyn.gate.links import links_garbage
 from robodyn.gate.spikes import without_held, without_spikes
+from robodyn.logs.limits import FASTEST_RATE
 from robodyn.logs.log import Log
 
 Mask = NDArray[np.bool_]
@@ -214,6 +215,14 @@ def _parts(
             found=f"{middle:.6g} s from row to row",
             expected=f"t in s, a row each {SLOWEST_PERIOD:g} s or oftener",
             remedy="write t in seconds, or record faster",
+        )
+    if middle < 1 / FASTEST_RATE:
+        refuse(
+            source,
+            "the samples are too close together for a time in seconds",
+            found=f"{middle:.6g} s from row to row",
+            expected=f"t in s, {FASTEST_RATE:g} rows a second at most",
+            remedy="write t in seconds",
         )
     regular = np.abs(steps / middle - 1) < 0.5
     steady = bool(regular.mean() > 0.6)

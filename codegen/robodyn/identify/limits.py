@@ -172,6 +172,9 @@ LEAST_MISFIT: Final = 1e-10
 PRIOR_FREEDOM: Final = 2.0
 """[degrees of freedom] of Student's t about the description: fewer let go of a wrong one sooner."""
 
+LEAST_NOISE: Final = 1e-9
+"""[N m or N] No torque channel is more exact: fits believe no sample of a torque beyond this."""
+
 # --- plain --------------------
 
 PLAIN_ROUNDS: Final = 4

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.identify.limits import PLAIN_ROUNDS, RANK
+from robodyn.identify.limits import LEAST_NOISE, PLAIN_ROUNDS, RANK
 from robodyn.identify.normal import Block, Layout
 
 Floats = NDArray[np.float64]
@@ -33,7 +33,7 @@ def plain(layout: Layout, blocks: Sequence[Block]) -> tuple[Floats, Floats]:
         x = shortest(*sums(layout, blocks, weights), without(layout, "offset"))
         squares = np.sum([block.misfit(layout, x) for block in blocks], axis=0)
         torque = np.sum([block.square for block in blocks], axis=0)
-        weights = count / np.maximum(np.maximum(squares, RANK * torque), 1e-300)
+        weights = count / np.maximum(np.maximum(squares, RANK * torque), count * LEAST_NOISE**2)
     return x, weights
 
 
@@ -59,12 +59,14 @@ def shortest(H: Floats, h: Floats, mask: NDArray[np.bool_]) -> Floats:
 
 def condition(layout: Layout, blocks: Sequence[Block], weights: Floats) -> float:
     """The condition number of the base regressor, columns scaled to one length: a basis is chosen of the
-    columns that stand out most from each other."""
+    columns that stand out most from each other; NaN where none shows."""
     from scipy.linalg import qr
 
     H, _ = sums(layout, blocks, weights)
     mask = without(layout, "offset")
     use = np.flatnonzero(mask & (np.diag(H) > RANK * np.diag(H).max(initial=0.0)))
+    if not len(use):
+        return float("nan")
     unit = 1 / np.sqrt(np.diag(H)[use])
     values, vectors = np.linalg.eigh(H[np.ix_(use, use)] * np.outer(unit, unit))
     root = np.sqrt(np.maximum(values, 0))[:, None] * vectors.T

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.identify.consistent import Cone, inside, minimum
-from robodyn.identify.limits import LEAST_MISFIT, PRIOR_FREEDOM, ROUNDS, START_SHARE
+from robodyn.identify.limits import LEAST_MISFIT, LEAST_NOISE, PRIOR_FREEDOM, ROUNDS, START_SHARE
 from robodyn.identify.normal import Block, Indices, Layout
 
 Floats = NDArray[np.float64]
@@ -177,7 +177,8 @@ def solve(unknowns: Unknowns, blocks: Sequence[Block], likeness: Floats, *, roun
     start = z.copy()
     count = np.maximum(np.sum([block.weight for block in blocks], axis=0), 1e-300)
     torque = np.sum([block.square for block in blocks], axis=0)
-    weights = count / np.maximum(torque, 1e-300) / likeness
+    least = count * LEAST_NOISE**2
+    weights = count / np.maximum(torque, least) / likeness
     precision = 1 / unknowns.sd**2
     squares = torque
     for _ in range(rounds):
@@ -186,7 +187,7 @@ def solve(unknowns: Unknowns, blocks: Sequence[Block], likeness: Floats, *, roun
         z = minimum(total, right, cone, start, free)
         squares = misfits(unknowns, blocks, z).sum(axis=0)
         squares = np.maximum(squares, LEAST_MISFIT * torque)
-        weights = count / np.maximum(squares, 1e-300) / likeness
+        weights = count / np.maximum(squares, least) / likeness
         precision = _precision(unknowns, z)
     H, _ = normal(unknowns, blocks, weights, z)
     return Solution(z, weights, H, precision, np.sqrt(squares / count))

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.errors import InputError
 from robodyn.formats.loading import robot_of, text_of
 from robodyn.gate.gate import Gate, inspect
 from robodyn.identify.advice import remarks
@@ -137,6 +138,13 @@ def identify(
     seen = None if validate is None else inspect(log_of(validate, robot.n), robot, source=labels[len(logs)])
     tell("fitting the arm")
     fit = fit_arm(robot, gates, _without_contacts(robot, options or Options(), hashes[: len(logs)]))
+    if np.isnan(fit.condition):
+        raise InputError(
+            f"none of {robot.name}'s numbers shows in the logs",
+            found="no joint that moves, and no gravity that turns or pushes one that stands",
+            expected="torques in which a link, a rotor or friction has a part",
+            remedy="record a motion of the joints whose numbers are wanted",
+        )
     tell("comparing the torques")
     outcome = identified(fit)
     old = text if text is not None and parameters is None else to_yaml(robot)

@@ -22,7 +22,7 @@ STATES = 4000
 class JointCheck:
     """A ``joint`` (from 1): its range [rad or m] beside the limits; how its torque goes with gravity's:
     ``correlation``, and ``gain``, how many times gravity's torque is in it; NaN where gravity's hardly
-    changes. ``remarks``: what that means."""
+    changes, and ``low`` and ``high`` where no position is a number. ``remarks``: what that means."""
 
     joint: int
     low: float
@@ -43,7 +43,7 @@ def check_joints(log: Log, robot: Robot) -> tuple[JointCheck, ...]:
     if len(q) and not robot.parameters:
         zero = np.zeros_like(q)
         gravity = Reference(robot, None).inverse_dynamics(q, zero, zero)
-    largest = float(np.ptp(gravity, axis=0).max(initial=0.0))
+    largest = float(np.ptp(gravity, axis=0).max(initial=0.0)) if len(q) else 0.0
     checks = []
     for j, link in enumerate(robot.links):
         pair = link.joint.limits.position

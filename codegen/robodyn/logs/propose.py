@@ -22,7 +22,7 @@ from robodyn.logs.limits import (
 )
 from robodyn.logs.mapping import Channel, LogMap
 from robodyn.logs.recording import Recording
-from robodyn.logs.survey import StreamFacts
+from robodyn.logs.survey import ColumnFacts, StreamFacts
 from robodyn.logs.units import UnknownUnit, unit_of
 from robodyn.logs.usual import JOINT_STATE, base_to_tip, joints_in
 from robodyn.robot.model import Robot
@@ -186,7 +186,7 @@ def _units(
                 continue
         if not unit and group == "tau":
             current = {"current", "currents", "cur", "curr", "amp", "strom"} & set(family.tokens)
-            largest = max(max(abs(main.columns[m].low), abs(main.columns[m].high)) for m in family.members)
+            largest = _largest([main.columns[member] for member in family.members])
             whole = all(main.columns[member].whole for member in family.members)
             if whole and largest > COUNTS:
                 unit, why = "raw", f"whole numbers up to {largest:.6g}: write factor, N m to one of them"
@@ -208,10 +208,17 @@ def _fits(unit: str, group: str) -> bool:
     return False
 
 
+def _largest(columns: Sequence[ColumnFacts]) -> float:
+    """The largest size of the numbers in ``columns``; 0 where there is none."""
+    return max((abs(x) for c in columns if c.share for x in (c.low, c.high)), default=0.0)
+
+
 def _angle_unit(main: StreamFacts, family: Family, robot: Robot | None) -> tuple[str, str]:
     """The unit of positions by their range."""
     columns = [main.columns[member] for member in family.members]
-    largest = max(max(abs(column.low), abs(column.high)) for column in columns)
+    largest = _largest(columns)
+    if not any(column.share for column in columns):
+        return "rad", "taken for rad: there is no number in it"
     limits = [None] * len(columns) if robot is None else [link.joint.limits.position for link in robot.links]
     bounds = [max(abs(float(x)) for x in pair) for pair in limits if pair is not None]
     turn = max([TURNED, *(1.1 * bound for bound in bounds)])

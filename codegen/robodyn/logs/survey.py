@@ -106,7 +106,7 @@ def _window(rows: int) -> slice:
 def _column(name: str, x: Floats) -> ColumnFacts:
     finite = x[np.isfinite(x)]
     if not len(finite):
-        return ColumnFacts(name, np.nan, np.nan, 0.0, False, x[:0])
+        return ColumnFacts(name, np.nan, np.nan, 0.0, False, np.full_like(x[_window(len(x))], np.nan))
     whole = bool((finite[:KEPT] == np.rint(finite[:KEPT])).all())
     window = np.where(np.isfinite(x[_window(len(x))]), x[_window(len(x))], np.nan)
     share = len(finite) / len(x)
@@ -119,9 +119,9 @@ def _column(name: str, x: Floats) -> ColumnFacts:
 @dataclass(frozen=True, slots=True)
 class LogFacts:
     """A log: ``samples``, ``joints``, ``duration`` [s], ``rate`` [Hz], ``jitter`` (the share of the period
-    by which one interval in a hundred is off), ``gaps`` (start and length [s]), times that go ``backwards``,
+    by which one interval in a hundred is off; NaN without two different times), ``gaps`` (start and length [s]), times that go ``backwards``,
     rows that are ``repeated`` in every digit or have a number ``missing``, the share of time at
-    ``standstill``, and the joints (from 1) that ``move``."""
+    ``standstill`` (NaN where no two positions can be compared), and the joints (from 1) that ``move``."""
 
     samples: int
     joints: int
@@ -137,29 +137,32 @@ class LogFacts:
 
 
 def facts_of(log: Log) -> LogFacts:
-    """What there is to know of ``log`` before it is used."""
-    steps = np.diff(log.t)
+    """What there is to know of ``log`` before it is used; of its times, those that are numbers."""
+    t = log.t[np.isfinite(log.t)]
+    steps = np.diff(t)
     forward = steps[steps > 0]
     period = float(np.median(forward)) if len(forward) else np.nan
     gaps = np.flatnonzero(steps > APART * period) if len(forward) else np.empty(0, int)
     near: Floats = np.abs(forward[forward <= APART * period] / period - 1)
     same = (np.diff(log.q, axis=0) == 0).all(axis=1) & (np.diff(log.tau, axis=0) == 0).all(axis=1)
-    reach = np.ptp(np.where(np.isfinite(log.q), log.q, 0.0), axis=0)
+    usual = np.where(np.isfinite(log.q), log.q, np.inf).min(axis=0, initial=np.inf)
+    reach = np.ptp(np.where(np.isfinite(log.q), log.q, usual), axis=0)
     stride = max(1, min(round(STILL_TIME / period), log.samples // 4)) if len(forward) else 1
     moved = np.abs(log.q[stride:] - log.q[:-stride])
     speed = np.nanmax(moved, axis=0, initial=0.0)
-    still: NDArray[np.bool_] = np.all(moved <= STANDSTILL * np.where(speed > 0, speed, 1), axis=1)
+    compared = np.isfinite(moved).all(axis=1)
+    still: NDArray[np.bool_] = np.all(moved[compared] <= STANDSTILL * np.where(speed > 0, speed, 1), axis=1)
     broken = ~np.isfinite(np.column_stack([log.t, log.q, log.tau])).all(axis=1)
     return LogFacts(
         samples=log.samples,
         joints=log.n,
-        duration=float(log.t[-1] - log.t[0]),
+        duration=float(t[-1] - t[0]) if len(t) else float("nan"),
         rate=1 / period if period > 0 else float("nan"),
-        jitter=float(np.quantile(near, 0.99)) if len(near) else 0.0,
-        gaps=tuple((float(log.t[k]), float(steps[k])) for k in gaps[:20]),
+        jitter=float(np.quantile(near, 0.99)) if len(near) else float("nan"),
+        gaps=tuple((float(t[k]), float(steps[k])) for k in gaps[:20]),
         backwards=int((steps < 0).sum()),
         repeated=int(same.sum()),
         missing=int(broken.sum()),
-        standstill=float(still.mean()) if len(still) else 1.0,
+        standstill=float(still.mean()) if len(still) else float("nan"),
         move=tuple(j + 1 for j in range(log.n) if reach[j] > 1e-3),
     )

@@ -67,7 +67,7 @@ def _log_data(result: Examination, facts: LogFacts) -> dict[str, Any]:
         "samples": facts.samples, "joints": facts.joints, "duration": _number(facts.duration),
         "rate": _number(facts.rate), "jitter": _number(facts.jitter),
         "gaps": [{"at": at, "length": length} for at, length in facts.gaps], "backwards": facts.backwards,
-        "repeated": facts.repeated, "missing": facts.missing, "standstill": facts.standstill,
+        "repeated": facts.repeated, "missing": facts.missing, "standstill": _number(facts.standstill),
         "move": list(facts.move), "ranges": dict(zip(log.columns, ranges, strict=True)),
         "linked": [j + 1 for j in log.linked],
     }  # fmt: skip
@@ -163,10 +163,13 @@ def _log_lines(result: Examination, facts: LogFacts) -> list[str]:
     assert log is not None
     text = [
         f"As mapped: {facts.samples} samples of {facts.joints} joint{'s' if facts.joints > 1 else ''}, "
-        f"{facts.duration:.6g} s, {facts.rate:.5g} Hz"
+        + (f"{facts.duration:.6g} s, " if math.isfinite(facts.duration) else "")
+        + (f"{facts.rate:.5g} Hz" if math.isfinite(facts.rate) else "rate not observed")
     ]
     text += [f"  note: {note}" for note in log.notes]
     remarks = [f"intervals even to {facts.jitter:.1%}" if facts.jitter < 1 else "intervals uneven"]
+    if math.isnan(facts.jitter):
+        remarks = ["no two times differ"]
     if facts.gaps:
         at, length = facts.gaps[0]
         more = f", and {len(facts.gaps) - 1} more" if len(facts.gaps) > 1 else ""
@@ -181,6 +184,9 @@ def _log_lines(result: Examination, facts: LogFacts) -> list[str]:
         remarks.append(f"standstill {facts.standstill:.0%} of the time")
     moving = ", ".join(map(str, facts.move))
     remarks.append(f"joints that move: {moving}" if moving else "no joint moves")
+    unseen = ", ".join(f"q{j + 1}" for j in range(log.n) if not np.isfinite(log.q[:, j]).any())
+    if unseen:
+        remarks.append(f"not observed, no number in them: {unseen}")
     if log.linked:
         remarks.append("second encoders: " + ", ".join(f"ql{j + 1}" for j in log.linked))
     text += [f"  {remark}" for remark in remarks]
@@ -191,17 +197,22 @@ def _log_lines(result: Examination, facts: LogFacts) -> list[str]:
         "  " + " ".join(f"{name:>10}" for name in shown) + (" ..." if len(names) > len(shown) else "")
     )
     for k in range(min(_ROWS, log.samples)):
-        text.append("  " + " ".join(f"{column[k]:>10.4g}" for column in columns[: len(shown)]))
+        cells = (f"{x:.4g}" if math.isfinite(x) else "-" for x in (column[k] for column in columns))
+        text.append("  " + " ".join(f"{cell:>10}" for cell in list(cells)[: len(shown)]))
     for group, array in (("q", log.q), ("tau", log.tau)):
         for j in range(log.n):
-            low, high = _extent(array[:, j])
-            text.append(f"  {group}{j + 1:<4} {spark(array[:, j], _CELLS)} {low:.4g} to {high:.4g}")
+            bars = spark(array[:, j], _CELLS)
+            text.append(f"  {group}{j + 1:<4} {bars} {_interval(*_extent(array[:, j]))}")
     return text
 
 
 def _extent(x: Floats) -> tuple[float, float]:
     finite = x[np.isfinite(x)]
     return (float(finite.min()), float(finite.max())) if len(finite) else (math.nan, math.nan)
+
+
+def _interval(low: float, high: float) -> str:
+    return f"{low:.4g} to {high:.4g}" if math.isfinite(low) else "no numbers"
 
 
 def spark(x: Floats, cells: int) -> str:
@@ -222,7 +233,7 @@ def _check_lines(checks: Sequence[JointCheck], robot: str) -> list[str]:
     text = [f"Beside {robot}:"]
     for check in checks:
         limits = "" if check.limits is None else f" of {check.limits[0]:.4g} to {check.limits[1]:.4g}"
-        line = f"  joint {check.joint}: {check.low:.4g} to {check.high:.4g}{limits}"
+        line = f"  joint {check.joint}: {_interval(check.low, check.high)}{limits}"
         if math.isfinite(check.correlation):
             line += f"; torque goes with gravity's: {check.correlation:+.2f}, {check.gain:.3g} times as large"
         else:

@@ -181,11 +181,11 @@ def problem(
     sizes = np.ones(Y.shape[2]) if sizes is None else sizes
     A, p = A @ basis, basis.shape[1]
     by_encoders = np.zeros_like(sigma) if encoder_noise is None else encoder_noise
-    none = np.zeros((BLOCKS, len(sigma), p))
+    none = np.zeros((BLOCKS, len(sigma), 0))
     return _summed(
         Problem(
-            b, A, np.full(p, thin), sigma, weight, parts, none[..., None], none, none[..., 0], thin, p, basis,
-            sizes, by_encoders,
+            b, A, np.full(p, thin), sigma, weight, parts, none[..., None], none, none, thin, p, basis, sizes,
+            by_encoders,
         )
     )  # fmt: skip
 

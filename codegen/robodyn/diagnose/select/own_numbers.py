@@ -32,7 +32,7 @@ Floats = NDArray[np.float64]
 def own_numbers(start: Problem) -> tuple[Floats, Floats]:
     """Columns [N n, p] of the arm's own numbers, as it is described, and how they are held [p, p]: a
     root of their precision."""
-    columns = start.A[:, :, : start.nuisance].reshape(-1, start.nuisance)
+    columns = start.A[:, :, : start.nuisance].reshape(start.rest.size, start.nuisance)
     return columns, np.diag(np.sqrt(start.prior[: start.nuisance]))
 
 
@@ -58,7 +58,7 @@ def own_numbers_of(
         whole = np.concatenate([_along(arm, c) for c in contexts]) * scale * start.sizes
     if whole is not None:
         ways = directions(whole)
-        columns = (whole @ ways).reshape(-1, ways.shape[1])
+        columns = (whole @ ways).reshape(start.rest.size, ways.shape[1])
         rotors = np.zeros((*whole.shape[:2], 0))
         if by_drives:
             rotors = np.concatenate([_seen(robot, c, _turned(arm, robot, c)) for c in contexts]) * scale
@@ -95,7 +95,7 @@ def _roots(start: Problem, rotors: Floats, count: int) -> Floats:
     shown = np.zeros((p, count))
     shown[:, :links] = start.basis.T
     if rotors.shape[2]:
-        columns = start.A[:, :, :p].reshape(-1, p)
+        columns = start.A[:, :, :p].reshape(start.rest.size, p)
         torques = rotors.reshape(-1, rotors.shape[2])
         shown[:, links : links + rotors.shape[2]] = np.linalg.lstsq(columns, torques, rcond=None)[0]
     return np.concatenate([plain, np.sqrt(start.prior[:p])[:, None] * shown])

@@ -54,6 +54,7 @@ from robodyn.diagnose.select.prior_share import prior_share
 from robodyn.diagnose.select.scope import EVERYTHING, Scope
 from robodyn.diagnose.select.trial import Trial, evidence_threshold, numbers_of, trials
 from robodyn.effects.catalogue import CATALOGUE
+from robodyn.identify.limits import LEAST_NOISE
 from robodyn.identify.rigid import Model
 from robodyn.logs.limits import MOTION_WIDER
 from robodyn.logs.log import Log
@@ -137,7 +138,7 @@ def passed_noise(s: Signals) -> Floats:
     """As far as the filter lets it pass."""
     floor = 1e-4 * np.sqrt(np.mean(s.tau**2, axis=0))
     passed = raw_noise(s) * np.sqrt(min(1.0, 2 * s.cutoff * s.period))
-    return np.asarray(np.maximum(passed, np.maximum(floor, 1e-9)))
+    return np.asarray(np.maximum(passed, np.maximum(floor, LEAST_NOISE)))
 
 
 def encoder_torque_noise(c: Context) -> Floats:
@@ -161,6 +162,7 @@ def what_matters(c: Context) -> Floats:
     """RMS [n] that an effect must explain at a joint to be worth a name."""
     s = c.signals
     large = np.maximum(OF_NOISE * raw_noise(s), OF_TORQUE * np.sqrt(np.mean(s.tau**2, axis=0)))
+    large = np.maximum(large, LEAST_NOISE)
     # A link on its spring looks like a smoother motion, and so hides noise of the encoders.
     return np.asarray(np.maximum(large, OF_ENCODER_NOISE * encoder_torque_noise(c)))
 
