@@ -39,7 +39,7 @@ from robodyn.robot.model import Robot
 #: Positions are drawn from so many numbers.
 _RANGE = 1 << 32
 #: How far from them the reference of a program is that repeats a step [rad or m]: a few steps.
-_BESIDE = Fraction(1, 64)
+BESIDE = Fraction(1, 64)
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,16 +54,26 @@ class Drawn:
     far: bool = False
 
 
+#: What :func:`flaw` says of a program that is right wherever it says that it reaches a pose, and never does.
+UNREACHED = "no pose is reached"
+
+
 def flaw(
-    robot: Robot, function: str, program: Program, scalar: ScalarType, *, place_only: bool
+    robot: Robot,
+    function: str,
+    program: Program,
+    scalar: ScalarType,
+    *,
+    place_only: bool,
+    beside: Fraction = BESIDE,
 ) -> str | None:
     """What is wrong with ``program`` as ``function`` of ``robot``, in words; None where nothing is.
 
     ``place_only``: whether only the place of the tool counts. Poses may be missed by some squares of what
     ``scalar``, the type that the program is for, rounds, as a share of the arm's size; or by what is taken
     for rounding of the description where that is not of :func:`simple numbers <is_simple>`. A program that
-    repeats a step stops near what ``scalar`` rounds; it begins near the positions that were drawn, and is not
-    sure to reach each pose.
+    repeats a step stops near what ``scalar`` rounds; it begins ``beside`` the positions that were drawn
+    [rad or m], and is not sure to reach each pose.
     """
     import mpmath
 
@@ -80,7 +90,7 @@ def flaw(
         same = SAME_POSITION * mpmath.sqrt(to_digits(ROUNDING[scalar]))
         goal = _Goal(arm, size, share, same, place_only, sure=not steps)
         reached = False
-        for drawn in _draws(arm, size, chance, _BESIDE if steps else Fraction(0)):
+        for drawn in _draws(arm, size, chance, beside if steps else Fraction(0)):
             inputs = {Input("T", k): x for k, x in enumerate(drawn.T)}
             inputs |= {Input("q_near", k): x for k, x in enumerate(drawn.near)}
             try:
@@ -93,7 +103,7 @@ def flaw(
                 if wrong is not None:
                     return f"at {drawn.words}: {wrong}"
                 reached |= 1 in results[part.answers.exists]
-    return None if reached else "no pose is reached"
+    return None if reached else UNREACHED
 
 
 def is_simple(robot: Robot) -> bool:

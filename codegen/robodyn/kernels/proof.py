@@ -3,9 +3,10 @@ forward kinematics, to 60 digits."""
 
 from __future__ import annotations
 
-from robodyn.dynamics.closing import flaw
+from robodyn.dynamics.closing import BESIDE, UNREACHED, flaw
 from robodyn.dynamics.equality import same_in_field
 from robodyn.dynamics.functions import function_named
+from robodyn.dynamics.functions.record import NoSuchFunction
 from robodyn.ir.program import Program
 from robodyn.ir.signature import ScalarType
 from robodyn.optimize.programs import inverse_kinematics_of
@@ -23,9 +24,16 @@ def prove(robot: Robot, function: str, program: Program, scalar: ScalarType = "d
     Raises
     ------
     Unequal: they differ.
+    NoSuchFunction: ``program`` repeats a step, and no pose that it was tried at is reached.
     """
     if function_named(function).of_pose:
         wrong = _flaw(robot, function, program, scalar)
+        if wrong == UNREACHED and program.iteration is not None:
+            raise NoSuchFunction(
+                f"{robot.name} has no {function} that could be checked",
+                found=f"steps that lead to none of the poses they were tried at: {_why(robot)}",
+                expected="axes that move the tool in all directions, not only by how they miss each other",
+            )
         if wrong is not None:
             raise Unequal(
                 f"{function} of {robot.name} differs from plain forward kinematics {wrong}; "
@@ -44,4 +52,13 @@ def closes(robot: Robot, function: str, program: Program, scalar: ScalarType = "
 
 
 def _flaw(robot: Robot, function: str, program: Program, scalar: ScalarType) -> str | None:
-    return flaw(robot, function, program, scalar, place_only=inverse_kinematics_of(robot).place_only)
+    from robodyn.dynamics.inverse import Numerical
+    from robodyn.dynamics.inverse.limits import WEAK_NEAR
+
+    solver = inverse_kinematics_of(robot)
+    beside = WEAK_NEAR if isinstance(solver, Numerical) and solver.weak else BESIDE
+    return flaw(robot, function, program, scalar, place_only=solver.place_only, beside=beside)
+
+
+def _why(robot: Robot) -> str:
+    return "; ".join(inverse_kinematics_of(robot).conditions)

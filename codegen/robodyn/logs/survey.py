@@ -119,9 +119,10 @@ def _column(name: str, x: Floats) -> ColumnFacts:
 @dataclass(frozen=True, slots=True)
 class LogFacts:
     """A log: ``samples``, ``joints``, ``duration`` [s], ``rate`` [Hz], ``jitter`` (the share of the period
-    by which one interval in a hundred is off; NaN without two different times), ``gaps`` (start and length [s]), times that go ``backwards``,
-    rows that are ``repeated`` in every digit or have a number ``missing``, the share of time at
-    ``standstill`` (NaN where no two positions can be compared), and the joints (from 1) that ``move``."""
+    by which one interval in a hundred is off; NaN without two different times), ``gaps`` (start and length
+    [s]), times that go ``backwards``, rows that are ``repeated`` in every digit or have a number ``missing``,
+    the share of time at ``standstill`` (NaN where no two positions can be compared), and the joints (from 1)
+    that ``move``."""
 
     samples: int
     joints: int

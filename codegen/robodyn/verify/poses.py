@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from robodyn.dynamics.functions.record import Answers, Function
 from robodyn.dynamics.inverse import Inverse, Numerical
-from robodyn.dynamics.inverse.limits import EDGE
+from robodyn.dynamics.inverse.limits import EDGE, WEAK_NEAR
 from robodyn.optimize.programs import inverse_kinematics_of
 from robodyn.robot.model import Robot
 from robodyn.verify.reference import Floats, Reference
@@ -35,7 +35,9 @@ _BESIDE, _REACHED = 0.05, 0.9
 def references(robot: Robot, q: Floats) -> Floats:
     """The references [N, n] of poses of positions ``q`` [N, n]: these; where steps begin at them, beside."""
     solver = inverse_kinematics_of(robot)
-    return q + _BESIDE if isinstance(solver, Numerical) and solver.alone else q
+    if not isinstance(solver, Numerical) or not solver.alone:
+        return q
+    return q + (float(WEAK_NEAR) if solver.weak else _BESIDE)
 
 
 def pose_errors(

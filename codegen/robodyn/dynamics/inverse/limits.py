@@ -55,6 +55,10 @@ BEGUN: Fraction = Fraction(1, 8)
 #: How far aside of where two branches meet each begins [rad, and shares of the arm's size].
 ASIDE: Fraction = Fraction(1, 40)
 
+#: How far beside a pose's positions the reference is at most of which is claimed that steps lead to the pose
+#: [rad or m], where joints hardly move the tool in a direction: by some micrometres, as axes miss.
+WEAK_NEAR: Fraction = Fraction(1, 1 << 18)
+
 #: From how many positions it begins where the reference does not lead to a pose and there is time.
 STARTS: int = 24
 

@@ -14,9 +14,15 @@ from robodyn.dynamics.inverse.descent import Descent, State
 from robodyn.dynamics.inverse.inverse import Inverse, inverse_of, size_of
 from robodyn.dynamics.inverse.limits import ASIDE, BEGUN, EDGE, ITERATIONS, REFINEMENTS
 from robodyn.dynamics.inverse.nearly import idealised
-from robodyn.dynamics.inverse.screws import chain_of
+from robodyn.dynamics.inverse.rank import has_full_rank, moves_all_ways
+from robodyn.dynamics.inverse.screws import as_floats, chain_of
 from robodyn.dynamics.inverse.solution import Joint, Nearest, Solved, joints_of, nearest, places_only
 from robodyn.dynamics.iterative import Iterative
+
+_WEAK = (
+    "there is a direction in which its joints move the tool only because axes do not meet, or are not "
+    "parallel: few poses are within reach, and those only from a reference very near them"
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,6 +32,8 @@ class Numerical:
     ``size``: about the arm's reach [m]. ``conditions``: why it is solved so. ``begins``: the inverse
     kinematics of a similar arm, at whose branches it begins; None: it has one solution, near the reference
     that it begins at, within the joints' limits. ``most``: iterations at most, from each beginning.
+    ``weak``: whether the joints move the tool in some direction only because axes miss where they have to
+    meet or be parallel: then steps lead to a pose from a reference only that is very near.
     """
 
     joints: tuple[Joint, ...]
@@ -33,6 +41,7 @@ class Numerical:
     conditions: tuple[str, ...]
     begins: Inverse | None = None
     most: int = ITERATIONS
+    weak: bool = False
 
     @property
     def branch_names(self) -> tuple[str, ...]:
@@ -129,5 +138,7 @@ def solver_of(arm: Arm) -> Inverse | Numerical:
     try:
         begins = inverse_of(arm, limits, similar)
     except NoSuchFunction:
+        if has_full_rank(as_floats(chain, whole)) and not moves_all_ways(as_floats(similar, whole)):
+            return Numerical(joints, size, (reason, _WEAK, *neglected), weak=True)
         return Numerical(joints, size, (reason,))
     return Numerical(joints, size, (*begins.conditions, *neglected), begins, REFINEMENTS)

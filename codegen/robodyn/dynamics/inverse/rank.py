@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import cos, sin
 
-from robodyn.dynamics.inverse.limits import FULL_RANK, TRIED
+from robodyn.dynamics.inverse.limits import FULL_RANK, TOLERANCE, TRIED
 from robodyn.dynamics.inverse.screws import Chain, minus, turned
 from robodyn.dynamics.vectors import ZERO, Vector, cross, plus, scaled
 
@@ -12,7 +12,16 @@ from robodyn.dynamics.vectors import ZERO, Vector, cross, plus, scaled
 def moves_all_ways(chain: Chain) -> bool:
     """Whether in some configuration the Jacobian of ``chain``, in floats with lengths as shares of its size,
     has full rank: of the tool's place for three joints or fewer, else of place and direction."""
-    return any(_smallest_pivot(_columns(chain, k)) > FULL_RANK for k in range(len(TRIED)))
+    return _largest_pivot(chain) > FULL_RANK
+
+
+def has_full_rank(chain: Chain) -> bool:
+    """Whether that has full rank at all, beyond rounding: joints may move the tool hardly in a direction."""
+    return _largest_pivot(chain) > TOLERANCE
+
+
+def _largest_pivot(chain: Chain) -> float:
+    return max(_smallest_pivot(_columns(chain, k)) for k in range(len(TRIED)))
 
 
 def _columns(chain: Chain, start: int) -> list[list[float]]:
