@@ -146,9 +146,11 @@ def _share(cone: Cone, x: Floats, step: Floats, mu: float, descent: float, bend:
 
 
 def _solved(matrix: Floats, right: Floats) -> Floats:
-    """``matrix^-1 right``, rows and columns scaled to a unit diagonal first."""
+    """``matrix^-1 right``, rows and columns scaled to a unit diagonal first. What rounding may take off a
+    definite matrix's eigenvalues is added to them: numbers that only show together leave it singular."""
     unit = 1 / np.sqrt(np.diag(matrix))
-    return np.asarray(unit * np.linalg.solve(matrix * np.outer(unit, unit), unit * right))
+    scaled = matrix * np.outer(unit, unit) + len(unit) * np.finfo(float).eps * np.eye(len(unit))
+    return np.asarray(unit * np.linalg.solve(scaled, unit * right))
 
 
 def inside(phi: Floats, mass: float, length: float, share: float) -> Floats:

@@ -26,8 +26,9 @@ from robodyn.dynamics.functions import INPUTS, Function, function_named
 from robodyn.dynamics.fusing import parts_of
 from robodyn.errors import InputError, ToolError
 from robodyn.robot.model import Robot
-from robodyn.verify.judging import is_regular, relative_to, ulps_of
+from robodyn.verify.judging import beside_terms, is_regular, relative_to, ulps_of
 from robodyn.verify.lagrangian import LIMIT
+from robodyn.verify.numbers import real
 from robodyn.verify.oracles import (
     NoDerivatives,
     Oracle,
@@ -237,6 +238,8 @@ class _Run:
             reference, wanted = oracle.compared(record, inputs, sent, inputs["qdd"])
             error = differences(wanted, reference)
             error[~sound.all(axis=1)] = np.inf
+            # What is compared may be no torque, and larger: of an arm without mass all torques are 0.
+            yardstick = max(self.largest, max((real(abs(x)) for x in reference.flat), default=0.0))
             return self._comparison(function, record, oracle, places, left_out, error, yardstick, None)
         if self.kernel.signatures[function].states:
             expected, _ = self.stepping.step(
@@ -254,11 +257,14 @@ class _Run:
         return self._comparison(function, record, oracle, places, left_out, error, yardstick, ulps)
 
     def _largest_of(self, record: Function) -> Floats:
-        """For each element the largest of its result, by the reference, anywhere in the sample."""
+        """For each element the largest of its result, by the reference, anywhere in the sample; see
+        :func:`~robodyn.verify.judging.beside_terms`."""
         if record.name not in self._largest:
             n = self.inputs["q"].shape[1]
             sizes = np.abs(self._reference.expected(record, self.inputs)).max(axis=0)
             parts = [[max(part)] * len(part) for _, part in record.split(sizes.tolist(), n)]
+            if record.geometric:
+                parts = [beside_terms(part, self.robot, self.inputs["qd"]) for part in parts]
             self._largest[record.name] = np.concatenate(parts)
         return self._largest[record.name]
 

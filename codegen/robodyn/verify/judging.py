@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.dynamics.functions import Function
+from robodyn.robot.model import Robot
 from robodyn.verify.numbers import real
 from robodyn.verify.reference import Floats
+
+#: Share of what is added up, in double, that is nothing but rounding.
+_ROUNDING = 64 * 2.0**-52
 
 
 def relative_to(error: Floats, yardstick: Floats) -> Floats:
@@ -18,6 +23,15 @@ def relative_to(error: Floats, yardstick: Floats) -> Floats:
     relative[(yardstick == 0) & (error == 0)] = 0.0
     relative[~np.isfinite(yardstick)] = np.inf
     return relative
+
+
+def beside_terms(largest: list[float], robot: Robot, qd: Floats) -> list[float]:
+    """The ``largest`` of elements that are places or motion; where one is no more than the rounding of what
+    lengths and rates ``qd`` ``[N, n]`` add up to, that sum: of what cancels everywhere nothing else is left."""
+    joints = [link.joint for link in robot.links]
+    lengths = sum(abs(float(x)) for j in joints for x in (j.a, j.b, j.d) if isinstance(x, Fraction))
+    terms = (1 + lengths) * max(1.0, float(np.abs(qd).max()) ** 2)
+    return [x if x > _ROUNDING * terms else terms for x in largest]
 
 
 def is_regular(matrix: Floats, dtype: np.dtype[Any]) -> NDArray[np.bool_]:
