@@ -27,7 +27,7 @@ def relative_to(error: Floats, yardstick: Floats) -> Floats:
 
 def beside_terms(largest: list[float], robot: Robot, qd: Floats) -> list[float]:
     """The ``largest`` of elements that are places or motion; where one is no more than the rounding of what
-    lengths and rates ``qd`` ``[N, n]`` add up to, that sum: of what cancels everywhere nothing else is left."""
+    lengths and rates ``qd`` ``[N, n]`` add up to, that sum: nothing else is left of what cancels."""
     joints = [link.joint for link in robot.links]
     lengths = sum(abs(float(x)) for j in joints for x in (j.a, j.b, j.d) if isinstance(x, Fraction))
     terms = (1 + lengths) * max(1.0, float(np.abs(qd).max()) ** 2)
