@@ -64,7 +64,7 @@ def nearly(shape: str, seed: int) -> Robot:
         return off() + {"0": Fraction(0), "Q": chance.choice((-1, 1)) * PI / 2, "N": inclined}[word]
 
     links = []
-    for k, (kind, alpha, a, d) in enumerate(SHAPES[shape].split()):
+    for k, (kind, alpha, a, d) in enumerate(map(tuple, SHAPES[shape].split())):
         theta = chance.choice((Fraction(0), PI / 2, -PI / 2, Fraction(13, 10))) + off()
         joint = Joint(
             kind="revolute" if kind == "R" else "prismatic",

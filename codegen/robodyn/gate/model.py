@@ -201,9 +201,10 @@ def _nearer(before: Likeness, after: Likeness, change: Change) -> NDArray[np.boo
 
 
 def _constant(tau: Floats, torque: Floats, source: str | None) -> None:
-    """Refuse torques [K, n] that never change where the model's do: gain and bias would be named for them."""
+    """Refuse torques [K, n] that never change where the model's do, or by a billionth of that: gain and bias
+    would be named for them."""
     spread = np.ptp(torque, axis=0)
-    same = np.ptp(tau, axis=0) <= 1e-9 * np.abs(tau).max(axis=0)
+    same = np.ptp(tau, axis=0) <= 1e-9 * np.maximum(np.abs(tau).max(axis=0), spread)
     joints = np.flatnonzero(same & (spread > 1e-6 * spread.max())).tolist()
     if joints:
         refuse(

@@ -16,6 +16,7 @@ from robodyn.gate.gate import Gate, inspect
 from robodyn.identify.advice import remarks
 from robodyn.identify.band import with_cutoff
 from robodyn.identify.fit import Fit, Options, fit_arm
+from robodyn.identify.limits import LEAST_NOISE
 from robodyn.identify.outcome import Estimate, Identified, identified
 from robodyn.identify.residual import Squares, squares_of
 from robodyn.logs.log import LogSource, log_of
@@ -136,14 +137,13 @@ def identify(
     labels = [names[k] if k < len(names) else f"log {k + 1}" for k in range(len(logs) + 1)]
     gates = [inspect(log_of(log, robot.n), robot, source=labels[k]) for k, log in enumerate(logs)]
     seen = None if validate is None else inspect(log_of(validate, robot.n), robot, source=labels[len(logs)])
+    if all(np.abs(gate.log.tau).max() <= LEAST_NOISE for gate in gates):
+        raise _nothing_shows(robot, f"no torque beyond {LEAST_NOISE:g} N m or N")
     tell("fitting the arm")
     fit = fit_arm(robot, gates, _without_contacts(robot, options or Options(), hashes[: len(logs)]))
     if np.isnan(fit.condition):
-        raise InputError(
-            f"none of {robot.name}'s numbers shows in the logs",
-            found="no joint that moves, and no gravity that turns or pushes one that stands",
-            expected="torques in which a link, a rotor or friction has a part",
-            remedy="record a motion of the joints whose numbers are wanted",
+        raise _nothing_shows(
+            robot, "no joint that moves, and no gravity that turns or pushes one that stands"
         )
     tell("comparing the torques")
     outcome = identified(fit)
@@ -161,6 +161,16 @@ def identify(
         ),
         fit,
     )  # fmt: skip
+
+
+def _nothing_shows(robot: Robot, found: str) -> InputError:
+    """Nothing of ``robot`` is observed, and why."""
+    return InputError(
+        f"none of {robot.name}'s numbers shows in the logs",
+        found=found,
+        expected="torques in which a link, a rotor or friction has a part",
+        remedy="record a motion of the joints whose numbers are wanted, with their torques",
+    )
 
 
 def _without_contacts(robot: Robot, options: Options, hashes: Sequence[str]) -> Options:
