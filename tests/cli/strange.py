@@ -82,7 +82,7 @@ def commands_of_log(arm: str, log: str) -> list[list[str]]:
         ["logs", log, "--robot", arm],
         ["logs", log, "--json"],
         ["identify", arm, log, "-o", _OUT],
-        ["diagnose", arm, log, "--out", _OUT, "--no-kernels"],
+        ["diagnose", arm, log, "--output", _OUT, "--no-kernels"],
     ]
 
 

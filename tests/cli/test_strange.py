@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+import yaml
 
 from cli.strange import (
     Capture,
@@ -130,7 +131,7 @@ def test_what_cannot_be_used_is_refused(
     command: str, log: str, message: str, elsewhere: Path, capsys: Capture
 ) -> None:
     file = write_arm("two_planar")
-    out = "--out" if command == "diagnose" else "-o"
+    out = "--output" if command == "diagnose" else "-o"
     code, _, err = run(capsys, command, file, write_log(file, log), out, "out")
     assert code == 2
     assert message in err
@@ -141,3 +142,15 @@ def test_numbers_that_do_not_show_are_not_identified(elsewhere: Path, capsys: Ca
     code, _, err = run(capsys, "identify", file, write_log(file, "still"), "-o", "out")
     assert code == 2
     assert "none of level_slide's numbers shows in the logs" in err
+
+
+def test_a_torque_of_which_nothing_is_measured_is_not_observed(elsewhere: Path, capsys: Capture) -> None:
+    file = write_arm("level_slide")
+    log = write_log(file, "plain")
+    robot = yaml.safe_load(Path(file).read_text())
+    robot["links"][0]["effects"] = [{"effect": "torque_gain", "gain": -1}]
+    Path(file).write_text(yaml.safe_dump(robot))
+    for command, out in (("identify", "-o"), ("diagnose", "--output")):
+        code, _, err = run(capsys, command, file, log, out, "out")
+        assert code == 2
+        assert "the torque of joint 1 is not observed" in err

@@ -14,6 +14,7 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.errors import InputError
 from robodyn.gate.gate import Gate
 from robodyn.identify.limits import (
     FOLDS,
@@ -132,12 +133,25 @@ def rest_band(acceleration_noise: Floats | None, cutoff: float) -> Floats:
 
 
 def true_torque(robot: Robot, log: Log) -> Floats:
-    """Torques [K, n] as they were before the sensors that the description knows: lag, offset, gain."""
+    """Torques [K, n] as they were before the sensors that the description knows: lag, offset, gain.
+
+    Raises
+    ------
+    InputError: nothing of a torque passes its channel, so that it is not observed.
+    """
+    passed = 1 + gains(robot)
+    if not passed.all():
+        raise InputError(
+            f"{robot.name}: the torque of joint {int(np.argmin(np.abs(passed))) + 1} is not observed",
+            found="torque_gain with gain -1: of the true torque nothing is measured",
+            expected="a gain other than -1",
+            remedy="state the gain of the torque channel, or leave the effect out",
+        )
     tau = log.tau.copy()
     late = delays(robot)
     for j in np.flatnonzero(late):
         tau[:, j] = np.interp(log.t + late[j], log.t, tau[:, j])
-    return np.asarray((tau - biases(robot)) / (1 + gains(robot)))
+    return np.asarray((tau - biases(robot)) / passed)
 
 
 def kept_torque(robot: Robot, log: Log, q: Floats, qd: Floats, qdd: Floats) -> Floats | None:
