@@ -27,7 +27,7 @@ def plain_log(robot: Robot, samples: int = 240, period: float = 0.01, seed: int 
     tau = Model(robot).rigid_torque(q, qd, qdd) + 0.8 * np.sign(qd) + 0.01 * chance.standard_normal(q.shape)
     columns = {"t": t}
     for name, values in (("q", q), ("qd", qd), ("qdd", qdd), ("tau", tau)):
-        columns |= {f"{name}{j + 1}": values[:, j].copy() for j in range(robot.n)}
+        columns |= {f"{name}{j + 1}": np.array(values[:, j], np.float64) for j in range(robot.n)}
     return columns
 
 

@@ -29,8 +29,10 @@ from robodyn.diagnose.select.scope import scope_of
 from robodyn.diagnose.select.selection import what_matters
 from robodyn.diagnose.settle import Completed, Logs, completed
 from robodyn.effects.catalogue import CATALOGUE
+from robodyn.errors import InputError
 from robodyn.formats.loading import robot_of, text_of
 from robodyn.gate.gate import Gate, inspect
+from robodyn.identify.limits import LEAST_NOISE
 from robodyn.identify.predict import agreement, signals_seen
 from robodyn.identify.rigid import Model
 from robodyn.logs.log import LogSource, log_of
@@ -85,6 +87,13 @@ def diagnose(
         )
         for k, log in enumerate([*logs, *([] if validate is None else [validate])])
     ]  # fmt: skip
+    if all(np.abs(gate.log.tau).max() <= LEAST_NOISE for gate in whole):
+        raise InputError(
+            f"no torque of {robot.name} is observed",
+            found=f"none beyond {LEAST_NOISE:g} N m or N in the logs",
+            expected="the torque of every joint",
+            remedy="record the torques of all joints",
+        )
     digests = [hashes[k] if k < len(hashes) else f"log {k + 1}" for k in range(len(whole))]
     free, touched = touches(robot, whole, digests) if scope.has_contact else (whole, ())
     evidence = Logs(free, len(logs), digests, dict(zip(digests, whole, strict=True)))
