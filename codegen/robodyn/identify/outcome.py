@@ -164,10 +164,12 @@ def _numbers(fit: Fit) -> tuple[dict[str, Estimate], list[str]]:
                 "kg m^2",
             )
             continue
-        values, slopes = physical(z[at]), _slopes(z[at], unknowns, k)
         described = physical(unknowns.mean[at])
-        after = np.sqrt(np.maximum(np.diag(slopes @ fit.covariance[np.ix_(at, at)] @ slopes.T), 0))
-        before = np.sqrt(np.diag(slopes @ prior[np.ix_(at, at)] @ slopes.T))
+        # A mass of which logs leave next to nothing has its centre anywhere: no error of it is a number.
+        with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+            values, slopes = physical(z[at]), _slopes(z[at], unknowns, k)
+            after = np.sqrt(np.maximum(np.diag(slopes @ fit.covariance[np.ix_(at, at)] @ slopes.T), 0))
+            before = np.sqrt(np.diag(slopes @ prior[np.ix_(at, at)] @ slopes.T))
         figures = np.stack([values, described, after, before], axis=1).tolist()
         for name, (value, was, error, prior_error), unit in zip(_LINK, figures, _UNITS, strict=True):
             stated = k >= fit.layout.n and name == "mass" and was > 0  # of a load: as good as it is
