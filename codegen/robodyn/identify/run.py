@@ -163,11 +163,11 @@ def identify(
     )  # fmt: skip
 
 
-def _nothing_shows(robot: Robot, found: str) -> InputError:
+def _nothing_shows(robot: Robot, reason: str) -> InputError:
     """Nothing of ``robot`` is observed, and why."""
     return InputError(
         f"none of {robot.name}'s numbers shows in the logs",
-        found=found,
+        found=reason,
         expected="torques in which a link, a rotor or friction has a part",
         remedy="record a motion of the joints whose numbers are wanted, with their torques",
     )
