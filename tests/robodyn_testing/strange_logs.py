@@ -25,7 +25,7 @@ def plain_log(robot: Robot, samples: int = 240, period: float = 0.01, seed: int 
     angle = np.outer(t, w) + phase
     q, qd, qdd = size * np.sin(angle), size * w * np.cos(angle), -size * w * w * np.sin(angle)
     tau = Model(robot).rigid_torque(q, qd, qdd) + 0.8 * np.sign(qd) + 0.01 * chance.standard_normal(q.shape)
-    columns = {"t": t}
+    columns: Columns = {"t": np.asarray(t, np.float64)}
     for name, values in (("q", q), ("qd", qd), ("qdd", qdd), ("tau", tau)):
         columns |= {f"{name}{j + 1}": np.array(values[:, j], np.float64) for j in range(robot.n)}
     return columns
