@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import sys
 from pathlib import Path
 
@@ -14,6 +13,7 @@ from robodyn.formats.arm import import_arm
 from robodyn.formats.reading import read_tree
 from robodyn_testing import require_module
 from robodyn_testing.urdf_text import link
+from robodyn_testing.xacro_arms import PACKAGE
 
 HEAD = '<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 MACRO = f"""{HEAD}
@@ -35,6 +35,7 @@ def folder(tmp_path: Path) -> Path:
     require_module("xacro")
     path = tmp_path / "ws" / "arm_description" / "urdf"
     path.mkdir(parents=True)
+    (path.parent / "package.xml").write_text(PACKAGE % "arm_description")
     (path / "macro.xacro").write_text(MACRO)
     (path / "arm.urdf.xacro").write_text(ARM)
     return path
@@ -56,39 +57,20 @@ def test_packages_beside_and_of_ros_are_seen(folder: Path, monkeypatch: pytest.M
     other.mkdir()
     (other / "arm.xacro").write_text(ARM)
     assert len(read_tree(other / "arm.xacro").joints) == 1
-    far = folder.parents[2] / "far.xacro"
+    far = folder.parents[2] / "0" / "1" / "2" / "3" / "4" / "far.xacro"
+    far.parent.mkdir(parents=True)
     far.write_text(ARM)
-    with pytest.raises(InputError, match="the package 'arm_description' is neither installed"):
+    with pytest.raises(InputError, match="none of ROS, names the package 'arm_description'"):
         read_tree(far)
     monkeypatch.setenv("ROS_PACKAGE_PATH", str(folder.parents[1]))
     assert len(read_tree(far).joints) == 1
     share = folder.parents[2] / "opt" / "share"
     share.mkdir(parents=True)
-    folder.parent.rename(share / "arm_description")
+    (share / "arm_description").mkdir()
+    (share / "arm_description" / "urdf").symlink_to(folder)  # as colcon does it
+    monkeypatch.setenv("ROS_PACKAGE_PATH", "")
     monkeypatch.setenv("AMENT_PREFIX_PATH", str(share.parent))
     assert len(read_tree(far).joints) == 1
-
-
-@pytest.mark.parametrize(
-    "expression",
-    [
-        "${().__class__}",
-        "${int.mro()}",
-        "${(x for x in [1]).gi_frame.f_back.f_globals}",
-        "${python.vars(python.type(1))}",
-        "${'a'.format(1)}",
-        "${[x := 1]}",
-        "${(lambda: 1)()}",
-        "$(eval ().__class__)",
-        "$(eval (x for x in [1]).gi_frame)",
-    ],
-)
-def test_expressions_that_lead_out_are_refused(expression: str, tmp_path: Path) -> None:
-    require_module("xacro")
-    path = tmp_path / "arm.xacro"
-    path.write_text(f'{HEAD}<link name="{expression}"/></robot>')
-    with pytest.raises(InputError, match=r"found (an expression that is refused|not an expr)"):
-        xacro.expanded(path)
 
 
 @pytest.mark.parametrize(
@@ -98,10 +80,10 @@ def test_expressions_that_lead_out_are_refused(expression: str, tmp_path: Path) 
         ('<link name="${1 +}"/>', "not an expression"),
         ('<xacro:include filename="none.xacro"/>', "none.xacro"),
         ('<xacro:arm prefix="a"/>', "arm"),
-        ('<link name="$(find ..)"/>', "the package '..' is neither"),
-        ('<link name="$(arg x)"/>', "x"),
-        ('<link name="${10 ** 10 ** 10}"/>', "more than 1 s"),
-        ("<link name=\"${'a' * 10 ** 10}\"/>", "out of memory"),
+        ('<link name="$(find ..)"/>', "is no name of a package"),
+        ('<link name="$(arg x)"/>', "no argument 'x': state it, --arg x=VALUE"),
+        ('<link name="${10 ** 10 ** 10}"/>', "more than 4096 bits"),
+        ("<link name=\"${'a' * 10 ** 10}\"/>", "more than 100000 elements or characters"),
         ('<xacro:macro name="m"><xacro:m/><xacro:m/></xacro:macro><xacro:m/>', ""),
     ],
 )
@@ -137,13 +119,3 @@ def test_without_the_package_the_extra_is_named(tmp_path: Path, monkeypatch: pyt
         read_tree(path)
     assert caught.value.exit_code == 3
     assert limits.XACRO_SECONDS > 0
-
-
-@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="missing: os.mkfifo; only POSIX has it")
-def test_a_file_that_never_ends_is_not_waited_for(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(xacro, "XACRO_SECONDS", 1)
-    os.mkfifo(folder / "never.xacro")
-    endless = folder / "endless.xacro"
-    endless.write_text(f'{HEAD}<xacro:include filename="never.xacro"/>{link("a")}</robot>')
-    with pytest.raises(InputError, match="more than 1 s or"):
-        read_tree(endless)

@@ -1,18 +1,20 @@
 """xacro to URDF through the package xacro, in a process of its own with bounds of time and memory.
 
-A xacro file is a program: its expressions are Python, and it reads the files that it includes. Expressions
-that are more than arithmetic are refused (:mod:`robodyn.formats.xacro_process`), and nothing can be written;
-it is still a file to be taken from people whom one trusts.
+What the file says is data: its expressions are evaluated over a whitelist of syntax, and it reads only files
+of its own folder and of packages (:mod:`robodyn.formats.xacro_process`). It is given no environment.
 """
 
 from __future__ import annotations
 
 import json
+import os
 import subprocess
 import sys
 import threading
 from collections.abc import Mapping
+from contextlib import suppress
 from pathlib import Path
+from typing import Final
 
 from robodyn.errors import InputError, Place
 from robodyn.files import MIB, label
@@ -21,9 +23,20 @@ from robodyn.formats.limits import FILE_MIB, XACRO_MEMORY, XACRO_SECONDS
 from robodyn.formats.tree import EXPANDED
 from robodyn.tools.libraries import XACRO
 
+#: The child's program: robodyn lies where it does here, and anything else where Python has it by itself.
+_START: Final = (
+    "import sys; sys.path.append(sys.argv[1]); "
+    "from robodyn.formats.xacro_process import main; sys.exit(main())"
+)
+#: What Python may need to start.
+_ENVIRONMENT: Final = ("LD_LIBRARY_PATH", "DYLD_LIBRARY_PATH", "SYSTEMROOT")
+
 
 def expanded(path: Path, arguments: Mapping[str, str] | None = None) -> elements.Document:
-    """The document that the xacro file at ``path`` expands to; ``arguments`` are those of its ``xacro:arg``.
+    """The document that the xacro file at ``path`` expands to.
+
+    ``arguments`` are those of its ``xacro:arg``; the names ``find PACKAGE`` and ``env NAME`` state the folder
+    of a package and the value of an environment variable.
 
     Raises
     ------
@@ -34,18 +47,27 @@ def expanded(path: Path, arguments: Mapping[str, str] | None = None) -> elements
     elements.read(str(path), "xacro", name)  # its bounds, and no document type
     if not XACRO.present():
         raise XACRO.missing(where=Place(name))
-    script = str(Path(__file__).with_name("xacro_process.py"))
-    bounds = [str(XACRO_SECONDS), str(XACRO_MEMORY * MIB)]
-    command = [sys.executable, "-I", "-B", script, str(path), *bounds, json.dumps(dict(arguments or {}))]
+    task = {
+        "file": os.fspath(path),
+        "arguments": dict(arguments or {}),
+        "ros": [os.environ.get(name, "") for name in ("AMENT_PREFIX_PATH", "ROS_PACKAGE_PATH")],
+        "seconds": XACRO_SECONDS,
+        "memory": XACRO_MEMORY * MIB,
+    }
+    command = [sys.executable, "-I", "-B", "-c", _START, str(Path(__file__).parents[2])]
     pipe = subprocess.PIPE
+    environment = {name: os.environ[name] for name in _ENVIRONMENT if name in os.environ}
     with subprocess.Popen(
-        command, stdin=subprocess.DEVNULL, stdout=pipe, stderr=pipe, start_new_session=True
+        command, stdin=pipe, stdout=pipe, stderr=pipe, start_new_session=True, env=environment
     ) as process:
+        assert process.stdin is not None
         assert process.stdout is not None
         assert process.stderr is not None
         late_end = threading.Timer(XACRO_SECONDS, process.kill)  # it may wait for a file that never ends
         late_end.start()
         try:
+            with suppress(BrokenPipeError), process.stdin as stdin:
+                stdin.write(json.dumps(task).encode())
             data = process.stdout.read(FILE_MIB * MIB + 1)
             process.stdout.close()
             stderr = process.stderr.read(4096).decode("utf-8", "replace")  # one line: it fits into the pipe

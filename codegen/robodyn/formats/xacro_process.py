@@ -1,62 +1,225 @@
-"""Run as a script of its own: expands a xacro file by the package xacro, and prints the XML.
+"""Run as a process of its own: expands a xacro file by the package xacro, and prints the XML.
 
-xacro evaluates expressions of the file as Python. Here they are looked at first: no names with underscores
-in front, no frames, no generators, none of the functions that lead out of numbers and texts. The process has
-bounds of time and memory and cannot write files. Nothing of robodyn is imported: Python runs this isolated.
+The package walks the XML; whatever it would evaluate, read or look up is done here in its place
+(:data:`REPLACED`): expressions over a whitelist of syntax, files within the file's packages, no environment.
+Two walls stand behind that: the process has bounds of time and memory, cannot write files and is given no
+environment, and an audit hook ends what would run code, open another file or start a program, so that a
+version of the package that evaluates by another way than it did is refused.
 """
 
 from __future__ import annotations
 
-import ast
+import glob
 import json
 import os
+import re
 import sys
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
+from xml.dom import expatbuilder
+from xml.parsers import expat
 
-#: Attributes that lead from values to the interpreter, and functions that do.
-_CLOSED = {"compile", "eval", "exec", "format", "format_map", "getattr", "globals", "locals", "mro", "open"}
-_CLOSED |= {"type", "vars"}
-_FRAMES = ("gi_", "cr_", "ag_", "tb_", "f_", "co_", "func_", "im_")
-_REFUSED = (ast.GeneratorExp, ast.Lambda, ast.Await, ast.Yield, ast.YieldFrom, ast.NamedExpr)
+from robodyn import files
+from robodyn.errors import RobodynError
+from robodyn.files import label
+from robodyn.formats.xacro_expressions import evaluate
+from robodyn.formats.xacro_files import Files, load_yaml
+from robodyn.formats.xacro_functions import MATH, METHODS, PYTHON, tokenize
+from robodyn.formats.xacro_values import DATA, Function, Names, Refused, shown
+
+#: What is taken out of the package and replaced; a version without one of them is refused.
+REPLACED: Final = (
+    "_global_symbols", "eval_extension", "get_include_files", "load_yaml", "parse", "safe_eval",
+)  # fmt: skip
+#: Names of xacro that need no ``python.`` or ``math.`` in front.
+_GLOBAL: Final = (
+    "list", "dict", "map", "len", "str", "float", "int", "bool", "min", "max", "round", "sorted", "range",
+)  # fmt: skip
+#: Beginnings of audited events that have no part in an expansion.
+_AUDITED: Final = (
+    "exec",
+    "import",
+    "open",
+    "os.",
+    "subprocess.",
+    "socket.",
+    "ctypes.",
+    "shutil.",
+    "marshal.",
+)
+_UNAUDITED: Final = ("os.scandir", "os.listdir")
+_OF_EVAL: Final = {"true": True, "false": False}
+_FIND: Final = re.compile(r"\$\(find +([^()\s]+) *\)")
 
 
-class Refused(Exception):
-    """An expression is more than arithmetic."""
+class _Builder(expatbuilder.ExpatBuilderNS):
+    """A document without a document type: there are no entities, and nothing else is read."""
+
+    def start_doctype_decl_handler(self, *_: Any) -> None:
+        raise Refused("the file has a document type: delete it, entities are not expanded")
 
 
-def check(expression: str) -> None:
-    """Refuse what is more than numbers, texts, lists and calls of plain functions.
+class Expansion:
+    """The expansion of one file: what xacro does through :data:`REPLACED`.
 
-    Raises
-    ------
-    Refused: what it is.
+    ``arguments`` are those of the command line: of ``xacro:arg`` by name, and behind ``find`` and ``env`` the
+    folder of a package and the value of an environment variable.
     """
-    try:
-        tree = ast.parse(expression.strip(), mode="eval")
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        raise Refused(f"not an expression: {expression.strip()[:80]!r}") from None
-    for node in ast.walk(tree):
-        name = node.attr if isinstance(node, ast.Attribute) else node.id if isinstance(node, ast.Name) else ""
-        if isinstance(node, _REFUSED) or name.startswith(("_", *_FRAMES)) or name in _CLOSED:
-            raise Refused(f"an expression that is refused: {expression.strip()[:80]!r}")
+
+    def __init__(self, file: str, arguments: Mapping[str, str], ros: tuple[str, str]) -> None:
+        import xacro
+        import yaml  # noqa: F401 (later nothing is imported)
+
+        missing = [name for name in REPLACED if not hasattr(xacro, name)]
+        if missing:
+            raise Refused(f"this version of the package xacro has no {missing[0]}: install 'xacro>=2.1,<3'")
+        self.xacro = xacro
+        split = {name: name.split(None, 1) for name in arguments}
+        stated: dict[str, dict[str, str]] = {"find": {}, "env": {}}
+        self.arguments: dict[str, str] = {}
+        for name, words in split.items():
+            if len(words) == 2 and words[0] in stated:
+                stated[words[0]][words[1]] = arguments[name]
+            else:
+                self.arguments[name] = arguments[name]
+        self.environment = stated["env"]
+        self.files = Files(file, stated["find"], ros)
+        self.symbols = self._symbols(xacro._global_symbols)
+
+    def text(self) -> str:
+        """The XML of the document."""
+        xacro = self.xacro
+        xacro.safe_eval, xacro.eval_extension = self.value, self.substituted
+        xacro.get_include_files, xacro.load_yaml, xacro.parse = self.included, self.yaml, self.document
+        xacro._global_symbols = self.symbols
+        document = xacro.process_file(self.files.top, mappings=self.arguments)
+        text: str = document.documentElement.toprettyxml(indent="  ")
+        return text
+
+    def _symbols(self, names: Mapping[str, Any]) -> dict[str, Any]:
+        """What is in place of xacro's global names: all of them, so that each counts as defined."""
+        functions = {
+            "abs_filename": self.xacro.abs_filename_spec,
+            "arg": self._argument,
+            "dotify": lambda value: value,
+            "fatal": _fail,
+            "load_yaml": self.yaml,
+            "tokenize": tokenize,
+            **dict.fromkeys(("error", "message", "print_location", "warning"), lambda *_, **__: ""),
+        }
+        of_xacro = {name: Function(name, function) for name, function in functions.items()}
+        spaces = {"python": PYTHON, "math": MATH, "xacro": of_xacro}
+        known = {
+            **MATH,
+            **{name: PYTHON[name] for name in _GLOBAL},
+            **{name: of_xacro[name] for name in ("load_yaml", "abs_filename", "dotify")},
+            **{name: Names(space.__getitem__) for name, space in spaces.items()},
+        }
+        return {name: known.get(name, Function(name, _unavailable)) for name in names} | known
+
+    def value(self, expression: str, symbols: Any, _: Any = None) -> Any:
+        """In place of ``safe_eval``."""
+        return evaluate(expression, Names(lambda name: self._bound(symbols, name)), METHODS)
+
+    def _bound(self, symbols: Any, name: str) -> Any:
+        value = symbols[name]
+        if isinstance(value, self.xacro.NameSpace):
+            return Names(lambda inner: self._bound(value, inner))
+        if type(value) not in DATA and not isinstance(value, Function | Names):
+            raise Refused(f"{name!r} is not a value")
+        return value
+
+    def substituted(self, text: str) -> str:
+        """In place of ``eval_extension``: what ``$(COMMAND ...)`` stands for."""
+        inner = text[2:-1]
+        if inner.startswith("eval "):
+            return str(evaluate(inner[5:], Names(self._name_of_eval), METHODS))
+        command, *words = inner.split() or [""]
+        if command == "cwd" and not words:
+            return str(Path.cwd())
+        if command == "arg" and len(words) == 1:
+            return _FIND.sub(lambda found: self.files.package(found.group(1)), self._argument(words[0]))
+        if command == "find" and len(words) == 1:
+            return self.files.package(words[0])
+        if command in ("env", "optenv") and words:
+            if words[0] in self.environment:
+                return self.environment[words[0]]
+            raise Refused(
+                f"the environment variable {label(words[0])[:80]} is not read; state it: "
+                f"--arg 'env {label(words[0])[:80]}=VALUE'"
+            )
+        raise Refused(f"no substitution that is known: {shown(text)}")
+
+    def _argument(self, name: str) -> str:
+        arguments = self.xacro.substitution_args_context["arg"]
+        if name not in arguments:
+            raise Refused(f"no argument {shown(name)}: state it, --arg {label(name)[:80]}=VALUE")
+        text: str = arguments[name]
+        return text
+
+    def _name_of_eval(self, name: str) -> Any:
+        """A name in ``$(eval ...)``, where an argument may be written as a name."""
+        if name in MATH or name in _OF_EVAL:
+            return MATH.get(name, _OF_EVAL.get(name))
+        if name in ("arg", "find"):
+            arg = Function("arg", lambda name: _converted(self._argument(name)))
+            return arg if name == "arg" else Function("find", self.files.package)
+        if name in self.xacro.substitution_args_context["arg"] or name not in PYTHON:
+            return _converted(self._argument(name))
+        return PYTHON[name]
+
+    def path(self, spec: Any) -> str:
+        """The absolute path that ``spec`` states, which may be read."""
+        return self.files.path(str(spec), os.path.dirname(self.xacro.filestack[-1]))  # noqa: PTH120
+
+    def included(self, spec: str, symbols: Any) -> list[str]:
+        """In place of ``get_include_files``."""
+        path = self.path(self.xacro.eval_text(spec, symbols))
+        if not re.search(r"[*[?]", path):
+            return [path]
+        return sorted(map(self.path, glob.glob(path)))  # noqa: PTH207
+
+    def document(self, _: None, path: str) -> Any:
+        """In place of ``parse``: the document of a file."""
+        try:
+            data = self.files.read(path, "xacro")
+        except FileNotFoundError as error:
+            self.xacro.filestack.pop()  # as parse does; a file that is optional is passed over
+            raise self.xacro.XacroException(str(error), exc=error) from None
+        try:
+            return _Builder().parseString(data)
+        except expat.ExpatError as error:
+            raise Refused(f"{label(path)}:{error.lineno}: {expat.ErrorString(error.code)}") from None
+
+    def yaml(self, spec: Any) -> Any:
+        """In place of ``load_yaml``."""
+        path = self.path(spec)
+        try:
+            data = self.files.read(path, "YAML")
+        except FileNotFoundError as error:
+            raise Refused(str(error)) from None
+        return load_yaml(
+            data, label(path), lambda text: float(evaluate(text, Names(self.symbols.__getitem__), METHODS))
+        )
 
 
-def package_folder(name: str, file: Path) -> str:
-    """The folder of the package ``name``: of ROS where there is one, else beside ``file`` or above it."""
-    if name and os.sep not in name and name not in (".", ".."):
-        for prefix in filter(None, os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep)):
-            if (Path(prefix) / "share" / name).is_dir():
-                return str(Path(prefix) / "share" / name)
-        for root in filter(None, os.environ.get("ROS_PACKAGE_PATH", "").split(os.pathsep)):
-            if (Path(root) / name).is_dir():
-                return str(Path(root) / name)
-        for folder in file.resolve().parents:
-            if folder.name == name:
-                return str(folder)
-            if (folder / name).is_dir():
-                return str(folder / name)
-    raise Refused(f"the package {name!r} is neither installed nor a folder beside or above the file")
+def _fail(*words: Any) -> None:
+    raise Refused(" ".join(map(str, words)))
+
+
+def _unavailable(*_: Any, **__: Any) -> None:
+    raise Refused("a function that is not evaluated here")
+
+
+def _converted(text: str) -> Any:
+    """The number or truth value that an argument states, else its text, as ``$(eval)`` has it."""
+    for convert in (float if "." in text else int, {"true": True, "false": False}.__getitem__):
+        try:
+            return convert(text.lower())
+        except (ValueError, KeyError):
+            pass
+    return text
 
 
 def bound(seconds: int, memory: int) -> None:
@@ -76,56 +239,49 @@ def bound(seconds: int, memory: int) -> None:
         resource.setrlimit(limit, (least, least))
 
 
-def expand(file: str, arguments: dict[str, str]) -> str:
-    """The XML text of ``file`` with the ``arguments`` of its ``xacro:arg``."""
-    import xacro
-    from xacro import substitution_args
+def guard() -> None:
+    """From now on nothing is imported, run, started or opened, but by :class:`Files`, for reading."""
+    readers = {files.open_regular.__code__, files._without_waiting.__code__}
 
-    evaluate, evaluate_argument = xacro.safe_eval, substitution_args._eval
+    def audit(event: str, arguments: tuple[Any, ...]) -> None:
+        if not event.startswith(_AUDITED) or event in _UNAUDITED:
+            return
+        if event == "open" and sys._getframe(1).f_code in readers:
+            return
+        raise Refused(f"the package xacro went another way than it may ({event})")
 
-    def checked(expression: str, *rest: Any) -> Any:
-        check(expression)
-        return evaluate(expression, *rest)
-
-    def checked_argument(expression: str, context: Any) -> Any:
-        check(expression)
-        return evaluate_argument(expression, context)
-
-    def find(name: str) -> str:
-        return package_folder(name, Path(file))
-
-    xacro.safe_eval, substitution_args._eval, substitution_args._eval_find = checked, checked_argument, find
-    substitution_args._eval_dict["find"] = find
-    document = xacro.process_file(file, mappings=arguments)
-    text: str = document.documentElement.toprettyxml(indent="  ")
-    return text
+    sys.addaudithook(audit)
 
 
 def _words(error: BaseException) -> str:
     """The message, that of a refusal without what xacro wraps around it."""
     inner: Any = error
     while inner is not None:
-        if isinstance(inner, Refused | MemoryError):
-            return str(inner) or "out of memory"
+        if isinstance(inner, MemoryError):
+            return "out of memory"
+        if isinstance(inner, RecursionError):
+            return "macros, properties or files that contain themselves without end"
+        if isinstance(inner, Refused | RobodynError):
+            return str(inner)
         inner = getattr(inner, "exc", None)
     return str(error) or type(error).__name__
 
 
 def main() -> int:
-    """``FILE SECONDS MEMORY ARGUMENTS`` (JSON): XML on stdout, or one line on stderr and the code 1."""
-    file, seconds, memory, arguments = sys.argv[1:]
-    bound(int(seconds), int(memory))
-    output = sys.stdout
+    """Reads file, bounds and arguments as JSON; XML on stdout, or one line on stderr and code 1."""
+    task = json.load(sys.stdin)
+    output, words = sys.stdout.buffer, sys.__stderr__
+    assert words is not None
     sys.stdout = sys.stderr = open(os.devnull, "w")  # noqa: PTH123, SIM115 (xacro prints warnings)
     try:
-        text = expand(file, json.loads(arguments))
+        expansion = Expansion(task["file"], task["arguments"], task["ros"])
+        bound(task["seconds"], task["memory"])
+        guard()
+        data = expansion.text().encode("utf-8", "replace")
     except BaseException as error:
-        sys.__stderr__.write(" ".join(_words(error).split())[:1000])  # type: ignore[union-attr]
+        words.write(" ".join(_words(error).split())[:1000])
+        words.flush()
         return 1
-    output.buffer.write(text.encode("utf-8", "replace"))
+    output.write(data)
     output.flush()
     return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -1,0 +1,264 @@
+"""Expressions of xacro files, evaluated as data over a whitelist of syntax.
+
+Nothing is compiled. A name is what the file bound it to, or a function of the tables in
+:mod:`robodyn.formats.xacro_functions`; an attribute is a key of a mapping, a name in a namespace, or a method
+of those tables. No attribute of a Python object is read, so that no expression reaches the interpreter.
+Values are of Python's own plain types, and their size, and the work on them, is bounded.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any, Final
+
+from robodyn.formats.xacro_values import (
+    BINARY,
+    COMPARED,
+    DATA,
+    LARGEST,
+    UNARY,
+    Function,
+    Names,
+    Refused,
+    shown,
+    size_of,
+)
+
+STEPS: Final = 3 * LARGEST
+"""[steps] Work for one expression: nodes evaluated, and values and characters produced."""
+LONGEST: Final = 10_000
+"""[characters] Longest expression."""
+
+
+def evaluate(expression: str, names: Names, methods: Mapping[type, Mapping[str, Function]]) -> Any:
+    """The value of ``expression``, one of :data:`DATA`; ``methods`` are those of values, by type.
+
+    Raises
+    ------
+    Refused: it is no expression, has syntax or calls that are not whitelisted, fails, or is too large.
+    """
+    text = expression.strip()
+    if len(text) > LONGEST:
+        raise Refused(f"an expression of more than {LONGEST} characters: {shown(text)}")
+    try:
+        tree = ast.parse(text, mode="eval")
+        value = Evaluator(names, methods).value(tree.body, {})
+        if type(value) not in DATA:
+            raise Refused("a function is not a value")
+        return value
+    except Refused as error:
+        raise Refused(f"{error}, in the expression {shown(text)}") from None
+    except (SyntaxError, UnicodeError):
+        raise Refused(f"not an expression: {shown(text)}") from None
+    except RecursionError:
+        raise Refused(f"nested too deeply: {shown(text)}") from None
+    except MemoryError:  # of the parser too, where parentheses are nested
+        raise Refused(f"out of memory: {shown(text)}") from None
+    except Exception as error:
+        reason = str(error)[:150] or type(error).__name__
+        raise Refused(f"{reason}, in the expression {shown(text)}") from None
+
+
+class Evaluator:
+    """Evaluates the nodes of one expression; ``local`` has the variables of its comprehensions."""
+
+    def __init__(self, names: Names, methods: Mapping[type, Mapping[str, Function]]) -> None:
+        self.names, self.methods, self.steps = names, methods, 0
+
+    def value(self, node: ast.AST, local: Mapping[str, Any]) -> Any:
+        """The value of ``node``."""
+        self.spend(1)
+        evaluate_node = _NODES.get(type(node))
+        if evaluate_node is None:
+            raise Refused(f"{type(node).__name__} is not evaluated here")
+        return evaluate_node(self, node, local)
+
+    def spend(self, steps: int) -> None:
+        """Count ``steps`` of work."""
+        self.steps += steps
+        if self.steps > STEPS:
+            raise Refused(f"more than {STEPS} steps of work")
+
+    def result(self, value: Any) -> Any:
+        """``value``, a new one, once it is no larger than values may be."""
+        if type(value) not in DATA and not isinstance(value, Function | Names):
+            raise Refused(f"a value of the type {type(value).__name__}")
+        self.spend(size_of(value))
+        return value
+
+    def call(self, function: Any, *arguments: Any, **options: Any) -> Any:
+        """What ``function`` gives."""
+        if not isinstance(function, Function):
+            raise Refused(f"{type(function).__name__} is not a function")
+        self.spend(1)
+        first = (self,) if function.higher else ()
+        return self.result(function.call(*first, *arguments, **options))
+
+    def _name(self, node: ast.Name, local: Mapping[str, Any]) -> Any:
+        if node.id in local:
+            return local[node.id]
+        return _looked_up(self.names, node.id)
+
+    def _constant(self, node: ast.Constant, local: Mapping[str, Any]) -> Any:
+        return self.result(node.value)
+
+    def _attribute(self, node: ast.Attribute, local: Mapping[str, Any]) -> Any:
+        owner, name = self.value(node.value, local), node.attr
+        if isinstance(owner, Names):
+            return _looked_up(owner, name)
+        method = self.methods.get(type(owner), {}).get(name)
+        if method is not None:
+            return Function(name, lambda *rest, **options: method.call(owner, *rest, **options))
+        if type(owner) is dict and name in owner:
+            return owner[name]
+        raise Refused(f"no attribute {name!r} of a {type(owner).__name__}")
+
+    def _subscript(self, node: ast.Subscript, local: Mapping[str, Any]) -> Any:
+        owner = self.value(node.value, local)
+        if isinstance(owner, Names) and isinstance(node.slice, ast.Constant):
+            return _looked_up(owner, node.slice.value)
+        if type(owner) not in DATA:
+            raise Refused("only values have elements")
+        if isinstance(node.slice, ast.Slice):
+            ends = (node.slice.lower, node.slice.upper, node.slice.step)
+            return self.result(owner[slice(*(end and self.value(end, local) for end in ends))])
+        key = self.value(node.slice, local)
+        try:
+            return owner[key]
+        except KeyError:
+            raise Refused(f"no key {shown(str(key))}") from None
+
+    def _call(self, node: ast.Call, local: Mapping[str, Any]) -> Any:
+        function = self.value(node.func, local)
+        options: dict[str, Any] = {}
+        arguments = self._elements(node.args, local)
+        for keyword in node.keywords:
+            value = self.value(keyword.value, local)
+            options.update(value if keyword.arg is None else {keyword.arg: value})
+        return self.call(function, *arguments, **options)
+
+    def _elements(self, nodes: list[ast.expr], local: Mapping[str, Any]) -> list[Any]:
+        elements: list[Any] = []
+        for node in nodes:
+            if isinstance(node, ast.Starred):
+                elements.extend(self.result(list(self.value(node.value, local))))
+            else:
+                elements.append(self.value(node, local))
+        return elements
+
+    def _binary(self, node: ast.BinOp, local: Mapping[str, Any]) -> Any:
+        operation = BINARY.get(type(node.op))
+        left, right = self.value(node.left, local), self.value(node.right, local)
+        if operation is None or type(left) not in DATA or type(right) not in DATA:
+            raise Refused(f"{type(node.op).__name__} is not evaluated here")
+        return self.result(operation(left, right))
+
+    def _unary(self, node: ast.UnaryOp, local: Mapping[str, Any]) -> Any:
+        value = self.value(node.operand, local)
+        if type(value) not in DATA:
+            raise Refused("only values have a sign")
+        return UNARY[type(node.op)](value)
+
+    def _boolean(self, node: ast.BoolOp, local: Mapping[str, Any]) -> Any:
+        stops_at = isinstance(node.op, ast.Or)
+        value = None
+        for part in node.values:
+            value = self.value(part, local)
+            if bool(value) is stops_at:
+                break
+        return value
+
+    def _comparison(self, node: ast.Compare, local: Mapping[str, Any]) -> Any:
+        left, outcome = self.value(node.left, local), True
+        for operation, part in zip(node.ops, node.comparators, strict=True):
+            right = self.value(part, local)
+            outcome = COMPARED[type(operation)](left, right)
+            if not outcome:
+                break
+            left = right
+        return outcome
+
+    def _choice(self, node: ast.IfExp, local: Mapping[str, Any]) -> Any:
+        return self.value(node.body if self.value(node.test, local) else node.orelse, local)
+
+    def _list(self, node: ast.List, local: Mapping[str, Any]) -> Any:
+        return self.result(self._elements(node.elts, local))
+
+    def _tuple(self, node: ast.Tuple, local: Mapping[str, Any]) -> Any:
+        return self.result(tuple(self._elements(node.elts, local)))
+
+    def _set(self, node: ast.Set, local: Mapping[str, Any]) -> Any:
+        return self.result(set(self._elements(node.elts, local)))
+
+    def _dict(self, node: ast.Dict, local: Mapping[str, Any]) -> Any:
+        entries: dict[Any, Any] = {}
+        for key, part in zip(node.keys, node.values, strict=True):
+            value = self.value(part, local)
+            entries.update(value if key is None else {self.value(key, local): value})
+        return self.result(entries)
+
+    def _comprehension(self, node: Any, local: Mapping[str, Any]) -> Any:
+        values = [self.value(node.elt, inner) for inner in self._scopes(node.generators, local)]
+        return self.result(set(values) if isinstance(node, ast.SetComp) else values)
+
+    def _mapping(self, node: ast.DictComp, local: Mapping[str, Any]) -> Any:
+        scopes = self._scopes(node.generators, local)
+        return self.result({self.value(node.key, inner): self.value(node.value, inner) for inner in scopes})
+
+    def _scopes(
+        self, loops: list[ast.comprehension], local: Mapping[str, Any]
+    ) -> Iterator[Mapping[str, Any]]:
+        """The variables of a comprehension, round by round."""
+        if not loops:
+            yield local
+            return
+        loop = loops[0]
+        source = self.value(loop.iter, local)
+        if loop.is_async or type(source) not in DATA:
+            raise Refused("a loop over what is no value")
+        for item in source:
+            self.spend(1)
+            inner = dict(local)
+            self._bind(loop.target, item, inner)
+            if all(self.value(condition, inner) for condition in loop.ifs):
+                yield from self._scopes(loops[1:], inner)
+
+    def _bind(self, target: ast.expr, value: Any, local: dict[str, Any]) -> None:
+        if isinstance(target, ast.Name):
+            local[target.id] = value
+        elif isinstance(target, ast.Tuple | ast.List) and type(value) in DATA:
+            for part, item in zip(target.elts, value, strict=True):
+                self._bind(part, item, local)
+        else:
+            raise Refused(f"{type(target).__name__} is not bound here")
+
+
+def _looked_up(names: Names, name: Any) -> Any:
+    try:
+        return names.lookup(name)
+    except KeyError:
+        raise Refused(f"name {shown(str(name))} is not defined") from None
+
+
+#: All syntax that there is; what is not in this table is refused.
+_NODES: Final[Mapping[type, Callable[[Evaluator, Any, Mapping[str, Any]], Any]]] = {
+    ast.Name: Evaluator._name,
+    ast.Constant: Evaluator._constant,
+    ast.Attribute: Evaluator._attribute,
+    ast.Subscript: Evaluator._subscript,
+    ast.Call: Evaluator._call,
+    ast.BinOp: Evaluator._binary,
+    ast.UnaryOp: Evaluator._unary,
+    ast.BoolOp: Evaluator._boolean,
+    ast.Compare: Evaluator._comparison,
+    ast.IfExp: Evaluator._choice,
+    ast.List: Evaluator._list,
+    ast.Tuple: Evaluator._tuple,
+    ast.Set: Evaluator._set,
+    ast.Dict: Evaluator._dict,
+    ast.ListComp: Evaluator._comprehension,
+    ast.SetComp: Evaluator._comprehension,
+    ast.GeneratorExp: Evaluator._comprehension,
+    ast.DictComp: Evaluator._mapping,
+}
