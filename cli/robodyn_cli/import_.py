@@ -21,7 +21,7 @@ from robodyn_cli.common import (
     talk,
     write_file,
 )
-from robodyn_cli.values import Argument, Parameter, Point
+from robodyn_cli.values import Argument, Parameter, Point, unique
 
 if TYPE_CHECKING:
     from robodyn.formats.arm import Imported
@@ -98,9 +98,9 @@ def command(
     options: dict[str, Any] = {
         "base": base,
         "tip": tip,
-        "locks": _unique(lock, "--lock"),
+        "locks": unique(lock, "--lock"),
         "name": name,
-        "arguments": _unique(arg, "--arg"),
+        "arguments": unique(arg, "--arg"),
         "gravity": gravity,
         "strict": strict,
     }
@@ -117,22 +117,6 @@ def command(
         click.echo(text, nl=False)
     if path is not None:
         talk(f"robodyn: wrote {printable(path)}: {imported.robot.n} joints")
-
-
-def _unique(pairs: Sequence[tuple[str, Any]], option: str) -> dict[str, Any]:
-    """The values by name.
-
-    Raises
-    ------
-    InputError: a name stands there twice.
-    """
-    names = [name for name, _ in pairs]
-    twice = [name for name in names if names.count(name) > 1]
-    if twice:
-        raise InputError(
-            f"{option} has two values of one name", found=twice[0], remedy="leave one of the two out"
-        )
-    return dict(pairs)
 
 
 def _tell(imported: Imported) -> None:

@@ -99,7 +99,13 @@ class LazyGroup(click.Group):
             return None
         command = importlib.import_module(COMMANDS[cmd_name][0]).command
         assert isinstance(command, click.Command)
-        return command
+        from robodyn_cli.choices import ROBOTS
+
+        if all(parameter.type is not ROBOTS for parameter in command.params):
+            return command
+        from robodyn_cli.xacro_arguments import with_xacro_arguments
+
+        return with_xacro_arguments(command)
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]

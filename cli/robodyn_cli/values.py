@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
@@ -106,3 +106,21 @@ def parameter_option(what: str = "") -> Callable[[Command], Command]:
 
 ONE, POSITIVE, SIZE = Numbers(single=True), Numbers("positive", single=True), Numbers("size", single=True)
 SEVERAL, POSITIVES, SIZES = Numbers(), Numbers("positive"), Numbers("size")
+
+
+def unique(pairs: Sequence[tuple[str, Any]], option: str) -> dict[str, Any]:
+    """The values by name.
+
+    Raises
+    ------
+    InputError: a name stands there twice.
+    """
+    from robodyn.errors import InputError
+
+    names = [name for name, _ in pairs]
+    twice = [name for name in names if names.count(name) > 1]
+    if twice:
+        raise InputError(
+            f"{option} has two values of one name", found=twice[0], remedy="leave one of the two out"
+        )
+    return dict(pairs)

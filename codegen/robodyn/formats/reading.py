@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import replace
 from pathlib import Path
 from typing import Final
@@ -15,6 +17,17 @@ from robodyn.formats.elements import Document, tag_shown
 from robodyn.formats.tree import Tree
 
 _EXPECTED: Final = "URDF, MJCF, SDF or xacro"
+_STATED: Final[ContextVar[Mapping[str, str]]] = ContextVar("xacro_arguments")
+
+
+@contextmanager
+def xacro_arguments(arguments: Mapping[str, str]) -> Iterator[None]:
+    """A context in which ``arguments`` are those of every xacro file that is read, by whatever reads it."""
+    token = _STATED.set(arguments)
+    try:
+        yield
+    finally:
+        _STATED.reset(token)
 
 
 def read_tree(path: str | os.PathLike[str], arguments: Mapping[str, str] | None = None) -> Tree:
@@ -32,7 +45,7 @@ def read_tree(path: str | os.PathLike[str], arguments: Mapping[str, str] | None 
     if name.lower().endswith(".xacro"):
         from robodyn.formats.xacro import expanded
 
-        document = expanded(file, arguments)
+        document = expanded(file, {**_STATED.get({}), **(arguments or {})})
     else:
         if arguments:
             raise InputError("arguments are for xacro files", found=name, remedy="leave --arg out")
