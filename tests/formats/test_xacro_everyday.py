@@ -107,6 +107,7 @@ INCLUDES = {
     "parts/b1.xacro": f'{HEAD}<xacro:property name="b1" value="1"/></robot>',
     "parts/b2.xacro": f'{HEAD}<xacro:property name="b2" value="2"/></robot>',
     "parts/c.xacro": f'{HEAD}<xacro:include filename="../parts/d.xacro"/></robot>',
+    "parts/b3.xacro": f"""{HEAD}<l m="${{xacro.abs_filename('../m/a.stl')}}"/></robot>""",
     "parts/d.xacro": '<robot xmlns:xacro="http://x" xmlns:n="u"><xacro:property name="c" value="3"/></robot>',
 }
 ARGUMENTS = f"""{HEAD}<xacro:arg name="side" default="left"/><xacro:arg name="sim" default="false"/>

@@ -76,7 +76,7 @@ HOSTILE = {
     "outside, included": (include("../outside.xacro"), "outside the file's folder"),
     "outside, if it is there": (include("/etc/passwd", ' optional="true"'), "outside the file's folder"),
     "outside by a pattern": (include("../out*.xacro"), "outside the file's folder"),
-    "outside by a pattern and dots": (include("*/../../outside.xacro"), "outside the file's folder"),
+    "outside by a pattern of folders": (include("*/out*.xacro"), "a pattern of folders"),
     "a hidden file": (loaded(".secret.yaml"), "outside the file's folder"),
     "a folder that is no package": (include("$(find other)/a.xacro"), "no package.xml"),
     "a package of dots": (link("$(find ..)"), "is no name of a package"),
@@ -90,6 +90,8 @@ HOSTILE = {
     "aliases": (loaded("aliases.yaml"), "more than 100000"),
     "itself in YAML": (loaded("itself.yaml"), "more than 100000"),
     "deep YAML": (loaded("deep.yaml"), "nested too deeply"),
+    "words for a terminal": ("<xacro:call macro=\"${'\\x1b[31m'}\"/>", "unknown macro name: xacro:\\x1b[31m"),
+    "a mapping of blocks": (link("${a['**p']}", include("blocks.xacro", ' ns="a"')), "is not a value"),
     "a function as a value": (link("${sin}"), "a function is not a value"),
 }  # fmt: skip
 FILES = {
@@ -104,6 +106,7 @@ FILES = {
     "ws/aliases.yaml": "a: &a [1,1,1,1,1,1,1,1,1]\n"
     + "".join(f"{x}: &{x} [{','.join(9 * [f'*{y}'])}]\n" for y, x in pairwise("abcdefghij")),
     "ws/itself.yaml": "&a [*a]",
+    "ws/blocks.xacro": f'{HEAD}<xacro:property name="p"><b/></xacro:property></robot>',
     "ws/deep.yaml": "[" * 5000 + "]" * 5000,
 }  # fmt: skip
 

@@ -45,7 +45,7 @@ class Files:
         self.packages = {name: os.path.abspath(folder) for name, folder in packages.items()}  # noqa: PTH100
         self.prefixes, self.roots = (list(filter(None, paths.split(os.pathsep))) for paths in ros)
         folder = Path(self.top).parent.resolve()
-        self.above = [folder, *folder.parents[: LEVELS - 1]]
+        self.above = [each for each in (folder, *folder.parents[: LEVELS - 1]) if each != each.parent]
         self.near: dict[str, Path] | None = None
         self.count = 0
         #: Folders in which a file must lie when links are followed: what wrote the links is not trusted.

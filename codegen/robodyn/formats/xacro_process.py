@@ -84,7 +84,7 @@ class Expansion:
             else:
                 self.arguments[name] = arguments[name]
         self.environment = stated["env"]
-        self.files = Files(file, stated["find"], ros)
+        self.file, self.files = file, Files(file, stated["find"], ros)
         self.symbols = self._symbols(xacro._global_symbols)
 
     def text(self) -> str:
@@ -93,7 +93,7 @@ class Expansion:
         xacro.safe_eval, xacro.eval_extension = self.value, self.substituted
         xacro.get_include_files, xacro.load_yaml, xacro.parse = self.included, self.yaml, self.document
         xacro._global_symbols = self.symbols
-        document = xacro.process_file(self.files.top, mappings=self.arguments)
+        document = xacro.process_file(self.file, mappings=self.arguments)
         text: str = document.documentElement.toprettyxml(indent="  ")
         return text
 
@@ -169,19 +169,21 @@ class Expansion:
             return _converted(self._argument(name))
         return PYTHON[name]
 
-    def path(self, spec: Any) -> str:
-        """The absolute path that ``spec`` states, which may be read."""
-        return self.files.path(str(spec), os.path.dirname(self.xacro.filestack[-1]))  # noqa: PTH120
-
     def included(self, spec: str, symbols: Any) -> list[str]:
-        """In place of ``get_include_files``."""
-        path = self.path(self.xacro.eval_text(spec, symbols))
+        """In place of ``get_include_files``: paths as they are written, which :meth:`document` looks at."""
+        text = str(self.xacro.eval_text(spec, symbols))
+        path: str = text if "://" in text else self.xacro.abs_filename_spec(text)
+        folder, name = os.path.split(path)
         if not re.search(r"[*[?]", path):
             return [path]
-        return sorted(map(self.path, glob.glob(path)))  # noqa: PTH207
+        if re.search(r"[*[?]", folder):  # which folders there are would show, where links lead out
+            raise Refused(f"a pattern of folders: {shown(text)}")
+        self.files.path(path, "")
+        return sorted(glob.glob(os.path.join(folder, name)))  # noqa: PTH118, PTH207
 
-    def document(self, _: None, path: str) -> Any:
+    def document(self, _: None, spec: str) -> Any:
         """In place of ``parse``: the document of a file."""
+        path = self.files.path(spec, "")
         try:
             data = self.files.read(path, "xacro")
         except FileNotFoundError as error:
@@ -194,7 +196,8 @@ class Expansion:
 
     def yaml(self, spec: Any) -> Any:
         """In place of ``load_yaml``."""
-        path = self.path(spec)
+        folder = os.path.dirname(self.xacro.filestack[-1])  # noqa: PTH120
+        path = self.files.path(str(spec), folder)
         try:
             data = self.files.read(path, "YAML")
         except FileNotFoundError as error:
@@ -279,7 +282,7 @@ def main() -> int:
         guard()
         data = expansion.text().encode("utf-8", "replace")
     except BaseException as error:
-        words.write(" ".join(_words(error).split())[:1000])
+        words.write(label(" ".join(_words(error).split()))[:1000])
         words.flush()
         return 1
     output.write(data)
