@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib
 import re
 import shlex
 from collections.abc import Iterator
@@ -14,7 +13,7 @@ import pytest
 from documents.blocks import FENCE, PAGES, ROOT, TUTORIALS, Block, Command, blocks, commands, matches, read
 from documents.running import Reader, checkout, program_folder
 from robodyn.robot import read_text
-from robodyn_cli.main import COMMANDS, HELP
+from robodyn_cli.main import COMMANDS, HELP, cli
 from robodyn_testing import representative, require_tool
 
 EXAMPLES = {page: [block for block in read(page) if block.is_example] for page in PAGES}
@@ -84,7 +83,8 @@ def test_every_command_shown_has_the_options_that_it_is_shown_with() -> None:
     assert len(lines) > 50
     for where, (name, *words) in lines:
         assert name in COMMANDS, where
-        command: click.Command = importlib.import_module(COMMANDS[name][0]).command
+        command = cli.get_command(click.Context(cli), name)
+        assert command is not None
         context = click.Context(command, help_option_names=HELP["help_option_names"])
         try:
             command.make_parser(context).parse_args(list(words))

@@ -62,6 +62,7 @@ TEXTS = values(
     "xacro.tokenize('a,b; c')", "xacro.tokenize('a:b', ':')", "xacro.message('hi')", "python.ord('a')",
     "'1' '2'",
     "python.repr('a')", "text.count('l')", "text.partition('_')[2]", "'a\\tb'", "text.title().center(12)",
+    r"'\d' + text",
     before='<xacro:property name="text" value="left_arm"/>',
 )  # fmt: skip
 SCOPES = f"""{HEAD}
@@ -155,6 +156,7 @@ PATHS = f"""{HEAD}<xacro:arg name="file" default="$(find p)/c.yaml"/><l a="$(fin
 NAMES = (
     "type", "format", "open", "_len", "f_max", "co_mass", "eval", "vars", "name", "gi_x", "mro", "exec", "id",
     "input", "globals", "compile", "getattr", "sum", "abs", "zip", "self", "os", "sys", "env", "arg", "find",
+    "größe",
 )  # fmt: skip
 TYPED = """<xacro:macro name="jj" params="type format:=^|2"><joint name="j0" type="${type}">
 <parent link="w"/><child link="b"/><limit effort="${format}"/></joint></xacro:macro><link name="w"/>

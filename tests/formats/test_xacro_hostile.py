@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import sys
-import time
 from contextlib import suppress
 from itertools import pairwise
 from pathlib import Path
@@ -12,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from robodyn.errors import InputError
-from robodyn.formats import limits, xacro, xacro_process
+from robodyn.formats import xacro, xacro_process
 from robodyn.formats.xacro_expressions import evaluate
 from robodyn.formats.xacro_files import load_yaml
 from robodyn.formats.xacro_functions import MATH, METHODS, PYTHON
@@ -90,6 +89,12 @@ HOSTILE = {
     "aliases": (loaded("aliases.yaml"), "more than 100000"),
     "itself in YAML": (loaded("itself.yaml"), "more than 100000"),
     "deep YAML": (loaded("deep.yaml"), "nested too deeply"),
+    "texts that double": (
+        "".join(f'<xacro:property name="x{i}" value="a${{x{i + 1}}}${{x{i + 1}}}"/>' for i in range(40))
+        + link("${x0}", '<xacro:property name="x40" value="a"/>'),
+        "more than 100000",
+    ),
+    "a long text": (link("$a" * 200000), "more than 100000"),
     "words for a terminal": ("<xacro:call macro=\"${'\\x1b[31m'}\"/>", "unknown macro name: xacro:\\x1b[31m"),
     "a mapping of blocks": (link("${a['**p']}", include("blocks.xacro", ' ns="a"')), "is not a value"),
     "a function as a value": (link("${sin}"), "a function is not a value"),
@@ -130,7 +135,6 @@ def test_a_hostile_file_is_refused(name: str, folder: Path) -> None:
     inside, words = HOSTILE[name]
     (folder / "arm.xacro").write_text(f"{HEAD}{inside}</robot>")
     files = sorted(folder.parent.rglob("*"))
-    begin = time.monotonic()
     with pytest.raises(InputError) as caught:
         xacro.expanded(folder / "arm.xacro")
     message = str(caught.value)
@@ -138,8 +142,8 @@ def test_a_hostile_file_is_refused(name: str, folder: Path) -> None:
     assert words in message
     assert CANARY not in message
     assert "root:" not in message
+    assert " s or " not in message  # the process was not ended for its time
     assert sorted(folder.parent.rglob("*")) == files
-    assert time.monotonic() - begin < limits.XACRO_SECONDS / 2
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="missing: os.mkfifo; only POSIX has it")
@@ -228,10 +232,8 @@ def value(expression: str) -> object:
     ],
 )  # fmt: skip
 def test_no_expression_takes_long_or_grows(expression: str) -> None:
-    begin = time.monotonic()
     with pytest.raises(Refused) as caught:
         value(expression)
-    assert time.monotonic() - begin < 10
     assert len(str(caught.value)) < 400
 
 
@@ -254,10 +256,8 @@ def test_merges_of_merges_have_an_end() -> None:
     text = "a: &a {" + ",".join(f"k{i}: 1" for i in range(99)) + "}\n"
     for key, last in zip("bcdefghijklm", "abcdefghijkl", strict=True):
         text += f"{key}: &{key} {{<<: [{','.join(9 * [f'*{last}'])}]}}\n"
-    begin = time.monotonic()
     with suppress(Refused):  # newer versions of PyYAML merge a key once
         load_yaml(text.encode(), "merges.yaml", float)
-    assert time.monotonic() - begin < 5
 
 
 def test_words_of_a_file_that_is_not_yaml_are_not_repeated() -> None:

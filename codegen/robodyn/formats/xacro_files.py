@@ -172,8 +172,8 @@ def _is_in(path: str, tree: str) -> bool:
     return path.startswith(tree + os.sep) and f"{os.sep}." not in path[len(tree) :]
 
 
-def load_yaml(data: bytes, name: str, number: Callable[[str], float]) -> Any:
-    """What the YAML text ``data`` says, as plain data; ``number`` reads a number that has a unit.
+def load_yaml(data: bytes, name: str, read_number: Callable[[str], float]) -> Any:
+    """What the YAML text ``data`` says, as plain data; ``read_number`` reads a number that has a unit.
 
     Raises
     ------
@@ -195,7 +195,7 @@ def load_yaml(data: bytes, name: str, number: Callable[[str], float]) -> Any:
                 raise Refused(f"a mapping of more than {KEYS} keys")
 
     def with_unit(factor: float) -> Callable[[Any, Any], float]:
-        return lambda loader, node: number(loader.construct_scalar(node)) * factor
+        return lambda loader, node: read_number(loader.construct_scalar(node)) * factor
 
     for unit, factor in UNITS.items():
         Loader.add_constructor(f"!{unit}", with_unit(factor))

@@ -91,14 +91,17 @@ def _is_instance(value: Any, kinds: Any) -> bool:
 
 
 def _type(value: Any) -> Function:
-    return next(function for function in PYTHON.values() if function.kind is type(value))
+    for function in PYTHON.values():
+        if function.kind is type(value):
+            return function
+    raise Refused("a type that is not known")
 
 
 def _factorial(function: Callable[..., int]) -> Callable[..., int]:
-    def bounded(*numbers: int) -> int:
-        if any(number > _MOST for number in numbers):
+    def bounded(*arguments: int) -> int:
+        if any(argument > _MOST for argument in arguments):
             raise Refused(f"math.{function.__name__} of more than {_MOST}")
-        return function(*numbers)
+        return function(*arguments)
 
     return bounded
 
@@ -114,7 +117,7 @@ def _product(values: Any, start: Any = 1) -> Any:
 
 
 def _common_multiple(*numbers: int) -> int:
-    return reduce(lambda so_far, number: int(_whole(math.lcm(so_far, number))), numbers, 1)
+    return reduce(lambda so_far, factor: int(_whole(math.lcm(so_far, factor))), numbers, 1)
 
 
 def _join(separator: str, source: Any) -> str:

@@ -14,6 +14,7 @@ import json
 import os
 import re
 import sys
+import warnings
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, Final
@@ -26,11 +27,11 @@ from robodyn.files import label
 from robodyn.formats.xacro_expressions import evaluate
 from robodyn.formats.xacro_files import Files, load_yaml
 from robodyn.formats.xacro_functions import MATH, METHODS, PYTHON, tokenize
-from robodyn.formats.xacro_values import DATA, Function, Names, Refused, shown
+from robodyn.formats.xacro_values import DATA, Function, Names, Refused, check_count, shown
 
 #: What is taken out of the package and replaced; a version without one of them is refused.
 REPLACED: Final = (
-    "_global_symbols", "eval_extension", "get_include_files", "load_yaml", "parse", "safe_eval",
+    "_global_symbols", "eval_extension", "eval_text", "get_include_files", "load_yaml", "parse", "safe_eval",
 )  # fmt: skip
 #: Names of xacro that need no ``python.`` or ``math.`` in front.
 _GLOBAL: Final = (
@@ -68,13 +69,15 @@ class Expansion:
     """
 
     def __init__(self, file: str, arguments: Mapping[str, str], ros: tuple[str, str]) -> None:
+        import unicodedata  # noqa: F401 (for names that are not ASCII; later nothing is imported)
+
         import xacro
-        import yaml  # noqa: F401 (later nothing is imported)
+        import yaml  # noqa: F401
 
         missing = [name for name in REPLACED if not hasattr(xacro, name)]
         if missing:
             raise Refused(f"this version of the package xacro has no {missing[0]}: install 'xacro>=2.1,<3'")
-        self.xacro = xacro
+        self.xacro, self.eval_text = xacro, xacro.eval_text
         split = {name: name.split(None, 1) for name in arguments}
         stated: dict[str, dict[str, str]] = {"find": {}, "env": {}}
         self.arguments: dict[str, str] = {}
@@ -92,6 +95,7 @@ class Expansion:
         xacro = self.xacro
         xacro.safe_eval, xacro.eval_extension = self.value, self.substituted
         xacro.get_include_files, xacro.load_yaml, xacro.parse = self.included, self.yaml, self.document
+        xacro.eval_text = self.evaluated
         xacro._global_symbols = self.symbols
         document = xacro.process_file(self.file, mappings=self.arguments)
         text: str = document.documentElement.toprettyxml(indent="  ")
@@ -118,6 +122,13 @@ class Expansion:
         }
         return {name: known.get(name, Function(name, _unavailable)) for name in names} | known
 
+    def evaluated(self, text: str, symbols: Any) -> Any:
+        """Around ``eval_text``: texts that double from property to property have an end."""
+        check_count(len(text or ""))
+        value = self.eval_text(text, symbols)
+        check_count(len(value) if type(value) is str else 0)
+        return value
+
     def value(self, expression: str, symbols: Any, _: Any = None) -> Any:
         """In place of ``safe_eval``."""
         return evaluate(expression, Names(lambda name: self._bound(symbols, name)), METHODS)
@@ -139,7 +150,7 @@ class Expansion:
         if command == "cwd" and not words:
             return str(Path.cwd())
         if command == "arg" and len(words) == 1:
-            return _FIND.sub(lambda found: self.files.package(found.group(1)), self._argument(words[0]))
+            return _FIND.sub(lambda match: self.files.package(match.group(1)), self._argument(words[0]))
         if command == "find" and len(words) == 1:
             return self.files.package(words[0])
         if command in ("env", "optenv") and words:
@@ -273,6 +284,7 @@ def _words(error: BaseException) -> str:
 def main() -> int:
     """Reads file, bounds and arguments as JSON; XML on stdout, or one line on stderr and code 1."""
     task = json.load(sys.stdin)
+    warnings.simplefilter("ignore")  # of Python's parser: to show them, it would read files
     output, words = sys.stdout.buffer, sys.__stderr__
     assert words is not None
     sys.stdout = sys.stderr = open(os.devnull, "w")  # noqa: PTH123, SIM115 (xacro prints warnings)

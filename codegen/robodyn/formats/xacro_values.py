@@ -92,7 +92,7 @@ def check_count(count: int) -> None:
 def _multiply(left: Any, right: Any) -> Any:
     for value, count in ((left, right), (right, left)):
         if type(value) in (str, list, tuple) and isinstance(count, int):
-            check_count(size_of(value) * max(count, 0))
+            check_count((len(value) if type(value) is str else size_of(value)) * max(count, 0))
     return left * right
 
 
