@@ -38,7 +38,9 @@ LISTS = values(
     "max(items) - min(items)", "max(names, key=len)", "[i * x for i, x in python.enumerate(items)]",
     "[a + b for a, b in python.zip(items, items)]", "python.sum(x for x in items)", "list(range(2, 8, 3))",
     "3 in items and 'a' not in items", "dict(a=1, b=[1, 2])['b'][1]", "dict(items=3)['items']",
-    "[k for k, v in dict(x=1, y=2).items() if v == 2]", "list(dict(x=1).keys())", "items + [7, 8]", "[0] * 3",
+    "[k for k, v in dict(x=1, y=2).items() if v == 2]", "list(dict(x=1).keys())",
+    "list(map(lambda x: x * len(items), items))", "sorted(items, key=lambda x: -x)", "items + [7, 8]",
+    "[0] * 3",
     "python.all([1, 0])", "python.any([1, 0])", "python.reversed(items) and 1", "python.abs(-3)",
     "python.isinstance(text, python.str)", "python.type(text) == python.str", "(1, 2)[0]", "list((1, 2))",
     before='<xacro:property name="items" value="${[3, 1, 2]}"/><xacro:property name="text" value="1 2.5 3"/>'

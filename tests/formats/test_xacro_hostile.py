@@ -47,7 +47,8 @@ HOSTILE = {
     "mro": (link("${int.mro()}"), "no attribute 'mro'"),
     "import": (link(f"${{{RUN}}}"), "name '__import__' is not defined"),
     "builtins": (link("${__builtins__['eval']('1')}"), "name '__builtins__' is not defined"),
-    "lambda": (link("${(lambda: 1)()}"), "Lambda is not evaluated"),
+    "lambda": (link("${(lambda f: f(f))(lambda f: f(f))}"), "nested too deeply"),
+    "lambda of a class": (link("${(lambda f: f.__globals__)(sin)}"), "no attribute '__globals__'"),
     "walrus": (link("${[x := 1]}"), "NamedExpr is not"),
     "format": (link("${f.format(sin)}", '<xacro:property name="f" value="{0.__self__}"/>'),
     "no attribute 'format'"),
@@ -229,6 +230,8 @@ def value(expression: str) -> object:
         "python", "python.len", "many[sin]", "(yield)", "await x", "x if", "a; b", "[*sin]",
         "isinstance(1, 1)",
         "python.setattr", "type(sin)", "bool(python)", "-sin", "sin < cos", "sin + 1", "map(1, many)",
+        "lambda x: x", "(lambda *x: x)(1)", "(lambda x=1: x)()", "(lambda x: x)()",
+        "map(lambda x: many, many)",
     ],
 )  # fmt: skip
 def test_no_expression_takes_long_or_grows(expression: str) -> None:

@@ -206,6 +206,16 @@ class Evaluator:
         scopes = self._scopes(node.generators, local)
         return self.result({self.value(node.key, inner): self.value(node.value, inner) for inner in scopes})
 
+    def _lambda(self, node: ast.Lambda, local: Mapping[str, Any]) -> Any:
+        parameters = [parameter.arg for parameter in node.args.args]
+        if ast.dump(node.args) != ast.dump(_plain_parameters(parameters)):
+            raise Refused("a lambda takes plain parameters here")
+
+        def call(*arguments: Any) -> Any:
+            return self.value(node.body, {**local, **dict(zip(parameters, arguments, strict=True))})
+
+        return Function("lambda", call)
+
     def _scopes(
         self, loops: list[ast.comprehension], local: Mapping[str, Any]
     ) -> Iterator[Mapping[str, Any]]:
@@ -232,6 +242,13 @@ class Evaluator:
                 self._bind(part, item, local)
         else:
             raise Refused(f"{type(target).__name__} is not bound here")
+
+
+def _plain_parameters(names: list[str]) -> ast.arguments:
+    parameters = [ast.arg(name) for name in names]
+    return ast.arguments(
+        posonlyargs=[], args=parameters, vararg=None, kwonlyargs=[], kw_defaults=[], kwarg=None, defaults=[]
+    )
 
 
 def _looked_up(names: Names, name: Any) -> Any:
@@ -261,4 +278,5 @@ _NODES: Final[Mapping[type, Callable[[Evaluator, Any, Mapping[str, Any]], Any]]]
     ast.SetComp: Evaluator._comprehension,
     ast.GeneratorExp: Evaluator._comprehension,
     ast.DictComp: Evaluator._mapping,
+    ast.Lambda: Evaluator._lambda,
 }
