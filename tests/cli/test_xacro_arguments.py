@@ -68,3 +68,16 @@ def test_a_project_states_nothing(folder: Path, capsys: pytest.CaptureFixture[st
     (folder / "robodyn.toml").write_text('[robots.arm]\nrobot = "arm/arm.xacro"\narg = ["find more=/"]\n')
     assert main(["build", "--check"]) == 2
     assert "arg" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("command", ["gen", "flops", "import", "build"])
+def test_no_command_runs_what_a_file_says(
+    command: str, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = "python['vars'](python['type'](xacro.load_yaml))['__globals__']"
+    (folder / "bad.xacro").write_text(f'{HEAD}<link name="${{{text}}}"/></robot>')
+    (folder / "robodyn.toml").write_text('[robots.bad]\nrobot = "bad.xacro"\n')
+    files = sorted(folder.rglob("*"))
+    assert main(["build", "--check"] if command == "build" else [command, "bad.xacro"]) == 2
+    assert "name 'vars' is not defined" in capsys.readouterr().err
+    assert sorted(folder.rglob("*")) == files

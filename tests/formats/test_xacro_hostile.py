@@ -36,8 +36,14 @@ def loaded(name: str) -> str:
 
 
 RUN = "__import__('os').system('touch MADE')"
+_GET = "python['vars'](python['type'](%s))['%s']"
+_GLOBALS = _GET % ("xacro.load_yaml", "__globals__")
+_MODULES = f"{_GET % (_GLOBALS, '__get__')}({_GLOBALS}, xacro.load_yaml)"
+#: What ran a program as long as names were refused by their spelling.
+PROGRAM = f"python['vars']({_MODULES}['os'])['system']('touch MADE')"
 #: Whole files by what they attempt: inside ``<robot>``, with what stands in the message.
 HOSTILE = {
+    "a program": (link(f"${{{PROGRAM}}}"), "name 'vars' is not defined"),
     "vars by subscript": (link("${python['vars'](python['type'](1))}"), "name 'vars' is not defined"),
     "vars by name": (link("${python.vars(python.type(1))}"), "name 'vars' is not defined"),
     "class": (link("${().__class__.__bases__[0].__subclasses__()}"), "no attribute '__class__'"),
