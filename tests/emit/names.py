@@ -108,8 +108,6 @@ STANDARD = """
 assert complex ctype errno fenv float inttypes iso646 limits locale math setjmp signal stdalign stdarg
 stdatomic stdbool stddef stdint stdio stdlib stdnoreturn string tgmath threads time uchar wchar wctype
 """.split()  # noqa: SIM905 (it reads as the list that it is)
-#: Headers that Debian's picolibc has, which include others that it lacks.
-NOT_PICOLIBC = {"threads"}
 #: Headers that C++ has otherwise, or not at all.
 NOT_CPP = {"complex", "stdatomic", "stdnoreturn", "tgmath", "threads"}
 #: Headers that a template of C includes.
@@ -127,6 +125,21 @@ def including(headers: Iterable[str], *, cpp: bool = False) -> str:
         for h in sorted(headers)
         if not (cpp and h in NOT_CPP)
     )
+
+
+def usable(headers: Iterable[str], folder: Path, *command: str) -> set[str]:
+    """Those of ``headers`` that the compiler can include. Libraries for microcontrollers have a threads.h
+    that includes what they lack: newlib, picolibc."""
+    cpp = "-xc++" in command
+    (folder / "all.c").write_text(including(headers, cpp=cpp), encoding="utf-8")
+    if "fatal error" not in complaints(folder, *command, "-E", "-o", "all.i", "all.c"):
+        return {*headers}
+    found = set()
+    for header in headers:
+        (folder / "one.c").write_text(including([header], cpp=cpp), encoding="utf-8")
+        if "fatal error" not in complaints(folder, *command, "-E", "-o", "one.i", "one.c"):
+            found.add(header)
+    return found
 
 
 def complaints(folder: Path, *command: str) -> str:

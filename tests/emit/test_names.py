@@ -12,12 +12,12 @@ import pytest
 from emit.names import (
     CLEAN,
     INCLUDED,
-    NOT_PICOLIBC,
     STANDARD,
     WAYS,
     arm,
     complaints,
     including,
+    usable,
     words,
     written,
 )
@@ -98,10 +98,10 @@ def test_robots_that_a_program_made_are_looked_at_too() -> None:
 )
 def test_headers_of_the_system_are_no_robots(command: tuple[str, ...], tmp_path: Path) -> None:
     """With -I and the folder of the emitted files, <features.h> of the C library would be a robot's."""
-    lacking = NOT_PICOLIBC if "--specs=picolibc.specs" in command else set()
-    text = including({*INCLUDED, *STANDARD} - lacking, cpp="-xc++" in command)
+    compiler = (require_tool(command[0]), *command[1:])
+    text = including(usable({*INCLUDED, *STANDARD}, tmp_path, *compiler), cpp="-xc++" in command)
     (tmp_path / "all.c").write_text(text, encoding="utf-8")
-    said = complaints(tmp_path, require_tool(command[0]), *command[1:], "-v", "-E", "all.c")
+    said = complaints(tmp_path, *compiler, "-v", "-E", "all.c")
     folders = {Path(folder).resolve() for folder in re.findall(r"^ (/\S+)$", said, re.M)}
     paths = {Path(file).resolve() for file in re.findall(r'^# \d+ "(/[^"]+)"', said, re.M)}
     found = {path.stem for path in paths if path.parent in folders and path.suffix == ".h"}

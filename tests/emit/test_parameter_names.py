@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from emit.names import CLEAN, INCLUDED, STANDARD, WAYS, arm, complaints, including, written
+from emit.names import CLEAN, INCLUDED, STANDARD, WAYS, arm, complaints, including, usable, written
 from robodyn.errors import InputError
 from robodyn.robot import read_text
 from robodyn.robot.names import parameter_clash, parameter_name_fault
@@ -34,6 +34,7 @@ LEGAL = re.compile(r"[A-Za-z]\w{0,30}\Z", re.A)
 def macros(folder: Path, dialect: tuple[str, ...], headers: set[str]) -> dict[str, bool]:
     """Every macro that could be a name: whether it is called like a function."""
     tool, *flags = dialect
+    headers = usable(headers, folder, require_tool(tool), *flags)
     (folder / "all.c").write_text(including(headers, cpp="-xc++" in flags), encoding="utf-8")
     said = complaints(folder, require_tool(tool), *flags, "-dM", "-E", "all.c")
     found = re.findall(r"^#define (\w+)(\(?)", said, re.M)

@@ -15,6 +15,7 @@ from robodyn.errors import InputError
 from robodyn.kernels import kernel as kernels
 from robodyn.optimize.programs import signature
 from robodyn.robot import load
+from robodyn_testing import require_tool
 
 NAMES = ("forward_kinematics", "link_poses", "jacobian")
 N = 5
@@ -73,6 +74,7 @@ def test_a_batch_gives_the_same_bits(kernel: kernels.Kernel, q: NDArray[np.float
 
 
 def test_fortran_gives_the_same_bits(kernel: kernels.Kernel, q: NDArray[np.float64], tmp_path: Path) -> None:
+    require_tool("gfortran")
     fortran = robodyn.compile(
         "stanford_3dof", functions=NAMES, trig="builtin", mode="abi", cache=tmp_path, language="fortran"
     )

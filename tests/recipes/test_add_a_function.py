@@ -75,6 +75,7 @@ def answers(copy: Copy, *commands: str) -> list[dict[str, object]]:
 
 def test_the_kernels_give_the_product(copy: Copy) -> None:
     """C and Fortran, one state, many, a batch, in Python: ``qd^T M qdd`` with the reference's ``M``."""
+    require_tool("gfortran")
     script = textwrap.dedent("""
         import json, sys, warnings
         import numpy as np, robodyn

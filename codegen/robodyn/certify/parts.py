@@ -75,15 +75,16 @@ def prove_stack(subject: Subject, proofs: ProofOptions, folder: Path, tell: Tell
     for machine in machines:
         if machine.tool.path() is None:
             lines.append(f"{machine.name}: not run, needs {machine.tool.remedy}")
-            rows.append({"machine": machine.name, "remedy": f"needs {machine.tool.remedy}"})
+            rows.append(_stack_row(machine, stack.Depth(None, None, (), f"needs {machine.tool.remedy}")))
             continue
         tell(f"stack, {machine.name}")
         usage = stack.measure(machine, source, symbols, folder)
         tools[version(machine.tool)] = None
         commands.append(" ".join(stack.command(machine, source)))
         if isinstance(usage, str):
+            bad = True
             lines.append(f"{machine.name}: not compiled: {usage}")
-            rows.append({"machine": machine.name, "reason": usage})
+            rows.append(_stack_row(machine, stack.Depth(None, None, (), f"not compiled: {usage}")))
             continue
         for depth in usage:
             known += depth.size is not None and not depth.beyond
@@ -91,16 +92,7 @@ def prove_stack(subject: Subject, proofs: ProofOptions, folder: Path, tell: Tell
             size = "no bound" if depth.size is None else f"{depth.size} B"
             note = f" ({depth.reason})" if depth.reason else ""
             lines.append(f"{machine.name}: {depth.function} {size}{note}")
-            rows.append(
-                {
-                    "machine": machine.name,
-                    "function": depth.function,
-                    "bytes": depth.size,
-                    "chain": list(depth.chain),
-                    "beyond": list(depth.beyond),
-                    "reason": depth.reason,
-                }
-            )
+            rows.append(_stack_row(machine, depth))
     return Finding(
         "stack",
         "proved" if known and not bad else "failed",
@@ -112,6 +104,18 @@ def prove_stack(subject: Subject, proofs: ProofOptions, folder: Path, tell: Tell
         tuple(commands),
         stand_ins,
     )
+
+
+def _stack_row(machine: stack.Machine, depth: stack.Depth) -> dict[str, Any]:
+    """A row of ``proof.json``: its members are the same where nothing could be measured."""
+    return {
+        "machine": machine.name,
+        "function": depth.function,
+        "bytes": depth.size,
+        "chain": list(depth.chain),
+        "beyond": list(depth.beyond),
+        "reason": depth.reason,
+    }
 
 
 def prove_misra(subject: Subject, proofs: ProofOptions, folder: Path, tell: Tell) -> Finding:

@@ -63,9 +63,10 @@ def machines(*, freestanding: bool = False) -> tuple[Machine, ...]:
 
 @dataclass(frozen=True, slots=True)
 class Depth:
-    """Stack of one function with all that it calls [bytes]; None: there is no bound, and ``reason``."""
+    """Stack of one function with all that it calls [bytes]; None: there is no bound, and ``reason``. No
+    ``function``: there was no compiler, or it refused."""
 
-    function: str
+    function: str | None
     size: int | None
     chain: tuple[str, ...]
     reason: str = ""

@@ -22,6 +22,7 @@ _FAMILIES = (
     r"M_(TWOPI|3PI_4|SQRTPI|LN2LO|LN2HI|SQRT3|IVLN10|LOG2_E|INVLN2)",
     r"(HUGE_VAL|SNAN|CMPLX)\w*",
     r"(atomic|pthread)_[a-z_]+",
+    r"(clearerr|feof|ferror|(get|put)char)_unlocked",
     r"(be|le)(16|32|64)toh|hto(be|le)(16|32|64)",
 )
 # Of the C library: the standard's, those of POSIX, of glibc, newlib and Frama-C.
@@ -49,7 +50,9 @@ si_addr_lsb si_arch si_band si_call_addr si_fd si_int si_lower si_overrun si_pid
 si_stime si_syscall si_timerid si_uid si_upper si_utime si_value sigev_notify_attributes
 sigev_notify_function va_arg va_copy va_end va_start alloca assert complex errno fpclassify imaginary
 kill_dependency math_errhandling noreturn offsetof sighandler_t sigmask signbit signgam static_assert stderr
-stdin stdout strdupa strndupa u_int8_t u_int16_t u_int32_t u_int64_t unreachable
+stdin stdout strdupa strndupa u_int8_t u_int16_t u_int32_t u_int64_t unreachable HAVE_INITFINI_ARRAY
+TIMESPEC_TO_TIMEVAL TIMEVAL_TO_TIMESPEC clearerr fast_putc fd_set feof ferror fropen fwopen log2 physadr quad
+strtodf tzname
 """
 # Of <errno.h>, of Linux and others, and the end of a file.
 _ERRORS = """
