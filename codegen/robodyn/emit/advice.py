@@ -15,7 +15,8 @@ def advice(unit: Unit) -> tuple[str, ...]:
                 "Products and sums may be fused (-ffp-contract=fast): bits depend on the compiler."
                 if unit.contraction == "on"
                 else "The same bits on every machine with IEEE arithmetic, in C and in Fortran, where "
-                "products and sums are not fused: -ffp-contract=off (gcc -std=c99 implies it)."
+                "products and sums are not fused: -ffp-contract=off (gcc -std=c99 implies it; gfortran 12.0 "
+                "to 12.2 with -mfma needs -fno-tree-slp-vectorize too)."
             ),
         )
     if unit.early_writes:

@@ -10,10 +10,18 @@ from robodyn.emit.spelling import Spelling, elements
 from robodyn.emit.syntax import Syntax
 from robodyn.emit.trig import trig_context
 
-#: Compilations that would not round as written, and what is said of them. 16 is 0 but for _Float16: gcc
-#: has it with -march=native where the processor computes in half precision.
+#: Compilations that would not round as written, and what is said of them. gcc names -fassociative-math from
+#: 12 on, clang never does: ``c/as_written.h.j2`` is for those. 16 is 0 but for _Float16: gcc has it with
+#: -march=native where the processor computes in half precision.
 _REFUSED = (
-    ("defined(__FAST_MATH__)", "{} are for arithmetic as written: no -ffast-math"),
+    (
+        "defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST)",
+        "{} are for arithmetic as written: no -ffast-math, -funsafe-math-optimizations, -fassociative-math",
+    ),
+    (
+        "defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ != 0",
+        "{} are for all numbers, and NaN is one of their results: no -ffinite-math-only",
+    ),
     (
         "defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16",
         "{} are for arithmetic in their own type: no x87, use -msse2 -mfpmath=sse",

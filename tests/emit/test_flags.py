@@ -1,0 +1,136 @@
+"""Our own sine, cosine and arctangent under the flags of other people's builds: as accurate as is said, or
+refused by the compiler with a reason."""
+
+from __future__ import annotations
+
+import ctypes
+import itertools
+import subprocess
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from emit.angles import FUNCTION, NAME, SCALARS, TYPES, of_program
+from emit.kernels import write
+from robodyn.effects.scalars import arctangent, cosine, sine
+from robodyn.emit.arctangent import DOUBLE as ARCTANGENT
+from robodyn.emit.batch import batch_files
+from robodyn.emit.trig import DOUBLE, FLOAT
+from robodyn.ir import Graph, Program
+from robodyn.ir.lowering import lower
+from robodyn_testing import require_machine, require_tool
+
+OF: Final = {"double": DOUBLE, "float": FLOAT}
+#: What the errors stay below [ulp], sine, cosine, arctangent.
+BOUNDS: Final = np.array([1, 1, ARCTANGENT.ulps])
+
+FLAGS: Final = (
+    "",
+    "-ffast-math",
+    "-Ofast",
+    "-funsafe-math-optimizations",
+    "-fassociative-math -fno-signed-zeros -fno-trapping-math",
+    "-freciprocal-math",
+    "-ffinite-math-only",
+    "-fno-signed-zeros",
+    "-fno-trapping-math",
+    "-mfma -ffp-contract=fast",
+    "-mfma -ffp-contract=off",
+)
+
+_ALL: Final = f"""
+#include "{NAME}.c"
+#include <stddef.h>
+void all(size_t n, const {NAME}_real *q, {NAME}_real *tau);
+void all(size_t n, const {NAME}_real *q, {NAME}_real *tau)
+{{
+    for (size_t i = 0; i < n; ++i) {FUNCTION}(&q[3 * i], &tau[3 * i]);
+}}
+"""
+
+
+def program() -> Program:
+    """``sin q[0]``, ``cos q[1]``, ``atan2(q[2], q[0])``."""
+    graph = Graph()
+    q = [graph.input("q", i) for i in range(3)]
+    return lower(graph, [("tau", [sine(q[0]), cosine(q[1]), arctangent(q[2], q[0])])])
+
+
+def states(scalar: str) -> NDArray[Any]:
+    """Angles of all sizes up to the end of the range, in numbers that fill no vector."""
+    random, of = np.random.default_rng(5), OF[scalar]
+    q = np.concatenate(
+        [random.uniform(-size, size, (2001, 3)) for size in (1e-5, 1, 4, 100, of.exact)]
+        + [random.uniform(1, 1.1, (500, 3)) * [1, 1, x] for x in (0.4636, 0.125, 0.25)]
+    )
+    return q.astype(TYPES[scalar])
+
+
+def errors(tau: NDArray[Any], q: NDArray[Any]) -> NDArray[np.float64]:
+    """The largest error of each result [ulp]."""
+    require_machine(np.finfo(np.longdouble).nmant >= 60, "extended precision in numpy")
+    wide = q.astype(np.longdouble)
+    exact = np.stack([np.sin(wide[:, 0]), np.cos(wide[:, 1]), np.arctan2(wide[:, 2], wide[:, 0])], axis=1)
+    unit = np.spacing(np.abs(exact).astype(tau.dtype))
+    largest: NDArray[np.float64] = (np.abs(tau - exact) / unit).max(axis=0).astype(float)
+    return largest
+
+
+def evaluated(function: Any, q: NDArray[Any]) -> NDArray[Any]:
+    tau = np.empty_like(q)
+    function(ctypes.c_size_t(len(q)), *(a.ctypes.data_as(ctypes.c_void_p) for a in (q, tau)))
+    return tau
+
+
+def check(function: Any, scalar: str, signed_zeros: bool) -> None:
+    """Errors below what is said, signs of zeros unless the flags take them away, NaN where it is said."""
+    q = states(scalar)
+    assert (errors(evaluated(function, q), q) < BOUNDS).all()
+    zeros = np.array([[-0.0, 0, -0.0], [0.0, 0, -0.0]], TYPES[scalar])
+    tau = evaluated(function, zeros)
+    if signed_zeros:
+        assert np.array_equal(np.signbit(tau), [[True, False, True], [False, False, True]])
+    assert np.array_equal(tau == 0, [[True, False, False], [True, False, True]])
+    huge = 2 * OF[scalar].limit
+    for x in (huge, -huge, 1e30, np.inf, -np.inf, np.nan):
+        assert np.isnan(evaluated(function, np.full((3, 3), x, TYPES[scalar]))[:, :2]).all(), x
+    assert np.isnan(evaluated(function, np.full((3, 3), np.nan, TYPES[scalar]))).all()
+
+
+def build(folder: Path, file: str, cc: str, *flags: str) -> ctypes.CDLL | str:
+    """The library of a ``file``, or what the compiler says of it."""
+    if "-mfma" in flags:
+        require_machine(" fma " in Path("/proc/cpuinfo").read_text(), "a processor that fuses")
+    command = [require_tool(cc), *flags, "-shared", "-fPIC", file, "-o", f"{file}.so", "-lm"]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    return ctypes.CDLL(str(folder / f"{file}.so")) if done.returncode == 0 else done.stderr
+
+
+QUICK: Final = [(cc, "-O2", flags) for cc, flags in itertools.product(("gcc", "clang"), FLAGS)]
+ALL: Final = list(itertools.product(("gcc", "clang"), ("-O0", "-O2", "-O3", "-Os"), FLAGS))
+
+
+@pytest.mark.parametrize(
+    ("cc", "level", "flags"),
+    [pytest.param(*each, marks=() if each in QUICK else pytest.mark.thorough) for each in ALL],
+)
+@pytest.mark.parametrize("scalar", SCALARS)
+def test_c_is_right_under_all_flags_or_refuses(
+    scalar: str, cc: str, level: str, flags: str, tmp_path: Path
+) -> None:
+    generated = of_program(program(), scalar)
+    write(tmp_path, generated.files(("c",)))
+    write(tmp_path, batch_files(generated.unit))
+    (tmp_path / "all.c").write_text(_ALL, encoding="ascii")
+    for file, symbol in (("all.c", "all"), (f"{NAME}_batch.c", f"{FUNCTION}_batch_rows")):
+        built = build(tmp_path, file, cc, level, *flags.split())
+        if isinstance(built, str):
+            assert "math" in flags or flags == "-Ofast", built
+            assert "#error" in built
+            assert "are for a" in built
+            continue
+        unsigned = {"-fno-signed-zeros", "-funsafe-math-optimizations"} & {*flags.split()}
+        check(getattr(built, symbol), scalar, not unsigned)
