@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from documents.blocks import ROOT, Block, Command, commands, matches
+from robodyn_testing import require_tool
 
 #: What the examples find beside them, as in a checkout.
 SHIPPED = ("examples", "robots")
@@ -55,7 +56,7 @@ class Reader:
             f"{one.text}\n__code=$?; printf '\\036%s\\n' $__code; (exit $__code)\n" for one in lines
         )
         done = subprocess.run(
-            ["bash", "-c", script],
+            [require_tool("bash"), "-c", script],
             cwd=self.folder,
             env=self._variables(),
             stdin=subprocess.DEVNULL,
