@@ -56,11 +56,12 @@ With `torque_side: link` only 1 and 2 are in the torque.
 simulator lets joints stick and break away), `smooth: {velocity: v}` (tanh of velocity over v) or
 `dead_band: {velocity: v}` (0 below v, half at v).
 
-**Memory**: presliding, elastic joints and backlash have states. A call with an impossible sample leaves them
-unchanged: a position, velocity, acceleration or `dt` that is infinite or NaN, or a negative `dt`. The torque
-of that call is NaN (with a bad `dt` alone it is that of the unchanged states), and the next good sample gives
-the right torque again; only rates of a twist, which are differences over `dt`, need two calls. A velocity
-that is finite and wrong deflects a presliding contact to its level at most.
+**Memory**: presliding, elastic joints and backlash have states in `inverse_dynamics`; all other functions
+take the joint for stiff and its friction for that of steady motion. A call with an impossible sample leaves
+the states unchanged: a position, velocity, acceleration or `dt` that is infinite or NaN, or a negative `dt`.
+The torque of that call is NaN (with a bad `dt` alone it is that of the unchanged states), and the next good
+sample gives the right torque again; only rates of a twist, which are differences over `dt`, need two calls. A
+velocity that is finite and wrong deflects a presliding contact to its level at most.
 
 """
 
