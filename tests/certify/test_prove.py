@@ -116,36 +116,6 @@ def test_the_stack_of_a_kernel(tmp_path: Path) -> None:
     assert host["beyond"] == []
 
 
-def test_machines_without_a_compiler_have_rows_like_the_others(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    (tmp_path / "path").mkdir()
-    for tool in ("gcc", "as"):
-        (tmp_path / "path" / tool).symlink_to(require_tool(tool))
-    monkeypatch.setenv("PATH", str(tmp_path / "path"))
-    host, *others = finding(parts.prove_stack, subject(PUMA, PUMA, OPTIONS), tmp_path).data["stack"]
-    assert others
-    assert host["bytes"] > 0
-    for row in others:
-        assert row.keys() == host.keys()
-        assert row["function"] is row["bytes"] is None
-        assert row["reason"].startswith("needs ")
-
-
-def test_a_kernel_that_does_not_compile_somewhere_has_no_proof(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Whatever its stack is on the other machines."""
-    require_tool("gcc")
-    machine = stack.machines()[0]
-    broken = replace(machine, name="broken", flags=(*machine.flags, "-fno-such-flag"))
-    monkeypatch.setattr(stack, "machines", lambda **_: (machine, broken))
-    found = finding(parts.prove_stack, subject(PUMA, PUMA, OPTIONS), tmp_path)
-    assert found.status == "failed"
-    assert found.data["stack"][0].keys() == found.data["stack"][1].keys()
-    assert "-fno-such-flag" in found.data["stack"][1]["reason"]
-
-
 def test_the_stack_sees_calls_of_libm(tmp_path: Path) -> None:
     require_tool("gcc")
     made = subject(PUMA, PUMA, Options(functions=("gravity",), scalar="float"))
