@@ -60,6 +60,7 @@ def command(
     (of poses to the arm's reach), and the state where it occurs. Exits with 1 if an error exceeds 1e-10
     (float: 1e-5).
     """
+    from robodyn.dynamics.functions import function_named
     from robodyn.emit.languages import compiled_language
     from robodyn.errors import CheckError, InputError
     from robodyn.kernels.generate import Options, generate
@@ -95,9 +96,8 @@ def command(
             for line in wrapped(f"the largest error occurs at {state}"):
                 click.echo(line)
         for function, equal in exact.items():
-            click.echo(
-                f"{function}: {'equal to' if equal else 'NOT EQUAL to'} plain Newton-Euler on fractions"
-            )
+            plain = "products of transforms" if function_named(function).geometric else "plain Newton-Euler"
+            click.echo(f"{function}: {'equal to' if equal else 'NOT EQUAL to'} {plain} on fractions")
         for function, right in closing.items():
             verb = "leads" if right else "DOES NOT LEAD"
             click.echo(f"{function}: {verb} back to the pose in plain forward kinematics, at 60 digits")

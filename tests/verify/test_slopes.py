@@ -9,10 +9,11 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
+import robodyn
 from effects.cases import CASES, draw, entry
 from robodyn.robot import read_text
 from robodyn.robot.model import JointKind, Robot
-from robodyn.verify import Reference
+from robodyn.verify import Reference, verify
 from robodyn.verify.exact import exact_torque_slope
 from robodyn_testing.random_robots import random_robot
 
@@ -58,3 +59,15 @@ def test_smooth_friction_is_differentiated_exactly() -> None:
     )
     (slope,) = exact_torque_slope(robot, [0.1], [0.2], [0.0], [0.0], [1.0])
     assert float(slope) == pytest.approx(2 + 3 * (1 - np.tanh(0.4) ** 2) / 0.5, rel=1e-14)
+
+
+def test_what_no_energy_says_is_not_said_to_agree_with_energies() -> None:
+    """Poses are compared with transforms, once; derivatives with what has them."""
+    robot = read_text("name: a\nlinks: [{joint: revolute, a: 0.2, mass: 1, com: [0.3, 0, 0]}]")
+    kernel = robodyn.compile(robot, functions=("forward_kinematics", "inverse_dynamics_derivatives"))
+    report = verify(robot, kernel, states=20)
+    assert report.passed
+    against = {(comparison.function, comparison.against) for comparison in report.comparisons}
+    functions = ("forward_kinematics", "inverse_dynamics_derivatives")
+    assert against == {(function, oracle) for function in functions for oracle in ("reference", "exact")}
+    assert "inverse_dynamics_derivatives with lagrangian" in report.skipped

@@ -19,7 +19,7 @@ links:
     com: [0.1, 0.02, 0.05]
     inertia: {xx: 0.02, yy: 0.03, zz: 0.04}
     effects: [EFFECT]
-  - {joint: JOINT, alpha: 1.1, a: 0.4, theta: 0.3, mass: 2, com: [0.2, 0, 0.1], inertia: {xx: 0.01, yy: 0.02}}
+  - {joint: JOINT, alpha: 1.1, a: 0.4, theta: 0.3, mass: 2, com: [0.2, 0, 0], inertia: {yy: 0.1, zz: 0.1}}
 """
 FUNCTIONS = ("inverse_dynamics_with_wrench", "bias_with_wrench", "gravity_with_wrench")
 EFFECTS = (
