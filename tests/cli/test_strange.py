@@ -60,9 +60,12 @@ def test_logs_of_an_arm_without_gravity(log: str, elsewhere: Path, capsys: Captu
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize(("arm", "log"), [("on_its_axis", "tiny_torque"), ("rotors_alone", "still")])
-def test_logs_of_other_arms(arm: str, log: str, elsewhere: Path, capsys: Capture) -> None:
-    file = write_arm(arm)
+@pytest.mark.parametrize(
+    ("arm", "seed", "log"),
+    [("on_its_axis", 0, "tiny_torque"), ("rotors_alone", 0, "still"), ("massless_tip", 2, "constant")],
+)
+def test_logs_of_other_arms(arm: str, seed: int, log: str, elsewhere: Path, capsys: Capture) -> None:
+    file = write_arm(arm, seed)
     name = write_log(file, log)
     for words in commands_of_log(file, name)[2:]:
         run(capsys, *words)

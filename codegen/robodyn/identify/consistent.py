@@ -87,7 +87,8 @@ class Cone:
             at = x[self.positive]
             gradient[self.positive] -= 1 / at
             hessian[self.positive, self.positive] += 1 / at**2
-        inverse = np.linalg.inv(self.matrices(x))
+        lower = np.linalg.inv(np.linalg.cholesky(self.matrices(x)))  # also of what is all but singular
+        inverse = np.swapaxes(lower, 1, 2) @ lower
         products = inverse[:, None] @ (BASIS * self.units[:, None])
         flat = products.reshape(-1, 10, 16)
         turned = np.swapaxes(products, 2, 3).reshape(-1, 10, 16)
@@ -95,6 +96,14 @@ class Cone:
         gradient[self.bodies] -= np.trace(products, axis1=2, axis2=3)
         hessian[self.bodies[:, :, None], self.bodies[:, None, :]] += curvature
         return gradient, hessian
+
+    def contains(self, x: Floats) -> bool:
+        """Whether ``x`` is inside in numbers of double precision, not by less than their rounding."""
+        try:
+            np.linalg.cholesky(self.matrices(x))
+        except np.linalg.LinAlgError:
+            return False
+        return bool((x[self.positive] > 0).all())
 
     def reaches(self, x: Floats, step: Floats) -> Floats:
         """How fast a ``step`` from ``x`` changes the numbers above 0, each as a share of what it is: at a
@@ -112,14 +121,14 @@ def minimum(hessian: Floats, linear: Floats, cone: Cone, start: Floats, free: In
     x = start.copy()
     slope = (hessian @ x - linear)[free]
     # What there is to gain at all sets the barrier's first weight.
-    gain = 0.5 * float(slope @ _solved(hessian[np.ix_(free, free)], slope))
+    gain = 0.5 * float(slope @ solve_definite(hessian[np.ix_(free, free)], slope))
     mu = max(gain / max(cone.degree, 1), BARRIER_END)
     while True:
         for _ in range(NEWTON_STEPS):
             gradient, curvature = cone.slopes(x)
             slope, push = hessian @ x - linear + mu * gradient, mu * curvature
             step = np.zeros(len(x))
-            step[free] = -_solved((hessian + push)[np.ix_(free, free)], slope[free])
+            step[free] = -solve_definite((hessian + push)[np.ix_(free, free)], slope[free])
             promised = -float(slope @ step)
             if promised < NEWTON_DONE * mu:
                 break
@@ -139,17 +148,23 @@ def _share(cone: Cone, x: Floats, step: Floats, mu: float, descent: float, bend:
     share = min(1.0, NEARLY_THERE / max(-float(reaches.min(initial=0.0)), NEARLY_THERE))
     while share > LEAST_STEP:
         change = share * plain + 0.5 * share**2 * bend - mu * float(np.log1p(share * reaches).sum())
-        if change <= WORTH_A_STEP * share * descent:
+        if change <= WORTH_A_STEP * share * descent and cone.contains(x + share * step):
             return share
         share *= 0.5
     return 0.0
 
 
-def _solved(matrix: Floats, right: Floats) -> Floats:
-    """``matrix^-1 right``, rows and columns scaled to a unit diagonal first. What rounding may take off a
-    definite matrix's eigenvalues is added to them: numbers that only show together leave it singular."""
+def to_unit_diagonal(matrix: Floats) -> tuple[Floats, Floats]:
+    """A positive definite ``matrix`` [p, p] with rows and columns scaled to a unit diagonal, and by what [p].
+    What rounding may take off its eigenvalues is added to them: numbers that only show together leave it
+    singular."""
     unit = 1 / np.sqrt(np.diag(matrix))
-    scaled = matrix * np.outer(unit, unit) + len(unit) * np.finfo(float).eps * np.eye(len(unit))
+    return matrix * np.outer(unit, unit) + len(unit) * np.finfo(float).eps * np.eye(len(unit)), unit
+
+
+def solve_definite(matrix: Floats, right: Floats) -> Floats:
+    """``matrix^-1 right``."""
+    scaled, unit = to_unit_diagonal(matrix)
     return np.asarray(unit * np.linalg.solve(scaled, unit * right))
 
 

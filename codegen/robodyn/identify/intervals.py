@@ -11,6 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.identify.consistent import to_unit_diagonal
 from robodyn.identify.normal import Block
 from robodyn.identify.problem import Solution, Unknowns, normal, scores
 
@@ -65,8 +66,8 @@ def covariance(unknowns: Unknowns, blocks: Sequence[Block], solution: Solution, 
     free = np.flatnonzero(unknowns.free)
     at = np.ix_(free, free)
     H = (solution.curvature + np.diag(solution.prior))[at]
-    unit = 1 / np.sqrt(np.diag(H))
-    bread = np.linalg.inv(H * np.outer(unit, unit)) * np.outer(unit, unit)
+    scaled, unit = to_unit_diagonal(H)
+    bread = np.linalg.inv(scaled) * np.outer(unit, unit)
     S = scores(unknowns, blocks, solution.weights, solution.z)[:, free]
     S = S - S.mean(axis=0)
     meat = S.T @ S * len(blocks) / max(len(blocks) - 1, 1)

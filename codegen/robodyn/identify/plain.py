@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.identify.consistent import solve_definite
 from robodyn.identify.limits import LEAST_NOISE, PLAIN_ROUNDS, RANK
 from robodyn.identify.normal import Block, Layout
 
@@ -90,7 +91,7 @@ def held_out_gains(
     mean, precision = prior
     H, h = sums(layout, train, weights)
     H, h = H + np.diag(precision), h + precision * mean
-    whole = _solved(H, h)
+    whole = solve_definite(H, h)
 
     def left(x: Floats) -> Floats:
         return np.array([block.misfit(layout, x) for block in test]) @ weights
@@ -100,11 +101,6 @@ def held_out_gains(
     for at in layout.joint(name).tolist():
         kept = np.delete(np.arange(layout.size), at)
         x = mean.copy()
-        x[kept] = _solved(H[np.ix_(kept, kept)], h[kept] - H[kept, at] * mean[at])
+        x[kept] = solve_definite(H[np.ix_(kept, kept)], h[kept] - H[kept, at] * mean[at])
         gains.append(left(x) - full)
     return np.array(gains)
-
-
-def _solved(H: Floats, h: Floats) -> Floats:
-    unit = 1 / np.sqrt(np.diag(H))
-    return np.asarray(unit * np.linalg.solve(H * np.outer(unit, unit), unit * h))
