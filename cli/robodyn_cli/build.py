@@ -96,10 +96,10 @@ def command(
     hashes of all files: commit it, and let CI run "robodyn build --check".
     """
     form = _format(format_, as_json=as_json)
-    if output is not None:
-        check_outputs(output_folder(output).parent, [Path(output).name], named=True)
     try:
-        comparison, written = _built(Path(path), workers, check=check, force=force, against=against)
+        comparison, written = _built(
+            Path(path), workers, check=check, force=force, against=against, report=output
+        )
     except RobodynError as error:
         _show_error(error, form, output)
         raise
@@ -108,9 +108,10 @@ def command(
 
 
 def _built(
-    path: Path, workers: int | None, *, check: bool, force: bool, against: str | None
+    path: Path, workers: int | None, *, check: bool, force: bool, against: str | None, report: str | None
 ) -> tuple[Comparison, list[str]]:
-    """Write or check what the project file asks for: how it compares, and the paths of what was written."""
+    """Write or check what the project file asks for, once the file ``report`` can be written: how it
+    compares, and the paths of what was written."""
     from robodyn.project.compare import check_products, compare, locked
     from robodyn.project.lock import read_lock
     from robodyn.project.reading import read_project
@@ -121,6 +122,8 @@ def _built(
     project = read_project(path, keys)
     if against is not None and not Path(against).is_file():
         raise InputError("there is no lock file of this name", found=printable(against))
+    if report is not None:
+        check_outputs(output_folder(report).parent, [Path(report).name], named=True)
     with _alone(project.path, waits=not check):
         before = read_lock(project.lock) if check else _lock_before(project)
         base = before if against is None else read_lock(Path(against))
@@ -258,7 +261,8 @@ def _show_error(error: RobodynError, form: str, output: str | None) -> None:
         try:
             write_file(path, text)
         except RobodynError as second:
-            talk(f"robodyn: error: {second}")
+            if str(second) != str(error):
+                talk(f"robodyn: error: {second}")
     elif form == "json":
         echo_document(text)
     elif form != "text":

@@ -18,7 +18,7 @@ from robodyn.errors import InputError, OutputError
 from robodyn.files import cannot_write
 from robodyn.outputs import write_files
 from robodyn_cli.main import main
-from robodyn_testing import representative, require_machine, require_module
+from robodyn_testing import representative, require_machine, require_module, require_tool
 
 Capture = pytest.CaptureFixture[str]
 
@@ -151,7 +151,8 @@ def test_a_disk_that_is_small(here: Path, capsys: Capture) -> None:
     require_machine(root, "root under Linux, for a disk of 64 KiB")
     disk = here / "disk"
     disk.mkdir()
-    mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=64k", "none", str(disk)], check=False)
+    mount, umount = require_tool("mount"), require_tool("umount")
+    mounted = subprocess.run([mount, "-t", "tmpfs", "-o", "size=64k", "none", str(disk)], check=False)
     require_machine(mounted.returncode == 0, "the right to mount a disk")
     try:
         (disk / "rest").write_bytes(bytes(60_000))
@@ -161,7 +162,7 @@ def test_a_disk_that_is_small(here: Path, capsys: Capture) -> None:
         (disk / "rest").unlink()
         assert main(["new", "arm", "-o", str(disk / "arm.yaml")]) == 0
     finally:
-        subprocess.run(["umount", str(disk)], check=True)
+        subprocess.run([umount, str(disk)], check=True)
 
 
 def test_a_place_that_is_wrong_is_bad_input(here: Path) -> None:

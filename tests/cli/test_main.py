@@ -298,8 +298,8 @@ class TestNew:
         link, end = tmp_path / "link.yaml", tmp_path / "end.yaml"
         link.symlink_to(end)
         assert main(["new", "arm", "-o", str(link), *["--force"] * force]) == (0 if force else 2)
-        assert link.is_symlink()
-        assert end.exists() is force
+        assert link.is_symlink() is not force
+        assert not end.exists()
 
     def test_refuses_an_empty_place(
         self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]

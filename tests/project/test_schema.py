@@ -24,7 +24,10 @@ KEYS = project_keys()
 
 @pytest.mark.parametrize(
     ("command", "keys", "of_a_run", "own"),
-    [(gen, KEYS.kernels, {"compile", "on", "seeds"}, OWN), (package, KEYS.packages, {"as"}, OWN_OF_PACKAGE)],
+    [
+        (gen, KEYS.kernels, {"compile", "force", "on", "seeds"}, OWN),
+        (package, KEYS.packages, {"as", "force"}, OWN_OF_PACKAGE),
+    ],
 )
 def test_every_option_that_says_what_is_written_is_a_key(
     command: click.Command, keys: dict[str, Key], of_a_run: set[str], own: tuple[str, ...]

@@ -50,6 +50,7 @@ CHANGED: dict[tuple[type, str], tuple[Robot, bool]] = {
     (Robot, "dead_band"): (replace(BASE, dead_band=Fraction(1, 1000)), True),
     (Robot, "base"): (replace(BASE, base=Placement(ORIGIN, (quarter_turns(1), *RPY[1:]))), True),
     (Robot, "tool"): (replace(BASE, tool=Placement((SMALL, *ORIGIN[1:]), RPY)), False),
+    (Robot, "standard_end"): (replace(BASE, standard_end=Placement(ORIGIN, RPY)), False),
     (Robot, "effects"): (
         replace(BASE, effects=(EffectEntry("torque_ripple", 1, (("amplitude", Fraction(1)),)),)),
         True,

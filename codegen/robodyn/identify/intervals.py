@@ -67,15 +67,24 @@ def covariance(unknowns: Unknowns, blocks: Sequence[Block], solution: Solution, 
     at = np.ix_(free, free)
     H = (solution.curvature + np.diag(solution.prior))[at]
     scaled, unit = to_unit_diagonal(H)
-    bread = np.linalg.inv(scaled) * np.outer(unit, unit)
+    inverse, units = np.linalg.inv(scaled), np.outer(unit, unit)
+
+    def carried(scatter: Floats) -> Floats:
+        """The covariance by that of the score, as a product with itself: no variance is less than 0."""
+        values, vectors = np.linalg.eigh(scatter * units)
+        root = inverse @ (vectors * np.sqrt(np.maximum(values, 0.0)))
+        return np.asarray(root @ root.T * units)
+
     S = scores(unknowns, blocks, solution.weights, solution.z)[:, free]
     S = S - S.mean(axis=0)
     meat = S.T @ S * len(blocks) / max(len(blocks) - 1, 1)
     # Data and prior speak apart: the prior's part of the score varies by its own precision.
     data = normal(unknowns, blocks, solution.weights * likeness, solution.z)[0][at]
-    wide = bread @ (meat + np.diag(solution.prior[free])) @ bread
-    plain = bread @ (data + np.diag(solution.prior[free])) @ bread
-    ratio = np.sqrt(np.maximum(1.0, np.diag(wide) / np.maximum(np.diag(plain), 1e-300)))
+    prior = np.diag(solution.prior[free])
+    plain, spread = carried(data + prior), np.diag(carried(meat + prior))
+    variances = np.diag(plain)
+    wider = np.divide(spread, variances, out=np.ones_like(spread), where=variances > 0)
+    ratio = np.sqrt(np.maximum(1.0, wider))
     whole = np.zeros((unknowns.size, unknowns.size))
     whole[at] = plain * np.outer(ratio, ratio)
     return whole

@@ -142,7 +142,7 @@ def test_on_the_command_line(tmp_path: Path, capsys: Capture, monkeypatch: pytes
     out = capsys.readouterr().out.splitlines()
     assert out[0] == "3 units, 15 logs, 1 changes are hidden in d"
     assert sorted(path.name for path in Path("d").iterdir()) == [
-        "answer.sealed", "fleet.toml", "logs", "manifest.csv", "types",
+        ".robodyn.sha256", "answer.sealed", "fleet.toml", "logs", "manifest.csv", "types",
     ]  # fmt: skip
     assert main(["hide", "--open", "d"]) == 0
     (change,) = parsed_json(capsys.readouterr().out)["planted"]
