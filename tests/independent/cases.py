@@ -72,16 +72,22 @@ def _friction(arm: Arm, rng: random.Random) -> Arm:
 
 
 def _named(keys: Mapping[str, tuple[str, ...]]) -> Put:
-    """Names in the place of numbers of the last link, and of effects; ``values`` has the numbers."""
+    """Names in the place of numbers of the last link, and of effects; ``values`` has the numbers. The length
+    of the last row of standard DH places the tool, which has no names: there it is that of the row before."""
+
+    def name_numbers(link: Any, key: str, inner: tuple[str, ...], values: dict[str, Any]) -> None:
+        table = link[key] if inner else link
+        for name in inner or (key,):
+            values[f"p_{key}_{name}".replace(f"_{key}_{key}", f"_{key}")] = table[name]
+            table[name] = f"p_{key}_{name}".replace(f"_{key}_{key}", f"_{key}")
 
     def put(arm: Arm, _: random.Random) -> Arm:
-        link, values = arm["links"][-1], arm.setdefault("values", {})
+        values = arm.setdefault("values", {})
         for key, inner in keys.items():
-            table = link[key] if inner else link
-            for name in inner or (key,):
-                values[f"p_{key}_{name}".replace(f"_{key}_{key}", f"_{key}")] = table[name]
-                table[name] = f"p_{key}_{name}".replace(f"_{key}_{key}", f"_{key}")
-        for number, entry in enumerate([*link.get("effects", ()), *arm.get("effects", ())]):
+            before = key == "a" and arm["convention"] == "sdh"
+            for link in arm["links"][:-1][-1:] if before else arm["links"][-1:]:
+                name_numbers(link, key, inner, values)
+        for number, entry in enumerate([*arm["links"][-1].get("effects", ()), *arm.get("effects", ())]):
             for name, value in entry.items():
                 if isinstance(value, float) and (entry["effect"], name) not in _NUMBERS:
                     values[f"p{number}_{name}"] = value
