@@ -22,22 +22,22 @@ from independent.matrix import TOLERANCE, Outcome, compare, errors, read, states
 from independent.reference import Reference
 from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.effects.catalogue import CATALOGUE
+from robodyn_testing import representative
 
 pytestmark = pytest.mark.filterwarnings("ignore::robodyn.robot.reader.DoubtfulRobot")
 
 OF_DRIVES = tuple(name for name in EVERY if name not in FUNCTIONS or FUNCTIONS[name].drives)
 LONG = tuple(name for name in EVERY if "kinematics" not in name or name.startswith("forward_kinematics"))
 
-#: One of each effect at once, and of each option of the description.
-QUICK = {name for name in CASES if "," not in name} | {
+#: What is tried at every change: one effect of each place in a drive, and run-time names.
+QUICK = {
+    "spring",
     "load_dependent_friction, journal",
-    "load_dependent_friction, linear",
+    "joint_elasticity",
     "transmission_loss, cubic",
-    "joint_elasticity, link",
-    "drives together, smooth",
-    "drives together, link side",
+    "stribeck_friction",
+    "motor_coupling",
     "names, drives together",
-    "names, lengths",
 }
 
 
@@ -73,9 +73,7 @@ def test_the_reference_agrees_with_itself(convention: str) -> None:
     )
 
 
-@pytest.mark.parametrize(
-    "case", [pytest.param(x, marks=() if x in QUICK else pytest.mark.thorough) for x in CASES]
-)
+@pytest.mark.parametrize("case", representative(CASES, *QUICK))
 def test_a_joint_with(case: str) -> None:
     """One joint, kinds and conventions by turns; what drives have no part in is in the next test."""
     turn = list(CASES).index(case)
@@ -88,7 +86,7 @@ def test_a_joint_with(case: str) -> None:
 
 
 @pytest.mark.parametrize("convention", CONVENTIONS)
-@pytest.mark.parametrize(("joints", "put"), [("PR", arm), ("RP", placed)])
+@pytest.mark.parametrize(("joints", "put"), representative([("PR", arm), ("RP", placed)], "RP"))
 def test_a_rigid_arm(joints: str, convention: str, put: Callable[..., Arm]) -> None:
     """Also where the last link's frame is the tool, and where the base frame is the world."""
     holds(list(compare(put(joints, convention, 2), "rigid", EVERY, level="none")))
