@@ -69,7 +69,7 @@ def covariance(unknowns: Unknowns, blocks: Sequence[Block], solution: Solution, 
     scaled, unit = to_unit_diagonal(H)
     inverse, units = np.linalg.inv(scaled), np.outer(unit, unit)
 
-    def carried(scatter: Floats) -> Floats:
+    def sandwich(scatter: Floats) -> Floats:
         """The covariance by that of the score, as a product with itself: no variance is less than 0."""
         values, vectors = np.linalg.eigh(scatter * units)
         root = inverse @ (vectors * np.sqrt(np.maximum(values, 0.0)))
@@ -81,7 +81,7 @@ def covariance(unknowns: Unknowns, blocks: Sequence[Block], solution: Solution, 
     # Data and prior speak apart: the prior's part of the score varies by its own precision.
     data = normal(unknowns, blocks, solution.weights * likeness, solution.z)[0][at]
     prior = np.diag(solution.prior[free])
-    plain, spread = carried(data + prior), np.diag(carried(meat + prior))
+    plain, spread = sandwich(data + prior), np.diag(sandwich(meat + prior))
     variances = np.diag(plain)
     wider = np.divide(spread, variances, out=np.ones_like(spread), where=variances > 0)
     ratio = np.sqrt(np.maximum(1.0, wider))
