@@ -16,7 +16,6 @@ from pathlib import Path
 from typing import Any
 
 from documents.blocks import ROOT, Block, Command, commands, matches
-from robodyn_testing import require_tool
 
 #: What the examples find beside them, as in a checkout.
 SHIPPED = ("examples", "robots")
@@ -56,7 +55,7 @@ class Reader:
             f"{one.text}\n__code=$?; printf '\\036%s\\n' $__code; (exit $__code)\n" for one in lines
         )
         done = subprocess.run(
-            [require_tool("bash"), "-c", script],
+            ["bash", "-c", script],
             cwd=self.folder,
             env=self._variables(),
             stdin=subprocess.DEVNULL,

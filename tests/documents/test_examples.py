@@ -29,6 +29,7 @@ def test_the_examples_print_what_is_shown(page: str, tmp_path: Path) -> None:
         if block.mark == "needs":
             for tool in block.detail.split(", "):
                 require_tool(tool)
+    require_tool("bash")  # here: a newcomer who follows a tutorial has no pytest
     reader = Reader(checkout(tmp_path / "checkout"), (program_folder(tmp_path / "bin"),))
     faults = [fault for block in read(page) for fault in reader.follow(block)]
     assert not faults, f"{page}\n" + "\n".join(faults)
@@ -158,6 +159,7 @@ assert x == 2
 
 
 def faults(page: str, folder: Path) -> list[str]:
+    require_tool("bash")
     reader = Reader(folder)
     return [fault for block in blocks(page) for fault in reader.follow(block)]
 
