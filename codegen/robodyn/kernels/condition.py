@@ -1,4 +1,4 @@
-"""A program against the condition on its function, at 60 digits: for arms whose drives have effects.
+"""A program against the condition on its function, at 60 digits and more: for arms whose drives have effects.
 
 What a function is equal to by another formula is compared in a finite field. Where there is no other formula,
 as of derivatives and of what is solved for, the condition on the function says what is right, and it asks for
@@ -33,9 +33,9 @@ from robodyn.optimize.programs import base_set_of
 from robodyn.robot.identity import identity
 from robodyn.robot.model import Robot
 
-#: A central difference loses as many digits to rounding as its step has, and is right to twice as many: with
-#: a third of them two thirds are right, of which half are compared; the rest is for numbers that cancel.
-_DIGITS = PROVEN_DIGITS // 3
+#: Digits that are worked with, one after another: what cancels down to rounding with few of them, as numbers
+#: of very different size do, is equal with more if it is right, and with none if it is wrong.
+_WORKED_WITH = (PROVEN_DIGITS, 8 * PROVEN_DIGITS, 64 * PROVEN_DIGITS)
 #: Inputs are drawn from so many numbers, up to 1; run-time parameters from half as far, as efficiencies are.
 _RANGE = 1 << 32
 
@@ -47,6 +47,13 @@ def meets_condition(robot: Robot, function: str, program: Program) -> bool:
     ------
     ZeroDivisionError: what is solved for has no solution.
     """
+    return any(_meets_condition(robot, function, program, digits) for digits in _WORKED_WITH)
+
+
+def _meets_condition(robot: Robot, function: str, program: Program, digits: int) -> bool:
+    """The same with numbers of so many ``digits``. A central difference loses as many of them to rounding as
+    its step has, and is right to twice as many: with a third of them two thirds are right, of which half are
+    compared; the rest is for numbers that cancel."""
     import mpmath
 
     chance = random.Random(f"{digest(program).hex()} {identity(robot)} {function}")
@@ -54,7 +61,7 @@ def meets_condition(robot: Robot, function: str, program: Program) -> bool:
     def drawn() -> Any:
         return mpmath.mpf(chance.randint(_RANGE // 2, _RANGE)) / _RANGE
 
-    with mpmath.workdps(PROVEN_DIGITS):
+    with mpmath.workdps(digits):
         inputs = {
             Input(array.name, i): drawn() * chance.choice((-1, 1))
             for array in INPUTS
@@ -64,21 +71,21 @@ def meets_condition(robot: Robot, function: str, program: Program) -> bool:
         results = evaluate_to_digits(program, inputs)
         elements = [x for row in results.values() for x in row]
         anywhere = [drawn() for _ in range(robot.n)]
-        reference = _ToDigits(robot, inputs)
+        share = mpmath.mpf(10) ** -(digits // 3)
+        reference = _ToDigits(robot, inputs, share)
         one, other = function_named(function).compared(reference, elements, anywhere)
         # Where all is 0 but for rounding, as Coriolis torques of one joint are, torques say what is small.
         torques = reference.torques(reference.inputs["qd"], reference.inputs["qdd"])
-        size = max(abs(x) for x in (*one, *other, *torques, mpmath.mpf(10) ** -_DIGITS))
-        allowed = size * mpmath.mpf(10) ** -_DIGITS
-        return all(abs(x - y) <= allowed for x, y in zip(one, other, strict=True))
+        size = max(abs(x) for x in (*one, *other, *torques, share))
+        return all(abs(x - y) <= share * size for x, y in zip(one, other, strict=True))
 
 
 class _ToDigits(AsDescribed):
     """Newton-Euler with the drives on it over numbers of mpmath, effects that remember in their steady form;
-    see :class:`robodyn.dynamics.functions.record.ReferenceDynamics`."""
+    see :class:`robodyn.dynamics.functions.record.ReferenceDynamics`. ``step``: that of differences."""
 
-    def __init__(self, robot: Robot, inputs: dict[Input, Any]) -> None:
-        self._robot, self._values = robot, inputs
+    def __init__(self, robot: Robot, inputs: dict[Input, Any], step: Any) -> None:
+        self._robot, self._values, self._step = robot, inputs, step
         self.inputs = {
             array.name: [x for key, x in inputs.items() if key.is_of(array.name)] for array in INPUTS
         }
@@ -115,9 +122,6 @@ class _ToDigits(AsDescribed):
 
     def torque_slopes(self, qdd: Sequence[Any], dq: Sequence[Any], dqd: Sequence[Any]) -> list[Any]:
         """Central differences, right to more digits than are compared."""
-        import mpmath
-
-        step = mpmath.mpf(10) ** -_DIGITS
 
         def torques(way: Any) -> list[Any]:
             q, qd = (
@@ -126,7 +130,8 @@ class _ToDigits(AsDescribed):
             )
             return self._torques_at(q, qd, qdd)
 
-        return [(x - y) / (2 * step) for x, y in zip(torques(step), torques(-step), strict=True)]
+        ends = zip(torques(self._step), torques(-self._step), strict=True)
+        return [(x - y) / (2 * self._step) for x, y in ends]
 
     def inertial_torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
         """Torques [n] of links and rotors, without gravity and what drives do besides."""
