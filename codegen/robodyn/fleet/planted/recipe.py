@@ -110,20 +110,20 @@ def _value(tables: Tables, name: str, value: Any, default: Any) -> Any:
         shares = tables.table(name)
         for id, share in shares.items():
             effect(id)
-            _number(tables, (name, id), share, 0.0, 1.0)
+            _number(tables, (name, id), share, 1.0)
         return tuple(shares.items())
     most = 1.0 if name in _SHARES else math.inf
-    least = math.ulp(0.0) if name in _POSITIVE else 0.0
+    positive = name in _POSITIVE
     if isinstance(default, bool):
         if not isinstance(value, bool):
             raise _wrong(tables, (name,), value, "true or false")
         return value
     if not isinstance(default, tuple):
-        return _number(tables, (name,), value, least, most, whole=isinstance(default, int))
+        return _number(tables, (name,), value, most, positive=positive, whole=isinstance(default, int))
     if not isinstance(value, list) or not value or (name != "rates" and len(value) != 2):
         raise _wrong(tables, (name,), value, "a list of numbers" if name == "rates" else "[least, most]")
     whole = isinstance(default[0], int)
-    numbers = tuple(_number(tables, (name,), each, least, most, whole=whole) for each in value)
+    numbers = tuple(_number(tables, (name,), each, most, positive=positive, whole=whole) for each in value)
     if name != "rates" and numbers[0] > numbers[1]:
         raise _wrong(tables, (name,), value, "[least, most]")
     if name == "logs" and numbers[0] < FEWEST_LOGS:
@@ -132,12 +132,23 @@ def _value(tables: Tables, name: str, value: Any, default: Any) -> Any:
 
 
 def _number(
-    tables: Tables, at: tuple[str, ...], value: Any, least: float, most: float, *, whole: bool = False
+    tables: Tables,
+    at: tuple[str, ...],
+    value: Any,
+    most: float,
+    *,
+    positive: bool = False,
+    whole: bool = False,
 ) -> float:
     kind = int if whole else (int, float)
-    if not isinstance(value, kind) or isinstance(value, bool) or not least <= value <= most:
+    if (
+        not isinstance(value, kind)
+        or isinstance(value, bool)
+        or not 0 <= value <= most
+        or (positive and value == 0)
+    ):
         what = "a whole number" if whole else "a number"
-        above = ", more than 0" if least else ", 0 or more"
+        above = ", more than 0" if positive else ", 0 or more"
         raise _wrong(tables, at, value, what + (" from 0 to 1" if most == 1 else above))
     return value if whole else float(value)
 
