@@ -1,6 +1,10 @@
 /*
  * iiwa: KUKA iiwa 14 geometry, random full inertias
  * Numbers: published iiwa geometry; inertial parameters drawn at random
+ * Origin of numbers: geometry: stated by the description
+ * Origin of numbers: mass, centre of mass, inertia: synthetic (invented, not those of a real arm)
+ * Origin of numbers: rotor inertia, friction: absent, taken as 0
+ * Origin of numbers: limits: absent, so without bounds
  * Written by robodyn 0.1.0; do not edit, generate again.
  * Description: 470f3a2263cc6972820aa958e2c80090 (a hash of its numbers)
  * Options: --optimize record --scalar double --trig libm

@@ -2,6 +2,9 @@
  * panda: Franka Emika Panda, hand locked
  * Numbers: URDF of example-robot-data (franka_description, Apache-2.0), turned into modified DH;
  *   fingers locked at the neutral pose
+ * Origin of numbers: geometry, mass, centre of mass, inertia: stated by the description
+ * Origin of numbers: rotor inertia, friction: absent, taken as 0
+ * Origin of numbers: limits: absent, so without bounds
  * Written by robodyn 0.1.0; do not edit, generate again.
  * Description: 4ff65a695f92e93333f180c48f97cb00 (a hash of its numbers)
  * Options: --optimize record --scalar double --trig libm

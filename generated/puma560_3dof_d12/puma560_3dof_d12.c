@@ -1,6 +1,10 @@
 /*
  * puma560_3dof_d12: PUMA 560, first three joints, the set of the thesis's program D.1.2
  * Numbers: the 1990 thesis, program D.1.2 (Newton-Euler), payload 0
+ * Origin of numbers: geometry, inertia; mass, centre of mass (joints 2, 3): stated by the
+ *     description
+ * Origin of numbers: rotor inertia, friction; mass, centre of mass (joint 1): absent, taken as 0
+ * Origin of numbers: limits: absent, so without bounds
  * Written by robodyn 0.1.0; do not edit, generate again.
  * Description: 16c8c8cbba57926adbdacd5fb2c4cd18 (a hash of its numbers)
  * Options: --optimize record --scalar double --trig libm

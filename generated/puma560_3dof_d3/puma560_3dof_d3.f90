@@ -1,5 +1,9 @@
 ! puma560_3dof_d3: PUMA 560, first three joints, the set of the thesis's listing D.3.3
 ! Numbers: the 1990 thesis, program D.2, first three links (listing D.3.3)
+! Origin of numbers: geometry, inertia; mass, centre of mass (joints 2, 3): stated by the
+!     description
+! Origin of numbers: rotor inertia, friction; mass, centre of mass (joint 1): absent, taken as 0
+! Origin of numbers: limits: absent, so without bounds
 ! Written by robodyn 0.1.0; do not edit, generate again.
 ! Description: 71d3f4095a700e86936e2038b13dbc17 (a hash of its numbers)
 ! Options: --optimize record --scalar double --trig libm

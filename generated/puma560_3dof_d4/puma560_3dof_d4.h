@@ -1,6 +1,10 @@
 /*
  * puma560_3dof_d4: PUMA 560, first three joints, the set of the thesis's simulation D.4
  * Numbers: the 1990 thesis, simulation D.4: program D.1.2 with a payload of 10 kg
+ * Origin of numbers: geometry, inertia; mass, centre of mass (joints 2, 3): stated by the
+ *     description
+ * Origin of numbers: rotor inertia, friction; mass, centre of mass (joint 1): absent, taken as 0
+ * Origin of numbers: limits: absent, so without bounds
  * Written by robodyn 0.1.0; do not edit, generate again.
  * Description: 3adc9c20b6b71a993ee7179a54a705e9 (a hash of its numbers)
  * Options: --optimize record --scalar double --trig libm

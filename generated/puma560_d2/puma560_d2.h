@@ -1,6 +1,10 @@
 /*
  * puma560_d2: PUMA 560, the set of the thesis's program D.2
  * Numbers: the 1990 thesis, program D.2 (reduce_puma6), with z4 = -0.019 as listing D.3.4 uses it
+ * Origin of numbers: geometry, inertia; mass, centre of mass (joints 2 to 6): stated by the
+ *     description
+ * Origin of numbers: rotor inertia, friction; mass, centre of mass (joint 1): absent, taken as 0
+ * Origin of numbers: limits: absent, so without bounds
  * Written by robodyn 0.1.0; do not edit, generate again.
  * Description: b8f01132844a21fecaa07c198852efc3 (a hash of its numbers)
  * Options: --optimize record --scalar double --trig libm

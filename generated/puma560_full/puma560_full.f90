@@ -1,6 +1,10 @@
 ! puma560_full: PUMA 560 geometry, random full inertias
 ! Numbers: Table 2.1 geometry; masses, centres and inertias drawn at random: a test of generic
 !   parameters
+! Origin of numbers: geometry: stated by the description
+! Origin of numbers: mass, centre of mass, inertia: synthetic (invented, not those of a real arm)
+! Origin of numbers: rotor inertia, friction: absent, taken as 0
+! Origin of numbers: limits: absent, so without bounds
 ! Written by robodyn 0.1.0; do not edit, generate again.
 ! Description: 4ba5f6ba4580930ac3ece4f91e671e11 (a hash of its numbers)
 ! Options: --optimize record --scalar double --trig libm

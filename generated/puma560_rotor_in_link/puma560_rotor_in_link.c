@@ -1,6 +1,9 @@
 /*
  * puma560_rotor_in_link: PUMA 560, Tables 2.1, 2.5, 2.6, rotor folded into Izz as the thesis does
  * Numbers: Tables 2.1, 2.5, 2.6 with links 5 and 6 corrected
+ * Origin of numbers: geometry, mass, centre of mass, inertia: stated by the description
+ * Origin of numbers: rotor inertia, friction: absent, taken as 0
+ * Origin of numbers: limits: absent, so without bounds
  * Written by robodyn 0.1.0; do not edit, generate again.
  * Description: 3944b9c8df3efa29ca11b7e595201cb9 (a hash of its numbers)
  * Options: --optimize record --scalar double --trig libm

@@ -1,6 +1,10 @@
 /*
  * rx90: Staubli RX90 geometry, random full inertias
  * Numbers: published RX90 geometry; inertial parameters drawn at random
+ * Origin of numbers: geometry: stated by the description
+ * Origin of numbers: mass, centre of mass, inertia: synthetic (invented, not those of a real arm)
+ * Origin of numbers: rotor inertia, friction: absent, taken as 0
+ * Origin of numbers: limits: absent, so without bounds
  * Written by robodyn 0.1.0; do not edit, generate again.
  * Description: 585cc70ab770fd33a78850636aafb009 (a hash of its numbers)
  * Options: --optimize record --scalar double --trig libm

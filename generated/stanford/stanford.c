@@ -1,6 +1,10 @@
 /*
  * stanford: Stanford arm, six joints
  * Numbers: the 1990 thesis, Tables 2.2 (corrected), 2.7, 2.8; Izz of link 3 assumed
+ * Origin of numbers: geometry, mass, centre of mass, inertia, rotor inertia: stated by the
+ *     description
+ * Origin of numbers: friction: absent, taken as 0
+ * Origin of numbers: limits: absent, so without bounds
  * Written by robodyn 0.1.0; do not edit, generate again.
  * Description: de26546409d6162d87592b49cbe31f58 (a hash of its numbers)
  * Options: --optimize record --scalar double --trig libm

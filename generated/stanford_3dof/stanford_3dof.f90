@@ -1,6 +1,10 @@
 ! stanford_3dof: Stanford arm, first three joints
 ! Numbers: the 1990 thesis, Tables 2.2 (corrected), 2.7, 2.8; first three links, Izz of link 3
 !   assumed
+! Origin of numbers: geometry, mass, centre of mass, inertia, rotor inertia: stated by the
+!     description
+! Origin of numbers: friction: absent, taken as 0
+! Origin of numbers: limits: absent, so without bounds
 ! Written by robodyn 0.1.0; do not edit, generate again.
 ! Description: eb451b6920f3abb15f88e11742e4d38d (a hash of its numbers)
 ! Options: --optimize record --scalar double --trig libm

@@ -2,6 +2,9 @@
  * stanford_d3: Stanford arm, the set of the thesis's listing D.3.2
  * Numbers: the 1990 thesis, listing D.3.2 with Tables 2.2 (corrected), 2.7, 2.8; link 1 as in the
  *   tables
+ * Origin of numbers: geometry, mass, centre of mass, inertia: stated by the description
+ * Origin of numbers: rotor inertia, friction: absent, taken as 0
+ * Origin of numbers: limits: absent, so without bounds
  * Written by robodyn 0.1.0; do not edit, generate again.
  * Description: 0e9c705765a81730942efe1f695fcd86 (a hash of its numbers)
  * Options: --optimize record --scalar double --trig libm

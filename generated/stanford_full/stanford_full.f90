@@ -1,5 +1,9 @@
 ! stanford_full: Stanford geometry, random full inertias
 ! Numbers: geometry of Table 2.2 (corrected); inertial parameters drawn at random
+! Origin of numbers: geometry: stated by the description
+! Origin of numbers: mass, centre of mass, inertia: synthetic (invented, not those of a real arm)
+! Origin of numbers: rotor inertia, friction: absent, taken as 0
+! Origin of numbers: limits: absent, so without bounds
 ! Written by robodyn 0.1.0; do not edit, generate again.
 ! Description: 84b51ffbe87f1ac4bb6e33f59e330781 (a hash of its numbers)
 ! Options: --optimize record --scalar double --trig libm

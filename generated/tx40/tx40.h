@@ -2,6 +2,9 @@
  * tx40: Staubli TX40 (CAD parameters; friction, rotor inertia and the wrist coupling are not in
  *   it)
  * Numbers: figaroh-plus examples/staubli_TX40, Apache-2.0
+ * Origin of numbers: geometry, mass, centre of mass, inertia: stated by the description
+ * Origin of numbers: rotor inertia, friction: absent, taken as 0
+ * Origin of numbers: limits: absent, so without bounds
  * Written by robodyn 0.1.0; do not edit, generate again.
  * Description: ca869e1c35fe24e800334b2c139779ed (a hash of its numbers)
  * Options: --optimize record --scalar double --trig libm

@@ -2,6 +2,9 @@
  * ur10: Universal Robots UR10
  * Numbers: URDF of example-robot-data (ur_description, BSD), turned into modified DH; last link
  *   carries the fixed tool
+ * Origin of numbers: geometry, mass, centre of mass, inertia: stated by the description
+ * Origin of numbers: rotor inertia, friction: absent, taken as 0
+ * Origin of numbers: limits: absent, so without bounds
  * Written by robodyn 0.1.0; do not edit, generate again.
  * Description: 0dacbf6be1c6f14933c88bb9a0ce558d (a hash of its numbers)
  * Options: --optimize record --scalar double --trig libm

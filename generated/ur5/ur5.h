@@ -1,6 +1,9 @@
 /*
  * ur5: Universal Robots UR5
  * Numbers: URDF of example-robot-data (ur_description, BSD), turned into modified DH
+ * Origin of numbers: geometry, mass, centre of mass, inertia: stated by the description
+ * Origin of numbers: rotor inertia, friction: absent, taken as 0
+ * Origin of numbers: limits: absent, so without bounds
  * Written by robodyn 0.1.0; do not edit, generate again.
  * Description: a034a79d0d30f898e9c7fa14f11711e6 (a hash of its numbers)
  * Options: --optimize record --scalar double --trig libm

@@ -131,7 +131,7 @@ def test_doubts_ranges_and_effects(rubbing: Arm) -> None:
     ],
 )
 def test_what_strict_refuses_is_a_doubt_of_the_page(wrong: str) -> None:
-    text = f"name: arm\nlinks: [{{joint: revolute}}, {{joint: revolute, mass: 1, {wrong}}}]"
+    text = f"name: arm\nlinks: [{{joint: revolute, mass: 1}}, {{joint: revolute, mass: 1, {wrong}}}]"
     warnings: list[str] = []
     first, second = links(read_text(text, warn=warnings.append))
     (doubt,) = second["doubts"]

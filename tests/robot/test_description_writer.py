@@ -161,7 +161,6 @@ def test_the_text_is_what_a_person_would_write() -> None:
         "    theta: pi/6\n"
         "    mass: 6 + 0.5*m_tool\n"
         "    com: [1/3, -x, 1e20]\n"
-        "    inertia: {xx: 0, yy: 0, zz: 0, xy: 0, xz: 0, yz: 0}\n"
         "    motor_inertia: 0.5\n"
         "    limits: {position: [-3.141592653589793, 1], velocity: 3}\n"
         "    confidence: 0.02\n"
@@ -172,9 +171,6 @@ def test_the_text_is_what_a_person_would_write() -> None:
         "    a: 0\n"
         "    d: 0\n"
         "    theta: 3*pi/2\n"
-        "    mass: 0\n"
-        "    com: [0, 0, 0]\n"
-        "    inertia: {xx: 0, yy: 0, zz: 0, xy: 0, xz: 0, yz: 0}\n"
         "torque_side: link\n"
         "friction_at_rest: {smooth: {velocity: 0.001}}\n"
     )

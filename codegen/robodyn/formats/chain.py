@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from robodyn.robot.limits import QUARTER_TURN
+from robodyn.robot.origins import Origins
 from robodyn.robot.parts import Gear, JointKind, Limits
 
 Vector = tuple[float, float, float]
@@ -100,7 +101,7 @@ class ChainJoint:
     ``pose``: the joint's frame in the frame of the joint before (of the base, for the first) at q = 0;
     ``axis``: unit vector in the joint's frame, along or about which q [m or rad] counts. ``motor_inertia``
     is reflected to the joint [kg m^2, prismatic kg]; ``viscous`` [N m s/rad or N s/m] and ``coulomb`` [N m or
-    N] are friction.
+    N] are friction. ``origins``: where the numbers come from.
     """
 
     name: str
@@ -115,6 +116,7 @@ class ChainJoint:
     motor_inertia: float = 0.0
     gear: Gear | None = None
     spring: Spring | None = None
+    origins: Origins = field(default_factory=Origins)
 
 
 @dataclass(frozen=True, slots=True)

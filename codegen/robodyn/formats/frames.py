@@ -184,7 +184,7 @@ def _link(joint: ChainJoint, step: Step, row: _Row, end: Angle, size: float) -> 
         joint.gear,
         b,
     )
-    return Link(joint.name, frame, shortest(body.mass), (x, y, z), Inertia(*entries))
+    return Link(joint.name, frame, shortest(body.mass), (x, y, z), Inertia(*entries), origins=joint.origins)
 
 
 def _undone(turn: Angle) -> Angle:

@@ -126,13 +126,16 @@ class _Model:
 
     def remarks(self) -> tuple[str, ...]:
         """Whose inertia is not stated."""
-        always = int(self.spec.compiler.inertiafromgeom) == 1
-        bodies = [body for body in self.spec.bodies if body.name not in {WORLD, *self.bare}]
-        inferred = [body.name for body in bodies if always or not body.explicitinertial]
-        shapes = [name for name in inferred if self.model.body(name).mass[0]]
+        bodies = [body.name for body in self.spec.bodies if body.name not in {WORLD, *self.bare}]
+        shapes = [name for name in bodies if self.of_shapes(name) and self.model.body(name).mass[0]]
         if not shapes:
             return ()
         return (f"inertia from shapes, as MuJoCo computes it: {names(shapes, NAMES_SHOWN)}",)
+
+    def of_shapes(self, body: str) -> bool:
+        """Whether MuJoCo takes the inertia of the ``body`` from its shapes."""
+        always = int(self.spec.compiler.inertiafromgeom) == 1
+        return always or not self.spec.body(body).explicitinertial
 
     def place(self, tag: str, name: str) -> Place:
         return self.text.places.get((tag, name), Place(self.file))
@@ -196,7 +199,8 @@ class _Model:
         frame = pose(body.ipos, body.iquat)
         xx, yy, zz = map(float, body.inertia)
         solid = body_of(float(body.mass[0]), frame, (xx, yy, zz, 0.0, 0.0, 0.0))
-        return TreeLink(body.name, where, _as_stated(solid, [float(x) for x in stated.fullinertia]), True)
+        solid = _as_stated(solid, [float(x) for x in stated.fullinertia])
+        return TreeLink(body.name, where, solid, True, self.of_shapes(body.name))
 
 
 def _as_stated(body: Body, stated: list[float]) -> Body:

@@ -192,10 +192,10 @@ class _Reader(Quantities):
         frames.pose(name, element)
         shape = element.first("visual") is not None or element.first("collision") is not None
         inertial = self.one(element, "inertial", of)
-        body = None
-        if inertial is not None and inertial.attributes.get("auto", "").strip() not in ("1", "true"):
-            body = self.body(inertial, frames, of)
-        return TreeLink(name, self.place(element), body, shape)
+        if inertial is None or inertial.attributes.get("auto", "").strip() in ("1", "true"):
+            return TreeLink(name, self.place(element), None, shape)
+        by_default = inertial.first("mass") is None or inertial.first("inertia") is None
+        return TreeLink(name, self.place(element), self.body(inertial, frames, of), shape, by_default)
 
     def body(self, inertial: Element, frames: Frames, of: str) -> Body:
         """The numbers that are left out are 1 on the diagonal and 0 beside it, as the format says."""

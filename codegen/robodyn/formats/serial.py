@@ -15,6 +15,7 @@ from robodyn.formats.topology import Topology
 from robodyn.formats.tree import MOVING, Tree, TreeJoint, names
 from robodyn.robot.keys import LINKS
 from robodyn.robot.names import shown
+from robodyn.robot.origins import Origin
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,7 +75,9 @@ def serial_chain(
         for remark in unlike:
             left_out.setdefault(remark, []).append(joint.name)
         pose = composed(frames.pose[joint.parent], composed(joint.origin, motion(joint, 0.0)))
-        joints.append(replace(converted, pose=pose, body=frames.body(index)))
+        origin = frames.inertial_origin(index)
+        origins = replace(converted.origins, mass=origin, com=origin, inertia=origin)
+        joints.append(replace(converted, pose=pose, body=frames.body(index), origins=origins))
     remarks += [f"{remark}: {names(of, NAMES_SHOWN)}" for remark, of in left_out.items()]
     remarks += frames.massless()
     remarks += positions.remarks(frames.carrier, {joint.name for joint in moving})
@@ -133,6 +136,14 @@ class _Frames:
         """What the joint ``index`` carries before the next one, as one body in its frame."""
         links = [self._topology.links[name] for name, i in self.carrier.items() if i == index]
         return lumped(carried(self.pose[link.name], link.body) for link in links if link.body)
+
+    def inertial_origin(self, index: int) -> Origin:
+        """Where the numbers of that body come from: one that is partly assumed is assumed."""
+        links = [self._topology.links[name] for name, i in self.carrier.items() if i == index]
+        bodies = [link for link in links if link.body]
+        if not bodies:
+            return "absent"
+        return "assumed" if any(link.assumed for link in bodies) else "stated"
 
     def massless(self) -> list[str]:
         """Which links that move have no inertia in the file though they are more than frames, and which

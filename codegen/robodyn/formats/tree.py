@@ -57,13 +57,15 @@ class Mimic:
 
 @dataclass(frozen=True, slots=True)
 class TreeLink:
-    """A link. ``body``: in the link's frame, None where the file states no inertia; ``shape``: whether it has
-    geometry, and so is more than a frame."""
+    """A link. ``body``: in the link's frame, None where the file states no inertia; ``shape``: whether the
+    link has geometry, and so is more than a frame; ``assumed``: whether the body comes from shapes or from a
+    default of the format."""
 
     name: str
     where: Place
     body: Body | None = None
     shape: bool = False
+    assumed: bool = False
 
 
 @dataclass(frozen=True, slots=True)

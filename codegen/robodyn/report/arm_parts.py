@@ -11,6 +11,7 @@ import numpy as np
 
 from robodyn.robot.limits import ONE_TURN
 from robodyn.robot.model import AXES, Inertia, Joint, Link, Robot
+from robodyn.robot.origins import GROUPS
 from robodyn.robot.plausibility import inertia_doubt, limits_doubt, only_about_base_axis
 from robodyn.robot.values import Value
 from robodyn.simulate.limits import ASSUMED
@@ -79,6 +80,7 @@ def links(robot: Robot) -> list[dict[str, Any]]:
             "inertia": {axes: number(getattr(link.inertia, axes)) for axes in AXES},
             "ellipsoid": ellipsoid(number(link.mass), link.inertia),
             "confidence": _confidence(link),
+            "origins": {name: getattr(link.origins, name) for name in GROUPS["inertial"]},
             "doubts": list(_plausibility(index, link)),
         }
         for index, link in enumerate(robot.links, 1)
@@ -95,6 +97,14 @@ def ellipsoid(mass: float, inertia: Inertia) -> dict[str, Any] | None:
     moments, directions = np.linalg.eigh(tensor)
     squares = 2.5 / mass * (moments.sum() - 2 * moments)
     return {"semi_axes": np.sqrt(np.maximum(squares, 0)).tolist(), "directions": directions.tolist()}
+
+
+#: Origins of inertial numbers that torques should not rest on unsaid.
+_ORIGINS: Final = {
+    "assumed": "a guess",
+    "synthetic": "synthetic: invented, not those of a real arm",
+    "absent": "absent, taken as 0",
+}
 
 
 def _confidence(link: Link) -> dict[str, Any]:
@@ -114,8 +124,10 @@ def _plausibility(index: int, link: Link) -> Iterator[dict[str, str]]:
     reason = limits_doubt(link.joint.limits, link.joint.kind)
     if reason:
         yield {"what": f"limits of position: {reason}", "acknowledged": link.acknowledged}
-    if link.confidence == "unknown":
-        yield {"what": "mass, centre of mass and inertia are a guess", "acknowledged": ""}
+    origins = {getattr(link.origins, name) for name in GROUPS["inertial"]} - {"stated", "measured"}
+    if origins - {"absent"} or (len(origins) == 1 and link.origins.mass == link.origins.inertia == "absent"):
+        words = " or ".join(_ORIGINS[origin] for origin in sorted(origins))
+        yield {"what": f"mass, centre of mass and inertia are {words}", "acknowledged": ""}
 
 
 def reach(robot: Robot) -> float:

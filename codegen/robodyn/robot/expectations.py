@@ -40,6 +40,7 @@ def expectation(key: Key) -> str:
         "group": "a mapping",
         "rest": "exact, or smooth: {velocity: 1e-3}, or dead_band: {velocity: 1e-3}",
         "efficiency": "a number, or a table [[load fraction, efficiency], ...]",
+        "origins": f"{' or '.join(key.choices)}, or a mapping such as {{inertial: synthetic}}",
         "joint": "the number of a joint",
         "effects of a joint": "a list of effects, such as [{effect: backlash, gap: 1e-3}]",
         "effects of the robot": "a list of effects, such as [{effect: payload, mass: 2}]",

@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 from collections.abc import Callable
 from fractions import Fraction
-from typing import NoReturn
+from typing import NoReturn, cast
 
 from robodyn.errors import InputError, Place
 from robodyn.robot import numbers
@@ -14,6 +14,7 @@ from robodyn.robot.expectations import SIGNS, allowed, expectation
 from robodyn.robot.keys import OTHER_NAMES, Key
 from robodyn.robot.limits import ONE_TURN
 from robodyn.robot.names import shown, text_fault
+from robodyn.robot.origins import Origin
 from robodyn.robot.parts import UNKNOWN, Confidence, Vector
 from robodyn.robot.values import ZERO, Angle, Value, angle
 
@@ -214,6 +215,16 @@ class Section:
         if isinstance(node, Scalar) and node.text == UNKNOWN:
             return UNKNOWN
         return self.constant(name)
+
+    def origins(self, name: str) -> dict[str, Origin]:
+        """The origin of each group of numbers that the key states, a word for all or a mapping."""
+        key, node = self.keys[name], self.values.get(name)
+        if isinstance(node, Mapping):
+            section = Section(self.source, self.path(name), node, key.members)
+            words = {group: section.choice(group) for group in section.values}
+        else:
+            words = dict.fromkeys((member.name for member in key.members), self.choice(name))
+        return {group: cast(Origin, word) for group, word in words.items() if word}
 
     def vector(self, name: str) -> Vector | None:
         """Three numbers; None where the key is left out."""

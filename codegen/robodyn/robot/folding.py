@@ -37,6 +37,8 @@ def into_link(
         fold = written.entry.definition.traits.fold
         if fold is None or fold.into not in _INTO_LINKS:
             kept.append(written)
+            if written.entry.definition.dissipative:
+                link = replace(link, origins=link.origins.with_stated(["friction"]))
             continue
         if friction and fold.group and fold.key in friction.values:
             part.source.fail(

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from robodyn.robot.names import ROBOT_NAME_LENGTH, TEXT_LENGTH
+from robodyn.robot.origins import STATEABLE
 from robodyn.robot.parts import UNKNOWN
 
 Kind = Literal[
@@ -21,6 +22,7 @@ Kind = Literal[
     "list",
     "rest",
     "efficiency",
+    "origins",
     "joint",
     "effects of a joint",
     "effects of the robot",
@@ -123,6 +125,16 @@ PLACEMENT = (
 )
 
 
+#: Groups of numbers that have one origin: what they are.
+_GROUPS = {
+    "geometry": "DH numbers or pose.",
+    "inertial": "Mass, centre of mass, inertia.",
+    "motor_inertia": "Rotor inertia.",
+    "friction": "Friction in the joint.",
+    "limits": "Limits of the joint.",
+}
+
+
 def _confidence(of: str, default: str) -> Key:
     return Key(
         "confidence",
@@ -131,6 +143,18 @@ def _confidence(of: str, default: str) -> Key:
         sign="share",
         default=default,
         choices=(UNKNOWN,),
+    )
+
+
+def _origin(of: str, default: str) -> Key:
+    return Key(
+        "origin",
+        "origins",
+        f"Where the numbers of {of} come from: one word for all, or one for each group of them. What a "
+        "description leaves out is absent, and every output says so.",
+        default=default,
+        choices=STATEABLE,
+        members=tuple(Key(group, "choice", words, choices=STATEABLE) for group, words in _GROUPS.items()),
     )
 
 
@@ -186,6 +210,7 @@ LINK = (
     Key("gear", "group", "What turns the motor's angle and current into the joint's.", members=GEAR),
     Key("limits", "group", "Limits of the joint.", members=LIMITS),
     _confidence("the link", "that of the robot"),
+    _origin("the link and its joint", "that of the robot"),
     Key(
         "acknowledged",
         "text",
@@ -222,6 +247,7 @@ ROBOT = (
         members=PLACEMENT,
     ),
     _confidence("all links that do not state their own", "not stated; 0.1 where a number is needed"),
+    _origin("all links that do not state their own", "stated; assumed where confidence is unknown"),
     Key("compare", "group", "The row of the thesis that this robot is set beside.", members=COMPARE),
     Key(
         "convention",

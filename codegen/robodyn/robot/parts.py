@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Literal
 
+from robodyn.robot.origins import Origins
 from robodyn.robot.values import ZERO, Affine, Angle, Value
 
 if TYPE_CHECKING:
@@ -125,7 +126,8 @@ class Link:
 
     ``confidence``: the share by which its inertial numbers may be wrong, "unknown" where they are a guess,
     None where nothing is stated; who needs a number takes :attr:`inertial_share`.
-    ``acknowledged`` says why implausible numbers of it stand as they are ("": nobody says so).
+    ``acknowledged`` says why implausible numbers of it stand as they are ("": nobody says so). ``origins``:
+    where the numbers come from; a link made in Python states its geometry and inertial numbers.
     """
 
     name: str
@@ -135,6 +137,22 @@ class Link:
     inertia: Inertia = field(default_factory=Inertia)
     confidence: Confidence = None
     acknowledged: str = ""
+    origins: Origins = field(default=Origins(), compare=False, repr=False)
+
+    def __post_init__(self) -> None:
+        """A number that is not 0 is there, whoever put it there."""
+        joint = self.joint
+        values = {
+            "geometry": any((joint.alpha.radians, joint.theta.radians, joint.a, joint.b, joint.d)),
+            "mass": self.mass != ZERO,
+            "com": any(x != ZERO for x in self.com),
+            "inertia": self.inertia != Inertia(),
+            "motor_inertia": joint.motor_inertia != ZERO,
+            "friction": (joint.viscous, joint.coulomb) != (ZERO, ZERO),
+            "limits": joint.limits != Limits(),
+        }
+        stated = self.origins.with_stated(name for name, there in values.items() if there)
+        object.__setattr__(self, "origins", stated)
 
     @property
     def inertial_share(self) -> Fraction:

@@ -6,24 +6,33 @@ import warnings
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from robodyn.errors import InputError
 from robodyn.robot import numbers
-from robodyn.robot.dh import effect_from_standard, from_standard, standard_end, tool_from_standard
+from robodyn.robot.dh import effect_from_standard, from_standard, tool_from_standard
 from robodyn.robot.document import Mapping, Node, Scalar, compose, decode, describe
 from robodyn.robot.expectations import expectation
 from robodyn.robot.fields import Section, Source
 from robodyn.robot.keys import INERTIA, LINK, LINKS, REST_VELOCITY, ROBOT, ROW
 from robodyn.robot.model import Comparison, Gear, Inertia, Joint, JointKind, Limits, Link, Placement, Robot
 from robodyn.robot.names import ROBOT_NAME_EXPECTED, parameter_clash, robot_name_fault, shown
+from robodyn.robot.origins import GROUPS, Origin, Origins
+from robodyn.robot.parts import UNKNOWN, Confidence
+from robodyn.robot.placements import placement_at, pose_at, standard_end_of
 from robodyn.robot.plausibility import inertia_doubt, is_judged, limits_doubt, only_about_base_axis
-from robodyn.robot.values import ZERO
 
 if TYPE_CHECKING:
     from robodyn.robot.effects import Written
 
 Warn = Callable[[str], object]
+
+
+class _Common(NamedTuple):
+    """What a description says of all links that do not state their own."""
+
+    confidence: Confidence
+    origins: dict[str, Origin]
 
 
 class DoubtfulRobot(UserWarning):
@@ -63,23 +72,19 @@ def _robot(section: Section) -> Robot:
     name = _robot_name(section)
     title, from_ = section.text("title"), section.text("source")
     gravity = section.vector("gravity")
-    confidence = section.confidence("confidence")
+    common = _Common(section.confidence("confidence"), section.origins("origin"))
     compared = section.section("compare")
     comparison = Comparison(compared.text("table"), compared.text("row")) if compared else None
     convention = section.choice("convention") or "mdh"
-    links, effects, base, end = _links(section, convention)
+    links, effects, base, end = _links(section, convention, common)
     _refuse_clashes(section.source, name)
     side = section.choice("torque_side")
     rest, band = _at_rest(section)
-    if confidence is not None:
-        links = tuple(
-            link if link.confidence is not None else replace(link, confidence=confidence) for link in links
-        )
     robot = Robot(name, links, title, from_, compare=comparison, rest_velocity=rest, dead_band=band)
     if gravity is not None:
         x, y, z = (value for value in gravity if isinstance(value, Fraction))  # no names there: all three
         robot = replace(robot, gravity=(x, y, z))
-    tool = _placement(section, "tool")
+    tool = placement_at(section, "tool")
     if convention == "sdh":
         assert end is not None
         tool = tool_from_standard(tool, end)
@@ -91,15 +96,6 @@ def _robot(section: Section) -> Robot:
 
         robot = into_robot(robot, effects)
     return robot
-
-
-def _placement(section: Section, key: str) -> Placement | None:
-    """The frame at ``key``; None where it is left out."""
-    frame = section.section(key)
-    if frame is None:
-        return None
-    x, y, z = (value for value in frame.vector("xyz") or (ZERO,) * 3 if isinstance(value, Fraction))
-    return Placement((x, y, z), frame.angles("rpy"))
 
 
 def _robot_name(section: Section) -> str:
@@ -138,7 +134,7 @@ def _written(section: Section, joint: int | None, kind: JointKind, joints: int) 
 
 
 def _links(
-    section: Section, convention: str
+    section: Section, convention: str, common: _Common
 ) -> tuple[tuple[Link, ...], tuple[Written, ...], Placement | None, Placement | None]:
     """The links in modified frames, effects in them, where the base frame stands, and where the last standard
     frame does in the last modified one."""
@@ -152,16 +148,16 @@ def _links(
             expected="one entry a joint, base to tip",
         )
     sections = [Section(source, f"link {i}", node, LINK) for i, node in enumerate(nodes, 1)]
-    read = [_link(part, i, len(nodes)) for i, part in enumerate(sections, 1)]
+    read = [_link(part, i, len(nodes), common) for i, part in enumerate(sections, 1)]
     rows = tuple(link for link, _ in read)
     _refuse_twins(sections, rows)
     effects = [entry for _, entries in read for entry in entries]
     effects += _written(section, None, "revolute", len(nodes))
-    links, base, end = rows, _placement(section, "base"), _placement(section, "standard_end")
-    poses = [_pose(part, convention) for part in sections]
+    links, base, end = rows, placement_at(section, "base"), placement_at(section, "standard_end")
+    poses = [pose_at(part, convention) for part in sections]
     try:
         if convention == "sdh":
-            links, end = from_standard(rows), _standard_end(section, sections, rows[-1])
+            links, end = from_standard(rows), standard_end_of(section, sections, rows[-1])
             effects = [replace(one, entry=effect_from_standard(one.entry, rows[-1])) for one in effects]
         elif any(poses):
             from robodyn.robot.poses import from_poses  # rows of numbers do without it
@@ -191,52 +187,6 @@ def _links(
     return links, tuple(effects), base, end
 
 
-def _standard_end(section: Section, sections: list[Section], last: Link) -> Placement:
-    """Where the frame of ``last``, the last standard row, stands in the modified frame."""
-    for part in sections:
-        if "b" in part.values:
-            part.source.fail(
-                part.values["b"],
-                f"{part.path('b')} is an offset of modified DH rows",
-                found="convention: sdh",
-                remedy="delete it, or state modified rows (convention: mdh)",
-            )
-    if "standard_end" in section.values:
-        section.source.fail(
-            section.values["standard_end"],
-            "standard_end is of rows that were converted",
-            found="convention: sdh",
-            remedy="delete it: the last row says it",
-        )
-    if not isinstance(last.joint.a, Fraction):
-        part = sections[-1]
-        part.source.fail(
-            part.values["a"],
-            f"{part.path('a')} cannot be a run-time parameter: it places the tool's frame",
-            found=describe(part.values["a"]),
-            expected="a number",
-            remedy="state a number, or modified rows (convention: mdh)",
-        )
-    return standard_end(last)
-
-
-def _pose(section: Section, convention: str) -> Placement | None:
-    """The pose of a link's frame that stands in place of its row; None where the row is stated."""
-    pose = _placement(section, "pose")
-    beside = [key for key in ROW if key in section.values]
-    if pose is not None and (beside or convention == "sdh"):
-        section.source.fail(
-            section.values["pose"],
-            f"{section.path('pose')} stands in place of DH numbers",
-            found=", ".join(beside) + " beside it" if beside else "convention: sdh",
-            expected=f"pose, or {', '.join(ROW)}",
-            remedy="delete the one or the other"
-            if beside
-            else "convention: mdh: a pose is that of the joint",
-        )
-    return pose
-
-
 def _refuse_twins(sections: list[Section], links: tuple[Link, ...]) -> None:
     first: dict[str, int] = {}
     for i, (section, link) in enumerate(zip(sections, links, strict=True), 1):
@@ -250,7 +200,7 @@ def _refuse_twins(sections: list[Section], links: tuple[Link, ...]) -> None:
             )
 
 
-def _link(section: Section, i: int, joints: int) -> tuple[Link, tuple[Written, ...]]:
+def _link(section: Section, i: int, joints: int, common: _Common) -> tuple[Link, tuple[Written, ...]]:
     kind: JointKind = "prismatic" if section.choice("joint") == "prismatic" else "revolute"
     name, acknowledged = _stated(section, "name"), _stated(section, "acknowledged")
     friction = section.section("friction")
@@ -262,11 +212,12 @@ def _link(section: Section, i: int, joints: int) -> tuple[Link, tuple[Written, .
     motor_inertia = section.number("motor_inertia")
     gear = _gear(section)
     limits = _limits(section, kind)
-    confidence = section.confidence("confidence")
+    confidence = common.confidence if (share := section.confidence("confidence")) is None else share
     joint = Joint(kind, alpha, a, d, theta, motor_inertia, limits=limits, gear=gear, b=b)
     if friction:
         joint = replace(joint, viscous=friction.number("viscous"), coulomb=friction.number("coulomb"))
-    link = Link(name or f"link{i}", joint, mass, confidence=confidence)
+    origins = _origins(section, common.origins, confidence)
+    link = Link(name or f"link{i}", joint, mass, confidence=confidence, origins=origins)
     if com is not None:
         link = replace(link, com=com)
     if tensor:
@@ -279,6 +230,22 @@ def _link(section: Section, i: int, joints: int) -> tuple[Link, tuple[Written, .
 
         return into_link(link, friction, effects)
     return link, ()
+
+
+def _origins(section: Section, common: dict[str, Origin], confidence: Confidence) -> Origins:
+    """Where the numbers of a link come from: what its description leaves out is absent. ``common``: what the
+    robot's says of all links; inertial numbers of unknown ``confidence`` are assumed."""
+    guess: dict[str, Origin] = {"inertial": "assumed"} if confidence == UNKNOWN else {}
+    origins = {**guess, **common, **section.origins("origin")}
+    stated = {key: key in section.values for key in ("mass", "com", "inertia", *GROUPS)}
+    stated["geometry"] = any(key in section.values for key in (*ROW, "pose"))
+    return Origins(
+        **{
+            name: origins.get(group, "stated") if stated[name] else "absent"
+            for group, names in GROUPS.items()
+            for name in names
+        }
+    )
 
 
 def _stated(section: Section, key: str) -> str:

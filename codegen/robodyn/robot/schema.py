@@ -115,6 +115,8 @@ def _of_kind(key: Key) -> Schema:
         ]
         example = {"smooth": {"velocity": float(REST_VELOCITY)}}
         return {"anyOf": [{"enum": list(key.choices)}, *with_velocity], "examples": ["exact", example]}
+    if key.kind == "origins":
+        return {"anyOf": [{"enum": list(key.choices)}, _object(key.members)]}
     if key.kind == "efficiency":
         return _share(key)
     if key.kind == "joint":

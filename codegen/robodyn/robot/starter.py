@@ -16,6 +16,7 @@ source: where the numbers come from
 gravity: [0, 0, -9.81]           # in the base frame, m/s^2; with base in the world's
 # base: {{xyz: [0, 0, 0.5], rpy: [pi, 0, 0]}}  # the base frame in the world: from a ceiling; rpy as in URDF
 # confidence: unknown            # the inertial numbers of all links are a guess
+# origin: {{inertial: measured}}   # where numbers come from: stated, measured, assumed or synthetic
 
 # Modified (Craig) Denavit-Hartenberg frames: from frame i-1 turn alpha about x and go a along x, then
 # turn theta about z and go d along z. Rows of standard DH: add the line "convention: sdh".

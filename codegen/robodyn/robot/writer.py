@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from fractions import Fraction
 from typing import Literal
 
@@ -19,6 +20,7 @@ from robodyn.robot.model import (
     Robot,
     Setting,
 )
+from robodyn.robot.origins import Origin, origins_to_state
 from robodyn.robot.values import ZERO, Affine, Angle, Value, angle
 
 # Smallest part of pi that is looked for behind an angle: pi/360 is half a degree.
@@ -44,9 +46,12 @@ def to_yaml(robot: Robot) -> str:
     common = _common_confidence(robot)
     if common is not None:
         lines.append(f"confidence: {_confidence(common)}")
+    origins = _common_origins(robot)
+    if origins:
+        lines.append(f"origin: {_words(origins)}")
     lines.append("links:")
     for i, link in enumerate(robot.links, 1):
-        lines += _link_lines(link, i, common)
+        lines += _link_lines(link, i, common, origins)
         lines += _effect_lines(robot.effects_at(i), "    ")
     if robot.tool is not None:
         lines.append(f"tool: {_placement(robot.tool)}")
@@ -68,25 +73,38 @@ def _common_confidence(robot: Robot) -> Confidence:
     return first if others and all(confidence == first for confidence in others) else None
 
 
+def _common_origins(robot: Robot) -> dict[str, Origin]:
+    """The origins by group that all of several links state alike."""
+    first, *others = (origins_to_state(link) for link in robot.links)
+    return {
+        group: word
+        for group, word in first.items()
+        if others and all(origins.get(group) == word for origins in others)
+    }
+
+
+def _words(words: Mapping[str, str]) -> str:
+    return "{" + ", ".join(f"{key}: {word}" for key, word in words.items()) + "}"
+
+
 def _confidence(confidence: Fraction | Literal["unknown"]) -> str:
     return number_text(confidence) if isinstance(confidence, Fraction) else confidence
 
 
-def _link_lines(link: Link, i: int, common: Confidence) -> list[str]:
+def _link_lines(link: Link, i: int, common: Confidence, origins: Mapping[str, Origin]) -> list[str]:
     joint, inertia = link.joint, link.inertia
+    inertial = {
+        "mass": number_text(link.mass),
+        "com": _list(link.com),
+        "inertia": _group({axes: getattr(inertia, axes) for axes in AXES}),
+    }
     lines = [] if link.name == f"link{i}" else [f"name: {_quoted(link.name)}"]
     lines += [
         f"joint: {joint.kind}",
-        f"alpha: {_angle(joint.alpha)}",
-        f"a: {number_text(joint.a)}",
-        *([f"b: {number_text(joint.b)}"] if joint.b != ZERO else []),
-        f"d: {number_text(joint.d)}",
-        f"theta: {_angle(joint.theta)}",
-        f"mass: {number_text(link.mass)}",
-        f"com: {_list(link.com)}",
-        f"inertia: {_group({axes: getattr(inertia, axes) for axes in AXES})}",
+        *(_row(joint) if link.origins.geometry != "absent" else []),
+        *(f"{key}: {text}" for key, text in inertial.items() if getattr(link.origins, key) != "absent"),
     ]
-    if joint.motor_inertia != ZERO:
+    if link.origins.motor_inertia != "absent":
         lines.append(f"motor_inertia: {number_text(joint.motor_inertia)}")
     if joint.gear is not None:
         constant = joint.gear.torque_constant
@@ -98,11 +116,24 @@ def _link_lines(link: Link, i: int, common: Confidence) -> list[str]:
         lines.append(f"limits: {_limits(joint.limits)}")
     if link.confidence is not None and common is None:
         lines.append(f"confidence: {_confidence(link.confidence)}")
+    own = {group: word for group, word in origins_to_state(link).items() if origins.get(group) != word}
+    if own:
+        lines.append(f"origin: {_words(own)}")
     if link.acknowledged:
         lines.append(f"acknowledged: {_quoted(link.acknowledged)}")
     if (joint.viscous, joint.coulomb) != (ZERO, ZERO):
         lines.append(f"friction: {_friction(joint)}")
     return [("  - " if k == 0 else "    ") + line for k, line in enumerate(lines)]
+
+
+def _row(joint: Joint) -> list[str]:
+    return [
+        f"alpha: {_angle(joint.alpha)}",
+        f"a: {number_text(joint.a)}",
+        *([f"b: {number_text(joint.b)}"] if joint.b != ZERO else []),
+        f"d: {number_text(joint.d)}",
+        f"theta: {_angle(joint.theta)}",
+    ]
 
 
 def _effect_lines(entries: tuple[EffectEntry, ...], indent: str) -> list[str]:
