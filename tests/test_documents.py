@@ -45,6 +45,7 @@ def test_there_are_as_many_effects_as_it_says() -> None:
     assert f"catalogue but {' and '.join(later)}" in DOCUMENTS["diagnose.md"]
 
 
+@pytest.mark.thorough
 def test_the_operations_of_all_robots_are_recomputed() -> None:
     page, table = DOCUMENTS["operation-counts.md"], make("robots")
     assert with_part(page, counts.MARK, counts.markdown(table)) == page, "run python -m benchmarks.counts"

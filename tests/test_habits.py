@@ -5,6 +5,8 @@ from __future__ import annotations
 import ast
 from pathlib import Path
 
+import pytest
+
 TESTS = Path(__file__).parent
 CLOCKS = {"monotonic", "monotonic_ns", "perf_counter", "perf_counter_ns", "process_time", "process_time_ns"}
 MAY_READ_CLOCKS = {"robodyn_testing/waiting.py"}
@@ -17,6 +19,7 @@ def clock_readings(text: str) -> list[int]:
     return [call.lineno for call in calls if isinstance(f := call.func, ast.Attribute) and f.attr in CLOCKS]
 
 
+@pytest.mark.thorough
 def test_nothing_depends_on_the_speed_of_the_machine() -> None:
     """What takes too long is told by its calls or a clock of the test's own (robodyn_testing.clocks)."""
     places = [

@@ -99,6 +99,7 @@ def out_of_order(tree: ast.Module, file: Path) -> Iterator[str]:
         yield from (f"{file} imports {name}: do so in the function that needs it" for name in packages & LATE)
 
 
+@pytest.mark.thorough
 def test_imports_only_rooms_above() -> None:
     """All files in one test, which takes as long as it takes to read them."""
     places = [place for file in FILES for place in out_of_order(tree_of(file), file)]
@@ -139,6 +140,7 @@ def test_no_file_is_long(top: str) -> None:
     assert not long, f"split along a seam what has more than {LINES} lines"
 
 
+@pytest.mark.thorough
 def test_no_file_imports_itself_through_others() -> None:
     """No circle of files, wherever they import; packages' faces, which only hand names on, are left out."""
     modules = {".".join(file.with_suffix("").parts): file for file in FILES if file.stem not in FACADE}

@@ -139,6 +139,7 @@ def test_the_dialect_is_noticed(text: str, names: list[str]) -> None:
     assert sorted(name for _, name in dialect(ast.parse(text))) == names
 
 
+@pytest.mark.thorough
 def test_no_name_is_vague_or_dialect() -> None:
     """Both in one test: reading all files is what takes time."""
     places = []

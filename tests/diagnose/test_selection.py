@@ -68,6 +68,7 @@ def test_one_law_of_friction_stands_in_the_place_of_two_where_the_log_says_so(
     }
 
 
+@pytest.mark.thorough
 def test_nothing_is_named_where_nothing_is_hidden() -> None:
     hidden = Case("puma560_3dof", (), 3, 1.0, friction=True).make()
     assert select(hidden.given, hidden.train).findings == ()

@@ -36,6 +36,7 @@ def names_asked_for(tree: ast.AST) -> Iterator[tuple[int, str]]:
                 yield inner.lineno, inner.value
 
 
+@pytest.mark.thorough
 def test_nobody_asks_for_a_name() -> None:
     places = [
         f"{file.relative_to(ROOT)}:{line}: {name}: ask its record (robodyn.dynamics.functions) instead"

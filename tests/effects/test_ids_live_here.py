@@ -42,6 +42,7 @@ def ids_in(source: str) -> list[tuple[int, str]]:
     )
 
 
+@pytest.mark.thorough
 def test_no_code_knows_an_effect_by_name() -> None:
     known = [
         f"{path.relative_to(ROOT)}:{line}: {id!r}: ask for a trait of its definition (effects/traits.py)"

@@ -74,7 +74,8 @@ def check_together(tool: str, flags: tuple[str, ...], names: list[str], folder: 
     check(tool, flags, [together(names, folder, f"together_{tool}.h")], folder)
 
 
-@pytest.mark.parametrize("compiler", representative(["gcc", "clang"], "gcc"))
+@pytest.mark.thorough
+@pytest.mark.parametrize("compiler", ["gcc", "clang"])
 def test_c_is_clean(compiler: str, double: Path) -> None:
     check(compiler, (*STRICT, "-O2"), sources(double, ".c"), double)
 

@@ -45,6 +45,7 @@ def languages_in(text: str) -> set[str]:
     return NAMES & {word for word in words if isinstance(word, str)}
 
 
+@pytest.mark.thorough
 def test_no_other_file_names_a_language() -> None:
     """C is the language of firmware, threads and calls from Python; the others stand in their own files."""
     named = {str(file): languages_in((TOP / file).read_text(encoding="utf-8")) for file in FILES}

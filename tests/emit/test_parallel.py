@@ -22,7 +22,7 @@ from robodyn.schedule.lanes import Waiting, lanes
 from robodyn.schedule.machine import Timetable
 from robodyn.schedule.packing import pack
 from robodyn.schedule.task_program import task_program
-from robodyn_testing import require_tool
+from robodyn_testing import representative, require_tool
 from robodyn_testing.effect_arms import TEXTS
 
 FLAGS = ("-std=c11", "-O1", "-ffp-contract=off", "-pthread")
@@ -85,13 +85,16 @@ def ran(folder: Path, files: dict[str, str], states: int, *flags: str) -> str:
 
 @pytest.mark.parametrize(
     ("name", "p", "k", "waiting"),
-    [
-        ("puma560", 3, 3, "barrier"),
-        ("stanford", 2, 6, "counters"),
-        ("puma560_3dof", 4, 1, "counters"),
-        ("puma560_3dof", 1, 3, "barrier"),
-        ("tool", 3, 2, "barrier"),
-    ],
+    representative(
+        [
+            ("puma560", 3, 3, "barrier"),
+            ("stanford", 2, 6, "counters"),
+            ("puma560_3dof", 4, 1, "counters"),
+            ("puma560_3dof", 1, 3, "barrier"),
+            ("tool", 3, 2, "barrier"),
+        ],
+        "puma560_3dof",
+    ),
 )
 def test_the_bits_are_those_of_the_serial_kernel(
     name: str, p: int, k: int, waiting: Waiting, tmp_path: Path

@@ -123,6 +123,7 @@ def test_tables_follow_the_figures(figures: Any) -> None:
     assert "it is on holiday" not in markdown(figures)
 
 
+@pytest.mark.thorough
 def test_ours_have_not_become_more(figures: Any) -> None:
     robot = load("stanford_3dof", warn=lambda _: None)
     for function, row in figures["robots"]["stanford_3dof"].items():

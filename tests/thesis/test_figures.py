@@ -15,6 +15,7 @@ from robodyn.thesis.tables.picture_2_9 import figure_2_9_svg
 SVG = "{http://www.w3.org/2000/svg}"
 
 
+@pytest.mark.thorough
 def test_figure_2_9_has_the_published_methods_to_scale_ours_beside(tables: dict[str, Table]) -> None:
     text = figure_2_9_svg(tables["2.10"])
     bars = {}
