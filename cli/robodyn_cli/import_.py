@@ -120,7 +120,7 @@ def command(
 
 
 def _tell(imported: Imported) -> None:
-    for where, words in imported.implausible:
+    for where, words in (*imported.warnings, *imported.implausible):
         talk(f"robodyn: warning: {where}: {words}")
     for remark in imported.remarks:
         talk(f"robodyn: note: {remark}")
@@ -162,6 +162,7 @@ def _data(imported: Imported, path: str | None, text: str) -> dict[str, Any]:
         "unused": [
             {"what": part.what, "file": part.file, "lines": list(part.lines)} for part in imported.unused
         ],
+        "warnings": [{"where": str(where), "what": words} for where, words in imported.warnings],
         "implausible": [{"where": str(where), "what": words} for where, words in imported.implausible],
         "near_right_angles": [
             {"where": angle.where, "value": angle.radians, "quarter_turns": angle.quarter}

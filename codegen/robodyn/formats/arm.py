@@ -24,8 +24,8 @@ class Imported:
     """A robot and what is to be known of where it comes from.
 
     ``remarks``: what was decided (joints that are locked, limits left out); ``unused``: what the file says
-    beyond; ``doubts``: implausible numbers, with the places of their links; ``near``: angles that are nearly
-    multiples of pi/2 and cost operations.
+    beyond; ``implausible``: numbers, with the places of their links; ``near``: angles that are nearly
+    multiples of pi/2 and cost operations; ``warnings``: what the format does not allow, with the places.
     """
 
     robot: Robot
@@ -35,6 +35,7 @@ class Imported:
     unused: tuple[Unused, ...]
     implausible: tuple[tuple[Place, str], ...]
     near: tuple[NearRightAngle, ...]
+    warnings: tuple[tuple[Place, str], ...] = ()
 
 
 def import_arm(
@@ -75,7 +76,16 @@ def import_arm(
         where, words = implausible[0]
         raise InputError(words, where=where, remedy="check the numbers of the links that it carries")
     near = near_right_angles(robot) if not snap else ()
-    return Imported(robot, tree.file, tree.format, serial.remarks, tree.unused, tuple(implausible), near)
+    return Imported(
+        robot,
+        tree.file,
+        tree.format,
+        serial.remarks,
+        tree.unused,
+        tuple(implausible),
+        near,
+        tree.warnings,
+    )
 
 
 def description_text(imported: Imported) -> str:

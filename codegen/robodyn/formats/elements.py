@@ -13,8 +13,9 @@ from dataclasses import dataclass
 from xml.parsers import expat
 
 from robodyn.errors import InputError, Place
-from robodyn.files import MIB, decoded, label, read_bytes
+from robodyn.files import MIB, label, read_bytes
 from robodyn.formats.limits import ATTRIBUTES, DEPTH, ELEMENTS, FILE_MIB
+from robodyn.formats.xml_text import xml_text
 from robodyn.robot.names import shown
 
 _NOT_XML = "the file is not XML"
@@ -53,11 +54,13 @@ class Element:
 
 @dataclass(frozen=True, slots=True)
 class Document:
-    """A file's name for messages, its text and its root element."""
+    """A file's name for messages, its text and its root element; ``warnings``: what of it is not XML by the
+    letter, with the places."""
 
     file: str
     text: str
     root: Element
+    warnings: tuple[tuple[Place, str], ...] = ()
 
     def place(self, element: Element, attribute: str = "") -> Place:
         """Where ``element`` begins, or where its ``attribute`` does if it can be told."""
@@ -84,16 +87,16 @@ def read(path: str, expected: str, name: str | None = None) -> Document:
 
 
 def parse(data: bytes, file: str, expected: str = "XML") -> Document:
-    """The document in ``data``, which is UTF-8 text.
+    """The document in ``data``, in the encoding that it declares, by default UTF-8.
 
     Raises
     ------
-    InputError: not UTF-8, not XML, with a document type, too deep or too large; with the place.
+    InputError: not in its encoding, not XML, with a document type, too deep or too large; with the place.
     """
-    text = decoded(data, file).replace("\r\n", "\n").replace("\r", "\n")
-    if not text.strip():
+    xml = xml_text(data, file)
+    if not xml.text.strip():
         raise InputError("the file is empty", where=Place(file), expected=expected)
-    return Document(file, text, _Builder(file, expected).build(text))
+    return Document(file, xml.text, _Builder(file, expected).build(xml.text), xml.warnings)
 
 
 class _Builder:
@@ -101,7 +104,7 @@ class _Builder:
 
     def __init__(self, file: str, expected: str) -> None:
         self.file, self.expected = file, expected
-        self.parser = expat.ParserCreate("UTF-8")  # whatever its declaration says: the text was UTF-8
+        self.parser = expat.ParserCreate("UTF-8")  # whatever its declaration says: the text is decoded
         self.parser.buffer_text = True
         self.parser.StartElementHandler = self.start
         self.parser.EndElementHandler = self.end

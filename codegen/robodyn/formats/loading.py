@@ -17,8 +17,9 @@ def load(spec: str | os.PathLike[str], *, strict: bool = False, warn: Warn | Non
     """The robot in the file ``spec``, or the bundled robot of that name.
 
     A file whose name ends in .urdf, .xml, .mjcf, .sdf or .xacro is imported (:mod:`robodyn.formats.arm`): it
-    must have one tip. Physically doubtful numbers, and what was decided in importing, are told to ``warn``,
-    one line of text each (by default they become a warning); ``strict`` refuses doubtful numbers.
+    must have one tip. Physically doubtful numbers, what was decided in importing, and what the file's format
+    does not allow are told to ``warn``, one line of text each (by default they become a warning); ``strict``
+    refuses doubtful numbers.
 
     Raises
     ------
@@ -33,7 +34,7 @@ def load(spec: str | os.PathLike[str], *, strict: bool = False, warn: Warn | Non
     tell = warn or doubtful
     for remark in imported.remarks:
         tell(f"{imported.file}: {remark}")
-    for where, words in imported.implausible:
+    for where, words in (*imported.warnings, *imported.implausible):
         tell(f"{where}: {words}")
     return imported.robot
 

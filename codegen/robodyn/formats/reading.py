@@ -50,7 +50,8 @@ def read_tree(path: str | os.PathLike[str], arguments: Mapping[str, str] | None 
         if arguments:
             raise InputError("arguments are for xacro files", found=name, remedy="leave --arg out")
         document = elements.read(os.fspath(path), _EXPECTED, name)
-    return replace(_by_root(document, file), file=name)
+    tree = _by_root(document, file)
+    return replace(tree, file=name, warnings=(*document.warnings, *tree.warnings))
 
 
 def _by_root(document: Document, path: Path) -> Tree:

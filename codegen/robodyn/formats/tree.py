@@ -133,7 +133,8 @@ class Tree:
     """A mechanism. ``joints`` name their links; the world, where the format has one, is a link of it.
 
     ``gravity`` [m/s^2] is in the root's frame. ``unused`` is what the file says and nothing here holds;
-    ``remarks``: what was understood in one of several ways.
+    ``remarks``: what was understood in one of several ways; ``warnings``: what its format does not allow and
+    was read all the same, with the places.
     """
 
     name: str
@@ -145,6 +146,7 @@ class Tree:
     loops: tuple[Loop, ...] = ()
     unused: tuple[Unused, ...] = ()
     remarks: tuple[str, ...] = ()
+    warnings: tuple[tuple[Place, str], ...] = ()
 
 
 class Leftovers:

@@ -13,6 +13,7 @@ import sys
 import threading
 from collections.abc import Mapping
 from contextlib import suppress
+from dataclasses import replace
 from pathlib import Path
 from typing import Final
 
@@ -44,7 +45,7 @@ def expanded(path: Path, arguments: Mapping[str, str] | None = None) -> elements
     ToolError: the package is not installed.
     """
     name = label(path)
-    elements.read(str(path), "xacro", name)  # its bounds, and no document type
+    top = elements.read(str(path), "xacro", name)  # its bounds, and no document type
     if not XACRO.present():
         raise XACRO.missing(where=Place(name))
     task = {
@@ -80,7 +81,10 @@ def expanded(path: Path, arguments: Mapping[str, str] | None = None) -> elements
     if process.returncode:
         late = process.returncode < 0
         raise _refused(name, f"more than {XACRO_SECONDS} s or {XACRO_MEMORY} MiB" if late else stderr)
-    return elements.parse(data, name + EXPANDED, "xacro that expands to URDF")
+    included, _, xml = data.partition(b"\n")
+    warnings = [(Place(*where), words) for where, words in json.loads(included)]
+    document = elements.parse(xml, name + EXPANDED, "xacro that expands to URDF")
+    return replace(document, warnings=(*top.warnings, *warnings))
 
 
 def _refused(name: str, words: str) -> InputError:

@@ -22,12 +22,13 @@ from xml.dom import expatbuilder
 from xml.parsers import expat
 
 from robodyn import files
-from robodyn.errors import RobodynError
+from robodyn.errors import Place, RobodynError
 from robodyn.files import label
 from robodyn.formats.xacro_expressions import evaluate
 from robodyn.formats.xacro_files import Files, load_yaml
 from robodyn.formats.xacro_functions import MATH, METHODS, PYTHON, tokenize
 from robodyn.formats.xacro_values import DATA, Function, Names, Refused, check_count, shown
+from robodyn.formats.xml_text import load_encodings, xml_text
 
 #: What is taken out of the package and replaced; a version without one of them is refused.
 REPLACED: Final = (
@@ -88,6 +89,7 @@ class Expansion:
                 self.arguments[name] = arguments[name]
         self.environment = stated["env"]
         self.file, self.files = file, Files(file, stated["find"], ros)
+        self.warnings: dict[Place, str] = {}
         self.symbols = self._symbols(xacro._global_symbols)
 
     def text(self) -> str:
@@ -200,8 +202,11 @@ class Expansion:
         except FileNotFoundError as error:
             self.xacro.filestack.pop()  # as parse does; a file that is optional is passed over
             raise self.xacro.XacroException(str(error), exc=error) from None
+        xml = xml_text(data, label(path))
+        if path != self.files.top:  # whose warnings its own reader has
+            self.warnings.update(xml.warnings)
         try:
-            return _Builder().parseString(data)
+            return _Builder().parseString(xml.text)
         except expat.ExpatError as error:
             raise Refused(f"{label(path)}:{error.lineno}: {expat.ErrorString(error.code)}") from None
 
@@ -282,7 +287,8 @@ def _words(error: BaseException) -> str:
 
 
 def main() -> int:
-    """Reads file, bounds and arguments as JSON; XML on stdout, or one line on stderr and code 1."""
+    """Reads file, bounds and arguments as JSON; on stdout a line of JSON with what in the files that were
+    included is not XML by the letter, and the XML; or one line on stderr and code 1."""
     task = json.load(sys.stdin)
     warnings.simplefilter("ignore")  # of Python's parser: to show them, it would read files
     output, words = sys.stdout.buffer, sys.__stderr__
@@ -290,13 +296,15 @@ def main() -> int:
     sys.stdout = sys.stderr = open(os.devnull, "w")  # noqa: PTH123, SIM115 (xacro prints warnings)
     try:
         expansion = Expansion(task["file"], task["arguments"], task["ros"])
+        load_encodings()
         bound(task["seconds"], task["memory"])
         guard()
         data = expansion.text().encode("utf-8", "replace")
+        places = [((at.file, at.line, at.column), words) for at, words in expansion.warnings.items()]
     except BaseException as error:
         words.write(label(" ".join(_words(error).split()))[:1000])
         words.flush()
         return 1
-    output.write(data)
+    output.write(json.dumps(places).encode() + b"\n" + data)
     output.flush()
     return 0
