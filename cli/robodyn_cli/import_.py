@@ -43,7 +43,8 @@ if TYPE_CHECKING:
     type=Argument(),
     multiple=True,
     metavar="NAME=VALUE",
-    help="Set an argument of a xacro file; may be repeated.",
+    help="Set an argument of a xacro file, or ('find NAME') a folder that it or an MJCF file may read; "
+    "may be repeated.",
 )
 @click.option(
     "--snap",

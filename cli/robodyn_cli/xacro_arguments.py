@@ -1,4 +1,4 @@
-"""``--arg NAME=VALUE`` of every command that takes a ROBOT, which may be a xacro file."""
+"""``--arg NAME=VALUE`` of every command that takes a ROBOT, which may be a xacro or an MJCF file."""
 
 from __future__ import annotations
 
@@ -23,7 +23,8 @@ def with_xacro_arguments(command: click.Command) -> click.Command:
         type=Argument(),
         multiple=True,
         metavar="NAME=VALUE",
-        help="Set an argument of a xacro file; may be repeated.",
+        help="Set an argument of a xacro file, or ('find NAME') a folder that it or an MJCF file may read; "
+        "may be repeated.",
     )
     wider.params = [*command.params, option]
     wider.callback = _in_their_context(command.callback)
@@ -38,7 +39,9 @@ def _in_their_context(callback: Callable[..., Any]) -> Callable[..., Any]:
         from robodyn.formats.reading import xacro_arguments
 
         robots = list(_robots(click.get_current_context()))
-        if not any(robot.lower().endswith(".xacro") for robot in robots):
+        only_folders = all(name.startswith("find ") for name, _ in arg)
+        readers = (".xacro", ".xml", ".mjcf") if only_folders else (".xacro",)
+        if not any(robot.lower().endswith(readers) for robot in robots):
             raise InputError(
                 "arguments are for xacro files",
                 found=", ".join(robots) or "no ROBOT",

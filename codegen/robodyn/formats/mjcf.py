@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import warnings
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Final
@@ -13,7 +14,8 @@ from robodyn.formats.chain import Body, Pose, Spring, Vector
 from robodyn.formats.elements import Document
 from robodyn.formats.limits import NAMES_SHOWN, PLACEHOLDER, SAME_INERTIA
 from robodyn.formats.mjcf_drives import with_couplings, with_drives
-from robodyn.formats.mjcf_text import MESH, Handed, handed
+from robodyn.formats.mjcf_handed import Handed
+from robodyn.formats.mjcf_text import handed
 from robodyn.formats.quantities import body_of, unit
 from robodyn.formats.rigid import composed, tidy
 from robodyn.formats.tree import JointLimits, Kind, Leftovers, Tree, TreeJoint, TreeLink, checked, names
@@ -23,8 +25,10 @@ WORLD: Final = "world"
 _KINDS: Final[tuple[Kind, ...]] = ("floating", "ball", "prismatic", "revolute")
 
 
-def read_tree(document: Document, path: Path | None) -> Tree:
+def read_tree(document: Document, path: Path | None, folders: Iterable[str] = ()) -> Tree:
     """The tree of a document whose root is ``<mujoco>`` and that lies at ``path``.
+
+    It may include and attach files beside ``path`` and below it, and those in ``folders``.
 
     A body with several joints becomes several links, all but the last without mass. Sites become links that
     are fixed to their bodies, so that they can be tips.
@@ -36,14 +40,15 @@ def read_tree(document: Document, path: Path | None) -> Tree:
     """
     mujoco = MUJOCO.load(where=Place(document.file))
     leftovers = Leftovers(document.file)
-    text = handed(document, path, leftovers)
+    text = handed(document, path, leftovers, folders)
     try:
         with (
             warnings.catch_warnings()
         ):  # of a mass matrix that is near to singular: dynamics are not asked for
             warnings.simplefilter("ignore")
-            spec = mujoco.MjSpec.from_string(text.text)
-            bare = _without_meshes(mujoco, spec)
+            files = {name: model.encode() for name, model in text.models.items()}
+            spec = mujoco.MjSpec.from_string(text.text, include=files)
+            bare = _without_meshes(spec, text)
             model = spec.compile()
     except (ValueError, mujoco.FatalError) as error:
         message = " ".join(str(error).split())
@@ -53,22 +58,23 @@ def read_tree(document: Document, path: Path | None) -> Tree:
             found=message[:300],
         ) from None
     tree = _Model(mujoco, spec, model, text, document.file, bare).tree(document, leftovers)
-    return checked(replace(tree, unused=leftovers.unused()))
+    return checked(replace(tree, unused=leftovers.unused(), warnings=tuple(text.warnings)))
 
 
-def _without_meshes(mujoco: Any, spec: Any) -> set[str]:
+def _without_meshes(spec: Any, text: Handed) -> set[str]:
     """Delete the geoms that stand for meshes; the names of bodies whose inertia would have come from them."""
-    lowest, highest = spec.compiler.inertiagrouprange
-    always = int(spec.compiler.inertiafromgeom) == int(mujoco.mjtInertiaFromGeom.mjINERTIAFROMGEOM_TRUE)
     bare = set()
     for body in spec.bodies:
         heavy = False
         for geom in list(body.geoms):
-            if geom.name.startswith(MESH):
+            rules = text.rules_of(geom.name)
+            if rules is not None:
                 weightless = geom.mass == 0 or (math.isnan(geom.mass) and geom.density == 0)
-                heavy = heavy or (not weightless and lowest <= geom.group <= highest)
+                lowest, highest = rules.groups
+                counts = lowest <= geom.group <= highest and not weightless
+                heavy = heavy or (counts and (rules.always_from_shapes or not body.explicitinertial))
                 spec.delete(geom)
-        if heavy and (always or not body.explicitinertial) and body.name != WORLD:
+        if heavy and body.name != WORLD:
             bare.add(body.name)
             body.mass, body.inertia, body.explicitinertial = PLACEHOLDER, [PLACEHOLDER] * 3, True
             body.ipos, body.fullinertia = [0, 0, 0], [math.nan] * 6
@@ -138,7 +144,7 @@ class _Model:
         return always or not self.spec.body(body).explicitinertial
 
     def place(self, tag: str, name: str) -> Place:
-        return self.text.places.get((tag, name), Place(self.file))
+        return self.text.place_of(tag, name, self.file)
 
     def joints(self, body: Any, leftovers: Leftovers) -> list[TreeJoint]:
         """The joints between a body and its parent: a fixed one, or one or several that move."""

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
-from robodyn.formats.mjcf_text import Handed
+from robodyn.formats.mjcf_handed import Handed
 from robodyn.formats.tree import Leftovers, Loop, Mimic, TreeJoint
 
 
@@ -67,8 +67,8 @@ def with_couplings(
             continue
         one, other = int(model.eq_obj1id[index]), int(model.eq_obj2id[index])
         kind, name = int(model.eq_type[index]), model.equality(index).name
-        where = text.places.get(("equality", name))
-        line, file = (None, "") if where is None else (where.line, where.file)
+        where = text.place_of("equality", name, "")
+        line, file = where.line, where.file
         if kind == int(kinds.mjEQ_JOINT):
             follower = model.joint(one).name
             if other < 0:
@@ -79,7 +79,7 @@ def with_couplings(
                 leftovers.add(f"the curved part of what the joint {follower} follows", line, file)
             start, lead = (float(model.qpos0[model.jnt_qposadr[joint]]) for joint in (one, other))
             mimics[follower] = Mimic(model.joint(other).name, c1, c0 + start - c1 * lead)
-        elif kind in (int(kinds.mjEQ_CONNECT), int(kinds.mjEQ_WELD)) and where is not None:
+        elif kind in (int(kinds.mjEQ_CONNECT), int(kinds.mjEQ_WELD)):
             of_sites = int(model.eq_objtype[index]) == int(mujoco.mjtObj.mjOBJ_SITE)
             owners = [int(model.site(i).bodyid[0]) if of_sites else max(i, 0) for i in (one, other)]
             links = (model.body(owners[0]).name, model.body(owners[1]).name)

@@ -1,23 +1,25 @@
 """What of an MJCF file is handed to MuJoCo: elements and attributes that say something of links and joints.
 
 Everything else (meshes, textures, plugins, sensors, settings of the simulation) is left out and listed, so
-that MuJoCo opens no file and allocates nothing that an untrusted file asks for. Files that are included are
-read here, from the folder of the first one and below it.
+that MuJoCo opens no file and allocates nothing that an untrusted file asks for. Files that are included or
+attached are read here (:mod:`robodyn.formats.mjcf_files`); MuJoCo is given their texts.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
 from xml.sax.saxutils import quoteattr
 
 from robodyn.errors import InputError, Place
-from robodyn.files import label
-from robodyn.formats.elements import Document, Element, read, tag_shown
-from robodyn.formats.limits import DEPTH, ELEMENTS, FILES_INCLUDED
+from robodyn.formats.elements import Document, Element, tag_shown
+from robodyn.formats.limits import DEPTH, ELEMENTS
+from robodyn.formats.mjcf_defaults import GeomClasses, is_height_field, is_mesh
+from robodyn.formats.mjcf_files import Files
+from robodyn.formats.mjcf_handed import MESH, Handed, InertiaRules
 from robodyn.formats.tree import Leftovers
 from robodyn.robot.names import shown
 
@@ -40,6 +42,10 @@ _KEPT: Final = {
     "worldbody": _words(""),
     "body": _TURN | _words("name pos childclass"),
     "frame": _TURN | _words("name pos childclass"),
+    "replicate": _words("count sep offset euler childclass"),
+    "attach": _words("model body prefix"),
+    "asset": _words(""),
+    "model": _words("name file"),
     "inertial": _TURN | _words("pos mass diaginertia fullinertia"),
     "joint": _words(
         "name class type pos axis springdamper limited actuatorfrclimited range actuatorfrcrange ref "
@@ -48,7 +54,7 @@ _KEPT: Final = {
     "freejoint": _words("name"),
     "geom": _TURN | _words("name class type size fromto pos mass density shellinertia group"),
     "site": _TURN | _words("name class pos"),
-    "equality": _words(""),
+    "equality": _words("active"),
     "connect": _words("name class active body1 body2 anchor site1 site2"),
     "weld": _words("name class active body1 body2 relpose anchor site1 site2"),
     "actuator": _words(""),
@@ -58,7 +64,7 @@ _KEPT: Final = {
     "velocity": _ACTUATOR,
 }
 #: Elements that make bodies: without them the arm is another one.
-_REFUSED: Final = frozenset({"replicate", "attach", "composite", "flexcomp"})
+_REFUSED: Final = frozenset({"composite", "flexcomp"})
 _WORDS: Final = {
     "asset": "meshes, textures and materials",
     "contact": "contact pairs",
@@ -81,142 +87,215 @@ _SILENT: Final = _words(
     "condim contype conaffinity friction priority solmix castshadow fitscale size type"
 )
 _NAMED: Final = frozenset({"body", "joint", "freejoint", "site", "connect", "weld"})
-MESH: Final = "robodyn mesh "
-"""Begins the name of a geom that was a mesh: a ball stands for it and is deleted before the model is made."""
+_BODIES: Final = frozenset({"worldbody", "body", "frame", "replicate"})
+"""Elements that bodies, joints and sites stand in."""
+_COUNT: Final = re.compile(r"\s*\d{1,99}\s*", re.ASCII)
 
 
-@dataclass(slots=True)
-class Handed:
-    """The text for MuJoCo, a line an element, and the place in the files of each of its lines.
-
-    ``places``: those of bodies, joints and equalities by tag and name. What has no name has one here.
-    """
-
-    text: str = ""
-    lines: list[Place] = field(default_factory=list)
-    places: dict[tuple[str, str], Place] = field(default_factory=dict)
-
-    def place(self, message: str, file: str) -> Place:
-        """The place that a message of MuJoCo means by ``line 12``; the file if it names none."""
-        hit = re.search(r"line (\d{1,9})", message)
-        if hit and 0 < int(hit.group(1)) <= len(self.lines):
-            return self.lines[int(hit.group(1)) - 1]
-        return Place(file)
-
-
-def handed(document: Document, path: Path | None, leftovers: Leftovers) -> Handed:
+def handed(
+    document: Document, path: Path | None, leftovers: Leftovers, folders: Iterable[str] = ()
+) -> Handed:
     """What MuJoCo is given of ``document``, which lies at ``path`` (None: nothing can be included).
+
+    ``folders``: files in them may be read as well as those beside ``path`` and below it.
 
     Raises
     ------
-    InputError: a file that is included is outside of the folder, missing or not XML, or an element makes
+    InputError: a file that is included is outside of the folders, missing or not XML, or an element makes
         bodies in a way that is not read.
     """
-    return _Writer(document, path, leftovers).write()
+    task = _Task(Handed(), leftovers, Files(path, folders))
+    first = _Writer(task, document, None if path is None else path.parent.resolve() / path.name)
+    task.handed.text = first.write()
+    waiting = first.attached()
+    for writer in waiting:
+        before = "\n" * len(task.handed.lines)
+        task.handed.models[writer.file] = before + writer.write()
+        waiting += writer.attached()
+    return task.handed
+
+
+@dataclass(slots=True)
+class _Task:
+    """What the writers of a file and of the models that it attaches share."""
+
+    handed: Handed
+    leftovers: Leftovers
+    files: Files
+    elements: int = 0
+    models: int = 0
 
 
 class _Writer:
-    def __init__(self, document: Document, path: Path | None, leftovers: Leftovers) -> None:
-        self._first, self._leftovers = document, leftovers
-        self._folder = None if path is None else path.parent.resolve()
-        self._included: set[Path] = set() if path is None else {path.resolve()}
-        self._handed, self._texts = Handed(), [""]
-        self._texts.clear()
-        self._meshes = self._elements = 0
+    """Writes one model: a file with those that it includes.
 
-    def write(self) -> Handed:
-        self._element(self._first.root, self._first, "", 0)
-        self._handed.text = "\n".join(self._texts) + "\n"
-        return self._handed
+    ``above``: the files of the models that attach it; ``file``: what MuJoCo calls it. ``prefixes``: what its
+    names begin with wherever it is attached, and ``weight``: how many of each of its elements MuJoCo makes.
+    """
+
+    def __init__(
+        self,
+        task: _Task,
+        document: Document,
+        path: Path | None,
+        above: tuple[Path, ...] = (),
+        file: str = "",
+    ) -> None:
+        self._task, self._first, self.file = task, document, file
+        self._folder = None if path is None else path.parent
+        self._files = (*above, *([] if path is None else [path.resolve()]))
+        self._included: set[Path] = set(self._files[-1:])
+        self._documents: dict[int, Document] = {}
+        self._texts: list[str] = []
+        self._classes, self._rules = GeomClasses(), InertiaRules()
+        self._models: dict[str, _Writer] = {}
+        self._names = 0
+        self.prefixes: list[str] = [] if above else [""]
+        self.weight = 0 if above else 1
+
+    def write(self) -> str:
+        root = self._spliced(self._first.root, self._first, self._folder, 0)
+        for default in root.all("default"):
+            self._classes.read(default)
+        self._element(root, "", "", max(self.weight, 1))
+        return "\n".join(self._texts) + "\n"
+
+    def attached(self) -> list[_Writer]:
+        """The models that this one attaches, once it is written."""
+        return list(self._models.values())
+
+    def _spliced(self, element: Element, document: Document, folder: Path | None, depth: int) -> Element:
+        """``element`` with the content of files in the place of their ``<include>``."""
+        if depth > DEPTH:
+            raise InputError("with what it includes, the file is too large", where=document.place(element))
+        children: list[Element] = []
+        for child in element.children:
+            if child.tag == "include":
+                included, path = self._read(child, document, folder)
+                root = self._spliced(included.root, included, path.parent, depth + 1)
+                children += root.children
+            else:
+                children.append(self._spliced(child, document, folder, depth + 1))
+        spliced = replace(element, children=tuple(children))
+        self._documents[id(spliced)] = document
+        return spliced
+
+    def _read(self, include: Element, document: Document, folder: Path | None) -> tuple[Document, Path]:
+        folders = [each for each in (self._folder, folder) if each is not None]
+        included, path = self._task.files.read(include, document, folders)
+        if path in self._included:
+            where, name = document.place(include, "file"), include.attributes.get("file", "")
+            raise InputError("the file is included twice", where=where, found=shown(name))
+        self._included.add(path)
+        self._task.handed.warnings += included.warnings
+        return included, path
+
+    def _place(self, element: Element, attribute: str = "") -> Place:
+        return self._documents[id(element)].place(element, attribute)
 
     def _line(self, text: str, place: Place) -> None:
         self._texts.append(text)
-        self._handed.lines.append(place)
+        self._task.handed.lines.append(place)
 
-    def _element(self, element: Element, document: Document, parent: str, depth: int) -> None:
-        place = document.place(element)
-        self._elements += 1
-        if depth > DEPTH or self._elements > ELEMENTS:
+    def _element(self, element: Element, parent: str, childclass: str, weight: int) -> None:
+        """Write ``element``, of which MuJoCo makes ``weight``, with what is in it."""
+        place = self._place(element)
+        if element.tag == "replicate":
+            weight *= self._count(element)
+        self._task.elements += weight
+        if self._task.elements > ELEMENTS:
             raise InputError("with what it includes, the file is too large", where=place)
-        attributes = self._attributes(element, document)
-        in_default = parent == "default"
-        if element.tag in _NAMED and parent in ("body", "frame", "worldbody", "equality"):
+        attributes = self._attributes(element)
+        if element.tag in _NAMED and (parent in _BODIES or parent == "equality"):
             tag = "equality" if parent == "equality" else element.tag.removeprefix("free")
-            attributes = {"name": f"{tag}{len(self._handed.places) + 1}"} | attributes
-            self._handed.places[tag, attributes["name"]] = place
-        elif element.tag == "geom" and not in_default and "mesh" in element.attributes:
-            self._meshes += 1
-            attributes |= {"name": f"{MESH}{self._meshes}", "type": "sphere", "size": "1"}
-        elif element.tag == "geom" and in_default and attributes.get("type") in ("mesh", "hfield", "sdf"):
+            attributes = {"name": self._new_name(tag, parent)} | attributes
+            for prefix in self.prefixes:
+                self._task.handed.places[tag, prefix + attributes["name"]] = place
+        elif element.tag == "geom" and parent != "default" and is_mesh(self._classes.of(element, childclass)):
+            attributes |= {"name": f"{MESH}{len(self._task.handed.rules)};", "type": "sphere", "size": "1"}
+            self._task.handed.rules.append(self._rules)
+        elif element.tag == "geom" and attributes.get("type") in ("mesh", "hfield", "sdf"):
             del attributes["type"]
+        elif element.tag == "compiler":
+            self._rules.read(attributes)
+        elif element.tag == "attach":
+            self._attach(attributes, weight)
+        elif element.tag == "model":
+            attributes["file"] = self._model(element)
         written = "".join(f" {name}={quoteattr(value)}" for name, value in attributes.items())
         self._line(f"<{element.tag}{written}>", place)
-        for child, inside in self._children(element, document):
+        childclass = attributes.get("childclass", childclass)
+        for child in element.children:
             if child.tag in _REFUSED:
                 raise InputError(
                     f"{tag_shown(child)} makes bodies in a way that is not read",
-                    where=inside.place(child),
+                    where=self._place(child),
                     expected="<body> for each link",
                     remedy="save the compiled model (mj_saveLastXML) and import that",
                 )
-            if child.tag in _KEPT and not self._is_left_out(child, element.tag):
-                self._element(child, inside, element.tag, depth + 1)
+            if child.tag in _KEPT and not self._is_left_out(child, element.tag, childclass):
+                self._element(child, element.tag, childclass, weight)
             else:
-                what = _WORDS.get(child.tag) or f"{tag_shown(child)} in {tag_shown(element)}"
-                self._leftovers.add(what, child.line, inside.file)
+                tag = "asset" if element.tag == "asset" else child.tag
+                what = _WORDS.get(tag) or f"{tag_shown(child)} in {tag_shown(element)}"
+                self._task.leftovers.add(what, child.line, self._documents[id(child)].file)
         self._line(f"</{element.tag}>", place)
 
-    def _is_left_out(self, child: Element, parent: str) -> bool:
+    def _new_name(self, tag: str, parent: str) -> str:
+        """A name for what has none; replicas have a number more behind it."""
+        self._names += 1
+        return f"{tag}{self._names}{'-' if parent == 'replicate' else ''}"
+
+    def _count(self, replicate: Element) -> int:
+        text = replicate.attributes.get("count", "1")
+        if not _COUNT.fullmatch(text):
+            raise InputError(
+                "the count of <replicate> is no whole number",
+                where=self._place(replicate, "count"),
+                found=shown(text),
+            )
+        return max(int(text), 1)
+
+    def _model(self, model: Element) -> str:
+        """What MuJoCo is to call the file of a ``<model>``, which it attaches by name."""
+        document = self._documents[id(model)]
+        folders = [] if self._folder is None else [self._folder]
+        attached, path = self._task.files.read(model, document, folders)
+        if path in self._files:
+            where = document.place(model, "file")
+            raise InputError("the model attaches itself", where=where, found=shown(model.attributes["file"]))
+        self._task.handed.warnings += attached.warnings
+        self._task.models += 1
+        writer = _Writer(self._task, attached, path, self._files, f"robodyn model {self._task.models}.xml")
+        name = model.attributes.get("name", attached.root.attributes.get("model", ""))
+        self._models.setdefault(name, writer)
+        return writer.file
+
+    def _attach(self, attributes: Mapping[str, str], weight: int) -> None:
+        """Note where a model is attached; one that is not there MuJoCo refuses itself."""
+        writer = self._models.get(attributes.get("model", ""))
+        if writer is not None:
+            writer.weight += weight
+            writer.prefixes += [prefix + attributes.get("prefix", "") for prefix in self.prefixes]
+
+    def _is_left_out(self, child: Element, parent: str, childclass: str) -> bool:
         """Whether an element of a known tag stands where it says nothing of links and joints."""
-        if child.tag == "geom" and "hfield" in child.attributes:
-            return True
+        if child.tag == "geom" and is_height_field(self._classes.of(child, childclass)):
+            return parent != "default"
         if child.tag == "site" and parent != "default":
             return "name" not in child.attributes
         if parent == "actuator":
             return "joint" not in child.attributes
-        return child.tag == "joint" and parent not in ("body", "frame", "default", "equality")
+        if child.tag == "asset":
+            return child.first("model") is None
+        if (child.tag == "model") != (parent == "asset"):
+            return True
+        return child.tag == "joint" and parent not in {*_BODIES, "default", "equality"}
 
-    def _attributes(self, element: Element, document: Document) -> dict[str, str]:
+    def _attributes(self, element: Element) -> dict[str, str]:
         kept = _KEPT[element.tag]
         for name in element.attributes:
             if name not in kept and name not in _SILENT and not (element.tag == "geom" and name == "mesh"):
                 what = f"{shown(name)} of {tag_shown(element)}"
-                self._leftovers.add(what, element.line, document.file)
+                self._task.leftovers.add(what, element.line, self._documents[id(element)].file)
         return {name: value for name, value in element.attributes.items() if name in kept}
-
-    def _children(self, element: Element, document: Document) -> Iterator[tuple[Element, Document]]:
-        """The children, those of included files in the place of their ``<include>``."""
-        for child in element.children:
-            if child.tag == "include":
-                included = self._read(child, document)
-                yield from self._children(included.root, included)
-            else:
-                yield child, document
-
-    def _read(self, include: Element, document: Document) -> Document:
-        where = document.place(include, "file")
-        name = include.attributes.get("file", "")
-        if self._folder is None:
-            raise InputError("a text that is no file cannot include others", where=where, found=shown(name))
-        try:
-            path = (self._folder / name).resolve()
-        except (OSError, ValueError, RuntimeError):
-            path = self._folder
-        if not path.is_relative_to(self._folder) or path == self._folder:
-            raise InputError(
-                "the file that is included is outside of the folder",
-                where=where,
-                found=shown(name),
-                expected="a file beside this one, or below it",
-                remedy="copy it there",
-            )
-        if path in self._included or len(self._included) > FILES_INCLUDED:
-            raise InputError(
-                "the file is included twice" if path in self._included else "too many files are included",
-                where=where,
-                found=shown(name),
-            )
-        self._included.add(path)
-        if not path.is_file():
-            raise InputError("the file that is included is not there", where=where, found=shown(name))
-        return read(str(path), "MJCF", label(path.relative_to(self._folder)))

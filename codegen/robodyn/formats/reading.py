@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import replace
@@ -31,7 +31,8 @@ def xacro_arguments(arguments: Mapping[str, str]) -> Iterator[None]:
 
 
 def read_tree(path: str | os.PathLike[str], arguments: Mapping[str, str] | None = None) -> Tree:
-    """The tree in the file at ``path``; ``arguments`` are those of a xacro file.
+    """The tree in the file at ``path``; ``arguments`` are those of a xacro file, and of an MJCF file folders
+    that it may read (``find NAME``).
 
     What is in a file is told from its root element, but for xacro, whose name ends in ``.xacro``.
 
@@ -42,19 +43,25 @@ def read_tree(path: str | os.PathLike[str], arguments: Mapping[str, str] | None 
     """
     file = Path(path)
     name = label(path)
+    stated = {**_STATED.get({}), **(arguments or {})}
     if name.lower().endswith(".xacro"):
         from robodyn.formats.xacro import expanded
 
-        document = expanded(file, {**_STATED.get({}), **(arguments or {})})
+        document = expanded(file, stated)
     else:
-        if arguments:
-            raise InputError("arguments are for xacro files", found=name, remedy="leave --arg out")
         document = elements.read(os.fspath(path), _EXPECTED, name)
-    tree = _by_root(document, file)
+        if arguments and (document.root.tag != "mujoco" or len(_folders(arguments)) < len(arguments)):
+            raise InputError("arguments are for xacro files", found=name, remedy="leave --arg out")
+    tree = _by_root(document, file, _folders(stated))
     return replace(tree, file=name, warnings=(*document.warnings, *tree.warnings))
 
 
-def _by_root(document: Document, path: Path) -> Tree:
+def _folders(arguments: Mapping[str, str]) -> list[str]:
+    """The folders that arguments ``find NAME`` state."""
+    return [folder for name, folder in arguments.items() if name.split(None, 1)[:1] == ["find"]]
+
+
+def _by_root(document: Document, path: Path, folders: Sequence[str]) -> Tree:
     tag = document.root.tag
     if tag == "robot":
         from robodyn.formats.urdf import read_tree
@@ -63,7 +70,7 @@ def _by_root(document: Document, path: Path) -> Tree:
     elif tag == "mujoco":
         from robodyn.formats import mjcf
 
-        return mjcf.read_tree(document, path)
+        return mjcf.read_tree(document, path, folders)
     else:
         raise InputError(
             "the format is unknown",

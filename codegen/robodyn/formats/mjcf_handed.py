@@ -1,0 +1,64 @@
+"""What MuJoCo is given of an MJCF file, and what of it stands where in the files."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Final
+
+from robodyn.errors import Place
+
+MESH: Final = "robodyn mesh "
+"""Begins the name of a geom that was a mesh: a ball stands for it and is deleted before the model is made."""
+_MESH_NUMBER: Final = re.compile(f"{MESH}(\\d+);")
+
+
+@dataclass(slots=True)
+class InertiaRules:
+    """What a model's ``<compiler>`` says of bodies that have both an inertia and shapes."""
+
+    always_from_shapes: bool = False
+    groups: tuple[int, int] = (0, 5)
+
+    def read(self, compiler: Mapping[str, str]) -> None:
+        """Take over what the attributes of a ``<compiler>`` say; what is wrong with them MuJoCo tells."""
+        if "inertiafromgeom" in compiler:
+            self.always_from_shapes = compiler["inertiafromgeom"] == "true"
+        if groups := re.findall(r"[+-]?\d+", compiler.get("inertiagrouprange", "")):
+            self.groups = (int(groups[0]), int(groups[-1]))
+
+
+@dataclass(slots=True)
+class Handed:
+    """The text for MuJoCo, a line an element, and the place in the files of each of its lines.
+
+    ``models``: texts of the models that it attaches, by the name of the file that it has for them; their
+    lines are counted on from those of the text before. ``places``: those of bodies, joints and equalities by
+    tag and name. What has no name has one here. ``rules``: of the meshes, by their numbers. ``warnings``: of
+    files that are included.
+    """
+
+    text: str = ""
+    models: dict[str, str] = field(default_factory=dict)
+    lines: list[Place] = field(default_factory=list)
+    places: dict[tuple[str, str], Place] = field(default_factory=dict)
+    rules: list[InertiaRules] = field(default_factory=list)
+    warnings: list[tuple[Place, str]] = field(default_factory=list)
+
+    def place(self, message: str, file: str) -> Place:
+        """The place that a message of MuJoCo means by ``line 12``; the file if it names none."""
+        hit = re.search(r"line (\d{1,9})", message)
+        if hit and 0 < int(hit.group(1)) <= len(self.lines):
+            return self.lines[int(hit.group(1)) - 1]
+        return Place(file)
+
+    def place_of(self, tag: str, name: str, file: str) -> Place:
+        """The place of what has that name; a replica has the name of what it repeats, and more behind it."""
+        ends = (name[:length] for length in range(len(name), 0, -1))
+        return next((self.places[tag, end] for end in ends if (tag, end) in self.places), Place(file))
+
+    def rules_of(self, geom: str) -> InertiaRules | None:
+        """Those of a geom that stands for a mesh; None for any other."""
+        hit = _MESH_NUMBER.search(geom)
+        return self.rules[int(hit.group(1))] if hit else None

@@ -1,0 +1,223 @@
+"""MJCF that is put together: default classes, replicas, models that are attached, files that are included.
+
+MuJoCo reads the same files, meshes too; torques, mass matrices and tips must be those that it computes.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from robodyn.formats.reading import read_tree
+from robodyn.formats.serial import serial_chain
+from robodyn.formats.tree import MOVING
+from robodyn_testing import require_module
+from robodyn_testing.mjcf_arms import ATTACHED, GRIPPER, HAND, IN_CLASS, MESH, SHAPE, SOLID, arm, write
+from robodyn_testing.mujoco_chains import check_chain
+
+
+@pytest.fixture(autouse=True)
+def mujoco() -> Any:
+    return require_module("mujoco")
+
+
+#: Files of which the first is read; its chain ends in the body ``b`` unless something else is said.
+READ: dict[str, tuple[dict[str, str], str]] = {
+    "mesh in a class": ({"arm.xml": arm('<geom class="f"/>', MESH + IN_CLASS % "")}, "b"),
+    "class in a class": (
+        {
+            "arm.xml": arm(
+                '<geom class="g"/>', MESH + IN_CLASS % '<default class="g"><geom rgba="1 0 0 1"/></default>'
+            )
+        },
+        "b",
+    ),
+    "another shape than the class's": (
+        {
+            "arm.xml": arm(
+                '<geom class="f" type="capsule" size="0.1 0.2" pos="0.1 0 0.2"/>'
+                '<geom class="f" mesh="m" density="0"/>',
+                MESH + '<default><default class="f"><geom type="mesh" density="500"/></default></default>',
+                solid="",
+            )
+        },
+        "b",
+    ),
+    "childclass of a frame": (
+        {
+            "arm.xml": arm(
+                f'<frame childclass="f" pos="0.1 0 0.2" euler="10 20 30"><geom/><body name="c">{SOLID}<geom/>'
+                '<geom class="main" type="sphere" size="0.1" mass="2"/></body></frame>',
+                MESH + IN_CLASS % "",
+            )
+        },
+        "b",
+    ),
+    "main class": (
+        {"arm.xml": arm("<geom/>", MESH + '<default><geom type="mesh" mesh="m" density="0"/></default>')},
+        "b",
+    ),
+    "default sections": (
+        {
+            "arm.xml": arm(
+                '<geom class="f" size="0.1 0.2 0.3" density="9"/>',
+                '<default><default class="f"><geom type="box"/></default></default>'
+                '<default><geom type="mesh"/></default>',
+                solid="",
+            )
+        },
+        "b",
+    ),
+    "inactive by default": (
+        {
+            "arm.xml": arm(
+                "",
+                '<default><equality active="false"/></default>',
+                '<equality><joint joint1="i" joint2="j" polycoef="0.4 1 0 0 0"/><weld body1="b"/></equality>',
+            )
+        },
+        "b",
+    ),
+    "inactive by a class or itself": (
+        {
+            "arm.xml": arm(
+                "",
+                '<default><default class="off"><equality active="false"/></default></default>',
+                '<equality><joint class="off" joint1="i" joint2="j"/>'
+                '<connect active="false" body1="b" anchor="0 0 0"/></equality>',
+            )
+        },
+        "b",
+    ),
+    "replicas of sites": (
+        {"arm.xml": arm('<replicate count="3" euler="0 0 20"><site name="s" pos="0.1 0 0"/></replicate>')},
+        "b",
+    ),
+    "replicas of shapes": (
+        {
+            "arm.xml": arm(
+                f'<replicate count="4" offset="0.1 0 0" euler="10 0 20">{SHAPE}</replicate>', solid=""
+            )
+        },
+        "b",
+    ),
+    "replicas of replicas": (
+        {
+            "arm.xml": arm(
+                '<replicate count="3" sep="-" offset="0 0.1 0" euler="0 0 50">'
+                '<replicate count="11" offset="0 0 0.02"><body pos="0.2 0 0">'
+                f'{SOLID}{SHAPE}<site name="s"/></body></replicate>'
+                f'<frame pos="1 0 0">{SHAPE}</frame></replicate>'
+            )
+        },
+        "b",
+    ),
+    "replicas with joints beside the chain": (
+        {
+            "arm.xml": arm(
+                '<replicate count="12" euler="0 0 30"><body name="f" pos="0.2 0 0">'
+                f'<joint name="k"/>{SOLID}</body></replicate>'
+            )
+        },
+        "b",
+    ),
+    "frames": (
+        {
+            "arm.xml": arm(
+                f'<frame pos="1 2 3" euler="10 20 30"><frame euler="0 0 9">{SHAPE}</frame></frame>', solid=""
+            )
+        },
+        "b",
+    ),
+    "attached": (
+        {
+            "arm.xml": arm(
+                '<frame pos="0 0 1" euler="9 0 0"><attach model="g" body="palm" prefix="p/"/></frame>',
+                ATTACHED % "gripper.xml",
+            ),
+            "gripper.xml": GRIPPER,
+        },
+        "p/finger",
+    ),
+    "attached whole, by the model's name": (
+        {
+            "arm.xml": arm(
+                '<attach model="gripper" prefix="p_"/>', '<asset><model file="parts/gripper.xml"/></asset>'
+            ),
+            "parts/gripper.xml": GRIPPER,
+        },
+        "p_finger",
+    ),
+    "attached twice, in replicas": (
+        {
+            "arm.xml": arm(
+                '<attach model="g" body="palm" prefix="l_"/><replicate count="2" offset="0.1 0 0">'
+                '<attach model="g" body="palm" prefix="r_"/></replicate>',
+                ATTACHED % "gripper.xml",
+            ),
+            "gripper.xml": GRIPPER,
+        },
+        "l_finger",
+    ),
+    "attached in what is attached": (
+        {
+            "arm.xml": arm('<attach model="g" body="wrist" prefix="out_"/>', ATTACHED % "parts/hand.xml"),
+            "parts/hand.xml": HAND,
+            "parts/gripper.xml": GRIPPER,
+        },
+        "out_in_finger",
+    ),
+    "attached, its inertia from shapes": (
+        {
+            "arm.xml": arm('<attach model="g" body="palm" prefix="p_"/>', ATTACHED % "gripper.xml"),
+            "gripper.xml": GRIPPER.replace("<compiler ", '<compiler inertiafromgeom="true" ').replace(
+                "<geom mass", f'{SHAPE}<geom mass'
+            ).replace(f"{SOLID}</body></body>", f"{SOLID}{SHAPE}</body></body>"),
+        },
+        "p_finger",
+    ),
+    "included beside the file that includes": (
+        {
+            "arm.xml": arm('<include file="parts/a.xml"/>'),
+            "parts/a.xml": '<mujocoinclude><include file="b.xml"/></mujocoinclude>',
+            "parts/b.xml": f'<mujocoinclude><body name="in_parts">{SOLID}{SHAPE}</body></mujocoinclude>',
+        },
+        "b",
+    ),
+    "included beside the first file": (
+        {
+            "arm.xml": arm('<include file="parts/a.xml"/>'),
+            "parts/a.xml": '<mujocoinclude><include file="b.xml"/></mujocoinclude>',
+            "parts/b.xml": "<mujocoinclude/>",
+            "b.xml": f'<mujocoinclude><body name="beside">{SOLID}{SHAPE}</body></mujocoinclude>',
+        },
+        "b",
+    ),
+    "classes of an included file": (
+        {
+            "arm.xml": arm('<geom class="f"/>', MESH + '<include file="classes.xml"/>'),
+            "classes.xml": f"<mujocoinclude>{IN_CLASS % ''}</mujocoinclude>",
+        },
+        "b",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", READ)
+def test_the_arm_is_what_mujoco_makes_of_the_files(case: str, tmp_path: Path, mujoco: Any) -> None:
+    files, tip = READ[case]
+    path = write(tmp_path, files)
+    model = mujoco.MjModel.from_xml_path(str(path))
+    tree = read_tree(path)
+    assert {link.name for link in tree.links} >= {model.body(i).name for i in range(model.nbody)} - {""}
+    assert {joint.name for joint in tree.joints} >= {model.joint(i).name for i in range(model.njnt)}
+    assert all(link.where.line for link in tree.links if link.name != "world")
+    serial = serial_chain(tree, "arm", tip=tip)
+    assert not [remark for remark in serial.remarks if "without inertia" in remark]
+    chain = {joint.name for joint in serial.chain.joints}
+    beside = [joint.name for joint in tree.joints if joint.kind in MOVING and joint.name not in chain]
+    check_chain(mujoco, model, serial, tip, dict.fromkeys(beside, 0.0))
+    dampings = [float(model.dof_damping[model.joint(joint.name).dofadr[0]]) for joint in serial.chain.joints]
+    assert [joint.viscous for joint in serial.chain.joints] == dampings
