@@ -131,7 +131,7 @@ def _model(robot: Robot, spec: str) -> Robot:
     strange = [name for name in model.parameters if name not in robot.parameters]
     if model.n != robot.n or strange:
         raise InputError(
-            f"--model does not fit {robot.name}",
+            f"--controller-model does not fit {robot.name}",
             found=f"{model.n} joints, run-time parameters {', '.join(model.parameters) or 'none'}",
             expected=f"{robot.n} joints, run-time parameters among {', '.join(robot.parameters) or 'none'}",
         )

@@ -21,7 +21,8 @@ from robodyn_cli.common import (
     talk,
     write_file,
 )
-from robodyn_cli.values import Argument, Parameter, Point, unique
+from robodyn_cli.file_options import file_options
+from robodyn_cli.values import Parameter, Point, unique
 
 if TYPE_CHECKING:
     from robodyn.formats.arm import Imported
@@ -38,14 +39,7 @@ if TYPE_CHECKING:
     metavar="JOINT=VALUE",
     help="Fix a joint at a position (rad or m); may be repeated.",
 )
-@click.option(
-    "--arg",
-    type=Argument(),
-    multiple=True,
-    metavar="NAME=VALUE",
-    help="Set an argument of a xacro file, or ('find NAME') a folder that it or an MJCF file may read; "
-    "may be repeated.",
-)
+@file_options
 @click.option(
     "--snap",
     type=click.FloatRange(0, 0.01),
@@ -70,6 +64,7 @@ def command(
     tip: str,
     lock: Sequence[tuple[str, float]],
     arg: Sequence[tuple[str, str]],
+    file_model: str,
     snap: float,
     gravity: tuple[float, float, float] | None,
     name: str,
@@ -102,6 +97,7 @@ def command(
         "locks": unique(lock, "--lock"),
         "name": name,
         "arguments": unique(arg, "--arg"),
+        "model": file_model,
         "gravity": gravity,
         "strict": strict,
     }

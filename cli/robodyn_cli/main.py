@@ -103,9 +103,9 @@ class LazyGroup(click.Group):
 
         if all(parameter.type is not ROBOTS for parameter in command.params):
             return command
-        from robodyn_cli.xacro_arguments import with_xacro_arguments
+        from robodyn_cli.file_options import with_file_options
 
-        return with_xacro_arguments(command)
+        return with_file_options(command)
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]

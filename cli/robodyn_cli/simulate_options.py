@@ -168,7 +168,7 @@ def simulation_options(command: Command) -> Command:
                help="Position gain, one value or one per joint.  [default: from the inertia]"),
         option("--kd", type=SIZES, metavar="K",
                help="Velocity gain, one value or one per joint.  [default: from the inertia]"),
-        option("--model", type=ROBOTS, metavar="ROBOT",
+        option("--controller-model", "model", type=ROBOTS, metavar="ROBOT",
                help="Model used by the controller.  [default: the robot itself]"),
         option("--control-rate", type=POSITIVE, metavar="HZ",
                help="Sample rate of the controller.  [default: 1000]"),

@@ -119,7 +119,7 @@ def test_a_controller_leads_the_joint_where_it_should_go(
 def test_a_controller_that_takes_the_robot_for_another(capsys: Capture) -> None:
     """Twice the mass in the model, twice the way in the open loop."""
     Path("heavy.yaml").write_text(SLIDE.replace("name: slide", "name: heavy").replace("mass: m", "mass: 4"))
-    common = "slide.yaml --to 0.2 --param m=2 --model heavy.yaml"
+    common = "slide.yaml --to 0.2 --param m=2 --controller-model heavy.yaml"
     simulate(capsys, f"{common} --controller feedforward")
     assert read_log("slide.csv").q[-1, 0] == pytest.approx(0.4, abs=2e-3)
     for controller in ("pd", "computed-torque"):

@@ -64,8 +64,14 @@ MOTION = "--to 0.1 --param m=2"
             f"slide.yaml {MOTION} --duration 1e6 --rate 1 --control-rate 1 --solver rk4 --step 1e-9",
             "too long",
         ),
-        (f"slide.yaml {MOTION} --model stanford_3dof", "--model does not fit slide; found 3 joints"),
-        ("weak.yaml --to 0.1 --model slide.yaml", "run-time parameters m; expected 1 joints, run-time"),
+        (
+            f"slide.yaml {MOTION} --controller-model stanford_3dof",
+            "--controller-model does not fit slide; found 3 joints",
+        ),
+        (
+            "weak.yaml --to 0.1 --controller-model slide.yaml",
+            "run-time parameters m; expected 1 joints, run-time",
+        ),
         (
             "soft.yaml --param k=0 --param d=1",
             "stiffness is not positive; found 0 N m/rad with k = 0",
@@ -74,7 +80,8 @@ MOTION = "--to 0.1 --param m=2"
             "soft.yaml --param k=1 --param d=-1",
             "damping is negative; found -1 N m s/rad with d = -1",
         ),
-        (f"slide.yaml {MOTION} --model nobody", "nobody: there is neither"),
+        (f"slide.yaml {MOTION} --model slide.yaml", "(the controller's model is --controller-model ROBOT)"),
+        (f"slide.yaml {MOTION} --controller-model nobody", "nobody: there is neither"),
         (f"slide.yaml {MOTION} --seed -1", "'--seed'"),
         (f"slide.yaml {MOTION} -o log.txt", "found log.txt; expected one of .csv"),
         (f"slide.yaml {MOTION} -o slide.yaml/a.csv", "cannot write slide.yaml/a.csv"),

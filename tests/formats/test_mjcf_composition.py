@@ -178,6 +178,19 @@ READ: dict[str, tuple[dict[str, str], str]] = {
         },
         "p_finger",
     ),
+    "meshes in replicas and in what is attached": (
+        {
+            "arm.xml": arm(
+                '<replicate count="2" euler="0 0 9"><geom class="f"/>'
+                '<attach model="g" prefix="p_"/></replicate>',
+                MESH + IN_CLASS % "" + ATTACHED % "gripper.xml",
+            ),
+            "gripper.xml": GRIPPER.replace("<compiler", f"{MESH}<compiler").replace(
+                "<geom mass", '<geom type="mesh" mesh="m" density="0"/><geom mass'
+            ),
+        },
+        "p_finger0",
+    ),
     "included beside the file that includes": (
         {
             "arm.xml": arm('<include file="parts/a.xml"/>'),

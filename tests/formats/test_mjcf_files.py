@@ -9,7 +9,7 @@ import pytest
 
 from robodyn.errors import InputError
 from robodyn.formats.arm import import_arm
-from robodyn.formats.reading import read_tree, xacro_arguments
+from robodyn.formats.reading import how_files_are_read, read_tree
 from robodyn.formats.serial import serial_chain
 from robodyn_cli.main import main
 from robodyn_testing import require_module
@@ -126,7 +126,10 @@ def test_a_folder_that_is_stated_may_be_read(
         read_tree(path)
     serial = serial_chain(read_tree(path, {"find parts": str(tmp_path / "parts")}), "arm")
     check_chain(mujoco, mujoco.MjModel.from_xml_path(str(path)), serial, "p_finger", {})
-    with xacro_arguments({"find parts": str(tmp_path / "other")}), pytest.raises(InputError, match="outside"):
+    with (
+        how_files_are_read({"find parts": str(tmp_path / "other")}),
+        pytest.raises(InputError, match="outside"),
+    ):
         read_tree(path)
     monkeypatch.chdir(tmp_path / "scenes")
     assert main(["flops", "arm.xml", "--arg", "find parts=../parts"]) == 0

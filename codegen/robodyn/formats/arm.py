@@ -47,6 +47,7 @@ def import_arm(
     snap: float = 0.0,
     name: str = "",
     arguments: Mapping[str, str] | None = None,
+    model: str = "",
     gravity: Vector | None = None,
     strict: bool = False,
 ) -> Imported:
@@ -54,15 +55,15 @@ def import_arm(
 
     ``locks``: positions [rad or m] of joints that do not move; ``snap``: angles of axes within it [rad] of a
     multiple of pi/2 become it; ``name``: of the robot, by default the file's; ``arguments``: those of a xacro
-    file; ``gravity`` [m/s^2], in the root's frame, takes the place of the file's, which a URDF does not have.
-    ``strict`` refuses inertias that no body has.
+    file; ``model``: the one that is read of an SDF file; ``gravity`` [m/s^2], in the root's frame, takes the
+    place of the file's, which a URDF does not have. ``strict`` refuses inertias that no body has.
 
     Raises
     ------
     InputError: the file cannot be read, or no serial chain can be taken out of it; with the place.
     ToolError: the package that reads the format is not installed.
     """
-    tree = read_tree(path, arguments)
+    tree = read_tree(path, arguments, model)
     if gravity is not None:
         tree = replace(tree, gravity=gravity)
     serial = serial_chain(tree, robot_name(tree, name), base, tip, locks)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from typing import Final
 
+from robodyn.files import label
 from robodyn.robot import bundled
 from robodyn.robot.model import Robot
 from robodyn.robot.reader import Warn, doubtful
@@ -13,13 +14,15 @@ from robodyn.robot.reader import Warn, doubtful
 SUFFIXES: Final = (".urdf", ".xacro", ".xml", ".mjcf", ".sdf")
 
 
-def load(spec: str | os.PathLike[str], *, strict: bool = False, warn: Warn | None = None) -> Robot:
+def load(
+    spec: str | os.PathLike[str], *, model: str = "", strict: bool = False, warn: Warn | None = None
+) -> Robot:
     """The robot in the file ``spec``, or the bundled robot of that name.
 
     A file whose name ends in .urdf, .xml, .mjcf, .sdf or .xacro is imported (:mod:`robodyn.formats.arm`): it
-    must have one tip. Physically doubtful numbers, what was decided in importing, and what the file's format
-    does not allow are told to ``warn``, one line of text each (by default they become a warning); ``strict``
-    refuses doubtful numbers.
+    must have one tip; ``model`` is the one that is read of an SDF file with several. Physically doubtful
+    numbers, what was decided in importing, and what the file's format does not allow are told to ``warn``,
+    one line of text each (by default they become a warning); ``strict`` refuses doubtful numbers.
 
     Raises
     ------
@@ -27,10 +30,14 @@ def load(spec: str | os.PathLike[str], *, strict: bool = False, warn: Warn | Non
     ToolError: the package that reads the format is not installed.
     """
     if not _is_foreign(spec):
+        if model:
+            from robodyn.formats.reading import no_model_to_choose
+
+            raise no_model_to_choose(label(spec))
         return bundled.load(spec, strict=strict, warn=warn)
     from robodyn.formats.arm import import_arm
 
-    imported = import_arm(spec, strict=strict)
+    imported = import_arm(spec, model=model, strict=strict)
     tell = warn or doubtful
     for remark in imported.remarks:
         tell(f"{imported.file}: {remark}")

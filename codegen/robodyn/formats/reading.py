@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Final
 
@@ -17,22 +17,47 @@ from robodyn.formats.elements import Document, tag_shown
 from robodyn.formats.tree import Tree
 
 _EXPECTED: Final = "URDF, MJCF, SDF or xacro"
-_STATED: Final[ContextVar[Mapping[str, str]]] = ContextVar("xacro_arguments")
+
+
+@dataclass(frozen=True, slots=True)
+class _Reading:
+    """What the command line says of how files are read: arguments of xacro files, a model of SDF files."""
+
+    arguments: Mapping[str, str] = field(default_factory=dict)
+    model: str = ""
+
+
+_READING: Final[ContextVar[_Reading]] = ContextVar("reading")
 
 
 @contextmanager
-def xacro_arguments(arguments: Mapping[str, str]) -> Iterator[None]:
-    """A context in which ``arguments`` are those of every xacro file that is read, by whatever reads it."""
-    token = _STATED.set(arguments)
+def how_files_are_read(arguments: Mapping[str, str], model: str = "") -> Iterator[None]:
+    """A context in which ``arguments`` are those of every xacro file, and ``model`` is the one of every SDF
+    file that is read, by whatever reads it; files in other formats are read as ever."""
+    token = _READING.set(_Reading(arguments, model))
     try:
         yield
     finally:
-        _STATED.reset(token)
+        _READING.reset(token)
 
 
-def read_tree(path: str | os.PathLike[str], arguments: Mapping[str, str] | None = None) -> Tree:
+def is_sdf(path: str) -> bool:
+    """Whether the file at ``path``, if it is one, is SDF; one that cannot be read is, so that its reader says
+    what is wrong with it."""
+    ending = Path(path).suffix.lower()
+    if ending != ".xml" or not Path(path).exists():
+        return ending == ".sdf"
+    try:
+        return elements.read(path, _EXPECTED, label(path)).root.tag == "sdf"
+    except InputError:
+        return True
+
+
+def read_tree(
+    path: str | os.PathLike[str], arguments: Mapping[str, str] | None = None, model: str = ""
+) -> Tree:
     """The tree in the file at ``path``; ``arguments`` are those of a xacro file, and of an MJCF file folders
-    that it may read (``find NAME``).
+    that it may read (``find NAME``); ``model`` is the one of an SDF file that has several.
 
     What is in a file is told from its root element, but for xacro, whose name ends in ``.xacro``.
 
@@ -43,7 +68,8 @@ def read_tree(path: str | os.PathLike[str], arguments: Mapping[str, str] | None 
     """
     file = Path(path)
     name = label(path)
-    stated = {**_STATED.get({}), **(arguments or {})}
+    context = _READING.get(_Reading())
+    stated = {**context.arguments, **(arguments or {})}
     if name.lower().endswith(".xacro"):
         from robodyn.formats.xacro import expanded
 
@@ -52,7 +78,9 @@ def read_tree(path: str | os.PathLike[str], arguments: Mapping[str, str] | None 
         document = elements.read(os.fspath(path), _EXPECTED, name)
         if arguments and (document.root.tag != "mujoco" or len(_folders(arguments)) < len(arguments)):
             raise InputError("arguments are for xacro files", found=name, remedy="leave --arg out")
-    tree = _by_root(document, file, _folders(stated))
+    if model and document.root.tag != "sdf":
+        raise no_model_to_choose(name)
+    tree = _by_root(document, file, _folders(stated), model or context.model)
     return replace(tree, file=name, warnings=(*document.warnings, *tree.warnings))
 
 
@@ -61,12 +89,19 @@ def _folders(arguments: Mapping[str, str]) -> list[str]:
     return [folder for name, folder in arguments.items() if name.split(None, 1)[:1] == ["find"]]
 
 
-def _by_root(document: Document, path: Path, folders: Sequence[str]) -> Tree:
+def no_model_to_choose(name: str) -> InputError:
+    """The error that a model is chosen in the file or robot of that ``name``, which is no SDF."""
+    return InputError("a model is chosen in SDF files", found=name, remedy="leave --model out")
+
+
+def _by_root(document: Document, path: Path, folders: Sequence[str], model: str) -> Tree:
     tag = document.root.tag
     if tag == "robot":
         from robodyn.formats.urdf import read_tree
     elif tag == "sdf":
-        from robodyn.formats.sdf import read_tree
+        from robodyn.formats import sdf
+
+        return sdf.read_tree(document, model)
     elif tag == "mujoco":
         from robodyn.formats import mjcf
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass, field, replace
 from typing import Final
 
 from robodyn.formats.chain import Body, Pose, Spring, Vector, transposed, turned
@@ -9,7 +10,8 @@ from robodyn.formats.elements import Document, Element, tag_shown
 from robodyn.formats.limits import GREATEST
 from robodyn.formats.quantities import Quantities, body_of, negative, used, what_of
 from robodyn.formats.rigid import composed, tidy
-from robodyn.formats.sdf_frames import MODEL, WORLD, Frames
+from robodyn.formats.sdf_frames import INSIDE, MODEL, WORLD, Frames, Scope
+from robodyn.formats.sdf_models import ChosenModel, choose_model
 from robodyn.formats.tree import (
     JointLimits,
     Kind,
@@ -19,7 +21,6 @@ from robodyn.formats.tree import (
     TreeJoint,
     TreeLink,
     checked,
-    names,
 )
 from robodyn.robot.names import shown
 
@@ -36,7 +37,7 @@ _KINDS: Final[dict[str, Kind]] = {
 }
 _POSE: Final = used("relative_to degrees rotation_format")
 _USED: Final = {
-    "model": used("name", "link joint frame pose static"),
+    "model": used("name placement_frame canonical_link", "link joint frame model pose static"),
     "link": used("name", "inertial pose"),
     "inertial": used("", "pose mass inertia"),
     "inertia": used("", "ixx iyy izz ixy ixz iyz"),
@@ -62,37 +63,39 @@ _WORDS: Final = {
 }
 
 
-def read_tree(document: Document) -> Tree:
-    """The tree of a document whose root is ``<sdf>`` and that has one model. The world is its root.
+def read_tree(document: Document, model: str = "") -> Tree:
+    """The tree of a document whose root is ``<sdf>``: that of the model ``model``, by default the only one.
+
+    Of several models it is by default the only one that has joints that move. The world is the tree's root.
+    What is in a model in the model is called ``MODEL::NAME``, as the format calls it.
 
     Raises
     ------
-    InputError: something is missing, is no number, stands there twice, or names what is not there; there are
-        several models, or one in another.
+    InputError: something is missing, is no number, stands there twice, or names what is not there; or which
+        model is meant is not clear.
     """
     leftovers = Leftovers(document.file)
     reader = _Reader(document, leftovers)
-    root = document.root
-    worlds = list(root.all("world"))
+    chosen = choose_model(reader, document.root, model)
     gravity: Vector = (0.0, 0.0, -9.81)
-    if worlds:
-        stated = reader.one(worlds[0], "gravity", "the world")
+    if chosen.around.tag == "world":
+        stated = reader.one(chosen.around, "gravity", "the world")
         gravity = (0.0, 0.0, -9.8) if stated is None else reader.three(stated, "the gravity")
-    models = [model for part in (root, *worlds) for model in part.all("model")]
-    if len(models) != 1:
-        several = names((model.attributes.get("name", "?") for model in models), 10)
-        raise reader.fail(
-            models[1] if models else root,
-            "the file has several models" if models else "the file has no model",
-            found=several or None,
-            expected="one <model>",
-        )
-    read = {"world", "model", "gravity"}
-    for part in (root, *worlds):
+    read = {"world", "model", "gravity", "frame"}
+    for part in (document.root, *document.root.all("world")):
         for child in part.children:
             if child.tag not in read:
                 leftovers.add(what_of(child, part, _WORDS), child.line)
-    return checked(reader.model(models[0], gravity))
+    return checked(replace(reader.tree(chosen, gravity), remarks=chosen.remarks))
+
+
+@dataclass(slots=True)
+class _Parts:
+    """What was read of a model and the models in it; ``static``: whether the model of a link is."""
+
+    links: list[TreeLink] = field(default_factory=list)
+    joints: list[TreeJoint] = field(default_factory=list)
+    static: dict[str, bool] = field(default_factory=dict)
 
 
 class _Reader(Quantities):
@@ -102,59 +105,69 @@ class _Reader(Quantities):
             self.note_unused(child, _USED, _WORDS)
         return child
 
-    def model(self, model: Element, gravity: Vector) -> Tree:
-        name = self.name(model, "the model")
-        self.note_unused(model, _USED, _WORDS)
-        for inner in model.children:
-            if inner.tag in ("model", "include"):
-                raise self.fail(
-                    inner, f"{tag_shown(inner)} in a model is not read", expected="<link> and <joint>"
-                )
-        frames = Frames(self, model)
-        old = self._version() < (1, 5)
-        links = [self.link(element, frames) for element in model.all("link")]
-        joints = [self.joint(element, frames, old) for element in model.all("joint")]
-        at = frames.stated(model, "the model")
-        static = (child := model.first("static")) is not None and child.text in ("1", "true")
-        hung = {joint.child for joint in joints}
-        for element in model.all("frame"):
-            self._attach(element, frames, links, joints)
-        for element in model.all("link"):
-            link = element.attributes["name"]
-            if link not in hung:
-                joints.append(
+    def tree(self, chosen: ChosenModel, gravity: Vector) -> Tree:
+        frames = Frames(self, chosen.around, chosen.name)
+        parts = _Parts()
+        self.model(chosen.model, Scope(frames, chosen.name + INSIDE), parts)
+        hung = {joint.child for joint in parts.joints}
+        for link in parts.links:
+            if link.name not in hung:
+                static = parts.static[link.name]
+                parts.joints.append(
                     TreeJoint(
-                        f"{link} ({'static' if static else 'free'})",
+                        f"{link.name} ({'static' if static else 'free'})",
                         "fixed" if static else "floating",
                         WORLD,
-                        link,
-                        self.place(element),
-                        frames.pose(link, element),
+                        link.name,
+                        link.where,
+                        frames.pose_in_root(link.name, chosen.model),
                     )
                 )
-        joints = [self._in_world(joint, at) for joint in joints]
-        world = TreeLink(WORLD, self.place(model))
+        at = frames.root_in_world(chosen.model)
+        joints = [self._in_world(joint, at) for joint in parts.joints]
+        world = TreeLink(WORLD, self.place(chosen.model))
+        name = self.name(chosen.model, "the model")
+        links = (world, *parts.links)
         unused = self.leftovers.unused()
-        return Tree(name, "SDF", self.document.file, (world, *links), tuple(joints), gravity, unused=unused)
+        return Tree(name, "SDF", self.document.file, links, tuple(joints), gravity, unused=unused)
 
-    def _attach(
-        self, element: Element, frames: Frames, links: list[TreeLink], joints: list[TreeJoint]
-    ) -> None:
+    def model(self, model: Element, frames: Scope, parts: _Parts, static: bool = False) -> None:
+        """Add what is in a model, and in the models in it, to ``parts``."""
+        self.name(model, "the model")
+        self.note_unused(model, _USED, _WORDS)
+        for inner in model.all("include"):
+            raise self.fail(
+                inner,
+                f"{tag_shown(inner)} in a model is not read",
+                expected="<link>, <joint> and <model>",
+                remedy="put the model itself in its place (gz sdf -p FILE)",
+            )
+        old = self._version() < (1, 5)
+        static = static or ((flag := model.first("static")) is not None and flag.text in ("1", "true"))
+        for element in model.all("link"):
+            parts.links.append(self.link(element, frames))
+            parts.static[parts.links[-1].name] = static
+        parts.joints += [self.joint(element, frames, old) for element in model.all("joint")]
+        for element in model.all("frame"):
+            self._attach(element, frames, parts)
+        for element in model.all("model"):
+            name = self.name(element, "a model")
+            frames.pose(name, element)
+            self.model(element, frames.inside(name), parts, static)
+
+    def _attach(self, element: Element, frames: Scope, parts: _Parts) -> None:
         """A frame on a link as a link without body that is fixed to it, so that it can be the tip."""
         name = self.name(element, "a frame")
         self.note_unused(element, _USED, _WORDS)
-        if frames.is_on_model(name):
-            return
         link, where = frames.link(name, element), self.place(element)
-        pose = tidy(composed(frames.pose(link, element).inverse(), frames.pose(name, element)))
-        links.append(TreeLink(name, where))
-        joints.append(TreeJoint(f"{name} (frame)", "fixed", link, name, where, pose))
+        pose = tidy(composed(frames.pose_of(link, element).inverse(), frames.pose(name, element)))
+        name = frames.name(name)
+        parts.links.append(TreeLink(name, where))
+        parts.joints.append(TreeJoint(f"{name} (frame)", "fixed", link, name, where, pose))
 
     @staticmethod
     def _in_world(joint: TreeJoint, at: Pose) -> TreeJoint:
         """A joint to the world, which the model's own pose moves."""
-        from dataclasses import replace
-
         return replace(joint, origin=composed(at, joint.origin)) if joint.parent == WORLD else joint
 
     def _version(self) -> tuple[int, ...]:
@@ -185,7 +198,7 @@ class _Reader(Quantities):
         x, y, z = self.numbers(element.text, 3, element, "", of)
         return (x, y, z)
 
-    def link(self, element: Element, frames: Frames) -> TreeLink:
+    def link(self, element: Element, frames: Scope) -> TreeLink:
         name = self.name(element, "a link")
         of = f"link {shown(name)}"
         self.note_unused(element, _USED, _WORDS)
@@ -193,9 +206,10 @@ class _Reader(Quantities):
         shape = element.first("visual") is not None or element.first("collision") is not None
         inertial = self.one(element, "inertial", of)
         if inertial is None or inertial.attributes.get("auto", "").strip() in ("1", "true"):
-            return TreeLink(name, self.place(element), None, shape)
+            return TreeLink(frames.name(name), self.place(element), None, shape)
         by_default = inertial.first("mass") is None or inertial.first("inertia") is None
-        return TreeLink(name, self.place(element), self.body(inertial, frames, of), shape, by_default)
+        body = self.body(inertial, frames.frames, of)
+        return TreeLink(frames.name(name), self.place(element), body, shape, by_default)
 
     def body(self, inertial: Element, frames: Frames, of: str) -> Body:
         """The numbers that are left out are 1 on the diagonal and 0 beside it, as the format says."""
@@ -206,7 +220,7 @@ class _Reader(Quantities):
         xx, yy, zz, xy, xz, yz = *diagonal, *beside
         return body_of(mass, frames.stated(inertial, of), (xx, yy, zz, xy, xz, yz))
 
-    def joint(self, element: Element, frames: Frames, old: bool) -> TreeJoint:
+    def joint(self, element: Element, frames: Scope, old: bool) -> TreeJoint:
         name = self.name(element, "a joint")
         of = f"joint {shown(name)}"
         self.note_unused(element, _USED, _WORDS)
@@ -220,16 +234,15 @@ class _Reader(Quantities):
                 found=shown(word),
                 expected=", ".join(_KINDS),
             )
-        ends = [self.end(element, role, frames, of) for role in ("parent", "child")]
+        parent, child = (self.end(element, role, frames, of) for role in ("parent", "child"))
         here = frames.pose(name, element)
-        links = [link for _, link in ends]
-        before, behind = frames.pose(links[0], element), frames.pose(links[1], element)
+        before, behind = frames.pose_of(parent, element), frames.pose_of(child, element)
         axis = self.one(element, "axis", of)
         return TreeJoint(
-            name,
+            frames.name(name),
             kind,
-            links[0],
-            links[1],
+            parent,
+            child,
             self.place(element),
             tidy(composed(before.inverse(), here)),
             tidy(composed(here.inverse(), behind)),
@@ -237,18 +250,18 @@ class _Reader(Quantities):
             limits=self.limits(axis, of),
             damping=self.dynamics(axis, "damping", of),
             friction=self.dynamics(axis, "friction", of),
-            mimic=self.mimic(axis, of),
+            mimic=self.mimic(axis, frames, of),
             spring=self.spring(axis, of),
         )
 
-    def end(self, joint: Element, role: str, frames: Frames, of: str) -> tuple[str, str]:
-        """The frame that a joint names as its parent or child, and the link of it."""
+    def end(self, joint: Element, role: str, frames: Scope, of: str) -> str:
+        """The link of the frame that a joint names as its parent or child."""
         child = self.one(joint, role, of)
         if child is None or not child.text:
             raise self.fail(child or joint, f"{of}: there is no <{role}>")
-        return child.text, frames.link(child.text, child)
+        return frames.link(child.text, child)
 
-    def direction(self, axis: Element, here: Pose, frames: Frames, old: bool, of: str) -> Vector:
+    def direction(self, axis: Element, here: Pose, frames: Scope, old: bool, of: str) -> Vector:
         """The axis in the joint's frame, at ``here`` in the model's."""
         xyz = self.one(axis, "xyz", of)
         if xyz is None:
@@ -291,7 +304,7 @@ class _Reader(Quantities):
         )
         return Spring(stiffness, rest) if stiffness else None
 
-    def mimic(self, axis: Element | None, of: str) -> Mimic | None:
+    def mimic(self, axis: Element | None, frames: Scope, of: str) -> Mimic | None:
         mimic = None if axis is None else self.one(axis, "mimic", of)
         if mimic is None:
             return None
@@ -299,5 +312,5 @@ class _Reader(Quantities):
             self.value(mimic, tag, of, default) or 0.0
             for tag, default in (("multiplier", 1.0), ("offset", 0.0), ("reference", 0.0))
         )
-        leader = self.required(mimic, "joint", of)
+        leader = frames.name(self.required(mimic, "joint", of))
         return Mimic(leader, factor, offset - factor * reference)

@@ -1,7 +1,13 @@
-"""Frames of an SDF model: where links, joints and named frames are at the zero position of all joints."""
+"""Frames of an SDF file: where links, joints, models and named frames are when all joints are at zero.
+
+The world and each model have names of their own for their frames; from outside it is ``model::frame``. Here
+frames are told apart by their names from the world, ``arm::gripper::finger``. Semantics: SDFormat 1.7 and
+later, http://sdformat.org/tutorials?tut=pose_frame_semantics.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Container
 from dataclasses import dataclass
 from typing import Final
 
@@ -13,87 +19,132 @@ from robodyn.robot.names import shown
 
 MODEL: Final = "__model__"
 WORLD: Final = "world"
+INSIDE: Final = "::"
 
 
 @dataclass(frozen=True, slots=True)
 class _Frame:
-    """What a file says of a frame: its element, what its pose is relative to by default, and what it is
-    attached to (a link to itself)."""
+    """What a file says of a frame: its element, the frame that its pose is relative to, the one that it is
+    attached to (a link to itself), and the one of a model that its pose places, by default its own."""
 
     element: Element
     relative_to: str
     attached_to: str
+    placed: str = ""
 
 
 class Frames:
-    """All frames of one model."""
+    """All frames of the models in ``world``, which may be a ``<world>`` or the ``<sdf>`` around a model.
 
-    def __init__(self, reader: Quantities, model: Element) -> None:
-        self._reader = reader
+    Poses are those in the model ``root``, whose name is one from the world, as if it stood in the world's
+    origin; :meth:`root_in_world` says where it stands.
+    """
+
+    def __init__(self, reader: Quantities, world: Element, root: str) -> None:
+        self._reader, self._root = reader, root
         self._frames: dict[str, _Frame] = {}
-        self._poses: dict[str, Pose] = {MODEL: Pose(), WORLD: Pose()}
-        for element in model.children:
-            name = element.attributes.get("name", "")
+        self._poses: dict[str, Pose] = {root: Pose(), WORLD: Pose()}
+        self._add_all(world, "")
+
+    def _add_all(self, scope: Element, prefix: str) -> None:
+        """Add the frames in a model or the world; ``prefix`` is what their names begin with."""
+        own = prefix.removesuffix(INSIDE) or WORLD
+        for element in scope.children:
+            name = prefix + element.attributes.get("name", "")
             if element.tag == "link":
-                self._add(name, _Frame(element, MODEL, name))
+                self._add(name, element, own, name)
             elif element.tag == "joint":
                 child = element.first("child")
-                link = "" if child is None else child.text
-                self._add(name, _Frame(element, link, link))
+                link = absolute("" if child is None else child.text, prefix)
+                self._add(name, element, link, link)
             elif element.tag == "frame":
-                to = element.attributes.get("attached_to") or MODEL
-                self._add(name, _Frame(element, to, to))
+                to = absolute(element.attributes.get("attached_to") or MODEL, prefix)
+                self._add(name, element, to, to)
+            elif element.tag == "model":
+                placed = element.attributes.get("placement_frame") or MODEL
+                inside = name + INSIDE
+                self._add(name, element, own, _canonical_link(element, inside), absolute(placed, inside))
+                self._add_all(element, inside)
 
-    def _add(self, name: str, frame: _Frame) -> None:
-        if name in self._frames or name in self._poses:
+    def _add(self, name: str, element: Element, relative_to: str, attached_to: str, placed: str = "") -> None:
+        if name in self._frames or name.rpartition(INSIDE)[2] in (MODEL, WORLD):
+            if not name.startswith(self._root + INSIDE):
+                return  # of a model that is not read: the first one counts
             raise self._reader.fail(
-                frame.element,
+                element,
                 "two frames of the model have the same name",
                 attribute="name",
-                found=shown(name),
+                found=shown(element.attributes.get("name", "")),
             )
-        self._frames[name] = frame
+        pose = element.first("pose")
+        stated = pose.attributes.get("relative_to") if pose is not None else None
+        if stated:
+            relative_to = absolute(stated, name.removesuffix(element.attributes.get("name", "")))
+        self._frames[name] = _Frame(element, relative_to, attached_to, placed or name)
 
     def pose(self, name: str, asker: Element) -> Pose:
-        """The frame ``name`` in the model's frame; ``asker`` is the element that names it.
+        """The frame ``name`` in the frame of the root; ``asker`` is the element that names it.
 
         Raises
         ------
         InputError: there is no such frame, or frames are relative to each other in a circle.
         """
-        waiting: list[str] = []
-        while name not in self._poses:
-            if name in waiting or name not in self._frames:
-                circle = "frames are relative to each other in a circle"
-                what = circle if name in waiting else "there is no frame of this name"
-                raise self._reader.fail(asker, what, found=shown(name))
-            waiting.append(name)
-            asker, name = self._frames[name].element, self._relative_to(name)
-        pose = self._poses[name]
-        for name in reversed(waiting):
-            pose = composed(pose, self.stated(self._frames[name].element, f"the frame {shown(name)}"))
-            self._poses[name] = pose
+        path = self._path(name, asker, self._poses)
+        pose = self._poses[self._frames[path[-1]].relative_to if path else name]
+        for step in reversed(path):
+            pose = self._poses[step] = composed(pose, self._step(step))
         return pose
 
-    def is_on_model(self, name: str) -> bool:
-        """Whether the frame ``name`` is attached to the model itself, or to the world, and to no link."""
-        seen: set[str] = set()
-        while name in self._frames and name not in seen:
-            seen.add(name)
-            name = self._frames[name].attached_to
-        return name in (MODEL, WORLD)
+    def pose_in_root(self, name: str, asker: Element) -> Pose:
+        """As :meth:`pose`, of a name from the root."""
+        return self.pose(absolute(name, self._root + INSIDE), asker)
+
+    def root_in_world(self, asker: Element) -> Pose:
+        """The frame of the root in the world."""
+        return self._between(WORLD, self._root, asker)
+
+    def _between(self, outer: str, name: str, asker: Element) -> Pose:
+        """The frame ``name`` in the frame ``outer``, which its pose is relative to, or that of another is."""
+        pose = Pose()
+        for step in reversed(self._path(name, asker, {outer})):
+            pose = composed(pose, self._step(step))
+        return pose
+
+    def _path(self, name: str, asker: Element, ends: Container[str]) -> list[str]:
+        """``name``, the frame that its pose is relative to, and so on; the next one would be in ``ends``."""
+        path: dict[str, None] = {}
+        while name not in ends:
+            if name in path or name not in self._frames:
+                circle = "frames are relative to each other in a circle"
+                what = circle if name in path else "there is no frame of this name"
+                raise self._reader.fail(asker, what, found=shown(self.name(name)))
+            path[name] = None
+            asker, name = self._frames[name].element, self._frames[name].relative_to
+        return list(path)
+
+    def _step(self, name: str) -> Pose:
+        """A frame in the one that its pose is relative to."""
+        frame = self._frames[name]
+        pose = self.stated(frame.element, f"the frame {shown(self.name(name))}")
+        if frame.placed == name:
+            return pose
+        return composed(pose, self._between(name, frame.placed, frame.element).inverse())
 
     def link(self, name: str, asker: Element) -> str:
         """The link that the frame ``name`` is attached to, or the world."""
-        seen: set[str] = set()
+        passed: set[str] = set()
         while name != WORLD and not (name in self._frames and self._frames[name].attached_to == name):
-            if name in seen or name not in self._frames:
-                raise self._reader.fail(asker, "there is no link or frame of this name", found=shown(name))
-            seen.add(name)
+            if name in passed or name not in self._frames:
+                raise self._reader.fail(
+                    asker, "there is no link or frame of this name", found=shown(self.name(name))
+                )
+            passed.add(name)
             name = self._frames[name].attached_to
-            if name == MODEL:
-                raise self._reader.fail(asker, "a frame of the model is no link", found=shown(name))
         return name
+
+    def name(self, name: str) -> str:
+        """``name``, which counts from the world, as it is from the root."""
+        return MODEL if name == self._root else name.removeprefix(self._root + INSIDE)
 
     def stated(self, element: Element, of: str) -> Pose:
         """The ``<pose>`` of an element as written; the identity where there is none."""
@@ -116,7 +167,55 @@ class Frames:
             rpy = [math.radians(angle) for angle in rpy]
         return Pose.from_rpy((x, y, z), rpy)
 
-    def _relative_to(self, name: str) -> str:
-        frame = self._frames[name]
-        pose = frame.element.first("pose")
-        return (pose.attributes.get("relative_to") if pose is not None else None) or frame.relative_to
+
+@dataclass(frozen=True, slots=True)
+class Scope:
+    """The frames as a model sees them whose frames' names begin with ``prefix``."""
+
+    frames: Frames
+    prefix: str
+
+    def pose(self, name: str, asker: Element) -> Pose:
+        """As :meth:`Frames.pose`, of a name in this model."""
+        return self.frames.pose(absolute(name, self.prefix), asker)
+
+    def link(self, name: str, asker: Element) -> str:
+        """The link that a frame of this model is attached to, or the world; its name is one from the root."""
+        return self.frames.name(self.frames.link(absolute(name, self.prefix), asker))
+
+    def pose_of(self, link: str, asker: Element) -> Pose:
+        """As :meth:`pose`, of a link that :meth:`link` answered."""
+        return self.frames.pose_in_root(link, asker)
+
+    def name(self, name: str) -> str:
+        """What is called ``name`` in this model, as it is from the root."""
+        return self.frames.name(absolute(name, self.prefix))
+
+    def inside(self, model: str) -> Scope:
+        """As the model of that name in this one sees them."""
+        return Scope(self.frames, f"{self.prefix}{model}{INSIDE}")
+
+
+def absolute(name: str, prefix: str) -> str:
+    """The frame that is called ``name`` in the scope whose frames begin with ``prefix``, from the world."""
+    if name == WORLD:
+        return WORLD
+    if name == MODEL:
+        return prefix.removesuffix(INSIDE) or WORLD
+    return (prefix + name).removesuffix(INSIDE + MODEL)
+
+
+def _canonical_link(model: Element, prefix: str) -> str:
+    """The link that stands for a model: the one that it names, else its first one, else its first model's."""
+    stated = model.attributes.get("canonical_link")
+    if stated:
+        return absolute(stated, prefix)
+    link = model.first("link")
+    if link is not None:
+        return prefix + link.attributes.get("name", "")
+    inner = model.first("model")
+    return (
+        prefix
+        if inner is None
+        else _canonical_link(inner, f"{prefix}{inner.attributes.get('name', '')}{INSIDE}")
+    )

@@ -1,4 +1,4 @@
-"""``--arg`` of every command that takes a ROBOT, and what a project cannot state."""
+"""``--arg`` and ``--model`` of every command that takes a ROBOT, and what a project cannot state."""
 
 from __future__ import annotations
 
@@ -31,13 +31,14 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
-def test_every_command_that_takes_a_robot_has_the_option() -> None:
+def test_every_command_that_takes_a_robot_has_the_options() -> None:
     context = click.Context(cli)
     commands = [cli.get_command(context, name) for name in COMMANDS]
     takers = [each for each in commands if each and any(option.type is ROBOTS for option in each.params)]
     assert len(takers) > 15
     for command in takers:
-        assert [option.name for option in command.params].count("arg") == 1, command.name
+        options = [option for each in command.params for option in each.opts]
+        assert (options.count("--arg"), options.count("--model")) == (1, 1), command.name
 
 
 def test_arguments_reach_every_reading_of_the_file(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -1,0 +1,81 @@
+"""``--arg`` and ``--model`` of every command that takes a ROBOT: how a file in another format is read."""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Callable, Iterator
+from functools import wraps
+from typing import Any
+
+import click
+
+from robodyn.errors import InputError
+from robodyn_cli.choices import ROBOTS
+from robodyn_cli.values import Argument, unique
+
+
+def file_options(command: Callable[..., Any]) -> Callable[..., Any]:
+    """Add ``--arg`` (the parameter ``arg``) and ``--model`` (``file_model``) to a command."""
+    command = click.option(
+        "--model",
+        "file_model",
+        default="",
+        metavar="NAME",
+        help="Model to read from an SDF file that has several; OUTER::INNER for one in another.",
+    )(command)
+    return click.option(
+        "--arg",
+        type=Argument(),
+        multiple=True,
+        metavar="NAME=VALUE",
+        help="Set an argument of a xacro file, or ('find NAME') a folder that it or an MJCF file may read; "
+        "may be repeated.",
+    )(command)
+
+
+def with_file_options(command: click.Command) -> click.Command:
+    """``command``, which takes a ROBOT, with the options; itself it stays as it is: no project has keys."""
+    assert command.callback is not None
+    callback = file_options(_in_their_context(command.callback))
+    wider = copy.copy(command)
+    wider.params = [*command.params, *reversed(callback.__click_params__)]  # type: ignore[attr-defined]
+    wider.callback = callback
+    return wider
+
+
+def _in_their_context(callback: Callable[..., Any]) -> Callable[..., Any]:
+    @wraps(callback)
+    def with_options(*, arg: tuple[tuple[str, str], ...], file_model: str, **parameters: Any) -> Any:
+        if not arg and not file_model:
+            return callback(**parameters)
+        from robodyn.formats.reading import how_files_are_read, is_sdf
+
+        robots = list(_robots(click.get_current_context()))
+        only_folders = all(name.startswith("find ") for name, _ in arg)
+        readers = (".xacro", ".xml", ".mjcf") if only_folders else (".xacro",)
+        if arg and not any(robot.lower().endswith(readers) for robot in robots):
+            raise _useless("arguments are for xacro files", robots, "leave --arg out")
+        if file_model and not any(map(is_sdf, robots)):
+            of_controller = " (the controller's model is --controller-model ROBOT)"
+            simulates = click.get_current_context().info_name == "simulate"
+            raise _useless(
+                "a model is chosen in SDF files",
+                robots,
+                f"leave --model out{of_controller if simulates else ''}",
+            )
+        with how_files_are_read(unique(arg, "--arg"), file_model):
+            return callback(**parameters)
+
+    return with_options
+
+
+def _useless(what: str, robots: list[str], remedy: str) -> InputError:
+    return InputError(what, found=", ".join(robots) or "no ROBOT", remedy=remedy)
+
+
+def _robots(context: click.Context) -> Iterator[str]:
+    """What the command line names as ROBOT."""
+    for parameter in context.command.params:
+        value = context.params.get(parameter.name or "")
+        if parameter.type is ROBOTS and value:
+            yield from (value,) if isinstance(value, str) else value
