@@ -79,6 +79,18 @@ REFUSED: dict[str, tuple[dict[str, str], str]] = {
         },
         "arm.xml:4:25: with what it includes, the file is too large",
     ),
+    "too many to be quick": (
+        {"arm.xml": arm('<replicate count="6000"><site name="s"/></replicate>')},
+        "arm.xml:4:1: with what it includes, the file is too large",
+    ),
+    "long names of replicas": (
+        {"arm.xml": arm(f'<replicate count="900"><site name="{"s" * 40_000}"/></replicate>')},
+        "arm.xml:4:24: with what it includes, the file is too large",
+    ),
+    "long prefix": (
+        {"arm.xml": arm(f'<attach model="g" prefix="{"s" * 40_000}"/>', ATTACHED % "b.xml"), "b.xml": HAND},
+        "arm.xml:4:19: prefix of <attach> is long; expected at most 200 characters",
+    ),
     "no count": (
         {"arm.xml": arm('<replicate count="1e9"/>')},
         "arm.xml:4:12: the count of <replicate> is no whole number; found '1e9'",

@@ -48,6 +48,15 @@ def test_an_arm_beside_a_floor_needs_no_choice() -> None:
     )
 
 
+def test_models_that_are_placed_by_what_is_deep_in_them_take_no_time_that_doubles() -> None:
+    text, path = ARM, "l2"
+    for i in range(50):
+        text = model(text, f'placement_frame="{path}"', f"m{i}")
+        path = f"m{i}::{path}"
+    tree = read_tree(parse(sdf(text).encode(), "arm.sdf"))
+    assert tree.links[-1].name == path.removeprefix("m49::")
+
+
 @pytest.fixture
 def two(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
     """A file of two arms, one of them in a model."""

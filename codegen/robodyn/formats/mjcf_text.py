@@ -15,13 +15,14 @@ from typing import Final
 from xml.sax.saxutils import quoteattr
 
 from robodyn.errors import InputError, Place
+from robodyn.files import MIB
 from robodyn.formats.elements import Document, Element, tag_shown
-from robodyn.formats.limits import DEPTH, ELEMENTS
+from robodyn.formats.limits import DEPTH, ELEMENTS, FILE_MIB, LINKS
 from robodyn.formats.mjcf_defaults import GeomClasses, is_height_field, is_mesh
 from robodyn.formats.mjcf_files import Files
 from robodyn.formats.mjcf_handed import MESH, Handed, InertiaRules
 from robodyn.formats.tree import Leftovers
-from robodyn.robot.names import shown
+from robodyn.robot.names import TEXT_LENGTH, shown
 
 
 def _words(text: str) -> frozenset[str]:
@@ -123,7 +124,24 @@ class _Task:
     leftovers: Leftovers
     files: Files
     elements: int = 0
+    characters: int = 0
+    copies: int = 0
     models: int = 0
+
+    def count(self, characters: int, weight: int, place: Place) -> None:
+        """Count an element with so many characters, of which MuJoCo makes ``weight``.
+
+        For each replica, and each model that is attached, MuJoCo goes through all elements that there are
+        (0.5 us each, in version 4.0): the product is bounded by that of a tree's links, 12 s.
+        """
+        self.elements += weight
+        self.characters += max(weight, 1) * characters
+        if (
+            self.elements > ELEMENTS
+            or self.characters > FILE_MIB * MIB
+            or self.copies * self.elements > LINKS**2
+        ):
+            raise InputError("with what it includes, the file is too large", where=place)
 
 
 class _Writer:
@@ -202,13 +220,18 @@ class _Writer:
         place = self._place(element)
         if element.tag == "replicate":
             weight *= self._count(element)
-        self._task.elements += weight
-        if self._task.elements > ELEMENTS:
-            raise InputError("with what it includes, the file is too large", where=place)
+        if element.tag in ("replicate", "attach"):
+            self._task.copies += weight
         attributes = self._attributes(element)
+        self._task.count(sum(map(len, attributes.values())), weight, place)
+        for name in ("sep", "prefix"):
+            if len(attributes.get(name, "")) > TEXT_LENGTH:
+                where, expected = self._place(element, name), f"at most {TEXT_LENGTH} characters"
+                raise InputError(f"{name} of {tag_shown(element)} is long", where=where, expected=expected)
         if element.tag in _NAMED and (parent in _BODIES or parent == "equality"):
             tag = "equality" if parent == "equality" else element.tag.removeprefix("free")
             attributes = {"name": self._new_name(tag, parent)} | attributes
+            self._task.count(sum(map(len, self.prefixes)), 0, place)
             for prefix in self.prefixes:
                 self._task.handed.places[tag, prefix + attributes["name"]] = place
         elif element.tag == "geom" and parent != "default" and is_mesh(self._classes.of(element, childclass)):

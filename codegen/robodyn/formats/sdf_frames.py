@@ -43,6 +43,7 @@ class Frames:
     def __init__(self, reader: Quantities, world: Element, root: str) -> None:
         self._reader, self._root = reader, root
         self._frames: dict[str, _Frame] = {}
+        self._steps: dict[str, Pose] = {}
         self._poses: dict[str, Pose] = {root: Pose(), WORLD: Pose()}
         self._add_all(world, "")
 
@@ -124,11 +125,13 @@ class Frames:
 
     def _step(self, name: str) -> Pose:
         """A frame in the one that its pose is relative to."""
-        frame = self._frames[name]
-        pose = self.stated(frame.element, f"the frame {shown(self.name(name))}")
-        if frame.placed == name:
-            return pose
-        return composed(pose, self._between(name, frame.placed, frame.element).inverse())
+        if name not in self._steps:
+            frame = self._frames[name]
+            pose = self.stated(frame.element, f"the frame {shown(self.name(name))}")
+            if frame.placed != name:
+                pose = composed(pose, self._between(name, frame.placed, frame.element).inverse())
+            self._steps[name] = pose
+        return self._steps[name]
 
     def link(self, name: str, asker: Element) -> str:
         """The link that the frame ``name`` is attached to, or the world."""
