@@ -1,7 +1,8 @@
 """SDF files for tests, by the semantics of frames since version 1.7: models in models, ``placement_frame``.
 
-Each has two joints or more, and a base that is fixed to the world. What Drake computes of them stands in
-``tests/formats/drake.json``; ``python -m robodyn_testing.sdf_arms`` writes it, where the package drake is.
+Each has two joints or more, and a base that is fixed to the world. What Drake 1.51.1 computes of them is in
+``tests/formats/drake.json``, which ``python -m robodyn_testing.sdf_arms`` writes, run in ``tests`` where the
+package drake is installed.
 """
 
 from __future__ import annotations
