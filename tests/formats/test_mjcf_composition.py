@@ -234,3 +234,21 @@ def test_the_arm_is_what_mujoco_makes_of_the_files(case: str, tmp_path: Path, mu
     check_chain(mujoco, model, serial, tip, dict.fromkeys(beside, 0.0))
     dampings = [float(model.dof_damping[model.joint(joint.name).dofadr[0]]) for joint in serial.chain.joints]
     assert [joint.viscous for joint in serial.chain.joints] == dampings
+
+
+@pytest.mark.parametrize("attached", [False, True])
+@pytest.mark.parametrize(
+    "rule", ['inertiafromgeom="true"', 'inertiafromgeom="true" inertiagrouprange="1 2"', ""]
+)
+def test_whether_a_mesh_counts_is_what_its_own_model_says(rule: str, attached: bool, tmp_path: Path) -> None:
+    """MuJoCo puts the inertia of shapes in place of the one that is stated, in models that say so."""
+    compiler = f"{MESH}<compiler {rule}/>"
+    files = {"arm.xml": arm('<geom type="mesh" mesh="m"/>', compiler)}
+    if attached:
+        hand = f'<body name="b">{SOLID}<joint name="k"/><geom type="mesh" mesh="m"/></body>'
+        files = {
+            "arm.xml": arm('<attach model="g" prefix="p_"/>', ATTACHED % "hand.xml"),
+            "hand.xml": f'<mujoco model="g">{compiler}<worldbody>{hand}</worldbody></mujoco>',
+        }
+    links = {link.name: link for link in read_tree(write(tmp_path, files)).links}
+    assert (links["p_b" if attached else "b"].body is None) is (rule == 'inertiafromgeom="true"')
