@@ -12,6 +12,7 @@ import argparse
 import json
 import sys
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -69,6 +70,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             table = of_robot(name, options.functions.split(","), tools, options)
             earlier = robots.get(name, {})
             robots[name] = earlier | {f: earlier.get(f, {}) | row for f, row in table.items()}
+            figures["robots"] = {of: robots[of] for of in bundled_names() if of in robots}
             print(f"{name}: counted", file=sys.stderr, flush=True)
             write(figures, out)
     write(figures, out)
@@ -116,6 +118,7 @@ def of_robot(
     (folder / "arm.txt").write_text(numbers_of(robot).text(), encoding="utf-8")
     table: dict[str, Any] = {}
     expected = {}
+    toolless = set()  # functions that the others, who get the arm without its tool, cannot be asked for
     for function in functions:
         try:
             shipped, fast = (
@@ -124,12 +127,21 @@ def of_robot(
         except NoSuchFunction as reason:
             print(f"{name} has no {function}: {reason.found}", file=sys.stderr)
             continue
+        if not count(shipped).total:
+            print(f"{name}: {function} has no operations to compare", file=sys.stderr)
+            continue
         table[function] = {"record": count(shipped).to_dict(), "fast": count(fast).to_dict()}
         expected[function] = values_of(shipped, states)
+        bare = values_of(program(replace(robot, tool=None), function, Options((function,))), states)
+        if not np.allclose(bare, expected[function]):
+            toolless.add(function)
     for tool in tools:
         if tool == "pinocchio":
             traced(folder, [name + ending for name in table for ending in ("", "_world")])
-        for answers in answers_of(tool, folder, list(table), options.seconds):
+        for function in toolless:
+            table[function][tool] = {"why": "the arm is handed over without its tool"}
+        asked = [function for function in table if function not in toolless]
+        for answers in answers_of(tool, folder, asked, options.seconds):
             table[answers.function][tool] = _fewest(tool, answers, expected[answers.function])
     return table
 

@@ -12,6 +12,7 @@ import pytest
 from robodyn.resources import data_dir
 from robodyn.robot import Comparison, Link, Robot, bundled_names, bundled_text, load, read_text
 from robodyn.robot.plausibility import inertia_doubt
+from robodyn.verify.numbers import exact_value
 from robodyn_testing import exactly
 
 # Table 2.1: alpha_{i-1} in quarter turns, a_{i-1}, d_i. Table 2.2 with link 3 corrected.
@@ -66,6 +67,17 @@ PUMA_3_D12 = (
     ("17.4 -0.068 0 0", "0.130 0.524 5.249", "0"),
     ("6.05 0 -0.07 0", "0.192 0.0154 1.042", "0"),
 )
+# Program D.1.1: diagonals of the pseudo-inertias and m x, m y of links 1 to 3; of link 1 only Izz counts.
+PSEUDO_D11 = (("0.0058 0.0058 -0.0058", "0 0"), ("0.6984 0.0340 0.2416", "-1.1832 0"),
+              ("0.0039 0.0335 0.1432", "0 -0.4235"))  # fmt: skip
+PUMA_3_D11 = (
+    (NONE, "0 0 0.0116", "0"),
+    ("17.4 -0.068 0 0", "0.2756 0.8595424 0.6519424", "0"),
+    ("6.05 0 -0.07 0", "0.147055 0.1471 0.007755", "0"),
+)
+# Program D.1.3 leads a point at 0.4318 along y of frame 3, the offset of the shoulder being 0.127.
+PUMA_3_D13_DH = ((0, "0", "0"), (-1, "0", "0.127"), (0, "0.4318", "0"))
+PUMA_3_D13 = ((NONE, "0 0 0", "0"),) * 3
 PUMA_3_D4 = (*PUMA_3_D12[:2], ("16.05 0 -0.2954 0", "2.056512 0.0154 2.906512", "0"))
 
 
@@ -87,6 +99,8 @@ TRANSCRIPTS = {
     "puma560_3dof_d3": Transcript(PUMA_DH, PUMA_D2[:3], "puma_3"),
     "stanford_d3": Transcript(STANFORD_DH, STANFORD_D3, "stanford_6"),
     "stanford_3dof_d3": Transcript(STANFORD_DH, STANFORD_3_D3, "stanford_3"),
+    "puma560_3dof_d11": Transcript(PUMA_DH, PUMA_3_D11, None),
+    "puma560_3dof_d13": Transcript(PUMA_3_D13_DH, PUMA_3_D13, None),
     "puma560_3dof_d12": Transcript(PUMA_DH, PUMA_3_D12, None),
     "puma560_3dof_d4": Transcript(PUMA_DH, PUMA_3_D4, None),
 }
@@ -150,6 +164,26 @@ def test_the_thesis_robots_number_by_number(name: str) -> None:
     for i, (link, row) in enumerate(zip(robot.links, transcript.links, strict=True)):
         prismatic = transcript.dh is STANFORD_DH and i == 2
         _check_link(link, transcript.dh[i], row, prismatic)
+
+
+def test_the_pseudo_inertias_of_d_1_1() -> None:
+    """Second moments about the frames' origins, whose pairs add up to the moments of inertia there."""
+    for link, (diagonal, first) in zip(_load("puma560_3dof_d11").links, PSEUDO_D11, strict=True):
+        xx, yy, zz = _row(diagonal)
+        mass, x, y, _ = (exact_value(number, {}) for number in (link.mass, *link.com))
+        assert (mass * x, mass * y) == _row(first)
+        about_origin = (yy + zz, xx + zz, xx + yy)
+        tensor = link.inertia
+        moments = [exact_value(number, {}) for number in (tensor.xx, tensor.yy, tensor.zz)]
+        shifts = (y * y, x * x, x * x + y * y)  # z of both centres is 0
+        assert about_origin == tuple(i + mass * s for i, s in zip(moments, shifts, strict=True))
+
+
+def test_the_point_of_d_1_3() -> None:
+    tool = _load("puma560_3dof_d13").tool
+    assert tool is not None
+    assert tool.xyz == _row("0 0.4318 0")
+    assert all(angle.quarter == 0 for angle in tool.rpy)
 
 
 def test_the_sets_hang_together() -> None:

@@ -29,6 +29,8 @@ Arm = Literal["programs", "consistent"]
 ARMS: Final[tuple[Arm, ...]] = ("programs", "consistent")
 
 ROBOT: Final = "puma560_3dof_d12"
+#: The arm of D.1.3.
+LED_ROBOT: Final = "puma560_3dof_d13"
 #: Shoulder offset of D.1.3, and its forearm, which is also where D.1.2 has its load [m].
 OFFSET: Final = Fraction(127, 1000)
 FOREARM: Final = Fraction(4318, 10000)
@@ -156,13 +158,9 @@ class Led:
 
 def led(arm: Arm) -> Led:
     """The arm of D.1.3 (``programs``), or D.1.2's up to its load (``consistent``)."""
-    robot = load(ROBOT, warn=lambda _: None)
     if arm == "consistent":
-        return led_at(robot, -FOREARM)
-    shoulder = robot.links[1].joint.d
-    assert isinstance(shoulder, Fraction)
-    elbow = replace(robot.links[2], joint=replace(robot.links[2].joint, d=OFFSET - shoulder))
-    return led_at(replace(robot, name="puma560_d13", links=(*robot.links[:2], elbow)), FOREARM)
+        return led_at(load(ROBOT, warn=lambda _: None), -FOREARM)
+    return led_at(load(LED_ROBOT), FOREARM)
 
 
 def led_at(robot: Robot, along: Fraction) -> Led:

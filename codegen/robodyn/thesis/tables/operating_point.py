@@ -28,7 +28,7 @@ from robodyn.verify.numbers import real
 
 Floats = NDArray[np.float64]
 
-#: The four sets of parameters that the thesis has for this arm.
+#: Four sets of parameters that the thesis has for this arm; that of D.1.1, the fifth, has no rotors.
 SETS: Final = ("puma560_3dof", "puma560_3dof_d3", "puma560_3dof_d12", "puma560_3dof_d4")
 #: x of the line as D.4's start has it, and as the thesis prints it; y = z within reach [m].
 LINES: Final = ((0.4, 0.548), (0.3, 0.579))

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 from fractions import Fraction
 from typing import Any, Final
 
+from robodyn.counts import count
+from robodyn.kernels.generate import Options, program
+from robodyn.robot import load
 from robodyn.robot.model import Robot
-from robodyn.robot.parts import Placement
-from robodyn.robot.values import Angle
-from robodyn.thesis.case_arm import D4_BRANCH, FOREARM, OFFSET, led
+from robodyn.thesis.case_arm import D4_BRANCH, FOREARM, LED_ROBOT, OFFSET, led
 from robodyn.thesis.tables.table import Column, Row, Table, judged
 
 #: Where simulation D.4 begins as the thesis prints it [rad]; the point that it is said to be at, x [m], and
@@ -22,14 +22,6 @@ Y_AND_Z: Final = Fraction(1, 10)
 X: Final = Fraction(4, 10)
 #: The forearm by the comment of D.1.3, which computes with another [m].
 FOREARM_IN_COMMENT: Final = Fraction(4521, 10000)
-
-_LEVEL: Final = Angle(0.0, Fraction(1), Fraction(0), 0)
-
-
-def with_point(robot: Robot) -> Robot:
-    """``robot`` with its tool at the point that D.1.3 leads, ``FOREARM`` along y of frame 3."""
-    tool = Placement((Fraction(0), FOREARM, Fraction(0)), (_LEVEL, _LEVEL, _LEVEL))
-    return replace(robot, tool=tool)
 
 
 def generated(robot: Robot, point: tuple[Fraction, Fraction, Fraction]) -> list[list[float]]:
@@ -48,19 +40,33 @@ def table() -> Table:
     """The four branches at the beginning of simulation D.4, and the numbers of D.1.3 that do not fit."""
     arm = led("programs")
     point = (X, Y_AND_Z, Y_AND_Z)
-    ours = generated(with_point(arm.kinematics.robot), point)
+    robot = load(LED_ROBOT)
+    ours = generated(robot, point)
     by_formulas = arm.inverse.positions([float(x) for x in point])
     rows = [_branch_row(signs, q, ours) for signs, q in zip(_SIGNS, by_formulas.tolist(), strict=True)]
     return Table(
         "inverse",
         "program D.1.3: inverse kinematics of the PUMA 560's first three joints",
         (Column("printed", "printed", "value"), Column("ours", "ours", "value")),
-        (*rows, *_numbers()),
+        (*rows, _operations(robot), *_numbers()),
         (
             "The branches are those of the point x = 0.4, y = z = 0.1 m, where simulation D.4 begins, by the "
             "generated inverse kinematics; beside it, by how much the formulas of D.1.3 differ. Both put the "
             "point back to within rounding on all four.",
         ),
+    )
+
+
+def _operations(robot: Robot) -> Row:
+    """What the generated kernel takes for all branches."""
+    kernel = count(program(robot, "inverse_kinematics", Options(("inverse_kinematics",))))
+    return Row(
+        "operations",
+        {},
+        {"value": str(kernel.total), "operations": kernel.to_dict()},
+        None,
+        f"not printed; multiplications, additions, divisions and square roots of {robot.name}'s generated "
+        "inverse kinematics, all four branches together",
     )
 
 
