@@ -140,8 +140,8 @@ def of_robot(
             traced(folder, [name + ending for name in table for ending in ("", "_world")])
         for function in toolless:
             table[function][tool] = {"why": "the arm is handed over without its tool"}
-        asked = [function for function in table if function not in toolless]
-        for answers in answers_of(tool, folder, asked, options.seconds):
+        comparable = [function for function in table if function not in toolless]
+        for answers in answers_of(tool, folder, comparable, options.seconds):
             table[answers.function][tool] = _fewest(tool, answers, expected[answers.function])
     return table
 

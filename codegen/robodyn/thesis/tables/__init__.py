@@ -26,6 +26,7 @@ _HOMES: Final = {
     "4.5": "table_4_5",
     "4.6": "table_4_6",
     "4.8": "table_4_8",
+    "equations": "equations",
     "inverse": "program_d_1_3",
     "friction": "friction_tasks",
     "schedules": "schedules",

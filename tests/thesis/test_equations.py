@@ -1,0 +1,260 @@
+"""``tables equations``: every slip that can be computed is, and a model that is broken shows in its row."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from typing import Any
+
+import numpy as np
+import pytest
+
+from robodyn.dynamics import steps, transforms
+from robodyn.dynamics.transforms import IDENTITY_4
+from robodyn.effects import thesis_friction
+from robodyn.robot import Robot
+from robodyn.schedule import arithmetic
+from robodyn.thesis import printed_counts, printed_tasks
+from robodyn.thesis.puma_inverse import PumaArm
+from robodyn.thesis.slips import frames, friction, lagrangian, printed_data, recursion, recursion_slips
+from robodyn.thesis.slips.comparison import Comparison
+from robodyn.thesis.slips.rows import SLIPS
+from robodyn.thesis.slips.slip import Slip
+from robodyn.thesis.tables import Table, equations, make, to_text
+from thesis.recomputed import Patch, bundled
+
+BY_PLACE = {slip.place: slip for slip in SLIPS}
+
+# The places as the review of the thesis lists them, in its order: what can be computed, and what cannot.
+COMPUTED = (
+    "1.1", "Table 1.1", "Eqs 2.1, 2.2", "Table 2.2, link 3", "Table 2.2, link 4", "Eq 2.4",
+    "Eqs 2.22, 2.24, Table 2.3, B.10 to B.15", "Eqs 2.25, 2.27, (3,1)", "Eqs 2.29, 2.38, 2.39",
+    "Eqs 2.30, 2.31", "Eq 2.36", "Eq 2.37", "Eq 2.38, (2,2)", "Eq 2.41", "Table 2.3, step 9",
+    "Table 2.4, step 2A, revolute", "Table 2.4, step 2A, prismatic", "Table 2.4, step 6",
+    "Table 2.4, step 8; Eq 4.15", "Table 2.4, step 9, prismatic", "Table 2.6, links 5, 6",
+    "Table 2.7, link 3", "Table 2.9, revolute II", "Eq 3.3", "Eq 3.5", "Eq 3.7", "Eq 3.11",
+    "Eqs 3.10, 3.11", "Table 3.3", "Table 4.1, T4, T5", "Table 4.1, T10", "Table 4.1, T20 to T22",
+    "Table 4.1, T41 to T43", "Eqs 4.3, 4.5", "Eq 4.4", "Eq 4.4, free component", "Eq 4.19", "Table 4.4",
+    "Table 4.5, caption", "Table 4.6, step 3", "Table 4.6, link 2", "A.1, first sum", "A.1, second sum",
+    "A.1, gravity", "A.2, pseudo-inertia", "A.2, D_i", "A.2, T_(i+1)", "A.2, c_i", "A.3, R_(i+1)",
+    "A.3, D_i", "A.3, e_i", "A.3, e_i, last term", "A.3, c_i", "B.7, B.9", "B.11, B.13", "D.1",
+    "D.1.3, comment", "D.1.3, offset", "D.1.3, line", "D.2, LAM1", "D.2, inertias", "D.2, rotors",
+    "D.2, link 2", "D.2, links 2, 3", "D.2, link 4", "D.3, signs", "D.3.1, D.3.2, q3", "D.3.1, link 3",
+    "D.3.2, link 1", "D.3.3, JF3", "D.4, link 3", "D.4, inertia matrix", "D.4, row of the torque",
+    "D.4, last step",
+)  # fmt: skip
+IN_WORDS = (
+    "Tables 2.1, 2.2, heads", "Eqs 2.7, 2.18", "Eqs 2.25, 2.27, index", "before Eq 2.29", "Table 2.3, boxes",
+    "Eq 3.4", "B.3, B.4", "B.5, B.7, words", "B.11, B.13, hats", "D.1.1", "D.2, names", "D.3.4, JM3Y",
+    "D.3, definitions", "D.4, solver", "section 2, references", "section 3, references",
+    "section 4 and C, references",
+)  # fmt: skip
+#: Figures that the review measured: exact ones, and of torques the largest over 1,000 states of its own.
+EXACT = {
+    "Table 1.1": 872, "Table 2.9, revolute II": 10, "Table 3.3": 2, "Table 4.4": 1, "Table 4.6, link 2": 2,
+    "1.1": 1800, "Eq 4.19": 2, "Eq 2.4": 2 * 0.4318, "Table 2.6, links 5, 6": 0.0036,
+    "Eqs 3.10, 3.11": 0.454 - 0.232, "D.4, row of the torque": 365, "D.4, last step": 2,
+}  # fmt: skip
+MEASURED = {
+    "D.2, LAM1": 5.46, "D.2, inertias": 0.47, "D.2, rotors": 6.77, "D.2, links 2, 3": 1.18,
+    "D.2, link 2": 23.2, "D.1": 19.8, "D.4, link 3": 5.3e-3,
+}  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def table() -> Table:
+    return make("equations")
+
+
+def test_every_slip_of_the_review_is_there(table: Table) -> None:
+    assert {row.name for row in table.rows} == {*COMPUTED, *IN_WORDS}
+    assert len(table.rows) == len(SLIPS) == len(COMPUTED) + len(IN_WORDS)
+
+
+def test_what_is_computed_confirms_the_slip_and_the_right_form(table: Table) -> None:
+    for name in COMPUTED:
+        row, slip = table.row(name), BY_PLACE[name]
+        assert not isinstance(slip.check, str)
+        assert row.verdict == ("reproduced" if name == "Eq 2.41" else "differs"), name
+        assert "neither" not in row.reason, name
+        assert row.ours["against"] in row.reason
+        exact = row.ours["unit"] in ("N m", "entry", "m", "1/s^2", "rad/s^2", "N") and name != "Eq 3.7"
+        assert row.ours["right_off"] < 1e-12 or not exact, name
+
+
+def test_what_is_not_computed_says_so_and_has_no_figure(table: Table) -> None:
+    for name in IN_WORDS:
+        row = table.row(name)
+        assert row.verdict == "differs"
+        assert row.reason.startswith("nothing to compute: ")
+        assert set(row.ours) == {"right"}
+
+
+@pytest.mark.parametrize("name", EXACT)
+def test_figures_that_are_exact(name: str, table: Table) -> None:
+    assert table.row(name).ours["printed_off"] == pytest.approx(EXACT[name], rel=3e-3)
+
+
+@pytest.mark.parametrize("name", MEASURED)
+def test_torques_are_of_the_size_that_the_review_measured(name: str, table: Table) -> None:
+    """At other random states: the largest of 1,000 is no property of the slip."""
+    assert table.row(name).ours["printed_off"] == pytest.approx(MEASURED[name], rel=0.25)
+
+
+def test_text_names_unit_and_reference(table: Table) -> None:
+    text = to_text(table)
+    assert "Newton-Euler" in text
+    assert "nothing to compute: a reference in the text" in text
+
+
+# --- each check can fail ----------------------------------------------------------------------------------
+
+
+def fails(*places: str) -> bool:
+    """Whether the right forms of all ``places`` disagree with their references."""
+    rows = equations.table(slips=[BY_PLACE[place] for place in places]).rows
+    return all(row.reason.startswith("neither form") for row in rows)
+
+
+def off_by(run: Callable[..., Any], factor: float = 1.5) -> Callable[..., Any]:
+    """``run`` with its first number, or all numbers of a list or tuple, too large."""
+
+    def changed(*arguments: Any, **keywords: Any) -> Any:
+        value = run(*arguments, **keywords)
+        return type(value)(factor * x for x in value) if isinstance(value, tuple | list) else factor * value
+
+    return changed
+
+
+RECURSION = tuple(slip.place for slip in SLIPS if getattr(slip.check, "func", None) is recursion.of_recursion)
+
+
+@pytest.mark.parametrize("step", ["moment", "inertial_force", "euler_I", "alpha_I", "omega"])
+def test_a_broken_step_of_the_recursion_shows_in_all_its_rows(step: str, monkeypatch: Patch) -> None:
+    monkeypatch.setattr(steps, step, off_by(getattr(steps, step)))
+    assert len(RECURSION) > 20
+    assert fails(*RECURSION)
+    assert fails("Table 2.7, link 3", "D.2, rotors", "D.3.1, link 3", "D.3.2, link 1", "D.2, link 4")
+
+
+@pytest.mark.parametrize(
+    ("target", "name", "places"),
+    [
+        (thesis_friction, "journal_bearing", ["Eq 3.3"]),
+        (thesis_friction, "thrust_bearing", ["Eq 3.5"]),
+        (thesis_friction, "with_friction", ["Eq 3.7"]),
+        (thesis_friction, "braking", ["Eqs 3.10, 3.11"]),
+        (lagrangian, "weighed", ["A.1, first sum", "A.1, second sum", "A.1, gravity"]),
+        (lagrangian, "trace", ["A.2, D_i", "A.2, T_(i+1)", "A.2, c_i", "A.2, pseudo-inertia"]),
+        (lagrangian, "first_moment", ["A.3, R_(i+1)", "A.3, D_i", "A.3, e_i", "A.3, e_i, last term",
+                                      "A.3, c_i"]),
+        (PumaArm, "positions", ["D.1.3, comment", "D.1.3, offset", "D.1.3, line"]),
+        (steps, "inertial_force", ["D.4, link 3", "D.4, inertia matrix"]),
+        (arithmetic, "_cross", ["Table 4.1, T4, T5", "Table 4.1, T41 to T43"]),
+        (printed_data, "moved_to_origin", ["Table 2.6, links 5, 6"]),
+    ],
+)  # fmt: skip
+def test_a_broken_model_shows(target: Any, name: str, places: list[str], monkeypatch: Patch) -> None:
+    assert not any(fails(place) for place in places)
+    if name == "moved_to_origin":
+        monkeypatch.setattr(target, name, lambda link: (link.motor, link.motor, link.motor))
+    else:
+        monkeypatch.setattr(target, name, off_by(getattr(target, name)))
+    assert fails(*places)
+
+
+def test_broken_rotations_show(monkeypatch: Patch) -> None:
+    rotation = transforms.rotation
+
+    def stretched(*arguments: Any) -> Any:
+        return tuple((1.5 * row[0], row[1], row[2]) for row in rotation(*arguments))
+
+    monkeypatch.setattr(frames, "rotation", stretched)
+    assert fails("Eq 2.36", "Eq 4.4", "Eq 4.19", "B.7, B.9")
+    monkeypatch.setattr(frames, "transform", lambda *arguments: IDENTITY_4)
+    assert fails("Eqs 2.1, 2.2")
+    assert BY_PLACE["Eq 2.4"].check().right > 0.1  # type: ignore[operator]
+
+
+def test_a_wrong_gyroscopic_moment_would_differ(monkeypatch: Patch) -> None:
+    monkeypatch.setattr(frames, "inertia_moment", lambda inertia, at: inertia.times(at.alpha))
+    assert fails("Eq 2.41")
+
+
+def test_sums_follow_the_printed_columns(monkeypatch: Patch) -> None:
+    """With another column the sum is another, and the figure that was said to be right is wrong."""
+    column = {**printed_counts.TABLE_2_9["revolute_II"], "n": (21, 34)}
+    monkeypatch.setitem(printed_counts.TABLE_2_9, "revolute_II", column)
+    row = equations.table(slips=[BY_PLACE["Table 2.9, revolute II"]]).rows[0]
+    assert row.verdict == "reproduced"
+    cost = printed_counts.TABLE_1_1["uicker_kahn"]
+    monkeypatch.setitem(printed_counts.TABLE_1_1, "uicker_kahn", replace(cost, mul=cost.mul[1:]))
+    monkeypatch.setattr(printed_data, "journal", lambda: type("Counted", (), {"add": 9}))
+    monkeypatch.setattr(printed_data, "flops", lambda tasks, zeros: 3)
+    first, second, *others = printed_tasks.TABLE_4_6
+    monkeypatch.setattr(printed_data, "TABLE_4_6", (first, (*second[:2], second[2][1:], second[3]), *others))
+    assert fails("Table 1.1", "Table 3.3", "Table 4.5, caption", "Table 4.6, link 2")
+
+
+def test_zeros_and_origins_follow_the_robot(monkeypatch: Patch) -> None:
+    robot = bundled("stanford")
+    heavy = replace(robot.links[4], com=(robot.links[4].mass,) * 3)
+    other = replace(robot, links=(*robot.links[:4], heavy, robot.links[5]))
+    monkeypatch.setattr(printed_data, "bundled", lambda name: other)
+    assert fails("Table 4.4")
+    for axis in range(3):
+        own_products = partial(arithmetic._products, axis, of_parent=False)
+        monkeypatch.setitem(arithmetic._DO, 12 + axis, own_products)
+    assert fails("Table 4.6, step 3")
+
+
+@pytest.mark.parametrize("name", ["Table 2.4, step 6", "Table 4.1, T10", "B.11, B.13"])
+def test_a_right_step_in_the_place_of_the_slip_is_reproduced(name: str) -> None:
+    slip = BY_PLACE[name]
+    robot = slip.check.args[1]  # type: ignore[union-attr]
+    right = Slip("here", "the same", "the same", lambda: recursion.of_recursion(recursion.Recursion, robot))
+    row = equations.slip_row(right)
+    assert row.verdict == "reproduced"
+    assert row.ours["printed_off"] < 1e-12
+
+
+def test_the_words_of_the_three_verdicts() -> None:
+    def reason(printed: float, right: float) -> str:
+        return equations.verdict_in_words(Comparison(printed, right, "m", "a rule", 1e-9))
+
+    assert reason(0, 0).startswith("as printed it agrees")
+    assert reason(1, 0).startswith("slip confirmed")
+    assert reason(1, 1).startswith("neither form")
+
+
+# --- by other means ---------------------------------------------------------------------------------------
+
+
+def test_lambda_1_p_1_by_hand() -> None:
+    """D.2's LAM1 loses the acceleration of the shoulder's offset: of a point mass at the shoulder of an arm
+    that only turns about joint 1, m d^2 qdd is lost."""
+    still = bundled("puma560_d2")
+    slip, right = recursion_slips.DiagonalLambda1(), recursion.Recursion()
+    q, none = np.zeros((recursion.STATES, 6)), np.zeros((recursion.STATES, 6))
+    qdd = none.copy()
+    qdd[:, 0] = 1.0
+    pointlike = _only_mass_of_link_2(still)
+    by_slip, by_right = (
+        recursion.stacked(run.torques(*recursion.scalars(pointlike, (q, none, qdd)))) for run in (slip, right)
+    )
+    assert by_right[0, 0] - by_slip[0, 0] == pytest.approx(17.4 * 0.2435**2)
+
+
+def _only_mass_of_link_2(robot: Robot) -> Robot:
+    links = []
+    for i, link in enumerate(robot.links, 1):
+        inertia = replace(link.inertia, **dict.fromkeys(("xx", "yy", "zz"), 0 * link.inertia.zz))
+        mass = link.mass if i == 2 else 0 * link.mass
+        links.append(replace(link, mass=mass, inertia=inertia, com=(0 * link.com[0],) * 3))
+    return replace(robot, links=tuple(links))
+
+
+def test_eq_3_7_would_subtract_twice_the_friction() -> None:
+    """Link 3 brakes: the sum is off by twice its joint friction, 0.1241 N m as printed."""
+    assert friction.sign_rule().printed == pytest.approx(2 * 0.1241, abs=2e-4)
