@@ -24,11 +24,12 @@ from robodyn_cli.common import echo_json, json_option, printable, talk, write_fi
 def command(table_id: str | None, picture: str | None, as_json: bool) -> None:
     """Compare the thesis's tables with recomputed figures.
 
-    ID is 1.1, 2.9, 2.10, 3.3, 3.5, 4.1, 4.2, 4.4, 4.5, 4.6, 4.8, equations (slips in equations and printed
-    data), inverse (program D.1.3), friction (as tasks, section 4.5), schedules (Tables 4.3, 4.7 and C.1 to
-    C.15), claims (the headline claims) or robots (all bundled robots). The default is all tables. Every row
-    has the printed figure, the recomputed one, a verdict (reproduced, differs, not recoverable) and a reason.
-    --json prints an object {"id", "title", "rows", "notes"}, or a list of them without ID.
+    ID is 1.1, 2.4, 2.6, 2.9, 2.10, 3.1, 3.3, 3.4, 3.5, 4.1, 4.2, 4.4, 4.5, 4.6, 4.8, equations (slips in
+    equations and printed data), inverse (program D.1.3), friction (as tasks, section 4.5), schedules (Tables
+    4.3, 4.7 and C.1 to C.15), claims (the headline claims) or robots (all bundled robots). The default is all
+    tables. Every row has the printed figure, the recomputed one, a verdict (reproduced, differs, not
+    recoverable) and a reason. --json prints an object {"id", "title", "rows", "notes"}, or a list of them
+    without ID.
     """
     from robodyn.thesis.tables import TABLE_IDS, make, to_text
 

@@ -16,9 +16,13 @@ from robodyn.thesis.tables.text import to_text
 
 _HOMES: Final = {
     "1.1": "table_1_1",
+    "2.4": "table_2_4",
+    "2.6": "table_2_6",
     "2.9": "table_2_9",
     "2.10": "table_2_10",
+    "3.1": "table_3_1",
     "3.3": "table_3_3",
+    "3.4": "table_3_4",
     "3.5": "table_3_5",
     "4.1": "table_4_1",
     "4.2": "table_4_2",
