@@ -3,15 +3,17 @@ and the documents have the figures of functions.json."""
 
 from __future__ import annotations
 
+import argparse
 import copy
 import json
 import math
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from benchmarks.functions.__main__ import DOCUMENT, PEERS, REACH, RESULTS, _fewest, peers_text
+from benchmarks.functions.__main__ import DOCUMENT, PEERS, REACH, RESULTS, _fewest, of_robot, peers_text
 from benchmarks.functions.answers import Answers
 from benchmarks.functions.counting import Uncounted, of_python
 from benchmarks.functions.natural import NATURAL
@@ -95,6 +97,17 @@ def test_only_our_values_count_and_the_fewest_operations_of_them() -> None:
     assert _fewest("tool", Answers("gravity", ways), ours) == {"total": 7}
     assert _fewest("tool", Answers("gravity", ways[:1]), ours)["why"].startswith("refused: ")
     assert _fewest("tool", Answers("gravity", (), "too slow"), ours) == {"why": "too slow"}
+
+
+def test_of_an_arm_without_masses_and_with_a_tool(tmp_path: Path, figures: Any) -> None:
+    """What has no operations is not compared, and what the tool changes is not asked of the others."""
+    options = argparse.Namespace(work=str(tmp_path), seconds=1)
+    functions = ["inverse_dynamics", "forward_kinematics", "link_poses"]
+    table = of_robot("puma560_3dof_d13", functions, [], options)
+    assert list(table) == ["forward_kinematics", "link_poses"]
+    committed = figures["robots"]["puma560_3dof_d13"]
+    assert "without its tool" in committed["forward_kinematics"]["casadi"]["why"]
+    assert committed["link_poses"]["casadi"]["total"] > table["link_poses"]["fast"]["total"]
 
 
 @pytest.fixture
