@@ -1,6 +1,6 @@
 /*
- * puma560_3dof_d13: PUMA 560, first three joints with the tool at the wrist, as the thesis's
- *   program D.1.3 has it
+ * puma560_3dof_d13: PUMA 560, first three joints with the tool at the wrist, as in the thesis's
+ *   D.1.3
  * Numbers: the 1990 thesis, program D.1.3 (inverse kinematics); no masses
  * Written by robodyn 0.1.0; do not edit, generate again.
  * Description: 2cfb44495e01bcb86afbc938f4d4ee8e (a hash of its numbers)

@@ -99,7 +99,11 @@ def test_bundled_robots(name: str) -> None:
 @pytest.mark.parametrize("name", bundled_names())
 def test_every_bundled_robot(name: str) -> None:
     for function in ("inverse_dynamics", "gravity", "bias", "mass_matrix"):
-        check(bundled(name), function, 500)
+        if name == "puma560_3dof_d13":  # it has no masses
+            with pytest.raises(NoWalk, match="there is nothing to rewrite"):
+                check(bundled(name), function, 500)
+        else:
+            check(bundled(name), function, 500)
 
 
 @pytest.mark.parametrize("robot", random_arms(6, joints=4), ids=lambda robot: robot.name)
