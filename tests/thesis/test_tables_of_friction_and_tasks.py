@@ -214,47 +214,6 @@ def test_table_4_6(tables: dict[str, Table]) -> None:
 # --- claims -------------------------------------------------------------------------------------------------
 
 
-def test_claims(tables: dict[str, Table]) -> None:
-    table = tables["claims"]
-    of_text = {
-        "800 ms on an 8086": "not recoverable",
-        "1 to 2 kHz": "differs",
-        "Luh and Lin": "not recoverable",
-        "Kane and Balafoutis": "differs",
-        "friction of joints": "differs",
-        "region I": "not recoverable",
-        "load with friction": "differs",
-        "4 n + 3 operations": "differs",
-        "six processors ideal": "reproduced",
-        "four processors ideal": "reproduced",
-        "sampling rates": "reproduced",
-    }
-    assert {name: verdict for name, verdict in verdicts(table).items() if name in of_text} == of_text
-    assert {name: verdict for name, verdict in verdicts(table).items() if name not in of_text} == {
-        "parallel cost": "reproduced",
-        "six-link load": "reproduced",
-        "Stanford load": "differs",
-        "speed-up": "reproduced",
-        "maximum concurrency": "reproduced",
-        "six-link efficiency": "reproduced",
-        "Stanford efficiency": "differs",
-        "task reduction": "differs",
-        "friction": "differs",
-        "lambda form": "differs",
-        "least Stanford time": "differs",
-    }
-    assert table.row("speed-up").ours == {
-        "found": "8.5556, 65.81 %, 34.19 %", "speedup": 8.5556, "efficiency_pct": 65.81, "idle_pct": 34.19,
-        "levels": 27, "fewest_processors_critical_path_first": 10,
-    }  # fmt: skip
-    assert table.row("Stanford load").ours["subtasks"] == 154
-    assert table.row("Stanford load").ours["subtasks_step_3_corrected"] == 153
-    assert table.row("least Stanford time").ours["ms"] == 3.375
-    assert table.row("least Stanford time").ours["ms_as_printed"]["8"] == 3.645
-    assert table.row("friction").ours["flops"] == 26
-    assert table.row("lambda form").ours["revolute"] == 29.0
-
-
 @pytest.mark.thorough
 def test_claims_follow_the_graphs_edges(monkeypatch: Patch) -> None:
     """Nothing handed back from the tip: the chain grows shorter. a besides waiting for lambda: longer."""
@@ -282,10 +241,9 @@ def test_claims_follow_the_rules_of_elimination(tables: dict[str, Table], monkey
     found, before = claims.table(), tables["claims"]
     assert found.row("six-link load").ours["subtasks"] == 43 * 6
     assert found.row("six-link load").verdict == "differs"
-    assert found.row("maximum concurrency").ours["six_link"] > 13
     for name in ("Stanford load", "six-link efficiency", "task reduction"):
         assert found.row(name).ours != before.row(name).ours
-    printed = "Stanford efficiency"  # of the tasks of Table 4.7, which no rule gives
+    printed = "maximum concurrency"  # of the tasks of Table 4.7, which no rule gives
     assert found.row(printed).ours == before.row(printed).ours
 
 
@@ -305,9 +263,9 @@ def test_claims_follow_the_robot_and_the_counts(tables: dict[str, Table], monkey
         extra["subtasks_step_3_corrected"]
         == before.row("Stanford load").ours["subtasks_step_3_corrected"] + 6
     )
-    assert found.row("friction").ours["without_joint_friction"] == 2
+    assert found.row("small friction").ours["without_joint_friction"] == 2
     assert found.row("friction").ours["flops"] == 24  # by accident as printed, but the other is not
-    assert found.row("friction").verdict == "differs"
+    assert found.row("small friction").verdict == "differs"
 
 
 # --- all robots -------------------------------------------------------------------------------------------

@@ -9,7 +9,7 @@ from typing import Any, Literal
 from robodyn.counts import Count
 
 Verdict = Literal["reproduced", "differs", "not recoverable"]
-Part = Literal["printed", "ours"]
+Part = Literal["printed", "ours", "row"]
 #: Told what is being worked on.
 Progress = Callable[[str], None]
 
@@ -43,8 +43,8 @@ class Row:
 
 @dataclass(frozen=True, slots=True)
 class Column:
-    """A column of the text: a heading, and where its figure is. ``below``: on a line of its own, being
-    long."""
+    """A column of the text: a heading, and where its figure is, among printed ones, ours, or the row's own
+    fields. ``below``: on a line of its own, being long."""
 
     head: str
     part: Part

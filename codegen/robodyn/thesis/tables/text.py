@@ -47,6 +47,8 @@ def _heading(table: Table) -> str:
 
 
 def _figure(row: Row, column: Column) -> Any:
+    if column.part == "row":
+        return getattr(row, column.key)
     return (row.printed if column.part == "printed" else row.ours).get(column.key)
 
 
