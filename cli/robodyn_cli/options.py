@@ -199,8 +199,8 @@ def fuse_option(command: Command) -> Command:
     command = click.option(
         "--wrench",
         is_flag=True,
-        help="Torques and accelerations with a wrench on the tool as a further input: the functions "
-        "..._with_wrench in place of those without.",
+        help="Torques, accelerations and forces in the joints with a wrench on the tool as a further input: "
+        "the functions ..._with_wrench in place of those without.",
     )(command)
     return click.option(
         "--fuse",

@@ -99,6 +99,13 @@ def _forward(*inputs: str) -> Answer:
     return lambda arm, at: (arm.accelerations(at["tau"], **_state(at, *inputs)),)
 
 
+def _reactions(*inputs: str) -> Answer:
+    def rows(arm: Reference) -> ca.SX:
+        return ca.vertcat(*[ca.horzcat(force.T, moment.T) for force, moment in arm.reactions])
+
+    return lambda arm, at: (arm.value("reactions", lambda: rows(arm), **_state(at, *inputs)),)
+
+
 def _inverse_slopes(arm: Reference, at: State) -> tuple[Array, ...]:
     moving = _state(at, "q", "qd", "qdd")
     return arm.slopes("q", **moving), arm.slopes("qd", **moving)
@@ -147,4 +154,6 @@ ANSWERS: Final[dict[str, Answer]] = {
     "gravity_with_wrench": _torques("q", "w"),
     "bias_with_wrench": _torques("q", "qd", "w"),
     "forward_dynamics_with_wrench": _forward("q", "qd", "w"),
+    "joint_reactions": _reactions("q", "qd", "qdd"),
+    "joint_reactions_with_wrench": _reactions("q", "qd", "qdd", "w"),
 }

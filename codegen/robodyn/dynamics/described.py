@@ -9,6 +9,7 @@ from typing import Any
 from robodyn.dynamics.arm import Arm, Motion
 from robodyn.dynamics.choosing import First
 from robodyn.dynamics.dual import moving_along, slopes
+from robodyn.dynamics.free_bodies import reactions
 from robodyn.dynamics.functions.record import Moving
 from robodyn.dynamics.limits import ROUNDING
 from robodyn.dynamics.lump import NO_LUMP, MomentForm
@@ -16,7 +17,7 @@ from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.dynamics.parallel import Turns, single_turns
 from robodyn.dynamics.regroup import lumps_of
 from robodyn.dynamics.rigid_drives import RigidDrives
-from robodyn.dynamics.vectors import unmarked
+from robodyn.dynamics.vectors import Vector, unmarked
 
 
 class AsDescribed(RigidDrives, ABC):
@@ -40,6 +41,12 @@ class AsDescribed(RigidDrives, ABC):
         """The same, as described."""
         motion = self.motion(qd, qdd)
         return Moving(self.arm, motion, single_turns(motion), lumps_of(self.arm), NO_LUMP)
+
+    def reactions(
+        self, qd: Sequence[Any], qdd: Sequence[Any], w: Sequence[Any]
+    ) -> Sequence[tuple[Vector, Vector]]:
+        """Force and moment in each joint, of free bodies."""
+        return reactions(self.arm, self.motion(qd, qdd), w)
 
     def torque_derivatives(self, qdd: Sequence[Any]) -> None:
         """None: the rigid arm's derivatives are written out."""

@@ -122,6 +122,11 @@ def slopes(values: Sequence[Any]) -> list[Any]:
     return [value.slope if isinstance(value, Dual) else 0 for value in values]
 
 
+def values(scalars: Sequence[Any]) -> list[Any]:
+    """What ``scalars`` are without their derivatives."""
+    return [x.value if isinstance(x, Dual) else x for x in scalars]
+
+
 def moving_along(
     arm: Arm, motion: Motion, dq: Sequence[Any], dqd: Sequence[Any], dqdd: Sequence[Any]
 ) -> Motion:

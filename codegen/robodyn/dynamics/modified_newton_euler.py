@@ -9,6 +9,7 @@ joint's force, and rotor inertia on the diagonal.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -97,8 +98,30 @@ def forward_pass(arm: Arm, motion: Motion, mark: Mark) -> list[Kinematics]:
     return links
 
 
+#: Force and moment in a joint.
+Reaction = tuple[Vector, Vector]
+NO_REACTION: Reaction = (ZERO, ZERO)
+
+
 def modified_newton_euler(arm: Arm, motion: Motion, mark: Mark = unmarked) -> list[Any]:
     """Joint torques [n] (N m; N at prismatic joints) by Table 2.4, from centres of mass."""
+    torques: list[Any] = [None] * len(arm.bodies)
+    for i, f, moment in _inward(arm, motion, mark, NO_REACTION):
+        torques[i] = joint_torque(arm, i, motion, moment[2] if arm.bodies[i].revolute else f[2], mark)
+    return torques
+
+
+def reactions(
+    arm: Arm, motion: Motion, mark: Mark = unmarked, beyond: Reaction = NO_REACTION
+) -> list[Reaction]:
+    """Force [N] and moment [N m] of link i-1 on link i for each joint, base to tip, along the axes and about
+    the origin of link i's frame (steps 7 and 8); ``beyond`` are those of the last link on what lies beyond
+    it, in its frame."""
+    return [(f, moment) for _, f, moment in _inward(arm, motion, mark, beyond)][::-1]
+
+
+def _inward(arm: Arm, motion: Motion, mark: Mark, beyond: Reaction) -> Iterator[tuple[int, Vector, Vector]]:
+    """Joint (from 0), force and moment, tip to base."""
     forces: list[Vector] = []
     moments: list[Vector] = []
     links = forward_pass(arm, motion, mark)
@@ -108,7 +131,7 @@ def modified_newton_euler(arm: Arm, motion: Motion, mark: Mark = unmarked) -> li
         forces.append(force)
         moments.append(named(mark, inertia_moment(body.inertia, at), i + 1, "nc"))
     moments = [plus(m, cross(body.com, f)) for m, body, f in zip(moments, arm.bodies, forces, strict=True)]
-    return backward_pass(arm, motion, links, forces, moments, mark)
+    return backward_pass(arm, motion, links, forces, moments, mark, beyond)
 
 
 def inertia_moment(inertia: Any, at: Kinematics) -> Vector:
@@ -133,23 +156,20 @@ def backward_pass(
     forces: list[Vector],
     moments: list[Vector],
     mark: Mark,
-) -> list[Any]:
-    """Steps 7 to 9: ``f``, ``n`` from tip to base; the torques [n].
+    beyond: Reaction,
+) -> Iterator[tuple[int, Vector, Vector]]:
+    """Steps 7 and 8: ``f``, ``n`` from tip to base, each with its joint (from 0).
 
     ``forces[i]`` acts at the origin of link i's frame, ``moments[i]`` about it.
     """
     n = len(arm.bodies)
-    torques: list[Any] = [None] * n
-    f, moment = ZERO, ZERO
+    f, moment = beyond
     for i in reversed(range(n)):
         body, c, s = arm.bodies[i], motion.c[i], motion.s[i]
-        if i + 1 < n:
-            moment = plus(moments[i], cross(links[i + 1].p, f), moment)
-        else:
-            moment = moments[i]
+        lever = links[i + 1].p if i + 1 < n else ZERO
+        moment = plus(moments[i], cross(lever, f), moment)
         f = named(mark, plus(forces[i], f), i + 1, "f")
         moment = named(mark, moment, i + 1, "n")
-        torques[i] = joint_torque(arm, i, motion, moment[2] if body.revolute else f[2], mark)
+        yield i, f, moment
         f = into_parent(body, c, s, f)
         moment = into_parent(body, c, s, moment)
-    return torques

@@ -9,7 +9,7 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
-from robodyn.dynamics.arm import Body, origin
+from robodyn.dynamics.arm import Arm, Body, Motion, origin
 from robodyn.dynamics.vectors import Mark, Vector
 from robodyn.ir.program import Label
 
@@ -99,6 +99,24 @@ def transform(body: Body, c: Any, s: Any, d: Any) -> Matrix:
     """``A`` [4, 4]: a point ``(x, y, z, 1)`` [m] of the link's frame in the parent's frame."""
     rows = zip(rotation(body, c, s), origin(body, d), strict=True)
     return (*((*row, p) for row, p in rows), (0, 0, 0, 1))
+
+
+def poses(arm: Arm, motion: Motion) -> list[Matrix]:
+    """Transforms [4, 4] of the links, and of the tool, into the world: products of one a joint."""
+    base, tool = (
+        (*((*row, p) for row, p in zip(frame.rotation(), frame.origin, strict=True)), (0, 0, 0, 1))
+        for frame in (arm.base, arm.tool)
+    )
+    placed, last = [], base
+    for body, c, s, d in zip(arm.bodies, motion.c, motion.s, motion.d, strict=True):
+        last = product(last, transform(body, c, s, d))
+        placed.append(last)
+    return [*placed, product(last, tool)]
+
+
+def axial(W: Matrix) -> list[Any]:
+    """The vector of a skew matrix [3, 3]."""
+    return [W[2][1], W[0][2], W[1][0]]
 
 
 def joint_operator(body: Body) -> Matrix:

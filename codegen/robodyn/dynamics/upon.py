@@ -53,6 +53,12 @@ class Upon(RigidDrives):
         """The rotors."""
         return self._beneath.rotors()
 
+    def reactions(
+        self, qd: Sequence[Any], qdd: Sequence[Any], w: Sequence[Any]
+    ) -> Sequence[tuple[Sequence[Any], Sequence[Any]]]:
+        """Force and moment in each joint."""
+        return self._beneath.reactions(qd, qdd, w)
+
     def inertial_torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Sequence[Any]:
         """Joint torques [n] without gravity and what drives do besides."""
         return self._beneath.inertial_torques(qd, qdd)

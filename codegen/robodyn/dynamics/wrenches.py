@@ -5,9 +5,10 @@ Source: Craig, Introduction to Robotics, 5.9 (static forces).
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
-from robodyn.dynamics.arm import into_child, origin
+from robodyn.dynamics.arm import Arm, Motion, into_child, origin
 from robodyn.dynamics.functions.record import Dynamics
 from robodyn.dynamics.jacobians import columns
 from robodyn.dynamics.poses import placed, tool_place
@@ -37,6 +38,14 @@ def carried_outward(at: Dynamics) -> list[Any]:
         f, moment = named(at.mark, f, i + 1, "fw"), named(at.mark, moment, i + 1, "nw")
         torques.append(moment[2] if body.revolute else f[2])
     return torques
+
+
+def beyond_the_last_link(arm: Arm, motion: Motion, w: Sequence[Any]) -> tuple[Vector, Vector]:
+    """Force and moment of the last link on what pushes the tool with ``w`` [6], in that link's frame."""
+    f, moment = (scaled(-1, arm.base.back(u)) for u in ((w[0], w[1], w[2]), (w[3], w[4], w[5])))
+    for body, c, s in zip(arm.bodies, motion.c, motion.s, strict=True):
+        f, moment = into_child(body, c, s, f), into_child(body, c, s, moment)
+    return f, plus(moment, cross(arm.tool.origin, f))
 
 
 def _wrench(at: Dynamics) -> tuple[Vector, Vector]:

@@ -25,10 +25,12 @@ from robodyn.dynamics.joints import rotors_of
 from robodyn.dynamics.limits import ROUNDING
 from robodyn.dynamics.lump import NO_LUMP, MomentForm
 from robodyn.dynamics.mass_matrix import mass_matrix
+from robodyn.dynamics.modified_newton_euler import reactions
 from robodyn.dynamics.parallel import Turns, chain_turns, single_turns
 from robodyn.dynamics.regroup import lumps_of, regrouped_with_ground
 from robodyn.dynamics.rigid_drives import RigidDrives
-from robodyn.dynamics.vectors import Mark
+from robodyn.dynamics.vectors import Mark, Vector
+from robodyn.dynamics.wrenches import beyond_the_last_link
 from robodyn.errors import InputError
 from robodyn.ir import Graph, Label, Node, Program, Signature
 from robodyn.ir.fingerprint import in_drawn_field
@@ -209,6 +211,13 @@ class Recursion(RigidDrives):
     def inertial_torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
         """Joint torques [n] without gravity and friction."""
         return self._inverse_of(inertial(self.arm))(qd, qdd, self.mark)
+
+    def reactions(
+        self, qd: Sequence[Any], qdd: Sequence[Any], w: Sequence[Any]
+    ) -> Sequence[tuple[Vector, Vector]]:
+        """Force and moment in each joint, by the recursion of the thesis."""
+        beyond = beyond_the_last_link(self.arm, self.motion(self.rest, self.rest), w)
+        return reactions(self.arm, self.motion(qd, qdd), self.mark, beyond)
 
     def _inverse_of(self, arm: Arm) -> Inverse:
         return _inverse_dynamics(arm, self._choice, self.inputs["q"], self._trigonometry, self._number)

@@ -24,12 +24,14 @@ from robodyn.dynamics.described import AsDescribed
 from robodyn.dynamics.functions import Function, Rotor
 from robodyn.dynamics.joints import rotors_of
 from robodyn.dynamics.rotor import with_rotors
+from robodyn.dynamics.vectors import Vector
 from robodyn.errors import InputError
 from robodyn.ir.evaluate import turn
 from robodyn.optimize.programs import base_set_of
 from robodyn.robot.model import Robot
 from robodyn.robot.values import ZERO, circle_point
 from robodyn.verify.exact import exact_torque, exact_torque_slope
+from robodyn.verify.free_bodies import joint_reactions
 from robodyn.verify.lagrangian import lagrangian
 from robodyn.verify.numbers import Parameters, filled, real
 from robodyn.verify.reference import Floats, Reference
@@ -41,8 +43,8 @@ if TYPE_CHECKING:
 Numbers = NDArray[Any]
 
 
-class NoDerivatives(InputError):
-    """A reference has torques and no derivatives of them."""
+class TorquesAlone(InputError):
+    """A reference has torques, and nothing that says what is asked for."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,6 +63,8 @@ class Oracle:
     under_wrench: Callable[[Floats, Floats, Floats, Floats], Numbers] | None = None
     #: Derivatives ``[N, n]`` of the torques at ``(q, qd, qdd)`` along ``(dq, dqd)``, if it has any.
     slope: Callable[[Floats, Floats, Floats, Floats, Floats], Numbers] | None = None
+    #: Force and moment ``[N, n, 6]`` in the joints at ``(q, qd, qdd, w)``, if it has any.
+    reactions: Callable[[Floats, Floats, Floats, Floats], Numbers] | None = None
     #: Whether the torques are Fractions.
     exact: bool = False
     #: The same reference of another robot.
@@ -161,6 +165,22 @@ class _Columns(AsDescribed):
         )
         return list(self._oracle.under_wrench(self._q, speeds, accelerations, wrench).T)
 
+    def reactions(
+        self, qd: Sequence[Any], qdd: Sequence[Any], w: Sequence[Any]
+    ) -> Sequence[tuple[Vector, Vector]]:
+        """Force and moment in each joint, of columns.
+
+        Raises
+        ------
+        TorquesAlone: the reference has none.
+        """
+        if self._oracle.reactions is None:
+            raise TorquesAlone("it has torques and no forces in the joints")
+        speeds, accelerations, wrench = (self._oracle._rows(x, len(self._q)) for x in (qd, qdd, w))
+        rows = self._oracle.reactions(self._q, speeds, accelerations, wrench)
+        joints = [[rows[:, k, j] for j in range(6)] for k in range(rows.shape[1])]
+        return [((fx, fy, fz), (nx, ny, nz)) for fx, fy, fz, nx, ny, nz in joints]
+
     def inertial_torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
         """The reference's torques of links in no gravity, and what accelerates the rotors."""
         links = self._oracle.links()
@@ -172,10 +192,10 @@ class _Columns(AsDescribed):
 
         Raises
         ------
-        NoDerivatives: the reference has none.
+        TorquesAlone: the reference has none.
         """
         if self._oracle.slope is None:
-            raise NoDerivatives("it has torques and no derivatives of them")
+            raise TorquesAlone("it has torques and no derivatives of them")
         arrays = (self._oracle._rows(x, len(self._q)) for x in (self.inputs["qd"], qdd, dq, dqd))
         return list(self._oracle.slope(self._q, *arrays).T)
 
@@ -198,6 +218,7 @@ def reference_oracle(robot: Robot, parameters: Parameters) -> Oracle:
         reference.mass_matrix,
         reference.inverse_dynamics,
         reference.torque_slope,
+        lambda q, qd, qdd, w: joint_reactions(robot, q, qd, qdd, w, values),
         other=reference_oracle,
     )
 
@@ -219,7 +240,13 @@ def exact_oracle(robot: Robot, parameters: Parameters) -> Oracle:
         return slopes
 
     values = filled(robot, parameters)
-    return Oracle("exact", torque, robot, values, slope=slope, exact=True, other=exact_oracle)
+
+    def reactions(q: Floats, qd: Floats, qdd: Floats, w: Floats) -> Numbers:
+        return joint_reactions(robot, q, qd, qdd, w, values, exact=True)
+
+    return Oracle(
+        "exact", torque, robot, values, slope=slope, reactions=reactions, exact=True, other=exact_oracle
+    )
 
 
 def lagrangian_oracle(robot: Robot, parameters: Parameters) -> Oracle:

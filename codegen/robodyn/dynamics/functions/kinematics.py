@@ -9,7 +9,7 @@ from typing import Any
 from robodyn.dynamics.arm import Motion, in_stated_frame, inertial
 from robodyn.dynamics.articulated import articulated_bodies
 from robodyn.dynamics.drift import tool_drift
-from robodyn.dynamics.dual import Dual, moving_along, slopes
+from robodyn.dynamics.dual import moving_along, slopes, values
 from robodyn.dynamics.functions.arguments import POSE, QD, Array, Q
 from robodyn.dynamics.functions.record import Derivative, Dynamics, Function, Pair, Vector
 from robodyn.dynamics.jacobians import Column, columns
@@ -18,7 +18,7 @@ from robodyn.dynamics.mass_matrix import factoring
 from robodyn.dynamics.operational import by_elimination, lambda_inverse
 from robodyn.dynamics.poses import flat, link_places, placed, pose, rows_of, seen_from_tool
 from robodyn.dynamics.responses import lambda_inverse_by_answers
-from robodyn.dynamics.transforms import Matrix, applied, product, transform, transposed
+from robodyn.dynamics.transforms import Matrix, applied, axial, poses, product, transposed
 from robodyn.dynamics.vectors import plus, scaled
 
 LINK_POSITIONS = Array("link_positions", "origins of the links in the world", "m", shape=("n", 3))
@@ -104,29 +104,17 @@ def _lambda_by_answers(at: Dynamics) -> Sequence[Any]:
 
 
 def _tool_pose(at: Dynamics) -> Sequence[Any]:
-    T = _poses(at, at.motion(at.rest, at.rest))[-1]
+    T = poses(at.arm, at.motion(at.rest, at.rest))[-1]
     return flat(T[:3])
 
 
 def _all_poses(at: Dynamics) -> Sequence[Any]:
-    poses = _poses(at, at.motion(at.rest, at.rest))[:-1]
+    placed_links = poses(at.arm, at.motion(at.rest, at.rest))[:-1]
     if at.arm.stated_frames:
         ends = (((1, 0, 0, a), (0, c, -s, 0), (0, s, c, 0), (0, 0, 0, 1)) for a, c, s in at.arm.stated_frames)
-        poses = [product(T, end) for T, end in zip(poses, ends, strict=True)]
-    return [*(row[3] for T in poses for row in T[:3]), *(x for T in poses for row in T[:3] for x in row[:3])]
-
-
-def _poses(at: Dynamics, motion: Motion) -> list[Matrix]:
-    """Transforms [4, 4] of the links, and of the tool: products of one a joint."""
-    base, tool = (
-        (*((*row, p) for row, p in zip(frame.rotation(), frame.origin, strict=True)), (0, 0, 0, 1))
-        for frame in (at.arm.base, at.arm.tool)
-    )
-    poses, last = [], base
-    for body, c, s, d in zip(at.arm.bodies, motion.c, motion.s, motion.d, strict=True):
-        last = product(last, transform(body, c, s, d))
-        poses.append(last)
-    return [*poses, product(last, tool)]
+        placed_links = [product(T, end) for T, end in zip(placed_links, ends, strict=True)]
+    places = (row[3] for T in placed_links for row in T[:3])
+    return [*places, *(x for T in placed_links for row in T[:3] for x in row[:3])]
 
 
 def _along(at: Dynamics, motion: Motion, rates: Sequence[Any]) -> Motion:
@@ -136,19 +124,10 @@ def _along(at: Dynamics, motion: Motion, rates: Sequence[Any]) -> Motion:
 
 def _velocity(at: Dynamics, rates: Sequence[Any]) -> tuple[list[Any], list[Any], Matrix]:
     """Velocity, angular velocity and rotation of the tool at the rates, by differentiating its pose."""
-    T = _poses(at, _along(at, at.motion(at.rest, at.rest), rates))[-1]
-    R = tuple(tuple(map(_value, row[:3])) for row in T[:3])
+    T = poses(at.arm, _along(at, at.motion(at.rest, at.rest), rates))[-1]
+    R = tuple(tuple(values(row[:3])) for row in T[:3])
     R_rate = tuple(tuple(slopes(row[:3])) for row in T[:3])
-    return slopes([row[3] for row in T[:3]]), _axial(product(R_rate, transposed(R))), R
-
-
-def _value(x: Any) -> Any:
-    return x.value if isinstance(x, Dual) else x
-
-
-def _axial(W: Matrix) -> list[Any]:
-    """The vector of a skew matrix."""
-    return [W[2][1], W[0][2], W[1][0]]
+    return slopes([row[3] for row in T[:3]]), axial(product(R_rate, transposed(R))), R
 
 
 def _moves_the_tool(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
@@ -170,15 +149,11 @@ def _times(rows: Sequence[Any], x: Vector) -> list[Any]:
 def _second_derivative(at: Dynamics) -> Sequence[Any]:
     """The tool's pose differentiated twice at constant rates."""
     qd = at.inputs["qd"]
-    T = _poses(at, _along(at, _along(at, at.motion(at.rest, at.rest), qd), qd))[-1]
-    R = tuple(tuple(_value(_value(x)) for x in row[:3]) for row in T[:3])
-    rate, again = (tuple(tuple(slopes(part(row[:3]))) for row in T[:3]) for part in (_values, slopes))
-    spun = zip(_axial(product(again, transposed(R))), _axial(product(rate, transposed(rate))), strict=True)
+    T = poses(at.arm, _along(at, _along(at, at.motion(at.rest, at.rest), qd), qd))[-1]
+    R = tuple(tuple(values(values(row[:3]))) for row in T[:3])
+    rate, again = (tuple(tuple(slopes(part(row[:3]))) for row in T[:3]) for part in (values, slopes))
+    spun = zip(axial(product(again, transposed(R))), axial(product(rate, transposed(rate))), strict=True)
     return [*slopes(slopes([row[3] for row in T[:3]])), *(x + y for x, y in spun)]
-
-
-def _values(row: Sequence[Any]) -> list[Any]:
-    return [_value(x) for x in row]
 
 
 def _solved_for(at: Dynamics) -> Sequence[Any]:

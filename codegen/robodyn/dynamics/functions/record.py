@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
 from robodyn.dynamics.functions.arguments import INPUTS, Array
 from robodyn.dynamics.limits import FEW_JOINTS, MANY_JOINTS
+from robodyn.dynamics.moving import Moving as Moving
 from robodyn.dynamics.rotor import Rotor as Rotor
 from robodyn.dynamics.vectors import Mark
 from robodyn.errors import InputError
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
     from robodyn.dynamics.base_parameter import BaseParameter
     from robodyn.dynamics.choosing import Chooser
     from robodyn.dynamics.iterative import Iterative
-    from robodyn.dynamics.lump import Lump, MomentForm
+    from robodyn.dynamics.lump import MomentForm
     from robodyn.dynamics.parallel import Turns
 
 #: Scalars of any kind, one for each joint.
@@ -27,21 +28,6 @@ Vector = Sequence[Any]
 WITH_WRENCH = "_with_wrench"
 #: Names of other arguments: run-time parameters, memory, time step, states of a batch.
 _TAKEN = {"p", "state", "dt", "N", "n"}
-
-
-@dataclass(frozen=True, slots=True)
-class Moving:
-    """An arm in motion, its joints' ``turns``, and the mass, first and second moments of each link about its
-    frame's origin: those described, or others that move alike (then a mass may be 0 or less), what they lack
-    of mass and first moment being that of ``ground``, at rest, about the base's origin. Where they are
-    ``weighed``, masses are times the largest component of gravity, and the arm's gravity in units of that."""
-
-    arm: Arm
-    motion: Motion
-    turns: Turns
-    lumps: Sequence[Lump]
-    ground: Lump
-    weighed: bool = False
 
 
 class Dynamics(Protocol):
@@ -113,6 +99,12 @@ class Dynamics(Protocol):
 
     def inertial_torques(self, qd: Vector, qdd: Vector) -> Vector:
         """The same of links and rotors alone, without gravity and all else that drives do."""
+        ...
+
+    def reactions(self, qd: Vector, qdd: Vector, w: Vector) -> Sequence[tuple[Vector, Vector]]:
+        """Force [N] and moment [N m] of link i-1 on link i for each joint, base to tip, along the axes and
+        about the origin of link i's frame in ``arm``, while ``w`` ``[6]`` pushes the tool. Whatever passes
+        from one link to the other is in them, drives and springs as well as bearings."""
         ...
 
     def mass_matrix(self) -> Sequence[Vector]:
