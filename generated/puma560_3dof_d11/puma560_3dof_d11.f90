@@ -1,6 +1,10 @@
 ! puma560_3dof_d11: PUMA 560, first three joints, the set of the thesis's program D.1.1
 ! Numbers: the 1990 thesis, program D.1.1 (Lagrange); pseudo-inertias as tensors about the centres
 !   of mass
+! Origin of numbers: geometry, inertia; mass, centre of mass (joints 2, 3): stated by the
+!     description
+! Origin of numbers: rotor inertia, friction; mass, centre of mass (joint 1): absent, taken as 0
+! Origin of numbers: limits: absent, so without bounds
 ! Written by robodyn 0.1.0; do not edit, generate again.
 ! Description: e4acb3fa395de91cc0422790bfa2c096 (a hash of its numbers)
 ! Options: --optimize record --scalar double --trig libm

@@ -1,6 +1,9 @@
 ! puma560_3dof_d13: PUMA 560, first three joints with the tool at the wrist, as in the thesis's
 !   D.1.3
 ! Numbers: the 1990 thesis, program D.1.3 (inverse kinematics); no masses
+! Origin of numbers: geometry: stated by the description
+! Origin of numbers: mass, centre of mass, inertia, rotor inertia, friction: absent, taken as 0
+! Origin of numbers: limits: absent, so without bounds
 ! Written by robodyn 0.1.0; do not edit, generate again.
 ! Description: 2cfb44495e01bcb86afbc938f4d4ee8e (a hash of its numbers)
 ! Options: --optimize record --scalar double --trig libm
