@@ -11,6 +11,7 @@ from robodyn.schedule.branch_and_bound import one_processor_a_joint
 from robodyn.thesis.claims.arms import FLOP_US, LINKS, TASK_MS, Arms
 from robodyn.thesis.claims.claim import Outcome
 from robodyn.thesis.claims.tasks import MOST, SIZES
+from robodyn.thesis.printed_counts import table_2_10
 from robodyn.thesis.printed_tasks import LEVELS_SIX_LINK, LEVELS_STANFORD, TIMES_OTHERS, TIMES_STANFORD
 from robodyn.thesis.rival_tasks import UNIT_MS, rival_graph
 
@@ -167,7 +168,7 @@ def one_processor(_: Arms) -> Outcome:
     """468 operations at the rate of Table 4.8, and the operations of the thesis's own listing."""
     ms, theirs = LEVELS_STANFORD[1] * TASK_MS, TIMES_OTHERS[KASAHARA][1]
     least = min(LEVELS_STANFORD.values()) * TASK_MS
-    listing = 183 + 140
+    listing = sum(table_2_10()["stanford_6"]["I"])
     figures = {
         "ms": round(ms, 2),
         "less_pct": _less(ms, theirs),
