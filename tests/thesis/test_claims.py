@@ -12,6 +12,7 @@ from typing import Any
 import pytest
 import yaml
 
+from robodyn import load
 from robodyn.counts import Count
 from robodyn.effects import thesis_friction
 from robodyn.robot import Robot
@@ -116,3 +117,12 @@ def test_table_4_1_counts_what_a_task_does(monkeypatch: Patch) -> None:
     counts = task_counts.operations_of_tasks(4)
     monkeypatch.setattr(table_4_1, "operations_of_tasks", lambda n: {**counts, 326: {"mul": 5}})
     assert table_4_1.table().row("T26").ours["operations"] == 5
+
+
+def test_products_of_inertia_of_makers_arms() -> None:
+    """What the reason of claim 27 says of the example arms, which are not in the package."""
+    arms = sorted((Path(__file__).parents[2] / "examples" / "arms").glob("*.yaml"))
+    inertias = [[link.inertia for link in load(arm, warn=lambda _: None).links] for arm in arms]
+    oblique = [arm for arm in inertias if any(any((i.xy, i.xz, i.yz)) for i in arm)]
+    (claim,) = (claim for claim in read_claims() if claim.claim_number == 27)
+    assert f"of the {len(arms)} arms from makers' files in examples/arms {len(oblique)} have" in claim.reason

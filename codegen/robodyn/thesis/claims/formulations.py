@@ -30,8 +30,6 @@ from robodyn.thesis.tables.table_2_10 import plain
 SMALL_PUMA: Final = "puma560_3dof_d12"
 _FUNCTIONS: Final = ("inverse_dynamics", "gravity", "bias", "mass_matrix", "forward_dynamics")
 _INVERSE: Final = ("inverse_dynamics",)
-#: Robots of random or made-up numbers among the bundled ones: what they are like says nothing of arms.
-MADE_UP: Final = ("puma560_full", "stanford_full")
 #: A share of operations that is significant [%].
 SIGNIFICANT: Final = 5.0
 _METHODS: Final[tuple[Method, ...]] = ("I", "II")
@@ -254,9 +252,9 @@ def principal_axes(arms: Arms) -> Outcome:
             for product in (link.inertia.xy, link.inertia.xz, link.inertia.yz)
         )
     ]
-    real = [name for name in with_products if name not in MADE_UP]
-    figures = {"with_products": len(with_products), "of": len(names), "names": with_products, "real": real}
-    return figures, None
+    origins = [arms.load_robot(name).links[0].origins.inertia for name in with_products]
+    figures = {"with_products": len(with_products), "of": len(names), "invented": origins.count("synthetic")}
+    return {**figures, "names": with_products}, None
 
 
 def backward_recursion(_: Arms) -> Outcome:
