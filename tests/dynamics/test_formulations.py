@@ -177,7 +177,7 @@ def test_every_named_value_is_the_quantity_of_that_name(choice: str, function: s
         regrouped_arm = CHOICES[choice].regroup and not function_named(function).geometric
         arm = slid(state.arm) if regrouped_arm else state.arm
         state.outputs(function, CHOICES[choice], recorder.mark, arm)
-        if "wrench" in function:  # which is carried along the axes of the description
+        if "wrench" in function or "reactions" in function:  # along the axes of the description
             state.outputs(function, CHOICES[choice], recorder.mark)
         drafted = build(robot, function, CHOICES[choice])
         plain = run(drafted, [each for each in FRESH if each is not units])
