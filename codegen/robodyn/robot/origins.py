@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
-from typing import TYPE_CHECKING, Final, Literal
-
-if TYPE_CHECKING:
-    from robodyn.robot.parts import Link
+from typing import Final, Literal, Protocol
 
 Origin = Literal["stated", "measured", "assumed", "synthetic", "absent"]
 #: What a description may say of numbers that it states.
@@ -58,7 +55,18 @@ class Origins:
         return replace(self, **dict.fromkeys(absent, stated)) if absent else self
 
 
-def origins_to_state(link: Link) -> dict[str, Origin]:
+class LinkWithOrigins(Protocol):
+    """What is asked of a :class:`~robodyn.robot.parts.Link` here."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def origins(self) -> Origins: ...
+    @property
+    def confidence(self) -> object: ...
+
+
+def origins_to_state(link: LinkWithOrigins) -> dict[str, Origin]:
     """The origins that a description of ``link`` has to state, by group: of numbers that are there, and other
     than the usual ones."""
     usual: dict[str, Origin] = {"inertial": "assumed"} if link.confidence == "unknown" else {}
@@ -70,13 +78,13 @@ def origins_to_state(link: Link) -> dict[str, Origin]:
     return words
 
 
-def origins_to_dicts(links: tuple[Link, ...]) -> list[dict[str, str]]:
+def origins_to_dicts(links: Sequence[LinkWithOrigins]) -> list[dict[str, str]]:
     """The origins of each link's numbers by name, base to tip, for JSON."""
     names = [each.name for each in fields(Origins)]
     return [{"link": link.name, **{name: getattr(link.origins, name) for name in names}} for link in links]
 
 
-def origins_in_words(links: tuple[Link, ...]) -> list[str]:
+def origins_in_words(links: Sequence[LinkWithOrigins]) -> list[str]:
     """A line for each origin that numbers of ``links`` have, for people: which numbers, of which joints."""
     lines = []
     for origin, meaning in _MEANINGS.items():
@@ -106,13 +114,13 @@ def _listed(joints_of: Mapping[str, tuple[int, ...]], n: int) -> str:
     return "; ".join(parts)
 
 
-def _ranges(numbers: tuple[int, ...]) -> str:
+def _ranges(joints: tuple[int, ...]) -> str:
     """``1 to 3, 5``."""
     runs: list[list[int]] = []
-    for number in numbers:
-        if runs and number == runs[-1][-1] + 1:
-            runs[-1].append(number)
+    for joint in joints:
+        if runs and joint == runs[-1][-1] + 1:
+            runs[-1].append(joint)
         else:
-            runs.append([number])
+            runs.append([joint])
     words = {1: "{0}", 2: "{0}, {1}"}
     return ", ".join(words.get(len(run), "{0} to {1}").format(run[0], run[-1]) for run in runs)
