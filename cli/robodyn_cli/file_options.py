@@ -1,4 +1,4 @@
-"""``--arg`` and ``--model`` of every command that takes a ROBOT: how a file in another format is read."""
+"""``--arg``, ``--model``, ``--without`` of every command with a ROBOT: how other formats are read."""
 
 from __future__ import annotations
 
@@ -15,7 +15,15 @@ from robodyn_cli.values import Argument, unique
 
 
 def file_options(command: Callable[..., Any]) -> Callable[..., Any]:
-    """Add ``--arg`` (the parameter ``arg``) and ``--model`` (``file_model``) to a command."""
+    """Add ``--arg`` (``arg``), ``--model`` (``file_model``) and ``--without`` (``left_out``) to a command."""
+    command = click.option(
+        "--without",
+        "left_out",
+        multiple=True,
+        metavar="NAME",
+        help="Leave out something that a file in another format states, that changes torques and that is not "
+        "modelled: gravcomp, density, ...; may be repeated.",
+    )(command)
     command = click.option(
         "--model",
         "file_model",
@@ -45,8 +53,10 @@ def with_file_options(command: click.Command) -> click.Command:
 
 def _in_their_context(callback: Callable[..., Any]) -> Callable[..., Any]:
     @wraps(callback)
-    def with_options(*, arg: tuple[tuple[str, str], ...], file_model: str, **parameters: Any) -> Any:
-        if not arg and not file_model:
+    def with_options(
+        *, arg: tuple[tuple[str, str], ...], file_model: str, left_out: tuple[str, ...], **parameters: Any
+    ) -> Any:
+        if not arg and not file_model and not left_out:
             return callback(**parameters)
         from robodyn.formats.reading import how_files_are_read, is_sdf
 
@@ -63,7 +73,7 @@ def _in_their_context(callback: Callable[..., Any]) -> Callable[..., Any]:
                 robots,
                 f"leave --model out{of_controller if simulates else ''}",
             )
-        with how_files_are_read(unique(arg, "--arg"), file_model):
+        with how_files_are_read(unique(arg, "--arg"), file_model, left_out):
             return callback(**parameters)
 
     return with_options

@@ -65,6 +65,7 @@ def command(
     lock: Sequence[tuple[str, float]],
     arg: Sequence[tuple[str, str]],
     file_model: str,
+    left_out: tuple[str, ...],
     snap: float,
     gravity: tuple[float, float, float] | None,
     name: str,
@@ -98,6 +99,7 @@ def command(
         "name": name,
         "arguments": unique(arg, "--arg"),
         "model": file_model,
+        "without": left_out,
         "gravity": gravity,
         "strict": strict,
     }

@@ -17,7 +17,7 @@ from robodyn.formats.positions import Positions
 from robodyn.formats.reading import read_tree
 from robodyn.formats.serial import Serial, serial_chain
 from robodyn.formats.topology import Topology
-from robodyn.formats.tree import MOVING, Tree
+from robodyn.formats.tree import MOVING, PHYSICS, Tree
 from robodyn.formats.xacro import expanded
 from robodyn.ir.evaluate import evaluate
 from robodyn.robot import Robot, read_text, to_yaml
@@ -73,7 +73,7 @@ def test_every_chain_is_what_pinocchio_reads(package: str, file: str, tmp_path: 
     if path.suffix == ".xacro":
         require_module("xacro")
         text = expanded(path).text
-    tree = read_tree(path)
+    tree = read_tree(path, without=PHYSICS)  # Pinocchio reads none of it
     positions = Positions(Topology(tree), {})
     locked = {joint.name: positions.of(joint) for joint in tree.joints if joint.kind in MOVING}
     count = 0

@@ -208,7 +208,7 @@ BROKEN = {
     "confidence of the robot": ("name: arm\nconfidence: ¶-1\nlinks: [{joint: revolute}]\n", "is not a share"),
     "gear is a number": (HEAD + "    gear: ¶100\n", "link 1: gear must be a mapping"),
     "gear without a ratio": (HEAD + "    gear: ¶{torque_constant: 0.1}\n", "the key 'ratio' is missing"),
-    "gear ratio of zero": (HEAD + "    gear: {ratio: ¶0}\n", "link 1: gear: ratio is not positive"),
+    "gear ratio of zero": (HEAD + "    gear: {ratio: ¶0}\n", "link 1: gear: ratio is 0"),
     "gear ratio by name": (HEAD + "    gear: {ratio: ¶r}\n", "a name cannot stand here"),
     "torque constant negative": (
         HEAD + "    gear: {ratio: 2, torque_constant: ¶-0.1}\n",

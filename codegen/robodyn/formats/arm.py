@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -48,6 +48,7 @@ def import_arm(
     name: str = "",
     arguments: Mapping[str, str] | None = None,
     model: str = "",
+    without: Iterable[str] = (),
     gravity: Vector | None = None,
     strict: bool = False,
 ) -> Imported:
@@ -56,14 +57,16 @@ def import_arm(
     ``locks``: positions [rad or m] of joints that do not move; ``snap``: angles of axes within it [rad] of a
     multiple of pi/2 become it; ``name``: of the robot, by default the file's; ``arguments``: those of a xacro
     file; ``model``: the one that is read of an SDF file; ``gravity`` [m/s^2], in the root's frame, takes the
-    place of the file's, which a URDF does not have. ``strict`` refuses inertias that no body has.
+    place of the file's, which a URDF does not have. What is named ``without`` in
+    :data:`~robodyn.formats.tree.PHYSICS` is left out, although it changes torques. ``strict`` refuses
+    inertias that no body has.
 
     Raises
     ------
     InputError: the file cannot be read, or no serial chain can be taken out of it; with the place.
     ToolError: the package that reads the format is not installed.
     """
-    tree = read_tree(path, arguments, model)
+    tree = read_tree(path, arguments, model, without)
     if gravity is not None:
         tree = replace(tree, gravity=gravity)
     serial = serial_chain(tree, robot_name(tree, name), base, tip, locks)

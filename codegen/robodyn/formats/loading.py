@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
 from typing import Final
 
 from robodyn.files import label
@@ -15,14 +16,20 @@ SUFFIXES: Final = (".urdf", ".xacro", ".xml", ".mjcf", ".sdf")
 
 
 def load(
-    spec: str | os.PathLike[str], *, model: str = "", strict: bool = False, warn: Warn | None = None
+    spec: str | os.PathLike[str],
+    *,
+    model: str = "",
+    without: Iterable[str] = (),
+    strict: bool = False,
+    warn: Warn | None = None,
 ) -> Robot:
     """The robot in the file ``spec``, or the bundled robot of that name.
 
     A file whose name ends in .urdf, .xml, .mjcf, .sdf or .xacro is imported (:mod:`robodyn.formats.arm`): it
-    must have one tip; ``model`` is the one that is read of an SDF file with several. Physically doubtful
-    numbers, what was decided in importing, and what the file's format does not allow are told to ``warn``,
-    one line of text each (by default they become a warning); ``strict`` refuses doubtful numbers.
+    must have one tip; ``model`` is the one that is read of an SDF file with several. What such a file states
+    that changes torques and that is not modelled is refused, unless it is named ``without``. Physically
+    doubtful numbers, what was decided in importing, and what the file's format does not allow are told to
+    ``warn``, one line of text each (by default they become a warning); ``strict`` refuses doubtful numbers.
 
     Raises
     ------
@@ -37,7 +44,7 @@ def load(
         return bundled.load(spec, strict=strict, warn=warn)
     from robodyn.formats.arm import import_arm
 
-    imported = import_arm(spec, model=model, strict=strict)
+    imported = import_arm(spec, model=model, without=without, strict=strict)
     tell = warn or doubtful
     for remark in imported.remarks:
         tell(f"{imported.file}: {remark}")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Final
@@ -58,7 +58,8 @@ def read_tree(document: Document, path: Path | None, folders: Iterable[str] = ()
             found=message[:300],
         ) from None
     tree = _Model(mujoco, spec, model, text, document.file, bare).tree(document, leftovers)
-    return checked(replace(tree, unused=leftovers.unused(), warnings=tuple(text.warnings)))
+    notes = {"unused": leftovers.unused(), "physics": tuple(leftovers.physics)}
+    return checked(replace(tree, **notes, warnings=tuple(text.warnings)))  # type: ignore[arg-type]
 
 
 def _without_meshes(spec: Any, text: Handed) -> set[str]:
@@ -117,7 +118,9 @@ class _Model:
                     pose(site.pos, site.quat),
                 )
             )
-        with_motors = with_drives(self.mujoco, self.model, joints, leftovers)
+        self.note_surroundings(leftovers)
+        joints, remarks = self.as_switched(joints)
+        with_motors, ranges = with_drives(self.mujoco, self.model, joints, leftovers)
         coupled, loops = with_couplings(self.mujoco, self.model, with_motors, self.text, leftovers)
         return Tree(
             document.root.attributes.get("model", ""),
@@ -125,10 +128,45 @@ class _Model:
             self.file,
             tuple(links),
             tuple(coupled),
-            vector(self.model.opt.gravity),
+            self.gravity,
             loops,
-            remarks=self.remarks(),
+            remarks=(*self.remarks(), *remarks, *ranges),
         )
+
+    def is_off(self, flag: str) -> bool:
+        """Whether the file switches the ``flag`` of the simulation off."""
+        bit = getattr(self.mujoco.mjtDisableBit, f"mjDSBL_{flag}", 0)
+        return bool(int(self.model.opt.disableflags) & int(bit))
+
+    @property
+    def gravity(self) -> Vector:
+        """Gravity [m/s^2], 0 where it is switched off."""
+        return (0.0, 0.0, 0.0) if self.is_off("GRAVITY") else vector(self.model.opt.gravity)
+
+    def as_switched(self, joints: Sequence[TreeJoint]) -> tuple[list[TreeJoint], list[str]]:
+        """The joints without what the file's flags switch off, and what was switched off."""
+        remarks = ["gravity is switched off (flag)"] if self.is_off("GRAVITY") else []
+        passive = self.is_off("PASSIVE")
+        if (passive or self.is_off("SPRING")) and any(joint.spring for joint in joints):
+            remarks.append("springs of joints are switched off (flag)")
+            joints = [replace(joint, spring=None) for joint in joints]
+        if (passive or self.is_off("DAMPER")) and any(joint.damping for joint in joints):
+            remarks.append("damping of joints is switched off (flag)")
+            joints = [replace(joint, damping=0.0) for joint in joints]
+        if self.is_off("FRICTIONLOSS") and any(joint.friction for joint in joints):
+            remarks.append("friction of joints is switched off (flag)")
+            joints = [replace(joint, friction=0.0) for joint in joints]
+        return list(joints), remarks
+
+    def note_surroundings(self, leftovers: Leftovers) -> None:
+        """Note the fluid around the arm, and forces that take weight off its bodies."""
+        for name in ("density", "viscosity"):
+            if getattr(self.model.opt, name):
+                leftovers.changes_torques(name, f"{getattr(self.model.opt, name):g}", Place(self.file))
+        for index in range(self.model.nbody if any(self.gravity) else 0):
+            share, body = float(self.model.body_gravcomp[index]), self.model.body(index)
+            if share and self.model.body_weldid[index] and body.mass[0]:
+                leftovers.changes_torques("gravcomp", f"body {body.name}", self.place("body", body.name))
 
     def remarks(self) -> tuple[str, ...]:
         """Whose inertia is not stated."""
@@ -170,9 +208,9 @@ class _Model:
         stiffness, address = float(model.jnt_stiffness[index]), int(model.jnt_qposadr[index])
         spring = Spring(stiffness, float(model.qpos_spring[address])) if stiffness else None
         if (harder := getattr(model, "jnt_stiffnesspoly", None)) is not None and harder[index].any():
-            leftovers.add(f"the spring of the joint {name} beyond its linear part", where.line, where.file)
+            leftovers.changes_torques("stiffness", f"joint {name}", where)
         if model.dof_damping.ndim > 1 or getattr(model, "dof_dampingpoly", model.dof_damping[:0]).any():
-            leftovers.add(f"damping of the joint {name} that is not linear", where.line, where.file)
+            leftovers.changes_torques("damping", f"joint {name}", where)
         anchor = vector(model.jnt_pos[index])
         lower, upper = map(float, model.jnt_range[index])
         limited = bool(model.jnt_limited[index])

@@ -7,13 +7,15 @@ from dataclasses import replace
 from typing import Any
 
 from robodyn.formats.mjcf_handed import Handed
+from robodyn.formats.rigid import composed, motion
 from robodyn.formats.tree import Leftovers, Loop, Mimic, TreeJoint
 
 
 def with_drives(
     mujoco: Any, model: Any, joints: Sequence[TreeJoint], leftovers: Leftovers
-) -> list[TreeJoint]:
-    """The joints with gear ratio, rotor inertia and greatest torque of the one actuator of each.
+) -> tuple[list[TreeJoint], list[str]]:
+    """The joints with rotor inertia and damping of all their actuators, and with gear ratio and greatest
+    torque of the one actuator of each; and which torques are not limited to the same both ways.
 
     An actuator whose control is limited to -1 and 1 has no gear: its ``gear`` is the greatest torque.
     """
@@ -21,20 +23,50 @@ def with_drives(
     for index in range(model.nu):
         if int(model.actuator_trntype[index]) == int(mujoco.mjtTrn.mjTRN_JOINT):
             motors.setdefault(model.joint(int(model.actuator_trnid[index][0])).name, []).append(index)
-    driven = []
+    joint_ranges = {
+        model.joint(index).name: model.jnt_actfrcrange[index]
+        for index in range(model.njnt)
+        if model.jnt_actfrclimited[index]
+    }
+    driven: list[TreeJoint] = []
+    remarks: list[str] = []
     for joint in joints:
         indices = motors.get(joint.name, [])
+        ranges = [model.actuator_forcerange[index] for index in indices if model.actuator_forcelimited[index]]
+        if joint.name in joint_ranges:
+            ranges.append(joint_ranges[joint.name])
+        remarks += [f"{words}: joint {joint.name}" for words in map(_one_sided, ranges) if words]
+        for index in indices:
+            joint = _with_passive_part(model, joint, index)
         if len(indices) == 1:
             joint = _driven(mujoco, model, joint, indices[0])
         elif indices:
             what = f"the actuators of the joint {joint.name}: there are several"
             leftovers.add(what, joint.where.line, joint.where.file)
         driven.append(joint)
-    return driven
+    return driven, remarks
+
+
+def _with_passive_part(model: Any, joint: TreeJoint, index: int) -> TreeJoint:
+    """``joint`` with rotor inertia and damping of the actuator, which act on the motor's side of its gear."""
+    gear = float(model.actuator_gear[index][0])
+    armature, damping = (
+        float(getattr(model, f"actuator_{name}", [0.0] * model.nu)[index]) for name in ("armature", "damping")
+    )
+    return replace(
+        joint, armature=joint.armature + armature * gear**2, damping=joint.damping + damping * gear**2
+    )
+
+
+def _one_sided(force_range: Any) -> str:
+    """What is said of a range of forces that is not the same forwards and backwards; "" of others."""
+    low, high = map(float, force_range)
+    return "" if low == -high else f"forces {low:g} to {high:g} taken as the same both ways, the larger"
 
 
 def _driven(mujoco: Any, model: Any, joint: TreeJoint, index: int) -> TreeJoint:
-    gear = abs(float(model.actuator_gear[index][0]))
+    signed = float(model.actuator_gear[index][0])
+    gear = abs(signed)
     control = model.actuator_ctrlrange[index] if model.actuator_ctrllimited[index] else None
     plain = int(model.actuator_gaintype[index]) == int(mujoco.mjtGain.mjGAIN_FIXED) and int(
         model.actuator_biastype[index]
@@ -46,11 +78,9 @@ def _driven(mujoco: Any, model: Any, joint: TreeJoint, index: int) -> TreeJoint:
         gain = abs(float(model.actuator_gainprm[index][0]))
         efforts.append(gear * gain * float(abs(control).max()))
     share = plain and control is not None and [float(x) for x in control] == [-1.0, 1.0]
-    armature = float(getattr(model, "actuator_armature", [0.0] * model.nu)[index])
     return replace(
         joint,
-        ratio=None if share or gear in (0.0, 1.0) else gear,
-        armature=joint.armature + armature * gear**2,
+        ratio=None if share or signed in (0.0, 1.0) else signed,
         limits=replace(joint.limits, effort=min(efforts, default=None)),
     )
 
@@ -60,6 +90,7 @@ def with_couplings(
 ) -> tuple[list[TreeJoint], tuple[Loop, ...]]:
     """The joints with what they follow, and the constraints that close loops."""
     kinds = mujoco.mjtEq
+    held: dict[str, float] = {}
     mimics: dict[str, Mimic] = {}
     loops = []
     for index in range(model.neq):
@@ -72,7 +103,7 @@ def with_couplings(
         if kind == int(kinds.mjEQ_JOINT):
             follower = model.joint(one).name
             if other < 0:
-                leftovers.add(f"what holds the joint {follower}", line, file)
+                held[follower] = float(model.qpos0[model.jnt_qposadr[one]]) + float(model.eq_data[index][0])
                 continue
             c0, c1, *curved = (float(x) for x in model.eq_data[index][:5])
             if any(curved):
@@ -84,4 +115,11 @@ def with_couplings(
             owners = [int(model.site(i).bodyid[0]) if of_sites else max(i, 0) for i in (one, other)]
             links = (model.body(owners[0]).name, model.body(owners[1]).name)
             loops.append(Loop(f"the constraint {name}", links, where))
-    return [replace(j, mimic=mimics[j.name]) if j.name in mimics else j for j in joints], tuple(loops)
+    coupled = [_held(joint, held[joint.name]) if joint.name in held else joint for joint in joints]
+    return [replace(j, mimic=mimics[j.name]) if j.name in mimics else j for j in coupled], tuple(loops)
+
+
+def _held(joint: TreeJoint, position: float) -> TreeJoint:
+    """``joint`` as a fixed one, at the ``position`` [rad or m] at which an equation holds it."""
+    origin = composed(joint.origin, motion(joint, position))
+    return TreeJoint(joint.name, "fixed", joint.parent, joint.child, joint.where, origin, joint.child_pose)

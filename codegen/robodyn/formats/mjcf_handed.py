@@ -11,6 +11,7 @@ from robodyn.errors import Place
 
 MESH: Final = "robodyn mesh "
 """Begins the name of a geom that was a mesh: a ball stands for it and is deleted before the model is made."""
+_ZERO: Final = re.compile(r"[+-]?0*\.?0*([eE].*)?")
 _MESH_NUMBER: Final = re.compile(f"{MESH}(\\d+);")
 
 
@@ -62,3 +63,9 @@ class Handed:
         """Those of a geom that stands for a mesh; None for any other."""
         hit = _MESH_NUMBER.search(geom)
         return self.rules[int(hit.group(1))] if hit else None
+
+
+def acts_on_joints(tendon: Mapping[str, str]) -> bool:
+    """Whether a tendon with these attributes has a spring, damping, friction or inertia."""
+    words = " ".join(tendon.get(name, "") for name in ("stiffness", "damping", "frictionloss", "armature"))
+    return any(_ZERO.fullmatch(word) is None for word in words.split())

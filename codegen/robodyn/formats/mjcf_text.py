@@ -20,7 +20,7 @@ from robodyn.formats.elements import Document, Element, tag_shown
 from robodyn.formats.limits import DEPTH, ELEMENTS, FILE_MIB, LINKS
 from robodyn.formats.mjcf_defaults import GeomClasses, is_height_field, is_mesh
 from robodyn.formats.mjcf_files import Files
-from robodyn.formats.mjcf_handed import MESH, Handed, InertiaRules
+from robodyn.formats.mjcf_handed import MESH, Handed, InertiaRules, acts_on_joints
 from robodyn.formats.tree import Leftovers
 from robodyn.robot.names import TEXT_LENGTH, shown
 
@@ -30,7 +30,12 @@ def _words(text: str) -> frozenset[str]:
 
 
 _TURN: Final = _words("quat axisangle xyaxes zaxis euler")
-_ACTUATOR: Final = _words("name class joint gear ctrllimited ctrlrange forcelimited forcerange armature")
+_ACTUATOR: Final = _words(
+    "name class joint gear ctrllimited ctrlrange forcelimited forcerange armature damping"
+)
+#: Actuators of which MuJoCo is given the passive part.
+_PASSIVE: Final = _words("intvelocity damper cylinder muscle adhesion plugin")
+_PASSIVE_ATTRIBUTES: Final = _words("name class joint gear forcelimited forcerange armature damping")
 #: Elements that are handed on, with their attributes.
 _KEPT: Final = {
     "mujoco": _words("model"),
@@ -38,10 +43,11 @@ _KEPT: Final = {
         "autolimits boundmass boundinertia settotalmass balanceinertia coordinate angle eulerseq "
         "inertiafromgeom inertiagrouprange"
     ),
-    "option": _words("gravity"),
+    "option": _words("gravity density viscosity"),
+    "flag": _words("gravity passive spring damper frictionloss"),
     "default": _words("class"),
     "worldbody": _words(""),
-    "body": _TURN | _words("name pos childclass"),
+    "body": _TURN | _words("name pos childclass gravcomp"),
     "frame": _TURN | _words("name pos childclass"),
     "replicate": _words("count sep offset euler childclass"),
     "attach": _words("model body prefix"),
@@ -63,6 +69,7 @@ _KEPT: Final = {
     "motor": _ACTUATOR,
     "position": _ACTUATOR,
     "velocity": _ACTUATOR,
+    **dict.fromkeys(_PASSIVE, _PASSIVE_ATTRIBUTES),
 }
 #: Elements that make bodies: without them the arm is another one.
 _REFUSED: Final = frozenset({"composite", "flexcomp"})
@@ -245,8 +252,9 @@ class _Writer:
             self._attach(attributes, weight)
         elif element.tag == "model":
             attributes["file"] = self._model(element)
+        tag = "general" if element.tag in _PASSIVE else element.tag
         written = "".join(f" {name}={quoteattr(value)}" for name, value in attributes.items())
-        self._line(f"<{element.tag}{written}>", place)
+        self._line(f"<{tag}{written}>", place)
         childclass = attributes.get("childclass", childclass)
         for child in element.children:
             if child.tag in _REFUSED:
@@ -258,11 +266,25 @@ class _Writer:
                 )
             if child.tag in _KEPT and not self._is_left_out(child, element.tag, childclass):
                 self._element(child, element.tag, childclass, weight)
-            else:
-                tag = "asset" if element.tag == "asset" else child.tag
-                what = _WORDS.get(tag) or f"{tag_shown(child)} in {tag_shown(element)}"
-                self._task.leftovers.add(what, child.line, self._documents[id(child)].file)
-        self._line(f"</{element.tag}>", place)
+                continue
+            words = "asset" if element.tag == "asset" else child.tag
+            what = _WORDS.get(words) or f"{tag_shown(child)} in {tag_shown(element)}"
+            self._task.leftovers.add(what, child.line, self._documents[id(child)].file)
+            self._note_physics(child, element.tag)
+        self._line(f"</{tag}>", place)
+
+    def _note_physics(self, element: Element, parent: str) -> None:
+        """Note what changes torques of an ``element`` that MuJoCo is not given."""
+        changes = self._task.leftovers.changes_torques
+        if element.tag == "tendon" and parent in ("mujoco", "default"):
+            for part in (element, *element.children):
+                if acts_on_joints(part.attributes):
+                    changes("tendon", part.attributes.get("name", ""), self._place(part))
+        elif element.tag == "tendon" and parent == "equality":
+            if element.attributes.get("active") != "false":
+                changes("equality", element.attributes.get("name", "of tendons"), self._place(element))
+        elif element.tag == "dcmotor" and parent in ("actuator", "default"):
+            changes("dcmotor", element.attributes.get("joint", ""), self._place(element))
 
     def _new_name(self, tag: str, parent: str) -> str:
         """A name for what has none; replicas have a number more behind it."""

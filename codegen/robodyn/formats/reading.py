@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass, field, replace
@@ -14,27 +14,32 @@ from robodyn.errors import InputError
 from robodyn.files import label
 from robodyn.formats import elements
 from robodyn.formats.elements import Document, tag_shown
-from robodyn.formats.tree import Tree
+from robodyn.formats.tree import PHYSICS, Tree
 
 _EXPECTED: Final = "URDF, MJCF, SDF or xacro"
 
 
 @dataclass(frozen=True, slots=True)
 class _Reading:
-    """What the command line says of how files are read: arguments of xacro files, a model of SDF files."""
+    """What the command line says of how files are read: arguments of xacro files, a model of SDF files, what
+    of their physics is left out."""
 
     arguments: Mapping[str, str] = field(default_factory=dict)
     model: str = ""
+    without: frozenset[str] = frozenset()
 
 
 _READING: Final[ContextVar[_Reading]] = ContextVar("reading")
 
 
 @contextmanager
-def how_files_are_read(arguments: Mapping[str, str], model: str = "") -> Iterator[None]:
-    """A context in which ``arguments`` are those of every xacro file, and ``model`` is the one of every SDF
-    file that is read, by whatever reads it; files in other formats are read as ever."""
-    token = _READING.set(_Reading(arguments, model))
+def how_files_are_read(
+    arguments: Mapping[str, str], model: str = "", without: Iterable[str] = ()
+) -> Iterator[None]:
+    """A context in which ``arguments`` are those of every xacro file, ``model`` is the one of every SDF file
+    that is read, by whatever reads it, and what is named ``without`` in
+    :data:`~robodyn.formats.tree.PHYSICS` is left out."""
+    token = _READING.set(_Reading(arguments, model, frozenset(without)))
     try:
         yield
     finally:
@@ -54,16 +59,21 @@ def is_sdf(path: str) -> bool:
 
 
 def read_tree(
-    path: str | os.PathLike[str], arguments: Mapping[str, str] | None = None, model: str = ""
+    path: str | os.PathLike[str],
+    arguments: Mapping[str, str] | None = None,
+    model: str = "",
+    without: Iterable[str] = (),
 ) -> Tree:
     """The tree in the file at ``path``; ``arguments`` are those of a xacro file, and of an MJCF file folders
-    that it may read (``find NAME``); ``model`` is the one of an SDF file that has several.
+    that it may read (``find NAME``); ``model`` is the one of an SDF file that has several. What is named
+    ``without`` in :data:`~robodyn.formats.tree.PHYSICS` is left out, with a remark.
 
     What is in a file is told from its root element, but for xacro, whose name ends in ``.xacro``.
 
     Raises
     ------
-    InputError: it cannot be read, is too large, not XML, or not what its format allows; with the place.
+    InputError: it cannot be read, is too large, not XML, or not what its format allows, or it states what
+        changes torques and is not modelled; with the place.
     ToolError: the package that reads the format is not installed.
     """
     file = Path(path)
@@ -81,7 +91,24 @@ def read_tree(
     if model and document.root.tag != "sdf":
         raise no_model_to_choose(name)
     tree = _by_root(document, file, _folders(stated), model or context.model)
+    tree = _without(tree, context.without.union(without))
     return replace(tree, file=name, warnings=(*document.warnings, *tree.warnings))
+
+
+def _without(tree: Tree, names: frozenset[str]) -> Tree:
+    """``tree`` without the physics of those ``names``, and with a remark that says so."""
+    unknown = sorted(names - PHYSICS.keys())
+    if unknown:
+        raise InputError("nothing of this name is left out", found=unknown[0], expected=", ".join(PHYSICS))
+    for physics in tree.physics:
+        if physics.name not in names:
+            raise InputError(
+                f"this changes torques, and is not modelled: {physics.text}",
+                where=physics.where,
+                remedy=f"leave it out: --without {physics.name}",
+            )
+    remarks = (f"left out, although it changes torques: {physics.text}" for physics in tree.physics)
+    return replace(tree, remarks=tuple(dict.fromkeys((*tree.remarks, *remarks))))
 
 
 def _folders(arguments: Mapping[str, str]) -> list[str]:

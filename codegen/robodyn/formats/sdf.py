@@ -128,13 +128,15 @@ class _Reader(Quantities):
         world = TreeLink(WORLD, self.place(chosen.model))
         name = self.name(chosen.model, "the model")
         links = (world, *parts.links)
-        unused = self.leftovers.unused()
-        return Tree(name, "SDF", self.document.file, links, tuple(joints), gravity, unused=unused)
+        notes = self.leftovers
+        tree = Tree(name, "SDF", self.document.file, links, tuple(joints), gravity, unused=notes.unused())
+        return replace(tree, physics=tuple(notes.physics))
 
     def model(self, model: Element, frames: Scope, parts: _Parts, static: bool = False) -> None:
         """Add what is in a model, and in the models in it, to ``parts``."""
-        self.name(model, "the model")
+        name = self.name(model, "the model")
         self.note_unused(model, _USED, _WORDS)
+        self._note_physics(model, f"model {shown(name)}")
         for inner in model.all("include"):
             raise self.fail(
                 inner,
@@ -203,6 +205,7 @@ class _Reader(Quantities):
         of = f"link {shown(name)}"
         self.note_unused(element, _USED, _WORDS)
         frames.pose(name, element)
+        self._note_physics(element, of)
         shape = element.first("visual") is not None or element.first("collision") is not None
         inertial = self.one(element, "inertial", of)
         if inertial is None or inertial.attributes.get("auto", "").strip() in ("1", "true"):
@@ -210,6 +213,22 @@ class _Reader(Quantities):
         by_default = inertial.first("mass") is None or inertial.first("inertia") is None
         body = self.body(inertial, frames.frames, of)
         return TreeLink(frames.name(name), self.place(element), body, shape, by_default)
+
+    def _note_physics(self, element: Element, of: str) -> None:
+        """Note what of a link changes torques and is not modelled."""
+        inertial = element.first("inertial")
+        for name, parent, nothing in (
+            ("gravity", element, ("1", "true")),
+            ("enable_wind", element, ("0", "false")),
+            ("velocity_decay", element, ("",)),
+            ("fluid_added_mass", inertial, ()),
+        ):
+            child = None if parent is None else parent.first(name)
+            acts = child is not None and child.text.strip() not in nothing
+            if name == "velocity_decay" and child is not None:
+                acts = any(part.text.strip("0. ") for part in child.children)
+            if child is not None and acts:
+                self.leftovers.changes_torques(name, of, self.place(child))
 
     def body(self, inertial: Element, frames: Frames, of: str) -> Body:
         """The numbers that are left out are 1 on the diagonal and 0 beside it, as the format says."""

@@ -7,7 +7,8 @@ from typing import Final
 
 from robodyn.formats.elements import Element, tag_shown
 from robodyn.formats.quantities import Quantities, negative
-from robodyn.formats.tree import Leftovers, TreeJoint
+from robodyn.formats.tree import Leftovers, TreeJoint, near
+from robodyn.robot.names import shown
 
 _SIMPLE: Final = "SimpleTransmission"
 _REDUCTION: Final = "mechanicalReduction"
@@ -21,6 +22,7 @@ class Transmissions:
         self._reader, self._leftovers = reader, leftovers
         self._ratios: dict[str, float] = {}
         self._armatures: dict[str, float] = {}
+        self._elements: dict[str, Element] = {}
 
     def read(self, element: Element) -> None:
         """Take what one ``<transmission>`` says."""
@@ -32,6 +34,7 @@ class Transmissions:
             self._leftovers.add("transmissions of more than one motor and one joint", element.line)
             return
         (joint,) = joints
+        self._elements.setdefault(joint, element)
         for part in element.walk():
             if part.tag == _REDUCTION:
                 self._ratio(part, joint, part.text, "")
@@ -39,7 +42,7 @@ class Transmissions:
                 self._ratio(part, joint, part.attributes.get("value", ""), "value")
             elif part.tag == _ROTOR:
                 rotor = self._reader.number(part, "value", f"joint '{joint}'", bad=negative)
-                self._armatures[joint] = rotor
+                self._state(self._armatures, part, joint, rotor)
             elif part.tag not in ("transmission", "type", "joint", "actuator"):
                 self._leftovers.add(f"{tag_shown(part)} of transmissions", part.line)
 
@@ -49,12 +52,26 @@ class Transmissions:
         if ratio in (0.0, 1.0):
             self._leftovers.add(f"reductions of {ratio:g}", part.line)
             return
-        if ratio < 0:
-            self._leftovers.add("signs of reductions", part.line)
-        self._ratios[joint] = abs(ratio)
+        self._state(self._ratios, part, joint, ratio)
+
+    def _state(self, values: dict[str, float], part: Element, joint: str, value: float) -> None:
+        """Take ``value`` for the ``joint``; another one before it is refused."""
+        if values.setdefault(joint, value) != value:
+            raise self._reader.fail(
+                part,
+                f"joint {shown(joint)}: {tag_shown(part)} is stated twice",
+                found=f"{value:g} after {values[joint]:g}",
+                expected="one value for a joint",
+            )
 
     def applied(self, joints: tuple[TreeJoint, ...]) -> tuple[TreeJoint, ...]:
-        """The joints with their ratios, and rotor inertias reflected through them."""
+        """The joints with their ratios, and rotor inertias reflected through them; transmissions of joints
+        that are not there are noted."""
+        names = {joint.name for joint in joints}
+        for name, element in self._elements.items():
+            if name not in names:
+                of = f"joint {shown(name)}, {near(name, names, 'joint')}"
+                self._leftovers.changes_torques("transmission", of, self._reader.place(element))
         return tuple(self._with_transmission(joint) for joint in joints)
 
     def _with_transmission(self, joint: TreeJoint) -> TreeJoint:

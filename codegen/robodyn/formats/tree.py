@@ -128,11 +128,46 @@ class Unused:
         return f"{self.what} ({name + ': ' if name else ''}{word} {shown}{rest})"
 
 
+#: What of a file changes torques and is not modelled: names by which the command line leaves it out.
+PHYSICS: Final = {
+    "damping": "damping that is not linear in the speed",
+    "dcmotor": "electrical motors, whose inertia and damping act on the joint",
+    "density": "the density of a fluid around the arm",
+    "enable_wind": "wind",
+    "equality": "equations between tendons",
+    "fluid_added_mass": "the mass of a fluid that moves along",
+    "gazebo": "springs and links without weight that Gazebo simulates",
+    "gravcomp": "forces that take weight off bodies",
+    "gravity": "links without weight",
+    "stiffness": "springs that are not linear",
+    "tendon": "springs, damping, friction and inertia of tendons",
+    "transmission": "gears and rotors of a joint that is not there",
+    "velocity_decay": "damping by the air",
+    "viscosity": "the viscosity of a fluid around the arm",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Physics:
+    """Something that a file says, that changes torques, and that is not modelled: its ``name`` in
+    :data:`PHYSICS`, what it is of, and where it stands."""
+
+    name: str
+    of: str
+    where: Place
+
+    @property
+    def text(self) -> str:
+        """On one line, for people."""
+        return f"{self.name}: {PHYSICS[self.name]}" + (f" ({self.of})" if self.of else "")
+
+
 @dataclass(frozen=True, slots=True)
 class Tree:
     """A mechanism. ``joints`` name their links; the world, where the format has one, is a link of it.
 
-    ``gravity`` [m/s^2] is in the root's frame. ``unused`` is what the file says and nothing here holds;
+    ``gravity`` [m/s^2] is in the root's frame. ``unused`` is what the file says and nothing here holds,
+    ``physics`` what of it changes torques;
     ``remarks``: what was understood in one of several ways; ``warnings``: what its format does not allow and
     was read all the same, with the places.
     """
@@ -146,6 +181,7 @@ class Tree:
     loops: tuple[Loop, ...] = ()
     unused: tuple[Unused, ...] = ()
     remarks: tuple[str, ...] = ()
+    physics: tuple[Physics, ...] = ()
     warnings: tuple[tuple[Place, str], ...] = ()
 
 
@@ -155,10 +191,15 @@ class Leftovers:
     def __init__(self, file: str) -> None:
         self._file = file
         self._lines: dict[tuple[str, str], set[int]] = {}
+        self.physics: list[Physics] = []
 
     def add(self, what: str, line: int | None, file: str = "") -> None:
         """Note ``what`` at ``line``."""
         self._lines.setdefault((what, file or self._file), set()).update([line] if line else [])
+
+    def changes_torques(self, name: str, of: str, where: Place) -> None:
+        """Note what is of that ``name`` in :data:`PHYSICS`."""
+        self.physics.append(Physics(name, of, where))
 
     def unused(self) -> tuple[Unused, ...]:
         """All of it, in the order in which it was first noted."""

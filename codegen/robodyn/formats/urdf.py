@@ -61,6 +61,8 @@ def read_tree(document: Document) -> Tree:
             transmissions.read(element)
         else:
             leftovers.add(what_of(element, root, _WORDS), element.line)
+            if element.tag == "gazebo":
+                reader.note_physics(element)
     if not links:
         macros = any(element.tag.startswith("xacro:") for element in root.walk())
         raise reader.fail(
@@ -77,6 +79,7 @@ def read_tree(document: Document) -> Tree:
             tuple(links),
             transmissions.applied(tuple(joints)),
             unused=leftovers.unused(),
+            physics=tuple(leftovers.physics),
         )
     )
 
@@ -87,6 +90,17 @@ class _Reader(Quantities):
         if child is not None:
             self.note_unused(child, _USED, _WORDS)
         return child
+
+    def note_physics(self, gazebo: Element) -> None:
+        """Note what settings of Gazebo change of torques: springs, and links without weight."""
+        for part in gazebo.children:
+            weightless = {"turnGravityOff": ("1", "true"), "gravity": ("0", "false")}.get(part.tag, ())
+            springs = part.tag == "springStiffness" and part.text.strip("0. ")
+            if part.text.lower() in weightless or springs:
+                of = gazebo.attributes.get("reference", "")
+                self.leftovers.changes_torques(
+                    "gazebo", f"{tag_shown(part)} of {shown(of)}", self.place(part)
+                )
 
     def must(self, element: Element, tag: str, of: str) -> Element:
         child = self.one(element, tag, of)

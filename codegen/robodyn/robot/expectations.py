@@ -8,6 +8,7 @@ from robodyn.robot.keys import Key, Sign
 
 #: Bounds of a number: what is said of one that breaks them, and what was expected.
 SIGNS = {
+    "nonzero": ("is 0", "any number but 0"),
     "nonnegative": ("is negative", "0{unit} or more"),
     "positive": ("is not positive", "more than 0{unit}"),
     "share": ("is not a share", "more than 0 and at most 1"),
@@ -20,6 +21,8 @@ def allowed(value: Fraction, sign: Sign) -> bool:
         return True
     if sign == "nonnegative":
         return value >= 0
+    if sign == "nonzero":
+        return value != 0
     return value > 0 and (sign == "positive" or value <= 1)
 
 

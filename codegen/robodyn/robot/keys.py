@@ -27,7 +27,7 @@ Kind = Literal[
     "effects of a joint",
     "effects of the robot",
 ]
-Sign = Literal["any", "nonnegative", "positive", "share"]
+Sign = Literal["any", "nonzero", "nonnegative", "positive", "share"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,10 +100,11 @@ GEAR = (
     Key(
         "ratio",
         "number",
-        "Turns of the motor for one turn of the joint; prismatic: angle of the motor for one metre.",
+        "Turns of the motor for one turn of the joint; prismatic: angle of the motor for one metre. Negative "
+        "where the motor turns the other way.",
         "1, prismatic rad/m",
         required=True,
-        sign="positive",
+        sign="nonzero",
     ),
     Key(
         "torque_constant",

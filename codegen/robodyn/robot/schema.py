@@ -143,6 +143,8 @@ def _number(key: Key) -> Schema:
     schema: Schema = {"type": "number"}
     if key.sign == "nonnegative":
         schema["minimum"] = 0
+    elif key.sign == "nonzero":
+        schema["not"] = {"const": 0}
     elif key.sign != "any":
         schema["exclusiveMinimum"] = 0
     if key.sign == "share":

@@ -1,0 +1,210 @@
+"""What changes torques in a file is modelled, as MuJoCo has it, or refused until it is left out by name."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from robodyn import InputError, load
+from robodyn.formats.tree import PHYSICS
+from robodyn.verify.reference import Reference
+from robodyn_testing import require_module
+
+MJCF = """<mujoco model="arm"><compiler angle="radian"/>{option}{default}
+<worldbody><body name="b1" pos="0.1 0 0.3" quat="0.9 0.1 0.2 -0.3"{body}>
+<joint name="j1" axis="0.3 0.5 0.8"{joint}/>
+<inertial pos="0.1 0.02 -0.03" euler="0.2 0.3 0.4" mass="2.5" diaginertia="0.03 0.05 0.04"/>
+<body name="b2" pos="0.1 0.2 0.3" euler="0.7 0.2 0.5">
+<joint name="j2" type="slide" axis="-1 0.5 0.8" stiffness="12" springref="0.2" damping="0.4"/>
+<inertial pos="0.2 -0.02 0.03" mass="1.5" fullinertia="0.02 0.03 0.025 -0.001 0.001 0.004"/>
+<body name="b3" pos="0.1 0.2 -0.3" axisangle="0.2 0.3 0.5 1.2">
+<joint name="j3" axis="0 -1 0" pos="0.02 0.03 0.01" frictionloss="0.7"/>
+<inertial pos="0.02 0.1 0.03" mass="0.7" fullinertia="0.01 0.02 0.015 -0.001 0.001 0.002"/>
+<site name="tool" pos="0.1 0.2 -0.3" euler="0.7 1.2 0.5"/>
+</body></body></body></worldbody>{tail}</mujoco>"""
+NOTHING = dict.fromkeys(("option", "default", "body", "joint", "tail"), "")
+
+MODELLED = {
+    "plain": {},
+    "no gravity": {"option": '<option><flag gravity="disable"/></option>'},
+    "no springs": {"option": '<option><flag spring="disable"/></option>'},
+    "no damping": {"option": '<option><flag damper="disable"/></option>'},
+    "no friction": {"option": '<option><flag frictionloss="disable"/></option>'},
+    "a motor": {"tail": '<actuator><motor joint="j1" gear="50" armature="2e-4" damping="0.01"/></actuator>'},
+    "motors on one joint": {
+        "tail": '<actuator><motor joint="j1" gear="-50" armature="2e-4"/>'
+        '<position joint="j1" kp="9" armature="1e-4" damping="0.3"/>'
+        '<intvelocity joint="j3" kp="9" gear="3" armature="1e-3" actrange="-1 1"/></actuator>'
+    },
+    "a motor of a class": {
+        "default": '<default><general armature="3e-4" damping="0.02"/></default>',
+        "tail": '<actuator><damper joint="j3" gear="20" kv="1" ctrlrange="0 1"/>'
+        '<motor joint="j2"/></actuator>',
+    },
+    "gravity compensated without gravity": {
+        "option": '<option gravity="0 0 0"/>',
+        "body": ' gravcomp="1"',
+    },
+    "a tendon that only measures": {
+        "tail": '<tendon><fixed name="t"><joint joint="j1" coef="1"/></fixed></tendon>'
+    },
+}  # fmt: skip
+TENDON = '<tendon><fixed name="t" {}="2"><joint joint="j1" coef="1"/></fixed></tendon>'
+REFUSED: dict[str, tuple[str, dict[str, str]]] = {
+    "gravcomp": ("body b1", {"body": ' gravcomp="0.5"'}),
+    "density": ("1.2", {"option": '<option density="1.2"/>'}),
+    "viscosity": ("2e-05", {"option": '<option viscosity="2e-5"/>'}),
+    "tendon": ("t", {"tail": TENDON.format("stiffness")}),
+    "equality": (
+        "e",
+        {"tail": TENDON.format("width") + '<equality><tendon name="e" tendon1="t"/></equality>'},
+    ),
+    "stiffness": ("joint j1", {"joint": ' stiffness="3 4"'}),
+    "damping": ("joint j1", {"joint": ' damping="3 4"'}),
+    "dcmotor": ("j1", {"tail": '<actuator><dcmotor joint="j1"/></actuator>'}),
+}  # fmt: skip
+
+
+def written(folder: Path, parts: dict[str, str]) -> Path:
+    path = folder / "arm.xml"
+    path.write_text(MJCF.format(**{**NOTHING, **parts}))
+    return path
+
+
+def torques_of_mujoco(mujoco: Any, path: Path, states: Any) -> Any:
+    """``M qacc + bias - passive + friction`` of the model that MuJoCo makes of the file."""
+    model = mujoco.MjModel.from_xml_path(str(path))
+    data, torques = mujoco.MjData(model), []
+    friction = np.zeros(model.nv)
+    if not model.opt.disableflags & int(mujoco.mjtDisableBit.mjDSBL_FRICTIONLOSS):
+        friction = model.dof_frictionloss
+    for q, qd, qdd in states:
+        data.qpos[:], data.qvel[:] = q, qd
+        mujoco.mj_forward(model, data)
+        full = np.zeros((model.nv, model.nv))
+        mujoco.mj_fullM(model, data, full)
+        torques.append(full @ qdd + data.qfrc_bias - data.qfrc_passive + friction * np.sign(qd))
+    return np.array(torques)
+
+
+@pytest.mark.parametrize("name", MODELLED)
+def test_what_is_modelled_is_mujocos(name: str, tmp_path: Path) -> None:
+    mujoco = require_module("mujoco")
+    path = written(tmp_path, MODELLED[name])
+    states = np.random.default_rng(7).uniform(-1.5, 1.5, (40, 3, 3))
+    expected = torques_of_mujoco(mujoco, path, states)
+    torques = Reference(load(path, warn=lambda _: None)).inverse_dynamics(*states.swapaxes(0, 1))
+    assert np.abs(torques - expected).max() <= 1e-9 * np.abs(expected).max()
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_what_is_not_modelled_is_refused_until_it_is_left_out(name: str, tmp_path: Path) -> None:
+    require_module("mujoco")
+    of, parts = REFUSED[name]
+    path = written(tmp_path, parts)
+    with pytest.raises(InputError) as raised:
+        load(path)
+    error = raised.value
+    assert (error.what, error.remedy) == (
+        f"this changes torques, and is not modelled: {name}: {PHYSICS[name]} ({of})",
+        f"leave it out: --without {name}",
+    )
+    assert error.where is not None
+    remarks: list[str] = []
+    linear = {key: text.replace(" 4", "") for key, text in parts.items() if key == "joint"}
+    plain = load(written(tmp_path, linear), warn=lambda _: None)
+    assert load(written(tmp_path, parts), without=[name], warn=remarks.append) == plain
+    assert f"{path}: left out, although it changes torques: {name}: {PHYSICS[name]} ({of})" in remarks
+    with pytest.raises(InputError, match="nothing of this name is left out"):
+        load(path, without=["wind"])
+
+
+def test_a_joint_that_is_held_is_fixed_there(tmp_path: Path) -> None:
+    """Torques of the others are those of MuJoCo with the joint at that position."""
+    mujoco = require_module("mujoco")
+    held = written(tmp_path, {"tail": '<equality><joint joint1="j2" polycoef="0.25 0 0 0 0"/></equality>'})
+    states = np.random.default_rng(8).uniform(-1.5, 1.5, (20, 3, 3))
+    states[:, 0, 1], states[:, 1:, 1] = 0.25, 0
+    free = torques_of_mujoco(mujoco, written(tmp_path / "..", {}), states)
+    robot = load(held, warn=lambda _: None)
+    torques = Reference(robot).inverse_dynamics(*np.delete(states, 1, axis=2).swapaxes(0, 1))
+    assert np.abs(torques - np.delete(free, 1, axis=1)).max() <= 1e-9 * np.abs(free).max()
+
+
+def test_a_motor_that_turns_the_other_way(tmp_path: Path) -> None:
+    require_module("mujoco")
+    remarks: list[str] = []
+    tail = '<actuator><motor joint="j1" gear="-50" forcerange="-2 3"/></actuator>'
+    robot = load(written(tmp_path, {"tail": tail}), warn=remarks.append)
+    gear = robot.links[0].joint.gear
+    assert gear is not None
+    assert gear.ratio == -50
+    words = "forces -2 to 3 taken as the same both ways, the larger: joint j1"
+    assert any(text.endswith(words) for text in remarks)
+
+
+URDF = """<robot name="arm"><link name="base"/><link name="arm"><inertial><mass value="1"/>
+<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
+<joint name="j" type="continuous"><parent link="base"/><child link="arm"/></joint>
+{}</robot>"""
+TRANSMISSION = """<transmission name="t{0}"><joint name="{1}"/><actuator name="m{0}">
+<mechanicalReduction>{2}</mechanicalReduction></actuator></transmission>"""
+
+
+@pytest.mark.parametrize(
+    ("inside", "message"),
+    [
+        (
+            TRANSMISSION.format(1, "i", 9),
+            r"4:1: .*\(joint 'i', .*\); .*--without transmission",
+        ),
+        (TRANSMISSION.format(1, "j", 9) + TRANSMISSION.format(2, "j", 8), "stated twice; found 8 after 9"),
+        ('<gazebo reference="arm"><turnGravityOff>true</turnGravityOff></gazebo>', "--without gazebo"),
+        ('<gazebo reference="j"><springStiffness>3</springStiffness></gazebo>', "--without gazebo"),
+    ],
+)
+def test_urdf(inside: str, message: str, tmp_path: Path) -> None:
+    (tmp_path / "arm.urdf").write_text(URDF.format(inside))
+    with pytest.raises(InputError, match=message):
+        load(tmp_path / "arm.urdf")
+
+
+def test_urdf_twice_the_same(tmp_path: Path) -> None:
+    (tmp_path / "arm.urdf").write_text(
+        URDF.format(TRANSMISSION.format(1, "j", -9) + TRANSMISSION.format(2, "j", -9))
+    )
+    gear = load(tmp_path / "arm.urdf", warn=lambda _: None).links[0].joint.gear
+    assert gear is not None
+    assert gear.ratio == -9
+
+
+SDF = """<sdf version="1.10"><model name="arm"><link name="base"/><joint name="fix" type="fixed">
+<parent>world</parent><child>base</child></joint>
+<link name="arm"><inertial><mass>1</mass>{inertial}</inertial>{link}</link>
+<joint name="j" type="revolute"><parent>base</parent><child>arm</child><axis><xyz>0 1 0</xyz></axis></joint>
+{model}</model></sdf>"""
+
+
+@pytest.mark.parametrize(
+    ("name", "parts"),
+    [
+        ("gravity", {"link": "<gravity>false</gravity>"}),
+        ("enable_wind", {"link": "<enable_wind>1</enable_wind>"}),
+        ("enable_wind", {"model": "<enable_wind>true</enable_wind>"}),
+        ("velocity_decay", {"link": "<velocity_decay><linear>0.1</linear></velocity_decay>"}),
+        ("fluid_added_mass", {"inertial": "<fluid_added_mass><xx>1</xx></fluid_added_mass>"}),
+    ],
+)
+def test_sdf(name: str, parts: dict[str, str], tmp_path: Path) -> None:
+    path = tmp_path / "arm.sdf"
+    path.write_text(SDF.format(**{"link": "", "inertial": "", "model": "", **parts}))
+    with pytest.raises(InputError, match=f"--without {name}"):
+        load(path)
+    assert load(path, without=[name], warn=lambda _: None).n == 1
+    switched = {"gravity": "<gravity>1</gravity>", "enable_wind": "<enable_wind>0</enable_wind>"}
+    if name in switched:
+        path.write_text(SDF.format(inertial="", model="", link=switched[name]))
+        assert load(path, warn=lambda _: None).n == 1
