@@ -58,6 +58,7 @@ def _in_their_context(callback: Callable[..., Any]) -> Callable[..., Any]:
     ) -> Any:
         if not arg and not file_model and not left_out:
             return callback(**parameters)
+        from robodyn.formats.loading import SUFFIXES
         from robodyn.formats.reading import how_files_are_read, is_sdf
 
         robots = list(_robots(click.get_current_context()))
@@ -65,6 +66,8 @@ def _in_their_context(callback: Callable[..., Any]) -> Callable[..., Any]:
         readers = (".xacro", ".xml", ".mjcf") if only_folders else (".xacro",)
         if arg and not any(robot.lower().endswith(readers) for robot in robots):
             raise _useless("arguments are for xacro files", robots, "leave --arg out")
+        if left_out and not any(robot.lower().endswith(SUFFIXES) for robot in robots):
+            raise _useless("what is left out is stated by other formats", robots, "leave --without out")
         if file_model and not any(map(is_sdf, robots)):
             of_controller = " (the controller's model is --controller-model ROBOT)"
             simulates = click.get_current_context().info_name == "simulate"

@@ -82,3 +82,24 @@ def test_no_command_runs_what_a_file_says(
     assert main(["build", "--check"] if command == "build" else [command, "bad.xacro"]) == 2
     assert "name 'vars' is not defined" in capsys.readouterr().err
     assert sorted(folder.rglob("*")) == files
+
+
+@pytest.mark.parametrize(
+    ("robot", "name", "message"),
+    [
+        ("puma560", "gravcomp", "stated by other formats; found puma560; leave --without out"),
+        ("arm.urdf", "gravcmp", "nothing of this name is left out; found gravcmp; expected damping, "),
+    ],
+)
+def test_what_is_left_out_has_a_name_and_a_file(
+    robot: str,
+    name: str,
+    message: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "arm.urdf").write_text('<robot name="a"><link name="l"/></robot>')
+    assert main(["flops", robot, "--without", name]) == 2
+    assert message in capsys.readouterr().err

@@ -159,7 +159,7 @@ TRANSMISSION = """<transmission name="t{0}"><joint name="{1}"/><actuator name="m
     [
         (
             TRANSMISSION.format(1, "i", 9),
-            r"4:1: .*\(joint 'i', .*\); .*--without transmission",
+            r"4:1: .*\(joint i; .*\); .*--without transmission",
         ),
         (TRANSMISSION.format(1, "j", 9) + TRANSMISSION.format(2, "j", 8), "stated twice; found 8 after 9"),
         ('<gazebo reference="arm"><turnGravityOff>true</turnGravityOff></gazebo>', "--without gazebo"),
@@ -208,3 +208,56 @@ def test_sdf(name: str, parts: dict[str, str], tmp_path: Path) -> None:
     if name in switched:
         path.write_text(SDF.format(inertial="", model="", link=switched[name]))
         assert load(path, warn=lambda _: None).n == 1
+
+
+MOTOR = '<actuator><motor joint="j1" {}/></actuator>'
+
+
+@pytest.mark.parametrize(
+    ("parts", "message"),
+    [
+        ({"tail": MOTOR.format('gear="nan" armature="1"')}, "gear of <motor> is not a number; found nan"),
+        (
+            {"tail": MOTOR.format('gear="1e300" armature="1"')},
+            "joint 'j1': the rotor inertia is too large; found inf",
+        ),
+        ({"tail": MOTOR.format('gear="2" armature="-1"')}, "the rotor inertia is negative; found -4"),
+        ({"tail": MOTOR.format('gear="2" damping="-1"')}, "the damping is negative; found -4"),
+        ({"body": ' gravcomp="nan"'}, "gravcomp of <body> is not a number"),
+        ({"tail": '<equality><joint joint1="j2" polycoef="0 nan 0 0 0"/></equality>'}, "polycoef of <joint>"),
+        ({"option": '<option><flag gravity="perhaps"/></option>'}, "MuJoCo refuses the file; .*'perhaps'"),
+    ],
+)
+def test_numbers_that_are_none_or_beyond_all(
+    parts: dict[str, str], message: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Nor does MuJoCo leave its log in the folder."""
+    require_module("mujoco")
+    monkeypatch.chdir(tmp_path)
+    path = written(tmp_path, parts)
+    with pytest.raises(InputError, match=message):
+        load(path)
+    assert [file.name for file in tmp_path.iterdir()] == [path.name]
+
+
+def test_something_may_be_called_nan(tmp_path: Path) -> None:
+    require_module("mujoco")
+    path = tmp_path / "arm.xml"
+    path.write_text(MJCF.format(**NOTHING).replace('"j1"', '"nan"'))
+    assert load(path, warn=lambda _: None).links[0].name == "nan"
+
+
+def test_names_in_messages_are_one_line(tmp_path: Path) -> None:
+    require_module("mujoco")
+    path = tmp_path / "arm.xml"
+    tail = '<actuator><motor joint="j&#10;1" forcerange="-1 2"/></actuator>'
+    text = MJCF.format(**{**NOTHING, "tail": tail}).replace('name="j1"', 'name="j&#10;1"')
+    path.write_text(text)
+    remarks: list[str] = []
+    load(path, warn=remarks.append)
+    assert remarks
+    assert not any("\n" in remark for remark in remarks)
+    path.write_text(text.replace('name="b1"', 'name="b&#10;1" gravcomp="1"'))
+    with pytest.raises(InputError) as raised:
+        load(path)
+    assert "\n" not in str(raised.value)

@@ -8,7 +8,7 @@ from typing import Any
 
 from robodyn.formats.mjcf_handed import Handed
 from robodyn.formats.rigid import composed, motion
-from robodyn.formats.tree import Leftovers, Loop, Mimic, TreeJoint
+from robodyn.formats.tree import Leftovers, Loop, Mimic, TreeJoint, names
 
 
 def with_drives(
@@ -35,7 +35,7 @@ def with_drives(
         ranges = [model.actuator_forcerange[index] for index in indices if model.actuator_forcelimited[index]]
         if joint.name in joint_ranges:
             ranges.append(joint_ranges[joint.name])
-        remarks += [f"{words}: joint {joint.name}" for words in map(_one_sided, ranges) if words]
+        remarks += [f"{words}: joint {names([joint.name], 1)}" for words in map(_one_sided, ranges) if words]
         for index in indices:
             joint = _with_passive_part(model, joint, index)
         if len(indices) == 1:
@@ -54,7 +54,7 @@ def _with_passive_part(model: Any, joint: TreeJoint, index: int) -> TreeJoint:
         float(getattr(model, f"actuator_{name}", [0.0] * model.nu)[index]) for name in ("armature", "damping")
     )
     return replace(
-        joint, armature=joint.armature + armature * gear**2, damping=joint.damping + damping * gear**2
+        joint, armature=joint.armature + armature * gear * gear, damping=joint.damping + damping * gear * gear
     )
 
 
@@ -115,11 +115,11 @@ def with_couplings(
             owners = [int(model.site(i).bodyid[0]) if of_sites else max(i, 0) for i in (one, other)]
             links = (model.body(owners[0]).name, model.body(owners[1]).name)
             loops.append(Loop(f"the constraint {name}", links, where))
-    coupled = [_held(joint, held[joint.name]) if joint.name in held else joint for joint in joints]
+    coupled = [_fixed_at(joint, held[joint.name]) if joint.name in held else joint for joint in joints]
     return [replace(j, mimic=mimics[j.name]) if j.name in mimics else j for j in coupled], tuple(loops)
 
 
-def _held(joint: TreeJoint, position: float) -> TreeJoint:
-    """``joint`` as a fixed one, at the ``position`` [rad or m] at which an equation holds it."""
+def _fixed_at(joint: TreeJoint, position: float) -> TreeJoint:
+    """A fixed joint in the place of ``joint``, at the ``position`` [rad or m] where an equation holds it."""
     origin = composed(joint.origin, motion(joint, position))
     return TreeJoint(joint.name, "fixed", joint.parent, joint.child, joint.where, origin, joint.child_pose)

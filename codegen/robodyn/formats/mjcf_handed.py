@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Final
 
 from robodyn.errors import Place
+from robodyn.formats.elements import Element
 
 MESH: Final = "robodyn mesh "
 """Begins the name of a geom that was a mesh: a ball stands for it and is deleted before the model is made."""
 _ZERO: Final = re.compile(r"[+-]?0*\.?0*([eE].*)?")
 _MESH_NUMBER: Final = re.compile(f"{MESH}(\\d+);")
+
+
+_NAMES: Final = re.compile(r"name|(child)?class|model|prefix|file|(joint|body|site)\d?")
+"""Attributes whose words are names: one may be called "nan"."""
 
 
 @dataclass(slots=True)
@@ -65,7 +70,30 @@ class Handed:
         return self.rules[int(hit.group(1))] if hit else None
 
 
-def acts_on_joints(tendon: Mapping[str, str]) -> bool:
+def names_of_nan(attributes: Mapping[str, str]) -> list[str]:
+    """The names of those ``attributes`` among whose numbers is one that is none."""
+    return [
+        name
+        for name, value in attributes.items()
+        if not _NAMES.fullmatch(name) and any(word.strip("+-").lower() == "nan" for word in value.split())
+    ]
+
+
+def physics_of(element: Element, parent: str) -> Iterator[tuple[str, str, Element]]:
+    """What changes torques of an ``element`` in ``parent`` that MuJoCo is not given: the name in
+    :data:`~robodyn.formats.tree.PHYSICS`, what it is of, and where it stands."""
+    of = element.attributes.get
+    if element.tag == "tendon" and parent in ("mujoco", "default"):
+        for part in (element, *element.children):
+            if _acts_on_joints(part.attributes):
+                yield "tendon", part.attributes.get("name", ""), part
+    elif element.tag == "tendon" and parent == "equality" and of("active") != "false":
+        yield "equality", of("name", "of tendons"), element
+    elif element.tag == "dcmotor" and parent in ("actuator", "default"):
+        yield "dcmotor", of("joint", ""), element
+
+
+def _acts_on_joints(tendon: Mapping[str, str]) -> bool:
     """Whether a tendon with these attributes has a spring, damping, friction or inertia."""
     words = " ".join(tendon.get(name, "") for name in ("stiffness", "damping", "frictionloss", "armature"))
     return any(_ZERO.fullmatch(word) is None for word in words.split())

@@ -20,7 +20,7 @@ from robodyn.formats.elements import Document, Element, tag_shown
 from robodyn.formats.limits import DEPTH, ELEMENTS, FILE_MIB, LINKS
 from robodyn.formats.mjcf_defaults import GeomClasses, is_height_field, is_mesh
 from robodyn.formats.mjcf_files import Files
-from robodyn.formats.mjcf_handed import MESH, Handed, InertiaRules, acts_on_joints
+from robodyn.formats.mjcf_handed import MESH, Handed, InertiaRules, names_of_nan, physics_of
 from robodyn.formats.tree import Leftovers
 from robodyn.robot.names import TEXT_LENGTH, shown
 
@@ -270,21 +270,9 @@ class _Writer:
             words = "asset" if element.tag == "asset" else child.tag
             what = _WORDS.get(words) or f"{tag_shown(child)} in {tag_shown(element)}"
             self._task.leftovers.add(what, child.line, self._documents[id(child)].file)
-            self._note_physics(child, element.tag)
+            for name, of, part in physics_of(child, element.tag):
+                self._task.leftovers.changes_torques(name, of, self._place(part))
         self._line(f"</{tag}>", place)
-
-    def _note_physics(self, element: Element, parent: str) -> None:
-        """Note what changes torques of an ``element`` that MuJoCo is not given."""
-        changes = self._task.leftovers.changes_torques
-        if element.tag == "tendon" and parent in ("mujoco", "default"):
-            for part in (element, *element.children):
-                if acts_on_joints(part.attributes):
-                    changes("tendon", part.attributes.get("name", ""), self._place(part))
-        elif element.tag == "tendon" and parent == "equality":
-            if element.attributes.get("active") != "false":
-                changes("equality", element.attributes.get("name", "of tendons"), self._place(element))
-        elif element.tag == "dcmotor" and parent in ("actuator", "default"):
-            changes("dcmotor", element.attributes.get("joint", ""), self._place(element))
 
     def _new_name(self, tag: str, parent: str) -> str:
         """A name for what has none; replicas have a number more behind it."""
@@ -343,4 +331,8 @@ class _Writer:
             if name not in kept and name not in _SILENT and not (element.tag == "geom" and name == "mesh"):
                 what = f"{shown(name)} of {tag_shown(element)}"
                 self._task.leftovers.add(what, element.line, self._documents[id(element)].file)
-        return {name: value for name, value in element.attributes.items() if name in kept}
+        handed = {name: value for name, value in element.attributes.items() if name in kept}
+        for name in names_of_nan(handed):  # MuJoCo reads them, and writes a file that says so
+            where = self._place(element, name)
+            raise InputError(f"{name} of {tag_shown(element)} is not a number", where=where, found="nan")
+        return handed

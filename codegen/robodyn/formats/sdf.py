@@ -136,7 +136,7 @@ class _Reader(Quantities):
         """Add what is in a model, and in the models in it, to ``parts``."""
         name = self.name(model, "the model")
         self.note_unused(model, _USED, _WORDS)
-        self._note_physics(model, f"model {shown(name)}")
+        self._note_physics(model, f"model {name}")
         for inner in model.all("include"):
             raise self.fail(
                 inner,
@@ -205,7 +205,7 @@ class _Reader(Quantities):
         of = f"link {shown(name)}"
         self.note_unused(element, _USED, _WORDS)
         frames.pose(name, element)
-        self._note_physics(element, of)
+        self._note_physics(element, f"link {name}")
         shape = element.first("visual") is not None or element.first("collision") is not None
         inertial = self.one(element, "inertial", of)
         if inertial is None or inertial.attributes.get("auto", "").strip() in ("1", "true"):

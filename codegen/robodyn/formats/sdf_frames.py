@@ -49,11 +49,11 @@ class Frames:
 
     def _add_all(self, scope: Element, prefix: str) -> None:
         """Add the frames in a model or the world; ``prefix`` is what their names begin with."""
-        own = prefix.removesuffix(INSIDE) or WORLD
+        parent = prefix.removesuffix(INSIDE) or WORLD
         for element in scope.children:
             name = prefix + element.attributes.get("name", "")
             if element.tag == "link":
-                self._add(name, element, own, name)
+                self._add(name, element, parent, name)
             elif element.tag == "joint":
                 child = element.first("child")
                 link = absolute("" if child is None else child.text, prefix)
@@ -64,7 +64,7 @@ class Frames:
             elif element.tag == "model":
                 placed = element.attributes.get("placement_frame") or MODEL
                 inside = name + INSIDE
-                self._add(name, element, own, _canonical_link(element, inside), absolute(placed, inside))
+                self._add(name, element, parent, _canonical_link(element, inside), absolute(placed, inside))
                 self._add_all(element, inside)
 
     def _add(self, name: str, element: Element, relative_to: str, attached_to: str, placed: str = "") -> None:

@@ -70,7 +70,7 @@ class Transmissions:
         names = {joint.name for joint in joints}
         for name, element in self._elements.items():
             if name not in names:
-                of = f"joint {shown(name)}, {near(name, names, 'joint')}"
+                of = f"joint {name}; {near(name, names, 'joint')}"
                 self._leftovers.changes_torques("transmission", of, self._reader.place(element))
         return tuple(self._with_transmission(joint) for joint in joints)
 

@@ -12,7 +12,7 @@ from typing import Final, Literal
 
 from robodyn.errors import InputError, Place
 from robodyn.formats.chain import Body, Pose, Spring, Vector
-from robodyn.formats.limits import LINES_SHOWN, LINKS, NAMES_SHOWN
+from robodyn.formats.limits import GREATEST, LINES_SHOWN, LINKS, NAMES_SHOWN
 from robodyn.robot.names import TEXT_LENGTH, shown
 
 Kind = Literal[
@@ -159,7 +159,8 @@ class Physics:
     @property
     def text(self) -> str:
         """On one line, for people."""
-        return f"{self.name}: {PHYSICS[self.name]}" + (f" ({self.of})" if self.of else "")
+        of = f" ({names([self.of], 1)})" if self.of else ""
+        return f"{self.name}: {PHYSICS[self.name]}{of}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -214,7 +215,7 @@ def names(words: Iterable[str], most: int) -> str:
 
 
 def checked(tree: Tree) -> Tree:
-    """``tree`` itself: its names are unique, and joints name links that are there.
+    """``tree`` itself: its names are unique, joints name links that are there, and have numbers of joints.
 
     Raises
     ------
@@ -233,6 +234,19 @@ def checked(tree: Tree) -> Tree:
                     where=joint.where,
                     found=shown(link),
                     expected=near(link, links, "link"),
+                )
+        for what, value, least in (
+            ("damping", joint.damping, 0.0),
+            ("friction", joint.friction, 0.0),
+            ("rotor inertia", joint.armature, 0.0),
+            ("reduction", joint.ratio or 0.0, -GREATEST),
+        ):
+            if not least <= value <= GREATEST:
+                raise InputError(
+                    f"joint {shown(joint.name)}: the {what} is {'negative' if value < 0 else 'too large'}",
+                    where=joint.where,
+                    found=f"{value:g}",
+                    expected=f"{least:g} to {GREATEST:g}",
                 )
     return tree
 

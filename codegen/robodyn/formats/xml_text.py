@@ -27,7 +27,8 @@ ENCODINGS: Final = frozenset(
 )
 _SAVE: Final = "save the file as UTF-8"
 _HEAD: Final = 1024
-"""[characters] So far from the beginning the declaration is looked for."""
+"""[characters] So far from the beginning the declaration is looked for, as in HTML (WHATWG, section 13.2.3.2:
+the prescan of 1024 bytes)."""
 _DECLARATION: Final = re.compile(r"([ \t\n\ufeff]*)(<\?xml\s[^<>]*?\?>)?")
 _ENCODING: Final = re.compile(r"""encoding\s*=\s*["']([^"']*)["']""")
 _MARKS: Final = {
