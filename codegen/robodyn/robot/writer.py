@@ -116,9 +116,9 @@ def _link_lines(link: Link, i: int, common: Confidence, origins: Mapping[str, Or
         lines.append(f"limits: {_limits(joint.limits)}")
     if link.confidence is not None and common is None:
         lines.append(f"confidence: {_confidence(link.confidence)}")
-    own = {group: word for group, word in origins_to_state(link).items() if origins.get(group) != word}
-    if own:
-        lines.append(f"origin: {_words(own)}")
+    words = {group: word for group, word in origins_to_state(link).items() if origins.get(group) != word}
+    if words:
+        lines.append(f"origin: {_words(words)}")
     if link.acknowledged:
         lines.append(f"acknowledged: {_quoted(link.acknowledged)}")
     if (joint.viscous, joint.coulomb) != (ZERO, ZERO):

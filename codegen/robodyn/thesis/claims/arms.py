@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+#: Joints of the arms that the thesis counts and schedules for: its six-link arm, PUMA 560, Stanford.
 LINKS: Final = 6
 #: The bundled arms of the thesis's tables.
 STANFORD: Final = "stanford"

@@ -24,7 +24,8 @@ class Claim:
     ``printed`` are figures as printed, ``derived`` what follows from printed figures by arithmetic alone.
     ``by`` is the function that recomputes it, ``module.function`` of this package. ``ours`` and ``reason``
     are texts with the names of its figures in braces. ``verdict`` stands in the file only where no figure
-    decides: where the source lacks what is needed, or a reading is all there is.
+    decides: where the source lacks what is needed, or a reading is all there is, as of words without a bound
+    (much, marginally, drastically).
     """
 
     claim_number: int

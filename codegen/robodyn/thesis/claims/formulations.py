@@ -30,8 +30,6 @@ from robodyn.thesis.tables.table_2_10 import plain
 SMALL_PUMA: Final = "puma560_3dof_d12"
 _FUNCTIONS: Final = ("inverse_dynamics", "gravity", "bias", "mass_matrix", "forward_dynamics")
 _INVERSE: Final = ("inverse_dynamics",)
-#: A share of operations that is significant [%].
-SIGNIFICANT: Final = 5.0
 _METHODS: Final[tuple[Method, ...]] = ("I", "II")
 _BACKWARD: Final = ("F", "N", "f", "f_rotated", "n")
 
@@ -97,16 +95,13 @@ def no_advantage(arms: Arms) -> Outcome:
         }
         for name in names[1:]
     }
-    saves = [name for name in ("balafoutis", "kane") if apart[name]["customised_pct"] < -SIGNIFICANT]
     figures = {
         "operations": customised,
         "operations_of_any_arm": general,
         "apart": apart,
-        "saves": saves,
-        "significant_pct": SIGNIFICANT,
         "balafoutis_beside_modified": customised["balafoutis"] - customised["modified_newton_euler"],
     }
-    return figures, not saves
+    return figures, None
 
 
 def fewest(_: Arms) -> Outcome:

@@ -149,12 +149,12 @@ def parent_of_alpha() -> Comparison:
         z = W[:, :, 2]
         alpha = alpha + z * qdd[:, [i]] + np.cross(w, z * qd[:, [i]])
         w = w + z * qd[:, [i]]
-        own = np.einsum("kji,kj->ik", W, alpha)
+        acceleration = np.einsum("kji,kj->ik", W, alpha)
         rates = tuple(np.einsum("kji,kj->ik", W, w))
         right.append(steps.alpha_I(R, before, rates, qd[:, i], qdd[:, i]))
-        printed.append(steps.alpha_I(R, tuple(own), rates, qd[:, i], qdd[:, i]))
-        truth.append(own)
-        before = tuple(own)
+        printed.append(steps.alpha_I(R, tuple(acceleration), rates, qd[:, i], qdd[:, i]))
+        truth.append(acceleration)
+        before = tuple(acceleration)
     by_print, mended = ([[np.broadcast_to(x, count) for x in u] for u in form] for form in (printed, right))
     return compared(by_print, mended, truth, "rad/s^2", f"sums over the joints of {PUMA}, 1000 states")
 

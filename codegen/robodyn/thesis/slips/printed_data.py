@@ -164,11 +164,11 @@ def sign_of_z_of_link_3() -> Comparison:
     """Table 2.7: z of the Stanford arm's link 3 is positive, in the programs negative."""
     programs = bundled("stanford_d3")
 
-    def turned(i: int, link: Link) -> Link:
+    def with_other_sign(i: int, link: Link) -> Link:
         x, y, z = link.com
         return replace(link, com=(x, y, -z)) if i == 3 else link
 
-    return of_arms(changed(programs, turned), programs, "stanford_d3, 1000 states")
+    return of_arms(changed(programs, with_other_sign), programs, "stanford_d3, 1000 states")
 
 
 def _table_with_rotors_in_links() -> Robot:
@@ -206,11 +206,11 @@ def sign_of_x_of_link_2() -> Comparison:
     """D.2: x of link 2 is -0.068, in Table 2.5 it is 0.068."""
     tables = bundled("puma560")
 
-    def turned(i: int, link: Link) -> Link:
+    def with_other_sign(i: int, link: Link) -> Link:
         x, y, z = link.com
         return replace(link, com=(-x, y, z)) if i == 2 else link
 
-    return of_arms(changed(tables, turned), tables, "puma560, 1000 states")
+    return of_arms(changed(tables, with_other_sign), tables, "puma560, 1000 states")
 
 
 def centre_of_link_4() -> Comparison:

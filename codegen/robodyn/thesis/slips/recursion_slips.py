@@ -5,6 +5,7 @@ Source: Dhanaraj 1990, Tables 2.2 to 2.4 and 4.1, Eqs 2.22 to 2.39, 4.3, 4.5, B.
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from typing import Any
 
 from robodyn.dynamics import steps
@@ -22,11 +23,12 @@ class Unbracketed(Recursion):
         return plus(cross(alpha, r), cross(cross(w, w), r))
 
 
-class _Entry(Recursion):
+class _Entry(Recursion, ABC):
     """Entries of lambda, by row and column from 1, as they are printed."""
 
+    @abstractmethod
     def entries(self, w: Vector, alpha: Vector) -> dict[tuple[int, int], Any]:
-        raise NotImplementedError
+        """The entries of the matrix of angular velocity ``w`` and acceleration ``alpha``."""
 
     def lambda_of(self, i: int, w: Vector, alpha: Vector) -> Lambda:
         return replaced(steps.lambda_I(w, alpha), self.entries(w, alpha))
