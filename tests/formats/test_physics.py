@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -170,6 +171,19 @@ def test_urdf(inside: str, message: str, tmp_path: Path) -> None:
     (tmp_path / "arm.urdf").write_text(URDF.format(inside))
     with pytest.raises(InputError, match=message):
         load(tmp_path / "arm.urdf")
+
+
+def test_rotor_inertia_of_a_urdf_acts_through_the_gear(tmp_path: Path) -> None:
+    inside = TRANSMISSION.format(1, "j", 50).replace(
+        "</actuator>", "<motorInertia>1e-4</motorInertia></actuator>"
+    )
+    path = tmp_path / "arm.urdf"
+    path.write_text(URDF.format(inside))
+    joint = load(path, warn=lambda _: None).links[0].joint
+    assert joint.motor_inertia == Fraction(1, 4)
+    path.write_text(URDF.format(inside.replace("1e-4", "-1e-4")))
+    with pytest.raises(InputError, match="'j': the rotor inertia is negative"):
+        load(path)
 
 
 def test_urdf_twice_the_same(tmp_path: Path) -> None:

@@ -12,6 +12,7 @@ from robodyn.robot.names import shown
 
 _SIMPLE: Final = "SimpleTransmission"
 _REDUCTION: Final = "mechanicalReduction"
+_MOTOR_INERTIA: Final = "motorInertia"
 _RATIO, _ROTOR = "drake:gear_ratio", "drake:rotor_inertia"
 
 
@@ -40,6 +41,10 @@ class Transmissions:
                 self._ratio(part, joint, part.text, "")
             elif part.tag == _RATIO:
                 self._ratio(part, joint, part.attributes.get("value", ""), "value")
+            elif part.tag == _MOTOR_INERTIA:
+                what = f"joint {shown(joint)}: {tag_shown(part)}"
+                (rotor,) = self._reader.numbers(part.text, 1, part, "", what)
+                self._state(self._armatures, part, joint, rotor)
             elif part.tag == _ROTOR:
                 rotor = self._reader.number(part, "value", f"joint '{joint}'", bad=negative)
                 self._state(self._armatures, part, joint, rotor)
