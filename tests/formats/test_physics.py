@@ -186,6 +186,20 @@ def test_rotor_inertia_of_a_urdf_acts_through_the_gear(tmp_path: Path) -> None:
         load(path)
 
 
+def test_a_message_is_the_same_whatever_the_seed_of_hashes(tmp_path: Path) -> None:
+    links = "".join(f'<link name="l{i}"/>' for i in range(9))
+    names = [f"{letter}{i}" for i, letter in enumerate("qwertzui")]
+    joints = "".join(
+        f'<joint name="{name}" type="fixed"><parent link="l{i}"/><child link="l{i + 1}"/></joint>'
+        for i, name in enumerate(names)
+    )
+    (tmp_path / "arm.urdf").write_text(
+        f'<robot name="arm">{links}{joints}{TRANSMISSION.format(1, "x", 9)}</robot>'
+    )
+    with pytest.raises(InputError, match=f"one of the joints {', '.join(names)}"):
+        load(tmp_path / "arm.urdf")
+
+
 def test_urdf_twice_the_same(tmp_path: Path) -> None:
     (tmp_path / "arm.urdf").write_text(
         URDF.format(TRANSMISSION.format(1, "j", -9) + TRANSMISSION.format(2, "j", -9))

@@ -49,7 +49,7 @@ class Positions:
                     + ("is not there" if leader is None else "follows it"),
                     where=joint.where,
                     found=shown(mimic.leader),
-                    expected=near(mimic.leader, set(self._joints) - seen, "joint"),
+                    expected=near(mimic.leader, (each for each in self._joints if each not in seen), "joint"),
                 )
             factor, offset = factor * mimic.multiplier, factor * mimic.offset + offset
             joint = leader

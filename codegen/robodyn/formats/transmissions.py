@@ -72,7 +72,7 @@ class Transmissions:
     def applied(self, joints: tuple[TreeJoint, ...]) -> tuple[TreeJoint, ...]:
         """The joints with their ratios, and rotor inertias reflected through them; transmissions of joints
         that are not there are noted."""
-        names = {joint.name for joint in joints}
+        names = dict.fromkeys(joint.name for joint in joints)
         for name, element in self._elements.items():
             if name not in names:
                 of = f"joint {name}; {near(name, names, 'joint')}"

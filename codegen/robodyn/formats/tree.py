@@ -225,7 +225,7 @@ def checked(tree: Tree) -> Tree:
         raise InputError("too many links or joints", where=Place(tree.file), found=f"more than {LINKS}")
     _unique("link", tree.links)
     _unique("joint", tree.joints)
-    links = {link.name for link in tree.links}
+    links = dict.fromkeys(link.name for link in tree.links)
     for joint in tree.joints:
         for role, link in (("parent", joint.parent), ("child", joint.child)):
             if link not in links:
