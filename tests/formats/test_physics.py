@@ -123,6 +123,16 @@ def test_what_is_not_modelled_is_refused_until_it_is_left_out(name: str, tmp_pat
         load(path, without=["wind"])
 
 
+def test_what_is_left_out_in_many_places_is_one_remark(tmp_path: Path) -> None:
+    transmissions = "".join(TRANSMISSION.format(i, f"x{i}", 9) for i in range(100))
+    (tmp_path / "arm.urdf").write_text(URDF.format(transmissions))
+    remarks: list[str] = []
+    load(tmp_path / "arm.urdf", without=["transmission"], warn=remarks.append)
+    (remark,) = (remark for remark in remarks if "left out, although it changes torques" in remark)
+    assert "(joint x0; " in remark
+    assert remark.endswith(" and 60 more)")
+
+
 def test_a_joint_that_is_held_is_fixed_there(tmp_path: Path) -> None:
     """Torques of the others are those of MuJoCo with the joint at that position."""
     mujoco = require_module("mujoco")

@@ -209,7 +209,7 @@ class _Model:
         spring = Spring(stiffness, float(model.qpos_spring[address])) if stiffness else None
         if (harder := getattr(model, "jnt_stiffnesspoly", None)) is not None and harder[index].any():
             leftovers.changes_torques("stiffness", f"joint {name}", where)
-        if model.dof_damping.ndim > 1 or getattr(model, "dof_dampingpoly", model.dof_damping[:0]).any():
+        if (faster := getattr(model, "dof_dampingpoly", None)) is not None and faster[dof].any():
             leftovers.changes_torques("damping", f"joint {name}", where)
         anchor = vector(model.jnt_pos[index])
         lower, upper = map(float, model.jnt_range[index])

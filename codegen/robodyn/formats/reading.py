@@ -14,7 +14,7 @@ from robodyn.errors import InputError
 from robodyn.files import label
 from robodyn.formats import elements
 from robodyn.formats.elements import Document, tag_shown
-from robodyn.formats.tree import PHYSICS, Tree
+from robodyn.formats.tree import PHYSICS, Tree, physics_text
 
 _EXPECTED: Final = "URDF, MJCF, SDF or xacro"
 
@@ -100,15 +100,19 @@ def _without(tree: Tree, names: frozenset[str]) -> Tree:
     unknown = sorted(names - PHYSICS.keys())
     if unknown:
         raise InputError("nothing of this name is left out", found=unknown[0], expected=", ".join(PHYSICS))
+    left_out: dict[str, list[str]] = {}
     for physics in tree.physics:
         if physics.name not in names:
             raise InputError(
-                f"this changes torques, and is not modelled: {physics.text}",
+                f"this changes torques, and is not modelled: {physics_text(physics.name, [physics.of])}",
                 where=physics.where,
                 remedy=f"leave it out: --without {physics.name}",
             )
-    remarks = (f"left out, although it changes torques: {physics.text}" for physics in tree.physics)
-    return replace(tree, remarks=tuple(dict.fromkeys((*tree.remarks, *remarks))))
+        left_out.setdefault(physics.name, []).append(physics.of)
+    remarks = (
+        f"left out, although it changes torques: {physics_text(name, of)}" for name, of in left_out.items()
+    )
+    return replace(tree, remarks=(*tree.remarks, *remarks))
 
 
 def _folders(arguments: Mapping[str, str]) -> list[str]:

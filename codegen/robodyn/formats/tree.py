@@ -156,11 +156,11 @@ class Physics:
     of: str
     where: Place
 
-    @property
-    def text(self) -> str:
-        """On one line, for people."""
-        of = f" ({names([self.of], 1)})" if self.of else ""
-        return f"{self.name}: {PHYSICS[self.name]}{of}"
+
+def physics_text(name: str, of: Iterable[str]) -> str:
+    """The physics of that ``name`` on one line, with what it is ``of``, as far as that is stated."""
+    stated = names(filter(None, of), NAMES_SHOWN)
+    return f"{name}: {PHYSICS[name]}" + (f" ({stated})" if stated else "")
 
 
 @dataclass(frozen=True, slots=True)
