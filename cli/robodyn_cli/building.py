@@ -19,7 +19,9 @@ from robodyn.errors import CheckError, InputError, OutputError, RobodynError, To
 from robodyn.project.fingerprint import fingerprints
 from robodyn.project.keys import PACKAGE, Keys
 from robodyn.project.product import Product, Store
-from robodyn_cli.common import talk
+from robodyn.robot.account import account_to_dict
+from robodyn_cli.common import Document, talk
+from robodyn_cli.file_options import files_read_by, with_file_options
 from robodyn_cli.project_keys import check_settings
 
 if TYPE_CHECKING:
@@ -50,6 +52,9 @@ class Products:
         for entry in missing:
             check_settings(entry, keys)
         self._generate(missing)
+        for entry in project.entries:
+            for note in self.by_name[entry.name].notes:
+                talk(note)
 
     def texts(self, entry: Entry) -> dict[str, bytes]:
         """The contents of the files of ``entry``, by path within its output."""
@@ -94,8 +99,6 @@ class Products:
                 failed.append(error.at(error.where or entry.place()))
             else:
                 self._take(entry)
-                for note in self.by_name[entry.name].notes:
-                    talk(note)
         for error in failed[:-1]:
             talk(f"robodyn: error: {error}")
         if failed:
@@ -146,20 +149,23 @@ def carry_out(job: Job, root: Path) -> RobodynError | None:
     """Generate what ``job`` says and keep it in the store at ``root``, with what was said meanwhile; the
     error, if there is one."""
     module, contents = _PACKAGED if job.command == PACKAGE else _GENERATED
-    command: click.Command = importlib.import_module(module).command
-    messages = io.StringIO()
+    command = with_file_options(importlib.import_module(module).command)
+    messages, document = io.StringIO(), Document()
     try:
         with (
             contextlib.redirect_stderr(messages),
-            command.make_context(job.command, [*job.arguments, "--", job.robot]) as c,
+            command.make_context(job.command, [*job.arguments, "--", job.robot], obj=document) as c,
         ):
             options = {name: value for name, value in c.params.items() if name not in _OF_A_RUN}
-            texts, counts = contents(options)
+            with files_read_by(options):
+                texts, counts = contents(options)
     except click.UsageError as error:
         return InputError(error.format_message())
     except RobodynError as error:
         return _plain(error)
-    Store(root).save(job.key, texts, counts, tuple(messages.getvalue().splitlines()))
+    (robot,) = document.robots
+    notes = tuple(messages.getvalue().splitlines())
+    Store(root).save(job.key, texts, counts, notes, account_to_dict(robot))
     return None
 
 

@@ -6,7 +6,7 @@ import contextlib
 import os
 import sys
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any, Final, TypeVar
 
@@ -60,10 +60,12 @@ def write_file(
 @dataclass(slots=True)
 class Document:
     """The one JSON document that stdout gets from a command: whether the command line asks for one, and
-    whether its printing has begun. It is the object of click's context."""
+    whether its printing has begun; ``robots``: those that it is about. It is the object of
+    click's context."""
 
     as_json: bool = False
     begun: bool = False
+    robots: list[Robot] = field(default_factory=list)
 
 
 def echo_document(text: str) -> None:
@@ -76,10 +78,26 @@ def echo_document(text: str) -> None:
 
 
 def echo_json(obj: object) -> None:
-    """Print `obj` on stdout as indented JSON; keys keep their order, and NaN is refused (ValueError)."""
+    """Print `obj` on stdout as indented JSON; keys keep their order, and NaN is refused (ValueError). What is
+    known of the robots that were loaded stands at its end under ``account``."""
     import json
 
-    echo_document(json.dumps(obj, indent=2, ensure_ascii=False, allow_nan=False))
+    echo_document(json.dumps(with_account(obj), indent=2, ensure_ascii=False, allow_nan=False))
+
+
+def with_account(obj: object) -> object:
+    """`obj`, each of its mappings if it is a list, with what is known of the robots that were loaded."""
+    context = click.get_current_context(silent=True)
+    document = None if context is None else context.find_object(Document)
+    if document is None or not document.robots:
+        return obj
+    from robodyn.robot.account import account_to_dict
+
+    account = [account_to_dict(robot) for robot in document.robots]
+    if isinstance(obj, list):
+        return [{**record, "account": account} for record in obj]
+    assert isinstance(obj, dict)
+    return {**obj, "account": account}
 
 
 #: Columns of what is printed on stdout.
@@ -134,7 +152,8 @@ def output_folder(text: str) -> Path:
 
 
 def load_robot(robot: str, *, strict: bool = False) -> Robot:
-    """Load ROBOT, a path or a bundled name; warnings about implausible values go to stderr, one line each.
+    """Load ROBOT, a path or a bundled name. Warnings about implausible values, and what is to be known of the
+    file, go to stderr, one line each; the JSON document of the command has it too.
 
     Raises
     ------
@@ -142,7 +161,17 @@ def load_robot(robot: str, *, strict: bool = False) -> Robot:
     """
     from robodyn.formats.loading import load
 
-    return load(robot, strict=strict, warn=lambda text: talk(f"robodyn: warning: {text}"))
+    described = load(
+        robot,
+        strict=strict,
+        warn=lambda text: talk(f"robodyn: warning: {text}"),
+        note=lambda text: talk(f"robodyn: note: {text}"),
+    )
+    context = click.get_current_context(silent=True)
+    document = None if context is None else context.find_object(Document)
+    if document is not None:
+        document.robots.append(described)
+    return described
 
 
 def parameter_values(robot: Robot, options: Sequence[tuple[str, float]]) -> dict[str, float]:

@@ -119,6 +119,7 @@ def _summary(comparison: Comparison) -> list[str]:
     if comparison.tool is not None:
         distance, angle = comparison.tool
         lines.append(f"tool: within {distance:.1e} m and {angle:.1e} rad")
+    lines += [f"not compared: {text}" for text in comparison.not_compared]
     if comparison.same:
-        lines.append("nothing differs")
+        lines.append(f"nothing {'that was compared ' if comparison.not_compared else ''}differs")
     return lines

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from functools import wraps
 from typing import Any
 
@@ -42,7 +43,7 @@ def file_options(command: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def with_file_options(command: click.Command) -> click.Command:
-    """``command``, which takes a ROBOT, with the options; itself it stays as it is: no project has keys."""
+    """``command``, which takes a ROBOT, with the options."""
     assert command.callback is not None
     callback = file_options(_in_their_context(command.callback))
     wider = copy.copy(command)
@@ -53,33 +54,43 @@ def with_file_options(command: click.Command) -> click.Command:
 
 def _in_their_context(callback: Callable[..., Any]) -> Callable[..., Any]:
     @wraps(callback)
-    def with_options(
-        *, arg: tuple[tuple[str, str], ...], file_model: str, left_out: tuple[str, ...], **parameters: Any
-    ) -> Any:
-        if not arg and not file_model and not left_out:
-            return callback(**parameters)
-        from robodyn.formats.loading import SUFFIXES
-        from robodyn.formats.reading import how_files_are_read, is_sdf
-
-        robots = list(_robots(click.get_current_context()))
-        only_folders = all(name.startswith("find ") for name, _ in arg)
-        readers = (".xacro", ".xml", ".mjcf") if only_folders else (".xacro",)
-        if arg and not any(robot.lower().endswith(readers) for robot in robots):
-            raise _useless("arguments are for xacro files", robots, "leave --arg out")
-        if left_out and not any(robot.lower().endswith(SUFFIXES) for robot in robots):
-            raise _useless("what is left out is stated by other formats", robots, "leave --without out")
-        if file_model and not any(map(is_sdf, robots)):
-            of_controller = " (the controller's model is --controller-model ROBOT)"
-            simulates = click.get_current_context().info_name == "simulate"
-            raise _useless(
-                "a model is chosen in SDF files",
-                robots,
-                f"leave --model out{of_controller if simulates else ''}",
-            )
-        with how_files_are_read(unique(arg, "--arg"), file_model, left_out):
+    def with_options(**parameters: Any) -> Any:
+        with files_read_by(parameters):
             return callback(**parameters)
 
     return with_options
+
+
+@contextmanager
+def files_read_by(parameters: dict[str, Any]) -> Iterator[None]:
+    """A context in which files are read as the options among ``parameters`` say, which are taken out.
+
+    Raises
+    ------
+    InputError: an option that none of the robots of the command line can use.
+    """
+    arg, file_model, left_out = (parameters.pop(name) for name in ("arg", "file_model", "left_out"))
+    if not arg and not file_model and not left_out:
+        yield
+        return
+    from robodyn.formats.loading import SUFFIXES
+    from robodyn.formats.reading import how_files_are_read, is_sdf
+
+    robots = list(_robots(click.get_current_context()))
+    only_folders = all(name.startswith("find ") for name, _ in arg)
+    readers = (".xacro", ".xml", ".mjcf") if only_folders else (".xacro",)
+    if arg and not any(robot.lower().endswith(readers) for robot in robots):
+        raise _useless("arguments are for xacro files", robots, "leave --arg out")
+    if left_out and not any(robot.lower().endswith(SUFFIXES) for robot in robots):
+        raise _useless("what is left out is stated by other formats", robots, "leave --without out")
+    if file_model and not any(map(is_sdf, robots)):
+        of_controller = " (the controller's model is --controller-model ROBOT)"
+        simulates = click.get_current_context().info_name == "simulate"
+        raise _useless(
+            "a model is chosen in SDF files", robots, f"leave --model out{of_controller if simulates else ''}"
+        )
+    with how_files_are_read(unique(arg, "--arg"), file_model, left_out):
+        yield
 
 
 def _useless(what: str, robots: list[str], remedy: str) -> InputError:

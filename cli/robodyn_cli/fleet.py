@@ -13,7 +13,7 @@ from robodyn.errors import InputError
 from robodyn.outputs import check_outputs, write_files
 from robodyn_cli import progress
 from robodyn_cli.choices import FILE, FOLDER
-from robodyn_cli.common import echo_document, json_option, printable
+from robodyn_cli.common import echo_document, json_option, printable, talk
 from robodyn_cli.log_files import result_folder, spare_inputs
 from robodyn_cli.values import POSITIVE
 
@@ -93,6 +93,9 @@ def command(
     with progress.line() as shown:
         result = _judged(described, folder, on, diagnose, false_names, security, shown.tell)
         text = _written(result, folder, shown.tell, table=not no_parquet)
+    for each in result.types:
+        for line in each.account:
+            talk(f"robodyn: note: {each.name}: {line}")
     if as_json:
         echo_document(text)
         return

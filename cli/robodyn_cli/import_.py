@@ -119,12 +119,11 @@ def command(
 
 
 def _tell(imported: Imported) -> None:
-    for where, words in (*imported.warnings, *imported.implausible):
+    for where, words in imported.implausible:
         talk(f"robodyn: warning: {where}: {words}")
-    for remark in imported.remarks:
-        talk(f"robodyn: note: {remark}")
-    for part in imported.unused:
-        talk(f"robodyn: not used: {part.text(imported.file)}")
+    assert imported.robot.account is not None
+    for line in imported.robot.account.lines():
+        talk(f"robodyn: note: {imported.file}: {line}")
 
 
 def _widest(imported: Imported) -> float:
@@ -150,6 +149,8 @@ def _tell_angles(imported: Imported, snapped: Imported) -> None:
 
 
 def _data(imported: Imported, path: str | None, text: str) -> dict[str, Any]:
+    from robodyn.robot.account import account_to_dict
+
     robot = imported.robot
     return {
         "name": robot.name,
@@ -168,4 +169,5 @@ def _data(imported: Imported, path: str | None, text: str) -> dict[str, Any]:
             for angle in imported.near
         ],
         "text": text,
+        "account": [account_to_dict(robot)],
     }

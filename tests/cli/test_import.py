@@ -7,6 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from robodyn.formats import loading
+from robodyn.formats.arm import import_arm
 from robodyn.robot import load
 from robodyn_cli.main import main
 from robodyn_testing.urdf_text import GRIPPER, joint, link, robot
@@ -30,19 +32,21 @@ def test_a_description_is_written_and_reads_back(arm: Path, capsys: pytest.Captu
     out, err = capsys.readouterr()
     assert out == ""
     assert err.splitlines() == [
-        "robodyn: not used: visual geometry (line 3)",
+        "robodyn: note: arm.urdf: not used: visual geometry (line 3)",
         "robodyn: wrote arm.yaml: 2 joints",
     ]
     text = Path("arm.yaml").read_text()
-    assert text.startswith(
-        "# from arm.urdf (URDF)\n# not used: visual geometry (line 3)\nname: two_joint_arm\n"
-    )
-    assert load("arm.yaml").links[1].name == "two"
+    assert text.startswith("name: two_joint_arm\n")
+    notes: list[str] = []
+    described = loading.load("arm.yaml", note=notes.append)
+    assert notes == ["arm.yaml: not used: visual geometry (line 3)"]
+    assert described.account == import_arm("arm.urdf").robot.account
+    assert described.links[1].name == "two"
 
 
 def test_without_output_the_description_goes_to_stdout(arm: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["import", "arm.urdf", "--name", "mine"]) == 0
-    assert "\nname: mine\n" in capsys.readouterr().out
+    assert "name: mine\n" in capsys.readouterr().out
     assert [path.name for path in Path.cwd().iterdir()] == ["arm.urdf"]
 
 

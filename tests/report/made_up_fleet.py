@@ -83,7 +83,7 @@ def fleet(units: int = 1000, claims: int = 60) -> FleetResult:
         for unit in results[: min(10, claims)]
     )
     types = tuple(
-        TypeResult(name, joints, len(members), sum(u.logs for u in members), own)
+        TypeResult(name, joints, len(members), sum(u.logs for u in members), own, ())
         for (name, own), (_, joints, _) in zip(kinds, TYPES, strict=True)
         if (members := [u for u in results if u.type == name])
     )

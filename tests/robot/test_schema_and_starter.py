@@ -174,7 +174,7 @@ def test_a_starter_names_every_key_of_a_link() -> None:
     text = starter()
     assert read_text(text).name == "my_arm"
     for key in (*LINK, *ROBOT):
-        if key.name not in ("compare", "standard_end"):  # what nobody states by hand
+        if key.name not in ("compare", "imported", "standard_end"):  # what nobody states by hand
             assert f"{key.name}:" in text, key.name
 
 

@@ -37,4 +37,5 @@ def to_dict(comparison: Comparison) -> dict[str, Any]:
         "torques": torques,
         "tool": tool,
         "operations": list(comparison.operations),
+        "not_compared": list(comparison.not_compared),
     }

@@ -64,7 +64,8 @@ class Comparison:
 
     ``torques``: the largest difference of inverse dynamics of each joint [N m or N], None where they cannot
     be compared; ``largest``: the largest torque of the first [N m or N]; ``tool``: the largest distance [m]
-    and angle [rad] between their tool frames; ``operations`` of their inverse dynamics.
+    and angle [rad] between their tool frames; ``operations`` of their inverse dynamics; ``not_compared``:
+    what was left out of the files of either, although it changes torques.
     """
 
     names: tuple[str, str]
@@ -73,6 +74,7 @@ class Comparison:
     torques: tuple[float, ...] | None
     largest: float
     tool: tuple[float, float] | None
+    not_compared: tuple[str, ...] = ()
 
     @property
     def same(self) -> bool:
@@ -126,6 +128,7 @@ def compare(
         torques,
         largest,
         tool,
+        tuple(text for robot in (left, right) if robot.account for text in robot.account.physics_left_out()),
     )
 
 

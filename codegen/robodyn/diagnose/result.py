@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.limits import ABOVE_NOISE, HALF_WIDTH
+from robodyn.robot.account import account_to_dict
 from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]
@@ -277,4 +278,5 @@ class Diagnosis:
             "logs": [dict(log) for log in self.logs],
             **({"kernel_against_arrays": self.agreement} if self.agreement is not None else {}),
             "operations": {"before": self.operations[0], "after": self.operations[1]},
+            "account": [account_to_dict(self.robot)],
         }

@@ -11,9 +11,9 @@ from robodyn.dynamics.functions import array_named, function_named
 from robodyn.emit.language import Language
 from robodyn.emit.spelling import WIDTH
 from robodyn.emit.unit import Unit, counted
+from robodyn.robot.account import account_lines
 from robodyn.robot.identity import identity
 from robodyn.robot.model import EffectEntry, Inertia, Joint, Placement, Robot
-from robodyn.robot.origins import origins_in_words
 from robodyn.robot.values import Affine, Angle, Value
 from robodyn.version import VERSION
 
@@ -41,8 +41,8 @@ def head_lines(unit: Unit, language: Language) -> list[str]:
     say(f"{robot.name}: {robot.title or 'a serial arm'}")
     if robot.source:
         say(f"Numbers: {robot.source}")
-    for line in origins_in_words(robot.links):
-        say(f"Origin of numbers: {line}", "  ")
+    for line in account_lines(robot):
+        say(line, "  ")
     say(f"Written by robodyn {VERSION}; do not edit, generate again.")
     say(f"Description: {identity(robot)} (a hash of its numbers)")
     if unit.options:

@@ -32,13 +32,15 @@ class Feature:
 
 @dataclass(frozen=True, slots=True)
 class TypeResult:
-    """What units of a type have in common: their number, their logs, the features; ``joints``: how many."""
+    """What units of a type have in common: their number, their logs, the features; ``joints``: how many;
+    ``account``: lines on where the numbers of its description come from and what of its file is not in it."""
 
     name: str
     joints: int
     units: int
     logs: int
     features: tuple[Feature, ...]
+    account: tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True)

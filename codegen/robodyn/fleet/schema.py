@@ -36,6 +36,7 @@ DESCRIPTIONS: Final[Mapping[type, Mapping[str, str]]] = {
         "units": "How many units there are.",
         "logs": "How many of their logs were used.",
         "features": "The numbers that each log of the type shows.",
+        "account": "Where the numbers of its description come from, and what of its file is not in it.",
     },
     Feature: {
         "name": "Its name, unique within the type.",

@@ -9,13 +9,16 @@ from pathlib import Path
 
 from robodyn.errors import InputError, Place
 from robodyn.formats.chain import Vector
-from robodyn.formats.conversion import robot_name
+from robodyn.formats.conversion import printable, robot_name
 from robodyn.formats.frames import description_of
+from robodyn.formats.limits import NAMES_SHOWN
 from robodyn.formats.reading import read_tree
-from robodyn.formats.serial import serial_chain
+from robodyn.formats.serial import Serial, serial_chain
 from robodyn.formats.snapping import NearRightAngle, near_right_angles
-from robodyn.formats.tree import Unused
+from robodyn.formats.tree import Tree, Unused
+from robodyn.robot.account import PARTS, Account
 from robodyn.robot.model import Robot
+from robodyn.robot.names import TEXT_LENGTH
 from robodyn.robot.plausibility import inertia_doubt, only_about_base_axis
 
 
@@ -67,10 +70,12 @@ def import_arm(
     ToolError: the package that reads the format is not installed.
     """
     tree = read_tree(path, arguments, model, without)
+    assumed = tree.format == "URDF" and gravity is None
     if gravity is not None:
         tree = replace(tree, gravity=gravity)
     serial = serial_chain(tree, robot_name(tree, name), base, tip, locks)
-    robot = replace(description_of(serial.chain, snap), file=Path(path).absolute())
+    robot = description_of(serial.chain, snap)
+    robot = replace(robot, file=Path(path).absolute(), account=_account(tree, serial, assumed))
     implausible = []
     for index, (link, where) in enumerate(zip(robot.links, serial.places, strict=True)):
         reason = inertia_doubt(link.inertia)
@@ -92,14 +97,34 @@ def import_arm(
     )
 
 
+def _account(tree: Tree, serial: Serial, assumed: bool) -> Account:
+    """What is to be known of the arm beyond its numbers, whose gravity may be ``assumed``; files by their
+    names alone, wherever they lie."""
+    x, y, z = tree.gravity
+    gravity = (
+        f"gravity is assumed to be {x:g}, {y:g}, {z:g} m/s^2 in the root's frame: {tree.format} has none"
+    )
+    file = Path(tree.file).name
+    unused = [replace(part, file=Path(part.file).name).text(file) for part in tree.unused]
+    more = len(unused) - NAMES_SHOWN
+    parts = {
+        "warnings": [f"{_place(at, tree)}: {words}" for at, words in tree.warnings],
+        "left_out": tree.left_out,
+        "decided": [*serial.remarks, *[gravity] * assumed],
+        "not_used": unused[:NAMES_SHOWN] + ([f"and {more} more"] if more > 0 else []),
+    }
+    lines = {part: tuple(map(printable, parts[part])) for part in PARTS}
+    return Account(printable(file)[:TEXT_LENGTH], tree.format, **lines)
+
+
+def _place(at: Place, tree: Tree) -> str:
+    """Where that is in the file of ``tree``, or in one that it takes in."""
+    line = f"line {at.line}, column {at.column}"
+    return line if at.file == tree.file else f"{Path(at.file).name}, {line}"
+
+
 def description_text(imported: Imported) -> str:
-    """The YAML of an imported robot: remarks, and what is not used, as comments at its head."""
+    """The YAML of an imported robot; what of the file is not in it stands under ``imported``."""
     from robodyn.robot.writer import to_yaml
 
-    notes = [f"from {Path(imported.file).name} ({imported.format})", *imported.remarks]
-    notes += [f"not used: {part.text(imported.file)}" for part in imported.unused]
-    return "".join(f"# {_printable(note)}\n" for note in notes) + to_yaml(imported.robot)
-
-
-def _printable(text: str) -> str:
-    return "".join(c if c.isprintable() else " " for c in text)
+    return to_yaml(imported.robot)

@@ -48,7 +48,12 @@ def title_of(tree: Tree, base: str = "", tip: str = "") -> str:
     text = (
         f"{tree.name or 'robot'}, {base} to {tip}" if tip else f"{PurePath(tree.file).name} ({tree.format})"
     )
-    return "".join(c if c.isprintable() else " " for c in text)[:TEXT_LENGTH]
+    return printable(text)[:TEXT_LENGTH]
+
+
+def printable(text: str) -> str:
+    """``text`` with blanks for what does not print."""
+    return "".join(c if c.isprintable() else " " for c in text)
 
 
 def joint_of(joint: TreeJoint) -> tuple[ChainJoint, list[str]]:

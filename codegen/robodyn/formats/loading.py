@@ -22,14 +22,16 @@ def load(
     without: Iterable[str] = (),
     strict: bool = False,
     warn: Warn | None = None,
+    note: Warn | None = None,
 ) -> Robot:
     """The robot in the file ``spec``, or the bundled robot of that name.
 
     A file whose name ends in .urdf, .xml, .mjcf, .sdf or .xacro is imported (:mod:`robodyn.formats.arm`): it
     must have one tip; ``model`` is the one that is read of an SDF file with several. What such a file states
     that changes torques and that is not modelled is refused, unless it is named ``without``. Physically
-    doubtful numbers, what was decided in importing, and what the file's format does not allow are told to
-    ``warn``, one line of text each (by default they become a warning); ``strict`` refuses doubtful numbers.
+    doubtful numbers are told to ``warn``, one line of text each (by default they become a warning), and the
+    lines of the robot's :class:`~robodyn.robot.account.Account` to ``note`` (by default to where doubts go);
+    ``strict`` refuses doubtful numbers.
 
     Raises
     ------
@@ -41,16 +43,18 @@ def load(
             from robodyn.formats.reading import no_model_to_choose
 
             raise no_model_to_choose(label(spec))
-        return bundled.load(spec, strict=strict, warn=warn)
-    from robodyn.formats.arm import import_arm
+        robot = bundled.load(spec, strict=strict, warn=warn)
+    else:
+        from robodyn.formats.arm import import_arm
 
-    imported = import_arm(spec, model=model, without=without, strict=strict)
-    tell = warn or doubtful
-    for remark in imported.remarks:
-        tell(f"{imported.file}: {remark}")
-    for where, words in (*imported.warnings, *imported.implausible):
-        tell(f"{where}: {words}")
-    return imported.robot
+        imported = import_arm(spec, model=model, without=without, strict=strict)
+        robot = imported.robot
+        for where, words in imported.implausible:
+            (warn or doubtful)(f"{where}: {words}")
+    if robot.account is not None:
+        for line in robot.account.lines():
+            (note or warn or doubtful)(f"{label(spec)}: {line}")
+    return robot
 
 
 def _is_foreign(spec: str | os.PathLike[str]) -> bool:

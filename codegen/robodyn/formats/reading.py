@@ -66,7 +66,7 @@ def read_tree(
 ) -> Tree:
     """The tree in the file at ``path``; ``arguments`` are those of a xacro file, and of an MJCF file folders
     that it may read (``find NAME``); ``model`` is the one of an SDF file that has several. What is named
-    ``without`` in :data:`~robodyn.formats.tree.PHYSICS` is left out, with a remark.
+    ``without`` in :data:`~robodyn.formats.tree.PHYSICS` is left out, which the tree says.
 
     What is in a file is told from its root element, but for xacro, whose name ends in ``.xacro``.
 
@@ -96,7 +96,7 @@ def read_tree(
 
 
 def _without(tree: Tree, names: frozenset[str]) -> Tree:
-    """``tree`` without the physics of those ``names``, and with a remark that says so."""
+    """``tree`` without the physics of those ``names``, which it says."""
     unknown = sorted(names - PHYSICS.keys())
     if unknown:
         raise InputError("nothing of this name is left out", found=unknown[0], expected=", ".join(PHYSICS))
@@ -109,10 +109,7 @@ def _without(tree: Tree, names: frozenset[str]) -> Tree:
                 remedy=f"leave it out: --without {physics.name}",
             )
         left_out.setdefault(physics.name, []).append(physics.of)
-    remarks = (
-        f"left out, although it changes torques: {physics_text(name, of)}" for name, of in left_out.items()
-    )
-    return replace(tree, remarks=(*tree.remarks, *remarks))
+    return replace(tree, left_out=tuple(physics_text(name, of) for name, of in left_out.items()))
 
 
 def _folders(arguments: Mapping[str, str]) -> list[str]:

@@ -169,6 +169,7 @@ class Tree:
 
     ``gravity`` [m/s^2] is in the root's frame. ``unused`` is what the file says and nothing here holds,
     ``physics`` what of it changes torques;
+    ``left_out``: what of it was left out as the user said;
     ``remarks``: what was understood in one of several ways; ``warnings``: what its format does not allow and
     was read all the same, with the places.
     """
@@ -183,6 +184,7 @@ class Tree:
     unused: tuple[Unused, ...] = ()
     remarks: tuple[str, ...] = ()
     physics: tuple[Physics, ...] = ()
+    left_out: tuple[str, ...] = ()
     warnings: tuple[tuple[Place, str], ...] = ()
 
 

@@ -20,6 +20,7 @@ from robodyn.identify.limits import LEAST_NOISE
 from robodyn.identify.outcome import Estimate, Identified, identified
 from robodyn.identify.residual import Squares, squares_of
 from robodyn.logs.log import LogSource, log_of
+from robodyn.robot.account import account_to_dict
 from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]
@@ -98,6 +99,7 @@ class Identification:
             "remarks": list(self.words),
             "flags": list(self.flags),
             "logs": [dict(log) for log in self.logs],
+            "account": [account_to_dict(self.robot)],
         }
 
 

@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Final, Literal
+from typing import Any, Final, Literal
 
 from robodyn.errors import InputError, did_you_mean
 from robodyn.files import label, read_start
@@ -53,11 +53,13 @@ class Counted:
 @dataclass(frozen=True, slots=True)
 class RobotState:
     """A robot of the project, or a package of one: the paths of its files with what is wrong with them (None:
-    nothing), and the counts of its functions. ``gone``: it is in the lock file alone."""
+    nothing), and the counts of its functions; what is known of it, None if it is ``gone``: in the lock file
+    alone."""
 
     name: str
     files: Mapping[str, str | None]
     functions: tuple[Counted, ...]
+    account: Mapping[str, Any] | None
     gone: bool = False
 
     @property
@@ -142,7 +144,7 @@ def compare(
     )
     gone = tuple(
         RobotState(
-            name, {}, tuple(Counted(f, None, kinds, {}) for f, kinds in each.counts.items()), gone=True
+            name, {}, tuple(Counted(f, None, kinds, {}) for f, kinds in each.counts.items()), None, gone=True
         )
         for name, each in sorted((base or {}).items())
         if name not in products
@@ -180,7 +182,8 @@ def _state(
     for name in different:
         files[label(folder / name)] = _difference(_contents(folder / name), wanted[name])
     names = dict.fromkeys((*product.counts, *before))
-    return RobotState(entry.name, files, tuple(_counted(f, product, before, entry.budgets) for f in names))
+    functions = tuple(_counted(f, product, before, entry.budgets) for f in names)
+    return RobotState(entry.name, files, functions, product.account)
 
 
 def _counted(function: str, product: Product, before: Mapping[str, Kinds], budgets: Budgets) -> Counted:

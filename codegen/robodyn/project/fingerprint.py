@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from functools import cache
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
 from robodyn.project.reading import Entry
 from robodyn.resources import RECORDS
@@ -30,7 +30,7 @@ def fingerprints(entries: Iterable[Entry]) -> dict[str, str]:
         entry.name: content_key(
             {
                 "robodyn": [VERSION, own_key()],
-                "description": _description(Path(entry.robot)),
+                "description": _description(Path(entry.robot), entry.settings),
                 "records": records(Path(entry.robot).parent / RECORDS),
                 "arguments": [entry.command, *entry.arguments],
             }
@@ -39,16 +39,24 @@ def fingerprints(entries: Iterable[Entry]) -> dict[str, str]:
     }
 
 
-def _description(path: Path) -> str:
+def _description(path: Path, settings: Mapping[str, Any]) -> str:
     if path.suffix.lower() not in _INCLUDING:
         return file_key(path)
     if path.suffix.lower() == ".xacro" or b"<include" in path.read_bytes():
         from robodyn.formats.loading import text_of
+        from robodyn.formats.reading import how_files_are_read
 
-        return digest(text_of(path).encode())
+        arg, without = (_listed(settings.get(key, [])) for key in ("arg", "without"))
+        arguments = {name: value for name, _, value in (str(one).partition("=") for one in arg)}
+        with how_files_are_read(arguments, str(settings.get("model", "")), without):
+            return digest(text_of(path).encode())
     from importlib.metadata import PackageNotFoundError, version
 
     try:
         return f"{file_key(path)} mujoco {version('mujoco')}"
     except PackageNotFoundError:  # an arm in URDF or SDF, or one that is refused
         return file_key(path)
+
+
+def _listed(value: Any) -> list[Any]:
+    return value if isinstance(value, list) else [value]

@@ -6,7 +6,7 @@ import json
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
 from robodyn.toolchain.cache import Cache
 from robodyn.toolchain.sources import digest
@@ -20,11 +20,13 @@ Counts = Mapping[str, Mapping[str, int]]
 @dataclass(frozen=True, slots=True)
 class Product:
     """The kernels of a robot: ``files`` with their hashes, by path within the folder of the output;
-    ``counts`` of operations by function and kind; ``notes`` are what was said when they were generated."""
+    ``counts`` of operations by function and kind; ``notes`` are what was said when they were generated, and
+    ``account`` is what is known of the robot (:func:`~robodyn.robot.account.account_to_dict`)."""
 
     files: Mapping[str, str]
     counts: Counts
     notes: tuple[str, ...]
+    account: Mapping[str, Any]
 
 
 class Store:
@@ -44,10 +46,15 @@ class Store:
         if path is None:
             return None
         data = json.loads(path.read_text(encoding="utf-8"))
-        return Product(data["files"], data["counts"], tuple(data["notes"]))
+        return Product(data["files"], data["counts"], tuple(data["notes"]), data["account"])
 
     def save(
-        self, key: str, texts: Mapping[str, str | bytes], counts: Counts, notes: tuple[str, ...]
+        self,
+        key: str,
+        texts: Mapping[str, str | bytes],
+        counts: Counts,
+        notes: tuple[str, ...],
+        account: Mapping[str, Any],
     ) -> None:
         """Keep the contents of files, by path, and what is to be known of them."""
 
@@ -59,7 +66,7 @@ class Store:
                 path.parent.mkdir(parents=True, exist_ok=True)
                 path.write_bytes(data)
                 hashes[name] = digest(data)
-            index = {"files": hashes, "counts": counts, "notes": notes}
+            index = {"files": hashes, "counts": counts, "notes": notes, "account": account}
             (folder / _INDEX).write_text(json.dumps(index, indent=1), encoding="utf-8")
             return _INDEX
 

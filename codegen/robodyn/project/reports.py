@@ -37,6 +37,7 @@ def _robot(robot: RobotState) -> Report:
         "gone": robot.gone,
         "files": [{"path": path, "fault": why} for path, why in robot.files.items()],
         "functions": [_function(counted) for counted in robot.functions],
+        "account": [] if robot.account is None else [robot.account],
     }
 
 

@@ -22,6 +22,7 @@ from robodyn.report.figures import formatted
 from robodyn.report.gantt import gantt_svg
 from robodyn.report.layers import layers_svg
 from robodyn.report.scripts import json_text, policy, script_text
+from robodyn.robot.account import account_lines
 
 #: What the script is told of an arm; the rest of its data stands in the page.
 _LIVE: Final = ("robot", "base", "reach", "joints", "links", "home", "kernel", "motion")
@@ -76,6 +77,7 @@ def _shown(arm: Arm) -> dict[str, Any]:
         "mass": formatted(sum(link["mass"] for link in data["links"])),
         "hardest": _hardest(data),
         "doubts": _plausibility(data["links"]),
+        "account": list(account_lines(arm.robot)),
         "charts": [_chart(data, j) for j in range(min(len(data["joints"]), _MOST_CHARTS))],
         "effects": [_effect(effect) for effect in data["effects"]],
         "next_best": _next_best(data["counts"]),

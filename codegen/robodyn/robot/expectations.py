@@ -14,6 +14,43 @@ SIGNS = {
     "share": ("is not a share", "more than 0 and at most 1"),
 }
 
+#: What other formats call our keys.
+OTHER_NAMES = {
+    "type": "joint",
+    "kind": "joint",
+    "joint_type": "joint",
+    "m": "mass",
+    "weight": "mass",
+    "r": "com",
+    "cog": "com",
+    "center_of_mass": "com",
+    "centre_of_mass": "com",
+    "offset": "theta",
+    "armature": "motor_inertia",
+    "jm": "motor_inertia",
+    "imotor": "motor_inertia",
+    "ixx": "xx",
+    "iyy": "yy",
+    "izz": "zz",
+    "ixy": "xy",
+    "ixz": "xz",
+    "iyz": "yz",
+    "yx": "xy",
+    "zx": "xz",
+    "zy": "yz",
+    "joints": "links",
+    "g": "gravity",
+    "effort": "torque",
+    "damping": "viscous",
+    "dh": "convention",
+    "mount": "base",
+    "tcp": "tool",
+    "flange": "tool",
+    "translation": "xyz",
+    "position_xyz": "xyz",
+    "rotation": "rpy",
+}
+
 
 def allowed(value: Fraction, sign: Sign) -> bool:
     """Whether ``value`` is within the bounds that ``sign`` names."""
@@ -40,6 +77,7 @@ def expectation(key: Key) -> str:
         "angles": "three angles [roll, pitch, yaw]",
         "range": "[lowest, highest]",
         "list": "a list",
+        "texts": "a list of lines of text",
         "group": "a mapping",
         "rest": "exact, or smooth: {velocity: 1e-3}, or dead_band: {velocity: 1e-3}",
         "efficiency": "a number, or a table [[load fraction, efficiency], ...]",

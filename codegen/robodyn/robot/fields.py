@@ -10,10 +10,10 @@ from typing import NoReturn, cast
 from robodyn.errors import InputError, Place
 from robodyn.robot import numbers
 from robodyn.robot.document import Mapping, Node, Scalar, Sequence, describe
-from robodyn.robot.expectations import SIGNS, allowed, expectation
-from robodyn.robot.keys import OTHER_NAMES, Key
+from robodyn.robot.expectations import OTHER_NAMES, SIGNS, allowed, expectation
+from robodyn.robot.keys import Key
 from robodyn.robot.limits import ONE_TURN
-from robodyn.robot.names import shown, text_fault
+from robodyn.robot.names import shown, text_fault, unprintable_fault
 from robodyn.robot.origins import Origin
 from robodyn.robot.parts import UNKNOWN, Confidence, Vector
 from robodyn.robot.values import ZERO, Angle, Value, angle
@@ -149,14 +149,22 @@ class Section:
     def text(self, name: str) -> str:
         """Free text on one line; "" where the key is left out. Line breaks become spaces."""
         node = self.scalar(name)
-        if node is None:
-            return ""
+        return "" if node is None else self._line(node, self.path(name), text_fault)
+
+    def texts(self, name: str) -> tuple[str, ...]:
+        """Lines of text, as long as they may be; none where the key is left out."""
+        nodes = self.items(name) or ()
+        paths = (f"{self.path(name)} {i}" for i in range(1, len(nodes) + 1))
+        return tuple(
+            self._line(self._word(node, self.keys[name], path), path, unprintable_fault)
+            for node, path in zip(nodes, paths, strict=True)
+        )
+
+    def _line(self, node: Scalar, path: str, fault_of: Callable[[str], str | None]) -> str:
         text = " ".join(line.strip() for line in node.text.splitlines()).strip()
-        fault = text_fault(text)
+        fault = fault_of(text)
         if fault:
-            self.source.fail(
-                node, f"{self.path(name)} {fault}", found=shown(text), remedy="shorten it or clean it up"
-            )
+            self.source.fail(node, f"{path} {fault}", found=shown(text), remedy="shorten it or clean it up")
         return text
 
     def choice(self, name: str) -> str | None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+from robodyn.robot.account import PARTS
 from robodyn.robot.names import ROBOT_NAME_LENGTH, TEXT_LENGTH
 from robodyn.robot.origins import STATEABLE
 from robodyn.robot.parts import UNKNOWN
@@ -20,6 +21,7 @@ Kind = Literal[
     "range",
     "group",
     "list",
+    "texts",
     "rest",
     "efficiency",
     "origins",
@@ -225,6 +227,11 @@ LINK = (
         "What this joint and its link have beyond a rigid body: friction, gear, elasticity, sensors.",
     ),
 )
+IMPORTED = (
+    Key("file", "text", "Name of the file.", required=True),
+    Key("format", "text", "Its format, such as URDF.", required=True),
+    *(Key(part, "texts", text) for part, text in PARTS.items()),
+)
 ROBOT = (
     Key(
         "name",
@@ -234,6 +241,12 @@ ROBOT = (
     ),
     Key("title", "text", f"One line of at most {TEXT_LENGTH} characters."),
     Key("source", "text", f"Where the numbers come from: one line of at most {TEXT_LENGTH} characters."),
+    Key(
+        "imported",
+        "group",
+        "The file that this was imported from, and what is not here.",
+        members=IMPORTED,
+    ),
     Key(
         "gravity",
         "vector",
@@ -304,40 +317,3 @@ ROBOT = (
         "Effects of the whole robot: payload, contacts, what holds for all joints.",
     ),
 )
-
-#: What other formats call our keys.
-OTHER_NAMES = {
-    "type": "joint",
-    "kind": "joint",
-    "joint_type": "joint",
-    "m": "mass",
-    "weight": "mass",
-    "r": "com",
-    "cog": "com",
-    "center_of_mass": "com",
-    "centre_of_mass": "com",
-    "offset": "theta",
-    "armature": "motor_inertia",
-    "jm": "motor_inertia",
-    "imotor": "motor_inertia",
-    "ixx": "xx",
-    "iyy": "yy",
-    "izz": "zz",
-    "ixy": "xy",
-    "ixz": "xz",
-    "iyz": "yz",
-    "yx": "xy",
-    "zx": "xz",
-    "zy": "yz",
-    "joints": "links",
-    "g": "gravity",
-    "effort": "torque",
-    "damping": "viscous",
-    "dh": "convention",
-    "mount": "base",
-    "tcp": "tool",
-    "flange": "tool",
-    "translation": "xyz",
-    "position_xyz": "xyz",
-    "rotation": "rpy",
-}

@@ -9,6 +9,7 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Literal
 
+from robodyn.robot.account import Account
 from robodyn.robot.parts import (
     AXES,
     Comparison,
@@ -65,7 +66,8 @@ class Robot:
     ``gravity`` [m/s^2] is in the frame that ``base`` places the base frame in (None: in the base frame);
     ``tool`` is the tool's frame in the last link's. ``standard_end``: of a description in standard DH
     the last link's frame by it, in the last one here. ``file`` is where the description was read, None if it
-    came from no file; records may lie beside it.
+    came from no file; records may lie beside it. ``account``: what the reading of a file in another format
+    came upon, None where there was no such file.
     """
 
     name: str
@@ -82,6 +84,7 @@ class Robot:
     base: Placement | None = None
     tool: Placement | None = None
     standard_end: Placement | None = None
+    account: Account | None = field(default=None, compare=False, repr=False)
 
     def __repr__(self) -> str:
         """A screen's worth: one line a joint, the first twenty. :func:`~robodyn.robot.to_yaml` shows all."""

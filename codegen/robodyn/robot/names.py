@@ -155,6 +155,11 @@ def text_fault(text: str) -> str | None:
     """
     if len(text) > TEXT_LENGTH:
         return f"has {len(text)} characters, {TEXT_LENGTH} are allowed"
+    return unprintable_fault(text)
+
+
+def unprintable_fault(text: str) -> str | None:
+    """What keeps ``text`` from being a line that may be as long as it will, or None."""
     bad = _unprintable(text)
     return f"contains the control character U+{ord(bad):04X}" if bad else None
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from robodyn.errors import InputError
 from robodyn.robot import numbers
+from robodyn.robot.account import PARTS, Account
 from robodyn.robot.dh import effect_from_standard, from_standard, tool_from_standard
 from robodyn.robot.document import Mapping, Node, Scalar, compose, decode, describe
 from robodyn.robot.expectations import expectation
@@ -72,6 +73,7 @@ def _robot(section: Section) -> Robot:
     name = _robot_name(section)
     title, from_ = section.text("title"), section.text("source")
     gravity = section.vector("gravity")
+    account = _account(section)
     common = _Common(section.confidence("confidence"), section.origins("origin"))
     compared = section.section("compare")
     comparison = Comparison(compared.text("table"), compared.text("row")) if compared else None
@@ -81,6 +83,7 @@ def _robot(section: Section) -> Robot:
     side = section.choice("torque_side")
     rest, band = _at_rest(section)
     robot = Robot(name, links, title, from_, compare=comparison, rest_velocity=rest, dead_band=band)
+    robot = replace(robot, account=account)
     if gravity is not None:
         x, y, z = (value for value in gravity if isinstance(value, Fraction))  # no names there: all three
         robot = replace(robot, gravity=(x, y, z))
@@ -96,6 +99,15 @@ def _robot(section: Section) -> Robot:
 
         robot = into_robot(robot, effects)
     return robot
+
+
+def _account(section: Section) -> Account | None:
+    """What the file in another format was that the description comes from, as far as it says."""
+    imported = section.section("imported")
+    if imported is None:
+        return None
+    parts = {part: imported.texts(part) for part in PARTS}
+    return Account(imported.text("file"), imported.text("format"), **parts)
 
 
 def _robot_name(section: Section) -> str:

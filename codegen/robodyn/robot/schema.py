@@ -94,6 +94,8 @@ def _of_kind(key: Key) -> Schema:
     if key.kind == "text":
         # YAML makes a number of a bare 2.10: the reader takes the text as it stands.
         return {"type": ["string", "number"], "maxLength": TEXT_LENGTH}
+    if key.kind == "texts":
+        return {"type": "array", "items": {"type": ["string", "number"]}}
     if key.kind == "choice":
         return {"enum": list(key.choices)}
     if key.kind in ("number", "angle"):

@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import Literal
 
 from robodyn.robot import numbers
+from robodyn.robot.account import PARTS, Account
 from robodyn.robot.model import (
     AXES,
     Confidence,
@@ -38,6 +39,8 @@ def to_yaml(robot: Robot) -> str:
     lines += [
         f"{key}: {_quoted(text)}" for key, text in (("title", robot.title), ("source", robot.source)) if text
     ]
+    if robot.account is not None:
+        lines += _imported_lines(robot.account)
     lines.append(f"gravity: {_list(robot.gravity)}")
     if robot.base is not None:
         lines.append(f"base: {_placement(robot.base)}")
@@ -65,6 +68,14 @@ def to_yaml(robot: Robot) -> str:
         lines.append(f"friction_at_rest: {{dead_band: {{velocity: {number_text(robot.dead_band)}}}}}")
     lines += _effect_lines(robot.effects_at(None), "")
     return "\n".join(lines) + "\n"
+
+
+def _imported_lines(account: Account) -> list[str]:
+    lines = ["imported:", f"  file: {_quoted(account.file)}", f"  format: {_quoted(account.format)}"]
+    for part in PARTS:
+        texts = getattr(account, part)
+        lines += [f"  {part}:", *(f"    - {_quoted(text)}" for text in texts)] if texts else []
+    return lines
 
 
 def _common_confidence(robot: Robot) -> Confidence:

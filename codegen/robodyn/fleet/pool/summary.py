@@ -14,6 +14,7 @@ from robodyn.fleet.pool.limits import FIRST
 from robodyn.fleet.pool.type_model import TypeModel
 from robodyn.fleet.pool.unit import Unit
 from robodyn.fleet.result import Claim, Feature, Look, Reading, TypeResult, UnitResult
+from robodyn.robot.account import account_lines
 
 Floats = NDArray[np.float64]
 
@@ -29,7 +30,10 @@ def type_result(model: TypeModel) -> TypeResult:
                 slopes, len(model.logs),
             )
         )  # fmt: skip
-    return TypeResult(model.name, model.robot.n, len(model.units), len(model.logs), tuple(features))
+    robot = model.robot
+    return TypeResult(
+        model.name, robot.n, len(model.units), len(model.logs), tuple(features), tuple(account_lines(robot))
+    )
 
 
 def _common_of(model: TypeModel, feature: Watched) -> tuple[tuple[float, float, float], dict[str, float]]:

@@ -17,6 +17,7 @@ from robodyn.formats.chain import Body, Spring, Vector
 from robodyn.formats.rigid import lumped
 from robodyn.formats.springs import spring_of
 from robodyn.formats.writers.markup import legal
+from robodyn.robot.account import account_lines
 from robodyn.robot.model import AXES, EffectEntry, Inertia, Link, Robot
 from robodyn.robot.parts import Gear, JointKind, Limits, Placement
 from robodyn.robot.rotations import about_x, about_z, placement, product
@@ -114,7 +115,7 @@ def parts_of(robot: Robot) -> Parts:
     size = math.fsum(math.hypot(*frame.xyz) for frame in [*frames, tool or Frame()])
     return Parts(
         robot.name,
-        (robot.title, robot.source),
+        (robot.title, robot.source, *account_lines(robot)),
         _floats(robot.gravity),
         _placed(robot.base),
         tool,

@@ -1,0 +1,192 @@
+"""What is left out of a file, and where numbers come from, is told by every command that takes a robot."""
+
+from __future__ import annotations
+
+import json
+import warnings
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from robodyn.errors import InputError
+from robodyn.formats.arm import import_arm
+from robodyn.formats.loading import load
+from robodyn.robot import DoubtfulRobot, read_text, to_yaml
+from robodyn.robot.account import account_to_dict
+from robodyn_cli.choices import ROBOTS
+from robodyn_cli.main import COMMANDS, cli, main
+from robodyn_testing.urdf_text import joint, link, robot
+
+Capture = pytest.CaptureFixture[str]
+
+LIMIT = '<limit lower="-2" upper="2" velocity="2" effort="{}"/>'
+#: An arm of which something is left out, something is decided, and something is not used.
+ARM = robot(
+    link("base"),
+    link("a", link("x")[15:-7] + "<visual/>"),
+    link("b"),
+    joint("one", "base", "a", "revolute", '<dynamics damping="0.5" friction="0.4"/>' + LIMIT.format(50)),
+    joint("two", "a", "b", "revolute", '<axis xyz="0 1 0"/>' + LIMIT.format(0)),
+    '<transmission name="t"><type>transmission_interface/SimpleTransmission</type><joint name="other"/>'
+    '<actuator name="m"><mechanicalReduction>50</mechanicalReduction></actuator></transmission>',
+)
+WITHOUT = ("--without", "transmission")
+#: A quick call of each command that takes a robot, without the robot and ``--json``.
+CALLS = {
+    "gen": ("-o", "out"),
+    "package": ("--as", "cmake", "-o", "out"),
+    "flops": (),
+    "schedule": ("-p", "2"),
+    "plan": ("--deadline", "100us"),
+    "bench": ("--repeats", "1"),
+    "ik": ("--of", "0.1,0.2"),
+    "simulate": ("-o", "log.csv", "--duration", "0.5"),
+    "diagnose": ("hidden/train.csv", "-o", "out", "--no-kernels", "--only", "payload", "--joints", "2"),
+    "logs": (),
+    "identify": ("hidden/train.csv", "-o", "out"),
+    "hide": ("-o", "out"),
+    "excite": ("-o", "out"),
+    "verify": (),
+    "prove": ("--only", "stack", "-o", "out"),
+    "export": ("--to", "urdf", "-o", "out.urdf"),
+    "diff": ("arm.urdf",),
+    "report": ("-o", "out.html"),
+}
+#: Those that take longer than a few seconds.
+SLOW = ("bench", "diagnose", "identify", "excite")
+
+
+@pytest.fixture
+def folder(elsewhere: Path) -> Path:
+    (elsewhere / "arm.urdf").write_text(ARM)
+    return elsewhere
+
+
+def told(err: str, file: str) -> list[str]:
+    """What stderr says of the file."""
+    head = f"robodyn: note: {file}: "
+    return [line.removeprefix(head) for line in err.splitlines() if line.startswith(head)]
+
+
+def lines_of(file: str) -> list[str]:
+    account = import_arm(file, without=["transmission"]).robot.account
+    assert account is not None
+    assert account.left_out
+    assert account.decided
+    assert account.not_used
+    return list(account.lines())
+
+
+def accounts(data: Any) -> list[dict[str, Any]]:
+    """All accounts in a JSON document, wherever they stand."""
+    if isinstance(data, dict):
+        rest = [account for key, value in data.items() if key != "account" for account in accounts(value)]
+        return [*data.get("account", []), *rest]
+    return [account for each in data for account in accounts(each)] if isinstance(data, list) else []
+
+
+def test_the_calls_are_those_of_all_commands_that_take_a_robot() -> None:
+    commands = (cli.get_command(None, name) for name in COMMANDS)  # type: ignore[arg-type]
+    takes = [
+        name
+        for name, command in zip(COMMANDS, commands, strict=True)
+        if command is not None and any(parameter.type is ROBOTS for parameter in command.params)
+    ]
+    assert takes == list(CALLS)
+
+
+@pytest.mark.parametrize("name", [pytest.param(n, marks=pytest.mark.slow) if n in SLOW else n for n in CALLS])
+def test_a_command_tells_what_is_left_out(name: str, folder: Path, capsys: Capture) -> None:
+    robot_words = ("log.csv", "--robot", "arm.urdf") if name == "logs" else ("arm.urdf",)
+    if name == "logs":
+        assert main(["simulate", "arm.urdf", *WITHOUT, *CALLS["simulate"]]) == 0
+    if name in ("diagnose", "identify"):
+        assert main(["hide", "arm.urdf", *WITHOUT, "-o", "hidden"]) == 0
+    capsys.readouterr()
+    assert main([name, *robot_words, *CALLS[name], *WITHOUT, "--json"]) in (0, 1, 4)
+    out, err = capsys.readouterr()
+    arms = 2 if name == "diff" else 1
+    assert told(err, "arm.urdf") == lines_of("arm.urdf") * arms
+    wanted = account_to_dict(import_arm("arm.urdf", without=["transmission"]).robot)
+    given = accounts(json.loads(out))
+    assert given
+    assert all(account == wanted for account in given)
+    assert main([name, *robot_words, *CALLS[name], "--json"]) == 2  # where nothing may be left out
+
+
+def test_a_description_that_was_imported_tells_it_again(folder: Path, capsys: Capture) -> None:
+    assert main(["import", "arm.urdf", *WITHOUT, "--json"]) == 0
+    out, err = capsys.readouterr()
+    assert told(err, "arm.urdf") == lines_of("arm.urdf")
+    assert accounts(json.loads(out))[0]["imported"]["left_out"]
+    assert main(["import", "arm.urdf", *WITHOUT, "-o", "arm.yaml"]) == 0
+    capsys.readouterr()
+    assert main(["flops", "arm.yaml", "--json"]) == 0
+    out, err = capsys.readouterr()
+    assert told(err, "arm.yaml") == lines_of("arm.urdf")
+    assert accounts(json.loads(out)) == [
+        account_to_dict(import_arm("arm.urdf", without=["transmission"]).robot)
+    ]
+
+
+@pytest.mark.parametrize("first", [True, False], ids=["generated", "in the store"])
+def test_a_build_tells_it_of_each_robot(first: bool, folder: Path, capsys: Capture) -> None:
+    Path("robodyn.toml").write_text('[robots.arm]\nrobot = "arm.urdf"\nwithout = ["transmission"]\n')
+    if not first:
+        assert main(["build"]) == 0
+        capsys.readouterr()
+    assert main(["build", "--json"]) == 0
+    out, err = capsys.readouterr()
+    assert told(err, "arm.urdf") == lines_of("arm.urdf")
+    assert accounts(json.loads(out)) == [
+        account_to_dict(import_arm("arm.urdf", without=["transmission"]).robot)
+    ]
+
+
+def test_files_and_pages_say_it(folder: Path) -> None:
+    assert main(["gen", "arm.urdf", *WITHOUT, "-o", "out", "--lang", "c,fortran,rust"]) == 0
+    assert main(["export", "arm.urdf", *WITHOUT, "--to", "mjcf", "-o", "out/arm.xml"]) == 0
+    assert main(["report", "arm.urdf", *WITHOUT, "-o", "out/arm.html"]) == 0
+    for name in ("arm.c", "arm.h", "arm.f90", "src/lib.rs", "arm.xml", "arm.html"):
+        text = (Path("out") / name).read_text()
+        words = " ".join(text.replace("*", " ").replace("!", " ").replace("//", " ").split())
+        for line in lines_of("arm.urdf"):
+            assert line.split("(")[0].strip() in words, (name, line)
+
+
+def test_python_warns_of_it_or_tells_whom_it_is_told_to(folder: Path) -> None:
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        load("arm.urdf", without=["transmission"])
+    assert [str(one.message) for one in caught] == [f"arm.urdf: {line}" for line in lines_of("arm.urdf")]
+    assert {one.category for one in caught} == {DoubtfulRobot}
+    notes: list[str] = []
+    load("arm.urdf", without=["transmission"], note=notes.append)
+    assert notes == [f"arm.urdf: {line}" for line in lines_of("arm.urdf")]
+
+
+def test_robots_of_which_something_was_left_out_are_not_the_same(folder: Path, capsys: Capture) -> None:
+    assert main(["diff", "arm.urdf", "arm.urdf", *WITHOUT]) == 0
+    out = capsys.readouterr().out.splitlines()
+    assert [line.split(":")[0] for line in out[-3:]] == [
+        "not compared",
+        "not compared",
+        "nothing that was compared differs",
+    ]
+
+
+def test_an_account_reads_back(folder: Path) -> None:
+    arm = import_arm("arm.urdf", without=["transmission"]).robot
+    assert read_text(to_yaml(arm)).account == arm.account
+
+
+@pytest.mark.parametrize(
+    "imported",
+    ["{file: a.urdf}", "{file: a.urdf, format: URDF, left_out: gravity}", '{file: "\\u202e", format: URDF}',
+     "{file: a.urdf, format: URDF, decided: [[1]]}", "{file: a.urdf, format: URDF, unknown: [a]}",
+     '{file: a.urdf, format: URDF, not_used: ["a\\u0007"]}'],
+)  # fmt: skip
+def test_an_account_that_is_none_is_refused(imported: str) -> None:
+    with pytest.raises(InputError):
+        read_text(f"name: arm\nimported: {imported}\nlinks: [{{mass: 1}}]\n")
