@@ -19,7 +19,6 @@ from robodyn.errors import CheckError, InputError, OutputError, RobodynError, To
 from robodyn.project.fingerprint import fingerprints
 from robodyn.project.keys import PACKAGE, Keys
 from robodyn.project.product import Product, Store
-from robodyn.robot.account import account_to_dict
 from robodyn_cli.common import Document, talk
 from robodyn_cli.file_options import files_read_by, with_file_options
 from robodyn_cli.project_keys import check_settings
@@ -163,6 +162,8 @@ def carry_out(job: Job, root: Path) -> RobodynError | None:
         return InputError(error.format_message())
     except RobodynError as error:
         return _plain(error)
+    from robodyn.robot.account import account_to_dict  # a build that generates nothing does without
+
     (robot,) = document.robots
     notes = tuple(messages.getvalue().splitlines())
     Store(root).save(job.key, texts, counts, notes, account_to_dict(robot))
