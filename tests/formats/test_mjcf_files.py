@@ -107,7 +107,10 @@ REFUSED: dict[str, tuple[dict[str, str], str]] = {
         {"arm.xml": arm("", ATTACHED % "../x.xml")},
         "is outside of the folder; found '../x.xml'",
     ),
-    "composite": ({"arm.xml": arm("<composite/>")}, "arm.xml:4:1: <composite> makes bodies in a way"),
+    "composite": (
+        {"arm.xml": arm("<composite/>")},
+        "arm.xml:4:1: this changes torques, and is not modelled: composite",
+    ),
 }  # fmt: skip
 
 

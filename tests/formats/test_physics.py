@@ -58,14 +58,14 @@ REFUSED: dict[str, tuple[str, dict[str, str]]] = {
     "gravcomp": ("body b1", {"body": ' gravcomp="0.5"'}),
     "density": ("1.2", {"option": '<option density="1.2"/>'}),
     "viscosity": ("2e-05", {"option": '<option viscosity="2e-5"/>'}),
-    "tendon": ("t", {"tail": TENDON.format("stiffness")}),
+    "tendon": ("fixed t", {"tail": TENDON.format("stiffness")}),
     "equality": (
-        "e",
+        "tendon e",
         {"tail": TENDON.format("width") + '<equality><tendon name="e" tendon1="t"/></equality>'},
     ),
     "stiffness": ("joint j1", {"joint": ' stiffness="3 4"'}),
     "damping": ("joint j1", {"joint": ' damping="3 4"'}),
-    "dcmotor": ("j1", {"tail": '<actuator><dcmotor joint="j1"/></actuator>'}),
+    "dcmotor": ("dcmotor j1", {"tail": '<actuator><dcmotor joint="j1"/></actuator>'}),
 }  # fmt: skip
 
 

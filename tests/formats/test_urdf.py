@@ -29,16 +29,17 @@ def test_what_is_not_used_is_listed_with_its_lines() -> None:
         '<friend name="f"/>',
     ).replace('<robot name="arm">', '<robot name="arm" colour="red">')
     assert [(part.what, part.lines) for part in tree(text).unused] == [
+        ("unknown to URDF: 'colour' of <robot>", (1,)),
         ("materials", (2,)),
         ("visual geometry", (3, 5)),
         ("collision geometry", (4,)),
         ("safety controllers", (6,)),
         ("settings of Gazebo", (7,)),
         ("ros2_control", (8,)),
-        ("<friend> in <robot>", (9,)),
+        ("unknown to URDF: <friend> in <robot>", (9,)),
     ]
-    assert tree(text).unused[1].text("arm.urdf") == "visual geometry (lines 3, 5)"
-    assert tree(text).unused[0].text() == "materials (arm.urdf: line 2)"
+    assert tree(text).unused[2].text("arm.urdf") == "visual geometry (lines 3, 5)"
+    assert tree(text).unused[1].text() == "materials (arm.urdf: line 2)"
 
 
 def test_inertia_is_turned_into_the_link() -> None:

@@ -18,7 +18,7 @@ from robodyn.formats.mjcf_handed import Handed
 from robodyn.formats.mjcf_text import handed
 from robodyn.formats.quantities import body_of, unit
 from robodyn.formats.rigid import composed, tidy
-from robodyn.formats.tree import JointLimits, Kind, Leftovers, Tree, TreeJoint, TreeLink, checked, names
+from robodyn.formats.tree import JointLimits, Kind, Leftovers, Loop, Tree, TreeJoint, TreeLink, checked, names
 from robodyn.tools.libraries import MUJOCO
 
 WORLD: Final = "world"
@@ -121,7 +121,9 @@ class _Model:
         self.note_surroundings(leftovers)
         joints, remarks = self.as_switched(joints)
         with_motors, ranges = with_drives(self.mujoco, self.model, joints, leftovers)
-        coupled, loops = with_couplings(self.mujoco, self.model, with_motors, self.text, leftovers)
+        coupled, loops = with_motors, tuple[Loop, ...]()
+        if not self.is_off("CONSTRAINT") and not self.is_off("EQUALITY"):
+            coupled, loops = with_couplings(self.mujoco, self.model, with_motors, self.text, leftovers)
         return Tree(
             document.root.attributes.get("model", ""),
             "MJCF",
@@ -153,7 +155,9 @@ class _Model:
         if (passive or self.is_off("DAMPER")) and any(joint.damping for joint in joints):
             remarks.append("damping of joints is switched off (flag)")
             joints = [replace(joint, damping=0.0) for joint in joints]
-        if self.is_off("FRICTIONLOSS") and any(joint.friction for joint in joints):
+        if (self.is_off("FRICTIONLOSS") or self.is_off("CONSTRAINT")) and any(
+            joint.friction for joint in joints
+        ):
             remarks.append("friction of joints is switched off (flag)")
             joints = [replace(joint, friction=0.0) for joint in joints]
         return list(joints), remarks

@@ -19,9 +19,10 @@ def with_drives(
 
     An actuator whose control is limited to -1 and 1 has no gear: its ``gear`` is the greatest torque.
     """
+    of_joints = {int(mujoco.mjtTrn.mjTRN_JOINT), int(mujoco.mjtTrn.mjTRN_JOINTINPARENT)}
     motors: dict[str, list[int]] = {}
     for index in range(model.nu):
-        if int(model.actuator_trntype[index]) == int(mujoco.mjtTrn.mjTRN_JOINT):
+        if int(model.actuator_trntype[index]) in of_joints:
             motors.setdefault(model.joint(int(model.actuator_trnid[index][0])).name, []).append(index)
     joint_ranges = {
         model.joint(index).name: model.jnt_actfrcrange[index]
@@ -38,6 +39,9 @@ def with_drives(
         remarks += [f"{words}: joint {names([joint.name], 1)}" for words in map(_one_sided, ranges) if words]
         for index in indices:
             joint = _with_passive_part(model, joint, index)
+            faster = getattr(model, "actuator_dampingpoly", None)
+            if faster is not None and faster[index].any():
+                leftovers.changes_torques("damping", f"joint {joint.name}", joint.where)
         if len(indices) == 1:
             joint = _driven(mujoco, model, joint, indices[0])
         elif indices:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Final
 
@@ -79,21 +79,7 @@ def names_of_nan(attributes: Mapping[str, str]) -> list[str]:
     ]
 
 
-def physics_of(element: Element, parent: str) -> Iterator[tuple[str, str, Element]]:
-    """What changes torques of an ``element`` in ``parent`` that MuJoCo is not given: the name in
-    :data:`~robodyn.formats.tree.PHYSICS`, what it is of, and where it stands."""
-    of = element.attributes.get
-    if element.tag == "tendon" and parent in ("mujoco", "default"):
-        for part in (element, *element.children):
-            if _acts_on_joints(part.attributes):
-                yield "tendon", part.attributes.get("name", ""), part
-    elif element.tag == "tendon" and parent == "equality" and of("active") != "false":
-        yield "equality", of("name", "of tendons"), element
-    elif element.tag == "dcmotor" and parent in ("actuator", "default"):
-        yield "dcmotor", of("joint", ""), element
-
-
-def _acts_on_joints(tendon: Mapping[str, str]) -> bool:
-    """Whether a tendon with these attributes has a spring, damping, friction or inertia."""
-    words = " ".join(tendon.get(name, "") for name in ("stiffness", "damping", "frictionloss", "armature"))
+def has_rotor(actuator: Element) -> bool:
+    """Whether an actuator, or a default class of one, has inertia or damping."""
+    words = " ".join(actuator.attributes.get(name, "") for name in ("armature", "damping"))
     return any(_ZERO.fullmatch(word) is None for word in words.split())

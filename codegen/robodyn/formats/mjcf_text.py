@@ -16,84 +16,18 @@ from xml.sax.saxutils import quoteattr
 
 from robodyn.errors import InputError, Place
 from robodyn.files import MIB
+from robodyn.formats.accounting import Account
 from robodyn.formats.elements import Document, Element, tag_shown
+from robodyn.formats.elements_of import Entry, Table, table_of
 from robodyn.formats.limits import DEPTH, ELEMENTS, FILE_MIB, LINKS
 from robodyn.formats.mjcf_defaults import GeomClasses, is_height_field, is_mesh
 from robodyn.formats.mjcf_files import Files
-from robodyn.formats.mjcf_handed import MESH, Handed, InertiaRules, names_of_nan, physics_of
+from robodyn.formats.mjcf_handed import MESH, Handed, InertiaRules, has_rotor, names_of_nan
 from robodyn.formats.tree import Leftovers
 from robodyn.robot.names import TEXT_LENGTH, shown
 
-
-def _words(text: str) -> frozenset[str]:
-    return frozenset(text.split())
-
-
-_TURN: Final = _words("quat axisangle xyaxes zaxis euler")
-_ACTUATOR: Final = _words(
-    "name class joint gear ctrllimited ctrlrange forcelimited forcerange armature damping"
-)
 #: Actuators of which MuJoCo is given the passive part.
-_PASSIVE: Final = _words("intvelocity damper cylinder muscle adhesion plugin")
-_PASSIVE_ATTRIBUTES: Final = _words("name class joint gear forcelimited forcerange armature damping")
-#: Elements that are handed on, with their attributes.
-_KEPT: Final = {
-    "mujoco": _words("model"),
-    "compiler": _words(
-        "autolimits boundmass boundinertia settotalmass balanceinertia coordinate angle eulerseq "
-        "inertiafromgeom inertiagrouprange"
-    ),
-    "option": _words("gravity density viscosity"),
-    "flag": _words("gravity passive spring damper frictionloss"),
-    "default": _words("class"),
-    "worldbody": _words(""),
-    "body": _TURN | _words("name pos childclass gravcomp"),
-    "frame": _TURN | _words("name pos childclass"),
-    "replicate": _words("count sep offset euler childclass"),
-    "attach": _words("model body prefix"),
-    "asset": _words(""),
-    "model": _words("name file"),
-    "inertial": _TURN | _words("pos mass diaginertia fullinertia"),
-    "joint": _words(
-        "name class type pos axis springdamper limited actuatorfrclimited range actuatorfrcrange ref "
-        "springref stiffness damping armature frictionloss joint1 joint2 polycoef active"
-    ),
-    "freejoint": _words("name"),
-    "geom": _TURN | _words("name class type size fromto pos mass density shellinertia group"),
-    "site": _TURN | _words("name class pos"),
-    "equality": _words("active"),
-    "connect": _words("name class active body1 body2 anchor site1 site2"),
-    "weld": _words("name class active body1 body2 relpose anchor site1 site2"),
-    "actuator": _words(""),
-    "general": _ACTUATOR | _words("gainprm gaintype biastype"),
-    "motor": _ACTUATOR,
-    "position": _ACTUATOR,
-    "velocity": _ACTUATOR,
-    **dict.fromkeys(_PASSIVE, _PASSIVE_ATTRIBUTES),
-}
-#: Elements that make bodies: without them the arm is another one.
-_REFUSED: Final = frozenset({"composite", "flexcomp"})
-_WORDS: Final = {
-    "asset": "meshes, textures and materials",
-    "contact": "contact pairs",
-    "sensor": "sensors",
-    "keyframe": "keyframes",
-    "visual": "settings of the display",
-    "statistic": "settings of the display",
-    "light": "lights",
-    "camera": "cameras",
-    "size": "sizes of memory",
-    "tendon": "tendons",
-    "extension": "plugins",
-    "plugin": "plugins",
-    "custom": "custom data",
-    "deformable": "deformable bodies",
-}
-#: Attributes that say nothing of an arm.
-_SILENT: Final = _words(
-    "rgba material group user solref solimp solreflimit solimplimit solreffriction solimpfriction margin gap "
-    "condim contype conaffinity friction priority solmix castshadow fitscale size type"
-)
+_PASSIVE: Final = frozenset({"intvelocity", "pid", "damper", "cylinder", "muscle", "plugin"})
 _NAMED: Final = frozenset({"body", "joint", "freejoint", "site", "connect", "weld"})
 _BODIES: Final = frozenset({"worldbody", "body", "frame", "replicate"})
 """Elements that bodies, joints and sites stand in."""
@@ -112,7 +46,7 @@ def handed(
     InputError: a file that is included is outside of the folders, missing or not XML, or an element makes
         bodies in a way that is not read.
     """
-    task = _Task(Handed(), leftovers, Files(path, folders))
+    task = _Task(Handed(), leftovers, Files(path, folders), table_of("MJCF"))
     first = _Writer(task, document, None if path is None else path.parent.resolve() / path.name)
     task.handed.text = first.write()
     waiting = first.attached()
@@ -130,6 +64,7 @@ class _Task:
     handed: Handed
     leftovers: Leftovers
     files: Files
+    table: Table
     elements: int = 0
     characters: int = 0
     copies: int = 0
@@ -174,15 +109,19 @@ class _Writer:
         self._texts: list[str] = []
         self._classes, self._rules = GeomClasses(), InertiaRules()
         self._models: dict[str, _Writer] = {}
+        self._motor_classes: list[Element] = []
         self._names = 0
         self.prefixes: list[str] = [] if above else [""]
         self.weight = 0 if above else 1
 
     def write(self) -> str:
         root = self._spliced(self._first.root, self._first, self._folder, 0)
+        Account(self._task.table, self._task.leftovers, self._place).note(root, (root.tag,))
+        motors = self._task.table.row_of(("actuator",))
         for default in root.all("default"):
             self._classes.read(default)
-        self._element(root, "", "", max(self.weight, 1))
+            self._motor_classes += [each for each in default.walk() if f"<{each.tag}>" in motors]
+        self._element(root, (root.tag,), "", max(self.weight, 1))
         return "\n".join(self._texts) + "\n"
 
     def attached(self) -> list[_Writer]:
@@ -222,14 +161,15 @@ class _Writer:
         self._texts.append(text)
         self._task.handed.lines.append(place)
 
-    def _element(self, element: Element, parent: str, childclass: str, weight: int) -> None:
-        """Write ``element``, of which MuJoCo makes ``weight``, with what is in it."""
-        place = self._place(element)
+    def _element(self, element: Element, tags: tuple[str, ...], childclass: str, weight: int) -> None:
+        """Write ``element``, of which MuJoCo makes ``weight``, with what is in it; its tag is the last."""
+        place, parent = self._place(element), "".join(tags[-2:-1])
         if element.tag == "replicate":
             weight *= self._count(element)
         if element.tag in ("replicate", "attach"):
             self._task.copies += weight
-        attributes = self._attributes(element)
+        row = self._task.table.row_of(tags)
+        attributes = self._attributes(element, row)
         self._task.count(sum(map(len, attributes.values())), weight, place)
         for name in ("sep", "prefix"):
             if len(attributes.get(name, "")) > TEXT_LENGTH:
@@ -257,21 +197,17 @@ class _Writer:
         self._line(f"<{tag}{written}>", place)
         childclass = attributes.get("childclass", childclass)
         for child in element.children:
-            if child.tag in _REFUSED:
-                raise InputError(
-                    f"{tag_shown(child)} makes bodies in a way that is not read",
-                    where=self._place(child),
-                    expected="<body> for each link",
-                    remedy="save the compiled model (mj_saveLastXML) and import that",
-                )
-            if child.tag in _KEPT and not self._is_left_out(child, element.tag, childclass):
-                self._element(child, element.tag, childclass, weight)
+            entry = row.get(f"<{child.tag}>")
+            if entry is None or not entry.is_read:
                 continue
-            words = "asset" if element.tag == "asset" else child.tag
-            what = _WORDS.get(words) or f"{tag_shown(child)} in {tag_shown(element)}"
+            if not self._is_left_out(child, element.tag, childclass):
+                self._element(child, (*tags, child.tag), childclass, weight)
+                continue
+            what = f"{tag_shown(child)} in {tag_shown(element)}"
             self._task.leftovers.add(what, child.line, self._documents[id(child)].file)
-            for name, of, part in physics_of(child, element.tag):
-                self._task.leftovers.changes_torques(name, of, self._place(part))
+            if "tendon" in child.attributes and any(map(has_rotor, (child, *self._motor_classes))):
+                of = f"{child.tag} {child.attributes.get('name', '')}".strip()
+                self._task.leftovers.changes_torques("tendon", of, self._place(child))
         self._line(f"</{tag}>", place)
 
     def _new_name(self, tag: str, parent: str) -> str:
@@ -317,21 +253,13 @@ class _Writer:
             return parent != "default"
         if child.tag == "site" and parent != "default":
             return "name" not in child.attributes
-        if parent == "actuator":
-            return "joint" not in child.attributes
-        if child.tag == "asset":
-            return child.first("model") is None
-        if (child.tag == "model") != (parent == "asset"):
-            return True
-        return child.tag == "joint" and parent not in {*_BODIES, "default", "equality"}
+        return parent == "actuator" and not {"joint", "jointinparent"}.intersection(child.attributes)
 
-    def _attributes(self, element: Element) -> dict[str, str]:
-        kept = _KEPT[element.tag]
-        for name in element.attributes:
-            if name not in kept and name not in _SILENT and not (element.tag == "geom" and name == "mesh"):
-                what = f"{shown(name)} of {tag_shown(element)}"
-                self._task.leftovers.add(what, element.line, self._documents[id(element)].file)
-        handed = {name: value for name, value in element.attributes.items() if name in kept}
+    def _attributes(self, element: Element, row: Mapping[str, Entry]) -> dict[str, str]:
+        """The attributes of ``element`` that are read, by its ``row`` of the table."""
+        handed = {
+            name: value for name, value in element.attributes.items() if name in row and row[name].is_read
+        }
         for name in names_of_nan(handed):  # MuJoCo reads them, and writes a file that says so
             where = self._place(element, name)
             raise InputError(f"{name} of {tag_shown(element)} is not a number", where=where, found="nan")

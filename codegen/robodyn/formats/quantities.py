@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from typing import Final
 
 from robodyn.errors import InputError, Place
@@ -23,21 +23,6 @@ class Quantities:
 
     def __init__(self, document: Document, leftovers: Leftovers) -> None:
         self.document, self.leftovers = document, leftovers
-
-    def note_unused(
-        self,
-        element: Element,
-        used: Mapping[str, tuple[frozenset[str], frozenset[str]]],
-        words: Mapping[str, str],
-    ) -> None:
-        """Note the attributes and children of ``element`` that ``used``, a table by tag, does not have."""
-        attributes, children = used[element.tag]
-        for attribute in element.attributes:
-            if attribute not in attributes:
-                self.leftovers.add(f"{shown(attribute)} of {tag_shown(element)}", element.line)
-        for child in element.children:
-            if child.tag not in children:
-                self.leftovers.add(what_of(child, element, words), child.line)
 
     def one(self, element: Element, tag: str, of: str) -> Element | None:
         """The child of that tag, of which there is one at most."""
@@ -172,16 +157,6 @@ class Quantities:
                 expected=f"at most {GREATEST:g}",
             )
         return value
-
-
-def what_of(element: Element, parent: Element, words: Mapping[str, str]) -> str:
-    """What an element that is not used is called: by ``words``, a table by tag, or by its tag."""
-    return words.get(element.tag) or f"{tag_shown(element)} in {tag_shown(parent)}"
-
-
-def used(attributes: str, children: str = "") -> tuple[frozenset[str], frozenset[str]]:
-    """An entry of a table of what is used: attributes and children, separated by spaces."""
-    return frozenset(attributes.split()), frozenset(children.split())
 
 
 def unit(numbers: Vector) -> Vector:

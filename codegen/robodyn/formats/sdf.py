@@ -5,10 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from typing import Final
 
+from robodyn.errors import Place
+from robodyn.formats.accounting import Account
 from robodyn.formats.chain import Body, Pose, Spring, Vector, transposed, turned
-from robodyn.formats.elements import Document, Element, tag_shown
+from robodyn.formats.elements import Document, Element
+from robodyn.formats.elements_of import table_of
 from robodyn.formats.limits import GREATEST
-from robodyn.formats.quantities import Quantities, body_of, negative, used, what_of
+from robodyn.formats.quantities import Quantities, body_of, negative
 from robodyn.formats.rigid import composed, tidy
 from robodyn.formats.sdf_frames import INSIDE, MODEL, WORLD, Frames, Scope
 from robodyn.formats.sdf_models import ChosenModel, choose_model
@@ -35,32 +38,6 @@ _KINDS: Final[dict[str, Kind]] = {
     "screw": "screw",
     "gearbox": "other",
 }
-_POSE: Final = used("relative_to degrees rotation_format")
-_USED: Final = {
-    "model": used("name placement_frame canonical_link", "link joint frame model pose static"),
-    "link": used("name", "inertial pose"),
-    "inertial": used("", "pose mass inertia"),
-    "inertia": used("", "ixx iyy izz ixy ixz iyz"),
-    "joint": used("name type", "pose parent child axis"),
-    "axis": used("", "xyz limit dynamics mimic use_parent_model_frame"),
-    "xyz": used("expressed_in"),
-    "limit": used("", "lower upper effort velocity"),
-    "dynamics": used("", "damping friction spring_stiffness spring_reference"),
-    "mimic": used("joint", "multiplier offset reference"),
-    "frame": used("name attached_to", "pose"),
-    "pose": _POSE,
-}
-_WORDS: Final = {
-    "visual": "visual geometry",
-    "collision": "collision geometry",
-    "sensor": "sensors",
-    "plugin": "plugins",
-    "material": "materials",
-    "self_collide": "settings of the simulation",
-    "gravity": "whether a link has weight",
-    "physics": "settings of the simulation",
-    "light": "lights",
-}
 
 
 def read_tree(document: Document, model: str = "") -> Tree:
@@ -79,32 +56,50 @@ def read_tree(document: Document, model: str = "") -> Tree:
     chosen = choose_model(reader, document.root, model)
     gravity: Vector = (0.0, 0.0, -9.81)
     if chosen.around.tag == "world":
-        stated = reader.one(chosen.around, "gravity", "the world")
+        physics = chosen.around.first("physics")  # it holds gravity in SDF 1.4 and 1.5
+        stated = reader.one(chosen.around, "gravity", "the world") or (physics and physics.first("gravity"))
         gravity = (0.0, 0.0, -9.8) if stated is None else reader.three(stated, "the gravity")
-    read = {"world", "model", "gravity", "frame"}
-    for part in (document.root, *document.root.all("world")):
-        for child in part.children:
-            if child.tag not in read:
-                leftovers.add(what_of(child, part, _WORDS), child.line)
+    account = Account(table_of("SDF"), leftovers, document.place)
+    account.note(_without_others(document.root, chosen), (document.root.tag,))
     return checked(replace(reader.tree(chosen, gravity), remarks=chosen.remarks))
+
+
+def _without_others(element: Element, chosen: ChosenModel) -> Element:
+    """``element``, in which the chosen model is, without the models around and beside that one."""
+    if element is chosen.model:
+        return element
+    children = [
+        _without_others(child, chosen) if any(each is chosen.model for each in child.walk()) else child
+        for child in element.children
+        if child.tag not in ("model", "world") or any(each is chosen.model for each in child.walk())
+    ]
+    inside = [child for child in children if child.tag == "model"]
+    return replace(element, children=tuple(inside if element.tag == "model" else children))
 
 
 @dataclass(slots=True)
 class _Parts:
-    """What was read of a model and the models in it; ``static``: whether the model of a link is."""
+    """What was read of a model and the models in it; ``static``: whether the model of a link is;
+    ``weightless``: where it says that a link has no weight."""
 
     links: list[TreeLink] = field(default_factory=list)
     joints: list[TreeJoint] = field(default_factory=list)
     static: dict[str, bool] = field(default_factory=dict)
+    weightless: dict[str, Place] = field(default_factory=dict)
+
+
+def _moves(link: str, above: dict[str, TreeJoint]) -> bool:
+    """Whether a joint moves the ``link``; one that is free is the base, which does not move."""
+    passed: set[str] = set()
+    while link in above and link not in passed:
+        passed.add(link)
+        if above[link].kind not in ("fixed", "floating"):
+            return True
+        link = above[link].parent
+    return False
 
 
 class _Reader(Quantities):
-    def one(self, element: Element, tag: str, of: str) -> Element | None:
-        child = super().one(element, tag, of)
-        if child is not None and child.tag in _USED:
-            self.note_unused(child, _USED, _WORDS)
-        return child
-
     def tree(self, chosen: ChosenModel, gravity: Vector) -> Tree:
         frames = Frames(self, chosen.around, chosen.name)
         parts = _Parts()
@@ -126,29 +121,28 @@ class _Reader(Quantities):
         at = frames.root_in_world(chosen.model)
         joints = [self._in_world(joint, at) for joint in parts.joints]
         world = TreeLink(WORLD, self.place(chosen.model))
-        name = self.name(chosen.model, "the model")
         links = (world, *parts.links)
         notes = self.leftovers
+        above = {joint.child: joint for joint in joints}
+        for name, where in parts.weightless.items():
+            if any(gravity) and _moves(name, above):
+                notes.changes_torques("gravity", f"link {name}", where)
+        name = self.name(chosen.model, "the model")
         tree = Tree(name, "SDF", self.document.file, links, tuple(joints), gravity, unused=notes.unused())
         return replace(tree, physics=tuple(notes.physics))
 
     def model(self, model: Element, frames: Scope, parts: _Parts, static: bool = False) -> None:
         """Add what is in a model, and in the models in it, to ``parts``."""
         name = self.name(model, "the model")
-        self.note_unused(model, _USED, _WORDS)
-        self._note_physics(model, f"model {name}")
-        for inner in model.all("include"):
-            raise self.fail(
-                inner,
-                f"{tag_shown(inner)} in a model is not read",
-                expected="<link>, <joint> and <model>",
-                remedy="put the model itself in its place (gz sdf -p FILE)",
-            )
         old = self._version() < (1, 5)
         static = static or ((flag := model.first("static")) is not None and flag.text in ("1", "true"))
         for element in model.all("link"):
             parts.links.append(self.link(element, frames))
-            parts.static[parts.links[-1].name] = static
+            link = parts.links[-1].name
+            parts.static[link] = static
+            weight = element.first("gravity")
+            if weight is not None and weight.text not in ("1", "true"):
+                parts.weightless[link] = self.place(weight)
         parts.joints += [self.joint(element, frames, old) for element in model.all("joint")]
         for element in model.all("frame"):
             self._attach(element, frames, parts)
@@ -160,7 +154,6 @@ class _Reader(Quantities):
     def _attach(self, element: Element, frames: Scope, parts: _Parts) -> None:
         """A frame on a link as a link without body that is fixed to it, so that it can be the tip."""
         name = self.name(element, "a frame")
-        self.note_unused(element, _USED, _WORDS)
         link, where = frames.link(name, element), self.place(element)
         pose = tidy(composed(frames.pose_of(link, element).inverse(), frames.pose(name, element)))
         name = frames.name(name)
@@ -203,9 +196,7 @@ class _Reader(Quantities):
     def link(self, element: Element, frames: Scope) -> TreeLink:
         name = self.name(element, "a link")
         of = f"link {shown(name)}"
-        self.note_unused(element, _USED, _WORDS)
         frames.pose(name, element)
-        self._note_physics(element, f"link {name}")
         shape = element.first("visual") is not None or element.first("collision") is not None
         inertial = self.one(element, "inertial", of)
         if inertial is None or inertial.attributes.get("auto", "").strip() in ("1", "true"):
@@ -213,22 +204,6 @@ class _Reader(Quantities):
         by_default = inertial.first("mass") is None or inertial.first("inertia") is None
         body = self.body(inertial, frames.frames, of)
         return TreeLink(frames.name(name), self.place(element), body, shape, by_default)
-
-    def _note_physics(self, element: Element, of: str) -> None:
-        """Note what of a link changes torques and is not modelled."""
-        inertial = element.first("inertial")
-        for name, parent, nothing in (
-            ("gravity", element, ("1", "true")),
-            ("enable_wind", element, ("0", "false")),
-            ("velocity_decay", element, ("",)),
-            ("fluid_added_mass", inertial, ()),
-        ):
-            child = None if parent is None else parent.first(name)
-            acts = child is not None and child.text.strip() not in nothing
-            if name == "velocity_decay" and child is not None:
-                acts = any(part.text.strip("0. ") for part in child.children)
-            if child is not None and acts:
-                self.leftovers.changes_torques(name, of, self.place(child))
 
     def body(self, inertial: Element, frames: Frames, of: str) -> Body:
         """The numbers that are left out are 1 on the diagonal and 0 beside it, as the format says."""
@@ -242,7 +217,6 @@ class _Reader(Quantities):
     def joint(self, element: Element, frames: Scope, old: bool) -> TreeJoint:
         name = self.name(element, "a joint")
         of = f"joint {shown(name)}"
-        self.note_unused(element, _USED, _WORDS)
         word = self.required(element, "type", of)
         kind = _KINDS.get(word)
         if kind is None:

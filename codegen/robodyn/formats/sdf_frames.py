@@ -78,7 +78,8 @@ class Frames:
                 found=shown(element.attributes.get("name", "")),
             )
         pose = element.first("pose")
-        stated = pose.attributes.get("relative_to") if pose is not None else None
+        words = {} if pose is None else pose.attributes
+        stated = words.get("relative_to") or words.get("frame")  # so called before SDF 1.7
         if stated:
             relative_to = absolute(stated, name.removesuffix(element.attributes.get("name", "")))
         self._frames[name] = _Frame(element, relative_to, attached_to, placed or name)

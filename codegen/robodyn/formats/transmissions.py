@@ -33,6 +33,9 @@ class Transmissions:
         word = element.attributes.get("type", "") if kind is None else kind.text
         if len(joints) != 1 or len(actuators) > 1 or (word and not word.endswith(_SIMPLE)):
             self._leftovers.add("transmissions of more than one motor and one joint", element.line)
+            if any(part.tag in (_MOTOR_INERTIA, _ROTOR) for part in element.walk()):
+                of = f"transmission {element.attributes.get('name', '')}"
+                self._leftovers.changes_torques("transmission", of, self._reader.place(element))
             return
         (joint,) = joints
         self._elements.setdefault(joint, element)
@@ -48,8 +51,6 @@ class Transmissions:
             elif part.tag == _ROTOR:
                 rotor = self._reader.number(part, "value", f"joint '{joint}'", bad=negative)
                 self._state(self._armatures, part, joint, rotor)
-            elif part.tag not in ("transmission", "type", "joint", "actuator"):
-                self._leftovers.add(f"{tag_shown(part)} of transmissions", part.line)
 
     def _ratio(self, part: Element, joint: str, text: str, attribute: str) -> None:
         what = f"joint '{joint}': {tag_shown(part)}"

@@ -130,20 +130,29 @@ class Unused:
 
 #: What of a file changes torques and is not modelled: names by which the command line leaves it out.
 PHYSICS: Final = {
+    "auto": "inertia that is computed from the shapes of collisions",
+    "composite": "bodies that <composite> and <flexcomp> make (mj_saveLastXML writes them as bodies)",
     "damping": "damping that is not linear in the speed",
     "dcmotor": "electrical motors, whose inertia and damping act on the joint",
+    "deformable": "deformable bodies",
     "density": "the density of a fluid around the arm",
+    "drake": "joints, springs and constraints that Drake simulates",
     "enable_wind": "wind",
     "equality": "equations between tendons",
     "fluid_added_mass": "the mass of a fluid that moves along",
     "gazebo": "springs and links without weight that Gazebo simulates",
     "gravcomp": "forces that take weight off bodies",
     "gravity": "links without weight",
+    "include": "models of other files (gz sdf -p FILE puts them in)",
+    "kinematic": "links that no force moves",
+    "mujoco": "settings of MuJoCo in a URDF",
+    "plugin": "forces that plugins compute",
     "stiffness": "springs that are not linear",
     "tendon": "springs, damping, friction and inertia of tendons",
-    "transmission": "gears and rotors of a joint that is not there",
+    "transmission": "gears and rotors of several joints or motors, or of a joint that is not there",
     "velocity_decay": "damping by the air",
     "viscosity": "the viscosity of a fluid around the arm",
+    "world_joint": "joints between models",
 }
 
 

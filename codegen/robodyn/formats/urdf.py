@@ -4,40 +4,16 @@ from __future__ import annotations
 
 from typing import Final, get_args
 
+from robodyn.formats.accounting import Account
 from robodyn.formats.chain import Body, Pose
 from robodyn.formats.elements import Document, Element, tag_shown
-from robodyn.formats.quantities import Quantities, body_of, negative, used, what_of
+from robodyn.formats.elements_of import table_of
+from robodyn.formats.quantities import Quantities, body_of, negative
 from robodyn.formats.transmissions import Transmissions
 from robodyn.formats.tree import JointLimits, Kind, Leftovers, Mimic, Tree, TreeJoint, TreeLink, checked
 from robodyn.robot.names import shown
 
 _KINDS: Final = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
-#: What is known of each element: attributes and children that are used.
-_USED: Final = {
-    "link": used("name", "inertial"),
-    "inertial": used("", "origin mass inertia"),
-    "joint": used("name type", "origin parent child axis limit dynamics mimic"),
-    "origin": used("xyz rpy quat_xyzw"),
-    "mass": used("value"),
-    "inertia": used("ixx iyy izz ixy ixz iyz"),
-    "parent": used("link"),
-    "child": used("link"),
-    "axis": used("xyz"),
-    "limit": used("lower upper effort velocity acceleration"),
-    "dynamics": used("damping friction armature"),
-    "mimic": used("joint multiplier offset"),
-}
-_WORDS: Final = {
-    "visual": "visual geometry",
-    "collision": "collision geometry",
-    "material": "materials",
-    "gazebo": "settings of Gazebo",
-    "safety_controller": "safety controllers",
-    "calibration": "calibration of joints",
-    "sensor": "sensors",
-    "ros2_control": "ros2_control",
-    "mujoco": "settings of MuJoCo",
-}
 
 
 def read_tree(document: Document) -> Tree:
@@ -50,6 +26,7 @@ def read_tree(document: Document) -> Tree:
     leftovers = Leftovers(document.file)
     reader = _Reader(document, leftovers)
     root = document.root
+    Account(table_of("URDF"), leftovers, document.place).note(root, (root.tag,))
     transmissions = Transmissions(reader, leftovers)
     links, joints = [], []
     for element in root.children:
@@ -59,10 +36,6 @@ def read_tree(document: Document) -> Tree:
             joints.append(reader.joint(element))
         elif element.tag == "transmission":
             transmissions.read(element)
-        else:
-            leftovers.add(what_of(element, root, _WORDS), element.line)
-            if element.tag == "gazebo":
-                reader.note_physics(element)
     if not links:
         macros = any(element.tag.startswith("xacro:") for element in root.walk())
         raise reader.fail(
@@ -85,23 +58,6 @@ def read_tree(document: Document) -> Tree:
 
 
 class _Reader(Quantities):
-    def one(self, element: Element, tag: str, of: str) -> Element | None:
-        child = super().one(element, tag, of)
-        if child is not None:
-            self.note_unused(child, _USED, _WORDS)
-        return child
-
-    def note_physics(self, gazebo: Element) -> None:
-        """Note what settings of Gazebo change of torques: springs, and links without weight."""
-        for part in gazebo.children:
-            weightless = {"turnGravityOff": ("1", "true"), "gravity": ("0", "false")}.get(part.tag, ())
-            springs = part.tag == "springStiffness" and part.text.strip("0. ")
-            if part.text.lower() in weightless or springs:
-                of = gazebo.attributes.get("reference", "")
-                self.leftovers.changes_torques(
-                    "gazebo", f"{tag_shown(part)} of {shown(of)}", self.place(part)
-                )
-
     def must(self, element: Element, tag: str, of: str) -> Element:
         child = self.one(element, tag, of)
         if child is None:
@@ -128,7 +84,6 @@ class _Reader(Quantities):
     def link(self, element: Element) -> TreeLink:
         name = self.name(element, "a link")
         of = f"link {shown(name)}"
-        self.note_unused(element, _USED, _WORDS)
         shape = element.first("visual") is not None or element.first("collision") is not None
         inertial = self.one(element, "inertial", of)
         return TreeLink(name, self.place(element), self.body(inertial, of) if inertial else None, shape)
@@ -143,7 +98,6 @@ class _Reader(Quantities):
     def joint(self, element: Element) -> TreeJoint:
         name = self.name(element, "a joint")
         of = f"joint {shown(name)}"
-        self.note_unused(element, _USED, _WORDS)
         word = self.required(element, "type", of)
         if word not in _KINDS:
             raise self.fail(
