@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from fractions import Fraction
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -13,6 +12,7 @@ from robodyn import InputError, load
 from robodyn.formats.tree import PHYSICS
 from robodyn.verify.reference import Reference
 from robodyn_testing import require_module
+from robodyn_testing.mujoco_chains import torques_of_file
 
 MJCF = """<mujoco model="arm"><compiler angle="radian"/>{option}{default}
 <worldbody><body name="b1" pos="0.1 0 0.3" quat="0.9 0.1 0.2 -0.3"{body}>
@@ -39,6 +39,13 @@ MODELLED = {
         "tail": '<actuator><motor joint="j1" gear="-50" armature="2e-4"/>'
         '<position joint="j1" kp="9" armature="1e-4" damping="0.3"/>'
         '<intvelocity joint="j3" kp="9" gear="3" armature="1e-3" actrange="-1 1"/></actuator>'
+    },
+    "a motor in the parent's frame": {
+        "tail": '<actuator><motor jointinparent="j1" gear="5" armature="2e-4"/></actuator>'
+    },
+    "a motor on a tendon that has neither": {
+        "tail": '<tendon><fixed name="t"><joint joint="j1" coef="1"/></fixed></tendon>'
+        '<actuator><motor tendon="t" gear="5"/></actuator>'
     },
     "a motor of a class": {
         "default": '<default><general armature="3e-4" damping="0.02"/></default>',
@@ -75,28 +82,12 @@ def written(folder: Path, parts: dict[str, str]) -> Path:
     return path
 
 
-def torques_of_mujoco(mujoco: Any, path: Path, states: Any) -> Any:
-    """``M qacc + bias - passive + friction`` of the model that MuJoCo makes of the file."""
-    model = mujoco.MjModel.from_xml_path(str(path))
-    data, torques = mujoco.MjData(model), []
-    friction = np.zeros(model.nv)
-    if not model.opt.disableflags & int(mujoco.mjtDisableBit.mjDSBL_FRICTIONLOSS):
-        friction = model.dof_frictionloss
-    for q, qd, qdd in states:
-        data.qpos[:], data.qvel[:] = q, qd
-        mujoco.mj_forward(model, data)
-        full = np.zeros((model.nv, model.nv))
-        mujoco.mj_fullM(model, data, full)
-        torques.append(full @ qdd + data.qfrc_bias - data.qfrc_passive + friction * np.sign(qd))
-    return np.array(torques)
-
-
 @pytest.mark.parametrize("name", MODELLED)
 def test_what_is_modelled_is_mujocos(name: str, tmp_path: Path) -> None:
-    mujoco = require_module("mujoco")
+    require_module("mujoco")
     path = written(tmp_path, MODELLED[name])
     states = np.random.default_rng(7).uniform(-1.5, 1.5, (40, 3, 3))
-    expected = torques_of_mujoco(mujoco, path, states)
+    expected = torques_of_file(path, states)
     torques = Reference(load(path, warn=lambda _: None)).inverse_dynamics(*states.swapaxes(0, 1))
     assert np.abs(torques - expected).max() <= 1e-9 * np.abs(expected).max()
 
@@ -123,6 +114,36 @@ def test_what_is_not_modelled_is_refused_until_it_is_left_out(name: str, tmp_pat
         load(path, without=["wind"])
 
 
+@pytest.mark.parametrize(
+    ("default", "motor"), [("", 'armature="1e-4"'), ('<default><motor damping="0.1"/></default>', "")]
+)
+def test_a_motor_with_inertia_or_damping_on_a_tendon_is_refused(
+    default: str, motor: str, tmp_path: Path
+) -> None:
+    require_module("mujoco")
+    tail = TENDON.format("margin") + f'<actuator><motor name="m" tendon="t" {motor}/></actuator>'
+    path = written(tmp_path, {"default": default, "tail": tail})
+    with pytest.raises(InputError, match=r"tendons \(motor m\); leave it out: --without tendon"):
+        load(path)
+    assert load(path, without=["tendon"], warn=lambda _: None).n == 3
+
+
+def test_a_site_between_two_points_is_a_frame_there(tmp_path: Path) -> None:
+    """As the tip: at the middle, its z axis along the line, as MuJoCo has it."""
+    mujoco = require_module("mujoco")
+    site = 'type="capsule" size="0.01" fromto="0.1 0.2 -0.3 0.3 0.1 0.2"'
+    text = MJCF.format(**NOTHING).replace('pos="0.1 0.2 -0.3" euler="0.7 1.2 0.5"', site)
+    path = tmp_path / "arm.xml"
+    path.write_text(text)
+    model = mujoco.MjModel.from_xml_path(str(path))
+    data = mujoco.MjData(model)
+    data.qpos[:] = 0.3, -0.2, 0.5
+    mujoco.mj_kinematics(model, data)
+    pose = np.array(Reference(load(path, warn=lambda _: None)).tool_pose(data.qpos))
+    assert pose[:3, 3] == pytest.approx(data.site("tool").xpos, abs=1e-12)
+    assert pose[:3, :3].ravel() == pytest.approx(data.site("tool").xmat, abs=1e-12)
+
+
 def test_what_is_left_out_in_many_places_is_one_remark(tmp_path: Path) -> None:
     transmissions = "".join(TRANSMISSION.format(i, f"x{i}", 9) for i in range(100))
     (tmp_path / "arm.urdf").write_text(URDF.format(transmissions))
@@ -135,11 +156,11 @@ def test_what_is_left_out_in_many_places_is_one_remark(tmp_path: Path) -> None:
 
 def test_a_joint_that_is_held_is_fixed_there(tmp_path: Path) -> None:
     """Torques of the others are those of MuJoCo with the joint at that position."""
-    mujoco = require_module("mujoco")
+    require_module("mujoco")
     held = written(tmp_path, {"tail": '<equality><joint joint1="j2" polycoef="0.25 0 0 0 0"/></equality>'})
     states = np.random.default_rng(8).uniform(-1.5, 1.5, (20, 3, 3))
     states[:, 0, 1], states[:, 1:, 1] = 0.25, 0
-    free = torques_of_mujoco(mujoco, written(tmp_path / "..", {}), states)
+    free = torques_of_file(written(tmp_path / "..", {}), states)
     robot = load(held, warn=lambda _: None)
     torques = Reference(robot).inverse_dynamics(*np.delete(states, 1, axis=2).swapaxes(0, 1))
     assert np.abs(torques - np.delete(free, 1, axis=1)).max() <= 1e-9 * np.abs(free).max()

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
 from robodyn.formats.serial import Serial
+from robodyn_testing import require_module
 from robodyn_testing.chains import WorldDynamics
 
 
@@ -43,3 +45,20 @@ def check_chain(mujoco: Any, model: Any, serial: Serial, tip: str, positions: Ma
         body = data.body(tip)
         assert own.tip(q)[:3, 3] == pytest.approx(body.xpos, rel=0, abs=1e-13)
         assert np.ravel(own.tip(q)[:3, :3]) == pytest.approx(body.xmat, rel=0, abs=1e-13)
+
+
+def torques_of_file(path: Path, states: Any) -> Any:
+    """``M qacc + bias - passive + friction`` of the model that MuJoCo makes of the file, for each of the
+    ``states`` ``q, qd, qdd``."""
+    mujoco = require_module("mujoco")
+    model = mujoco.MjModel.from_xml_path(str(path))
+    data, torques = mujoco.MjData(model), []
+    off = int(mujoco.mjtDisableBit.mjDSBL_FRICTIONLOSS) | int(mujoco.mjtDisableBit.mjDSBL_CONSTRAINT)
+    friction = np.zeros(model.nv) if model.opt.disableflags & off else model.dof_frictionloss
+    for q, qd, qdd in states:
+        data.qpos[:], data.qvel[:] = q, qd
+        mujoco.mj_forward(model, data)
+        full = np.zeros((model.nv, model.nv))
+        mujoco.mj_fullM(model, data, full)
+        torques.append(full @ qdd + data.qfrc_bias - data.qfrc_passive + friction * np.sign(qd))
+    return np.array(torques)
