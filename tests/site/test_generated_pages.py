@@ -14,6 +14,8 @@ import robodyn
 from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Effect
+from robodyn.formats.elements_of import FORMATS, table_of
+from robodyn.formats.tree import PHYSICS
 from robodyn.robot import read_text
 from robodyn_cli.main import COMMANDS
 from robodyn_site import python
@@ -129,3 +131,20 @@ def test_nothing_in_plain_text_is_markup() -> None:
 def test_marked_equations_are_typeset(marked: str, expected: str) -> None:
     assert typeset(marked).startswith(expected)
     assert "arithmatex" not in typeset(marked)
+
+
+@pytest.mark.parametrize("title", FORMATS)
+def test_the_page_of_a_format_has_all_that_its_table_has(title: str) -> None:
+    lines = [line for line in pages()[f"formats/{title.lower()}.md"].splitlines() if line.startswith("| `")]
+    rows = {line.split("`")[1]: line.split(" | ")[1:] for line in lines}
+    columns = {"used": 0, "torques": 1, "refused": 1, "none": 2, "silent": 2}
+    assert len(rows) == len(table_of(title).rows)
+    for path, row in table_of(title).rows.items():
+        for name, kind in row.items():
+            shown = rows["/".join(path)][columns[kind.kind]]
+            assert f"`{name}`" + (f" (`{kind.physics}`)" if kind.physics else "") in shown
+
+
+def test_the_page_of_formats_has_all_that_is_refused() -> None:
+    index = pages()["formats/index.md"]
+    assert [name for name in PHYSICS if f"| `{name}` |" not in index] == []
