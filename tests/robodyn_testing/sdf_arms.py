@@ -197,11 +197,15 @@ def joints_of(name: str) -> tuple[str, ...]:
     return JOINTS.get(name, ("j1", "j2"))
 
 
-def by_drake(text: str, name: str, tip: str, joints: tuple[str, ...]) -> dict[str, Any]:
-    """Torques [n], mass matrix [n, n] and the pose of the tip [3, 4] that Drake computes at :data:`STATE`."""
+def by_drake(
+    text: str, name: str, tip: str, joints: tuple[str, ...], gravity: tuple[float, ...] = (0, 0, -9.81)
+) -> dict[str, Any]:
+    """Torques [n], mass matrix [n, n] and the pose of the tip [3, 4] that Drake computes at :data:`STATE`; it
+    reads no ``gravity`` [m/s^2] of files."""
     drake: Any = importlib.import_module("pydrake.all")
     plant = drake.MultibodyPlant(0.0)
     drake.Parser(plant).AddModelsFromString(text, "sdf")
+    plant.mutable_gravity_field().set_gravity_vector(gravity)
     plant.Finalize()
     context, outer = plant.CreateDefaultContext(), name or "arm"
     all_joints = [plant.get_joint(index) for index in plant.GetJointIndices()]
