@@ -30,8 +30,8 @@ class Account:
     def _element(
         self, element: Element, tags: tuple[str, ...], path: tuple[str, ...] | None, of: str, below: str = ""
     ) -> None:
-        """``below``: "" among elements that are read, "none" in one of no effect, "silent" in one of these
-        that is described elsewhere: there only what is unknown is noted."""
+        """``below``: "" among elements that are read, "none" in one of no effect, "silent" in what stands
+        in it as it could elsewhere (a link of an actor), where only what is unknown is noted."""
         of = _name_of(element) or of
         row = self._table.rows.get(path, {}) if path else {}
         for attribute, text in element.attributes.items():
@@ -49,7 +49,7 @@ class Account:
             state = below
             if not entry.is_read and not below:
                 state = "none"
-            elif below and inside:
+            elif below and inside and inside[: len(path or ())] != path:
                 state = "silent"
             self._element(child, (*tags, child.tag), inside or path, of, state)
 

@@ -72,6 +72,15 @@ class _Reader(Quantities):
         xyz = self.vector(origin, "xyz", of, zero)
         if "quat_xyzw" in origin.attributes:
             text = origin.attributes["quat_xyzw"]
+            if self.document.root.attributes.get("version", "1.0") == "1.0":  # urdfdom passes over it there
+                remedy = 'say so: <robot name="..." version="1.1">, or write rpy'
+                raise self.fail(
+                    origin,
+                    f"{of}: quat_xyzw is of URDF 1.1",
+                    attribute="quat_xyzw",
+                    found="1.0",
+                    remedy=remedy,
+                )
             x, y, z, w = self.numbers(text, 4, origin, "quat_xyzw", f"{of}: quat_xyzw of <origin>")
             try:
                 return Pose.from_quaternion(xyz, (w, x, y, z))
