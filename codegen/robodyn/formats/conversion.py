@@ -11,6 +11,7 @@ from robodyn.formats.limits import GREATEST
 from robodyn.formats.tree import MOVING, TURNING, JointLimits, Tree, TreeJoint
 from robodyn.robot.names import ROBOT_NAME_LENGTH, TEXT_LENGTH, robot_name_fault, shown
 from robodyn.robot.numbers import shortest
+from robodyn.robot.origins import Origins
 from robodyn.robot.parts import Gear, JointKind, Limits
 from robodyn.robot.plausibility import limits_doubt
 
@@ -65,17 +66,22 @@ def joint_of(joint: TreeJoint) -> tuple[ChainJoint, list[str]]:
     if joint.ratio is not None:
         constant = None if joint.torque_constant is None else shortest(joint.torque_constant)
         gear = Gear(shortest(joint.ratio), constant)
+    stated = {
+        "friction": [number is not None for number in (joint.damping, joint.friction)],
+        "motor_inertia": [joint.armature is not None],
+    }
     converted = ChainJoint(
         joint.name,
         joint.child,
         kind,
         axis=joint.axis,
         limits=limits,
-        viscous=joint.damping,
-        coulomb=joint.friction,
-        motor_inertia=joint.armature,
+        viscous=joint.damping or 0.0,
+        coulomb=joint.friction or 0.0,
+        motor_inertia=joint.armature or 0.0,
         gear=gear,
         spring=joint.spring,
+        origins=Origins().with_stated(name for name, numbers in stated.items() if any(numbers)),
     )
     return converted, remarks
 

@@ -231,9 +231,9 @@ class _Model:
             unit(vector(model.jnt_axis[index])),
             float(model.qpos0[address]),
             JointLimits(lower, upper, effort=effort) if limited else JointLimits(effort=effort),
-            damping=float(model.dof_damping[dof]),
-            friction=float(model.dof_frictionloss[dof]),
-            armature=float(model.dof_armature[dof]),
+            damping=float(model.dof_damping[dof]) or None,  # a 0 may be stated, or MuJoCo's default
+            friction=float(model.dof_frictionloss[dof]) or None,
+            armature=float(model.dof_armature[dof]) or None,
             spring=spring,
         )
 

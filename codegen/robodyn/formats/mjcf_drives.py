@@ -58,7 +58,9 @@ def _with_passive_part(model: Any, joint: TreeJoint, index: int) -> TreeJoint:
         float(getattr(model, f"actuator_{name}", [0.0] * model.nu)[index]) for name in ("armature", "damping")
     )
     return replace(
-        joint, armature=joint.armature + armature * gear * gear, damping=joint.damping + damping * gear * gear
+        joint,
+        armature=(joint.armature or 0.0) + armature * gear * gear or None,
+        damping=(joint.damping or 0.0) + damping * gear * gear or None,
     )
 
 

@@ -181,11 +181,10 @@ class _Reader(Quantities):
             return default
         return self.numbers(child.text, 1, child, "", f"{of}: <{tag}>")[0]
 
-    def positive(self, parent: Element | None, tag: str, of: str, default: float = 0.0) -> float:
-        """As :meth:`value`, not below 0."""
-        value = self.value(parent, tag, of, default)
-        assert value is not None
-        if parent is not None and negative(value):
+    def positive(self, parent: Element | None, tag: str, of: str) -> float | None:
+        """The number in a child, not below 0; None where there is none."""
+        value = self.value(parent, tag, of, None)
+        if parent is not None and value is not None and negative(value):
             raise self.fail(parent, f"{of}: <{tag}> is negative", found=f"{value:g}")
         return value
 
@@ -207,7 +206,8 @@ class _Reader(Quantities):
 
     def body(self, inertial: Element, frames: Frames, of: str) -> Body:
         """The numbers that are left out are 1 on the diagonal and 0 beside it, as the format says."""
-        mass = self.positive(inertial, "mass", of, 1.0)
+        stated = self.positive(inertial, "mass", of)
+        mass = 1.0 if stated is None else stated
         tensor = self.one(inertial, "inertia", of)
         diagonal = [self.value(tensor, key, of, 1.0) or 0.0 for key in ("ixx", "iyy", "izz")]
         beside = [self.value(tensor, key, of, 0.0) or 0.0 for key in ("ixy", "ixz", "iyz")]
@@ -286,7 +286,7 @@ class _Reader(Quantities):
         value = self.limit_text(child.text, child, "", f"{of}: <{tag}>")
         return value if value is not None and abs(value) < GREATEST else None
 
-    def dynamics(self, axis: Element | None, tag: str, of: str) -> float:
+    def dynamics(self, axis: Element | None, tag: str, of: str) -> float | None:
         dynamics = None if axis is None else axis.first("dynamics")
         return self.positive(dynamics, tag, of)
 

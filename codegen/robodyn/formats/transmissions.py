@@ -85,5 +85,5 @@ class Transmissions:
         if ratio is not None:
             joint = replace(joint, ratio=ratio)
         if rotor is not None:
-            joint = replace(joint, armature=joint.armature + rotor * (ratio or 1.0) ** 2)
+            joint = replace(joint, armature=(joint.armature or 0.0) + rotor * (ratio or 1.0) ** 2)
         return joint

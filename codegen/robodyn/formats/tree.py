@@ -75,7 +75,7 @@ class TreeJoint:
     The child's frame is ``origin * motion(axis, q - reference) * child_pose`` in the parent's frame;
     ``axis`` is a unit vector in the joint's frame. ``damping`` [N m s/rad or N s/m], ``friction`` [N m or N],
     ``armature``: rotor inertia reflected to the joint [kg m^2 or kg]; ``ratio`` of the gear and
-    ``torque_constant`` [N m/A] where stated.
+    ``torque_constant`` [N m/A]; None where nothing is stated.
     """
 
     name: str
@@ -88,9 +88,9 @@ class TreeJoint:
     axis: Vector = (0.0, 0.0, 1.0)
     reference: float = 0.0
     limits: JointLimits = field(default_factory=JointLimits)
-    damping: float = 0.0
-    friction: float = 0.0
-    armature: float = 0.0
+    damping: float | None = None
+    friction: float | None = None
+    armature: float | None = None
     ratio: float | None = None
     torque_constant: float | None = None
     spring: Spring | None = None
@@ -250,9 +250,9 @@ def checked(tree: Tree) -> Tree:
             ("damping", joint.damping, 0.0),
             ("friction", joint.friction, 0.0),
             ("rotor inertia", joint.armature, 0.0),
-            ("reduction", joint.ratio or 0.0, -GREATEST),
+            ("reduction", joint.ratio, -GREATEST),
         ):
-            if not least <= value <= GREATEST:
+            if value is not None and not least <= value <= GREATEST:
                 raise InputError(
                     f"joint {shown(joint.name)}: the {what} is {'negative' if value < 0 else 'too large'}",
                     where=joint.where,

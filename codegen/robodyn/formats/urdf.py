@@ -133,11 +133,17 @@ class _Reader(Quantities):
             origin=self.origin(element, of),
             axis=direction,
             limits=self.limits(element, kind, of),
-            damping=self.number(dynamics, "damping", of, 0.0, negative) if dynamics else 0.0,
-            friction=self.number(dynamics, "friction", of, 0.0, negative) if dynamics else 0.0,
-            armature=self.number(dynamics, "armature", of, 0.0, negative) if dynamics else 0.0,
+            damping=self.dynamics(dynamics, "damping", of),
+            friction=self.dynamics(dynamics, "friction", of),
+            armature=self.dynamics(dynamics, "armature", of),
             mimic=self.mimic(mimic, of) if mimic else None,
         )
+
+    def dynamics(self, dynamics: Element | None, name: str, of: str) -> float | None:
+        """A number in ``<dynamics>``; None where it is not stated."""
+        if dynamics is None or name not in dynamics.attributes:
+            return None
+        return self.number(dynamics, name, of, bad=negative)
 
     def limits(self, element: Element, kind: Kind, of: str) -> JointLimits:
         limit = self.one(element, "limit", of)
