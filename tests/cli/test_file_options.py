@@ -88,7 +88,7 @@ def test_no_command_runs_what_a_file_says(
     ("robot", "name", "message"),
     [
         ("puma560", "gravcomp", "stated by other formats; found puma560; leave --without out"),
-        ("arm.urdf", "gravcmp", "nothing of this name is left out; found gravcmp; expected damping, "),
+        ("arm.urdf", "gravcmp", "nothing of this name is left out; found gravcmp; expected auto, "),
     ],
 )
 def test_what_is_left_out_has_a_name_and_a_file(

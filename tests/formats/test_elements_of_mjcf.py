@@ -209,7 +209,7 @@ def test_what_is_not_modelled_is_refused_by_its_name(
     file.write_text(beyond(path, name))
     with pytest.raises(InputError, match=f"not modelled: {entry.physics}: ") as raised:
         load(file)
-    assert raised.value.remedy == f"leave it out: --without {entry.physics}"
+    assert (raised.value.exit_code, raised.value.remedy) == (2, f"leave it out: --without {entry.physics}")
     remarks: list[str] = []
     assert load(file, without=[entry.physics], warn=remarks.append).n == 3
     words = f"left out, although it changes torques: {entry.physics}: {PHYSICS[entry.physics]}"

@@ -123,7 +123,7 @@ def test_what_is_not_modelled_is_refused_by_its_name(
     (file := tmp_path / "arm.urdf").write_text(ARM.replace("</robot>", f"{words}</robot>"))
     with pytest.raises(InputError, match=f"not modelled: {entry.physics}: ") as raised:
         load(file)
-    assert raised.value.remedy == f"leave it out: --without {entry.physics}"
+    assert (raised.value.exit_code, raised.value.remedy) == (2, f"leave it out: --without {entry.physics}")
     remarks: list[str] = []
     load(file, without=[entry.physics], warn=remarks.append)
     said = f"left out, although it changes torques: {entry.physics}: {PHYSICS[entry.physics]}"

@@ -60,6 +60,11 @@ _SHOWN: Final[dict[str, tuple[str, str]]] = {
     "axis/dynamics/<friction>": _dynamics("friction", f"{FRICTION}"),
     "axis/dynamics/<spring_stiffness>": _dynamics("spring_stiffness", "5"),
     "axis/dynamics/<spring_reference>": _dynamics("spring_reference", "0.2", _STIFF),
+    "joint/<drake:rotor_inertia>": ("</joint>", "<drake:rotor_inertia>0.2</drake:rotor_inertia></joint>"),
+    "joint/<drake:gear_ratio>": (
+        "</joint>",
+        "<drake:gear_ratio>50</drake:gear_ratio><drake:rotor_inertia>1e-4</drake:rotor_inertia></joint>",
+    ),
     "xyz/expressed_in": (_XYZ, '<xyz expressed_in="__model__">0.36 0.48 0.8</xyz>'),
     "pose/relative_to": (_L2, _L2.replace("l1", "b")),
     "pose/frame": (_L2, _L2.replace("relative_to", "frame")),

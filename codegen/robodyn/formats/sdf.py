@@ -231,6 +231,9 @@ class _Reader(Quantities):
         here = frames.pose(name, element)
         before, behind = frames.pose_of(parent, element), frames.pose_of(child, element)
         axis = self.one(element, "axis", of)
+        rotor, ratio = (
+            self.value(element, f"drake:{tag}", of, None) for tag in ("rotor_inertia", "gear_ratio")
+        )
         return TreeJoint(
             frames.name(name),
             kind,
@@ -243,6 +246,8 @@ class _Reader(Quantities):
             limits=self.limits(axis, of),
             damping=self.dynamics(axis, "damping", of),
             friction=self.dynamics(axis, "friction", of),
+            armature=None if rotor is None else rotor * (ratio or 1.0) ** 2,
+            ratio=None if ratio in (0.0, 1.0) else ratio,
             mimic=self.mimic(axis, frames, of),
             spring=self.spring(axis, of),
         )
