@@ -68,7 +68,7 @@ def _index() -> str:
     )
     return page(
         "# Python library",
-        "All that the command line does is in the library `robodyn`.",
+        "The library `robodyn` generates, compiles, counts, simulates, identifies and diagnoses.",
         table(("page", "what for", "names"), rows),
         markdown(inspect.getdoc(robodyn) or ""),
     )

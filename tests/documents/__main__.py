@@ -3,6 +3,7 @@
 python -m documents README.md docs/schedule.md            report what is not as it is shown
 python -m documents --update docs/schedule.md             and put what is printed in its place
 python -m documents --list                                what is run of each page, and why others are not
+python -m documents --close docs/decisions/0041-so.md     it is the record of its day from now on
 """
 
 from __future__ import annotations
@@ -28,9 +29,14 @@ def main() -> int:
         help="use the robodyn that is installed, and copies of what the checkout ships",
     )
     parser.add_argument("--list", action="store_true", help="count the examples")
+    parser.add_argument(
+        "--close", action="store_true", help="write the digest of a decision's text beneath it"
+    )
     arguments = parser.parse_args()
     if arguments.list:
         return _list()
+    if arguments.close:
+        return max(map(_close, arguments.pages))
     return max(_follow(page, arguments.update, arguments.installed) for page in arguments.pages or PAGES)
 
 
@@ -47,6 +53,15 @@ def _list() -> int:
                 print(f"{page}:{block.line}: not run: {block.detail}")
     print(f"{executed} commands and Python blocks are run, {elsewhere} by other tests or pages")
     return 0
+
+
+def _close(page: str) -> int:
+    from documents.figures import digest_of, faults  # imports robodyn, which runs of installed ones do not
+
+    path = ROOT / page
+    text = path.read_text(encoding="utf-8").partition("<!-- closed ")[0].rstrip()
+    path.write_text(f"{text}\n\n<!-- closed {digest_of(text)} -->\n", encoding="utf-8")
+    return int(bool(faults(path.read_text(encoding="utf-8"))))
 
 
 def _follow(page: str, update: bool, installed: bool) -> int:

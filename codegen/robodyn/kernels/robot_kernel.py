@@ -30,8 +30,8 @@ def compile(
 ) -> Kernel:
     """Generate the kernels of ``robot`` (or of that path or name), compile and load them.
 
-    ``functions`` (default: all that the robot has) to ``engine`` are those of
-    :class:`~robodyn.kernels.options.Options`; ``build`` goes to
+    ``functions`` (default: those that ``robodyn gen`` writes; ``["all"]``: all that the robot has) to
+    ``engine`` are those of :class:`~robodyn.kernels.options.Options`; ``build`` goes to
     :func:`robodyn.kernels.kernel.load` (``cc``, ``flags``,
     ``cache``, ``mode``).
 
