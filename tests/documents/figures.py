@@ -21,6 +21,7 @@ from __future__ import annotations
 import functools
 import hashlib
 import json
+import math
 import pkgutil
 import re
 import shlex
@@ -41,12 +42,13 @@ NUMBER: Final = re.compile(
     r"(?![\w^]|[.,]\d|-[a-zA-Z])"
 )
 _CODE: Final = re.compile(r"(`+)[^`]+?\1")
+_WRITTEN: Final = re.compile(r"^<!-- [\w. -]+ -->\n(?:(?!^#|^<!--).)*?<!-- end -->", re.MULTILINE | re.DOTALL)
 #: What is no text: blocks, what benchmarks write, comments, equations, code, addresses.
 _OTHER: Final = tuple(
     re.compile(pattern, re.MULTILINE | re.DOTALL)
     for pattern in (
         FENCE.pattern,
-        r"^<!-- [\w. -]+ -->\n(?:(?!^#|^<!--).)*?<!-- end -->",
+        _WRITTEN.pattern,
         r"<!--.*?-->",
         r"\$\$.*?\$\$",
         _CODE.pattern,
@@ -122,7 +124,9 @@ def faults(page: str) -> list[str]:
         if comment.text.startswith("written by robodyn "):
             same = page == _printed(comment.text.removeprefix("written by robodyn "))
             return [] if same else [f"not what is {comment.text}"]
-    shown = _numbers("\n".join(_shown(block) for block in blocks(page)))
+    shown = _numbers(
+        "\n".join([*map(_shown, blocks(page)), *(match[0] for match in _WRITTEN.finditer(page))])
+    )
     files = [(comment, _file(path)) for comment in comments for path in _paths(comment.text)]
     equations = [
         (comment, _value(one[1]), one[2]) for comment in comments if (one := _equation(comment.text))
@@ -239,7 +243,7 @@ def _names() -> frozenset[tuple[str, str]]:
 @functools.cache
 def _evaluated(expression: str) -> Any:
     """The value of an expression of a comment, with the modules that it names imported."""
-    names: dict[str, Any] = {"results": _results, "signal": lambda name: int(Signals[name])}
+    names: dict[str, Any] = {"math": math, "results": _results, "signal": lambda name: int(Signals[name])}
     for k, name in enumerate(
         sorted(set(re.findall(r"robodyn(?:_\w+)?(?:\.\w+)+", expression)), key=len, reverse=True)
     ):

@@ -39,7 +39,7 @@ _HEAD = """\
 What real arms have and rigid bodies with ideal motors lack: friction, springs, elasticity, payloads, sensor
 errors. Each effect is defined once, and can be stated in a description, emitted in kernels, simulated, and
 looked for in logs. This page is written by `robodyn effects --markdown` from the definitions in
-`codegen/robodyn/effects/`; a test compares them.
+`codegen/robodyn/effects/`; a test compares them. <!-- written by robodyn effects --markdown -->
 
 Effects act along the drive of a joint, from the link to the motor. Each adds a torque, reflected to the
 joint's side of the gear, in this order:
