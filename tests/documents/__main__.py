@@ -56,10 +56,14 @@ def _list() -> int:
 
 
 def _close(page: str) -> int:
-    from documents.figures import digest_of, faults  # imports robodyn, which runs of installed ones do not
+    from documents.figures import (
+        CLOSED,
+        digest_of,
+        faults,
+    )  # imports robodyn; runs of an installed one do not
 
     path = ROOT / page
-    text = path.read_text(encoding="utf-8").partition("<!-- closed ")[0].rstrip()
+    text = CLOSED.sub("", path.read_text(encoding="utf-8")).rstrip()
     path.write_text(f"{text}\n\n<!-- closed {digest_of(text)} -->\n", encoding="utf-8")
     return int(bool(faults(path.read_text(encoding="utf-8"))))
 
