@@ -9,11 +9,11 @@ or a comment in its section says what it is::
     <!-- 350 = after("LINES =", "tests/test_layout.py") -->
     <!-- 200 = robodyn.compare.limits.STATES -->          results("NAME"): those of a benchmark
 
-A whole number below ten counts together with the word after it. A **name** is no figure: a number that ends
-one ("Table 4.6", "joint 3", "Slotine 2018") where the code has the same words. A decision is a record of its
-day: ``<!-- closed DIGEST -->`` says that it is as it was then. What a benchmark writes between
-``<!-- MARK -->`` and ``<!-- end -->``, and a page ``<!-- written by COMMAND -->``, are compared with what
-writes them, as a whole.
+A digit alone counts together with the word after it or the noun before it ("3 files", "joint 3"). A
+**name** is no figure: a number that ends one ("Table 4.6", "Slotine 2018") where the code has the same
+words. A decision is a record of its day: ``<!-- closed DIGEST -->`` says that it is as it was then. What a
+benchmark writes between ``<!-- MARK -->`` and ``<!-- end -->``, and a page ``<!-- written by COMMAND -->``,
+are compared with what writes them, as a whole.
 """
 
 from __future__ import annotations
@@ -56,9 +56,7 @@ _OTHER: Final = (
     re.compile(r"^(?:#+ | *)\d+\.(?= )", re.MULTILINE),
 )
 _HEADING: Final = re.compile(r"^(#+) ", re.MULTILINE)
-_NAMED: Final = re.compile(
-    r"(?:[A-Z]\S*|axis|axes|(?:chapter|code|decision|joint|link|rule|section|step|version)s?)"
-)
+_NAMED: Final = re.compile(r"[A-Z]\S*|axis|axes|(?:chapter|decision|rule|section|step|version)s?")
 _BEFORE: Final = re.compile(r"([^\s(\[*\"']+)\s+(?:\d[\d.]*(?:,| and| or| to|, and)\s+)*$")
 _AFTER: Final = re.compile(r"[\s*\"'`|]*([A-Za-zµ°]+|%)")
 _IN_CODE: Final = re.compile(r"([A-Za-z]+)[^\w\n]{1,4}(\d+(?:\.\d+)*)")
@@ -161,13 +159,20 @@ def _figures(text: str) -> Iterator[Figure]:
     """The numbers in the text that are not the end of a name."""
     for pattern in _OTHER:
         text = pattern.sub(_blank, text)
+    for figure in _in_context(text):
+        if not (_NAMED.fullmatch(figure.before) and (_noun(figure.before), figure.text) in _names()):
+            yield figure
+
+
+def _in_context(text: str) -> Iterator[Figure]:
     for match in NUMBER.finditer(text):
         before = _BEFORE.search(text, max(0, match.start() - 120), match.start())
-        noun = before[1] if before else ""
-        if _NAMED.fullmatch(noun) and (noun.lower().rstrip("s"), match[0]) in _names():
-            continue
         after = _AFTER.match(text, match.end())
-        yield Figure(match[0], match.start(), noun, after[1].lower() if after else "")
+        yield Figure(match[0], match.start(), before[1] if before else "", after[1].lower() if after else "")
+
+
+def _noun(word: str) -> str:
+    return word.lower().rstrip("s:")
 
 
 def _without_code(text: str) -> str:
@@ -211,7 +216,8 @@ def _same(figure: Figure, equation: Equation) -> bool:
 
 def _is_among(figure: Figure, numbers: frozenset[tuple[str, str]]) -> bool:
     text = _text(figure.text)
-    return (text, figure.after if len(text) == 1 else "") in numbers
+    words = (figure.after, f"{_noun(figure.before)} ") if len(text) == 1 else ("any",)
+    return any((text, word) in numbers for word in words if word.strip())
 
 
 def _is(figure: str, value: str) -> bool:
@@ -230,13 +236,13 @@ def _rounded(number: str) -> set[str]:
 
 @functools.cache
 def _numbers(text: str) -> frozenset[tuple[str, str]]:
-    """The numbers of a text, rounded or not, each alone and with the word after it."""
-    numbers = set()
-    for match in NUMBER.finditer(text.replace("_", " ")):
-        after = _AFTER.match(text, match.end())
-        for rounded in _rounded(match[0]):
-            numbers |= {(rounded, ""), (rounded, after[1].lower() if after else "")}
-    return frozenset(numbers)
+    """The numbers of a text, rounded or not, each alone, with the word after it and the noun before it."""
+    return frozenset(
+        (rounded, word)
+        for one in _in_context(text.replace("_", " "))
+        for rounded in _rounded(one.text)
+        for word in ("any", one.after, f"{_noun(one.before)} ")
+    )
 
 
 @functools.cache

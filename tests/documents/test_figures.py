@@ -60,7 +60,7 @@ def test_no_wrong_digit_passes() -> None:
 PAGE = """\
 # A page
 
-Python 3.11 has `x1`, [four links](a4.md), and 12 joints, 0.43 of 1,262 things; see Table 2.10, joint 3.
+Python 3.11 has `x1`, [four links](a4.md), and 12 joints, 0.43 of 1,262 things; see Table 2.10.
 
 <!-- not run: no -->
 ```console
