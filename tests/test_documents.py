@@ -11,6 +11,7 @@ from typing import Any
 
 import pytest
 from benchmarks import counts
+from benchmarks.functions.tables import in_document
 from benchmarks.gap.documents import tables
 from benchmarks.marked import part, with_part
 
@@ -56,6 +57,12 @@ def test_tables_of_benchmarks_are_those_of_the_results(
     figures = json.loads((ROOT / "benchmarks" / "results" / results).read_text(encoding="utf-8"))
     assert part((ROOT / document).read_text(encoding="utf-8"), mark).strip() == made(figures).strip()
     assert made(figures).count("\n") > 2
+
+
+def test_operations_of_every_function_are_those_of_the_results() -> None:
+    figures = json.loads((ROOT / "benchmarks" / "results" / "functions.json").read_text(encoding="utf-8"))
+    page = DOCUMENTS["function-counts.md"]
+    assert in_document(figures, page) == page, "run python -m benchmarks.functions --render"
 
 
 def test_the_exit_codes_are_those_of_the_errors() -> None:

@@ -41,14 +41,17 @@ NUMBER: Final = re.compile(
     r"(?<![\w.,^/])(?<!\w[-/])[-+]?(?:\d{1,3}(?:,\d{3})+(?!\d)|\d+)(?:\.\d+)?(?:e[-+]?\d+)?"
     r"(?![\w^]|[.,]\d|-[a-zA-Z])"
 )
+REMEDY: Final = "show it in an example, leave it out, or say what it is: <!-- FIGURE = EXPRESSION -->"
 CLOSED: Final = re.compile(r"\n*<!-- closed \w+ -->\n*")
 _CODE: Final = re.compile(r"(`+)[^`]+?\1")
 _COMMENT: Final = re.compile(r"<!--\s+(.*?)\s+-->", re.DOTALL)
-_WRITTEN: Final = re.compile(r"^<!-- [\w. -]+ -->\n(?:(?!^#|^<!--).)*?<!-- end -->", re.MULTILINE | re.DOTALL)
+WRITTEN: Final = re.compile(
+    r"^<!-- ([\w. -]+) -->\n(?:(?!^#|^<!--).)*?<!-- end -->", re.MULTILINE | re.DOTALL
+)
 #: What is no text: blocks, what benchmarks write, comments, equations, code, addresses, numbers of a list.
 _OTHER: Final = (
     FENCE,
-    _WRITTEN,
+    WRITTEN,
     _COMMENT,
     re.compile(r"\$\$.*?\$\$", re.DOTALL),
     _CODE,
@@ -87,7 +90,7 @@ class Page:
 
     def __init__(self, text: str) -> None:
         self.text = text
-        parts = [*map(_shown, blocks(text)), *(match[0] for match in _WRITTEN.finditer(text))]
+        parts = [*map(_shown, blocks(text)), *(match[0] for match in WRITTEN.finditer(text))]
         self.shown = " ".join("\n".join(parts).split())
         self.numbers = _numbers("\n".join(parts))
         self.equations = list(_equations(text))
@@ -103,7 +106,10 @@ class Page:
             used |= equal
             if not equal and not _is_among(figure, self.numbers):
                 line = self.text.count("\n", 0, figure.start) + 1
-                wrong.append(f"line {line}: {figure.before} {figure.text} {figure.after}: comes from nowhere")
+                wrong.append(
+                    f"line {line}: {figure.before} {figure.text} {figure.after}: comes from nowhere; "
+                    + REMEDY
+                )
         return wrong + [f"no figure is {one.left} = {one.right}" for one in self.equations if one not in used]
 
     def untrue(self) -> list[str]:

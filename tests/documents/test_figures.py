@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import pytest
 
 from documents.blocks import PAGES, ROOT
-from documents.figures import Page, digest_of, faults
+from documents.figures import WRITTEN, Page, digest_of, faults
 
 TEXTS = {page: (ROOT / page).read_text(encoding="utf-8") for page in PAGES}
 NEW = "\nIt takes 1,234 operations.\n"
@@ -55,6 +55,18 @@ def test_no_wrong_digit_passes() -> None:
     )
     print(f"{sum(map(sum, noticed.values()))} of {sum(map(len, noticed.values()))} are noticed")
     assert all(map(all, noticed.values()))
+
+
+def test_what_a_benchmark_writes_is_compared() -> None:
+    """A table between marks is no text: another test has its mark."""
+    code = "\n".join(
+        path.read_text(encoding="utf-8")
+        for top in ("tests", "benchmarks")
+        for path in ROOT.glob(f"{top}/**/*.py")
+    )
+    for page, text in TEXTS.items():
+        for written in WRITTEN.finditer(text):
+            assert f'"{written[1]}"' in code or f"<!-- {written[1]} -->" in code, page
 
 
 PAGE = """\
