@@ -7,13 +7,17 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from robodyn_cli.choices import TRIGONOMETRY
+from robodyn_cli.choices import FILE, TRIGONOMETRY
 from robodyn_cli.common import echo_json, json_option, robot_argument, wrapped
 from robodyn_cli.languages import compiled_language_option
 from robodyn_cli.options import functions_option, listed, load, model_options, scalar_option
+from robodyn_cli.values import Parameter, unique
 
 if TYPE_CHECKING:
     from robodyn.kernels.generate import Generated
+    from robodyn.robot import Robot
+    from robodyn.verify.against import PeerArm
+    from robodyn.verify.report import VerifyReport
 
 
 @click.command()
@@ -33,6 +37,19 @@ if TYPE_CHECKING:
 )
 @compiled_language_option
 @functions_option()
+@click.option(
+    "--against",
+    type=FILE,
+    metavar="FILE",
+    help="Compare with the URDF, xacro or MJCF file that ROBOT comes from, as Pinocchio or MuJoCo reads it.",
+)
+@click.option(
+    "--lock",
+    type=Parameter(),
+    multiple=True,
+    metavar="JOINT=VALUE",
+    help="Of --against: where a joint stands that ROBOT does not have, as of robodyn import.",
+)
 @model_options
 @json_option
 def command(
@@ -43,6 +60,8 @@ def command(
     trig: str,
     lang: str,
     functions: str | None,
+    against: str | None,
+    lock: tuple[tuple[str, float], ...],
     formulation: str,
     optimize: str,
     no_regroup: bool,
@@ -59,6 +78,10 @@ def command(
     inverse kinematics with plain forward kinematics. Prints the largest error relative to the largest torque
     (of poses to the arm's reach), and the state where it occurs. Exits with 1 if an error exceeds 1e-10
     (float: 1e-5).
+
+    With --against another library reads FILE itself, MuJoCo an MJCF and Pinocchio a URDF or what a xacro file
+    expands to, and its torques, mass matrix, motion of the links, tool frame and gear ratios are compared,
+    joint by joint of the same name. What the library has no model of is not compared, and listed.
     """
     from robodyn.dynamics.functions import function_named
     from robodyn.emit.languages import compiled_language
@@ -66,6 +89,7 @@ def command(
     from robodyn.kernels.generate import Options, generate
     from robodyn.kernels.kernel import load as load_kernel
     from robodyn.verify import verify
+    from robodyn.verify.against import comparable, with_original
 
     lang = compiled_language(lang)[0].name
     if trig == "given":
@@ -80,11 +104,17 @@ def command(
         engine=engine,  # type: ignore[arg-type]
     )
     described = load(robot, strict=strict, fold_rotor=fold_rotor)
+    original = _original(described, against, unique(lock, "--lock"))
+    left_out: dict[str, str] = {}
+    if original is not None:
+        described, left_out = comparable(described, original)
     generated = generate(described, options)
     kernel = load_kernel(generated.signatures, generated.files((lang,)), language=lang)
     exact, closing = _exactly(generated), _closing(generated)
     with _Bar() as step:
-        report = verify(described, kernel, states=states, seed=seed, progress=step)
+        report = verify(described, kernel, states=states, seed=seed, progress=step, original=original)
+    if original is not None:
+        report = with_original(report, described, original, left_out)
     passed = report.passed and all(exact.values()) and all(closing.values())
     if as_json:
         exactly = {"equal_on_fractions": exact, "closing_to_60_digits": closing}
@@ -107,7 +137,34 @@ def command(
             found=f"nothing to compare {', '.join(report.uncompared)} with",
         )
     if not passed:
-        raise CheckError(f"{described.name}: the kernel does not agree with the references")
+        raise CheckError(
+            f"{described.name}: the kernel does not agree with the references",
+            found=_largest_difference(report, described),
+        )
+
+
+def _original(robot: Robot, file: str | None, locks: dict[str, float]) -> PeerArm | None:
+    """What another library reads of the joints of ``robot`` in ``file``."""
+    from pathlib import Path
+
+    from robodyn.errors import InputError
+    from robodyn.verify.against import read_original
+
+    if file is not None:
+        return read_original(Path(file)).arm(robot, locks)
+    if locks:
+        raise InputError("--lock is for --against FILE", remedy="remove it, or add --against FILE")
+    return None
+
+
+def _largest_difference(report: VerifyReport, robot: Robot) -> str | None:
+    """What differs most, at which joint, and how much else does."""
+    row, count = report.worst, sum(not row.passed for row in report.comparisons)
+    if row is None or not count:
+        return None
+    joint = "" if row.joint is None else f", most at joint {row.joint} ({robot.links[row.joint - 1].name})"
+    more = f"; {count - 1} more rows differ" if count > 1 else ""
+    return f"{row.function} is off {row.against} by {row.error:.1e}{joint}{more}"
 
 
 def _exactly(generated: Generated) -> dict[str, bool]:

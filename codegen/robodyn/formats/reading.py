@@ -117,6 +117,11 @@ def _folders(arguments: Mapping[str, str]) -> list[str]:
     return [folder for name, folder in arguments.items() if name.split(None, 1)[:1] == ["find"]]
 
 
+def stated_arguments() -> Mapping[str, str]:
+    """The arguments of xacro files in this context."""
+    return _READING.get(_Reading()).arguments
+
+
 def no_model_to_choose(name: str) -> InputError:
     """The error that a model is chosen in the file or robot of that ``name``, which is no SDF."""
     return InputError("a model is chosen in SDF files", found=name, remedy="leave --model out")

@@ -36,7 +36,9 @@ PYARROW: Final = Library("pyarrow", Use.LOGS, "logs in Parquet", extra="all")
 ROSBAGS: Final = Library("rosbags", Use.LOGS, "recordings of ROS 2", extra="ros")
 XACRO: Final = Library("xacro", Use.ARMS, "arms in xacro", extra="xacro")
 
-PINOCCHIO: Final = Library("pinocchio", Use.COMPARISONS, "times of Pinocchio in robodyn bench", package="pin")
+PINOCCHIO: Final = Library(
+    "pinocchio", Use.COMPARISONS, "robodyn verify --against URDF and times in robodyn bench", package="pin"
+)
 CASADI: Final = Library(
     "casadi", Use.PACKAGES, "functions of robodyn package --as casadi, and times in robodyn bench"
 )

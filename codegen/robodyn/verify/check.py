@@ -35,6 +35,7 @@ from robodyn.verify.oracles import (
     differences,
     exact_oracle,
     lagrangian_oracle,
+    library_oracle,
     reference_oracle,
 )
 from robodyn.verify.poses import pose_errors, references
@@ -45,6 +46,7 @@ from robodyn.verify.stepping import Stepping
 
 if TYPE_CHECKING:
     from robodyn.kernels.kernel import Kernel
+    from robodyn.verify.against.arm import PeerArm
 
 #: What the error may be at most, by scalar type.
 TOLERANCE: Mapping[str, float] = {"double": 1e-10, "float": 1e-5}
@@ -70,6 +72,7 @@ def verify(
     lagrangian: bool | None = None,
     trig: Trig | None = None,
     progress: Progress | None = None,
+    original: PeerArm | None = None,
 ) -> VerifyReport:
     """Compare every function that ``kernel`` offers with every reference.
 
@@ -82,6 +85,7 @@ def verify(
     lagrangian: whether to compare with the Lagrangian; if not said, up to three joints.
     trig: for kernels that take ``sc``: the function that makes it ``[N, ...]`` of ``q`` ``[N, n]``.
     progress: called with (comparisons done, comparisons in all).
+    original: what another library reads in the robot's file (:mod:`robodyn.verify.against`).
 
     Raises
     ------
@@ -106,11 +110,12 @@ def verify(
             if lagrangian:
                 raise
             skipped["the Lagrangian"] = error.message()
+    if original is not None:
+        oracles.append((library_oracle(robot, values, original), states))
     obstacles = {name: run.obstacle(name) for name in kernel.functions}
     skipped |= {name: reason for name, reason in obstacles.items() if reason is not None}
-    functions = [name for name, reason in obstacles.items() if reason is None]
     wanted: list[partial[Comparison]] = []
-    for name in functions:
+    for name in (name for name, reason in obstacles.items() if reason is None):
         if function_named(name).of_pose:
             wanted.append(partial(run.compare_poses, name))
         else:
@@ -249,9 +254,7 @@ class _Run:
             if not record.gives_torques:
                 yardstick = self._largest_of(record)
         error = differences(actual, expected)
-        ulps = (
-            ulps_of(record, error, expected, yardstick, self.kernel.dtype) if oracle.name == "exact" else None
-        )
+        ulps = ulps_of(record, error, expected, yardstick, self.kernel.dtype) if oracle.exact else None
         return self._comparison(function, record, oracle, places, left_out, error, yardstick, ulps)
 
     def _largest_of(self, record: Function) -> Floats:
@@ -337,8 +340,7 @@ class _Run:
         if function.expected is None:
             return element % n + 1, None
         for array in function.results:
-            shape = array.shape_at(n)
-            size = array.size_at(n)
+            shape, size = array.shape_at(n), array.size_at(n)
             if element < size:
                 place = np.unravel_index(element, shape) if shape else ()
                 joint = int(place[0]) + 1 if array.shape[:1] == ("n",) else None

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,6 +14,7 @@ from numpy.typing import NDArray
 
 from robodyn.drives.drive import layer_of, rigid_part
 from robodyn.dynamics.arm import (
+    Arm,
     JointAngle,
     Motion,
     Trigonometry,
@@ -38,6 +40,7 @@ from robodyn.verify.reference import Floats, Reference
 
 if TYPE_CHECKING:
     from robodyn.dynamics.base_parameter import BaseParameter
+    from robodyn.verify.against.arm import PeerArm
 
 #: float64, or Fractions in an array of objects.
 Numbers = NDArray[Any]
@@ -85,7 +88,8 @@ class Oracle:
 
     def links(self) -> Oracle:
         """The same reference of the links alone, in no gravity."""
-        assert self.other is not None
+        if self.other is None:
+            raise TorquesAlone("it has torques and a mass matrix")
         links = replace(rigid_part(self.robot, bare=True), gravity=(ZERO, ZERO, ZERO))
         return self.other(links, self.parameters)
 
@@ -128,10 +132,19 @@ class _Columns(AsDescribed):
         self.inputs = {name: oracle._columns(array) for name, array in inputs.items()}
         self.rest = [0] * self._q.shape[1]
         self._scalar: Callable[[Fraction], Any] = Fraction if oracle.exact else real
-        robot, values = oracle.robot, oracle.parameters
-        self.arm = build_arm(
-            rigid_part(robot), self._scalar, lambda name: self._scalar(Fraction(values[name]))
-        )
+
+    @cached_property
+    def arm(self) -> Arm:  # type: ignore[override]  # what is alone has none
+        """The arm as it is described.
+
+        Raises
+        ------
+        TorquesAlone: the reference knows the arm from elsewhere.
+        """
+        if self._oracle.other is None:
+            raise TorquesAlone("it has torques and a mass matrix")
+        robot, values = self._oracle.robot, self._oracle.parameters
+        return build_arm(rigid_part(robot), self._scalar, lambda name: self._scalar(Fraction(values[name])))
 
     def motion(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Motion:
         """The arm at ``q``, with these rates and accelerations."""
@@ -221,6 +234,11 @@ def reference_oracle(robot: Robot, parameters: Parameters) -> Oracle:
         lambda q, qd, qdd, w: joint_reactions(robot, q, qd, qdd, w, values),
         other=reference_oracle,
     )
+
+
+def library_oracle(robot: Robot, parameters: Parameters, arm: PeerArm) -> Oracle:
+    """What another library makes of the file that ``robot`` comes from."""
+    return Oracle(arm.title, arm.torques, robot, filled(robot, parameters), arm.mass_matrix)
 
 
 def exact_oracle(robot: Robot, parameters: Parameters) -> Oracle:

@@ -113,14 +113,19 @@ class Reference:
 
     def tool_pose(self, q: ArrayLike) -> Floats:
         """Frame ``[R p]`` of the tool in the world (1 and m); ``[3, 4]`` or ``[N, 3, 4]``."""
+        return np.asarray(self.frames(q)[..., -1, :, :])
+
+    def frames(self, q: ArrayLike) -> Floats:
+        """Frames ``[R p]`` of the links and of the tool in the world (1 and m); ``[n + 1, 3, 4]`` or
+        ``[N, n + 1, 3, 4]``."""
         (states,), lead = self._read(q)
         R, p = (np.broadcast_to(x, (len(states), *x.shape)) for x in _placed(self.robot.base))
-        for i, body in enumerate(self._bodies):
-            turn, arm = _transform(body, states[:, i])
-            R, p = R @ turn, p + _apply(R, arm)
-        turn, arm = _placed(self.robot.tool)
-        p = p + R @ arm
-        return np.concatenate([R @ turn, p[:, :, None]], axis=2).reshape((*lead, 3, 4))
+        steps = [_transform(body, states[:, i]) for i, body in enumerate(self._bodies)]
+        frames = []
+        for turn, arm in (*steps, _placed(self.robot.tool)):
+            R, p = R @ turn, p + (R @ arm[..., None])[..., 0]
+            frames.append(np.concatenate([R, p[:, :, None]], axis=2))
+        return np.stack(frames, axis=1).reshape((*lead, self.robot.n + 1, 3, 4))
 
     def torque_slope(
         self, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike, dq: ArrayLike, dqd: ArrayLike
