@@ -67,7 +67,7 @@ def joint_of(joint: TreeJoint) -> tuple[ChainJoint, list[str]]:
         constant = None if joint.torque_constant is None else shortest(joint.torque_constant)
         gear = Gear(shortest(joint.ratio), constant)
     stated = {
-        "friction": [number is not None for number in (joint.damping, joint.friction)],
+        "friction": [value is not None for value in (joint.damping, joint.friction)],
         "motor_inertia": [joint.armature is not None],
     }
     converted = ChainJoint(
@@ -81,7 +81,7 @@ def joint_of(joint: TreeJoint) -> tuple[ChainJoint, list[str]]:
         motor_inertia=joint.armature or 0.0,
         gear=gear,
         spring=joint.spring,
-        origins=Origins().with_stated(name for name, numbers in stated.items() if any(numbers)),
+        origins=Origins().with_stated(name for name, values in stated.items() if any(values)),
     )
     return converted, remarks
 

@@ -232,7 +232,7 @@ class _Reader(Quantities):
         before, behind = frames.pose_of(parent, element), frames.pose_of(child, element)
         axis = self.one(element, "axis", of)
         rotor, ratio = (
-            self.value(element, f"drake:{tag}", of, None) for tag in ("rotor_inertia", "gear_ratio")
+            self.value(element, tag, of, None) for tag in ("drake:rotor_inertia", "drake:gear_ratio")
         )
         return TreeJoint(
             frames.name(name),
