@@ -110,8 +110,10 @@ def _value(value: Any) -> str:
 
 
 def _summary(comparison: Comparison) -> list[str]:
-    one, other = comparison.operations
-    lines = [f"operations of the inverse dynamics: {one} and {other}"]
+    lines = []
+    if comparison.operations is not None:
+        one, other = comparison.operations
+        lines.append(f"operations of the inverse dynamics: {one} and {other}")
     if comparison.share is not None:
         lines.append(
             f"torques: within {comparison.share:.1e} of the largest, {comparison.largest:.4g} N m or N"

@@ -1,4 +1,4 @@
-"""``--arg``, ``--model``, ``--without`` of every command with a ROBOT: how other formats are read."""
+"""``--arg``, ``--model``, ``--without``, ``--massless`` of every command with a ROBOT: how files are read."""
 
 from __future__ import annotations
 
@@ -16,7 +16,14 @@ from robodyn_cli.values import Argument, unique
 
 
 def file_options(command: Callable[..., Any]) -> Callable[..., Any]:
-    """Add ``--arg`` (``arg``), ``--model`` (``file_model``) and ``--without`` (``left_out``) to a command."""
+    """Add ``--arg`` (``arg``), ``--model`` (``file_model``), ``--without`` (``left_out``) and ``--massless``
+    (``massless``) to a command."""
+    command = click.option(
+        "--massless",
+        is_flag=True,
+        help="Take masses and inertias that the file does not state as 0; without it, torques that rest on "
+        "them are refused.",
+    )(command)
     command = click.option(
         "--without",
         "left_out",
@@ -69,8 +76,9 @@ def files_read_by(parameters: dict[str, Any]) -> Iterator[None]:
     ------
     InputError: an option that none of the robots of the command line can use.
     """
-    arg, file_model, left_out = (parameters.pop(name) for name in ("arg", "file_model", "left_out"))
-    if not arg and not file_model and not left_out:
+    options = ("arg", "file_model", "left_out", "massless")
+    arg, file_model, left_out, massless = (parameters.pop(name) for name in options)
+    if not arg and not file_model and not left_out and not massless:
         yield
         return
     from robodyn.formats.loading import SUFFIXES
@@ -89,7 +97,7 @@ def files_read_by(parameters: dict[str, Any]) -> Iterator[None]:
         raise _useless(
             "a model is chosen in SDF files", robots, f"leave --model out{of_controller if simulates else ''}"
         )
-    with how_files_are_read(unique(arg, "--arg"), file_model, left_out):
+    with how_files_are_read(unique(arg, "--arg"), file_model, left_out, massless):
         yield
 
 

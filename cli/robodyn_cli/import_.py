@@ -66,6 +66,7 @@ def command(
     arg: Sequence[tuple[str, str]],
     file_model: str,
     left_out: tuple[str, ...],
+    massless: bool,
     snap: float,
     gravity: tuple[float, float, float] | None,
     name: str,
@@ -81,6 +82,7 @@ def command(
     says and the description does not hold is listed at the head of the YAML and on stderr.
     """
     from robodyn.formats.arm import description_text, import_arm
+    from robodyn.robot.masses import unknown_masses
 
     path = None if output in (None, "-") else output_folder(str(output))
     if path is not None and os.path.lexists(path) and not force:
@@ -100,6 +102,7 @@ def command(
         "arguments": unique(arg, "--arg"),
         "model": file_model,
         "without": left_out,
+        "massless": massless,
         "gravity": gravity,
         "strict": strict,
     }
@@ -108,7 +111,7 @@ def command(
     if path is not None:
         write_file(path, text, force=force)
     _tell(imported)
-    if imported.near:
+    if imported.near and not unknown_masses(imported.robot):
         _tell_angles(imported, import_arm(file, snap=_widest(imported), **options))
     if as_json:
         echo_json(_data(imported, str(path) if path else None, text))

@@ -38,7 +38,7 @@ def test_every_command_that_takes_a_robot_has_the_options() -> None:
     assert len(takers) > 15
     for command in takers:
         options = [option for each in command.params for option in each.opts]
-        assert (options.count("--arg"), options.count("--model")) == (1, 1), command.name
+        assert [options.count(name) for name in ("--arg", "--model", "--massless")] == [1, 1, 1], command.name
 
 
 def test_arguments_reach_every_reading_of_the_file(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -36,6 +36,6 @@ def to_dict(comparison: Comparison) -> dict[str, Any]:
         ],
         "torques": torques,
         "tool": tool,
-        "operations": list(comparison.operations),
+        "operations": None if comparison.operations is None else list(comparison.operations),
         "not_compared": list(comparison.not_compared),
     }

@@ -18,12 +18,13 @@ from robodyn.errors import InputError
 from robodyn.formats.chain import Pose
 from robodyn.formats.writers.parts import Frame, PartJoint, Parts, parts_of
 from robodyn.kernels.operations import count
+from robodyn.robot.masses import unknown_masses
 from robodyn.robot.model import EffectEntry, Robot
 from robodyn.robot.names import shown
 from robodyn.robot.values import Affine
 from robodyn.verify.numbers import Parameters
 from robodyn.verify.reference import Reference
-from robodyn.verify.sample import draw, draw_parameters
+from robodyn.verify.sample import Sample, draw, draw_parameters
 
 Array = NDArray[np.float64]
 #: Kinds of differences, in the order in which they are listed.
@@ -64,13 +65,13 @@ class Comparison:
 
     ``torques``: the largest difference of inverse dynamics of each joint [N m or N], None where they cannot
     be compared; ``largest``: the largest torque of the first [N m or N]; ``tool``: the largest distance [m]
-    and angle [rad] between their tool frames; ``operations`` of their inverse dynamics; ``not_compared``:
-    what was left out of the files of either, although it changes torques.
+    and angle [rad] between their tool frames; ``operations`` of their inverse dynamics, None where one has
+    unknown masses; ``not_compared``: those, and what was left out of the files although it changes torques.
     """
 
     names: tuple[str, str]
     differences: tuple[Difference, ...]
-    operations: tuple[int, int]
+    operations: tuple[int, int] | None
     torques: tuple[float, ...] | None
     largest: float
     tool: tuple[float, float] | None
@@ -108,27 +109,32 @@ def compare(
     InputError: a group is unknown, or a run-time parameter has no value, or one that is not allowed.
     """
     ignored = set(ignore)
-    if unknown := sorted(ignored.difference(GROUPS)):
+    if wrong := sorted(ignored.difference(GROUPS)):
         raise InputError(
-            "nothing of this name is compared", found=shown(unknown[0]), expected=", ".join(GROUPS)
+            "nothing of this name is compared", found=shown(wrong[0]), expected=", ".join(GROUPS)
         )
     listed = list(_of_lists(left, right))
     arms = [_filled(robot, parameters) for robot in (left, right)]
     torques, largest, tool = None, 0.0, None
+    unknown = [f"torques: {arm.name} has masses that nobody states" for arm in arms if unknown_masses(arm)]
     if left.n == right.n:
         pair = _Pair(arms[0], arms[1], tolerance)
         listed += pair.differences()
-        torques, largest, tool, moving = pair.motion(states)
-        listed += moving
+        sample = draw(arms[0], states, SEED, np.dtype(float))
+        if not unknown:
+            torques, largest, of_torques = pair.torques(sample)
+            listed += of_torques
+        tool, of_tools = pair.tool(sample.q)
+        listed += of_tools
     by_group = [difference for group in GROUPS for difference in listed if difference.group == group]
     return Comparison(
         (left.name, right.name),
         tuple(difference for difference in by_group if difference.group not in ignored),
-        (count(left).total, count(right).total),
+        None if unknown else (count(left).total, count(right).total),
         torques,
         largest,
         tool,
-        tuple(text for robot in (left, right) if robot.account for text in robot.account.physics_left_out()),
+        (*(text for arm in arms if arm.account for text in arm.account.physics_left_out()), *unknown),
     )
 
 
@@ -236,31 +242,21 @@ class _Pair:
             if one != other:
                 yield Difference("effects", "", what, _plain(one), _plain(other))
 
-    def motion(self, states: int) -> tuple[tuple[float, ...], float, tuple[float, float], list[Difference]]:
-        """Largest differences of torques and the largest torque, of the tool, and which of both count."""
-        left = self._robots[0]
-        sample = draw(left, states, SEED, np.dtype(float))
-        tau, other = (
-            Reference(robot).inverse_dynamics(sample.q, sample.qd, sample.qdd) for robot in self._robots
-        )
+    def torques(self, sample: Sample) -> tuple[tuple[float, ...], float, list[Difference]]:
+        """Largest differences of torques, the largest torque, and which of them count."""
+        states = (sample.q, sample.qd, sample.qdd)
+        tau, other = (Reference(robot).inverse_dynamics(*states) for robot in self._robots)
         apart, largest = abs(tau - other).max(axis=0), float(abs(tau).max())
-        differences = []
-        worst = int(apart.argmax())
+        differences, worst = [], int(apart.argmax())
         if apart[worst] > self._tolerance * max(largest, float(abs(other).max())):
             state = int(abs(tau - other)[:, worst].argmax())
-            unit = "N m" if left.links[worst].joint.kind == "revolute" else "N"
-            one, another = float(tau[state, worst]), float(other[state, worst])
-            by, name = float(apart[worst]), self._names[worst]
-            differences.append(Difference("torques", name, "torque", one, another, by, unit))
-        distance, angle = self._tool(sample.q)
-        if distance > self._tolerance * self._size:
-            differences.append(Difference("tool", "", "place of the tool", None, None, distance, "m"))
-        if angle > self._tolerance:
-            differences.append(Difference("tool", "", "orientation of the tool", None, None, angle, "rad"))
-        return tuple(map(float, apart)), largest, (distance, angle), differences
+            unit = "N m" if self._robots[0].links[worst].joint.kind == "revolute" else "N"
+            sides = float(tau[state, worst]), float(other[state, worst]), float(apart[worst])
+            differences.append(Difference("torques", self._names[worst], "torque", *sides, unit))
+        return tuple(map(float, apart)), largest, differences
 
-    def _tool(self, q: Array) -> tuple[float, float]:
-        """Largest distance [m] and angle [rad] between the tools at ``q`` [N, n]."""
+    def tool(self, q: Array) -> tuple[tuple[float, float], list[Difference]]:
+        """Largest distance [m] and angle [rad] of the tools at ``q`` [N, n], and which of them count."""
         distance = angle = 0.0
         for row in q:
             one, other = (_frames(parts, row)[-1] @ _matrix(parts.tool or Frame()) for parts in self._parts)
@@ -268,7 +264,12 @@ class _Pair:
             # the chord of a unit vector: no cosine near 1, whose angle would have half the digits
             chord = float(np.linalg.norm(one[:3, :3] - other[:3, :3], 2))
             angle = max(angle, 2 * float(np.arcsin(min(chord / 2, 1.0))))
-        return distance, angle
+        differences = []
+        if distance > self._tolerance * self._size:
+            differences.append(Difference("tool", "", "place of the tool", None, None, distance, "m"))
+        if angle > self._tolerance:
+            differences.append(Difference("tool", "", "orientation of the tool", None, None, angle, "rad"))
+        return (distance, angle), differences
 
     def _numbers(
         self,

@@ -12,7 +12,7 @@ from robodyn.formats.chain import Vector
 from robodyn.formats.conversion import printable, robot_name
 from robodyn.formats.frames import description_of
 from robodyn.formats.limits import NAMES_SHOWN
-from robodyn.formats.reading import read_tree
+from robodyn.formats.reading import read_tree, taken_as_massless
 from robodyn.formats.serial import Serial, serial_chain
 from robodyn.formats.snapping import NearRightAngle, near_right_angles
 from robodyn.formats.tree import Tree, Unused
@@ -52,6 +52,7 @@ def import_arm(
     arguments: Mapping[str, str] | None = None,
     model: str = "",
     without: Iterable[str] = (),
+    massless: bool = False,
     gravity: Vector | None = None,
     strict: bool = False,
 ) -> Imported:
@@ -61,8 +62,9 @@ def import_arm(
     multiple of pi/2 become it; ``name``: of the robot, by default the file's; ``arguments``: those of a xacro
     file; ``model``: the one that is read of an SDF file; ``gravity`` [m/s^2], in the root's frame, takes the
     place of the file's, which a URDF does not have. What is named ``without`` in
-    :data:`~robodyn.formats.tree.PHYSICS` is left out, although it changes torques. ``strict`` refuses
-    inertias that no body has.
+    :data:`~robodyn.formats.tree.PHYSICS` is left out, although it changes torques. With ``massless`` masses
+    and inertias that nobody knows are 0 (:mod:`robodyn.robot.masses`). ``strict`` refuses inertias that no
+    body has.
 
     Raises
     ------
@@ -74,8 +76,8 @@ def import_arm(
     if gravity is not None:
         tree = replace(tree, gravity=gravity)
     serial = serial_chain(tree, robot_name(tree, name), base, tip, locks)
-    robot = description_of(serial.chain, snap)
-    robot = replace(robot, file=Path(path).absolute(), account=_account(tree, serial, assumed))
+    described = replace(description_of(serial.chain, snap), account=_account(tree, serial, assumed))
+    robot = replace(taken_as_massless(described, massless), file=Path(path).absolute())
     implausible = []
     for index, (link, where) in enumerate(zip(robot.links, serial.places, strict=True)):
         reason = inertia_doubt(link.inertia)

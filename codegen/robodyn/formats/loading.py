@@ -20,6 +20,7 @@ def load(
     *,
     model: str = "",
     without: Iterable[str] = (),
+    massless: bool = False,
     strict: bool = False,
     warn: Warn | None = None,
     note: Warn | None = None,
@@ -28,7 +29,8 @@ def load(
 
     A file whose name ends in .urdf, .xml, .mjcf, .sdf or .xacro is imported (:mod:`robodyn.formats.arm`): it
     must have one tip; ``model`` is the one that is read of an SDF file with several. What such a file states
-    that changes torques and that is not modelled is refused, unless it is named ``without``. Physically
+    that changes torques and that is not modelled is refused, unless it is named ``without``. With
+    ``massless`` masses and inertias that nobody knows are 0: torques are refused otherwise. Physically
     doubtful numbers are told to ``warn``, one line of text each (by default they become a warning), and the
     lines of the robot's :class:`~robodyn.robot.account.Account` to ``note`` (by default to where doubts go);
     ``strict`` refuses doubtful numbers.
@@ -43,11 +45,13 @@ def load(
             from robodyn.formats.reading import no_model_to_choose
 
             raise no_model_to_choose(label(spec))
-        robot = bundled.load(spec, strict=strict, warn=warn)
+        from robodyn.formats.reading import taken_as_massless
+
+        robot = taken_as_massless(bundled.load(spec, strict=strict, warn=warn), massless)
     else:
         from robodyn.formats.arm import import_arm
 
-        imported = import_arm(spec, model=model, without=without, strict=strict)
+        imported = import_arm(spec, model=model, without=without, massless=massless, strict=strict)
         robot = imported.robot
         for where, words in imported.implausible:
             (warn or doubtful)(f"{where}: {words}")

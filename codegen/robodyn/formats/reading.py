@@ -15,6 +15,8 @@ from robodyn.files import label
 from robodyn.formats import elements
 from robodyn.formats.elements import Document, tag_shown
 from robodyn.formats.tree import PHYSICS, Tree, physics_text
+from robodyn.robot.masses import massless, unknown_masses
+from robodyn.robot.model import Robot
 
 _EXPECTED: Final = "URDF, MJCF, SDF or xacro"
 
@@ -22,11 +24,12 @@ _EXPECTED: Final = "URDF, MJCF, SDF or xacro"
 @dataclass(frozen=True, slots=True)
 class _Reading:
     """What the command line says of how files are read: arguments of xacro files, a model of SDF files, what
-    of their physics is left out."""
+    of their physics is left out, whether masses that nobody knows are 0."""
 
     arguments: Mapping[str, str] = field(default_factory=dict)
     model: str = ""
     without: frozenset[str] = frozenset()
+    massless: bool = False
 
 
 _READING: Final[ContextVar[_Reading]] = ContextVar("reading")
@@ -34,16 +37,29 @@ _READING: Final[ContextVar[_Reading]] = ContextVar("reading")
 
 @contextmanager
 def how_files_are_read(
-    arguments: Mapping[str, str], model: str = "", without: Iterable[str] = ()
+    arguments: Mapping[str, str], model: str = "", without: Iterable[str] = (), massless: bool = False
 ) -> Iterator[None]:
-    """A context in which ``arguments`` are those of every xacro file, ``model`` is the one of every SDF file
-    that is read, by whatever reads it, and what is named ``without`` in
-    :data:`~robodyn.formats.tree.PHYSICS` is left out."""
-    token = _READING.set(_Reading(arguments, model, frozenset(without)))
+    """A context for what reads files: ``arguments`` are those of every xacro file, ``model`` is the one of
+    every SDF file, what is named ``without`` in :data:`~robodyn.formats.tree.PHYSICS` is left out, and with
+    ``massless`` masses that nobody knows are 0."""
+    token = _READING.set(_Reading(arguments, model, frozenset(without), massless))
     try:
         yield
     finally:
         _READING.reset(token)
+
+
+def taken_as_massless(robot: Robot, on_purpose: bool) -> Robot:
+    """``robot`` with masses of 0 where nobody knows them, if that is ``on_purpose`` here or by the command
+    line, which its account says; else as it is."""
+    joints = unknown_masses(robot)
+    if not joints or not (on_purpose or _READING.get(_Reading()).massless):
+        return robot
+    account = robot.account
+    if account is not None:
+        words = f"taken as massless on purpose: joint {', '.join(map(str, joints))}"
+        account = replace(account, decided=(*account.decided, words))
+    return replace(massless(robot), account=account)
 
 
 def is_sdf(path: str) -> bool:

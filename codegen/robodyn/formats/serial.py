@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from robodyn.errors import InputError, Place
-from robodyn.formats.chain import Body, Chain, ChainJoint, Pose
+from robodyn.formats.chain import Chain, ChainJoint, Pose
 from robodyn.formats.conversion import joint_of, title_of
 from robodyn.formats.limits import NAMES_SHOWN
 from robodyn.formats.positions import Positions
@@ -75,9 +75,9 @@ def serial_chain(
         for remark in unlike:
             left_out.setdefault(remark, []).append(joint.name)
         pose = composed(frames.pose[joint.parent], composed(joint.origin, motion(joint, 0.0)))
-        origin = frames.inertial_origin(index)
-        origins = replace(converted.origins, mass=origin, com=origin, inertia=origin)
-        joints.append(replace(converted, pose=pose, body=frames.body(index), origins=origins))
+        converted = replace(frames.with_body(converted, index), pose=pose)
+        where = topology.links[joint.child].where
+        joints.append(replace(converted, origins=replace(converted.origins, where=where)))
     remarks += [f"{remark}: {names(of, NAMES_SHOWN)}" for remark, of in left_out.items()]
     remarks += frames.massless()
     remarks += positions.remarks(frames.carrier, {joint.name for joint in moving})
@@ -132,18 +132,25 @@ class _Frames:
                 self.carrier[joint.child] = self.carrier[joint.parent]
                 self.pose[joint.child] = composed(self.pose[joint.parent], composed(step, joint.child_pose))
 
-    def body(self, index: int) -> Body:
-        """What the joint ``index`` carries before the next one, as one body in its frame."""
-        links = [self._topology.links[name] for name, i in self.carrier.items() if i == index]
-        return lumped(carried(self.pose[link.name], link.body) for link in links if link.body)
+    def with_body(self, joint: ChainJoint, index: int) -> ChainJoint:
+        """``joint``, the one of that ``index``, with what it carries before the next one as one body.
 
-    def inertial_origin(self, index: int) -> Origin:
-        """Where the numbers of that body come from: one that is partly assumed is assumed."""
+        One that is partly assumed is assumed. Links without inertia have an unknown one, but for a mere frame
+        between two joints, such as makes a universal joint of them.
+        """
         links = [self._topology.links[name] for name, i in self.carrier.items() if i == index]
         bodies = [link for link in links if link.body]
+        body = lumped(carried(self.pose[link.name], link.body) for link in bodies if link.body)
+        origin: Origin = "assumed" if any(link.assumed for link in bodies) else "stated"
+        absent: Origin = "absent"
         if not bodies:
-            return "absent"
-        return "assumed" if any(link.assumed for link in bodies) else "stated"
+            between = index < len(self._moving) and not any(link.shape for link in links)
+            origins = replace(joint.origins, mass=absent, com=absent, inertia=absent, unknown=not between)
+            return replace(joint, origins=origins)
+        origins = replace(joint.origins, mass=origin, com=origin, inertia=origin)
+        if any(link.is_point for link in bodies):
+            origins = replace(origins, inertia=absent, unknown=True)
+        return replace(joint, body=body, origins=origins)
 
     def massless(self) -> list[str]:
         """Which links that move have no inertia in the file though they are more than frames, and which
@@ -153,6 +160,9 @@ class _Frames:
         without = [link.name for link in links if link.body is None and link.shape]
         if without:
             remarks.append(f"links without inertia, and so without mass: {names(without, NAMES_SHOWN)}")
+        points = [link.name for link in links if link.is_point]
+        if points:
+            remarks.append(f"links with a mass and no inertia: {names(points, NAMES_SHOWN)}")
         loaded = {self.carrier[link.name] for link in links if link.body}
         bare = [joint.name for index, joint in enumerate(self._moving, 1) if index not in loaded]
         if bare:

@@ -59,13 +59,14 @@ class Mimic:
 class TreeLink:
     """A link. ``body``: in the link's frame, None where the file states no inertia; ``shape``: whether the
     link has geometry, and so is more than a frame; ``assumed``: whether the body comes from shapes or from a
-    default of the format."""
+    default of the format; ``is_point``: whether the file states its mass and not its inertia."""
 
     name: str
     where: Place
     body: Body | None = None
     shape: bool = False
     assumed: bool = False
+    is_point: bool = False
 
 
 @dataclass(frozen=True, slots=True)

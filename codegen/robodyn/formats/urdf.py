@@ -95,11 +95,16 @@ class _Reader(Quantities):
         of = f"link {shown(name)}"
         shape = element.first("visual") is not None or element.first("collision") is not None
         inertial = self.one(element, "inertial", of)
-        return TreeLink(name, self.place(element), self.body(inertial, of) if inertial else None, shape)
+        if inertial is None:
+            return TreeLink(name, self.place(element), None, shape)
+        is_point = self.one(inertial, "inertia", of) is None
+        return TreeLink(name, self.place(element), self.body(inertial, of), shape, is_point=is_point)
 
     def body(self, inertial: Element, of: str) -> Body:
         mass = self.number(self.must(inertial, "mass", of), "value", of, bad=negative)
-        tensor = self.must(inertial, "inertia", of)
+        tensor = self.one(inertial, "inertia", of)
+        if tensor is None:
+            return Body(mass, self.origin(inertial, of).xyz)
         xx, yy, zz = (self.number(tensor, key, of) for key in ("ixx", "iyy", "izz"))
         xy, xz, yz = (self.number(tensor, key, of, 0.0) for key in ("ixy", "ixz", "iyz"))
         return body_of(mass, self.origin(inertial, of), (xx, yy, zz, xy, xz, yz))

@@ -28,6 +28,7 @@ from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.dynamics.vectors import unmarked
 from robodyn.identify.limits import KEPT_RESULTS
 from robodyn.ir.program import Label
+from robodyn.robot.masses import require_masses
 from robodyn.robot.model import AXES, Robot
 
 Floats = NDArray[np.float64]
@@ -173,12 +174,19 @@ class Model:
         return Evaluated(arm.tau, table(passed), table(total), f, m)
 
     def rigid_torque(self, q: Floats, qd: Floats, qdd: Floats) -> Floats:
-        """The torques [K, n] of the arm without its drives."""
+        """The torques [K, n] of the arm without its drives.
+
+        Raises
+        ------
+        InputError: they would rest on masses that nobody knows.
+        """
+        require_masses(self.robot)
         rows = newton_euler(self.arm, self.motion(q, qd, qdd), unmarked)
         return np.stack([row + np.zeros(len(q)) for row in rows], axis=1)
 
     def rigid(self, q: Floats, qd: Floats, qdd: Floats) -> Rigid:
-        """The arm without its drives."""
+        """The arm without its drives; raises as :meth:`rigid_torque`."""
+        require_masses(self.robot)
         f, m = (np.zeros((self.n, 3, len(q))).transpose(2, 0, 1) for _ in range(2))
         tables = {"f": f, "n": m}
 
@@ -235,7 +243,8 @@ class Model:
         return Y
 
     def standard_parameters(self) -> Floats:
-        """The model's own standard parameters [n, 10]."""
+        """The model's own standard parameters [n, 10]; raises as :meth:`rigid_torque`."""
+        require_masses(self.robot)
         rows = []
         for body in self.arm.bodies:
             m = float(body.mass)

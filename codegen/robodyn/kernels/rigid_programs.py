@@ -24,6 +24,7 @@ from robodyn.optimize.records.adoption import adopted
 from robodyn.optimize.records.rounding import Rounding
 from robodyn.optimize.records.validation import at_rest_of, check_length, check_reading, validated
 from robodyn.passes import FAST, FRESH_SAVING, SAVING, SPELLING, Pass
+from robodyn.robot.masses import unknown_masses
 from robodyn.robot.model import Robot
 
 if TYPE_CHECKING:
@@ -42,6 +43,8 @@ class RigidPrograms:
         self.robot, self.options = robot, options
         self._pruning = pruning
         choices = options.choices() or fast_choices(robot)
+        if unknown_masses(robot):
+            choices = choices[:1]  # no torques to compare them by
         #: What a program costs by the objective asked for.
         self._cost = total if options.objective == "total" else _by(options.objective)
         self._drafts: dict[str, Program] = {}

@@ -49,6 +49,7 @@ from robodyn.optimize.reading_order import in_reading_order
 from robodyn.optimize.slide import centred, slid
 from robodyn.optimize.suited import suited_variant
 from robodyn.robot.identity import identity
+from robodyn.robot.masses import require_masses
 from robodyn.robot.model import Robot
 
 if TYPE_CHECKING:
@@ -62,8 +63,15 @@ class NoForwardDynamics(NoSuchFunction):
 
 
 def signature(robot: Robot, function: str, scalar: ScalarType = "double") -> Signature:
-    """The interface of ``function`` of ``robot``; :class:`InputError` for an unknown function."""
+    """The interface of ``function`` of ``robot``.
+
+    Raises
+    ------
+    InputError: an unknown function, or one that would rest on masses that nobody knows.
+    """
     record, n = function_named(function), robot.n
+    if not record.geometric:
+        require_masses(robot)
     columns = base_set_of(robot) if record.has_parameters else ()
     p = len(columns)
     b = inverse_kinematics_of(robot).branches if record.has_branches else 0

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any, Final
 
 from robodyn.errors import InputError
+from robodyn.robot.masses import require_masses
 from robodyn.robot.model import Robot
 from robodyn.schedule import TaskGraph, general_graph, robot_graph
 from robodyn.schedule.cutting import Cut
@@ -121,8 +122,10 @@ def robot_source(
 
     Raises
     ------
-    InputError: ``as_printed``, and the thesis prints no tasks of this robot, or none with friction.
+    InputError: ``as_printed``, and the thesis prints no tasks of this robot, or none with friction; or
+        torques would rest on masses that nobody knows.
     """
+    require_masses(robot)
     rubbing = friction_of(robot) if friction is None else friction
     if rubbing:
         if as_printed:

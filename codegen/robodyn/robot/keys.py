@@ -157,7 +157,10 @@ def _origin(of: str, default: str) -> Key:
         "description leaves out is absent, and every output says so.",
         default=default,
         choices=STATEABLE,
-        members=tuple(Key(group, "choice", words, choices=STATEABLE) for group, words in _GROUPS.items()),
+        members=tuple(
+            Key(group, "choice", words, choices=(*STATEABLE, "absent") if group == "inertial" else STATEABLE)
+            for group, words in _GROUPS.items()
+        ),
     )
 
 

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, fields, replace
-from typing import Final, Literal, Protocol
+from dataclasses import dataclass, field, replace
+from typing import Any, Final, Literal, Protocol
+
+from robodyn.errors import Place
 
 Origin = Literal["stated", "measured", "assumed", "synthetic", "absent"]
-#: What a description may say of numbers that it states.
+#: What a description may say of numbers that it states; of inertial ones also that those left out are absent.
 STATEABLE: Final[tuple[Origin, ...]] = ("stated", "measured", "assumed", "synthetic")
 #: Groups of numbers that a description gives one origin: what of :class:`Origins` each of them is.
 GROUPS: Final[Mapping[str, tuple[str, ...]]] = {
@@ -26,12 +28,13 @@ _NAMES: Final = {
     "friction": "friction",
     "limits": "limits",
 }
-_MEANINGS: Final[Mapping[Origin, str]] = {
+_MEANINGS: Final[Mapping[str, str]] = {
     "stated": "stated by the description",
     "measured": "measured on the arm",
     "assumed": "assumed",
     "synthetic": "synthetic (invented, not those of a real arm)",
     "absent": "absent, taken as 0",
+    "unknown": "absent and unknown, so that no torque rests on it",
 }
 _NO_LIMITS: Final = "absent, so without bounds"
 
@@ -47,12 +50,15 @@ class Origins:
     motor_inertia: Origin = "absent"
     friction: Origin = "absent"
     limits: Origin = "absent"
+    #: Whether mass, centre of mass and inertia that are absent are unknown, and not 0.
+    unknown: bool = False
+    #: The place of the link in its description.
+    where: Place | None = field(default=None, compare=False)
 
     def with_stated(self, names: Iterable[str]) -> Origins:
         """These, what is absent of the numbers called ``names`` stated."""
-        stated: Origin = "stated"
-        absent = [name for name in names if getattr(self, name) == "absent"]
-        return replace(self, **dict.fromkeys(absent, stated)) if absent else self
+        stated: dict[str, Any] = {name: "stated" for name in names if getattr(self, name) == "absent"}
+        return replace(self, **stated) if stated else self
 
 
 class LinkWithOrigins(Protocol):
@@ -73,6 +79,8 @@ def origins_to_state(link: LinkWithOrigins) -> dict[str, Origin]:
     words = {}
     for group, names in GROUPS.items():
         origins = [origin for name in names if (origin := getattr(link.origins, name)) != "absent"]
+        if group == "inertial" and link.origins.unknown:
+            origins = ["absent"]
         if origins and origins[0] != usual.get(group, "stated"):
             words[group] = origins[0]
     return words
@@ -80,8 +88,14 @@ def origins_to_state(link: LinkWithOrigins) -> dict[str, Origin]:
 
 def origins_to_dicts(links: Sequence[LinkWithOrigins]) -> list[dict[str, str]]:
     """The origins of each link's numbers by name, base to tip, for JSON."""
-    names = [each.name for each in fields(Origins)]
-    return [{"link": link.name, **{name: getattr(link.origins, name) for name in names}} for link in links]
+    return [{"link": link.name, **{name: getattr(link.origins, name) for name in _NAMES}} for link in links]
+
+
+def inertial_origin(links: Sequence[LinkWithOrigins]) -> str:
+    """The origin of the masses and inertias of ``links``, several where they have several, without what is
+    absent."""
+    origins = {getattr(link.origins, name): None for link in links for name in ("mass", "inertia")}
+    return ", ".join(origin for origin in origins if origin != "absent")
 
 
 def origins_in_words(links: Sequence[LinkWithOrigins]) -> list[str]:
@@ -90,7 +104,7 @@ def origins_in_words(links: Sequence[LinkWithOrigins]) -> list[str]:
     for origin, meaning in _MEANINGS.items():
         joints_of: dict[str, tuple[int, ...]] = {}
         for name in _NAMES:
-            joints = tuple(i for i, link in enumerate(links, 1) if getattr(link.origins, name) == origin)
+            joints = tuple(i for i, link in enumerate(links, 1) if _origin(link, name) == origin)
             if joints:
                 joints_of[name] = joints
         limits = joints_of.pop("limits", ()) if origin == "absent" else ()
@@ -99,6 +113,13 @@ def origins_in_words(links: Sequence[LinkWithOrigins]) -> list[str]:
         if limits:
             lines.append(f"{_listed({'limits': limits}, len(links))}: {_NO_LIMITS}")
     return lines
+
+
+def _origin(link: LinkWithOrigins, name: str) -> str:
+    """That of the numbers called ``name``, ``unknown`` where they are not 0 by being absent."""
+    origin: str = getattr(link.origins, name)
+    is_unknown = origin == "absent" and name in GROUPS["inertial"] and link.origins.unknown
+    return "unknown" if is_unknown else origin
 
 
 def _listed(joints_of: Mapping[str, tuple[int, ...]], n: int) -> str:

@@ -251,12 +251,17 @@ def _origins(section: Section, common: dict[str, Origin], confidence: Confidence
     origins = {**guess, **common, **section.origins("origin")}
     stated = {key: key in section.values for key in ("mass", "com", "inertia", *GROUPS)}
     stated["geometry"] = any(key in section.values for key in (*ROW, "pose"))
+    unknown = origins.get("inertial") == "absent"
+    if unknown:
+        del origins["inertial"]
     return Origins(
+        where=section.source.place(section.node),
+        unknown=unknown,
         **{
             name: origins.get(group, "stated") if stated[name] else "absent"
             for group, names in GROUPS.items()
             for name in names
-        }
+        },
     )
 
 

@@ -18,6 +18,7 @@ from robodyn.formats.rigid import lumped
 from robodyn.formats.springs import spring_of
 from robodyn.formats.writers.markup import legal
 from robodyn.robot.account import account_lines
+from robodyn.robot.masses import unknown_masses
 from robodyn.robot.model import AXES, EffectEntry, Inertia, Link, Robot
 from robodyn.robot.parts import Gear, JointKind, Limits, Placement
 from robodyn.robot.rotations import about_x, about_z, placement, product
@@ -39,7 +40,7 @@ class Frame:
 @dataclass(frozen=True, slots=True)
 class PartJoint:
     """A joint, about or along z of its ``frame``, and the link behind it; as in a
-    :class:`~robodyn.formats.chain.ChainJoint`."""
+    :class:`~robodyn.formats.chain.ChainJoint`. ``mass_is_known``: whether a mass of 0 is one."""
 
     name: str
     link: str
@@ -52,6 +53,7 @@ class PartJoint:
     motor_inertia: float
     gear: Gear | None
     spring: Spring | None
+    mass_is_known: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,6 +88,7 @@ def parts_of(robot: Robot) -> Parts:
             expected="a number for each",
             remedy=" ".join(f"--param {name}=VALUE" for name in robot.parameters),
         )
+    unknown = unknown_masses(robot)
     names = unique([link.name for link in robot.links], RESERVED)
     links = unique([f"{name}_link" for name in names], RESERVED.union(names))
     frames = [_frame_of(link) for link in robot.links]
@@ -106,6 +109,7 @@ def parts_of(robot: Robot) -> Parts:
             _float(link.joint.motor_inertia),
             link.joint.gear,
             springs.get(i),
+            i not in unknown,
         )
         for i, (name, behind, link, frame, body) in enumerate(
             zip(names, links, robot.links, frames, bodies, strict=True), 1
@@ -159,6 +163,8 @@ def _left_out(robot: Robot, loads: list[EffectEntry]) -> Iterable[str]:
         yield "torque constants: " + ", ".join(link.name for link in _each)
     if any(link.confidence is not None for link in robot.links):
         yield "confidence"
+    if joints := unknown_masses(robot):
+        yield f"that the mass or inertia of joint {', '.join(map(str, joints))} is unknown"
 
 
 def _frame_of(link: Link) -> Frame:

@@ -20,10 +20,11 @@ def root(parts: Parts) -> tuple[Tag, list[str]]:
     elements = []
     if parts.base is not None:
         elements += [tag("link", name="world"), _fixed("base_joint", "world", "base", parts.base)]
-    elements.append(_link("base", Body(), pictures[0]))
+    elements.append(_link("base", None, pictures[0]))
     parent = "base"
     for joint, picture in zip(parts.joints, pictures[1:], strict=True):
-        elements += [_joint(joint, parent), _link(joint.link, joint.body, picture)]
+        body = joint.body if joint.mass_is_known or joint.body != Body() else None
+        elements += [_joint(joint, parent), _link(joint.link, body, picture)]
         parent = joint.link
     if parts.tool is not None:
         elements += [_fixed("tool_joint", parent, "tool", parts.tool), tag("link", name="tool")]
@@ -48,9 +49,9 @@ def _missing(parts: Parts) -> list[str]:
     return missing
 
 
-def _link(name: str, body: Body, picture: tuple[Cylinder, ...]) -> Tag:
+def _link(name: str, body: Body | None, picture: tuple[Cylinder, ...]) -> Tag:
     inertial = None
-    if body != Body():
+    if body is not None:
         keys = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
         entries = {key: decimal(entry) for key, entry in zip(keys, body.inertia, strict=True)}
         inertial = tag(
