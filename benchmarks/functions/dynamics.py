@@ -23,8 +23,15 @@ from robodyn.bench.peers.textbook import (
     up,
     vector,
 )
+from robodyn.bench.peers.textbook import joint_reactions as reactions
 
 # --- dynamics ---------------------------------------------------------------------------------------------
+
+
+def joint_reactions(at: State) -> Values:
+    """Forces and moments of the recursion, joint by joint."""
+    joints = reactions(at.arm, at.q, at.qd, at.third, at.tool.sin, at.tool.cos)
+    return [x for force, moment in joints for x in (*force, *moment)]
 
 
 def mass_matrix_by_torques(at: State) -> Values:

@@ -20,6 +20,7 @@ NATURAL: dict[str, tuple[Writing, ...]] = {
     "bias": (dynamics.bias,),
     "mass_matrix": (lambda at: flat(dynamics.mass_matrix(at)), dynamics.mass_matrix_by_torques),
     "forward_dynamics": (dynamics.forward_dynamics, dynamics.forward_dynamics_by_solver),
+    "joint_reactions": (dynamics.joint_reactions,),
     "coriolis_matrix": (dynamics.coriolis_matrix,),
     "inverse_dynamics_derivatives": (dynamics.inverse_dynamics_derivatives,),
     "forward_dynamics_derivatives": (

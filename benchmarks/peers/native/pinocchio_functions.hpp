@@ -85,6 +85,11 @@ template <typename S, template <typename, int> class Joints = pinocchio::JointCo
 
 namespace functions {
 FUNCTION_OF(inverse_dynamics, n, { arm.rows(pinocchio::rnea(model, data, q, v, a), out); })
+FUNCTION_OF(joint_reactions, 6 * n, {
+    pinocchio::rnea(model, data, q, v, a);
+    for (int i = 1; i <= arm.last(); i++)
+        out = arm.rows(data.f[i].angular(), arm.rows(data.f[i].linear(), out));
+})
 FUNCTION_OF(gravity, n, { arm.rows(pinocchio::computeGeneralizedGravity(model, data, q), out); })
 FUNCTION_OF(bias, n, { arm.rows(pinocchio::nonLinearEffects(model, data, q, v), out); })
 FUNCTION_OF(mass_matrix, n *n, {
@@ -162,6 +167,7 @@ FUNCTION_OF(regressor, 10 * n *n, { arm.rows(pinocchio::computeJointTorqueRegres
 // CALL(NAME) for every one of them.
 #define EVERY_FUNCTION(CALL)                                                                                           \
     CALL(inverse_dynamics)                                                                                             \
+    CALL(joint_reactions)                                                                                              \
     CALL(gravity)                                                                                                      \
     CALL(bias)                                                                                                         \
     CALL(mass_matrix)                                                                                                  \

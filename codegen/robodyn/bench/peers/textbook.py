@@ -23,6 +23,22 @@ def inverse_dynamics(
     cos: Callable[[Any], Any],
 ) -> list[Any]:
     """The torques [n] as expressions; numbers stay Python's, 0 and 1 as integers."""
+    joints = joint_reactions(arm, q, qd, qdd, sin, cos)
+    return [
+        plus((m if link.revolute else f)[2], times(plain(link.rotor), rate))
+        for link, rate, (f, m) in zip(arm.links, qdd, joints, strict=True)
+    ]
+
+
+def joint_reactions(
+    arm: Numbers,
+    q: Sequence[Any],
+    qd: Sequence[Any],
+    qdd: Sequence[Any],
+    sin: Callable[[Any], Any],
+    cos: Callable[[Any], Any],
+) -> list[tuple[Vector, Vector]]:
+    """Force and moment of the link before on each link, at and along its frame."""
     turned: list[tuple[Any, Any]] = []
     w: Vector = (0, 0, 0)
     dw: Vector = (0, 0, 0)
@@ -48,20 +64,19 @@ def inverse_dynamics(
         dv_com = add(dv, add(cross(dw, com), cross(w, cross(w, com))))
         forces.append(scaled(plain(link.mass), dv_com))
         moments.append(add(on_inertia(link, dw), cross(w, on_inertia(link, w))))
-    return _inward(arm, q, qdd, turned, forces, moments)
+    return _inward(arm, q, turned, forces, moments)
 
 
 def _inward(
     arm: Numbers,
     q: Sequence[Any],
-    qdd: Sequence[Any],
     turned: Sequence[tuple[Any, Any]],
     forces: Sequence[Vector],
     moments: Sequence[Vector],
-) -> list[Any]:
+) -> list[tuple[Vector, Vector]]:
     f: Vector = (0, 0, 0)
     m: Vector = (0, 0, 0)
-    tau: list[Any] = [None] * arm.n
+    joints: list[tuple[Vector, Vector]] = []
     for i in reversed(range(arm.n)):
         link = arm.links[i]
         own = cross(vector(link.com), forces[i])
@@ -71,8 +86,8 @@ def _inward(
             m = add(up(child, *turned[i + 1], m), cross(origin(child, q[i + 1]), f))
         f = add(f, forces[i])
         m = add(add(m, moments[i]), own)
-        tau[i] = plus((m if link.revolute else f)[2], times(plain(link.rotor), qdd[i]))
-    return tau
+        joints.append((f, m))
+    return joints[::-1]
 
 
 def origin(link: LinkNumbers, q: Any) -> Vector:
