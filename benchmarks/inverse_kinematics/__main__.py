@@ -30,12 +30,12 @@ PAGE = ROOT / "docs" / "inverse-kinematics-benchmark.md"
 _KINEMATICS, _ARMS = "examples/kinematics/{}.yaml", "examples/arms/{}.yaml"
 #: The bundled arms, those of which the kinematics alone is public, and others.
 ARMS = (
-    *("puma560", "stanford", "rx90", "tx40", "ur5", "ur10", "panda", "iiwa"),
+    *("puma560", "stanford", "rx90", "tx40", "ur5", "ur10", "panda", "iiwa", "iiwa7"),
     *map(
         _KINEMATICS.format, ("irb120", "kr6_r900", "lrmate200id", "gp8", "vs060", "rv4fr", "rs007n", "rx160")
     ),
     *map(_KINEMATICS.format, ("ur16e", "z1", "fr3", "xmatepro7")),
-    *map(_ARMS.format, ("ur5e", "kr16", "vx300s", "iiwa7", "jaco2", "xarm7")),
+    *map(_ARMS.format, ("ur5e", "kr16", "vx300s", "jaco2", "xarm7")),
 )
 
 

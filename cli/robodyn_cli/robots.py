@@ -18,12 +18,14 @@ if TYPE_CHECKING:
 def command(names: bool, as_json: bool) -> None:
     """List the bundled robots.
 
-    Each line shows the joints from base to tip, R for revolute and P for prismatic. --json prints a list of
-    objects {"name", "joints", "title"}; with --names, a list of names.
+    Each line shows the joints from base to tip, R for revolute and P for prismatic, and where masses and
+    inertias come from; arms whose numbers are invented come last. --json prints a list of objects {"name",
+    "joints", "origin", "title"}; with --names, a list of names.
     """
     import textwrap
 
     import robodyn.robot
+    from robodyn.robot.origins import inertial_origin
 
     bundled = robodyn.robot.bundled_names()
     if names:
@@ -34,14 +36,15 @@ def command(names: bool, as_json: bool) -> None:
                 click.echo(name)
         return
     robots = [robodyn.robot.load(name, warn=lambda _: None) for name in bundled]
-    rows = [(robot.name, _letters(robot), robot.title) for robot in robots]
+    rows = [(robot.name, _letters(robot), inertial_origin(robot.links), robot.title) for robot in robots]
+    rows.sort(key=lambda row: row[2] == "synthetic")
     if as_json:
-        echo_json([dict(zip(("name", "joints", "title"), row, strict=True)) for row in rows])
+        echo_json([dict(zip(("name", "joints", "origin", "title"), row, strict=True)) for row in rows])
         return
-    name_width, joints_width = (max((len(row[column]) for row in rows), default=0) for column in (0, 1))
-    for name, joints, title in rows:
-        indent = " " * (name_width + joints_width + 4)
-        head = f"{name:{name_width}}  {joints:{joints_width}}  "
+    widths = [max((len(row[column]) for row in rows), default=0) for column in range(3)]
+    for *columns, title in rows:
+        head = "".join(f"{text:{width}}  " for text, width in zip(columns, widths, strict=True))
+        indent = " " * len(head)
         lines = textwrap.wrap(title, max(20, WIDTH - len(indent)))
         click.echo((head + f"\n{indent}".join(lines)).rstrip())
 

@@ -2,21 +2,27 @@
  * panda: Franka Emika Panda, hand locked
  * Numbers: URDF of example-robot-data (franka_description, Apache-2.0), turned into modified DH;
  *   fingers locked at the neutral pose
- * Origin of numbers: geometry, mass, centre of mass, inertia: stated by the description
+ * Origin of numbers: geometry, mass, centre of mass, inertia, limits: stated by the description
  * Origin of numbers: rotor inertia, friction: absent, taken as 0
- * Origin of numbers: limits: absent, so without bounds
  * Written by robodyn 0.1.0; do not edit, generate again.
  * Description: 4ff65a695f92e93333f180c48f97cb00 (a hash of its numbers)
  * Options: --optimize record --scalar double --trig libm
  *
  * Joints, base to tip, in modified Denavit-Hartenberg frames [rad, m]:
  *   1  revolute  alpha 0     a 0       d 0.333  theta q + -pi
+ *       limits: -2.8973 to 2.8973 rad, 2.175 rad/s, 15 rad/s^2, 87 N m
  *   2  revolute  alpha pi/2  a 0       d 0      theta q + -pi
+ *       limits: -1.7628 to 1.7628 rad, 2.175 rad/s, 7.5 rad/s^2, 87 N m
  *   3  revolute  alpha pi/2  a 0       d 0.316  theta q
+ *       limits: -2.8973 to 2.8973 rad, 2.175 rad/s, 10 rad/s^2, 87 N m
  *   4  revolute  alpha pi/2  a 0.0825  d 0      theta q + -pi
+ *       limits: -3.0718 to -0.0698 rad, 2.175 rad/s, 12.5 rad/s^2, 87 N m
  *   5  revolute  alpha pi/2  a 0.0825  d 0.384  theta q + -pi
+ *       limits: -2.8973 to 2.8973 rad, 2.61 rad/s, 15 rad/s^2, 12 N m
  *   6  revolute  alpha pi/2  a 0       d 0      theta q
+ *       limits: -0.0175 to 3.7525 rad, 2.61 rad/s, 20 rad/s^2, 12 N m
  *   7  revolute  alpha pi/2  a 0.088   d 0      theta q
+ *       limits: -2.8973 to 2.8973 rad, 2.61 rad/s, 20 rad/s^2, 12 N m
  * Gravity in the base frame: 0.0, 0.0, -9.81 m/s^2
  * Arguments, in SI units, joint 1 first:
  *   q    joint positions [rad, prismatic m]

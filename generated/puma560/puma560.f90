@@ -1,7 +1,9 @@
 ! puma560: PUMA 560, six joints
 ! Numbers: the 1990 thesis, Tables 2.1, 2.5, 2.6; inertias of links 5 and 6 divided by ten
-! Origin of numbers: geometry, inertia, rotor inertia, limits; mass, centre of mass (joints 2 to
-!     6): stated by the description
+! Origin of numbers: geometry: stated by the description
+! Origin of numbers: rotor inertia; inertia (joints 1 to 3); mass, centre of mass (joints 2, 3):
+!     measured on the arm
+! Origin of numbers: limits; mass, centre of mass, inertia (joints 4 to 6): assumed
 ! Origin of numbers: friction; mass, centre of mass (joint 1): absent, taken as 0
 ! Written by robodyn 0.1.0; do not edit, generate again.
 ! Description: b422b6e98684ac1e67f70c9b558f78f5 (a hash of its numbers)

@@ -1,7 +1,8 @@
 ! puma560_3dof: PUMA 560, first three joints
 ! Numbers: the 1990 thesis, Tables 2.1, 2.5, 2.6; first three links
-! Origin of numbers: geometry, inertia, rotor inertia; mass, centre of mass (joints 2, 3): stated
-!     by the description
+! Origin of numbers: geometry: stated by the description
+! Origin of numbers: inertia, rotor inertia; mass, centre of mass (joints 2, 3): measured on the
+!     arm
 ! Origin of numbers: friction; mass, centre of mass (joint 1): absent, taken as 0
 ! Origin of numbers: limits: absent, so without bounds
 ! Written by robodyn 0.1.0; do not edit, generate again.

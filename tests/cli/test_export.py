@@ -18,12 +18,12 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def test_a_file_is_written_and_is_a_robot(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["export", "panda", "--to", "urdf", "-o", "arm.urdf"]) == 0
+    assert main(["export", "ur10", "--to", "urdf", "-o", "arm.urdf"]) == 0
     out, err = capsys.readouterr()
     assert out == ""
-    assert err.splitlines() == ["robodyn: wrote arm.urdf: 7 joints"]
+    assert err.splitlines() == ["robodyn: wrote arm.urdf: 6 joints"]
     assert main(["flops", "arm.urdf", "--json"]) == 0
-    assert json.loads(capsys.readouterr().out)["robot"] == "panda"
+    assert json.loads(capsys.readouterr().out)["robot"] == "ur10"
 
 
 def test_without_output_the_file_goes_to_stdout(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -240,9 +240,13 @@ class TestRobots:
         assert all(robot["title"] for robot in robots)
         assert main(["robots"]) == 0
         lines = re.sub(r"\n {9,}", " ", capsys.readouterr().out).splitlines()  # long titles are broken
-        assert [line.split(maxsplit=2) for line in lines] == [
-            [robot["name"], robot["joints"], robot["title"]] for robot in robots
+        words = ("name", "joints", "origin", "title")
+        assert [line.split() for line in lines] == [
+            " ".join(map(robot.get, words)).split() for robot in robots
         ]
+        origins = [robot["origin"] for robot in robots]
+        assert origins.count("synthetic") == 4
+        assert origins[-4:] == ["synthetic"] * 4, "arms of products come first"
 
 
 class TestSchema:

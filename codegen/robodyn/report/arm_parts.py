@@ -101,7 +101,7 @@ def ellipsoid(mass: float, inertia: Inertia) -> dict[str, Any] | None:
 
 #: Origins of inertial numbers that torques should not rest on unsaid.
 _ORIGINS: Final = {
-    "assumed": "a guess",
+    "assumed": "assumed",
     "synthetic": "synthetic: invented, not those of a real arm",
     "absent": "absent, taken as 0",
 }
