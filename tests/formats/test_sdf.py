@@ -65,6 +65,10 @@ class Writer:
             text += f"<mass>{inertial.find('mass').get('value')}</mass><inertia>"
             text += "".join(f"<{key}>{value}</{key}>" for key, value in tensor.attrib.items())
             text += "</inertia></inertial>"
+        else:  # nothing in a URDF, 1 kg in SDF
+            text += (
+                "<inertial><mass>0</mass><inertia><ixx>0</ixx><iyy>0</iyy><izz>0</izz></inertia></inertial>"
+            )
         return f'<link name="{name}">{text}</link>'
 
     def joint(self, element: Any) -> str:

@@ -150,6 +150,18 @@ ARMS: Final[dict[str, tuple[str, str, str]]] = {
         ),
         "", "extension::hand::finger",
     ),
+    "links without inertia": (
+        sdf(
+            model(
+                BASE + L1 + J1 + J2
+                + '<link name="l2"><pose relative_to="l1">0.1 0.2 0.3 0.7 0.2 0.5</pose></link>'
+                '<link name="c"><pose relative_to="l1">0 0 0.2 0 0 0</pose>'
+                '<inertial><mass>2</mass></inertial></link>'
+                '<joint name="hold" type="fixed"><parent>l1</parent><child>c</child></joint>',
+            )
+        ),
+        "", "l2",
+    ),
     "relative to another model of the world": (
         world(
             '<frame name="corner"><pose>1 2 0 0 0 0.5</pose></frame>'

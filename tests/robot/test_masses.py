@@ -84,18 +84,24 @@ def test_mjcf_of_meshes_is_unknown(tmp_path: Path) -> None:
     assert (unknown_masses(robot), robot.links[0].origins.inertia) == ((), "assumed")
 
 
-@pytest.mark.parametrize(("inside", "unknown"), [("<inertial><mass>2</mass></inertial>", ()), ("", (1,))])
-def test_sdf(tmp_path: Path, inside: str, unknown: tuple[int, ...]) -> None:
+@pytest.mark.parametrize(
+    ("inside", "mass"),
+    [("<inertial><mass>2</mass></inertial>", 2), ("", 1), ("<inertial auto='true'/>", 0)],
+)
+def test_sdf(tmp_path: Path, inside: str, mass: int) -> None:
+    """What is left out is 1 by the format, as Drake 1.51 reads it; what simulators compute is unknown."""
     (tmp_path / "arm.sdf").write_text(
         f"<sdf version='1.7'><model name='m'><link name='a'/><link name='b'>{inside}</link><joint name='w' "
         "type='fixed'><parent>world</parent><child>a</child></joint><joint name='j' type='revolute'><parent>a"
         "</parent><child>b</child><axis><xyz>0 0 1</xyz></axis></joint></model></sdf>"
     )
-    robot = load(tmp_path / "arm.sdf", warn=lambda _: None)
-    assert (unknown_masses(robot), robot.links[0].origins.inertia) == (
-        unknown,
-        "absent" if unknown else "assumed",
-    )
+    warnings: list[str] = []
+    robot = load(tmp_path / "arm.sdf", warn=warnings.append)
+    (link,) = robot.links
+    assert link.mass == mass
+    assert link.origins.inertia == ("assumed" if mass else "absent")
+    assert unknown_masses(robot) == (() if mass else (1,))
+    assert any("not stated, and by the format 1 kg" in text for text in warnings)
 
 
 @pytest.mark.parametrize(

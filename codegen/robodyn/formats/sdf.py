@@ -10,7 +10,7 @@ from robodyn.formats.accounting import Account
 from robodyn.formats.chain import Body, Pose, Spring, Vector, transposed, turned
 from robodyn.formats.elements import Document, Element
 from robodyn.formats.elements_of import table_of
-from robodyn.formats.limits import GREATEST
+from robodyn.formats.limits import GREATEST, NAMES_SHOWN
 from robodyn.formats.quantities import Quantities, body_of, negative
 from robodyn.formats.rigid import composed, tidy
 from robodyn.formats.sdf_frames import INSIDE, MODEL, WORLD, Frames, Scope
@@ -24,6 +24,7 @@ from robodyn.formats.tree import (
     TreeJoint,
     TreeLink,
     checked,
+    names,
 )
 from robodyn.robot.names import shown
 
@@ -61,7 +62,8 @@ def read_tree(document: Document, model: str = "") -> Tree:
         gravity = (0.0, 0.0, -9.8) if stated is None else reader.three(stated, "the gravity")
     account = Account(table_of("SDF"), leftovers, document.place)
     account.note(_without_others(document.root, chosen), (document.root.tag,))
-    return checked(replace(reader.tree(chosen, gravity), remarks=chosen.remarks))
+    tree = reader.tree(chosen, gravity)
+    return checked(replace(tree, remarks=(*chosen.remarks, *tree.remarks)))
 
 
 def _without_others(element: Element, chosen: ChosenModel) -> Element:
@@ -129,7 +131,10 @@ class _Reader(Quantities):
                 notes.changes_torques("gravity", f"link {name}", where)
         name = self.name(chosen.model, "the model")
         tree = Tree(name, "SDF", self.document.file, links, tuple(joints), gravity, unused=notes.unused())
-        return replace(tree, physics=tuple(notes.physics))
+        defaults = [link.name for link in parts.links if link.assumed and not parts.static[link.name]]
+        words = "not stated, and by the format 1 kg or 1 kg m^2"
+        remarks = (f"{words}: {names(defaults, NAMES_SHOWN)}",) if defaults else ()
+        return replace(tree, physics=tuple(notes.physics), remarks=remarks)
 
     def model(self, model: Element, frames: Scope, parts: _Parts, static: bool = False) -> None:
         """Add what is in a model, and in the models in it, to ``parts``."""
@@ -198,21 +203,22 @@ class _Reader(Quantities):
         frames.pose(name, element)
         shape = element.first("visual") is not None or element.first("collision") is not None
         inertial = self.one(element, "inertial", of)
-        if inertial is None or inertial.attributes.get("auto", "").strip() in ("1", "true"):
-            return TreeLink(frames.name(name), self.place(element), None, shape)
-        by_default = inertial.first("mass") is None or inertial.first("inertia") is None
+        if inertial is not None and inertial.attributes.get("auto", "").strip() in ("1", "true"):
+            return TreeLink(frames.name(name), self.place(element), None, True)
+        by_default = inertial is None or inertial.first("mass") is None or inertial.first("inertia") is None
         body = self.body(inertial, frames.frames, of)
         return TreeLink(frames.name(name), self.place(element), body, shape, by_default)
 
-    def body(self, inertial: Element, frames: Frames, of: str) -> Body:
+    def body(self, inertial: Element | None, frames: Frames, of: str) -> Body:
         """The numbers that are left out are 1 on the diagonal and 0 beside it, as the format says."""
         stated = self.positive(inertial, "mass", of)
         mass = 1.0 if stated is None else stated
-        tensor = self.one(inertial, "inertia", of)
+        tensor = None if inertial is None else self.one(inertial, "inertia", of)
         diagonal = [self.value(tensor, key, of, 1.0) or 0.0 for key in ("ixx", "iyy", "izz")]
         beside = [self.value(tensor, key, of, 0.0) or 0.0 for key in ("ixy", "ixz", "iyz")]
         xx, yy, zz, xy, xz, yz = *diagonal, *beside
-        return body_of(mass, frames.stated(inertial, of), (xx, yy, zz, xy, xz, yz))
+        pose = Pose() if inertial is None else frames.stated(inertial, of)
+        return body_of(mass, pose, (xx, yy, zz, xy, xz, yz))
 
     def joint(self, element: Element, frames: Scope, old: bool) -> TreeJoint:
         name = self.name(element, "a joint")
