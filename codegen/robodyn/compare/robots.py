@@ -110,9 +110,8 @@ def compare(
     """
     ignored = set(ignore)
     if wrong := sorted(ignored.difference(GROUPS)):
-        raise InputError(
-            "nothing of this name is compared", found=shown(wrong[0]), expected=", ".join(GROUPS)
-        )
+        what = "nothing of this name is compared"
+        raise InputError(what, found=shown(wrong[0]), expected=", ".join(GROUPS))
     listed = list(_of_lists(left, right))
     arms = [_filled(robot, parameters) for robot in (left, right)]
     torques, largest, tool = None, 0.0, None
