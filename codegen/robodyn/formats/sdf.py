@@ -131,7 +131,7 @@ class _Reader(Quantities):
                 notes.changes_torques("gravity", f"link {name}", where)
         name = self.name(chosen.model, "the model")
         tree = Tree(name, "SDF", self.document.file, links, tuple(joints), gravity, unused=notes.unused())
-        defaults = [link.name for link in parts.links if link.assumed and not parts.static[link.name]]
+        defaults = [link.name for link in parts.links if link.assumed and _moves(link.name, above)]
         words = "not stated, and by the format 1 kg or 1 kg m^2"
         remarks = (f"{words}: {names(defaults, NAMES_SHOWN)}",) if defaults else ()
         return replace(tree, physics=tuple(notes.physics), remarks=remarks)
