@@ -193,3 +193,9 @@ def test_nothing_is_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> 
     monkeypatch.chdir(tmp_path)
     tree(random_mjcf(250))  # whose mass matrix is near to singular
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_joint_without_a_name_gets_one_that_no_other_has() -> None:
+    text = """<mujoco><worldbody><body><joint/><geom size="1"/><body><joint name="joint2"/><geom size="1"/>
+    </body></body></worldbody></mujoco>"""
+    assert [joint.name for joint in tree(text).joints] == ["joint3", "joint2"]

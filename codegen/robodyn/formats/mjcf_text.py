@@ -111,11 +111,13 @@ class _Writer:
         self._models: dict[str, _Writer] = {}
         self._motor_classes: list[Element] = []
         self._names = 0
+        self._taken: set[str] = set()
         self.prefixes: list[str] = [] if above else [""]
         self.weight = 0 if above else 1
 
     def write(self) -> str:
         root = self._spliced(self._first.root, self._first, self._folder, 0)
+        self._taken = {element.attributes.get("name", "") for element in root.walk()}
         Account(self._task.table, self._task.leftovers, self._place).note(root, (root.tag,))
         motors = self._task.table.row_of(("actuator",))
         for default in root.all("default"):
@@ -211,9 +213,11 @@ class _Writer:
         self._line(f"</{tag}>", place)
 
     def _new_name(self, tag: str, parent: str) -> str:
-        """A name for what has none; replicas have a number more behind it."""
-        self._names += 1
-        return f"{tag}{self._names}{'-' if parent == 'replicate' else ''}"
+        """A name for what has none, which nothing else has; replicas have a number more behind it."""
+        while True:
+            self._names += 1
+            if f"{tag}{self._names}" not in self._taken:
+                return f"{tag}{self._names}{'-' if parent == 'replicate' else ''}"
 
     def _count(self, replicate: Element) -> int:
         text = replicate.attributes.get("count", "1")

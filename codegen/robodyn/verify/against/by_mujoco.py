@@ -56,13 +56,20 @@ class MujocoFile:
             if int(self.model.jnt_type[i]) in kinds
         }
 
+    def equations(self) -> list[int]:
+        """The indices of those that are active."""
+        bits = self.mujoco.mjtDisableBit
+        if self.model.opt.disableflags & (bits.mjDSBL_EQUALITY | bits.mjDSBL_CONSTRAINT):
+            return []
+        return [i for i in range(self.model.neq) if self.model.eq_active0[i]]
+
     def followers(self) -> dict[str, Follower]:
         """Joints that equations hold: at one position, or where others put them."""
         model, names = self.model, {i: name for name, i in self.joints().items()}
         followers = {}
-        for i in range(model.neq):
+        for i in self.equations():
             joint, leader = int(model.eq_obj1id[i]), int(model.eq_obj2id[i])
-            if int(model.eq_type[i]) != int(self.mujoco.mjtEq.mjEQ_JOINT) or not model.eq_active0[i]:
+            if int(model.eq_type[i]) != int(self.mujoco.mjtEq.mjEQ_JOINT):
                 continue
             start = float(model.qpos0[model.jnt_qposadr[joint]])
             shift = float(model.qpos0[model.jnt_qposadr[leader]]) if leader >= 0 else 0.0
@@ -101,7 +108,10 @@ class MujocoArm(PeerArm):
         if model.opt.disableflags & (bits.mjDSBL_FRICTIONLOSS | bits.mjDSBL_CONSTRAINT):
             self._friction[:] = 0
         self.gears = self._gears()
-        self.not_compared = self._constraints()
+        joint = int(self._mujoco.mjtEq.mjEQ_JOINT)
+        others = sum(int(model.eq_type[i]) != joint for i in file.equations())
+        reason = {f"constraints of the file ({others})": "they have no part in inverse dynamics"}
+        self.not_compared = reason if others else {}
 
     def _gears(self) -> dict[int, float]:
         model, driven = self._model, self._mujoco.mjtTrn.mjTRN_JOINT
@@ -111,16 +121,6 @@ class MujocoArm(PeerArm):
             if int(model.actuator_trntype[i]) == int(driven) and joint in self._indices:
                 gears.setdefault(self._indices.index(joint), []).append(float(model.actuator_gear[i][0]))
         return {joint: ratios[0] for joint, ratios in gears.items() if len(ratios) == 1}
-
-    def _constraints(self) -> dict[str, str]:
-        model, joint = self._model, int(self._mujoco.mjtEq.mjEQ_JOINT)
-        others = sum(
-            int(kind) != joint and bool(active)
-            for kind, active in zip(model.eq_type, model.eq_active0, strict=True)
-        )
-        if not others:
-            return {}
-        return {f"constraints of the file ({others})": "they have no part in inverse dynamics"}
 
     def _states(self, q: Floats, qd: Floats) -> Iterator[int]:
         """Every state in turn, everything that depends on positions and velocities computed. No step factors
