@@ -14,11 +14,11 @@ MJCF: Final = """<mujoco model="arm"><compiler angle="radian"/><option gravity="
 <inertial pos="0 0.1 0.2" mass="1.5" diaginertia="0.01 0.02 0.015"/>
 <body name="slider" pos="0.3 0 0" euler="0 0.4 0"><joint name="k" type="slide" axis="1 0 0" armature="0.3"/>
 <inertial pos="0.1 0 0" mass="0.8" diaginertia="0.01 0.02 0.015"/><site name="tool" pos="0.05 0 0.1"/>
-<body name="finger" pos="0.2 0 0"><joint name="f" type="slide" axis="0 1 0" range="0.02 0.05"/>
+<body name="finger" pos="0.2 0 0"><joint name="f" type="slide" axis="0 1 0" range="0.02 0.05" ref="0.2"/>
 <inertial pos="0 0.1 0" mass="0.3" diaginertia="0.001 0.001 0.001"/></body>
-<body name="thumb" pos="0.2 0 0"><joint name="g" type="slide" axis="0 1 0"/>
+<body name="thumb" pos="0.2 0 0"><joint name="g" type="slide" axis="0 1 0" ref="0.3"/>
 <inertial pos="0 0.1 0" mass="0.4" diaginertia="0.001 0.001 0.001"/></body></body></body></body></body>
-</worldbody><equality><joint joint1="g" joint2="f" polycoef="0.01 -1 0 0 0"/></equality>
+</worldbody><equality><joint joint1="g" joint2="f" polycoef="0.01 -1 2 0 0"/></equality>
 <actuator><motor name="m" joint="j" gear="-50"/></actuator></mujoco>"""
 
 URDF: Final = """<robot name="arm"><link name="world"/><link name="base"/><link name="upper"><inertial>
@@ -62,6 +62,7 @@ PLANTED: Final = {
     ("mjcf", "rotor"): ('armature="0.3"', 'armature="0.31"', {"inverse_dynamics", "mass_matrix"}, None),
     ("mjcf", "spring"): ('springref="0.3"', 'springref="0.31"', {"inverse_dynamics"}, None),
     ("mjcf", "finger"): ('range="0.02', 'range="0.03', {"inverse_dynamics", "mass_matrix"}, None),
+    ("mjcf", "curve"): ("-1 2 0 0", "-1 2 0 1", {"inverse_dynamics", "mass_matrix"}, None),
     ("mjcf", "tool"): ('pos="0.05 0 0.1"', 'pos="0.05 0 0.101"', {"tool frame"}, None),
     ("urdf", "mass"): ('mass value="1.5"', 'mass value="1.51"', {"inverse_dynamics", "mass_matrix"}, None),
     ("urdf", "inertia"): ('ixz="0.002"', 'ixz="0.0021"', {"inverse_dynamics", "mass_matrix"}, None),

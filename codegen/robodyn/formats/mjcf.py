@@ -123,7 +123,7 @@ class _Model:
         with_motors, ranges = with_drives(self.mujoco, self.model, joints, leftovers)
         coupled, loops = with_motors, tuple[Loop, ...]()
         if not self.is_off("CONSTRAINT") and not self.is_off("EQUALITY"):
-            coupled, loops = with_couplings(self.mujoco, self.model, with_motors, self.text, leftovers)
+            coupled, loops = with_couplings(self.mujoco, self.model, with_motors, self.text)
         return Tree(
             document.root.attributes.get("model", ""),
             "MJCF",

@@ -92,7 +92,7 @@ def _driven(mujoco: Any, model: Any, joint: TreeJoint, index: int) -> TreeJoint:
 
 
 def with_couplings(
-    mujoco: Any, model: Any, joints: Sequence[TreeJoint], text: Handed, leftovers: Leftovers
+    mujoco: Any, model: Any, joints: Sequence[TreeJoint], text: Handed
 ) -> tuple[list[TreeJoint], tuple[Loop, ...]]:
     """The joints with what they follow, and the constraints that close loops."""
     kinds = mujoco.mjtEq
@@ -105,17 +105,14 @@ def with_couplings(
         one, other = int(model.eq_obj1id[index]), int(model.eq_obj2id[index])
         kind, name = int(model.eq_type[index]), model.equality(index).name
         where = text.place_of("equality", name, "")
-        line, file = where.line, where.file
         if kind == int(kinds.mjEQ_JOINT):
             follower = model.joint(one).name
             if other < 0:
                 held[follower] = float(model.qpos0[model.jnt_qposadr[one]]) + float(model.eq_data[index][0])
                 continue
             c0, c1, *curved = (float(x) for x in model.eq_data[index][:5])
-            if any(curved):
-                leftovers.add(f"the curved part of what the joint {follower} follows", line, file)
             start, lead = (float(model.qpos0[model.jnt_qposadr[joint]]) for joint in (one, other))
-            mimics[follower] = Mimic(model.joint(other).name, c1, c0 + start - c1 * lead)
+            mimics[follower] = Mimic(model.joint(other).name, c1, c0 + start - c1 * lead, tuple(curved), lead)
         elif kind in (int(kinds.mjEQ_CONNECT), int(kinds.mjEQ_WELD)):
             of_sites = int(model.eq_objtype[index]) == int(mujoco.mjtObj.mjOBJ_SITE)
             owners = [int(model.site(i).bodyid[0]) if of_sites else max(i, 0) for i in (one, other)]

@@ -38,7 +38,7 @@ class Positions:
     def of(self, joint: TreeJoint) -> float:
         """The position at which ``joint`` is locked."""
         seen: set[str] = set()
-        factor, offset = 1.0, 0.0
+        mimics = []
         while joint.name not in self._locks and joint.mimic is not None:
             seen.add(joint.name)
             mimic = joint.mimic
@@ -51,9 +51,12 @@ class Positions:
                     found=shown(mimic.leader),
                     expected=near(mimic.leader, (each for each in self._joints if each not in seen), "joint"),
                 )
-            factor, offset = factor * mimic.multiplier, factor * mimic.offset + offset
+            mimics.append(mimic)
             joint = leader
-        return factor * self._own(joint) + offset
+        position = self._own(joint)
+        for mimic in reversed(mimics):
+            position = mimic.position(position)
+        return position
 
     def check_in_chain(self, joint: TreeJoint, chain: set[str]) -> None:
         """Refuse a joint that cannot be one of the chain's, whose names are ``chain``."""

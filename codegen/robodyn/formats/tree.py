@@ -48,11 +48,19 @@ class JointLimits:
 
 @dataclass(frozen=True, slots=True)
 class Mimic:
-    """A joint that follows another: ``q = multiplier * q_leader + offset``."""
+    """A joint that follows another: ``q = multiplier * q_leader + offset``, and of ``q_leader - middle`` the
+    second and higher powers times ``curve``."""
 
     leader: str
     multiplier: float = 1.0
     offset: float = 0.0
+    curve: tuple[float, ...] = ()
+    middle: float = 0.0
+
+    def position(self, leader: float) -> float:
+        """Where it is [rad or m] if the leader is there."""
+        curved = sum(c * (leader - self.middle) ** power for power, c in enumerate(self.curve, 2))
+        return self.multiplier * leader + self.offset + curved
 
 
 @dataclass(frozen=True, slots=True)
