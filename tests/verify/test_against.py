@@ -115,6 +115,23 @@ def test_constraints_are_not_compared(tmp_path: Path) -> None:
     assert list(arm.not_compared) == ["constraints of the file (1)"]
 
 
+def test_meshes_that_are_not_there_are_needed_only_for_inertias(tmp_path: Path) -> None:
+    mesh = '<asset><mesh name="m" file="shell.obj"/></asset><worldbody><geom type="mesh" mesh="m"/>'
+    shape = '<geom type="mesh" mesh="m"/><site name="tool"'
+    text = MJCF.replace("<worldbody>", mesh).replace('<site name="tool"', shape)
+    path = original(tmp_path, "mjcf", text)
+    robot = imported(path)
+    assert failing(robot, path) == {}
+    assert "meshes" in read_original(path).arm(robot, {}).not_compared
+    last = '<inertial pos="0 0.1 0" mass="0.4" diaginertia="0.001 0.001 0.001"/>'
+    for less in (
+        text.replace(last, '<geom type="mesh" mesh="m"/>'),
+        text.replace("<compiler", '<compiler inertiafromgeom="true"'),
+    ):
+        with pytest.raises(InputError, match=r"MuJoCo refuses the file; .*shell\.obj"):
+            read_original(original(tmp_path, "mjcf", less))
+
+
 @pytest.mark.parametrize(("form", "library"), [("mjcf", MUJOCO), ("urdf", PINOCCHIO)])
 def test_a_library_that_is_missing_is_named(
     form: str, library: Library, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -19,29 +19,43 @@ from robodyn.verify.reference import Floats
 
 @dataclass(frozen=True, slots=True)
 class MujocoFile:
-    """A compiled model of the file at ``path``."""
+    """A compiled model of the file at ``path``; ``bare``: without its meshes."""
 
     path: Path
     mujoco: Any
     model: Any
+    bare: bool = False
 
     @classmethod
     def read(cls, path: Path) -> MujocoFile:
-        """The model in the file, meshes and all that it includes read by MuJoCo itself.
+        """The model in the file; meshes, and all that it includes, read by MuJoCo itself. Where a mesh is not
+        there, MuJoCo reads the file without shapes that are meshes.
 
         Raises
         ------
-        InputError: MuJoCo refuses it.
+        InputError: MuJoCo refuses it, or needs a mesh that is not there.
         ToolError: MuJoCo is not installed.
         """
         mujoco = MUJOCO.load(where=Place(label(path)))
         try:
-            model = mujoco.MjModel.from_xml_path(str(path))
+            return cls(path, mujoco, mujoco.MjModel.from_xml_path(str(path)))
         except (ValueError, mujoco.FatalError) as error:
-            raise InputError(
+            refused = InputError(
                 "MuJoCo refuses the file", where=Place(label(path)), found=" ".join(str(error).split())[:300]
-            ) from None
-        return cls(path, mujoco, model)
+            )
+            if "opening file" not in str(error):
+                raise refused from None
+        spec = mujoco.MjSpec.from_file(str(path))
+        for body in spec.bodies[1:]:
+            shapes = [geom for geom in body.geoms if geom.meshname]
+            if shapes and (spec.compiler.inertiafromgeom == 1 or not body.explicitinertial):
+                raise refused  # its inertia is that of meshes
+        for part in (*(geom for geom in spec.geoms if geom.meshname), *spec.meshes):
+            spec.delete(part)
+        try:
+            return cls(path, mujoco, spec.compile(), bare=True)
+        except (ValueError, mujoco.FatalError):
+            raise refused from None
 
     def arm(self, robot: Robot, locks: Mapping[str, float]) -> MujocoArm:
         """The joints of ``robot``; others are at ``locks`` [rad or m], or where :class:`Resting` says."""
@@ -112,6 +126,8 @@ class MujocoArm(PeerArm):
         others = sum(int(model.eq_type[i]) != joint for i in file.equations())
         reason = {f"constraints of the file ({others})": "they have no part in inverse dynamics"}
         self.not_compared = reason if others else {}
+        if file.bare:
+            self.not_compared["meshes"] = "some are not there; no inertia is theirs"
 
     def _gears(self) -> dict[int, float]:
         model, driven = self._model, self._mujoco.mjtTrn.mjTRN_JOINT
