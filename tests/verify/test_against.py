@@ -74,13 +74,14 @@ def test_a_joint_beside_the_arm_stands_where_it_is_locked(tmp_path: Path) -> Non
 
 def test_joints_of_other_names_are_taken_in_order_if_there_are_as_many(tmp_path: Path) -> None:
     text = MJCF.partition('<body name="finger"')[0] + "</body></body></body></body></worldbody></mujoco>"
-    path = original(tmp_path, "mjcf", text)
-    robot = imported(path)
+    robot = imported(original(tmp_path, "mjcf", text))
     renamed = replace(robot, links=tuple(replace(link, name=f"axis_{link.name}") for link in robot.links))
-    assert failing(renamed, path) == {}
+    assert failing(renamed, original(tmp_path, "mjcf", text)) == {}
+    nameless = original(tmp_path, "mjcf", text.replace(' name="j"', "").replace(' name="k"', ""))
+    assert failing(imported(nameless), nameless) == {}
     mixed = replace(robot, links=(*robot.links[:2], renamed.links[2]))
     with pytest.raises(InputError, match="the file has no joint 'axis_k', which arm has"):
-        read_original(path).arm(mixed, {})
+        read_original(original(tmp_path, "mjcf", text)).arm(mixed, {})
 
 
 def test_what_the_library_has_no_model_of_is_not_compared(tmp_path: Path) -> None:

@@ -6,7 +6,6 @@ are expanded by the package ``xacro``, and Pinocchio reads the text that comes o
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
 from xml.dom import expatbuilder
 from xml.parsers.expat import ExpatError
@@ -48,7 +47,8 @@ def read_original(path: Path) -> MujocoFile | PinocchioFile:
         expanded = expansion(path, stated_arguments()).text.encode()
     original = expanded or read_bytes(str(path), FILE_MIB * MIB, "URDF or MJCF", name)
     # Python's parser takes no blanks before <?xml and no -- in a comment, which both libraries do.
-    bare = re.sub(rb"<!--.*?-->", b"", original, flags=re.DOTALL).lstrip()
+    head, *rest = original.split(b"<!--")
+    bare = (head + b"".join(part.partition(b"-->")[2] for part in rest)).lstrip()
     try:
         root = expatbuilder.parseString(bare, namespaces=False).documentElement
     except (ExpatError, ValueError, LookupError) as error:

@@ -6,6 +6,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import PurePath
+from typing import Final
 
 import numpy as np
 
@@ -16,6 +17,9 @@ from robodyn.formats.tree import near
 from robodyn.robot.model import Robot
 from robodyn.robot.names import shown
 from robodyn.verify.reference import Floats
+
+#: Begins what a joint is called that has no name in the file.
+NAMELESS: Final = "joint without a name "
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,8 +99,9 @@ class PeerArm(ABC):
 def joints_in_file(
     robot: Robot, joints: Iterable[str], locks: Mapping[str, float], file: str
 ) -> tuple[str, ...]:
-    """The names in the file of the joints of ``robot``, whose links are called like them; of a robot with
-    other names all moving ``joints`` of the file, if there are as many.
+    """The names in the file of the joints of ``robot``, whose links are called like them. In the order of the
+    file come those without a name (:data:`NAMELESS`), and all of them where no name is the same, if there
+    are as many.
 
     Raises
     ------
@@ -112,10 +117,11 @@ def joints_in_file(
                 expected=near(name, there, "joint"),
             )
     missing = [name for name in names if name not in there]
-    if not missing:
-        return tuple(names)
-    if len(missing) == len(names) == len(there):
-        return tuple(there)
+    nameless = [name for name in there if name.startswith(NAMELESS)]
+    in_order = there if len(missing) == len(names) == len(there) else nameless
+    if not missing or len(missing) == len(in_order):
+        others = iter(in_order)
+        return tuple(name if name in there else next(others) for name in names)
     raise InputError(
         f"the file has no joint {shown(missing[0])}, which {robot.name} has",
         where=Place(file),

@@ -13,7 +13,15 @@ from robodyn.errors import InputError, Place
 from robodyn.files import label
 from robodyn.robot.model import Robot
 from robodyn.tools.libraries import MUJOCO
-from robodyn.verify.against.arm import Follower, Frames, PeerArm, Resting, joints_in_file, title_of
+from robodyn.verify.against.arm import (
+    NAMELESS,
+    Follower,
+    Frames,
+    PeerArm,
+    Resting,
+    joints_in_file,
+    title_of,
+)
 from robodyn.verify.reference import Floats
 
 
@@ -65,7 +73,7 @@ class MujocoFile:
         """Names and indices of the joints that turn or slide."""
         kinds = (int(self.mujoco.mjtJoint.mjJNT_HINGE), int(self.mujoco.mjtJoint.mjJNT_SLIDE))
         return {
-            self.model.joint(i).name or f"joint {i} without a name": i
+            self.model.joint(i).name or f"{NAMELESS}{i}": i
             for i in range(self.model.njnt)
             if int(self.model.jnt_type[i]) in kinds
         }
