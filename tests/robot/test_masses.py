@@ -82,6 +82,13 @@ def test_mjcf_of_meshes_is_unknown(tmp_path: Path) -> None:
     (tmp_path / "arm.xml").write_text(model.format("<geom size='0.1'/>"))
     robot = load(tmp_path / "arm.xml", warn=lambda _: None)
     assert (unknown_masses(robot), robot.links[0].origins.inertia) == ((), "assumed")
+    carried = "<geom size='0.1'/><body><geom type='mesh' mesh='m'{}/></body>"
+    for weight, unknown in (
+        ("", (1,)),
+        (" mass='0'", ()),
+    ):  # a body that is partly of meshes is unknown as a whole
+        (tmp_path / "arm.xml").write_text(model.format(carried.format(weight)))
+        assert unknown_masses(load(tmp_path / "arm.xml", warn=lambda _: None)) == unknown
 
 
 @pytest.mark.parametrize(

@@ -240,7 +240,8 @@ class _Model:
     def link(self, body: Any) -> TreeLink:
         where = self.place("body", body.name)
         if body.name in self.bare or not body.id:
-            return TreeLink(body.name, where, shape=body.name in self.bare)
+            is_bare = body.name in self.bare
+            return TreeLink(body.name, where, shape=is_bare, unread=is_bare)
         stated = self.spec.body(body.name)
         if not body.mass[0] and not body.inertia.any():
             return TreeLink(body.name, where, shape=bool(body.geomnum[0]))

@@ -139,7 +139,8 @@ class _Frames:
         between two joints, such as makes a universal joint of them.
         """
         links = [self._topology.links[name] for name, i in self.carrier.items() if i == index]
-        bodies = [link for link in links if link.body]
+        # What is partly left to meshes is unknown as a whole.
+        bodies = [] if any(link.unread for link in links) else [link for link in links if link.body]
         body = lumped(carried(self.pose[link.name], link.body) for link in bodies if link.body)
         origin: Origin = "assumed" if any(link.assumed for link in bodies) else "stated"
         absent: Origin = "absent"

@@ -67,7 +67,8 @@ class Mimic:
 class TreeLink:
     """A link. ``body``: in the link's frame, None where the file states no inertia; ``shape``: whether the
     link has geometry, and so is more than a frame; ``assumed``: whether the body comes from shapes or from a
-    default of the format; ``is_point``: whether the file states its mass and not its inertia."""
+    default of the format; ``is_point``: whether the file states its mass and not its inertia;
+    ``unread``: whether it leaves both to meshes, which are not opened."""
 
     name: str
     where: Place
@@ -75,6 +76,7 @@ class TreeLink:
     shape: bool = False
     assumed: bool = False
     is_point: bool = False
+    unread: bool = False
 
 
 @dataclass(frozen=True, slots=True)
