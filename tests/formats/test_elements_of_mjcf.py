@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from itertools import product
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -214,3 +216,40 @@ def test_what_is_not_modelled_is_refused_by_its_name(
     assert load(file, without=[entry.physics], warn=remarks.append).n == 3
     words = f"left out, although it changes torques: {entry.physics}: {PHYSICS[entry.physics]}"
     assert any(words in remark for remark in remarks)
+
+
+#: Words of which attributes take some.
+WORDS = (
+    "enable", "disable", "true", "false", "3", "0.1 0.2", "0.1 0.2 0.3", "1 0.2 0.3 0.4", "-1 1", "RK4",
+    "dense", "elliptic", "Newton", "ellipsoid", "0.9 0.95 0.001 0.5 2", "merge", "never", "1 2 3 4 5",
+)  # fmt: skip
+PLACES = (
+    ("flag",), ("option",), ("compiler",), ("body", "joint"), ("body", "geom"), ("body",),
+    ("actuator", "motor"), ("actuator", "position"), ("actuator", "pid"),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("path", PLACES, ids=path_shown)
+def test_what_is_said_to_be_of_no_effect_has_none_in_mujoco(
+    path: tuple[str, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    require_module("mujoco")
+    monkeypatch.chdir(tmp_path)  # MuJoCo leaves a log
+    file = tmp_path / "arm.xml"
+    states = np.random.default_rng(4).uniform(-1.5, 1.5, (3, 3, 3))
+
+    def torques(attributes: Attributes) -> Any:
+        file.write_text(arm(path, {**(MOTOR["gear"] if path[0] == "actuator" else {}), **attributes}))
+        return torques_of_file(file, states)
+
+    plain, row = torques({}), table_of("MJCF").rows[path]
+    without_effect = [name for name, entry in row.items() if entry.kind in ("none", "silent")]
+    taken = set()
+    for name, word in product(without_effect, WORDS):
+        try:
+            with_it = torques({name: word})
+        except ValueError:  # MuJoCo takes no such word there
+            continue
+        assert np.abs(with_it - plain).max() <= 1e-12 * np.abs(plain).max(), (name, word)
+        taken.add(name)
+    assert 3 * len(taken) >= len(without_effect), taken
