@@ -172,6 +172,18 @@ def test_a_joint_that_is_held_is_fixed_there(tmp_path: Path) -> None:
     check(robot, held)
 
 
+@pytest.mark.parametrize("flag", ["equality", "constraint"])
+def test_an_equation_that_is_switched_off_holds_nothing(flag: str, tmp_path: Path) -> None:
+    require_module("mujoco")
+    parts = {
+        "option": f'<option><flag {flag}="disable"/></option>',
+        "tail": '<equality><joint joint1="j2" polycoef="0.25 0 0 0 0"/></equality>',
+    }
+    remarks: list[str] = []
+    assert load(written(tmp_path, parts), warn=remarks.append).n == 3
+    assert any("what ties joints and bodies is switched off (flag)" in remark for remark in remarks)
+
+
 def test_a_motor_that_turns_the_other_way(tmp_path: Path) -> None:
     require_module("mujoco")
     remarks: list[str] = []

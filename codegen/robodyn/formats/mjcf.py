@@ -122,7 +122,9 @@ class _Model:
         joints, remarks = self.as_switched(joints)
         with_motors, ranges = with_drives(self.mujoco, self.model, joints, leftovers)
         coupled, loops = with_motors, tuple[Loop, ...]()
-        if not self.is_off("CONSTRAINT") and not self.is_off("EQUALITY"):
+        if self.is_off("CONSTRAINT") or self.is_off("EQUALITY"):
+            remarks += ["what ties joints and bodies is switched off (flag)"] if self.model.neq else []
+        else:
             coupled, loops = with_couplings(self.mujoco, self.model, with_motors, self.text)
         return Tree(
             document.root.attributes.get("model", ""),
