@@ -48,7 +48,8 @@ SHOWN: dict[str, dict[str, Attributes]] = {
         "springref": {"stiffness": "5", "springref": "20"}, "springdamper": {"springdamper": "0.2 0.5"},
     },
     "geom": {
-        **TURN, "size": {"size": "0.1 0.1 0.4"}, "mass": {"mass": "5"}, "group": {"group": "3"},
+        **TURN, "type": {"type": "ellipsoid"},
+        "size": {"size": "0.1 0.1 0.4"}, "mass": {"mass": "5"}, "group": {"group": "3"},
         "fromto": {"type": "capsule", "size": "0.1", "pos": "", "fromto": "0 0 0 0.3 0.2 0.1"},
         "density": {"mass": "", "density": "300"}, "shellinertia": {"shellinertia": "true"},
     },
@@ -61,6 +62,7 @@ SHOWN: dict[str, dict[str, Attributes]] = {
         "count": {"count": "3"}, "offset": {"offset": "0 0.2 0.1"}, "euler": {"euler": "0 0 30"},
     },
     "compiler": {
+        "angle": {"angle": "radian"}, "eulerseq": {"eulerseq": "zyx"},
         "balanceinertia": {"balanceinertia": "true"}, "boundinertia": {"boundinertia": "0.5"},
         "boundmass": {"boundmass": "4"}, "inertiafromgeom": {"inertiafromgeom": "true"},
         "inertiagrouprange": {"inertiagrouprange": "0 3"}, "settotalmass": {"settotalmass": "10"},

@@ -69,10 +69,11 @@ class Table:
                 for head in heads:
                     row = self.rows.setdefault(head, {})
                     row.update(dict.fromkeys(line.split(), _entry(kind, source)))
+        self._longest = max(map(len, self.rows))
 
     def path_of(self, tags: Tags) -> Tags | None:
         """The longest path in the table that ``tags`` ends in."""
-        ends = (tags[start:] for start in range(len(tags)))
+        ends = (tags[start:] for start in range(max(len(tags) - self._longest, 0), len(tags)))
         return next((end for end in ends if end in self.rows), None)
 
     def row_of(self, tags: Tags) -> dict[str, Entry]:
