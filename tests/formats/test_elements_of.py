@@ -11,8 +11,10 @@ from pathlib import Path
 
 import pytest
 
+from robodyn.formats.accounting import Account
+from robodyn.formats.elements import parse
 from robodyn.formats.elements_of import FORMATS, Table, table_of
-from robodyn.formats.tree import PHYSICS
+from robodyn.formats.tree import PHYSICS, Leftovers
 from robodyn_testing import require_module
 
 NAMES = Path(__file__).parent / "names"
@@ -112,3 +114,40 @@ def test_every_name_of_what_is_refused_is_of_some_format() -> None:
         entry.physics for title in FORMATS for row in table_of(title).rows.values() for entry in row.values()
     }
     assert {*PHYSICS} == listed - {""}
+
+
+@pytest.mark.parametrize(
+    ("title", "text", "unknown"),
+    [
+        (
+            "URDF",
+            '<robot name="a"><link name="l"><inertial mass="3"><weight/></inertial><visual><shape/></visual>'
+            '</link><joint><dynamics viscosity="1"/></joint><gazebo><spring>1</spring></gazebo><drake:thing/>'
+            "</robot>",
+            [
+                "'mass' of <inertial>", "<weight> in <inertial>", "<shape> in <visual>",
+                "'viscosity' of <dynamics>", "<spring> in <gazebo>", "<drake:thing> in <robot>",
+            ],
+        ),
+        (
+            "SDF",
+            '<sdf version="1.9"><model name="m"><link name="l"><inertial><weight/></inertial>'
+            '<sensor><camera><lens><dust/></lens></camera></sensor></link><joint><axis><dynamics><drag/></dynamics>'
+            '</axis></joint><plugin name="p"><anything/></plugin></model></sdf>',
+            ["<weight> in <inertial>", "<dust> in <lens>", "<drag> in <dynamics>"],
+        ),
+        (
+            "MJCF",
+            '<mujoco><option thrust="1"/><worldbody><body name="b"><inertial weight="1"/><joint drag="1"/>'
+            '</body></worldbody><sensor><gyro colour="red"/></sensor></mujoco>',
+            ["'thrust' of <option>", "'weight' of <inertial>", "'drag' of <joint>", "'colour' of <gyro>"],
+        ),
+    ],
+)  # fmt: skip
+def test_what_the_table_does_not_have_is_told_as_unknown(title: str, text: str, unknown: list[str]) -> None:
+    """In what has no effect, too; what a plugin holds is its."""
+    document = parse(text.encode(), "arm.xml")
+    leftovers = Leftovers("arm.xml")
+    Account(table_of(title), leftovers, document.place).note(document.root, (document.root.tag,))
+    said = [part.what for part in leftovers.unused() if part.what.startswith("unknown")]
+    assert sorted(said) == sorted(f"unknown to {title}: {what}" for what in unknown)
