@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from robodyn import InputError, load
+from robodyn import load
 from robodyn.formats.elements_of import Entry, table_of
-from robodyn.formats.tree import PHYSICS
 from robodyn.verify.reference import Reference
 from robodyn_testing import require_module
 from robodyn_testing.mujoco_chains import torques_of_file
+from robodyn_testing.refused import check_is_refused
 
 Attributes = dict[str, str]
 ARM = """<mujoco model="arm">{compiler}{option}{default}<worldbody>
@@ -211,13 +211,7 @@ def test_what_is_not_modelled_is_refused_by_its_name(
     require_module("mujoco")
     file = tmp_path / "arm.xml"
     file.write_text(beyond(path, name))
-    with pytest.raises(InputError, match=f"not modelled: {entry.physics}: ") as raised:
-        load(file)
-    assert (raised.value.exit_code, raised.value.remedy) == (2, f"leave it out: --without {entry.physics}")
-    remarks: list[str] = []
-    assert load(file, without=[entry.physics], warn=remarks.append).n == 3
-    words = f"left out, although it changes torques: {entry.physics}: {PHYSICS[entry.physics]}"
-    assert any(words in remark for remark in remarks)
+    check_is_refused(file, entry.physics)
 
 
 #: Words of which attributes take some.

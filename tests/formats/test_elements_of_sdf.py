@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from robodyn import InputError, load
+from robodyn import load
 from robodyn.formats.elements_of import Entry, table_of
-from robodyn.formats.tree import PHYSICS
 from robodyn.verify.reference import Reference
+from robodyn_testing.refused import check_is_refused
 from robodyn_testing.sdf_arms import ARM, STATE, model
 from robodyn_testing.sdf_rows import FIGURES, FRICTION, ROWS, file_of
 
@@ -61,13 +61,7 @@ def test_what_is_not_modelled_is_refused_by_its_name(
         around = '<link name="l2">' if path[-1] == "velocity_decay" else "<inertial>"
         text = text.replace(around, f"{around}<{path[-1]}>{words}</{path[-1]}>")
     (file := tmp_path / "arm.sdf").write_text(text)
-    with pytest.raises(InputError, match=f"not modelled: {entry.physics}: ") as raised:
-        load(file)
-    assert (raised.value.exit_code, raised.value.remedy) == (2, f"leave it out: --without {entry.physics}")
-    remarks: list[str] = []
-    load(file, without=[entry.physics], warn=remarks.append)
-    said = f"left out, although it changes torques: {entry.physics}: {PHYSICS[entry.physics]}"
-    assert any(said in remark for remark in remarks)
+    check_is_refused(file, entry.physics)
 
 
 def test_a_link_that_does_not_move_may_be_without_weight(tmp_path: Path) -> None:

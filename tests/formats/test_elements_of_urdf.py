@@ -10,9 +10,9 @@ import pytest
 
 from robodyn import InputError, load
 from robodyn.formats.elements_of import Entry, table_of
-from robodyn.formats.tree import PHYSICS
 from robodyn.verify.reference import Reference
 from robodyn_testing import require_module
+from robodyn_testing.refused import check_is_refused
 
 _PLACE = '<origin xyz="0.1 0.2 0.3" rpy="0.3 0.2 0.1"/>'
 _INERTIA = '<inertia ixx="0.03" iyy="0.05" izz="0.04" ixy="0.004" ixz="-0.003" iyz="0.002"/>'
@@ -121,10 +121,4 @@ def test_what_is_not_modelled_is_refused_by_its_name(
     for tag in reversed(around):
         words = f"<{tag}>{words}</{tag}>"
     (file := tmp_path / "arm.urdf").write_text(ARM.replace("</robot>", f"{words}</robot>"))
-    with pytest.raises(InputError, match=f"not modelled: {entry.physics}: ") as raised:
-        load(file)
-    assert (raised.value.exit_code, raised.value.remedy) == (2, f"leave it out: --without {entry.physics}")
-    remarks: list[str] = []
-    load(file, without=[entry.physics], warn=remarks.append)
-    said = f"left out, although it changes torques: {entry.physics}: {PHYSICS[entry.physics]}"
-    assert any(said in remark for remark in remarks)
+    check_is_refused(file, entry.physics)
