@@ -9,11 +9,11 @@ or a comment in its section says what it is::
     <!-- 350 = after("LINES =", "tests/test_layout.py") -->
     <!-- 200 = robodyn.compare.limits.STATES -->          results("NAME"): those of a benchmark
 
-A digit alone counts together with the word after it or the noun before it ("3 files", "joint 3"). A
-**name** is no figure: a number that ends one ("Table 4.6", "Slotine 2018") where the code has the same
-words. A decision is a record of its day: ``<!-- closed DIGEST -->`` says that it is as it was then. What a
-benchmark writes between ``<!-- MARK -->`` and ``<!-- end -->``, and a page ``<!-- written by COMMAND -->``,
-are compared with what writes them, as a whole.
+Numbers in words are language and not looked at. A digit alone counts together with the word after it or the
+noun before it ("3 files", "joint 3"). A **name** is no figure: a number that ends one ("Table 4.6",
+"Slotine 2018") where the code has the same words. A decision is a record of its day: ``<!-- closed DIGEST
+-->`` says that it is as it was then. What a benchmark writes between ``<!-- MARK -->`` and ``<!-- end
+-->``, and a page ``<!-- written by COMMAND -->``, are compared with what writes them, as a whole.
 """
 
 from __future__ import annotations
