@@ -25,7 +25,6 @@ import math
 import pkgutil
 import re
 import shlex
-import subprocess
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from decimal import Decimal
@@ -124,7 +123,7 @@ class Page:
         for k, name in enumerate(named):
             expression = expression.replace(name, f"_{k}")
             names[f"_{k}"] = pkgutil.resolve_name(name)
-        value = eval(expression, names)
+        value = eval(expression, names)  # of our own documents, not of somebody's file
         return value if isinstance(value, str) else repr(value)
 
     def _after(self, words: str, path: str = "") -> str:
@@ -259,11 +258,13 @@ def _printed(command: str) -> str:
 @functools.cache
 def _names() -> frozenset[tuple[str, str]]:
     """Words and the numbers after them in the code: Table 4.6, joint 3, Python 3.11."""
-    listed = subprocess.run(
-        ["git", "ls-files", "codegen", "cli", "robots", "templates", "benchmarks/*.py", "pyproject.toml"],
-        cwd=ROOT, capture_output=True, text=True, check=True,
-    )  # fmt: skip
-    texts = [(ROOT / path).read_text(encoding="utf-8", errors="replace") for path in listed.stdout.split()]
+    files = (
+        path
+        for top in ("codegen", "cli", "robots", "templates", "benchmarks")
+        for path in (ROOT / top).rglob("*")
+    )
+    texts = [path.read_text(encoding="utf-8") for path in files if path.suffix in (".py", ".yaml", ".j2")]
+    texts.append((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
     decisions = (f"decision {path.name}" for path in (ROOT / "docs" / "decisions").iterdir())
     return frozenset(
         (word.lower().rstrip("s"), number)
