@@ -11,9 +11,10 @@ or a comment in its section says what it is::
 
 Numbers in words are language and not looked at. A digit alone counts together with the word after it or the
 noun before it ("3 files", "joint 3"). A **name** is no figure: a number that ends one ("Table 4.6",
-"Slotine 2018") where the code has the same words. A decision is a record of its day: ``<!-- closed DIGEST
--->`` says that it is as it was then. What a benchmark writes between ``<!-- MARK -->`` and ``<!-- end
--->``, and a page ``<!-- written by COMMAND -->``, are compared with what writes them, as a whole.
+"Slotine 2018") where the code has the same words; "Python 3.11 or newer" is a requirement, and so a figure.
+A decision is a record of its day: ``<!-- closed DIGEST -->`` says that it is as it was then. What a
+benchmark writes between ``<!-- MARK -->`` and ``<!-- end -->``, and a page ``<!-- written by COMMAND -->``,
+are compared with what writes them, as a whole.
 """
 
 from __future__ import annotations
@@ -165,7 +166,10 @@ def _figures(text: str) -> Iterator[Figure]:
     for pattern in _OTHER:
         text = pattern.sub(_blank, text)
     for figure in _in_context(text):
-        if not (_NAMED.fullmatch(figure.before) and (_noun(figure.before), figure.text) in _names()):
+        named = _NAMED.fullmatch(figure.before) and (_noun(figure.before), figure.text) in _names()
+        if not named or text.startswith(
+            " or newer", figure.start + len(figure.text)
+        ):  # a requirement is no name
             yield figure
 
 
