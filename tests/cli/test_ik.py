@@ -93,7 +93,7 @@ def test_by_least_squares_less_is_missing_than_of_any_branch(capsys: pytest.Capt
 
 
 def test_a_redundant_arm_reaches_a_pose_with_its_joint_elsewhere(capsys: pytest.CaptureFixture[str]) -> None:
-    of, near = "0.55,-0.57,-0.63,-0.4,-1.58,2.34,-2.41", "0,0,0,0,0,0,2.5"
+    of, near = "-1.52,0.16,-0.75,-0.21,0.73,0.23,-2.82", "0,0,0,-0.5,0,1,-1.5"
     out, _ = ik(capsys, "panda", "--of", of, "--near", near)
     assert out.endswith(
         "reached by no branch with joint 7 as --near has it, by least squares with it elsewhere\n"
