@@ -151,6 +151,7 @@ def test_a_library_that_is_missing_is_named(
         ("<robot", "the file is not XML"),
         ("<robot name='a'/>", "Pinocchio refuses the file"),
         ("<mujoco><worldbody><body><geom/></body></worldbody></mujoco>", "MuJoCo refuses the file"),
+        ("<mujoco><include file='none.xml'/></mujoco>", "MuJoCo refuses the file"),
     ],
 )
 def test_what_is_not_read_is_refused_with_the_place(text: str, words: str, tmp_path: Path) -> None:

@@ -53,14 +53,14 @@ class MujocoFile:
             )
             if "opening file" not in str(error):
                 raise refused from None
-        spec = mujoco.MjSpec.from_file(str(path))
-        for body in spec.bodies[1:]:
-            shapes = [geom for geom in body.geoms if geom.meshname]
-            if shapes and (spec.compiler.inertiafromgeom == 1 or not body.explicitinertial):
-                raise refused  # its inertia is that of meshes
-        for part in (*(geom for geom in spec.geoms if geom.meshname), *spec.meshes):
-            spec.delete(part)
         try:
+            spec = mujoco.MjSpec.from_file(str(path))
+            for body in spec.bodies[1:]:
+                of_meshes = any(geom.meshname for geom in body.geoms)
+                if of_meshes and (spec.compiler.inertiafromgeom == 1 or not body.explicitinertial):
+                    raise refused
+            for part in (*(geom for geom in spec.geoms if geom.meshname), *spec.meshes):
+                spec.delete(part)
             return cls(path, mujoco, spec.compile(), bare=True)
         except (ValueError, mujoco.FatalError):
             raise refused from None
