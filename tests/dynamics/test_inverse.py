@@ -69,8 +69,10 @@ def _robot(name: str) -> Robot:
 
 
 def _drawn(robot: Robot, rng: random.Random) -> list[float]:
+    """Positions within the limits: the nearest solution is one that is within them."""
+    ends = {"revolute": (-3, 3), "prismatic": (0.1, 1)}
     return [
-        rng.uniform(-3, 3) if link.joint.kind == "revolute" else rng.uniform(0.1, 1) for link in robot.links
+        rng.uniform(*map(float, link.joint.limits.position or ends[link.joint.kind])) for link in robot.links
     ]
 
 
