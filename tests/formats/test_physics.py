@@ -338,29 +338,3 @@ def test_names_in_messages_are_one_line(tmp_path: Path) -> None:
     with pytest.raises(InputError) as raised:
         load(path)
     assert "\n" not in str(raised.value)
-
-
-@pytest.mark.parametrize(
-    ("ending", "text", "stated", "friction", "rotor"),
-    [
-        ("urdf", URDF, "", "absent", "absent"),
-        ("urdf", URDF, '<dynamics damping="0"/>', "stated", "absent"),
-        ("urdf", URDF, '<dynamics friction="0" armature="0"/>', "stated", "stated"),
-        ("sdf", SDF.format(link="", inertial="", model=""), "", "absent", "absent"),
-        (
-            "sdf",
-            SDF.format(link="", inertial="", model=""),
-            "<dynamics><damping>0</damping></dynamics>",
-            "stated",
-            "absent",
-        ),
-    ],
-)
-def test_a_stated_0_is_not_what_nobody_states(
-    ending: str, text: str, stated: str, friction: str, rotor: str, tmp_path: Path
-) -> None:
-    before = "</axis></joint>" if ending == "sdf" else "</joint>"
-    path = tmp_path / f"arm.{ending}"
-    path.write_text(text.replace(before, stated + before).replace("{}", ""))
-    (link,) = load(path, warn=lambda _: None).links
-    assert (link.origins.friction, link.origins.motor_inertia) == (friction, rotor)

@@ -17,5 +17,5 @@ def check_is_refused(file: Path, name: str) -> None:
     assert (raised.value.exit_code, raised.value.remedy) == (2, f"leave it out: --without {name}")
     remarks: list[str] = []
     load(file, without=[name], warn=remarks.append)
-    said = f"left out, although it changes torques: {name}: {PHYSICS[name]}"
-    assert any(said in remark for remark in remarks)
+    words = f"left out, although it changes torques: {name}: {PHYSICS[name]}"
+    assert any(words in remark for remark in remarks)
