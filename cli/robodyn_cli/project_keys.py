@@ -16,10 +16,12 @@ from robodyn_cli.gen import command as gen
 from robodyn_cli.package import command as package
 
 #: Options that say what a run does, and not what is written; those of a search, which may come to another
-#: program on another machine; the output, which each entry of a project has, and what its table says.
+#: program on another machine; the output, which each entry of a project has, and what its table says; what
+#: opens folders, which whoever proposes a project file may not.
 _OF_A_RUN: Final = frozenset(
     [
         "output",
+        "arg",
         "compile_",
         "check",
         "as_json",

@@ -18,6 +18,8 @@ ARM = robot(
     joint("two", "a", "b", "revolute", '<axis xyz="0 1 0"/>'), name="two-joint arm",
 )  # fmt: skip
 
+GRAVITY = "gravity is assumed to be 0, 0, -9.81 m/s^2 in the root's frame: URDF has none"
+
 
 @pytest.fixture
 def arm(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
@@ -32,6 +34,7 @@ def test_a_description_is_written_and_reads_back(arm: Path, capsys: pytest.Captu
     out, err = capsys.readouterr()
     assert out == ""
     assert err.splitlines() == [
+        f"robodyn: note: arm.urdf: {GRAVITY}",
         "robodyn: note: arm.urdf: not used: visual geometry (line 3)",
         "robodyn: wrote arm.yaml: 2 joints",
     ]
@@ -39,7 +42,7 @@ def test_a_description_is_written_and_reads_back(arm: Path, capsys: pytest.Captu
     assert text.startswith("name: two_joint_arm\n")
     notes: list[str] = []
     described = loading.load("arm.yaml", note=notes.append)
-    assert notes == ["arm.yaml: not used: visual geometry (line 3)"]
+    assert notes == [f"arm.yaml: {GRAVITY}", "arm.yaml: not used: visual geometry (line 3)"]
     assert described.account == import_arm("arm.urdf").robot.account
     assert described.links[1].name == "two"
 
@@ -134,5 +137,5 @@ def test_results_of_a_file_in_another_format_are_descriptions(
     assert load("own/identified.yaml", warn=lambda _: None).n == 2
     assert main(["diagnose", "arm.urdf", "a.csv", "--validate", "b.csv", "-o", "lacks"]) in (0, 4)
     text = Path("lacks/model.yaml").read_text()
-    assert text.startswith("# from arm.urdf (URDF)\n")
+    assert 'imported:\n  file: "arm.urdf"\n  format: "URDF"\n' in text
     assert load("lacks/model.yaml", warn=lambda _: None).links[1].name == "two"

@@ -16,7 +16,6 @@ from xml.sax.saxutils import quoteattr
 
 from robodyn.errors import InputError, Place
 from robodyn.files import MIB
-from robodyn.formats.accounting import Account
 from robodyn.formats.elements import Document, Element, tag_shown
 from robodyn.formats.elements_of import Entry, Table, table_of
 from robodyn.formats.limits import DEPTH, ELEMENTS, FILE_MIB, LINKS
@@ -24,6 +23,7 @@ from robodyn.formats.mjcf_defaults import GeomClasses, is_height_field, is_mesh
 from robodyn.formats.mjcf_files import Files
 from robodyn.formats.mjcf_handed import MESH, Handed, InertiaRules, has_rotor, names_of_nan
 from robodyn.formats.tree import Leftovers
+from robodyn.formats.unread import Unread
 from robodyn.robot.names import TEXT_LENGTH, shown
 
 #: Actuators of which MuJoCo is given the passive part.
@@ -118,7 +118,7 @@ class _Writer:
     def write(self) -> str:
         root = self._spliced(self._first.root, self._first, self._folder, 0)
         self._taken = {element.attributes.get("name", "") for element in root.walk()}
-        Account(self._task.table, self._task.leftovers, self._place).note(root, (root.tag,))
+        Unread(self._task.table, self._task.leftovers, self._place).note(root, (root.tag,))
         motors = self._task.table.row_of(("actuator",))
         for default in root.all("default"):
             self._classes.read(default)

@@ -6,7 +6,6 @@ from dataclasses import dataclass, field, replace
 from typing import Final
 
 from robodyn.errors import Place
-from robodyn.formats.accounting import Account
 from robodyn.formats.chain import Body, Pose, Spring, Vector, transposed, turned
 from robodyn.formats.elements import Document, Element
 from robodyn.formats.elements_of import table_of
@@ -26,6 +25,7 @@ from robodyn.formats.tree import (
     checked,
     names,
 )
+from robodyn.formats.unread import Unread
 from robodyn.robot.names import shown
 
 _KINDS: Final[dict[str, Kind]] = {
@@ -60,8 +60,8 @@ def read_tree(document: Document, model: str = "") -> Tree:
         physics = chosen.around.first("physics")  # it holds gravity in SDF 1.4 and 1.5
         stated = reader.one(chosen.around, "gravity", "the world") or (physics and physics.first("gravity"))
         gravity = (0.0, 0.0, -9.8) if stated is None else reader.three(stated, "the gravity")
-    account = Account(table_of("SDF"), leftovers, document.place)
-    account.note(_without_others(document.root, chosen), (document.root.tag,))
+    unread = Unread(table_of("SDF"), leftovers, document.place)
+    unread.note(_without_others(document.root, chosen), (document.root.tag,))
     tree = reader.tree(chosen, gravity)
     return checked(replace(tree, remarks=(*chosen.remarks, *tree.remarks)))
 

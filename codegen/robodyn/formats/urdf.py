@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import Final, get_args
 
-from robodyn.formats.accounting import Account
 from robodyn.formats.chain import Body, Pose
 from robodyn.formats.elements import Document, Element, tag_shown
 from robodyn.formats.elements_of import table_of
 from robodyn.formats.quantities import Quantities, body_of, negative
 from robodyn.formats.transmissions import Transmissions
 from robodyn.formats.tree import JointLimits, Kind, Leftovers, Mimic, Tree, TreeJoint, TreeLink, checked
+from robodyn.formats.unread import Unread
 from robodyn.robot.names import shown
 
 _KINDS: Final = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
@@ -26,7 +26,7 @@ def read_tree(document: Document) -> Tree:
     leftovers = Leftovers(document.file)
     reader = _Reader(document, leftovers)
     root = document.root
-    Account(table_of("URDF"), leftovers, document.place).note(root, (root.tag,))
+    Unread(table_of("URDF"), leftovers, document.place).note(root, (root.tag,))
     transmissions = Transmissions(reader, leftovers)
     links, joints = [], []
     for element in root.children:

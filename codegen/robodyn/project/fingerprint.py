@@ -46,9 +46,10 @@ def _description(path: Path, settings: Mapping[str, Any]) -> str:
         from robodyn.formats.loading import text_of
         from robodyn.formats.reading import how_files_are_read
 
-        arg, without = (_listed(settings.get(key, [])) for key in ("arg", "without"))
-        arguments = {name: value for name, _, value in (str(one).partition("=") for one in arg)}
-        with how_files_are_read(arguments, str(settings.get("model", "")), without):
+        without = settings.get("without", [])
+        with how_files_are_read(
+            {}, str(settings.get("model", "")), [without] if isinstance(without, str) else without
+        ):
             return digest(text_of(path).encode())
     from importlib.metadata import PackageNotFoundError, version
 
@@ -56,7 +57,3 @@ def _description(path: Path, settings: Mapping[str, Any]) -> str:
         return f"{file_key(path)} mujoco {version('mujoco')}"
     except PackageNotFoundError:  # an arm in URDF or SDF, or one that is refused
         return file_key(path)
-
-
-def _listed(value: Any) -> list[Any]:
-    return value if isinstance(value, list) else [value]

@@ -14,7 +14,7 @@ _ANY = {True: "<*>", False: "*"}
 _NAMES = ("name", "reference", "joint", "plugin")
 
 
-class Account:
+class Unread:
     """Goes through elements and notes in ``leftovers`` what of them the reader of ``table`` does not use.
 
     ``place`` says where an element, or an attribute of it, stands.
