@@ -57,8 +57,8 @@ def taken_as_massless(robot: Robot, on_purpose: bool) -> Robot:
         return robot
     account = robot.account
     if account is not None:
-        words = f"taken as massless on purpose: joint {', '.join(map(str, joints))}"
-        account = replace(account, decided=(*account.decided, words))
+        words = "unknown masses and inertias are taken as 0 on purpose: joint "
+        account = replace(account, decided=(*account.decided, words + ", ".join(map(str, joints))))
     return replace(massless(robot), account=account)
 
 
