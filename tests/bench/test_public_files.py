@@ -42,7 +42,7 @@ def test_every_kind_of_verdict(tmp_path: Path) -> None:
         "air.xml": MJCF.replace("<option", '<option density="1.2"'),
         "thing.urdf": robot(link("cube"), link("lid"), joint("j", "cube", "lid", "fixed")),
         "stone.urdf": robot(link("stone")),  # without a joint it is not asked for
-        "strange.xml": "<mujoco><worldbody><body><geom/></body></worldbody></mujoco>",
+        "strange.xml": "<mujoco><worldbody><body><joint/><geom/></body></worldbody></mujoco>",
         "notes.xml": "<notes/>",
     }
     assert judged(tmp_path, files) == {
