@@ -17,6 +17,7 @@ from robodyn.formats.topology import Topology
 from robodyn.formats.tree import PHYSICS, Tree
 from robodyn.ir.evaluate import evaluate
 from robodyn.robot import Robot, read_text, to_yaml
+from robodyn.robot.masses import massless
 from robodyn.verify import Reference
 from robodyn.verify.against import PeerArm, comparable, compare, read_original
 from robodyn_testing import representative, require_module
@@ -52,7 +53,7 @@ def test_every_chain_is_what_pinocchio_reads(package: str, file: str) -> None:
     tree, original = read_tree(path, without=PHYSICS), read_original(path)  # Pinocchio reads none of it
     count = 0
     for tip, serial in chains(tree):
-        robot = read_text(to_yaml(description_of(serial.chain)), warn=lambda _: None)
+        robot = massless(read_text(to_yaml(description_of(serial.chain)), warn=lambda _: None))
         arm = original.arm(robot, {})
         alike, _ = comparable(robot, arm)
         assert [row for row in compare(alike, arm, states=3) if not row.passed] == []
