@@ -28,9 +28,10 @@ ARM = f"""<robot name="arm" version="1.1"><link name="b"/>
 STATE = np.array([[0.3, -0.2], [0.4, -0.9], [1.1, -0.7]])
 
 
-def motor(inside: str, in_actuator: str) -> tuple[str, str]:
+def motor(inside: str, in_actuator: str, in_joint: str = "") -> tuple[str, str]:
     """A transmission at the first joint, put before the end."""
-    words = f'<transmission name="t">{inside}<joint name="j1"/><actuator name="m">{in_actuator}</actuator>'
+    joint = f'<joint name="j1">{in_joint}</joint>'
+    words = f'<transmission name="t">{inside}{joint}<actuator name="m">{in_actuator}</actuator>'
     return "</robot>", f"{words}</transmission></robot>"
 
 
@@ -62,6 +63,9 @@ SHOWN: dict[str, tuple[str, str] | tuple[str, str, float]] = {
     "dynamics/friction": ("</joint>", '<dynamics friction="0.3"/></joint>'),
     "dynamics/armature": ('<axis xyz="0.36', '<dynamics damping="0" armature="0.2"/><axis xyz="0.36', 0.2),
     "transmission/<mechanicalReduction>": (*motor(_REDUCTION, _MOTOR), 0.25),
+    "transmission/joint/<mechanicalReduction>": (*motor("", _MOTOR, _REDUCTION), 0.25),
+    "drake:gear_ratio/value": (*motor("", _ROTOR + _GEAR), 0.25),
+    "drake:rotor_inertia/value": (*motor("", _ROTOR), 1e-4),
     "transmission/<drake:gear_ratio>": (*motor(_GEAR, _ROTOR), 0.25),
     "transmission/<drake:rotor_inertia>": (*motor(_ROTOR, ""), 1e-4),
     "transmission/actuator/<mechanicalReduction>": (*motor("", _REDUCTION + _MOTOR), 0.25),

@@ -34,6 +34,10 @@ MODELLED = {
     "no gravity": {"option": '<option><flag gravity="disable"/></option>'},
     "no springs": {"option": '<option><flag spring="disable"/></option>'},
     "no damping": {"option": '<option><flag damper="disable"/></option>'},
+    "no damping, that of a motor either": {
+        "option": '<option><flag damper="disable"/></option>',
+        "tail": '<actuator><motor joint="j1" gear="5" armature="2e-4" damping="0.3"/></actuator>',
+    },
     "no friction": {"option": '<option><flag frictionloss="disable"/></option>'},
     "no constraints, of which friction is one": {"option": '<option><flag constraint="disable"/></option>'},
     "no equations": {
@@ -184,10 +188,11 @@ def test_an_equation_that_is_switched_off_holds_nothing(flag: str, tmp_path: Pat
     assert any("what ties joints and bodies is switched off (flag)" in remark for remark in remarks)
 
 
-def test_a_motor_that_turns_the_other_way(tmp_path: Path) -> None:
+@pytest.mark.parametrize("limits", ['forcerange="-2 3"', 'ctrlrange="-2 3"'])
+def test_a_motor_that_turns_the_other_way(limits: str, tmp_path: Path) -> None:
     require_module("mujoco")
     remarks: list[str] = []
-    tail = '<actuator><motor joint="j1" gear="-50" forcerange="-2 3"/></actuator>'
+    tail = f'<actuator><motor joint="j1" gear="-50" {limits}/></actuator>'
     robot = load(written(tmp_path, {"tail": tail}), warn=remarks.append)
     gear = robot.links[0].joint.gear
     assert gear is not None
@@ -256,6 +261,11 @@ def test_urdf_twice_the_same(tmp_path: Path) -> None:
     gear = load(tmp_path / "arm.urdf", warn=lambda _: None).links[0].joint.gear
     assert gear is not None
     assert gear.ratio == -9
+    rotor = "<motorInertia>1e-4</motorInertia></actuator>"
+    two = "".join(TRANSMISSION.format(i, "j", -9).replace("</actuator>", rotor) for i in (1, 2))
+    (tmp_path / "arm.urdf").write_text(URDF.format(two))
+    with pytest.raises(InputError, match="<motorInertia> is stated by two transmissions"):
+        load(tmp_path / "arm.urdf")  # two motors, of equal rotors
 
 
 SDF = """<sdf version="1.10"><model name="arm"><link name="base"/><joint name="fix" type="fixed">

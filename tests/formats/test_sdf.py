@@ -134,6 +134,20 @@ J = (
 )
 
 
+@pytest.mark.parametrize("version", ["1.4", "1.9"])
+@pytest.mark.parametrize("word", ["True", "TRUE", " 1 ", "False", "0"])
+def test_truth_values_are_read_as_sdformat_does(word: str, version: str) -> None:
+    """Whatever the case of their letters; a word that is stated counts in old versions too."""
+    plain = {True: "true", False: "false"}[word.strip().lower() in ("true", "1")]
+    flag = "<use_parent_model_frame>{0}</use_parent_model_frame>"
+    pose = '<pose degrees="{0}">1 2 3 40 50 60'
+    link, axis = B.replace("<pose>0.1 0.2 0.3 0 0 0", pose), J.replace("<limit>", flag + "<limit>")
+    turned = sdf(A + link + axis, version=version)
+    assert chain(turned.format(word)).chain == chain(turned.format(plain)).chain
+    bare = chain(turned.replace(flag, "").format("true"))
+    assert (bare.chain == chain(turned.format("true")).chain) == (version == "1.4")
+
+
 def test_decimals_survive_and_limits_of_nothing_are_none() -> None:
     (joint,) = chain(
         sdf(A.replace("<inertial>", "<pose>0.3 0 0 0 0 0</pose><inertial>") + B + J)
@@ -212,6 +226,8 @@ LOOP = J.replace('"j"', '"k"').replace("<parent>a", "<parent>world")
         (lambda t: t.replace("</model>", LOOP + "</model>"), "the mechanism has a closed loop"),
         (lambda t: t.replace('<link name="a">', '<link name="b">', 1), "two frames of the model have"),
         (lambda t: '<sdf version="1.9"/>', "the file has no model"),
+        (lambda t: t.replace("<pose>", '<pose degrees="yes">'), "degrees is no truth value; found 'yes'"),
+        (lambda t: t.replace("<pose>", '<pose rotation_format="rpy">'), "rotation is unknown; found 'rpy'"),
     ],
 )  # fmt: skip
 def test_errors_say_where_and_what(change: Callable[[str], str], words: str) -> None:

@@ -59,6 +59,7 @@ def test_what_a_description_says_of_its_numbers(top: str, first: str, origins: t
     [
         ("origin: sythetic", r"2:9: origin is unknown; found 'sythetic'.*did you mean 'synthetic'"),
         ("origin: absent", "origin is unknown"),
+        ("origin: {inertial: absent}", "mass and inertia are stated"),
         ("origin: {inertia: measured}", "unknown key; found 'inertia'.*'inertial'"),
         ("origin: {inertial: guess}", "origin: inertial is unknown"),
         ("origin: [measured]", "origin must be a single value"),

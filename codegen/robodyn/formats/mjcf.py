@@ -119,8 +119,8 @@ class _Model:
                 )
             )
         self.note_surroundings(leftovers)
-        joints, remarks = self.as_switched(joints)
-        with_motors, ranges = with_drives(self.mujoco, self.model, joints, leftovers)
+        driven, ranges = with_drives(self.mujoco, self.model, joints, leftovers)
+        with_motors, remarks = self.as_switched(driven)  # flags switch the actuators' part off too
         coupled, loops = with_motors, tuple[Loop, ...]()
         if self.is_off("CONSTRAINT") or self.is_off("EQUALITY"):
             remarks += ["what ties joints and bodies is switched off (flag)"] if self.model.neq else []

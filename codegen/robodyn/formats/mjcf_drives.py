@@ -34,6 +34,7 @@ def with_drives(
     for joint in joints:
         indices = motors.get(joint.name, [])
         ranges = [model.actuator_forcerange[index] for index in indices if model.actuator_forcelimited[index]]
+        ranges += [force for index in indices if (force := _controlled(mujoco, model, index)) is not None]
         if joint.name in joint_ranges:
             ranges.append(joint_ranges[joint.name])
         remarks += [f"{words}: joint {names([joint.name], 1)}" for words in map(_one_sided, ranges) if words]
@@ -70,20 +71,26 @@ def _one_sided(force_range: Any) -> str:
     return "" if low == -high else f"forces {low:g} to {high:g} taken as the same both ways, the larger"
 
 
-def _driven(mujoco: Any, model: Any, joint: TreeJoint, index: int) -> TreeJoint:
-    signed = float(model.actuator_gear[index][0])
-    gear = abs(signed)
-    control = model.actuator_ctrlrange[index] if model.actuator_ctrllimited[index] else None
+def _controlled(mujoco: Any, model: Any, index: int) -> list[float] | None:
+    """The range of forces [2] of an actuator that multiplies a control with limits; None of others."""
     plain = int(model.actuator_gaintype[index]) == int(mujoco.mjtGain.mjGAIN_FIXED) and int(
         model.actuator_biastype[index]
     ) == int(mujoco.mjtBias.mjBIAS_NONE)
+    if not plain or not model.actuator_ctrllimited[index]:
+        return None
+    return sorted(float(model.actuator_gainprm[index][0] * end) for end in model.actuator_ctrlrange[index])
+
+
+def _driven(mujoco: Any, model: Any, joint: TreeJoint, index: int) -> TreeJoint:
+    signed = float(model.actuator_gear[index][0])
+    gear = abs(signed)
+    forces = _controlled(mujoco, model, index)
     efforts = [] if joint.limits.effort is None else [joint.limits.effort]
     if model.actuator_forcelimited[index]:
         efforts.append(gear * float(abs(model.actuator_forcerange[index]).max()))
-    if control is not None and plain:
-        gain = abs(float(model.actuator_gainprm[index][0]))
-        efforts.append(gear * gain * float(abs(control).max()))
-    share = plain and control is not None and [float(x) for x in control] == [-1.0, 1.0]
+    if forces is not None:
+        efforts.append(gear * max(map(abs, forces)))
+    share = forces is not None and [float(x) for x in model.actuator_ctrlrange[index]] == [-1.0, 1.0]
     return replace(
         joint,
         ratio=None if share or signed in (0.0, 1.0) else signed,

@@ -105,6 +105,19 @@ class Quantities:
             )
         return tuple(self._number(word, element, attribute, what) for word in words)
 
+    def truth(self, text: str, element: Element, attribute: str = "") -> bool:
+        """A truth value, as SDF has it: whatever the case of its letters."""
+        word = text.strip().lower()
+        if word not in ("true", "false", "1", "0"):
+            raise self.fail(
+                element,
+                f"{attribute or tag_shown(element)} is no truth value",
+                attribute=attribute,
+                found=shown(text),
+                expected="true, false, 1 or 0",
+            )
+        return word in ("true", "1")
+
     def vector(self, element: Element, attribute: str, of: str, default: Vector) -> Vector:
         """Three numbers in an attribute."""
         text = element.attributes.get(attribute)

@@ -140,13 +140,13 @@ class _Reader(Quantities):
         """Add what is in a model, and in the models in it, to ``parts``."""
         name = self.name(model, "the model")
         old = self._version() < (1, 5)
-        static = static or ((flag := model.first("static")) is not None and flag.text in ("1", "true"))
+        static = static or ((flag := model.first("static")) is not None and self.truth(flag.text, flag))
         for element in model.all("link"):
             parts.links.append(self.link(element, frames))
             link = parts.links[-1].name
             parts.static[link] = static
             weight = element.first("gravity")
-            if weight is not None and weight.text not in ("1", "true"):
+            if weight is not None and not self.truth(weight.text, weight):
                 parts.weightless[link] = self.place(weight)
         parts.joints += [self.joint(element, frames, old) for element in model.all("joint")]
         for element in model.all("frame"):
@@ -203,7 +203,7 @@ class _Reader(Quantities):
         frames.pose(name, element)
         shape = element.first("visual") is not None or element.first("collision") is not None
         inertial = self.one(element, "inertial", of)
-        if inertial is not None and inertial.attributes.get("auto", "").strip() in ("1", "true"):
+        if inertial is not None and self.truth(inertial.attributes.get("auto", "0"), inertial, "auto"):
             return TreeLink(frames.name(name), self.place(element), None, True)
         by_default = inertial is None or inertial.first("mass") is None or inertial.first("inertia") is None
         body = self.body(inertial, frames.frames, of)
@@ -218,6 +218,10 @@ class _Reader(Quantities):
         beside = [self.value(tensor, key, of, 0.0) or 0.0 for key in ("ixy", "ixz", "iyz")]
         xx, yy, zz, xy, xz, yz = *diagonal, *beside
         pose = Pose() if inertial is None else frames.stated(inertial, of)
+        where = None if inertial is None else inertial.first("pose")
+        if where is not None and where.attributes.get("relative_to"):
+            what = f"{of}: the pose of <inertial> is in the link's frame"
+            raise self.fail(where, what, attribute="relative_to", remedy="leave relative_to out")
         return body_of(mass, pose, (xx, yy, zz, xy, xz, yz))
 
     def joint(self, element: Element, frames: Scope, old: bool) -> TreeJoint:
@@ -273,7 +277,7 @@ class _Reader(Quantities):
         vector = self.axis(xyz, self.three(xyz, f"{of}: <xyz>"), "", of)
         flag = axis.first("use_parent_model_frame")
         frame = xyz.attributes.get("expressed_in") or ""
-        if not frame and (old or (flag is not None and flag.text in ("1", "true"))):
+        if not frame and (old if flag is None else self.truth(flag.text, flag)):
             frame = MODEL
         if not frame:
             return vector

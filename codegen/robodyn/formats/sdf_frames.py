@@ -156,7 +156,16 @@ class Frames:
         if pose is None or not pose.text:
             return Pose()
         what = f"{of}: <pose>"
-        if pose.attributes.get("rotation_format", "euler_rpy") == "quat_xyzw":
+        rotation = pose.attributes.get("rotation_format", "euler_rpy")
+        if rotation not in ("euler_rpy", "quat_xyzw"):
+            raise self._reader.fail(
+                pose,
+                f"{what}: the format of the rotation is unknown",
+                attribute="rotation_format",
+                found=shown(rotation),
+                expected="euler_rpy or quat_xyzw",
+            )
+        if rotation == "quat_xyzw":
             x, y, z, i, j, k, w = self._reader.numbers(pose.text, 7, pose, "", what)
             try:
                 return Pose.from_quaternion((x, y, z), (w, i, j, k))
@@ -165,7 +174,7 @@ class Frames:
                     pose, f"{what}: the quaternion is zero", found=shown(pose.text)
                 ) from None
         x, y, z, *rpy = self._reader.numbers(pose.text, 6, pose, "", what)
-        if pose.attributes.get("degrees", "").strip() in ("1", "true"):
+        if self._reader.truth(pose.attributes.get("degrees", "0"), pose, "degrees"):
             import math
 
             rpy = [math.radians(angle) for angle in rpy]

@@ -52,7 +52,7 @@ def choose_model(reader: Quantities, root: Element, name: str = "") -> ChosenMod
                 expected=None if matches else near(name, (each.name for each in inside), "model"),
             )
         return matches[0]
-    arms = [each for each in models if _has_joints_that_move(each.model)]
+    arms = [each for each in models if _has_joints_that_move(reader, each.model)]
     if len(models) > 1 and len(arms) != 1:
         raise reader.fail(
             models[1].model,
@@ -76,8 +76,8 @@ def _with_models_inside(chosen: ChosenModel) -> Iterator[ChosenModel]:
         yield from _with_models_inside(ChosenModel(model, name, chosen.around))
 
 
-def _has_joints_that_move(model: Element) -> bool:
+def _has_joints_that_move(reader: Quantities, model: Element) -> bool:
     static = model.first("static")
-    if static is not None and static.text in ("1", "true"):
+    if static is not None and reader.truth(static.text, static):
         return False
     return any(each.tag == "joint" and each.attributes.get("type") != "fixed" for each in model.walk())

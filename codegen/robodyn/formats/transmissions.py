@@ -24,6 +24,7 @@ class Transmissions:
         self._ratios: dict[str, float] = {}
         self._armatures: dict[str, float] = {}
         self._elements: dict[str, Element] = {}
+        self._with_rotor: dict[str, Element] = {}
 
     def read(self, element: Element) -> None:
         """Take what one ``<transmission>`` says."""
@@ -47,10 +48,22 @@ class Transmissions:
             elif part.tag == _MOTOR_INERTIA:
                 what = f"joint {shown(joint)}: {tag_shown(part)}"
                 (rotor,) = self._reader.numbers(part.text, 1, part, "", what)
-                self._state(self._armatures, part, joint, rotor)
+                self._rotor(element, part, joint, rotor)
             elif part.tag == _ROTOR:
                 rotor = self._reader.number(part, "value", f"joint '{joint}'", bad=negative)
-                self._state(self._armatures, part, joint, rotor)
+                self._rotor(element, part, joint, rotor)
+
+    def _rotor(self, transmission: Element, part: Element, joint: str, value: float) -> None:
+        """Take the rotor inertia; that of a second motor of the joint, even an equal one, is refused."""
+        if self._with_rotor.setdefault(joint, transmission) is not transmission:
+            raise self._reader.fail(
+                part,
+                f"joint {shown(joint)}: {tag_shown(part)} is stated by two transmissions",
+                found=f"{value:g} after {self._armatures[joint]:g}",
+                expected="one motor for a joint",
+                remedy="state the sum of their inertias in one of the transmissions",
+            )
+        self._state(self._armatures, part, joint, value)
 
     def _ratio(self, part: Element, joint: str, text: str, attribute: str) -> None:
         what = f"joint '{joint}': {tag_shown(part)}"

@@ -252,6 +252,12 @@ def _origins(section: Section, common: dict[str, Origin], confidence: Confidence
     stated = {key: key in section.values for key in ("mass", "com", "inertia", *GROUPS)}
     stated["geometry"] = any(key in section.values for key in (*ROW, "pose"))
     unknown = origins.get("inertial") == "absent"
+    if unknown and stated["mass"] and stated["inertia"]:
+        section.source.fail(
+            section.values.get("origin", section.node),
+            f"{section.label}: mass and inertia are stated, and inertial: absent says that nobody knows them",
+            remedy="leave the numbers out, or say another origin",
+        )
     if unknown:
         del origins["inertial"]
     return Origins(
