@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 import click
 
-from robodyn.outputs import SENTENCE
 from robodyn_cli.common import talk
 from robodyn_cli.firmware import for_firmware
 from robodyn_cli.languages import chosen_languages, tests_of, trig_for
@@ -42,8 +41,7 @@ class Kernels:
                 if interface.states:
                     talk(f"robodyn: note: no batch of {interface.function}, which is stateful")
         if latex:
-            text = _typeset(self.robot, self.options.formulation)
-            files[f"{self.robot.name}.tex"] = f"% {SENTENCE}\n{text}"
+            files[f"{self.robot.name}.tex"] = _typeset(self.robot, self.options.formulation)
         return files
 
 
@@ -159,15 +157,19 @@ def _progress(robot: Robot) -> Callable[[str], None] | None:
     return lambda function: talk(f"robodyn: {function} of {robot.n} joints ...")
 
 
+_RIGID = "the rigid arm only; robodyn effects --latex prints the equations of effects"
+
+
 def _typeset(robot: Robot, formulation: str) -> str:
-    """The recursion as LaTeX; for a robot with effects that of its rigid arm, with a note."""
+    """The recursion as LaTeX, under a head; for a robot with effects that of its rigid arm, with a note."""
     from robodyn.drives.drive import has_drive_effects, rigid_part
+    from robodyn.emit.lines import head_of
     from robodyn.kernels.through_sympy import symbolic
     from robodyn.optimize.programs import Choice
 
-    choice = Choice(formulation, regroup=False)
-    if not has_drive_effects(robot):
-        return symbolic(robot, choice=choice).latex()
-    note = "the rigid arm only; robodyn effects --latex prints the equations of effects"
-    talk(f"robodyn: note: {robot.name}.tex is {note}")
-    return f"% {note}\n{symbolic(rigid_part(robot), choice=choice).latex()}"
+    described, notes = robot, []
+    if has_drive_effects(robot):
+        described, notes = rigid_part(robot), [_RIGID]
+        talk(f"robodyn: note: {robot.name}.tex is {_RIGID}")
+    head = "".join(f"% {line}\n" for line in head_of(robot, notes))
+    return head + symbolic(described, choice=Choice(formulation, regroup=False)).latex()

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import html
 import json
+import re
 import warnings
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
+from zipfile import ZipFile
 
 import pytest
 
@@ -13,7 +17,7 @@ from robodyn.errors import InputError
 from robodyn.formats.arm import import_arm
 from robodyn.formats.loading import load
 from robodyn.robot import DoubtfulRobot, read_text, to_yaml
-from robodyn.robot.account import account_to_dict
+from robodyn.robot.account import account_lines, account_to_dict
 from robodyn_cli.choices import ROBOTS
 from robodyn_cli.main import COMMANDS, cli, main
 from robodyn_testing.urdf_text import joint, link, robot
@@ -56,6 +60,22 @@ CALLS = {
 #: Those that take longer than a few seconds.
 SLOW = ("bench", "diagnose", "identify", "excite")
 
+#: What writes files that people read: without the robot and ``-o``.
+WRITTEN = [
+    "gen --lang c,fortran,rust,javascript",
+    "gen --batch --latex",
+    "gen --firmware",
+    "schedule -p 2 --packed 4",
+    "export --to mjcf",
+    "report",
+    "package --as cmake",
+    pytest.param("package --as wheel", marks=pytest.mark.thorough),  # these two are compiled
+    pytest.param("package --as fmu", marks=pytest.mark.thorough),
+]
+#: The ends of files that have room for it; of those in archives others come from elsewhere.
+ROOM = (".c", ".h", ".f90", ".rs", ".mjs", ".tex", ".md", ".xml", ".html")
+ROOM_IN_ARCHIVES = ("/METADATA", "modelDescription.xml", ".py", ".pyi", "arm.h", "arm.c")
+
 
 @pytest.fixture
 def folder(elsewhere: Path) -> Path:
@@ -76,6 +96,18 @@ def lines_of(file: str) -> list[str]:
     assert account.decided
     assert account.not_used
     return list(account.lines())
+
+
+def texts_in(folder: Path) -> Iterator[tuple[str, str]]:
+    """The files that have room for what is known of the arm, those in archives too: name and text."""
+    for path in folder.rglob("*"):
+        if path.suffix in ROOM:
+            yield path.name, path.read_text()
+        elif path.suffix in (".whl", ".fmu"):
+            with ZipFile(path) as archive:
+                for name in archive.namelist():
+                    if name.endswith(ROOM_IN_ARCHIVES):
+                        yield name, archive.read(name).decode()
 
 
 def accounts(data: Any) -> list[dict[str, Any]]:
@@ -144,14 +176,16 @@ def test_a_build_tells_it_of_each_robot(first: bool, folder: Path, capsys: Captu
     ]
 
 
-def test_files_and_pages_say_it(folder: Path) -> None:
-    assert main(["gen", "arm.urdf", *WITHOUT, "-o", "out", "--lang", "c,fortran,rust"]) == 0
-    assert main(["export", "arm.urdf", *WITHOUT, "--to", "mjcf", "-o", "out/arm.xml"]) == 0
-    assert main(["report", "arm.urdf", *WITHOUT, "-o", "out/arm.html"]) == 0
-    for name in ("arm.c", "arm.h", "arm.f90", "src/lib.rs", "arm.xml", "arm.html"):
-        text = (Path("out") / name).read_text()
-        words = " ".join(text.replace("*", " ").replace("!", " ").replace("//", " ").split())
-        for line in lines_of("arm.urdf"):
+@pytest.mark.parametrize("written", WRITTEN)
+def test_files_and_pages_say_it(written: str, folder: Path) -> None:
+    command, *options = written.split()
+    file = {"export": "arm.xml", "report": "arm.html"}.get(command, "")
+    assert main([command, "arm.urdf", *WITHOUT, *options, "-o", f"out/{file}"]) == 0
+    texts = dict(texts_in(Path("out")))
+    assert texts
+    for name, text in texts.items():
+        words = " ".join(re.sub(r"\\(?=\W)|\*|!|//|#|%", " ", html.unescape(text)).split())
+        for line in account_lines(import_arm("arm.urdf", without=["transmission"]).robot):
             assert line.split("(")[0].strip() in words, (name, line)
 
 

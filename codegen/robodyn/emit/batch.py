@@ -35,6 +35,11 @@ CHUNK = 1024
 #: What is done lane by lane or with masks, in the order in which the functions stand in the file.
 _HELPERS = ("sign", "abs", "sqrt", "tanh", "exp", "pow", "select")
 
+_LANES = (
+    "The kernels on as many states at once as a vector of LANES_BYTES bytes has lanes (0: one). A part of "
+    "{name}_batch.c, which includes it once a width; of no use alone. No include guard."
+)
+
 
 def batch_files(unit: Unit) -> dict[str, str]:
     """``NAME_batch.h``, ``NAME_batch.c`` and ``NAME_lanes.h``: text by file name.
@@ -73,11 +78,14 @@ def batch_files(unit: Unit) -> dict[str, str]:
         **c_builtin(name, single=single, sines="sin" in used or "cos" in used, arctangents="atan2" in used),
         "tile": TILE,
         "chunk": CHUNK,
-        "head": head_of(unit.robot, _notes(able[0][0], unit)),
     }
+    calls = _notes(able[0][0], unit)
+    notes = {"batch.h": calls, "batch.c": calls, "lanes.h": [_LANES.format(name=name)]}
     return {
-        f"{name}_{part}": environment().get_template(f"c/{part}.j2").render(context)
-        for part in ("batch.h", "batch.c", "lanes.h")
+        f"{name}_{part}": environment()
+        .get_template(f"c/{part}.j2")
+        .render(context, head=head_of(unit.robot, lines))
+        for part, lines in notes.items()
     }
 
 

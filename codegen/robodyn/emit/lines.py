@@ -10,6 +10,7 @@ from robodyn.emit.spelling import WIDTH
 from robodyn.emit.statements import Apply, Expression, Statement, inputs_of, unique
 from robodyn.emit.syntax import Syntax
 from robodyn.ir.program import Input, Operand, Program
+from robodyn.robot.account import account_lines
 from robodyn.robot.model import Robot
 
 
@@ -107,9 +108,10 @@ class Writer:
 
 
 def head_of(robot: Robot, notes: Sequence[str]) -> list[str]:
-    """The comment at the top of a file: whose dynamics, and what is ``notes`` of it."""
+    """The comment at the top of a file: whose dynamics, what is ``notes`` of it, and what is known of the
+    robot's numbers."""
     lines: list[str] = []
-    for text in (f"{robot.name}: {robot.title or 'a serial arm'}", *notes):
+    for text in (f"{robot.name}: {robot.title or 'a serial arm'}", *notes, *account_lines(robot)):
         lines.extend(textwrap.wrap(comment(text), WIDTH - 4, subsequent_indent="  ") or [""])
     lines.append("Written by robodyn; do not edit, generate again.")
     return lines

@@ -64,6 +64,7 @@ def environment() -> jinja2.Environment:
         keep_trailing_newline=True,
         autoescape=False,  # code, not HTML; texts from files pass through comment
     )
+    environment.filters["comment"] = comment
     environment.filters["sentence"] = lambda text: text[:1].upper() + text[1:] + "."
     return environment
 

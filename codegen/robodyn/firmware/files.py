@@ -41,6 +41,7 @@ from robodyn.ir.evaluate import angle_form
 from robodyn.ir.program import Input, Program
 from robodyn.ir.signature import ScalarType, Signature
 from robodyn.kernels.generate import Generated
+from robodyn.robot.account import account_lines
 from robodyn.targets import Target
 from robodyn.verify.sample import draw_parameters
 
@@ -186,6 +187,7 @@ def _base(generated: Generated, targets: Sequence[Target], others: Sequence[Lang
         "repeated": REPEATED,
         "states": DIGEST_STATES,
         "title": robot.title or "a serial arm",
+        "account": list(account_lines(robot)),
     }
 
 

@@ -13,6 +13,7 @@ from robodyn.emit.markdown import Markdown, markdown_environment
 from robodyn.emit.render import environment
 from robodyn.packages.format import Files, Package
 from robodyn.packages.maintainer import NOT_STATED
+from robodyn.robot.account import account_lines
 
 #: How the sentence begins by which a second run knows a file again (:mod:`robodyn.outputs`).
 MARK: Final = "Written by robodyn"
@@ -51,6 +52,7 @@ def context(package: Package) -> dict[str, Any]:
         "arrays": package.arrays,
         "parameters": package.parameters,
         "states": package.states,
+        "account": list(account_lines(robot)),
         "head": head_of(robot, [f"{package.format.title[:1].upper()}{package.format.title[1:]}."]),
     }
 
