@@ -217,7 +217,7 @@ def test_what_is_not_modelled_is_refused_by_its_name(
 #: Words of which attributes take some.
 WORDS = (
     "enable", "disable", "true", "false", "3", "0.1 0.2", "0.1 0.2 0.3", "1 0.2 0.3 0.4", "-1 1", "RK4",
-    "dense", "elliptic", "Newton", "ellipsoid", "0.9 0.95 0.001 0.5 2", "merge", "never", "1 2 3 4 5",
+    "dense", "elliptic", "Newton", "ellipsoid", "0.9 0.95 0.001 0.5 2", "never", "1 2 3 4 5",
 )  # fmt: skip
 PLACES = (
     ("flag",), ("option",), ("compiler",), ("body", "joint"), ("body", "geom"), ("body",),

@@ -16,6 +16,7 @@ from robodyn.formats.tree import MOVING
 from robodyn_testing import require_module
 from robodyn_testing.mjcf_arms import ATTACHED, GRIPPER, HAND, IN_CLASS, MESH, SHAPE, SOLID, arm, write
 from robodyn_testing.mujoco_chains import check_chain
+from robodyn_testing.refused import check_is_refused
 
 
 @pytest.fixture(autouse=True)
@@ -23,6 +24,7 @@ def mujoco() -> Any:
     return require_module("mujoco")
 
 
+MERGED = '<compiler conflict="merge"/>'
 #: Files of which the first is read; its chain ends in the body ``b`` unless something else is said.
 READ: dict[str, tuple[dict[str, str], str]] = {
     "mesh in a class": ({"arm.xml": arm('<geom class="f"/>', MESH + IN_CLASS % "")}, "b"),
@@ -161,6 +163,22 @@ READ: dict[str, tuple[dict[str, str], str]] = {
         },
         "l_finger",
     ),
+    "attached, its gravity taken over": (
+        {
+            "arm.xml": arm('<attach model="g" body="palm" prefix="p_"/>', MERGED + ATTACHED % "gripper.xml"),
+            "gripper.xml": GRIPPER.replace("<compiler", '<option gravity="1 2 -3"/><compiler'),
+        },
+        "p_finger",
+    ),
+    "attached, its flags taken over": (
+        {
+            "arm.xml": arm('<attach model="g" body="palm" prefix="p_"/>', MERGED + ATTACHED % "gripper.xml"),
+            "gripper.xml": GRIPPER.replace(
+                "<compiler", '<option><flag gravity="disable"/></option><compiler'
+            ),
+        },
+        "p_finger",
+    ),
     "attached in what is attached": (
         {
             "arm.xml": arm('<attach model="g" body="wrist" prefix="out_"/>', ATTACHED % "parts/hand.xml"),
@@ -234,6 +252,14 @@ def test_the_arm_is_what_mujoco_makes_of_the_files(case: str, tmp_path: Path, mu
     check_chain(mujoco, model, serial, tip, dict.fromkeys(beside, 0.0))
     dampings = [float(model.dof_damping[model.joint(joint.name).dofadr[0]]) for joint in serial.chain.joints]
     assert [joint.viscous for joint in serial.chain.joints] == dampings
+
+
+def test_a_fluid_of_what_is_attached_is_refused_where_it_is_taken_over(tmp_path: Path) -> None:
+    files = {
+        "arm.xml": arm('<attach model="g" body="palm" prefix="p_"/>', MERGED + ATTACHED % "gripper.xml"),
+        "gripper.xml": GRIPPER.replace("<compiler", '<option density="1.2"/><compiler'),
+    }
+    check_is_refused(write(tmp_path, files), "density")
 
 
 @pytest.mark.parametrize("attached", [False, True])
