@@ -70,6 +70,19 @@ def test_a_mesh_is_never_opened_and_its_inertia_is_missing() -> None:
     assert [part.what for part in tree(text).unused] == ["meshes, textures and materials"]
 
 
+@pytest.mark.parametrize("total", ["10", "-1"])
+@pytest.mark.parametrize("mesh", ['<geom type="mesh" mesh="m"/>', '<geom type="mesh" mesh="m" density="0"/>'])
+def test_masses_that_are_scaled_are_unknown_if_one_is_a_meshs(mesh: str, total: str) -> None:
+    text = TWO.replace("<worldbody>", f'<compiler settotalmass="{total}"/><worldbody><body>{mesh}</body>')
+    text = text.replace("<worldbody>", '<asset><mesh name="m" file="m.stl"/></asset><worldbody>')
+    read, unknown = tree(text), "density" not in mesh and total == "10"
+    assert any("settotalmass" in remark for remark in read.remarks) is unknown
+    masses = [link.body and link.body.mass for link in read.links if link.name in ("a", "b")]
+    assert masses == ([None, None] if unknown else [5, 5] if total == "10" else [2, 2])
+    joints = serial_chain(read, "arm").chain.joints
+    assert [joint.origins.unknown for joint in joints] == [unknown, unknown]
+
+
 def test_inertias_of_shapes_are_mujocos_and_remarked(mujoco: Any) -> None:
     text = mjcf('<body name="a"><joint name="i"/><geom type="box" size="0.1 0.2 0.3" mass="3"/></body>')
     serial = chain(text)

@@ -63,7 +63,7 @@ def read_tree(document: Document, path: Path | None, folders: Iterable[str] = ()
 
 
 def _without_meshes(spec: Any, text: Handed) -> set[str]:
-    """Delete the geoms that stand for meshes; the names of bodies whose inertia would have come from them."""
+    """Delete the geoms that stand for meshes; the names of bodies whose inertia depends on them."""
     bare = set()
     for body in spec.bodies:
         heavy = False
@@ -81,7 +81,14 @@ def _without_meshes(spec: Any, text: Handed) -> set[str]:
             body.ipos, body.fullinertia = [0, 0, 0], [math.nan] * 6
             for geom in list(body.geoms):
                 spec.delete(geom)
+    if bare and _scales(spec):
+        bare.update(body.name for body in spec.bodies if body.name != WORLD)
     return bare
+
+
+def _scales(spec: Any) -> bool:
+    """Whether MuJoCo scales all masses to a total, in which that of each mesh counts."""
+    return float(spec.compiler.settotalmass) > 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -176,6 +183,8 @@ class _Model:
 
     def remarks(self) -> tuple[str, ...]:
         """Whose inertia is not stated."""
+        if self.bare and _scales(self.spec):
+            return ("masses are scaled to settotalmass, and one of a mesh is among them: all are unknown",)
         bodies = [body.name for body in self.spec.bodies if body.name not in {WORLD, *self.bare}]
         shapes = [name for name in bodies if self.of_shapes(name) and self.model.body(name).mass[0]]
         if not shapes:
