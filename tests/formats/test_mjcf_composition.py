@@ -24,6 +24,7 @@ def mujoco() -> Any:
     return require_module("mujoco")
 
 
+TORUS = '<plugin plugin="mujoco.sdf.torus"/>'
 MERGED = '<compiler conflict="merge"/>'
 #: Files of which the first is read; its chain ends in the body ``b`` unless something else is said.
 READ: dict[str, tuple[dict[str, str], str]] = {
@@ -42,6 +43,17 @@ READ: dict[str, tuple[dict[str, str], str]] = {
                 '<geom class="f" type="capsule" size="0.1 0.2" pos="0.1 0 0.2"/>'
                 '<geom class="f" mesh="m" density="0"/>',
                 MESH + '<default><default class="f"><geom type="mesh" density="500"/></default></default>',
+                solid="",
+            )
+        },
+        "b",
+    ),
+    "plugins of shapes": (
+        {
+            "arm.xml": arm(
+                f'<geom type="sphere" size="0.1" mass="2" pos="1 2 3">{TORUS}</geom>'
+                f'<body>{SOLID}<geom type="sdf" mesh="t">{TORUS}</geom></body>',
+                f'<extension>{TORUS}</extension><asset><mesh name="t">{TORUS}</mesh></asset>',
                 solid="",
             )
         },
