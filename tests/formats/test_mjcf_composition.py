@@ -5,6 +5,7 @@ MuJoCo reads the same files, meshes too; torques, mass matrices and tips must be
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import Any
 
@@ -272,6 +273,36 @@ def test_a_fluid_of_what_is_attached_is_refused_where_it_is_taken_over(tmp_path:
         "gripper.xml": GRIPPER.replace("<compiler", '<option density="1.2"/><compiler'),
     }
     check_is_refused(write(tmp_path, files), "density")
+
+
+DISABLED = '<flag gravity="disable" spring="enable"/>'
+OTHERWISE = {
+    ("warning", "", 'gravity="0 0 -3">'): ["gravity is 0 0 -9.81, and not 0 0 -3 (g.xml)"],
+    ("warning", "", 'density="1.2">'): ["density is 0, and not 1.2 (g.xml)"],
+    ("warning", "", f">{DISABLED}"): ["gravity is enable, and not disable (g.xml)"],
+    ("warning", 'gravity="0 0 -3">', 'gravity=" 0x0 0 -3.0 ">'): [],
+    ("merge", '><flag gravity="enable"/>', f">{DISABLED}"): ["gravity is disable, and not enable (arm.xml)"],
+    ("merge", "", f'gravity="0 0 -3">{DISABLED}'): [],
+}
+
+
+@pytest.mark.parametrize(("rule", "of_arm", "of_hand"), OTHERWISE)
+def test_what_does_not_count_of_two_models_is_told_and_leaves_no_log(
+    rule: str, of_arm: str, of_hand: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: Any
+) -> None:
+    (tmp_path / "here").mkdir()
+    monkeypatch.chdir(tmp_path / "here")
+    option = f"<option {of_arm}</option>" if of_arm else ""
+    head = f'<compiler conflict="{rule}"/>{option}' + ATTACHED % "g.xml"
+    files = {
+        "arm.xml": arm('<attach model="g" body="palm" prefix="p_"/>', head),
+        "g.xml": GRIPPER.replace("<compiler", f"<option {of_hand}</option><compiler"),
+    }
+    remarks = read_tree(write(tmp_path, files), without=["density"]).remarks
+    told = [re.sub(r"\(\S*?(\w+\.xml):1:\d+\)", r"(\1)", each) for each in remarks if "and not" in each]
+    assert told == [f"{words}, as MuJoCo reads it" for words in OTHERWISE[rule, of_arm, of_hand]]
+    assert not list((tmp_path / "here").iterdir())
+    assert capfd.readouterr() == ("", "")
 
 
 @pytest.mark.parametrize("attached", [False, True])

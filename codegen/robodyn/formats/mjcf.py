@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Final
@@ -42,10 +43,7 @@ def read_tree(document: Document, path: Path | None, folders: Iterable[str] = ()
     leftovers = Leftovers(document.file)
     text = handed(document, path, leftovers, folders)
     try:
-        with (
-            warnings.catch_warnings()
-        ):  # of a mass matrix that is near to singular: dynamics are not asked for
-            warnings.simplefilter("ignore")
+        with _quiet(mujoco):
             files = {name: model.encode() for name, model in text.models.items()}
             spec = mujoco.MjSpec.from_string(text.text, include=files)
             bare = _without_meshes(spec, text)
@@ -60,6 +58,23 @@ def read_tree(document: Document, path: Path | None, folders: Iterable[str] = ()
     tree = _Model(mujoco, spec, model, text, document.file, bare).tree(document, leftovers)
     notes = {"unused": leftovers.unused(), "physics": tuple(leftovers.physics)}
     return checked(replace(tree, **notes, warnings=tuple(text.warnings)))  # type: ignore[arg-type]
+
+
+@contextmanager
+def _quiet(mujoco: Any) -> Iterator[None]:
+    """Without warnings of MuJoCo, nor the log that it writes of them to the current folder.
+
+    They are of a mass matrix that is near to singular (dynamics are not asked for) and of settings of models
+    that are attached (:meth:`_Model.overruled`).
+    """
+    before = mujoco.get_mju_user_warning()
+    mujoco.set_mju_user_warning(lambda _: None)
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            yield
+    finally:
+        mujoco.set_mju_user_warning(before)
 
 
 def _without_meshes(spec: Any, text: Handed) -> set[str]:
@@ -141,7 +156,7 @@ class _Model:
             tuple(coupled),
             self.gravity,
             loops,
-            remarks=(*self.remarks(), *remarks, *ranges),
+            remarks=(*self.overruled(), *self.remarks(), *remarks, *ranges),
         )
 
     def is_off(self, flag: str) -> bool:
@@ -180,6 +195,24 @@ class _Model:
             share, body = float(self.model.body_gravcomp[index]), self.model.body(index)
             if share and self.model.body_weldid[index] and body.mass[0]:
                 leftovers.changes_torques("gravcomp", f"body {body.name}", self.place("body", body.name))
+
+    def overruled(self) -> tuple[str, ...]:
+        """What a file says of the surroundings and flags where another one's counts: a model has one of each
+        with all that is attached to it."""
+        remarks = []
+        for place, name, text in self.text.settings:
+            stated = counts = " ".join(text.split())
+            if stated in ("enable", "disable"):
+                counts = "disable" if self.is_off(name.upper()) else "enable"
+            else:
+                words = stated.split()  # MuJoCo reads hexadecimal ones too
+                values = [float.fromhex(word) if "x" in word.lower() else float(word) for word in words]
+                setting = getattr(self.model.opt, name)
+                taken = [setting] if len(words) == 1 else list(setting)
+                counts = stated if values == taken else " ".join(f"{value:g}" for value in taken)
+            if counts != stated:
+                remarks.append(f"{name} is {counts}, and not {stated} ({place}), as MuJoCo reads it")
+        return tuple(dict.fromkeys(remarks))
 
     def remarks(self) -> tuple[str, ...]:
         """Whose inertia is not stated."""

@@ -190,6 +190,9 @@ class _Writer:
             del attributes["type"]
         elif element.tag == "compiler":
             self._rules.read(attributes)
+        elif element.tag in ("option", "flag") and self.weight:
+            said = [(self._place(element, name), name, text) for name, text in attributes.items()]
+            self._task.handed.settings += said
         elif element.tag == "attach":
             self._attach(attributes, weight)
         elif element.tag == "model":
