@@ -5,7 +5,6 @@ MuJoCo reads the same files, meshes too; torques, mass matrices and tips must be
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
 from typing import Any
 
@@ -15,9 +14,20 @@ from robodyn.formats.reading import read_tree
 from robodyn.formats.serial import serial_chain
 from robodyn.formats.tree import MOVING
 from robodyn_testing import require_module
-from robodyn_testing.mjcf_arms import ATTACHED, GRIPPER, HAND, IN_CLASS, MESH, SHAPE, SOLID, arm, write
+from robodyn_testing.mjcf_arms import (
+    ATTACHED,
+    GRIPPER,
+    HAND,
+    IN_CLASS,
+    MERGED,
+    MESH,
+    SHAPE,
+    SOLID,
+    TENDONS,
+    arm,
+    write,
+)
 from robodyn_testing.mujoco_chains import check_chain
-from robodyn_testing.refused import check_is_refused
 
 
 @pytest.fixture(autouse=True)
@@ -26,7 +36,6 @@ def mujoco() -> Any:
 
 
 TORUS = '<plugin plugin="mujoco.sdf.torus"/>'
-MERGED = '<compiler conflict="merge"/>'
 #: Files of which the first is read; its chain ends in the body ``b`` unless something else is said.
 READ: dict[str, tuple[dict[str, str], str]] = {
     "mesh in a class": ({"arm.xml": arm('<geom class="f"/>', MESH + IN_CLASS % "")}, "b"),
@@ -104,6 +113,29 @@ READ: dict[str, tuple[dict[str, str], str]] = {
                 '<connect active="false" body1="b" anchor="0 0 0"/></equality>',
             )
         },
+        "b",
+    ),
+    "inactive equation of tendons by default": (
+        {"arm.xml": arm("", '<default><equality active="false"/></default>', TENDONS % "")},
+        "b",
+    ),
+    "inactive equation of tendons by a class in a class": (
+        {
+            "arm.xml": arm(
+                "",
+                '<default><default class="off"><equality active="false"/><default class="in"/></default>'
+                "</default>",
+                TENDONS % 'class="in"',
+            )
+        },
+        "b",
+    ),
+    "equations of tendons switched off": (
+        {"arm.xml": arm("", '<option><flag equality="disable"/></option>', TENDONS % "")},
+        "b",
+    ),
+    "constraints switched off": (
+        {"arm.xml": arm("", '<option><flag constraint="disable"/></option>', TENDONS % "")},
         "b",
     ),
     "replicas of sites": (
@@ -265,44 +297,6 @@ def test_the_arm_is_what_mujoco_makes_of_the_files(case: str, tmp_path: Path, mu
     check_chain(mujoco, model, serial, tip, dict.fromkeys(beside, 0.0))
     dampings = [float(model.dof_damping[model.joint(joint.name).dofadr[0]]) for joint in serial.chain.joints]
     assert [joint.viscous for joint in serial.chain.joints] == dampings
-
-
-def test_a_fluid_of_what_is_attached_is_refused_where_it_is_taken_over(tmp_path: Path) -> None:
-    files = {
-        "arm.xml": arm('<attach model="g" body="palm" prefix="p_"/>', MERGED + ATTACHED % "gripper.xml"),
-        "gripper.xml": GRIPPER.replace("<compiler", '<option density="1.2"/><compiler'),
-    }
-    check_is_refused(write(tmp_path, files), "density")
-
-
-DISABLED = '<flag gravity="disable" spring="enable"/>'
-OTHERWISE = {
-    ("warning", "", 'gravity="0 0 -3">'): ["gravity is 0 0 -9.81, and not 0 0 -3 (g.xml)"],
-    ("warning", "", 'density="1.2">'): ["density is 0, and not 1.2 (g.xml)"],
-    ("warning", "", f">{DISABLED}"): ["gravity is enable, and not disable (g.xml)"],
-    ("warning", 'gravity="0 0 -3">', 'gravity=" 0x0 0 -3.0 ">'): [],
-    ("merge", '><flag gravity="enable"/>', f">{DISABLED}"): ["gravity is disable, and not enable (arm.xml)"],
-    ("merge", "", f'gravity="0 0 -3">{DISABLED}'): [],
-}
-
-
-@pytest.mark.parametrize(("rule", "of_arm", "of_hand"), OTHERWISE)
-def test_what_does_not_count_of_two_models_is_told_and_leaves_no_log(
-    rule: str, of_arm: str, of_hand: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: Any
-) -> None:
-    (tmp_path / "here").mkdir()
-    monkeypatch.chdir(tmp_path / "here")
-    option = f"<option {of_arm}</option>" if of_arm else ""
-    head = f'<compiler conflict="{rule}"/>{option}' + ATTACHED % "g.xml"
-    files = {
-        "arm.xml": arm('<attach model="g" body="palm" prefix="p_"/>', head),
-        "g.xml": GRIPPER.replace("<compiler", f"<option {of_hand}</option><compiler"),
-    }
-    remarks = read_tree(write(tmp_path, files), without=["density"]).remarks
-    told = [re.sub(r"\(\S*?(\w+\.xml):1:\d+\)", r"(\1)", each) for each in remarks if "and not" in each]
-    assert told == [f"{words}, as MuJoCo reads it" for words in OTHERWISE[rule, of_arm, of_hand]]
-    assert not list((tmp_path / "here").iterdir())
-    assert capfd.readouterr() == ("", "")
 
 
 @pytest.mark.parametrize("attached", [False, True])

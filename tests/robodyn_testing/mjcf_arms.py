@@ -21,6 +21,11 @@ HAND = (
     f'<body name="wrist" pos="0.1 0 0">{SOLID}<attach model="inner" body="palm" prefix="in_"/></body>'
     "</worldbody></mujoco>"
 )
+MERGED = '<compiler conflict="merge"/>'
+TENDONS = (
+    '<tendon><fixed name="t"><joint joint="i" coef="2"/></fixed></tendon>'
+    '<equality><tendon tendon1="t" %s/></equality>'
+)
 ATTACHED = '<asset><model name="g" file="%s"/></asset>'
 
 

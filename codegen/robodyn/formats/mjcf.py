@@ -145,8 +145,11 @@ class _Model:
         with_motors, remarks = self.as_switched(driven)  # flags switch the actuators' part off too
         coupled, loops = with_motors, tuple[Loop, ...]()
         if self.is_off("CONSTRAINT") or self.is_off("EQUALITY"):
-            remarks += ["what ties joints and bodies is switched off (flag)"] if self.model.neq else []
+            ties = self.model.neq or self.text.tendons
+            remarks += ["what ties joints and bodies is switched off (flag)"] if ties else []
         else:
+            for where, of in self.text.tendons:
+                leftovers.changes_torques("equality", of, where)
             coupled, loops = with_couplings(self.mujoco, self.model, with_motors, self.text)
         return Tree(
             document.root.attributes.get("model", ""),

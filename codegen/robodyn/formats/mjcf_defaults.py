@@ -1,4 +1,4 @@
-"""Default classes of geoms, as MuJoCo resolves them: whether a geom is a mesh may stand in its class only."""
+"""Default classes, as MuJoCo resolves them: whether a geom is a mesh may stand in its class only."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ from typing import Final
 
 from robodyn.formats.elements import Element
 
-_TRACKED: Final = ("type", "mesh", "hfield")
+_TRACKED: Final = {"geom": ("type", "mesh", "hfield"), "equality": ("active",)}
 
 
-class GeomClasses:
-    """What the default classes of one model say of the shapes of geoms.
+class Classes:
+    """What the default classes of one model say of the shapes of geoms, and whether equations are active.
 
     A class begins as a copy of the class around it, as that is when it comes: MuJoCo reads what a class says
     itself before the classes in it.
@@ -28,15 +28,17 @@ class GeomClasses:
 
     def _read(self, default: Element, name: str, around: Mapping[str, str]) -> None:
         values = self._values[name] = dict(around)
-        for geom in default.all("geom"):
-            values.update((key, geom.attributes[key]) for key in _TRACKED if key in geom.attributes)
+        for tag, keys in _TRACKED.items():
+            for stated in default.all(tag):
+                values.update((key, stated.attributes[key]) for key in keys if key in stated.attributes)
         for inner in default.all("default"):
             self._read(inner, inner.attributes.get("class", ""), values)
 
-    def of(self, geom: Element, childclass: str) -> Mapping[str, str]:
-        """``type``, ``mesh`` and ``hfield`` of a geom in a body with that ``childclass``, where stated."""
-        name = geom.attributes.get("class") or childclass or self._root
-        return {**self._values.get(name, {}), **geom.attributes}
+    def of(self, element: Element, childclass: str = "") -> Mapping[str, str]:
+        """Attributes of a geom in a body with that ``childclass``, or of an equation; of what it leaves to
+        its class those above."""
+        name = element.attributes.get("class") or childclass or self._root
+        return {**self._values.get(name, {}), **element.attributes}
 
 
 def is_mesh(attributes: Mapping[str, str]) -> bool:

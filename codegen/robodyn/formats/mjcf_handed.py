@@ -42,7 +42,8 @@ class Handed:
     ``models``: texts of the models that it attaches, by the name of the file that it has for them; their
     lines are counted on from those of the text before. ``places``: those of bodies, joints and equalities by
     tag and name. What has no name has one here. ``rules``: of the meshes, by their numbers. ``settings``:
-    place, name and text of what ``<option>`` and ``<flag>`` say. ``warnings``: of files that are included.
+    place, name and text of what ``<option>`` and ``<flag>`` say. ``tendons``: places of active equations
+    between tendons, with their words. ``warnings``: of files that are included.
     """
 
     text: str = ""
@@ -51,6 +52,7 @@ class Handed:
     places: dict[tuple[str, str], Place] = field(default_factory=dict)
     rules: list[InertiaRules] = field(default_factory=list)
     settings: list[tuple[Place, str, str]] = field(default_factory=list)
+    tendons: list[tuple[Place, str]] = field(default_factory=list)
     warnings: list[tuple[Place, str]] = field(default_factory=list)
 
     def place(self, message: str, file: str) -> Place:

@@ -19,11 +19,11 @@ from robodyn.files import MIB
 from robodyn.formats.elements import Document, Element, tag_shown
 from robodyn.formats.elements_of import Entry, Table, table_of
 from robodyn.formats.limits import DEPTH, ELEMENTS, FILE_MIB, LINKS
-from robodyn.formats.mjcf_defaults import GeomClasses, is_height_field, is_mesh
+from robodyn.formats.mjcf_defaults import Classes, is_height_field, is_mesh
 from robodyn.formats.mjcf_files import Files
 from robodyn.formats.mjcf_handed import MESH, Handed, InertiaRules, has_rotor, names_of_nan
 from robodyn.formats.tree import Leftovers
-from robodyn.formats.unread import Unread
+from robodyn.formats.unread import Unread, name_of
 from robodyn.robot.names import TEXT_LENGTH, shown
 
 #: Actuators of which MuJoCo is given the passive part.
@@ -107,7 +107,7 @@ class _Writer:
         self._included: set[Path] = set(self._files[-1:])
         self._documents: dict[int, Document] = {}
         self._texts: list[str] = []
-        self._classes, self._rules = GeomClasses(), InertiaRules()
+        self._classes, self._rules = Classes(), InertiaRules()
         self._models: dict[str, _Writer] = {}
         self._motor_classes: list[Element] = []
         self._names = 0
@@ -209,6 +209,10 @@ class _Writer:
                 self._element(child, (*tags, child.tag), childclass, weight)
                 continue
             what = f"{tag_shown(child)} in {tag_shown(element)}"
+            if element.tag == "equality" and self._classes.of(child).get("active") != "false":
+                if self.weight:
+                    self._task.handed.tendons.append((self._place(child), name_of(child) or what))
+                continue
             self._task.leftovers.add(what, child.line, self._documents[id(child)].file)
             if "tendon" in child.attributes and any(map(has_rotor, (child, *self._motor_classes))):
                 of = f"{child.tag} {child.attributes.get('name', '')}".strip()
@@ -260,6 +264,8 @@ class _Writer:
             return parent != "default"
         if child.tag == "site" and parent != "default":
             return "name" not in child.attributes
+        if parent == "equality":
+            return child.tag == "tendon"
         return parent == "actuator" and not {"joint", "jointinparent"}.intersection(child.attributes)
 
     def _attributes(self, element: Element, row: Mapping[str, Entry]) -> dict[str, str]:

@@ -32,7 +32,7 @@ class Unread:
     ) -> None:
         """``below``: "" among elements that are read, "none" in one of no effect, "silent" in what stands
         in it as it could elsewhere (a link of an actor), where only what is unknown is noted."""
-        of = _name_of(element) or of
+        of = name_of(element) or of
         row = self._table.rows.get(path, {}) if path else {}
         for attribute, text in element.attributes.items():
             if not attribute.startswith("xmlns"):
@@ -61,7 +61,7 @@ class Unread:
             self._leftovers.add(words, element.line, self._place(element, "").file)
         elif entry.kind == "refused" and below != "silent" and not _is_neutral(entry, text, element):
             where = self._place(element, attribute)
-            self._leftovers.changes_torques(entry.physics, _name_of(element) or of or what, where)
+            self._leftovers.changes_torques(entry.physics, name_of(element) or of or what, where)
 
 
 def _is_neutral(entry: Entry, text: str, element: Element) -> bool:
@@ -81,7 +81,8 @@ def _number(word: str) -> str:
         return word
 
 
-def _name_of(element: Element) -> str:
+def name_of(element: Element) -> str:
+    """What an element is called, with its tag; "" without a name."""
     names: Iterator[str] = (element.attributes[name] for name in _NAMES if name in element.attributes)
     name = next(names, "")
     return f"{element.tag} {name}" if name else ""
