@@ -88,7 +88,7 @@ NEEDS: dict[str, Attributes] = {
 #: What is refused of what is modelled otherwise.
 BEYOND = {
     "gravcomp": "0.5", "density": "1.2", "viscosity": "2e-5", "stiffness": "3 4", "damping": "3 4",
-    "springyield": "0.1", "frictionloss": "0.1", "armature": "0.1",
+    "springyield": "0.1", "frictionloss": "0.1", "armature": "0.1", "springdamper": "0.2 0.5",
 }  # fmt: skip
 ROWS = [
     (path, name, entry)
@@ -188,7 +188,9 @@ def test_what_changes_torques_is_mujocos(path: tuple[str, ...], name: str, tmp_p
 def beyond(path: tuple[str, ...], name: str) -> str:
     """The arm with what is refused of a row."""
     if not name.startswith("<"):
-        return arm(path, {**shown(path).get(name, {}), name: BEYOND[name]})
+        text = arm(path, {**shown(path).get(name, {}), name: BEYOND[name]})
+        mesh = '<body><geom type="mesh" mesh="m"/></body>' if name == "springdamper" else ""
+        return text.replace("</body>", f"{mesh}</body>", 1)
     part = {"<tendon>": '<tendon tendon1="t"/>', "<dcmotor>": '<dcmotor joint="j1"/>'}.get(
         name, f"{name[:-1]}/>"
     )

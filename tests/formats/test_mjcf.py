@@ -83,6 +83,28 @@ def test_masses_that_are_scaled_are_unknown_if_one_is_a_meshs(mesh: str, total: 
     assert [joint.origins.unknown for joint in joints] == [unknown, unknown]
 
 
+#: Where a body with a mesh is, and which joints have springs for its inertia.
+MESHES = {
+    "at the tip": ("</body></body>", "%s</body></body>", ["i", "j"]),
+    "beside": ("</body></body>", "</body>%s</body>", ["i", "j"]),
+    "on the world": ("<worldbody>", "<worldbody>%s", []),
+    "of another arm": ("<worldbody>", "<worldbody><body><joint/>%s</body>", []),
+}
+
+
+@pytest.mark.parametrize("case", MESHES)
+def test_springs_for_an_unknown_inertia_are_refused(case: str) -> None:
+    old, new, refused = MESHES[case]
+    text = TWO.replace("<joint ", '<joint springdamper="0.2 0.5" ')
+    mesh = '<body><geom type="mesh" mesh="m"/></body>'
+    read = tree(text.replace(old, new % (SOLID + mesh if "another" in case else mesh)))
+    assert [(each.name, each.of) for each in read.physics] == [
+        ("springdamper", f"joint {name}") for name in refused
+    ]
+    arm = [joint for joint in read.joints if joint.name in ("i", "j")]
+    assert [joint.name for joint in arm if joint.spring is None and joint.damping is None] == refused
+
+
 def test_inertias_of_shapes_are_mujocos_and_remarked(mujoco: Any) -> None:
     text = mjcf('<body name="a"><joint name="i"/><geom type="box" size="0.1 0.2 0.3" mass="3"/></body>')
     serial = chain(text)

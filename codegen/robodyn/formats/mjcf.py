@@ -258,6 +258,10 @@ class _Model:
             return TreeJoint(name, kind, parent, child, where, origin)
         stiffness, address = float(model.jnt_stiffness[index]), int(model.jnt_qposadr[index])
         spring = Spring(stiffness, float(model.qpos_spring[address])) if stiffness else None
+        damping = float(model.dof_damping[dof])
+        if all(self.spec.joint(name).springdamper > 0) and self.moves_with_bare(dof):
+            leftovers.changes_torques("springdamper", f"joint {name}", where)
+            spring, damping = None, 0.0
         if (harder := getattr(model, "jnt_stiffnesspoly", None)) is not None and harder[index].any():
             leftovers.changes_torques("stiffness", f"joint {name}", where)
         if (faster := getattr(model, "dof_dampingpoly", None)) is not None and faster[dof].any():
@@ -278,11 +282,18 @@ class _Model:
             unit(vector(model.jnt_axis[index])),
             float(model.qpos0[address]),
             JointLimits(lower, upper, effort=effort) if limited else JointLimits(effort=effort),
-            damping=float(model.dof_damping[dof]) or None,  # a 0 may be stated, or MuJoCo's default
+            damping=damping or None,  # a 0 may be stated, or MuJoCo's default
             friction=float(model.dof_frictionloss[dof]) or None,
             armature=float(model.dof_armature[dof]) or None,
             spring=spring,
         )
+
+    def moves_with_bare(self, dof: int) -> bool:
+        """Whether a body without inertia moves in the tree of that degree of freedom: MuJoCo takes what there
+        is to move from the inverse of its whole mass matrix (dof_invweight0)."""
+        model = self.model
+        welds = {int(model.body_weldid[model.body(name).id]) for name in self.bare} - {0}
+        return any(model.dof_treeid[model.body_dofadr[weld]] == model.dof_treeid[dof] for weld in welds)
 
     def link(self, body: Any) -> TreeLink:
         where = self.place("body", body.name)

@@ -158,6 +158,7 @@ PHYSICS: Final = {
     "kinematic": "links that no force moves",
     "mujoco": "settings of MuJoCo in a URDF",
     "plugin": "forces that plugins compute",
+    "springdamper": "springs and damping for masses and inertias of meshes, which are not opened",
     "stiffness": "springs that are not linear",
     "tendon": "springs, damping, friction and inertia of tendons",
     "transmission": "gears and rotors of several joints or motors, or of a joint that is not there",
