@@ -119,7 +119,6 @@ def test_sdf(tmp_path: Path, inside: str, mass: int) -> None:
         ("links: [{joint: revolute, mass: 1}, {joint: revolute}, {joint: revolute, mass: 1}]", ()),
         ("links: [{joint: revolute, mass: 1}, {joint: revolute, origin: {inertial: absent}}]", (2,)),
         ("links: [{joint: revolute, mass: 1}, {joint: revolute, confidence: unknown}]", ()),
-        ("links: [{joint: revolute, mass: 1, inertia: {zz: 1}, origin: {inertial: absent}}]", ()),
     ],
 )
 def test_descriptions(text: str, unknown: tuple[int, ...]) -> None:

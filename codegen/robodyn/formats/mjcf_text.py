@@ -191,8 +191,8 @@ class _Writer:
         elif element.tag == "compiler":
             self._rules.read(attributes)
         elif element.tag in ("option", "flag") and self.weight:
-            said = [(self._place(element, name), name, text) for name, text in attributes.items()]
-            self._task.handed.settings += said
+            settings = [(self._place(element, name), name, text) for name, text in attributes.items()]
+            self._task.handed.settings += settings
         elif element.tag == "attach":
             self._attach(attributes, weight)
         elif element.tag == "model":
