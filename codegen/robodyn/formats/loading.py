@@ -32,8 +32,8 @@ def load(
     that changes torques and that is not modelled is refused, unless it is named ``without``. With
     ``massless`` masses and inertias that nobody knows are 0: torques are refused otherwise. Physically
     doubtful numbers are told to ``warn``, one line of text each (by default they become a warning), and the
-    lines of the robot's :class:`~robodyn.robot.account.Account` to ``note`` (by default to where doubts go);
-    ``strict`` refuses doubtful numbers.
+    lines of the robot's :class:`~robodyn.robot.account.Account` to ``note``, or else to ``warn`` (by default
+    its doubts become a warning, and the rest is in ``robot.account``); ``strict`` refuses doubtful numbers.
 
     Raises
     ------
@@ -56,8 +56,9 @@ def load(
         for where, words in imported.implausible:
             (warn or doubtful)(f"{where}: {words}")
     if robot.account is not None:
-        for line in robot.account.lines():
-            (note or warn or doubtful)(f"{label(spec)}: {line}")
+        tell = note or warn
+        for line in robot.account.lines() if tell else robot.account.doubts():
+            (tell or doubtful)(f"{label(spec)}: {line}")
     return robot
 
 
