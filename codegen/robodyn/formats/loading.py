@@ -32,15 +32,17 @@ def load(
     that changes torques and that is not modelled is refused, unless it is named ``without``. With
     ``massless`` masses and inertias that nobody knows are 0: torques are refused otherwise. Physically
     doubtful numbers are told to ``warn``, one line of text each (by default they become a warning), and the
-    lines of the robot's :class:`~robodyn.robot.account.Account` to ``note``, or else to ``warn`` (by default
-    its doubts become a warning, and the rest is in ``robot.account``); ``strict`` refuses doubtful numbers.
+    lines of the robot's :class:`~robodyn.robot.account.Account` to ``note``, or else to ``warn`` (of a
+    description, and by default, those that may change numbers; the rest is in ``robot.account``); ``strict``
+    refuses doubtful numbers.
 
     Raises
     ------
     InputError: no such file or name, or one that cannot be read.
     ToolError: the package that reads the format is not installed.
     """
-    if not _is_foreign(spec):
+    foreign = _is_foreign(spec)
+    if not foreign:
         if model:
             from robodyn.formats.reading import no_model_to_choose
 
@@ -57,7 +59,7 @@ def load(
             (warn or doubtful)(f"{where}: {words}")
     if robot.account is not None:
         tell = note or warn
-        for line in robot.account.lines() if tell else robot.account.doubts():
+        for line in robot.account.lines() if tell and foreign else robot.account.risks():
             (tell or doubtful)(f"{label(spec)}: {line}")
     return robot
 

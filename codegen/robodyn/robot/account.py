@@ -29,14 +29,14 @@ class Account:
     decided: tuple[str, ...] = ()
     not_used: tuple[str, ...] = ()
 
-    def doubts(self) -> Iterator[str]:
+    def risks(self) -> Iterator[str]:
         """What may make the numbers others than those that the file means, for people."""
         yield from self.warnings
         yield from (f"left out, although it changes torques: {text}" for text in self.left_out)
 
     def lines(self) -> Iterator[str]:
-        """All of it for people: doubts first, what is not used on one line."""
-        yield from self.doubts()
+        """All of it for people: risks first, what is not used on one line."""
+        yield from self.risks()
         yield from self.decided
         if self.not_used:
             yield f"not used: {'; '.join(self.not_used)}"
