@@ -58,8 +58,8 @@ def of_format(title: str) -> str:
         cells: dict[str, list[str]] = defaultdict(list)
         for name, entry in row.items():
             cells[_column(entry)].append(_cell(name, entry))
-        shown = (" ".join(cells[column]) for column in ("used", "torques", "none"))
-        rows.append((code("/".join(path)), *shown))
+        columns = (" ".join(cells[column]) for column in ("used", "torques", "none"))
+        rows.append((code("/".join(path)), *columns))
     return page(
         f"# Elements of {title}",
         "An element is named by the end of its path. Elements in it stand in brackets, attributes do not; "

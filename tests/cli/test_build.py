@@ -227,10 +227,10 @@ def test_from_another_folder(project: Path, monkeypatch: pytest.MonkeyPatch) -> 
 def test_notes_are_told_whether_kernels_are_generated_or_in_the_store(project: Path, capsys: Capture) -> None:
     (project / "elbow.yaml").write_text(ELBOW.replace("xx: 0.2", "xx: 2"))
     build()
-    told = capsys.readouterr().err
-    assert "robodyn: warning: elbow.yaml:6:" in told
+    notes = capsys.readouterr().err
+    assert "robodyn: warning: elbow.yaml:6:" in notes
     build()
-    assert capsys.readouterr().err == told
+    assert capsys.readouterr().err == notes
 
 
 def test_a_robot_that_left_leaves_the_lock_file_and_its_files_are_named(

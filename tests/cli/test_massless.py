@@ -97,8 +97,8 @@ def test_a_difference_says_that_torques_are_not_compared(capsys: pytest.CaptureF
 
 def test_0_on_purpose(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["gen", "arm.urdf", "--massless", "-o", "out"]) == 0
-    told = capsys.readouterr().err
-    assert "unknown masses and inertias are taken as 0 on purpose: joint 2" in told
+    err = capsys.readouterr().err
+    assert "unknown masses and inertias are taken as 0 on purpose: joint 2" in err
     head = " ".join(Path("out/arm.h").read_text().replace("*", " ").split())
     assert "mass, centre of mass, inertia (joint 2): assumed" in head
     assert main(["import", "arm.urdf", "--massless", "-o", "arm.yaml"]) == 0

@@ -90,7 +90,7 @@ class Page:
 
     def __init__(self, text: str) -> None:
         self.text = text
-        parts = [*map(_shown, blocks(text)), *(match[0] for match in WRITTEN.finditer(text))]
+        parts = [*map(_text_of, blocks(text)), *(match[0] for match in WRITTEN.finditer(text))]
         self.shown = " ".join("\n".join(parts).split())
         self.numbers = _numbers("\n".join(parts))
         self.equations = list(_equations(text))
@@ -131,10 +131,10 @@ class Page:
         """The first number after ``words``, in what the page shows or in a file of the checkout."""
         text = " ".join((ROOT / path).read_text(encoding="utf-8").split()) if path else self.shown
         _, there, rest = text.partition(words)
-        number = NUMBER.search(rest)
+        figure = NUMBER.search(rest)
         assert there, f"{words!r} is not in {path or 'what the page shows'}"
-        assert number, words
-        return number[0]
+        assert figure, words
+        return figure[0]
 
 
 def faults(text: str) -> list[str]:
@@ -206,7 +206,7 @@ def _equations(text: str) -> Iterator[Equation]:
             yield Equation(sides[1], " ".join(sides[2].split()), start, end)
 
 
-def _shown(block: Block) -> str:
+def _text_of(block: Block) -> str:
     """What a block gives to its example, and what the example is known to print."""
     if block.language == "console":
         compared = block.is_run or block.mark == "run by"

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import math
-import warnings
-from collections.abc import Iterable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Final
@@ -21,6 +19,7 @@ from robodyn.formats.quantities import body_of, unit
 from robodyn.formats.rigid import composed, tidy
 from robodyn.formats.tree import JointLimits, Kind, Leftovers, Loop, Tree, TreeJoint, TreeLink, checked, names
 from robodyn.tools.libraries import MUJOCO
+from robodyn.tools.mujoco import quiet
 
 WORLD: Final = "world"
 _KINDS: Final[tuple[Kind, ...]] = ("floating", "ball", "prismatic", "revolute")
@@ -43,7 +42,7 @@ def read_tree(document: Document, path: Path | None, folders: Iterable[str] = ()
     leftovers = Leftovers(document.file)
     text = handed(document, path, leftovers, folders)
     try:
-        with _quiet(mujoco):
+        with quiet(mujoco):
             files = {name: model.encode() for name, model in text.models.items()}
             spec = mujoco.MjSpec.from_string(text.text, include=files)
             bare = _without_meshes(spec, text)
@@ -58,23 +57,6 @@ def read_tree(document: Document, path: Path | None, folders: Iterable[str] = ()
     tree = _Model(mujoco, spec, model, text, document.file, bare).tree(document, leftovers)
     notes = {"unused": leftovers.unused(), "physics": tuple(leftovers.physics)}
     return checked(replace(tree, **notes, warnings=tuple(text.warnings)))  # type: ignore[arg-type]
-
-
-@contextmanager
-def _quiet(mujoco: Any) -> Iterator[None]:
-    """Without warnings of MuJoCo, nor the log that it writes of them to the current folder.
-
-    They are of a mass matrix that is near to singular (dynamics are not asked for) and of settings of models
-    that are attached (:meth:`_Model.overruled`).
-    """
-    before = mujoco.get_mju_user_warning()
-    mujoco.set_mju_user_warning(lambda _: None)
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            yield
-    finally:
-        mujoco.set_mju_user_warning(before)
 
 
 def _without_meshes(spec: Any, text: Handed) -> set[str]:
@@ -211,8 +193,8 @@ class _Model:
                 words = stated.split()  # MuJoCo reads hexadecimal ones too
                 values = [float.fromhex(word) if "x" in word.lower() else float(word) for word in words]
                 setting = getattr(self.model.opt, name)
-                taken = [setting] if len(words) == 1 else list(setting)
-                counts = stated if values == taken else " ".join(f"{value:g}" for value in taken)
+                settings = [setting] if len(words) == 1 else list(setting)
+                counts = stated if values == settings else " ".join(f"{value:g}" for value in settings)
             if counts != stated:
                 remarks.append(f"{name} is {counts}, and not {stated} ({place}), as MuJoCo reads it")
         return tuple(dict.fromkeys(remarks))

@@ -17,7 +17,6 @@ from robodyn.report.arm_motion import motion
 from robodyn.report.arm_parts import joints, links, reach
 from robodyn.report.schedule_sources import Source, robot_source
 from robodyn.report.schedules import to_dict
-from robodyn.robot.account import account_to_dict
 from robodyn.robot.identity import identity
 from robodyn.robot.model import Robot
 from robodyn.schedule import Machine, Solved, solve
@@ -78,7 +77,6 @@ def arm_of(robot: Robot) -> Arm:
         "schedule": to_dict(source, solved),
         "left_out": generated.left_out,
         "equations": equations(robot),
-        "account": [account_to_dict(robot)],
     }
     return Arm(robot, kernel, generated, source, solved, data)
 

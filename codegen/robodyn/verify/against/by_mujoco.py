@@ -13,6 +13,7 @@ from robodyn.errors import InputError, Place
 from robodyn.files import label
 from robodyn.robot.model import Robot
 from robodyn.tools.libraries import MUJOCO
+from robodyn.tools.mujoco import quiet
 from robodyn.verify.against.arm import (
     NAMELESS,
     Follower,
@@ -45,6 +46,11 @@ class MujocoFile:
         ToolError: MuJoCo is not installed.
         """
         mujoco = MUJOCO.load(where=Place(label(path)))
+        with quiet(mujoco):
+            return cls._read(path, mujoco)
+
+    @classmethod
+    def _read(cls, path: Path, mujoco: Any) -> MujocoFile:
         try:
             return cls(path, mujoco, mujoco.MjModel.from_xml_path(str(path)))
         except (ValueError, mujoco.FatalError) as error:
