@@ -43,7 +43,7 @@ CALLS = {
     "flops": (),
     "schedule": ("-p", "2"),
     "plan": ("--deadline", "100us"),
-    "bench": ("--repeats", "1"),
+    "bench": (),
     "ik": ("--of", "0.1,0.2"),
     "simulate": ("-o", "log.csv", "--duration", "0.5"),
     "diagnose": ("hidden/train.csv", "-o", "out", "--no-kernels", "--only", "payload", "--joints", "2"),
@@ -57,7 +57,7 @@ CALLS = {
     "diff": ("arm.urdf",),
     "report": ("-o", "out.html"),
 }
-#: Those that take longer than a few seconds.
+#: Those that take seconds.
 SLOW = ("bench", "diagnose", "identify", "excite")
 
 #: What writes files that people read: without the robot and ``-o``.
@@ -128,7 +128,9 @@ def test_the_calls_are_those_of_all_commands_that_take_a_robot() -> None:
     assert takes == list(CALLS)
 
 
-@pytest.mark.parametrize("name", [pytest.param(n, marks=pytest.mark.slow) if n in SLOW else n for n in CALLS])
+@pytest.mark.parametrize(
+    "name", [pytest.param(n, marks=pytest.mark.thorough) if n in SLOW else n for n in CALLS]
+)
 def test_a_command_tells_what_is_left_out(name: str, folder: Path, capsys: Capture) -> None:
     robot_words = ("log.csv", "--robot", "arm.urdf") if name == "logs" else ("arm.urdf",)
     if name == "logs":
