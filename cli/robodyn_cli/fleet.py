@@ -76,6 +76,7 @@ def command(
     """
     from robodyn.cluster import check_place
     from robodyn.fleet.sources.reading import read_fleet
+    from robodyn.formats.loading import load
 
     check_place(on)
     folder = result_folder(out)
@@ -93,9 +94,8 @@ def command(
     with progress.line() as shown:
         result = _judged(described, folder, on, diagnose, false_names, security, shown.tell)
         text = _written(result, folder, shown.tell, table=not no_parquet)
-    for each in result.types:
-        for line in each.account:
-            talk(f"robodyn: note: {each.name}: {line}")
+    for arm in described.types.values():
+        load(arm.spec, warn=lambda _: None, note=lambda text: talk(f"robodyn: note: {text}"))
     if as_json:
         echo_document(text)
         return

@@ -11,6 +11,7 @@ from benchmarks.functions import tables as functions
 from benchmarks.gap import tables as gap
 from benchmarks.peers import limits
 from benchmarks.peers import tables as peers
+from benchmarks.public_files import table as public_files
 
 from robodyn_site.outside import RESULTS, ROOT
 
@@ -20,6 +21,7 @@ _WRITERS: Final[Mapping[str, Callable[[Any], str]]] = {
     "benchmarks/functions.md": functions.markdown,
     "benchmarks/limits.md": limits.markdown,
     "benchmarks/gap.md": gap.markdown,
+    "benchmarks/public_files.md": public_files,
 }
 
 
