@@ -3,6 +3,7 @@ the tests of all pages."""
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Generator
 from pathlib import Path
@@ -34,6 +35,44 @@ def pytest_make_collect_report(
     collector: pytest.Collector,
 ) -> Generator[None, pytest.CollectReport, pytest.CollectReport]:
     return (yield from wanted.skip_what_lacks_a_package(collector))
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption(
+        "--except-passed",
+        type=Path,
+        metavar="FILE",
+        help="leave out the tests that passed in another run: a copy of its .pytest_cache/v/robodyn/passed",
+    )
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    if not hasattr(config, "workerinput"):
+        config.pluginmanager.register(_Recorder())
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    file = config.getoption("--except-passed")
+    if file is not None:
+        passed = set(json.loads(file.read_text(encoding="utf-8")))
+        config.hook.pytest_deselected(items=[item for item in items if item.nodeid in passed])
+        items[:] = [item for item in items if item.nodeid not in passed]
+
+
+class _Recorder:
+    """Notes which tests pass, for a later run's ``--except-passed``; runs where all workers report to."""
+
+    def __init__(self) -> None:
+        self.passed: set[str] = set()
+        self.not_passed: set[str] = set()
+
+    def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
+        (self.passed if report.passed else self.not_passed).add(report.nodeid)
+
+    def pytest_sessionfinish(self, session: pytest.Session) -> None:
+        cache = getattr(session.config, "cache", None)  # none with -p no:cacheprovider
+        if cache is not None:
+            cache.set("robodyn/passed", sorted(self.passed - self.not_passed))
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
