@@ -14,6 +14,7 @@ from pathlib import Path
 import pytest
 
 from robodyn_testing import (
+    commit_seeds,
     covering,
     representative,
     require_machine,
@@ -21,6 +22,7 @@ from robodyn_testing import (
     require_npm_package,
     require_tool,
     sampled,
+    seeds,
     wanted,
 )
 
@@ -68,6 +70,28 @@ def test_what_no_package_brings_is_named_and_no_failure(ci: str, monkeypatch: py
     require_machine(True, "a processor")
     with pytest.raises(pytest.skip.Exception, match=r"^missing: a processor with three sines$"):
         require_machine(False, "a processor with three sines")
+
+
+def test_seeds_turn_with_the_commit_or_start_where_they_are_told(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.delenv(seeds.REPEAT, raising=False)
+    drawn = [*commit_seeds(3)]
+    assert drawn == [*commit_seeds(3)] == [*range(drawn[0], drawn[0] + 3)]
+    monkeypatch.setenv(seeds.REPEAT, "7")
+    capsys.readouterr()
+    assert [*commit_seeds(2)] == [7, 8]
+    assert capsys.readouterr().out.splitlines()[-1] == "seed 8 (ROBODYN_SEED=8 starts with it)"
+
+
+def test_seeds_need_no_git(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv(seeds.REPEAT, raising=False)
+    monkeypatch.setenv("PATH", "")
+    seeds._of_commit.cache_clear()
+    try:
+        assert next(commit_seeds(1)) == seeds.WITHOUT_GIT
+    finally:
+        seeds._of_commit.cache_clear()
 
 
 # --- collecting on a machine that lacks packages ------------------------------------------------------------

@@ -15,13 +15,18 @@ Of a test over all robots, effects, functions ... a few cases stay in ``make tes
 
     @pytest.mark.parametrize("name", representative(bundled_names(), "puma560", "stanford"))
     @pytest.mark.parametrize(("name", "scalar"), covering(["puma560", "stanford"], ["double", "float"]))
-    @pytest.mark.parametrize("seed", sampled(range(200), every=20))
+
+A test over many random arms is one test, which loops over seeds that turn with the commit::
+
+    for seed in commit_seeds(20):
+        robot = random_robot(seed)
 """
 
 from __future__ import annotations
 
 from robodyn_testing.cases import covering, representative, sampled
 from robodyn_testing.exactly import constant, exactly
+from robodyn_testing.seeds import commit_seeds
 from robodyn_testing.wanted import (
     require_distribution,
     require_machine,
@@ -31,6 +36,7 @@ from robodyn_testing.wanted import (
 )
 
 __all__ = [
+    "commit_seeds",
     "constant",
     "covering",
     "exactly",
