@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from benchmarks.peers.building import Lacking
 from benchmarks.peers.candidates import Candidate
+from benchmarks.peers.family import family_text
 from benchmarks.peers.ours import kernels, reference
 from benchmarks.peers.race import Race, random_states
 
@@ -18,7 +19,6 @@ from robodyn.bench.peers import hold_against, numbers_of
 from robodyn.counts import count
 from robodyn.kernels.generate import Options, program
 from robodyn.robot import load
-from robodyn.robot.family import family_text
 
 JOINTS = (1, 2, 3, 4, 6, 8, 10, 12, 15, 18, 21, 24, 27, 30)
 

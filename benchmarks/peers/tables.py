@@ -102,9 +102,9 @@ def _growth(rows: Sequence[Mapping[str, Any]]) -> list[str]:
     start = rows[0]["generation_s"]["start"]
     return [
         "## From 1 to 30 joints",
-        "Revolute arms in general position with full inertias (`robodyn.robot.family`), `--optimize fast`: "
-        "no record, no search. Generation is the CPU time of the whole process `robodyn gen` of the inverse "
-        f"dynamics in C; {start:.2f} s of it are the start of Python.",
+        "Revolute arms in general position with full inertias (`benchmarks.peers.family`), `--optimize "
+        "fast`: no record, no search. Generation is the CPU time of the whole process `robodyn gen` of the "
+        f"inverse dynamics in C; {start:.2f} s of it are the start of Python.",
         "![Growth](growth.svg)",
         table(head, lines),
     ]

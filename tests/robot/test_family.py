@@ -6,12 +6,12 @@ import sys
 from typing import Any
 
 import pytest
+from benchmarks.peers.family import family_text
 
 from robodyn import InputError
 from robodyn.counts import count
 from robodyn.kernels.generate import Options, program
 from robodyn.robot import Robot, read_text
-from robodyn.robot.family import family_text
 
 FAST = Options(("inverse_dynamics",), optimize="fast")
 

@@ -8,9 +8,8 @@ from dataclasses import dataclass, replace
 
 from robodyn.formats.chain import ChainJoint, Rotation, Vector, cross, dot, scaled, transposed
 from robodyn.formats.exact import rows, vector
-from robodyn.robot.limits import QUARTER_TURN
 from robodyn.robot.parts import Exact, JointKind, Rows
-from robodyn.robot.rotations import SAME, applied, product
+from robodyn.robot.rotations import QUARTER_TURN, SAME, applied, product
 from robodyn.robot.rotations import transposed as exact_transposed
 from robodyn.robot.values import ZERO
 

@@ -11,9 +11,9 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from robodyn.robot.limits import QUARTER_TURN
 from robodyn.robot.origins import Origins
 from robodyn.robot.parts import Gear, JointKind, Limits
+from robodyn.robot.rotations import QUARTER_TURN
 
 Vector = tuple[float, float, float]
 Rotation = tuple[Vector, Vector, Vector]

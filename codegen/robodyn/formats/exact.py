@@ -5,10 +5,9 @@ from __future__ import annotations
 from fractions import Fraction
 
 from robodyn.formats.chain import IDENTITY, Rotation
-from robodyn.robot.limits import QUARTER_TURN
 from robodyn.robot.numbers import shortest
 from robodyn.robot.parts import Exact, Rows
-from robodyn.robot.rotations import SAME
+from robodyn.robot.rotations import QUARTER_TURN, SAME
 
 
 def vector(u: tuple[float, float, float]) -> Exact:

@@ -25,11 +25,12 @@ from robodyn.formats.chain import Chain, ChainJoint
 from robodyn.formats.exact import rows, vector
 from robodyn.formats.limits import SLIDE, STEEP
 from robodyn.formats.springs import entries_of
-from robodyn.robot.limits import NOTHING, QUARTER_TURN
 from robodyn.robot.model import Inertia, Joint, Link, Robot
 from robodyn.robot.numbers import shortest
 from robodyn.robot.parts import Exact, Rows
 from robodyn.robot.rotations import (
+    NOTHING,
+    QUARTER_TURN,
     SAME,
     about_x,
     about_z,

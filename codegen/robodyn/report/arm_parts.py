@@ -9,10 +9,10 @@ from typing import Any, Final
 
 import numpy as np
 
-from robodyn.robot.limits import ONE_TURN
 from robodyn.robot.model import AXES, Inertia, Joint, Link, Robot
 from robodyn.robot.origins import GROUPS
 from robodyn.robot.plausibility import inertia_doubt, limits_doubt, only_about_base_axis
+from robodyn.robot.rotations import ONE_TURN
 from robodyn.robot.values import Value
 from robodyn.simulate.limits import ASSUMED
 

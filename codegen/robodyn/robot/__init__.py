@@ -13,12 +13,12 @@ from robodyn.robot.model import Comparison, Gear, Inertia, Joint, Limits, Link, 
 from robodyn.robot.reader import DoubtfulRobot, read_bytes, read_text
 
 if TYPE_CHECKING:
-    from robodyn.robot.rotor import fold_rotor
+    from robodyn.robot.masses import fold_rotor
     from robodyn.robot.schema import json_schema
     from robodyn.robot.starter import starter
     from robodyn.robot.writer import to_yaml
 
-_LATER = {"fold_rotor": "rotor", "json_schema": "schema", "starter": "starter", "to_yaml": "writer"}
+_LATER = {"fold_rotor": "masses", "json_schema": "schema", "starter": "starter", "to_yaml": "writer"}
 
 __all__ = [
     "Comparison",

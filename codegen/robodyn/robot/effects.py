@@ -11,9 +11,8 @@ from robodyn.effects.catalogue import CATALOGUE, nearest
 from robodyn.effects.effect import Effect, Parameter
 from robodyn.robot import numbers
 from robodyn.robot.document import Mapping, Node, Scalar, Sequence, describe
-from robodyn.robot.expectations import expectation
 from robodyn.robot.fields import Section
-from robodyn.robot.keys import EFFECTS, INERTIA, KNOTS, Key
+from robodyn.robot.keys import EFFECTS, INERTIA, KNOTS, Key, expectation
 from robodyn.robot.parts import AXES, EffectEntry, Inertia, JointKind, Setting
 from robodyn.robot.values import ZERO
 

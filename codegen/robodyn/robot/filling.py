@@ -14,8 +14,7 @@ from typing import Any, Protocol
 
 from robodyn.errors import InputError
 from robodyn.robot import numbers
-from robodyn.robot.expectations import SIGNS, allowed
-from robodyn.robot.keys import FRICTION, INERTIA, LINK, Key
+from robodyn.robot.keys import FRICTION, INERTIA, LINK, SIGNS, Key, allowed
 from robodyn.robot.parts import AXES, EffectEntry, Inertia, Link
 from robodyn.robot.values import Affine, Value
 

@@ -1,12 +1,14 @@
-"""Masses and inertias that nobody knows: which joints carry them, and taking them as 0 on purpose."""
+"""Masses and inertias that nobody knows: which joints carry them, and taking them as 0 on purpose. Rotors
+folded into the links, as the thesis has them."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
 from robodyn.errors import InputError
-from robodyn.robot.model import Robot
+from robodyn.robot.model import Link, Robot
 from robodyn.robot.origins import Origin
+from robodyn.robot.values import ZERO
 
 
 def unknown_masses(robot: Robot) -> tuple[int, ...]:
@@ -59,3 +61,26 @@ def massless(robot: Robot) -> Robot:
 def _named(joint: int, robot: Robot) -> str:
     name = robot.links[joint - 1].name
     return f"joint {joint}" + ("" if name == f"link{joint}" else f" ({name})")
+
+
+def fold_rotor(robot: Robot) -> Robot:
+    """``robot`` with every ``motor_inertia`` moved into its link, as the thesis's programs do it.
+
+    Revolute: added to the link's Izz. The rotor then takes part in the whole rotation of the link, not
+    only in the joint's own: not the right physics (it is off by several N m on a moving PUMA 560), but what
+    the printed figures were computed with.
+
+    Prismatic: added to the link's mass [kg] at its centre, the nearest thing that a rigid body allows.
+    The joint's own acceleration meets the same inertia as before; in addition the lump weighs, and is
+    swung about by the other joints. The thesis never does this: its listings drop the number (0.782 kg of
+    the Stanford arm), and so do the bundled ``stanford_d3`` and ``stanford_3dof_d3``.
+    """
+    return replace(robot, links=tuple(_with_rotor(link) for link in robot.links))
+
+
+def _with_rotor(link: Link) -> Link:
+    rotor = link.joint.motor_inertia
+    joint = replace(link.joint, motor_inertia=ZERO)
+    if link.joint.kind == "revolute":
+        return replace(link, joint=joint, inertia=replace(link.inertia, zz=link.inertia.zz + rotor))
+    return replace(link, joint=joint, mass=link.mass + rotor)

@@ -11,9 +11,9 @@ from __future__ import annotations
 import math
 from fractions import Fraction
 
-from robodyn.robot.limits import MANY_TURNS, SIX_TURNS
 from robodyn.robot.model import AXES, Inertia, Joint, JointKind, Limits
 from robodyn.robot.numbers import brief
+from robodyn.robot.rotations import MANY_TURNS, SIX_TURNS
 
 # Rounding noise of converted tensors, as a share of the trace, is not worth a word.
 _NOISE = Fraction(1, 10**9)

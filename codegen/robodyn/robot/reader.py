@@ -13,15 +13,14 @@ from robodyn.robot import numbers
 from robodyn.robot.account import PARTS, Account
 from robodyn.robot.dh import effect_from_standard, from_standard, tool_from_standard
 from robodyn.robot.document import Mapping, Node, Scalar, compose, decode, describe
-from robodyn.robot.expectations import expectation
 from robodyn.robot.fields import Section, Source
-from robodyn.robot.keys import INERTIA, LINK, LINKS, REST_VELOCITY, ROBOT, ROW
+from robodyn.robot.keys import INERTIA, LINK, LINKS, REST_VELOCITY, ROBOT, ROW, expectation
 from robodyn.robot.model import Comparison, Gear, Inertia, Joint, JointKind, Limits, Link, Placement, Robot
 from robodyn.robot.names import ROBOT_NAME_EXPECTED, parameter_clash, robot_name_fault, shown
 from robodyn.robot.origins import GROUPS, Origin, Origins
 from robodyn.robot.parts import UNKNOWN, Confidence
-from robodyn.robot.placements import placement_at, pose_at, standard_end_of
 from robodyn.robot.plausibility import inertia_doubt, is_judged, limits_doubt, only_about_base_axis
+from robodyn.robot.poses import from_poses, placement_at, pose_at, standard_end_of
 
 if TYPE_CHECKING:
     from robodyn.robot.effects import Written
@@ -172,8 +171,6 @@ def _links(
             links, end = from_standard(rows), standard_end_of(section, sections, rows[-1])
             effects = [replace(one, entry=effect_from_standard(one.entry, rows[-1])) for one in effects]
         elif any(poses):
-            from robodyn.robot.poses import from_poses  # rows of numbers do without it
-
             links, base = from_poses(rows, poses, base)
     except OverflowError:
         source.fail(

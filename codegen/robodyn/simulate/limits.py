@@ -8,8 +8,8 @@ from fractions import Fraction
 
 import numpy as np
 
-from robodyn.robot.limits import ONE_TURN
 from robodyn.robot.model import Limits, Robot
+from robodyn.robot.rotations import ONE_TURN
 from robodyn.simulate.trajectories.trajectory import Trajectory
 
 _SLACK = 1e-9
