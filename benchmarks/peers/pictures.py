@@ -6,7 +6,8 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from robodyn.draw.dots import Dot, dots
+from benchmarks.peers.dots import Dot, dots
+
 from robodyn.draw.panels import Curve, Panel, figure
 from robodyn.draw.style import GREY, OURS, SKY
 

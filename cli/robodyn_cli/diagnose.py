@@ -110,7 +110,7 @@ def command(
     if as_json:
         echo_document(str(files[DATA]))
     else:
-        from robodyn.report.diagnosis_terminal import summary
+        from robodyn.report.diagnosis_summary import summary
 
         for line in summary(diagnosis, printable(folder / REPORT), validated=validated):
             click.echo(line)

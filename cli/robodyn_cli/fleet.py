@@ -99,7 +99,7 @@ def command(
     if as_json:
         echo_document(text)
         return
-    from robodyn.report.fleet_terminal import summary
+    from robodyn.report.fleet_text import summary
 
     for line in summary(result, printable(folder / _PAGE)):
         click.echo(line)
@@ -156,8 +156,7 @@ def _written(result: FleetResult, folder: Path, tell: Callable[[str], None], *, 
     from robodyn.fleet.as_json import document, text
     from robodyn.fleet.places import unit_folder
     from robodyn.fleet.table import parquet
-    from robodyn.report.fleet import page
-    from robodyn.report.fleet_unit import unit_pages
+    from robodyn.report.fleet import page, unit_pages
 
     tell("robodyn: writing pages")
     check_outputs(folder, [f"{unit_folder(unit.type, unit.unit)}/{_PAGE}" for unit in result.units])

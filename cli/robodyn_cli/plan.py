@@ -63,7 +63,7 @@ def command(
     )
     from robodyn.dynamics.functions import function_named
     from robodyn.errors import CheckError
-    from robodyn.report.plans import plan_text, time_text
+    from robodyn.report.benchmarks import plan_text, time_text
     from robodyn.targets import Target, planned_targets
     from robodyn_cli.progress import line
 

@@ -72,8 +72,7 @@ def _forms(settings: ScheduleOptions, as_json: bool) -> None:
 
 
 def _schedule(settings: ScheduleOptions, as_json: bool) -> None:
-    from robodyn.report.gantt import gantt_svg, sweep_svg
-    from robodyn.report.layers import layers_svg
+    from robodyn.report.schedule_pictures import gantt_svg, layers_svg, sweep_svg
     from robodyn.report.schedules import processors_of, sweep_text, to_dict, to_text
     from robodyn.schedule import Machine, solve
     from robodyn.schedule.methods import SEARCHES

@@ -13,7 +13,7 @@ import pytest
 from robodyn import InputError
 from robodyn.bench.parallel_bench import Measured
 from robodyn.bench.plan import chosen, parse_deadline, parse_target, plans
-from robodyn.report.plans import time_text
+from robodyn.report.benchmarks import time_text
 from robodyn.robot import bundled_text, load
 from robodyn.schedule.tasks import FLOPS_PER_TASK
 from robodyn.targets import TARGETS, planned_targets

@@ -7,7 +7,7 @@ from typing import Final
 
 import numpy as np
 
-from robodyn.draw.dates import DAY
+from robodyn.draw.scales import DAY
 from robodyn.fleet.result import Claim, Feature, FleetResult, Look, Reading, TypeResult, UnitResult, Unused
 
 START: Final = 1_735_689_600.0  # 2025-01-01

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from robodyn.counts.peers import operations_of_peers
+from robodyn.draw.markup import json_text, script_text
 from robodyn.draw.mathml import of_expression, of_latex, of_name
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.emit.statements import Apply
@@ -20,7 +21,6 @@ from robodyn.ir.program import Input
 from robodyn.report.arm_data import Arm, arm_of
 from robodyn.report.arm_page import highlighted, page
 from robodyn.report.arm_parts import ellipsoid, links
-from robodyn.report.scripts import json_text, script_text
 from robodyn.robot import load, read_text
 from robodyn.robot.model import Inertia
 from robodyn.verify.reference import Reference

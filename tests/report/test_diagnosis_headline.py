@@ -10,7 +10,7 @@ import pytest
 from report.made_up import made, many
 from robodyn.diagnose.result import Estimate, Finding, Gap
 from robodyn.report.diagnosis_headline import LINE, headline, in_a_line, missing_words
-from robodyn.report.diagnosis_terminal import summary
+from robodyn.report.diagnosis_summary import summary
 from robodyn.robot import load
 
 

@@ -17,7 +17,7 @@ from robodyn.diagnose.result import Estimate, Finding, Gap, Rival
 from robodyn.gate.gate import inspect
 from robodyn.logs.log import Log
 from robodyn.report.diagnosis import MOST_JOINTS, page
-from robodyn.report.diagnosis_terminal import summary
+from robodyn.report.diagnosis_summary import summary
 from robodyn.robot import Robot, load, read_text
 
 Floats = NDArray[np.float64]

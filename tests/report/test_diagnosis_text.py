@@ -10,7 +10,7 @@ import pytest
 
 from report.made_up import made, many
 from robodyn.diagnose.result import Estimate, Finding, Gap, Verdict, gap_closed
-from robodyn.report.diagnosis_terminal import LINES, summary
+from robodyn.report.diagnosis_summary import LINES, summary
 from robodyn.report.diagnosis_text import with_interval
 from robodyn.robot import Robot, load, read_text
 

@@ -12,12 +12,19 @@ import numpy as np
 import pytest
 
 from report.made_up_fleet import START, fleet, of_one
-from robodyn.draw.dates import DAY
-from robodyn.fleet.result import FleetResult, Look, UnitResult
-from robodyn.report.fleet import page
-from robodyn.report.fleet_map import SHADES, SHOWN, ordered, script_data, shade_of, type_maps
-from robodyn.report.fleet_text import brief, headline, most_unusual, size_text, unusual_text, with_error
-from robodyn.report.fleet_unit import unit_pages
+from robodyn.draw.scales import DAY
+from robodyn.fleet.result import FleetResult, Look, UnitResult, Unused
+from robodyn.report.fleet import page, unit_pages
+from robodyn.report.fleet_charts import SHADES, SHOWN, ordered, script_data, shade_of, type_maps
+from robodyn.report.fleet_text import (
+    brief,
+    headline,
+    most_unusual,
+    size_text,
+    summary,
+    unusual_text,
+    with_error,
+)
 
 HOSTILE = "</script><script>alert(1)</script>\"><img src=x onerror='alert(2)'>"
 
@@ -222,3 +229,44 @@ def test_the_days_of_a_change_are_drawn_where_they_are() -> None:
     low, width = re.findall(r'class="reach" x="([\d.]+)%" width="([\d.]+)%"', text)[0]
     (at,) = re.findall(r'class="point" cx="([\d.]+)%"', text)
     np.testing.assert_allclose([float(low), float(width), float(at)], [2 + 40, 20, 50], atol=2.0)
+
+
+def test_what_to_look_at_first() -> None:
+    lines = summary(fleet(30, 9), "out/index.html")
+    assert " ".join(line.strip() for line in lines[:2]).startswith(
+        "plant: 9 of 30 units differ from their siblings"
+    )
+    assert "look at first:" in lines
+    first = " ".join(line.strip() for line in lines[4:6])
+    assert first.startswith("1. arm<6>/AR-0000: Coulomb and viscous friction, joint 1: +1.10 ")
+    assert first.endswith("(+25 %), drifted until 27 Jun 2025 from 28 Apr 2025 (16 Apr to 7 May 2025)")
+    assert "and 4 more on the page" in lines
+    assert "record next of AR-0000: Record the same motion again." in lines
+    assert "- 1: times go backward (logs/a.csv)" in lines
+    assert lines[-1] == "page: out/index.html"
+    assert max(map(len, lines)) <= 100
+    assert len(lines) <= 20
+
+
+def test_where_nothing_is_named() -> None:
+    assert summary(of_one(), "index.html") == [
+        "plant: The only unit is what it was",
+        "1 unit of 1 type, 1 log of 1 day",
+        "page: index.html",
+    ]
+
+
+def test_reasons_are_counted() -> None:
+    result = of_one()
+    unused = [Unused(f"{k}.csv", "a", "b", f"reason {min(k, 5) % 5}") for k in range(10)]
+    lines = summary(replace(result, unused=tuple(unused)), "p")
+    assert "10 logs not used:" in lines
+    assert "- 6: reason 0 (such as 0.csv)" in lines
+    assert "- 2 for other reasons" in lines
+
+
+def test_control_characters_do_not_reach_the_terminal() -> None:
+    result = fleet(3, 1)
+    look = result.first_to_look_at[0]
+    hostile = replace(result, name="\x1b[2J", first_to_look_at=(Look(look.type, look.unit, "", "a\x1bb\nc"),))
+    assert all(line.isprintable() for line in summary(hostile, "p"))

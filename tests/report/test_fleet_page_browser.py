@@ -10,9 +10,8 @@ import pytest
 from report.made_up_fleet import fleet, of_one
 from report.test_fleet_page import HOSTILE, renamed
 from robodyn.fleet.result import FleetResult
-from robodyn.report.fleet import page
-from robodyn.report.fleet_map import SHOWN, ordered
-from robodyn.report.fleet_unit import unit_pages
+from robodyn.report.fleet import page, unit_pages
+from robodyn.report.fleet_charts import SHOWN, ordered
 from robodyn_testing import require_module
 from robodyn_testing.browser import PHONE, SCHEMES, Browser
 

@@ -13,15 +13,13 @@ from typing import Any, Final
 import numpy as np
 from markupsafe import Markup, escape
 
-from robodyn.draw.markup import markup_template
+from robodyn.draw.markup import json_text, markup_template, policy, script_text
 from robodyn.draw.mathml import of_latex
 from robodyn.emit.render import environment
 from robodyn.report.arm_data import Arm
 from robodyn.report.chart_frames import Chart, Frame, Mark, span
 from robodyn.report.figures import formatted
-from robodyn.report.gantt import gantt_svg
-from robodyn.report.layers import layers_svg
-from robodyn.report.scripts import json_text, policy, script_text
+from robodyn.report.schedule_pictures import gantt_svg, layers_svg
 from robodyn.robot.account import account_lines
 
 #: What the script is told of an arm; the rest of its data stands in the page.

@@ -14,8 +14,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.draw.dates import date_ticks
-from robodyn.draw.scales import ticks
+from robodyn.draw.scales import date_ticks, ticks
 
 Floats = NDArray[np.float64]
 

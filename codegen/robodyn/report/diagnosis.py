@@ -5,18 +5,22 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, Final
 
-import numpy as np
-
 from robodyn.diagnose.result import Diagnosis, Series, Window
 from robodyn.draw.markup import markup_template
 from robodyn.report.diagnosis_charts import COLUMNS, DOTS, over, over_time, range_text, torques
 from robodyn.report.diagnosis_findings import MOST_CARDS, across, cards, looks, next_of, part
-from robodyn.report.diagnosis_gap import ladder, tables, units_at
-from robodyn.report.diagnosis_groups import by_joint, table_of_kinds
 from robodyn.report.diagnosis_headline import in_a_line
+from robodyn.report.diagnosis_joints import by_joint, change, ladder, table_of_kinds, tables, units_at
 from robodyn.report.diagnosis_summary import advice, main_joint, tiles
-from robodyn.report.diagnosis_text import VERDICTS, is_contact, is_touched_only, place_of, title_of, units_of
-from robodyn.report.diagnosis_where import QUANTITIES, Localised, Travel, localised, travelled
+from robodyn.report.diagnosis_text import (
+    is_contact,
+    is_touched_only,
+    place_of,
+    times_noise,
+    title_of,
+    units_of,
+)
+from robodyn.report.diagnosis_where import QUANTITIES, Travel, localised, travelled
 from robodyn.report.figures import formatted
 
 #: Joints that are drawn at most: those of findings, then those where most is left.
@@ -50,7 +54,7 @@ def page(diagnosis: Diagnosis, *, validated: bool) -> str:
     return markup_template("diagnosis.html.j2").render(
         robot=diagnosis.robot,
         verdict=diagnosis.verdict,
-        verdict_words=VERDICTS[diagnosis.verdict],
+        verdict_words=diagnosis.verdict.replace("_", " "),
         headline=line,
         lead=lead,
         words=diagnosis.words,
@@ -68,20 +72,27 @@ def page(diagnosis: Diagnosis, *, validated: bool) -> str:
         experiments=[*experiments, *advice(diagnosis, places, travels)],
         ladder=ladder(diagnosis, validated),
         tables=tables(diagnosis, validated),
+        floor=diagnosis.gap.noise_floor,
         unit=units_of(diagnosis),
-        places=[_place(place) for place in places] if any(p.shown for p in places) else [],
+        places=places if any(place.shown for place in places) else [],
         quantities=QUANTITIES,
         logs_drawn=_drawn(diagnosis, validated, windows),
-        tried=[_tried(one) for one in diagnosis.tried[:_TRIED]],
+        tried=diagnosis.tried[:_TRIED],
         diff=_diff(diagnosis.diff),
         operations=diagnosis.operations,
-        counts=_counts(diagnosis),
+        counts=diagnosis.counts,
+        kinds_of_operations=_KINDS,
         travels=[_travel(diagnosis, travel) for travel in travels],
         detectable=diagnosis.detectable is not None,
         flags=diagnosis.flags[:_FLAGS],
         more_flags=max(0, len(diagnosis.flags) - _FLAGS),
-        logs=_logs(diagnosis, validated),
+        logs=diagnosis.logs,
         version=version("robodyn"),
+        change=change,
+        formatted=formatted,
+        part=part,
+        place_of=place_of,
+        title_of=title_of,
     )
 
 
@@ -95,25 +106,6 @@ def _windows(diagnosis: Diagnosis) -> list[Window]:
         if is_contact(f.effect) and not isinstance(start, str | None) and not isinstance(end, str | None):
             windows.append(Window("train", start, end, "contact"))
     return windows
-
-
-# --- where ------------------------------------------------------------------------------------------------
-
-
-def _place(place: Localised) -> dict[str, Any]:
-    cells = [
-        {"share": f"{100 * x:.0f}", "width": part(x), "is_best": name == place.best}
-        for name, x in zip(QUANTITIES, place.shown, strict=False)
-    ]
-    return {
-        "joint": place.joint,
-        "share": f"{100 * place.share:.0f} %",
-        "width": part(place.share),
-        "cells": cells,
-        "best": place.best,
-        "left": formatted(place.left),
-        "is_left": place.left > 1,
-    }
 
 
 # --- the residual -----------------------------------------------------------------------------------------
@@ -149,8 +141,7 @@ def _series(diagnosis: Diagnosis, validated: bool) -> list[Series]:
 def _shown_joints(diagnosis: Diagnosis) -> list[int]:
     """Joints (from 0) that are drawn: those of findings, then those where most is left."""
     named = {f.joint - 1 for f in diagnosis.findings if f.joint is not None}
-    with np.errstate(all="ignore"):
-        size = np.nan_to_num(diagnosis.gap.train_before / diagnosis.gap.noise_floor, nan=0.0, posinf=0.0)
+    size = times_noise(diagnosis, diagnosis.gap.train_before)
     by_size = sorted(range(diagnosis.robot.n), key=lambda j: (j not in named, -float(size[j]), j))
     return sorted(by_size[:MOST_JOINTS])
 
@@ -187,16 +178,6 @@ def _joint(
 # --- the model and the logs -------------------------------------------------------------------------------
 
 
-def _tried(one: Any) -> dict[str, str]:
-    return {
-        "title": title_of(one.effect),
-        "place": place_of(one.joint),
-        "gain": formatted(one.gain),
-        "t": formatted(one.t),
-        "reason": one.reason,
-    }
-
-
 def _diff(text: str) -> list[tuple[str, str]]:
     """Lines of a unified diff with what each is."""
     lines = text.splitlines()
@@ -210,26 +191,6 @@ def _kind(line: str) -> str:
     if line.startswith(("---", "+++", "@@")):
         return "hunk"
     return {"+": "added", "-": "gone"}.get(line[:1], "same")
-
-
-def _counts(diagnosis: Diagnosis) -> dict[str, Any]:
-    """Operations before and after: as bars, and by kind where that is known."""
-    old, new = diagnosis.operations
-    top = max(old, new, 1)
-    rows = []
-    if diagnosis.counts is not None:
-        before, after = diagnosis.counts
-        for kind, name in _KINDS.items():
-            a, b = int(before.get(kind, 0)), int(after.get(kind, 0))
-            if a or b:
-                rows.append({"name": name, "before": a, "after": b, "change": f"{b - a:+d}"})
-    return {
-        "before": part(old / top),
-        "after": part(new / top),
-        "change": f"{new - old:+d}",
-        "relative": f"{100 * (new / old - 1):+.0f} %" if old and new != old else "",
-        "rows": rows,
-    }
 
 
 def _travel(diagnosis: Diagnosis, travel: Travel) -> dict[str, Any]:
@@ -251,20 +212,3 @@ def _travel(diagnosis: Diagnosis, travel: Travel) -> dict[str, Any]:
         "wants": travel.wants,
         "seen": f"{formatted(detectable[travel.joint - 1])} {units['tau']}" if detectable is not None else "",
     }
-
-
-def _logs(diagnosis: Diagnosis, validated: bool) -> Sequence[dict[str, str]]:
-    last = len(diagnosis.logs) - 1
-    return [
-        {
-            "name": log.get("name", ""),
-            "sha256": log.get("sha256", ""),
-            "use": "validation" if validated and k == last else "fitted",
-            "size": ", ".join(
-                f"{log[key]}{unit}"  # duration and rate come with their units
-                for key, unit in (("duration", ""), ("rate", ""), ("samples", " samples"))
-                if key in log
-            ),
-        }
-        for k, log in enumerate(diagnosis.logs)
-    ]

@@ -12,7 +12,7 @@ from robodyn.diagnose.limits import CLAIM
 from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Rival, Series
 from robodyn.report.chart_frames import Chart, percent
 from robodyn.report.diagnosis_charts import Across, over, over_time
-from robodyn.report.diagnosis_gap import units_at
+from robodyn.report.diagnosis_joints import units_at
 from robodyn.report.diagnosis_text import (
     interval_text,
     is_contact,
@@ -24,7 +24,7 @@ from robodyn.report.diagnosis_text import (
     value_text,
 )
 from robodyn.report.diagnosis_where import Localised
-from robodyn.report.figures import formatted
+from robodyn.report.figures import capital, formatted
 
 #: An interval is drawn from nothing to this many times the value.
 REACH: Final = 2.0
@@ -77,7 +77,7 @@ def cards(diagnosis: Diagnosis, places: Sequence[Localised], windows: Any) -> li
 def _where(finding: Finding) -> str:
     """Words of where, without the place, which stands above them."""
     text = finding.where.removeprefix(f"{place_of(finding.joint)}: ")
-    return text[:1].upper() + text[1:]
+    return capital(text)
 
 
 # --- values -----------------------------------------------------------------------------------------------
@@ -232,6 +232,5 @@ def next_of(diagnosis: Diagnosis) -> list[dict[str, str]]:
             title = (
                 f"{about} or {', '.join(named(r) for r in f.confounded_with)}" if f.confounded_with else about
             )
-            text = f"{f.experiment[:1].upper()}{f.experiment[1:]}"
-            seen.setdefault(f.experiment, {"title": title, "text": text})
+            seen.setdefault(f.experiment, {"title": title, "text": capital(f.experiment)})
     return list(seen.values())

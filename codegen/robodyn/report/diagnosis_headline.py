@@ -21,10 +21,12 @@ from robodyn.report.diagnosis_text import (
     listed,
     named,
     still,
+    times_noise,
     touched_at,
     traits_of,
     worst_joint,
 )
+from robodyn.report.figures import capital
 
 #: Things in one sentence; the others are counted.
 _MOST: Final = 5
@@ -90,7 +92,7 @@ def _first(*texts: str, room: int) -> str:
 
 
 def _sentence(text: str) -> str:
-    return f"{text[:1].upper()}{text[1:]}." if text else ""
+    return f"{capital(text)}." if text else ""
 
 
 def _worst(diagnosis: Diagnosis) -> list[str]:
@@ -192,8 +194,7 @@ def consistent_words(diagnosis: Diagnosis, *, validated: bool) -> tuple[str, str
         floor = (", ", "what it leaves is at the noise floor") if known else ("", "")
         return ("explains the logs: no effect needs to be added", *floor)
     _, after = chosen(diagnosis, validated)
-    with np.errstate(all="ignore"):
-        ratio = np.nan_to_num(after / diagnosis.gap.noise_floor, nan=0.0, posinf=0.0)
+    ratio = times_noise(diagnosis, after)
     most = max(rest, key=lambda joint: float(ratio[joint - 1]))
     leaves = f"joint {most} leaves {_times(float(ratio[most - 1]))} the noise"
     if within:

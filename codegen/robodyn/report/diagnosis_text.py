@@ -22,11 +22,6 @@ _UNSEEN_SIZE: Final = 1.0
 #: A gap so many times the noise is still one.
 _STILL: Final = 1.5
 _PEOPLE: Final = ("Coulomb", "Stribeck")
-VERDICTS: Final = {
-    "missing_effect": "missing effect",
-    "consistent": "consistent",
-    "unexplained": "unexplained",
-}
 
 
 def title_of(effect: str) -> str:
@@ -172,9 +167,14 @@ def chosen(diagnosis: Diagnosis, validated: bool) -> tuple[Floats, Floats]:
 def still(diagnosis: Diagnosis, validated: bool) -> list[int]:
     """Joints (from 1) at which a gap is left that stands out of the noise."""
     _, after = chosen(diagnosis, validated)
+    return (np.flatnonzero(times_noise(diagnosis, after) > _STILL) + 1).tolist()
+
+
+def times_noise(diagnosis: Diagnosis, rms: Floats, unknown: float = 0.0) -> Floats:
+    """How many times the noise floor ``rms`` [n] is; ``unknown`` where either is not known, and 0 where there
+    is no noise."""
     with np.errstate(all="ignore"):
-        rest = np.nan_to_num(after / diagnosis.gap.noise_floor, nan=0.0, posinf=0.0)
-    return (np.flatnonzero(rest > _STILL) + 1).tolist()
+        return np.nan_to_num(rms / diagnosis.gap.noise_floor, nan=unknown, posinf=0.0)
 
 
 def joints_of(joints: Sequence[int], n: int | None = None) -> str:

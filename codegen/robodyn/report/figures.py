@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Collection, Sequence
 
 
 def formatted(value: float) -> str:
@@ -25,3 +26,21 @@ def with_error(value: float, error: float, sign: str = "+-") -> str:
     value, error = round(value, places), round(error, places)
     places = max(places, 0)
     return f"{value + 0.0:.{places}f} {sign} {error:.{places}f}"
+
+
+def capital(text: str) -> str:
+    """``text`` at the beginning of a line."""
+    return text[:1].upper() + text[1:]
+
+
+def aligned(rows: Sequence[Sequence[str]], left: Collection[int] = ()) -> list[str]:
+    """``rows`` of a table as lines, each column as wide as its widest cell: to the right, but for those that
+    are ``left``."""
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    return [
+        "  ".join(
+            cell.ljust(width) if k in left else cell.rjust(width)
+            for k, (cell, width) in enumerate(zip(row, widths, strict=True))
+        ).rstrip()
+        for row in rows
+    ]

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.dynamics.inverse import Numerical
+from robodyn.report.figures import aligned
 from robodyn.simulate.pose_text import roll_pitch_yaw
 from robodyn.simulate.poses import LEAST_SQUARES, Posed, PoseSolver, Solution
 
@@ -106,15 +107,7 @@ def _table(solver: PoseSolver, solutions: Sequence[Solution], *, degrees: bool) 
         q = [_number(to_degrees(x) if turn else x) for x, turn in zip(each.q.tolist(), turns, strict=True)]
         flags = ["yes" if flag else "no" for flag in (each.exists, each.within, each.singular)]
         rows.append([each.name, *q, *flags, _off(each, solver, degrees=degrees)])
-    widths = [max(len(row[k]) for row in rows) for k in range(len(heads))]
-    last = len(heads) - 1
-    return [
-        "  ".join(
-            cell if k == last else cell.ljust(w) if k == 0 else cell.rjust(w)
-            for k, (cell, w) in enumerate(zip(row, widths, strict=True))
-        ).rstrip()
-        for row in rows
-    ]
+    return aligned(rows, left=(0, len(heads) - 1))
 
 
 def _off(solution: Solution, solver: PoseSolver, *, degrees: bool) -> str:

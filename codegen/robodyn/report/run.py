@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from robodyn.report.figures import aligned
 from robodyn.simulate.simulation import Simulation
 from robodyn.simulate.trajectories.trajectory import Trajectory
 
@@ -92,9 +93,7 @@ def to_text(summary: Mapping[str, Any]) -> list[str]:
                 "-" if row["peak_error"] is None else f"{row['peak_error']:.2g} {unit}",
             )
         )
-    widths = [max(len(row[k]) for row in rows) for k in range(len(_HEADS))]
-    lines += ["  ".join(c.rjust(w) for c, w in zip(row, widths, strict=True)).rstrip() for row in rows]
-    return lines
+    return lines + aligned(rows)
 
 
 def repr_of(path: str) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from robodyn.errors import InputError
+from robodyn.report.figures import aligned
 from robodyn.report.schedule_sources import BY_RULE, Source
 from robodyn.schedule import FLOPS_PER_TASK, Solved
 from robodyn.schedule.methods import TITLES
@@ -154,13 +155,12 @@ def sweep_text(source: Source, solutions: Sequence[Solved]) -> str:
                 "-" if beside is None else f"{beside[0]} ({beside[1]})",
             )
         )
-    widths = [max(len(row[k]) for row in rows) for k in range(len(heads))]
     graph = source.graph
     lines = [
         f"{source.name}: {len(graph)} {source.tasks}, critical path {graph.critical_path}",
         TITLES[solutions[0].method] if solutions else "",
         "",
-        *("  ".join(cell.rjust(width) for cell, width in zip(row, widths, strict=True)) for row in rows),
+        *aligned(rows),
         *_wrapped(source.notes),
     ]
     return "\n".join(lines) + "\n"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Final
 
 from robodyn.draw import style
@@ -35,7 +36,9 @@ def dots(title: str, note: str, x_label: str, rows: Sequence[Dot]) -> str:
 
     left: Final = style.MARGIN + max(style.text_width(row.name) for row in rows) + 10
     colours = [style.OURS if row.ours else style.OTHERS for row in rows]
-    return markup_template("dots.svg.j2").render(
+    markup = markup_template("panels.svg.j2").environment
+    template = markup.from_string(Path(__file__).with_name("dots.svg.j2").read_text(encoding="utf-8"))
+    return template.render(
         style=style,
         width=f"{max(left + _WIDTH + 60, style.head_width(title, note)):.0f}",
         height=_HEAD + _ROW * len(rows) + 52,
