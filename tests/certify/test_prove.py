@@ -13,7 +13,7 @@ from typing import Any
 
 import pytest
 
-from robodyn.certify import Finding, ProofOptions, eva, misra, parts, stack
+from robodyn.certify import Finding, ProofOptions, eva, misra, stack
 from robodyn.certify import prove as run_proof
 from robodyn.certify.plan import Subject, subject
 from robodyn.certify.run import Proof
@@ -53,7 +53,7 @@ def with_c(made: Subject, old: str, new: str) -> Subject:
 def test_eva_finds_no_alarm(tmp_path: Path, trig: str, scalar: str) -> None:
     require_tool("frama-c")
     made = subject(PUMA, PUMA, Options(scalar=scalar, trig=trig))  # type: ignore[arg-type]
-    found = finding(parts.prove_eva, made, tmp_path)
+    found = finding(eva.prove_eva, made, tmp_path)
     assert (found.status, found.data["alarms"]) == ("proved", 0), found.lines
 
 
@@ -68,7 +68,7 @@ def test_eva_finds_no_alarm(tmp_path: Path, trig: str, scalar: str) -> None:
 def test_eva_sees_what_is_wrong(tmp_path: Path, new: str, words: str) -> None:
     require_tool("frama-c")
     made = with_c(subject(PUMA, PUMA, OPTIONS), "tau[0] = tau1;", new)
-    found = finding(parts.prove_eva, made, tmp_path)
+    found = finding(eva.prove_eva, made, tmp_path)
     assert found.status == "failed"
     assert any(word in " ".join(found.lines).lower() for word in words.split("|")), found.lines
 
@@ -109,7 +109,7 @@ def test_the_stack_is_counted_along_calls() -> None:
 
 def test_the_stack_of_a_kernel(tmp_path: Path) -> None:
     require_tool("gcc")
-    found = finding(parts.prove_stack, subject(PUMA, PUMA, OPTIONS), tmp_path)
+    found = finding(stack.prove_stack, subject(PUMA, PUMA, OPTIONS), tmp_path)
     assert found.status == "proved", found.lines
     host = found.data["stack"][0]
     assert 0 < host["bytes"] <= 1024
@@ -119,7 +119,7 @@ def test_the_stack_of_a_kernel(tmp_path: Path) -> None:
 def test_the_stack_sees_calls_of_libm(tmp_path: Path) -> None:
     require_tool("gcc")
     made = subject(PUMA, PUMA, Options(functions=("gravity",), scalar="float"))
-    found = finding(parts.prove_stack, made, tmp_path)
+    found = finding(stack.prove_stack, made, tmp_path)
     assert found.status == "failed"
     assert "cosf, sinf" in found.lines[0]
 
@@ -135,7 +135,7 @@ def test_misra_findings_are_explained(tmp_path: Path, name: str, trig: str) -> N
     require_tool("cppcheck")
     robot = load(name, warn=lambda _: None) if name != "rubbing" else _arm("rubbing")
     made = subject(robot, robot, Options(scalar="float", trig=trig))  # type: ignore[arg-type]
-    found = finding(parts.prove_misra, made, tmp_path)
+    found = finding(misra.prove_misra, made, tmp_path)
     assert found.status == "proved", found.lines
     text = made.files[f"{made.generated.unit.robot.name}.c"]
     for rule in found.data["rules"]:
@@ -158,7 +158,7 @@ def test_misra_findings_of_inverse_kinematics_are_explained(tmp_path: Path) -> N
     require_tool("cppcheck")
     pair = read_text(PAIR)
     kernel = subject(pair, pair, Options(("inverse_kinematics", "nearest_inverse_kinematics")))
-    result = finding(parts.prove_misra, kernel, tmp_path)
+    result = finding(misra.prove_misra, kernel, tmp_path)
     assert result.status == "proved", result.lines
     assert {"2.5", "8.7"} <= set(result.data["rules"])
 
@@ -176,7 +176,7 @@ def test_what_callers_need_is_explained(function: str, rules: set[str], follows_
     generated = generate(read_text(PAIR), Options((function,), trig="builtin", misra=True))
     head = generated.files(("c",))["pair.c"]
     assert set(re.findall(r"(?m)^ \* (\d+\.\d+): ", head)) == rules
-    assert ("--valueflow-max-iterations=0" not in misra.options(generated.unit)) is follows_values
+    assert ("--valueflow-max-iterations=0" not in misra.cppcheck_options(generated.unit)) is follows_values
 
 
 @pytest.mark.parametrize(
@@ -193,7 +193,7 @@ def test_what_callers_need_is_explained(function: str, rules: set[str], follows_
 def test_misra_sees_what_is_wrong(tmp_path: Path, new: str, rule: str) -> None:
     require_tool("cppcheck")
     made = with_c(subject(PUMA, PUMA, OPTIONS), "tau[0] = tau1;", new)
-    found = finding(parts.prove_misra, made, tmp_path)
+    found = finding(misra.prove_misra, made, tmp_path)
     assert found.status == "failed"
     assert rule in found.data["unexplained"] or (rule == "others" and found.data["others"])
 
@@ -217,7 +217,7 @@ def test_robots_are_not_taken_for_files_of_the_proof(tmp_path: Path, name: str) 
     require_tool("frama-c")
     robot = replace(load("stanford_3dof"), name=name)
     made = subject(robot, robot, OPTIONS)
-    for part in (parts.prove_misra, parts.prove_eva):
+    for part in (misra.prove_misra, eva.prove_eva):
         folder = tmp_path / part.__name__
         folder.mkdir()
         found = finding(part, made, folder)

@@ -10,9 +10,8 @@ import numpy as np
 import pytest
 
 from robodyn.certify.forward import Forward
-from robodyn.certify.gappa import Scripts
+from robodyn.certify.gappa import Proven, Scripts, prove, read
 from robodyn.certify.readback import check_read_back
-from robodyn.certify.rounding import Proven, prove, read
 from robodyn.certify.tools import Done
 from robodyn.errors import CheckError, InputError
 from robodyn.ir.evaluate import evaluate

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from certify.test_prove import OPTIONS, PUMA, finding
-from robodyn.certify import parts, stack
+from robodyn.certify import stack
 from robodyn.certify.plan import subject
 from robodyn_testing import require_tool
 
@@ -20,7 +20,7 @@ def test_machines_without_a_compiler_have_rows_like_the_others(
     for tool in ("gcc", "as"):
         (tmp_path / "path" / tool).symlink_to(require_tool(tool))
     monkeypatch.setenv("PATH", str(tmp_path / "path"))
-    host, *others = finding(parts.prove_stack, subject(PUMA, PUMA, OPTIONS), tmp_path).data["stack"]
+    host, *others = finding(stack.prove_stack, subject(PUMA, PUMA, OPTIONS), tmp_path).data["stack"]
     assert others
     assert host["bytes"] > 0
     for row in others:
@@ -37,7 +37,7 @@ def test_a_kernel_that_does_not_compile_somewhere_has_no_proof(
     machine = stack.machines()[0]
     broken = replace(machine, name="broken", flags=(*machine.flags, "-fno-such-flag"))
     monkeypatch.setattr(stack, "machines", lambda **_: (machine, broken))
-    found = finding(parts.prove_stack, subject(PUMA, PUMA, OPTIONS), tmp_path)
+    found = finding(stack.prove_stack, subject(PUMA, PUMA, OPTIONS), tmp_path)
     assert found.status == "failed"
     assert found.data["stack"][0].keys() == found.data["stack"][1].keys()
     assert "-fno-such-flag" in found.data["stack"][1]["reason"]

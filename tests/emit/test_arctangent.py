@@ -23,8 +23,7 @@ from emit.modules import Module
 from robodyn.effects.scalars import arctangent, choose, magnitude
 from robodyn.emit.arctangent import DOUBLE, FLOAT, WIDE, Arctangent
 from robodyn.emit.batch import batch_files
-from robodyn.firmware.digest import outputs
-from robodyn.firmware.sine import kernel_sine
+from robodyn.firmware.digest import kernel_sine, outputs
 from robodyn.ir import Graph, Input
 from robodyn.ir.evaluate import evaluate
 from robodyn.ir.lowering import lower

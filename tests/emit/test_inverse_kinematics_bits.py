@@ -17,8 +17,7 @@ from robodyn.certify.tools import run
 from robodyn.emit.batch import batch_files
 from robodyn.emit.languages.fortran import LANGUAGE
 from robodyn.emit.render import environment
-from robodyn.firmware.digest import outputs
-from robodyn.firmware.sine import kernel_sine
+from robodyn.firmware.digest import kernel_sine, outputs
 from robodyn.kernels.generate import Options, generate
 from robodyn.robot import load
 from robodyn_testing import require_tool

@@ -18,12 +18,10 @@ from firmware.folders import digests, fortran, host, require_firmware_tools, run
 from robodyn.dynamics.functions import function_named
 from robodyn.emit.languages import compiled_language
 from robodyn.firmware import Folder, firmware, firmware_options, measure, targets_named
-from robodyn.firmware.digest import fnv1a, outputs
-from robodyn.firmware.poses import missed_poses, well_conditioned
+from robodyn.firmware.digest import fnv1a, kernel_sine, outputs
 from robodyn.firmware.rounding import rounding_bounds
-from robodyn.firmware.sine import kernel_sine
 from robodyn.firmware.states import DTYPE, draw, ranges
-from robodyn.firmware.vectors import evaluated
+from robodyn.firmware.vectors import evaluated, missed_poses, well_conditioned
 from robodyn.ir.program import Input
 from robodyn.kernels.generate import Generated, Options, generate
 from robodyn.robot import load

@@ -9,9 +9,8 @@ import pytest
 
 from emit.angles import SCALARS, TYPES, program
 from robodyn.effects.scalars import arctangent, choose
-from robodyn.firmware.digest import outputs
+from robodyn.firmware.digest import kernel_sine, outputs
 from robodyn.firmware.rounding import rounding_bounds
-from robodyn.firmware.sine import kernel_sine
 from robodyn.ir import Graph, Input
 from robodyn.ir.evaluate import evaluate
 from robodyn.ir.lowering import lower

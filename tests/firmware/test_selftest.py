@@ -10,9 +10,8 @@ import numpy as np
 import pytest
 
 from firmware.folders import SCALARS, digests, folder, fortran, host, made, robot, run, write
-from robodyn.firmware.digest import outputs
+from robodyn.firmware.digest import kernel_sine, outputs
 from robodyn.firmware.rounding import rounding_bounds
-from robodyn.firmware.sine import kernel_sine
 from robodyn.firmware.states import draw, ranges, vector_states
 from robodyn.firmware.vectors import Unconfirmed, vectors
 from robodyn.ir.program import Input, Program

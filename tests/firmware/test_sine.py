@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from firmware.folders import SCALARS
+from robodyn.firmware.digest import kernel_sine
 from robodyn.firmware.rounding import ACCURATE, FAR
-from robodyn.firmware.sine import kernel_sine
 from robodyn.firmware.states import DTYPE
 
 

@@ -15,8 +15,7 @@ from robodyn.errors import InputError
 from robodyn.kernels.generate import Generated, Options, generate
 from robodyn.outputs import is_marked
 from robodyn.packages import FORMATS, Format, format_named, package
-from robodyn.packages.format import Trait
-from robodyn.packages.maintainer import Maintainer
+from robodyn.packages.format import Maintainer, Trait
 from robodyn.packages.writing import zipped
 from robodyn.robot import read_text
 from robodyn_testing import require_tool

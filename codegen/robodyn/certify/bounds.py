@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-from robodyn.certify import rounding
-from robodyn.certify.finding import Finding, Tell, not_run
 from robodyn.certify.forward import Forward
-from robodyn.certify.gappa import Scripts
+from robodyn.certify.gappa import Proven, Scripts, prove
 from robodyn.certify.observed import peaks, worst_errors
-from robodyn.certify.plan import ProofOptions, Subject, ranges_of
+from robodyn.certify.plan import Finding, ProofOptions, Subject, Tell, not_run, ranges_of
 from robodyn.certify.readback import check_read_back
 from robodyn.certify.tools import version
-from robodyn.certify.trig import claim
 from robodyn.dynamics.functions import FUNCTIONS
+from robodyn.emit.trig import DOUBLE, FLOAT, accuracy_notes
 from robodyn.errors import CheckError, InputError, ToolError
 from robodyn.ir.program import Program
 from robodyn.ir.signature import Signature
@@ -51,7 +50,7 @@ def prove_bounds(subject: Subject, proofs: ProofOptions, folder: Path, tell: Tel
     proven = dict(
         zip(
             names,
-            rounding.prove(
+            prove(
                 gappa,
                 folder,
                 names,
@@ -102,7 +101,7 @@ def _rows(
     signature: Signature,
     program: Program,
     own: dict[str, tuple[str, float]],
-    bounds: dict[str, rounding.Proven],
+    bounds: dict[str, Proven],
     tell: Tell,
 ) -> list[dict[str, Any]]:
     tell(f"searching for the worst error of {signature.function}")
@@ -178,4 +177,32 @@ def _finding(subject: Subject, rows: list[dict[str, Any]], files: dict[str, str]
 def _failed(reason: str) -> Finding:
     return Finding(
         "gappa", "failed", "Bounds of rounding errors.", (reason,), {"bounds": [], "reason": reason}
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class Claim:
+    """Errors of sine and cosine below ``ulps`` units in the last place (of a value below 1) while angles are
+    below ``limit`` [rad]; ``text`` says so, and who says it."""
+
+    ulps: float
+    limit: float | None
+    text: str
+
+
+def claim(trig: str, scalar: str) -> Claim:
+    """What is known of the sine and cosine of kind ``trig``."""
+    if trig == "given":
+        return Claim(0.0, None, "The sines and cosines in sc count as exact: their error is the caller's.")
+    if trig == "libm":
+        return Claim(
+            1.0,
+            None,
+            "Assumed, not proven: errors of libm's sine and cosine are at most 1 unit in the last place.",
+        )
+    numbers = FLOAT if scalar == "float" else DOUBLE
+    return Claim(
+        1.0,
+        numbers.exact,
+        "Stated of the kernel's sine and cosine: " + " ".join(accuracy_notes(single=scalar == "float")),
     )

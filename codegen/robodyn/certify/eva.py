@@ -5,11 +5,15 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
-from robodyn.certify.tools import Done, last_lines
+from robodyn.certify.plan import Finding, ProofOptions, Subject, Tell, not_run
+from robodyn.certify.tools import PATIENCE, Done, last_lines, run, version
 from robodyn.emit.listing import Listing, listing_of
+from robodyn.emit.render import environment
 from robodyn.ir.signature import Signature
+from robodyn.tools.programs import FRAMA_C
 
 #: Special numbers are values like others; every function is entered; integers must not overflow either. Loops
 #: through the angles of a function are looked at turn by turn: what is read later has been written.
@@ -148,3 +152,40 @@ def _alarm_lines(output: str) -> list[str]:
                 rest.append(more)
             alarms.append(" ".join(" ".join(rest).split()))
     return alarms
+
+
+def prove_eva(subject: Subject, proofs: ProofOptions, folder: Path, tell: Tell) -> Finding:
+    """No run-time error, whatever the inputs are."""
+    frama_c = FRAMA_C.path()
+    if frama_c is None:
+        return not_run("eva", FRAMA_C)
+    name = subject.generated.unit.robot.name
+    context = driver_context(name, subject.generated.signatures)
+    driver = f"{name}_eva.c"
+    text = environment().get_template("prove/eva_driver.c.j2").render(context)
+    (folder / driver).write_text(text, encoding="utf-8", newline="\n")
+    arguments = [*OPTIONS, f"{name}.c", driver]
+    tell("Frama-C Eva")
+    done = run([frama_c, *arguments], folder, PATIENCE)
+    analysis = read(done, PATIENCE)
+    functions = ", ".join(s.function for s in subject.generated.signatures)
+    return Finding(
+        "eva",
+        "proved" if analysis.proved else "failed",
+        f"{functions}, sine and cosine: no undefined behaviour for any inputs, infinite ones and NaN among "
+        "them, in arrays that are large enough and do not overlap.",
+        (
+            analysis.reason
+            or f"0 alarms; {analysis.statements[0]} of {analysis.statements[1]} statements reached",
+        ),
+        {
+            "alarms": analysis.alarms,
+            "said": list(analysis.messages),
+            "functions": list(analysis.functions),
+            "statements": list(analysis.statements),
+            "reason": analysis.reason,
+        },
+        (f"Frama-C {version(FRAMA_C)}",),
+        (" ".join(["frama-c", *arguments]),),
+        {driver: text, "eva.txt": done.output},
+    )

@@ -5,10 +5,14 @@ from __future__ import annotations
 import re
 from collections import Counter
 from dataclasses import dataclass
+from pathlib import Path
 
-from robodyn.certify.tools import Done, last_lines
+from robodyn.certify.plan import Finding, ProofOptions, Subject, Tell, not_run
+from robodyn.certify.tools import PATIENCE, Done, last_lines, run, version
+from robodyn.emit.misra import deviations
 from robodyn.emit.unit import Unit, calls
 from robodyn.errors import ToolError
+from robodyn.tools.programs import CPPCHECK
 
 _FORMAT = "{file}|{line}|{id}|{message}"
 OPTIONS = (
@@ -37,7 +41,7 @@ class Check:
     others: tuple[str, ...]
 
 
-def options(unit: Unit) -> tuple[str, ...]:
+def cppcheck_options(unit: Unit) -> tuple[str, ...]:
     """What cppcheck is called with for the kernel of ``unit``."""
     return (*OPTIONS, _FEW_VALUES) if "select" in calls(unit) else OPTIONS
 
@@ -86,3 +90,38 @@ def check_control(done: Done) -> None:
 
 def _order(rule: str) -> tuple[int, ...]:
     return tuple(map(int, rule.split(".")))
+
+
+def prove_misra(subject: Subject, proofs: ProofOptions, folder: Path, tell: Tell) -> Finding:
+    """Every finding of MISRA C:2012 that is left is explained in the kernel."""
+    cppcheck = CPPCHECK.path()
+    if cppcheck is None:
+        return not_run("misra", CPPCHECK)
+    source = f"{subject.generated.unit.robot.name}.c"
+    tell("MISRA C:2012")
+    control = folder / f"{subject.generated.unit.robot.name}_control.c"
+    control.write_text(CONTROL, encoding="utf-8", newline="\n")
+    check_control(run([cppcheck, *OPTIONS, control.name], folder, PATIENCE))
+    unit = subject.generated.unit
+    options = cppcheck_options(unit)
+    done = run([cppcheck, *options, source], folder, PATIENCE)
+    report = read(done)
+    explained = deviations(unit)
+    open_ = sorted(set(report.rules) - set(explained))
+    lines = [
+        f"rule {rule}, {count} times: "
+        + (f"explained in {source}: {explained[rule]}" if rule in explained else "NOT EXPLAINED")
+        for rule, count in report.rules.items()
+    ]
+    lines += [f"besides: {text}" for text in report.others[:10]]
+    return Finding(
+        "misra",
+        "failed" if open_ or report.others else "proved",
+        f"MISRA C:2012, rules that cppcheck's addon checks: every finding in {source} and its header is "
+        f"explained in the head of {source}.",
+        tuple(lines or ["no finding"]),
+        {"rules": report.rules, "explained": explained, "unexplained": open_, "others": list(report.others)},
+        (version(CPPCHECK),),
+        (" ".join(["cppcheck", *(f"'{o}'" if "|" in o else o for o in options), source]),),
+        {"misra.txt": done.output},
+    )

@@ -1,10 +1,11 @@
-"""What is to be proven, and of what."""
+"""What is to be proven, of what, and what it came to."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from typing import Any, Literal
 
 from robodyn.certify.ranges import Range
 from robodyn.dynamics.functions import function_named
@@ -15,6 +16,7 @@ from robodyn.kernels.generate import Generated, Options, generate
 from robodyn.optimize.prune.box import Box, box_of
 from robodyn.passes.trig_given import given_layout
 from robodyn.robot.model import Robot
+from robodyn.tools import Tool
 
 PROOFS = ("gappa", "eva", "stack", "misra")
 
@@ -91,3 +93,42 @@ def subject(robot: Robot, ranged: Robot, options: Options) -> Subject:
 def ranges_of(box: Box) -> Mapping[Input, Range]:
     """All ranges of a box, those of angles too."""
     return {x: box.interval(x) for x in box.inputs}
+
+
+#: Is told how far a proof is.
+Tell = Callable[[str], None]
+#: ``proved``: what it says holds. ``failed``: it does not, or could not be shown. ``not run``: a tool is
+#: missing.
+Status = Literal["proved", "failed", "not run"]
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """One proof: ``claim`` is what it shows in one sentence, ``lines`` what came out, for people; ``data``
+    the same for programs. ``commands``, run in the folder of the proof, run it again."""
+
+    name: str
+    status: Status
+    claim: str
+    lines: tuple[str, ...] = ()
+    data: dict[str, Any] = field(default_factory=dict)
+    tools: tuple[str, ...] = ()
+    commands: tuple[str, ...] = ()
+    files: dict[str, str] = field(default_factory=dict)
+
+    def to_dict(self) -> dict[str, Any]:
+        """For JSON; files are left out."""
+        return {
+            "proof": self.name,
+            "status": self.status,
+            "claim": self.claim,
+            "tools": list(self.tools),
+            "commands": list(self.commands),
+            **self.data,
+        }
+
+
+def not_run(name: str, tool: Tool) -> Finding:
+    """The finding of a proof whose tool is missing."""
+    remedy = f"needs {tool.remedy}"
+    return Finding(name, "not run", f"not run: {remedy}", data={"remedy": remedy})

@@ -10,9 +10,10 @@ from pathlib import Path
 from typing import Any
 
 from robodyn.certify.bounds import prove_bounds
-from robodyn.certify.finding import Finding, Tell
-from robodyn.certify.parts import prove_eva, prove_misra, prove_stack
-from robodyn.certify.plan import PROOFS, ProofOptions, Subject, subject
+from robodyn.certify.eva import prove_eva
+from robodyn.certify.misra import prove_misra
+from robodyn.certify.plan import PROOFS, Finding, ProofOptions, Subject, Tell, subject
+from robodyn.certify.stack import prove_stack
 from robodyn.emit.markdown import Markdown, markdown_environment
 from robodyn.kernels.generate import Options
 from robodyn.robot.model import Robot

@@ -7,8 +7,11 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
-from robodyn.certify.tools import last_lines, run
+from robodyn.certify.plan import Finding, ProofOptions, Subject, Tell, not_run
+from robodyn.certify.tools import last_lines, run, version
+from robodyn.emit.freestanding import freestanding_calls
 from robodyn.targets import firmware_targets
 from robodyn.toolchain.compiler import C_FLAGS
 from robodyn.tools import Tool
@@ -147,3 +150,66 @@ def deepest(graph: str, function: str) -> Depth:
 
 class _UnboundedError(Exception):
     """There is no bound."""
+
+
+def prove_stack(subject: Subject, proofs: ProofOptions, folder: Path, tell: Tell) -> Finding:
+    """The most stack a call needs, machine by machine."""
+    every = machines(freestanding=bool(freestanding_calls(subject.generated.unit)))
+    if all(machine.tool.path() is None for machine in every):
+        return not_run("stack", GCC)
+    source = f"{subject.generated.unit.robot.name}.c"
+    symbols = [s.symbol for s in subject.generated.signatures]
+    lines: list[str] = []
+    rows: list[dict[str, Any]] = []
+    tools: dict[str, None] = {}
+    commands: list[str] = []
+    bad = False
+    known = 0
+    stand_ins = {f"{STAND_IN}/{name}": text for name, text in HEADERS.items()}
+    (folder / STAND_IN).mkdir()
+    for name, text in stand_ins.items():
+        (folder / name).write_text(text, encoding="utf-8", newline="\n")
+    for machine in every:
+        if machine.tool.path() is None:
+            lines.append(f"{machine.name}: not run, needs {machine.tool.remedy}")
+            rows.append(_stack_row(machine, Depth(None, None, (), f"needs {machine.tool.remedy}")))
+            continue
+        tell(f"stack, {machine.name}")
+        usage = measure(machine, source, symbols, folder)
+        tools[version(machine.tool)] = None
+        commands.append(" ".join(command(machine, source)))
+        if isinstance(usage, str):
+            bad = True
+            lines.append(f"{machine.name}: not compiled: {usage}")
+            rows.append(_stack_row(machine, Depth(None, None, (), f"not compiled: {usage}")))
+            continue
+        for depth in usage:
+            known += depth.size is not None and not depth.beyond
+            bad = bad or depth.size is None or not depth.only_helpers
+            size = "no bound" if depth.size is None else f"{depth.size} B"
+            note = f" ({depth.reason})" if depth.reason else ""
+            lines.append(f"{machine.name}: {depth.function} {size}{note}")
+            rows.append(_stack_row(machine, depth))
+    return Finding(
+        "stack",
+        "proved" if known and not bad else "failed",
+        "The most stack that a call needs, with all that it calls: no recursion, no call by a pointer, no "
+        "array of a length that is known only at run time.",
+        tuple(lines),
+        {"stack": rows},
+        tuple(tools),
+        tuple(commands),
+        stand_ins,
+    )
+
+
+def _stack_row(machine: Machine, depth: Depth) -> dict[str, Any]:
+    """A row of ``proof.json``: its members are the same where nothing could be measured."""
+    return {
+        "machine": machine.name,
+        "function": depth.function,
+        "bytes": depth.size,
+        "chain": list(depth.chain),
+        "beyond": list(depth.beyond),
+        "reason": depth.reason,
+    }

@@ -15,6 +15,9 @@ from robodyn.errors import ToolError
 from robodyn.toolchain.running import start
 from robodyn.tools import Tool
 
+#: How long Eva, a compiler or cppcheck may take [s].
+PATIENCE = 600.0
+
 
 @dataclass(frozen=True, slots=True)
 class Done:

@@ -20,11 +20,9 @@ from robodyn.emit.markdown import Markdown, markdown_environment
 from robodyn.emit.render import environment
 from robodyn.emit.spelling import Spelling
 from robodyn.errors import InputError
-from robodyn.firmware.digest import FNV_BASIS, FNV_PRIME, fnv1a, outputs
-from robodyn.firmware.images import image_context, image_files, ticks
+from robodyn.firmware.digest import FNV_BASIS, FNV_PRIME, fnv1a, kernel_sine, outputs
 from robodyn.firmware.measure import FLAGS, REPEATED, STATES, Figures
-from robodyn.firmware.options import check_firmware
-from robodyn.firmware.sine import kernel_sine
+from robodyn.firmware.options import check_firmware, image_context, image_files, ticks
 from robodyn.firmware.states import (
     DIGEST_SEED,
     DIGEST_STATES,

@@ -22,10 +22,9 @@ from robodyn.emit.languages import languages_named
 from robodyn.emit.lines import head_of
 from robodyn.emit.render import environment
 from robodyn.emit.spelling import Spelling
-from robodyn.firmware.poses import pose_states
 from robodyn.firmware.rounding import UNIT, rounding_bounds
 from robodyn.firmware.states import DTYPE, Range, draw, program_inputs, ranges
-from robodyn.firmware.vectors import SMALLEST, confirm, evaluated, rounded_up
+from robodyn.firmware.vectors import SMALLEST, confirm, evaluated, pose_states, rounded_up
 from robodyn.ir.program import Input, Program
 from robodyn.ir.signature import ScalarType, Signature
 from robodyn.kernels.generate import Generated

@@ -1,18 +1,23 @@
-"""What the kernels of a firmware folder are generated with, and which robots it is not for."""
+"""What the kernels of a firmware folder are generated with, which robots it is not for, and what depends on
+its targets: toolchain files, memory of boards, how instructions are counted."""
 
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 from robodyn.dynamics.functions import function_named
 from robodyn.emit.freestanding import FREESTANDING
+from robodyn.emit.lines import head_of
+from robodyn.emit.render import environment
 from robodyn.emit.unit import OF_LIBM
 from robodyn.errors import InputError
 from robodyn.firmware.states import DRAWN
 from robodyn.ir.signature import ScalarType
 from robodyn.kernels.generate import Generated, Options
-from robodyn.targets import Target, firmware_targets, target_named
+from robodyn.robot.model import Robot
+from robodyn.targets import Architecture, Target, firmware_targets, target_named
 
 #: What a controller calls; more of them make the code larger.
 FUNCTIONS = ("inverse_dynamics",)
@@ -102,3 +107,49 @@ def check_firmware(generated: Generated) -> None:
                 remedy=f"choose friction_at_rest: exact and plainer effects in {name}, or use robodyn gen "
                 "without --firmware",
             )
+
+
+def architectures(targets: Sequence[Target]) -> tuple[Architecture, ...]:
+    """Those of ``targets``, each once."""
+    return tuple(dict.fromkeys(target.board.architecture for target in targets if target.board))
+
+
+def image_context(targets: Sequence[Target]) -> dict[str, Any]:
+    """What the templates of an image are told."""
+    return {
+        "targets": targets,
+        "architectures": architectures(targets),
+        "toolchain_files": [f"{architecture.toolchain}.cmake" for architecture in architectures(targets)],
+        "memory_files": [f"{target.name}.ld" for target in targets],
+    }
+
+
+def ticks(targets: Sequence[Target]) -> str:
+    """How instructions are counted in the emulators, in words."""
+    boards = [target.board for target in targets if target.board]
+    return " and ".join(
+        dict.fromkeys(
+            f"-icount shift={board.architecture.shift} {board.architecture.counter} counts {board.ticks:g} "
+            "an instruction"
+            for board in boards
+        )
+    )
+
+
+def image_files(robot: Robot, targets: Sequence[Target], context: Mapping[str, Any]) -> dict[str, str]:
+    """A toolchain file for each compiler, and for each target the memory of its board; text by name."""
+    files = {}
+    for architecture in architectures(targets):
+        own = [target for target in targets if target.board and target.board.architecture is architecture]
+        names = ", ".join(target.name for target in own)
+        head = head_of(robot, [f"A toolchain file: {architecture.compiler.name} for {names}."])
+        text = environment().get_template("firmware/toolchain.cmake.j2")
+        files[f"{architecture.toolchain}.cmake"] = text.render(
+            context, targets=own, architecture=architecture, head=head
+        )
+    for target in targets:
+        assert target.board
+        words = f"Memory of {target.board.machine}, which qemu has: another board needs other addresses here."
+        text = environment().get_template("firmware/memory.ld.j2")
+        files[f"{target.name}.ld"] = text.render(board=target.board, head=head_of(robot, [words]))
+    return files

@@ -9,9 +9,8 @@ from typing import Final
 from robodyn.emit.head import state_members
 from robodyn.errors import InputError
 from robodyn.kernels.generate import Generated
-from robodyn.packages.format import Format, Package, Trait
+from robodyn.packages.format import Format, Package, Trait, read_maintainer
 from robodyn.packages.formats import format_named
-from robodyn.packages.maintainer import read_maintainer
 
 #: The version of a package whose user states none.
 FIRST_VERSION: Final = "0.1.0"

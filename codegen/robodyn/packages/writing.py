@@ -11,8 +11,7 @@ from robodyn.emit.languages.c import LANGUAGE as C
 from robodyn.emit.lines import head_of
 from robodyn.emit.markdown import Markdown, markdown_environment
 from robodyn.emit.render import environment
-from robodyn.packages.format import Files, Package
-from robodyn.packages.maintainer import NOT_STATED
+from robodyn.packages.format import NOT_STATED, Files, Package
 from robodyn.robot.account import account_lines
 
 #: How the sentence begins by which a second run knows a file again (:mod:`robodyn.outputs`).

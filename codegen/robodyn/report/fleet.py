@@ -18,7 +18,8 @@ from robodyn.draw.markup import json_text, markup_template, policy, script_text
 from robodyn.draw.scales import day_text, range_text
 from robodyn.emit.render import environment
 from robodyn.fleet.places import address, unit_folder
-from robodyn.fleet.result import Claim, Feature, FleetResult, Look, TypeResult, UnitResult, Unused
+from robodyn.fleet.result import Claim, Feature, FleetResult, Look, TypeResult, UnitResult
+from robodyn.report import fleet_text
 from robodyn.report.chart_frames import Frame, percent
 from robodyn.report.figures import capital
 from robodyn.report.fleet_charts import (
@@ -51,7 +52,6 @@ from robodyn.report.fleet_text import (
     unusual_text,
     what_text,
     with_error,
-    with_unit,
 )
 
 #: Changes and unused logs that are seen at once; the others are folded. Unused logs that are listed.
@@ -77,14 +77,18 @@ def page(result: FleetResult) -> str:
         units=len(result.units),
         shades=[f"{bound:g}" for bound in SHADES],
         timeline=_timeline(result),
-        populations=[_population(kind) for kind in result.types],
-        unused=[_unused(log) for log in result.unused[:_LISTED]],
+        populations=[
+            (kind, sorted({name for feature in kind.features for name in feature.slopes}))
+            for kind in result.types
+        ],
+        unused=result.unused[:_LISTED],
         unused_count=len(result.unused),
         unused_shown=_UNUSED,
         data=json_text(script_data(result)),
         script=script,
         policy=policy([script]),
         version=version("robodyn"),
+        words=fleet_text,
     )
 
 
@@ -208,40 +212,6 @@ def _change(unit: UnitResult, claim: Claim, frame: Frame) -> dict[str, Any]:
         "at": None if claim.since is None else percent(at(claim.since)),
         "is_less": claim.size < 0,
     }
-
-
-# --- populations and logs ---------------------------------------------------------------------------------
-
-
-def _population(kind: TypeResult) -> dict[str, Any]:
-    conditions = sorted({name for feature in kind.features for name in feature.slopes})
-    return {
-        "name": kind.name,
-        "extent": f"{several(kind.units, 'unit')}, {several(kind.logs, 'log')}, "
-        f"{several(kind.joints, 'joint')}",
-        "conditions": conditions,
-        "has_rest": any(not feature.effects for feature in kind.features),
-        "rows": [
-            {
-                "what": capital(effects_text(feature.effects)),
-                "place": place_text(feature.joint),
-                "name": feature.name,
-                "mean": with_unit(feature.mean, feature.unit),
-                "units": with_unit(feature.between_units, feature.unit),
-                "logs": with_unit(feature.between_logs, feature.unit),
-                "slopes": [
-                    plain(feature.slopes[name], signed=True) if name in feature.slopes else ""
-                    for name in conditions
-                ],
-                "count": f"{feature.logs:,}",
-            }
-            for feature in kind.features
-        ],
-    }
-
-
-def _unused(log: Unused) -> dict[str, str]:
-    return {"source": log.source, "type": log.type, "unit": log.unit, "why": log.why}
 
 
 #: Features that are drawn: those of claims, then the most unusual ones up to so many.

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 from robodyn.emit.languages.c import LANGUAGE as C
 from robodyn.packages.format import Files, Format, Package
-from robodyn.packages.limits import BYTES, MAIN_STACK
 from robodyn.packages.writing import arithmetic_flags, readme, rendered
 
+#: Stack [bytes] of a sample's thread beside the largest result: frames of the kernel and of printf.
+MAIN_STACK: Final = 4096
+#: Of a number, by its type [bytes].
+BYTES: Final = {"double": 8, "float": 4}
 _SAMPLE = "samples/selftest"
 _TEMPLATES = {
     "zephyr/module.yml": "module.yml.j2",
