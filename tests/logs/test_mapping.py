@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from robodyn.errors import InputError
 from robodyn.logs.conversion import SI, SI_PRISMATIC
 from robodyn.logs.log import Log, read_log
-from robodyn.logs.mapping import LogMap, map_of_columns, map_of_text, read_map
+from robodyn.logs.mapping import LogMap, map_of_columns, map_of_text
 from robodyn.logs.units import UnknownUnit, names_of, scaled, unit_of
 from robodyn.robot import load
 
@@ -202,59 +202,6 @@ def test_what_the_description_says_of_a_gear(tmp_path: Path) -> None:
 
 
 # --- what is wrong with one -------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(
-    ("text", "message"),
-    [
-        ("", "map.yaml: the map is empty"),
-        ("- q\n", "map.yaml:1:1: the map must be a mapping"),
-        ("p: x\n", "map.yaml:1:1: the map has no such key; found 'p'; expected t, q, qd, qdd, tau, ql,"),
-        ("q: {columns: x, units: deg}\n", "map.yaml:1:17: q has no such key; found 'units'; expected column"),
-        ("q: {unit: deg}\n", "map.yaml:1:4: q needs a column"),
-        ("q: {columns: x, sign: 2}\n", "map.yaml:1:23: a sign is 1 or -1; found 2"),
-        ("q: {columns: x, zero: 1+}\n", "map.yaml:1:25: zero: the number breaks off"),
-        ("q: {columns: x, zero: __import__('os')}\n", "map.yaml:1:23: zero: functions are not supported"),
-        ("q: {columns: x, zero: [[1]]}\n", "map.yaml:1:24: zero is not a number; found a list of 1"),
-        ("q: {columns: x, gear: 0}\n", "map.yaml:1:23: gear is 0"),
-        ("q: {columns: x, rated: 3}\n", "q has no rated"),
-        ("tau: {columns: x, counts_per_turn: 3}\n", "tau has no counts_per_turn"),
-        ("q: [a, null]\n", "map.yaml:1:8: every joint has a column of q"),
-        ("q: []\n", "map.yaml:1:4: these are no columns; found an empty list"),
-        ("q: {columns: x, rate: 3}\n", "only t has a rate"),
-        ("t: {rate: -3}\n", "map.yaml:1:11: the rate is not positive"),
-        ("t: {rate: 100, column: x}\n", "t needs a column or a rate"),
-        ("joints: [a, b, a]\n", "map.yaml:1:9: a joint stands here twice"),
-        ("ql: {columns: [a, b], joints: [1]}\n", "another number of columns than of joints"),
-        ("ql: {columns: a, joints: [one]}\n", "map.yaml:1:27: this is not the number of a joint"),
-        ("q: !!python/object/apply:os.system [ls]\n", "map.yaml:1:4: YAML tags are not used here"),
-        ("q: x\nq: y\n", "map.yaml:2:1: the key 'q' stands here a second time"),
-        ("q: {columns: x\n", "map.yaml:2:1: not valid YAML"),
-    ],
-)  # fmt: skip
-def test_what_is_wrong_has_a_place(
-    text: str, message: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    Path("map.yaml").write_text(text)
-    with pytest.raises(InputError) as caught:
-        read_map("map.yaml")
-    assert message in str(caught.value)
-
-
-@pytest.mark.parametrize(
-    ("text", "message"),
-    [
-        ("q", "--columns:1:1: a group of columns has no name; found 'q'; expected q=NAME[UNIT]"),
-        ("q=a, z=b", "--columns:1:6: there is no such group of columns; found 'z'"),
-        ("q=a,q=b", "--columns:1:5: the group stands here a second time; found q"),
-        ("q=", "--columns:1:1: a group of columns has no name"),
-    ],
-)  # fmt: skip
-def test_what_is_wrong_with_one_line(text: str, message: str) -> None:
-    with pytest.raises(InputError) as caught:
-        map_of_columns(text)
-    assert message in str(caught.value)
 
 
 @pytest.mark.parametrize(

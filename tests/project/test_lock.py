@@ -4,9 +4,6 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import pytest
-
-from robodyn.errors import InputError
 from robodyn.project.lock import Locked, lock_text, read_lock
 
 LOCK = {
@@ -29,22 +26,3 @@ def test_one_line_a_function_and_robots_in_order() -> None:
     assert "\ngravity = { mul = 2, total = 3 }\n" in text
     assert text.endswith("\n")
     assert not text.endswith("\n\n")
-
-
-@pytest.mark.parametrize(
-    ("text", "message"),
-    [
-        ("version = 1\n<<<<<<< ours\n", ":2:1: this is not TOML"),
-        ("version = 2\n", "this is not a lock file of this robodyn"),
-        ("version = 1\n", "this is not a lock file of this robodyn"),
-        ("version = 1\n[robots.a]\noutput = 'x'\n", "remove it and run robodyn build"),
-        ("version = 1\n[robots.a]\noutput=''\nfiles={}\ncounts.bias.mul = '1'\n", "this is not a lock"),
-        ("version = 1\nrobots = 5\n", "this is not a lock file"),
-    ],
-)  # fmt: skip
-def test_what_is_no_lock_is_refused(text: str, message: str, tmp_path: Path) -> None:
-    path = tmp_path / "robodyn.lock"
-    path.write_text(text)
-    with pytest.raises(InputError) as error:
-        read_lock(path)
-    assert message in str(error.value)

@@ -1,4 +1,4 @@
-"""``robodyn.toml``: what it says, and where what is wrong in it stands."""
+"""``robodyn.toml``: what it says. What is refused stands in ``tests/refusals``."""
 
 from __future__ import annotations
 
@@ -98,50 +98,6 @@ def test_the_order_of_keys_does_not_matter(tmp_path: Path) -> None:
         )
     )
     assert one == other
-
-
-@pytest.mark.parametrize(
-    ("text", "message"),
-    [
-        ("robots = [", ":1: this is not TOML"),
-        ("[robots.ur5]\nscalar = 'float'\nscalar = 'double'\n", ":3:18: this is not TOML"),
-        ("[robot.ur5]\n", ":1:1: unknown key 'robot'; expected one of options, robots; did you mean 'ro"),
-        ("packages = ['cmake']\n[robots.ur5]\n", ":1:1: unknown key 'packages'; expected one of opt"),
-        ("[robots.ur5]\npackages = 'cmake'\n", ":2:1: these are no formats of packages; found 'cmake'"),
-        ("[robots.ur5]\npackages = ['fpm', 'fpm']\n", "found ['fpm', 'fpm']; expected a list of formats"),
-        ("[robots.ur5.packages]\nfpm = 1\n", ":2:1: fpm is not a table; found 1"),
-        ("[robots.ur5.packages.fpm]\nlang = 'c'\n", ":2:1: unknown key 'lang' in [robots.ur5.packages.fpm]"),
-        ("[robots.ur5.packages.fpm]\nversion = 1\nmisra = 1\n", ":3:1: misra has the wrong type"),
-        ("\n[robots.ur5]\n  scaler = 'float'\n", ":3:3: unknown key 'scaler' in [robots.ur5]"),
-        ("[robots.ur5]\nscaler = 'float'\n", "did you mean 'scalar'?"),
-        ("[robots.ur5]\nno_regroup = true\n", "did you mean 'no-regroup'?"),
-        ("[options]\ncompile = true\n[robots.ur5]\n", ":2:1: unknown key 'compile' in [options]"),
-        ("[options]\noutput = 'x'\n[robots.ur5]\n", ":2:1: unknown key 'output' in [options]"),
-        ("[options]\n", "there is no robot in this project; expected a table for each robot"),
-        ("options = 1\n[robots.ur5]\n", ":1:1: options is not a table; found 1"),
-        ("[robots]\nur5 = 'ur5'\n", ":2:1: ur5 is not a table; found 'ur5'; expected [robots.ur5]"),
-        ("[robots.ur5]\nmisra = 'yes'\n", ":2:1: misra has the wrong type; found 'yes'; expected true or"),
-        ("[robots.ur5]\nscalar = true\n", ":2:1: scalar has the wrong type; found true; expected a text"),
-        ("[robots.ur5]\nscalar = ['float']\n", "found ['float']; expected a text"),
-        ("[robots.ur5]\nfunctions = [\n  'gravity',\n  7,\n]\n", ":2:1: functions has the wrong type"),
-        ("[robots.ur5]\nfunctions = []\n", "expected a list of texts"),
-        ("[robots.ur5]\noutput = ''\n", ":2:1: output is not a path"),
-        ("[robots.ur5]\nrobot = 5\n", ":2:1: robot is not a path; found 5"),
-        ("[robots.ur6]\n", ":1:1: there is neither a description nor a bundled robot of this"),
-        ("[robots.ur6]\n", "did you mean 'ur5'?"),
-        ("[robots.a]\nrobot = 'arms'\n", ":2:1: there is neither a description nor a bundled robot"),
-        ("[robots.'../a']\nrobot = 'ur5'\n", ":1:1: this cannot be the name of a robot's table"),
-        ("[robots.ur5.budgets]\ngravity = 5\n", ":2:1: gravity is not a table"),
-        ("[robots.ur5.budgets.gravity]\ntotl = 5\n", ":2:1: unknown key 'totl' in [robots.ur5.budgets.gra"),
-        ("[robots.ur5.budgets]\ngravity.total = -1\n", ":2:1: the budget of total is not a count; found -1"),
-        ("[robots.ur5.budgets]\ngravity.total = true\n", "found true; expected how many operations"),
-    ],
-)  # fmt: skip
-def test_what_is_wrong_is_told_with_its_place(text: str, message: str, tmp_path: Path) -> None:
-    with pytest.raises(InputError) as error:
-        read(tmp_path, text)
-    assert f"{tmp_path / 'robodyn.toml'}:" in str(error.value)
-    assert message in str(error.value)
 
 
 def test_a_file_that_is_not_there(tmp_path: Path) -> None:

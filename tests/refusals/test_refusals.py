@@ -1,0 +1,100 @@
+"""What the readers of descriptions, projects, fleets, maps and numbers refuse: each text with its message."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import pytest
+
+from robodyn.errors import InputError
+from robodyn.fleet.sources.reading import read_fleet
+from robodyn.logs.mapping import map_of_columns, map_of_text
+from robodyn.project.lock import read_lock
+from robodyn.project.reading import read_project
+from robodyn.robot import numbers, read_text
+from robodyn_cli.project_keys import project_keys
+from robodyn_testing.clocks import calls_of
+from robodyn_testing.refusals import Reader, differences, refusals, write
+
+HERE = Path(__file__).parent
+
+
+def _description(text: str, folder: Path) -> None:
+    calls_of(lambda: read_text(text, "arm.yaml", strict=True), most=200_000)
+
+
+def _number(text: str, folder: Path) -> None:
+    calls_of(lambda: numbers.parse(text), most=5_000)
+
+
+def _project(text: str, folder: Path) -> None:
+    (folder / "arms").mkdir()
+    (folder / "arms" / "arm.yaml").touch()
+    (folder / "robodyn.toml").write_text(text, encoding="utf-8")
+    read_project(folder / "robodyn.toml", project_keys())
+
+
+def _lock(text: str, folder: Path) -> None:
+    (folder / "robodyn.lock").write_text(text, encoding="utf-8")
+    read_lock(folder / "robodyn.lock")
+
+
+def _fleet(text: str, folder: Path) -> None:
+    (folder / "logs" / "7").mkdir(parents=True)
+    (folder / "logs" / "7" / "2026-05-03.csv").touch()
+    (folder / "fleet.toml").write_text(text, encoding="utf-8")
+    read_fleet(folder)
+
+
+def _manifest(text: str, folder: Path) -> None:
+    (folder / "a.csv").touch()
+    (folder / "logs").mkdir()
+    os.mkfifo(folder / "pipe.csv")
+    (folder / "m.csv").write_text(text, encoding="utf-8")
+    (folder / "fleet.toml").write_text("[types.ur5]\n[[logs]]\nmanifest = 'm.csv'\n", encoding="utf-8")
+    read_fleet(folder)
+
+
+READERS: dict[str, Reader] = {
+    "columns": lambda text, _: map_of_columns(text),
+    "description": _description,
+    "effects": _description,
+    "fleet": _fleet,
+    "lock": _lock,
+    "manifest": _manifest,
+    "map": lambda text, _: map_of_text(text, "map.yaml"),
+    "name": lambda text, _: numbers.parse(text, names=True),
+    "number": _number,
+    "project": _project,
+}
+
+
+@pytest.mark.parametrize("kind", READERS)
+def test_every_text_is_refused_with_its_message(kind: str, tmp_path: Path) -> None:
+    wrong = list(differences(HERE / f"{kind}.yaml", READERS[kind], tmp_path))
+    assert not wrong, "\n".join(wrong)
+
+
+def test_every_file_has_its_reader() -> None:
+    assert {path.stem for path in HERE.glob("*.yaml")} == set(READERS)
+
+
+def test_the_python_parser_of_yaml_refuses_too(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where PyYAML was built without libyaml."""
+    import yaml
+
+    cases = refusals(HERE / "description.yaml")
+    monkeypatch.delattr(yaml, "CSafeLoader", raising=False)
+    for case in cases:
+        with pytest.raises(InputError, match=r"\Aarm\.yaml:\d+:\d+: "):
+            read_text(case["text"], "arm.yaml", strict=True)
+
+
+if __name__ == "__main__" and "--update" in sys.argv:
+    for kind, reader in READERS.items():
+        with TemporaryDirectory() as folder:
+            path = HERE / f"{kind}.yaml"
+            write(path, [case["text"] for case in refusals(path)], reader, Path(folder))
