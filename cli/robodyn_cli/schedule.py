@@ -222,7 +222,7 @@ def _emitted(
     """The folder and the files of the parallel C; no files without ``-o``."""
     if settings.emit is None:
         return Path(), {}
-    from robodyn.emit.schedule_files import schedule_files
+    from robodyn.emit.packed import schedule_files
 
     assert described is not None
     assert signature is not None

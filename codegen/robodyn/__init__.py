@@ -31,9 +31,8 @@ if TYPE_CHECKING:
     from robodyn.errors import CheckError, InputError, RobodynError, ToolError
     from robodyn.formats.loading import load
     from robodyn.identify.run import identify
-    from robodyn.kernels.base_parameters import base_parameters
+    from robodyn.kernels.base_parameters import base_parameters, count
     from robodyn.kernels.generate import Generated, Options, generate, program
-    from robodyn.kernels.operations import count
     from robodyn.kernels.robot_kernel import compile
     from robodyn.kernels.through_sympy import symbolic
     from robodyn.robot import Robot
@@ -49,7 +48,7 @@ _HOMES = {
     "ToolError": "robodyn.errors",
     "base_parameters": "robodyn.kernels.base_parameters",
     "compile": "robodyn.kernels.robot_kernel",
-    "count": "robodyn.kernels.operations",
+    "count": "robodyn.kernels.base_parameters",
     "excite": "robodyn.diagnose.excite",
     "generate": "robodyn.kernels.generate",
     "load": "robodyn.formats.loading",

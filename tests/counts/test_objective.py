@@ -11,9 +11,8 @@ from robodyn.counts import count
 from robodyn.counts.objective import Objective, operations_of
 from robodyn.ir import Input, Operation, Program
 from robodyn.optimize.programs import Choice, build
-from robodyn.optimize.suited import suited_variant
-from robodyn.search.candidate import Candidates
-from robodyn.search.space import Space
+from robodyn.optimize.slide import suited_variant
+from robodyn.search.space import Candidates, Space
 from robodyn.targets import TARGETS
 
 X, Y, Q = Input("qd", 0), Input("qd", 1), Input("q", 0)

@@ -8,10 +8,10 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from robodyn.certify.eva import driver_context
+from robodyn.emit.packed import schedule_files
 from robodyn.emit.render import environment
-from robodyn.emit.schedule_files import schedule_files
 from robodyn.firmware import firmware, firmware_options, targets_named
-from robodyn.kernels.batch_calls import batch_calls
+from robodyn.kernels.batch import batch_calls
 from robodyn.kernels.generate import Generated, Options, generate
 from robodyn.kernels.wrapper import wrapper
 from robodyn.resources import data_dir

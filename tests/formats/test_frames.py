@@ -14,9 +14,9 @@ import pytest
 import robodyn
 from robodyn import Options, load, program
 from robodyn.counts import count
+from robodyn.formats.arm import near_right_angles
 from robodyn.formats.chain import Body, Chain, ChainJoint, Pose, about_axis
 from robodyn.formats.frames import description_of
-from robodyn.formats.snapping import near_right_angles
 from robodyn.robot import Robot, read_text, to_yaml
 from robodyn.robot.model import Placement
 from robodyn.simulate.kinematics import Kinematics

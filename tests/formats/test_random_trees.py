@@ -9,8 +9,7 @@ import pytest
 
 from robodyn.formats.elements import parse
 from robodyn.formats.frames import description_of
-from robodyn.formats.positions import Positions
-from robodyn.formats.serial import serial_chain
+from robodyn.formats.serial import Positions, serial_chain
 from robodyn.formats.topology import Topology
 from robodyn.formats.tree import MOVING
 from robodyn.formats.urdf import read_tree

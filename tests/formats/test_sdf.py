@@ -13,9 +13,8 @@ import pytest
 from robodyn.errors import InputError
 from robodyn.formats.chain import Spring
 from robodyn.formats.elements import parse
-from robodyn.formats.positions import Positions
 from robodyn.formats.sdf import read_tree
-from robodyn.formats.serial import Serial, serial_chain
+from robodyn.formats.serial import Positions, Serial, serial_chain
 from robodyn.formats.topology import Topology
 from robodyn.formats.tree import MOVING, Tree
 from robodyn_testing import require_module, sampled

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from robodyn.ir.garbage import RARELY, rarely_collected
+from robodyn.ir.program import RARELY, rarely_collected
 from robodyn.kernels.generate import Options, generate
 
 

@@ -19,8 +19,7 @@ from robodyn.ir import Graph, Program
 from robodyn.ir.fingerprint import fingerprint
 from robodyn.ir.lowering import lower
 from robodyn.optimize.closed_form import closed_forms, seeds
-from robodyn.optimize.closed_form.extraction import Extraction, Memory, System, Taste
-from robodyn.optimize.closed_form.numbers import Numbers
+from robodyn.optimize.closed_form.extraction import Extraction, Memory, Numbers, System, Taste
 from robodyn.optimize.closed_form.polynomial import Polynomial, Ring
 from robodyn.optimize.closed_form.scales import Scaling
 from robodyn.optimize.programs import exact, turned

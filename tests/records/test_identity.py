@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from records.made import TOOL, arm, bundled
 from robodyn.optimize.records import bundled_records, identity, parse_record
-from robodyn.optimize.records.function_key import function_key
+from robodyn.optimize.records.labels import function_key
 from robodyn.optimize.records.record import header
 from robodyn.robot import Robot, bundled_names
 from robodyn.robot.model import Comparison, EffectEntry, Gear, Inertia, Joint, Limits, Link, Placement

@@ -23,11 +23,10 @@ from robodyn.ir import Program
 from robodyn.optimize.costing import Costing
 from robodyn.optimize.gauge import Unsuited, regrouped_as
 from robodyn.optimize.programs import Choice, build
-from robodyn.optimize.suited import suited_variant
+from robodyn.optimize.slide import suited_variant
 from robodyn.optimize.variant import LINK_VALUES, LinkVariant, Variant
 from robodyn.robot import Robot
-from robodyn.search.candidate import Candidates
-from robodyn.search.space import Space
+from robodyn.search.space import Candidates, Space
 from robodyn_testing.functions import SAMPLED
 
 pytestmark = pytest.mark.thorough  # whole searches: CI runs them

@@ -18,7 +18,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
-from robodyn.emit.schedule_files import schedule_files
+from robodyn.emit.packed import schedule_files
 from robodyn.errors import CheckError
 from robodyn.ir.signature import Signature
 from robodyn.robot.model import Robot

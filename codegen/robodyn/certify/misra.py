@@ -9,7 +9,7 @@ from pathlib import Path
 
 from robodyn.certify.plan import Finding, ProofOptions, Subject, Tell, not_run
 from robodyn.certify.tools import PATIENCE, Done, last_lines, run, version
-from robodyn.emit.misra import deviations
+from robodyn.emit.listing import misra_deviations
 from robodyn.emit.unit import Unit, calls
 from robodyn.errors import ToolError
 from robodyn.tools.programs import CPPCHECK
@@ -106,7 +106,7 @@ def prove_misra(subject: Subject, proofs: ProofOptions, folder: Path, tell: Tell
     options = cppcheck_options(unit)
     done = run([cppcheck, *options, source], folder, PATIENCE)
     report = read(done)
-    explained = deviations(unit)
+    explained = misra_deviations(unit)
     open_ = sorted(set(report.rules) - set(explained))
     lines = [
         f"rule {rule}, {count} times: "

@@ -29,8 +29,8 @@ from robodyn.dynamics.limits import (
     ROUNDING,
     SAME_POSITION,
 )
+from robodyn.ir.digits import evaluate_to_digits, to_digits
 from robodyn.ir.fingerprint import digest
-from robodyn.ir.many_digits import evaluate_to_digits, to_digits
 from robodyn.ir.program import Input, Program
 from robodyn.ir.signature import ScalarType
 from robodyn.robot.identity import identity

@@ -1,22 +1,27 @@
-"""The packed form: the independent operations of a level as lanes of one core's vectors.
+"""The files of a schedule: the serial kernel, its parallel form, and its packed form, which has the
+independent operations of a level as lanes of one core's vectors.
 
 Vectors are those of gcc and clang (``vector_size``), which every target has, by instructions or one by one;
-each
-lane is rounded as the operation alone is, so the bits are those of the serial kernel.
+each lane is rounded as the operation alone is, so the bits are those of the serial kernel.
 """
 
 from __future__ import annotations
 
 from typing import Any
 
+from robodyn.emit import Unit, render
 from robodyn.emit.c_syntax import c_spelling, c_syntax
 from robodyn.emit.lines import Writer, head_of
+from robodyn.emit.parallel import Parallel, parallel_files
 from robodyn.emit.render import environment
 from robodyn.emit.results import check_one_result
 from robodyn.errors import InputError
 from robodyn.ir.signature import Signature
 from robodyn.robot.model import Robot
-from robodyn.schedule.packing import Packing
+from robodyn.schedule.cutting import Cut
+from robodyn.schedule.lanes import Waiting
+from robodyn.schedule.machine import Timetable
+from robodyn.schedule.packing import Packing, pack
 
 _SIGNS = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
 
@@ -110,3 +115,31 @@ class _Body:
             return known
         filled = elements + elements[:1] * (self.packing.lanes - len(elements))
         return f"({self.name}_lanes){{{', '.join(filled)}}}"
+
+
+def schedule_files(
+    robot: Robot,
+    signature: Signature,
+    cut: Cut,
+    timetable: Timetable,
+    *,
+    waiting: Waiting | None = None,
+    lanes: int | None = None,
+    notes: tuple[str, ...] = (),
+) -> dict[str, str]:
+    """All files of a schedule of ``cut``: text by file name; with ``lanes`` the packed form too.
+
+    ``waiting``: barriers where the timetable has levels, counters where it has none, unless told.
+
+    Raises
+    ------
+    InputError: the function remembers between calls, or barriers are asked for where there are no levels.
+    """
+    how = waiting or ("barrier" if timetable.machine.synchronised else "counters")
+    unit = Unit(robot, ((signature, cut.program),), notes=notes)
+    files = render(unit, ("c",)) | parallel_files(
+        Parallel(robot, signature, cut, timetable, how, notes, lanes is not None)
+    )
+    if lanes is not None:
+        files |= packed_files(robot, signature, pack(cut.program, lanes))
+    return files

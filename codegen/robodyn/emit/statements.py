@@ -7,8 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import NamedTuple
 
-from robodyn.emit.concise import LARGE, explained_once, of_angles, often_read
-from robodyn.emit.readable import steps_served
+from robodyn.emit.concise import LARGE, explained_once, of_angles, often_read, steps_served
 from robodyn.ir.program import Input, Label, Program
 from robodyn.robot.names import is_reserved
 

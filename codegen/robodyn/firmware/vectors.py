@@ -26,7 +26,7 @@ from robodyn.dynamics.functions.record import Function
 from robodyn.errors import InputError
 from robodyn.firmware.rounding import TINY, UNIT, rounding_bounds
 from robodyn.firmware.states import DTYPE, VECTOR_SEED, VECTORS, draw, program_inputs, ranges, vector_states
-from robodyn.ir.many_digits import evaluate_to_digits
+from robodyn.ir.digits import evaluate_to_digits
 from robodyn.ir.program import Input, Program
 from robodyn.ir.signature import ScalarType, Signature
 from robodyn.optimize.programs import inverse_kinematics_of

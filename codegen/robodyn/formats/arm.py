@@ -1,7 +1,9 @@
-"""A file in another format to a robot, and its description as text with what was decided on the way."""
+"""A file in another format to a robot, and its description as text with what was decided on the way; which
+angles of it a file may have meant as right ones, for a report before they are snapped."""
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
@@ -11,15 +13,15 @@ from robodyn.errors import InputError, Place
 from robodyn.formats.chain import Vector
 from robodyn.formats.conversion import printable, robot_name
 from robodyn.formats.frames import description_of
-from robodyn.formats.limits import NAMES_SHOWN
+from robodyn.formats.limits import NAMES_SHOWN, NEAR_RIGHT_ANGLE
 from robodyn.formats.reading import read_tree, taken_as_massless
 from robodyn.formats.serial import Serial, serial_chain
-from robodyn.formats.snapping import NearRightAngle, near_right_angles
 from robodyn.formats.tree import Tree, Unused
 from robodyn.robot.account import PARTS, Account
 from robodyn.robot.model import Robot
 from robodyn.robot.names import TEXT_LENGTH
 from robodyn.robot.plausibility import inertia_doubt, only_about_base_axis
+from robodyn.robot.values import Angle
 
 
 @dataclass(frozen=True, slots=True)
@@ -130,3 +132,39 @@ def description_text(imported: Imported) -> str:
     from robodyn.robot.writer import to_yaml
 
     return to_yaml(imported.robot)
+
+
+@dataclass(frozen=True, slots=True)
+class NearRightAngle:
+    """An angle of a description that is nearly a multiple of pi/2: whose it is, what it is [rad], and the
+    multiple."""
+
+    where: str
+    radians: float
+    quarter: int
+
+    @property
+    def error(self) -> float:
+        """By how much the multiple is missed [rad]."""
+        return self.radians - self.quarter * math.pi / 2
+
+
+def near_right_angles(robot: Robot, within: float = NEAR_RIGHT_ANGLE) -> tuple[NearRightAngle, ...]:
+    """The angles of ``robot``, base to tip, that are ``within`` [rad] of a multiple of pi/2 and not it."""
+    angles: list[tuple[str, Angle]] = []
+    if robot.base is not None:
+        angles += [(f"base: {word}", turn) for word, turn in _named(robot.base.rpy)]
+    for link in robot.links:
+        angles += [(f"{link.name}: alpha", link.joint.alpha), (f"{link.name}: theta", link.joint.theta)]
+    if robot.tool is not None:
+        angles += [(f"tool: {word}", turn) for word, turn in _named(robot.tool.rpy)]
+    near = []
+    for where, turn in angles:
+        quarter = round(turn.radians / (math.pi / 2))
+        if turn.quarter is None and abs(turn.radians - quarter * (math.pi / 2)) <= within:
+            near.append(NearRightAngle(where, turn.radians, quarter))
+    return tuple(near)
+
+
+def _named(rpy: tuple[Angle, Angle, Angle]) -> list[tuple[str, Angle]]:
+    return list(zip(("roll", "pitch", "yaw"), rpy, strict=True))

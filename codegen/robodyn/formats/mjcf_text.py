@@ -19,9 +19,17 @@ from robodyn.files import MIB
 from robodyn.formats.elements import Document, Element, tag_shown
 from robodyn.formats.elements_of import Entry, Table, table_of
 from robodyn.formats.limits import DEPTH, ELEMENTS, FILE_MIB, LINKS
-from robodyn.formats.mjcf_defaults import Classes, is_height_field, is_mesh
 from robodyn.formats.mjcf_files import Files
-from robodyn.formats.mjcf_handed import MESH, Handed, InertiaRules, has_rotor, names_of_nan
+from robodyn.formats.mjcf_handed import (
+    MESH,
+    Classes,
+    Handed,
+    InertiaRules,
+    has_rotor,
+    is_height_field,
+    is_mesh,
+    names_of_nan,
+)
 from robodyn.formats.tree import Leftovers
 from robodyn.formats.unread import Unread, name_of
 from robodyn.robot.names import TEXT_LENGTH, shown

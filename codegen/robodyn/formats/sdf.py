@@ -12,8 +12,7 @@ from robodyn.formats.elements_of import table_of
 from robodyn.formats.limits import GREATEST, NAMES_SHOWN
 from robodyn.formats.quantities import Quantities, body_of, negative
 from robodyn.formats.rigid import composed, tidy
-from robodyn.formats.sdf_frames import INSIDE, MODEL, WORLD, Frames, Scope
-from robodyn.formats.sdf_models import ChosenModel, choose_model
+from robodyn.formats.sdf_frames import INSIDE, MODEL, WORLD, ChosenModel, Frames, Scope, choose_model
 from robodyn.formats.tree import (
     JointLimits,
     Kind,

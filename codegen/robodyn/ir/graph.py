@@ -14,10 +14,9 @@ from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any, Union
 
-from robodyn.ir.digits import check_digits
+from robodyn.ir.digits import MOST_POSITIONS, check_digits, too_large
 from robodyn.ir.key import Key, children, multiple, plain_sum
 from robodyn.ir.program import Input, Label, Operand, Program
-from robodyn.ir.size import MOST_POSITIONS, too_large
 
 Scalar = Union["Node", Fraction, int]
 

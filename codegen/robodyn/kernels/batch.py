@@ -1,14 +1,24 @@
-"""One function on many states in one call, with the processor's vectors and, where asked for, in threads."""
+"""One function on many states in one call, with the processor's vectors and, where asked for, in threads.
+
+``F_robodyn_columns(count, stride, inputs..., outputs..., parameters)``
+    runs F on ``count`` states, element j of state k at ``[j*stride + k]``;
+``F_robodyn_rows(count, inputs..., outputs..., parameters)``
+    runs F on states that stand one after another.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import os
+import threading
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from typing import Any
 
 import numpy as np
 
 from robodyn.errors import InputError
+from robodyn.ir.signature import Signature
 from robodyn.kernels.arrays import (
     Array,
     common_lead,
@@ -19,8 +29,48 @@ from robodyn.kernels.arrays import (
 )
 from robodyn.kernels.function import Function
 from robodyn.kernels.solutions import handed_back
-from robodyn.kernels.threads import run_all
-from robodyn.toolchain.library import Library
+from robodyn.toolchain.library import Calls, Library
+
+_lock = threading.Lock()
+_pool: ThreadPoolExecutor | None = None
+_size = 0
+
+
+def run_all(jobs: Sequence[Callable[[], object]]) -> None:
+    """Run all ``jobs``, the first in this thread and the others in threads of the pool, and wait for them.
+
+    They run in parallel as far as they release Python's lock.
+    """
+    if len(jobs) > 1:
+        pool = _pool_of(len(jobs) - 1)
+        waiting = [pool.submit(job) for job in jobs[1:]]
+        jobs[0]()
+        for future in waiting:
+            future.result()
+    elif jobs:
+        jobs[0]()
+
+
+def _pool_of(size: int) -> ThreadPoolExecutor:
+    """The pool, with ``size`` threads at least. A smaller one ends when its work is done."""
+    global _pool, _size
+    with _lock:
+        if _pool is None or _size < size:
+            if _pool is not None:
+                _pool.shutdown(wait=False)
+            _pool, _size = ThreadPoolExecutor(size, thread_name_prefix="robodyn"), size
+        return _pool
+
+
+def _forget() -> None:
+    """In a forked child there are no threads: the next batch makes new ones."""
+    global _pool, _size, _lock
+    _pool, _size, _lock = None, 0, threading.Lock()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_forget)
+
 
 #: Fewer states than this are not worth another thread: it takes longer to wake it.
 LEAST_FOR_A_THREAD = 2048
@@ -122,3 +172,26 @@ class Batch:
 
     def _view(self, array: Array) -> Any:
         return self.library.ffi.from_buffer(self._pointer, array)
+
+
+def batch_calls(signature: Signature, parameters: Sequence[str]) -> Calls:
+    """The calls of ``signature``; run-time ``parameters`` are an array, in that order."""
+    s = signature
+    arrays = "".join(f", const {s.scalar} *i{k}" for k in range(len(s.inputs)))
+    arrays += "".join(f", {s.scalar} *o{k}" for k in range(len(s.outputs)))
+    arrays += f", const {s.scalar} *parameters"
+    passed = "".join(f", i{k}" for k in range(len(s.inputs)))
+    passed += "".join(f", o{k}" for k in range(len(s.outputs)))
+    passed += ", &p" if s.parameters else ""
+    fill = [f"    {s.robot}_params p = {{0}};"] if s.parameters else []
+    fill += [f"    p.{name} = parameters[{k}];" for k, name in enumerate(parameters) if name in s.parameters]
+    columns = f"void {s.function}_robodyn_columns(size_t count, size_t stride{arrays})"
+    rows = f"void {s.function}_robodyn_rows(size_t count{arrays})"
+    lines = [f"/* Calls from Python into the batches of {s.robot}. */", f'#include "{s.robot}_batch.h"']
+    lines += [f"{columns};", f"{rows};"]
+    for head, call in (
+        (columns, f"{s.symbol}_batch(count, stride{passed});"),
+        (rows, f"{s.symbol}_batch_rows(count{passed});"),
+    ):
+        lines += [head, "{", *fill, "    (void)parameters;", f"    {call}", "}"]
+    return Calls(f"{columns};\n{rows};\n", "\n".join(lines) + "\n")

@@ -24,9 +24,9 @@ from robodyn.dynamics.joints import rotors_of
 from robodyn.dynamics.limits import PROVEN_DIGITS
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.dynamics.rotor import with_rotors
+from robodyn.ir.digits import evaluate_to_digits, to_digits
 from robodyn.ir.evaluate import turn
 from robodyn.ir.fingerprint import digest
-from robodyn.ir.many_digits import evaluate_to_digits, to_digits
 from robodyn.ir.program import Input, Program
 from robodyn.kernels.with_effects import steady_torques
 from robodyn.optimize.programs import base_set_of

@@ -18,8 +18,7 @@ from robodyn.dynamics.functions import NoSuchFunction, emitted_name, function_na
 from robodyn.emit import Unit, render
 from robodyn.emit.languages import defaults, languages_named, require
 from robodyn.formats.loading import robot_of
-from robodyn.ir.garbage import rarely_collected
-from robodyn.ir.program import Program
+from robodyn.ir.program import Program, rarely_collected
 from robodyn.ir.signature import Signature
 from robodyn.kernels.options import (
     CHOSEN,

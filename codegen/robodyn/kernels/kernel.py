@@ -24,8 +24,7 @@ import numpy as np
 from robodyn.errors import InputError
 from robodyn.ir.signature import Signature
 from robodyn.kernels.arrays import Array
-from robodyn.kernels.batch import Batch
-from robodyn.kernels.batch_calls import batch_calls
+from robodyn.kernels.batch import Batch, batch_calls
 from robodyn.kernels.function import Function
 from robodyn.kernels.workspace import Workspace
 from robodyn.kernels.wrapper import parameters_of, prototypes, wrapper

@@ -11,9 +11,9 @@ from robodyn.counts.objective import operations_of, parse_objective
 from robodyn.dynamics.compose import composed, side_by_side
 from robodyn.dynamics.functions import Function, NoSuchFunction, function_named, recursion
 from robodyn.dynamics.fusing import AND, Writing, one_after_another
+from robodyn.ir.digits import TooLarge
 from robodyn.ir.graph import Graph
 from robodyn.ir.program import Input, Program
-from robodyn.ir.size import TooLarge
 from robodyn.kernels.drafts import ANEW_JOINTS, CLEARLY, DENSE, OF_PASSES, SMALL, least, total
 from robodyn.kernels.options import Options
 from robodyn.kernels.proof import prove

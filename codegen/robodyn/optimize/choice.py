@@ -1,14 +1,27 @@
-"""How the recursion of an arm is written: a formulation, and what of it is chosen to save operations."""
+"""How the recursion of an arm is written: a formulation, and what of it is chosen to save operations.
+
+The programs of a function whose results are approached are made here (start, step and what follows), and the
+order of the book: what is worked out on demand comes in the order in which the torques happen to ask for it;
+the motion of the links is put first, base to tip, then forces and moments, tip to base.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, fields, replace
 from typing import Any
 
+from robodyn.dynamics.functions import Function
+from robodyn.dynamics.fusing import Writing
+from robodyn.dynamics.iterative import Iterative
 from robodyn.dynamics.lump import MomentForm
 from robodyn.errors import InputError
+from robodyn.ir.copying import rearranged
+from robodyn.ir.graph import Graph, Scalar
+from robodyn.ir.lowering import needed
+from robodyn.ir.program import STATE, Iteration, Program
 from robodyn.optimize.variant import Variant
+from robodyn.passes.order import before_use
 
 #: Formulations of the inverse dynamics, from the description as it stands.
 FORMULATIONS = (
@@ -78,3 +91,53 @@ def choice_from(data: Any) -> Choice:
     if "variant" in settings:
         settings["variant"] = Variant.from_dict(settings["variant"])
     return Choice(**settings)
+
+
+#: Arrays of nodes by name.
+Inputs = Mapping[str, Sequence[Any]]
+#: Values, one after another, as ``(name, elements)`` of each result.
+Split = Callable[[Sequence[Any]], list[tuple[str, Sequence[Any]]]]
+
+
+def iterated(
+    function: Function,
+    approach: Iterative,
+    n: int,
+    written: Callable[[Graph, Inputs, Writing, Split], Program],
+) -> Program:
+    """The program of ``function`` for ``n`` joints; ``written`` gives what a writing is of inputs in a
+    graph, split into its results."""
+
+    def part(writing: Writing, size: int, split: Split) -> Program:
+        graph = Graph()
+        inputs = function.nodes(graph.input, n)
+        if size:
+            inputs[STATE] = [graph.input(STATE, i) for i in range(size)]
+            inputs["q"] = inputs[STATE][:n]
+        return written(graph, inputs, writing, split)
+
+    def state(values: Sequence[Any]) -> list[tuple[str, Sequence[Any]]]:
+        return [(STATE, values)]
+
+    start = part(approach.start, 0, state)
+    size = len(start.results())
+    step = part(approach.step, size // approach.rows, state)
+    finish = part(approach.finish, size, lambda values: function.split(values, n))
+    return replace(finish, iteration=Iteration(start, step, approach.most))
+
+
+#: Quantities of the forward and the backward pass, in order within a link.
+FORWARD = ("w", "alpha", "ww", "lam", "a")
+BACKWARD = ("fc", "nc", "f", "n", "f0", "n0", "tau")
+
+
+def in_reading_order(graph: Graph, outputs: Sequence[Scalar]) -> tuple[Graph, list[Scalar]]:
+    """What ``outputs`` need of ``graph`` in a graph of its own, made in the order of the book; and the
+    outputs there."""
+    positions = needed(graph, [("", outputs)])
+    labels = graph.labels
+    named = [(labels[p].link, labels[p].quantity, p) for p in positions if p in labels]
+    forward = [(link, FORWARD.index(quantity), p) for link, quantity, p in named if quantity in FORWARD]
+    back = [(-link, BACKWARD.index(quantity), p) for link, quantity, p in named if quantity in BACKWARD]
+    roots = [p for _, _, p in (*sorted(forward), *sorted(back))]
+    return rearranged(graph, before_use((*roots, *positions), graph.reads), outputs)

@@ -13,7 +13,7 @@ from robodyn.effects.scalars import is_zero
 from robodyn.optimize.costing import Costing
 from robodyn.optimize.gauge import Unsuited
 from robodyn.optimize.programs import Choice
-from robodyn.optimize.suited import suited_variant
+from robodyn.optimize.slide import suited_variant
 from robodyn.optimize.variant import LinkVariant, Variant
 from robodyn.robot.model import Robot
 

@@ -11,10 +11,10 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from robodyn.ir.digits import MOST_POSITIONS, too_large
 from robodyn.ir.field import Field
 from robodyn.ir.graph import Graph, Node, Scalar, sum_of
 from robodyn.ir.key import Key, children
-from robodyn.ir.size import MOST_POSITIONS, too_large
 from robodyn.robot.values import circle_point
 
 #: Operations that are found by their values.

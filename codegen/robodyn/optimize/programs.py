@@ -40,14 +40,12 @@ from robodyn.optimize.base_parameters import base_newton_euler
 from robodyn.optimize.cheapest import Cheapest
 from robodyn.optimize.choice import FORMULATIONS as FORMULATIONS
 from robodyn.optimize.choice import Choice as Choice
+from robodyn.optimize.choice import Inputs, Split, in_reading_order, iterated
 from robodyn.optimize.choice import choice_from as choice_from
 from robodyn.optimize.costing import exact as exact
 from robodyn.optimize.gauge import regrouped_as, with_displacements
-from robodyn.optimize.iterated import Inputs, Split, iterated
 from robodyn.optimize.merging import MergingGraph
-from robodyn.optimize.reading_order import in_reading_order
-from robodyn.optimize.slide import centred, slid
-from robodyn.optimize.suited import suited_variant
+from robodyn.optimize.slide import centred, slid, suited_variant
 from robodyn.robot.identity import identity
 from robodyn.robot.masses import require_masses
 from robodyn.robot.model import Robot

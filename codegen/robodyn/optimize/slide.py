@@ -3,16 +3,20 @@
 The origin of a frame may stand anywhere on its joint's axis. Where the next axis is parallel, sliding the
 origin along makes one offset of two, and of none beside the base, whose frame does not move. The origin of
 a link that slides may stand anywhere along its way: beside the centre of mass nothing is left of its moment.
+The variant that suits an arm without a search slides them.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 
 from robodyn.dynamics.arm import Arm
-from robodyn.dynamics.regroup import regrouped
+from robodyn.dynamics.lump import MomentForm
+from robodyn.dynamics.regroup import regrouped, suited_forms
 from robodyn.effects.scalars import is_zero
+from robodyn.optimize.variant import LinkVariant, SecondRule, Slide, Variant
 
 
 def slides(arm: Arm) -> tuple[bool, ...]:
@@ -67,3 +71,15 @@ def centred(arm: Arm) -> Arm:
         bodies[k] = replace(body, com=(x, y, z - shift))
     x, y, z = arm.tool.origin
     return replace(arm, bodies=tuple(bodies), tool=replace(arm.tool, origin=(x, y, z - shift)))
+
+
+def suited_variant(arm: Arm, chains: bool = True, forms: Sequence[MomentForm] = ()) -> Variant:
+    """The textbook's gauge with the form of moments that costs less, and origins slid along parallel axes."""
+    links: list[LinkVariant] = []
+    slid = slides(arm)
+    for body, form, slide in zip(arm.bodies, forms or suited_forms(arm), slid, strict=True):
+        # The choice of the literature: Iyy zero where the moment is written with inertias.
+        second: SecondRule = "-xx" if form == "inertia" and links and body.revolute else "zero"
+        place: Slide = "next" if slide else "none"
+        links.append(LinkVariant(form=form, second=second, slide=place, column="carried", chained=chains))
+    return Variant(tuple(links))

@@ -1,10 +1,28 @@
-"""One processor a joint: which of its tasks each does in every level, by branch and bound.
+"""Searches through trees of schedules: branch and bound, DF/IHS, and A*.
 
-Source: Luh and Lin 1982, who give every joint of an arm its own processor and search for the shortest order
-with a variable branch and bound. Levels here, as in the thesis: tasks of equal length. Branches are ordered
-by the longest remaining chain; a branch is left where its bound, the longest chain or the busiest
-processor's own (Jackson's, heads and tails kept), is no shorter than the best schedule known. The search is
-variable in that it goes through the levels with ever more states of each, twice as many every time.
+**Branch and bound.** One processor a joint: which of its tasks each does in every level. Source: Luh and Lin
+1982, who give every joint of an arm its own processor and search for the shortest order with a variable
+branch and bound. Levels here, as in the thesis: tasks of equal length. Branches are ordered by the longest
+remaining chain; a branch is left where its bound, the longest chain or the busiest processor's own
+(Jackson's, heads and tails kept), is no shorter than the best schedule known. The search is variable in that
+it goes through the levels with ever more states of each, twice as many every time.
+
+**DF/IHS**: depth first with implicit heuristic search, which begins where CP/MISF ends. In every node the
+branch that critical path and most immediate successors would take comes first: the first way down is the
+list schedule CP/MISF, whatever comes later can only be shorter. A branch is left where its bound is no
+better than the best schedule, or where the same tasks had begun no later before. Source: Kasahara and Narita
+1984, Practical Multiprocessor Scheduling Algorithms for Efficient Parallel Processing, IEEE Trans. Computers
+C-33; 1985, Parallel Processing of Robot-Arm Control Computation on a Multimicroprocessor System, IEEE J.
+Robotics and Automation 1. Neither was at hand; the bound is that of Fernandez and Bussell which they are
+known to use.
+
+**A***: of all schedules begun, the one that promises the shortest end is continued. What it promises is a
+bound that no way through it can beat, so that the first schedule which is complete is a shortest one, and
+where a limit ends the search, the least promise that is open bounds all schedules. Among equal promises the
+one that has got furthest goes first. A node hands over its branches a few at a time, most urgent first, and
+waits with its own promise meanwhile: there may be thousands. Source: Chen, Lee and Hou 1988, Efficient
+Scheduling Algorithms for Robot Inverse Dynamics Computation on a Multiprocessor System, IEEE Trans. SMC
+18(5), who search by an improved A*. The paper was not at hand: promise, order and memory are ours.
 """
 
 from __future__ import annotations
@@ -14,9 +32,11 @@ import itertools
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Final
 
 from robodyn.schedule.graph import TaskGraph, TaskId
 from robodyn.schedule.machine import Schedule
+from robodyn.schedule.tree import Ended, Limits, Node, Searched, Tree
 
 
 @dataclass(frozen=True, slots=True)
@@ -181,3 +201,77 @@ def _left(search: _Search, state: _State) -> int:
             if not need[follower]:
                 queue.append(follower)
     return max([longest, *(_jackson(tasks) for tasks in jobs if tasks)])
+
+
+def df_ihs(tree: Tree, known: Mapping[TaskId, int], span: int, limits: Limits) -> Searched:
+    """The best schedule within ``limits``; not longer than the one that is ``known`` (starts of tasks, and
+    its ``span``), which is that of CP/MISF."""
+    best, starts = span, known
+    root = tree.root()
+    ways: list[Iterator[Node]] = [tree.branches(root)] if root.ready else []
+    seen: dict[object, int] = {}
+    nodes, ended = 0, None
+    while ways and best > tree.bound_of_all and ended is None:
+        node = next(ways[-1], None)
+        if node is None:
+            ways.pop()
+            continue
+        nodes += 1
+        ended = limits.reached(nodes)
+        if tree.complete(node):
+            if node.time < best:
+                best, starts = node.time, tree.starts(node)
+            continue
+        if tree.bound(node) >= best:
+            continue
+        state = tree.same(node)
+        if seen.get(state, best) <= node.time:
+            continue
+        seen[state] = node.time
+        ways.append(tree.branches(node))
+    proven: Ended = "proven"
+    whole = not ways or best <= tree.bound_of_all
+    return Searched(
+        starts, best, best if whole else tree.bound_of_all, nodes, proven if whole else ended or proven
+    )
+
+
+#: Branches that a node hands over at a time.
+_AT_A_TIME: Final = 8
+
+
+def a_star(tree: Tree, known: Mapping[TaskId, int], span: int, limits: Limits) -> Searched:
+    """The best schedule within ``limits``; not longer than the one that is ``known`` (starts of tasks, and
+    its ``span``)."""
+    best, starts = span, known
+    root = tree.root()
+    seen: dict[object, int] = {}
+    age = itertools.count()
+    # (promise, less the number of tasks that have begun, age, node, its branches that are left)
+    waiting: list[tuple[int, int, int, Node, Iterator[Node]]] = []
+    if root.ready:
+        waiting.append((tree.bound_of_all, 0, next(age), root, tree.branches(root)))
+    nodes, ended = 0, None
+    while waiting and waiting[0][0] < best and ended is None:
+        promise, depth, order, node, branches = heapq.heappop(waiting)
+        some = list(itertools.islice(branches, _AT_A_TIME))
+        if len(some) == _AT_A_TIME:
+            heapq.heappush(waiting, (promise, depth, order, node, branches))
+        for child in some:
+            nodes += 1
+            ended = ended or limits.reached(nodes)
+            if tree.complete(child):
+                if child.time < best:
+                    best, starts = child.time, tree.starts(child)
+                continue
+            state = tree.same(child)
+            if seen.get(state, best) <= child.time:
+                continue
+            bound = max(promise, tree.bound(child))
+            if bound < best:
+                seen[state] = child.time
+                begun = child.begun.bit_count()
+                heapq.heappush(waiting, (bound, -begun, next(age), child, tree.branches(child)))
+    least = min(waiting[0][0], best) if waiting else best
+    proven: Ended = "proven"
+    return Searched(starts, best, least, nodes, proven if least == best else ended or proven)

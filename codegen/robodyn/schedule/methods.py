@@ -11,10 +11,8 @@ from dataclasses import dataclass
 from typing import Final, Literal, get_args
 
 from robodyn.errors import InputError
-from robodyn.schedule.a_star import a_star
 from robodyn.schedule.bounds import lower_bound
-from robodyn.schedule.branch_and_bound import one_processor_a_joint
-from robodyn.schedule.df_ihs import df_ihs
+from robodyn.schedule.branch_and_bound import a_star, df_ihs, one_processor_a_joint
 from robodyn.schedule.graph import TaskGraph
 from robodyn.schedule.heuristics import (
     critical_path_order,

@@ -18,8 +18,7 @@ from robodyn.counts.objective import Objective, operations_of
 from robodyn.dynamics.equality import same_in_field
 from robodyn.dynamics.functions import FUNCTIONS, function_named
 from robodyn.errors import InputError, ToolError
-from robodyn.ir.garbage import rarely_collected
-from robodyn.ir.program import Program
+from robodyn.ir.program import Program, rarely_collected
 from robodyn.kernels.generate import Options
 from robodyn.kernels.generate import program as generated
 from robodyn.optimize.closed_form import closed_forms

@@ -16,8 +16,7 @@ from fractions import Fraction
 from robodyn.ir.evaluate import AngleForm, angle_form
 from robodyn.ir.program import Input, Operand, Program
 from robodyn.search.reconstruction import NoWalk as NoWalk
-from robodyn.search.reconstruction import fraction
-from robodyn.search.states import State
+from robodyn.search.reconstruction import State, fraction
 
 #: Operations of the walk, as the C code numbers them.
 LEAF, ADD, MUL, SCALE, OFFSET = range(5)

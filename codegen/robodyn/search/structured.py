@@ -17,12 +17,11 @@ from robodyn.counts.objective import Objective, operations_of
 from robodyn.errors import InputError
 from robodyn.ir.program import Program
 from robodyn.optimize.programs import Choice, build
-from robodyn.optimize.suited import suited_variant
+from robodyn.optimize.slide import suited_variant
 from robodyn.optimize.variant import Variant
 from robodyn.passes import FRESH, run
 from robodyn.robot.model import Robot
-from robodyn.search.candidate import Candidates, Sketch
-from robodyn.search.space import Space
+from robodyn.search.space import Candidates, Sketch, Space
 from robodyn.toolchain.workers import Workers
 
 #: How many results a search hands back, and how many of each other's values they have at most.

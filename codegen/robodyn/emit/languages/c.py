@@ -6,14 +6,13 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
-from robodyn.emit import misra
 from robodyn.emit.advice import advice
 from robodyn.emit.batch import batch_files
 from robodyn.emit.body import Lines
 from robodyn.emit.c_syntax import c_builtin, c_spelling, c_syntax
 from robodyn.emit.freestanding import freestanding_calls, freestanding_context
 from robodyn.emit.language import Compiled, FunctionText, Language
-from robodyn.emit.listing import BRANCH, FLAGS, listing_of
+from robodyn.emit.listing import BRANCH, FLAGS, listing_of, misra_notes
 from robodyn.emit.runs import Run
 from robodyn.emit.sines import ANGLES, COSINES, SINES
 from robodyn.emit.spelling import WIDTH
@@ -213,7 +212,7 @@ def _macros(unit: Unit) -> list[str]:
 
 
 def _notes(unit: Unit) -> tuple[str, ...]:
-    return misra.notes(unit) if unit.misra else ()
+    return misra_notes(unit) if unit.misra else ()
 
 
 LANGUAGE = Language(

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from robodyn.formats.writers.markup import Tag, decimal, decimals, tag
-from robodyn.formats.writers.parts import Frame, PartJoint, Parts
-from robodyn.formats.writers.pictures import Cylinder, cylinders
+from robodyn.formats.writers.parts import Cylinder, Frame, PartJoint, Parts, cylinders
 
 
 def root(parts: Parts) -> tuple[Tag, list[str]]:

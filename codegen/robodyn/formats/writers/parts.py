@@ -1,6 +1,9 @@
 """A robot as the writers of other formats take it: frames as xyz and rpy, floats, names that are unique.
 
 Frame i is the description's: its z axis is the joint's. Numbers are the doubles of the description's.
+
+For pictures there is a cylinder along each link to the next joint, and one about each joint. They weigh
+nothing.
 """
 
 from __future__ import annotations
@@ -14,6 +17,7 @@ from typing import Final
 
 from robodyn.errors import InputError
 from robodyn.formats.chain import Body, Spring, Vector
+from robodyn.formats.limits import PICTURE_HUB, PICTURE_RADIUS
 from robodyn.formats.rigid import lumped
 from robodyn.formats.springs import spring_of
 from robodyn.formats.writers.markup import legal
@@ -23,6 +27,41 @@ from robodyn.robot.model import AXES, EffectEntry, Inertia, Link, Robot
 from robodyn.robot.parts import Gear, JointKind, Limits, Placement
 from robodyn.robot.rotations import about_x, about_z, placement, product
 from robodyn.robot.values import Value
+
+
+@dataclass(frozen=True, slots=True)
+class Cylinder:
+    """A cylinder about z of its ``frame``, which is its middle; ``radius`` and ``length`` in m."""
+
+    frame: Frame
+    radius: float
+    length: float
+
+
+def cylinders(parts: Parts) -> list[tuple[Cylinder, ...]]:
+    """The cylinders of the base, then of each link, in their frames."""
+    radius = _round(PICTURE_RADIUS * parts.size)
+    ends = [joint.frame.xyz for joint in parts.joints] + [(parts.tool or Frame()).xyz]
+    hub = Cylinder(Frame(), _round(PICTURE_HUB * radius), _round(2 * PICTURE_HUB * radius))
+    pictures = [[] if index == 0 or not radius else [hub] for index in range(len(ends))]
+    for picture, end in zip(pictures, ends, strict=True):
+        if radius and math.hypot(*end) > radius:
+            picture.append(_towards(end, radius))
+    return [tuple(picture) for picture in pictures]
+
+
+def _towards(end: Vector, radius: float) -> Cylinder:
+    """The cylinder from the origin to ``end``."""
+    x, y, z = end
+    middle = (_round(x / 2), _round(y / 2), _round(z / 2))
+    pitch, yaw = math.atan2(math.hypot(x, y), z), math.atan2(y, x)
+    return Cylinder(Frame(middle, (0.0, _round(pitch), _round(yaw))), radius, _round(math.hypot(x, y, z)))
+
+
+def _round(x: float) -> float:
+    """A picture needs four digits; more would only make the file long."""
+    return float(f"{x:.4g}")
+
 
 #: Names that mean something in one of the formats or in what reads it.
 RESERVED: Final = frozenset({"world", "base", "tool", "base_joint", "tool_joint", "universe", "root_joint"})

@@ -20,7 +20,7 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.formats.chain import Body, Pose
-from robodyn.formats.exact import rows
+from robodyn.formats.frames import rows
 from robodyn.formats.limits import LEAST_BODY, MOVED_DIGITS, SLACK
 from robodyn.formats.writers.parts import Frame, PartJoint
 from robodyn.robot.numbers import shortest

@@ -5,8 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from robodyn.formats.writers.markup import Tag, decimal, decimals, leaf, tag
-from robodyn.formats.writers.parts import Frame, PartJoint, Parts
-from robodyn.formats.writers.pictures import Cylinder, cylinders
+from robodyn.formats.writers.parts import Cylinder, Frame, PartJoint, Parts, cylinders
 
 _VERSION: Final = "1.9"
 

@@ -6,8 +6,7 @@ from typing import Final
 
 from robodyn.formats.chain import Body
 from robodyn.formats.writers.markup import Tag, decimal, decimals, leaf, tag
-from robodyn.formats.writers.parts import Frame, PartJoint, Parts
-from robodyn.formats.writers.pictures import Cylinder, cylinders
+from robodyn.formats.writers.parts import Cylinder, Frame, PartJoint, Parts, cylinders
 
 #: What stands for a limit that is not stated where the format demands one: beyond every arm's.
 _NO_LIMIT: Final = "1e+15"

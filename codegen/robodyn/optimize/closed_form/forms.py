@@ -13,8 +13,7 @@ from robodyn.dynamics.arm import build_arm
 from robodyn.ir.graph import Graph, Node
 from robodyn.ir.lowering import needed
 from robodyn.optimize.closed_form.coordinates import Coordinates, Model, model, parallels, values
-from robodyn.optimize.closed_form.extraction import System
-from robodyn.optimize.closed_form.numbers import Numbers
+from robodyn.optimize.closed_form.extraction import Numbers, System
 from robodyn.optimize.closed_form.polynomial import Terms
 from robodyn.optimize.closed_form.search import Search
 from robodyn.optimize.programs import exact

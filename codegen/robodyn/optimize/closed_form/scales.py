@@ -15,8 +15,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from robodyn.optimize.closed_form.extraction import System
-from robodyn.optimize.closed_form.numbers import Numbers
+from robodyn.optimize.closed_form.extraction import Numbers, System
 from robodyn.optimize.tally import PRIME
 
 #: Exponents of scales.

@@ -10,8 +10,7 @@ from __future__ import annotations
 import random
 from dataclasses import dataclass
 
-from robodyn.optimize.closed_form.extraction import Extraction, Factor, Memory, System, Taste
-from robodyn.optimize.closed_form.numbers import Numbers
+from robodyn.optimize.closed_form.extraction import Extraction, Factor, Memory, Numbers, System, Taste
 
 #: How much the factors of the best are liked that are kept, and those that are dropped.
 _KEPT, _DROPPED = 4.0, -1.0

@@ -13,7 +13,7 @@
     tau = %1 -%0 0
 
 After a colon stands what the operation completes: link, quantity, axis, and ``-`` for minus that.
-``computes`` is the key of the function (:mod:`robodyn.optimize.records.function_key`), by which a robot in
+``computes`` is the key of the function (:mod:`robodyn.optimize.records.labels`), by which a robot in
 other frames finds the record; it may be missing.
 
 The text may come from anywhere, so that nothing in it may take long or much room later: not a number of many
@@ -29,7 +29,7 @@ from fractions import Fraction
 
 from robodyn.errors import InputError, Place
 from robodyn.ir.program import ARITY, Input, Label, Operand, Operation, Program
-from robodyn.optimize.records.function_key import function_key
+from robodyn.optimize.records.labels import function_key
 
 _TITLE = "robodyn record 1"
 #: The fields of the header, and the attributes that hold them.

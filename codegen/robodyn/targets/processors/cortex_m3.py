@@ -3,8 +3,7 @@
 Costs are instructions of gcc 12's libgcc, measured in qemu; those of the square root are fdlibm's.
 """
 
-from robodyn.targets.architectures import mps2
-from robodyn.targets.target import Chip, Costs, Target
+from robodyn.targets.target import Chip, Costs, Target, mps2
 
 TARGET = Target(
     name="cortex-m3",

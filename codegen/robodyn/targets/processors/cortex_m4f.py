@@ -4,8 +4,7 @@ VMUL and VADD take one cycle, VFMA three, VDIV and VSQRT 14 (Cortex-M4 Technical
 sines and cosines, and double, were measured in instructions (gcc 12's libgcc; the square root is fdlibm's).
 """
 
-from robodyn.targets.architectures import mps2
-from robodyn.targets.target import Chip, Costs, Target
+from robodyn.targets.target import Chip, Costs, Target, mps2
 
 TARGET = Target(
     name="cortex-m4f",

@@ -1,7 +1,6 @@
 """Arm Cortex-M7 with the floating-point unit FPv5: float and double in hardware."""
 
-from robodyn.targets.architectures import mps2
-from robodyn.targets.target import Chip, Costs, Target
+from robodyn.targets.target import Chip, Costs, Target, mps2
 
 TARGET = Target(
     name="cortex-m7",

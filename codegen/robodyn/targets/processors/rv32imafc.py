@@ -5,8 +5,7 @@ square root keep it busy for some 20 (SiFive's E7 and S7 series). Sines and cosi
 software, were measured in instructions (gcc 12's libgcc, picolibc's square root).
 """
 
-from robodyn.targets.architectures import RISCV
-from robodyn.targets.target import Board, Chip, Costs, Region, Target
+from robodyn.targets.target import RISCV, Board, Chip, Costs, Region, Target
 
 #: The emulator's processor has double, too: without it an image that uses it faults.
 _FLOAT_ONLY = ("-cpu", "rv32,d=false")
