@@ -34,7 +34,7 @@ from robodyn.fleet.run import DIGESTING, run_fleet
 from robodyn.fleet.sources.fleet import ArmType, Fleet, LogFile
 from robodyn.fleet.work import digest_log
 from robodyn.formats.loading import load, text_of
-from robodyn.identify.rigid import Model
+from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.content import digest
 from robodyn.logs.log import Log
 

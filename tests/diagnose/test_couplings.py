@@ -10,7 +10,7 @@ from robodyn.diagnose.select.choice import confidence_of
 from robodyn.diagnose.select.library import Candidate, candidates, context_of
 from robodyn.diagnose.select.library.limits import COUPLED_BEYOND_SHARE
 from robodyn.diagnose.select.scope import Scope
-from robodyn.identify.rigid import Model
+from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.signals import signals_of
 from robodyn.robot import load
 

@@ -11,7 +11,7 @@ import pytest
 from robodyn.diagnose.run import diagnose
 from robodyn.diagnose.select.encoders import elastic_findings, elasticity, stiff_words
 from robodyn.gate.gate import Gate, inspect
-from robodyn.identify.rigid import Model
+from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.log import Log
 from robodyn.robot import Robot, load, read_text
 from robodyn.robot.writer import to_yaml

@@ -18,7 +18,7 @@ from robodyn.diagnose.blind.true_arm import lacking, measured, rms
 from robodyn.diagnose.run import diagnose
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.errors import InputError
-from robodyn.identify.rigid import Model
+from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.log import Log
 from robodyn.robot import load
 from robodyn.robot.model import Robot

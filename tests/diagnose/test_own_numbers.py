@@ -19,8 +19,8 @@ from robodyn.diagnose.select.own_numbers import own_numbers, own_numbers_of
 from robodyn.diagnose.select.refine import refined
 from robodyn.diagnose.select.selection import prior_scales, start_of
 from robodyn.diagnose.select.uncertainty import uncertainties
-from robodyn.identify.rigid import Model
 from robodyn.identify.twist import behind_motors
+from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.log import Log
 from robodyn.logs.signals import signals_of
 from robodyn.robot import load

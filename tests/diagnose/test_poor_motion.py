@@ -10,7 +10,7 @@ from robodyn.diagnose.result import Diagnosis
 from robodyn.diagnose.run import diagnose
 from robodyn.diagnose.select.library import context_of
 from robodyn.diagnose.select.selection import encoder_torque_noise, select
-from robodyn.identify.rigid import Model
+from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.log import Log
 from robodyn.logs.signals import signals_of
 from robodyn.robot import load

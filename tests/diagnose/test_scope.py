@@ -11,7 +11,7 @@ from robodyn.diagnose.select.library import candidates, context_of
 from robodyn.diagnose.select.scope import EVERYTHING, Scope, scope_of
 from robodyn.diagnose.select.selection import select
 from robodyn.errors import InputError
-from robodyn.identify.rigid import Model
+from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.signals import signals_of
 from robodyn.robot import load
 

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-import numpy as np
 import pytest
 
 from diagnose.hidden.cases import Case
 from diagnose.hidden.logs import effect, hidden_log
 from robodyn.diagnose.run import diagnose
 from robodyn.diagnose.select.selection import select
-from robodyn.identify.rigid import Model
 from robodyn.robot.model import EffectEntry
-from robodyn.verify import Reference
 from robodyn_testing import sampled
-from robodyn_testing.effect_arms import arm
 
 #: Arm, effect, joint, seed, gap over noise.
 CLEAR = (
@@ -22,20 +18,6 @@ CLEAR = (
     ("puma560_3dof", "base_tilt", None, 1, 7.6),
     ("puma560_3dof", "torque_saturation", 2, 1, 5.1),
 )
-
-
-@pytest.mark.parametrize(
-    ("name", "values"), [("rubbing", {"f_s": 5.5, "m_load": 2.8}), ("sliding", {"c_1": 3.25})]
-)
-def test_the_model_on_arrays_is_the_reference(name: str, values: dict[str, float]) -> None:
-    robot = arm(name)
-    q, qd, qdd = np.random.default_rng(0).uniform(-1, 1, (3, 200, robot.n))
-    model = Model(robot, values)
-    found = model.evaluate(q, qd, qdd)
-    expected = Reference(robot, values).inverse_dynamics(q, qd, qdd)
-    np.testing.assert_allclose(found.total, expected, rtol=0, atol=1e-12 * np.abs(expected).max())
-    rigid = np.einsum("knlp,lp->kn", model.regressor(q, qd, qdd), model.standard_parameters())
-    np.testing.assert_allclose(rigid, found.rigid, rtol=0, atol=1e-12 * np.abs(rigid).max())
 
 
 @pytest.mark.parametrize(("arm_name", "effect", "joint", "seed", "ratio"), sampled(CLEAR, every=4))

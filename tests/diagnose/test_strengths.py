@@ -18,7 +18,7 @@ from robodyn.diagnose.select.selection import weight_of
 from robodyn.diagnose.strengths import fit_with
 from robodyn.gate.gate import inspect
 from robodyn.identify.fit import Options
-from robodyn.identify.rigid import Model
+from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.log import Log
 from robodyn.robot import load
 from robodyn.robot.model import EffectEntry, Limits

@@ -10,7 +10,7 @@ import numpy as np
 from robodyn.diagnose.result import Diagnosis
 from robodyn.fleet.sources.fleet import ArmType, Fleet, LogFile
 from robodyn.formats.loading import load, text_of
-from robodyn.identify.rigid import Model
+from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.log import Log
 
 NAME = "stanford_3dof"

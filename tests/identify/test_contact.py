@@ -22,7 +22,7 @@ from robodyn.gate.gate import inspect
 from robodyn.identify.contact.contact import Contact, contacts, without_rows
 from robodyn.identify.contact.force import Push as Pressed
 from robodyn.identify.contact.force import Window, push_in
-from robodyn.identify.rigid import Model
+from robodyn.kernels.array_dynamics import Model
 from robodyn.robot.model import EffectEntry
 
 #: A push is found if it begins and ends within so much [s].

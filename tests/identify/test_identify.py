@@ -14,7 +14,7 @@ from identify.exact import log_of, motion
 from peers.numbers import number
 from robodyn.identify.consistent import pseudo_inertia
 from robodyn.identify.regressor import Links
-from robodyn.identify.rigid import Model
+from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.log import Log
 from robodyn.robot import load
 from robodyn.robot.model import Robot

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.amend.amend import Amendment, amended
 from robodyn.identify.motor_regressor import lagging_regressor, motor_regressor
-from robodyn.identify.rigid import Model, physical
 from robodyn.identify.twist import behind_motors
+from robodyn.kernels.array_dynamics import Model, physical
 from robodyn.robot import load
 from robodyn.robot.model import Inertia
 

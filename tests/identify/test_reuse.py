@@ -10,8 +10,8 @@ import pytest
 from robodyn.diagnose.amend.amend import Amendment, amended
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.formats.loading import robot_of
-from robodyn.identify import rigid
-from robodyn.identify.rigid import Model, Reuse
+from robodyn.kernels import array_dynamics
+from robodyn.kernels.array_dynamics import Model, Reuse
 
 PUMA = robot_of("puma560_3dof")
 
@@ -23,7 +23,7 @@ def test_models_that_differ_in_their_drives_share_the_arm(monkeypatch: pytest.Mo
         calls.append(arguments)
         return newton_euler(*arguments)
 
-    monkeypatch.setattr(rigid, "newton_euler", counted)
+    monkeypatch.setattr(array_dynamics, "newton_euler", counted)
     q, qd, qdd = np.random.default_rng(0).uniform(-1, 1, (3, 50, PUMA.n))
     reuse = Reuse()
     for level in (0.5, 1.0, 2.0):

@@ -16,7 +16,7 @@ Columns = dict[str, Floats]
 
 def plain_log(robot: Robot, samples: int = 240, period: float = 0.01, seed: int = 0) -> Columns:
     """A motion of all joints, with the torques of ``robot``, friction that no description has, and noise."""
-    from robodyn.identify.rigid import Model
+    from robodyn.kernels.array_dynamics import Model
 
     chance = np.random.default_rng(seed)
     t = period * np.arange(samples)

@@ -31,7 +31,7 @@ from robodyn.diagnose.select.library import Candidate, Hints, candidates, contex
 from robodyn.effects.catalogue import CATALOGUE, effect
 from robodyn.errors import InputError
 from robodyn.formats.loading import robot_of
-from robodyn.identify.rigid import Model
+from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.signals import Signals
 from robodyn.robot.model import Robot
 from robodyn.simulate.limits import with_limits

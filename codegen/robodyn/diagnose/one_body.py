@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.limits import BODY_ALIKE, BODY_EXPLAINED, BODY_POSES, BODY_SHARE
 from robodyn.gate.gate import Gate
-from robodyn.identify.rigid import Model
+from robodyn.kernels.array_dynamics import Model
 from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]

@@ -34,7 +34,7 @@ from robodyn.formats.loading import robot_of, text_of
 from robodyn.gate.gate import Gate, inspect
 from robodyn.identify.limits import LEAST_NOISE
 from robodyn.identify.predict import agreement, signals_seen
-from robodyn.identify.rigid import Model
+from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.log import LogSource, log_of
 from robodyn.robot.model import Robot
 from robodyn.robot.rewriting import rewritten

@@ -8,6 +8,7 @@ from typing import Final
 
 from robodyn.files import label
 from robodyn.robot import bundled
+from robodyn.robot.masses import unknown_masses
 from robodyn.robot.model import Robot
 from robodyn.robot.reader import Warn, doubtful
 
@@ -47,9 +48,11 @@ def load(
             from robodyn.formats.reading import no_model_to_choose
 
             raise no_model_to_choose(label(spec))
-        from robodyn.formats.reading import taken_as_massless
+        robot = bundled.load(spec, strict=strict, warn=warn)
+        if unknown_masses(robot):
+            from robodyn.formats.reading import taken_as_massless
 
-        robot = taken_as_massless(bundled.load(spec, strict=strict, warn=warn), massless)
+            robot = taken_as_massless(robot, massless)
     else:
         from robodyn.formats.arm import import_arm
 

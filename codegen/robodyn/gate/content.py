@@ -26,8 +26,8 @@ from robodyn.gate.limits import (
 )
 from robodyn.gate.rates import moving_joints
 from robodyn.gate.smooth import Smooth
+from robodyn.kernels.array_dynamics import Model
 from robodyn.robot.model import Robot
-from robodyn.verify.reference import Reference
 
 Mask = NDArray[np.bool_]
 
@@ -149,7 +149,7 @@ def _quadrants(
     if not len(rows):
         return np.zeros((1, robot.n)), [0.0] * robot.n, [0.0] * robot.n
     rows = rows[np.linspace(0, len(rows) - 1, min(LOAD_STATES, len(rows))).astype(int)]
-    torque = Reference(robot, parameters).inverse_dynamics(smooth.q[rows], smooth.qd[rows], smooth.qdd[rows])
+    torque = Model(robot, parameters).torque(smooth.q[rows], smooth.qd[rows], smooth.qdd[rows])
     power = torque * smooth.qd[rows]
     drive, brake = [], []
     for j in range(robot.n):

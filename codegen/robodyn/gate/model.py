@@ -42,10 +42,10 @@ from robodyn.gate.limits import (
 )
 from robodyn.gate.readings import Change, reversed_order, signs_and_order, units
 from robodyn.gate.smooth import Smooth
+from robodyn.kernels.array_dynamics import Model
 from robodyn.robot.model import EffectEntry, Robot
 from robodyn.robot.values import ZERO
 from robodyn.simulate.sensors import measured_position
-from robodyn.verify.reference import Reference
 
 
 def check_model(
@@ -74,7 +74,7 @@ def check_model(
     rows = rows[np.linspace(0, len(rows) - 1, min(COMPARED_STATES, len(rows))).astype(int)]
     offset = measured_position(np.zeros((1, robot.n)), robot.effects, parameters)
     trial = Trial(smooth.q[rows] - offset, smooth.qd[rows], smooth.qdd[rows], smooth.tau[rows])
-    model = Reference(_frictionless(robot), parameters).inverse_dynamics
+    model = Model(_frictionless(robot), parameters).torque
     torque = model(trial.q, trial.qd, trial.qdd)
     _constant(smooth.tau[smooth.inside], torque, source)
     fit = likeness(trial, torque)

@@ -18,8 +18,8 @@ from robodyn.gate.limits import (
     STUCK_SHARE,
     STUCK_SPEED,
 )
+from robodyn.kernels.array_dynamics import Model
 from robodyn.robot.model import Robot
-from robodyn.verify.reference import Reference
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +55,7 @@ def check_stuck(
         ]
         if not stays:
             continue
-        inertia = _felt_inertia(Reference(robot, parameters), log.q[[stay.first for stay in stays]], j)
+        inertia = _felt_inertia(Model(robot, parameters), log.q[[stay.first for stay in stays]], j)
         shed = BRAKING_TORQUES * float(np.abs(log.tau[:, j]).max()) * grid.period
         rows = [
             row
@@ -98,7 +98,7 @@ def _stays(q: Floats, fewest: int, period: float) -> list[_Stay]:
     return stays
 
 
-def _felt_inertia(model: Reference, q: Floats, j: int) -> Floats:
+def _felt_inertia(model: Model, q: Floats, j: int) -> Floats:
     """What a torque at joint ``j`` accelerates while the other joints are free, at poses ``q`` [K, n]:
     [K] in kg m^2 or kg; 0 where the description gives it none."""
     matrices = model.mass_matrix(q)

@@ -22,8 +22,8 @@ from robodyn.identify.normal import Layout, blocks_of, layout_of
 from robodyn.identify.plain import plain
 from robodyn.identify.predict import cutoff_of
 from robodyn.identify.residual import Squares, squares_of
-from robodyn.identify.rigid import Model
 from robodyn.identify.rows import bare, rows_of
+from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.limits import HIGHEST_CUTOFF, LOWEST_CUTOFF
 from robodyn.robot.model import Robot
 

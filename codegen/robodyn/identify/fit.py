@@ -33,8 +33,8 @@ from robodyn.identify.normal import Block, Layout, blocks_of, layout_of
 from robodyn.identify.plain import condition, held_out_gains, plain
 from robodyn.identify.prior import Prior, Usual, prior_of
 from robodyn.identify.problem import Solution, Unknowns, misfits, solve
-from robodyn.identify.rigid import PARAMETERS, Model
 from robodyn.identify.rows import Rows, Strength, bare, rows_of
+from robodyn.kernels.array_dynamics import PARAMETERS, Model
 from robodyn.robot.model import Robot
 from robodyn.robot.plausibility import only_about_base_axis
 

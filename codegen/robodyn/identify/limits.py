@@ -20,11 +20,6 @@ FITTING_COST: Final = (0.5, 1.1e-6)
 COMPARING_COST: Final = (0.2, 2.6e-6)
 """[s; s for each number of positions] and the comparison of torques."""
 
-# --- rigid --------------------
-
-KEPT_RESULTS: Final = 6
-"""[results] of a rigid arm along a log are kept for models that differ in their drives."""
-
 # --- motor regressor --------------------
 
 NUMBER_STEP: Final = 1e-3

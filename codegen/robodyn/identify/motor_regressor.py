@@ -21,8 +21,8 @@ from numpy.typing import NDArray
 from robodyn.dynamics.arm import Symmetric
 from robodyn.identify.limits import NUMBER_STEP, TANGENT_STEP
 from robodyn.identify.oscillator import oscillation
-from robodyn.identify.rigid import PARAMETERS, Model, Moved, Rigid, physical
 from robodyn.identify.twist import Slopes, lags_of, links_of
+from robodyn.kernels.array_dynamics import PARAMETERS, Model, Moved, Rigid, physical
 
 Floats = NDArray[np.float64]
 

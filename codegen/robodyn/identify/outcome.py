@@ -16,7 +16,7 @@ from robodyn.identify.consistent import inside
 from robodyn.identify.fit import Fit
 from robodyn.identify.limits import DIGITS, KEPT_SHARE, MARGIN, UNSEEN_SHARE
 from robodyn.identify.problem import Unknowns
-from robodyn.identify.rigid import physical
+from robodyn.kernels.array_dynamics import physical
 from robodyn.robot.model import AXES, EffectEntry, Inertia, Link, Robot
 from robodyn.robot.values import ZERO
 

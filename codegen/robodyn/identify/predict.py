@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from robodyn.effects.traits import Acts
 from robodyn.gate.gate import Gate
-from robodyn.identify.rigid import Model
 from robodyn.identify.twist import behind_motors
+from robodyn.kernels.array_dynamics import Model
 from robodyn.kernels.kernel import Kernel
 from robodyn.logs.limits import MOTION_WIDER
 from robodyn.logs.signals import Signals, knee, low_pass, motion_cutoff, smoothed_motion

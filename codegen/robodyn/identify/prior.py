@@ -19,8 +19,8 @@ from robodyn.identify.limits import (
     UNSTATED_CONFIDENCE,
 )
 from robodyn.identify.normal import Layout
-from robodyn.identify.rigid import Model
 from robodyn.identify.rows import bare
+from robodyn.kernels.array_dynamics import Model
 from robodyn.robot.model import Robot
 from robodyn.robot.values import Value
 

@@ -18,8 +18,8 @@ from robodyn.identify.limits import END_SHARE, LONG_CHUNK
 from robodyn.identify.normal import Layout
 from robodyn.identify.predict import cutoff_of, gains, smooth_motion
 from robodyn.identify.regressor import Links
-from robodyn.identify.rigid import Model
 from robodyn.identify.rows import bare, blocks_of, kept_torque, true_torque
+from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.log import Log
 from robodyn.logs.signals import low_pass
 from robodyn.robot.model import Robot

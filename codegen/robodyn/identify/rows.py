@@ -24,8 +24,8 @@ from robodyn.identify.limits import (
     TRAIN_SHARE,
 )
 from robodyn.identify.predict import biases, delays, gains, model_torque, offsets
-from robodyn.identify.rigid import Model, Reuse
 from robodyn.identify.twist import behind_motors
+from robodyn.kernels.array_dynamics import Model, Reuse
 from robodyn.logs.log import Log
 from robodyn.logs.signals import signals_of
 from robodyn.robot.model import Robot

@@ -30,7 +30,7 @@ from robodyn.identify.limits import (
     TWIST_PLACES,
 )
 from robodyn.identify.oscillator import Oscillator
-from robodyn.identify.rigid import Evaluated, Model, Moved
+from robodyn.kernels.array_dynamics import Evaluated, Model, Moved
 
 Floats = NDArray[np.float64]
 

@@ -3,7 +3,6 @@ forward kinematics, to 60 digits."""
 
 from __future__ import annotations
 
-from robodyn.dynamics.closing import BESIDE, UNREACHED, flaw
 from robodyn.dynamics.equality import same_in_field
 from robodyn.dynamics.functions import function_named
 from robodyn.dynamics.functions.record import NoSuchFunction
@@ -27,6 +26,8 @@ def prove(robot: Robot, function: str, program: Program, scalar: ScalarType = "d
     NoSuchFunction: ``program`` repeats a step, and no pose that it was tried at is reached.
     """
     if function_named(function).of_pose:
+        from robodyn.dynamics.closing import UNREACHED
+
         wrong = _flaw(robot, function, program, scalar)
         if wrong == UNREACHED and program.iteration is not None:
             raise NoSuchFunction(
@@ -52,6 +53,7 @@ def closes(robot: Robot, function: str, program: Program, scalar: ScalarType = "
 
 
 def _flaw(robot: Robot, function: str, program: Program, scalar: ScalarType) -> str | None:
+    from robodyn.dynamics.closing import BESIDE, flaw
     from robodyn.dynamics.inverse import Numerical
     from robodyn.dynamics.inverse.limits import WEAK_NEAR
 

@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 from robodyn.logs.limits import BEYOND, GAIN_MATCH, LARGE_GAIN, SIGN_MATCH, SMALL_GAIN, TELLING
 from robodyn.logs.log import Log
 from robodyn.robot.model import Robot
-from robodyn.verify.reference import Reference
 
 Floats = NDArray[np.float64]
 
@@ -42,7 +41,10 @@ def check_joints(log: Log, robot: Robot) -> tuple[JointCheck, ...]:
     gravity = np.zeros_like(q)
     if len(q) and not robot.parameters:
         zero = np.zeros_like(q)
-        gravity = Reference(robot, None).inverse_dynamics(q, zero, zero)
+        from robodyn.kernels.array_dynamics import Model
+        from robodyn.robot.masses import massless
+
+        gravity = Model(massless(robot)).torque(q, zero, zero)
     largest = float(np.ptp(gravity, axis=0).max(initial=0.0)) if len(q) else 0.0
     checks = []
     for j, link in enumerate(robot.links):

@@ -1,6 +1,6 @@
 """Robots: the description, its reader and writer, and the bundled arms.
 
-What only some programs need (writer, schema, starter, rotor folding) is imported when it is first used.
+All but the model itself (reader, writer, schema, starter, rotor folding) is imported when it is first used.
 """
 
 from __future__ import annotations
@@ -8,17 +8,28 @@ from __future__ import annotations
 import importlib
 from typing import TYPE_CHECKING, Any
 
-from robodyn.robot.bundled import bundled_names, bundled_text, load
 from robodyn.robot.model import Comparison, Gear, Inertia, Joint, Limits, Link, Robot
-from robodyn.robot.reader import DoubtfulRobot, read_bytes, read_text
 
 if TYPE_CHECKING:
+    from robodyn.robot.bundled import bundled_names, bundled_text, load
     from robodyn.robot.masses import fold_rotor
+    from robodyn.robot.reader import DoubtfulRobot, read_bytes, read_text
     from robodyn.robot.schema import json_schema
     from robodyn.robot.starter import starter
     from robodyn.robot.writer import to_yaml
 
-_LATER = {"fold_rotor": "masses", "json_schema": "schema", "starter": "starter", "to_yaml": "writer"}
+_LATER = {
+    "DoubtfulRobot": "reader",
+    "bundled_names": "bundled",
+    "bundled_text": "bundled",
+    "fold_rotor": "masses",
+    "json_schema": "schema",
+    "load": "bundled",
+    "read_bytes": "reader",
+    "read_text": "reader",
+    "starter": "starter",
+    "to_yaml": "writer",
+}
 
 __all__ = [
     "Comparison",

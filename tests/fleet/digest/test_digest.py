@@ -13,7 +13,7 @@ from robodyn.fleet.digest.digest import Digest, digest_of
 from robodyn.fleet.sources.fleet import ArmType
 from robodyn.formats.loading import load as load_robot
 from robodyn.formats.loading import text_of
-from robodyn.identify.rigid import Model
+from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.log import Log
 
 ARM = ArmType("puma560", "puma560", text_of("puma560"))

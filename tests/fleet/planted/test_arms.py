@@ -21,7 +21,7 @@ from robodyn.fleet.planted.programs import draw_program
 from robodyn.fleet.planted.recipe import Recipe
 from robodyn.fleet.planted.types import TrueType, draw_type
 from robodyn.fleet.planted.units import draw_unit, log_of_day
-from robodyn.identify.rigid import Model
+from robodyn.kernels.array_dynamics import Model
 from robodyn.robot import load
 from robodyn.simulate.simulation import Follow, simulate
 

@@ -14,7 +14,7 @@ from robodyn.fleet.pool.judge import judge
 from robodyn.fleet.result import FleetResult
 from robodyn.fleet.sources.fleet import ArmType, Fleet, LogFile
 from robodyn.formats.loading import load, text_of
-from robodyn.identify.rigid import Model
+from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.log import Log
 from robodyn.robot.model import Robot
 

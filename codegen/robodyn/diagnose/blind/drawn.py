@@ -19,7 +19,7 @@ from robodyn.effects.effect import Effect
 from robodyn.effects.traits import Form
 from robodyn.effects.traits import Usual as UsualJoint
 from robodyn.errors import InputError
-from robodyn.identify.rigid import Model
+from robodyn.kernels.array_dynamics import Model
 from robodyn.robot.effects import belongs
 from robodyn.robot.model import Robot
 from robodyn.simulate.trajectories.trajectory import Trajectory

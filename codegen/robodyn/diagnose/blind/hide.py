@@ -30,7 +30,7 @@ from robodyn.diagnose.blind.true_arm import Arm, lacking, measured, rms
 from robodyn.effects.catalogue import effect
 from robodyn.effects.effect import Effect
 from robodyn.errors import InputError
-from robodyn.identify.rigid import Model
+from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.log import Log
 from robodyn.logs.provenance import provenance
 from robodyn.robot.effects import belongs

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.identify.predict import model_torque, offsets
-from robodyn.identify.rigid import Model
+from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.log import Log
 from robodyn.robot.model import Robot
 from robodyn.simulate.gains import default_gains

@@ -20,7 +20,7 @@ from robodyn.diagnose.select.limits import REFINE_ROUNDS, REFINE_WORTH
 from robodyn.diagnose.select.own_numbers import loaded
 from robodyn.diagnose.select.refine import Freed, least_squares, weights
 from robodyn.identify.prior import number_of
-from robodyn.identify.rigid import PARAMETERS, Model, physical
+from robodyn.kernels.array_dynamics import PARAMETERS, Model, physical
 from robodyn.robot.model import Inertia, Robot
 
 Floats = NDArray[np.float64]

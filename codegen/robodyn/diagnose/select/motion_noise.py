@@ -23,7 +23,7 @@ from robodyn.diagnose.select.limits import (
 )
 from robodyn.diagnose.select.local_fit import LocalFit, inverse_of
 from robodyn.diagnose.select.refine import Freed
-from robodyn.identify.rigid import Model
+from robodyn.kernels.array_dynamics import Model
 
 Floats = NDArray[np.float64]
 

@@ -22,7 +22,7 @@ from robodyn.diagnose.select.remainder import turning
 from robodyn.identify.motor_regressor import lagging_regressor, motor_regressor
 from robodyn.identify.predict import offsets
 from robodyn.identify.prior import number_of
-from robodyn.identify.rigid import Model
+from robodyn.kernels.array_dynamics import Model
 from robodyn.robot.model import EffectEntry, Robot
 from robodyn.simulate.sensors import acting_on, measured_slopes
 

@@ -32,7 +32,7 @@ from robodyn.diagnose.select.remainder import remainder
 from robodyn.effects.catalogue import effect
 from robodyn.effects.effect import Effect
 from robodyn.errors import InputError
-from robodyn.identify.rigid import Reuse
+from robodyn.kernels.array_dynamics import Reuse
 from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]

@@ -19,8 +19,8 @@ from robodyn.diagnose.select.library import Context
 from robodyn.effects.traits import Dahl
 from robodyn.identify.oscillator import dahl_deflection
 from robodyn.identify.predict import given_torque, offsets
-from robodyn.identify.rigid import Model
 from robodyn.identify.twist import behind_motors
+from robodyn.kernels.array_dynamics import Model
 from robodyn.robot.model import Robot
 from robodyn.simulate.sensors import measured_torque
 

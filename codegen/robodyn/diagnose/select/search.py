@@ -23,7 +23,7 @@ from robodyn.diagnose.select.uncertainty import uncertainties
 from robodyn.diagnose.select.walk import walked
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.gate import Gate
-from robodyn.identify.rigid import Model, physical
+from robodyn.kernels.array_dynamics import Model, physical
 from robodyn.logs.log import Log
 from robodyn.robot.model import AXES, Robot
 

@@ -55,7 +55,7 @@ from robodyn.diagnose.select.scope import EVERYTHING, Scope
 from robodyn.diagnose.select.trial import Trial, evidence_threshold, numbers_of, trials
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.identify.limits import LEAST_NOISE
-from robodyn.identify.rigid import Model
+from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.limits import MOTION_WIDER
 from robodyn.logs.log import Log
 from robodyn.logs.signals import Signals, signals_of

@@ -28,8 +28,8 @@ from robodyn.gate.gate import Gate, inspect
 from robodyn.identify.intervals import likeness
 from robodyn.identify.normal import Layout, columns_of, layout_of
 from robodyn.identify.predict import offsets
-from robodyn.identify.rigid import Model
 from robodyn.identify.rows import Rows, bare, rows_of
+from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.log import Log
 from robodyn.logs.signals import Signals, signals_of
 from robodyn.robot.model import Robot

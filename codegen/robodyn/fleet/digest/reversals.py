@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.select.library.context import context_of
 from robodyn.fleet.digest.limits import BURST, LEAST_BURSTS, SLOW_SHARE, TURNING
-from robodyn.identify.rigid import Model
 from robodyn.identify.rows import Rows
+from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.signals import Signals
 
 Floats = NDArray[np.float64]

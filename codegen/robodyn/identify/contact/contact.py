@@ -39,7 +39,7 @@ from robodyn.identify.contact.limits import (
     WHOLE,
 )
 from robodyn.identify.contact.rough import Rough, fitted_rest, rough_signals
-from robodyn.identify.rigid import Model
+from robodyn.kernels.array_dynamics import Model
 from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]

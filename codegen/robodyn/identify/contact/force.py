@@ -34,7 +34,7 @@ from robodyn.identify.contact.limits import (
     SHIFT_ERROR,
     TURNED,
 )
-from robodyn.identify.rigid import Model
+from robodyn.kernels.array_dynamics import Model
 
 Floats = NDArray[np.float64]
 

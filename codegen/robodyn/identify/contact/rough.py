@@ -21,7 +21,7 @@ from robodyn.identify.contact.limits import (
     REST_WEIGHT,
     SLOWEST,
 )
-from robodyn.identify.rigid import Model
+from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.log import Log
 from robodyn.logs.signals import Signals, signals_of
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Effect, Site
 from robodyn.effects.traits import anything
-from robodyn.identify.rigid import Evaluated, Model, Reuse
+from robodyn.kernels.array_dynamics import Evaluated, Model, Reuse
 from robodyn.logs.signals import Signals
 from robodyn.robot.model import EffectEntry
 

@@ -9,8 +9,8 @@ import numpy as np
 from robodyn.diagnose.select.library.candidate import Context, Hints
 from robodyn.diagnose.select.library.position import cycles_in
 from robodyn.identify.predict import given_torque, model_torque
-from robodyn.identify.rigid import Model
 from robodyn.identify.twist import behind_motors
+from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.signals import Signals
 
 

@@ -23,7 +23,7 @@ from robodyn.diagnose.select.library.limits import (
 from robodyn.effects.effect import Effect, Site
 from robodyn.effects.traits import Shown
 from robodyn.identify.prior import sizes_of as sizes_of_links
-from robodyn.identify.rigid import PARAMETERS, Model, physical
+from robodyn.kernels.array_dynamics import PARAMETERS, Model, physical
 from robodyn.robot.model import AXES
 from robodyn.simulate.sensors import measured_slopes
 

@@ -1,10 +1,10 @@
-"""The rigid arm along a log: loads on the joints, and torques by unit inertial parameters."""
+"""A robot's dynamics over samples ``[K, n]``: torques, loads on the joints, mass matrix, regressor."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, replace
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,14 +26,17 @@ from robodyn.dynamics.kinematics import frames
 from robodyn.dynamics.modified_newton_euler import forward_pass
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.dynamics.vectors import unmarked
-from robodyn.identify.limits import KEPT_RESULTS
 from robodyn.ir.program import Label
+from robodyn.robot.filling import without_values
 from robodyn.robot.masses import require_masses
 from robodyn.robot.model import AXES, Robot
 
 Floats = NDArray[np.float64]
 #: Positions, velocities and accelerations [K, n].
 Moved = tuple[Floats, Floats, Floats]
+
+#: Results of a rigid arm along a log that are kept for models that differ in their drives.
+KEPT_RESULTS: Final = 6
 
 #: Standard inertial parameters of a link, about its frame's origin.
 PARAMETERS = ("m", "mx", "my", "mz", *AXES)
@@ -94,7 +97,12 @@ class Model:
     """A robot on arrays: ``q, qd, qdd`` [K, n]. Stateful effects are at their steady values. ``reuse`` is
     shared by models that may have the same rigid arm. ``seen``: what directions of motion [K, ...] go
     through, where states are evenly sampled and went through a filter of their own. ``sticking`` [n]: speeds
-    [rad/s or m/s] below which dry friction fades to 0 in proportion to the speed, 0 where it does not."""
+    [rad/s or m/s] below which dry friction fades to 0 in proportion to the speed, 0 where it does not.
+
+    Raises
+    ------
+    InputError: a run-time parameter has no value.
+    """
 
     def __init__(
         self,
@@ -109,6 +117,9 @@ class Model:
         self._seen = seen
         self._sticking = sticking
         values = dict(parameters or {})
+        complaint = without_values(robot, values)
+        if complaint is not None:
+            raise complaint
         self.n = robot.n
         self.arm: Arm = build_arm(rigid_part(robot, bare=True), float, values.__getitem__)
         self._layer: Layer = layer_of(robot, float, values.__getitem__, bare=True)
@@ -203,6 +214,25 @@ class Model:
     def torque(self, q: Floats, qd: Floats, qdd: Floats) -> Floats:
         """Motor torques [K, n]."""
         return self.evaluate(q, qd, qdd).total
+
+    def mass_matrix(self, q: Floats) -> Floats:
+        """Mass matrices [K, n, n] (kg m^2, kg m, kg) with the inertia of the rotors: column j is the torque
+        of a unit acceleration of joint j alone. Friction is not in it; raises as :meth:`rigid_torque`."""
+        require_masses(self.robot)
+        arm = replace(self.arm, gravity=(0.0, 0.0, 0.0))
+        columns, zeros = list(q.T), [np.zeros(len(q))] * self.n
+        matrices = np.zeros((len(q), self.n, self.n))
+        for j in range(self.n):
+            unit = [np.full(len(q), float(i == j)) for i in range(self.n)]
+            motion = build_motion(arm, columns, zeros, unit, trigonometry_at(columns), float)
+            for i, torque in enumerate(newton_euler(arm, motion, unmarked)):
+                matrices[:, i, j] = torque
+        for rotor in self._layer.rotors():
+            row = np.zeros(self.n)
+            for joint, ratio in rotor.rates:
+                row[joint] = ratio
+            matrices += rotor.inertia * np.outer(row, row)
+        return matrices
 
     def regressor(self, q: Floats, qd: Floats, qdd: Floats) -> Floats:
         """Torques [K, n, n, 10] by the standard inertial parameters of each link: joint, link, parameter."""
