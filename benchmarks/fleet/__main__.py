@@ -2,7 +2,7 @@
 
     python -m benchmarks.fleet [--units 1000] [--seed S] [--simulator robodyn|mujoco] [--on local:N]
 
-Robodyn's simulator: the default fleet of ``robodyn hide --fleet``, three types. MuJoCo: a fleet of the same
+Robodyn's simulator: the default fleet of ``benchmarks.fleet.hide``, three types. MuJoCo: a fleet of the same
 types, in more units of which something is planted, with bodies, friction and play of MuJoCo's own; 100 units
 will do. Choose a seed that nothing was built with. A run that is broken off goes on where it was. Figures go
 to results/fleet.json, and from there to results/fleet.md (``--render`` does that alone).
@@ -19,17 +19,17 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from benchmarks.fleet.plant import ANSWER, FLEET, finish, plant_fleet
+from benchmarks.fleet.recipe import Recipe
+from benchmarks.fleet.score import score_fleet
 from benchmarks.fleet.table import page
+from benchmarks.fleet.units import Moved, moved
 from benchmarks.peers.__main__ import machine
 
 from robodyn.cluster import open_cluster
-from robodyn.diagnose.blind.seal import seal, unsealed
+from robodyn.diagnose.blind.seal import unsealed
 from robodyn.files import parsed_json
 from robodyn.fleet.as_json import document
-from robodyn.fleet.planted.plant import ANSWER, FLEET, finish, plant_fleet
-from robodyn.fleet.planted.recipe import Recipe
-from robodyn.fleet.planted.score import score_fleet
-from robodyn.fleet.planted.units import Moved, moved
 from robodyn.fleet.run import run_fleet
 from robodyn.fleet.sources.reading import read_fleet
 from robodyn.formats.loading import load
@@ -68,10 +68,7 @@ def measured(options: argparse.Namespace) -> dict[str, Any]:
                 [load(name) for name in TYPES], recipe, folder, cluster=cluster, by=by,
                 progress=lambda done, all: _tell(f"{done} of {all} units are simulated"),
             )  # fmt: skip
-        for name, text in {**planted.files, ANSWER: seal(planted.answer)}.items():
-            (folder / name).parent.mkdir(parents=True, exist_ok=True)
-            (folder / name).write_text(text, encoding="utf-8")
-        finish(folder)
+        finish(folder, planted)
         times["simulated"] = time.monotonic() - begin
     fleet, begin = read_fleet(folder), time.monotonic()
     result = run_fleet(

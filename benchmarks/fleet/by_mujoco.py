@@ -2,7 +2,7 @@
 
 Friction is MuJoCo's ``damping`` and ``frictionloss``; play is a joint of its own between the motor and the
 link, whose range is the gap. Torques of the motors come from the controller of
-:class:`robodyn.fleet.planted.arm.Arm`, as actuators with a position and a velocity gain.
+:class:`benchmarks.fleet.arm.Arm`, as actuators with a position and a velocity gain.
 """
 
 from __future__ import annotations
@@ -13,13 +13,13 @@ from typing import Any
 
 import mujoco
 import numpy as np
+from benchmarks.fleet.arm import Day, Numbers
+from benchmarks.fleet.limits import CONTROL_PERIOD
+from benchmarks.fleet.types import TrueType
 from mujoco import rollout
 from numpy.typing import NDArray
 
 from robodyn.errors import InputError
-from robodyn.fleet.planted.arm import Day, Numbers
-from robodyn.fleet.planted.limits import CONTROL_PERIOD
-from robodyn.fleet.planted.types import TrueType
 from robodyn.logs.log import Log
 from robodyn.robot.model import Joint, Robot
 from robodyn.simulate.trajectories.trajectory import Trajectory

@@ -8,10 +8,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
-from click.core import ParameterSource
 
 from robodyn.outputs import write_files
-from robodyn_cli import hide_campaign, hide_fleet, hide_score, progress
+from robodyn_cli import progress
 from robodyn_cli.choices import EFFECTS, FILE, FOLDER, ROBOTS
 from robodyn_cli.common import (
     echo_document,
@@ -27,19 +26,18 @@ from robodyn_cli.values import POSITIVE, SIZE
 if TYPE_CHECKING:
     from robodyn.diagnose.amend.amend import Amendment
     from robodyn.diagnose.blind.hide import Blind, Setup
+    from robodyn.diagnose.blind.json_part import Part
+    from robodyn.diagnose.blind.seal import Score
     from robodyn.simulate.trajectories import Trajectory
 
 _LARGEST = 50_000_000  # samples times joints, as of simulate
-_OF_HIDING = ("effects", "random", "trajectories", "output", "campaign")
-_OF_FLEET = ("fleet", "recipe", "format", "on")
-_NOT_OF_CAMPAIGN = ("recipe", "format", "trajectories")
-_OF_ONE = ("effects", "random", "trajectories", "duration", "rate", "noise", "ratio", "encoder_bits")
-#: How options are spelled whose names differ.
-_OPTIONS = {"effects": "effect", "trajectories": "trajectory", "encoder_bits": "encoder-bits"}
+_OF_HIDING = ("robot", "effects", "random", "trajectories", "output")
+_ANSWER, _DIAGNOSED = "answer.sealed", "diagnosis.json"
+_LONGEST_ANSWER, _LONGEST_DIAGNOSIS = 1 << 24, 1 << 28  # bytes
 
 
 @click.command()
-@click.argument("robots", type=ROBOTS, metavar="[ROBOT]...", nargs=-1)
+@click.argument("robot", type=ROBOTS, metavar="[ROBOT]", required=False)
 @click.option(
     "--effect",
     "effects",
@@ -92,31 +90,6 @@ _OPTIONS = {"effects": "effect", "trajectories": "trajectory", "encoder_bits": "
     metavar="B",
     help="Encoder bits per turn; 0: exact.  [default: 20]",
 )
-@click.option(
-    "--fleet",
-    type=click.IntRange(1),
-    metavar="N",
-    help="Simulate N units of the types ROBOT..., with logs over a year, as a test of robodyn fleet.",
-)
-@click.option(
-    "--campaign",
-    type=click.IntRange(1, 1_000_000),
-    metavar="N",
-    help="Make, diagnose and score N tests, with the seeds from --seed on; a second run does what is new.",
-)
-@click.option("--recipe", type=FILE, metavar="FILE.toml", help="What the fleet is made of (with --fleet).")
-@click.option(
-    "--format",
-    type=click.Choice(["csv", "parquet"]),
-    help="Format of the fleet's logs.  [default: parquet if pyarrow is installed]",
-)
-@click.option(
-    "--on",
-    default="local",
-    metavar="here|local[:N]|dask://HOST:PORT",
-    help="Where a fleet or a campaign is worked out: this process, N processes, a Dask scheduler.  "
-    "[default: local]",
-)
 @click.option("-o", "--output", type=FOLDER, metavar="DIR", help="Output folder.")
 @click.option(
     "--open",
@@ -129,42 +102,47 @@ _OPTIONS = {"effects": "effect", "trajectories": "trajectory", "encoder_bits": "
     "--score",
     nargs=2,
     type=FILE,
-    metavar="DIR RESULT",
-    help="Compare a diagnosis.json or fleet.json (or the folder it is in) with the answer of the test in DIR "
-    "(or that file itself).",
+    metavar="DIR DIAGNOSIS",
+    help="Compare a diagnosis.json (or the folder it is in) with the answer of the test in DIR (or that file "
+    "itself).",
 )
 @json_option
-def command(
-    robots: tuple[str, ...], opened: str | None, score: tuple[str, str] | None, as_json: bool, **options: Any
-) -> None:
+def command(opened: str | None, score: tuple[str, str] | None, as_json: bool, **options: Any) -> None:
     """Make a blind test: hide effects in simulated logs and seal the answer.
 
     The model is ROBOT; the simulated arm also has the effects of --effect and random ones. DIR gets
     given.yaml (the model), train.csv, validate.csv and answer.sealed. Run diagnose on these files, then score
     the result with --score. Effects with missing parameters are scaled so that their largest contribution is
-    --ratio times the noise. --random 0 alone hides nothing and tests for false claims. --campaign does all of
-    it many times, and counts.
-
-    With --fleet, units of several types scatter about their types, and in some friction grows, play grows or
-    a payload is not entered. DIR gets logs/, types/ (data sheets), manifest.csv, fleet.toml and
-    answer.sealed. Run fleet on it, then score fleet.json.
+    --ratio times the noise. --random 0 alone hides nothing and tests for false claims.
     """
+    from robodyn.diagnose.blind.seal import checked
     from robodyn.errors import InputError
 
-    _one_of(robots, opened, score, options)
+    modes = [name for name, there in (("--open", opened), ("--score", score)) if there is not None]
+    hiding = [name for name in _OF_HIDING if options[name] not in (None, ())]
+    if len(modes) == 2 or (modes and hiding):
+        raise InputError(
+            f"{modes[0]} cannot be combined with other options",
+            found=modes[1] if len(modes) == 2 else "ROBOT" if options["robot"] else "options of hiding",
+            remedy="remove one of them",
+        )
     if opened is not None:
-        echo_document(json.dumps(hide_score.opened(Path(opened)), indent=2, ensure_ascii=False))
-        return
-    if score is not None:
-        hide_score.scored(Path(score[0]), Path(score[1]), as_json=as_json)
-        return
-    if options["fleet"] is not None:
-        hide_fleet.plant(robots, options, as_json=as_json)
-        return
-    (robot,) = robots
-    if options["campaign"] is not None:
-        _campaign(robot, options, as_json=as_json)
-        return
+        echo_document(json.dumps(checked(_answer(Path(opened))), indent=2, ensure_ascii=False))
+    elif score is not None:
+        _score(Path(score[0]), Path(score[1]), as_json=as_json)
+    else:
+        _hide(options, as_json=as_json)
+
+
+# --- hiding -----------------------------------------------------------------------------------------------
+
+
+def _hide(options: dict[str, Any], *, as_json: bool) -> None:
+    """Write the files of a blind test, and print what was written without the answer."""
+    from robodyn.errors import InputError
+
+    if options["robot"] is None:
+        raise InputError("no robot is named", remedy="use robodyn hide ROBOT -o DIR")
     if options["output"] is None:
         raise InputError("no output folder", remedy="add -o DIR")
     folder = output_folder(options["output"])
@@ -176,74 +154,47 @@ def command(
                     f"{printable(folder / name)} is an input and would be overwritten",
                     remedy="choose another folder with -o",
                 )
-    blind = _hidden(robot, options)
+    blind = _blind(options)
     files = blind.files()
     write_files(folder, files)
-    _tell(blind, folder, list(files), [*options["effects"]], as_json=as_json)
-
-
-def _one_of(robots: Sequence[str], opened: str | None, score: object, options: dict[str, Any]) -> None:
-    """Refuse a mixture of hiding, opening and scoring, and of one arm and a fleet."""
-    from robodyn.errors import InputError
-
-    modes = [name for name, there in (("--open", opened), ("--score", score)) if there is not None]
-    hiding = [name for name in (*_OF_HIDING, *_OF_FLEET[:3]) if options[name] not in (None, ())]
-    if len(modes) == 2 or (modes and (robots or hiding)):
-        other = modes[1] if len(modes) == 2 else "ROBOT" if robots else "options of hiding"
-        raise InputError(
-            f"{modes[0]} cannot be combined with other options", found=other, remedy="remove one of them"
+    count = len(blind.effects)
+    if as_json:
+        echo_json(
+            {
+                "robot": blind.model.name,
+                "folder": str(folder),
+                "files": list(files),
+                "hidden": count,
+                "noise": blind.noise.tolist(),
+            }
         )
-    if not modes and not robots:
-        raise InputError("no robot is named", remedy="use robodyn hide ROBOT -o DIR")
-    context = click.get_current_context()
-    stated = [name for name in options if context.get_parameter_source(name) == ParameterSource.COMMANDLINE]
-    fleet, campaign = (options[name] is not None for name in ("fleet", "campaign"))
-    of_others = (*_OF_ONE, "campaign") if fleet else _NOT_OF_CAMPAIGN if campaign else _OF_FLEET
-    foreign = [name for name in stated if name in of_others]
-    if not modes and foreign:
-        whose = "one arm" if fleet else "one test" if foreign[0] == "trajectories" else "a fleet"
-        raise InputError(
-            f"--{_OPTIONS.get(foreign[0], foreign[0])} is an option of {whose}",
-            remedy="put it into the recipe" if fleet else "remove it" if campaign else "add --fleet N",
+    else:
+        at = printable(folder)
+        what = "nothing is" if not count else "1 effect is" if count == 1 else f"{count} effects are"
+        click.echo(f"{blind.model.name}: {what} hidden in {at}: {', '.join(files)}")
+        click.echo(
+            f"robodyn diagnose {at}/given.yaml {at}/train.csv --validate {at}/validate.csv -o {at}/found"
         )
-    if len(robots) > 1 and not fleet:
-        raise InputError(
-            "a blind test has one robot", found=f"{len(robots)}", remedy="add --fleet N for a fleet"
-        )
+        click.echo(f"robodyn hide --score {at} {at}/found/diagnosis.json")
+    if options["effects"] and blind.ratio < 1:
+        talk(f"robodyn: note: the hidden effects are {blind.ratio:.2g} times the noise: too small to find")
 
 
-# --- hiding -----------------------------------------------------------------------------------------------
-
-
-def _campaign(spec: str, options: dict[str, Any], *, as_json: bool) -> None:
-    """Many tests of one arm."""
-    robot = load_robot(spec)
-    wanted, count = _wanted(options)
-    setup = _setup(options, robot.n, 0.0)
-    hide_campaign.campaign(robot.name, spec, wanted, count, setup, options, as_json=as_json)
-
-
-def _wanted(options: dict[str, Any]) -> tuple[list[Amendment], int]:
-    """The effects that are named, and how many are drawn beside them."""
-    wanted = [_parsed(text) for text in options["effects"]]
-    return wanted, options["random"] if options["random"] is not None else int(not wanted)
-
-
-def _hidden(spec: str, options: dict[str, Any]) -> Blind:
+def _blind(options: dict[str, Any]) -> Blind:
     from robodyn.diagnose.blind.hide import hide
     from robodyn.formats.loading import text_of
 
-    robot = load_robot(spec)
-    wanted, count = _wanted(options)
+    robot = load_robot(options["robot"])
+    wanted = [amendment(text) for text in options["effects"]]
     motions = _motions(options["trajectories"], robot.n)
     with progress.line() as shown:
         return hide(
             robot,
             wanted,
-            random=count,
+            random=options["random"] if options["random"] is not None else int(not wanted),
             setup=_setup(options, robot.n, max((motion.duration for motion in motions), default=0.0)),
             motions=motions,
-            text=text_of(spec),
+            text=text_of(options["robot"]),
             progress=lambda what: shown.tell(f"robodyn: {robot.name}: {what}"),
         )
 
@@ -278,8 +229,13 @@ def _motions(files: Sequence[str], n: int) -> list[Trajectory]:
     return [from_file(file, n) for file in files]
 
 
-def _parsed(text: str) -> Amendment:
-    """``ID[@JOINT][:key=value,...]``."""
+def amendment(text: str) -> Amendment:
+    """The effect ``ID[@JOINT][:key=value,...]``.
+
+    Raises
+    ------
+    InputError: it is none.
+    """
     from robodyn.diagnose.amend.amend import Amendment
     from robodyn.effects.catalogue import effect
     from robodyn.errors import InputError
@@ -315,26 +271,72 @@ def placed(text: str) -> tuple[str, int | None]:
     return id, int(joint) if at else None
 
 
-def _tell(blind: Blind, folder: Path, files: list[str], named: list[str], *, as_json: bool) -> None:
-    """Print what was written, without the answer."""
+# --- opening and scoring ----------------------------------------------------------------------------------
+
+
+def _sealed(path: Path) -> Path:
+    """The sealed answer at ``path``, which is the file or the folder of the test."""
+    return path / _ANSWER if path.is_dir() else path
+
+
+def _answer(path: Path) -> Part:
+    from robodyn.diagnose.blind.seal import unsealed
+    from robodyn.files import label, read_text
+
+    path = _sealed(path)
+    return unsealed(read_text(path, _LONGEST_ANSWER, "the answer.sealed of robodyn hide"), label(path))
+
+
+def _score(folder: Path, file: Path, *, as_json: bool) -> None:
+    """Print how the diagnosis in ``file`` did at the test in ``folder``; exit with 1 if it is wrong, or
+    missed what is hidden."""
+    from robodyn.diagnose.blind.seal import checked, score
+    from robodyn.errors import InputError, Place
+    from robodyn.files import label, parsed_json, read_text
+
+    if folder.suffix == ".json" and folder.is_file():
+        raise InputError(
+            "the first argument of --score is the folder of the test",
+            found=printable(folder),
+            remedy="swap the two arguments",
+        )
+    answer = checked(_answer(folder))
+    file = file / _DIAGNOSED if file.is_dir() else file
+    expected = "the diagnosis.json of robodyn diagnose"
+    try:
+        diagnosis = parsed_json(read_text(file, _LONGEST_DIAGNOSIS, expected))
+    except ValueError as error:
+        place = Place(label(file))
+        raise InputError("this is not JSON", where=place, found=str(error), expected=expected) from None
+    result = score(answer, diagnosis, label(file))
+    if not result.same:
+        talk("robodyn: warning: the diagnosis was made from other logs than those of this test")
     if as_json:
-        echo_json(
-            {
-                "robot": blind.model.name,
-                "folder": str(folder),
-                "files": files,
-                "hidden": len(blind.effects),
-                "noise": blind.noise.tolist(),
-            }
-        )
+        echo_json(result.to_dict())
     else:
-        at = printable(folder)
-        count = len(blind.effects)
-        what = "nothing is" if not count else "1 effect is" if count == 1 else f"{count} effects are"
-        click.echo(f"{blind.model.name}: {what} hidden in {at}: {', '.join(files)}")
-        click.echo(
-            f"robodyn diagnose {at}/given.yaml {at}/train.csv --validate {at}/validate.csv -o {at}/found"
+        click.echo("\n".join(_lines(result, folder)))
+    if result.result in ("wrong", "missed"):
+        raise click.exceptions.Exit(1)
+
+
+def _lines(score: Score, folder: Path) -> list[str]:
+    lines = []
+    for claim in score.claims:
+        lines.append(f"{claim.name}: {claim.status}")
+        for name, true in (claim.truth or {}).items():
+            estimate = claim.parameters.get(name) or {}
+            if isinstance(estimate.get("value"), (int, float)) and isinstance(true, (int, float)):
+                band = f" +- {estimate['stderr']:.2g}" if estimate["stderr"] is not None else ""
+                lines.append(
+                    f"  {name}: {estimate['value']:.4g}{band} {estimate['unit']}, true value {true:.4g}"
+                )
+    if score.missed:
+        lines.append(
+            f"{score.missed} of {score.hidden} hidden missed "
+            f"(robodyn hide --open {printable(_sealed(folder))} shows them)"
         )
-        click.echo(f"robodyn hide --score {at} {at}/found/diagnosis.json")
-    if named and blind.ratio < 1:
-        talk(f"robodyn: note: the hidden effects are {blind.ratio:.2g} times the noise: too small to find")
+    if score.closed is not None and score.hidden:
+        lines.append(f"{score.closed:.0%} of the gap on the validation log is closed")
+    empty = "right: nothing was hidden, and nothing is claimed"
+    lines.append(empty if not score.hidden and score.result == "right" else f"overall: {score.result}")
+    return lines

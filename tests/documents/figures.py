@@ -120,7 +120,8 @@ class Page:
     def _value(self, expression: str) -> str:
         """The value of an expression of a comment, with the modules that it names imported."""
         names: dict[str, Any] = {"after": self._after, "math": math, "results": _results, "signal": _signal}
-        named = sorted(set(re.findall(r"robodyn(?:_\w+)?(?:\.\w+)+", expression)), key=len, reverse=True)
+        modules = re.findall(r"(?:robodyn(?:_\w+)?|benchmarks)(?:\.\w+)+", expression)
+        named = sorted(set(modules), key=len, reverse=True)
         for k, name in enumerate(named):
             expression = expression.replace(name, f"_{k}")
             names[f"_{k}"] = pkgutil.resolve_name(name)

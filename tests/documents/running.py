@@ -18,7 +18,7 @@ from typing import Any
 from documents.blocks import ROOT, Block, Command, commands, matches
 
 #: What the examples find beside them, as in a checkout.
-SHIPPED = ("examples", "robots")
+SHIPPED = ("benchmarks", "examples", "robots")
 #: Stands after the output of a command, before the code that it ended with.
 _END = "\x1e"
 #: After so long [s] an example hangs, on however busy a machine.
@@ -111,7 +111,7 @@ def program_folder(folder: Path) -> Path:
 
 
 def checkout(folder: Path, *, copy: bool = False) -> Path:
-    """A folder that has the examples and robots of a checkout; with ``copy`` they are copies."""
+    """A folder that has the benchmarks, examples and robots of a checkout; with ``copy`` they are copies."""
     folder.mkdir()
     for name in SHIPPED:
         if copy:

@@ -11,10 +11,10 @@ from types import MappingProxyType
 from typing import Any
 
 import numpy as np
+from benchmarks.fleet.limits import CONTROL_PERIOD
 from numpy.typing import NDArray
 
 from robodyn.errors import InputError
-from robodyn.fleet.planted.limits import CONTROL_PERIOD
 from robodyn.logs.log import Log
 from robodyn.robot.model import EffectEntry, Robot
 from robodyn.robot.parts import AXES, Inertia, Link

@@ -7,14 +7,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
-
-from robodyn.effects.rigid import PAYLOAD
-from robodyn.effects.springs import BACKLASH
-from robodyn.fleet.planted.arm import Day, Numbers
-from robodyn.fleet.planted.changes import Change, when, window
-from robodyn.fleet.planted.kinds import FRICTION, changed, draw_effect, draw_friction
-from robodyn.fleet.planted.limits import (
+from benchmarks.fleet.arm import Day, Numbers
+from benchmarks.fleet.changes import FRICTION, Change, changed, draw_effect, draw_friction, when, window
+from benchmarks.fleet.limits import (
     DAY,
     FIRST_DAY,
     PROGRAMS,
@@ -26,9 +21,13 @@ from robodyn.fleet.planted.limits import (
     WARMEST_DAY,
     YEAR,
 )
-from robodyn.fleet.planted.programs import Program, draw_program
-from robodyn.fleet.planted.recipe import Recipe
-from robodyn.fleet.planted.types import TrueType, scattered
+from benchmarks.fleet.programs import Program, draw_program
+from benchmarks.fleet.recipe import Recipe
+from benchmarks.fleet.types import TrueType, scattered
+from numpy.typing import NDArray
+
+from robodyn.effects.rigid import PAYLOAD
+from robodyn.effects.springs import BACKLASH
 from robodyn.logs.log import Log
 from robodyn.simulate.sensors import measure
 from robodyn.simulate.trajectories.trajectory import Trajectory

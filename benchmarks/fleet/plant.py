@@ -11,17 +11,17 @@ from pathlib import Path
 from typing import Any, Final, Literal
 
 import numpy as np
+from benchmarks.fleet.changes import FRICTION, Change
+from benchmarks.fleet.recipe import Recipe
+from benchmarks.fleet.types import TrueType, draw_type
+from benchmarks.fleet.units import LOAD, PLAY, Moved, draw_unit, log_of_day, moved, shown_temperature
 
 from robodyn.cluster import Cluster, Failed
 from robodyn.cluster.cluster import ThisProcess
+from robodyn.diagnose.blind.seal import seal
 from robodyn.errors import InputError
 from robodyn.files import cannot_write
 from robodyn.fleet.as_json import day
-from robodyn.fleet.planted.changes import Change
-from robodyn.fleet.planted.kinds import FRICTION
-from robodyn.fleet.planted.recipe import Recipe
-from robodyn.fleet.planted.types import TrueType, draw_type
-from robodyn.fleet.planted.units import LOAD, PLAY, Moved, draw_unit, log_of_day, moved, shown_temperature
 from robodyn.robot.model import Robot
 
 Format = Literal["csv", "parquet"]
@@ -80,8 +80,8 @@ def plant_fleet(
     (None: this one); the same bytes wherever that is. Arms are moved ``by`` a function that processes can
     import.
 
-    Where a run with the same recipe was broken off, only the rest is written. When the files that go with the
-    logs are written too, :func:`finish` ends it.
+    Where a run with the same recipe was broken off, only the rest is written. :func:`finish` writes what goes
+    with the logs.
 
     Raises
     ------
@@ -206,8 +206,11 @@ def _begin(folder: Path, key: str) -> None:
     )
 
 
-def finish(folder: Path) -> None:
-    """Say that the files of ``folder`` are all written."""
+def finish(folder: Path, fleet: Planted) -> None:
+    """Write what goes with the logs of a ``fleet`` in ``folder``, and its sealed answer."""
+    for name, text in {**fleet.files, ANSWER: seal(fleet.answer)}.items():
+        (folder / name).parent.mkdir(exist_ok=True)
+        (folder / name).write_text(text, encoding="utf-8")
     (folder / _BEGUN).unlink(missing_ok=True)
 
 

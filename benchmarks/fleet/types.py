@@ -7,12 +7,8 @@ from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
-
-from robodyn.diagnose.blind.drawn import Usual, usual
-from robodyn.diagnose.blind.limits import QUIET_SHARE
-from robodyn.fleet.planted.arm import Arm, Day, Numbers, compiled, numbers_of, with_numbers
-from robodyn.fleet.planted.limits import (
+from benchmarks.fleet.arm import Arm, Day, Numbers, compiled, numbers_of, with_numbers
+from benchmarks.fleet.limits import (
     CARRIED_SHARE,
     COARSE,
     CONTROL_PERIOD,
@@ -23,8 +19,12 @@ from robodyn.fleet.planted.limits import (
     TYPICAL,
     VISCOUS,
 )
-from robodyn.fleet.planted.programs import draw_program
-from robodyn.fleet.planted.recipe import Recipe
+from benchmarks.fleet.programs import draw_program
+from benchmarks.fleet.recipe import Recipe
+from numpy.typing import NDArray
+
+from robodyn.diagnose.blind.drawn import Usual, usual
+from robodyn.diagnose.blind.limits import QUIET_SHARE
 from robodyn.robot.model import EffectEntry, Robot
 from robodyn.robot.writer import to_yaml
 from robodyn.simulate.gains import default_gains, masses

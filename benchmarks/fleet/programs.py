@@ -6,9 +6,7 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
-
-from robodyn.fleet.planted.limits import (
+from benchmarks.fleet.limits import (
     CONTROL_PERIOD,
     LONGEST_DWELL,
     POINTS,
@@ -20,6 +18,8 @@ from robodyn.fleet.planted.limits import (
     TOP_SPEED,
     WIDEST,
 )
+from numpy.typing import NDArray
+
 from robodyn.robot.model import Robot
 from robodyn.simulate.limits import with_limits
 from robodyn.simulate.trajectories.spline import hermite

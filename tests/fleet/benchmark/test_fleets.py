@@ -7,17 +7,17 @@ import json
 from pathlib import Path
 
 import pytest
+from benchmarks.fleet import plant as module
+from benchmarks.fleet.hide import main
+from benchmarks.fleet.plant import Planted, finish, plant_fleet
+from benchmarks.fleet.recipe import Recipe, read_recipe
+from benchmarks.fleet.units import log_of_day
 
 from robodyn.cluster import open_cluster
+from robodyn.diagnose.blind.seal import unsealed
 from robodyn.errors import InputError, OutputError
-from robodyn.files import parsed_json
-from robodyn.fleet.planted import plant as module
-from robodyn.fleet.planted.plant import Planted, finish, plant_fleet
-from robodyn.fleet.planted.recipe import Recipe, read_recipe
-from robodyn.fleet.planted.units import log_of_day
 from robodyn.fleet.sources.reading import read_fleet
 from robodyn.robot import load
-from robodyn_cli.main import main
 
 Capture = pytest.CaptureFixture[str]
 SMALL = Recipe(units=3, seed=2, logs=(5, 5), duration=(1.0, 1.0), friction_units=0.34)
@@ -42,9 +42,7 @@ def fleet(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Planted]:
 
 def test_the_files_are_a_fleet(fleet: tuple[Path, Planted], tmp_path: Path) -> None:
     folder, result = fleet
-    for name, text in result.files.items():
-        (folder / name).parent.mkdir(exist_ok=True)
-        (folder / name).write_text(text)
+    finish(folder, result)
     read = read_fleet(folder)
     assert list(read.types) == ["puma560_3dof", "stanford_3dof"]
     assert (result.units, result.logs, result.changes, len(read.logs)) == (3, 15, 1, 15)
@@ -81,7 +79,7 @@ def test_the_rest_where_it_was_broken_off(
     again = planted(tmp_path)
     assert again.answer == fleet[1].answer
     assert bytes_of(tmp_path / "logs") == bytes_of(fleet[0] / "logs")
-    finish(tmp_path)
+    finish(tmp_path, again)
     with pytest.raises(InputError, match="not empty"):
         planted(tmp_path)
 
@@ -134,54 +132,17 @@ def test_a_recipe(tmp_path: Path) -> None:
     )
 
 
-def test_on_the_command_line(tmp_path: Path, capsys: Capture, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    Path("recipe.toml").write_text(TEXT)
-    arguments = "puma560_3dof --fleet 3 --seed 2 --recipe recipe.toml --format csv --on here -o d"
-    assert main(["hide", *arguments.split()]) == 0
-    out = capsys.readouterr().out.splitlines()
-    assert out[0] == "3 units, 15 logs, 1 changes are hidden in d"
-    assert sorted(path.name for path in Path("d").iterdir()) == [
-        ".robodyn.sha256", "answer.sealed", "fleet.toml", "logs", "manifest.csv", "types",
-    ]  # fmt: skip
-    assert main(["hide", "--open", "d"]) == 0
-    (change,) = parsed_json(capsys.readouterr().out)["planted"]
-    claims = [{**change, "since_interval": [change["since"], change["full"]]}]
-    unit = {"type": change["type"], "unit": change["unit"]}
-    Path("fleet.json").write_text(json.dumps({"units": [{**unit, "claims": claims}]}))
-    assert main(["hide", "--score", "d", "fleet.json"]) == 0
-    assert "overall: right" in capsys.readouterr().out
-    Path("fleet.json").write_text(json.dumps({"units": [{**unit, "claims": []}]}))
-    assert main(["hide", "--score", "d", ".", "--json"]) == 1
-    assert parsed_json(capsys.readouterr().out)["result"] == "missed"
-
-
-@pytest.mark.parametrize(
-    ("arguments", "what"),
-    [
-        ("--fleet 3 -o d", "no robot"),
-        ("ur10 --fleet 3", "no output folder"),
-        ("ur10 --fleet 3 --noise 0.1 -o d", "--noise is an option of one arm"),
-        ("ur10 --on here -o d", "--on is an option of a fleet"),
-        ("ur10 iiwa -o d", "add --fleet N"),
-        ("--score a b --fleet 3", "cannot be combined"),
-    ],
-)
-def test_options_that_do_not_fit(arguments: str, what: str, capsys: Capture, tmp_path: Path) -> None:
-    assert main(["hide", *arguments.split()]) == 2
-    assert what in capsys.readouterr().err
-
-
-@pytest.mark.thorough
-def test_a_fleet_without_a_change_says_so(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    """Four of a hundred units of 2 are none."""
-    monkeypatch.chdir(tmp_path)
-    recipe = "logs = [5, 5]\nduration = [4, 4]\nrates = [100]\n"
-    (tmp_path / "recipe.toml").write_text(recipe, encoding="utf-8")
-    words = ["hide", "puma560_3dof", "--fleet", "2", "--recipe", "recipe.toml", "--on", "here", "-o", "two"]
-    assert main(words) == 0
-    shown = capsys.readouterr()
-    assert "2 units, 10 logs, 0 changes are hidden in two" in shown.out
-    assert "note: in 2 units nothing is hidden" in shown.err
+def test_at_the_shell(tmp_path: Path, capsys: Capture) -> None:
+    """Where the shares of the recipe come to nothing, a note says so."""
+    (tmp_path / "recipe.toml").write_text(TEXT)
+    words = ["puma560_3dof", "--recipe", str(tmp_path / "recipe.toml"), "--format", "csv", "--on", "here"]
+    for units, hidden in ((1, 0), (3, 1)):
+        folder = tmp_path / str(units)
+        assert main([*words, "--units", str(units), "-o", str(folder)]) == 0
+        shown = capsys.readouterr()
+        assert shown.out == f"{units} units, {5 * units} logs, {hidden} changes are hidden in {folder}\n"
+        assert ("hide nothing" in shown.err) is (hidden == 0)
+    answer = unsealed((tmp_path / "3" / "answer.sealed").read_text())
+    assert len(answer.need("planted", "changes").each()) == 1
+    assert main([*words, "-o", str(tmp_path / "3")]) == 2
+    assert "not empty" in capsys.readouterr().err

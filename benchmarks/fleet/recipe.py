@@ -7,10 +7,11 @@ from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any, Final
 
+from benchmarks.fleet.limits import FEWEST_LOGS, LARGEST_RECIPE
+
 from robodyn.effects.catalogue import effect
 from robodyn.errors import InputError
 from robodyn.files import label, read_text
-from robodyn.fleet.planted.limits import FEWEST_LOGS, LARGEST_RECIPE
 from robodyn.project.tables import Tables, shown
 
 Range = tuple[float, float]

@@ -7,16 +7,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from benchmarks.fleet import by_mujoco
+from benchmarks.fleet.arm import Day, loaded
+from benchmarks.fleet.changes import Change, changed
+from benchmarks.fleet.programs import draw_program
+from benchmarks.fleet.recipe import Recipe
+from benchmarks.fleet.types import TrueType, draw_type
+from benchmarks.fleet.units import moved
 
 from robodyn.effects.springs import BACKLASH, ELASTICITY
 from robodyn.errors import InputError
-from robodyn.fleet.planted.arm import Day, loaded
-from robodyn.fleet.planted.changes import Change
-from robodyn.fleet.planted.kinds import changed
-from robodyn.fleet.planted.programs import draw_program
-from robodyn.fleet.planted.recipe import Recipe
-from robodyn.fleet.planted.types import TrueType, draw_type
-from robodyn.fleet.planted.units import moved
 from robodyn.robot import load
 from robodyn.simulate.trajectories.trajectory import Trajectory
 

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import json
+from pathlib import Path
 from typing import Any
 
 import pytest
+from benchmarks.fleet.score import FleetScore, main, score_fleet
 from benchmarks.fleet.table import page
 
 from robodyn.diagnose.blind.json_part import Part
-from robodyn.diagnose.blind.seal import seal, unsealed
+from robodyn.diagnose.blind.seal import seal
 from robodyn.effects.friction import COULOMB, VISCOUS
 from robodyn.effects.rigid import PAYLOAD
 from robodyn.errors import InputError
-from robodyn.fleet.planted.score import FleetScore, is_fleet, score_fleet
 
 
 def planted(unit: str, kind: str, effects: list[str], joint: int | None, since: str | None) -> dict[str, Any]:
@@ -88,9 +90,16 @@ def test_another_fleet_is_noticed() -> None:
     assert scored({}).same
 
 
-def test_the_seal_of_a_fleet() -> None:
-    assert is_fleet(unsealed(seal(ANSWER)))
-    assert not is_fleet(unsealed(seal({"effects": []})))
+def test_at_the_shell(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "answer.sealed").write_text(seal(ANSWER))
+    file = tmp_path / "fleet.json"
+    for claims, code in ((RIGHT, 0), ({**RIGHT, "u2": [claim([VISCOUS.id], 3)]}, 1)):
+        units = [{"type": "a", "unit": unit, "claims": named} for unit, named in claims.items()]
+        file.write_text(json.dumps({"units": units}))
+        assert main([str(tmp_path), str(file)]) == code
+    right, wrong = capsys.readouterr().out.split("overall: right\n")
+    assert "friction: 1 of 1 units are named, 1 with effect and joint right" in right
+    assert f"u2: {PAYLOAD.id} is planted, {VISCOUS.id} at joint 3 is named" in wrong
 
 
 @pytest.mark.parametrize(

@@ -1,19 +1,29 @@
-"""What is said of a simulated fleet beside what is planted in it."""
+"""What is said of a simulated fleet beside what is planted in it.
+
+    python -m benchmarks.fleet.score DIR FLEET.json
+
+compares what ``robodyn fleet`` has written with the answer in DIR. The exit code is 1 where it is not right.
+"""
 
 from __future__ import annotations
 
+import json
 import math
 import statistics
-from collections.abc import Mapping
+import sys
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from datetime import datetime
+from pathlib import Path
 from typing import Any
 
-from robodyn.diagnose.blind.json_part import Part
-from robodyn.fleet.planted.limits import DAY, FALSE, NAMED, NEAR, RIGHT
+from benchmarks.fleet.limits import DAY, FALSE, NAMED, NEAR, RIGHT
 
-#: The key by which an answer to a test of a fleet is known.
-FLEET = "fleet"
+from robodyn.diagnose.blind.json_part import Part
+from robodyn.diagnose.blind.seal import unsealed
+
+#: Cases of a score that are printed one by one.
+_SHOWN = 20
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,11 +97,6 @@ class FleetScore:
         return {"result": self.result, "planted": self.planted, "named": self.named, **asdict(self)}
 
 
-def is_fleet(answer: Part) -> bool:
-    """Whether an answer is to a test of a fleet."""
-    return FLEET in answer.object()
-
-
 def score_fleet(answer: Part, result: Any, file: str = "fleet.json") -> FleetScore:
     """``result`` (what ``fleet.json`` holds) beside ``answer``.
 
@@ -107,7 +112,7 @@ def score_fleet(answer: Part, result: Any, file: str = "fleet.json") -> FleetSco
     )
     units = {
         (type, unit.text())
-        for type, listed in answer.need(FLEET, "units by their types").items()
+        for type, listed in answer.need("fleet", "units by their types").items()
         for unit in listed.each()
     }
     planted = {_unit(one): one for one in answer.need("planted", "what is planted").each()}
@@ -193,3 +198,38 @@ def _seconds(part: Part) -> float:
     if not math.isfinite(seconds):
         raise part.wrong("a time in ISO 8601, such as 2025-05-12T08:00:00Z")
     return seconds
+
+
+def _lines(score: FleetScore) -> list[str]:
+    """A score for people."""
+    lines = [
+        f"{name}: {kind.named} of {kind.planted} units are named, {kind.right} with effect and joint right"
+        for name, kind in score.kinds.items()
+    ]
+    lines.append(f"{score.false} of {score.healthy} healthy units are named")
+    if score.claims:
+        lines.append(f"{score.right} of {score.claims} names are right")
+    if score.days_off is not None and score.near is not None:
+        text = f"dates are off by {score.days_off:.0f} days (median), {score.near:.0%} by 30 or less"
+        holds = score.interval_holds
+        lines.append(text + ("" if holds is None else f"; {holds:.0%} are in the stated interval"))
+    bad = [case for case in score.cases if not case.right]
+    for case in bad[:_SHOWN]:
+        planted, named = case.planted or "nothing", ", ".join(case.named) or "nothing"
+        lines.append(f"  {case.type} {case.unit}: {planted} is planted, {named} is named")
+    if len(bad) > _SHOWN:
+        lines.append(f"  and {len(bad) - _SHOWN} more")
+    return [*lines, f"overall: {score.result}"]
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Print the score, and return the exit code."""
+    folder, file = sys.argv[1:] if arguments is None else arguments
+    answer = unsealed((Path(folder) / "answer.sealed").read_text(encoding="utf-8"))
+    score = score_fleet(answer, json.loads(Path(file).read_text(encoding="utf-8")), file)
+    print("\n".join(_lines(score)))
+    return int(score.result != "right")
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -6,6 +6,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from benchmarks.fleet.arm import Day, loaded, numbers_of, with_numbers, with_parameters
+from benchmarks.fleet.changes import FRICTION, Change, changed, draw_effect, when, window
+from benchmarks.fleet.limits import DAY, LEAST_LEVEL
+from benchmarks.fleet.programs import draw_program
+from benchmarks.fleet.recipe import Recipe
+from benchmarks.fleet.types import TrueType, draw_type
+from benchmarks.fleet.units import draw_unit, log_of_day
 
 from robodyn.diagnose.amend.amend import Amendment, amended
 from robodyn.effects.friction import COULOMB, VISCOUS
@@ -13,14 +20,6 @@ from robodyn.effects.rigid import PAYLOAD
 from robodyn.effects.sensors import GAIN
 from robodyn.effects.springs import BACKLASH
 from robodyn.errors import InputError
-from robodyn.fleet.planted.arm import Day, loaded, numbers_of, with_numbers, with_parameters
-from robodyn.fleet.planted.changes import Change, when, window
-from robodyn.fleet.planted.kinds import FRICTION, changed, draw_effect
-from robodyn.fleet.planted.limits import DAY, LEAST_LEVEL
-from robodyn.fleet.planted.programs import draw_program
-from robodyn.fleet.planted.recipe import Recipe
-from robodyn.fleet.planted.types import TrueType, draw_type
-from robodyn.fleet.planted.units import draw_unit, log_of_day
 from robodyn.kernels.array_dynamics import Model
 from robodyn.robot import load
 from robodyn.simulate.simulation import Follow, simulate

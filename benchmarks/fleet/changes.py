@@ -1,4 +1,4 @@
-"""Kinds of changes: how each is drawn, and what it makes of an arm on a day.
+"""Changes that are hidden in units: when each begins, how it is drawn, and what it makes of an arm on a day.
 
 Friction that changes is a number of the joint. Every other effect of the catalogue says itself how it is
 hidden (its trait ``hidden``): it is given the size at which it shows as much as the recipe wants.
@@ -7,11 +7,22 @@ hidden (its trait ``hidden``): it is given the size at which it shows as much as
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
+from benchmarks.fleet.arm import Day, Numbers, loaded, numbers_of, with_numbers
+from benchmarks.fleet.limits import (
+    LEAST_LEVEL,
+    MOVING,
+    SIZED_DURATION,
+    SIZED_RATE,
+    STIFFER_DAMPING,
+    STIFFER_TEETH,
+)
+from benchmarks.fleet.programs import Program
+from benchmarks.fleet.types import TrueType
 from numpy.typing import NDArray
 
 from robodyn.diagnose.amend.amend import Amendment, amended
@@ -21,18 +32,7 @@ from robodyn.effects.catalogue import effect
 from robodyn.effects.friction import COULOMB, VISCOUS
 from robodyn.effects.springs import BACKLASH
 from robodyn.errors import InputError
-from robodyn.fleet.planted.arm import Day, Numbers, loaded, numbers_of, with_numbers
-from robodyn.fleet.planted.changes import Change
-from robodyn.fleet.planted.limits import (
-    LEAST_LEVEL,
-    MOVING,
-    SIZED_DURATION,
-    SIZED_RATE,
-    STIFFER_DAMPING,
-    STIFFER_TEETH,
-)
-from robodyn.fleet.planted.programs import Program
-from robodyn.fleet.planted.types import TrueType
+from robodyn.fleet.result import Shape
 from robodyn.robot.values import parameter
 from robodyn.simulate.sensors import measured_position, measured_torque
 from robodyn.simulate.trajectories.trajectory import Trajectory
@@ -40,6 +40,69 @@ from robodyn.simulate.trajectories.trajectory import Trajectory
 Floats = NDArray[np.float64]
 Parameters = Mapping[str, float | str]
 _PREFIX = "planted_"
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """``effects`` at a ``joint`` (from 1; None: of the whole arm) that are planted in a unit, of a ``kind``.
+
+    From ``begin`` [s since 1970; None: from before the first log] on they grow for ``growth`` [s] (0: at
+    once) to their full ``size``; ``parameters`` is what they come to then, for people. ``draw`` is the seed
+    of what else there is to draw of them."""
+
+    kind: str
+    effects: tuple[str, ...]
+    joint: int | None
+    begin: float | None
+    growth: float
+    size: float
+    parameters: Mapping[str, float | str]
+    draw: int = 0
+
+    @property
+    def shape(self) -> Shape:
+        """How it comes."""
+        if self.begin is None:
+            return "always"
+        return "drift" if self.growth else "step"
+
+    def level(self, date: float) -> float:
+        """How much of it is there on a ``date`` [s since 1970], from 0 to 1."""
+        if self.begin is None:
+            return 1.0
+        if not self.growth:
+            return float(date >= self.begin)
+        return float(np.clip((date - self.begin) / self.growth, 0.0, 1.0))
+
+
+@dataclass(frozen=True, slots=True)
+class Window:
+    """When a change may begin: ``earliest`` to ``latest`` [s since 1970]; by ``end`` it has its full size."""
+
+    earliest: float
+    latest: float
+    end: float
+
+
+def window(dates: Floats, growth: float) -> Window | None:
+    """When a change that grows for ``growth`` [s] or more may begin in a unit with logs on ``dates`` [K]: not
+    before its second log, and so that its last two show it in full. None: there is no such time."""
+    earliest, end = float(dates[1]), float(dates[-2])
+    latest = end - growth
+    return Window(earliest, latest, end) if latest > earliest else None
+
+
+def when(dates: Floats, growth: tuple[float, float], rng: np.random.Generator) -> tuple[float, float]:
+    """When a change begins [s since 1970] and how long it grows [s], ``growth`` from least to most; ``dates``
+    have a :func:`window` for it."""
+    open_ = window(dates, growth[0])
+    assert open_ is not None
+    begin = float(round(rng.uniform(open_.earliest, open_.latest)))
+    most = min(growth[1], open_.end - begin)
+    return begin, float(round(rng.uniform(growth[0], most))) if most else 0.0
+
+
+# --- on a day ---------------------------------------------------------------------------------------------
 
 
 def changed(change: Change | None, level: float, true: TrueType, numbers: Numbers) -> Day:
