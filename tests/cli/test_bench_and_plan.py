@@ -10,7 +10,6 @@ from typing import Any
 
 import pytest
 
-from robodyn import InputError
 from robodyn.bench.parallel_bench import Measured
 from robodyn.bench.plan import chosen, parse_deadline, parse_target, plans
 from robodyn.report.benchmarks import time_text
@@ -125,20 +124,6 @@ def test_where_threads_break_even() -> None:
     assert Measured(1, "barrier", 100, 0, 1000.0, 900.0, 1000, 1000, 200).break_even is None
 
 
-def test_bench_without_a_compiler(capsys: Capture) -> None:
-    out, err = run(capsys, "bench", "puma560_3dof", "-p", "2", "--cc", "no-such-compiler", code=3)
-    assert out == ""
-    assert "no-such-compiler" in err
-
-
-@pytest.mark.parametrize(
-    "arguments", [("-p", "0"), ("-p", "x"), ("--states", "0"), ("--cut", "0"), ("--lanes", "3")]
-)
-def test_bench_refuses(arguments: tuple[str, ...], capsys: Capture) -> None:
-    out, _ = run(capsys, "bench", "puma560_3dof", *arguments, code=2)
-    assert out == ""
-
-
 # --- plan ---------------------------------------------------------------------------------------------------
 
 
@@ -161,25 +146,6 @@ def test_the_fewest_cores_that_meet_the_deadline(capsys: Capture) -> None:
     for plan in hard["plans"]:
         assert plan["lower_bound_ns"] <= plan["time_ns"]
         assert plan["meets"] == (plan["time_ns"] <= 60_000)
-
-
-def test_nothing_meets_it(capsys: Capture) -> None:
-    out, err = run(capsys, "plan", "puma560_3dof", "--deadline", "1ns", code=1)
-    assert "nothing meets it" in out
-    assert "allow more cores" in err
-
-
-def test_a_plan_ends_in_a_command(capsys: Capture) -> None:
-    text = run(capsys, "plan", "puma560_3dof", "-p", "3", "--deadline", "3ms", "--target", "thesis-1990")[0]
-    assert "take record on thesis-1990" in text
-    assert "robodyn schedule puma560_3dof -p" in text or "robodyn gen puma560_3dof" in text
-
-
-def test_the_command_names_the_file_that_was_planned(capsys: Capture, tmp_path: Path) -> None:
-    arm = tmp_path / "an arm.yaml"
-    arm.write_text(bundled_text("stanford_3dof"), encoding="utf-8")
-    text = run(capsys, "plan", str(arm), "--deadline", "1ms", "--target", "cortex-m4f")[0]
-    assert f"robodyn gen '{arm}'\n" in text
 
 
 @pytest.mark.thorough
@@ -205,18 +171,6 @@ def test_passing_values_that_costs_much_leaves_one_core() -> None:
 )
 def test_deadlines(text: str, ns: float) -> None:
     assert parse_deadline(text) == pytest.approx(ns)
-
-
-@pytest.mark.parametrize("text", ["", "100", "us", "-1us", "0us", "1h", "nan us", "1e99s"])
-def test_deadlines_that_cannot_be_read(text: str) -> None:
-    with pytest.raises(InputError, match="deadline"):
-        parse_deadline(text)
-
-
-@pytest.mark.parametrize("text", ["pdp-11", "x:cores=0", "x:mhz=0", "x:speed=1", "x:cores", "x:cores=-1"])
-def test_targets_that_cannot_be_read(text: str) -> None:
-    with pytest.raises(InputError, match="target"):
-        parse_target(text)
 
 
 def test_a_plan_is_for_the_scalar_type_that_is_asked_for(capsys: Capture) -> None:

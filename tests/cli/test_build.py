@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import re
 from pathlib import Path
 from typing import Any
@@ -14,7 +13,6 @@ import robodyn_cli.building
 from cli.built import FILES, PROJECT, build, outputs
 from cli.generated import Capture, tree
 from records.made import ELBOW
-from robodyn.packages import FORMATS
 from robodyn_cli.main import main
 
 
@@ -138,81 +136,6 @@ def test_the_same_bytes_with_many_processes(
     assert outputs(project) == wanted
 
 
-@pytest.mark.parametrize("workers", ["1", "2"])
-def test_errors_of_all_robots_are_told_and_nothing_is_written(
-    workers: str, project: Path, capsys: Capture
-) -> None:
-    (project / "elbow.yaml").write_text("name: elbow\nlinks: 5\n")
-    (project / "robodyn.toml").write_text(PROJECT.replace('"float"', '"flot"'))
-    assert main(["build", "--workers", workers]) == 2
-    err = capsys.readouterr().err
-    assert (
-        "robodyn.toml:11:1: unknown scalar 'flot'; expected one of double, float; did you mean 'float'?"
-        in err
-    )
-    (project / "robodyn.toml").write_text(PROJECT.replace('scalar = "float"', 'functions = ["gravty"]'))
-    assert main(["build", "--workers", workers]) == 2
-    err = capsys.readouterr().err
-    assert "robodyn: error: elbow.yaml:2:8: " in err
-    assert "robodyn: error: robodyn.toml:8:1: " in err
-    assert "gravity" in err
-    assert not set(tree(project)) & FILES
-
-
-@pytest.mark.parametrize(
-    ("old", "new", "message"),
-    [
-        ('scalar = "float"', 'optimize = "search"', "robodyn.toml:11:1: a search is no part of a build"),
-        ('scalar = "float"', "misra = true\nlang = 'rust'", "robodyn.toml:8:1: "),
-        ('output = "firmware/two"', 'output = "generated/one"\nrobot = "elbow.yaml"', "write the same file"),
-        ('scalar = "float"', "budgets.bias.total = 5", "robodyn.toml:11:1: two has a budget of a function"),
-    ],
-)
-def test_what_no_build_can_do_is_refused(
-    old: str, new: str, message: str, project: Path, capsys: Capture
-) -> None:
-    text = PROJECT.replace('robot = "other.yaml"\n', "") if "robot =" in new else PROJECT
-    (project / "robodyn.toml").write_text(text.replace(old, new))
-    build(code=2)
-    assert message in capsys.readouterr().err
-    assert not set(tree(project)) & FILES
-
-
-@pytest.mark.parametrize("way", ["generated/./one", "link", "generated/one/"])
-def test_two_robots_that_write_the_same_file_by_two_ways(way: str, project: Path, capsys: Capture) -> None:
-    (project / "link").symlink_to("generated/one", target_is_directory=True)
-    text = PROJECT.replace("other.yaml", "elbow.yaml").replace("firmware/two", way)
-    (project / "robodyn.toml").write_text(text)
-    build(code=2)
-    assert "robodyn.toml:8:1: two outputs write the same file" in capsys.readouterr().err
-
-
-def test_what_stands_in_the_way_is_told(project: Path, capsys: Capture) -> None:
-    (project / "firmware").touch()
-    build(code=2)
-    err = capsys.readouterr().err
-    assert "cannot write firmware/two/other.h" in err
-    assert "choose another output in robodyn.toml" in err
-    assert not set(tree(project)) & FILES
-    (project / "firmware").unlink()
-    os.mkfifo(project / "firmware.pipe")
-    (project / "firmware" / "two").mkdir(parents=True)
-    (project / "firmware.pipe").rename(project / "firmware" / "two" / "other.c")
-    build(code=2)
-    assert "something that is not a file" in capsys.readouterr().err
-
-
-def test_a_lock_file_with_the_marks_of_a_merge_is_replaced(project: Path, capsys: Capture) -> None:
-    build()
-    wanted = (project / "robodyn.lock").read_text()
-    (project / "robodyn.lock").write_text(wanted.replace("[robots.one]", "<<<<<<< ours\n[robots.one]"))
-    build("--check", code=2)
-    assert "robodyn.lock:5:1: this is not TOML" in capsys.readouterr().err
-    build()
-    assert "note: the lock file is written anew: robodyn.lock:5:1:" in capsys.readouterr().err
-    assert (project / "robodyn.lock").read_text() == wanted
-
-
 def test_from_another_folder(project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     build()
     wanted = outputs(project)
@@ -231,21 +154,6 @@ def test_notes_are_told_whether_kernels_are_generated_or_in_the_store(project: P
     assert "robodyn: warning: elbow.yaml:6:" in notes
     build()
     assert capsys.readouterr().err == notes
-
-
-def test_a_robot_that_left_leaves_the_lock_file_and_its_files_are_named(
-    project: Path, capsys: Capture
-) -> None:
-    build()
-    (project / "robodyn.toml").write_text(PROJECT.partition("[robots.two]")[0])
-    capsys.readouterr()
-    build()
-    assert (
-        "robodyn: note: no longer written: firmware/two/other.h, firmware/two/other.c"
-        in capsys.readouterr().err
-    )
-    assert "two" not in (project / "robodyn.lock").read_text()
-    assert (project / "firmware/two/other.c").exists()
 
 
 def test_packages_are_written_with_the_kernels(project: Path, generated: list[str], capsys: Capture) -> None:
@@ -274,31 +182,6 @@ def test_packages_are_written_with_the_kernels(project: Path, generated: list[st
     assert "crate/src/lib.rs differs from line 1 on: found '// mine'" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize(
-    ("packages", "message"),
-    [
-        ("packages = ['cmak']", "robodyn.toml:12:1: unknown format of a package 'cmak'; expected one of "),
-        *(
-            (f"packages = ['{name}']", "has a binary, and another")
-            for name in FORMATS
-            if FORMATS[name].binary
-        ),
-        ("packages.cmake.version = '1'", "robodyn.toml:12:1: this is no version of a package; found '1'"),
-        ("packages.cmake.scalar = 'flot'", "robodyn.toml:12:1: unknown scalar 'flot'"),
-        (
-            "packages.fpm.output = './x/'\npackages.cmake.output = 'x'",
-            "write the same file",
-        ),
-    ],
-)
-def test_packages_that_cannot_be_written(project: Path, packages: str, message: str, capsys: Capture) -> None:
-    with (project / "robodyn.toml").open("a") as file:
-        file.write(f"{packages}\n")
-    build(code=2)
-    assert message in capsys.readouterr().err
-    assert not (project / "packages").exists()
-
-
 @pytest.mark.thorough
 def test_firmware_is_written_as_gen_writes_it(project: Path) -> None:
     """But for the README, which has what one machine measured."""
@@ -311,14 +194,3 @@ def test_firmware_is_written_as_gen_writes_it(project: Path) -> None:
     assert {**own, "firmware/README.md": ""} == {**tree(project / "gen"), "firmware/README.md": ""}
     assert "firmware/link.ld" in own
     build("--check")
-
-
-def test_what_robodyn_did_not_write_stays(project: Path, capsys: Capture) -> None:
-    """A project has files of its own where a package would be."""
-    (project / "CMakeLists.txt").write_text("project(mine)\n")
-    with (project / "robodyn.toml").open("a") as file:
-        file.write("packages.cmake.output = '.'\n")
-    build(code=2)
-    assert "robodyn.toml:12:1: CMakeLists.txt is in the way, which robodyn did" in capsys.readouterr().err
-    assert (project / "CMakeLists.txt").read_text() == "project(mine)\n"
-    assert not (project / "generated").exists()

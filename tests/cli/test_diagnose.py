@@ -131,12 +131,6 @@ def test_what_is_looked_for_is_handed_over(capsys: Capture, stand: Stand) -> Non
     assert (plain["only"], plain["without"], plain["joints"], plain["most"]) == ((), (), [], None)
 
 
-@pytest.mark.parametrize("option", ["--joints one", "--joints 1,", "--only ,", "--most 0", "--most few"])
-def test_what_cannot_be_looked_for_is_refused(capsys: Capture, option: str) -> None:
-    _, err = diagnose(capsys, f"arm.yaml a.csv -o out {option}", 2)
-    assert option.split()[0] in err
-
-
 def test_a_bundled_robot_keeps_its_text(capsys: Capture, stand: Stand, tmp_path: Path) -> None:
     from robodyn.robot import bundled_text
 
@@ -243,42 +237,6 @@ def test_the_same_bytes_again(capsys: Capture, tmp_path: Path) -> None:
 def test_run_time_parameters(capsys: Capture, stand: Stand) -> None:
     diagnose(capsys, "loaded.yaml a.csv -o out --param m_load=2 --no-kernels")
     assert stand.calls[0]["parameters"] == {"m_load": 2.0}
-    for given, said in (
-        ("", "no m_load"),
-        ("--param m_load=1 --param m_load=2", "m_load=... twice"),
-        ("--param m_load=1 --param mass=2", "found mass"),
-        ("--param m_load", "NAME=VALUE"),
-    ):
-        _, err = diagnose(capsys, f"loaded.yaml a.csv -o other {given}", 2)
-        assert said in err
-    assert "none: it has no" in diagnose(capsys, "arm.yaml a.csv -o other --param m=1", 2)[1]
-    assert not Path("other").exists()
-
-
-@pytest.mark.parametrize(
-    ("command", "said"),
-    [
-        ("arm.yaml -o out", "Missing argument"),
-        ("arm.yaml a.csv", "Missing option '-o' / '--output'"),
-        ("arm.yaml none.csv -o out", "none.csv"),
-        ("arm.yaml arm.yaml -o out", "arm.yaml"),
-        ("arm.yaml a.csv --validate none.csv -o out", "none.csv"),
-        ("nobody a.csv -o out", "nobody"),
-        ("puma560_3dof a.csv -o out", "a.csv"),
-        ("puma560_3dof a.csv -o out --strict", "not physical"),
-        ("arm.yaml a.csv -o b.csv", "a file"),
-    ],
-)
-def test_bad_input(capsys: Capture, stand: Stand, command: str, said: str) -> None:
-    _, err = diagnose(capsys, command, 2)
-    assert said in err
-    assert not stand.calls
-    assert not Path("out").exists()
-
-
-def test_an_empty_name_is_no_folder(capsys: Capture) -> None:
-    assert main(["diagnose", "arm.yaml", "a.csv", "-o", ""]) == 2
-    assert "-o is empty" in capsys.readouterr().err
 
 
 def test_a_refused_log_leaves_nothing(capsys: Capture, stand: Stand) -> None:

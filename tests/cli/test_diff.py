@@ -22,15 +22,6 @@ def test_whatever_the_formats(tmp_path: Path, capsys: pytest.CaptureFixture[str]
     ] == [True] * 3
 
 
-def test_what_differs_is_listed_and_is_exit_code_1(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["diff", "puma560", "puma560_rotor_in_link"]) == 1
-    out, err = capsys.readouterr()
-    assert "rotors: link2: motor inertia 4.71 -> 0 kg m^2 (by 4.71 kg m^2)" in out.splitlines()
-    assert err.startswith("robodyn: error: puma560 and puma560_rotor_in_link differ; found names, ")
-    assert len(err.splitlines()) == 1
-    assert main(["diff", "ur5", "ur10", "--ignore", "names,axes,links,tool,torques"]) == 0
-
-
 def test_json_has_everything(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["diff", "ur5", "ur10", "--json", "--tolerance", "0.5"]) == 1
     data = json.loads(capsys.readouterr().out)
@@ -45,20 +36,3 @@ def test_json_has_everything(capsys: pytest.CaptureFixture[str]) -> None:
         "group": "names", "where": None, "what": "name of the robot", "left": "ur5", "right": "ur10",
         "by": None, "unit": "",
     }  # fmt: skip
-
-
-@pytest.mark.parametrize(
-    ("words", "message"),
-    [
-        (["ur5", "nobody"], "nobody"),
-        (["ur5"], "ROBOT"),
-        (["ur5", "ur5", "--ignore", "all"], "found 'all'; expected joints, names"),
-        (["ur5", "ur5", "--tolerance", "-1"], "--tolerance"),
-    ],
-)
-def test_refused_in_one_line(capsys: pytest.CaptureFixture[str], words: list[str], message: str) -> None:
-    assert main(["diff", *words]) == 2
-    out, err = capsys.readouterr()
-    assert out == ""
-    assert message in err
-    assert len(err.splitlines()) == 1

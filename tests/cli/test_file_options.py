@@ -59,11 +59,6 @@ def test_a_package_and_a_variable_are_stated(folder: Path, capsys: pytest.Captur
     assert "MASS is not read; state it: --arg 'env MASS=VALUE'" in capsys.readouterr().err
 
 
-def test_arguments_of_what_is_no_xacro_are_refused(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["flops", "puma560", "--arg", "m=1"]) == 2
-    assert "arguments are for xacro files; found puma560; leave --arg out" in capsys.readouterr().err
-
-
 def test_a_project_states_nothing(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Nobody who proposes a robodyn.toml opens folders or variables by it."""
     (folder / "robodyn.toml").write_text('[robots.arm]\nrobot = "arm/arm.xacro"\narg = ["find more=/"]\n')
@@ -82,24 +77,3 @@ def test_no_command_runs_what_a_file_says(
     assert main(["build", "--check"] if command == "build" else [command, "bad.xacro"]) == 2
     assert "name 'vars' is not defined" in capsys.readouterr().err
     assert sorted(folder.rglob("*")) == files
-
-
-@pytest.mark.parametrize(
-    ("robot", "name", "message"),
-    [
-        ("puma560", "gravcomp", "stated by other formats; found puma560; leave --without out"),
-        ("arm.urdf", "gravcmp", "nothing of this name is left out; found gravcmp; expected auto, "),
-    ],
-)
-def test_what_is_left_out_has_a_name_and_a_file(
-    robot: str,
-    name: str,
-    message: str,
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "arm.urdf").write_text('<robot name="a"><link name="l"/></robot>')
-    assert main(["flops", robot, "--without", name]) == 2
-    assert message in capsys.readouterr().err

@@ -74,24 +74,3 @@ def test_without_tools_it_says_what_was_not_measured(
     assert missing == {**arm, "rv32imafc": "riscv64-unknown-elf-gcc"}
     assert "note: not everything was measured: needs arm-none-eabi-gcc" in err
     assert "double" in Path("there/firmware/stanford_3dof.h").read_text(encoding="utf-8")
-
-
-@pytest.mark.parametrize(
-    ("arguments", "said"),
-    [
-        (("--firmware", "--target", "z80"), "there is no firmware for the target 'z80'"),
-        (("--firmware", "--trig", "given"), "--trig asks for given"),
-        (("--firmware", "--trig", "libm"), "--trig asks for libm"),
-        (("--firmware", "--compile"), "--compile cannot be combined with --firmware"),
-        (("--firmware", "--latex"), "--latex cannot be combined with --firmware"),
-        (("--firmware", "--lang", "fortran"), "a firmware folder is for C"),
-        (("--firmware", "--batch"), "--batch cannot be combined with --firmware"),
-        (("--firmware", "--contraction", "on"), "--contraction on cannot be combined with --firmware"),
-    ],
-)
-def test_what_does_not_go_together_is_refused(
-    arguments: tuple[str, ...], said: str, capsys: Capture, elsewhere: Path
-) -> None:
-    _, err = gen(capsys, *arguments, code=2)
-    assert said in err
-    assert not list(elsewhere.iterdir())

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from robodyn.dynamics.functions import by_default
-from robodyn.kernels.generate import Options, generate
+from robodyn.kernels.generate import generate
 from robodyn.optimize.programs import FORMULATIONS
 from robodyn.robot import bundled_names, load
 from robodyn_cli.main import main
@@ -100,82 +100,10 @@ def test_formulations_and_rotors(capsys: Capture) -> None:
     assert through["total"] >= flops_json(capsys, "stanford_3dof")["total"]
 
 
-def test_sympy_takes_no_record_and_says_so(capsys: Capture) -> None:
-    out, err = flops(capsys, "stanford_3dof", "--engine", "sympy")
-    assert "note: --engine sympy takes no record" in err
-    assert flops(capsys, "stanford_3dof", "--engine", "sympy", "--optimize", "fast") == (out, "")
-    for level in ("record", "search", "full"):
-        assert main(["flops", "stanford_3dof", "--engine", "sympy", "--optimize", level]) == 2
-        assert f"--optimize {level} needs the graph engine" in capsys.readouterr().err
-    assert Options(engine="sympy").text.startswith("--optimize fast ")
-
-
-def test_a_table_for_people(capsys: Capture) -> None:
-    out, err = flops(capsys, "stanford_3dof_d3", "--functions", USUAL)
-    assert err == ""
-    lines = out.splitlines()
-    assert lines[0].startswith("stanford_3dof_d3: ")
-    assert lines[1].split() == ["mul", "add", "div", "total", "minus", "sin/cos", "thesis", "verdict"]
-    assert [line.split()[0] for line in lines[2:7]] == list(generate(load("stanford_3dof")).counts)
-    assert "48+33 = 81" in lines[2]
-    assert "fewer" in lines[2]
-    assert lines[7].startswith("thesis: Table 2.10, stanford_3: ")
-    mul, add, div, total = (int(word) for word in lines[6].split()[1:5])
-    assert mul + add + div == total
-
-
 # --- budgets ----------------------------------------------------------------------------------------------
 
 
-def test_a_budget_that_holds_says_nothing_more(capsys: Capture) -> None:
-    assert flops(capsys, "stanford_3dof", "--budget", "mul=999,total=9999")[1] == ""
-
-
-def test_a_budget_that_does_not_hold_is_a_failed_check(capsys: Capture) -> None:
-    out, err = flops(capsys, "stanford_3dof", "--budget", "mul=10,add=999", code=1)
-    assert "inverse_dynamics" in out
-    assert err.startswith("robodyn: error: stanford_3dof inverse_dynamics: mul ")
-    assert "over the budget of 10" in err
-    assert len(err.splitlines()) == 1
-    found = flops_json(capsys, "stanford_3dof", "--budget", "total=1", code=1)
-    assert found["total"] > 1
-
-
-def test_a_budget_holds_every_function_that_is_counted(capsys: Capture) -> None:
-    _, err = flops(capsys, "stanford_3dof", "--functions", USUAL, "--budget", "div=0", code=1)
-    assert "forward_dynamics: div 2 is 2 over the budget of 0" in err
-    assert "gravity" not in err
-
-
-@pytest.mark.parametrize("budget", ["many", "mul", "mul=", "mul=-1", "flops=3", "mul=1,mul=2", ""])
-def test_what_is_no_budget_is_bad_input(budget: str, capsys: Capture) -> None:
-    out, err = flops(capsys, "puma560", "--budget", budget, code=2)
-    assert out == ""
-    assert "budget" in err
-
-
 # --- what is refused --------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(
-    ("arguments", "hint"),
-    [
-        (["stanford", "--functions", "inverse_dynamic"], "did you mean 'inverse_dynamics'?"),
-        (["stanford", "--functions", "mass"], "one of inverse_dynamics, gravity, bias, mass_matrix"),
-        (["stanford", "--formulation", "newton_eular"], "did you mean 'newton_euler'?"),
-        (["stanford", "--optimize", "fas"], "did you mean 'fast'?"),
-        (["stanford", "--engine", "simpy"], "did you mean 'sympy'?"),
-        (["stanford", "--functoin", "gravity"], "--functions"),
-        (["stanfrod"], "stanford"),
-        (["nowhere.yaml"], "nowhere.yaml"),
-        ([], "ROBOT"),
-        (["stanford", "ur5"], "ur5"),
-    ],
-)
-def test_what_is_unknown_gets_a_hint(arguments: list[str], hint: str, capsys: Capture) -> None:
-    out, err = flops(capsys, *arguments, code=2)
-    assert out == ""
-    assert hint in err
 
 
 @pytest.mark.thorough
@@ -188,24 +116,8 @@ def test_an_arm_without_forward_dynamics(capsys: Capture) -> None:
     assert "tx40 has no forward dynamics" in err
 
 
-def test_strict_refuses_what_is_doubtful(capsys: Capture) -> None:
-    flops(capsys, "puma560")
-    assert "not physical" in flops(capsys, "puma560", "--strict", code=2)[1]
-
-
 def test_a_robot_of_ones_own(tmp_path: Path, capsys: Capture) -> None:
     file = tmp_path / "rod.yaml"
     file.write_text("name: rod\nlinks: [{joint: revolute, mass: m, com: [0.5, 0, 0], inertia: {zz: 2}}]\n")
     found = flops_json(capsys, str(file), "--functions", "mass_matrix")
     assert (found["robot"], found["mul"], found["add"]) == ("rod", 1, 1)
-
-
-def test_roots_and_other_operations_of_poses(capsys: pytest.CaptureFixture[str]) -> None:
-    """They are in the total, or beside it; functions of states have no such columns."""
-    assert main(["flops", "stanford", "--functions", "inverse_kinematics"]) == 0
-    head, row = (line.split() for line in capsys.readouterr().out.splitlines()[1:3])
-    numbers = dict(zip(head, map(int, row[1:9]), strict=False))
-    assert numbers["mul"] + numbers["add"] + numbers["div"] + numbers["sqrt"] == numbers["total"]
-    assert numbers["sqrt"] > 0 < numbers["other"]
-    assert main(["flops", "stanford", "--functions", "gravity"]) == 0
-    assert "sqrt" not in capsys.readouterr().out

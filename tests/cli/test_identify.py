@@ -60,20 +60,3 @@ def test_the_same_input_gives_the_same_files(capsys: Capture) -> None:
 def _split(out: str) -> list[str]:
     head, _, tail = out.partition("}\n{")
     return [head + "}", "{" + tail]
-
-
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
-        ("arm.yaml none.csv -o out2", "none.csv"),
-        ("arm.yaml short.csv -o out2", "short.csv"),
-        ("arm.yaml a.csv -o a.csv", "a file"),
-        ("arm.yaml a.csv --load c.csv=2 -o out2", "--load names no log"),
-        ("arm.yaml a.csv --load a.csv=-2 -o out2", "more than 0 kg"),
-        ("arm.yaml a.csv --load a.csv=1 --load a.csv=1 -o out2", "twice"),
-    ],
-)
-def test_bad_input_is_refused_and_nothing_written(arguments: str, words: str, capsys: Capture) -> None:
-    assert main(["identify", *arguments.split()]) == 2
-    assert words in capsys.readouterr().err
-    assert not Path("out2").exists()

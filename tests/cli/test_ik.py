@@ -108,20 +108,3 @@ def test_a_file_of_poses_of_a_redundant_arm(capsys: pytest.CaptureFixture[str], 
     assert "\npose 2: x y z 0.400000 0.100000 9.000000 m" in out
     assert " rad are missing by least squares\n" in out
     assert "panda does not reach 1 of 2 poses; found pose 2 as the first" in err
-
-
-@pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        ((), "there is no pose; expected --pose with 6 numbers x y z roll pitch yaw, 12 of"),
-        (("--pose", "1e308,0,0,0,0,0"), "pose 1 is too far away to compute with; found x y z 1e+308 0 0 m"),
-        (("--pose", "1,2"), "this is not a pose; found 2 numbers"),
-        (("--of", "1,2"), "--of does not fit puma560; found 2 numbers"),
-        (("--pose", POSE, "--near", "1"), "--near does not fit puma560; found 1 numbers"),
-        (("--poses", "none.csv"), "none.csv: the file cannot be read"),
-    ],
-)
-def test_what_is_refused(
-    capsys: pytest.CaptureFixture[str], arguments: tuple[str, ...], message: str
-) -> None:
-    assert message in ik(capsys, "puma560", *arguments, code=2)[1]

@@ -47,12 +47,6 @@ def test_a_description_is_written_and_reads_back(arm: Path, capsys: pytest.Captu
     assert described.links[1].name == "two"
 
 
-def test_without_output_the_description_goes_to_stdout(arm: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["import", "arm.urdf", "--name", "mine"]) == 0
-    assert "name: mine\n" in capsys.readouterr().out
-    assert [path.name for path in Path.cwd().iterdir()] == ["arm.urdf"]
-
-
 def test_json_has_everything(arm: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["import", "arm.urdf", "--json", "--lock", "two=pi/2"]) == 0
     data = json.loads(capsys.readouterr().out)
@@ -60,38 +54,6 @@ def test_json_has_everything(arm: Path, capsys: pytest.CaptureFixture[str]) -> N
     assert data["unused"] == [{"what": "visual geometry", "file": "arm.urdf", "lines": [3]}]
     assert data["remarks"] == ["locked, and lumped into the links that carry them: two at 1.5708"]
     assert data["path"] is None
-
-
-def test_nothing_is_overwritten_unasked(arm: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    Path("arm.yaml").write_text("mine")
-    assert main(["import", "arm.urdf", "-o", "arm.yaml"]) == 2
-    assert "arm.yaml already exists" in capsys.readouterr().err
-    assert main(["import", "arm.urdf", "-o", "arm.urdf", "--force"]) == 2
-    assert arm.read_text() == ARM
-    assert main(["import", "arm.urdf", "-o", "arm.yaml", "--force"]) == 0
-
-
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
-        (["--tip", "c"], "arm.urdf: there is no link of the name after --tip; found 'c'"),
-        (["--lock", "two"], "'two' is not NAME=VALUE"),
-        (["--lock", "two=0", "--lock", "two=1"], "--lock has two values of one name; found two"),
-        (["--arg", "x=1"], "arguments are for xacro files"),
-        (["--name", "double"], "the robot's name is a keyword of C; found 'double'"),
-        (["--gravity", "0,-9.81"], "'0,-9.81' is not x,y,z"),
-        (["--snap", "1"], "Invalid value for '--snap'"),
-    ],
-)
-def test_options_that_do_not_fit_are_refused(
-    arguments: list[str], words: str, arm: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    assert main(["import", "arm.urdf", *arguments, "-o", "out.yaml"]) == 2
-    out, err = capsys.readouterr()
-    assert words in err
-    assert out == ""
-    assert len(err.splitlines()) == 1
-    assert not Path("out.yaml").exists()
 
 
 def test_robot_may_be_a_file_in_another_format(arm: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -105,24 +67,6 @@ def test_robot_may_be_a_file_in_another_format(arm: Path, capsys: pytest.Capture
     Path("grip.urdf").write_text(GRIPPER)
     assert main(["flops", "grip.urdf"]) == 2
     assert "several tips; found 2 tips" in capsys.readouterr().err
-
-
-def test_right_angles_of_few_digits_are_reported(arm: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    arm.write_text(ARM.replace('xyz="0 1 0"', 'xyz="0 1 3e-6"'))
-    assert main(["import", "arm.urdf", "-o", "rough.yaml"]) == 0
-    err = capsys.readouterr().err
-    assert "2 angles are multiples of pi/2 but for 3.0e-06 rad, such as two: alpha; with --snap 1e-05" in err
-    assert main(["import", "arm.urdf", "--snap", "1e-5", "-o", "arm.yaml"]) == 0
-    assert "multiples of pi/2" not in capsys.readouterr().err
-    assert load("arm.yaml").links[1].joint.alpha.quarter is not None
-    assert load("rough.yaml").links[1].joint.alpha.quarter is None
-
-
-def test_a_file_that_is_not_there_is_no_robot(arm: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["gen", "none.urdf"]) == 2
-    assert "neither a file nor a bundled robot" in capsys.readouterr().err
-    assert main(["import", "none.urdf"]) == 2
-    assert "none.urdf: the file cannot be read; found no such file" in capsys.readouterr().err
 
 
 @pytest.mark.thorough

@@ -118,9 +118,6 @@ class TestProcess:
         assert "Commands:" in run.stdout + run.stderr
         assert "robodyn: error" not in run.stderr
 
-    def test_misspelt_command_gets_a_suggestion(self) -> None:
-        assert "did you mean 'verify'?" in robodyn("verfy").stderr
-
     def test_closed_pipe_is_quiet(self) -> None:
         reader, writer = os.pipe()
         os.close(reader)
@@ -269,53 +266,6 @@ class TestNew:
         assert robot.name == "crane"
         assert len(robot.links) == 3
 
-    def test_writes_over_nothing_unless_forced(
-        self, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-    ) -> None:
-        path = tmp_path / "arm.yaml"
-        path.write_text("precious")
-        assert main(["new", "arm", "-o", str(path)]) == 2
-        assert "--force" in capsys.readouterr().err
-        assert path.read_text() == "precious"
-        assert main(["new", "arm", "-o", str(path), "--force", "--json"]) == 0
-        assert json.loads(capsys.readouterr().out) == {"name": "arm", "joints": 6, "path": str(path)}
-        assert "name: arm" in path.read_text()
-
-    def test_to_stdout(
-        self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-    ) -> None:
-        monkeypatch.chdir(tmp_path)
-        assert main(["new", "arm", "-o", "-"]) == 0
-        assert "name: arm" in capsys.readouterr().out
-        assert list(tmp_path.iterdir()) == []
-
-    @pytest.mark.parametrize("arguments", [["no good"], ["../arm"], ["arm", "--joints", "0"]])
-    def test_refuses_bad_input(
-        self, arguments: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-    ) -> None:
-        monkeypatch.chdir(tmp_path)
-        assert main(["new", *arguments]) == 2
-        assert list(tmp_path.iterdir()) == []
-
-    @pytest.mark.parametrize("force", [False, True])
-    def test_a_link_that_leads_nowhere_is_something(self, force: bool, tmp_path: Path) -> None:
-        link, end = tmp_path / "link.yaml", tmp_path / "end.yaml"
-        link.symlink_to(end)
-        assert main(["new", "arm", "-o", str(link), *["--force"] * force]) == (0 if force else 2)
-        assert link.is_symlink() is not force
-        assert not end.exists()
-
-    def test_refuses_an_empty_place(
-        self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-    ) -> None:
-        monkeypatch.chdir(tmp_path)
-        for force in ([], ["--force"]):
-            assert main(["new", "arm", "-o", "", *force]) == 2
-            err = capsys.readouterr().err
-            assert "is empty" in err
-            assert len(err.splitlines()) == 1
-        assert list(tmp_path.iterdir()) == []
-
     @pytest.mark.parametrize("length", [250, 300])
     def test_a_name_that_is_too_long(
         self, length: int, tmp_path: Path, capsys: pytest.CaptureFixture[str]
@@ -333,11 +283,3 @@ class TestNew:
             assert "a\\x1b[31m\\nb.yaml" in err
             assert "\x1b" not in err
             assert len(err.splitlines()) == 1
-
-
-class TestVerify:
-    def test_a_negative_seed_is_bad_input(self, capsys: pytest.CaptureFixture[str]) -> None:
-        assert main(["verify", "puma560_3dof", "--seed", "-1"]) == 2
-        err = capsys.readouterr().err
-        assert "--seed" in err
-        assert len(err.splitlines()) == 1

@@ -66,8 +66,6 @@ COMMANDS = [
     ("schedule", "elbow.yaml", "-p", "2", "--cut", "1"),
     ("simulate", "elbow.yaml", "--duration", "0.01", "-o", "out.csv"),
 ]
-#: Those that take --optimize.
-OF_LEVELS = [command for command in COMMANDS if command[0] in ("gen", "flops", "verify", "prove", "schedule")]
 
 
 @pytest.mark.parametrize("command", COMMANDS, ids=lambda command: command[0])

@@ -44,29 +44,3 @@ def test_json_alone_writes_nothing(
     assert data["home"]["torque"] == [0.0]
     assert data["links"][0]["mass"] == 2.0
     assert [file.name for file in tmp_path.iterdir()] == ["arm.yaml"]
-
-
-@pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        (["nobody"], "there is neither a file nor a bundled robot of this name"),
-        (["arm.yaml"], "arm has run-time parameters, and a page shows an arm with numbers"),
-        (["arm.yaml", "--param", "m=2"], "m"),
-        (["puma560_3dof", "-o", ""], "the path after -o is empty"),
-        (["doubtful.yaml", "--strict"], "inertia is not physical"),
-    ],
-)
-def test_what_is_refused_leaves_nothing(
-    arguments: list[str],
-    message: str,
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "arm.yaml").write_text(ARM)
-    doubtful = ARM.replace("m_tool", "1").replace("}]", ", inertia: {xx: 1, yy: 1, zz: 3}}]", 1)
-    (tmp_path / "doubtful.yaml").write_text(doubtful)
-    assert main(["report", *arguments]) == 2
-    assert message in capsys.readouterr().err
-    assert {file.name for file in tmp_path.iterdir()} == {"arm.yaml", "doubtful.yaml"}

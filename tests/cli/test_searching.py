@@ -7,7 +7,6 @@ import json
 import os
 import shutil
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -16,11 +15,8 @@ from records.made import ELBOW, arm, better, fast, recorded
 from robodyn import Options, program
 from robodyn.counts import count
 from robodyn.dynamics.equality import equals_recursion
-from robodyn.ir import Program
 from robodyn.optimize.records import FOLDER, bundled_records, parse_record
-from robodyn.search import improve as improving
 from robodyn.search.improve import write_record
-from robodyn_cli import searching
 from robodyn_cli.main import main
 from robodyn_testing import representative
 from search.moment import search_for_a_moment
@@ -29,7 +25,6 @@ pytestmark = pytest.mark.usefixtures("here")
 
 ROBOT = arm(ELBOW)
 FAST = count(fast(ROBOT)).total
-BETTER = ["--optimize", "record"]
 
 
 @pytest.fixture
@@ -198,75 +193,6 @@ def test_objectives(objective: str, here: Path, capsys: Capture) -> None:
 
 def test_an_objective_written_otherwise_is_the_same(with_record: Path, capsys: Capture) -> None:
     assert total(capsys, "--objective", "total:") == total(capsys) < FAST
-
-
-SEARCH = ["--optimize", "search", "--budget-seconds", "60"]
-
-
-@pytest.mark.parametrize(
-    ("arguments", "hint"),
-    [
-        (["--budget-seconds", "3"], "--budget-seconds requires a search"),
-        (["--keep"], "--keep requires a search"),
-        (["--optimize", "fast", "--keep"], "--keep requires a search"),
-        (["--optimize", "none", "--budget-seconds", "3"], "--budget-seconds requires a search"),
-        ([*SEARCH, "--no-regroup"], "with regrouping"),
-        ([*SEARCH, "--formulation", "newton_euler"], "modified_newton_euler"),
-        ([*SEARCH, "--engine", "sympy"], "the graph engine"),
-        (["--optimize", "search", "--budget-seconds", "0"], "budget in seconds"),
-        (["--optimize", "full", "--budget-seconds", "-1"], "budget in seconds"),
-        (["--optimize", "full", "--budget-seconds", "nan"], "budget in seconds"),
-        (["--optimize", "full", "--budget-seconds", "inf"], "budget in seconds"),
-        (["--optimize", "full", "--budget-seconds", "soon"], "--budget-seconds"),
-        ([*SEARCH, "--seed", "x"], "--seed"),
-        ([*SEARCH, "--objective", "flops"], "unknown objective 'flops'"),
-        (["--objective", "flops"], "unknown objective 'flops'"),
-        (["--objective", ""], "unknown objective ''"),
-        (["--objective", "weighted"], "unknown target ''"),
-        (["--objective", "weighted:abacus"], "unknown target 'abacus'"),
-        (["--objective", "mul:cortex-m4"], "unknown target 'cortex-m4'"),
-        (["--optimize", "search,full"], "unknown level of optimisation"),
-    ],
-)
-@pytest.mark.parametrize("command", ["gen", "flops"])
-def test_what_does_not_go_together(
-    command: str,
-    arguments: list[str],
-    hint: str,
-    here: Path,
-    capsys: Capture,
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    def searched(*_: Any, **__: Any) -> list[Program]:
-        raise AssertionError("a minute later")
-
-    for name in ("_written", "closed_forms", "climb"):
-        monkeypatch.setattr(improving, name, searched)
-    out, err = run(capsys, command, "elbow.yaml", *arguments, code=2)
-    assert out == ""
-    assert hint in err
-    assert files(here) == {"elbow.yaml"}
-
-
-@pytest.mark.parametrize(
-    ("arguments", "hint"),
-    [
-        (["--lang", "c,pascal"], "unknown language 'pascal'"),
-        (["-o", ""], "is empty"),
-        (["--functions", "torque"], "unknown function 'torque'"),
-        (["--check", "--keep"], "--check writes nothing"),
-    ],
-)
-def test_what_is_wrong_is_told_before_the_search(
-    arguments: list[str], hint: str, here: Path, monkeypatch: pytest.MonkeyPatch, capsys: Capture
-) -> None:
-    def searched(*_: Any) -> Options:
-        raise AssertionError("a minute later")
-
-    monkeypatch.setattr(searching.Search, "_searched", searched)
-    _, err = run(capsys, "gen", "elbow.yaml", *SEARCH, *arguments, code=2)
-    assert hint in err
-    assert files(here) == {"elbow.yaml"}
 
 
 @pytest.mark.parametrize(

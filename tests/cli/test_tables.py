@@ -45,14 +45,6 @@ def test_all_tables(capsys: Capture, monkeypatch: pytest.MonkeyPatch) -> None:
     assert [found["id"] for found in json.loads(run(capsys, "--json")[0])] == ["4.4"] * len(TABLE_IDS)
 
 
-@pytest.mark.parametrize("table", ["2.11", "", "CLAIMS", "4.3"])
-def test_an_unknown_table_is_refused(table: str, capsys: Capture) -> None:
-    out, err = run(capsys, table, code=2)
-    assert out == ""
-    assert f"no table {table!r}" in err
-    assert ", ".join(TABLE_IDS) in err
-
-
 def test_the_picture(tmp_path: Path, capsys: Capture, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(picture, "operations_svg", lambda: "<svg/>\n")
     file = tmp_path / "new" / "figure.svg"
@@ -60,21 +52,3 @@ def test_the_picture(tmp_path: Path, capsys: Capture, monkeypatch: pytest.Monkey
     assert out == to_text(make("2.9"))
     assert "wrote" in err
     assert file.read_text() == "<svg/>\n"
-
-
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
-        (("4.4", "--picture", "x.svg"), "this table has no picture"),
-        (("2.9", "--picture", "x.png"), "are written as SVG"),
-        (("2.9", "--picture", ""), "are written as SVG"),
-        (("9", "--picture", "x.svg"), "this table has no picture"),
-    ],
-)
-def test_pictures_that_are_refused(
-    arguments: tuple[str, ...], words: str, capsys: Capture, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    out, err = run(capsys, *arguments, code=2)
-    assert (out, list(tmp_path.iterdir())) == ("", [])
-    assert words in err

@@ -58,17 +58,6 @@ def test_no_target_chooses_nothing(tmp_path: Path, capsys: Capture) -> None:
     assert found["contraction"] is None
 
 
-@pytest.mark.parametrize(
-    ("name", "said"),
-    [("cortex-m4ff", "did you mean 'cortex-m4f'"), ("thesis-1990", "expected one of aarch64, cortex-m3")],
-)
-def test_an_unknown_target_is_named(name: str, said: str, tmp_path: Path, capsys: Capture) -> None:
-    arguments = ["gen", "stanford_3dof", "-o", str(tmp_path), "--target", name]
-    assert main(arguments) == 2
-    assert said in capsys.readouterr().err
-    assert not list(tmp_path.iterdir())
-
-
 def test_the_help_lists_the_targets(capsys: Capture) -> None:
     for command, names in (
         ("gen", [target.name for target in compiled_targets()]),
@@ -106,12 +95,6 @@ def test_the_older_name_of_a_target_is_the_same_target(tmp_path: Path, capsys: C
     assert gen(capsys, tmp_path, "--objective", "weighted:cortex-m4")["objective"] == "weighted:cortex-m4f"
     assert main(["plan", "puma560_3dof", "--deadline", "1s", "--target", "cortex-m4", "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["chosen"]["target"] == "cortex-m4f"
-
-
-@pytest.mark.parametrize(("option", "value"), [("--contraction", "maybe"), ("--order", "alphabet")])
-def test_unknown_choices_are_refused(option: str, value: str, tmp_path: Path, capsys: Capture) -> None:
-    assert main(["gen", "stanford_3dof", "-o", str(tmp_path), option, value]) == 2
-    assert value in capsys.readouterr().err
 
 
 def test_the_library_does_as_the_command() -> None:

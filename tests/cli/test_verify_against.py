@@ -76,22 +76,3 @@ def test_a_library_that_is_missing_is_exit_code_3(
     out, err = capsys.readouterr()
     assert out == ""
     assert "need pin, which is not installed; pip install pin" in err
-
-
-@pytest.mark.parametrize(
-    ("words", "message"),
-    [
-        (["--against", "none.urdf"], "none.urdf"),
-        (["--lock", "f=0.03"], "--lock is for --against FILE"),
-        (["--against", "arm.sdf"], "expected <robot>: URDF or xacro, which Pinocchio reads"),
-        (["--against", "arm.xml", "--lock", "nobody=1"], "there is no joint of the name after --lock"),
-    ],
-)
-def test_refused_in_one_line(folder: Path, capsys: Capture, words: list[str], message: str) -> None:
-    (folder / "arm.sdf").write_text("<sdf version='1.9'><model name='a'/></sdf>")
-    capsys.readouterr()
-    assert main(["verify", "xml.yaml", *words]) == 2
-    out, err = capsys.readouterr()
-    assert out == ""
-    (error,) = (line for line in err.splitlines() if not line.startswith("robodyn: note:"))
-    assert message in error

@@ -22,6 +22,12 @@ def test_energies_that_do_not_balance_are_told(capsys: Capture) -> None:
     assert err == ""
 
 
+def test_a_robot_that_runs_away_is_told(capsys: Capture) -> None:
+    _, err = simulate(capsys, "slide.yaml --to 0.1 --param m=2 --kp 1e300 --kd 1e300 --solver rk4", code=2)
+    assert "the simulation ended at t = " in err
+    assert made() == set()
+
+
 def test_an_interrupted_run_leaves_nothing(capsys: Capture, monkeypatch: pytest.MonkeyPatch) -> None:
     def stop(line: progress.Line, text: str) -> None:
         assert "of 10 s" in text
