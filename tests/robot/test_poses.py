@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from robodyn.errors import InputError
 from robodyn.formats.chain import Body, Chain, ChainJoint, Pose
 from robodyn.robot import Robot, read_text, to_yaml
 from robodyn.robot.rewriting import rewritten
@@ -91,16 +90,6 @@ links:
     assert sorted(map(abs, (three.a, three.b, three.d))) == list(  # type: ignore[arg-type]
         exactly(Fraction(1, 10), Fraction(1, 5), Fraction(3, 10))
     )
-
-
-def test_a_pose_stands_in_place_of_a_row() -> None:
-    text = "name: arm\nlinks: [{joint: revolute, pose: {xyz: [0, 0, 1]}, a: 0.1, theta: 0}]"
-    with pytest.raises(InputError, match="link 1: pose stands in place of DH numbers") as caught:
-        read_text(text)
-    assert "a, theta beside it" in str(caught.value)
-    standard = "name: arm\nconvention: sdh\nlinks: [{joint: revolute, pose: {xyz: [0, 0, 1]}}]"
-    with pytest.raises(InputError, match="convention: sdh"):
-        read_text(standard)
 
 
 def test_new_inertials_of_posed_links_are_written_anew() -> None:

@@ -10,7 +10,6 @@ import pytest
 from numpy.typing import NDArray
 
 import robodyn
-from robodyn.errors import InputError
 from robodyn.robot import read_text, to_yaml
 
 Array = NDArray[np.float64]
@@ -136,20 +135,3 @@ def test_what_is_written_has_the_same_frames(tmp_path: Path) -> None:
     kernel = robodyn.compile(again, functions=("link_poses",))
     places, _ = kernel.link_poses(Q)
     np.testing.assert_allclose(places, [T[:3, 3] for T in frames(Q)[1:-1]], atol=1e-14)
-
-
-@pytest.mark.parametrize(
-    ("row", "more", "message"),
-    [
-        ("{joint: revolute, a: reach}", "", "a cannot be a run-time parameter: it places the tool's frame"),
-        ("{joint: revolute, b: 0.1}", "", "b is an offset of modified DH rows"),
-        (
-            "{joint: revolute}",
-            "standard_end: {xyz: [1, 0, 0]}\n",
-            "standard_end is of rows that were converted",
-        ),
-    ],
-)
-def test_what_standard_rows_cannot_have(row: str, more: str, message: str) -> None:
-    with pytest.raises(InputError, match=message):
-        read_text(f"name: arm\nconvention: sdh\n{more}links: [{row}]\n")
