@@ -30,10 +30,6 @@ else:
 os.environ.setdefault("ROBODYN_CACHE", str(Path(__file__).parents[1] / ".pytest_cache" / "kernels"))
 
 
-def pytest_addoption(parser: pytest.Parser) -> None:
-    parser.addoption("--update", action="store_true", help="write the golden files anew (with -n0)")
-
-
 @pytest.hookimpl(wrapper=True)
 def pytest_make_collect_report(
     collector: pytest.Collector,
@@ -42,6 +38,7 @@ def pytest_make_collect_report(
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--update", action="store_true", help="write the golden files anew (with -n0)")
     parser.addoption(
         "--except-passed",
         type=Path,
