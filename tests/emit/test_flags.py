@@ -22,7 +22,7 @@ from robodyn.emit.batch import batch_files
 from robodyn.emit.trig import DOUBLE, FLOAT
 from robodyn.ir import Graph, Program
 from robodyn.ir.lowering import lower
-from robodyn_testing import require_machine, require_tool
+from robodyn_testing import representative, require_machine, require_tool
 
 OF: Final = {"double": DOUBLE, "float": FLOAT}
 #: What the errors stay below [ulp], sine, cosine, arctangent.
@@ -118,17 +118,25 @@ def build(folder: Path, file: str, cc: str, *flags: str) -> ctypes.CDLL | str:
     return built
 
 
-QUICK: Final = ("", "-funsafe-math-optimizations", FLAGS[4], "-ffinite-math-only")
-ALL: Final = list(itertools.product(SCALARS, ("gcc", "clang"), ("-O0", "-O2", "-O3", "-Os"), FLAGS))
-
-
-def is_quick(scalar: str, cc: str, level: str, flags: str) -> bool:
-    return (scalar, level) == ("double", "-O2") and flags in QUICK
+COMPILERS: Final = ("gcc", "clang")
+QUICK: Final = [
+    ("double", cc, "-O2", flags)
+    for cc in COMPILERS
+    for flags in ("", "-funsafe-math-optimizations", FLAGS[4], "-ffinite-math-only")
+]
+LEVELS: Final = ("-O0", "-O2", "-O3", "-Os")
+#: In CI all flags with each compiler, types and levels in turn.
+IN_CI: Final = [
+    (SCALARS[(k + c) % 2], cc, LEVELS[(k // 2 + c) % 4], flags)
+    for k, flags in enumerate(FLAGS)
+    for c, cc in enumerate(COMPILERS)
+]
+ALL: Final = itertools.product(SCALARS, COMPILERS, LEVELS, FLAGS)
 
 
 @pytest.mark.parametrize(
     ("scalar", "cc", "level", "flags"),
-    [pytest.param(*each, marks=() if is_quick(*each) else pytest.mark.thorough) for each in ALL],
+    representative(representative(ALL, *QUICK, *IN_CI, rest="slow"), *QUICK),
 )
 def test_c_is_right_under_all_flags_or_refuses(
     scalar: str, cc: str, level: str, flags: str, tmp_path: Path

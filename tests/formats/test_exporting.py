@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -20,7 +22,7 @@ from robodyn.ir.evaluate import evaluate
 from robodyn.robot import bundled_names, load, read_text
 from robodyn.robot.model import Gear, Limits, Robot
 from robodyn.robot.numbers import shortest
-from robodyn_testing import representative, require_module, sampled
+from robodyn_testing import commit_seeds, representative, require_module, seed_counts
 from robodyn_testing.arms import RigidArm, real
 from robodyn_testing.chains import PinocchioArm
 from robodyn_testing.random_chains import random_chain
@@ -70,9 +72,10 @@ def impossible(robot: Robot) -> bool:
     return any(remark.startswith("no body moves") for remark in export_arm(robot, "mjcf").remarks)
 
 
+#: Names, and how many random chains.
 ROBOTS: list[str | int] = [
     *representative(list(bundled_names()), "puma560", "stanford"),
-    *sampled(range(200), every=50),
+    *seed_counts(8, 200),
     *representative([f"examples/arms/{path.name}" for path in EXAMPLES], "examples/arms/so101.yaml"),
 ]
 
@@ -84,10 +87,21 @@ def robot_of(source: str | int) -> Robot:
     return numbered(load(path if path.exists() else source, warn=lambda words: None))
 
 
+def robots_of(source: str | int) -> Iterator[Robot]:
+    if isinstance(source, int):
+        yield from map(chains, commit_seeds(source))
+    else:
+        yield robot_of(source)
+
+
 @pytest.mark.parametrize("source", ROBOTS)
 def test_pinocchio_reads_the_same_arm_from_the_urdf(source: str | int, tmp_path: Path) -> None:
     pinocchio = require_module("pinocchio")
-    robot = robot_of(source)
+    for robot in robots_of(source):
+        check_urdf(pinocchio, robot, tmp_path)
+
+
+def check_urdf(pinocchio: Any, robot: Robot, tmp_path: Path) -> None:
     path = exported(robot, "urdf", tmp_path)
     own, names = RigidArm(robot), export_arm(robot, "urdf").names
     peer = PinocchioArm(
@@ -110,7 +124,11 @@ def test_pinocchio_reads_the_same_arm_from_the_urdf(source: str | int, tmp_path:
 @pytest.mark.parametrize("source", ROBOTS)
 def test_mujoco_reads_the_same_arm_from_the_mjcf(source: str | int, tmp_path: Path) -> None:
     mujoco = require_module("mujoco")
-    robot = robot_of(source)
+    for robot in robots_of(source):
+        check_mjcf(mujoco, robot, tmp_path)
+
+
+def check_mjcf(mujoco: Any, robot: Robot, tmp_path: Path) -> None:
     own = RigidArm(robot)
     path = exported(robot, "mjcf", tmp_path)
     if impossible(robot):  # and so it is
@@ -154,7 +172,11 @@ def test_mujoco_reads_the_urdf_too(source: str | int, tmp_path: Path) -> None:
 def test_an_export_is_imported_as_the_same_arm(source: str | int, to: str, tmp_path: Path) -> None:
     if to == "mjcf":
         require_module("mujoco")
-    robot = robot_of(source)
+    for robot in robots_of(source):
+        check_import(robot, to, tmp_path)
+
+
+def check_import(robot: Robot, to: str, tmp_path: Path) -> None:
     path = exported(robot, to, tmp_path)
     if to == "mjcf" and impossible(robot):
         with pytest.raises(InputError, match="MuJoCo refuses"):

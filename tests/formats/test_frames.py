@@ -21,7 +21,7 @@ from robodyn.robot import Robot, read_text, to_yaml
 from robodyn.robot.model import Placement
 from robodyn.simulate.kinematics import Kinematics
 from robodyn.verify import Reference
-from robodyn_testing import require_module, sampled
+from robodyn_testing import commit_seeds, require_module, seed_counts
 from robodyn_testing.random_chains import pinocchio_model, random_chain, tip_poses
 
 Z = (0.0, 0.0, 1.0)
@@ -80,14 +80,15 @@ def check_beside(chain: Chain, dynamics: Any, robot: Robot, seed: int = 0, toler
     np.testing.assert_allclose(tool_pose(robot, q), tip_poses(chain, q), rtol=0, atol=1e-10)
 
 
-@pytest.mark.parametrize("seed", sampled(range(500), every=20))
-def test_random_chains_are_what_pinocchio_makes_of_them(seed: int) -> None:
-    chain = random_chain(seed)
-    robot = description_of(chain)
-    reach = sum(math.hypot(*joint.pose.xyz) for joint in chain.joints) + math.hypot(*chain.tool.xyz)
-    assert longest(robot) <= 2 * reach
-    check_beside(chain, Reference(robot), robot, seed)
-    assert read_text(to_yaml(robot), warn=lambda _: None) == robot
+@pytest.mark.parametrize("count", seed_counts(20, 500))
+def test_random_chains_are_what_pinocchio_makes_of_them(count: int) -> None:
+    for seed in commit_seeds(count):
+        chain = random_chain(seed)
+        robot = description_of(chain)
+        reach = sum(math.hypot(*joint.pose.xyz) for joint in chain.joints) + math.hypot(*chain.tool.xyz)
+        assert longest(robot) <= 2 * reach
+        check_beside(chain, Reference(robot), robot, seed)
+        assert read_text(to_yaml(robot), warn=lambda _: None) == robot
 
 
 @pytest.mark.parametrize("seed", [3, pytest.param(8, marks=pytest.mark.thorough)])

@@ -14,7 +14,7 @@ from robodyn.formats.elements import parse
 from robodyn.formats.mjcf import read_tree
 from robodyn.formats.serial import Serial, serial_chain
 from robodyn.formats.tree import Tree
-from robodyn_testing import require_module, sampled
+from robodyn_testing import commit_seeds, require_module, seed_counts
 from robodyn_testing.mujoco_chains import check_chain
 from robodyn_testing.random_mjcf import random_mjcf
 
@@ -32,14 +32,15 @@ def chain(text: str, **options: Any) -> Serial:
     return serial_chain(tree(text), "arm", **options)
 
 
-@pytest.mark.parametrize("seed", sampled(range(300), every=25))
-def test_a_chain_is_what_mujoco_computes(seed: int, mujoco: Any) -> None:
-    text = random_mjcf(seed)
-    serial = serial_chain(tree(text), "tree", tip="tip")
-    assert serial.chain.gravity == (1.0, 2.0, -9.5)
-    assert serial.chain.joints[-1].gear is not None
-    sides = [joint.name for joint in tree(text).joints if joint.name.startswith("s")]
-    check_chain(mujoco, mujoco.MjModel.from_xml_string(text), serial, "tip", dict.fromkeys(sides, 0.0))
+@pytest.mark.parametrize("count", seed_counts(20, 300))
+def test_a_chain_is_what_mujoco_computes(count: int, mujoco: Any) -> None:
+    for seed in commit_seeds(count):
+        text = random_mjcf(seed)
+        serial = serial_chain(tree(text), "tree", tip="tip")
+        assert serial.chain.gravity == (1.0, 2.0, -9.5)
+        assert serial.chain.joints[-1].gear is not None
+        sides = [joint.name for joint in tree(text).joints if joint.name.startswith("s")]
+        check_chain(mujoco, mujoco.MjModel.from_xml_string(text), serial, "tip", dict.fromkeys(sides, 0.0))
 
 
 def mjcf(inside: str, head: str = "", tail: str = "") -> str:

@@ -14,13 +14,18 @@ from robodyn.formats.topology import Topology
 from robodyn.formats.tree import MOVING
 from robodyn.formats.urdf import read_tree
 from robodyn.verify import Reference
-from robodyn_testing import require_module, sampled
+from robodyn_testing import commit_seeds, require_module, seed_counts
 from robodyn_testing.chains import PinocchioArm, WorldDynamics
 from robodyn_testing.random_trees import random_urdf
 
 
-@pytest.mark.parametrize("seed", sampled(range(500), every=25))
-def test_a_chain_of_a_tree_is_what_pinocchio_makes_of_it(seed: int, tmp_path: Path) -> None:
+@pytest.mark.parametrize("count", seed_counts(20, 500))
+def test_a_chain_of_a_tree_is_what_pinocchio_makes_of_it(count: int, tmp_path: Path) -> None:
+    for seed in commit_seeds(count):
+        check(seed, tmp_path)
+
+
+def check(seed: int, tmp_path: Path) -> None:
     pinocchio = require_module("pinocchio")
     text = random_urdf(seed)
     path = tmp_path / "tree.urdf"

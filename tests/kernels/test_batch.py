@@ -43,6 +43,10 @@ QUICK = (
 )
 
 
+#: In CI the other arms as well.
+IN_CI = (("tool", "double", 32), ("effects_rubbing", "float", 0), ("puma560", "float", 64))
+
+
 @cache
 def kernel(name: str, scalar: str = "double", width: int | None = None, **options: Any) -> Kernel:
     """The kernel of a robot with its own sine and cosine; batches with vectors of ``width`` bytes at most."""
@@ -81,7 +85,10 @@ def assert_same_bits(found: Array, wanted: Array) -> None:
 
 @pytest.mark.parametrize(
     ("name", "scalar", "width"),
-    representative(itertools.product(ROBOTS, ["double", "float"], WIDTHS), *QUICK),
+    representative(
+        representative(itertools.product(ROBOTS, ["double", "float"], WIDTHS), *QUICK, *IN_CI, rest="slow"),
+        *QUICK,
+    ),
 )
 def test_bits_are_those_of_the_scalar_kernel(name: str, scalar: str, width: int) -> None:
     scalars, made = kernel(name, scalar), kernel(name, scalar, width)

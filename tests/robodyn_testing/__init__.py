@@ -18,15 +18,17 @@ Of a test over all robots, effects, functions ... a few cases stay in ``make tes
 
 A test over many random arms is one test, which loops over seeds that turn with the commit::
 
-    for seed in commit_seeds(20):
-        robot = random_robot(seed)
+    @pytest.mark.parametrize("count", seed_counts(20, 500))  # 500 in make prove-all
+    def test_an_arm(count):
+        for seed in commit_seeds(count):
+            robot = random_robot(seed)
 """
 
 from __future__ import annotations
 
 from robodyn_testing.cases import covering, representative, sampled
 from robodyn_testing.exactly import constant, exactly
-from robodyn_testing.seeds import commit_seeds
+from robodyn_testing.seeds import commit_seeds, seed_counts
 from robodyn_testing.wanted import (
     require_distribution,
     require_machine,
@@ -47,4 +49,5 @@ __all__ = [
     "require_npm_package",
     "require_tool",
     "sampled",
+    "seed_counts",
 ]

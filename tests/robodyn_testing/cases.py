@@ -13,8 +13,8 @@ __all__ = ["covering", "representative", "sampled"]
 _Param = type(pytest.param())
 
 
-def representative(cases: Iterable[Any], *few: Any) -> list[Any]:
-    """Return `cases` for ``pytest.mark.parametrize``, all but `few` of them marked ``thorough``.
+def representative(cases: Iterable[Any], *few: Any, rest: str = "thorough") -> list[Any]:
+    """Return `cases` for ``pytest.mark.parametrize``, all but `few` of them marked with `rest`.
 
     A case may be a tuple of several arguments or a ``pytest.param`` with an id; it is among `few` if it
     equals one of them, or if its id or its first argument does.
@@ -27,22 +27,22 @@ def representative(cases: Iterable[Any], *few: Any) -> list[Any]:
         keys = [key for key in (param.values, param.values[0], param.id) if key is not None]
         chosen = [one for one in few if any(_equal(one, key) for key in keys)]
         missing = [one for one in missing if not any(_equal(one, other) for other in chosen)]
-        marked.append(param if chosen else _thorough(param))
+        marked.append(param if chosen else _marked(param, rest))
     if missing:
         raise ValueError(f"no such case: {', '.join(map(repr, missing))}")
     return marked
 
 
-def sampled(cases: Iterable[Any], every: int) -> list[Any]:
-    """Return `cases` for ``pytest.mark.parametrize``, all but the first of `every` so many ``thorough``."""
+def sampled(cases: Iterable[Any], every: int, rest: str = "thorough") -> list[Any]:
+    """Return `cases` for ``pytest.mark.parametrize``, all but the first of `every` so many marked `rest`."""
     params = map(_param, cases)
-    return [_thorough(param) if k % every else param for k, param in enumerate(params)]
+    return [_marked(param, rest) if k % every else param for k, param in enumerate(params)]
 
 
-def covering(*axes: Iterable[Any]) -> list[Any]:
-    """Return all combinations of `axes` for ``pytest.mark.parametrize``, a few of them not ``thorough``.
+def covering(*axes: Iterable[Any], rest: str = "thorough") -> list[Any]:
+    """Return all combinations of `axes` for ``pytest.mark.parametrize``, all but a few marked with `rest`.
 
-    Every value of every axis is in one of the few at least, unless it is thorough itself
+    Every value of every axis is in one of the few at least, unless it is marked itself
     (:func:`representative`): they take the values of each axis in turn.
     """
     rows = [[_param(value) for value in axis] for axis in axes]
@@ -54,7 +54,7 @@ def covering(*axes: Iterable[Any]) -> list[Any]:
         parts = [row[k] for row, k in zip(rows, places, strict=True)]
         values = [value for part in parts for value in part.values]
         param = pytest.param(*values, marks=[mark for part in parts for mark in part.marks])
-        marked.append(param if places in few else _thorough(param))
+        marked.append(param if places in few else _marked(param, rest))
     return marked
 
 
@@ -64,8 +64,8 @@ def _param(case: Any) -> Any:
     return pytest.param(*case) if isinstance(case, tuple) else pytest.param(case)
 
 
-def _thorough(param: Any) -> Any:
-    marks: Sequence[Any] = [*param.marks, pytest.mark.thorough]
+def _marked(param: Any, mark: str) -> Any:
+    marks: Sequence[Any] = [*param.marks, getattr(pytest.mark, mark)]
     return pytest.param(*param.values, marks=marks, id=param.id)
 
 

@@ -8,9 +8,11 @@ import subprocess
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
-__all__ = ["REPEAT", "commit_seeds"]
+import pytest
+
+__all__ = ["REPEAT", "commit_seeds", "seed_counts"]
 
 #: The environment variable whose number takes the place of the commit's.
 REPEAT: Final = "ROBODYN_SEED"
@@ -29,6 +31,15 @@ def commit_seeds(count: int) -> Iterator[int]:
     for seed in range(first, first + count):
         print(f"seed {seed} ({REPEAT}={seed} starts with it)")
         yield seed
+
+
+def seed_counts(few: int, many: int) -> list[Any]:
+    """How many seeds a test loops over, for ``pytest.mark.parametrize``: a `few`, and in ``make prove-all``
+    `many`."""
+    return [
+        pytest.param(few, id=f"{few}_seeds"),
+        pytest.param(many, id=f"{many}_seeds", marks=pytest.mark.slow),
+    ]
 
 
 @cache

@@ -91,7 +91,7 @@ def test_other_functions(function: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "objective", representative(["mul", "fma", "depth", "sincos", "weighted:cortex-m3"], "depth")
+    "objective", representative(["mul", "fma", "depth", "sincos", "weighted:cortex-m3"], "depth", rest="slow")
 )
 def test_objectives(objective: str, cache: Path) -> None:
     check(quick(objective=parse_objective(objective)))
@@ -99,14 +99,14 @@ def test_objectives(objective: str, cache: Path) -> None:
     assert f"\nobjective {objective}\n" in path.read_text()
 
 
-@pytest.mark.parametrize("name", sampled(SPECIAL, every=4))
+@pytest.mark.parametrize("name", sampled(SPECIAL, every=4, rest="slow"))
 def test_special_arms(name: str) -> None:
     for function in ("inverse_dynamics", "gravity"):
         check(quick(SPECIAL[name], function=function), SPECIAL[name], function)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", sampled(SPECIAL, every=4))
+@pytest.mark.parametrize("name", SPECIAL)
 def test_special_arms_walked_from(name: str) -> None:
     for function in ("inverse_dynamics", "gravity"):
         check(quick(SPECIAL[name], function=function, level="full", seconds=2), SPECIAL[name], function)

@@ -116,7 +116,7 @@ def test_fast_is_never_above_regrouping_alone(robot: Robot) -> None:
     assert equals_recursion(robot, "inverse_dynamics", made, points=1)
 
 
-@pytest.mark.parametrize("robot", sampled(ARMS[::5], every=4), ids=lambda robot: robot.name)
+@pytest.mark.parametrize("robot", sampled(ARMS[::5], every=4, rest="slow"), ids=lambda robot: robot.name)
 def test_a_search_is_always_below_regrouping_alone(robot: Robot) -> None:
     found = search(robot, seconds=2, steps=40, seed=1, processes=1)
     assert found[0][0] < regrouped_alone(robot)
