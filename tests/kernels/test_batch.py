@@ -34,17 +34,15 @@ COUNTS = (0, 1, 3, 8, 31, 33, 70, 1027)
 ROBOTS = ("puma560", "stanford_3dof", "tool", "lift", "effects_rubbing", "effects_sliding")
 #: Where all functions are tried: the batch of each is compiled for itself.
 EVERY = (("tool", "double"), ("stanford_3dof", "float"))
-#: All widths, both types, all functions of one arm, run-time parameters.
+#: All arms, widths and types, all functions of two arms, run-time parameters.
 QUICK = (
     ("puma560", "double", 0),
     ("stanford_3dof", "float", 16),
+    ("tool", "double", 32),
     ("lift", "double", 64),
+    ("effects_rubbing", "float", 0),
     ("effects_sliding", "float", 32),
 )
-
-
-#: In CI the other arms as well.
-IN_CI = (("tool", "double", 32), ("effects_rubbing", "float", 0), ("puma560", "float", 64))
 
 
 @cache
@@ -85,10 +83,7 @@ def assert_same_bits(found: Array, wanted: Array) -> None:
 
 @pytest.mark.parametrize(
     ("name", "scalar", "width"),
-    representative(
-        representative(itertools.product(ROBOTS, ["double", "float"], WIDTHS), *QUICK, *IN_CI, rest="slow"),
-        *QUICK,
-    ),
+    representative(itertools.product(ROBOTS, ["double", "float"], WIDTHS), *QUICK, rest="slow"),
 )
 def test_bits_are_those_of_the_scalar_kernel(name: str, scalar: str, width: int) -> None:
     scalars, made = kernel(name, scalar), kernel(name, scalar, width)
