@@ -43,6 +43,7 @@ QUICK = (
     ("effects_rubbing", "float", 0),
     ("effects_sliding", "float", 32),
 )
+CASES = representative(itertools.product(ROBOTS, ["double", "float"], WIDTHS), *QUICK, rest="slow")
 
 
 @cache
@@ -58,9 +59,9 @@ def kernel(name: str, scalar: str = "double", width: int | None = None, **option
     )
 
 
-def states(name: str, count: int, seed: int = 5) -> dict[str, Array]:
-    q, qd, qdd = random_states(robots()[name], count, seed)
-    tau = np.random.default_rng(seed).uniform(-50, 50, q.shape)
+def states(name: str, count: int) -> dict[str, Array]:
+    q, qd, qdd = random_states(robots()[name], count, 5)
+    tau = np.random.default_rng(5).uniform(-50, 50, q.shape)
     return {"q": q, "qd": qd, "qdd": qdd, "tau": tau}
 
 
@@ -81,10 +82,7 @@ def assert_same_bits(found: Array, wanted: Array) -> None:
     assert np.ascontiguousarray(found)[~nan].tobytes() == np.ascontiguousarray(wanted)[~nan].tobytes()
 
 
-@pytest.mark.parametrize(
-    ("name", "scalar", "width"),
-    representative(itertools.product(ROBOTS, ["double", "float"], WIDTHS), *QUICK, rest="slow"),
-)
+@pytest.mark.parametrize(("name", "scalar", "width"), CASES)
 def test_bits_are_those_of_the_scalar_kernel(name: str, scalar: str, width: int) -> None:
     scalars, made = kernel(name, scalar), kernel(name, scalar, width)
     for function in scalars.functions if (name, scalar) in EVERY else ("inverse_dynamics",):
@@ -160,7 +158,7 @@ def test_pinocchio_agrees() -> None:
 def test_layouts_and_types() -> None:
     """Whatever can be read as [N, n] gives the same; the result has the layout of the inputs."""
     made = kernel("puma560")
-    q, qd, qdd = states("puma560", 50)["q"], states("puma560", 50)["qd"], states("puma560", 50)["qdd"]
+    q, qd, qdd = (states("puma560", 50)[array] for array in ("q", "qd", "qdd"))
     wanted = made.batch(q, qd, qdd)
     turned = np.asfortranarray
     mixed = made.batch(turned(q), qd, np.repeat(qdd, 2, 0)[::2])
