@@ -18,6 +18,7 @@ from robodyn.certify import prove as run_proof
 from robodyn.certify.plan import Subject, subject
 from robodyn.certify.run import Proof
 from robodyn.certify.tools import Done, run
+from robodyn.firmware.measure import Depth, deepest
 from robodyn.kernels.generate import Options, generate
 from robodyn.robot import load, read_text
 from robodyn_cli.main import main
@@ -97,14 +98,14 @@ def test_the_stack_is_counted_along_calls() -> None:
     edge = 'edge: {{ sourcename: "{0}" targetname: "{1}" label: "" }}\n'
     known = node.format("f", 100, "static") + node.format("g", 30, "static") + node.format("h", 5, "static")
     graph = known + edge.format("f", "g") + edge.format("f", "h") + edge.format("g", "h")
-    assert stack.deepest(graph, "f") == stack.Depth("f", 135, ("f", "g", "h"))
-    assert stack.deepest(graph + edge.format("h", "f"), "f").size is None
-    assert stack.deepest(graph + edge.format("h", "__indirect_call"), "f").size is None
-    assert stack.deepest(graph.replace("5 bytes (static)", "5 bytes (dynamic)"), "f").size is None
-    beyond = stack.deepest(graph + edge.format("h", "sinf"), "f")
+    assert deepest(graph, "f") == Depth("f", 135, ("f", "g", "h"))
+    assert deepest(graph + edge.format("h", "f"), "f").size is None
+    assert deepest(graph + edge.format("h", "__indirect_call"), "f").size is None
+    assert deepest(graph.replace("5 bytes (static)", "5 bytes (dynamic)"), "f").size is None
+    beyond = deepest(graph + edge.format("h", "sinf"), "f")
     assert (beyond.beyond, beyond.only_helpers) == (("sinf",), False)
-    assert stack.deepest(graph + edge.format("h", "__aeabi_fadd"), "f").only_helpers
-    assert stack.deepest(graph, "other").size is None
+    assert deepest(graph + edge.format("h", "__aeabi_fadd"), "f").only_helpers
+    assert deepest(graph, "other").size is None
 
 
 def test_the_stack_of_a_kernel(tmp_path: Path) -> None:

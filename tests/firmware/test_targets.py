@@ -20,7 +20,6 @@ from firmware.folders import (
 )
 from robodyn.errors import CheckError
 from robodyn.firmware import Figures, measure, targets_named
-from robodyn.firmware.measure import worst_stack
 from robodyn.verify.exact import exact_torque
 from robodyn_testing import representative, require_tool
 
@@ -97,20 +96,6 @@ def test_a_fault_ends_the_image(target: str, tools: None) -> None:
     wrong = files["puma560.c"].replace("tau[0] = ", "*(volatile int *)0xF0000000 = 0;\n    tau[0] = ", 1)
     with pytest.raises(CheckError, match="found fault"):
         measure("puma560", {**files, "puma560.c": wrong}, ["inverse_dynamics"], TARGETS[target])
-
-
-def test_the_worst_stack_is_that_of_the_deepest_chain() -> None:
-    graph = r"""
-node: { title: "outer" label: "outer\nx.c:1:1\n100 bytes (static)\n0 dynamic objects" }
-node: { title: "x.c:inner" label: "inner\nx.c:9:1\n40 bytes (static)\n0 dynamic objects" }
-node: { title: "x.c:leaf" label: "leaf\nx.c:9:1\n8 bytes (static)\n0 dynamic objects" }
-node: { title: "__aeabi_fadd" label: "__aeabi_fadd\n<built-in>" shape : ellipse }
-edge: { sourcename: "outer" targetname: "x.c:inner" label: "x.c:2:2" }
-edge: { sourcename: "outer" targetname: "x.c:leaf" label: "x.c:3:2" }
-edge: { sourcename: "x.c:inner" targetname: "x.c:leaf" label: "x.c:4:2" }
-edge: { sourcename: "x.c:leaf" targetname: "__aeabi_fadd" label: "x.c:4:2" }
-"""
-    assert worst_stack(graph) == {"outer": 148, "inner": 48, "leaf": 8, "__aeabi_fadd": 0}
 
 
 @pytest.mark.parametrize("target", TARGETS)

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from report.made_up_fleet import fleet, of_one
+from report.made_up import fleet, of_one
 from robodyn.errors import ToolError
 from robodyn.fleet.as_json import document, text
 from robodyn.fleet.result import FleetResult

@@ -96,6 +96,16 @@ def consumer(
     return Consumer(packed, values, cases)
 
 
+def loaded_arm(folder: Path, name: str) -> Path:
+    """The description of an arm called ``name`` in ``folder``: two joints, and the parameter ``m_tool``."""
+    path = folder / "arm.yaml"
+    path.write_text(
+        f"name: {name}\nlinks:\n- {{joint: revolute, alpha: pi/2, mass: m_tool, com: [0.1, 0.2, 0]}}\n"
+        "- {joint: prismatic, alpha: 1, mass: 2, com: [0.1, 0, 0.2], motor_inertia: 1}\n"
+    )
+    return path
+
+
 def write(folder: Path, files: Mapping[str, str | bytes]) -> Path:
     """``files`` in ``folder``."""
     for name, content in files.items():

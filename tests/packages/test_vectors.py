@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 import subprocess
 import sys
@@ -28,10 +29,19 @@ def compiled(packed: Package, folder: Path) -> Path:
     return folder / "vectors"
 
 
-@pytest.mark.parametrize("form", ["cmake", "fpm"])
-@pytest.mark.parametrize("scalar", ["double", "float"])
-@pytest.mark.parametrize("trig", ["libm", "builtin", "given"])
-@pytest.mark.parametrize("name", ["puma560", "effects_remembering", "effects_smooth", "tool"])
+#: Of 48 every fifth is in CI: each arm, kind of sines, type and compiler.
+CASES = list(
+    itertools.product(
+        ("puma560", "effects_remembering", "effects_smooth", "tool"), ("libm", "builtin", "given"),
+        ("double", "float"), ("cmake", "fpm"),
+    )
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("name", "trig", "scalar", "form"),
+    [pytest.param(*case, marks=[pytest.mark.slow] * bool(k % 5)) for k, case in enumerate(CASES)],
+)
 def test_they_pass(name: str, trig: str, scalar: str, form: str, tmp_path: Path) -> None:
     """Rigid, with memory and run-time parameters, with functions of libm."""
     generated = made(name, trig)

@@ -23,7 +23,7 @@ from robodyn.robot import Robot, load, read_text
 Floats = NDArray[np.float64]
 
 HOSTILE = '<script>alert("1")</script>&amp;\'</title></svg></style>{{ 7 * 7 }}'
-VOID = {"meta", "link", "br", "input"}
+VOID = {"meta", "link", "br", "input", "col", "img"}
 #: Places of a document that something could be fetched or run from.
 ACTIVE = {"script", "iframe", "img", "object", "embed", "form", "base", "audio", "video", "use", "image"}
 
@@ -49,6 +49,11 @@ class Page(HTMLParser):
             self.cells.append([])
         if tag in ("td", "th"):
             self.cells[-1].append("")
+
+    @property
+    def tags(self) -> list[str]:
+        """The names of the elements."""
+        return [tag for tag, _ in self.elements]
 
     def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
         self.elements.append((tag, {key: value or "" for key, value in attrs}))

@@ -5,13 +5,12 @@ from __future__ import annotations
 import json
 import re
 from dataclasses import replace
-from html.parser import HTMLParser
-from typing import Any
 
 import numpy as np
 import pytest
 
-from report.made_up_fleet import START, fleet, of_one
+from report.made_up import START, fleet, of_one
+from report.test_diagnosis_report import Page
 from robodyn.draw.scales import DAY
 from robodyn.fleet.result import FleetResult, Look, UnitResult, Unused
 from robodyn.report.fleet import page, unit_pages
@@ -50,30 +49,6 @@ def renamed(result: FleetResult, name: str) -> FleetResult:
     return replace(
         result, name=name, types=types, units=tuple(units), first_to_look_at=tuple(looks), unused=unused
     )  # fmt: skip
-
-
-class Elements(HTMLParser):
-    """The elements of a page, and that each is ended in its turn."""
-
-    VOID = frozenset({"meta", "link", "img", "input", "br", "col", "rect", "line", "path", "circle"})
-
-    def __init__(self, text: str) -> None:
-        super().__init__()
-        self.names: list[str] = []
-        self.open: list[str] = []
-        self.feed(text)
-
-    def handle_starttag(self, tag: str, attrs: Any) -> None:
-        self.names.append(tag)
-        if tag not in self.VOID:
-            self.open.append(tag)
-
-    def handle_startendtag(self, tag: str, attrs: Any) -> None:
-        self.names.append(tag)
-
-    def handle_endtag(self, tag: str) -> None:
-        if tag not in self.VOID:
-            assert self.open.pop() == tag, self.getpos()
 
 
 def test_the_head_says_how_many_and_how_sure(small: FleetResult) -> None:
@@ -140,14 +115,13 @@ def test_the_script_gets_what_the_cells_show(small: FleetResult) -> None:
 @pytest.mark.parametrize("name", [HOSTILE, "..", "", "a\nb\0", "-->", "{{ 7*7 }}", "'\"", "\u202e"])
 def test_a_name_is_only_text(small: FleetResult, name: str) -> None:
     result = renamed(small, name)
-    plain = Elements(page(small))
+    plain = Page(page(small)).tags
     pages = [page(result), *(text for _, text in unit_pages(result))]
     for text in pages:
-        elements = Elements(text)
-        assert elements.open == []
-        assert "img" not in elements.names
-        assert elements.names.count("script") == (2 if text is pages[0] else 0)
-    assert Elements(pages[0]).names.count("tr") == plain.names.count("tr")
+        tags = Page(text).tags
+        assert "img" not in tags
+        assert tags.count("script") == (2 if text is pages[0] else 0)
+    assert Page(pages[0]).tags.count("tr") == plain.count("tr")
     (data,) = re.findall(r'<script type="application/json" id="fleet">(.*?)</script>', pages[0], re.DOTALL)
     assert json.loads(data)["types"][0]["name"] == name
 
@@ -170,7 +144,7 @@ def test_figures_that_are_none_leave_no_trace(small: FleetResult) -> None:
 def test_little_makes_a_page_as_well(result: FleetResult) -> None:
     """One log; nothing to name; no log that could be used."""
     text = page(result)
-    assert Elements(text).open == []
+    Page(text)
     assert "Look at these first" not in text
     assert "What changed and when" not in text
     assert len(list(unit_pages(result))) == len(result.units)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import platform
-import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,6 +11,7 @@ from typing import Any
 from robodyn.certify.plan import Finding, ProofOptions, Subject, Tell, not_run
 from robodyn.certify.tools import last_lines, run, version
 from robodyn.emit.freestanding import freestanding_calls
+from robodyn.firmware.measure import Depth, deepest
 from robodyn.targets import firmware_targets
 from robodyn.toolchain.compiler import C_FLAGS
 from robodyn.tools import Tool
@@ -26,11 +26,6 @@ MATH_H = "".join(
 )
 #: gcc has a <stdint.h> of its own, but leaves it to the library.
 HEADERS = {"math.h": MATH_H, "stdint.h": "#include <stdint-gcc.h>\n"}
-#: The compiler's own arithmetic, on machines that lack it: its stack comes on top.
-_HELPER = re.compile(r"__(aeabi_|gnu_|[a-z]+[sd][fi][0-9]?$)")
-_NODE = re.compile(r'^node: \{ title: "([^"]+)" label: "([^"]*)"', re.M)
-_EDGE = re.compile(r'^edge: \{ sourcename: "([^"]+)" targetname: "([^"]+)"', re.M)
-_BYTES = re.compile(r"\\n([0-9]+) bytes \(([a-z,]+)\)")
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,24 +59,6 @@ def machines(*, freestanding: bool = False) -> tuple[Machine, ...]:
     )
 
 
-@dataclass(frozen=True, slots=True)
-class Depth:
-    """Stack of one function with all that it calls [bytes]; None: there is no bound, and ``reason``. No
-    ``function``: there was no compiler, or it refused."""
-
-    function: str | None
-    size: int | None
-    chain: tuple[str, ...]
-    reason: str = ""
-    #: Functions of other files on the way, whose own stack comes on top.
-    beyond: tuple[str, ...] = ()
-
-    @property
-    def only_helpers(self) -> bool:
-        """Whether nothing of other files is called but the compiler's own arithmetic."""
-        return all(_HELPER.match(name) for name in self.beyond)
-
-
 def command(machine: Machine, source: str) -> list[str]:
     """What compiles ``source`` and writes what each function needs."""
     return [
@@ -109,47 +86,6 @@ def measure(machine: Machine, source: str, functions: Iterable[str], folder: Pat
         )
     text = graph.read_text(encoding="utf-8", errors="replace")
     return [deepest(text, function) for function in functions]
-
-
-def deepest(graph: str, function: str) -> Depth:
-    """The most stack that ``function`` may need by ``graph``, gcc's call graph (a text in VCG)."""
-    sizes = {title: _BYTES.search(label) for title, label in _NODE.findall(graph)}
-    calls: dict[str, set[str]] = {}
-    for source, target in _EDGE.findall(graph):
-        calls.setdefault(source, set()).add(target)
-    if sizes.get(function) is None:
-        return Depth(function, None, (), "it is not in the call graph")
-    beyond: set[str] = set()
-    known: dict[str, tuple[int, tuple[str, ...]]] = {}
-
-    def depth(title: str, above: tuple[str, ...]) -> tuple[int, tuple[str, ...]]:
-        if title in above:
-            raise _UnboundedError(f"{title} calls itself")
-        if title not in known:
-            size = sizes.get(title)
-            if title == "__indirect_call":
-                raise _UnboundedError("a call by a pointer")
-            if size is None:
-                beyond.add(title)
-                return 0, ()
-            if size[2] == "dynamic":
-                raise _UnboundedError(f"the stack of {title} depends on its arguments")
-            below = max((depth(t, (*above, title)) for t in sorted(calls.get(title, ()))), default=(0, ()))
-            known[title] = int(size[1]) + below[0], (title, *below[1])
-        return known[title]
-
-    try:
-        size, chain = depth(function, ())
-    except _UnboundedError as reason:
-        return Depth(function, None, (), str(reason))
-    if beyond:
-        reason_ = f"and what {', '.join(sorted(beyond))} need on top, which gcc does not state"
-        return Depth(function, size, chain, reason_, tuple(sorted(beyond)))
-    return Depth(function, size, chain)
-
-
-class _UnboundedError(Exception):
-    """There is no bound."""
 
 
 def prove_stack(subject: Subject, proofs: ProofOptions, folder: Path, tell: Tell) -> Finding:

@@ -29,6 +29,11 @@ FLAGS = (
 STATES, REPEATED = 32, 16
 
 _SECONDS = 120
+#: The compiler's own arithmetic, on machines that lack it: its stack comes on top.
+_HELPER = re.compile(r"__(aeabi_|gnu_|[a-z]+[sd][fi][0-9]?$)")
+_NODE = re.compile(r'^node: \{ title: "([^"]+)" label: "([^"]*)"', re.M)
+_EDGE = re.compile(r'^edge: \{ sourcename: "([^"]+)" targetname: "([^"]+)"', re.M)
+_BYTES = re.compile(r"\\n([0-9]+) bytes \(([a-z,]+)\)")
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,7 +103,8 @@ def measure(name: str, files: Mapping[str, str], functions: Sequence[str], targe
         folder = Path(temporary)
         for file, text in files.items():
             (folder / file).write_text(text, encoding="utf-8", newline="\n")
-        image, stacks = _built(name, target, folder)
+        image = _built(name, target, folder)
+        graph = (folder / f"{name}.ci").read_text(encoding="utf-8")
         figures = Figures(
             target,
             compiler=_run([tools.compiler.name, "--version"], folder).splitlines()[0],
@@ -106,7 +112,9 @@ def measure(name: str, files: Mapping[str, str], functions: Sequence[str], targe
             undefined=tuple(
                 line.split()[-1] for line in _run([tools.nm.name, "-u", f"{name}.o"], folder).splitlines()
             ),
-            costs=tuple(Cost(f, stacks.get(f"{name}_{emitted_name(f, functions)}")) for f in functions),
+            costs=tuple(
+                Cost(f, deepest(graph, f"{name}_{emitted_name(f, functions)}").size) for f in functions
+            ),
             not_run=_missing(tools.emulator),
         )
         return figures if figures.not_run else _with_run(figures, name, image, folder)
@@ -139,8 +147,8 @@ def _run(command: Sequence[str], folder: Path, codes: Sequence[int] = (0,)) -> s
     return done.output
 
 
-def _built(name: str, target: Target, folder: Path) -> tuple[str, dict[str, int]]:
-    """The image, and the worst stack of the kernel's functions by symbol."""
+def _built(name: str, target: Target, folder: Path) -> str:
+    """The image; gcc's call graph of the kernel lies beside it."""
     linker = [_board(target).architecture.compiler.name, *(target.flags or ())]
     compiler = [*linker, "-std=c99", *FLAGS]
     objects = []
@@ -150,32 +158,66 @@ def _built(name: str, target: Target, folder: Path) -> tuple[str, dict[str, int]
     image = f"{name}.elf"
     options = ["-nostdlib", "-static", "-L", ".", "-T", f"{target.name}.ld", "-Wl,--gc-sections"]
     _run([*linker, *options, *objects, "-lgcc", "-o", image], folder)
-    return image, worst_stack((folder / f"{name}.ci").read_text(encoding="utf-8"))
+    return image
 
 
-def worst_stack(graph: str) -> dict[str, int]:
-    """From gcc's call graph (``-fcallgraph-info=su``) the bytes of stack of each function and the deepest of
-    what it calls; functions of other objects count as none.
+@dataclass(frozen=True, slots=True)
+class Depth:
+    """Stack of one function with all that it calls [bytes]; None: there is no bound, and ``reason``. No
+    ``function``: there was no compiler, or it refused."""
 
-    Raises
-    ------
-    ToolError: a function calls itself.
-    """
-    own: dict[str, int] = {}
+    function: str | None
+    size: int | None
+    chain: tuple[str, ...]
+    reason: str = ""
+    #: Functions of other files on the way, whose own stack comes on top.
+    beyond: tuple[str, ...] = ()
+
+    @property
+    def only_helpers(self) -> bool:
+        """Whether nothing of other files is called but the compiler's own arithmetic."""
+        return all(_HELPER.match(name) for name in self.beyond)
+
+
+def deepest(graph: str, function: str) -> Depth:
+    """The most stack that ``function`` may need by ``graph``, gcc's call graph (a text in VCG)."""
+    sizes = {title: _BYTES.search(label) for title, label in _NODE.findall(graph)}
     calls: dict[str, set[str]] = {}
-    for title, label in re.findall(r'node: \{ title: "([^"]*)" label: "([^"]*)"', graph):
-        match = re.search(r"(\d+) bytes", label)
-        own[title] = int(match[1]) if match else 0
-    for source, to in re.findall(r'edge: \{ sourcename: "([^"]*)" targetname: "([^"]*)"', graph):
-        calls.setdefault(source, set()).add(to)
+    for source, target in _EDGE.findall(graph):
+        calls.setdefault(source, set()).add(target)
+    if sizes.get(function) is None:
+        return Depth(function, None, (), "it is not in the call graph")
+    beyond: set[str] = set()
+    known: dict[str, tuple[int, tuple[str, ...]]] = {}
 
-    def deepest(function: str, above: tuple[str, ...]) -> int:
-        if function in above:
-            raise ToolError(f"the kernel's {function} calls itself")
-        inner = (deepest(called, (*above, function)) for called in calls.get(function, ()))
-        return own.get(function, 0) + max(inner, default=0)
+    def depth(title: str, above: tuple[str, ...]) -> tuple[int, tuple[str, ...]]:
+        if title in above:
+            raise _UnboundedError(f"{title} calls itself")
+        if title not in known:
+            size = sizes.get(title)
+            if title == "__indirect_call":
+                raise _UnboundedError("a call by a pointer")
+            if size is None:
+                beyond.add(title)
+                return 0, ()
+            if size[2] == "dynamic":
+                raise _UnboundedError(f"the stack of {title} depends on its arguments")
+            below = max((depth(t, (*above, title)) for t in sorted(calls.get(title, ()))), default=(0, ()))
+            known[title] = int(size[1]) + below[0], (title, *below[1])
+        return known[title]
 
-    return {function.rpartition(":")[2]: deepest(function, ()) for function in own}
+    try:
+        size, chain = depth(function, ())
+    except _UnboundedError as reason:
+        return Depth(function, None, (), str(reason))
+    if beyond:
+        reason_ = f"and what {', '.join(sorted(beyond))} need on top, which gcc does not state"
+        return Depth(function, size, chain, reason_, tuple(sorted(beyond)))
+    return Depth(function, size, chain)
+
+
+class _UnboundedError(Exception):
+    """There is no bound."""
 
 
 def _sections(output: str) -> dict[str, int]:

@@ -9,17 +9,13 @@ from typing import Any, Final
 
 import numpy as np
 
+from robodyn.report.figures import UNITS
 from robodyn.robot.model import AXES, Inertia, Joint, Link, Robot
 from robodyn.robot.origins import GROUPS
 from robodyn.robot.plausibility import inertia_doubt, limits_doubt, only_about_base_axis
 from robodyn.robot.rotations import ONE_TURN
 from robodyn.robot.values import Value
 from robodyn.simulate.limits import ASSUMED
-
-UNITS: Final = {
-    "revolute": {"position": "rad", "velocity": "rad/s", "torque": "N m", "inertia": "kg m²"},
-    "prismatic": {"position": "m", "velocity": "m/s", "torque": "N", "inertia": "kg"},
-}
 
 
 def joints(robot: Robot) -> list[dict[str, Any]]:
@@ -34,7 +30,7 @@ def _joint(index: int, link: Link) -> dict[str, Any]:
         "joint": index,
         "name": link.name,
         "kind": joint.kind,
-        "units": UNITS[joint.kind],
+        "units": {name: unit for name, unit in UNITS[joint.kind].items() if name != "acceleration"},
         "row": {
             "alpha": joint.alpha.radians,
             "a": number(joint.a),

@@ -158,7 +158,7 @@ def _torques(diagnosis: Diagnosis, validated: bool, windows: Sequence[Window]) -
     return {
         "log": _LOGS.get(one.name, _LOGS["train"]).lower(),
         "panels": [
-            (j + 1, torques(one, j, units_at(diagnosis, j)["tau"], own, columns=columns)) for j in joints
+            (j + 1, torques(one, j, units_at(diagnosis, j)["torque"], own, columns=columns)) for j in joints
         ],
     }
 
@@ -169,9 +169,11 @@ def _joint(
     units, floor = units_at(diagnosis, j), float(diagnosis.gap.noise_floor[j])
     return {
         "joint": j + 1,
-        "told": range_text(one, j, units["tau"]),
-        "time": over_time(one, j, units["tau"], floor, windows, columns=columns),
-        "over": [over(one, j, across(one, j, name, units), units["tau"], floor, dots=dots) for name in _OVER],
+        "told": range_text(one, j, units["torque"]),
+        "time": over_time(one, j, units["torque"], floor, windows, columns=columns),
+        "over": [
+            over(one, j, across(one, j, name, units), units["torque"], floor, dots=dots) for name in _OVER
+        ],
     }
 
 
@@ -201,14 +203,16 @@ def _travel(diagnosis: Diagnosis, travel: Travel) -> dict[str, Any]:
     detectable = diagnosis.detectable
     return {
         "joint": travel.joint,
-        "q": f"{formatted(travel.low)} to {formatted(travel.high)} {units['q']}",
+        "q": f"{formatted(travel.low)} to {formatted(travel.high)} {units['position']}",
         "has_limits": travel.limits is not None,
         "at": part((travel.low - low) / wide),
         "width": part((travel.high - travel.low) / wide),
-        "speed": f"{formatted(travel.speed)} {units['qd']}",
+        "speed": f"{formatted(travel.speed)} {units['velocity']}",
         "of_top": f"{100 * travel.speed / travel.top:.0f} %" if travel.top else "",
         "reversals": travel.reversals,
-        "load": f"{formatted(travel.load[0])} to {formatted(travel.load[1])} {units['tau']}",
+        "load": f"{formatted(travel.load[0])} to {formatted(travel.load[1])} {units['torque']}",
         "wants": travel.wants,
-        "seen": f"{formatted(detectable[travel.joint - 1])} {units['tau']}" if detectable is not None else "",
+        "seen": f"{formatted(detectable[travel.joint - 1])} {units['torque']}"
+        if detectable is not None
+        else "",
     }

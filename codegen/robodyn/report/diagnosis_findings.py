@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, Final
 
 import numpy as np
@@ -34,15 +34,15 @@ _PICTURES, MOST_CARDS = 20, 40
 _IN_TIME: Final = ("a short time", "constant")
 
 
-def across(series: Series, j: int, name: str, units: dict[str, str]) -> Across:
+def across(series: Series, j: int, name: str, units: Mapping[str, str]) -> Across:
     """What the residual of joint ``j`` (from 0) is drawn over, by its name in ``QUANTITIES``."""
     if name in ("velocity", "direction", "constant"):
-        return Across("velocity", units["qd"], series.qd[:, j])
+        return Across("velocity", units["velocity"], series.qd[:, j])
     if name.startswith("load"):
-        return Across("load", units["tau"], series.load[:, j], each_way=True)
+        return Across("load", units["torque"], series.load[:, j], each_way=True)
     if name == "acceleration":
-        return Across(name, units["qdd"], series.qdd[:, j], each_way=True)
-    return Across("position", units["q"], series.q[:, j], each_way=True)
+        return Across(name, units["acceleration"], series.qdd[:, j], each_way=True)
+    return Across("position", units["position"], series.q[:, j], each_way=True)
 
 
 def cards(diagnosis: Diagnosis, places: Sequence[Localised], windows: Any) -> list[dict[str, Any]]:
@@ -180,11 +180,11 @@ def _picture(
     units, floor = units_at(diagnosis, j), float(diagnosis.gap.noise_floor[j])
     own = _own(series, finding, diagnosis, units)
     if own is not None:
-        return over(series, j, own, units["tau"], floor, dots=260, wide=True)
+        return over(series, j, own, units["torque"], floor, dots=260, wide=True)
     name = traits_of(finding.effect).over or places[j].best or "position"
     if name in _IN_TIME:
-        return over_time(series, j, units["tau"], floor, windows)
-    return over(series, j, across(series, j, name, units), units["tau"], floor, dots=260, wide=True)
+        return over_time(series, j, units["torque"], floor, windows)
+    return over(series, j, across(series, j, name, units), units["torque"], floor, dots=260, wide=True)
 
 
 def looks(diagnosis: Diagnosis, place: Localised, windows: Any) -> list[Chart]:
@@ -193,10 +193,10 @@ def looks(diagnosis: Diagnosis, place: Localised, windows: Any) -> list[Chart]:
         return []
     series, j = diagnosis.series[0], place.joint - 1
     units, floor = units_at(diagnosis, j), float(diagnosis.gap.noise_floor[j])
-    charts = [over_time(series, j, units["tau"], floor, windows)]
+    charts = [over_time(series, j, units["torque"], floor, windows)]
     if place.best not in (None, *_IN_TIME):
         what = across(series, j, place.best or "", units)
-        charts.append(over(series, j, what, units["tau"], floor, dots=260, wide=True))
+        charts.append(over(series, j, what, units["torque"], floor, dots=260, wide=True))
     return charts
 
 
@@ -204,7 +204,7 @@ def _loudest(places: Sequence[Localised]) -> int:
     return max(places, key=lambda place: place.share).joint
 
 
-def _own(series: Series, finding: Finding, diagnosis: Diagnosis, units: dict[str, str]) -> Across | None:
+def _own(series: Series, finding: Finding, diagnosis: Diagnosis, units: Mapping[str, str]) -> Across | None:
     """What one effect alone depends on: the angle within a ripple, the speed of another joint."""
     if finding.joint is None:
         return None
@@ -214,12 +214,12 @@ def _own(series: Series, finding: Finding, diagnosis: Diagnosis, units: dict[str
         if not isinstance(p.value, str) and math.isfinite(p.value)
     }
     cycles, other = numbers.get(traits_of(finding.effect).cycles, 0.0), numbers.get("with", 0.0)
-    if cycles > 0 and units["q"] == "rad":
+    if cycles > 0 and units["position"] == "rad":
         turns = np.mod(series.q[:, finding.joint - 1] * cycles / (2 * math.pi), 1.0)
         return Across(f"place in a cycle of 1/{cycles:.4g} turn", "", turns, each_way=True)
     if 1 <= other <= diagnosis.robot.n and other == int(other):
         k = int(other) - 1
-        return Across(f"velocity of joint {k + 1}", units_at(diagnosis, k)["qd"], series.qd[:, k])
+        return Across(f"velocity of joint {k + 1}", units_at(diagnosis, k)["velocity"], series.qd[:, k])
     return None
 
 

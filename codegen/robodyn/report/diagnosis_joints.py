@@ -26,23 +26,19 @@ from robodyn.report.diagnosis_text import (
     touched_at,
     value_text,
 )
-from robodyn.report.figures import capital, formatted
+from robodyn.report.figures import UNITS, capital, formatted
 
 Floats = NDArray[np.float64]
 
 #: The scale reaches from below the noise to at least so many times it.
 _LOW, _REACH = 0.7, 3.0
-_UNITS: Final = {
-    "revolute": {"q": "rad", "qd": "rad/s", "qdd": "rad/s²", "tau": "N m"},
-    "prismatic": {"q": "m", "qd": "m/s", "qdd": "m/s²", "tau": "N"},
-}
 #: Effects that a row of a joint names at most.
 _NAMED: Final = 3
 
 
-def units_at(diagnosis: Diagnosis, j: int) -> dict[str, str]:
+def units_at(diagnosis: Diagnosis, j: int) -> Mapping[str, str]:
     """Units at joint ``j`` (from 0)."""
-    return _UNITS[diagnosis.robot.links[j].joint.kind]
+    return UNITS[diagnosis.robot.links[j].joint.kind]
 
 
 def ladder(diagnosis: Diagnosis, validated: bool) -> dict[str, Any]:
@@ -86,7 +82,7 @@ def ladder(diagnosis: Diagnosis, validated: bool) -> dict[str, Any]:
                 "after": formatted(after[j]),
                 "floor": formatted(gap.noise_floor[j]),
                 "times": _times(after[j], gap.noise_floor[j]),
-                "unit": units_at(diagnosis, j)["tau"],
+                "unit": units_at(diagnosis, j)["torque"],
                 "change": change(before[j], after[j]),
                 "is_same": bool(before[j] == after[j]),
             }
@@ -184,7 +180,7 @@ def by_joint(
         if own:
             remark = f"{len(own)} finding{'s' if len(own) > 1 else ''}"
             if joint is not None:
-                unit = units_at(diagnosis, joint - 1)["tau"]
+                unit = units_at(diagnosis, joint - 1)["torque"]
                 figures = f"{formatted(before[joint - 1])} → {formatted(after[joint - 1])} {unit}"
                 remark = f"{remark}; RMS of the residual {figures}"
             groups.append(

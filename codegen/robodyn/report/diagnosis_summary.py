@@ -158,7 +158,7 @@ def _sure(diagnosis: Diagnosis) -> tuple[str, str, str]:
         return question, "No name", some or "no name reaches 50 %"
     if diagnosis.detectable is not None and np.isfinite(diagnosis.detectable).any():
         j = int(np.nanargmax(diagnosis.detectable))
-        size = f"{formatted(diagnosis.detectable[j])} {units_at(diagnosis, j)['tau']}"
+        size = f"{formatted(diagnosis.detectable[j])} {units_at(diagnosis, j)['torque']}"
         return question, f"down to {size}", f"RMS at joint {j + 1}: anything larger would be worth a name"
     return question, "As far as the motion goes", "what it does not excite it cannot show: see below"
 
@@ -167,7 +167,7 @@ def _better(diagnosis: Diagnosis, validated: bool, places: Sequence[Localised]) 
     question = f"How much better{'' if validated else ' (on the logs fitted)'}"
     before, after = chosen(diagnosis, validated)
     j = _worst(diagnosis, validated, places) - 1
-    unit, floor = units_at(diagnosis, j)["tau"], diagnosis.gap.noise_floor[j]
+    unit, floor = units_at(diagnosis, j)["torque"], diagnosis.gap.noise_floor[j]
     noise = f"noise floor {formatted(floor)}"
     if diagnosis.verdict != "missing_effect" or is_touched_only(diagnosis):
         times = before[j] / floor if floor > 0 else math.nan

@@ -3,7 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
+from typing import Final
+
+#: Units of what a joint has, by its kind.
+UNITS: Final[Mapping[str, Mapping[str, str]]] = {
+    "revolute": {
+        "position": "rad", "velocity": "rad/s", "acceleration": "rad/s²", "torque": "N m", "inertia": "kg m²",
+    },
+    "prismatic": {
+        "position": "m", "velocity": "m/s", "acceleration": "m/s²", "torque": "N", "inertia": "kg",
+    },
+}  # fmt: skip
 
 
 def formatted(value: float) -> str:

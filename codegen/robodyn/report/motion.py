@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from robodyn.draw import style
 from robodyn.logs.log import Log
+from robodyn.report.figures import UNITS
 from robodyn.robot.model import Robot
 from robodyn.simulate.trajectories.trajectory import Trajectory
 from robodyn.tools.libraries import MATPLOTLIB
@@ -25,10 +26,6 @@ _PANEL, _BETWEEN = (290, 84), (70, 22)
 _LEFT, _RIGHT, _TOP, _BOTTOM = 118, 20, 84, 52
 #: What is left of the panels where joints of both kinds have their units there.
 _LEFT_MIXED: Final = 178
-_UNITS: Final = {
-    "revolute": {"position": "rad", "velocity": "rad/s", "torque": "N m"},
-    "prismatic": {"position": "m", "velocity": "m/s", "torque": "N"},
-}
 
 
 def motion_picture(robot: Robot, log: Log, kind: str, reference: Trajectory | None = None) -> bytes:
@@ -90,10 +87,10 @@ def _words(figure: Any, axes: Any, robot: Robot, names: Sequence[str], left: int
     kinds = {link.joint.kind for link in robot.links}
     for panel, name in zip(axes[0], names, strict=True):
         what = "torque, force" if name == "torque" and "prismatic" in kinds else name
-        unit = f" [{_UNITS[next(iter(kinds))][name]}]" if len(kinds) == 1 else ""
+        unit = f" [{UNITS[next(iter(kinds))][name]}]" if len(kinds) == 1 else ""
         panel.set_title(f"{what}{unit}", pad=style.POINT * 12)
     for j, link in enumerate(robot.links):
-        units = ", ".join(_UNITS[link.joint.kind][name] for name in names)
+        units = ", ".join(UNITS[link.joint.kind][name] for name in names)
         own = f"joint {j + 1}" if len(kinds) == 1 else f"joint {j + 1}\n[{units}]"
         axes[j][0].set_ylabel(own, rotation=0, ha="left", va="center", color=style.INK)
         axes[j][0].yaxis.set_label_coords((16 - left) / _PANEL[0], 0.5)

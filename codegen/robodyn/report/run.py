@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from robodyn.report.figures import aligned
+from robodyn.report.figures import UNITS, aligned
 from robodyn.simulate.simulation import Simulation
 from robodyn.simulate.trajectories.trajectory import Trajectory
 
@@ -80,7 +80,7 @@ def to_text(summary: Mapping[str, Any]) -> list[str]:
     )
     rows: list[Sequence[str]] = [_HEADS]
     for row in summary["joints"]:
-        unit, force = ("m", "N") if row["kind"] == "prismatic" else ("rad", "N m")
+        unit, force = (UNITS[row["kind"]][name] for name in ("position", "torque"))
         rows.append(
             (
                 str(row["joint"]),
@@ -126,7 +126,7 @@ def warnings_of(run: Simulation, balanced: float, reference: Trajectory | None =
             warnings.append(f"the drive of joint {j + 1} is at its limit {100 * short:.3g} % of the time")
         limit, peak = link.joint.limits.torque, float(np.abs(run.applied[:, j]).max())
         if limit is not None and peak > float(limit) * (1 + 1e-9):
-            unit = "N" if link.joint.kind == "prismatic" else "N m"
+            unit = UNITS[link.joint.kind]["torque"]
             warnings.append(
                 f"joint {j + 1} takes {peak:.4g} {unit}, more than its limit of {float(limit):.4g}"
             )
