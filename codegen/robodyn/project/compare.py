@@ -10,13 +10,14 @@ from typing import Any, Final, Literal
 
 from robodyn.errors import InputError, did_you_mean
 from robodyn.files import label, read_start
-from robodyn.project.limits import LARGEST_OUTPUT
 from robodyn.project.lock import Lock, Locked
 from robodyn.project.product import Product
 from robodyn.project.reading import OF, Budgets, Entry, Project
 from robodyn.toolchain.sources import digest
 
 Kinds = Mapping[str, int]
+#: Of a committed file no more is compared [bytes]; kernels of a hundred joints have a tenth of it.
+LARGEST_OUTPUT: Final = 64 << 20
 #: Before the place where two lines differ so much is shown, and twice as much behind it [characters].
 _AROUND: Final = 20
 

@@ -9,6 +9,8 @@ from typing import Any, Final
 from robodyn.errors import InputError, did_you_mean
 from robodyn.project.tables import shown
 
+#: A budget beyond this is a slip of the keyboard [operations].
+LARGEST_BUDGET: Final = 10**9
 #: The commands that write the entries of a project.
 KERNELS: Final = "gen"
 PACKAGE: Final = "package"

@@ -11,9 +11,8 @@ from typing import Any, Final
 
 from robodyn.errors import InputError, Place
 from robodyn.files import label, read_text
-from robodyn.project.limits import LARGEST_FILE
 from robodyn.project.product import Counts
-from robodyn.project.tables import parsed
+from robodyn.project.tables import LARGEST_FILE, parsed
 
 _HEAD: Final = """\
 # Written by robodyn build; to be committed. The operations of every function as robodyn flops counts them,

@@ -10,10 +10,9 @@ from typing import Any, Final
 
 from robodyn.errors import InputError, Place
 from robodyn.files import label, read_text
-from robodyn.project.keys import KERNELS, PACKAGE, Key, Keys
-from robodyn.project.limits import LARGEST_BUDGET, LARGEST_FILE
+from robodyn.project.keys import KERNELS, LARGEST_BUDGET, PACKAGE, Key, Keys
 from robodyn.project.places import Places
-from robodyn.project.tables import Tables, shown
+from robodyn.project.tables import LARGEST_FILE, Tables, shown
 
 #: What the file is called where nothing else is said.
 FILE: Final = "robodyn.toml"

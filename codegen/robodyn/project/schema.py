@@ -6,8 +6,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from robodyn.counts.budget import KINDS
-from robodyn.project.keys import Key, Keys
-from robodyn.project.limits import LARGEST_BUDGET
+from robodyn.project.keys import LARGEST_BUDGET, Key, Keys
 
 Schema = dict[str, Any]
 

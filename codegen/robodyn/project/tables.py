@@ -6,11 +6,14 @@ import re
 import tomllib
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 from robodyn.errors import InputError, Place, did_you_mean
 from robodyn.project.places import Key, Places
 from robodyn.resources import bundled_robot
+
+#: A robodyn.toml or robodyn.lock with more bytes is refused [bytes]: thousands of robots need less.
+LARGEST_FILE: Final = 8 << 20
 
 
 def parsed(text: str, name: str) -> dict[str, Any]:

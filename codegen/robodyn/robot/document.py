@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
-from typing import Any, Protocol, TypeAlias
+from dataclasses import dataclass, field
+from typing import Any, TypeAlias
 
 from robodyn.errors import InputError, Place
 from robodyn.files import decoded
@@ -60,15 +60,6 @@ class Mapping:
 
 
 Node: TypeAlias = Scalar | Sequence | Mapping
-
-
-class Mark(Protocol):
-    """A place as PyYAML gives it, from the C parser or from the Python one; counts from 0."""
-
-    @property
-    def line(self) -> int: ...
-    @property
-    def column(self) -> int: ...
 
 
 def describe(node: Node) -> str:
@@ -158,17 +149,15 @@ def _not_yaml(error: Exception, text: str, file: str) -> InputError:
     )
 
 
+@dataclass(slots=True)
 class _Open:
-    """A list or mapping whose end has not been met."""
+    """A list or mapping whose end has not been met; ``mark``: where PyYAML has its beginning."""
 
-    __slots__ = ("anchor", "children", "is_mapping", "keys", "mark")
-
-    def __init__(self, mark: Mark, anchor: str | None, is_mapping: bool) -> None:
-        self.mark = mark
-        self.anchor = anchor
-        self.children: list[Node] = []
-        self.keys: dict[str, Scalar] = {}
-        self.is_mapping = is_mapping
+    mark: Any
+    anchor: str | None
+    is_mapping: bool
+    children: list[Node] = field(default_factory=list)
+    keys: dict[str, Scalar] = field(default_factory=dict)
 
 
 class _Builder:
@@ -186,19 +175,15 @@ class _Builder:
 
         documents = 0
         for event in events:
-            mark: Mark = event.start_mark
+            mark = event.start_mark
             if isinstance(event, kinds.ScalarEvent):
                 self._finish(self._scalar(event), event.anchor, mark)
             elif isinstance(event, (kinds.MappingStartEvent, kinds.SequenceStartEvent)):
                 self._refuse_tag(event)
                 if len(self.stack) == DEPTH:
-                    raise self._error(
-                        mark,
-                        "lists and mappings are nested too deep",
-                        expected=f"at most {DEPTH} levels",
-                    )
-                is_mapping = isinstance(event, kinds.MappingStartEvent)
-                self.stack.append(_Open(mark, event.anchor, is_mapping))
+                    what, expected = "lists and mappings are nested too deep", f"at most {DEPTH} levels"
+                    raise self._error(mark, what, expected=expected)
+                self.stack.append(_Open(mark, event.anchor, isinstance(event, kinds.MappingStartEvent)))
             elif isinstance(event, (kinds.MappingEndEvent, kinds.SequenceEndEvent)):
                 self._close()
             elif isinstance(event, kinds.AliasEvent):
@@ -214,17 +199,9 @@ class _Builder:
                     )
         return self.root
 
-    def _error(
-        self,
-        mark: Mark,
-        what: str,
-        *,
-        found: str | None = None,
-        expected: str | None = None,
-        remedy: str | None = None,
-    ) -> InputError:
-        where = Place(self.file, mark.line + 1, mark.column + 1)
-        return InputError(what, where=where, found=found, expected=expected, remedy=remedy)
+    def _error(self, mark: Any, what: str, **more: str | None) -> InputError:
+        """That of what begins at ``mark``, which counts from 0; ``more``: the other parts of the error."""
+        return InputError(what, where=Place(self.file, mark.line + 1, mark.column + 1), **more)
 
     def _refuse_tag(self, event: Any) -> None:
         tag = getattr(event, "tag", None)
@@ -257,7 +234,7 @@ class _Builder:
             )
         self._finish(node, None, event.start_mark)
 
-    def _finish(self, node: Node, anchor: str | None, mark: Mark) -> None:
+    def _finish(self, node: Node, anchor: str | None, mark: Any) -> None:
         """A node is complete: it goes to its parent, and under its anchor."""
         self.count += 1
         if self.count > NODES:
@@ -273,7 +250,7 @@ class _Builder:
         else:
             parent.children.append(node)
 
-    def _key(self, parent: _Open, node: Node, mark: Mark) -> None:
+    def _key(self, parent: _Open, node: Node, mark: Any) -> None:
         if not isinstance(node, Scalar):
             raise self._error(mark, "a key must be a word", found=describe(node))
         if node.text in parent.keys:
@@ -299,9 +276,6 @@ class _Builder:
             node = Sequence(tuple(done.children), line, column, size)
         self._finish(node, done.anchor, done.mark)
 
-    def _too_large(self, mark: Mark) -> InputError:
-        return self._error(
-            mark,
-            "the description is too large",
-            expected=f"at most {NODES} values, aliases written out",
-        )
+    def _too_large(self, mark: Any) -> InputError:
+        expected = f"at most {NODES} values, aliases written out"
+        return self._error(mark, "the description is too large", expected=expected)

@@ -37,17 +37,9 @@ class Source:
             return Place(self.file, node.line, node.column + offset + (not node.plain))
         return Place(self.file, node.line, node.column)
 
-    def fail(
-        self,
-        node: Node,
-        what: str,
-        *,
-        found: str | None = None,
-        expected: str | None = None,
-        remedy: str | None = None,
-    ) -> NoReturn:
-        """Raise an InputError at ``node``."""
-        raise InputError(what, where=self.place(node), found=found, expected=expected, remedy=remedy)
+    def fail(self, node: Node, what: str, **more: str | None) -> NoReturn:
+        """Raise an InputError at ``node``; ``more``: what was found and expected, and the remedy."""
+        raise InputError(what, where=self.place(node), **more)
 
     def doubt(self, node: Node, what: str, remedy: str) -> None:
         """A number that physics hardly allows: a warning, with ``strict`` an InputError."""

@@ -95,48 +95,30 @@ class _Patch:
 
     # --- numbers ------------------------------------------------------------------------------------------
 
-    def _number(self, parent: Any, level: str, key: str, old: Value, new: Value, place: Place) -> None:
-        """The number at ``key`` such that ``old`` becomes ``new``; what else adds to it stays."""
+    def _change(self, parent: Any, level: str, key: str, old: Any, new: Any, place: Place) -> None:
+        """What stands at ``key`` such that ``old`` becomes ``new``: a number, three, or a group of numbers by
+        name; what else adds to them stays."""
         if old == new:
             return
-        node = self.editor.child(parent, key)
-        text = number_text(new - old) if node is None else _changed(node.value, new - old)
-        self.editor.set_key(parent, key, text, [place], _ORDER.get(level, ()))
-
-    def _vector(self, parent: Any, level: str, key: str, old: Any, new: Any, place: Place) -> None:
-        if old == new:
-            return
-        node = self.editor.child(parent, key)
-        if node is None:
-            listed = ", ".join(number_text(value) for value in new)
-            self.editor.set_key(parent, key, f"[{listed}]", [place], _ORDER.get(level, ()))
-            return
-        for item, a, b in zip(node.value, old, new, strict=True):
-            if a != b:
-                self.editor.replace(item, _changed(item.value, b - a), [place])
-
-    def _group(
-        self,
-        parent: Any,
-        level: str,
-        key: str,
-        old: Mapping[str, Value],
-        new: Mapping[str, Value],
-        place: Place,
-    ) -> None:
-        if old == new:
-            return
-        node = self.editor.child(parent, key)
-        if node is None:
-            stated = ", ".join(
-                f"{name}: {number_text(value - old[name])}"
-                for name, value in new.items()
-                if value != old[name]
+        node, order = self.editor.child(parent, key), _ORDER.get(level, ())
+        if node is not None and isinstance(new, dict):
+            for name in new:
+                self._change(node, key, name, old[name], new[name], place)
+        elif node is not None and isinstance(new, tuple):
+            for item, a, b in zip(node.value, old, new, strict=True):
+                if a != b:
+                    self.editor.replace(item, _changed(item.value, b - a), [place])
+        elif node is not None:
+            self.editor.set_key(parent, key, _changed(node.value, new - old), [place], order)
+        elif isinstance(new, dict):
+            stated = (
+                f"{name}: {number_text(new[name] - old[name])}" for name in new if new[name] != old[name]
             )
-            self.editor.set_key(parent, key, "{" + stated + "}", [place], _ORDER.get(level, ()))
-            return
-        for name in new:
-            self._number(node, key, name, old[name], new[name], place)
+            self.editor.set_key(parent, key, f"{{{', '.join(stated)}}}", [place], order)
+        elif isinstance(new, tuple):
+            self.editor.set_key(parent, key, f"[{', '.join(map(number_text, new))}]", [place], order)
+        else:
+            self.editor.set_key(parent, key, number_text(new - old), [place], order)
 
     def _gravity(self) -> None:
         old, new = self.robot.gravity, self.target.gravity
@@ -145,8 +127,7 @@ class _Patch:
         place = (None, "gravity")
         node = self.editor.child(self.root, "gravity")
         if node is None:
-            listed = ", ".join(number_text(value) for value in new)
-            self.editor.set_key(self.root, "gravity", f"[{listed}]", [place], _ORDER["robot"])
+            self._change(self.root, "robot", "gravity", old, new, place)
             return
         # Whatever turned it in the text is in the new numbers, and goes.
         for item, value in zip(node.value, new, strict=True):
@@ -161,9 +142,9 @@ class _Patch:
             raise NotInPlaceError(
                 "where links state poses, a link's centre and inertia may stand in other frames"
             )
-        self._number(node, "link", "mass", old.mass, new.mass, (i, "mass"))
-        self._vector(node, "link", "com", old.com, new.com, (i, "com"))
-        self._group(node, "link", "inertia", _entries(old.inertia), _entries(new.inertia), (i, "inertia"))
+        self._change(node, "link", "mass", old.mass, new.mass, (i, "mass"))
+        self._change(node, "link", "com", old.com, new.com, (i, "com"))
+        self._change(node, "link", "inertia", _entries(old.inertia), _entries(new.inertia), (i, "inertia"))
         self._acknowledged(i, node, old.acknowledged, new.acknowledged)
         for effect in _folded(""):
             self._beside(i, node, effect, old, new)
@@ -185,7 +166,7 @@ class _Patch:
         if item is not None and self.editor.child(node, key) is None:
             where, level, key = item, effect.id, fold.parameter
         before, after = getattr(old.joint, fold.key), getattr(new.joint, fold.key)
-        self._number(where, level, key, before, after, (i, fold.key))
+        self._change(where, level, key, before, after, (i, fold.key))
 
     def _friction(self, i: int, node: Any, old: Link, new: Link) -> list[Any]:
         """The shorthand ``friction``; entries that go since a law of friction has taken their level."""
@@ -205,13 +186,13 @@ class _Patch:
                 if moved:
                     gone.append(item)
                 else:
-                    self._number(item, effect.id, _fold(effect.id).parameter, before, after, (i, name))
+                    self._change(item, effect.id, _fold(effect.id).parameter, before, after, (i, name))
             elif group is None or self.editor.child(group, name) is None:
                 add.append(f"{name}: {number_text(after - before)}")
             elif moved:
                 delete.append(self.editor.index(group, name))
             else:
-                self._number(group, "friction", name, before, after, (i, name))
+                self._change(group, "friction", name, before, after, (i, name))
         places: list[Place] = [(i, _fold(effect.id).key) for effect in _folded("friction")]
         if group is None and add:
             self.editor.set_key(node, "friction", f"{{{', '.join(add)}}}", places, _ORDER["link"])
@@ -270,12 +251,10 @@ class _Patch:
                 self.editor.remove_key(node, p.name, [place])
             elif a is None or at is None or p.kind not in ("number", "vector", "inertia"):
                 self.editor.set_key(node, p.name, setting_text(b, plain=p.kind != "text"), [place])
-            elif p.kind == "vector":
-                self._vector(node, new.effect, p.name, a, b, place)
             elif p.kind == "inertia":
-                self._group(node, new.effect, p.name, _entries(a), _entries(b), place)
+                self._change(node, new.effect, p.name, _entries(a), _entries(b), place)
             else:
-                self._number(node, new.effect, p.name, a, b, place)  # type: ignore[arg-type]
+                self._change(node, new.effect, p.name, a, b, place)
 
     def _refuse_body(self, entry: EffectEntry) -> None:
         if self.standard and entry.definition.traits.body:

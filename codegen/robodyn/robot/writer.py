@@ -107,7 +107,7 @@ def _link_lines(link: Link, i: int, common: Confidence, origins: Mapping[str, Or
     inertial = {
         "mass": number_text(link.mass),
         "com": _list(link.com),
-        "inertia": _group({axes: getattr(inertia, axes) for axes in AXES}),
+        "inertia": group_text({axes: getattr(inertia, axes) for axes in AXES}),
     }
     lines = [] if link.name == f"link{i}" else [f"name: {_quoted(link.name)}"]
     lines += [
@@ -122,7 +122,7 @@ def _link_lines(link: Link, i: int, common: Confidence, origins: Mapping[str, Or
         gear: dict[str, Value] = {"ratio": joint.gear.ratio}
         if constant is not None:
             gear["torque_constant"] = constant
-        lines.append(f"gear: {_group(gear)}")
+        lines.append(f"gear: {group_text(gear)}")
     if joint.limits != Limits():
         lines.append(f"limits: {_limits(joint.limits)}")
     if link.confidence is not None and common is None:
@@ -171,7 +171,7 @@ def setting_text(value: Setting, *, plain: bool) -> str:
         return number_text(value)
     if isinstance(value, Inertia):
         entries = {axes: getattr(value, axes) for axes in AXES}
-        return _group({axes: entry for axes, entry in entries.items() if entry != ZERO})
+        return group_text({axes: entry for axes, entry in entries.items() if entry != ZERO})
     if isinstance(value, tuple):
         parts = [_list(part) if isinstance(part, tuple) else number_text(part) for part in value]
         return f"[{', '.join(parts)}]"
@@ -193,10 +193,11 @@ def _placement(frame: Placement) -> str:
 
 def _friction(joint: Joint) -> str:
     terms = {"viscous": joint.viscous, "coulomb": joint.coulomb}
-    return _group({name: value for name, value in terms.items() if value != ZERO})
+    return group_text({name: value for name, value in terms.items() if value != ZERO})
 
 
-def _group(values: dict[str, Value]) -> str:
+def group_text(values: Mapping[str, Value]) -> str:
+    """Numbers by name as YAML in flow style."""
     return "{" + ", ".join(f"{name}: {number_text(value)}" for name, value in values.items()) + "}"
 
 
