@@ -16,8 +16,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from robodyn.robot.model import EffectEntry, Inertia, Link, Placement, Setting, Vector
-from robodyn.robot.numbers import rounded
-from robodyn.robot.rotations import applied, placement, product
+from robodyn.robot.rotations import about_x, applied, placement, product, turned_inertia, turned_vector
 from robodyn.robot.values import ZERO, Angle, Value, angle, quarter_turns
 
 
@@ -83,30 +82,13 @@ def effect_from_standard(entry: EffectEntry, last: Link) -> EffectEntry:
 
 def _centre(mass: Value, com: Vector, a: Value, alpha: Angle) -> Vector:
     """Centre of mass seen from the modified frame: (a, 0, 0) + Rot(x, alpha) com."""
-    x, y, z = com
     if mass == 0 and com == (ZERO, ZERO, ZERO):
         return com  # a link without mass has no centre: do not invent one
-    c, s = alpha.cos, alpha.sin
-    return a + x, _kept(y * c - z * s, alpha), _kept(y * s + z * c, alpha)
+    _, y, z = turned_vector(about_x(alpha), com, exact=alpha.quarter is not None)
+    return a + com[0], y, z
 
 
 def _turned(inertia: Inertia, alpha: Angle) -> Inertia:
     """Rot(x, alpha) I Rot(x, alpha)^T."""
-    yy, zz, xy, xz, yz = inertia.yy, inertia.zz, inertia.xy, inertia.xz, inertia.yz
-    c, s = alpha.cos, alpha.sin
-    cc, cs, ss = c * c, c * s, s * s
-    return Inertia(
-        xx=inertia.xx,
-        yy=_kept(yy * cc - yz * (2 * cs) + zz * ss, alpha),
-        zz=_kept(yy * ss + yz * (2 * cs) + zz * cc, alpha),
-        xy=_kept(xy * c - xz * s, alpha),
-        xz=_kept(xy * s + xz * c, alpha),
-        yz=_kept((yy - zz) * cs + yz * (cc - ss), alpha),
-    )
-
-
-def _kept(value: Value, alpha: Angle) -> Value:
-    """Exact at right angles; elsewhere the cosine is good to 1e-30 only and its digits are of no use."""
-    if isinstance(value, Fraction) and value == 0:
-        return ZERO
-    return value if alpha.quarter is not None else rounded(value)
+    turned = turned_inertia(about_x(alpha), inertia, exact=alpha.quarter is not None)
+    return replace(turned, xx=inertia.xx)

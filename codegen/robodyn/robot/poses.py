@@ -18,8 +18,7 @@ from robodyn.robot.dh import standard_end
 from robodyn.robot.document import describe
 from robodyn.robot.fields import Section
 from robodyn.robot.keys import ROW
-from robodyn.robot.numbers import rounded
-from robodyn.robot.parts import Inertia, Link, Placement, Vector
+from robodyn.robot.parts import Link, Placement
 from robodyn.robot.rotations import (
     QUARTER_TURN,
     SAME,
@@ -30,9 +29,11 @@ from robodyn.robot.rotations import (
     product,
     summed,
     tidy,
+    turned_inertia,
+    turned_vector,
     twist_of,
 )
-from robodyn.robot.values import ZERO, Angle, Value, quarter_turns
+from robodyn.robot.values import ZERO, Angle, quarter_turns
 
 
 def placement_at(section: Section, key: str) -> Placement | None:
@@ -135,21 +136,8 @@ def _angles(pose: Placement) -> tuple[Angle, Angle, Angle]:
 
 def _turned(link: Link, phi: Angle) -> Link:
     """``link`` with its frame turned by ``phi`` about its z axis."""
-    c, s = phi.cos, phi.sin
-    x, y, z = link.com
-    i = link.inertia
-
-    def kept(value: Value) -> Value:
-        return value if phi.quarter is not None or value == ZERO else rounded(value)
-
-    com: Vector = (kept(x * c + y * s), kept(y * c - x * s), z)
-    inertia = Inertia(
-        xx=kept(i.xx * (c * c) + i.xy * (2 * c * s) + i.yy * (s * s)),
-        yy=kept(i.xx * (s * s) - i.xy * (2 * c * s) + i.yy * (c * c)),
-        zz=i.zz,
-        xy=kept((i.yy - i.xx) * (c * s) + i.xy * (c * c - s * s)),
-        xz=kept(i.xz * c + i.yz * s),
-        yz=kept(i.yz * c - i.xz * s),
-    )
+    back, exact = about_z(-phi), phi.quarter is not None
+    x, y, _ = turned_vector(back, link.com, exact=exact)
+    inertia = replace(turned_inertia(back, link.inertia, exact=exact), zz=link.inertia.zz)
     joint = replace(link.joint, theta=summed(link.joint.theta, phi))
-    return replace(link, joint=joint, com=com, inertia=inertia)
+    return replace(link, joint=joint, com=(x, y, link.com[2]), inertia=inertia)

@@ -6,8 +6,8 @@ import math
 from dataclasses import dataclass
 from fractions import Fraction
 
-from robodyn.robot.numbers import shortest
-from robodyn.robot.parts import Exact, Placement, Rows
+from robodyn.robot.numbers import rounded, shortest
+from robodyn.robot.parts import Exact, Inertia, Placement, Rows, Vector
 from robodyn.robot.values import PI, ZERO, Angle, angle, quarter_turns
 
 QUARTER_TURN: float = 1e-11
@@ -93,6 +93,24 @@ def turned_tensor(R: Rows, entries: tuple[Fraction, ...]) -> tuple[Fraction, ...
     tensor: Rows = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
     whole = product(product(R, tensor), transposed(R))
     return whole[0][0], whole[1][1], whole[2][2], whole[0][1], whole[0][2], whole[1][2]
+
+
+def turned_vector(R: Rows, u: Vector, *, exact: bool) -> Vector:
+    """``R u``, rounded to double where it is not to be ``exact``: at other than right angles cosines are good
+    to 1e-30 only, and their digits are of no use."""
+    x, y, z = (row[0] * u[0] + row[1] * u[1] + row[2] * u[2] for row in R)
+    return (x, y, z) if exact else (rounded(x), rounded(y), rounded(z))
+
+
+def turned_inertia(R: Rows, inertia: Inertia, *, exact: bool) -> Inertia:
+    """``R I R^T``, rounded as by :func:`turned_vector`."""
+    i = inertia
+    half = [
+        turned_vector(R, column, exact=True)
+        for column in ((i.xx, i.xy, i.xz), (i.xy, i.yy, i.yz), (i.xz, i.yz, i.zz))
+    ]
+    x, y, z = (turned_vector(R, row, exact=exact) for row in zip(*half, strict=True))
+    return Inertia(xx=x[0], yy=y[1], zz=z[2], xy=x[1], xz=x[2], yz=y[2])
 
 
 def near_quarter(radians: float, within: float) -> Angle:
