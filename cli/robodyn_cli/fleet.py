@@ -134,7 +134,7 @@ def _judged(
     tell: Callable[[str], None],
 ) -> FleetResult:
     """What is said of the fleet; files of diagnoses are in ``folder`` then."""
-    from robodyn.fleet.pool.limits import FALSE_NAMES
+    from robodyn.fleet.limits import FALSE_NAMES
     from robodyn.fleet.run import run_fleet
     from robodyn_cli.diagnosis_files import files_of
     from robodyn_cli.progress import Pace
@@ -154,7 +154,7 @@ def _judged(
 def _written(result: FleetResult, folder: Path, tell: Callable[[str], None], *, table: bool) -> str:
     """Write the files; the page that links all others last. The text of fleet.json."""
     from robodyn.fleet.as_json import document, text
-    from robodyn.fleet.places import unit_folder
+    from robodyn.fleet.result import unit_folder
     from robodyn.fleet.table import parquet
     from robodyn.report.fleet import page, unit_pages
 

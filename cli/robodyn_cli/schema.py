@@ -27,7 +27,7 @@ def command(project: bool, fleet: bool, fleet_file: bool, error: bool, as_json: 
     if error:
         echo_json(error_schema())
     elif fleet:
-        from robodyn.fleet.schema import fleet_schema
+        from robodyn.fleet.as_json import fleet_schema
 
         echo_json(fleet_schema())
     elif fleet_file:

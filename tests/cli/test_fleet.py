@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from fleet.small_fleet import NAME, write_log
-from robodyn.fleet.schema import fleet_schema
+from robodyn.fleet.as_json import fleet_schema
 from robodyn.tools.libraries import PYARROW
 from robodyn_cli.main import main
 from robodyn_testing import require_module

@@ -12,7 +12,7 @@ from threadpoolctl import threadpool_info, threadpool_limits
 
 from cluster.functions import picky, square
 from robodyn.cluster import Done, Failed, open_cluster
-from robodyn.cluster.remote import compare
+from robodyn.cluster.opening import compare
 from robodyn.cluster.work import ONE_THREAD, WrongWorker, likeness, outcome, work, worker_likeness
 from robodyn.errors import InputError, ToolError
 from robodyn.toolchain.sources import own_key
@@ -49,17 +49,14 @@ def test_linear_algebra_has_one_thread_and_then_what_it_had(
     assert {os.environ.get(name) for name in ONE_THREAD} == {value}
 
 
-def test_too_many_processes() -> None:
-    too_many = pytest.raises(InputError, match="too many processes; found 1025; expected at most 1024")
-    with too_many, open_cluster("local:1025"):
-        pass
-
-
-@pytest.mark.parametrize("port", ["0", "65536", "99999"])
-def test_no_such_port(port: str) -> None:
+@pytest.mark.parametrize(
+    ("on", "message"),
+    [("local:1025", "too many processes; found 1025; expected at most 1024")]
+    + [(f"dask://host:{port}", f"no such port; found {port}; expected 1 to 65535") for port in (0, 65536)],
+)
+def test_what_is_out_of_range(on: str, message: str) -> None:
     """Refused at once, and not after the time in which a scheduler would answer."""
-    wrong = pytest.raises(InputError, match=f"there is no such port; found {port}; expected 1 to 65535")
-    with wrong, open_cluster(f"dask://host:{port}"):
+    with pytest.raises(InputError, match=message), open_cluster(on):
         pass
 
 

@@ -10,8 +10,7 @@ import pytest
 import yaml
 
 from cluster.functions import square
-from robodyn.cluster import Done, Security, open_cluster
-from robodyn.cluster import remote as remote_module
+from robodyn.cluster import Done, Security, open_cluster, opening
 from robodyn.errors import InputError, ToolError
 from robodyn_testing import require_module
 from robodyn_testing.dask_machines import Machines, certificates
@@ -57,7 +56,7 @@ def test_work_on_a_scheduler_with_tls(machines: Machines, security: Security) ->
 def test_without_a_certificate_nobody_is_let_in(
     machines: Machines, security: Security, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(remote_module, "CONNECT", 3.0)
+    monkeypatch.setattr(opening, "CONNECT", 3.0)
     address = f"dask://{machines.address}"
     refused = pytest.raises(ToolError, match=r"does not answer.*whether both sides use TLS")
     with refused, open_cluster(address):
@@ -83,7 +82,7 @@ def test_files_that_are_no_certificates(security: Security, tmp_path: Path) -> N
 
 @pytest.mark.thorough
 def test_where_nobody_answers(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(remote_module, "CONNECT", 1.0)
+    monkeypatch.setattr(opening, "CONNECT", 1.0)
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         address = f"127.0.0.1:{free.getsockname()[1]}"

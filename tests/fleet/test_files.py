@@ -6,15 +6,16 @@ import io
 import json
 from dataclasses import fields, replace
 from datetime import UTC, datetime
+from pathlib import Path
 from typing import Any
+from urllib.parse import unquote
 
 import pytest
 
 from report.made_up import fleet, of_one
 from robodyn.errors import ToolError
-from robodyn.fleet.as_json import document, text
-from robodyn.fleet.result import FleetResult
-from robodyn.fleet.schema import DESCRIPTIONS, fleet_schema
+from robodyn.fleet.as_json import DESCRIPTIONS, document, fleet_schema, text
+from robodyn.fleet.result import FleetResult, address, unit_folder
 from robodyn.fleet.table import COLUMNS, check_parquet, parquet, rows_of
 from robodyn.tools.libraries import PYARROW
 from robodyn_cli.main import main
@@ -136,3 +137,33 @@ def test_the_command_prints_the_schema(capsys: pytest.CaptureFixture[str]) -> No
     assert json.loads(capsys.readouterr().out) == fleet_schema()
     assert main(["schema", "--fleet", "--project"]) == 2
     assert "found --project and --fleet" in capsys.readouterr().err
+
+
+# --- folders of units -------------------------------------------------------------------------------------
+
+
+NAMES = (
+    "A-12", "cell 7", "..", ".", "", "/etc/passwd", "a/b", "a\\b", "%2E", "<b>", "x\ny", "\0", "x" * 300,
+    "x" * 301, "é" * 200, "\udcff", ".hidden", "C:",
+)  # fmt: skip
+
+
+def test_plain_names_stay_as_they_are() -> None:
+    assert unit_folder("ur5", "A-12 (left)") == "units/ur5/A-12 (left)"
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_folder_can_be_made_and_is_two_levels_down(name: str, tmp_path: Path) -> None:
+    folder = unit_folder(name, name)
+    assert folder.count("/") == 2
+    (tmp_path / folder).mkdir(parents=True)
+    assert (tmp_path / folder).resolve().parents[2] == tmp_path.resolve()
+
+
+def test_no_two_units_share_a_folder() -> None:
+    assert len({unit_folder(a, b) for a in NAMES for b in NAMES}) == len(NAMES) ** 2
+
+
+def test_addresses_lead_to_folders() -> None:
+    assert address("units/a b/%2E") == "units/a%20b/%252E"
+    assert unquote(address(unit_folder("a?b", "#c"))) == unit_folder("a?b", "#c")

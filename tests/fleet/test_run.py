@@ -19,10 +19,11 @@ from robodyn.cluster.cluster import ThisProcess
 from robodyn.errors import InputError, OutputError, ToolError
 from robodyn.fleet import run as run_module
 from robodyn.fleet.as_json import document
-from robodyn.fleet.result import FleetResult
+from robodyn.fleet.result import Claim, FleetResult, UnitResult
 from robodyn.fleet.run import run_fleet
 from robodyn.fleet.sources.fleet import IN_LOG, Fleet, LogFile
 from robodyn.fleet.store import Store
+from robodyn.fleet.units import Diagnosed, completed
 
 
 class Counting(ThisProcess):
@@ -203,3 +204,29 @@ def test_units_are_diagnosed_once(fleet: Fleet, tmp_path: Path, cluster: Countin
     assert list(dict.fromkeys(stages))[:2] == ["looking for new logs", "digesting logs"]
     assert "diagnosing units" in stages
     assert run_fleet(fleet, out, "here", files_of=files_of).units[0].diagnosis is None
+
+
+# --- what a diagnosis adds --------------------------------------------------------------------------------
+
+
+def claim(joint: int, *effects: str) -> Claim:
+    """A claim about ``joint``."""
+    return Claim(
+        effects, joint, f"feature_{joint}", "drift", 1e9, (9e8, 1.1e9), None, 1.0, 0.1, "-", 1.7, 1e-6, 1e-5
+    )
+
+
+def unit(*claims: Claim) -> UnitResult:
+    """A unit of which so much is claimed."""
+    return UnitResult("arm", "one", 9, 0.0, 1e9, claims, {}, {}, {})
+
+
+def test_what_nothing_explained_is_called_what_is_new_at_its_joint() -> None:
+    diagnosis = Diagnosed("units/arm/one/report.html", (("payload", None), ("backlash", 3), ("spring", 3)))
+    after = completed(unit(claim(3), claim(2), claim(1, "coulomb_friction")), diagnosis)
+    assert [one.effects for one in after.claims] == [("backlash",), (), ("coulomb_friction",)]
+    assert after.diagnosis == diagnosis.page
+
+
+def test_a_unit_without_a_diagnosis_stays_as_it_is() -> None:
+    assert completed(unit(claim(3)), None) == unit(claim(3))

@@ -59,3 +59,14 @@ class ThisProcess:
         for key, arguments in tasks:
             done, value = outcome(function, arguments)
             yield key, Done(value) if done else Failed(value)
+
+
+@dataclass(frozen=True, slots=True)
+class Security:
+    """The files, in PEM, by which a scheduler and who asks it know each other: the certificate of the
+    ``authority`` that both trust, the ``certificate`` of who asks and its ``key`` (empty: it stands in the
+    certificate's file)."""
+
+    authority: str
+    certificate: str
+    key: str = ""

@@ -12,17 +12,24 @@ from typing import Final, Literal
 from robodyn.cluster import Cluster, Done, Failed, Security, open_cluster
 from robodyn.cluster.work import one_thread
 from robodyn.errors import InputError
-from robodyn.fleet.digest.digest import DIGEST_VERSION, Digest
-from robodyn.fleet.limits import HASHED
+from robodyn.fleet.digest import DIGEST_VERSION, Digest
+from robodyn.fleet.limits import FALSE_NAMES, HASHED
 from robodyn.fleet.pool.judge import judge
-from robodyn.fleet.pool.limits import FALSE_NAMES
 from robodyn.fleet.pool.summary import first_to_look_at
 from robodyn.fleet.result import FleetResult, Unused
-from robodyn.fleet.same_files import absolute_source, check_changed, check_same_file
 from robodyn.fleet.sources.fleet import Fleet, LogFile
 from robodyn.fleet.store import Refused, Store, key_of, open_store
 from robodyn.fleet.units import Maker, completed, diagnosed
-from robodyn.fleet.work import Changed, contents, digest_log, digested, why
+from robodyn.fleet.work import (
+    Changed,
+    absolute_source,
+    check_changed,
+    check_same_file,
+    contents,
+    digest_log,
+    digested,
+    why,
+)
 from robodyn.logs.content import signature
 
 #: What is told of a stage: its name, how much of it is done, and of how much.
@@ -92,7 +99,7 @@ def run_fleet(
     will be. Work runs ``on`` what :func:`~robodyn.cluster.open_cluster` takes, with its ``security``.
 
     Units that are named (or ``all``, or ``none``) are diagnosed if there is a ``files_of``, which makes the
-    files of a diagnosis, by their names; they lie in ``folder`` by :func:`robodyn.fleet.places.unit_folder`.
+    files of a diagnosis, by their names; they lie in ``folder`` by :func:`robodyn.fleet.result.unit_folder`.
     At most the share ``false_names`` of names is false, in the mean.
     The same logs come to the same result, wherever and in however many processes the work ran.
 

@@ -11,12 +11,10 @@ from typing import Any
 from robodyn.cluster import Cluster, Done
 from robodyn.errors import InputError
 from robodyn.fleet.limits import LOGS_AFTER, LOGS_BEFORE
-from robodyn.fleet.places import unit_folder
-from robodyn.fleet.result import UnitResult
-from robodyn.fleet.same_files import absolute_source, check_changed
+from robodyn.fleet.result import UnitResult, unit_folder
 from robodyn.fleet.sources.fleet import ArmType, Fleet, LogFile
 from robodyn.fleet.store import Refused, Store, key_of
-from robodyn.fleet.work import Changed, diagnose_unit, unpacked, why
+from robodyn.fleet.work import Changed, absolute_source, check_changed, diagnose_unit, unpacked, why
 from robodyn.outputs import check_outputs, write_files
 from robodyn.toolchain.sources import own_key
 

@@ -11,11 +11,14 @@ from pathlib import Path
 from struct import Struct
 from typing import TYPE_CHECKING, Final
 
+from robodyn.cluster.work import WrongWorker
 from robodyn.errors import InputError, RobodynError
 from robodyn.fleet.sources.fleet import IN_LOG, ArmType
+from robodyn.logs.content import digest, signature
+from robodyn.logs.second_file import files_of
 
 if TYPE_CHECKING:
-    from robodyn.fleet.digest.digest import Digest
+    from robodyn.fleet.digest import Digest
     from robodyn.logs.conditions import Mean
     from robodyn.logs.log import Log
 
@@ -26,7 +29,6 @@ _BEGAN: Final = Struct("<d")
 def contents(sources: Sequence[str]) -> list[tuple[str, str, int] | str]:
     """Of each log its hash, the signature of its files and when the youngest was written
     (:func:`robodyn.logs.content.signature`), or why it cannot be read."""
-    from robodyn.logs.content import digest, signature
 
     def content(source: str) -> tuple[str, str, int] | str:
         try:
@@ -70,8 +72,6 @@ def _unchanged(sources: Sequence[str], hashes: Sequence[str]) -> Iterator[None]:
 
 def _check_content(sources: Sequence[str], hashes: Sequence[str]) -> None:
     """As :func:`_unchanged`, of now."""
-    from robodyn.logs.content import digest
-
     for source, content in zip(sources, hashes, strict=True):
         try:
             same = digest(source) == content
@@ -86,7 +86,7 @@ def _check_content(sources: Sequence[str], hashes: Sequence[str]) -> None:
 
 def _digest(arm: ArmType, source: str) -> bytes:
     """As :func:`digest_log`, of whatever is at ``source``."""
-    from robodyn.fleet.digest.digest import digest_of
+    from robodyn.fleet.digest import digest_of
     from robodyn.fleet.limits import PIECE
     from robodyn.logs.conditions import together
     from robodyn.logs.mapping import map_of_text
@@ -112,7 +112,7 @@ def _digest(arm: ArmType, source: str) -> bytes:
 
 def digested(data: bytes) -> tuple[float, Digest]:
     """When a log began [s since 1970, UTC; nan: it does not say], and its digest, of :func:`digest_log`."""
-    from robodyn.fleet.digest.digest import Digest
+    from robodyn.fleet.digest import Digest
 
     return _BEGAN.unpack_from(data)[0], Digest.from_bytes(data[_BEGAN.size :])
 
@@ -176,3 +176,53 @@ def why(error: Exception, source: str) -> str:
     line = "" if error.where.line is None else f"line {error.where.line}: "
     bare = InputError(error.what, found=error.found, expected=error.expected, remedy=error.remedy)
     return f"{line}{bare}"
+
+
+# --- a path must lead a worker to the file that it leads to here ------------------------------------------
+
+
+def absolute_source(source: str) -> str:
+    """``source`` with absolute paths, whatever folder a worker was started in."""
+    return "+".join(str(Path(part).absolute()) for part in files_of(source))
+
+
+def check_same_file(source: str, content: str | None, reason: str) -> None:
+    """Hold the file that a worker has read at ``source`` to be the one that is here: it came to the hash
+    ``content`` (None: to none); ``reason`` is what the worker says.
+
+    A log that cannot be read here either is compared with nothing.
+
+    Raises
+    ------
+    WrongWorker: it is another.
+    """
+    here = _digest_here(source)
+    if here is not None and here != content:
+        raise _other_file(source, reason)
+
+
+def check_changed(sources: Sequence[str], hashes: Sequence[str], reason: str) -> None:
+    """A worker says that logs no longer have these ``hashes``: hold one of them to have changed here, too.
+
+    Raises
+    ------
+    WrongWorker: none has: the worker sees others.
+    """
+    if all(_digest_here(source) == content for source, content in zip(sources, hashes, strict=True)):
+        raise _other_file(", ".join(sources), reason)
+
+
+def _digest_here(source: str) -> str | None:
+    try:
+        return digest(source)
+    except OSError:
+        return None
+
+
+def _other_file(sources: str, reason: str) -> WrongWorker:
+    return WrongWorker(
+        f"a worker does not see the same file as this process: {sources}",
+        found=reason,
+        expected="the same file under the same path for this process and all workers",
+        remedy="put the logs on a file system that all of them share, such as a network drive",
+    )

@@ -17,8 +17,16 @@ import numpy as np
 from robodyn.draw.markup import json_text, markup_template, policy, script_text
 from robodyn.draw.scales import day_text, range_text
 from robodyn.emit.render import environment
-from robodyn.fleet.places import address, unit_folder
-from robodyn.fleet.result import Claim, Feature, FleetResult, Look, TypeResult, UnitResult
+from robodyn.fleet.result import (
+    Claim,
+    Feature,
+    FleetResult,
+    Look,
+    TypeResult,
+    UnitResult,
+    address,
+    unit_folder,
+)
 from robodyn.report import fleet_text
 from robodyn.report.chart_frames import Frame, percent
 from robodyn.report.figures import capital

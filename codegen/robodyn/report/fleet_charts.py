@@ -11,8 +11,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.draw.scales import DAY
-from robodyn.fleet.places import address, unit_folder
-from robodyn.fleet.result import Claim, Feature, FleetResult, Reading, TypeResult, UnitResult
+from robodyn.fleet.result import (
+    Claim,
+    Feature,
+    FleetResult,
+    Reading,
+    TypeResult,
+    UnitResult,
+    address,
+    unit_folder,
+)
 from robodyn.report.chart_frames import Chart, Frame, Mark, Shade, percent, span
 from robodyn.report.figures import capital
 from robodyn.report.fleet_text import (

@@ -9,7 +9,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from robodyn.fleet.digest.digest import Digest, digest_of
+from robodyn.fleet.digest import Digest, digest_of
 from robodyn.fleet.pool.judge import judge
 from robodyn.fleet.result import FleetResult
 from robodyn.fleet.sources.fleet import ArmType, Fleet, LogFile

@@ -16,7 +16,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.fleet.pool.limits import (
+from robodyn.fleet.limits import (
     FINE_RAMPS,
     FINE_STEP,
     HALF,
@@ -27,7 +27,7 @@ from robodyn.fleet.pool.limits import (
     OWN_SCATTER,
     RAMPS,
 )
-from robodyn.fleet.pool.reduction import solved
+from robodyn.fleet.pool.features import solved
 
 Floats = NDArray[np.float64]
 DAY: Final = 86400.0

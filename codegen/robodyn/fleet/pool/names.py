@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.fleet.pool.limits import FREEDOMS, MIDDLE, RARE
+from robodyn.fleet.limits import FREEDOMS, MIDDLE, RARE
 
 Floats = NDArray[np.float64]
 

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.fleet.pool.limits import (
+from robodyn.fleet.limits import (
     COLLINEAR,
     LEAST_APART,
     LEAST_SPREAD,

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.fleet.as_json import day
+from robodyn.fleet.limits import FIRST
 from robodyn.fleet.pool.features import Watched
-from robodyn.fleet.pool.limits import FIRST
 from robodyn.fleet.pool.type_model import TypeModel
 from robodyn.fleet.pool.unit import Unit
 from robodyn.fleet.result import Claim, Feature, Look, Reading, TypeResult, UnitResult

@@ -9,12 +9,24 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.fleet.digest.digest import Digest
+from robodyn.fleet.digest import Digest
+from robodyn.fleet.limits import EFFICIENCY, FIRST_BODY, FIRST_SCATTER, LEAST_LEFT, OTHER_UNIT
 from robodyn.fleet.pool.changes import History
-from robodyn.fleet.pool.features import BODY, Kind, Numbers, Watched, watched
-from robodyn.fleet.pool.limits import EFFICIENCY, FIRST_BODY, FIRST_SCATTER, LEAST_LEFT, OTHER_UNIT
+from robodyn.fleet.pool.features import (
+    BODY,
+    Kind,
+    Numbers,
+    Reduced,
+    Rigid,
+    Watched,
+    beside_unit,
+    reduced,
+    rigid_of,
+    solved,
+    watched,
+    with_scatter,
+)
 from robodyn.fleet.pool.population import Common, Series, common_of, spread_of, standardised
-from robodyn.fleet.pool.reduction import Reduced, Rigid, beside_unit, reduced, rigid_of, solved, with_scatter
 from robodyn.fleet.sources.fleet import ArmType, LogFile
 from robodyn.identify.prior import Usual
 from robodyn.robot.model import Robot

@@ -9,6 +9,16 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.fleet.limits import (
+    HALF,
+    INFORMED,
+    LEAST_AFTER,
+    LEAST_BEFORE,
+    NOT_YET,
+    OTHER_UNIT,
+    STANDS_ALONE,
+    UNKNOWN,
+)
 from robodyn.fleet.pool.changes import (
     Change,
     Courses,
@@ -19,16 +29,6 @@ from robodyn.fleet.pool.changes import (
     directions_of,
 )
 from robodyn.fleet.pool.features import Direction, Watched
-from robodyn.fleet.pool.limits import (
-    HALF,
-    INFORMED,
-    LEAST_AFTER,
-    LEAST_BEFORE,
-    NOT_YET,
-    OTHER_UNIT,
-    STANDS_ALONE,
-    UNKNOWN,
-)
 from robodyn.fleet.pool.type_model import TypeModel
 
 Floats = NDArray[np.float64]

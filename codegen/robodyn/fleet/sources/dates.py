@@ -8,7 +8,7 @@ from datetime import UTC, datetime, timedelta, timezone, tzinfo
 from typing import Final
 
 from robodyn.errors import InputError
-from robodyn.fleet.sources.limits import LONGEST_FORMAT
+from robodyn.fleet.limits import LONGEST_FORMAT
 from robodyn.logs.limits import EARLIEST, LATEST
 from robodyn.robot.names import shown
 

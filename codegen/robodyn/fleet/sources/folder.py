@@ -11,9 +11,8 @@ from typing import Final
 
 from robodyn.errors import InputError, Place
 from robodyn.files import label
-from robodyn.fleet.sources.arms import arm_type
 from robodyn.fleet.sources.dates import ISO, DateFormat, NotADate
-from robodyn.fleet.sources.fleet import ArmType, Fleet
+from robodyn.fleet.sources.fleet import ArmType, Fleet, arm_type
 from robodyn.fleet.sources.gathering import Facts, Gathering, check_name
 from robodyn.formats.loading import SUFFIXES
 from robodyn.logs.formats import BAGS, MATLAB, NUMPY, PARQUET

@@ -11,8 +11,8 @@ from typing import Final
 from robodyn.errors import InputError, Place, did_you_mean
 from robodyn.files import label
 from robodyn.fleet.as_json import day
+from robodyn.fleet.limits import LISTED, LONGEST_NAME, MOST_CONDITIONS, MOST_LOGS
 from robodyn.fleet.sources.fleet import IN_LOG, ArmType, Fleet, LogFile
-from robodyn.fleet.sources.limits import LISTED, LONGEST_NAME, MOST_CONDITIONS, MOST_LOGS
 from robodyn.robot.names import shown
 
 _MEND: Final = "correct one of them, or leave one out with exclude"

@@ -12,9 +12,9 @@ from typing import Any, Final
 
 from robodyn.errors import InputError, Place, did_you_mean
 from robodyn.files import label, parsed_json, read_text
+from robodyn.fleet.limits import LARGEST_MANIFEST
 from robodyn.fleet.sources.dates import DateFormat, NotADate
 from robodyn.fleet.sources.gathering import Facts, Gathering, source_of
-from robodyn.fleet.sources.limits import LARGEST_MANIFEST
 from robodyn.fleet.sources.pattern import Pattern, excluded, kind_of
 from robodyn.logs.second_file import files_of
 from robodyn.robot.names import shown

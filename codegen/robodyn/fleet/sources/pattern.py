@@ -15,8 +15,8 @@ from typing import Final
 
 from robodyn.errors import InputError, Place
 from robodyn.files import label
+from robodyn.fleet.limits import DEEPEST, LISTED, MOST_ENTRIES, MOST_FIELDS
 from robodyn.fleet.sources.dates import check_format, regex_of
-from robodyn.fleet.sources.limits import DEEPEST, LISTED, MOST_ENTRIES, MOST_FIELDS
 from robodyn.logs.formats import BAGS
 from robodyn.robot.names import shown
 

@@ -12,12 +12,11 @@ from typing import Any, Final
 
 from robodyn.errors import InputError, Place
 from robodyn.files import label, read_text
-from robodyn.fleet.sources.arms import arm_type
+from robodyn.fleet.limits import LARGEST_FILE
 from robodyn.fleet.sources.dates import DateFormat, NotADate, check_format, checked_zone
-from robodyn.fleet.sources.fleet import ArmType, Fleet
+from robodyn.fleet.sources.fleet import ArmType, Fleet, arm_type
 from robodyn.fleet.sources.folder import fleet_of_folder
 from robodyn.fleet.sources.gathering import Facts, Gathering, check_name
-from robodyn.fleet.sources.limits import LARGEST_FILE
 from robodyn.fleet.sources.manifest import COLUMNS, Manifest, read_manifest
 from robodyn.fleet.sources.pattern import DATE, TEXTS, Match, Pattern, matches, pattern_of
 from robodyn.project.places import Key

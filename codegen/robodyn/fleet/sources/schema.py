@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, Final
 
-from robodyn.fleet.sources.limits import LONGEST_FORMAT, LONGEST_NAME
+from robodyn.fleet.limits import LONGEST_FORMAT, LONGEST_NAME
 from robodyn.fleet.sources.manifest import COLUMNS
 
 Schema = dict[str, Any]

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from robodyn.errors import InputError
-from robodyn.fleet.digest.digest import Digest, digest_of
+from robodyn.fleet.digest import Digest, digest_of
 from robodyn.fleet.sources.fleet import ArmType
 from robodyn.formats.loading import load as load_robot
 from robodyn.formats.loading import text_of
