@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -73,35 +74,22 @@ def test_no_such_file(
 
 
 @pytest.mark.parametrize(
-    ("ending", "module", "extra"), [(".mcap", "rosbags.typesys", "ros"), (".db3", "rosbags.typesys", "ros")]
+    ("name", "module", "extra"),
+    [("log.mcap", "rosbags", "ros"), ("log.db3", "rosbags", "ros"), ("log.mat", "h5py", "mat")],
 )
 def test_a_library_that_is_missing(
-    ending: str,
+    name: str,
     module: str,
     extra: str,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    import sys
-
     monkeypatch.setitem(sys.modules, module, None)
-    path = tmp_path / f"log{ending}"
-    path.write_bytes(b"x")
-    assert main(["logs", str(path)]) == 3
-    assert f"pip install 'robodyn[{extra}]'" in capsys.readouterr().err
-
-
-def test_matlab_7_3_without_h5py(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    import sys
-
-    monkeypatch.setitem(sys.modules, "h5py", None)
-    path = tmp_path / "log.mat"
+    path = tmp_path / name
     path.write_bytes(b"MATLAB 7.3 MAT-file".ljust(512) + b"\x89HDF\r\n\x1a\n")
     assert main(["logs", str(path)]) == 3
-    assert "pip install 'robodyn[mat]'" in capsys.readouterr().err
+    assert f"pip install 'robodyn[{extra}]'" in capsys.readouterr().err
 
 
 def test_diagnose_takes_a_map(foreign: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -182,13 +182,20 @@ def test_a_folder_without_a_description(tmp_path: Path) -> None:
         "ur5/7/arm_2026-05-03T1200.csv",
         "ur5/8/2026-05-03/metadata.yaml",
         "mine/1/20260503.parquet",
+        "mine/1/20260504.json",
+        "mine/1/20260503.parquet.json",
         "mine/1/notes.md",
         "other/stuff/readme.md",
     )
     (tmp_path / "mine.yaml").write_text("name: mine\nlinks:\n  - {joint: revolute}\n", encoding="utf-8")
     (tmp_path / "ur5" / "map.yaml").write_text("q: joint_%d_pos[deg]\n", encoding="utf-8")
     fleet = read_fleet(tmp_path)
-    assert [(log.type, log.unit) for log in fleet.logs] == [("mine", "1"), ("ur5", "7"), ("ur5", "8")]
+    assert [(log.type, log.unit, Path(log.source).suffix) for log in fleet.logs] == [
+        ("mine", "1", ".parquet"),
+        ("mine", "1", ".json"),
+        ("ur5", "7", ".csv"),
+        ("ur5", "8", ""),
+    ]
     assert fleet.types["ur5"].mapping == "q: joint_%d_pos[deg]\n"
     touch(tmp_path, "ur5/7/second.csv")
     with pytest.raises(InputError, match=r"second\.csv: the name of a log has no date"):

@@ -9,15 +9,27 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pytest
 from numpy.typing import NDArray
 
+from robodyn.logs.formats import LogFormat
 from robodyn.logs.log import Log
+from robodyn.logs.recording import Recording
 
 Floats = NDArray[np.float64]
 
 #: Names of the joints, base to tip, and how messages have them.
 NAMES = ("base_joint", "upper_joint", "fore_joint")
 SENT = (2, 0, 1)
+
+
+def read_in_this_process(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Have all formats read here, where tests can change the length of a block."""
+
+    def open_here(format: LogFormat, path: Path, file: str, gaps: bool) -> Recording:
+        return format.open(path, file, gaps)
+
+    monkeypatch.setattr("robodyn.logs.guard.open_guarded", open_here)
 
 
 def groups_of(log: Log) -> dict[str, Floats]:

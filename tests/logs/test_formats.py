@@ -9,11 +9,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from logs.files_of_logs import NAMES, bag, groups_of, matlab, write
+from logs.files_of_logs import NAMES, bag, groups_of, matlab, read_in_this_process, write
 from robodyn.errors import InputError
 from robodyn.gate.gate import inspect
+from robodyn.logs import formats
 from robodyn.logs.log import Log, read_log
 from robodyn.logs.mapping import map_of_columns, map_of_text
+from robodyn.registry import Registry
 from robodyn.robot import load
 
 FORMATS = (".csv", ".parquet", ".npz", ".mat", ".h5", ".json", ".mcap", ".db3")
@@ -107,6 +109,27 @@ def _of_robot() -> Log:
     return Log(t, q + rng.normal(0, 1e-5, q.shape), qd, None, tau + rng.normal(0, 0.1, q.shape))
 
 
+def test_a_format_is_one_file(log: Log, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "raw.py").write_text(
+        "import numpy as np\n"
+        "from robodyn.logs.arrays import recording_of_arrays\n"
+        "from robodyn.logs.formats import LogFormat\n"
+        "def open_raw(path, file, gaps):\n"
+        "    table = np.fromfile(path).reshape(-1, 7)\n"
+        "    arrays = {'t': table[:, 0], 'q': table[:, 1:4], 'tau': table[:, 4:]}\n"
+        "    shapes = {name: array.shape for name, array in arrays.items()}\n"
+        "    return recording_of_arrays(file, 'raw', shapes, arrays.__getitem__)\n"
+        "FORMAT = LogFormat('raw', ('.raw',), 'raw', open_raw, is_guarded=False)\n",
+        encoding="utf-8",
+    )
+    monkeypatch.setattr(formats, "__path__", [*formats.__path__, str(tmp_path)])
+    monkeypatch.setattr(formats, "FORMATS", Registry(formats.__name__, "FORMAT", formats.LogFormat))
+    path = tmp_path / "log.raw"
+    np.column_stack([log.t, log.q, log.tau]).tofile(path)
+    assert formats.is_log(path)
+    assert_same(read_log(path), replace(log, qd=None))
+
+
 # --- recordings of ROS 2 ----------------------------------------------------------------------------------
 
 
@@ -192,6 +215,7 @@ def test_rows_and_columns_may_be_exchanged(tmp_path: Path) -> None:
 
 def test_arrays_longer_than_any_is_wide(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("robodyn.logs.arrays.WIDEST", 20)
+    read_in_this_process(monkeypatch)
     log = motion(50)
     path = tmp_path / "log.npz"
     np.savez(path, t=log.t, q=log.q, tau=log.tau, image=np.zeros((50, 30)))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import sys
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
@@ -12,7 +13,6 @@ import numpy as np
 import pytest
 
 from robodyn.errors import InputError, ToolError
-from robodyn.logs import parquet_file
 from robodyn.logs.log import Log, read_log
 from robodyn.logs.provenance import provenance, provenance_text, read_provenance
 from robodyn.robot import bundled_text, load
@@ -45,9 +45,8 @@ def test_parquet_is_the_same_log(tmp_path: Path) -> None:
     assert all(a.tobytes() == b.tobytes() for a, b in zip(read.arrays(), log.arrays(), strict=True))
 
 
-def test_parquet_of_others(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_parquet_of_others(tmp_path: Path) -> None:
     pyarrow, parquet = require_module("pyarrow"), require_module("pyarrow.parquet")
-    monkeypatch.setattr(parquet_file, "BATCH", 2)
     path = tmp_path / "log.parquet"
 
     def write(**columns: Any) -> str:
@@ -67,16 +66,7 @@ def test_parquet_of_others(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
 
 
 def test_parquet_without_pyarrow(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    import importlib
-
-    known = importlib.import_module
-
-    def missing(name: str, *rest: Any) -> Any:
-        if name.startswith("pyarrow"):
-            raise ModuleNotFoundError(name)
-        return known(name, *rest)
-
-    monkeypatch.setattr(importlib, "import_module", missing)
+    monkeypatch.setitem(sys.modules, "pyarrow", None)
     (tmp_path / "log.pq").write_bytes(b"PAR1")
     for call in (made(3).parquet, lambda: read_log(tmp_path / "log.pq")):
         with pytest.raises(ToolError, match=r"pip install 'robodyn\[all\]'"):

@@ -11,11 +11,11 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from logs.files_of_logs import bag, write
+from logs.files_of_logs import bag, read_in_this_process, write
 from robodyn.errors import InputError
-from robodyn.logs import arrays, csv_file, parquet_file, windows
-from robodyn.logs.bags import recording as bag_recording
+from robodyn.logs import arrays, csv_file, windows
 from robodyn.logs.conditions import together
+from robodyn.logs.formats import parquet, ros2
 from robodyn.logs.log import Log, read_log
 from robodyn.logs.mapping import LogMap, map_of_text
 from robodyn.logs.pieces import pieces
@@ -35,9 +35,10 @@ MAP = map_of_text("joints: [base_joint, upper_joint, fore_joint]\ntopic: /joint_
 def short_blocks(monkeypatch: pytest.MonkeyPatch) -> None:
     """Blocks and windows of a few rows, as long files have many of."""
     monkeypatch.setattr(csv_file, "BLOCK", 1 << 10)
-    monkeypatch.setattr(parquet_file, "BATCH", 32)
+    monkeypatch.setattr(parquet, "BATCH", 32)
     monkeypatch.setattr(arrays, "BLOCK", 256)
-    monkeypatch.setattr(bag_recording, "BATCH", 16)
+    monkeypatch.setattr(ros2, "BATCH", 16)
+    read_in_this_process(monkeypatch)
 
 
 def a_log(samples: int = K, linked: bool = False) -> Log:

@@ -94,13 +94,12 @@ def layout_of(
     return Layout(joints, len(names), groups, ignored, linked)
 
 
-def too_large(layout: Layout, where: Place) -> InputError:
-    """What to say of a log with more samples than are read."""
-    columns = len(layout.wanted)
+def too_long(file: str, samples: int, columns: int) -> InputError:
+    """What to say of a log with more ``samples`` of so many ``columns`` than are read."""
     return InputError(
         "the log is too long",
-        where=where,
-        found=f"more than {LARGEST // columns} samples of {columns} columns",
+        where=Place(file),
+        found=f"more than {samples} samples of {columns} columns",
         expected=f"at most {LARGEST} numbers",
         remedy="take a part of it, or fewer samples a second",
     )

@@ -9,7 +9,6 @@ from __future__ import annotations
 import io
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO
 
@@ -18,9 +17,10 @@ from numpy.typing import NDArray
 
 from robodyn.errors import InputError, Place
 from robodyn.files import open_regular
-from robodyn.logs.columns import GROUPS, LARGEST, Layout, is_known, layout_of, number_of, too_large
+from robodyn.logs.columns import Layout, is_known, number_of
 from robodyn.logs.dialect import HEAD, Dialect, are_units, canonical, cells_of, dialect_of, filled
 from robodyn.logs.shortest import table_text
+from robodyn.logs.windows import Rows
 from robodyn.robot.names import shown
 
 Floats = NDArray[np.float64]
@@ -60,41 +60,6 @@ def write_csv(names: Sequence[str], columns: Sequence[Floats]) -> str:
 # --- reading ----------------------------------------------------------------------------------------------
 
 
-def read_csv(
-    path: Path, file: str, n: int | None, wanted: Sequence[str] = GROUPS
-) -> tuple[Layout, dict[str, Floats]]:
-    """The layout of the log at ``path``, and its groups ``wanted``: ``t`` [K, 1], the others [K, n].
-
-    ``file`` is what messages call it. Blank lines are skipped; NaN and infinity are numbers.
-
-    Raises
-    ------
-    InputError: not such a log, with the line and column of what is wrong.
-    OSError: the file cannot be read.
-    """
-    dialect, layout = _layout(path, file, n, wanted)
-    return layout, read_rows(path, file, layout, dialect)
-
-
-def csv_blocks(
-    path: Path, file: str, n: int | None, wanted: Sequence[str] = GROUPS
-) -> tuple[Layout, Iterator[dict[str, Floats]]]:
-    """As :func:`read_csv`, block by block, however long the log is.
-
-    Raises
-    ------
-    InputError, OSError: as :func:`read_csv`; of the rows when they are reached.
-    """
-    dialect, layout = _layout(path, file, n, wanted)
-    return layout, (block.groups(layout) for block in row_blocks(path, file, layout, dialect))
-
-
-def _layout(path: Path, file: str, n: int | None, wanted: Sequence[str]) -> tuple[Dialect, Layout]:
-    dialect = read_dialect(path, file)
-    where = Place(file, max(1, dialect.line - 1))
-    return dialect, layout_of(dialect.names, n, where, wanted, named=dialect.named)
-
-
 def read_dialect(path: Path, file: str) -> Dialect:
     """How the table at ``path`` is written.
 
@@ -113,57 +78,9 @@ def read_dialect(path: Path, file: str) -> Dialect:
         return dialect_of(head) or Dialect(tuple(names))
 
 
-@dataclass(frozen=True, slots=True)
-class Block:
-    """Some lines of a table: their ``rows`` [k, columns wanted], how many bytes they take, and the line after
-    them (``end``)."""
-
-    rows: Floats
-    size: int
-    end: Place
-
-    def groups(self, layout: Layout) -> dict[str, Floats]:
-        """The rows group by group [k, m]."""
-        tables, start = {}, 0
-        for group, at in layout.groups.items():
-            tables[group] = self.rows[:, start : start + len(at)]
-            start += len(at)
-        return tables
-
-
-def read_rows(path: Path, file: str, layout: Layout, dialect: Dialect) -> dict[str, Floats]:
-    """The groups of ``layout`` of a table: [K, m] each.
-
-    Raises
-    ------
-    InputError: a row is not one, with the line and column of what is wrong; there are too many.
-    OSError: the file cannot be read.
-    """
-    size = path.stat().st_size
-    most = LARGEST // len(layout.wanted)
-    tables = {group: np.empty((0, len(at))) for group, at in layout.groups.items()}
-    samples = 0
-    for block in row_blocks(path, file, layout, dialect):
-        end = samples + len(block.rows)
-        if end > most:
-            raise too_large(layout, block.end)
-        room = len(next(iter(tables.values())))
-        if end > room:
-            # As many as the file has at this rate; lines that grow shorter may call for more.
-            room = max(end, int(1.02 * len(block.rows) * size / block.size) + 16, room * 5 // 4)
-            room = min(room, most)
-            for table in tables.values():
-                table.resize((room, table.shape[1]), refcheck=False)
-        for group, part in block.groups(layout).items():
-            tables[group][samples:end] = part
-        samples = end
-    for table in tables.values():
-        table.resize((samples, table.shape[1]), refcheck=False)
-    return tables
-
-
-def row_blocks(path: Path, file: str, layout: Layout, dialect: Dialect) -> Iterator[Block]:
-    """As :func:`read_rows`, block by block, however long the table is.
+def row_blocks(path: Path, file: str, layout: Layout, dialect: Dialect) -> Iterator[Rows]:
+    """The groups of ``layout`` [k, m] of a table, block by block, however long it is. Blank lines are
+    skipped; NaN and infinity are numbers.
 
     Raises
     ------
@@ -179,7 +96,8 @@ def row_blocks(path: Path, file: str, layout: Layout, dialect: Dialect) -> Itera
             rows = _parse(block, layout, Place(file, line), dialect)
             line += block.count(b"\n")
             empty = empty and not len(rows)
-            yield Block(rows, len(block), Place(file, line))
+            ends = np.cumsum([len(at) for at in layout.groups.values()])
+            yield dict(zip(layout.groups, np.split(rows, ends[:-1], axis=1), strict=True))
     if empty:
         raise InputError(
             "the log has no samples", where=Place(file), found="the header only", expected="a line a sample"

@@ -9,26 +9,24 @@ it, ``LOG.csv.json``, which depends on nothing but the run: no time of day, no p
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.errors import InputError
+from robodyn.errors import InputError, Place
 from robodyn.files import label
 from robodyn.logs.assemble import Arrays, assemble
-from robodyn.logs.columns import GROUPS, LINKS, Layout
+from robodyn.logs.columns import GROUPS, LINKS, Layout, layout_of
 from robodyn.logs.conditions import Mean, mean_of
-from robodyn.logs.csv_file import read_csv, read_dialect, write_csv
-from robodyn.logs.formats import PARQUET, is_table, open_recording, readable
+from robodyn.logs.csv_file import write_csv
+from robodyn.logs.formats import FORMATS, format_of, open_recording, readable
 from robodyn.logs.limits import EARLIEST, LATEST
 from robodyn.logs.mapping import LogMap
-from robodyn.logs.parquet_file import read_parquet, write_parquet
 from robodyn.logs.provenance import provenance_text
-from robodyn.logs.recording import Recording
+from robodyn.logs.recording import Recording, Table
 from robodyn.logs.second_file import Joining, not_as_many, split_pair, spread, with_second
 from robodyn.logs.usual import usual_map
 from robodyn.robot.model import Robot
@@ -121,6 +119,8 @@ class Log:
         ------
         ToolError: pyarrow is missing.
         """
+        from robodyn.logs.formats.parquet import write_parquet
+
         return write_parquet(self.columns, self.arrays())
 
     def files(self, name: str) -> dict[str, str | bytes]:
@@ -130,7 +130,7 @@ class Log:
         ------
         ToolError: it is to be Parquet, and pyarrow is missing.
         """
-        content = self.parquet() if name.lower().endswith(PARQUET) else self.csv()
+        content = self.parquet() if name.lower().endswith(FORMATS["parquet"].suffixes) else self.csv()
         return {name: content, f"{name}.json": provenance_text(self.provenance)}
 
     def _groups(self) -> list[tuple[str, Floats]]:
@@ -188,34 +188,84 @@ def read_log(
     if n is not None and n < 1:
         raise InputError("a log is of one joint or more", found=f"n = {n}")
     name, second = split_pair(os.fspath(path))
-    if mapping is None and is_table(name) and (second is None or is_table(second)):
-        log = _of_table(name, n)
-        if log is not None:
-            return log if second is None else _joined(log, second)
-    return _of_recording(name, second, mapping, n, robot)
-
-
-def _of_table(name: str, n: int | None) -> Log | None:
-    """The log in a table whose columns have the usual names; None if they state units."""
-    file = label(name)
+    tables = usual_tables(name, second, n) if mapping is None else None
+    if tables is None:
+        return _of_recording(name, second, mapping, n, robot)
+    first, links = tables
+    with readable(label(name)):
+        log = log_of_arrays(first.read(), first.layout.ignored)
+    if links is None:
+        return log
+    file = links.recording.file
     with readable(file):
-        parquet = name.lower().endswith(PARQUET)
-        if not parquet and read_dialect(Path(name), file).units:
-            return None
-        layout, tables = (read_parquet if parquet else read_csv)(Path(name), file, n, GROUPS)
-    return log_of_arrays(arrays_of(layout, tables), layout.ignored)
+        arrays = links.read()
+    if len(arrays.t) != log.samples:
+        raise not_as_many(file, len(arrays.t), log.samples)
+    return replace(log, ql=Joining(file).joined(log.t, log.ql, arrays.t, arrays.groups["ql"]))
 
 
-def _joined(log: Log, second: str) -> Log:
-    """``log`` with the second encoders in the file ``second``."""
-    file = label(second)
-    with readable(file):
-        read = read_parquet if second.lower().endswith(PARQUET) else read_csv
-        layout, tables = read(Path(second), file, log.n, LINKS)
-    times, ql = tables["t"][:, 0], spread(tables["ql"], layout)
-    if len(times) != log.samples:
-        raise not_as_many(file, len(times), log.samples)
-    return replace(log, ql=Joining(file).joined(log.t, log.ql, times, ql))
+@dataclass(frozen=True, slots=True)
+class UsualTable:
+    """A ``recording`` that is one table whose columns have the usual names: which are what, ``layout``."""
+
+    recording: Recording
+    layout: Layout
+
+    @property
+    def groups(self) -> dict[str, list[str]]:
+        """The names of its columns, group by group."""
+        names = self.recording.names
+        return {group: [names[k] for k in places] for group, places in self.layout.groups.items()}
+
+    def read(self) -> Arrays:
+        """All of its rows."""
+        return self._arrays(self.recording.read(self.recording.streams[0], self.groups, None))
+
+    def blocks(self) -> Iterator[Arrays]:
+        """Its rows, block by block."""
+        return map(self._arrays, self.recording.blocks(self.recording.streams[0], self.groups, None))
+
+    def _arrays(self, table: Table) -> Arrays:
+        t = table.groups["t"][:, 0]
+        groups = {group: columns for group, columns in table.groups.items() if group not in ("t", "ql")}
+        if "ql" in table.groups:
+            groups["ql"] = spread(table.groups["ql"], self.layout)
+        is_dated = len(t) > 0 and EARLIEST <= float(t[0]) < LATEST
+        return Arrays(t, groups, (), 0.0 if is_dated else None)
+
+
+def usual_tables(name: str, second: str | None, n: int | None) -> tuple[UsualTable, UsualTable | None] | None:
+    """The table in the file ``name``, and that of second encoders in the file ``second``, if both are tables
+    whose columns have the usual names.
+
+    Raises
+    ------
+    InputError: one of them lacks columns.
+    """
+    if second is not None and not format_of(second).is_table:
+        return None
+    first = usual_table(name, n)
+    if first is None or second is None:
+        return None if first is None else (first, None)
+    links = usual_table(second, first.layout.n, LINKS)
+    return None if links is None else (first, links)
+
+
+def usual_table(name: str, n: int | None, wanted: Sequence[str] = GROUPS) -> UsualTable | None:
+    """The table in the file ``name`` with the groups ``wanted`` of ``n`` joints; None where a map must say
+    which columns are what: it is no table, or states units.
+
+    Raises
+    ------
+    InputError: it lacks columns.
+    """
+    if not format_of(name).is_table:
+        return None
+    recording = open_recording(name, gaps=False)
+    if recording.streams[0].units and wanted == GROUPS:
+        return None
+    where = Place(recording.file, recording.line)
+    return UsualTable(recording, layout_of(recording.names, n, where, wanted, named=recording.named))
 
 
 def _of_recording(
@@ -236,16 +286,6 @@ def map_for(recording: Recording, second: str | None, mapping: LogMap | None, ro
     elif mapping.is_usual:
         mapping = replace(usual_map(recording, robot), conditions=mapping.conditions)
     return mapping if second is None else with_second(mapping, open_recording(second), second)
-
-
-def arrays_of(layout: Layout, tables: Mapping[str, Floats]) -> Arrays:
-    """The arrays of a table whose columns have the usual names."""
-    t = tables["t"][:, 0]
-    groups = {group: table for group, table in tables.items() if group not in ("t", "ql")}
-    if "ql" in tables:
-        groups["ql"] = spread(tables["ql"], layout)
-    dated = len(t) > 0 and EARLIEST <= float(t[0]) < LATEST
-    return Arrays(t, groups, (), 0.0 if dated else None)
 
 
 def log_of_arrays(arrays: Arrays, ignored: tuple[str, ...]) -> Log:

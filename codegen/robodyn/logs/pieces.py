@@ -3,23 +3,19 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import replace
-from pathlib import Path
 from typing import Final
 
 from robodyn.errors import InputError
 from robodyn.files import label
 from robodyn.logs.assemble import Arrays
-from robodyn.logs.columns import GROUPS, LINKS, Layout
 from robodyn.logs.conditions import Mean
-from robodyn.logs.csv_file import csv_blocks, read_dialect
-from robodyn.logs.formats import PARQUET, is_table, open_recording, readable
+from robodyn.logs.formats import open_recording, readable
 from robodyn.logs.in_pieces import assemble_pieces
-from robodyn.logs.log import Log, arrays_of, log_of_arrays, map_for
+from robodyn.logs.log import Log, UsualTable, log_of_arrays, map_for, usual_tables
 from robodyn.logs.mapping import LogMap
-from robodyn.logs.parquet_file import parquet_blocks
-from robodyn.logs.second_file import Joining, not_as_many, split_pair, spread
+from robodyn.logs.second_file import Joining, not_as_many, split_pair
 from robodyn.logs.streams import CONDITION
 from robodyn.logs.windows import Rows, cut, joined_rows, length_of, of_length
 from robodyn.robot.model import Robot
@@ -57,9 +53,11 @@ def pieces(
     name, second = split_pair(os.fspath(source))
     file = label(name)
     with readable(file):
-        tables = mapping is None and is_table(name) and (second is None or is_table(second))
-        if tables and not _states_units(name):
-            ignored, blocks = _of_table(name, n, second)
+        tables = usual_tables(name, second, n) if mapping is None else None
+        if tables is not None:
+            first, links = tables
+            ignored = first.layout.ignored
+            blocks = first.blocks() if links is None else _joined(first.blocks(), links)
         else:
             recording = open_recording(name)
             ignored = ()
@@ -69,26 +67,10 @@ def pieces(
         yield from _logs(blocks, ignored, most)
 
 
-def _states_units(name: str) -> bool:
-    return not name.lower().endswith(PARQUET) and bool(read_dialect(Path(name), label(name)).units)
-
-
-def _of_table(name: str, n: int | None, second: str | None) -> tuple[tuple[str, ...], Iterator[Arrays]]:
-    """Columns that are not read, and the blocks of a table whose columns have the usual names."""
-    layout, tables = _table_blocks(name, n, GROUPS)
-    blocks = (arrays_of(layout, each) for each in tables)
-    return layout.ignored, blocks if second is None else _joined(blocks, second, layout.n)
-
-
-def _table_blocks(name: str, n: int | None, wanted: Sequence[str]) -> tuple[Layout, Iterator[Rows]]:
-    read = parquet_blocks if name.lower().endswith(PARQUET) else csv_blocks
-    return read(Path(name), label(name), n, wanted)
-
-
-def _joined(blocks: Iterator[Arrays], second: str, n: int) -> Iterator[Arrays]:
-    """The ``blocks`` with the second encoders in the file ``second``."""
-    file = label(second)
-    layout, tables = _table_blocks(second, n, LINKS)
+def _joined(blocks: Iterator[Arrays], links: UsualTable) -> Iterator[Arrays]:
+    """The ``blocks`` with the second encoders in ``links``."""
+    file = links.recording.file
+    tables: Iterator[Rows] = ({"t": each.t, "ql": each.groups["ql"]} for each in links.blocks())
     rows = 0
     waiting: Rows | None = None
     joining = Joining(file)
@@ -100,11 +82,11 @@ def _joined(blocks: Iterator[Arrays], second: str, n: int) -> Iterator[Arrays]:
             count += length_of(part)
         if count < len(arrays.t):
             raise not_as_many(file, rows + count, rows + len(arrays.t) + sum(len(each.t) for each in blocks))
-        links = joined_rows(parts)
-        waiting = cut(links, len(arrays.t))
-        links = cut(links, 0, len(arrays.t))
+        together = joined_rows(parts)
+        waiting = cut(together, len(arrays.t))
+        beside = cut(together, 0, len(arrays.t))
         rows += len(arrays.t)
-        ql = joining.joined(arrays.t, arrays.groups.get("ql"), links["t"][:, 0], spread(links["ql"], layout))
+        ql = joining.joined(arrays.t, arrays.groups.get("ql"), beside["t"], beside["ql"])
         yield replace(arrays, groups={**arrays.groups, "ql": ql})
     more = sum(map(length_of, [*([waiting] if waiting else []), *tables]))
     if more:

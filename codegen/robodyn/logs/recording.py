@@ -3,20 +3,24 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.errors import InputError, Place
+from robodyn.logs.columns import LARGEST, too_long
+from robodyn.logs.windows import Rows, in_order, length_of
 from robodyn.robot.names import shown
 
 Floats = NDArray[np.float64]
 
 #: The column of a stream that has the times at which its rows were recorded.
 RECEIVED = "received"
+#: Beside groups of columns: the stamps of their rows.
+STAMPS = "stamps"
 #: What stands between the name of a stream and that of its column.
 BETWEEN = ":"
 
@@ -42,7 +46,7 @@ class Stream:
 @dataclass(frozen=True, slots=True)
 class Table:
     """What was read of a stream: ``groups`` of columns [K, m]; ``stamps`` [K] in ns, if it has any;
-    ``skipped`` rows that lack all of the columns."""
+    ``skipped`` rows that lack some of the columns."""
 
     groups: Mapping[str, Floats]
     stamps: NDArray[np.int64] | None = None
@@ -54,29 +58,62 @@ class Table:
         return len(next(iter(self.groups.values())))
 
 
-class Recording(Protocol):
-    """A file that has been looked into: ``file`` is what messages call it, ``notes`` are on its state."""
+#: Columns by group.
+Groups = Mapping[str, Sequence[str]]
+#: Reads groups of columns of a stream, and one of its stamps, as they stand in the file, some rows at a time:
+#: the groups [k, m], :data:`STAMPS` [k] in ns of a stream that has stamps, and :data:`RECEIVED` [k] where the
+#: rows may be out of their order.
+Parts = Callable[[Stream, Groups, str | None], Iterator[Rows]]
 
-    @property
-    def file(self) -> str: ...
-    @property
-    def format(self) -> str: ...
-    @property
-    def streams(self) -> tuple[Stream, ...]: ...
-    @property
-    def notes(self) -> tuple[str, ...]: ...
-    def read(self, stream: Stream, groups: Mapping[str, Sequence[str]], stamp: str | None) -> Table:
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Recording:
+    """A file that has been looked into: ``file`` is what messages call it, ``parts`` reads its streams,
+    ``notes`` are on its state. Of a table: the ``names`` of all its columns as they stand there, on which
+    ``line``, whether the file names them itself (``named``), and about how many rows it has."""
+
+    file: str
+    format: str
+    streams: tuple[Stream, ...]
+    parts: Parts
+    notes: tuple[str, ...] = ()
+    names: tuple[str, ...] = ()
+    line: int | None = None
+    named: bool = True
+    rough_rows: int | None = None
+
+    def read(self, stream: Stream, groups: Groups, stamp: str | None) -> Table:
         """Columns of ``stream``, group by group; ``stamp``: which of its stamps to read.
 
         Raises
         ------
         InputError: the file is damaged, or too long.
         """
-        ...
+        width = sum(map(len, groups.values()))
+        most = LARGEST // max(1, width)
+        arrays: dict[str, NDArray[Any]] = {}
+        count = 0
+        if stream.rows is not None and stream.rows > most:
+            raise too_long(self.file, most, width)
+        for rows in self.parts(stream, groups, stamp):
+            start, count = count, count + length_of(rows)
+            if count > most:
+                raise too_long(self.file, most, width)
+            for name, part in rows.items():
+                array = arrays.setdefault(name, np.empty((stream.rows or 0, *part.shape[1:]), part.dtype))
+                if count > len(array):
+                    room = min(max(count, 5 * len(array) // 4), most)
+                    array.resize((room, *part.shape[1:]), refcheck=False)
+                array[start:count] = part
+        for array in arrays.values():
+            array.resize((count, *array.shape[1:]), refcheck=False)
+        received = arrays.pop(RECEIVED, None)
+        if received is not None and (np.diff(received) < 0).any():  # several writers: as they were recorded
+            order = np.argsort(received, kind="stable")
+            arrays = {name: array[order] for name, array in arrays.items()}
+        return _table(arrays, 0 if stream.rows is None else stream.rows - count)
 
-    def blocks(
-        self, stream: Stream, groups: Mapping[str, Sequence[str]], stamp: str | None
-    ) -> Iterator[Table]:
+    def blocks(self, stream: Stream, groups: Groups, stamp: str | None) -> Iterator[Table]:
         """As :meth:`read`, in order, block by block, however long the file is: none of them is large, and
         any may be empty.
 
@@ -84,7 +121,19 @@ class Recording(Protocol):
         ------
         InputError: the file is damaged, or its rows are too far out of order.
         """
-        ...
+        left = stream.rows or 0
+        parts = self.parts(stream, groups, stamp)
+        for rows in in_order(parts, RECEIVED, self.file) if stream.stamps else parts:
+            left -= length_of(rows)
+            yield _table(rows, 0)
+        if stream.rows is not None and left:
+            nothing: Rows = {group: np.empty((0, len(names))) for group, names in groups.items()}
+            yield _table({**nothing, STAMPS: np.empty(0, np.int64)}, left)
+
+
+def _table(rows: Rows, skipped: int) -> Table:
+    groups = {name: part for name, part in rows.items() if name not in (RECEIVED, STAMPS)}
+    return Table(groups, rows.get(STAMPS), skipped)
 
 
 def find(recording: Recording, name: str, topic: str, where: Place) -> tuple[Stream, str]:

@@ -64,8 +64,7 @@ def _stream(recording: Recording, stream: Stream) -> StreamFacts:
     names = [name for name in stream.columns if name][:COLUMNS]
     rows = stream.rows
     if rows is None:
-        rough = getattr(recording, "rough_rows", lambda: None)()
-        rows = rough or 1
+        rows = recording.rough_rows or 1
     width = max(1, AT_ONCE // max(1, rows))
     stamp = stream.stamps[0] if stream.stamps else None
     columns: dict[str, ColumnFacts] = {}

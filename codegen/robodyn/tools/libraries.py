@@ -28,6 +28,7 @@ DISTRIBUTED: Final = Library(
     "distributed", Use.CLUSTERS, "processes that work together", extra="fleet", title="Dask"
 )
 H5PY: Final = Library("h5py", Use.LOGS, "logs of MATLAB 7.3 and in HDF5", extra="mat")
+MCAP: Final = Library("mcap", Use.LOGS, "recordings of ROS 2 in MCAP", extra="ros")
 MUJOCO: Final = Library("mujoco", Use.ARMS, "arms in MJCF", extra="mujoco")
 ORTOOLS: Final = Library(
     "ortools", Use.SCHEDULES, "proven optima of schedules", extra="optimal", title="OR-Tools"
@@ -45,6 +46,6 @@ CASADI: Final = Library(
 FMPY: Final = Library("fmpy", Use.PACKAGES, "simulations of robodyn package --as fmu")
 
 OPTIONAL: Final = (
-    CASADI, FMPY, MUJOCO, XACRO, DISTRIBUTED, CRYPTOGRAPHY, H5PY, PYARROW, ROSBAGS, ORTOOLS, PINOCCHIO,
+    CASADI, FMPY, MUJOCO, XACRO, DISTRIBUTED, CRYPTOGRAPHY, H5PY, MCAP, PYARROW, ROSBAGS, ORTOOLS, PINOCCHIO,
 )  # fmt: skip
 """What an extra brings, or one installs oneself."""

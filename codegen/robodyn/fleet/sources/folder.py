@@ -15,15 +15,13 @@ from robodyn.fleet.sources.dates import ISO, DateFormat, NotADate
 from robodyn.fleet.sources.fleet import ArmType, Fleet, arm_type
 from robodyn.fleet.sources.gathering import Facts, Gathering, check_name
 from robodyn.formats.loading import SUFFIXES
-from robodyn.logs.formats import BAGS, MATLAB, NUMPY, PARQUET
+from robodyn.logs.formats import is_log
 from robodyn.resources import bundled_robot
 from robodyn.robot.names import shown
 
 #: The map of a type's logs, in its folder.
 MAP: Final = "map.yaml"
 _DESCRIPTIONS: Final = (".yaml", ".yml", *SUFFIXES)
-#: Files that are logs by their endings; others, such as notes and pictures, are passed over.
-_LOGS: Final = (".csv", ".txt", ".tsv", *PARQUET, *NUMPY, *MATLAB, *BAGS)
 _DATE: Final = re.compile(rf"(?<!\d){ISO}(?!\d)", re.ASCII)
 _EXPECTED: Final = "TYPE/UNIT/2026-05-03T1200.csv and TYPE.yaml (or TYPE of a bundled robot), or a fleet.toml"
 
@@ -102,17 +100,9 @@ def _folders(folder: Path) -> Iterator[Path]:
 
 
 def _logs(unit: Path) -> list[Path]:
-    """The logs in the folder of a unit: files with the endings of logs, and folders with recordings."""
-    logs = []
-    for path in sorted(unit.iterdir()):
-        if path.name.startswith("."):
-            continue
-        recording = path.is_dir() and any(
-            each.name == "metadata.yaml" or each.name.lower().endswith(BAGS) for each in path.iterdir()
-        )
-        if recording or (path.is_file() and path.name.lower().endswith(_LOGS)):
-            logs.append(path)
-    return logs
+    """The logs in the folder of a unit, by their suffixes; others, such as notes and pictures, are passed
+    over."""
+    return [path for path in sorted(unit.iterdir()) if not path.name.startswith(".") and is_log(path)]
 
 
 def _description(kind: Path) -> str | None:

@@ -17,7 +17,7 @@ from robodyn.errors import InputError, Place
 from robodyn.files import label
 from robodyn.fleet.limits import DEEPEST, LISTED, MOST_ENTRIES, MOST_FIELDS
 from robodyn.fleet.sources.dates import check_format, regex_of
-from robodyn.logs.formats import BAGS
+from robodyn.logs.formats import is_log
 from robodyn.robot.names import shown
 
 DATE: Final = "date"
@@ -323,9 +323,5 @@ def kind_of(path: Path) -> str | None:
     if path.is_file():
         return None
     if path.is_dir():
-        with os.scandir(path) as entries:
-            names = [entry.name.lower() for entry in entries]
-        if "metadata.yaml" in names or any(name.endswith(BAGS) for name in names):
-            return None
-        return "a folder without a recording"
+        return None if is_log(path) else "a folder without a recording"
     return "neither a file nor a folder" if path.exists() else "not there, or a link to nothing"

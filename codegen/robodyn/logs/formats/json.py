@@ -1,4 +1,4 @@
-"""JSON as a recording: lists of numbers, and lists of objects with numbers, wherever they stand in it."""
+"""JSON: lists of numbers, and lists of objects with numbers, wherever they stand in it."""
 
 from __future__ import annotations
 
@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.files import parsed_json, read_bytes
-from robodyn.logs.arrays import ArraysRecording, refuse_without_samples
-from robodyn.logs.recording import damaged
+from robodyn.logs.arrays import recording_of_arrays
+from robodyn.logs.formats import LogFormat
+from robodyn.logs.recording import Recording, damaged
 
 #: Largest file [bytes]: what Python makes of it takes ten times as much.
 SIZE: Final = 1 << 26
@@ -19,7 +20,7 @@ SIZE: Final = 1 << 26
 WIDTH: Final = 4096
 
 
-def open_json(path: Path, file: str) -> ArraysRecording:
+def open_json(path: Path, file: str, gaps: bool) -> Recording:
     """The lists of numbers in the file at ``path``.
 
     Raises
@@ -33,9 +34,7 @@ def open_json(path: Path, file: str) -> ArraysRecording:
     arrays: dict[str, NDArray[Any]] = {}
     _collect("", data, arrays)
     shapes = {name: array.shape for name, array in arrays.items()}
-    recording = ArraysRecording(file, "JSON", shapes, lambda names: {name: arrays[name] for name in names})
-    refuse_without_samples(recording, ())
-    return recording
+    return recording_of_arrays(file, "JSON", shapes, arrays.__getitem__)
 
 
 def _collect(path: str, value: Any, arrays: dict[str, NDArray[Any]]) -> None:
@@ -72,3 +71,7 @@ def _numbers(path: str, value: Any) -> Sequence[tuple[str, float]]:
         if len(pairs) > WIDTH:
             return ()
     return pairs
+
+
+# Python's own reader, of files of a bounded size: that needs no process of its own.
+FORMAT = LogFormat("json", (".json",), "JSON", open_json, is_guarded=False)

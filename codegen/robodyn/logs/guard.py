@@ -1,0 +1,245 @@
+"""Other people's binary files are read in a process of its own, with limits of memory and of time.
+
+A library that takes such a file apart may end its process, ask for all the memory there is, or never come
+back. In the guarded process that costs nothing: what asked is told so. The process is kept for the next file.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import pickle
+import subprocess
+import sys
+import threading
+import weakref
+from collections.abc import Iterator
+from itertools import count
+from pathlib import Path
+from typing import Any, Final
+
+from robodyn.errors import InputError, Place, RobodynError
+from robodyn.logs.formats import LogFormat
+from robodyn.logs.recording import Groups, Recording, Stream, damaged
+from robodyn.logs.windows import Rows
+
+#: Memory of the process [bytes]; how long an answer takes at most [s], and how many more bytes of a file
+#: [1/s] make it longer.
+MEMORY, SECONDS, RATE = 6 << 30, 60.0, 4e6
+#: Processes that are kept for the next file.
+KEPT: Final = 2
+
+_SERVE: Final = """\
+import os
+try:
+    from robodyn.logs.guard import serve
+    serve()
+finally:
+    os._exit(1)
+"""
+
+
+class _Reader:
+    """A process that reads files, one after the other."""
+
+    def __init__(self) -> None:
+        imports = os.pathsep.join(path or str(Path.cwd()) for path in sys.path)
+        environment = dict(os.environ, PYTHONPATH=imports)
+        self.owner = os.getpid()
+        self.process = subprocess.Popen(
+            [sys.executable, "-P", "-c", _SERVE],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            env=environment,
+            start_new_session=True,  # Ctrl-C is for the one that asks
+        )
+        self.end = weakref.finalize(self, _end, self.process)
+
+    def ask(self, request: tuple[Any, ...], file: str, seconds: float) -> Any:
+        """What the process answers to the ``request``.
+
+        Raises
+        ------
+        InputError: it has ended, or took longer than ``seconds``; what it says of the file.
+        """
+        assert self.process.stdin is not None
+        assert self.process.stdout is not None
+        timer = threading.Timer(seconds, self.process.kill)
+        timer.start()
+        try:
+            pickle.dump(request, self.process.stdin)
+            self.process.stdin.flush()
+            is_done, answer = pickle.load(self.process.stdout)
+        except (EOFError, BrokenPipeError, pickle.UnpicklingError):
+            in_time = timer.is_alive()
+            self.end()
+            raise _lost(file, self.process.returncode, None if in_time else seconds) from None
+        except BaseException:  # an answer would be left over
+            self.end()
+            raise
+        finally:
+            timer.cancel()
+        if is_done:
+            return answer
+        try:
+            raise answer
+        finally:
+            del answer  # which has this frame in its traceback: neither would be let go of soon
+
+
+#: Processes that wait for the next file.
+_waiting: list[_Reader] = []
+
+
+def _reader() -> _Reader:
+    """One that waits, or a new one."""
+    while _waiting:
+        reader = _waiting.pop()
+        if reader.owner == os.getpid() and reader.process.poll() is None:
+            return reader
+    return _Reader()
+
+
+def _end(process: subprocess.Popen[bytes]) -> None:
+    process.kill()
+    for stream in (process.stdin, process.stdout):
+        if stream is not None:
+            with contextlib.suppress(OSError):
+                stream.close()
+    process.wait()
+
+
+def _lost(file: str, status: int, seconds: float | None) -> InputError:
+    """What to say of a process that has ended, by its exit status, or after so many ``seconds``."""
+    if seconds is not None:
+        return InputError(
+            "the log took too long to read",
+            where=Place(file),
+            found=f"more than {seconds:.0f} s",
+            remedy="take a part of it, or write it again, as CSV or Parquet",
+        )
+    return InputError(
+        "the log ended the process that read it",
+        where=Place(file),
+        found=f"signal {-status}" if status < 0 else f"exit status {status}",
+        expected="a file that is not damaged, and fits into memory",
+        remedy="write it again, as CSV or Parquet",
+    )
+
+
+class _Lease:
+    """A process while it reads the ``file`` at ``path``; it goes back when nobody has it any more."""
+
+    def __init__(self, path: Path, file: str) -> None:
+        files = path.iterdir() if path.is_dir() else [path]
+        self.file = file
+        self.seconds = SECONDS + sum(each.stat().st_size for each in files) / RATE
+        self.keys = count()
+        self.reader = _reader()
+        weakref.finalize(self, _give_back, self.reader).atexit = False
+
+    def ask(self, *request: Any) -> Any:
+        return self.reader.ask(request, self.file, self.seconds)
+
+    def parts(self, stream: Stream, groups: Groups, stamp: str | None) -> Iterator[Rows]:
+        """As :data:`~robodyn.logs.recording.Parts` says."""
+        key = next(self.keys)
+        self.ask("read", key, stream, groups, stamp)
+        try:
+            while (rows := self.ask("next", key)) is not None:
+                yield rows
+        finally:
+            if self.reader.process.poll() is None:
+                self.ask("close", key)
+
+
+def _give_back(reader: _Reader) -> None:
+    if reader.process.returncode is None and len(_waiting) < KEPT:
+        _waiting.append(reader)
+
+
+def open_guarded(format: LogFormat, path: Path, file: str, gaps: bool) -> Recording:
+    """The recording in the file at ``path``, of that ``format``, read by a process with limits.
+
+    Raises
+    ------
+    InputError: the file is damaged, too large, or takes too long.
+    ToolError: a library is missing.
+    """
+    lease = _Lease(path, file)
+    facts = lease.ask("open", format, path.absolute(), file, gaps)
+    return Recording(file=file, parts=lease.parts, **facts)
+
+
+# --- in the process ---------------------------------------------------------------------------------------
+
+
+def serve() -> None:
+    """Read what is asked for, until nothing more is."""
+    _limit()
+    questions, answers = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
+    os.dup2(2, 1)  # a library that prints does not answer
+    session = _Session()
+    while True:
+        try:
+            request = pickle.load(questions)
+        except EOFError:
+            return
+        try:
+            answer = True, session.answer(*request)
+        except Exception as error:
+            answer = False, session.error(error)
+        pickle.dump(answer, answers, protocol=pickle.HIGHEST_PROTOCOL)
+        answers.flush()
+
+
+def _limit() -> None:
+    try:
+        import resource
+    except ImportError:  # not on Windows
+        return
+    # Of data: files that are mapped, and what a library reserves ahead, take no memory.
+    for limit, value in ((resource.RLIMIT_DATA, MEMORY), (resource.RLIMIT_CORE, 0)):
+        most = resource.getrlimit(limit)[1]
+        least = value if most == resource.RLIM_INFINITY else min(value, most)
+        resource.setrlimit(limit, (least, least))
+
+
+class _Session:
+    """The file that is open, and what is being read of it."""
+
+    def __init__(self) -> None:
+        self.file = ""
+        self.format: LogFormat | None = None
+        self.recording: Recording | None = None
+        self.parts: dict[int, Iterator[Rows]] = {}
+
+    def answer(self, kind: str, *details: Any) -> Any:
+        if kind == "open":
+            self.recording = None
+            self.parts.clear()
+            self.format, path, self.file, gaps = details
+            assert self.format is not None
+            self.recording = self.format.open(path, self.file, gaps)
+            return {name: getattr(self.recording, name) for name in ("format", "streams", "notes", "names")}
+        key, *rest = details
+        if kind == "read":
+            assert self.recording is not None
+            self.parts[key] = iter(self.recording.parts(*rest))
+        elif kind == "close":
+            self.parts.pop(key, None)
+        else:
+            return next(self.parts[key], None)
+        return None
+
+    def error(self, error: Exception) -> Exception:
+        """What is said of an error: of ours and of the system, what they say; of a library, that the file is
+        damaged."""
+        if isinstance(error, MemoryError):
+            return MemoryError()
+        if isinstance(error, RobodynError) or (isinstance(error, OSError) and error.errno is not None):
+            return error
+        assert self.format is not None
+        reason = "values nested too deeply" if isinstance(error, RecursionError) else error
+        return damaged(self.file, self.format.title, reason, self.format.remedy or None)
