@@ -19,12 +19,7 @@ from robodyn_cli.searching import Search
 )
 @click.option("--cut", metavar="K", type=int, default=3, show_default=True, help="Operations per task.")
 @functions_option("inverse_dynamics", "Function to time.")
-@click.option(
-    "--lanes", metavar="W", type=int, default=4, show_default=True, help="Lanes of the packed form."
-)
 @click.option("--states", metavar="N", type=int, help="Number of states per measurement.")
-@click.option("--cc", metavar="CC", help="C compiler.")
-@click.option("--no-peers", is_flag=True, help="Leave out the peers and the calls from Python.")
 @model_options
 @json_option
 def command(
@@ -32,15 +27,11 @@ def command(
     processors: str | None,
     cut: int,
     functions: str,
-    lanes: int,
     states: int | None,
-    cc: str | None,
-    no_peers: bool,
     formulation: str,
     optimize: str,
     no_regroup: bool,
     engine: str,
-    fold_rotor: bool,
     strict: bool,
     as_json: bool,
 ) -> None:
@@ -63,7 +54,7 @@ def command(
     from robodyn_cli.progress import line
 
     function = one_function(functions)
-    described = load(robot, strict=strict, fold_rotor=fold_rotor)
+    described = load(robot, strict=strict)
     if states is not None and states < 1:
         raise InputError(
             "a measurement needs at least one state", found=f"--states {states}", expected="1 or more"
@@ -75,15 +66,13 @@ def command(
     tasks = cut_program(program, cut)
     with line() as shown:
         beside = None
-        if function_named(function).is_recursion and not no_peers:
-            beside = kernel_bench(described, options, cc=cc, tell=lambda text: shown.tell(f"robodyn: {text}"))
+        if function_named(function).is_recursion:
+            beside = kernel_bench(described, options, tell=lambda text: shown.tell(f"robodyn: {text}"))
         measured = bench(
             described,
             interface,
             tasks,
             counts,
-            lanes_wide=lanes,
-            cc=cc,
             states=states,
             tell=lambda text: shown.tell(f"robodyn: {text}"),
         )

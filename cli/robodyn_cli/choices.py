@@ -2,16 +2,38 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final, Literal
+import importlib
+from collections.abc import Callable, Iterable, Mapping
+from typing import TYPE_CHECKING, Any, Final, Literal
 
 import click
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
 
+    from robodyn.targets import Target
+
     _Word = click.ParamType[str]
 else:
     _Word = click.ParamType  # generic from click 8.3 on only
+
+
+#: Attributes of a record that say in a few words what it is.
+_HELP: Final = ("purpose", "title")
+
+
+def words(source: str) -> dict[str, str]:
+    """The words of a table and what each is, which may be empty; ``source`` is ``module:name`` of a tuple, a
+    mapping, or a function that returns the words."""
+    module, _, name = source.partition(":")
+    table: Any = getattr(importlib.import_module(module), name)
+    listed = table() if callable(table) else table
+    records = listed.values() if isinstance(listed, Mapping) else listed
+    return dict(zip((str(getattr(word, "id", word)) for word in listed), map(_help, records), strict=True))
+
+
+def _help(record: Any) -> str:
+    return next((text for name in _HELP if isinstance(text := getattr(record, name, None), str)), "")
 
 
 class OneOf(_Word):
@@ -19,8 +41,7 @@ class OneOf(_Word):
     the words, imported when a shell completes.
 
     ``many``: several, separated by commas. ``files``: the path of a file as well. ``more``: further words.
-    ``others``: words that are not in the table are right as well. ``late``: the words may change without a
-    change of robodyn.
+    ``others``: words that are not in the table are right as well.
     The library checks what was typed: its message says what there is, and Python gets the same one.
     """
 
@@ -34,15 +55,12 @@ class OneOf(_Word):
         files: bool = False,
         more: tuple[str, ...] = (),
         others: bool = False,
-        late: bool = False,
     ) -> None:
         self.source, self.more = source, more
-        self.many, self.files, self.others, self.late = many, files, others, late
+        self.many, self.files, self.others = many, files, others
 
     def words(self) -> tuple[str, ...]:
         """All of them, in the order of the table."""
-        from robodyn_cli.words import words
-
         return (*words(self.source), *self.more)
 
     def shell_complete(
@@ -51,18 +69,58 @@ class OneOf(_Word):
         """The words that begin like ``incomplete``, the last one of several that commas separate."""
         from click.shell_completion import CompletionItem
 
-        from robodyn_cli.words import remembered, words
-
         before, comma, last = incomplete.rpartition(",") if self.many else ("", "", incomplete)
-        known = words(self.source) if self.late else remembered(self.source)
         offered = [
             CompletionItem(before + comma + word, help=text or None)
-            for word, text in {**known, **dict.fromkeys(self.more, "")}.items()
+            for word, text in {**words(self.source), **dict.fromkeys(self.more, "")}.items()
             if word.startswith(last)
         ]
         if self.files:
             offered.append(CompletionItem(incomplete, type="file"))
         return offered
+
+
+class TargetOption(click.Option):
+    """An option that takes names of targets. ``{name}`` in its help stands for those that ``lists[name]``,
+    a function of :mod:`robodyn.targets`, returns; a shell completes those of the first.
+
+    ``prefix`` stands before a target's name in a value: ``weighted:`` of an objective.
+    """
+
+    def __init__(self, *names: Any, lists: dict[str, str], prefix: str = "", **others: Any) -> None:
+        self._lists = lists
+        self._prefix = prefix
+        super().__init__(*names, **others)
+
+    @property
+    def help(self) -> str | None:
+        """The help, with names in place of ``{name}``."""
+        lists = {name: _names(what) for name, what in self._lists.items()}
+        return None if self._template is None else self._template.format(**lists)
+
+    @help.setter
+    def help(self, template: str | None) -> None:
+        self._template = template
+
+    def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:
+        """The names that begin like ``incomplete``, the last one of several that commas part."""
+        from click.shell_completion import CompletionItem
+
+        before, comma, last = incomplete.rpartition(",")
+        first = next(iter(self._lists.values()))
+        words = (self._prefix + target.name for target in _targets(first))
+        return [CompletionItem(f"{before}{comma}{word}") for word in words if word.startswith(last)]
+
+
+def _targets(what: str) -> Iterable[Target]:
+    import robodyn.targets
+
+    listed: Callable[[], tuple[Target, ...]] = getattr(robodyn.targets, what)
+    return listed()
+
+
+def _names(what: str) -> str:
+    return ", ".join(target.name for target in _targets(what))
 
 
 class Place(_Word):
@@ -84,7 +142,7 @@ class Place(_Word):
 
 FILE: Final = Place("file")
 FOLDER: Final = Place("dir")
-ROBOTS: Final = OneOf("robodyn.robot.bundled:bundled_names", files=True, late=True)
+ROBOTS: Final = OneOf("robodyn.robot.bundled:bundled_names", files=True)
 FORMULATIONS: Final = OneOf("robodyn.optimize.programs:FORMULATIONS", more=("all",))
 LEVELS: Final = OneOf("robodyn.kernels.options:LEVELS")
 ENGINES: Final = OneOf("robodyn.kernels.options:ENGINES")

@@ -1,15 +1,16 @@
-"""Options shared by the commands that write kernels: numbers, sines, order of operations, style."""
+"""Options shared by the commands that write kernels: numbers, sines, order of operations, style, pruning."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from fractions import Fraction
 from typing import Any, TypeVar
 
 import click
 
-from robodyn_cli.choices import CONTRACTIONS, ORDERS, TRIGONOMETRY
+from robodyn_cli.choices import CONTRACTIONS, ORDERS, TRIGONOMETRY, TargetOption
 from robodyn_cli.options import scalar_option
-from robodyn_cli.targets import TargetOption
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
@@ -73,3 +74,31 @@ def _options(lists: dict[str, str], target_help: str) -> list[Callable[[Command]
             "named after its link and quantity.",
         ),
     ]
+
+
+def prune_option(command: Command) -> Command:
+    """Add ``--prune TOL``, passed to `command` as ``prune: str | None``."""
+    return click.option(
+        "--prune",
+        metavar="TOL",
+        help="Drop terms that cannot matter within the joint limits; the error of each torque stays below "
+        "TOL (1% or 0.01) of the joint's peak torque. Inverse dynamics, bias and gravity only.",
+    )(command)
+
+
+def tolerance(prune: str | None) -> Fraction | None:
+    """The tolerance of ``--prune``."""
+    if prune is None:
+        return None
+    from robodyn.optimize.prune import parse_tolerance
+
+    return parse_tolerance(prune)
+
+
+@contextmanager
+def pruning_progress() -> Iterator[Callable[[str], None]]:
+    """Progress of the pruning: a line on a terminal, nothing in a pipe."""
+    from robodyn_cli.progress import line
+
+    with line() as shown:
+        yield lambda text: shown.tell(f"robodyn: {text}")

@@ -12,7 +12,7 @@ from typing import IO, TYPE_CHECKING, Any, Final, TypeVar
 
 import click
 
-from robodyn.errors import InputError
+from robodyn.errors import CheckError, InputError
 from robodyn.outputs import ELSEWHERE, write_files
 from robodyn_cli.choices import ROBOTS
 
@@ -192,6 +192,37 @@ def parameter_values(robot: Robot, options: Sequence[tuple[str, float]]) -> dict
             remedy="leave one of the two out",
         )
     return parameter_values(robot, dict(options))
+
+
+def new_file(text: str, *, force: bool) -> Path:
+    """The file named by the option ``-o``, where nothing is unless ``force``, not even a broken link.
+
+    Raises
+    ------
+    InputError: the name is empty, or something is there.
+    """
+    path = output_folder(text)
+    if os.path.lexists(path) and not force:
+        raise InputError(
+            f"{printable(path)} already exists",
+            remedy="choose another path with -o, or overwrite it with --force",
+        )
+    return path
+
+
+def check_files(folder: Path, files: Mapping[str, str | bytes]) -> None:
+    """Compare ``folder`` with what would be written there, for ``--check``.
+
+    Raises
+    ------
+    CheckError: a file is missing, or differs.
+    """
+    different = compare_files(folder, files)
+    if different:
+        raise CheckError(
+            f"{', '.join(printable(folder / name) for name in different)}: not up to date",
+            remedy="run the same command without --check",
+        )
 
 
 def compare_files(folder: Path, files: Mapping[str, str | bytes]) -> list[str]:

@@ -9,6 +9,7 @@ from robodyn_cli.common import wrapped
 
 if TYPE_CHECKING:
     from robodyn.counts import Beside, Count
+    from robodyn.optimize.prune import Pruning
     from robodyn.robot import Robot
 
 
@@ -98,3 +99,17 @@ def _aligned(table: Sequence[tuple[str, ...]]) -> list[str]:
         ).rstrip()
         for row in table
     ]
+
+
+def with_pruning(record: dict[str, Any], pruning: Pruning | None) -> dict[str, Any]:
+    """A count's record with the object ``prune``, if its function was pruned."""
+    return record if pruning is None else {**record, "prune": pruning.to_dict()}
+
+
+def pruning_lines(prunings: Mapping[Any, Pruning]) -> list[str]:
+    """Lines about the pruning errors, for people."""
+    if not prunings:
+        return []
+    from robodyn.optimize.prune import notes_of
+
+    return list(notes_of(tuple(prunings.values())))

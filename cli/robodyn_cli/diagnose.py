@@ -41,7 +41,9 @@ UNEXPLAINED: Final = 4
 @click.argument("logs", type=FILE, metavar="TRAIN.csv [MORE.csv ...]", nargs=-1, required=True)
 @click.option("--validate", type=FILE, metavar="V.csv", help="Log for validation, not used for fitting.")
 @log_options
-@click.option("-o", "--output", "out", required=True, type=FOLDER, metavar="DIR", help="Output folder.")
+@click.option(
+    "-o", "--output", "--out", "out", type=FOLDER, required=True, metavar="DIR", help="Output folder."
+)
 @parameter_option()
 @click.option("--only", type=SEVERAL_EFFECTS, metavar="A,B", help="Look for these effects only.")
 @click.option(

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Sequence
 
 import click
 
-from robodyn.errors import InputError
 from robodyn_cli.choices import FILE, TARGET_FORMATS
 from robodyn_cli.common import (
     FORCE_FILE,
@@ -15,7 +13,7 @@ from robodyn_cli.common import (
     force_option,
     json_option,
     load_robot,
-    output_folder,
+    new_file,
     parameter_values,
     printable,
     robot_argument,
@@ -48,12 +46,7 @@ def command(
     """
     from robodyn.formats.exporting import export_arm
 
-    path = None if output in (None, "-") else output_folder(str(output))
-    if path is not None and os.path.lexists(path) and not force:
-        raise InputError(
-            f"{printable(path)} already exists",
-            remedy="choose another path with -o, or overwrite it with --force",
-        )
+    path = None if output in (None, "-") else new_file(str(output), force=force)
     arm = load_robot(robot)
     if param:
         arm = arm.at(parameter_values(arm, param))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
-from robodyn_cli.common import compare_files, echo_json, printable, talk
+from robodyn_cli.common import check_files, echo_json, printable, talk
 from robodyn_cli.options import listed
 
 if TYPE_CHECKING:
@@ -76,7 +76,6 @@ def write_firmware(
     ------
     CheckError: files differ, or the self-test fails on a processor.
     """
-    from robodyn.errors import CheckError
     from robodyn.firmware import measure, targets_named
 
     folder = folder / FOLDER
@@ -84,12 +83,7 @@ def write_firmware(
     made_folder = firmware_of(generated, languages, target)
     files = dict(made_folder.files)
     if check:
-        different = compare_files(folder, files)
-        if different:
-            raise CheckError(
-                f"{', '.join(printable(folder / file) for file in different)}: not up to date",
-                remedy="run the same command without --check",
-            )
+        check_files(folder, files)
         if as_json:
             echo_json({"robot": name, "checked": [str(folder / file) for file in files]})
         else:

@@ -29,7 +29,9 @@ _PAGES: Final = 100
 
 @click.command()
 @click.argument("fleet", type=FILE, metavar="FLEET")
-@click.option("-o", "--output", "out", required=True, type=FOLDER, metavar="DIR", help="Output folder.")
+@click.option(
+    "-o", "--output", "--out", "out", required=True, type=FOLDER, metavar="DIR", help="Output folder."
+)
 @click.option(
     "--on",
     default="local",

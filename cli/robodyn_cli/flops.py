@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import click
 
+from robodyn_cli.code_options import prune_option, pruning_progress, tolerance
 from robodyn_cli.common import echo_json, json_option, robot_argument
-from robodyn_cli.counted import effect_lines, lines, record, with_rigid
+from robodyn_cli.counted import effect_lines, lines, pruning_lines, record, with_pruning, with_rigid
 from robodyn_cli.options import (
     functions_option,
     fuse_option,
@@ -15,7 +16,6 @@ from robodyn_cli.options import (
     search_options,
     with_fused,
 )
-from robodyn_cli.pruned import prune_option, pruning_lines, pruning_progress, tolerance, with_pruning
 from robodyn_cli.searching import Search
 
 
@@ -38,7 +38,6 @@ def command(
     optimize: str,
     no_regroup: bool,
     engine: str,
-    fold_rotor: bool,
     strict: bool,
     budget_seconds: float | None,
     seed: int,
@@ -70,7 +69,7 @@ def command(
     formulations = FORMULATIONS if formulation == "all" else (formulation,)
     options = Options(chosen, formulations[0], optimize, not no_regroup, engine=engine)  # type: ignore[arg-type]
     options = replace(options, prune=tolerance(prune))
-    described = load(robot, strict=strict, fold_rotor=fold_rotor)
+    described = load(robot, strict=strict)
     options = Search(budget_seconds, seed, objective, keep).applied(described, options, chosen)
     choices = [
         (f, form, replace(options, functions=(f,), formulation=form)) for form in formulations for f in chosen

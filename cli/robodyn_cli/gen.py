@@ -11,10 +11,10 @@ import click
 
 from robodyn.outputs import write_files
 from robodyn_cli.choices import FOLDER
-from robodyn_cli.code_options import code_options
+from robodyn_cli.code_options import code_options, prune_option
 from robodyn_cli.common import (
     FORCE,
-    compare_files,
+    check_files,
     echo_json,
     force_option,
     json_option,
@@ -23,12 +23,19 @@ from robodyn_cli.common import (
     robot_argument,
     wrapped,
 )
-from robodyn_cli.counted import effect_lines, fused_lines, lines, record, with_rigid
+from robodyn_cli.counted import (
+    effect_lines,
+    fused_lines,
+    lines,
+    pruning_lines,
+    record,
+    with_pruning,
+    with_rigid,
+)
 from robodyn_cli.firmware import firmware_option, write_firmware
 from robodyn_cli.generating import kernels
 from robodyn_cli.languages import language_option
 from robodyn_cli.options import functions_option, fuse_option, model_options, search_options
-from robodyn_cli.pruned import prune_option, pruning_lines, with_pruning
 
 if TYPE_CHECKING:
     from robodyn.kernels.generate import Generated, Options
@@ -88,7 +95,7 @@ def command(
     --lang rust, a module with --lang javascript) with the functions of --functions. The same input gives the
     same bytes on any machine.
     """
-    from robodyn.errors import CheckError, InputError
+    from robodyn.errors import InputError
 
     if check and keep:
         raise InputError("--check writes nothing, but --keep writes a record", remedy="remove one of them")
@@ -116,12 +123,7 @@ def command(
         return
     files = product.files(batch=batch, latex=latex)
     if check:
-        different = compare_files(folder, files)
-        if different:
-            raise CheckError(
-                f"{', '.join(printable(folder / name) for name in different)}: not up to date",
-                remedy="run the same command without --check",
-            )
+        check_files(folder, files)
         if as_json:
             echo_json({"robot": described.name, "checked": [str(folder / name) for name in files]})
         else:

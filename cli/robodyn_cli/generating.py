@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING
 
 import click
 
+from robodyn_cli.code_options import pruning_progress, tolerance
 from robodyn_cli.common import talk
 from robodyn_cli.firmware import for_firmware
 from robodyn_cli.languages import chosen_languages, tests_of, trig_for
 from robodyn_cli.options import kernel_options, listed, load, with_fused
-from robodyn_cli.pruned import pruning_progress, tolerance
 from robodyn_cli.searching import Search
 
 if TYPE_CHECKING:
@@ -64,7 +64,6 @@ def kernels(
     optimize: str,
     no_regroup: bool,
     engine: str,
-    fold_rotor: bool,
     strict: bool,
     budget_seconds: float | None,
     seed: int,
@@ -113,7 +112,7 @@ def kernels(
     if firmware:
         unfit = {"compile": compiled, "latex": latex, "batch": batch, "contraction on": contraction == "on"}
         options = for_firmware(options, target, **unfit)
-    described = load(robot, strict=strict, fold_rotor=fold_rotor)
+    described = load(robot, strict=strict)
     options = Search(budget_seconds, seed, options.objective, keep, on, seeds).applied(
         described, options, options.function_names
     )

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -16,7 +15,7 @@ from robodyn_cli.common import (
     echo_json,
     force_option,
     json_option,
-    output_folder,
+    new_file,
     printable,
     talk,
     write_file,
@@ -84,12 +83,7 @@ def command(
     from robodyn.formats.arm import description_text, import_arm
     from robodyn.robot.masses import unknown_masses
 
-    path = None if output in (None, "-") else output_folder(str(output))
-    if path is not None and os.path.lexists(path) and not force:
-        raise InputError(
-            f"{printable(path)} already exists",
-            remedy="choose another path with -o, or overwrite it with --force",
-        )
+    path = None if output in (None, "-") else new_file(str(output), force=force)
     if path is not None and path.exists() and Path(file).exists() and path.samefile(file):
         raise InputError(
             f"{printable(path)} is the input and would be overwritten", remedy="choose another -o"

@@ -17,7 +17,6 @@ import click
 
 from robodyn_cli.common import Document
 from robodyn_cli.failures import asks_for_json, guard
-from robodyn_cli.renamed import renamed
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
@@ -115,7 +114,7 @@ class LazyGroup(click.Group):
 
             hint = did_you_mean(args[0], COMMANDS) or f"the commands are {', '.join(COMMANDS)}."
             ctx.fail(f"No such command {args[0]!r}; {hint}")
-        return super().resolve_command(ctx, [args[0], *renamed(args[0], args[1:])])
+        return super().resolve_command(ctx, args)
 
     def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem[str]]:
         from click.shell_completion import CompletionItem

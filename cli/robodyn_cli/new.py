@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-import os
-from pathlib import Path
-
 import click
 
-from robodyn.errors import InputError
 from robodyn_cli.choices import FILE
 from robodyn_cli.common import (
     FORCE_FILE,
     echo_json,
     force_option,
     json_option,
-    output_folder,
+    new_file,
     printable,
     talk,
     write_file,
@@ -51,12 +47,7 @@ def command(name: str, joints: int, output: str | None, force: bool, as_json: bo
         else:
             click.echo(text, nl=False)
         return
-    path = Path(f"{name}.yaml") if output is None else output_folder(output)
-    if os.path.lexists(path) and not force:  # also a broken link
-        raise InputError(
-            f"{printable(path)} already exists",
-            remedy="choose another path with -o, or overwrite it with --force",
-        )
+    path = new_file(f"{name}.yaml" if output is None else output, force=force)
     write_file(path, text, force=force)
     if as_json:
         echo_json({"name": name, "joints": joints, "path": str(path)})

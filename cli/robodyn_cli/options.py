@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
-from robodyn_cli.choices import ENGINES, FORMULATIONS, LEVELS, SCALARS, SEVERAL_FUNCTIONS
-from robodyn_cli.targets import TargetOption
+from robodyn_cli.choices import ENGINES, FORMULATIONS, LEVELS, SCALARS, SEVERAL_FUNCTIONS, TargetOption
 
 if TYPE_CHECKING:
     from robodyn.kernels.generate import Options
@@ -49,11 +48,6 @@ def model_options(command: Command) -> Command:
                 show_default=True,
                 help="Engine: graph, or sympy as a cross-check (slower, no smaller, without records and "
                 "searches).",
-            ),
-            click.option(
-                "--fold-rotor",
-                is_flag=True,
-                help="Fold rotor inertias into Izz of the links, as the thesis does.",
             ),
             click.option("--strict", is_flag=True, help="Refuse physically implausible values."),
         )
@@ -100,7 +94,7 @@ def search_options(command: Command) -> Command:
     return command
 
 
-def load(robot: str, *, strict: bool, fold_rotor: bool) -> Robot:
+def load(robot: str, *, strict: bool) -> Robot:
     """The robot that the options name; warnings about implausible values go to stderr.
 
     Raises
@@ -110,13 +104,7 @@ def load(robot: str, *, strict: bool, fold_rotor: bool) -> Robot:
     from robodyn_cli.common import load_robot
 
     _check_engine()
-    described = load_robot(robot, strict=strict)
-    if fold_rotor:
-        from robodyn.robot import fold_rotor as fold
-
-        _refuse_drives(described)
-        described = fold(described)
-    return described
+    return load_robot(robot, strict=strict)
 
 
 #: Levels that only the graph engine has.
@@ -144,19 +132,6 @@ def _check_engine() -> None:
     talk(f"robodyn: note: --engine sympy takes no record ({level} is the default level): --optimize fast")
 
 
-def _refuse_drives(robot: Robot) -> None:
-    """Refuse rotors behind gears and springs, which cannot be folded into links."""
-    if robot.effects:
-        from robodyn.drives.drive import has_drive_effects
-        from robodyn.errors import InputError
-
-        if has_drive_effects(robot):
-            raise InputError(
-                f"{robot.name} has effects between links and motors, which --fold-rotor does not support",
-                remedy="remove --fold-rotor or the effects",
-            )
-
-
 def listed(text: str) -> tuple[str, ...]:
     """``a,b`` as ``("a", "b")``."""
     return tuple(part.strip() for part in text.split(",") if part.strip())
@@ -182,6 +157,7 @@ def functions_option(default: str | None = None, text: str | None = None) -> Cal
     without = "" if default else "  [default: all but those on request]"
     return click.option(
         "--functions",
+        "--function",
         type=SEVERAL_FUNCTIONS,
         metavar="A,B",
         multiple=True,

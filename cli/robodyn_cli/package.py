@@ -11,10 +11,10 @@ import click
 
 from robodyn.outputs import write_files
 from robodyn_cli.choices import FOLDER, PACKAGES
-from robodyn_cli.code_options import code_options
+from robodyn_cli.code_options import code_options, prune_option
 from robodyn_cli.common import (
     FORCE,
-    compare_files,
+    check_files,
     echo_json,
     force_option,
     json_option,
@@ -27,7 +27,6 @@ from robodyn_cli.counted import record
 from robodyn_cli.generating import Kernels, kernels
 from robodyn_cli.options import functions_option, fuse_option, listed, model_options, search_options
 from robodyn_cli.progress import line
-from robodyn_cli.pruned import prune_option
 
 if TYPE_CHECKING:
     from robodyn.packages import Format, Package
@@ -99,7 +98,7 @@ def command(
         files = package.files()
     folder = Path("packages") / product.robot.name / package.format.name if folder is None else folder
     if check:
-        _check(folder, files)
+        check_files(folder, files)
     else:
         base = Path() if output is None else folder
         paths = {str((folder / name).relative_to(base)): each for name, each in files.items()}
@@ -154,22 +153,6 @@ def _kernels(robot: str, form: Format, options: dict[str, Any]) -> Kernels:
         derivatives=form.derivatives,
         **options,
     )
-
-
-def _check(folder: Path, files: Mapping[str, str | bytes]) -> None:
-    """
-    Raises
-    ------
-    CheckError: a file is missing, or differs.
-    """
-    from robodyn.errors import CheckError
-
-    different = compare_files(folder, files)
-    if different:
-        raise CheckError(
-            f"{', '.join(printable(folder / name) for name in different)}: not up to date",
-            remedy="run the same command without --check",
-        )
 
 
 def _report(

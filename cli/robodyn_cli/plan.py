@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 
 import click
 
+from robodyn_cli.choices import TargetOption
 from robodyn_cli.common import echo_json, json_option, load_robot, robot_argument
 from robodyn_cli.options import functions_option, one_function
-from robodyn_cli.targets import TargetOption
 
 if TYPE_CHECKING:
     from robodyn.ir.signature import ScalarType

@@ -49,6 +49,7 @@ if TYPE_CHECKING:
 )
 @click.option(
     "--budget-seconds",
+    "--seconds",
     "seconds",
     metavar="S",
     type=click.FloatRange(min=1),
@@ -81,7 +82,6 @@ def command(
     optimize: str,
     no_regroup: bool,
     engine: str,
-    fold_rotor: bool,
     strict: bool,
     as_json: bool,
 ) -> None:
@@ -110,7 +110,7 @@ def command(
     proofs = ProofOptions(
         PROOFS if only is None else listed(only), seconds, workers or cores(), _share(tolerance)
     )
-    described = load(robot, strict=strict, fold_rotor=fold_rotor)
+    described = load(robot, strict=strict)
     ranged = _ranged(described, ranges, needed="gappa" in proofs.only)
     folder = output_folder(output) if output is not None else Path("proof") / described.name
     with line() as shown:

@@ -33,6 +33,7 @@ if TYPE_CHECKING:
 @click.option(
     "-o",
     "--output",
+    "--out",
     "out",
     type=FILE,
     metavar="PATH",

@@ -153,7 +153,7 @@ def _source(settings: ScheduleOptions) -> tuple[Robot | None, Source, Signature 
         tasks = cut(general_program(settings.form, settings.links), k, costs)
         return None, cut_source(f"{settings.links} links, {settings.form}", tasks, k), None
     assert settings.robot is not None
-    described = load(settings.robot, strict=settings.strict, fold_rotor=settings.fold_rotor)
+    described = load(settings.robot, strict=settings.strict)
     if settings.operations is None and settings.emit is None:
         by_joint = _friction(settings.friction, described)
         return described, robot_source(described, as_printed=settings.as_printed, friction=by_joint), None

@@ -78,6 +78,7 @@ def schedule_options(command: Command) -> Command:
             ),
             click.option(
                 "--budget-seconds",
+                "--seconds",
                 "seconds",
                 metavar="S",
                 type=float,
@@ -102,7 +103,13 @@ def schedule_options(command: Command) -> Command:
             ),
             click.option("--layers", type=FILE, metavar="FILE.svg", help="Write the layered graph."),
             click.option(
-                "-o", "--output", "emit", type=FOLDER, metavar="DIR", help="Write parallel C to DIR."
+                "-o",
+                "--output",
+                "--emit",
+                "emit",
+                type=FOLDER,
+                metavar="DIR",
+                help="Write parallel C to DIR.",
             ),
             click.option("--sync", metavar="HOW", help="Synchronisation (with -o): barrier or counters."),
             click.option(
@@ -148,7 +155,6 @@ class ScheduleOptions:
     optimize: str
     no_regroup: bool
     engine: str
-    fold_rotor: bool
     strict: bool
 
     @staticmethod

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import sys
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
@@ -66,7 +65,6 @@ def command(
     optimize: str,
     no_regroup: bool,
     engine: str,
-    fold_rotor: bool,
     strict: bool,
     as_json: bool,
 ) -> None:
@@ -90,6 +88,7 @@ def command(
     from robodyn.kernels.kernel import load as load_kernel
     from robodyn.verify import verify
     from robodyn.verify.against import comparable, with_original
+    from robodyn_cli.progress import line
 
     lang = compiled_language(lang)[0].name
     if trig == "given":
@@ -103,7 +102,7 @@ def command(
         scalar=scalar,  # type: ignore[arg-type]
         engine=engine,  # type: ignore[arg-type]
     )
-    described = load(robot, strict=strict, fold_rotor=fold_rotor)
+    described = load(robot, strict=strict)
     original = _original(described, against, unique(lock, "--lock"))
     left_out: dict[str, str] = {}
     if original is not None:
@@ -111,8 +110,12 @@ def command(
     generated = generate(described, options)
     kernel = load_kernel(generated.signatures, generated.files((lang,)), language=lang)
     exact, closing = _exactly(generated), _closing(generated)
-    with _Bar() as step:
-        report = verify(described, kernel, states=states, seed=seed, progress=step, original=original)
+    with line() as shown:
+
+        def tell(done: int, of: int) -> None:
+            shown.tell(f"robodyn: {described.name}: {done} of {of} comparisons")
+
+        report = verify(described, kernel, states=states, seed=seed, progress=tell, original=original)
     if original is not None:
         report = with_original(report, described, original, left_out)
     passed = report.passed and all(exact.values()) and all(closing.values())
@@ -123,8 +126,7 @@ def command(
         click.echo(report.to_text())
         if report.worst is not None:
             state = "; ".join(f"{name} = {list(x)}" for name, x in report.worst.to_dict()["inputs"].items())
-            for line in wrapped(f"the largest error occurs at {state}"):
-                click.echo(line)
+            click.echo("\n".join(wrapped(f"the largest error occurs at {state}")))
         for function, equal in exact.items():
             plain = "products of transforms" if function_named(function).geometric else "plain Newton-Euler"
             click.echo(f"{function}: {'equal to' if equal else 'NOT EQUAL to'} {plain} on fractions")
@@ -191,24 +193,3 @@ def _closing(generated: Generated) -> dict[str, bool]:
         for interface, program in generated.unit.functions
         if function_named(interface.function).of_pose
     }
-
-
-class _Bar:
-    """A progress bar on a terminal, nothing in a pipe."""
-
-    def __enter__(self) -> Any:
-        if sys.stderr is None or not sys.stderr.isatty():
-            return None
-        self.bar: Any = None
-
-        def step(done: int, total: int) -> None:
-            if self.bar is None:
-                self.bar = click.progressbar(length=total, label="comparing", file=sys.stderr)
-                self.bar.__enter__()
-            self.bar.update(done - self.bar.pos)
-
-        return step
-
-    def __exit__(self, *error: object) -> None:
-        if getattr(self, "bar", None) is not None:
-            self.bar.__exit__(None, None, None)

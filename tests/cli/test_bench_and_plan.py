@@ -35,8 +35,8 @@ def run(capsys: Capture, *arguments: str, code: int = 0) -> tuple[str, str]:
 
 @pytest.mark.thorough
 def test_bench_measures_and_says_what_follows(capsys: Capture) -> None:
-    require_tool("gcc")
-    out, _ = run(capsys, "bench", "puma560_3dof", "-p", "2", "--states", "300", "--cc", "gcc", "--json")
+    require_tool("cc")
+    out, _ = run(capsys, "bench", "puma560_3dof", "-p", "2", "--states", "300", "--json")
     found = json.loads(out)
     assert (found["robot"], found["operations"]) == ("puma560_3dof", 80)
     assert found["serial_ns"] > 0
@@ -55,17 +55,16 @@ def test_bench_measures_and_says_what_follows(capsys: Capture) -> None:
 
 @pytest.mark.thorough
 def test_bench_counts_instructions(capsys: Capture) -> None:
-    require_tool("gcc")
+    require_tool("cc")
     require_tool("valgrind")
-    out, _ = run(capsys, "bench", "puma560_3dof", "-p", "2", "--states", "200", "--cc", "gcc", "--json")
+    out, _ = run(capsys, "bench", "puma560_3dof", "-p", "2", "--states", "200", "--json")
     counts = {row["key"]: row["instructions"] for row in json.loads(out)["kernels"]}
     assert 80 < counts["given"] < counts["libm"]  # it has 80 operations
 
 
 @pytest.mark.thorough
 def test_bench_names_what_is_not_measured(capsys: Capture, monkeypatch: pytest.MonkeyPatch) -> None:
-    require_tool("gcc")
-    gcc = shutil.which("gcc")
+    require_tool("cc")
     find = shutil.which
     monkeypatch.setattr(
         shutil, "which", lambda name, *a, **k: None if name == "valgrind" else find(name, *a, **k)
@@ -76,7 +75,7 @@ def test_bench_names_what_is_not_measured(capsys: Capture, monkeypatch: pytest.M
         "find_spec",
         lambda name, *a: None if name in ("pinocchio", "casadi") else known(name, *a),
     )
-    out, _ = run(capsys, "bench", "puma560_3dof", "-p", "2", "--states", "200", "--cc", str(gcc))
+    out, _ = run(capsys, "bench", "puma560_3dof", "-p", "2", "--states", "200")
     assert "not measured: instructions: needs valgrind" in out
     assert "not measured: pin: not installed (pip install pin)" in out
     assert "not measured: casadi: not installed" in out
@@ -85,15 +84,14 @@ def test_bench_names_what_is_not_measured(capsys: Capture, monkeypatch: pytest.M
 
 @pytest.mark.thorough
 def test_bench_beside_peers_that_do_not_know_the_robot(capsys: Capture, tmp_path: Path) -> None:
-    require_tool("gcc")
+    require_tool("cc")
     before, at, after = bundled_text("puma560_3dof").partition("    motor_inertia: 1.14\n")
     path = tmp_path / "rubbing.yaml"
     path.write_text(f"{before}{at}    friction: {{viscous: 1, coulomb: 2}}\n{after}")
-    arguments = ("bench", str(path), "-p", "2", "--states", "200", "--cc", "gcc")
+    arguments = ("bench", str(path), "-p", "2", "--states", "200")
     out, _ = run(capsys, *arguments)
     assert "not measured: pin: puma560_3dof has friction" in out
     assert "robodyn, built-in sine and cosine" in out
-    assert "one state after another" not in run(capsys, *arguments, "--no-peers")[0]
     path.write_text(f"{before}    motor_inertia: rotor\n{after}")
     out, _ = run(capsys, *arguments)
     assert "not measured: calls beside peers: puma560_3dof has run-time parameters" in out
@@ -101,8 +99,8 @@ def test_bench_beside_peers_that_do_not_know_the_robot(capsys: Capture, tmp_path
 
 @pytest.mark.thorough
 def test_bench_as_text(capsys: Capture) -> None:
-    require_tool("gcc")
-    out, _ = run(capsys, "bench", "puma560_3dof", "-p", "2", "--states", "200", "--cc", "gcc")
+    require_tool("cc")
+    out, _ = run(capsys, "bench", "puma560_3dof", "-p", "2", "--states", "200")
     assert "ns an operation" in out
     assert "threads win here" in out or "threads lose to the serial kernel here" in out
 

@@ -13,8 +13,6 @@ from time import monotonic
 
 import pytest
 
-from robodyn.dynamics.functions import FUNCTIONS
-from robodyn_cli import words
 from robodyn_cli.main import main
 from robodyn_cli.shells import SHELLS, script
 from robodyn_testing.wanted import require_module, require_tool
@@ -214,56 +212,3 @@ def test_fish_offers_the_same(home: Path, environment: dict[str, str]) -> None:
         )  # fmt: skip
         offered = {line.partition("\t")[0] for line in done.stdout.splitlines()}
         assert {text.rstrip("/") for text in offered} == {begun.rpartition(" ")[2] + rest}, done.stderr
-
-
-class TestWords:
-    @pytest.fixture(autouse=True)
-    def _cache(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-        monkeypatch.setenv("ROBODYN_CACHE", str(tmp_path / "cache"))
-
-    def test_they_are_looked_up_once(self, monkeypatch: pytest.MonkeyPatch) -> None:
-        source = "robodyn.dynamics.functions:FUNCTIONS"
-        first = words.remembered(source)
-        assert first == {name: function.purpose for name, function in FUNCTIONS.items()}
-        known = words.remembered("robodyn.certify:PROOFS")
-        monkeypatch.setattr(words, "words", lambda source: {"anew": ""})
-        assert words.remembered(source) == first
-        assert words.remembered("robodyn.certify:PROOFS") == known
-        monkeypatch.setattr(words, "_changes", lambda folder: [1])
-        assert words.remembered(source) == {"anew": ""}
-
-    @pytest.mark.parametrize("text", ["", "[]", '{"changed": 0}', "{", '{"changed": 1, "words": 3}'])
-    def test_a_damaged_file_is_written_anew(
-        self, text: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-    ) -> None:
-        monkeypatch.setattr(words, "_changes", lambda folder: [1])
-        source = "robodyn.kernels.options:LEVELS"
-        levels = words.remembered(source)
-        (file,) = (tmp_path / "cache").iterdir()
-        good = file.read_text(encoding="utf-8")
-        file.write_text(text, encoding="utf-8")
-        assert words.remembered(source) == levels == dict.fromkeys(levels, "")
-        assert file.read_text(encoding="utf-8") == good
-
-    def test_without_a_cache_they_are_there_all_the_same(
-        self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-    ) -> None:
-        (tmp_path / "cache").write_text("a file is in the way", encoding="utf-8")
-        assert "fast" in words.remembered("robodyn.kernels.options:LEVELS")
-        monkeypatch.setattr("robodyn.toolchain.cache.default_root", lambda: None)
-        assert "fast" in words.remembered("robodyn.kernels.options:LEVELS")
-
-    def test_a_shell_does_not_wait_for_a_table_twice(self) -> None:
-        """The second time, nothing of the table's room is imported."""
-        ask = {"_ROBODYN_COMPLETE": "bash_complete", "COMP_WORDS": "robodyn gen x --functions grav"}
-        code = "import sys; from robodyn_cli.main import main; main([]); print(*sys.modules, file=sys.stderr)"
-        loaded = []
-        for _ in range(2):
-            done = subprocess.run(
-                [sys.executable, "-c", code],
-                env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path), **ask},
-                capture_output=True, text=True, check=True,
-            )  # fmt: skip
-            assert done.stdout.splitlines() == ["plain,gravity", "plain,gravity_with_wrench"]
-            loaded.append("robodyn.dynamics" in done.stderr.split())
-        assert loaded == [True, False]

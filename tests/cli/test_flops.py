@@ -88,14 +88,12 @@ def test_without_regrouping_there_is_more_to_do(capsys: Capture) -> None:
         assert regrouped["total"] < plain["total"] <= book["total"]
 
 
-def test_formulations_and_rotors(capsys: Capture) -> None:
+def test_formulations(capsys: Capture) -> None:
     both = flops_json(capsys, "stanford_3dof", "--formulation", "all")
     assert [record["formulation"] for record in both] == list(FORMULATIONS)
     assert set(FORMULATIONS) >= {"modified_newton_euler", "newton_euler"}
     every = flops_json(capsys, "stanford_3dof", "--formulation", "all", "--functions", USUAL)
     assert len(every) == 5 * len(FORMULATIONS)
-    folded = flops_json(capsys, "puma560", "--fold-rotor")
-    assert folded["total"] < flops_json(capsys, "puma560")["total"]
     through = flops_json(capsys, "stanford_3dof", "--engine", "sympy")
     assert through["total"] >= flops_json(capsys, "stanford_3dof")["total"]
 

@@ -129,14 +129,6 @@ def test_float_is_float_throughout(elsewhere: Path, capsys: Capture) -> None:
     assert "rk => c_float" in (elsewhere / "out" / "stanford_3dof.f90").read_text()
 
 
-def test_folded_rotors(elsewhere: Path, capsys: Capture) -> None:
-    gen(capsys, "puma560_3dof", "-o", "one")
-    gen(capsys, "puma560_3dof", "--fold-rotor", "-o", "other")
-    assert (elsewhere / "one" / "puma560_3dof.c").read_text() != (
-        elsewhere / "other" / "puma560_3dof.c"
-    ).read_text()
-
-
 def test_latex_beside_the_kernels(elsewhere: Path, capsys: Capture) -> None:
     gen(capsys, "stanford_3dof", "--latex", "-o", "out")
     text = (elsewhere / "out" / "stanford_3dof.tex").read_text()

@@ -191,7 +191,6 @@ class TestLaziness:
             "robodyn_cli.choices",
             "robodyn_cli.common",
             "robodyn_cli.failures",
-            "robodyn_cli.renamed",
         }
 
 

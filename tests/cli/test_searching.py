@@ -204,16 +204,6 @@ def test_functions_that_have_no_writings(function: str, capsys: Capture) -> None
 
 
 @pytest.mark.thorough
-def test_rotors_folded_make_another_robot(here: Path, capsys: Capture) -> None:
-    (here / "elbow.yaml").write_text(ELBOW.replace("mass: 2,", "mass: 2, motor_inertia: 0.5,"))
-    more = ["--optimize", "search", "--budget-seconds", "0.1", "--keep"]
-    plain = total(capsys, *more)
-    folded = total(capsys, "--fold-rotor", *more)
-    assert len(files(here / FOLDER)) == 2
-    assert (total(capsys), total(capsys, "--fold-rotor")) == (plain, folded)
-
-
-@pytest.mark.thorough
 def test_bundled_records_stay_as_they_are(capsys: Capture) -> None:
     before = contents(bundled_records())
     main(["flops", "stanford_3dof_d3", "--optimize", "search", "--budget-seconds", "0.1"])

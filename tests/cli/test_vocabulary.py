@@ -6,7 +6,6 @@ import json
 import re
 from collections import defaultdict
 from importlib import import_module
-from pathlib import Path
 
 import click
 import pytest
@@ -17,7 +16,6 @@ from robodyn.effects.catalogue import CATALOGUE
 from robodyn.robot import bundled_names
 from robodyn.targets import all_targets
 from robodyn_cli.main import COMMANDS, cli, main
-from robodyn_cli.renamed import RENAMED
 
 ALL = {name: import_module(module).command for name, (module, _) in COMMANDS.items()}
 
@@ -32,14 +30,17 @@ def spellings(command: click.Command) -> set[str]:
 
 def test_one_thing_is_called_one_name() -> None:
     """Where results go, which functions, how long a search may take, the language."""
-    words = {
-        "output": r"--(out|emit|folder|dir)$",
-        "functions": r"--function$",
-        "budget": r"--(seconds|time)$",
+    older = {
+        "--out": "--output",
+        "--emit": "--output",
+        "--function": "--functions",
+        "--seconds": "--budget-seconds",
     }
     for name, command in ALL.items():
-        for what, other in words.items():
-            assert not [s for s in spellings(command) if re.match(other, s)], (name, what)
+        assert not spellings(command) & {"--folder", "--dir", "--time"}, name
+        for option in options(command):
+            for spelling in set(option.opts) & set(older):
+                assert older[spelling] in option.opts, (name, spelling)
         assert ("-o" in spellings(command)) == ("--output" in spellings(command)), name
         assert ("--lang" in spellings(command)) == ("--language" in spellings(command)), name
 
@@ -68,48 +69,6 @@ def test_each_help_text_stands_alone(name: str) -> None:
         assert text[:1].isupper() or not text[:1].isalpha(), (name, option.opts, text)
         assert text.rstrip().endswith((".", "]", ")")), (name, option.opts, text)
         assert not re.search(r"\b(the above|see above|ditto|as before)\b", text), (name, option.opts)
-
-
-@pytest.mark.parametrize(
-    ("line", "code"),
-    [
-        ("flops pendulum.yaml --function gravity", 0),
-        ("flops pendulum.yaml --function=gravity", 0),
-        ("schedule stanford_3dof -p 2 --emit out --seconds 5", 0),
-        ("prove pendulum.yaml --only misra --seconds=9 -o proof", None),
-        ("diagnose pendulum.yaml none.csv --out out", 2),
-    ],
-)
-def test_old_spellings_work_and_say_what_replaces_them(
-    line: str,
-    code: int | None,
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "pendulum.yaml").write_text(
-        "name: pendulum\nlinks:\n  - {joint: revolute, alpha: -pi/2, a: 0, d: 0, theta: 0, mass: 1, "
-        "com: [0.1, 0, 0], inertia: {xx: 0.1, yy: 0.1, zz: 0.1}}\n",
-        encoding="utf-8",
-    )
-    command, *arguments = line.split()
-    old = [a.partition("=")[0] for a in arguments if a.partition("=")[0] in RENAMED[command]]
-    done = main([command, *arguments])
-    err = capsys.readouterr().err
-    assert code is None or done == code, err
-    assert old
-    for spelling in old:
-        assert f"{spelling} is now {RENAMED[command][spelling]}" in err
-    # a value is not taken for an option
-    assert main(["flops", "--", "--function"]) == 2
-    assert "is now" not in capsys.readouterr().err
-
-
-def test_old_spellings_are_no_options_any_more() -> None:
-    for name, table in RENAMED.items():
-        assert not set(table) & spellings(ALL[name])
-        assert set(table.values()) <= spellings(ALL[name])
 
 
 def completed(*arguments: str) -> list[str]:
