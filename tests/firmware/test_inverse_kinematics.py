@@ -29,6 +29,17 @@ from robodyn.verify.reference import Reference
 from robodyn.verify.sample import draw as draw_sample
 from robodyn_testing import require_tool
 
+
+from pathlib import Path
+
+import pytest
+
+from firmware.folders import run, write
+from robodyn.firmware.language_tests import language_tests
+from robodyn.kernels.generate import Options, generate
+from robodyn.robot import load
+from robodyn_testing import require_tool
+
 ALL = ("inverse_kinematics", "nearest_inverse_kinematics")
 PROCESSORS = ("cortex-m3", "cortex-m4f", "cortex-m7")
 POSES = 300
@@ -249,3 +260,26 @@ def test_poses_of_the_self_test_have_bounds_and_positions_that_lead_back() -> No
     assert missed_poses(robot, function, states, {}, expected) == []
     expected[5][2] += Fraction(1, 1000)
     assert missed_poses(robot, function, states, {}, expected) == [5]
+
+
+FLAGS = ("-std=c99", "-O1", "-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror", "-ffp-contract=off")
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("scalar", ["double", "float"])
+@pytest.mark.parametrize("trig", ["libm", "builtin"])
+def test_the_kernel_is_within_its_bounds_and_another_is_not(tmp_path: Path, scalar: str, trig: str) -> None:
+    options = Options(("inverse_kinematics", "nearest_inverse_kinematics"), scalar=scalar, trig=trig)  # type: ignore[arg-type]
+    generated = generate(load("ur5"), options)
+    files = {**generated.files(("c",)), **language_tests(generated, ("c",), packaged=True)}
+    kernel = files["ur5.c"]
+    assert kernel.count("solutions[5] = ") == 1
+    wrong = kernel.replace("solutions[5] = ", "solutions[5] = 2 * ")
+    for place, source in (("right", kernel), ("wrong", wrong)):
+        (tmp_path / place).mkdir()
+        folder = write(tmp_path / place, {**files, "ur5.c": source})
+        sources = sorted(name for name in files if name.endswith(".c"))
+        code, said = run([require_tool("cc"), *FLAGS, *sources, "-lm", "-o", "test"], folder)
+        assert code == 0, said
+        code, said = run(["./test"], folder)
+        assert code == (place == "wrong"), said

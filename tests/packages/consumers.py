@@ -22,6 +22,13 @@ from robodyn.robot import load
 from robodyn_cli.main import main
 
 STATES = 5
+#: An arm with friction and a run-time parameter, in capitals.
+UPPER_CASE = """\
+name: UPPER_case
+links:
+- {joint: revolute, alpha: 0.3, mass: 3, com: [1, 0, 0.5], friction: {viscous: 2}}
+- {joint: prismatic, alpha: 1, mass: m_tool, com: [0.1, 0, 0.2], motor_inertia: 1}
+"""
 #: A maintainer whose name XML has to escape, METADATA to quote, and no file to write in ASCII.
 MAINTAINER = "Ø. O'Brien & Søns <o.brien+arm@example.org>"
 #: Relative to the largest result of a function; of float.
@@ -116,7 +123,9 @@ def write(folder: Path, files: Mapping[str, str | bytes]) -> Path:
 
 
 def packaged(folder: Path, robot: str, form: str, *options: str) -> Path:
-    """The package that ``robodyn package`` writes into ``folder``."""
+    """The package that ``robodyn package`` writes into ``folder``, of a ``robot`` by its name or its text."""
+    if "\n" in robot:
+        robot = str(write(folder.parent, {"arm.yaml": robot}) / "arm.yaml")
     assert main(["package", robot, "--as", form, "-o", str(folder), *options]) == 0
     return folder
 

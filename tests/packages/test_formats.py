@@ -20,6 +20,16 @@ from robodyn.packages.writing import zipped
 from robodyn.robot import read_text
 from robodyn_testing import require_tool
 
+
+import ctypes
+from pathlib import Path
+
+import pytest
+
+from robodyn.errors import ToolError
+from robodyn.toolchain.shared import shared_library
+from robodyn_testing import require_tool
+
 TOP = Path(__file__).parents[2]
 ARM = """name: elbow
 links:
@@ -195,3 +205,28 @@ def test_an_archive() -> None:
         assert archive.namelist() == ["b/c.txt", "a.bin"]
         assert archive.read("a.bin") == b"\0\1"
         assert archive.testzip() is None
+
+
+SOURCES = {
+    "inner/twice.h": "double twice(double x);\n",
+    "inner/twice.c": '#include "twice.h"\ndouble twice(double x) { return 2 * x; }\n',
+    "more.c": '#include "inner/twice.h"\ndouble four_times(double x) { return twice(twice(x)); }\n',
+}
+
+
+@pytest.mark.thorough
+def test_a_library(tmp_path: Path) -> None:
+    require_tool("cc")
+    data = shared_library(SOURCES, "libtwice.so")
+    assert data == shared_library(SOURCES, "libtwice.so")
+    path = tmp_path / "libtwice.so"
+    path.write_bytes(data)
+    four_times = ctypes.CDLL(str(path)).four_times
+    four_times.restype, four_times.argtypes = ctypes.c_double, [ctypes.c_double]
+    assert four_times(1.5) == 6.0
+
+
+def test_what_the_compiler_refuses() -> None:
+    require_tool("cc")
+    with pytest.raises(ToolError, match=r"the C compiler failed at wrong\.c; found .*error"):
+        shared_library({"wrong.c": "double wrong(void) { return; ]\n"}, "libwrong.so")

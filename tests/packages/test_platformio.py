@@ -15,7 +15,7 @@ from pathlib import Path
 
 import pytest
 
-from packages.consumers import MAINTAINER, packaged, run, write
+from packages.consumers import MAINTAINER, UPPER_CASE, packaged, run, write
 from robodyn_testing import require_module, require_tool
 
 pytestmark = pytest.mark.thorough
@@ -61,12 +61,6 @@ framework = arduino
 build_flags = -Wall -Wextra -Werror
 lib_deps = symlink://{library}
 """
-ARM = """\
-name: UPPER_case
-links:
-- {joint: revolute, alpha: 0.3, mass: 3, com: [1, 0, 0.5], friction: {viscous: 2}}
-- {joint: prismatic, alpha: 1, mass: m_tool, com: [0.1, 0, 0.2], motor_inertia: 1}
-"""
 
 
 @pytest.fixture(scope="module")
@@ -109,12 +103,10 @@ def pio(core: Path, cwd: Path, *arguments: str) -> str:
 
 
 @pytest.mark.parametrize("options", [(), ("--scalar", "double", "--trig", "libm")])
-@pytest.mark.parametrize("robot", ["stanford_3dof", ARM])
+@pytest.mark.parametrize("robot", ["stanford_3dof", UPPER_CASE])
 def test_the_sketch(robot: str, options: tuple[str, ...], core: Path, tmp_path: Path) -> None:
     """PlatformIO makes C++ of the sketch, finds the library by its header and builds it with its own flags;
     a wrong kernel is told."""
-    if robot == ARM:
-        robot = str(write(tmp_path, {"arm.yaml": ARM}) / "arm.yaml")
     library = packaged(tmp_path / "library", robot, "platformio", *options)
     project = write(tmp_path / "project", {"platformio.ini": PROJECT.format(library=library)})
     shutil.copytree(library / "examples" / "selftest", project / "src")

@@ -14,16 +14,10 @@ from pathlib import Path
 import pytest
 import yaml
 
-from packages.consumers import packaged, run, write
+from packages.consumers import UPPER_CASE, packaged, run, write
 from robodyn_testing import require_module, require_tool
 
 ZEPHYR = Path(__file__).parent / "zephyr"
-ARM = """\
-name: UPPER_case
-links:
-- {joint: revolute, alpha: 0.3, mass: 3, com: [1, 0, 0.5], friction: {viscous: 2}}
-- {joint: prismatic, alpha: 1, mass: m_tool, com: [0.1, 0, 0.2], motor_inertia: 1}
-"""
 #: What Zephyr's schemas have of what is written here: of ``module.yml``, and of ``sample.yaml`` (twister's).
 SCHEMAS = {
     "zephyr/module.yml": {
@@ -62,12 +56,10 @@ def built(cmake: str, module: Path, folder: Path) -> str:
 
 @pytest.mark.thorough
 @pytest.mark.parametrize("options", [(), LIBM])
-@pytest.mark.parametrize("robot", ["stanford_3dof", ARM])
+@pytest.mark.parametrize("robot", ["stanford_3dof", UPPER_CASE])
 def test_the_sample(robot: str, options: tuple[str, ...], cmake: str, tmp_path: Path) -> None:
     """It is configured without a warning and passes; a wrong kernel does not."""
-    name = "stanford_3dof" if robot != ARM else "UPPER_case"
-    if robot == ARM:
-        robot = str(write(tmp_path, {"arm.yaml": ARM}) / "arm.yaml")
+    name = "stanford_3dof" if robot != UPPER_CASE else "UPPER_case"
     module = packaged(tmp_path / "module", robot, "zephyr", *options)
     told = built(cmake, module, tmp_path)
     (compiled,) = (line for line in told.splitlines() if line.endswith(f"{name}.c"))

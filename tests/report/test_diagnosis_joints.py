@@ -13,12 +13,12 @@ from numpy.typing import NDArray
 
 from report.made_up import made, many, series
 from report.test_diagnosis_report import Page
-from robodyn.diagnose.result import Estimate, Finding, Gap, Series
+from robodyn.diagnose.result import Gap, Series
 from robodyn.report.chart_frames import HIGH
 from robodyn.report.diagnosis import page
 from robodyn.report.diagnosis_charts import torques
 from robodyn.report.diagnosis_joints import FEW, by_joint, table_of_kinds
-from robodyn.report.diagnosis_summary import advice, tiles
+from robodyn.report.diagnosis_summary import advice
 from robodyn.report.diagnosis_where import best_of, localised, shown_over, travelled
 from robodyn.robot import Robot, load
 
@@ -186,56 +186,3 @@ def test_what_the_motion_lacks(small: Robot) -> None:
         "Joint 1: hardly reverses; joint 2: the load keeps its sign; joint 3: does not move."
     )
     assert all(row.limits == (-np.pi, np.pi) for row in rows) or rows[0].limits is None
-
-
-def answers(found: object, *, validated: bool = True) -> dict[str, tuple[str, str]]:
-    return {
-        question: (answer, remark)
-        for question, answer, remark in tiles(found, validated, localised(found))  # type: ignore[arg-type]
-    }
-
-
-def test_answers_at_a_glance(small: Robot) -> None:
-    told = answers(made(small))
-    assert told["What is missing"] == ("Coulomb friction", "and nothing else")
-    assert told["At which joint"][0] == "Joint 3"
-    assert told["How sure"] == ("97 %", "not told from Stribeck friction")
-    assert told["How much better"][0] == "15 → 3.75 N m"
-    assert told["Cost of the kernel"][0] == "80 → 83"
-    assert told["What to record next"] == ("One motion", "Slow reversals of joint 3")
-    fitted = answers(made(small), validated=False)
-    assert fitted["How much better (on the logs fitted)"][0] == "12 → 3.3 N m"
-
-
-def test_answers_where_nothing_was_named(small: Robot) -> None:
-    same = np.full(3, 1.01)
-    even = Gap(same, same, same, same, np.ones(3))
-    told = answers(made(small, verdict="consistent", findings=(), gap=even))
-    assert told["What is missing"][0] == "Nothing"
-    assert told["At which joint"] == ("None", "no joint stands out of its noise")
-    assert told["How much is left"] == ("1.01 N m", "RMS at joint 1, 1.01 times its noise")
-    seen = answers(
-        made(small, verdict="consistent", findings=(), gap=even, detectable=np.array([0.1, 0.3, 0.2]))
-    )
-    assert seen["How sure"][0] == "down to 0.3 N m"
-    one = motion(lambda q, qd, qdd, load, t: np.sin(3 * q))
-    found = made(
-        small, verdict="unexplained", findings=(), gap=gap(one), series=(one,), left=np.array([0.1, 7, 0.2])
-    )
-    told = answers(found)
-    assert told["At which joint"] == (
-        "Joint 2", "7 times what would matter is left there; seen best over the position",
-    )  # fmt: skip
-    (step,) = advice(found, localised(found), ())
-    assert step["title"] == "Joint 2: seen best over the position"
-
-
-def test_a_contact_is_no_lack(small: Robot) -> None:
-    parameters = {
-        "start": Estimate(5.8, 0.0, "s"), "end": Estimate(6.3, 0.0, "s"), "link": Estimate(2.0, 0.0, "1"),
-    }  # fmt: skip
-    contact = Finding("external_contact", None, parameters, 0.9, (), "a burst", None, 9.0, 9.0)
-    told = answers(made(small, findings=(contact,)))
-    assert told["What is missing"] == ("Nothing", "but something outside touched the arm")
-    assert told["Where and when"] == ("Link 2", "from 5.80 to 6.30 s")
-    assert "contact is not added to a model" in told["How much is left"][1]

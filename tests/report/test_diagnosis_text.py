@@ -1,18 +1,17 @@
-"""A diagnosis in words: figures with their errors, the share that is closed, and the lines on a terminal."""
+"""A diagnosis in words: figures with their errors, the share that is closed, a screen at most."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 
 import numpy as np
 import pytest
 
-from report.made_up import made, many
-from robodyn.diagnose.result import Estimate, Finding, Gap, Verdict, gap_closed
+from report.made_up import made
+from robodyn.diagnose.result import Estimate, Finding, Verdict, gap_closed
 from robodyn.report.diagnosis_summary import LINES, summary
 from robodyn.report.diagnosis_text import with_interval
-from robodyn.robot import Robot, load, read_text
+from robodyn.robot import Robot, load
 
 
 @pytest.fixture(scope="module")
@@ -87,70 +86,3 @@ def test_a_screen_at_most(robot: Robot, count: int, verdict: Verdict) -> None:
     if count:
         assert f"{7 if count == 1 else 9} more; a suspicion, 40 % sure" in lines[1]
         assert ("joint 1:" if count == 1 else f"joints 1 to {count}:") in lines[1]
-
-
-def test_the_lines_say_what_the_page_says(robot: Robot) -> None:
-    assert summary(made(robot), "r.html", validated=True) == [
-        "missing effect: puma560_3dof: Coulomb friction at joint 3 is missing; 12 % of the torque stays "
-        "unexplained.",
-        "1. coulomb_friction, joint 3: level 2.901 N m (2.797 to 3.005); 97 % sure; or stribeck_friction",
-        "joint           1    2     3  (N m, RMS, validation log); brackets: 95 % intervals",
-        "gap before      5   10    15",
-        "gap after    1.25  2.5  3.75",
-        "noise floor     1    2     3",
-        "85 % of the gap closed; inverse dynamics 80 -> 83 operations (+3)",
-        "record next: slow reversals of joint 3",
-        "report: r.html; one remark on the data there",
-    ]
-    fitted = summary(made(robot), "r.html", validated=False)
-    assert fitted[3].split() == ["gap", "before", "4", "8", "12"]
-    assert "fitted" in fitted[2]
-
-
-def test_nothing_changed_and_contact(robot: Robot) -> None:
-    lines = summary(made(robot, verdict="consistent", findings=()), "r.html", validated=True)
-    assert [line.split("  ")[0] for line in lines[1:4]] == ["joint", "gap", "noise floor"]
-    assert not any("closed" in line for line in lines)
-    parameters = {
-        "start": Estimate(5.8, 0.0, "s"), "end": Estimate(6.3, 0.0, "s"), "link": Estimate(2.0, 0.0, "1"),
-    }  # fmt: skip
-    contact = Finding("external_contact", None, parameters, 0.9, (), "a burst", None, 9.0, 9.0)
-    lines = summary(made(robot, findings=(contact,)), "r.html", validated=True)
-    assert lines[0].endswith("no effect is missing, but something touched link 2 from 5.80 to 6.30 s.")
-    assert "contact is left out of the fit and not added to the model" in lines
-    rubbing = made(robot).findings
-    lines = summary(made(robot, findings=(*rubbing, contact)), "r.html", validated=True)
-    assert lines[:2] == [
-        "missing effect: puma560_3dof: Coulomb friction at joint 3 is missing",
-        "Something touched link 2 from 5.80 to 6.30 s; 12 % of the torque stays unexplained.",
-    ]
-
-
-def test_many_findings_take_a_line_a_kind() -> None:
-    arm = load("puma560", warn=lambda _: None)
-    lines = summary(made(arm, findings=many(6)), "r.html", validated=True)
-    assert lines[0] == (
-        "missing effect: puma560: friction, rotor inertia, a payload, a coupled wrist and torque ripple are "
-        "missing"
-    )
-    assert lines[1].startswith("A payload, friction and rotor inertia at all joints, a coupled wrist (5, 6) ")
-    assert [line.split(":")[0] for line in lines if re.match(r"\d+\. ", line)] == [
-        "1. coulomb_friction, joints 1 to 6", "2. viscous_friction, joints 1 to 6",
-        "3. rotor_inertia, joints 1 to 6", "4. motor_coupling, joint 6", "5. torque_ripple, joint 4",
-        "6. payload, the whole robot", "7. spring, joint 4",
-    ]  # fmt: skip
-    assert len(lines) <= LINES
-
-
-def test_of_long_arms_the_joints_where_most_is_there() -> None:
-    n = 12
-    snake = read_text("name: snake\nlinks:\n" + "  - {joint: revolute, a: 1, mass: 1}\n" * n)
-    size = np.ones(n)
-    before = np.array([1, 9, 1, 8, 7, 6, 5, 1, 4, 3, 1, 2.0])
-    found = made(snake, gap=Gap(before, size, before, size, size), findings=findings(9))
-    lines = summary(found, "r.html", validated=True)
-    assert len(lines) <= LINES
-    (joints,) = (line for line in lines if line.startswith("joint "))
-    assert joints.split("(")[0].split()[1:] == ["2", "4", "5", "6", "7", "9", "10", "12"]
-    assert joints.endswith("8 of 12 joints)")
-    assert all(len(line) < 120 for line in lines if not line[0].isdigit())

@@ -12,17 +12,13 @@ import pytest
 from report.made_up import START, fleet, of_one
 from report.test_diagnosis_report import Page
 from robodyn.draw.scales import DAY
-from robodyn.fleet.result import FleetResult, Look, UnitResult, Unused
+from robodyn.fleet.result import FleetResult, Look, UnitResult
 from robodyn.report.fleet import page, unit_pages
 from robodyn.report.fleet_charts import SHADES, SHOWN, ordered, script_data, shade_of, type_maps
 from robodyn.report.fleet_text import (
-    brief,
-    headline,
     most_unusual,
-    size_text,
     summary,
     unusual_text,
-    with_error,
 )
 
 HOSTILE = "</script><script>alert(1)</script>\"><img src=x onerror='alert(2)'>"
@@ -49,29 +45,6 @@ def renamed(result: FleetResult, name: str) -> FleetResult:
     return replace(
         result, name=name, types=types, units=tuple(units), first_to_look_at=tuple(looks), unused=unused
     )  # fmt: skip
-
-
-def test_the_head_says_how_many_and_how_sure(small: FleetResult) -> None:
-    assert headline(small) == (
-        "6 of 30 units differ from their siblings or from what they were; "
-        "on average at most 5 % of units with a name are healthy"
-    )
-    assert headline(replace(small, false_names=0.5)).endswith("; on average at most 3 of these are healthy")
-    assert headline(fleet(3, 0)) == "None of 3 units differs from its siblings or from what it was"
-    assert headline(of_one()) == "The only unit is what it was"
-    assert headline(replace(small, units=(), types=())) == "No log of this fleet could be used"
-
-
-def test_figures_are_read_easily(small: FleetResult) -> None:
-    claims = {claim.feature: claim for unit in small.units for claim in unit.claims}
-    one = claims["joint1.friction"]
-    assert size_text(one) == "+1.10 \u00b1 0.09 N m (+25 %)"
-    assert brief(one) == "Coulomb and viscous friction J1 +25 % since 28 Apr 2025"
-    assert brief(replace(one, joint=None, share=None, since=None, size=-2.0)).endswith("friction \u22122 N m")
-    assert with_error(2e-4, 1e-5, "rad") == "0.200 \u00b1 0.010 mrad"
-    assert with_error(0.3, float("nan"), "kg") == "0.3 kg"
-    texts = [unusual_text(v) for v in (None, float("nan"), 0.04, -2.04, 3.26, 9.96, -31.2)]
-    assert texts == ["\u2013", "\u2013", "0.0", "\u22122.0", "+3.3", "+10", "\u221231"]
 
 
 def test_the_map_has_all_units_once_the_named_first(small: FleetResult) -> None:
@@ -203,40 +176,6 @@ def test_the_days_of_a_change_are_drawn_where_they_are() -> None:
     low, width = re.findall(r'class="reach" x="([\d.]+)%" width="([\d.]+)%"', text)[0]
     (at,) = re.findall(r'class="point" cx="([\d.]+)%"', text)
     np.testing.assert_allclose([float(low), float(width), float(at)], [2 + 40, 20, 50], atol=2.0)
-
-
-def test_what_to_look_at_first() -> None:
-    lines = summary(fleet(30, 9), "out/index.html")
-    assert " ".join(line.strip() for line in lines[:2]).startswith(
-        "plant: 9 of 30 units differ from their siblings"
-    )
-    assert "look at first:" in lines
-    first = " ".join(line.strip() for line in lines[4:6])
-    assert first.startswith("1. arm<6>/AR-0000: Coulomb and viscous friction, joint 1: +1.10 ")
-    assert first.endswith("(+25 %), drifted until 27 Jun 2025 from 28 Apr 2025 (16 Apr to 7 May 2025)")
-    assert "and 4 more on the page" in lines
-    assert "record next of AR-0000: Record the same motion again." in lines
-    assert "- 1: times go backward (logs/a.csv)" in lines
-    assert lines[-1] == "page: out/index.html"
-    assert max(map(len, lines)) <= 100
-    assert len(lines) <= 20
-
-
-def test_where_nothing_is_named() -> None:
-    assert summary(of_one(), "index.html") == [
-        "plant: The only unit is what it was",
-        "1 unit of 1 type, 1 log of 1 day",
-        "page: index.html",
-    ]
-
-
-def test_reasons_are_counted() -> None:
-    result = of_one()
-    unused = [Unused(f"{k}.csv", "a", "b", f"reason {min(k, 5) % 5}") for k in range(10)]
-    lines = summary(replace(result, unused=tuple(unused)), "p")
-    assert "10 logs not used:" in lines
-    assert "- 6: reason 0 (such as 0.csv)" in lines
-    assert "- 2 for other reasons" in lines
 
 
 def test_control_characters_do_not_reach_the_terminal() -> None:

@@ -53,7 +53,6 @@ class Analysis:
     messages: tuple[str, ...]
     functions: tuple[int, int]
     statements: tuple[int, int]
-    seconds: float
     reason: str = ""
 
     @property
@@ -113,7 +112,7 @@ def _list_call(listing: Listing) -> dict[str, Any]:
 def read(done: Done, seconds: float) -> Analysis:
     """Eva's words, read with suspicion: what is not plainly a proof is none."""
     if done.code is None:
-        return Analysis(None, (), (0, 0), (0, 0), done.seconds, f"not finished after {seconds:g} s")
+        return Analysis(None, (), (0, 0), (0, 0), f"not finished after {seconds:g} s")
     output = done.output
     summary = _ALARMS.search(output)
     alarms = None if summary is None else (0 if summary[1] == "No" else int(summary[1]))
@@ -131,7 +130,7 @@ def read(done: Done, seconds: float) -> Analysis:
         reason = "the end of the driver is not reached"
     elif functions[0] != functions[1] or not functions[0] or reached[0] != reached[1]:
         reason = f"only {reached[0]} of {reached[1]} statements were looked at"
-    return Analysis(alarms, reported, functions, reached, done.seconds, reason)
+    return Analysis(alarms, reported, functions, reached, reason)
 
 
 def _pair(pattern: re.Pattern[str], output: str) -> tuple[int, int]:

@@ -74,16 +74,14 @@ def command(machine: Machine, source: str) -> list[str]:
     ]
 
 
-def measure(machine: Machine, source: str, functions: Iterable[str], folder: Path) -> list[Depth] | str:
-    """The stack of ``functions`` of ``source`` in ``folder``; what went wrong instead, as text."""
+def measure(machine: Machine, source: str, functions: Iterable[str], folder: Path) -> list[Depth]:
+    """The stack of ``functions`` of ``source`` in ``folder``; one depth that says why where there is none."""
     done = run([machine.tool.needed(), *command(machine, source)[1:]], folder, 300)
     graph = folder / "stack.ci"
     if done.code != 0 or not graph.is_file():
-        return (
-            last_lines(done.output, 1)
-            if done.code
-            else "the compiler wrote no call graph (gcc 10 or newer does)"
-        )
+        no_graph = "the compiler wrote no call graph (gcc 10 or newer does)"
+        reason = last_lines(done.output, 1) if done.code else no_graph
+        return [Depth(None, None, (), f"not compiled: {reason}")]
     text = graph.read_text(encoding="utf-8", errors="replace")
     return [deepest(text, function) for function in functions]
 
@@ -107,25 +105,17 @@ def prove_stack(subject: Subject, proofs: ProofOptions, folder: Path, tell: Tell
         (folder / name).write_text(text, encoding="utf-8", newline="\n")
     for machine in every:
         if machine.tool.path() is None:
-            lines.append(f"{machine.name}: not run, needs {machine.tool.remedy}")
-            rows.append(_stack_row(machine, Depth(None, None, (), f"needs {machine.tool.remedy}")))
-            continue
-        tell(f"stack, {machine.name}")
-        usage = measure(machine, source, symbols, folder)
-        tools[version(machine.tool)] = None
-        commands.append(" ".join(command(machine, source)))
-        if isinstance(usage, str):
-            bad = True
-            lines.append(f"{machine.name}: not compiled: {usage}")
-            rows.append(_stack_row(machine, Depth(None, None, (), f"not compiled: {usage}")))
-            continue
-        for depth in usage:
-            known += depth.size is not None and not depth.beyond
-            bad = bad or depth.size is None or not depth.only_helpers
-            size = "no bound" if depth.size is None else f"{depth.size} B"
-            note = f" ({depth.reason})" if depth.reason else ""
-            lines.append(f"{machine.name}: {depth.function} {size}{note}")
-            rows.append(_stack_row(machine, depth))
+            depths = [Depth(None, None, (), f"needs {machine.tool.remedy}")]
+            lines.append(f"{machine.name}: not run, {depths[0].reason}")
+        else:
+            tell(f"stack, {machine.name}")
+            depths = measure(machine, source, symbols, folder)
+            tools[version(machine.tool)] = None
+            commands.append(" ".join(command(machine, source)))
+            lines += [f"{machine.name}: {_depth_text(depth)}" for depth in depths]
+            known += sum(depth.size is not None and not depth.beyond for depth in depths)
+            bad = bad or any(depth.size is None or not depth.only_helpers for depth in depths)
+        rows += [_stack_row(machine, depth) for depth in depths]
     return Finding(
         "stack",
         "proved" if known and not bad else "failed",
@@ -137,6 +127,13 @@ def prove_stack(subject: Subject, proofs: ProofOptions, folder: Path, tell: Tell
         tuple(commands),
         stand_ins,
     )
+
+
+def _depth_text(depth: Depth) -> str:
+    if depth.function is None:
+        return depth.reason
+    size = "no bound" if depth.size is None else f"{depth.size} B"
+    return f"{depth.function} {size}{f' ({depth.reason})' if depth.reason else ''}"
 
 
 def _stack_row(machine: Machine, depth: Depth) -> dict[str, Any]:
