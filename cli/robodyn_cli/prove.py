@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from robodyn.outputs import write_files
-from robodyn_cli.choices import FILE, FOLDER, PROOFS, SCALARS, TRIGONOMETRY
+from robodyn_cli.choices import FOLDER, PROOFS, SCALARS, TRIGONOMETRY
 from robodyn_cli.common import echo_json, json_option, output_folder, printable, robot_argument
 from robodyn_cli.options import functions_option, listed, load, model_options
 
@@ -23,9 +23,8 @@ if TYPE_CHECKING:
 @click.option("-o", "--output", type=FOLDER, metavar="DIR", help="Output folder.  [default: proof/NAME]")
 @click.option(
     "--ranges",
-    type=FILE,
     metavar="R",
-    help="Ranges as qd=3,qdd=10,q2=-pi/2:pi/2, or a YAML file with such keys.  [default: the joint limits]",
+    help="Ranges as qd=3,qdd=10,q2=-pi/2:pi/2.  [default: the joint limits]",
 )
 @click.option(
     "--scalar",
@@ -130,16 +129,8 @@ def command(
 def _ranged(described: Robot, ranges: str | None, *, needed: bool) -> Robot:
     """The robot with the ranges as its limits; unchanged if no ranges are given or needed."""
     from robodyn.certify import with_ranges
-    from robodyn.files import read_bytes
-    from robodyn.robot.document import FILE_SIZE
 
-    if ranges is None and not needed:
-        return described
-    if ranges is None or "=" in ranges:
-        return with_ranges(described, ranges)
-    path = Path(ranges)
-    data = read_bytes(path, FILE_SIZE, "a YAML file, or ranges as qd=3,qdd=10", printable(path))
-    return with_ranges(described, printable(path), data)
+    return with_ranges(described, ranges) if needed or ranges is not None else described
 
 
 def _share(text: str | None) -> Fraction | None:

@@ -27,7 +27,7 @@ stiffness payload efficiency transmission_loss m_tool pi qd qdd""".split()  # no
 
 
 def one(data: bytes) -> None:
-    """One robot file, and the same as a file of ranges."""
+    """One robot file, and the same as ranges."""
     try:
         robot = read_bytes(data, "f.yaml", warn=lambda _: None)
     except InputError as error:
@@ -38,7 +38,7 @@ def one(data: bytes) -> None:
         again = read_text(to_yaml(robot), warn=lambda _: None)
         assert again.n == robot.n
     with contextlib.suppress(InputError):
-        with_ranges(PUMA, "r.yaml", data)
+        with_ranges(PUMA, data.decode("utf-8", "replace"))
 
 
 def seeds(folder: Path) -> None:
@@ -46,9 +46,7 @@ def seeds(folder: Path) -> None:
     for name in bundled_names():
         (folder / f"{name}.yaml").write_text(bundled_text(name), encoding="utf-8")
     (folder / "starter.yaml").write_text(starter("arm", 3), encoding="utf-8")
-    (folder / "ranges.yaml").write_text(
-        "{q: -pi/2:pi/2, qd: [1, 2, 3, 4, 5, 6], qdd2: 3}\n", encoding="utf-8"
-    )
+    (folder / "ranges.txt").write_text("q=-pi/2:pi/2,qd=6,qdd2=3", encoding="utf-8")
     quoted = "".join(f'"{word}"\n' for word in WORDS)
     (folder.parent / "words.txt").write_text(quoted, encoding="utf-8")
 

@@ -304,7 +304,7 @@ def test_missing_tools_are_named(
         (["--only", ""], "no proof asked for"),
         (["--tolerance", "2"], "the tolerance is not a share"),
         (["--tolerance", "x"], "the tolerance is not a share"),
-        (["--ranges", "none.yaml"], "none.yaml: the file cannot be read; found no such file"),
+        (["--ranges", "none.yaml"], "a range cannot be read; found 'none.yaml'"),
         (["--trig", "magic"], "unknown kind of sine and cosine"),
         (["--scalar", "half"], "unknown scalar"),
     ],

@@ -7,8 +7,7 @@ import re
 from collections.abc import Iterator
 from fractions import Fraction
 
-from robodyn.errors import InputError, Place
-from robodyn.robot import document
+from robodyn.errors import InputError
 from robodyn.robot.model import Limits, Robot
 from robodyn.robot.names import shown
 from robodyn.robot.numbers import NumberError, parse_number
@@ -22,30 +21,23 @@ _EXAMPLES = {"q": "pi", "qd": "3", "qdd": "10"}
 _KEY = re.compile(r"(qdd|qd|q)([1-9][0-9]{0,3})?\Z")
 
 
-def with_ranges(robot: Robot, text: str | None, file: bytes | None = None) -> Robot:
-    """``robot`` with the limits of ``text`` (``qd=3,qdd2=10,q=-pi/2:pi/2``) or of a YAML ``file``, whose name
-    ``text`` then is, in place of its own.
+def with_ranges(robot: Robot, text: str | None) -> Robot:
+    """``robot`` with the limits of ``text`` (``qd=3,qdd2=10,q=-pi/2:pi/2``) in place of its own.
 
     Raises
     ------
-    InputError: neither says what a range is, or a joint is left without one.
+    InputError: it does not say what a range is, or a joint is left without one.
     """
-    entries: list[tuple[str, int | None, Range, Place | None]] = []
-    if file is not None:
-        entries = list(_of_file(file, text or "<ranges>"))
-    elif text is not None:
-        entries = list(_of_text(text))
     limits = [link.joint.limits for link in robot.links]
-    for array, joint, (low, high), place in entries:
+    for array, joint, (low, high) in () if text is None else _entries(text):
         if joint is not None and joint > robot.n:
             raise InputError(
                 "a range for a joint that is not there",
-                where=place,
                 found=f"{array}{joint}",
                 expected=f"a joint from 1 to {robot.n} of {robot.name}",
             )
         for i in range(robot.n) if joint is None else (joint - 1,):
-            limits[i] = _changed(limits[i], array, low, high, place)
+            limits[i] = _changed(limits[i], array, low, high)
     _refuse_missing(robot, limits)
     links = tuple(
         dataclasses.replace(link, joint=dataclasses.replace(link.joint, limits=limit))
@@ -54,13 +46,12 @@ def with_ranges(robot: Robot, text: str | None, file: bytes | None = None) -> Ro
     return dataclasses.replace(robot, links=links)
 
 
-def _changed(limits: Limits, array: str, low: Fraction, high: Fraction, place: Place | None) -> Limits:
+def _changed(limits: Limits, array: str, low: Fraction, high: Fraction) -> Limits:
     if array == "q":
         return dataclasses.replace(limits, position=(low, high))
     if low != -high:
         raise InputError(
             f"the range of {array} is not the same to both sides",
-            where=place,
             found=f"{float(low):g} to {float(high):g}",
             expected="one bound of the size, as limits of speeds and accelerations are",
         )
@@ -80,64 +71,29 @@ def _refuse_missing(robot: Robot, limits: list[Limits]) -> None:
             )
 
 
-def _of_text(text: str) -> Iterator[tuple[str, int | None, Range, None]]:
+def _entries(text: str) -> Iterator[tuple[str, int | None, Range]]:
     for part in text.split(","):
         key, equals, value = part.partition("=")
         if not equals:
             raise InputError("a range cannot be read", found=shown(part), expected=_EXPECTED)
-        array, joint = _key(key.strip(), None)
-        yield array, joint, _range(value, None), None
+        match = _KEY.match(key.strip())
+        if match is None:
+            raise InputError("a range of something unknown", found=shown(key.strip()), expected=_EXPECTED)
+        yield match[1], int(match[2]) if match[2] else None, _range(value)
 
 
-def _of_file(data: bytes, file: str) -> Iterator[tuple[str, int | None, Range, Place]]:
-    root = document.compose(document.decode(data, file), file)
-    if not isinstance(root, document.Mapping):
-        raise InputError(
-            "ranges are a mapping", where=Place(file, root.line, root.column), expected=_EXPECTED
-        )
-    for key, node in root.entries:
-        place = Place(file, key.line, key.column)
-        array, joint = _key(key.text, place)
-        if isinstance(node, document.Sequence) and joint is None:
-            for i, item in enumerate(node.items, 1):
-                at = Place(file, item.line, item.column)
-                yield array, i, _range(_word(item, at), at), at
-        else:
-            at = Place(file, node.line, node.column)
-            yield array, joint, _range(_word(node, at), at), at
-
-
-def _word(node: document.Node, place: Place) -> str:
-    if not isinstance(node, document.Scalar):
-        raise InputError(
-            "a range cannot be read",
-            where=place,
-            found=document.describe(node),
-            expected="a bound or LOW:HIGH; for all joints a list of them",
-        )
-    return node.text
-
-
-def _key(text: str, place: Place | None) -> tuple[str, int | None]:
-    match = _KEY.match(text)
-    if match is None:
-        raise InputError("a range of something unknown", where=place, found=shown(text), expected=_EXPECTED)
-    return match[1], int(match[2]) if match[2] else None
-
-
-def _range(text: str, place: Place | None) -> Range:
+def _range(text: str) -> Range:
     low, colon, high = text.partition(":")
     try:
         first = parse_number(low)
         pair = (first, parse_number(high)) if colon else (-first, first)
     except NumberError as error:
         raise InputError(
-            f"a range cannot be read: {error.what}", where=place, found=shown(text), expected=_EXPECTED
+            f"a range cannot be read: {error.what}", found=shown(text), expected=_EXPECTED
         ) from None
     if not pair[0] <= pair[1]:
         raise InputError(
             "a range is empty" if colon else "a bound is below zero",
-            where=place,
             found=shown(text.strip()),
             expected="the smaller number first" if colon else "its size",
         )
