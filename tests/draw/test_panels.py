@@ -3,28 +3,21 @@ scales, of days too."""
 
 from __future__ import annotations
 
-import xml.etree.ElementTree as ET
-from itertools import pairwise
-
-import pytest
-from benchmarks.peers.dots import Dot, dots
-
-from robodyn.draw import style
-from robodyn.draw.panels import HEIGHT, WIDTH, Bars, Curve, Panel, figure, spread
-from robodyn.draw.scales import DAY, date_ticks, day_text, decades, label, range_text, share, ticks
-from robodyn_testing import representative
-
-
 import re
+import xml.etree.ElementTree as ET
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from benchmarks.peers.dots import Dot, dots
 
+from robodyn.draw import style
 from robodyn.draw.markup import markup_template
-from robodyn.draw.panels import Curve, Panel, figure
+from robodyn.draw.panels import HEIGHT, WIDTH, Bars, Curve, Panel, figure, spread
+from robodyn.draw.scales import DAY, date_ticks, day_text, decades, label, range_text, share, ticks
 from robodyn.logs.log import Log
 from robodyn.report.motion import motion_picture
 from robodyn.robot import load

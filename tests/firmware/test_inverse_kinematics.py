@@ -19,6 +19,7 @@ from robodyn.dynamics.functions import function_named
 from robodyn.emit.languages import compiled_language
 from robodyn.firmware import Folder, firmware, firmware_options, measure, targets_named
 from robodyn.firmware.digest import fnv1a, kernel_sine, outputs
+from robodyn.firmware.language_tests import language_tests
 from robodyn.firmware.rounding import rounding_bounds
 from robodyn.firmware.states import DTYPE, draw, ranges
 from robodyn.firmware.vectors import evaluated, missed_poses, well_conditioned
@@ -27,17 +28,6 @@ from robodyn.kernels.generate import Generated, Options, generate
 from robodyn.robot import load
 from robodyn.verify.reference import Reference
 from robodyn.verify.sample import draw as draw_sample
-from robodyn_testing import require_tool
-
-
-from pathlib import Path
-
-import pytest
-
-from firmware.folders import run, write
-from robodyn.firmware.language_tests import language_tests
-from robodyn.kernels.generate import Options, generate
-from robodyn.robot import load
 from robodyn_testing import require_tool
 
 ALL = ("inverse_kinematics", "nearest_inverse_kinematics")

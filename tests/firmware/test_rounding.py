@@ -1,30 +1,19 @@
-"""The kernel's sine and cosine in numpy: right to an ulp, NaN where there is no angle."""
-
+"""The kernel's sine and cosine in numpy, right to an ulp; bounds of rounding errors of angles and choices."""
 
 from __future__ import annotations
 
-
+import math
 from typing import Any
 
 import mpmath
 import numpy as np
 import pytest
 
-from firmware.folders import SCALARS
-from robodyn.firmware.digest import kernel_sine
-from robodyn.firmware.rounding import ACCURATE, FAR
-from robodyn.firmware.states import DTYPE
-
-
-import math
-
-import numpy as np
-import pytest
-
 from emit.angles import SCALARS, TYPES, program
 from robodyn.effects.scalars import arctangent, choose
 from robodyn.firmware.digest import kernel_sine, outputs
-from robodyn.firmware.rounding import rounding_bounds
+from robodyn.firmware.rounding import ACCURATE, FAR, rounding_bounds
+from robodyn.firmware.states import DTYPE
 from robodyn.ir import Graph, Input
 from robodyn.ir.evaluate import evaluate
 from robodyn.ir.lowering import lower

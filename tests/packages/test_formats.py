@@ -1,8 +1,10 @@
-"""Every format of packages: found in its folder, named nowhere else, the same bytes, nobody else's files."""
+"""Every format of packages: found in its folder, named nowhere else, the same bytes, nobody else's files;
+shared libraries as bytes."""
 
 from __future__ import annotations
 
 import ast
+import ctypes
 import re
 import zipfile
 from io import BytesIO
@@ -11,22 +13,13 @@ from pathlib import Path, PurePosixPath
 import pytest
 
 from robodyn.dynamics.functions import by_default, function_named
-from robodyn.errors import InputError
+from robodyn.errors import InputError, ToolError
 from robodyn.kernels.generate import Generated, Options, generate
 from robodyn.outputs import is_marked
 from robodyn.packages import FORMATS, Format, format_named, package
 from robodyn.packages.format import Maintainer, Trait
 from robodyn.packages.writing import zipped
 from robodyn.robot import read_text
-from robodyn_testing import require_tool
-
-
-import ctypes
-from pathlib import Path
-
-import pytest
-
-from robodyn.errors import ToolError
 from robodyn.toolchain.shared import shared_library
 from robodyn_testing import require_tool
 

@@ -1,46 +1,34 @@
-"""Pages that are made from the code say what the code says."""
+"""Pages that are made from the code say what the code says; the navigation has every page."""
 
 from __future__ import annotations
 
 import importlib
 import re
 import textwrap
-from typing import Any
-
-import click
-import pytest
-
-import robodyn
-from robodyn.dynamics.functions import FUNCTIONS
-from robodyn.effects.catalogue import CATALOGUE
-from robodyn.effects.effect import Effect
-from robodyn.formats.elements_of import FORMATS, table_of
-from robodyn.formats.tree import PHYSICS
-from robodyn.robot import read_text
-from robodyn_cli.main import COMMANDS
-from robodyn_site import python
-from robodyn_site.curves import entry, picture, usual_values
-from robodyn_site.docstrings import markdown
-from robodyn_site.equations import typeset
-from robodyn_site.markdown import plain
-from robodyn_site.pages import pages
-
-
-import re
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
 
+import click
 import pytest
 import yaml
 
+import robodyn
 from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.effects.catalogue import CATALOGUE
+from robodyn.effects.effect import Effect
 from robodyn.emit.languages import LANGUAGES
+from robodyn.formats.elements_of import FORMATS, table_of
+from robodyn.formats.tree import PHYSICS
+from robodyn.robot import read_text
 from robodyn.targets.table import TARGETS
 from robodyn_cli.main import COMMANDS
-from robodyn_site import navigation, outside
+from robodyn_site import navigation, outside, python
+from robodyn_site.curves import entry, picture, usual_values
+from robodyn_site.docstrings import markdown
+from robodyn_site.equations import typeset
+from robodyn_site.markdown import plain
 from robodyn_site.pages import REPLACED, pages
 
 LINK = "  - {joint: revolute, mass: 1, inertia: {xx: 1, yy: 1, zz: 1}, motor_inertia: 0.1}\n"
