@@ -19,6 +19,7 @@ from robodyn.errors import CheckError, InputError, ToolError
 from robodyn.ir.program import Program
 from robodyn.ir.signature import Signature
 from robodyn.kernels.kernel import load
+from robodyn.optimize.prune.box import box_of
 from robodyn.tools.programs import GAPPA
 
 #: Where the scripts go, within the folder of the proof.
@@ -105,7 +106,8 @@ def _rows(
     tell: Tell,
 ) -> list[dict[str, Any]]:
     tell(f"searching for the worst error of {signature.function}")
-    largest = peaks(subject.plain_program(signature), _plain_box(subject, signature))
+    inputs = [name for name, _ in subject.plain_signature(signature).inputs]
+    largest = peaks(subject.plain_program(signature), box_of(subject.robot, inputs))
     try:
         kernel = load(subject.generated.signatures, subject.files)
         worst = worst_errors(program, kernel, signature, subject.box(signature))
@@ -122,7 +124,7 @@ def _rows(
             "range": None if proven.low is None else [proven.low, proven.high],
             "bound": proven.error,
             "peak": largest[i],
-            "relative": _ratio(proven.error, largest[i]),
+            "relative": proven.error / largest[i] if proven.error is not None and largest[i] else None,
             "own_bound": bound,
             "worst_found": seen,
             "seconds": round(proven.seconds, 1),
@@ -139,16 +141,6 @@ def _rows(
                 row["reason"] = f"above the tolerance of {float(proofs.tolerance):.3g} of the largest torque"
         rows.append(row)
     return rows
-
-
-def _plain_box(subject: Subject, signature: Signature) -> Any:
-    from robodyn.optimize.prune.box import box_of
-
-    return box_of(subject.robot, [name for name, _ in subject.plain_signature(signature).inputs])
-
-
-def _ratio(bound: float | None, peak: float) -> float | None:
-    return bound / peak if bound is not None and peak else None
 
 
 def _finding(subject: Subject, rows: list[dict[str, Any]], files: dict[str, str]) -> Finding:

@@ -47,7 +47,9 @@ class Proof:
             "scalar": self.subject.scalar,
             "trig": generated.options.trig,
             "functions": [s.function for s in generated.signatures],
-            "files": {name: _hash(text) for name, text in self.subject.files.items()},
+            "files": {
+                name: hashlib.sha256(text.encode()).hexdigest() for name, text in self.subject.files.items()
+            },
             "ranges": self._ranges(),
             "proved": not self.failed and not self.missing,
             "proofs": [f.to_dict() for f in self.findings],
@@ -110,10 +112,6 @@ def prove(
                     (folder / path).write_text(text, encoding="utf-8", newline="\n")
                 findings.append(_PARTS[name](plan, proofs, folder, tell))
     return Proof(plan, tuple(findings))
-
-
-def _hash(text: str) -> str:
-    return hashlib.sha256(text.encode()).hexdigest()
 
 
 def _without_times(value: Any) -> Any:

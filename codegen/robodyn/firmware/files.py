@@ -6,7 +6,7 @@ import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -42,9 +42,6 @@ from robodyn.kernels.generate import Generated
 from robodyn.robot.account import account_lines
 from robodyn.targets import Target
 from robodyn.verify.sample import draw_parameters
-
-if TYPE_CHECKING:
-    import jinja2
 
 #: Templates by the file that each makes; ``NAME`` is the robot's.
 _C = {
@@ -130,7 +127,9 @@ def firmware(
 
     def write(file: str, template: str, head: str, **own: object) -> None:
         heading = head_of(generated.unit.robot, [head])
-        files[file.replace("NAME", name)] = _template(template).render(context, head=heading, **own)
+        files[file.replace("NAME", name)] = (
+            environment().get_template(f"firmware/{template}").render(context, head=heading, **own)
+        )
 
     for file, template in _C.items():
         write(file, template, _NOTES[file].format(**figures))
@@ -164,10 +163,6 @@ class _Numbers:
 
     ranges: Sequence[Range]
     parameters: dict[str, Fraction]
-
-
-def _template(name: str) -> jinja2.Template:
-    return environment().get_template(f"firmware/{name}")
 
 
 def _base(generated: Generated, targets: Sequence[Target], others: Sequence[Language]) -> dict[str, Any]:

@@ -56,6 +56,14 @@ def context(package: Package) -> dict[str, Any]:
     }
 
 
+def sources(package: Package, headers: str = "src", tests: str = "test") -> dict[str, str]:
+    """The kernel in ``src``, its headers in the folder ``headers``, the programs that test it in ``tests``:
+    text by path."""
+    kernel = package.kernel().items()
+    placed = {f"{headers if path.endswith('.h') else 'src'}/{path}": text for path, text in kernel}
+    return placed | {f"{tests}/{path}": text for path, text in package.tests().items()}
+
+
 def arithmetic_flags(package: Package) -> tuple[str, ...]:
     """The flags with which gcc and clang leave arithmetic as it is written, with those of the target that was
     asked for. How far the rest is optimised is the affair of whoever builds it."""

@@ -12,7 +12,7 @@ import numpy as np
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Effect, Site
 from robodyn.report.arm_parts import number
-from robodyn.robot.model import AXES, EffectEntry, Inertia, Robot
+from robodyn.robot.model import AXES, Inertia, Robot
 from robodyn.robot.values import Affine
 
 #: Points of a curve; an odd number, so that the middle of a range is one of them.
@@ -47,11 +47,7 @@ def _all(robot: Robot) -> Iterator[_At]:
             if value:
                 yield _At(effect, index, {fold.parameter: float(value)})
     for entry in robot.effects:
-        yield _At(entry.definition, entry.joint, _values(entry))
-
-
-def _values(entry: EffectEntry) -> dict[str, Any]:
-    return {name: _plain(value) for name, value in entry.settings}
+        yield _At(entry.definition, entry.joint, {name: _plain(x) for name, x in entry.settings})
 
 
 def _plain(value: Any) -> Any:

@@ -78,7 +78,7 @@ def _shown(arm: Arm) -> dict[str, Any]:
         "account": list(account_lines(arm.robot)),
         "charts": [_chart(data, j) for j in range(min(len(data["joints"]), _MOST_CHARTS))],
         "effects": [_effect(effect) for effect in data["effects"]],
-        "next_best": _next_best(data["counts"]),
+        "next_best": next((bar for bar in data["counts"]["bars"] if not bar["ours"]), None),
         "equations": [_typeset(record) for record in data["equations"]],
         "gantt": Markup(gantt_svg(arm.source, arm.solved)),
         "layers": Markup(layers_svg(arm.source)) if data["schedule"]["tasks"] <= _MOST_TASKS else None,
@@ -121,10 +121,6 @@ def _hardest(data: dict[str, Any]) -> dict[str, Any] | None:
     if not peaks[j]:
         return None
     return {"joint": j + 1, "torque": formatted(peaks[j]), "unit": data["joints"][j]["units"]["torque"]}
-
-
-def _next_best(counted: dict[str, Any]) -> dict[str, Any] | None:
-    return next((bar for bar in counted["bars"] if not bar["ours"]), None)
 
 
 def _chart(data: dict[str, Any], j: int) -> Chart:

@@ -75,7 +75,11 @@ def links(robot: Robot) -> list[dict[str, Any]]:
             "com": [number(x) for x in link.com],
             "inertia": {axes: number(getattr(link.inertia, axes)) for axes in AXES},
             "ellipsoid": ellipsoid(number(link.mass), link.inertia),
-            "confidence": _confidence(link),
+            "confidence": {
+                "share": float(link.inertial_share),
+                "stated": link.confidence is not None,
+                "unknown": link.confidence == "unknown",
+            },
             "origins": {name: getattr(link.origins, name) for name in GROUPS["inertial"]},
             "doubts": list(_plausibility(index, link)),
         }
@@ -101,15 +105,6 @@ _ORIGINS: Final = {
     "synthetic": "synthetic: invented, not those of a real arm",
     "absent": "absent, taken as 0",
 }
-
-
-def _confidence(link: Link) -> dict[str, Any]:
-    """The share by which inertial numbers may be wrong, and whether the description says so."""
-    return {
-        "share": float(link.inertial_share),
-        "stated": link.confidence is not None,
-        "unknown": link.confidence == "unknown",
-    }
 
 
 def _plausibility(index: int, link: Link) -> Iterator[dict[str, str]]:

@@ -176,7 +176,7 @@ def _picture(
     if not diagnosis.series or len(diagnosis.series[0].times) < 2:
         return None
     series = diagnosis.series[0]
-    j = (finding.joint or _loudest(places)) - 1
+    j = (finding.joint or max(places, key=lambda place: place.share).joint) - 1
     units, floor = units_at(diagnosis, j), float(diagnosis.gap.noise_floor[j])
     own = _own(series, finding, diagnosis, units)
     if own is not None:
@@ -198,10 +198,6 @@ def looks(diagnosis: Diagnosis, place: Localised, windows: Any) -> list[Chart]:
         what = across(series, j, place.best or "", units)
         charts.append(over(series, j, what, units["torque"], floor, dots=260, wide=True))
     return charts
-
-
-def _loudest(places: Sequence[Localised]) -> int:
-    return max(places, key=lambda place: place.share).joint
 
 
 def _own(series: Series, finding: Finding, diagnosis: Diagnosis, units: Mapping[str, str]) -> Across | None:

@@ -81,7 +81,7 @@ def ladder(diagnosis: Diagnosis, validated: bool) -> dict[str, Any]:
                 "before": formatted(before[j]),
                 "after": formatted(after[j]),
                 "floor": formatted(gap.noise_floor[j]),
-                "times": _times(after[j], gap.noise_floor[j]),
+                "times": formatted(after[j] / floor) if (floor := gap.noise_floor[j]) > 0 else "n/a",
                 "unit": units_at(diagnosis, j)["torque"],
                 "change": change(before[j], after[j]),
                 "is_same": bool(before[j] == after[j]),
@@ -99,10 +99,6 @@ def _effects(diagnosis: Diagnosis, joint: int) -> str:
     names = [named(f.effect) for f in claims(diagnosis) if f.joint == joint]
     more = f" and {len(names) - _NAMED} more" if len(names) > _NAMED else ""
     return ", ".join(names[:_NAMED]) + more
-
-
-def _times(value: float, floor: float) -> str:
-    return formatted(value / floor) if floor > 0 else "n/a"
 
 
 def change(before: float, after: float) -> str:

@@ -6,7 +6,7 @@ from typing import Any
 
 from robodyn.emit.languages.c import LANGUAGE as C
 from robodyn.packages.format import Files, Format, Package
-from robodyn.packages.writing import arithmetic_flags, readme, rendered
+from robodyn.packages.writing import arithmetic_flags, readme, rendered, sources
 
 _TEMPLATES = {
     "CMakeLists.txt": "CMakeLists.txt.j2",
@@ -19,11 +19,7 @@ def _files(package: Package) -> Files:
     return {
         **readme(package),
         **rendered(package, _TEMPLATES, flags=arithmetic_flags(package), **_compatibility(package.version)),
-        **{
-            f"include/{package.name}/{path}" if path.endswith(".h") else f"src/{path}": text
-            for path, text in package.kernel().items()
-        },
-        **{f"test/{path}": text for path, text in package.tests().items()},
+        **sources(package, headers=f"include/{package.name}"),
     }
 
 

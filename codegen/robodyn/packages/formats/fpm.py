@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from robodyn.emit.languages.fortran import LANGUAGE as FORTRAN
 from robodyn.packages.format import Files, Format, Package
-from robodyn.packages.writing import readme, rendered
+from robodyn.packages.writing import readme, rendered, sources
 
 
 def _files(package: Package) -> Files:
     return {
         **readme(package),
         **rendered(package, {"fpm.toml": "fpm.toml.j2"}),
-        **{f"src/{path}": text for path, text in package.kernel().items()},
-        **{f"test/{path}": text for path, text in package.tests().items()},
+        **sources(package),
     }
 
 

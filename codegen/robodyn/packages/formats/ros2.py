@@ -13,7 +13,7 @@ from robodyn.emit.languages.c import LANGUAGE as C
 from robodyn.ir.evaluate import evaluate
 from robodyn.ir.program import Input
 from robodyn.packages.format import Files, Format, Package
-from robodyn.packages.writing import arithmetic_flags, readme, rendered
+from robodyn.packages.writing import arithmetic_flags, readme, rendered, sources
 from robodyn.robot.model import Robot
 from robodyn.robot.values import Affine
 
@@ -116,11 +116,7 @@ def _files(package: Package) -> Files:
     return {
         **readme(package, **about),
         **rendered(package, _TEMPLATES, flags=arithmetic_flags(package), **model, **about),
-        **{
-            f"include/{package.name}/{path}" if path.endswith(".h") else f"src/{path}": text
-            for path, text in package.kernel().items()
-        },
-        **{f"test/{path}": text for path, text in package.tests().items()},
+        **sources(package, headers=f"include/{package.name}"),
     }
 
 

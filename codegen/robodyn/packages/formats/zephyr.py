@@ -6,7 +6,7 @@ from typing import Final
 
 from robodyn.emit.languages.c import LANGUAGE as C
 from robodyn.packages.format import Files, Format, Package
-from robodyn.packages.writing import arithmetic_flags, readme, rendered
+from robodyn.packages.writing import arithmetic_flags, readme, rendered, sources
 
 #: Stack [bytes] of a sample's thread beside the largest result: frames of the kernel and of printf.
 MAIN_STACK: Final = 4096
@@ -31,11 +31,7 @@ def _files(package: Package) -> Files:
     return {
         **readme(package),
         **rendered(package, _TEMPLATES, **more),
-        **{
-            f"include/{path}" if path.endswith(".h") else f"src/{path}": text
-            for path, text in package.kernel().items()
-        },
-        **{f"{_SAMPLE}/src/{path}": text for path, text in package.tests().items()},
+        **sources(package, headers="include", tests=f"{_SAMPLE}/src"),
     }
 
 
