@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
+
+import numpy as np
 
 from robodyn.emit.static import static_function
 from robodyn.errors import InputError
 from robodyn.ir.program import Program
 from robodyn.kernels.generate import Options, maker
 from robodyn.robot.model import EffectEntry, Robot
-from robodyn.simulate.engine import Engine, build_engine
+from robodyn.simulate.engine import Engine, Floats, build_engine
+from robodyn.simulate.sensors import acting_on
 from robodyn.simulate.system import System, system_of
 
 #: Arguments of the programs, in the order of the engine's functions; outputs by the engine's names.
@@ -132,3 +136,13 @@ def _external(system: System) -> list[str]:
             "    }",
         ]
     return [*lines, "}"]
+
+
+def drive_limits(robot: Robot, values: Mapping[str, float]) -> Floats | None:
+    """What the drives give at most [n] (N m or N), infinity where there is no limit; None: none at all."""
+    limits = np.full(robot.n, np.inf)
+    for entry, channel in acting_on(robot.effects, "limit"):
+        if entry.text(channel.who) == "drive":
+            places = slice(None) if entry.joint is None else slice(entry.joint - 1, entry.joint)
+            limits[places] = np.minimum(limits[places], entry.number(channel.parameter, values))
+    return limits if np.isfinite(limits).any() else None

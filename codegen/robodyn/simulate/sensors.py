@@ -11,14 +11,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
-from typing import Any, Literal
+from typing import Any, Literal, Protocol, TypeVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.effects.traits import Acts, Channel
 from robodyn.errors import InputError
-from robodyn.logs.log import Log
 from robodyn.robot.model import EffectEntry
 from robodyn.simulate.differences import difference, low_pass
 
@@ -32,6 +31,24 @@ _RATES = ("true", "difference", "filtered", "none")
 _POSITION, _TORQUE = 0, 1
 #: A torque so near to the sensor's limit is at it, as a share of the limit: logs are rounded.
 _AT_LIMIT = 1e-3
+
+
+class _Samples(Protocol):
+    """A dataclass of what sensors see, as a log is: times [K], and the others [K, n], rates perhaps None."""
+
+    @property
+    def t(self) -> Floats: ...
+    @property
+    def q(self) -> Floats: ...
+    @property
+    def qd(self) -> Floats | None: ...
+    @property
+    def qdd(self) -> Floats | None: ...
+    @property
+    def tau(self) -> Floats: ...
+
+
+_Log = TypeVar("_Log", bound=_Samples)
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,13 +112,13 @@ def resolution_of(bits: int) -> float:
 
 
 def measure(
-    true: Log,
+    true: _Log,
     sensors: Sensors,
     effects: Sequence[EffectEntry] = (),
     *,
     seed: int = 0,
     parameters: Parameters | None = None,
-) -> Log:
+) -> _Log:
     """The log that the sensors make of the ``true`` signals; times and provenance stay.
 
     Where the drive clips the torque, the true torque is the command, for that is what the log has. Each joint
@@ -111,7 +128,7 @@ def measure(
     ------
     InputError: the options do not fit the log, or ``true`` lacks a rate that is to be shown as it is.
     """
-    n = true.n
+    n = true.q.shape[1]
     position = measured_position(true.q, effects, parameters)
     position = position + _noise(sensors.position_noise, "position_noise", true, seed, _POSITION)
     position = _quantised(position, _sizes(sensors.position_resolution, "position_resolution", n))
@@ -125,7 +142,8 @@ def measure(
     torque = torque + _noise(sensors.torque_noise, "torque_noise", true, seed, _TORQUE)
     torque = _clipped(torque, effects, parameters)
     torque = _quantised(torque, _sizes(sensors.torque_resolution, "torque_resolution", n))
-    return replace(true, q=position, qd=rate, qdd=second, tau=torque)
+    measured: Any = true
+    return cast(_Log, replace(measured, q=position, qd=rate, qdd=second, tau=torque))
 
 
 def measured_torque(
@@ -304,15 +322,15 @@ def _sizes(value: PerJoint, name: str, n: int) -> Floats:
     return np.broadcast_to(sizes, (n,))
 
 
-def _noise(value: PerJoint, name: str, true: Log, seed: int, channel: int) -> Floats:
+def _noise(value: PerJoint, name: str, true: _Samples, seed: int, channel: int) -> Floats:
     """Gaussian noise [K, n]; the numbers of a joint are those of no other, whatever noise these have."""
     if seed < 0:
         raise InputError("a seed is a number of 0 or more", found=str(seed))
     noise = np.zeros_like(true.q)
-    for j, size in enumerate(_sizes(value, name, true.n)):
+    for j, size in enumerate(_sizes(value, name, true.q.shape[1])):
         if size:
             stream = np.random.SeedSequence(seed, spawn_key=(channel, j))
-            noise[:, j] = size * np.random.default_rng(stream).standard_normal(true.samples)
+            noise[:, j] = size * np.random.default_rng(stream).standard_normal(len(true.t))
     return noise
 
 

@@ -25,9 +25,9 @@ from robodyn.robot.model import Robot
 from robodyn.simulate.balance import Balance, stored_energy
 from robodyn.simulate.control import Callback, Control
 from robodyn.simulate.engine import ATOL, RTOL, Method
-from robodyn.simulate.plant import Plant, build_plant
+from robodyn.simulate.plant import Plant, build_plant, drive_limits
 from robodyn.simulate.run import Record
-from robodyn.simulate.sensors import Sensors, acting_on, measure
+from robodyn.simulate.sensors import Sensors, measure
 from robodyn.simulate.start import start_state
 from robodyn.simulate.trajectories.trajectory import Trajectory
 
@@ -306,13 +306,3 @@ def model_torques(plant: Plant, motion: Trajectory, parameters: Mapping[str, flo
     values = parameter_values(plant.robot, parameters)
     numbers = [values[name] for name in plant.robot.parameters]
     return plant.engine.model_torques(motion.q, motion.qd, motion.qdd, numbers)
-
-
-def drive_limits(robot: Robot, values: Mapping[str, float]) -> Floats | None:
-    """What the drives give at most [n] (N m or N), infinity where there is no limit; None: none at all."""
-    limits = np.full(robot.n, np.inf)
-    for entry, channel in acting_on(robot.effects, "limit"):
-        if entry.text(channel.who) == "drive":
-            places = slice(None) if entry.joint is None else slice(entry.joint - 1, entry.joint)
-            limits[places] = np.minimum(limits[places], entry.number(channel.parameter, values))
-    return limits if np.isfinite(limits).any() else None

@@ -115,7 +115,7 @@ def _values(package: Package, system: System, results: tuple[Result, ...]) -> di
     """What the templates of the sources are told."""
     from robodyn.emit.static import static_function
     from robodyn.simulate.engine import ATOL, RTOL
-    from robodyn.simulate.simulation import drive_limits
+    from robodyn.simulate.plant import drive_limits
     from robodyn.simulate.start import start_program
 
     limits = drive_limits(package.robot, {})
