@@ -25,6 +25,11 @@ def markup_template(name: str) -> jinja2.Template:
     return environment().overlay(autoescape=True, finalize=_visible).get_template(f"report/{name}")
 
 
+def script_template(name: str) -> jinja2.Template:
+    """The template ``report/name``, of a script, which is not escaped."""
+    return environment().get_template(f"report/{name}")
+
+
 def _visible(value: Any) -> Any:
     """``value``; a text with a mark for each character that XML forbids or that nobody sees."""
     if not isinstance(value, str) or value.replace("\n", "").replace("\t", "").isprintable():

@@ -14,9 +14,8 @@ from typing import Any, Final
 
 import numpy as np
 
-from robodyn.draw.markup import json_text, markup_template, policy, script_text
+from robodyn.draw.markup import json_text, markup_template, policy, script_template, script_text
 from robodyn.draw.scales import day_text, range_text
-from robodyn.emit.render import environment
 from robodyn.fleet.result import (
     Claim,
     Feature,
@@ -72,7 +71,7 @@ def page(result: FleetResult) -> str:
     """The HTML of ``result``, the same bytes at any time and place."""
     from importlib.metadata import version
 
-    script = script_text(environment().get_template("report/fleet.js").render())
+    script = script_text(script_template("fleet.js").render())
     return markup_template("fleet.html.j2").render(
         name=result.name,
         headline=headline(result),
