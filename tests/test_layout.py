@@ -1,12 +1,14 @@
-"""The rooms of the library: each imports only rooms above it in the list; sympy and its like come late."""
+"""The rooms of the library: each imports only rooms above it in the list, and nothing from beyond the wall
+between the houses; sympy and its like come late."""
 
 from __future__ import annotations
 
 import ast
+import fnmatch
 import graphlib
 import importlib
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cache
 from pathlib import Path
 
@@ -17,18 +19,35 @@ ROOT = Path(__file__).parents[1] / "codegen"
 
 def rooms() -> list[str]:
     """The rooms in their order, which stands in one place: the table of docs/architecture.md."""
+    return re.findall(r"(?m)^\| `(\w+)` \|", section("Rooms"))
+
+
+def section(title: str) -> str:
+    """What docs/architecture.md has under the heading ``title``."""
     text = (ROOT.parent / "docs" / "architecture.md").read_text(encoding="utf-8")
-    table = text.partition("\n## Rooms\n")[2].partition("\n## ")[0]
-    return re.findall(r"(?m)^\| `(\w+)` \|", table)
+    return text.partition(f"\n## {title}\n")[2].partition("\n## ")[0]
+
+
+def houses() -> dict[str, tuple[list[str], list[str]]]:
+    """By house the patterns of its rooms and modules, and of the rooms that it imports nothing of."""
+    table = {}
+    for row in re.findall(r"(?m)^\| (.*) \|$", section("Houses"))[1:]:
+        house, _, within, barred = (cell.strip() for cell in f"{row} ".split("|"))
+        table[house] = (re.findall(r"`([\w.*]+)`", within), re.findall(r"`(\w+)`", barred))
+    return table
 
 
 ROOMS = rooms()
+HOUSES = houses()
+#: Beyond which wall each house lies for another.
+BARRED = {"generator": {"log side"}, "log side": {"thesis"}, "thesis": set[str]()}
 LATE = {"sympy", "numpy", "scipy", "matplotlib"}
 LEAN = {"ir", "robot", "dynamics", "passes", "counts", "optimize", "emit"}
 FACADE = {"__init__", "__main__"}
 #: Folders whose files are held to a length, and that length.
 TOPS, LINES = ("codegen", "cli", "docs", "tests", "benchmarks"), 350
 FILES = sorted(path.relative_to(ROOT) for path in ROOT.rglob("*.py"))
+COMMANDS = ROOT.parent / "cli"
 
 
 def room_of(file: Path) -> str:
@@ -44,6 +63,28 @@ def imported(statement: ast.AST, file: Path) -> Iterator[str]:
         base = file.parts[: len(file.parts) - statement.level] if statement.level else ()
         module = ".".join([*base, *([statement.module] if statement.module else [])])
         yield from (f"{module}.{alias.name}" for alias in statement.names)
+
+
+def house_of(parts: Sequence[str]) -> str:
+    """The house of a module of the library, by the ``parts`` of its name below ``robodyn``."""
+    for house, (patterns, _) in HOUSES.items():
+        for pattern in patterns:
+            names = pattern.split(".")
+            if len(parts) >= len(names) and all(map(fnmatch.fnmatch, parts, names)):
+                return house
+    return "generator"
+
+
+def beyond_the_wall(names: Iterable[str], file: Path) -> Iterator[str]:
+    """Which of the imported ``names`` lie in a house that the house of ``file`` knows nothing of."""
+    if file.stem in FACADE:
+        return
+    house = house_of(file.with_suffix("").parts[1:])
+    for parts in (name.split(".") for name in sorted(names)):
+        if parts[0] != "robodyn" or len(parts) < 2:
+            continue
+        if house_of(parts[1:]) in BARRED[house] or parts[1] in HOUSES[house][1]:
+            yield f"{file}: the {house} imports {'.'.join(parts)}, which is beyond the wall"
 
 
 def at_module_level(node: ast.AST) -> Iterator[ast.AST]:
@@ -77,7 +118,8 @@ def test_what_the_map_names_is_there() -> None:
 
 @cache
 def tree_of(file: Path) -> ast.Module:
-    return ast.parse((ROOT / file).read_text(encoding="utf-8"))
+    root = COMMANDS if file.parts[0] == "robodyn_cli" else ROOT
+    return ast.parse((root / file).read_text(encoding="utf-8"))
 
 
 def out_of_order(tree: ast.Module, file: Path) -> Iterator[str]:
@@ -91,6 +133,7 @@ def out_of_order(tree: ast.Module, file: Path) -> Iterator[str]:
                 yield f"{file}: {room} imports {'.'.join(parts)}, which is not above it"
             if parts[0] == "robodyn_cli":
                 yield f"{file} imports the command line"
+        yield from beyond_the_wall(names, file)
     early = {name for statement in at_module_level(tree) for name in imported(statement, file)}
     packages = {name.partition(".")[0] for name in early}
     if "robodyn_cli" in packages:
@@ -113,6 +156,17 @@ def test_imports_only_rooms_above() -> None:
         ("dynamics/arm.py", "def f(): from ..kernels import load", "dynamics imports robodyn.kernels.load"),
         ("report/page.py", "import robodyn_cli.gen", "imports the command line"),
         ("__init__.py", "import robodyn_cli", "imports the command line"),
+        (
+            "bench/peers.py",
+            "def f(): from robodyn.gate import gate",
+            "the generator imports robodyn.gate.gate",
+        ),
+        (
+            "report/fleet_map.py",
+            "from robodyn.emit import render",
+            "the log side imports robodyn.emit.render",
+        ),
+        ("report/run.py", "from robodyn.thesis import judge", "the log side imports robodyn.thesis.judge"),
         ("ir/graph.py", "import numpy as np", "imports numpy: do so in the function that needs it"),
     ],
 )
@@ -142,8 +196,11 @@ def test_no_file_is_long(top: str) -> None:
 
 @pytest.mark.thorough
 def test_no_file_imports_itself_through_others() -> None:
-    """No circle of files, wherever they import; packages' faces, which only hand names on, are left out."""
-    modules = {".".join(file.with_suffix("").parts): file for file in FILES if file.stem not in FACADE}
+    """No circle of files, of library and command line, wherever they import; packages' faces, which only hand
+    names on, are left out."""
+    commands = (path.relative_to(COMMANDS) for path in COMMANDS.rglob("*.py"))
+    files = [file for file in (*FILES, *commands) if file.stem not in FACADE]
+    modules = {".".join(file.with_suffix("").parts): file for file in files}
     graph: dict[str, set[str]] = {}
     for module, file in modules.items():
         names = {name for statement in ast.walk(tree_of(file)) for name in imported(statement, file)}
