@@ -191,7 +191,7 @@ def build_arm(robot: Robot, constant: Callable[[Fraction], Any], parameter: Call
         bodies[-1] = _loaded(bodies[-1], loads)
     base, tool = (BASE if place is None else _frame(constant, place) for place in (robot.base, robot.tool))
     stated: list[Vector] = []
-    if robot.standard_end is not None:  # each row moves up by one, see robodyn.robot.dh
+    if robot.standard_end is not None:  # each row moves up by one, see robodyn.robot.frames
         end, roll = robot.standard_end.xyz[0], robot.standard_end.rpy[0]
         stated = [(body.a, body.cos_alpha, body.sin_alpha) for body in bodies[1:]]
         stated.append((constant(end), constant(roll.cos), constant(roll.sin)))

@@ -1,5 +1,13 @@
-"""Frames that a description states: base, tool, where rows of standard DH end, and poses of links in place of
-DH numbers, turned about z axes until rows describe them.
+"""Frames that a description states: of the base and the tool, rows of standard DH, and poses of links in
+place of rows. What a robot has are modified (Craig) Denavit-Hartenberg rows.
+
+Standard row i holds a_i and alpha_i of the link itself: frame i, in which the link's centre of mass and
+inertia are given, lies at the link's far end, ``Rot(z, theta) Trans(z, d) Trans(x, a) Rot(x, alpha)``
+from frame i-1. Modified frame i is the one reached after ``Rot(z, theta) Trans(z, d)`` already, so each
+row hands its a and alpha to the next (Craig, Introduction to Robotics, section 3.4).
+
+Of effects a payload moves along with the last link. What a bearing carries (load-dependent friction) and
+where a contact acts are meant in the modified frames, whose z is the joint's axis, with the origin on it.
 
 A pose places the frame of a joint in the one before, at q = 0; its z axis is the joint's. It is a turn about
 the z axis before, a twist about x, and a turn about its own z axis. The first of the three is taken into the
@@ -10,15 +18,14 @@ that a row is left, with an offset ``b`` where the origin is not on the common n
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
-from robodyn.robot.dh import standard_end
 from robodyn.robot.document import describe
 from robodyn.robot.fields import Section
 from robodyn.robot.keys import ROW
-from robodyn.robot.parts import Link, Placement
+from robodyn.robot.parts import EffectEntry, Inertia, Link, Placement, Setting, Vector
 from robodyn.robot.rotations import (
     QUARTER_TURN,
     SAME,
@@ -33,7 +40,7 @@ from robodyn.robot.rotations import (
     turned_vector,
     twist_of,
 )
-from robodyn.robot.values import ZERO, Angle, quarter_turns
+from robodyn.robot.values import ZERO, Angle, Value, angle, quarter_turns
 
 
 def placement_at(section: Section, key: str) -> Placement | None:
@@ -71,7 +78,7 @@ def standard_end_of(section: Section, sections: list[Section], last: Link) -> Pl
             expected="a number",
             remedy="state a number, or modified rows (convention: mdh)",
         )
-    return standard_end(last)
+    return Placement((last.joint.a, ZERO, ZERO), (last.joint.alpha, quarter_turns(0), quarter_turns(0)))
 
 
 def pose_at(section: Section, convention: str) -> Placement | None:
@@ -141,3 +148,69 @@ def _turned(link: Link, phi: Angle) -> Link:
     inertia = replace(turned_inertia(back, link.inertia, exact=exact), zz=link.inertia.zz)
     joint = replace(link.joint, theta=summed(link.joint.theta, phi))
     return replace(link, joint=joint, com=(x, y, link.com[2]), inertia=inertia)
+
+
+def from_standard(links: Iterable[Link]) -> tuple[Link, ...]:
+    """The same arm with modified rows; ``links`` hold alpha_i, a_i and inertials of standard frames.
+
+    What stands in the last link's frame moves with it: its centre and inertia, a payload, the tool. Right
+    angles keep every number exact; at other twists centres and inertias are rounded to double.
+
+    Raises
+    ------
+    OverflowError: a number grows beyond double.
+    """
+    converted = []
+    a: Value = ZERO
+    alpha = angle(ZERO)
+    for link in links:
+        own_a, own_alpha = link.joint.a, link.joint.alpha
+        converted.append(
+            replace(
+                link,
+                joint=replace(link.joint, a=a, alpha=alpha),
+                com=_centre(link.mass, link.com, own_a, own_alpha),
+                inertia=_tensor(link.inertia, own_alpha),
+            )
+        )
+        a, alpha = own_a, own_alpha
+    return tuple(converted)
+
+
+def tool_from_standard(tool: Placement | None, end: Placement) -> Placement | None:
+    """``tool`` of the last standard frame, which stands at ``end``, in the last modified frame."""
+    if tool is None:
+        return placement(end.rotation, end.xyz, 0.0)
+    x, y, z = applied(end.rotation, tool.xyz)
+    return placement(product(end.rotation, tool.rotation), (end.xyz[0] + x, y, z), 0.0)
+
+
+def effect_from_standard(entry: EffectEntry, last: Link) -> EffectEntry:
+    """``entry`` for the modified frames: a payload stands in the frame of ``last``, the last standard row.
+
+    Raises
+    ------
+    OverflowError: a number grows beyond double.
+    """
+    if not entry.definition.traits.body:
+        return entry
+    a, alpha = last.joint.a, last.joint.alpha
+    moved: dict[str, Setting] = dict(entry.settings)
+    moved["com"] = _centre(entry["mass"], entry["com"], a, alpha)
+    if "inertia" in entry:
+        moved["inertia"] = _tensor(entry["inertia"], alpha)
+    return replace(entry, settings=tuple(moved.items()))
+
+
+def _centre(mass: Value, com: Vector, a: Value, alpha: Angle) -> Vector:
+    """Centre of mass seen from the modified frame: (a, 0, 0) + Rot(x, alpha) com."""
+    if mass == 0 and com == (ZERO, ZERO, ZERO):
+        return com  # a link without mass has no centre: do not invent one
+    _, y, z = turned_vector(about_x(alpha), com, exact=alpha.quarter is not None)
+    return a + com[0], y, z
+
+
+def _tensor(inertia: Inertia, alpha: Angle) -> Inertia:
+    """Rot(x, alpha) I Rot(x, alpha)^T."""
+    turned = turned_inertia(about_x(alpha), inertia, exact=alpha.quarter is not None)
+    return replace(turned, xx=inertia.xx)
