@@ -127,3 +127,20 @@ TEXTS: Final = {
 def arm(name: str) -> Robot:
     """The arm of that name."""
     return read_text(TEXTS[name], name)
+
+
+def arm_of(
+    joint: str = "", robot: str = "", *, head: str = "", link: str = "", kind: str = "revolute"
+) -> Robot:
+    """Two joints with the given effects at the first and of the whole robot, in flow style."""
+    return read_text(arm_text(joint, robot, head=head, link=link, kind=kind))
+
+
+def arm_text(
+    joint: str = "", robot: str = "", *, head: str = "", link: str = "", kind: str = "revolute"
+) -> str:
+    """The description of :func:`arm_of`."""
+    return (
+        f"name: arm\n{head}links:\n  - joint: {kind}\n    mass: 2\n{link}    effects: [{joint}]\n"
+        f"  - joint: revolute\neffects: [{robot}]\n"
+    )

@@ -11,11 +11,12 @@ import pytest
 import yaml
 
 from robodyn.effects.catalogue import CATALOGUE
-from robodyn.robot import Inertia, Robot, json_schema, read_text, to_yaml
+from robodyn.robot import Inertia, json_schema, read_text, to_yaml
 from robodyn.robot.keys import EFFECTS
 from robodyn.robot.model import EffectEntry
 from robodyn.robot.values import ZERO, parameter
 from robodyn_testing import require_module
+from robodyn_testing.effect_arms import arm_of, arm_text
 from robodyn_testing.random_effects import FOLDED, with_random_effects
 from robodyn_testing.random_robots import random_robot
 
@@ -125,23 +126,9 @@ EXAMPLES: list[tuple[str, str, dict[str, Any]]] = [
 ]
 
 
-def _robot(
-    joint: str = "", robot: str = "", *, head: str = "", link: str = "", kind: str = "revolute"
-) -> Robot:
-    """Two joints with the given effects at the first and of the whole robot, in flow style."""
-    return read_text(_text(joint, robot, head=head, link=link, kind=kind))
-
-
-def _text(joint: str = "", robot: str = "", *, head: str = "", link: str = "", kind: str = "revolute") -> str:
-    return (
-        f"name: arm\n{head}links:\n  - joint: {kind}\n    mass: 2\n{link}    effects: [{joint}]\n"
-        f"  - joint: revolute\neffects: [{robot}]\n"
-    )
-
-
 def _described(effect: str, text: str) -> str:
     entry = f"{{effect: {effect}, {text}}}"
-    return _text("", entry) if CATALOGUE[effect].level == "robot" else _text(entry)
+    return arm_text("", entry) if CATALOGUE[effect].level == "robot" else arm_text(entry)
 
 
 def test_there_is_an_example_of_every_effect() -> None:
@@ -156,7 +143,7 @@ def test_every_effect_is_read_with_its_defaults_in_the_order_of_its_definition(
     robot = read_text(described)
     if effect in FOLDED:
         assert robot.effects == ()
-        assert robot != read_text(_text())
+        assert robot != read_text(arm_text())
     else:
         joint = None if CATALOGUE[effect].level == "robot" else 1
         assert robot.effects == (EffectEntry(effect, joint, tuple(settings.items())),)
@@ -194,7 +181,7 @@ def test_entries_come_base_to_tip_and_then_those_of_the_robot() -> None:
     ],
 )
 def test_some_may_stand_at_a_joint_together(entries: str) -> None:
-    assert len(_robot(entries).effects) == entries.count("effect:")
+    assert len(arm_of(entries).effects) == entries.count("effect:")
 
 
 def test_a_joint_may_be_coupled_with_two_others() -> None:
@@ -207,7 +194,7 @@ def test_a_joint_may_be_coupled_with_two_others() -> None:
 
 def test_contacts_may_be_many() -> None:
     one = "{effect: external_contact, start: 1, end: 2, link: 1}"
-    assert len(_robot("", f"{one}, {one}").effects) == 2
+    assert len(arm_of("", f"{one}, {one}").effects) == 2
 
 
 @pytest.mark.parametrize(
@@ -227,7 +214,7 @@ def test_what_acts_before_the_gear_is_kept_with_a_word_for_a_torque_behind_it(
 ) -> None:
     told: list[str] = []
     twice = f"{entry}, {{effect: backlash, gap: 1}}" if warned and "elasticity" not in entry else entry
-    text = _text(twice, head="torque_side: link\n")
+    text = arm_text(twice, head="torque_side: link\n")
     robot = read_text(text, "arm.yaml", strict=True, warn=told.append)
     assert len(robot.effects) == twice.count("effect:")
     assert len(told) == warned
@@ -243,7 +230,7 @@ def test_what_acts_before_the_gear_is_kept_with_a_word_for_a_torque_behind_it(
     ],
 )
 def test_a_dead_band_of_friction(text: str, velocity: Fraction) -> None:
-    robot = _robot(head=f"friction_at_rest: {text}\n")
+    robot = arm_of(head=f"friction_at_rest: {text}\n")
     assert (robot.rest_velocity, robot.dead_band) == (None, velocity)
     assert read_text(to_yaml(robot)) == robot
 
@@ -280,7 +267,7 @@ def test_the_text_is_what_a_person_would_write() -> None:
 
 @pytest.mark.parametrize("work", ["load('puma560')", "to_yaml(r.load('puma560'))", "read_text(BARE)"])
 def test_a_rigid_arm_does_without_the_catalogue(work: str) -> None:
-    bare = _text(head="friction_at_rest: dead_band\n", link="    friction: {viscous: 1}\n")
+    bare = arm_text(head="friction_at_rest: dead_band\n", link="    friction: {viscous: 1}\n")
     code = f"import sys, robodyn.robot as r\nBARE = {bare!r}\nr.{work}\n"
     code += "print('robodyn.effects.catalogue' in sys.modules)"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
@@ -292,7 +279,7 @@ def test_a_thousand_effects_are_read_and_one_more_is_not() -> None:
 
     one = "{effect: torque_ripple, amplitude: 1, cycles_per_rev: 2}"
     contact = "{effect: external_contact, start: 1, end: 2, link: 1}"
-    robot = _robot(", ".join([one] * (EFFECTS - 1)), contact)
+    robot = arm_of(", ".join([one] * (EFFECTS - 1)), contact)
     assert len(robot.effects) == EFFECTS
     with pytest.raises(InputError, match="too many effects; expected at most 1000"):
-        _robot(", ".join([one] * (EFFECTS - 1)), f"{contact}, {contact}")
+        arm_of(", ".join([one] * (EFFECTS - 1)), f"{contact}, {contact}")

@@ -13,22 +13,9 @@ from robodyn.robot.folding import folded
 from robodyn.robot.model import EffectEntry
 from robodyn.robot.values import ZERO, parameter
 from robodyn_testing import exactly
+from robodyn_testing.effect_arms import arm_of
 
 F = Fraction
-
-
-def _robot(
-    joint: str = "", robot: str = "", *, head: str = "", link: str = "", kind: str = "revolute"
-) -> Robot:
-    """Two joints with the given effects at the first and of the whole robot, in flow style."""
-    return read_text(_text(joint, robot, head=head, link=link, kind=kind))
-
-
-def _text(joint: str = "", robot: str = "", *, head: str = "", link: str = "", kind: str = "revolute") -> str:
-    return (
-        f"name: arm\n{head}links:\n  - joint: {kind}\n    mass: 2\n{link}    effects: [{joint}]\n"
-        f"  - joint: revolute\neffects: [{robot}]\n"
-    )
 
 
 @pytest.mark.parametrize(
@@ -45,21 +32,21 @@ def _text(joint: str = "", robot: str = "", *, head: str = "", link: str = "", k
 )
 @pytest.mark.parametrize("kind", ["revolute", "prismatic"])
 def test_what_has_two_spellings_is_one_thing(effects: str, link: str, kind: str) -> None:
-    assert _robot(effects, kind=kind) == _robot(link=link, kind=kind)
+    assert arm_of(effects, kind=kind) == arm_of(link=link, kind=kind)
 
 
 def test_the_other_half_of_friction_may_stand_in_the_shorthand() -> None:
-    joint = _robot("{effect: coulomb_friction, level: 3}", link="    friction: {viscous: 2}\n").links[0].joint
+    joint = arm_of("{effect: coulomb_friction, level: 3}", link="    friction: {viscous: 2}\n").links[0].joint
     assert (joint.viscous, joint.coulomb) == exactly(2, 3)
 
 
 def test_rotor_inertia_adds_to_motor_inertia() -> None:
-    robot = _robot("{effect: rotor_inertia, inertia: j}", link="    motor_inertia: 1.5\n")
+    robot = arm_of("{effect: rotor_inertia, inertia: j}", link="    motor_inertia: 1.5\n")
     assert robot.links[0].joint.motor_inertia == parameter("j") + F(3, 2)
 
 
 def test_an_inertial_error_is_added_to_its_link() -> None:
-    robot = _robot(
+    robot = arm_of(
         "{effect: inertial_error, delta_mass: -0.5, delta_com_y: dy, delta_xx: 0.01, delta_yz: -0.02}",
         link="    com: [1, 2, 3]\n    inertia: {xx: 0.5, yy: 0.5, zz: 0.5, yz: 0.01}\n",
     )
@@ -72,12 +59,12 @@ def test_an_inertial_error_is_added_to_its_link() -> None:
 
 def test_an_error_that_no_body_has_is_doubted_at_the_link() -> None:
     with pytest.warns(DoubtfulRobot, match=r"<text>:3:5: link 1: inertia is not physical"):
-        _robot("{effect: inertial_error, delta_xx: -1}")
+        arm_of("{effect: inertial_error, delta_xx: -1}")
 
 
 def test_base_tilt_turns_gravity_about_x_and_then_about_y() -> None:
     x, y = 0.3, -0.2
-    robot = _robot("", f"{{effect: base_tilt, tilt_x: {x}, tilt_y: {y}}}", head="gravity: [1, -2, -9.5]\n")
+    robot = arm_of("", f"{{effect: base_tilt, tilt_x: {x}, tilt_y: {y}}}", head="gravity: [1, -2, -9.5]\n")
     about_x = np.array([[1, 0, 0], [0, np.cos(x), -np.sin(x)], [0, np.sin(x), np.cos(x)]])
     about_y = np.array([[np.cos(y), 0, np.sin(y)], [0, 1, 0], [-np.sin(y), 0, np.cos(y)]])
     found = np.array([float(g) for g in robot.gravity])
@@ -97,7 +84,7 @@ def test_base_tilt_turns_gravity_about_x_and_then_about_y() -> None:
     ],
 )
 def test_right_angles_of_tilt_are_exact(tilt: str, gravity: tuple[Fraction, ...]) -> None:
-    robot = _robot("", f"{{effect: base_tilt, {tilt}}}", head="gravity: [1, -2, -9.5]\n")
+    robot = arm_of("", f"{{effect: base_tilt, {tilt}}}", head="gravity: [1, -2, -9.5]\n")
     assert robot.gravity == gravity
 
 
@@ -105,11 +92,11 @@ def test_entries_of_a_robot_made_elsewhere_fold_as_in_reading() -> None:
     """What `diagnose` finds is such a robot."""
     entries = "{effect: rotor_inertia, inertia: 1}, {effect: inertial_error, delta_mass: 1}"
     friction = "{effect: viscous_friction, coefficient: 2}, {effect: coulomb_friction, level: 3}"
-    read = _robot(
+    read = arm_of(
         f"{entries}, {friction}, {{effect: spring, stiffness: 1}}", "{effect: base_tilt, tilt_x: 1}"
     )
     zero = dict.fromkeys(CATALOGUE["inertial_error"].names, ZERO)
-    plain = _robot("{effect: spring, stiffness: 1}")
+    plain = arm_of("{effect: spring, stiffness: 1}")
     made = Robot(
         plain.name,
         plain.links,
