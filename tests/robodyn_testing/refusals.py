@@ -42,7 +42,8 @@ def message_of(reader: Reader, text: str, folder: Path) -> str:
 
 def refusals(path: Path) -> list[dict[str, str]]:
     """The texts of a file with their messages."""
-    cases: list[dict[str, str]] = yaml.load(path.read_text(encoding="utf-8"), Loader=yaml.CSafeLoader)
+    loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+    cases: list[dict[str, str]] = yaml.load(path.read_text(encoding="utf-8"), Loader=loader)
     return cases
 
 
