@@ -11,12 +11,12 @@ from typing import Any
 
 import pytest
 from benchmarks import counts
+from benchmarks.blind_arms.cases import INSIDE
 from benchmarks.functions.tables import in_document
 from benchmarks.gap.documents import tables
 from benchmarks.marked import part, with_part
 
 import robodyn
-from diagnose.hidden.cases import INSIDE
 from robodyn import errors
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.kernels.generate import Options, generate

@@ -24,10 +24,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from benchmarks.blind_arms.arms import ARMS, FURTHER_ARMS, LATER_ARMS, misjudged
+from benchmarks.blind_arms.pushed import Push, Pushed, pushed_log
 from benchmarks.gap.blind.trials import trials
 
-from diagnose.hidden.arms import ARMS, FURTHER_ARMS, LATER_ARMS, misjudged
-from diagnose.hidden.pushed import Push, Pushed, pushed_log
 from peers.numbers import Array
 from robodyn.diagnose.run import diagnose
 from robodyn.gate.gate import inspect

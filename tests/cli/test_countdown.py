@@ -10,8 +10,8 @@ import threading
 from pathlib import Path
 
 import pytest
+from benchmarks.blind_arms.arms import bare, perturbed, rubbing
 
-from diagnose.hidden.arms import bare, perturbed, rubbing
 from identify.exact import log_of
 from robodyn.diagnose.run import diagnose
 from robodyn.diagnose.stages import stages as stages_of_diagnosis

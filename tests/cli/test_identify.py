@@ -6,8 +6,8 @@ import json
 from pathlib import Path
 
 import pytest
+from benchmarks.blind_arms.arms import bare, perturbed, rubbing
 
-from diagnose.hidden.arms import bare, perturbed, rubbing
 from identify.exact import log_of
 from robodyn.robot import load, to_yaml
 from robodyn_cli.main import main

@@ -75,7 +75,10 @@ def test_a_piece_that_ends_its_process_is_named_and_no_other_is() -> None:
     assert "ends, time and again; found 8 processes lost" in str(failed.error)
 
 
-@pytest.mark.parametrize("lost", ["worker", "nanny", "scheduler", "all"])
+@pytest.mark.parametrize(
+    "lost",
+    ["worker", "scheduler", *(pytest.param(lost, marks=pytest.mark.slow) for lost in ("nanny", "all"))],
+)
 def test_what_is_lost_is_done_again(
     lost: str, tmp_path: Path, notes: Path, caplog: pytest.LogCaptureFixture
 ) -> None:

@@ -8,10 +8,10 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from benchmarks.blind_arms.arms import bare
+from benchmarks.blind_arms.logs import effect, hidden_log
+from benchmarks.blind_arms.pushed import pushed_log
 
-from diagnose.hidden import effect, hidden_log
-from diagnose.hidden.arms import bare
-from diagnose.hidden.pushed import pushed_log
 from identify.exact import log_of
 from peers.numbers import Array
 from robodyn.diagnose import accounts

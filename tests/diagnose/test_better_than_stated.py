@@ -6,9 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from benchmarks.blind_arms.arms import misjudged
+from benchmarks.blind_arms.logs import hidden_log
 
-from diagnose.hidden.arms import misjudged
-from diagnose.hidden.logs import hidden_log
 from robodyn.diagnose.select.choice import _is_likely
 from robodyn.diagnose.select.fit import Fit, fitted, problem
 from robodyn.diagnose.select.forward import Chosen, Key, Named

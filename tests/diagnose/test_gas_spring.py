@@ -23,7 +23,7 @@ def first_name(effect: str, seed: int) -> tuple[Candidate, dict[str, float | str
     return one.trial.candidate, one.trial.candidate.read(one.x), blind.effects[0]
 
 
-@pytest.mark.parametrize("seed", [3, 5])
+@pytest.mark.parametrize("seed", [3, pytest.param(5, marks=pytest.mark.slow)])
 @pytest.mark.thorough
 def test_a_gas_spring_is_named_with_its_torque(seed: int) -> None:
     candidate, estimate, hidden = first_name("gas_spring", seed)

@@ -7,9 +7,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+from benchmarks.blind_arms.arms import ARMS, bare
+from benchmarks.blind_arms.cases import Case, cases
+from benchmarks.blind_arms.logs import Hidden, effect, hidden_log, outsider
 
-from diagnose.hidden import ARMS, Case, Hidden, cases, effect, hidden_log, outsider
-from diagnose.hidden.arms import bare
 from peers.numbers import Array
 from robodyn.robot.folding import folded
 from robodyn.robot.model import EffectEntry, Robot

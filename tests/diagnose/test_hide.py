@@ -12,9 +12,8 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.amend.amend import Amendment, amended
 from robodyn.diagnose.blind.drawn import draw, form, places, settings, usual
-from robodyn.diagnose.blind.hide import Blind, Setup, hide
+from robodyn.diagnose.blind.hide import Blind, Setup, hide, lacking, measured, rms
 from robodyn.diagnose.blind.seal import open_seal, score, seal
-from robodyn.diagnose.blind.true_arm import lacking, measured, rms
 from robodyn.diagnose.run import diagnose
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.errors import InputError
@@ -291,12 +290,3 @@ def test_the_gap_that_closed_and_whose_logs_they_are() -> None:
     assert (
         score(hidden(), {**told, "gap": {"validate": {"before": [1.0, 1.0], "after": [1, 1]}}}).closed is None
     )
-
-
-@pytest.mark.parametrize(
-    "broken", [None, [], {}, {"verdict": "maybe", "findings": []}, {"verdict": "consistent"},
-               {"verdict": "missing_effect", "findings": [{"effect": 3}]}],
-)  # fmt: skip
-def test_what_is_no_diagnosis_is_refused(broken: Any) -> None:
-    with pytest.raises(InputError, match="not a diagnosis"):
-        score(hidden(SPRING), broken)

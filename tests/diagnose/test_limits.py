@@ -43,10 +43,10 @@ def is_number(value: ast.expr) -> bool:
     return isinstance(value, ast.Dict) and any(map(is_number, value.values))
 
 
-@pytest.mark.parametrize("file", [file for file in FILES if file not in LIMITS])
-def test_no_number_stands_elsewhere(file: str) -> None:
-    tree = ast.parse((ROOT / file).read_text(encoding="utf-8"))
-    assert [name for name, value in constants(tree) if is_number(value)] == []
+def test_no_number_stands_elsewhere() -> None:
+    for file in set(FILES) - set(LIMITS):
+        tree = ast.parse((ROOT / file).read_text(encoding="utf-8"))
+        assert [name for name, value in constants(tree) if is_number(value)] == [], file
 
 
 @pytest.mark.parametrize("file", LIMITS)

@@ -13,9 +13,11 @@ import pytest
 from robodyn.diagnose.amend.amend import Amendment, amended
 from robodyn.diagnose.select import own_numbers as room
 from robodyn.diagnose.select import refine
-from robodyn.diagnose.select.fit import Problem, tighter
+from robodyn.diagnose.select.fit import Problem, by_prior, covariance, fitted, problem, tighter
 from robodyn.diagnose.select.library import Context, context_of
+from robodyn.diagnose.select.limits import LEAST_PRIOR_SHARE
 from robodyn.diagnose.select.own_numbers import own_numbers, own_numbers_of
+from robodyn.diagnose.select.prior_share import prior_share
 from robodyn.diagnose.select.refine import refined
 from robodyn.diagnose.select.selection import prior_scales, start_of
 from robodyn.diagnose.select.uncertainty import uncertainties
@@ -194,3 +196,58 @@ def test_a_sticking_speed_that_does_not_show_leaves_the_other_numbers_free() -> 
     x = refine.fitted(replace(freed, sticking={1: 1e-9}))
     assert x[0] == pytest.approx(0.05, rel=0.05)
     assert x[1] == 1e-9
+
+
+# --- how exact a description is ---------------------------------------------------------------------------
+
+
+SAMPLES, NUMBERS = 400, 20
+
+
+def log_of(share: float, seed: int, size: float = 3.0) -> Problem:
+    """A log of an arm that is wrong by a ``share`` of what is said; each number shows by ``size``."""
+    rng = np.random.default_rng(seed)
+    Y = size * rng.standard_normal((SAMPLES, 1, NUMBERS))
+    wrong = share * rng.standard_normal(NUMBERS)
+    return problem(Y @ wrong + rng.standard_normal((SAMPLES, 1)), Y, np.ones(1), 1.0)
+
+
+@pytest.mark.parametrize("share", [1.0, 0.3, 0.1])
+def test_the_share_of_what_is_said_shows(share: float) -> None:
+    logs = [log_of(share, seed) for seed in range(5)]
+    shares = [prior_share(p, fitted(p)) for p in logs]
+    assert 0.75 * share < np.mean(shares) < min(1.3 * share, 1.0)
+
+
+def test_nothing_is_taken_to_be_exact_that_does_not_show() -> None:
+    p = log_of(0.0, 1)
+    assert prior_share(p, fitted(p)) < 3 * LEAST_PRIOR_SHARE
+    p = log_of(0.0, 1, size=0.01)
+    assert prior_share(p, fitted(p)) > 0.95
+    p = tighter(p, LEAST_PRIOR_SHARE)
+    assert prior_share(p, fitted(p)) == pytest.approx(LEAST_PRIOR_SHARE)
+
+
+@pytest.mark.parametrize("share", [1.0, 0.03])
+def test_intervals_beside_the_arms_numbers_hold_however_exact_these_are(share: float) -> None:
+    off = []
+    for seed in range(60):
+        rng = np.random.default_rng((seed, 7))
+        column = log_of(0.0, seed).A[:, :, :1].astype(np.float64) + 0.1 * rng.standard_normal((SAMPLES, 1, 1))
+        p = log_of(share, seed).with_columns((0,), column)
+        p = tighter(p, prior_share(p, fitted(p)))
+        off.append(abs(fitted(p).known[-1]) / np.sqrt(covariance(p, fitted(p))[-1, -1]))
+    assert 53 <= np.sum(np.array(off) < 1.96) <= 60
+    assert np.median(off) > 0.3
+
+
+def test_what_no_torque_shows_is_known_as_well_as_its_prior_says() -> None:
+    rng = np.random.default_rng(2)
+    columns = np.concatenate([rng.standard_normal((SAMPLES, 1, 1)), np.zeros((SAMPLES, 1, 1))], axis=2)
+    p = log_of(0.0, 2).with_columns((0,), columns, np.array([5.0, 7.0]))
+    seen, unseen = np.sqrt(np.diag(covariance(p, fitted(p)))[-2:])
+    assert unseen == pytest.approx(7.0, rel=0.3)
+    assert seen < 0.2
+    own = np.sqrt(np.sum(by_prior(p, slice(NUMBERS, NUMBERS + 2)) ** 2, axis=1))
+    assert own[0] < 0.05 * seen
+    assert own[1] > 0.7 * unseen

@@ -171,17 +171,6 @@ def test_a_hash_of_another_log_is_not_used(
         assert store.content("two.csv", "12@8") == "hash of two"
 
 
-def test_a_store_of_the_layout_before_is_refused(tmp_path: Path) -> None:
-    """Its checksums said nothing of keys."""
-    with open_store(tmp_path / "store"):
-        pass
-    with sqlite3.connect(tmp_path / "store") as connection:
-        connection.execute("pragma user_version = 1")
-    connection.close()
-    with pytest.raises(InputError, match=r"another robodyn.*delete the file"), open_store(tmp_path / "store"):
-        pass
-
-
 def test_a_store_is_not_written_through_a_link(tmp_path: Path) -> None:
     (tmp_path / "precious").touch()
     (tmp_path / "store").symlink_to("precious")

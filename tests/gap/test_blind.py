@@ -18,6 +18,7 @@ from robodyn_testing import require_module
 
 require_module("mujoco")
 
+from benchmarks.blind_arms.logs import effect  # noqa: E402
 from benchmarks.gap.blind import __main__ as blind  # noqa: E402
 from benchmarks.gap.blind.grade import contact, status, values  # noqa: E402
 from benchmarks.gap.blind.identification import (  # noqa: E402
@@ -29,8 +30,6 @@ from benchmarks.gap.blind.identification import (  # noqa: E402
 from benchmarks.gap.blind.published import intervals_table, names_table, published, renewed  # noqa: E402
 from benchmarks.gap.blind.summary import coverage, intervals, names  # noqa: E402
 from benchmarks.gap.blind.trials import ALL_ARMS, KINDS, Trial, arm_of, model_of, trials  # noqa: E402
-
-from diagnose.hidden.logs import effect  # noqa: E402
 
 
 def finding(

@@ -6,9 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from benchmarks.blind_arms.pushed import Push, Pushed
 from benchmarks.gap.pushes import angle, graded, overlap, pushed_by, run, summary, untouched
 
-from diagnose.hidden.pushed import Push, Pushed
 from robodyn.identify.contact.contact import Contact
 from robodyn.robot import load
 

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from benchmarks.blind_arms.arms import perturbed
 
-from diagnose.hidden.arms import perturbed
 from gate.gated import GIVEN, WRONG, arm
 from robodyn.errors import InputError
 from robodyn.gate.gate import inspect

@@ -9,9 +9,9 @@ from functools import cache
 
 import numpy as np
 import pytest
+from benchmarks.blind_arms.arms import bare
+from benchmarks.blind_arms.pushed import Kind, Push, Pushed, pushed_log
 
-from diagnose.hidden.arms import bare
-from diagnose.hidden.pushed import Kind, Push, Pushed, pushed_log
 from peers.numbers import Array
 from robodyn.diagnose.run import diagnose
 from robodyn.diagnose.select.contact import Touched, contact_findings, touches

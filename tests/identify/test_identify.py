@@ -7,9 +7,9 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
+from benchmarks.blind_arms.arms import bare, perturbed, rubbing
 
 import robodyn
-from diagnose.hidden.arms import bare, perturbed, rubbing
 from identify.exact import log_of, motion
 from peers.numbers import number
 from robodyn.identify.consistent import pseudo_inertia

@@ -57,7 +57,7 @@ def test_friction_of_the_ur10_is_what_its_owners_published() -> None:
 def test_errors_are_those_of_logs_by_another_engine() -> None:
     """MuJoCo moves the arm: what is seen lies within four standard errors, and most of it within two."""
     require_module("mujoco")
-    from diagnose.hidden.logs import effect, hidden_log
+    from benchmarks.blind_arms.logs import effect, hidden_log
 
     friction = [
         effect(id, j, **{name: size * j})

@@ -7,10 +7,10 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
+from benchmarks.blind_arms.arms import bare, perturbed, rubbing
+from benchmarks.blind_arms.logs import effect
 
 import robodyn
-from diagnose.hidden.arms import bare, perturbed, rubbing
-from diagnose.hidden.logs import effect
 from identify.exact import log_of
 from peers.numbers import number
 from robodyn.identify.fit import Load, Options

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from benchmarks.blind_arms.cases import Case
 
-from diagnose.hidden.cases import Case
 from robodyn.diagnose.run import diagnose
 from robodyn.gate.gate import inspect
 from robodyn.identify.oscillator import oscillation

@@ -26,13 +26,13 @@ from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
+from benchmarks.blind_arms.logs import Hidden
 from benchmarks.gap.blind.grade import graded
 from benchmarks.gap.blind.identification import RUNS
 from benchmarks.gap.blind.published import published, renewed
 from benchmarks.gap.blind.summary import summary
 from benchmarks.gap.blind.trials import ALL_ARMS, KINDS, Trial, trials
 
-from diagnose.hidden.logs import Hidden
 from robodyn.diagnose.run import diagnose
 from robodyn.logs.log import Log
 from robodyn.robot.model import EffectEntry, Joint, Link, Robot

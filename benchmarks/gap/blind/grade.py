@@ -8,8 +8,8 @@ from fractions import Fraction
 from typing import Any
 
 import numpy as np
+from benchmarks.blind_arms.logs import Hidden
 
-from diagnose.hidden.logs import Hidden
 from robodyn.diagnose.result import Diagnosis, Finding, gap_closed
 from robodyn.robot.model import EffectEntry
 

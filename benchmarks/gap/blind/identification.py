@@ -7,11 +7,11 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
+from benchmarks.blind_arms.arms import bare
+from benchmarks.blind_arms.logs import Hidden
 from benchmarks.gap.blind.grade import graded
 from benchmarks.gap.blind.trials import Trial, arm_of, model_of
 
-from diagnose.hidden.arms import bare
-from diagnose.hidden.logs import Hidden
 from robodyn.diagnose.run import diagnose
 from robodyn.errors import RobodynError
 from robodyn.gate.gate import inspect

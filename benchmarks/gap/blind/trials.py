@@ -8,11 +8,11 @@ from fractions import Fraction
 from typing import Literal
 
 import numpy as np
+from benchmarks.blind_arms.arms import ARMS, FURTHER_ARMS, bare, misjudged, rubbing
+from benchmarks.blind_arms.cases import INSIDE, OUTSIDE
+from benchmarks.blind_arms.logs import Hidden, Motion, hidden_log
+from benchmarks.blind_arms.sizes import form, joints, sized
 
-from diagnose.hidden.arms import ARMS, FURTHER_ARMS, bare, misjudged, rubbing
-from diagnose.hidden.cases import INSIDE, OUTSIDE
-from diagnose.hidden.logs import Hidden, Motion, hidden_log
-from diagnose.hidden.sizes import form, joints, sized
 from robodyn.robot.model import EffectEntry, Robot
 
 #: What a description says of its inertial numbers: a share, nothing, or that they are a guess.

@@ -99,6 +99,7 @@ def local_processes(count: int) -> Iterator[Scheduler]:
     DISTRIBUTED.load(otherwise="take --on here")
     import dask
     from distributed import Client, LocalCluster, Security
+    from distributed.system import MEMORY_LIMIT
 
     with ExitStack() as stack:
         stack.enter_context(quiet())
@@ -109,7 +110,7 @@ def local_processes(count: int) -> Iterator[Scheduler]:
                 processes = LocalCluster(
                     n_workers=count,
                     threads_per_worker=1,
-                    memory_limit=min(MEMORY, _share(count)),
+                    memory_limit=min(MEMORY, int(MEMORY_LIMIT // count)),
                     dashboard_address="127.0.0.1:0",  # of nobody else; its pages are left out
                     scheduler_kwargs={"dashboard": False},
                     security=Security.temporary() if CRYPTOGRAPHY.present() else None,
@@ -124,13 +125,6 @@ def local_processes(count: int) -> Iterator[Scheduler]:
         )
         stack.callback(scheduler.close)
         yield scheduler
-
-
-def _share(count: int) -> int:
-    """What of this machine's memory [bytes] is there for each of ``count`` processes."""
-    from distributed.system import MEMORY_LIMIT
-
-    return int(MEMORY_LIMIT // count)
 
 
 @contextmanager

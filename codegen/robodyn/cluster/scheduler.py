@@ -8,7 +8,7 @@ from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from queue import Empty, SimpleQueue
-from time import monotonic
+from time import monotonic, sleep
 from typing import Any
 
 from robodyn.cluster.cluster import Done, Failed
@@ -198,13 +198,7 @@ class Scheduler:
             elif monotonic() > end:
                 raise no_answer(self._name, RECONNECT)
             else:
-                _wait(POLL)
-
-
-def _wait(seconds: float) -> None:
-    from time import sleep
-
-    sleep(seconds)
+                sleep(POLL)
 
 
 def _deadly(worker: Any) -> ToolError:

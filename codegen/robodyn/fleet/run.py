@@ -17,7 +17,7 @@ from robodyn.fleet.limits import FALSE_NAMES, HASHED
 from robodyn.fleet.pool.judge import judge
 from robodyn.fleet.pool.summary import first_to_look_at
 from robodyn.fleet.result import FleetResult, Unused
-from robodyn.fleet.sources.fleet import Fleet, LogFile
+from robodyn.fleet.sources.fleet import Fleet
 from robodyn.fleet.store import Refused, Store, key_of, open_store
 from robodyn.fleet.units import Maker, completed, diagnosed
 from robodyn.fleet.work import (
@@ -128,7 +128,11 @@ def run_fleet(
         dateless = {log.source: _DATELESS for log in fleet.logs if math.isnan(log.date)}
         digests = digests.without(dateless)
         reasons = {**dateless, **logs.unused, **refused}
-        unused = [_unused(log, reasons[log.source]) for log in fleet.logs if log.source in reasons]
+        unused = [
+            Unused(log.source, log.type, log.unit, reasons[log.source])
+            for log in fleet.logs
+            if log.source in reasons
+        ]
         if not digests:
             raise _nothing(fleet, unused)
         result = judge(
@@ -205,7 +209,11 @@ def _digested(
 ) -> tuple[Digests, dict[str, str]]:
     """The digests of ``logs``, and why others have none."""
     own = [log for log in fleet.logs if log.source in logs.hashes]
-    keys = {log.source: _key(fleet, log, logs.hashes[log.source]) for log in own}
+    keys = dict[str, str]()
+    for log in own:
+        arm = fleet.types[log.type]
+        content = logs.hashes[log.source]
+        keys[log.source] = key_of("digest", DIGEST_VERSION, content, arm.text, arm.mapping or "")
     new = [log for log in own if not store.has(keys[log.source])]
     refused = dict[str, str]()
     if new:
@@ -231,16 +239,6 @@ def _digested(
             refused[source] = value
     used = {source: key for source, key in keys.items() if source not in refused}
     return Digests(store, used), refused
-
-
-def _key(fleet: Fleet, log: LogFile, content: str) -> str:
-    """What the digest of a ``log`` with that ``content`` follows from."""
-    arm = fleet.types[log.type]
-    return key_of("digest", DIGEST_VERSION, content, arm.text, arm.mapping or "")
-
-
-def _unused(log: LogFile, reason: str) -> Unused:
-    return Unused(log.source, log.type, log.unit, reason)
 
 
 def _nothing(fleet: Fleet, unused: Sequence[Unused]) -> InputError:

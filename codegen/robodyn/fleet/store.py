@@ -179,7 +179,10 @@ def open_store(path: Path) -> Iterator[Store]:
             connection.execute("pragma synchronous = normal")
             connection.execute("begin immediate")
             if is_new:
-                _become(connection)
+                for statement in _TABLES:
+                    connection.execute(statement)
+                connection.execute(f"pragma application_id = {_MARK}")
+                connection.execute(f"pragma user_version = {_LAYOUT}")
             connection.execute("delete from results where robodyn != ?", [VERSION])
             connection.execute("commit")
         except sqlite3.DatabaseError as error:
@@ -207,14 +210,6 @@ def _is_new(connection: sqlite3.Connection, name: str) -> bool:
         expected=f"a store of layout {_LAYOUT}",
         remedy="choose another folder with -o, or delete the file",
     )
-
-
-def _become(connection: sqlite3.Connection) -> None:
-    """Let an empty file be a store."""
-    for statement in _TABLES:
-        connection.execute(statement)
-    connection.execute(f"pragma application_id = {_MARK}")
-    connection.execute(f"pragma user_version = {_LAYOUT}")
 
 
 def _cannot(name: str, error: sqlite3.DatabaseError) -> RobodynError:
@@ -256,7 +251,4 @@ def _seal(*row: Any) -> str:
 
 
 def _encoded(text: str | bytes) -> bytes:
-    if isinstance(text, bytes):
-        return text
-
-    return text.encode(errors="surrogatepass")
+    return text if isinstance(text, bytes) else text.encode(errors="surrogatepass")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -108,16 +108,12 @@ def diagnosed(
             write_files(folder, _files(case, packed))
             if case.place == unit_folder(case.type, case.unit):
                 pages[case.type, case.unit] = f"{case.place}/{PAGE}"
-    return {unit: Diagnosed(page, tuple(_new(named, unit_folder(*unit)))) for unit, page in pages.items()}
-
-
-def _new(
-    named: Mapping[str, Sequence[tuple[str, int | None]]], place: str
-) -> Iterator[tuple[str, int | None]]:
-    """What the diagnosis of a unit names that the one of before did not."""
-    before = named.get(f"{place}/{BEFORE}")
-    if before is not None:
-        yield from (one for one in named[place] if one not in before)
+    results = {}
+    for unit_key, page in pages.items():
+        place = unit_folder(*unit_key)
+        before = named.get(f"{place}/{BEFORE}", named[place])  # without one nothing is new
+        results[unit_key] = Diagnosed(page, tuple(one for one in named[place] if one not in before))
+    return results
 
 
 def completed(unit: UnitResult, diagnosis: Diagnosed | None) -> UnitResult:

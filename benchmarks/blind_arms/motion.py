@@ -13,10 +13,10 @@ from dataclasses import dataclass
 
 import mujoco
 import numpy as np
+from benchmarks.blind_arms.forces import Forces, forces
+from benchmarks.blind_arms.model import Tool, build_model
+from benchmarks.blind_arms.now import Now, Scale
 
-from diagnose.hidden.forces import Forces, forces
-from diagnose.hidden.model import Tool, build_model
-from diagnose.hidden.now import Now, Scale
 from peers.numbers import Array
 from robodyn.robot.model import Robot
 from robodyn.simulate.trajectories.trajectory import Law

@@ -13,8 +13,8 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from benchmarks.blind_arms.now import Force, Now, Scale, direction, width_of
 
-from diagnose.hidden.now import Force, Now, Scale, direction, width_of
 from peers.numbers import Array, number
 from robodyn.robot.model import Robot
 

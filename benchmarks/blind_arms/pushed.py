@@ -6,10 +6,10 @@ from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 import numpy as np
+from benchmarks.blind_arms.arms import bare, index_of, perturbed, rubbing
+from benchmarks.blind_arms.logs import _law, _measured, _noisy, effect, outsider
+from benchmarks.blind_arms.motion import inverse
 
-from diagnose.hidden.arms import bare, index_of, perturbed, rubbing
-from diagnose.hidden.logs import _law, _measured, _noisy, effect, outsider
-from diagnose.hidden.motion import inverse
 from peers.numbers import Array, number
 from robodyn.logs.log import Log
 from robodyn.robot.model import EffectEntry, Robot
@@ -182,8 +182,7 @@ def _end(robot: Robot, q: Array, link: int) -> Array:
 def _placed(robot: Robot, q: Array) -> tuple[Any, Any]:
     """MuJoCo's model and data of ``robot`` in a pose [n]."""
     import mujoco
-
-    from diagnose.hidden.model import build_model
+    from benchmarks.blind_arms.model import build_model
 
     model = build_model(robot, 1e-3)
     data = mujoco.MjData(model)

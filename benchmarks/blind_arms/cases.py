@@ -7,10 +7,9 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-
-from diagnose.hidden.arms import ARMS, index_of
-from diagnose.hidden.logs import Hidden, Motion, Rates, hidden_log
-from diagnose.hidden.sizes import form, joints, sized
+from benchmarks.blind_arms.arms import ARMS, index_of
+from benchmarks.blind_arms.logs import Hidden, Motion, Rates, hidden_log
+from benchmarks.blind_arms.sizes import form, joints, sized
 
 __all__ = ["Case", "Level", "cases"]
 

@@ -8,11 +8,11 @@ from fractions import Fraction
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
+from benchmarks.blind_arms.arms import bare, perturbed, rubbing
+from benchmarks.blind_arms.model import Solid, Tool
+from benchmarks.blind_arms.motion import Drive, Run, felt_inertia, inverse, reference, run
+from benchmarks.blind_arms.now import Scale, width_of
 
-from diagnose.hidden.arms import bare, perturbed, rubbing
-from diagnose.hidden.model import Solid, Tool
-from diagnose.hidden.motion import Drive, Run, felt_inertia, inverse, reference, run
-from diagnose.hidden.now import Scale, width_of
 from peers.numbers import Array, number
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.logs.log import Log
@@ -95,7 +95,7 @@ def hidden_log(
     validation: bool = True,
     step: float = STEP,
 ) -> Hidden:
-    """Logs of ``arm`` (a name of :data:`~diagnose.hidden.arms.ARMS`) with the hidden ``effects``.
+    """Logs of ``arm`` (a name of :data:`~benchmarks.blind_arms.arms.ARMS`) with the hidden ``effects``.
 
     The noise of the torques is ``noise_share`` of each joint's RMS torque (of a
     weak joint's, of a twentieth of the strongest's); with a ``ratio`` it is scaled for

@@ -6,9 +6,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
+from benchmarks.blind_arms.arms import bare, index_of
+from benchmarks.blind_arms.logs import effect, hidden_log, outsider, peak_and_inertia, typical
 
-from diagnose.hidden.arms import bare, index_of
-from diagnose.hidden.logs import effect, hidden_log, outsider, peak_and_inertia, typical
 from peers.numbers import Array, number
 from robodyn.robot.model import EffectEntry
 
