@@ -1,4 +1,4 @@
-"""A gas spring is named where a spring relieves a joint of gravity, and only there."""
+"""A gas spring is named where a spring relieves a joint of gravity; numbers of bristles that bend."""
 
 from __future__ import annotations
 
@@ -7,13 +7,16 @@ import pytest
 
 from robodyn.diagnose.amend.amend import Amendment
 from robodyn.diagnose.blind.hide import Setup, hide
+from robodyn.diagnose.run import diagnose
 from robodyn.diagnose.select.fit import problem
 from robodyn.diagnose.select.library.candidate import Candidate
 from robodyn.diagnose.select.limits import LEAST_SHAPE
 from robodyn.diagnose.select.refine import Freed
 from robodyn.diagnose.select.search import estimates
 from robodyn.diagnose.select.selection import select
+from robodyn.logs.log import Log
 from robodyn.robot import load
+from robodyn.robot.reader import read_text
 
 
 def first_name(effect: str, seed: int) -> tuple[Candidate, dict[str, float | str], Amendment]:
@@ -70,3 +73,49 @@ def test_errors_follow_what_coefficients_do_together() -> None:
     assert values["torque"] == pytest.approx(11.0)
     assert errors["torque"] == pytest.approx(0.02)
     assert errors["rise"] > 0.05
+
+
+# --- friction that bends before it slides, integrated step by step ------------------------------------------
+
+
+LEVEL, STIFFNESS, DAMPING, INERTIA, NOISE = 2.0, 150.0, 1.8, 0.5, 0.02
+
+
+TURNTABLE = f"""
+name: turntable
+confidence: 0.01
+links:
+  - joint: revolute
+    inertia: {{zz: {INERTIA}}}
+"""
+
+
+def log() -> Log:
+    t = np.arange(8000) / 1000.0
+    waves = ((0.30, 2.3, 0.0), (0.12, 7.1, 0.5), (0.05, 15.0, 1.5))
+    q = sum(a * np.sin(w * t + p) for a, w, p in waves)
+    qd = sum(a * w * np.cos(w * t + p) for a, w, p in waves)
+    qdd = -sum(a * w**2 * np.sin(w * t + p) for a, w, p in waves)
+    z, tau, fine = 0.0, np.empty(len(t)), 20
+    for k, v in enumerate(qd.tolist()):
+        for _ in range(fine):
+            rate = v - STIFFNESS * abs(v) / LEVEL * z
+            z += rate * 1e-3 / fine
+        tau[k] = STIFFNESS * z + DAMPING * rate
+    tau += INERTIA * qdd + NOISE * np.random.default_rng(1).standard_normal(len(t))
+    return Log(t, q[:, None], None, None, tau[:, None])
+
+
+@pytest.mark.thorough
+def test_stiffness_and_damping_are_within_their_intervals() -> None:
+    outcome = diagnose(read_text(TURNTABLE, warn=lambda _: None), [log()])
+    (finding,) = outcome.findings
+    assert finding.effect == "presliding_hysteresis"
+    for name, true in (("level", LEVEL), ("stiffness", STIFFNESS), ("damping", DAMPING)):
+        interval = finding.parameters[name].interval
+        assert interval is not None
+        low, high = interval
+        assert low is not None
+        assert high is not None
+        assert 0.98 * low < true < 1.02 * high
+        assert high - low < 0.5 * true
