@@ -22,8 +22,15 @@ from robodyn_cli.common import (
     talk,
 )
 from robodyn_cli.diagnosis_files import DATA, KERNELS, MODEL, REPORT, files_of, kernels_of
-from robodyn_cli.log_files import description_of, handed_over, read_all, result_folder, spare_inputs
-from robodyn_cli.log_options import log_map, log_options
+from robodyn_cli.log_files import (
+    description_of,
+    handed_over,
+    log_map,
+    log_options,
+    read_all,
+    result_folder,
+    spare_inputs,
+)
 from robodyn_cli.options import listed
 from robodyn_cli.values import parameter_option
 

@@ -21,8 +21,15 @@ from robodyn_cli.common import (
     printable,
     robot_argument,
 )
-from robodyn_cli.log_files import description_of, handed_over, read_all, result_folder, spare_inputs
-from robodyn_cli.log_options import log_map, log_options
+from robodyn_cli.log_files import (
+    description_of,
+    handed_over,
+    log_map,
+    log_options,
+    read_all,
+    result_folder,
+    spare_inputs,
+)
 from robodyn_cli.values import parameter_option
 
 if TYPE_CHECKING:

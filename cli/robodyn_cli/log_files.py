@@ -1,20 +1,62 @@
-"""Files that commands about logs share: the logs themselves, the description's text, the output folder."""
+"""What commands about logs share: their options, the logs, the description's text, the output folder."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import click
 
 from robodyn.errors import InputError
 from robodyn_cli import progress
+from robodyn_cli.choices import FILE
 from robodyn_cli.common import printable, talk
-from robodyn_cli.log_options import read_logs
 
 if TYPE_CHECKING:
     from robodyn.logs.log import Log
     from robodyn.logs.mapping import LogMap
     from robodyn.robot import Robot
+
+
+Command = TypeVar("Command", bound=Callable[..., Any])
+
+
+def log_options(command: Command) -> Command:
+    """Add ``--map`` and ``--columns``, passed to `command` as ``map_file`` and ``columns``, str or None."""
+    command = click.option(
+        "--columns",
+        metavar="TEXT",
+        help='Which columns are what, in which unit: "q=joint_%d_pos[deg],tau=current_%d[A]".',
+    )(command)
+    return click.option(
+        "--map",
+        "map_file",
+        type=FILE,
+        metavar="MAP.yaml",
+        help="The same as a file (robodyn logs FILE -o MAP.yaml).",
+    )(command)
+
+
+def log_map(map_file: str | None, columns: str | None) -> LogMap | None:
+    """The map that the options say; ``--columns`` goes before ``--map``. None if there is neither.
+
+    Raises
+    ------
+    InputError: one of them is not a map.
+    """
+    if map_file is None and columns is None:
+        return None
+    from dataclasses import replace
+
+    from robodyn.logs.mapping import map_of_columns, read_map
+
+    if map_file is None:
+        return map_of_columns(columns or "")
+    mapping = read_map(map_file)
+    if columns is None:
+        return mapping
+    return replace(mapping, groups={**mapping.groups, **map_of_columns(columns).groups})
 
 
 def result_folder(text: str) -> Path:
@@ -46,22 +88,30 @@ def spare_inputs(outputs: Iterable[Path], inputs: Sequence[str]) -> None:
             if output.exists() and Path(source).exists() and output.samefile(source):
                 raise InputError(
                     f"{printable(output)} is an input and would be overwritten",
-                    remedy="choose another folder with -o",
+                    remedy="choose another path with -o",
                 )
 
 
 def read_all(
     robot: Robot, paths: Sequence[str], mapping: LogMap | None, shown: progress.Line
 ) -> tuple[list[Log], list[str]]:
-    """The logs of ``robot`` at ``paths``, and their hashes; a word on those that are the same.
+    """The logs of ``robot`` at ``paths``, and their hashes; notes on them, and on those that are the same, go
+    to stderr, progress to ``shown``.
 
     Raises
     ------
     InputError: a file is missing or no log.
+    ToolError: the library for its format is missing.
     """
     from robodyn.logs.content import digest
+    from robodyn.logs.log import read_log
 
-    logs = read_logs(robot, paths, mapping, shown.tell)
+    logs = []
+    for path in paths:
+        shown.tell(f"robodyn: reading {printable(path)}")
+        logs.append(read_log(path, robot.n, mapping=mapping, robot=robot))
+        for note in logs[-1].notes:
+            talk(f"robodyn: note: {printable(Path(path).name)}: {note}")
     hashes = [digest(path) for path in paths]
     for k, path in enumerate(paths):
         if hashes[k] in hashes[:k]:

@@ -9,7 +9,7 @@ import click
 from robodyn.errors import InputError
 from robodyn_cli.choices import FILE, ROBOTS
 from robodyn_cli.common import echo_json, json_option, load_robot, printable, talk, write_file
-from robodyn_cli.log_options import log_map, log_options
+from robodyn_cli.log_files import log_map, log_options, spare_inputs
 
 
 @click.command()
@@ -34,7 +34,10 @@ def command(
 
     described = None if robot is None else load_robot(robot)
     if out is not None:
-        _spare(out, [str(path) for path in input_files(file)] + ([map_file] if map_file else []))
+        if not Path(out).name:
+            raise InputError("the path after -o is empty", remedy="use -o map.yaml")
+        inputs = [str(path) for path in input_files(file)]
+        spare_inputs([Path(out)], [*inputs, *([map_file] if map_file else [])])
     result = examine(file, described, log_map(map_file, columns))
     if as_json:
         echo_json(data(result))
@@ -47,14 +50,3 @@ def command(
         path = Path(out)
         write_file(path, text)
         talk(f"robodyn: wrote {printable(out)}")
-
-
-def _spare(out: str, inputs: list[str]) -> None:
-    """Refuse to overwrite an input."""
-    if not Path(out).name:
-        raise InputError("the path after -o is empty", remedy="use -o map.yaml")
-    for source in inputs:
-        if Path(out).exists() and Path(source).exists() and Path(out).samefile(source):
-            raise InputError(
-                f"{printable(out)} is an input and would be overwritten", remedy="choose another -o"
-            )

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from robodyn.errors import InputError
-from robodyn.logs import csv_file
 from robodyn.logs.dialect import dialect_of
+from robodyn.logs.formats import text as text_format
 from robodyn.logs.log import read_log
 from robodyn.logs.mapping import map_of_columns
 
@@ -95,7 +95,7 @@ def test_places_are_those_of_the_file(
 
 
 def test_dialects_hold_beyond_the_first_block(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(csv_file, "BLOCK", 64)
+    monkeypatch.setattr(text_format, "BLOCK", 64)
     path = tmp_path / "log.csv"
     rows = "".join(f"{k};{k},5;{k},25\n" + ("# x\n" if k % 7 == 0 else "") for k in range(100))
     path.write_text("t;q1;tau1\n" + rows)

@@ -11,12 +11,10 @@ import pytest
 
 from logs.files_of_logs import NAMES, bag, groups_of, matlab, read_in_this_process, write
 from robodyn.errors import InputError
-from robodyn.gate.gate import inspect
 from robodyn.logs import formats
 from robodyn.logs.log import Log, read_log
 from robodyn.logs.mapping import map_of_columns, map_of_text
 from robodyn.registry import Registry
-from robodyn.robot import load
 
 FORMATS = (".csv", ".parquet", ".npz", ".mat", ".h5", ".json", ".mcap", ".db3")
 #: Joint states have their own names, and no accelerations.
@@ -80,33 +78,6 @@ def test_every_format_in_other_units_gives_nearly_the_same(kind: str, log: Log, 
         scale = np.abs(array).max()
         np.testing.assert_allclose(groups_of(read)[name], array, rtol=1e-12, atol=1e-12 * scale, err_msg=name)
     assert not np.array_equal(read.tau, log.tau)  # it did go through a conversion
-
-
-@pytest.mark.parametrize("kind", [".mcap", ".mat"])
-def test_the_gate_hands_on_the_same(kind: str, tmp_path: Path) -> None:
-    """What diagnosis and identification begin with is the same as of the text."""
-    robot = load("puma560_3dof", warn=lambda _: None)
-    log = _of_robot()
-    mapping = map_of_text(JOINTS) if kind in (".mcap", ".db3") else None
-    first = inspect(read_log(write(log, tmp_path, ".csv"), robot=robot), robot)
-    other = inspect(read_log(write(log, tmp_path, kind), robot=robot, mapping=mapping), robot)
-    assert_same(first.log, other.log)
-    assert first.joints == other.joints
-    assert first.flags == other.flags
-
-
-def _of_robot() -> Log:
-    """A motion of the PUMA's first joints with its own torque, some noise in it."""
-    from robodyn.verify.reference import Reference
-
-    robot = load("puma560_3dof", warn=lambda _: None)
-    t = np.arange(1000) / 125.0
-    w = np.array([0.9, 1.3, 1.7])
-    q = 0.6 * np.sin(np.outer(t, w))
-    qd, qdd = 0.6 * w * np.cos(np.outer(t, w)), -0.6 * w**2 * np.sin(np.outer(t, w))
-    tau = Reference(robot, None).inverse_dynamics(q, qd, qdd)
-    rng = np.random.default_rng(3)
-    return Log(t, q + rng.normal(0, 1e-5, q.shape), qd, None, tau + rng.normal(0, 0.1, q.shape))
 
 
 def test_a_format_is_one_file(log: Log, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

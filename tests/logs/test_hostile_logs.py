@@ -14,8 +14,9 @@ import numpy as np
 import pytest
 
 from robodyn.errors import InputError, Place
-from robodyn.logs import csv_file, recording
+from robodyn.logs import recording
 from robodyn.logs.columns import layout_of
+from robodyn.logs.formats import text as text_format
 from robodyn.logs.log import read_log
 from robodyn.simulate.torque_file import read_torques
 from robodyn.simulate.trajectories import from_file
@@ -104,7 +105,7 @@ def test_a_text_of_more_samples_than_are_read(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, shorter: bool
 ) -> None:
     monkeypatch.setattr(recording, "LARGEST", 300)
-    monkeypatch.setattr(csv_file, "BLOCK", 200)
+    monkeypatch.setattr(text_format, "BLOCK", 200)
     path = tmp_path / "log.csv"
     long = "0.000000,0.000000,0.000000\n" if shorter else "0,0,0\n"
     path.write_text("t,q1,tau1\n" + long + "0,0,0\n" * 99)

@@ -17,7 +17,8 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from robodyn.errors import InputError
-from robodyn.logs import csv_file
+from robodyn.logs import shortest
+from robodyn.logs.formats import text as text_format
 from robodyn.logs.log import Log, read_log
 
 HEADER = "t,q1,q2,tau1,tau2\n"
@@ -82,7 +83,7 @@ def test_the_text_is_the_format() -> None:
 
 
 def test_pythons_own_reader_agrees(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(csv_file, "ROWS", 7)
+    monkeypatch.setattr(shortest, "ROWS", 7)
     log = made()
     header, *rows = csv.reader(log.csv().splitlines())
     assert tuple(header) == log.columns
@@ -128,7 +129,7 @@ def test_every_double_reads_back(tmp_path_factory: pytest.TempPathFactory, value
 def test_blocks_do_not_show(
     written: Callable[[str | bytes], str], monkeypatch: pytest.MonkeyPatch, block: int, end: str
 ) -> None:
-    monkeypatch.setattr(csv_file, "BLOCK", block)
+    monkeypatch.setattr(text_format, "BLOCK", block)
     # Lines grow shorter on the way, so that the first estimate of their number is too low.
     ones = np.ones((300, 2))
     long, short = made(40, 2), Log(np.arange(300.0), ones, ones, ones, ones)
@@ -237,8 +238,8 @@ def test_too_few_joints(written: Callable[[str | bytes], str]) -> None:
 def test_a_line_without_end_is_not_read_for_ever(
     written: Callable[[str | bytes], str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(csv_file, "LINE", 1000)
-    monkeypatch.setattr(csv_file, "BLOCK", 400)
+    monkeypatch.setattr(text_format, "LINE", 1000)
+    monkeypatch.setattr(text_format, "BLOCK", 400)
     assert complaint(written("t" * 2000)).startswith("log.csv:1: the line is too long")
     assert complaint(written(GOOD + "7" * 2000)).startswith("log.csv:4: the line is too long")
 

@@ -14,7 +14,7 @@ import pytest
 
 from robodyn.errors import InputError, ToolError
 from robodyn.logs.log import Log, read_log
-from robodyn.logs.provenance import provenance, provenance_text, read_provenance
+from robodyn.logs.provenance import provenance, provenance_text
 from robodyn.robot import bundled_text, load
 from robodyn.robot.model import EffectEntry
 from robodyn.robot.values import Affine
@@ -106,24 +106,8 @@ def test_provenance_tells_the_run_and_nothing_else(tmp_path: Path) -> None:
     assert list(files) == ["log.csv", "log.csv.json"]
     assert str(tmp_path) not in str(files["log.csv.json"])
     assert json.loads(files["log.csv.json"]) == found
-    (tmp_path / "log.csv.json").write_text(str(files["log.csv.json"]))
-    assert read_provenance(tmp_path / "log.csv") == found
-    assert read_provenance(tmp_path / "other.csv") is None
 
 
-def test_provenance_is_json_whatever_it_holds(tmp_path: Path) -> None:
+def test_provenance_is_json_whatever_it_holds() -> None:
     text = provenance_text({"x": [np.float64(np.nan), Fraction(1, 3)], "é": r"C:\Users\me\arm.yaml"})
     assert json.loads(text) == {"x": ["nan", 1 / 3], "é": "arm.yaml"}
-    for wrong in ("[1]", "{", ""):
-        (tmp_path / "log.csv.json").write_text(wrong)
-        with pytest.raises(InputError, match="not the provenance of a log"):
-            read_provenance(tmp_path / "log.csv")
-
-
-@pytest.mark.parametrize(
-    "text", ["[" * 100_000, '{"a":' * 100_000, "NaN", "[1e999]", '"\\ud800"', "9" * 9999]
-)
-def test_provenance_that_is_none(tmp_path: Path, text: str) -> None:
-    (tmp_path / "log.csv.json").write_text(text)
-    with pytest.raises(InputError, match="not the provenance of a log"):
-        read_provenance(tmp_path / "log.csv")

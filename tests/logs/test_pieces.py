@@ -13,9 +13,10 @@ from hypothesis import strategies as st
 
 from logs.files_of_logs import bag, read_in_this_process, write
 from robodyn.errors import InputError
-from robodyn.logs import arrays, csv_file, windows
+from robodyn.logs import arrays, windows
 from robodyn.logs.conditions import together
 from robodyn.logs.formats import parquet, ros2
+from robodyn.logs.formats import text as text_format
 from robodyn.logs.log import Log, read_log
 from robodyn.logs.mapping import LogMap, map_of_text
 from robodyn.logs.pieces import pieces
@@ -34,7 +35,7 @@ MAP = map_of_text("joints: [base_joint, upper_joint, fore_joint]\ntopic: /joint_
 @pytest.fixture(autouse=True)
 def short_blocks(monkeypatch: pytest.MonkeyPatch) -> None:
     """Blocks and windows of a few rows, as long files have many of."""
-    monkeypatch.setattr(csv_file, "BLOCK", 1 << 10)
+    monkeypatch.setattr(text_format, "BLOCK", 1 << 10)
     monkeypatch.setattr(parquet, "BATCH", 32)
     monkeypatch.setattr(arrays, "BLOCK", 256)
     monkeypatch.setattr(ros2, "BATCH", 16)
@@ -84,7 +85,7 @@ def test_every_format(kind: str, tmp_path: Path) -> None:
 def test_every_length_of_a_piece(
     most: int, block: int, linked: bool, units: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(csv_file, "BLOCK", block)
+    monkeypatch.setattr(text_format, "BLOCK", block)
     log = a_log(120, linked)
     path = tmp_path / "log.csv"
     lines = log.csv().splitlines()

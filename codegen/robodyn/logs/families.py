@@ -46,19 +46,8 @@ _UNITS: Final = {
     ("usec",): "us", ("msec",): "ms", ("nsec",): "ns", ("percent",): "%", ("permille",): "permille",
 }  # fmt: skip
 TIMES: Final = (
-    "t",
-    "time",
-    "timestamp",
-    "times",
-    "stamp",
-    "zeit",
-    "sec",
-    "seconds",
-    "clock",
-    "tick",
-    "ms",
-    "us",
-)
+    "t", "time", "timestamp", "times", "stamp", "zeit", "sec", "seconds", "clock", "tick", "ms", "us",
+)  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)

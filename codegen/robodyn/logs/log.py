@@ -21,13 +21,13 @@ from robodyn.files import label
 from robodyn.logs.assemble import Arrays, assemble
 from robodyn.logs.columns import GROUPS, LINKS, Layout, layout_of
 from robodyn.logs.conditions import Mean, mean_of
-from robodyn.logs.csv_file import write_csv
 from robodyn.logs.formats import FORMATS, format_of, open_recording, readable
 from robodyn.logs.limits import EARLIEST, LATEST
 from robodyn.logs.mapping import LogMap
 from robodyn.logs.provenance import provenance_text
 from robodyn.logs.recording import Recording, Table
 from robodyn.logs.second_file import Joining, not_as_many, split_pair, spread, with_second
+from robodyn.logs.shortest import write_csv
 from robodyn.logs.usual import usual_map
 from robodyn.robot.model import Robot
 

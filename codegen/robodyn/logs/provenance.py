@@ -5,22 +5,17 @@ from __future__ import annotations
 import hashlib
 import json
 import math
-import os
 from collections.abc import Mapping
 from dataclasses import asdict, is_dataclass
 from fractions import Fraction
-from pathlib import Path, PurePath, PureWindowsPath
+from pathlib import PurePath, PureWindowsPath
 from typing import Any
 
 import numpy as np
 
-from robodyn.errors import InputError, Place
-from robodyn.files import label, parsed_json, read_bytes
 from robodyn.robot.identity import identity
 from robodyn.robot.model import Robot
 from robodyn.robot.values import Affine
-
-_PROVENANCE = 1 << 24  # bytes of the file beside a log, at most
 
 
 def provenance(
@@ -73,32 +68,6 @@ def provenance(
 def provenance_text(data: Mapping[str, Any]) -> str:
     """``data`` as JSON, the text of the file beside a log; numbers that JSON lacks become words."""
     return json.dumps(_plain(data), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
-
-
-def read_provenance(path: str | os.PathLike[str]) -> dict[str, Any] | None:
-    """What the file beside the log at ``path`` says, or None where there is none.
-
-    Raises
-    ------
-    InputError: there is a file, and it is no JSON object.
-    """
-    beside = Path(f"{os.fspath(path)}.json")
-    if not beside.is_file():
-        return None
-    data = read_bytes(beside, _PROVENANCE, "the provenance of a log")
-    try:
-        entries = parsed_json(data)
-    except ValueError as error:
-        entries = str(error)
-    if not isinstance(entries, dict):
-        raise InputError(
-            "this is not the provenance of a log",
-            where=Place(label(beside)),
-            found=entries if isinstance(entries, str) else "other JSON",
-            expected="a JSON object",
-            remedy="delete it, or write the log again",
-        )
-    return entries
 
 
 def _plain(value: Any) -> Any:

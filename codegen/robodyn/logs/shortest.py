@@ -9,6 +9,8 @@ needed; if a multiple of a hundred does, and at all other numbers, ``repr`` is a
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -16,6 +18,8 @@ Floats = NDArray[np.float64]
 
 #: Sizes between which a number is written here; repr gives all of them without an exponent.
 SMALLEST, LARGEST = 1e-4, 1e5
+#: Rows that are written at once.
+ROWS = 1 << 11
 
 # Places in a cell: sign, 0.000 before small numbers, 17 digits with room for a point after each of the first
 # five, and what separates. What is not used stays NUL, and is deleted in the end.
@@ -27,6 +31,17 @@ _DECADES = np.array([10.0**d for d in range(-3, 5)])
 _FIVES = np.array([5**k for k in range(21)])
 _TENS = np.array([10.0**k for k in range(21)])
 _FOURS = np.array([list(b"%04d" % i) for i in range(10_000)], dtype=np.uint8)
+
+
+def write_csv(names: Sequence[str], columns: Sequence[Floats]) -> str:
+    """The text of a log: the header, and a line a sample; ``columns`` are ``[K]`` each.
+
+    Every number is the shortest that reads back as the same double.
+    """
+    parts = [",".join(names).encode() + b"\n"]
+    for start in range(0, len(columns[0]), ROWS):
+        parts.append(table_text(np.column_stack([column[start : start + ROWS] for column in columns])))
+    return b"".join(parts).decode()
 
 
 def table_text(rows: Floats) -> bytes:

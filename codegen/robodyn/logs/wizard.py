@@ -13,7 +13,7 @@ from robodyn.errors import InputError, Place
 from robodyn.logs.against_robot import JointCheck, check_joints, flipped
 from robodyn.logs.assemble import assemble
 from robodyn.logs.formats import open_recording, readable
-from robodyn.logs.log import Log, read_log
+from robodyn.logs.log import Log, log_of_arrays, read_log
 from robodyn.logs.mapping import Channel, LogMap
 from robodyn.logs.propose import propose
 from robodyn.logs.recording import Recording
@@ -113,11 +113,7 @@ def _mapped(recording: Recording, mapping: LogMap, robot: Robot | None) -> Log:
     with readable(recording.file):
         n = None if robot is None else robot.n
         arrays = assemble(recording, mapping, n, robot, open_recording)
-    groups = arrays.groups
-    return Log(
-        arrays.t, groups["q"], groups.get("qd"), groups.get("qdd"), groups["tau"], {}, (),
-        groups.get("ql"), arrays.notes,
-    )  # fmt: skip
+    return log_of_arrays(arrays, ())
 
 
 def _needs_none(name: str, second: str | None, robot: Robot | None, log: Log) -> bool:
@@ -126,12 +122,5 @@ def _needs_none(name: str, second: str | None, robot: Robot | None, log: Log) ->
         own = read_log(name if second is None else f"{name}+{second}", robot=robot)
     except InputError:
         return False
-    pairs = (
-        (own.t, log.t), (own.q, log.q), (own.qd, log.qd), (own.qdd, log.qdd), (own.tau, log.tau)
-    )  # fmt: skip
-    for one, other in pairs:
-        if (one is None) != (other is None):
-            return False
-        if one is not None and other is not None and one.tobytes() != other.tobytes():
-            return False
-    return True
+    pairs = zip(own.arrays(), log.arrays(), strict=True)
+    return own.columns == log.columns and all(one.tobytes() == other.tobytes() for one, other in pairs)

@@ -1,20 +1,47 @@
-"""CSV and any other text: a table, a line a sample."""
+"""CSV and any other text: a table, a line a sample, read in bounded memory.
+
+Reading goes by blocks of whole lines. A block is parsed at once by numpy; only where that fails is it gone
+through cell by cell, for the place of what is wrong.
+"""
 
 from __future__ import annotations
 
 import io
+import math
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import BinaryIO
+
+import numpy as np
+from numpy.typing import NDArray
 
 from robodyn.errors import InputError, Place
 from robodyn.files import open_regular
-from robodyn.logs.columns import Layout
-from robodyn.logs.csv_file import read_dialect, row_blocks
+from robodyn.logs.columns import Layout, is_known, number_of
+from robodyn.logs.dialect import HEAD, Dialect, are_units, canonical, cells_of, dialect_of, filled
 from robodyn.logs.formats import LogFormat
 from robodyn.logs.recording import Groups, Recording, Stream
 from robodyn.logs.windows import Rows
+from robodyn.robot.names import shown
+
+Floats = NDArray[np.float64]
+
+#: Largest header, and largest line of a log [bytes].
+LINE = 1 << 20
+#: How much is read at once [bytes].
+BLOCK = 1 << 21
+
+_COMMA, _NEWLINE = b",\n"
+#: How packed files begin.
+_PACKED = {
+    b"\x1f\x8b": "gzip",
+    b"PK\x03\x04": "zip",
+    b"BZh": "bzip2",
+    b"\xfd7zXZ": "xz",
+    b"\x28\xb5\x2f\xfd": "zstd",
+}
 
 
 def open_text(path: Path, file: str, gaps: bool) -> Recording:
@@ -50,6 +77,209 @@ def open_text(path: Path, file: str, gaps: bool) -> Recording:
         file, "text", (stream,), parts, (), names, line, dialect.named,
         round(size * head.count(b"\n") / len(head)) if head else None,
     )  # fmt: skip
+
+
+def read_dialect(path: Path, file: str) -> Dialect:
+    """How the table at ``path`` is written.
+
+    Raises
+    ------
+    InputError: it is not text.
+    OSError: the file cannot be read.
+    """
+    with io.BufferedReader(open_regular(path, "a log, such as log.csv", file)) as source:
+        names = _header(source, file)
+        below = cells_of(source.readline(LINE + 1).decode("utf-8", "replace").rstrip("\r\n"), ",")
+        if any(map(is_known, names)) and not are_units(below):
+            return Dialect(tuple(names))
+        source.seek(0)
+        head = source.read(HEAD).decode("utf-8", "replace").removeprefix("\ufeff")
+        return dialect_of(head) or Dialect(tuple(names))
+
+
+def row_blocks(path: Path, file: str, layout: Layout, dialect: Dialect) -> Iterator[Rows]:
+    """The groups of ``layout`` [k, m] of a table, block by block, however long it is. Blank lines are
+    skipped; NaN and infinity are numbers.
+
+    Raises
+    ------
+    InputError: a row is not one, with the line and column of what is wrong; there are none.
+    OSError: the file cannot be read.
+    """
+    with io.BufferedReader(open_regular(path, "a log, such as log.csv", file)) as source:
+        for line in range(1, dialect.line):
+            if len(source.readline(LINE + 1)) > LINE:
+                raise _too_long(Place(file, line))
+        line, empty = dialect.line, True
+        for block in _blocks(source, file, line):
+            rows = _parse(block, layout, Place(file, line), dialect)
+            line += block.count(b"\n")
+            empty = empty and not len(rows)
+            ends = np.cumsum([len(at) for at in layout.groups.values()])
+            yield dict(zip(layout.groups, np.split(rows, ends[:-1], axis=1), strict=True))
+    if empty:
+        raise InputError(
+            "the log has no samples", where=Place(file), found="the header only", expected="a line a sample"
+        )
+
+
+def _header(source: BinaryIO, file: str) -> list[str]:
+    data = source.readline(LINE + 1)
+    if not data:
+        raise InputError("the file is empty", where=Place(file), expected="a log: t,q1..qn,tau1..taun")
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        raise InputError(
+            "the file is not UTF-8 text", where=Place(file, 1, 1), found="UTF-16", remedy="save it as UTF-8"
+        )
+    if data.startswith(b"PAR1"):
+        raise InputError(
+            "the file is not text",
+            where=Place(file),
+            found="Parquet",
+            remedy="give it the ending .parquet",
+        )
+    for mark, kind in _PACKED.items():
+        if data.startswith(mark):
+            raise InputError(
+                "the file is packed",
+                where=Place(file),
+                found=kind,
+                remedy="unpack it, and give what was in it",
+            )
+    if b"\0" in data:
+        raise InputError("the file is not text", where=Place(file, 1), found="a zero byte", expected="a log")
+    if b"\r" in data.rstrip(b"\r\n"):
+        raise InputError(
+            "lines end in carriage returns alone",
+            where=Place(file, 1),
+            expected="newlines",
+            remedy="write it with line ends of Unix or Windows",
+        )
+    if len(data) > LINE:
+        raise _too_long(Place(file, 1))
+    return cells_of(_decode(data, Place(file, 1)).removeprefix("\ufeff").rstrip("\r\n"), ",")
+
+
+def _too_long(where: Place) -> InputError:
+    return InputError(
+        "the line is too long", where=where, found="more than 1 MiB", expected="a log: a line a sample"
+    )
+
+
+def _decode(data: bytes, where: Place) -> str:
+    try:
+        return data.decode("utf-8")
+    except UnicodeDecodeError as error:
+        column = len(data[: error.start].decode("utf-8", "replace")) + (where.column or 1)
+        raise InputError(
+            "the file is not UTF-8 text",
+            where=Place(where.file, where.line, column),
+            found=f"byte 0x{data[error.start]:02x}",
+            remedy="save it as UTF-8",
+        ) from None
+
+
+def _blocks(source: BinaryIO, file: str, line: int) -> Iterator[bytes]:
+    """The rest of the file, from ``line`` on, in pieces of whole lines; the last line may lack its end."""
+    rest = b""
+    while piece := source.read(BLOCK):
+        cut = piece.rfind(b"\n") + 1
+        if cut:
+            block = rest + piece[:cut]
+            yield block
+            line += block.count(b"\n")
+            rest = piece[cut:]
+        else:
+            rest += piece
+        if len(rest) > LINE:
+            raise _too_long(Place(file, line))
+    if rest:
+        yield rest
+
+
+def _parse(block: bytes, layout: Layout, where: Place, dialect: Dialect) -> Floats:
+    """The wanted cells of the lines of ``block``, ``[rows, columns]``; ``where`` is its first line."""
+    block = block if dialect.plain else canonical(block, dialect)
+    text = block.replace(b"\r\n", b"\n") if b"\r" in block else block
+    text = text if text.endswith(b"\n") else text + b"\n"
+    if text.startswith(b"\n") or b"\n\n" in text:
+        text = b"".join(line + b"\n" for line in text.split(b"\n") if line)
+    text = filled(text) if dialect.empty else text
+    marks = np.frombuffer(text, np.uint8)
+    marks = marks[(marks == _COMMA) | (marks == _NEWLINE)]
+    if marks.size and marks.size % layout.width == 0:
+        grid = marks.reshape(-1, layout.width)
+        if (grid[:, :-1] == _COMMA).all() and (grid[:, -1] == _NEWLINE).all():
+            columns = None if layout.wanted == tuple(range(layout.width)) else layout.wanted
+            stream = io.StringIO(text.decode("ascii", "replace"))
+            try:
+                rows: Floats = np.loadtxt(stream, delimiter=",", comments=None, usecols=columns, ndmin=2)
+                return rows
+            except ValueError:
+                pass  # the search below says where
+    return _search(block, layout, where, empty=dialect.empty)
+
+
+def _search(block: bytes, layout: Layout, where: Place, *, empty: bool) -> Floats:
+    """As :func:`_parse`, cell by cell; stops at the first that is wrong."""
+    assert where.line is not None
+    lines = block.split(b"\n")
+    rows = []
+    for line, data in enumerate(lines, where.line):
+        if not data.strip():
+            continue
+        cells = data.split(b",")
+        if len(cells) != layout.width:
+            last = line == where.line + len(lines) - 1
+            raise InputError(
+                "the line has another number of cells than the header",
+                where=Place(where.file, line),
+                found=str(len(cells)),
+                expected=str(layout.width),
+                remedy="the file was cut off there: delete its last line" if last else _line_remedy(data),
+            )
+        row = []
+        for position in layout.wanted:
+            value = math.nan if empty and not cells[position].strip() else number_of(cells[position])
+            if value is None:
+                raise _wrong_cell(cells, position, Place(where.file, line))
+            row.append(value)
+        rows.append(row)
+    return np.array(rows, dtype=np.float64).reshape(len(rows), len(layout.wanted))
+
+
+def _line_remedy(line: bytes) -> str:
+    if b";" in line:
+        return "separate the columns by commas, not semicolons (and write decimals with a point)"
+    if b'"' in line:
+        return "an extra column must not have commas in it"
+    if line.rstrip().endswith(b","):
+        return "delete the comma at the end of the line"
+    return "delete the line, or mend it"
+
+
+def _wrong_cell(cells: Sequence[bytes], position: int, line: Place) -> InputError:
+    before = sum(len(cell.decode("utf-8", "replace")) + 1 for cell in cells[:position])
+    cell = cells[position]
+    space = len(cell) - len(cell.lstrip()) if cell.strip() else 0
+    where = Place(line.file, line.line, before + space + 1)
+    content = shown(_decode(cell.strip(), where)) if cell.strip() else "nothing"
+    return InputError(
+        "the cell is not a number",
+        where=where,
+        found=content,
+        expected="a number such as -0.125 or 1e-3",
+        remedy=_cell_remedy(cells, cell),
+    )
+
+
+def _cell_remedy(cells: Sequence[bytes], cell: bytes) -> str:
+    if not any(number_of(each) is not None for each in cells):
+        quoted = cell.strip().startswith(b'"')
+        return "write numbers without quotes" if quoted else "delete the line: nothing in it is a number"
+    if cell is cells[0] and (b":" in cell or cell.count(b"-") > 1):
+        return "write times in seconds"
+    return "where there is no value, write nan"
 
 
 FORMAT = LogFormat("text", (".csv", ".txt", ".tsv"), "text", open_text, is_guarded=False, is_table=True)
