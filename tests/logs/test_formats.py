@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from logs.files_of_logs import NAMES, bag, groups_of, matlab, read_in_this_process, write
+from recipes.copies import source_in_recipe
 from robodyn.errors import InputError
 from robodyn.logs import formats
 from robodyn.logs.log import Log, read_log
@@ -81,18 +82,9 @@ def test_every_format_in_other_units_gives_nearly_the_same(kind: str, log: Log, 
 
 
 def test_a_format_is_one_file(log: Log, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    (tmp_path / "raw.py").write_text(
-        "import numpy as np\n"
-        "from robodyn.logs.arrays import recording_of_arrays\n"
-        "from robodyn.logs.formats import LogFormat\n"
-        "def open_raw(path, file, gaps):\n"
-        "    table = np.fromfile(path).reshape(-1, 7)\n"
-        "    arrays = {'t': table[:, 0], 'q': table[:, 1:4], 'tau': table[:, 4:]}\n"
-        "    shapes = {name: array.shape for name, array in arrays.items()}\n"
-        "    return recording_of_arrays(file, 'raw', shapes, arrays.__getitem__)\n"
-        "FORMAT = LogFormat('raw', ('.raw',), 'raw', open_raw, is_guarded=False)\n",
-        encoding="utf-8",
-    )
+    """The recipe of CONTRIBUTING.md."""
+    source = source_in_recipe("Add a format of logs", "codegen/robodyn/logs/formats/raw.py")
+    (tmp_path / "raw.py").write_text(source, encoding="utf-8")
     monkeypatch.setattr(formats, "__path__", [*formats.__path__, str(tmp_path)])
     monkeypatch.setattr(formats, "FORMATS", Registry(formats.__name__, "FORMAT", formats.LogFormat))
     path = tmp_path / "log.raw"
