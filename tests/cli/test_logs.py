@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from robodyn.errors import InputError
 from robodyn.logs.log import read_log
 from robodyn.logs.mapping import read_map
 from robodyn_cli.main import main
@@ -71,6 +72,8 @@ def test_no_such_file(
     assert main(["logs", file]) == 2
     assert f"{file}: the " in capsys.readouterr().err
     assert main(["logs", file, "-o", ""]) == 2
+    with pytest.raises(InputError, match=f"{file}: the "):
+        read_log(file)
 
 
 @pytest.mark.parametrize(

@@ -7,13 +7,15 @@ import io
 import itertools
 import os
 import random
+import sys
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from robodyn.errors import InputError, Place
+from logs.test_log import complaint, made, same
+from robodyn.errors import InputError, Place, ToolError
 from robodyn.logs import recording
 from robodyn.logs.columns import layout_of
 from robodyn.logs.formats import text as text_format
@@ -71,6 +73,45 @@ def test_all_that_pyarrow_writes_is_read(tmp_path: Path) -> None:
             table = pyarrow.table(dict.fromkeys(("t", "q1", "tau1"), steps[:rows]))
             parquet.write_table(table, path, use_dictionary=False, column_encoding=encoding)
             assert read_log(path).samples == rows
+
+
+def test_parquet_is_the_same_log(tmp_path: Path) -> None:
+    require_module("pyarrow")
+    log = made()
+    path = tmp_path / "log.parquet"
+    data = log.files("log.parquet")["log.parquet"]
+    assert isinstance(data, bytes)
+    assert data == log.parquet()
+    path.write_bytes(data)
+    assert same(read_log(path), log)
+
+
+def test_parquet_of_others(tmp_path: Path) -> None:
+    pyarrow, parquet = require_module("pyarrow"), require_module("pyarrow.parquet")
+    path = tmp_path / "log.parquet"
+
+    def write(**columns: Any) -> str:
+        parquet.write_table(pyarrow.table(columns), path)
+        return str(path)
+
+    numbers = [1.0, 2.0, 3.0]
+    read = read_log(write(word=["a", "b", "c"], tau1=[1, 2, 3], q1=np.array(numbers, np.float32), t=numbers))
+    assert (read.q.tolist(), read.tau.tolist()) == ([[1.0], [2.0], [3.0]],) * 2
+    assert read.ignored == ("word",)
+    assert "found no tau1" in complaint(write(t=numbers, q1=numbers))
+    assert "'q1' is not of numbers; found string" in complaint(write(t=numbers, q1=["a"] * 3, tau1=numbers))
+    assert "null in row 3" in complaint(write(t=numbers, q1=[1.0, 2.0, None], tau1=numbers))
+    assert "no samples" in complaint(write(t=np.zeros(0), q1=np.zeros(0), tau1=np.zeros(0)))
+    path.write_text("t,q1,tau1\n0,1,2\n")
+    assert "the file is not Parquet" in complaint(str(path))
+
+
+def test_parquet_without_pyarrow(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setitem(sys.modules, "pyarrow", None)
+    (tmp_path / "log.pq").write_bytes(b"PAR1")
+    for call in (made(3).parquet, lambda: read_log(tmp_path / "log.pq")):
+        with pytest.raises(ToolError, match=r"pip install 'robodyn\[all\]'"):
+            call()
 
 
 # --- text -------------------------------------------------------------------------------------------------

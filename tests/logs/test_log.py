@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import contextlib
 import csv
+import json
 import os
 from collections.abc import Callable
 from dataclasses import replace
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +22,10 @@ from robodyn.errors import InputError
 from robodyn.logs import shortest
 from robodyn.logs.formats import text as text_format
 from robodyn.logs.log import Log, read_log
+from robodyn.logs.provenance import provenance, provenance_text
+from robodyn.robot import bundled_text, load
+from robodyn.robot.model import EffectEntry
+from robodyn.robot.values import Affine
 
 HEADER = "t,q1,q2,tau1,tau2\n"
 CELLS = "the line has another number of cells than the header; "
@@ -280,3 +286,43 @@ def test_a_long_log_takes_little_more_memory_than_its_numbers(tmp_path: Path) ->
     grown = (resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) * 1024
     assert log.samples == 1_000_000
     assert grown < 13 * 8 * log.samples + 64e6
+
+
+# --- where a log comes from -------------------------------------------------------------------------------
+
+
+def test_provenance_tells_the_run_and_nothing_else(tmp_path: Path) -> None:
+    robot = load("stanford")
+    weight = Affine(Fraction(1, 2), (("m_tool", Fraction(2)),))
+    entry = EffectEntry("torque_bias", 3, (("bias", Fraction(1, 4)), ("other", weight)))
+    robot = replace(robot, effects=(entry,))
+    found = provenance(
+        robot,
+        yaml=bundled_text("stanford"),
+        options={
+            "motion": tmp_path / "a.csv",
+            "log": str(tmp_path / "b.csv"),
+            "q0": np.zeros(2),
+            "far": np.inf,
+        },
+        seed=7,
+        solver="rk4",
+        step=1e-3,
+        energy={"start": 1.0},
+    )
+    assert found["options"] == {"motion": "a.csv", "log": "b.csv", "q0": [0.0, 0.0], "far": "inf"}
+    bias = {"effect": "torque_bias", "joint": 3, "bias": 0.25, "other": "0.5 + 2.0*m_tool"}
+    assert found["effects"] == [bias]
+    assert found["units"]["q"] == ["rad", "rad", "m", "rad", "rad", "rad"]
+    assert found["units"]["tau"][2:4] == ["N", "N m"]
+    assert (found["robot"], found["seed"], found["solver"], found["step"]) == ("stanford", 7, "rk4", 1e-3)
+    assert len(found["sha256"]) == 64
+    files = replace(made(3), provenance=found).files("log.csv")
+    assert list(files) == ["log.csv", "log.csv.json"]
+    assert str(tmp_path) not in str(files["log.csv.json"])
+    assert json.loads(files["log.csv.json"]) == found
+
+
+def test_provenance_is_json_whatever_it_holds() -> None:
+    text = provenance_text({"x": [np.float64(np.nan), Fraction(1, 3)], "é": r"C:\Users\me\arm.yaml"})
+    assert json.loads(text) == {"x": ["nan", 1 / 3], "é": "arm.yaml"}

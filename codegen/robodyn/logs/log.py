@@ -188,7 +188,8 @@ def read_log(
     if n is not None and n < 1:
         raise InputError("a log is of one joint or more", found=f"n = {n}")
     name, second = split_pair(os.fspath(path))
-    tables = usual_tables(name, second, n) if mapping is None else None
+    with readable(label(name)):
+        tables = usual_tables(name, second, n) if mapping is None else None
     if tables is None:
         return _of_recording(name, second, mapping, n, robot)
     first, links = tables

@@ -53,11 +53,11 @@ def format_of(path: str | os.PathLike[str]) -> LogFormat:
         for each in FORMATS.values()
         if (each.folders if is_folder else place.name.lower().endswith(each.suffixes))
     ]
-    if len(claims) > 1:
+    if len(claims) > 1 and place.is_file():
         with open_regular(place, "a log", label(path)) as source:
             head = source.read(520) or b""
-        claims = [each for each in claims if head.find(each.mark) in (0, 512)] or claims[-1:]
-    return claims[0] if claims else FORMATS["text"]
+        claims = [each for each in claims if head.find(each.mark) in (0, 512)][:1] or claims[-1:]
+    return claims[-1] if claims else FORMATS["text"]
 
 
 def is_log(path: Path) -> bool:
