@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+import math
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
@@ -21,7 +23,6 @@ from robodyn_cli.common import (
     robot_argument,
     talk,
 )
-from robodyn_cli.diagnosis_files import DATA, KERNELS, MODEL, REPORT, files_of, kernels_of
 from robodyn_cli.log_files import (
     description_of,
     handed_over,
@@ -39,6 +40,11 @@ if TYPE_CHECKING:
     from robodyn.logs.mapping import LogMap
     from robodyn.robot import Robot
 
+#: The files of a diagnosis.
+DATA: Final = "diagnosis.json"
+MODEL: Final = "model.yaml"
+REPORT: Final = "report.html"
+KERNELS: Final = "kernels"
 #: Exit code if a residual remains that no effect explains.
 UNEXPLAINED: Final = 4
 
@@ -178,3 +184,35 @@ def _diagnosed(
                 progress=tell,
                 **scope,
             )
+
+
+# --- the files ----------------------------------------------------------------------------------------------
+
+
+def files_of(diagnosis: Diagnosis, *, validated: bool = False) -> dict[str, str]:
+    """Data, the amended description and the page of ``diagnosis``, by their names; ``validated``: the last of
+    its logs was not fitted."""
+    from robodyn.report.diagnosis import page
+
+    data = json.dumps(_finite(diagnosis.to_dict()), indent=2, ensure_ascii=False, allow_nan=False)
+    return {
+        DATA: f"{data}\n",
+        MODEL: diagnosis.model_text,
+        REPORT: page(diagnosis, validated=validated),
+    }
+
+
+def kernels_of(diagnosis: Diagnosis) -> dict[str, str]:
+    """C and Fortran of the amended model, by their paths in the folder."""
+    from robodyn.kernels.generate import generate
+
+    return {f"{KERNELS}/{name}": text for name, text in generate(diagnosis.model).files().items()}
+
+
+def _finite(value: Any) -> Any:
+    """``value`` for JSON: non-finite numbers, such as the error of an unidentifiable parameter, are null."""
+    if isinstance(value, Mapping):
+        return {key: _finite(each) for key, each in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_finite(each) for each in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value

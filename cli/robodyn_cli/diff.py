@@ -47,8 +47,8 @@ def command(
     the choice of frames does not matter; torques and tool poses at random states within the limits of the
     first robot. Exits 1 if anything differs.
     """
+    from robodyn.compare import TOLERANCE
     from robodyn.compare.as_json import to_dict
-    from robodyn.compare.limits import TOLERANCE
     from robodyn.compare.robots import compare
 
     comparison = compare(

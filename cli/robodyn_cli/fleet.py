@@ -138,7 +138,7 @@ def _judged(
     """What is said of the fleet; files of diagnoses are in ``folder`` then."""
     from robodyn.fleet.limits import FALSE_NAMES
     from robodyn.fleet.run import run_fleet
-    from robodyn_cli.diagnosis_files import files_of
+    from robodyn_cli.diagnose import files_of
     from robodyn_cli.progress import Pace
 
     pace = Pace()

@@ -7,7 +7,7 @@ or a comment in its section says what it is::
     <!-- 217 = 797 - 580 -->
     <!-- 157 = after("robot: mass") -->                   in what the page shows
     <!-- 350 = after("LINES =", "tests/test_layout.py") -->
-    <!-- 200 = robodyn.compare.limits.STATES -->          results("NAME"): those of a benchmark
+    <!-- 200 = robodyn.compare.STATES -->          results("NAME"): those of a benchmark
 
 Numbers in words are language and not looked at. A digit alone counts together with the word after it or the
 noun before it ("3 files", "joint 3"). A **name** is no figure: a number that ends one ("Table 4.6",

@@ -7,7 +7,7 @@ import pytest
 
 from identify.exact import motion
 from robodyn.gate.gate import inspect
-from robodyn.identify.rigid import Model
+from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.log import Log
 from robodyn.logs.signals import low_pass, signals_of, thinning
 from robodyn.robot import load

@@ -20,7 +20,7 @@ from robodyn.packages import FORMATS, Format, format_named, package
 from robodyn.packages.format import Maintainer, Trait
 from robodyn.packages.writing import zipped
 from robodyn.robot import read_text
-from robodyn.toolchain.shared import shared_library
+from robodyn.toolchain.compiler import shared_library
 from robodyn_testing import require_tool
 
 TOP = Path(__file__).parents[2]

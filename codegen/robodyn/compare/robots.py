@@ -13,7 +13,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.compare.limits import SEED, STATES, TOLERANCE
+from robodyn.compare import SEED, STATES, TOLERANCE
 from robodyn.errors import InputError
 from robodyn.formats.chain import Pose
 from robodyn.formats.writers.parts import Frame, PartJoint, Parts, parts_of

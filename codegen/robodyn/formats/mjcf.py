@@ -18,8 +18,7 @@ from robodyn.formats.mjcf_text import handed
 from robodyn.formats.quantities import body_of, unit
 from robodyn.formats.rigid import composed, tidy
 from robodyn.formats.tree import JointLimits, Kind, Leftovers, Loop, Tree, TreeJoint, TreeLink, checked, names
-from robodyn.tools.libraries import MUJOCO
-from robodyn.tools.mujoco import quiet
+from robodyn.tools.libraries import MUJOCO, quiet_mujoco
 
 WORLD: Final = "world"
 _KINDS: Final[tuple[Kind, ...]] = ("floating", "ball", "prismatic", "revolute")
@@ -42,7 +41,7 @@ def read_tree(document: Document, path: Path | None, folders: Iterable[str] = ()
     leftovers = Leftovers(document.file)
     text = handed(document, path, leftovers, folders)
     try:
-        with quiet(mujoco):
+        with quiet_mujoco(mujoco):
             files = {name: model.encode() for name, model in text.models.items()}
             spec = mujoco.MjSpec.from_string(text.text, include=files)
             bare = _without_meshes(spec, text)

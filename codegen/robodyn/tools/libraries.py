@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Final
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any, Final
 
 from robodyn.tools.library import Library
 from robodyn.tools.tool import Use
@@ -49,3 +52,20 @@ OPTIONAL: Final = (
     CASADI, FMPY, MUJOCO, XACRO, DISTRIBUTED, CRYPTOGRAPHY, H5PY, MCAP, PYARROW, ROSBAGS, ORTOOLS, PINOCCHIO,
 )  # fmt: skip
 """What an extra brings, or one installs oneself."""
+
+
+@contextmanager
+def quiet_mujoco(mujoco: Any) -> Iterator[None]:
+    """Without warnings of MuJoCo, nor the log that it writes of them to the current folder.
+
+    They are of a mass matrix that is near to singular and of settings of models that are attached; a reader
+    that hides them says itself what they are about.
+    """
+    before = mujoco.get_mju_user_warning()
+    mujoco.set_mju_user_warning(lambda _: None)
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            yield
+    finally:
+        mujoco.set_mju_user_warning(before)

@@ -49,7 +49,7 @@ _DESCRIPTIONS = {
 
 def _files(package: Package) -> Files:
     from robodyn.simulate.system import system_of
-    from robodyn.toolchain.shared import library_suffix, shared_library
+    from robodyn.toolchain.compiler import library_suffix, shared_library
 
     if package.scalar != "double":
         raise InputError(

@@ -45,7 +45,7 @@ class PythonFunction:
 
 
 def _files(package: Package) -> Files:
-    from robodyn.toolchain.shared import library_suffix, shared_library
+    from robodyn.toolchain.compiler import library_suffix, shared_library
 
     library = f"lib{package.name}{library_suffix()}"
     sources = package.generated.files((C.name,))

@@ -12,8 +12,7 @@ import numpy as np
 from robodyn.errors import InputError, Place
 from robodyn.files import label
 from robodyn.robot.model import Robot
-from robodyn.tools.libraries import MUJOCO
-from robodyn.tools.mujoco import quiet
+from robodyn.tools.libraries import MUJOCO, quiet_mujoco
 from robodyn.verify.against.arm import (
     NAMELESS,
     Follower,
@@ -46,7 +45,7 @@ class MujocoFile:
         ToolError: MuJoCo is not installed.
         """
         mujoco = MUJOCO.load(where=Place(label(path)))
-        with quiet(mujoco):
+        with quiet_mujoco(mujoco):
             return cls._read(path, mujoco)
 
     @classmethod
