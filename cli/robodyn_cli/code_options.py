@@ -10,6 +10,7 @@ from typing import Any, TypeVar
 import click
 
 from robodyn_cli.choices import CONTRACTIONS, ORDERS, TRIGONOMETRY, TargetOption
+from robodyn_cli.common import add_options
 from robodyn_cli.options import scalar_option
 
 Command = TypeVar("Command", bound=Callable[..., Any])
@@ -19,16 +20,7 @@ def code_options(*, lists: Mapping[str, str], target_help: str = "") -> Callable
     """Add them, passed under their own names; ``target_help`` is further help of ``--target``, with names of
     targets out of ``lists`` (:class:`.TargetOption`)."""
 
-    def add(command: Command) -> Command:
-        for option in reversed(_options(dict(lists), target_help)):
-            command = option(command)
-        return command
-
-    return add
-
-
-def _options(lists: dict[str, str], target_help: str) -> list[Callable[[Command], Command]]:
-    return [
+    return add_options(
         scalar_option,
         click.option(
             "--trig",
@@ -58,7 +50,7 @@ def _options(lists: dict[str, str], target_help: str) -> list[Callable[[Command]
             "--target",
             metavar="NAME",
             cls=TargetOption,
-            lists=lists,
+            lists=dict(lists),
             help="Defaults of scalar, trig, order, contraction and objective for a processor: {compiled}. "
             f"Every option given on the command line overrides them.{target_help}",
         ),
@@ -73,7 +65,7 @@ def _options(lists: dict[str, str], target_help: str) -> list[Callable[[Command]
             help="Write the recursion in the book's order (--optimize none, --order recursion), each line "
             "named after its link and quantity.",
         ),
-    ]
+    )
 
 
 def prune_option(command: Command) -> Command:

@@ -22,6 +22,17 @@ if TYPE_CHECKING:
 Command = TypeVar("Command", bound=Callable[..., Any])
 
 
+def add_options(*options: Callable[[Any], Any]) -> Callable[[Command], Command]:
+    """A decorator that adds all ``options`` to a command, in this order of its help."""
+
+    def add(command: Command) -> Command:
+        for option in reversed(options):
+            command = option(command)
+        return command
+
+    return add
+
+
 def robot_argument(command: Command) -> Command:
     """Add the argument ROBOT, passed to `command` as ``robot: str`` without any check."""
     return click.argument("robot", type=ROBOTS, metavar="ROBOT")(command)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import click
 
 from robodyn_cli.choices import ENGINES, FORMULATIONS, LEVELS, SCALARS, SEVERAL_FUNCTIONS, TargetOption
+from robodyn_cli.common import add_options
 
 if TYPE_CHECKING:
     from robodyn.kernels.generate import Options
@@ -16,44 +17,38 @@ if TYPE_CHECKING:
 Command = TypeVar("Command", bound=Callable[..., Any])
 
 
-def model_options(command: Command) -> Command:
-    """Add the options that select the model and its optimisation."""
-    for option in reversed(
-        (
-            click.option(
-                "--formulation",
-                type=FORMULATIONS,
-                metavar="F",
-                default="modified_newton_euler",
-                show_default=True,
-                help="Formulation: modified_newton_euler (lambda matrix), newton_euler, newton_euler_base, "
-                "orin, balafoutis, kane, lagrange_3x3, lagrange_4x4 or lagrange.",
-            ),
-            click.option(
-                "--optimize",
-                type=LEVELS,
-                metavar="LEVEL",
-                default="record",
-                show_default=True,
-                help="Optimisation: none (textbook recursion), fast, record (the best known program for "
-                "exactly this arm, else fast), search (formulation variants) or full (also algebraic "
-                "identities).",
-            ),
-            click.option("--no-regroup", is_flag=True, help="Do not regroup to base parameters."),
-            click.option(
-                "--engine",
-                type=ENGINES,
-                metavar="NAME",
-                default="graph",
-                show_default=True,
-                help="Engine: graph, or sympy as a cross-check (slower, no smaller, without records and "
-                "searches).",
-            ),
-            click.option("--strict", is_flag=True, help="Refuse physically implausible values."),
-        )
-    ):
-        command = option(command)
-    return command
+model_options = add_options(
+    click.option(
+        "--formulation",
+        type=FORMULATIONS,
+        metavar="F",
+        default="modified_newton_euler",
+        show_default=True,
+        help="Formulation: modified_newton_euler (lambda matrix), newton_euler, newton_euler_base, "
+        "orin, balafoutis, kane, lagrange_3x3, lagrange_4x4 or lagrange.",
+    ),
+    click.option(
+        "--optimize",
+        type=LEVELS,
+        metavar="LEVEL",
+        default="record",
+        show_default=True,
+        help="Optimisation: none (textbook recursion), fast, record (the best known program for "
+        "exactly this arm, else fast), search (formulation variants) or full (also algebraic "
+        "identities).",
+    ),
+    click.option("--no-regroup", is_flag=True, help="Do not regroup to base parameters."),
+    click.option(
+        "--engine",
+        type=ENGINES,
+        metavar="NAME",
+        default="graph",
+        show_default=True,
+        help="Engine: graph, or sympy as a cross-check (slower, no smaller, without records and searches).",
+    ),
+    click.option("--strict", is_flag=True, help="Refuse physically implausible values."),
+)
+"""Add the options that select the model and its optimisation."""
 
 
 def scalar_option(command: Command) -> Command:
@@ -68,30 +63,23 @@ def scalar_option(command: Command) -> Command:
     )(command)
 
 
-def search_options(command: Command) -> Command:
-    """Add the options of a search: time budget, seed, objective, and whether to save the result."""
-    for option in reversed(
-        (
-            click.option("--budget-seconds", metavar="S", type=float, help="Time limit of search and full."),
-            click.option(
-                "--seed", metavar="N", default=0, show_default=True, help="Seed of search and full."
-            ),
-            click.option(
-                "--objective",
-                metavar="WHAT",
-                default="total",
-                show_default=True,
-                cls=TargetOption,
-                lists={"all": "all_targets"},
-                prefix="weighted:",
-                help="Objective of record, search and full: total, mul, fma (fused multiply-adds), depth "
-                "(longest chain), sincos, or weighted:TARGET ({all}).",
-            ),
-            click.option("--keep", is_flag=True, help="Save the result in the folder records beside ROBOT."),
-        )
-    ):
-        command = option(command)
-    return command
+search_options = add_options(
+    click.option("--budget-seconds", metavar="S", type=float, help="Time limit of search and full."),
+    click.option("--seed", metavar="N", default=0, show_default=True, help="Seed of search and full."),
+    click.option(
+        "--objective",
+        metavar="WHAT",
+        default="total",
+        show_default=True,
+        cls=TargetOption,
+        lists={"all": "all_targets"},
+        prefix="weighted:",
+        help="Objective of record, search and full: total, mul, fma (fused multiply-adds), depth "
+        "(longest chain), sincos, or weighted:TARGET ({all}).",
+    ),
+    click.option("--keep", is_flag=True, help="Save the result in the folder records beside ROBOT."),
+)
+"""Add the options of a search: time budget, seed, objective, and whether to save the result."""
 
 
 def load(robot: str, *, strict: bool) -> Robot:

@@ -10,6 +10,7 @@ from typing import Any, Final, TypeVar
 import click
 
 from robodyn_cli.choices import FILE, FOLDER
+from robodyn_cli.common import add_options
 from robodyn_cli.options import functions_option, one_function
 
 Command = TypeVar("Command", bound=Callable[..., Any])
@@ -18,110 +19,101 @@ Command = TypeVar("Command", bound=Callable[..., Any])
 METHODS: Final = ("thesis", "critical-path", "dhlf", "df-ihs", "a-star", "branch-and-bound", "optimal")
 
 
-def schedule_options(command: Command) -> Command:
-    """Add the options of tasks, machine, method and output."""
-    for option in reversed(
-        (
-            click.option(
-                "-p",
-                "--processors",
-                metavar="N",
-                default=None,
-                help="Number of processors: 4, 2,4,8 or 2..13.",
-            ),
-            click.option(
-                "--links",
-                metavar="N",
-                type=int,
-                help="Schedule any revolute arm of N joints (without ROBOT).",
-            ),
-            click.option(
-                "--method",
-                type=click.Choice(METHODS),
-                default="critical-path",
-                show_default=True,
-                help="Method: list heuristics (thesis: section 4.3.3; critical-path; dhlf), searches (df-ihs,"
-                " a-star, branch-and-bound: one processor per joint) or optimal (OR-Tools; proof or bound).",
-            ),
-            click.option("--as-printed", is_flag=True, help="Use the task set printed in the thesis."),
-            click.option(
-                "--friction",
-                type=click.Choice(("none", "joint", "transmission", "both")),
-                help="Tasks of friction in all joints; without this option, those that ROBOT describes.",
-            ),
-            click.option(
-                "--cut",
-                metavar="K",
-                help="Split a kernel into tasks of at most K operations; thesis: the thesis's tasks.",
-            ),
-            functions_option("inverse_dynamics", "Function to split (with --cut K)."),
-            click.option(
-                "--form",
-                metavar="F",
-                help="Recursion (with --links): newton-euler, modified-newton-euler, lee-chang or lathrop.",
-            ),
-            click.option(
-                "--forms",
-                is_flag=True,
-                help="Compare linear and logarithmic forms for up to --links N joints.",
-            ),
-            click.option("--cost", metavar="OP=N,...", help="Costs of operations: mul=1,add=1,div=14."),
-            click.option(
-                "--communication",
-                metavar="T",
-                type=int,
-                default=0,
-                help="Time to pass a value, or to synchronise between levels.",
-            ),
-            click.option(
-                "--no-levels", is_flag=True, help="Start tasks as soon as their inputs are available."
-            ),
-            click.option(
-                "--budget-seconds",
-                "--seconds",
-                "seconds",
-                metavar="S",
-                type=float,
-                help="Time limit of a search. [default: 60, branch-and-bound 10]",
-            ),
-            click.option(
-                "--nodes",
-                metavar="N",
-                type=click.IntRange(min=1),
-                help="Limit of nodes that df-ihs and a-star visit. [default: 200000]",
-            ),
-            click.option("--seed", metavar="N", type=int, default=0, help="Seed of the optimiser."),
-            click.option(
-                "--fewest", is_flag=True, help="Find the fewest processors that reach the critical path."
-            ),
-            click.option("--thesis", metavar="TABLE", help="Check a printed schedule: 4.3, C.1, 4.8, all."),
-            click.option(
-                "--picture",
-                type=FILE,
-                metavar="FILE.svg",
-                help="Write the Gantt chart; for a sweep, Figures 4.11-4.13.",
-            ),
-            click.option("--layers", type=FILE, metavar="FILE.svg", help="Write the layered graph."),
-            click.option(
-                "-o",
-                "--output",
-                "--emit",
-                "emit",
-                type=FOLDER,
-                metavar="DIR",
-                help="Write parallel C to DIR.",
-            ),
-            click.option("--sync", metavar="HOW", help="Synchronisation (with -o): barrier or counters."),
-            click.option(
-                "--packed",
-                metavar="LANES",
-                type=int,
-                help="Also write the packed form (with -o): 2, 4 or 8 lanes.",
-            ),
-        )
-    ):
-        command = option(command)
-    return command
+schedule_options = add_options(
+    click.option(
+        "-p",
+        "--processors",
+        metavar="N",
+        default=None,
+        help="Number of processors: 4, 2,4,8 or 2..13.",
+    ),
+    click.option(
+        "--links",
+        metavar="N",
+        type=int,
+        help="Schedule any revolute arm of N joints (without ROBOT).",
+    ),
+    click.option(
+        "--method",
+        type=click.Choice(METHODS),
+        default="critical-path",
+        show_default=True,
+        help="Method: list heuristics (thesis: section 4.3.3; critical-path; dhlf), searches (df-ihs,"
+        " a-star, branch-and-bound: one processor per joint) or optimal (OR-Tools; proof or bound).",
+    ),
+    click.option("--as-printed", is_flag=True, help="Use the task set printed in the thesis."),
+    click.option(
+        "--friction",
+        type=click.Choice(("none", "joint", "transmission", "both")),
+        help="Tasks of friction in all joints; without this option, those that ROBOT describes.",
+    ),
+    click.option(
+        "--cut",
+        metavar="K",
+        help="Split a kernel into tasks of at most K operations; thesis: the thesis's tasks.",
+    ),
+    functions_option("inverse_dynamics", "Function to split (with --cut K)."),
+    click.option(
+        "--form",
+        metavar="F",
+        help="Recursion (with --links): newton-euler, modified-newton-euler, lee-chang or lathrop.",
+    ),
+    click.option(
+        "--forms",
+        is_flag=True,
+        help="Compare linear and logarithmic forms for up to --links N joints.",
+    ),
+    click.option("--cost", metavar="OP=N,...", help="Costs of operations: mul=1,add=1,div=14."),
+    click.option(
+        "--communication",
+        metavar="T",
+        type=int,
+        default=0,
+        help="Time to pass a value, or to synchronise between levels.",
+    ),
+    click.option("--no-levels", is_flag=True, help="Start tasks as soon as their inputs are available."),
+    click.option(
+        "--budget-seconds",
+        "--seconds",
+        "seconds",
+        metavar="S",
+        type=float,
+        help="Time limit of a search. [default: 60, branch-and-bound 10]",
+    ),
+    click.option(
+        "--nodes",
+        metavar="N",
+        type=click.IntRange(min=1),
+        help="Limit of nodes that df-ihs and a-star visit. [default: 200000]",
+    ),
+    click.option("--seed", metavar="N", type=int, default=0, help="Seed of the optimiser."),
+    click.option("--fewest", is_flag=True, help="Find the fewest processors that reach the critical path."),
+    click.option("--thesis", metavar="TABLE", help="Check a printed schedule: 4.3, C.1, 4.8, all."),
+    click.option(
+        "--picture",
+        type=FILE,
+        metavar="FILE.svg",
+        help="Write the Gantt chart; for a sweep, Figures 4.11-4.13.",
+    ),
+    click.option("--layers", type=FILE, metavar="FILE.svg", help="Write the layered graph."),
+    click.option(
+        "-o",
+        "--output",
+        "--emit",
+        "emit",
+        type=FOLDER,
+        metavar="DIR",
+        help="Write parallel C to DIR.",
+    ),
+    click.option("--sync", metavar="HOW", help="Synchronisation (with -o): barrier or counters."),
+    click.option(
+        "--packed",
+        metavar="LANES",
+        type=int,
+        help="Also write the packed form (with -o): 2, 4 or 8 lanes.",
+    ),
+)
+"""Add the options of tasks, machine, method and output."""
 
 
 @dataclass(frozen=True, slots=True)

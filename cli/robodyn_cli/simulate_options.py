@@ -8,8 +8,10 @@ from dataclasses import dataclass
 from typing import Any, TypeVar
 
 import click
+from click import option
 
 from robodyn_cli.choices import FILE, ROBOTS
+from robodyn_cli.common import add_options
 from robodyn_cli.values import POSITIVE, POSITIVES, SEVERAL, SIZES, Line, parameter_option
 
 Command = TypeVar("Command", bound=Callable[..., Any])
@@ -136,94 +138,89 @@ def _spelled(name: str) -> str:
     return "--" + name.replace("_", "-")
 
 
-def simulation_options(command: Command) -> Command:
-    """Add the options that :class:`SimulationOptions` holds."""
-    option = click.option
-    every = (
-        option("--torque", type=FILE, metavar="FILE.csv",
-               help="Apply torques t,tau1..taun, held between rows."),
-        option("--linear", is_flag=True, help="Interpolate between rows (with --torque)."),
-        option("--trajectory", type=FILE, metavar="FILE.csv",
-               help="Follow a motion: t,q1..qn (qd, qdd if known)."),
-        option("--to", type=SEVERAL, metavar="Q", help="Move to Q (rad or m, separated by commas)."),
-        option("--line", type=Line(), metavar="A:B",
-               help="Move a point from x,y,z to x,y,z (m) on a straight line."),
-        option("--excite", is_flag=True, help="Follow a periodic motion of all joints within their limits."),
-        option(
-            "--profile",
-            type=click.Choice(["quintic", "trapezoid"]),
-            help="Velocity profile (with --to, --line).  [default: quintic]",
-        ),
-        option("--point", type=SEVERAL, metavar="X,Y,Z",
-               help="Point that follows --line, in its link's frame (m).  [default: the tool]"),
-        option("--link", type=click.IntRange(1), metavar="N",
-               help="Link of --point.  [default: 6, or the last]"),
-        option("--harmonics", type=click.IntRange(2, 1000), metavar="K",
-               help="Number of harmonics (with --excite).  [default: 5]"),
-        option("--base-frequency", type=POSITIVE, metavar="HZ",
-               help="Base frequency (with --excite).  [default: 1/duration]"),
-        option("--controller", type=click.Choice(CONTROLLERS),
-               help="Controller that follows the motion.  [default: pd]"),
-        option("--kp", type=SIZES, metavar="K",
-               help="Position gain, one value or one per joint.  [default: from the inertia]"),
-        option("--kd", type=SIZES, metavar="K",
-               help="Velocity gain, one value or one per joint.  [default: from the inertia]"),
-        option("--controller-model", "model", type=ROBOTS, metavar="ROBOT",
-               help="Model used by the controller.  [default: the robot itself]"),
-        option("--control-rate", type=POSITIVE, metavar="HZ",
-               help="Sample rate of the controller.  [default: 1000]"),
-        option("--from", "start", type=SEVERAL, metavar="Q",
-               help="Initial position.  [default: start of the motion]"),
-        option("--speed", type=SEVERAL, metavar="QD", help="Initial velocity (rad/s or m/s)."),
-        option("--duration", type=POSITIVE, metavar="S",
-               help="Duration.  [default: that of the file; --to, --line: 2; else 10]"),
-        option("--rate", type=POSITIVE, metavar="HZ", default=1000.0,
-               help="Sample rate of the log.  [default: 1000]"),
-        option(
-            "--solver",
-            type=click.Choice(["adaptive", "rk4"]),
-            default="adaptive",
-            show_default=True,
-            help="Solver with adaptive or fixed steps.",
-        ),
-        option("--step", type=POSITIVE, metavar="S",
-               help="Step of rk4, or maximum step of adaptive.  [default: 1e-3, 1e-2]"),
-        option("--rtol", type=POSITIVE, metavar="X", help="Relative tolerance.  [default: 1e-8]"),
-        option("--atol", type=POSITIVE, metavar="X", help="Absolute tolerance.  [default: 1e-10]"),
-        parameter_option(),
-        option("--encoder-bits", type=POSITIVES, metavar="BITS",
-               help="Encoder bits per turn (revolute joints)."),
-        option("--position-resolution", type=SIZES, metavar="X", help="Encoder step (rad or m)."),
-        option("--position-noise", type=SIZES, metavar="X", default=(0.0,),
-               help="Standard deviation of the position noise (rad or m)."),
-        option(
-            "--velocity", type=click.Choice(RATES), default="true", show_default=True,
-            help="Velocity in the log."
-        ),
-        option(
-            "--acceleration", type=click.Choice(RATES), default="true", show_default=True,
-            help="Acceleration in the log."
-        ),
-        option("--cutoff", type=POSITIVE, metavar="HZ",
-               help="Cutoff frequency of the low-pass filter for filtered."),
-        option(
-            "--torque-noise", type=SIZES, metavar="X", default=(0.0,),
-            help="Standard deviation of the torque noise (N m or N)."
-        ),
-        option("--torque-resolution", type=SIZES, metavar="X", default=(0.0,),
-               help="Torque step (N m or N)."),
-        option(
-            "--seed",
-            type=click.IntRange(0),
-            metavar="N",
-            default=0,
-            show_default=True,
-            help="Seed of --excite and of the noise.",
-        ),
-    )  # fmt: skip
-    for each in reversed(every):
-        command = each(command)
-    return command
+simulation_options = add_options(
+    option("--torque", type=FILE, metavar="FILE.csv",
+           help="Apply torques t,tau1..taun, held between rows."),
+    option("--linear", is_flag=True, help="Interpolate between rows (with --torque)."),
+    option("--trajectory", type=FILE, metavar="FILE.csv",
+           help="Follow a motion: t,q1..qn (qd, qdd if known)."),
+    option("--to", type=SEVERAL, metavar="Q", help="Move to Q (rad or m, separated by commas)."),
+    option("--line", type=Line(), metavar="A:B",
+           help="Move a point from x,y,z to x,y,z (m) on a straight line."),
+    option("--excite", is_flag=True, help="Follow a periodic motion of all joints within their limits."),
+    option(
+        "--profile",
+        type=click.Choice(["quintic", "trapezoid"]),
+        help="Velocity profile (with --to, --line).  [default: quintic]",
+    ),
+    option("--point", type=SEVERAL, metavar="X,Y,Z",
+           help="Point that follows --line, in its link's frame (m).  [default: the tool]"),
+    option("--link", type=click.IntRange(1), metavar="N",
+           help="Link of --point.  [default: 6, or the last]"),
+    option("--harmonics", type=click.IntRange(2, 1000), metavar="K",
+           help="Number of harmonics (with --excite).  [default: 5]"),
+    option("--base-frequency", type=POSITIVE, metavar="HZ",
+           help="Base frequency (with --excite).  [default: 1/duration]"),
+    option("--controller", type=click.Choice(CONTROLLERS),
+           help="Controller that follows the motion.  [default: pd]"),
+    option("--kp", type=SIZES, metavar="K",
+           help="Position gain, one value or one per joint.  [default: from the inertia]"),
+    option("--kd", type=SIZES, metavar="K",
+           help="Velocity gain, one value or one per joint.  [default: from the inertia]"),
+    option("--controller-model", "model", type=ROBOTS, metavar="ROBOT",
+           help="Model used by the controller.  [default: the robot itself]"),
+    option("--control-rate", type=POSITIVE, metavar="HZ",
+           help="Sample rate of the controller.  [default: 1000]"),
+    option("--from", "start", type=SEVERAL, metavar="Q",
+           help="Initial position.  [default: start of the motion]"),
+    option("--speed", type=SEVERAL, metavar="QD", help="Initial velocity (rad/s or m/s)."),
+    option("--duration", type=POSITIVE, metavar="S",
+           help="Duration.  [default: that of the file; --to, --line: 2; else 10]"),
+    option("--rate", type=POSITIVE, metavar="HZ", default=1000.0,
+           help="Sample rate of the log.  [default: 1000]"),
+    option(
+        "--solver",
+        type=click.Choice(["adaptive", "rk4"]),
+        default="adaptive",
+        show_default=True,
+        help="Solver with adaptive or fixed steps.",
+    ),
+    option("--step", type=POSITIVE, metavar="S",
+           help="Step of rk4, or maximum step of adaptive.  [default: 1e-3, 1e-2]"),
+    option("--rtol", type=POSITIVE, metavar="X", help="Relative tolerance.  [default: 1e-8]"),
+    option("--atol", type=POSITIVE, metavar="X", help="Absolute tolerance.  [default: 1e-10]"),
+    parameter_option(),
+    option("--encoder-bits", type=POSITIVES, metavar="BITS",
+           help="Encoder bits per turn (revolute joints)."),
+    option("--position-resolution", type=SIZES, metavar="X", help="Encoder step (rad or m)."),
+    option("--position-noise", type=SIZES, metavar="X", default=(0.0,),
+           help="Standard deviation of the position noise (rad or m)."),
+    option(
+        "--velocity", type=click.Choice(RATES), default="true", show_default=True,
+        help="Velocity in the log."
+    ),
+    option(
+        "--acceleration", type=click.Choice(RATES), default="true", show_default=True,
+        help="Acceleration in the log."
+    ),
+    option("--cutoff", type=POSITIVE, metavar="HZ",
+           help="Cutoff frequency of the low-pass filter for filtered."),
+    option(
+        "--torque-noise", type=SIZES, metavar="X", default=(0.0,),
+        help="Standard deviation of the torque noise (N m or N)."
+    ),
+    option("--torque-resolution", type=SIZES, metavar="X", default=(0.0,),
+           help="Torque step (N m or N)."),
+    option(
+        "--seed",
+        type=click.IntRange(0),
+        metavar="N",
+        default=0,
+        show_default=True,
+        help="Seed of --excite and of the noise.",
+    ),
+)  # fmt: skip
+"""Add the options that :class:`SimulationOptions` holds."""
 
 
 def spread(name: str, values: tuple[float, ...], n: int, robot: str) -> tuple[float, ...]:
