@@ -49,6 +49,10 @@ generated-check: $(VENV)/.installed  ## fail where generated/ is not what would 
 flops-record: $(VENV)/.installed  ## prove the shipped records; fail where what fast takes got worse
 	$(BIN)/python benchmarks/flops_record.py $(UPDATE)
 
+.PHONY: mutants
+mutants: $(VENV)/.installed-dev  ## change single operators and numbers, and say which of it no test notices
+	$(BIN)/python benchmarks/mutants.py $(MUTANTS)
+
 .PHONY: benchmarks
 benchmarks: $(PEERS)/.peers  ## race our kernels against their peers; writes benchmarks/results/
 	$(PEERS)/bin/python -m benchmarks.peers $(BENCHMARKS)
