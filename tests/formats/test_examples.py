@@ -9,12 +9,14 @@ from fractions import Fraction
 from pathlib import Path
 
 import pytest
+from benchmarks.arms import FOLDER, MARK, row
+from benchmarks.marked import part
 
 from robodyn.robot import load
 from robodyn_cli.main import main
+from robodyn_testing import representative
 from robodyn_testing.wanted import require_distribution
 
-FOLDER = Path(__file__).parents[2] / "examples" / "arms"
 README = (FOLDER / "README.md").read_text(encoding="utf-8")
 COMMANDS = [shlex.split(line)[1:] for line in re.findall(r"(?m)^robodyn import .*$", README)]
 #: The folders of the commands, and the distributions that bring them.
@@ -63,3 +65,19 @@ def test_an_arm_is_what_its_command_writes(command: list[str], tmp_path: Path) -
     out = tmp_path / command[-1]
     assert main(["import", str(path), *command[2:-1], str(out)]) == 0
     assert out.read_text() == (FOLDER / command[-1]).read_text()
+
+
+# The table of operations in examples/arms/README.md is what benchmarks/arms.py makes, row by row.
+
+TABLE = part((FOLDER / "README.md").read_text(encoding="utf-8"), MARK)
+ROWS = TABLE.splitlines()[2:]
+ARMS = sorted(FOLDER.glob("*.yaml"))
+
+
+def test_every_arm_has_a_row() -> None:
+    assert [line.split("|")[1].strip() for line in ROWS] == [path.stem for path in ARMS]
+
+
+@pytest.mark.parametrize("name", representative([path.stem for path in ARMS], "ur3", "xarm7"))
+def test_a_row_is_what_is_counted(name: str) -> None:
+    assert row(Path(FOLDER / f"{name}.yaml")) in ROWS

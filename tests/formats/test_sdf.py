@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from robodyn import load
 from robodyn.errors import InputError
 from robodyn.formats.chain import Spring
 from robodyn.formats.elements import parse
@@ -17,7 +18,7 @@ from robodyn.formats.sdf import read_tree
 from robodyn.formats.serial import Positions, Serial, serial_chain
 from robodyn.formats.topology import Topology
 from robodyn.formats.tree import MOVING, Tree
-from robodyn_testing import commit_seeds, require_module, seed_counts
+from robodyn_testing import commit_seeds, require_module, sdf_arms, seed_counts, urdf_text
 from robodyn_testing.chains import PinocchioArm, WorldDynamics
 from robodyn_testing.random_trees import random_urdf
 
@@ -239,3 +240,29 @@ def test_errors_say_where_and_what(change: Callable[[str], str], words: str) -> 
         chain(change(sdf(A + B + J)))
     assert words in str(caught.value)
     assert str(caught.value).startswith("arm.sdf:")
+
+
+# A damping, friction or rotor inertia of 0 that a file states is not one that nobody states.
+
+URDF = urdf_text.robot(urdf_text.link("a"), urdf_text.link("b"), urdf_text.joint("j", "a", "b"))
+SDF = sdf_arms.sdf(sdf_arms.model(sdf_arms.ARM))
+
+
+@pytest.mark.parametrize(
+    ("ending", "text", "stated", "friction", "rotor"),
+    [
+        ("urdf", URDF, "", "absent", "absent"),
+        ("urdf", URDF, '<dynamics damping="0"/>', "stated", "absent"),
+        ("urdf", URDF, '<dynamics friction="0" armature="0"/>', "stated", "stated"),
+        ("sdf", SDF, "", "absent", "absent"),
+        ("sdf", SDF, "<dynamics><damping>0</damping></dynamics>", "stated", "absent"),
+    ],
+)
+def test_a_stated_0_is_not_what_nobody_states(
+    ending: str, text: str, stated: str, friction: str, rotor: str, tmp_path: Path
+) -> None:
+    before = "</axis></joint>" if ending == "sdf" else "</joint>"
+    path = tmp_path / f"arm.{ending}"
+    path.write_text(text.replace(before, stated + before))
+    for link in load(path, warn=lambda _: None).links:
+        assert (link.origins.friction, link.origins.motor_inertia) == (friction, rotor)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import gc
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 from typing import Any
 
@@ -19,6 +20,8 @@ from robodyn.ir import Graph, Input, Label, Operation, Program, Signature
 from robodyn.ir.evaluate import angle_form, evaluate, evaluate_exact, selected, turn
 from robodyn.ir.fingerprint import fingerprint
 from robodyn.ir.lowering import lower
+from robodyn.ir.program import RARELY, rarely_collected
+from robodyn.kernels.generate import Options, generate
 from robodyn.robot.values import circle_point
 
 
@@ -229,3 +232,35 @@ def test_a_constant_angle_has_its_own_point() -> None:
     found = evaluate_exact(made, {}, {}, circle_point)["t"]
     assert tuple(found) == circle_point(Fraction(1, 2))
     assert [float(x) for x in found] == [math.cos(0.5), math.sin(0.5)]
+
+
+# While programs are built Python looks for garbage rarely, and afterwards as often as before.
+
+
+@pytest.fixture(params=[(700, 10, 10), (0, 10, 10), (RARELY[0] + 1, 3, 3)])
+def thresholds(request: pytest.FixtureRequest) -> Iterator[tuple[int, int, int]]:
+    before = gc.get_threshold()
+    gc.set_threshold(*request.param)
+    yield request.param
+    gc.set_threshold(*before)
+
+
+def test_it_is_rare_within_and_as_before_behind(thresholds: tuple[int, int, int]) -> None:
+    rare = RARELY if thresholds == (700, 10, 10) else thresholds  # who looks more rarely is left alone
+    with rarely_collected():
+        assert gc.get_threshold() == rare
+        with rarely_collected():
+            assert gc.get_threshold() == rare
+        assert gc.get_threshold() == rare
+    assert gc.get_threshold() == thresholds
+    with pytest.raises(ValueError, match="here"), rarely_collected():
+        raise ValueError("here")
+    assert gc.get_threshold() == thresholds
+
+
+def test_generating_is_such_a_time(thresholds: tuple[int, int, int]) -> None:
+    within: list[tuple[int, int, int]] = []
+    options = Options(("potential_energy",))
+    generate("puma560_3dof", options, progress=lambda _: within.append(gc.get_threshold()))
+    assert within == [RARELY if thresholds == (700, 10, 10) else thresholds]
+    assert gc.get_threshold() == thresholds

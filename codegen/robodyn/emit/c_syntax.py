@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 from robodyn.emit.arctangent import arctangent_context
 from robodyn.emit.spelling import Spelling, elements
+from robodyn.emit.statements import statements
 from robodyn.emit.syntax import Syntax
 from robodyn.emit.trig import trig_context
+from robodyn.ir.program import Program
 
 #: Compilations that would not round as written, and what is said of them. gcc names -fassociative-math from
 #: 12 on, clang never does: ``c/as_written.h.j2`` is for those. 16 is 0 but for _Float16: gcc has it with
@@ -91,3 +94,27 @@ def c_builtin(name: str, *, single: bool, sines: bool, arctangents: bool) -> dic
         "lanes_trig": trig_context(lanes) if sines else None,
         "lanes_arctangent": arctangent_context(lanes) if arctangents else None,
     }
+
+
+def static_function(
+    name: str, inputs: Sequence[str], outputs: Mapping[str, str], program: Program, parameters: Sequence[str]
+) -> str:
+    """``static void name(const double *inputs..., double *outputs..., const double *p)``.
+
+    ``outputs`` gives for each output of ``program`` the name of the argument; run-time ``parameters`` are
+    elements of ``p``, in that order.
+    """
+    place = {parameter: k for k, parameter in enumerate(parameters)}
+    # Names of the description never reach this C: a parameter is a place in p.
+    spelling = replace(c_spelling(single=False), member=lambda parameter: f"p[{place[parameter]}]")
+    syntax = c_syntax(spelling, "double", libm=False)  # joined sines are welcome here
+    body = statements(program)
+    arguments = [f"const double *{array}" for array in inputs]
+    arguments += [f"double *{array}" for array in outputs.values()]
+    lines = [f"static void {name}({', '.join(arguments)}, const double *p)", "{"]
+    lines += [line for statement in body.statements for line in syntax.statement(statement)]
+    for array, results in body.outputs:
+        target = outputs[array]
+        lines += [line for i, x in enumerate(results) for line in syntax.result(f"{target}[{i}]", x)]
+    lines += [f"    (void){array};" for array in (*inputs, *outputs.values(), "p")]
+    return "\n".join([*lines, "}"]) + "\n"

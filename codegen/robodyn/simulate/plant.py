@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from robodyn.emit.static import static_function
+from robodyn.emit.c_syntax import static_function
 from robodyn.errors import InputError
 from robodyn.ir.program import Program
 from robodyn.kernels.generate import Options, maker

@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
-from robodyn.emit.advice import advice
 from robodyn.emit.batch import batch_files
 from robodyn.emit.body import Lines
 from robodyn.emit.c_syntax import c_builtin, c_spelling, c_syntax
@@ -19,7 +18,7 @@ from robodyn.emit.spelling import WIDTH
 from robodyn.emit.stages import NEXT, ROW, Repeated, Stage
 from robodyn.emit.statements import Expression
 from robodyn.emit.syntax import Sines, Syntax
-from robodyn.emit.unit import Unit, has_arctangents, has_sines, needs_libm
+from robodyn.emit.unit import Unit, advice, has_arctangents, has_sines, needs_libm
 from robodyn.ir.program import STATE
 from robodyn.ir.signature import Signature
 from robodyn.tools import Tool, Use

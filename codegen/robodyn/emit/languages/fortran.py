@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
-from robodyn.emit.advice import advice
 from robodyn.emit.arctangent import arctangent_context
 from robodyn.emit.body import Lines
 from robodyn.emit.language import Compiled, FunctionText, Language, SelfTest
@@ -18,7 +17,7 @@ from robodyn.emit.stages import NEXT, Repeated, Stage
 from robodyn.emit.statements import Expression
 from robodyn.emit.syntax import Sines, Syntax
 from robodyn.emit.trig import trig_context
-from robodyn.emit.unit import Unit, has_arctangents, has_sines
+from robodyn.emit.unit import Unit, advice, has_arctangents, has_sines
 from robodyn.ir.program import STATE
 from robodyn.ir.signature import Signature
 from robodyn.tools import Tool, Use

@@ -113,7 +113,7 @@ def _token(texts: Mapping[str, str]) -> str:
 
 def _values(package: Package, system: System, results: tuple[Result, ...]) -> dict[str, Any]:
     """What the templates of the sources are told."""
-    from robodyn.emit.static import static_function
+    from robodyn.emit.c_syntax import static_function
     from robodyn.simulate.engine import ATOL, RTOL
     from robodyn.simulate.plant import drive_limits
     from robodyn.simulate.start import start_program
@@ -147,7 +147,7 @@ def _values(package: Package, system: System, results: tuple[Result, ...]) -> di
 
 def _tangents(package: Package, system: System, results: tuple[Result, ...]) -> str:
     """The C functions of directional derivatives: of forces, of rates of internal states, of results."""
-    from robodyn.emit.static import static_function
+    from robodyn.emit.c_syntax import static_function
     from robodyn.simulate.system import tangents_of
 
     states, rates = ("y", "v", "a", "s", "z", "dy", "dv", "dz"), ("y", "v", "z", "dy", "dv", "dz")
