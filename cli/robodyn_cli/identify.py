@@ -90,8 +90,7 @@ def command(
     says. Without --validate the residual is that of 30 % of the samples, which a first fit leaves out.
     """
     from robodyn.identify.fit import Options
-    from robodyn.identify.run import identify
-    from robodyn.identify.stages import stages
+    from robodyn.identify.run import identify, stages
     from robodyn.logs.content import input_files
 
     folder = result_folder(out)

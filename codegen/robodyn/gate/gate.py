@@ -6,7 +6,7 @@ the robot's. All else is told in flags with rows and times.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,11 +15,22 @@ from numpy.typing import NDArray
 from robodyn.gate.content import JointContent, content, steps_of
 from robodyn.gate.flag import Flag, Floats, Span, count, refuse
 from robodyn.gate.grid import on_grid
-from robodyn.gate.limits import MOST_SAMPLES, SHORT_LOG, SLOW_RATE, SMOOTHING_LEAST, WINDOWS
+from robodyn.gate.limits import (
+    MOST_SAMPLES,
+    REST_NOISE,
+    REST_SPEED,
+    REST_TIME,
+    REST_WAY,
+    SHORT_LOG,
+    SLOW_RATE,
+    SMOOTHING_LEAST,
+    SMOOTHING_REACH,
+    STILL_SPEED,
+    WINDOWS,
+)
 from robodyn.gate.links import check_links, with_usable_links
 from robodyn.gate.model import check_model, least_way
 from robodyn.gate.rates import check_rates
-from robodyn.gate.rest import resting
 from robodyn.gate.rows import usable
 from robodyn.gate.samples import constant, floor_of, fresh, unwrapped
 from robodyn.gate.smooth import noise_of, smoothed
@@ -28,6 +39,8 @@ from robodyn.logs.log import Log
 from robodyn.robot.model import Robot
 
 __all__ = ["MOST_SAMPLES", "Flag", "Gate", "JointContent", "Span", "inspect"]
+
+Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -154,3 +167,46 @@ def inspect(
     if length < SHORT_LOG:
         flags.append(Flag("short", "t", (), f"{length:.3g} s of motion: too little to be sure of much"))
     return Gate(used, grid.segments, grid.period, grid.rows(), saturated, still, joints, tuple(flags))
+
+
+def resting(
+    q: Floats,
+    segments: Sequence[slice],
+    period: float,
+    *,
+    noise: Floats,
+    steps: Floats,
+    revolute: Sequence[bool],
+) -> Mask:
+    """Where [K, n] joints with positions ``q`` [K, n] stand still, for :data:`REST_TIME` at least, so that a
+    reversal is no rest: stiction holds them there with any torque within its level.
+
+    ``noise``, ``steps`` [n]: the standard deviation of the positions' noise, and the step of their encoders.
+    """
+    reach = max(SMOOTHING_LEAST // 2, round(SMOOTHING_REACH / (2 * period)))
+    least = max(3, round(REST_TIME / period))
+    speed = np.zeros_like(q)
+    for part in segments:
+        x = q[part]
+        places = np.arange(len(x))
+        before, after = np.maximum(places - reach, 0), np.minimum(places + reach, len(x) - 1)
+        speed[part] = np.abs(x[after] - x[before]) / (np.maximum(after - before, 1)[:, None] * period)
+    top = np.quantile(speed[:: max(1, len(speed) // 20_000)], 0.99, axis=0)
+    slow = np.where(revolute, REST_SPEED, REST_WAY)
+    # A step of the encoder in the window looks like a speed, and so does noise at both of its ends.
+    unsure = (1.01 * steps + REST_NOISE * np.sqrt(2) * noise) / (2 * reach * period)
+    still = speed < np.maximum(np.maximum(STILL_SPEED * top, slow), unsure)
+    result: Mask = np.zeros(q.shape, dtype=bool)
+    for part in segments:
+        for j in range(q.shape[1]):
+            result[part, j] = _long(still[part, j], least)
+    return result
+
+
+def _long(still: Mask, least: int) -> Mask:
+    """Runs of ``still`` [K] of ``least`` samples or more."""
+    edges = np.flatnonzero(np.diff(np.r_[0, still.astype(np.int8), 0]))
+    result: Mask = np.zeros(len(still), dtype=bool)
+    for a, b in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
+        result[a:b] = b - a >= least
+    return result

@@ -13,13 +13,19 @@ from numpy.typing import NDArray
 from robodyn.errors import InputError
 from robodyn.formats.loading import robot_of, text_of
 from robodyn.gate.gate import Gate, inspect
-from robodyn.identify.advice import remarks
 from robodyn.identify.band import with_cutoff
-from robodyn.identify.fit import Fit, Options, fit_arm
-from robodyn.identify.limits import LEAST_NOISE
+from robodyn.identify.fit import Fit, Options, fit_arm, still_joints
+from robodyn.identify.limits import (
+    COMPARING_COST,
+    FITTING_COST,
+    LEAST_NOISE,
+    LOOKING_COST,
+    POOR_CONDITION,
+    WORTH_T,
+)
 from robodyn.identify.outcome import Estimate, Identified, identified
 from robodyn.identify.residual import Squares, squares_of
-from robodyn.logs.log import LogSource, log_of
+from robodyn.logs.log import Log, LogSource, log_of
 from robodyn.robot.account import account_to_dict
 from robodyn.robot.model import Robot
 
@@ -224,3 +230,59 @@ def _residual(fit: Fit, gates: Sequence[Gate], seen: Gate | None) -> Residual:
         before, plain, after = unseen[0], unseen[1], unseen[3]
     noise = np.sqrt(np.mean([gate.torque_noise**2 for gate in gates], axis=0))
     return Residual(rms[0], rms[3], rms[1], whole.torque_rms(), before, after, plain, torque, noise)
+
+
+def remarks(fit: Fit, outcome: Identified, gates: Sequence[Gate]) -> tuple[str, ...]:
+    """Remarks for people, most important first."""
+    words = []
+    still = [j + 1 for j in still_joints(gates)]
+    if still:
+        verb = "does" if len(still) == 1 else "do"
+        words.append(f"{_named('joint', still)} {verb} not move in these logs: friction and rotor stay")
+    if fit.condition > POOR_CONDITION:
+        words.append(
+            f"the motion excites the arm poorly (condition {fit.condition:.3g}; below {POOR_CONDITION:g} is "
+            f"good): record one of `robodyn excite {fit.robot.name}`"
+        )
+    offsets = fit.layout.joint("offset") if "offset" in fit.layout.own else np.zeros(0, dtype=np.intp)
+    shown = [j + 1 for j, at in enumerate(offsets.tolist()) if fit.unknowns.free[at]]
+    if shown:
+        words.append(f"the torque of {_named('joint', shown)} is off by a constant, also on held-out samples")
+    wide = [
+        k + 1
+        for k in range(fit.robot.n)
+        if fit.solution.prior[fit.layout.link(k)[0]] * fit.unknowns.sd[fit.layout.link(k)[0]] ** 2 < 0.5
+    ]
+    if wide:
+        words.append(
+            f"{_named('link', wide)}: farther from the description than its confidence says; a spring, load "
+            "or a coupling may be behind that: `robodyn diagnose` looks for it"
+        )
+    if outcome.robot.torque_side != fit.robot.torque_side:
+        words.append(
+            "the torque is described as measured behind the gear, and has friction in it all the same: "
+            f"identified.yaml says torque_side: {outcome.robot.torque_side}"
+        )
+    if "rotor" in fit.layout.own:
+        weak = [j + 1 for j in np.flatnonzero(fit.worth_t("rotor") < -WORTH_T).tolist()]
+        if weak:
+            words.append(f"the rotor of {_named('joint', weak)} does not help on held-out samples")
+    return tuple(words)
+
+
+def _named(what: str, places: Sequence[int]) -> str:
+    """``joint 2``, ``joints 2, 3 and 5``."""
+    *several, last = map(str, places)
+    return f"{what}s {', '.join(several)} and {last}" if several else f"{what} {last}"
+
+
+def stages(n: int, logs: Sequence[Log]) -> dict[str, float]:
+    """The stages of the identification of ``n`` joints from ``logs`` in their order, as ``progress`` is told
+    of them, and about how long each takes [s]."""
+    numbers = n * sum(log.samples for log in logs)
+    costs = {
+        "looking at the logs": LOOKING_COST,
+        "fitting the arm": FITTING_COST,
+        "comparing the torques": COMPARING_COST,
+    }
+    return {name: base + each * numbers for name, (base, each) in costs.items()}
