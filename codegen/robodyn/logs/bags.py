@@ -4,15 +4,13 @@ messages one by one."""
 from __future__ import annotations
 
 import os
-import sqlite3
 import struct
 from collections.abc import Iterator
-from contextlib import closing
+from contextlib import AbstractContextManager, closing
 from dataclasses import dataclass
 from io import BytesIO
 from pathlib import Path
 from typing import Any, Final, Protocol
-from urllib.parse import quote
 
 from robodyn.tools.libraries import MCAP
 
@@ -162,11 +160,16 @@ class Database:
         beside = path.with_name(path.name + "-wal")
         # Nothing is written; what a recorder that died has left in its journal is read with the rest.
         mode = "mode=ro" if beside.is_file() and beside.stat().st_size else "mode=ro&immutable=1"
-        self._uri = f"file:{quote(str(path.absolute()))}?{mode}"
+        self._uri = f"{path.absolute().as_uri()}?{mode}"
+
+    def _opened(self) -> AbstractContextManager[Any]:
+        import sqlite3
+
+        return closing(sqlite3.connect(self._uri, uri=True))
 
     def topics(self) -> list[Topic]:
         """As :class:`Storage` says."""
-        with closing(sqlite3.connect(self._uri, uri=True)) as connection:
+        with self._opened() as connection:
             query = "SELECT name FROM sqlite_master WHERE type = 'table'"  # a view could run for ever
             tables = {name for (name,) in connection.execute(query)}
             if not {"topics", "messages"} <= tables:
@@ -189,7 +192,7 @@ class Database:
 
     def messages(self, keys: set[int]) -> Iterator[tuple[int, bytes]]:
         """As :class:`Storage` says."""
-        with closing(sqlite3.connect(self._uri, uri=True)) as connection:
+        with self._opened() as connection:
             marks = ",".join("?" * len(keys))
             query = f"SELECT timestamp, data FROM messages WHERE topic_id IN ({marks}) ORDER BY id"
             for time, data in connection.execute(query, sorted(keys)):
