@@ -66,7 +66,7 @@ def command(
     chosen = (
         with_fused(tuple(FUNCTIONS) if functions == "all" else listed(functions), fuse, wrench=wrench) or ()
     )
-    formulations = FORMULATIONS if formulation == "all" else (formulation,)
+    formulations = tuple(FORMULATIONS) if formulation == "all" else (formulation,)
     options = Options(chosen, formulations[0], optimize, not no_regroup, engine=engine)  # type: ignore[arg-type]
     options = replace(options, prune=tolerance(prune))
     described = load(robot, strict=strict)

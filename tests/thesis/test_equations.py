@@ -10,11 +10,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from robodyn.dynamics import steps, transforms
+from robodyn.dynamics import transforms
 from robodyn.dynamics.transforms import IDENTITY_4
 from robodyn.effects import thesis_friction
 from robodyn.robot import Robot
 from robodyn.schedule import arithmetic
+from robodyn.thesis import method_steps as steps
 from robodyn.thesis import printed_counts, printed_tasks
 from robodyn.thesis.puma_inverse import PumaArm
 from robodyn.thesis.slips import frames, friction, lagrangian, printed_data, recursion, recursion_slips

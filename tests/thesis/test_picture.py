@@ -7,7 +7,7 @@ import xml.etree.ElementTree as ET
 import pytest
 
 from robodyn.draw.panels import HEIGHT, WIDTH
-from robodyn.dynamics import steps
+from robodyn.thesis import method_steps as steps
 from robodyn.thesis.printed_counts import TABLE_2_9
 from robodyn.thesis.tables.picture import operations_svg
 

@@ -11,11 +11,11 @@ import pytest
 from dynamics.direct import State, exact_arm
 from ir.programs import Point
 from robodyn.counts import Count
-from robodyn.dynamics import steps
 from robodyn.dynamics.newton_euler import newton_euler
-from robodyn.dynamics.steps import Method, by_steps
 from robodyn.dynamics.vectors import cross, plus
 from robodyn.robot import Robot
+from robodyn.thesis import method_steps as steps
+from robodyn.thesis.method_steps import Method, by_steps
 from robodyn.thesis.parts import part_costs, uicker_kahn_by_parts
 from robodyn.thesis.polynomial import difference, fitted, spelled, value
 from robodyn.thesis.steps import STEPS, step_counts

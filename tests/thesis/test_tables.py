@@ -12,11 +12,12 @@ import pytest
 
 from robodyn import InputError
 from robodyn.counts import count
-from robodyn.dynamics import lagrange, lagrange_4x4, steps
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.kernels.generate import Options, program
 from robodyn.optimize.programs import FORMULATIONS
+from robodyn.thesis import method_steps as steps
 from robodyn.thesis import printed_counts as data
+from robodyn.thesis.formulations import lagrange, lagrange_4x4
 from robodyn.thesis.other_tools import PEERS
 from robodyn.thesis.printed_counts import TABLE_1_1
 from robodyn.thesis.tables import (

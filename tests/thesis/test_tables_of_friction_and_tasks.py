@@ -8,12 +8,12 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from robodyn.dynamics import steps
 from robodyn.effects import thesis_friction
 from robodyn.robot import bundled_names
 from robodyn.robot.model import EffectEntry
 from robodyn.schedule import arithmetic, elimination, graph
 from robodyn.schedule.tasks import TASKS
+from robodyn.thesis import method_steps as steps
 from robodyn.thesis import printed_counts as data
 from robodyn.thesis.case_arm import D4_START, led
 from robodyn.thesis.printed_counts import TABLE_2_9, TABLE_3_3

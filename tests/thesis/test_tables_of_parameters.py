@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
-from robodyn.dynamics import steps
 from robodyn.effects import thesis_friction
+from robodyn.thesis import method_steps as steps
 from robodyn.thesis import printed_counts, printed_parameters
 from robodyn.thesis.tables import Table, make, table_2_4, table_2_6, table_3_1, table_3_4
 from thesis.recomputed import Patch, bundled, verdicts

@@ -33,7 +33,7 @@ from robodyn.kernels.options import (
     Trigonometry,
 )
 from robodyn.kernels.rigid_programs import RigidPrograms, SingularArm
-from robodyn.optimize.programs import Choice, NoForwardDynamics, base_set_of, signature
+from robodyn.optimize.programs import FORMULATIONS, Choice, NoForwardDynamics, base_set_of, signature
 from robodyn.passes.angles import angles_first
 from robodyn.passes.arctangents import arctangents_together
 from robodyn.passes.registers import registers
@@ -225,19 +225,6 @@ def _with_sc(interface: Signature, size: int) -> Signature:
     return dataclasses.replace(interface, inputs=inputs)
 
 
-_TITLES = {
-    "modified_newton_euler": "modified Newton-Euler (lambda matrix)",
-    "newton_euler": "Newton-Euler",
-    "newton_euler_base": "Newton-Euler along the base's axes",
-    "orin": "Orin's Newton-Euler (motion along the base's axes, forces along each link's)",
-    "balafoutis": "Balafoutis's tensor recursion",
-    "kane": "Kane's equations",
-    "lagrange": "closed-form Lagrange (Uicker, Kahn)",
-    "lagrange_4x4": "recursive Lagrange with 4x4 matrices (Hollerbach)",
-    "lagrange_3x3": "recursive Lagrange with 3x3 matrices (Hollerbach)",
-}
-
-
 @rarely_collected()
 def program(robot: Robot | str | PathLike[str], function: str, options: Options | None = None) -> Program:
     """The optimised program of one function of ``robot`` (or of that path or name), with its effects.
@@ -297,7 +284,7 @@ def _target_note(options: Options) -> str | None:
 
 
 def _method(choice: Choice) -> tuple[str, ...]:
-    method = f"Formulation: {_TITLES[choice.formulation]} in modified Denavit-Hartenberg frames"
+    method = f"Formulation: {FORMULATIONS[choice.formulation]} in modified Denavit-Hartenberg frames"
     if choice.regroup:
         method += (
             ", on base parameters: fc and nc act at and about the frame's origin, and what of a link's mass "

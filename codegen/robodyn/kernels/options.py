@@ -89,7 +89,7 @@ class Options:
     def __post_init__(self) -> None:
         if self.functions is not None:
             _check_functions(self.functions)
-        _one_of("formulation", self.formulation, FORMULATIONS)
+        _one_of("formulation", self.formulation, tuple(FORMULATIONS))
         _one_of("level of optimisation", self.optimize, LEVELS)
         _one_of("scalar", self.scalar, SCALARS)
         _one_of("kind of sine and cosine", self.trig, TRIGONOMETRY)

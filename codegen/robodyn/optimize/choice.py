@@ -7,9 +7,10 @@ the motion of the links is put first, base to tip, then forces and moments, tip 
 
 from __future__ import annotations
 
+import importlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robodyn.dynamics.functions import Function
 from robodyn.dynamics.fusing import Writing
@@ -23,18 +24,32 @@ from robodyn.ir.program import STATE, Iteration, Program
 from robodyn.optimize.variant import Variant
 from robodyn.passes.order import before_use
 
-#: Formulations of the inverse dynamics, from the description as it stands.
-FORMULATIONS = (
-    "modified_newton_euler",
-    "newton_euler",
-    "newton_euler_base",
-    "orin",
-    "balafoutis",
-    "kane",
-    "lagrange_3x3",
-    "lagrange_4x4",
-    "lagrange",
-)
+if TYPE_CHECKING:
+    from robodyn.dynamics.arm import Arm, Motion
+    from robodyn.dynamics.vectors import Mark
+
+_OWN = {
+    "modified_newton_euler": "modified Newton-Euler (lambda matrix)",
+    "newton_euler": "Newton-Euler",
+}
+#: The package that registers further formulations. Its name is all that the generator holds of it.
+_FURTHER = "robodyn.thesis.formulations"
+#: Formulations of the inverse dynamics, from the description as it stands, and their titles.
+FORMULATIONS: dict[str, str] = {**_OWN, **importlib.import_module(_FURTHER).TITLES}
+
+
+def formulation_named(name: str) -> Callable[[Arm, Motion, Mark], Sequence[Any]]:
+    """The function from an arm in motion to its joint torques, imported when it is asked for.
+
+    Raises
+    ------
+    InputError: there is no such formulation.
+    """
+    if name not in FORMULATIONS:
+        raise InputError(f"unknown formulation {name!r}", expected=f"one of {', '.join(FORMULATIONS)}")
+    module = importlib.import_module(f"{'robodyn.dynamics' if name in _OWN else _FURTHER}.{name}")
+    function: Callable[[Arm, Motion, Mark], Sequence[Any]] = getattr(module, name)
+    return function
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +93,7 @@ def choice_from(data: Any) -> Choice:
     for name in ("regroup", "chains"):
         if not isinstance(settings.get(name, True), bool):
             raise InputError(f"{name} must be true or false", found=repr(settings[name]))
-    if settings.get("formulation", FORMULATIONS[0]) not in FORMULATIONS:
+    if settings.get("formulation", "newton_euler") not in FORMULATIONS:
         raise InputError(
             "unknown formulation",
             found=repr(settings["formulation"]),

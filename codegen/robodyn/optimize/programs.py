@@ -5,7 +5,6 @@ Here a robot becomes a graph: the recursions of this room run on nodes.
 
 from __future__ import annotations
 
-import importlib
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
@@ -40,7 +39,7 @@ from robodyn.optimize.base_parameters import base_newton_euler
 from robodyn.optimize.cheapest import Cheapest
 from robodyn.optimize.choice import FORMULATIONS as FORMULATIONS
 from robodyn.optimize.choice import Choice as Choice
-from robodyn.optimize.choice import Inputs, Split, in_reading_order, iterated
+from robodyn.optimize.choice import Inputs, Split, formulation_named, in_reading_order, iterated
 from robodyn.optimize.choice import choice_from as choice_from
 from robodyn.optimize.costing import exact as exact
 from robodyn.optimize.gauge import regrouped_as, with_displacements
@@ -314,14 +313,8 @@ def _inverse_dynamics(
     trigonometry: Trigonometry,
     constant: Callable[[Fraction], Any],
 ) -> Inverse:
-    if choice.formulation not in FORMULATIONS:
-        raise InputError(
-            f"unknown formulation {choice.formulation!r}", expected=f"one of {', '.join(FORMULATIONS)}"
-        )
     if choice.formulation != "modified_newton_euler" or not choice.regroup:
-        # A module and its function bear the formulation's name; only the one asked for is imported.
-        home = importlib.import_module(f"robodyn.dynamics.{choice.formulation}")
-        book = getattr(home, choice.formulation)
+        book = formulation_named(choice.formulation)
         return lambda qd, qdd, mark: list(
             book(arm, build_motion(arm, q, qd, qdd, trigonometry, constant), mark)
         )

@@ -15,7 +15,6 @@ from typing import Any, Final
 
 from robodyn.counts.general import general_arm
 from robodyn.dynamics.arm import Arm
-from robodyn.dynamics.logarithmic import logarithmic
 from robodyn.dynamics.modified_newton_euler import modified_newton_euler
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.ir.graph import Graph, Node
@@ -24,6 +23,7 @@ from robodyn.ir.program import Program
 from robodyn.schedule.cutting import cut
 from robodyn.schedule.graph import TaskGraph
 from robodyn.schedule.tasks import FLOPS_PER_TASK
+from robodyn.thesis.formulations.logarithmic import logarithmic
 
 Form = Callable[..., list[Any]]
 

@@ -12,8 +12,8 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.counts.general import Tally
-from robodyn.dynamics.lagrange import weighed
 from robodyn.dynamics.transforms import Matrix, applied, inner, product
+from robodyn.thesis.formulations.lagrange import weighed
 
 Cost = tuple[int, int]
 

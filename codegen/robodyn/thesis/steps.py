@@ -14,12 +14,12 @@ from typing import Any, Literal
 
 from robodyn.counts.count import Count
 from robodyn.counts.general import Tally
-from robodyn.dynamics import steps
 from robodyn.dynamics.arm import Symmetric
 from robodyn.dynamics.modified_newton_euler import Lambda
-from robodyn.dynamics.steps import Method
 from robodyn.dynamics.transforms import Matrix
 from robodyn.dynamics.vectors import ZERO, Vector, plus
+from robodyn.thesis import method_steps as steps
+from robodyn.thesis.method_steps import Method
 
 #: The rows of Table 2.9.
 STEPS = ("omega", "alpha", "lambda", "a", "a_c", "F", "N", "f", "f_rotated", "n")

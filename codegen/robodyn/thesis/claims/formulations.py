@@ -7,16 +7,16 @@ from itertools import pairwise
 from typing import Any, Final
 
 from robodyn.counts.general import general_count
-from robodyn.dynamics import steps
 from robodyn.dynamics.equality import equals_recursion
-from robodyn.dynamics.steps import Method
 from robodyn.dynamics.transforms import product, transposed
 from robodyn.kernels.generate import Options, program
 from robodyn.robot.bundled import bundled_names
 from robodyn.schedule import Machine, Sparsity, solve, sparsity
 from robodyn.schedule.cutting import cut
+from robodyn.thesis import method_steps as steps
 from robodyn.thesis.claims.arms import LINKS, PUMA, STANFORD, Arms
 from robodyn.thesis.claims.claim import Outcome
+from robodyn.thesis.method_steps import Method
 from robodyn.thesis.polynomial import fitted, value
 from robodyn.thesis.printed_counts import TABLE_1_1, TABLE_2_9, Pair
 from robodyn.thesis.printed_tasks import TABLE_4_4, TABLE_4_4_ZEROS

@@ -12,13 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.counts.general import Tally
-from robodyn.dynamics import steps
 from robodyn.dynamics.arm import Body, Symmetric
 from robodyn.dynamics.modified_newton_euler import Kinematics, inertia_moment
 from robodyn.dynamics.transforms import Matrix, rotation, transform, transposed
 from robodyn.dynamics.vectors import ZERO
 from robodyn.robot import bundled_names
 from robodyn.robot.values import quarter_turns
+from robodyn.thesis import method_steps as steps
 from robodyn.thesis.slips.comparison import Comparison, compared
 from robodyn.thesis.slips.recursion import Recursion, bundled, scalars, states
 from robodyn.thesis.slips.recursion_slips import PlusIn36

@@ -1,7 +1,7 @@
 """Appendix A: Lagrange's equations in closed form and Hollerbach's two recursions, a slip at a time.
 
-The right forms are those of :mod:`robodyn.dynamics.lagrange`, :mod:`~robodyn.dynamics.lagrange_4x4` and
-:mod:`~robodyn.dynamics.lagrange_3x3`, here once more so that one term can be as it is printed.
+The right forms are ``lagrange``, ``lagrange_4x4`` and ``lagrange_3x3`` of :mod:`robodyn.thesis.formulations`,
+here once more so that one term can be as it is printed.
 Where the print cannot be computed as it stands (a scalar product of vectors of unequal length) the nearest
 reading that can is taken; the table says which. Source: Dhanaraj 1990, A.1 to A.3.
 """
@@ -12,7 +12,6 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 from robodyn.dynamics.arm import Arm, Body, Motion, origin
-from robodyn.dynamics.lagrange import transform_slopes, weighed
 from robodyn.dynamics.transforms import (
     IDENTITY_4,
     TURN_4,
@@ -33,6 +32,7 @@ from robodyn.dynamics.transforms import (
     transposed,
 )
 from robodyn.dynamics.vectors import unmarked
+from robodyn.thesis.formulations.lagrange import transform_slopes, weighed
 from robodyn.thesis.slips.comparison import Comparison, compared
 from robodyn.thesis.slips.recursion import bundled, newton_euler, scalars, stacked, states
 

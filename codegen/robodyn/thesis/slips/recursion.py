@@ -14,13 +14,13 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.dynamics import steps
 from robodyn.dynamics.arm import Arm, Body, Motion, build_arm, build_motion, origin, trigonometry_at
 from robodyn.dynamics.modified_newton_euler import NO_ROTATION, Lambda
 from robodyn.dynamics.transforms import Matrix, rotation
 from robodyn.dynamics.vectors import ZERO, Vector, plus
 from robodyn.robot import load
 from robodyn.robot.model import Robot
+from robodyn.thesis import method_steps as steps
 from robodyn.thesis.slips.comparison import Comparison, compared
 from robodyn.verify.numbers import real
 from robodyn.verify.reference import Reference

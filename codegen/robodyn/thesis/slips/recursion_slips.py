@@ -8,11 +8,11 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from typing import Any
 
-from robodyn.dynamics import steps
 from robodyn.dynamics.arm import Arm, Body, Motion, origin
 from robodyn.dynamics.modified_newton_euler import Lambda
 from robodyn.dynamics.transforms import Matrix, product, rotation, transposed
 from robodyn.dynamics.vectors import ZERO, Vector, cross, plus, scaled
+from robodyn.thesis import method_steps as steps
 from robodyn.thesis.slips.recursion import Recursion
 
 

@@ -12,7 +12,7 @@ from typing import Final
 from robodyn.counts.general import general_count
 from robodyn.draw.panels import Bars, Curve, Panel, figure
 from robodyn.draw.style import BLUE, GREEN, PURPLE, VERMILION
-from robodyn.dynamics.steps import Method
+from robodyn.thesis.method_steps import Method
 from robodyn.thesis.polynomial import value
 from robodyn.thesis.printed_counts import TABLE_1_1, TABLE_2_9
 from robodyn.thesis.tables import table_2_9

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -10,6 +9,7 @@ from typing import Any, Final
 
 from robodyn.counts import Count
 from robodyn.counts.general import Formulation, general_count
+from robodyn.optimize.choice import formulation_named
 from robodyn.thesis.parts import uicker_kahn_by_parts
 from robodyn.thesis.polynomial import Polynomial, difference, fitted, spelled, value
 from robodyn.thesis.printed_counts import TABLE_1_1, PrintedCost
@@ -117,8 +117,8 @@ UNLISTED: Final = {
 
 
 def formulation(name: str) -> Formulation:
-    """The recursion of that name; module and function share it."""
-    function = getattr(importlib.import_module(f"robodyn.dynamics.{name}"), name)
+    """The recursion of that name."""
+    function = formulation_named(name)
     return lambda arm, motion, mark: list(function(arm, motion, mark))
 
 

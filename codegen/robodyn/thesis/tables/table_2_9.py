@@ -8,7 +8,7 @@ from robodyn.counts import Count
 from robodyn.counts.general import general_count
 from robodyn.dynamics.modified_newton_euler import modified_newton_euler
 from robodyn.dynamics.newton_euler import newton_euler
-from robodyn.dynamics.steps import Method
+from robodyn.thesis.method_steps import Method
 from robodyn.thesis.printed_counts import TABLE_2_9, Pair
 from robodyn.thesis.steps import STEPS, Rotation, step_counts
 from robodyn.thesis.tables.table import Column, Row, Table, apart, counted, judged, pair, summed

@@ -3,7 +3,7 @@
 Method II is the conventional recursion (Table 2.3), method I the one with the lambda matrix (Table 2.4, its
 misprints mended). Written as those tables have them, term by term and with ``R`` a full 3x3 matrix, which is
 how Table 2.9 counts them joint by joint; :func:`by_steps` puts the steps together to the recursion. For
-kernels there are :mod:`.modified_newton_euler` and :mod:`.newton_euler`.
+kernels there are :mod:`robodyn.dynamics.modified_newton_euler` and :mod:`robodyn.dynamics.newton_euler`.
 
 Source: Dhanaraj 1990, Tables 2.3, 2.4 and 2.9. ``R`` is the rotation from a link's axes to those before,
 ``p`` the link's origin in the frame before, ``s`` its centre of mass.

@@ -14,19 +14,19 @@ from dynamics.direct import NO_SHRINKING, Recorder, State, exact_arm
 from ir.programs import Point, every_value
 from robodyn import Options, load, program
 from robodyn.counts.general import general_count
-from robodyn.dynamics import newton_euler_base as base_module
-from robodyn.dynamics import orin as orin_module
 from robodyn.dynamics.arm import Arm, Motion
-from robodyn.dynamics.base_frame import motion_in_base, turned
 from robodyn.dynamics.newton_euler import newton_euler
-from robodyn.dynamics.newton_euler_base import inertia_in_base, newton_euler_base
-from robodyn.dynamics.orin import orin
 from robodyn.dynamics.transforms import IDENTITY_3, product, transposed
 from robodyn.dynamics.vectors import Mark, unmarked
 from robodyn.ir import Label
 from robodyn.ir.fingerprint import fingerprint
 from robodyn.robot import Robot
 from robodyn.robot.values import circle_point
+from robodyn.thesis.formulations import newton_euler_base as base_module
+from robodyn.thesis.formulations import orin as orin_module
+from robodyn.thesis.formulations.base_frame import motion_in_base, turned
+from robodyn.thesis.formulations.newton_euler_base import inertia_in_base, newton_euler_base
+from robodyn.thesis.formulations.orin import orin
 from robodyn.verify.exact import exact_torque
 
 Formulation = Callable[[Arm, Motion, Mark], list[Any]]

@@ -15,10 +15,10 @@ from __future__ import annotations
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, Motion, into_parent, origin
-from robodyn.dynamics.base_frame import motion_in_base, turned
 from robodyn.dynamics.joints import joint_torque
 from robodyn.dynamics.transforms import transposed
 from robodyn.dynamics.vectors import ZERO, Mark, Vector, cross, named, plus, scaled, unmarked
+from robodyn.thesis.formulations.base_frame import motion_in_base, turned
 
 
 def orin(arm: Arm, motion: Motion, mark: Mark = unmarked) -> list[Any]:

@@ -18,14 +18,8 @@ from ir.programs import Point, exactly
 from robodyn import Options, load, program
 from robodyn.counts import Count, count
 from robodyn.counts.general import Formulation, general_count
-from robodyn.dynamics import lagrange as closed
-from robodyn.dynamics import lagrange_3x3 as three
-from robodyn.dynamics import lagrange_4x4 as four
 from robodyn.dynamics import transforms
 from robodyn.dynamics.arm import JointAngle, build_arm, build_motion
-from robodyn.dynamics.lagrange import lagrange
-from robodyn.dynamics.lagrange_3x3 import lagrange_3x3
-from robodyn.dynamics.lagrange_4x4 import lagrange_4x4
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.dynamics.vectors import unmarked
 from robodyn.ir import Graph, Program
@@ -35,6 +29,12 @@ from robodyn.optimize.programs import exact, turned
 from robodyn.passes import FRESH, run
 from robodyn.robot import Robot
 from robodyn.robot.values import circle_point
+from robodyn.thesis.formulations import lagrange as closed
+from robodyn.thesis.formulations import lagrange_3x3 as three
+from robodyn.thesis.formulations import lagrange_4x4 as four
+from robodyn.thesis.formulations.lagrange import lagrange
+from robodyn.thesis.formulations.lagrange_3x3 import lagrange_3x3
+from robodyn.thesis.formulations.lagrange_4x4 import lagrange_4x4
 from robodyn.verify import Reference
 from robodyn_testing.random_robots import random_states
 

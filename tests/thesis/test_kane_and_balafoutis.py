@@ -19,11 +19,7 @@ from dynamics.direct import Recorder, State, exact_arm
 from ir.programs import Point, every_value
 from robodyn import load, program
 from robodyn.counts import Count, count
-from robodyn.dynamics import balafoutis as balafoutis_module
-from robodyn.dynamics import kane as kane_module
 from robodyn.dynamics.arm import Arm, JointAngle, Motion, build_arm, build_motion
-from robodyn.dynamics.balafoutis import augmented_links, balafoutis, dual_moment
-from robodyn.dynamics.kane import kane
 from robodyn.dynamics.modified_newton_euler import forward_pass, inertia_moment
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.dynamics.regroup import lumps_of
@@ -35,6 +31,10 @@ from robodyn.optimize.programs import exact, turned
 from robodyn.passes import FRESH, run, units
 from robodyn.robot import Inertia, Joint, Link, Robot, bundled_names
 from robodyn.robot.values import angle, circle_point
+from robodyn.thesis.formulations import balafoutis as balafoutis_module
+from robodyn.thesis.formulations import kane as kane_module
+from robodyn.thesis.formulations.balafoutis import augmented_links, balafoutis, dual_moment
+from robodyn.thesis.formulations.kane import kane
 from robodyn.verify import Reference
 from robodyn_testing.random_robots import random_states
 

@@ -14,10 +14,10 @@ from __future__ import annotations
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, Motion, Symmetric
-from robodyn.dynamics.base_frame import along, motion_in_base, turned
 from robodyn.dynamics.joints import joint_torque
 from robodyn.dynamics.transforms import Matrix, inner, product
 from robodyn.dynamics.vectors import ZERO, Mark, Vector, cross, named, plus, scaled, unmarked
+from robodyn.thesis.formulations.base_frame import along, motion_in_base, turned
 
 
 def newton_euler_base(arm: Arm, motion: Motion, mark: Mark = unmarked) -> list[Any]:

@@ -8,8 +8,8 @@ import pytest
 
 from dynamics.direct import State, exact_arm
 from ir.programs import Point
-from robodyn.dynamics.logarithmic import Running, doubling, logarithmic, tree
 from robodyn.dynamics.newton_euler import newton_euler
+from robodyn.thesis.formulations.logarithmic import Running, doubling, logarithmic, tree
 
 RUNNING: tuple[Running, ...] = ("doubling", "tree")
 
