@@ -181,7 +181,7 @@ def with_fused(
 ) -> tuple[str, ...] | None:
     """``functions``, and those that ``--fuse`` asks for, with a ``wrench`` if there is one; None where
     nothing is asked for."""
-    from robodyn.dynamics.fusing import AND
+    from robodyn.dynamics.functions.fusing import AND
 
     if functions is None and not fuse and not wrench:
         return None

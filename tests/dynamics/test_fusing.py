@@ -10,8 +10,7 @@ import pytest
 from ir.programs import Point, exactly
 from robodyn import Options, compile, load, program
 from robodyn.counts import count
-from robodyn.dynamics import fusing
-from robodyn.dynamics.functions import function_named
+from robodyn.dynamics.functions import function_named, fusing
 from robodyn.errors import InputError
 from robodyn.kernels.generate import generate
 from robodyn.kernels.proof import Unequal

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from robodyn.dynamics import closing
-from robodyn.dynamics.functions.record import NoSuchFunction
 from robodyn.dynamics.inverse import Numerical
+from robodyn.dynamics.state import NoSuchFunction
 from robodyn.kernels import proof
 from robodyn.optimize.programs import Choice, build, inverse_kinematics_of
 from robodyn.robot.model import Robot

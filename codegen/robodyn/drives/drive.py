@@ -12,7 +12,7 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.joints import smoothed_sign
-from robodyn.dynamics.rotor import Rotor
+from robodyn.dynamics.state import Rotor
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Effect, Site
 from robodyn.effects.scalars import is_zero

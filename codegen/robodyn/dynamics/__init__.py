@@ -1,1 +1,15 @@
-"""The formulations: each a recursion over any scalar that reads like the equations in the book."""
+"""The book: recursions over any scalar, kinematics, derivatives, regressor, and the table of functions.
+
+Modules and packages from the bottom to the top, each of which imports only those that stand before it:
+
+- numbers and frames: ``limits vectors frame arm transforms``
+- one arm, and what its functions ask of it: ``lump parallel base_parameter rigid_drives state iterative``
+- motion of frames: ``kinematics sections poses jacobians drift dual``
+- masses: ``carried regroup composite spatial weights energy momenta mass_matrix``
+- recursions: ``joints newton_euler modified_newton_euler derivatives articulated``
+- what rests on recursions: ``operational responses wrenches regressor base_set``
+- references: ``free_bodies described``
+- joint positions of a pose: ``inverse``
+- the table of functions: ``functions``
+- programs of functions, put together and proven: ``upon compose closing equality``
+"""

@@ -14,9 +14,9 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.arm import Symmetric, about_x, about_z, into_child, origin
-from robodyn.dynamics.functions.record import Moving
 from robodyn.dynamics.joints import joint_torque
 from robodyn.dynamics.spatial import Pair, Spatial, inertia_of, less
+from robodyn.dynamics.state import Moving
 from robodyn.dynamics.vectors import ZERO, Mark, Vector, cross, dot, named, plus, scaled, unmarked
 from robodyn.effects.scalars import is_zero
 from robodyn.ir.program import Label

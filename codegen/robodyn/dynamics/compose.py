@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from robodyn.dynamics.functions import Dynamics, Function, torques_at
-from robodyn.dynamics.functions.record import Vector
+from robodyn.dynamics.state import Vector
 from robodyn.dynamics.upon import Upon
 from robodyn.ir.derivative import jacobian
 from robodyn.ir.graph import Graph

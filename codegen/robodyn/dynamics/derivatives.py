@@ -22,8 +22,8 @@ from typing import Any
 
 from robodyn.dynamics.arm import Arm, about_x, about_z, origin
 from robodyn.dynamics.composite import NOTHING, Composite, moving, named_composite
-from robodyn.dynamics.functions.record import Moving
 from robodyn.dynamics.modified_newton_euler import Lambda, lambda_matrix
+from robodyn.dynamics.state import Moving
 from robodyn.dynamics.vectors import ZERO, Mark, Vector, cross, dot, named, plus, scaled, unmarked
 
 #: Rows of scalars.

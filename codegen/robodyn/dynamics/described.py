@@ -7,16 +7,15 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, Motion
-from robodyn.dynamics.choosing import First
 from robodyn.dynamics.dual import moving_along, slopes
 from robodyn.dynamics.free_bodies import reactions
-from robodyn.dynamics.functions.record import Moving
 from robodyn.dynamics.limits import ROUNDING
 from robodyn.dynamics.lump import NO_LUMP, MomentForm
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.dynamics.parallel import Turns, single_turns
 from robodyn.dynamics.regroup import lumps_of
 from robodyn.dynamics.rigid_drives import RigidDrives
+from robodyn.dynamics.state import First, Moving
 from robodyn.dynamics.vectors import Vector, unmarked
 
 

@@ -13,8 +13,8 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from robodyn.dynamics.arm import about_z
-from robodyn.dynamics.functions.record import Dynamics
 from robodyn.dynamics.sections import Section, Step, along, grounded, sections_of
+from robodyn.dynamics.state import Dynamics
 from robodyn.dynamics.vectors import ZERO, Vector, named, plus
 
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-#: What gives numbers of an arm at one state, a :class:`~robodyn.dynamics.functions.record.Dynamics`.
+#: What gives numbers of an arm at one state, a :class:`~robodyn.dynamics.state.Dynamics`.
 Stage = Callable[[Any], Sequence[Any]]
 
 

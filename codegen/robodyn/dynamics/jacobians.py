@@ -15,10 +15,10 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
-from robodyn.dynamics.functions.record import Dynamics
 from robodyn.dynamics.limits import SECTIONS_TRIED
 from robodyn.dynamics.poses import placed
 from robodyn.dynamics.sections import ROWS, Placed, Row, Section, along, tried
+from robodyn.dynamics.state import Dynamics
 from robodyn.dynamics.vectors import ZERO, Vector, cross, named, plus, scaled
 
 #: What is tried: a row of the axes that is made of the others, and from how many sections nearby directions

@@ -6,7 +6,7 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, Motion
-from robodyn.dynamics.rotor import Rotor
+from robodyn.dynamics.state import Rotor
 from robodyn.dynamics.vectors import Mark
 from robodyn.effects.scalars import is_zero, sign, tangent
 from robodyn.ir.program import Label

@@ -17,14 +17,14 @@ from typing import TYPE_CHECKING, Any
 
 from robodyn.dynamics.arm import Arm, Motion, about_x, about_z, origin
 from robodyn.dynamics.lump import Lump
-from robodyn.dynamics.rotor import Rotor
+from robodyn.dynamics.state import Rotor
 from robodyn.dynamics.vectors import ZERO, Mark, Vector, cross, dot, named, plus, scaled, unmarked
 from robodyn.effects.scalars import is_zero
 from robodyn.ir.program import Label
 
 if TYPE_CHECKING:
-    from robodyn.dynamics.functions.record import Moving
     from robodyn.dynamics.parallel import Turns
+    from robodyn.dynamics.state import Moving
 
 HALF = Fraction(1, 2)
 

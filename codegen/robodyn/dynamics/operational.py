@@ -10,9 +10,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from robodyn.dynamics.functions.record import Dynamics
 from robodyn.dynamics.jacobians import columns
 from robodyn.dynamics.mass_matrix import Factored
+from robodyn.dynamics.state import Dynamics
 from robodyn.effects.scalars import is_zero
 from robodyn.ir.program import Label
 

@@ -15,7 +15,6 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
-from robodyn.dynamics.functions.record import Dynamics
 from robodyn.dynamics.limits import SECTIONS_TRIED
 from robodyn.dynamics.sections import (
     ROWS,
@@ -31,6 +30,7 @@ from robodyn.dynamics.sections import (
     tried,
     with_cofactor,
 )
+from robodyn.dynamics.state import Dynamics
 from robodyn.dynamics.vectors import ZERO, Vector, named, plus
 from robodyn.effects.scalars import is_zero
 

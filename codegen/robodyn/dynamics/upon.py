@@ -7,10 +7,10 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from robodyn.dynamics.arm import Arm, Motion
-from robodyn.dynamics.functions.record import Dynamics, Moving, Rotor
 from robodyn.dynamics.lump import MomentForm
 from robodyn.dynamics.parallel import Turns
 from robodyn.dynamics.rigid_drives import RigidDrives
+from robodyn.dynamics.state import Dynamics, Moving, Rotor
 
 if TYPE_CHECKING:
     from robodyn.dynamics.base_parameter import BaseParameter

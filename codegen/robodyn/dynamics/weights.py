@@ -14,8 +14,8 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.arm import about_x, about_z, origin
-from robodyn.dynamics.functions.record import Dynamics, Moving
 from robodyn.dynamics.lump import Lump
+from robodyn.dynamics.state import Dynamics, Moving
 from robodyn.dynamics.vectors import ZERO, Mark, Vector, dot, named, plus, scaled, unmarked
 from robodyn.ir.program import Label
 

@@ -9,9 +9,9 @@ from collections.abc import Sequence
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, Motion, into_child, origin
-from robodyn.dynamics.functions.record import Dynamics
 from robodyn.dynamics.jacobians import columns
 from robodyn.dynamics.poses import placed, tool_place
+from robodyn.dynamics.state import Dynamics
 from robodyn.dynamics.vectors import Vector, cross, dot, named, plus, scaled
 
 

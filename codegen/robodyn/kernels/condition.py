@@ -23,7 +23,7 @@ from robodyn.dynamics.functions import INPUTS, Rotor, function_named
 from robodyn.dynamics.joints import rotors_of
 from robodyn.dynamics.limits import PROVEN_DIGITS
 from robodyn.dynamics.newton_euler import newton_euler
-from robodyn.dynamics.rotor import with_rotors
+from robodyn.dynamics.state import with_rotors
 from robodyn.ir.digits import evaluate_to_digits, to_digits
 from robodyn.ir.evaluate import turn
 from robodyn.ir.fingerprint import digest
@@ -82,7 +82,7 @@ def _meets_condition(robot: Robot, function: str, program: Program, digits: int)
 
 class _ToDigits(AsDescribed):
     """Newton-Euler with the drives on it over numbers of mpmath, effects that remember in their steady form;
-    see :class:`robodyn.dynamics.functions.record.ReferenceDynamics`. ``step``: that of differences."""
+    see :class:`robodyn.dynamics.state.ReferenceDynamics`. ``step``: that of differences."""
 
     def __init__(self, robot: Robot, inputs: dict[Input, Any], step: Any) -> None:
         self._robot, self._values, self._step = robot, inputs, step

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from robodyn.dynamics.equality import same_in_field
 from robodyn.dynamics.functions import function_named
-from robodyn.dynamics.functions.record import NoSuchFunction
+from robodyn.dynamics.state import NoSuchFunction
 from robodyn.ir.program import Program
 from robodyn.ir.signature import ScalarType
 from robodyn.optimize.programs import inverse_kinematics_of

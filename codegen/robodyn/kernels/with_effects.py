@@ -24,7 +24,7 @@ from robodyn.dynamics.functions import Function, Rotor, function_named, torques_
 from robodyn.dynamics.kinematics import frames
 from robodyn.dynamics.modified_newton_euler import modified_newton_euler
 from robodyn.dynamics.newton_euler import newton_euler
-from robodyn.dynamics.rotor import with_rotors
+from robodyn.dynamics.state import with_rotors
 from robodyn.dynamics.upon import Upon
 from robodyn.dynamics.vectors import cross, plus, scaled
 from robodyn.effects.effect import Site

@@ -6,7 +6,7 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from itertools import combinations, product
 from typing import Any
 
-from robodyn.dynamics.choosing import Ways
+from robodyn.dynamics.state import Ways
 from robodyn.ir.graph import Graph, Node
 
 #: What counts, as :mod:`robodyn.counts` has it; a division and a root like anything else.
@@ -17,7 +17,7 @@ _IN_PAIRS = 60
 
 class Cheapest:
     """Chooses, and remembers what it chose: values that are needed already cost nothing again. A
-    :class:`~robodyn.dynamics.choosing.Chooser`.
+    :class:`~robodyn.dynamics.state.Chooser`.
 
     Sets of operations are integers, a bit for each operation that was asked for.
     """

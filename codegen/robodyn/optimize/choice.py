@@ -13,7 +13,7 @@ from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING, Any
 
 from robodyn.dynamics.functions import Function
-from robodyn.dynamics.fusing import Writing
+from robodyn.dynamics.functions.fusing import Writing
 from robodyn.dynamics.iterative import Iterative
 from robodyn.dynamics.lump import MomentForm
 from robodyn.errors import InputError

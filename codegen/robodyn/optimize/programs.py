@@ -19,7 +19,7 @@ from robodyn.dynamics.arm import (
     inertial,
 )
 from robodyn.dynamics.functions import Moving, NoSuchFunction, Rotor, function_named
-from robodyn.dynamics.fusing import Writing
+from robodyn.dynamics.functions.fusing import Writing
 from robodyn.dynamics.joints import rotors_of
 from robodyn.dynamics.limits import ROUNDING
 from robodyn.dynamics.lump import NO_LUMP, MomentForm

@@ -23,7 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.dynamics.functions import INPUTS, Function, function_named
-from robodyn.dynamics.fusing import parts_of
+from robodyn.dynamics.functions.fusing import parts_of
 from robodyn.errors import InputError, ToolError
 from robodyn.robot.model import Robot
 from robodyn.verify.judging import beside_terms, is_regular, relative_to, ulps_of

@@ -25,7 +25,7 @@ from robodyn.dynamics.arm import (
 from robodyn.dynamics.described import AsDescribed
 from robodyn.dynamics.functions import Function, Rotor
 from robodyn.dynamics.joints import rotors_of
-from robodyn.dynamics.rotor import with_rotors
+from robodyn.dynamics.state import with_rotors
 from robodyn.dynamics.vectors import Vector
 from robodyn.errors import InputError
 from robodyn.ir.evaluate import turn

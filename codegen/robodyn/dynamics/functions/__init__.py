@@ -11,16 +11,9 @@ from pathlib import Path
 from typing import Any
 
 from robodyn.dynamics.functions.arguments import INPUTS, SC, Array
-from robodyn.dynamics.functions.record import (
-    WITH_WRENCH,
-    Dynamics,
-    Function,
-    Moving,
-    NoSuchFunction,
-    Pair,
-    Rotor,
-)
-from robodyn.dynamics.fusing import AND, fused
+from robodyn.dynamics.functions.fusing import AND, fused
+from robodyn.dynamics.functions.record import WITH_WRENCH, Function, Pair
+from robodyn.dynamics.state import Dynamics, Moving, NoSuchFunction, Rotor
 from robodyn.effects.scalars import is_zero
 from robodyn.errors import InputError
 
@@ -78,7 +71,7 @@ def registered(functions: Iterable[Function]) -> dict[str, Function]:
 def _files() -> Iterable[Function]:
     folder = Path(__file__).parent
     for file in sorted(folder.glob("*.py")):
-        if file.stem not in ("__init__", "arguments", "record"):
+        if file.stem not in ("__init__", "arguments", "fusing", "record"):
             yield from importlib.import_module(f"{__name__}.{file.stem}").FUNCTIONS
 
 

@@ -11,8 +11,9 @@ from typing import Any
 
 from robodyn.dynamics.derivatives import coriolis_matrix
 from robodyn.dynamics.functions.arguments import Array, Q
-from robodyn.dynamics.functions.record import Dynamics, Function, NoSuchFunction, Pair, Vector
+from robodyn.dynamics.functions.record import Function, Pair
 from robodyn.dynamics.limits import SYMBOLS_JOINTS
+from robodyn.dynamics.state import Dynamics, NoSuchFunction, Vector
 
 H = Array("h", "torques by products of velocities qd_k qd_m", "N m s^2/rad^2", shape=("n", "n", "n"))
 

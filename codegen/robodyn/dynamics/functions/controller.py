@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from robodyn.dynamics.functions.fusing import fused
 from robodyn.dynamics.functions.kinematics import FUNCTIONS as KINEMATICS
 from robodyn.dynamics.functions.standard import FUNCTIONS as STANDARD
-from robodyn.dynamics.fusing import fused
 
 _KNOWN = {function.name: function for function in (*KINEMATICS, *STANDARD)}
 _PARTS = ("forward_kinematics", "jacobian", "bias", "mass_matrix")

@@ -8,10 +8,11 @@ from typing import Any
 
 from robodyn.dynamics.derivatives import coriolis_matrix, torque_derivatives
 from robodyn.dynamics.functions.arguments import QD, QDD, TAU, Array, Length, Q
-from robodyn.dynamics.functions.record import Dynamics, Function, Pair, ReferenceDynamics, Vector
+from robodyn.dynamics.functions.record import Function, Pair
 from robodyn.dynamics.joints import friction_slope
 from robodyn.dynamics.mass_matrix import Factored, solve_symmetric
 from robodyn.dynamics.newton_euler import newton_euler
+from robodyn.dynamics.state import Dynamics, ReferenceDynamics, Vector
 
 
 def _square(name: str, holds: str, unit: str) -> Array:

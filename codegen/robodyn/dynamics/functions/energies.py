@@ -9,9 +9,10 @@ from robodyn.dynamics.arm import Motion
 from robodyn.dynamics.dual import moving_along, slopes
 from robodyn.dynamics.energy import energies
 from robodyn.dynamics.functions.arguments import QD, Array, Q
-from robodyn.dynamics.functions.record import Dynamics, Function, Pair, Vector
+from robodyn.dynamics.functions.record import Function, Pair
 from robodyn.dynamics.joints import joint_torque
 from robodyn.dynamics.momenta import HALF, kinetic_energy, momenta
+from robodyn.dynamics.state import Dynamics, Vector
 from robodyn.dynamics.weights import holding_torques, potential_inward, potential_outward, weighed
 
 T = Array("E_kin", "kinetic energy", "J", shape=())

@@ -10,8 +10,9 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from robodyn.dynamics.functions.arguments import NEAR, POSE, Array
-from robodyn.dynamics.functions.record import Answers, Dynamics, Function
+from robodyn.dynamics.functions.record import Answers, Function
 from robodyn.dynamics.poses import flat
+from robodyn.dynamics.state import Dynamics
 
 if TYPE_CHECKING:
     from robodyn.dynamics.arm import Arm

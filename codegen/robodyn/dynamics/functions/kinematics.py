@@ -11,13 +11,14 @@ from robodyn.dynamics.articulated import articulated_bodies
 from robodyn.dynamics.drift import tool_drift
 from robodyn.dynamics.dual import moving_along, slopes, values
 from robodyn.dynamics.functions.arguments import POSE, QD, Array, Q
-from robodyn.dynamics.functions.record import Derivative, Dynamics, Function, Pair, Vector
+from robodyn.dynamics.functions.record import Derivative, Function, Pair
 from robodyn.dynamics.jacobians import Column, columns
 from robodyn.dynamics.kinematics import frames, jacobian
 from robodyn.dynamics.mass_matrix import factoring
 from robodyn.dynamics.operational import by_elimination, lambda_inverse
 from robodyn.dynamics.poses import flat, link_places, placed, pose, rows_of, seen_from_tool
 from robodyn.dynamics.responses import lambda_inverse_by_answers
+from robodyn.dynamics.state import Dynamics, Vector
 from robodyn.dynamics.transforms import Matrix, applied, axial, poses, product, transposed
 from robodyn.dynamics.vectors import plus, scaled
 

@@ -11,7 +11,8 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.functions.arguments import QD, QDD, Array, Q
-from robodyn.dynamics.functions.record import Dynamics, Function, NoSuchFunction
+from robodyn.dynamics.functions.record import Function
+from robodyn.dynamics.state import Dynamics, NoSuchFunction
 
 TAU_MOTOR = Array("tau_motor", "motor torques in front of the gears", "N m")
 CURRENT = Array("current", "motor currents", "A")

@@ -9,7 +9,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from robodyn.dynamics.functions.arguments import QD, QDD, WRENCH, Array, Q
-from robodyn.dynamics.functions.record import WITH_WRENCH, Dynamics, Function, Vector
+from robodyn.dynamics.functions.record import WITH_WRENCH, Function
+from robodyn.dynamics.state import Dynamics, Vector
 
 R = Array(
     "R",

@@ -2,127 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
-from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from robodyn.dynamics.functions.arguments import INPUTS, Array
 from robodyn.dynamics.limits import FEW_JOINTS, MANY_JOINTS
-from robodyn.dynamics.moving import Moving as Moving
-from robodyn.dynamics.rotor import Rotor as Rotor
-from robodyn.dynamics.vectors import Mark
-from robodyn.errors import InputError
+from robodyn.dynamics.state import Dynamics, ReferenceDynamics, Vector
 
 if TYPE_CHECKING:
-    from robodyn.dynamics.arm import Arm, Motion
-    from robodyn.dynamics.base_parameter import BaseParameter
-    from robodyn.dynamics.choosing import Chooser
+    from robodyn.dynamics.arm import Arm
     from robodyn.dynamics.iterative import Iterative
-    from robodyn.dynamics.lump import MomentForm
-    from robodyn.dynamics.parallel import Turns
 
-#: Scalars of any kind, one for each joint.
-Vector = Sequence[Any]
 #: What a function is called that has the wrench as a further input, behind the name of the one without.
 WITH_WRENCH = "_with_wrench"
 #: Names of other arguments: run-time parameters, memory, time step, states of a batch.
 _TAKEN = {"p", "state", "dt", "N", "n"}
-
-
-class Dynamics(Protocol):
-    """An arm at one state, over any scalar: nodes of a graph, fractions, elements of a field, columns of
-    numbers, sympy expressions. All that functions are written in terms of, and checked by.
-
-    Attributes
-    ----------
-    inputs: by name the arrays that the function is given, see :data:`INPUTS`.
-    rest: ``[n]``, zeros: no velocity, no acceleration.
-    mark: gives a quantity its name in emitted code; where nothing is emitted it does nothing.
-    arm: the links as they are described, the base in the world, and the tool.
-    cheapest: chooses, of several ways to write the same values, those that take the fewest operations.
-    rounding: the rounding unit of the numbers that the program is for, as a share.
-    """
-
-    @property
-    def inputs(self) -> Mapping[str, Vector]: ...
-    @property
-    def rest(self) -> Vector: ...
-    @property
-    def mark(self) -> Mark: ...
-    @property
-    def arm(self) -> Arm: ...
-    @property
-    def cheapest(self) -> Chooser: ...
-    @property
-    def rounding(self) -> Fraction: ...
-
-    def motion(self, qd: Vector, qdd: Vector) -> Motion:
-        """``arm`` at ``inputs["q"]``, with these velocities and accelerations ``[n]``."""
-        ...
-
-    def turns(self, qd: Vector, qdd: Vector) -> Turns:
-        """How its joints turn: parallel ones as one where that takes fewer operations."""
-        ...
-
-    def links(self, qd: Vector, qdd: Vector, form: MomentForm = "second_moment") -> Moving:
-        """The same arm with the masses where they take the fewest operations: with ``second_moment`` the
-        second moments along the axes of revolute joints are 0, with ``inertia`` the inertias about y."""
-        ...
-
-    def torque_derivatives(self, qdd: Vector) -> tuple[Sequence[Vector], Sequence[Vector]] | None:
-        """Derivatives of the torques at ``inputs["qd"]`` and these accelerations by positions and by
-        velocities, as rows, the accelerations constant whatever they are made of; None for the rigid arm,
-        whose derivatives are written out."""
-        ...
-
-    def base_set(self) -> Sequence[BaseParameter]:
-        """The combinations of the links' numbers that the torques depend on.
-
-        Raises
-        ------
-        InputError: they are not linear in any, or a length is a run-time parameter.
-        """
-        ...
-
-    def rotors(self) -> Sequence[Rotor]:
-        """The rotors whose inertia is in the torques."""
-        ...
-
-    def torques(self, qd: Vector, qdd: Vector) -> Vector:
-        """Joint torques ``[n]`` at these velocities and accelerations, drives included [N m, prismatic N]."""
-        ...
-
-    def torques_under_wrench(self, qd: Vector, qdd: Vector, wrench_torques: Vector) -> Vector:
-        """The same while ``inputs["w"]`` pushes the tool; ``wrench_torques`` ``[n]`` are its ``J^T w``."""
-        ...
-
-    def inertial_torques(self, qd: Vector, qdd: Vector) -> Vector:
-        """The same of links and rotors alone, without gravity and all else that drives do."""
-        ...
-
-    def reactions(self, qd: Vector, qdd: Vector, w: Vector) -> Sequence[tuple[Vector, Vector]]:
-        """Force [N] and moment [N m] of link i-1 on link i for each joint, base to tip, along the axes and
-        about the origin of link i's frame in ``arm``, while ``w`` ``[6]`` pushes the tool. Whatever passes
-        from one link to the other is in them, drives and springs as well as bearings."""
-        ...
-
-    def mass_matrix(self) -> Sequence[Vector]:
-        """Mass matrix ``[n][n]``, rotors included [kg m^2, kg m, kg]."""
-        ...
-
-
-class ReferenceDynamics(Dynamics, Protocol):
-    """Dynamics that functions are checked by."""
-
-    def torque_slopes(self, qdd: Vector, dq: Vector, dqd: Vector) -> Vector:
-        """The derivative ``[n]`` of the torques at ``inputs["qd"]`` and these accelerations, which stay,
-        along the direction ``dq, dqd`` ``[n]`` of positions and velocities."""
-        ...
-
-
-class NoSuchFunction(InputError):
-    """An arm does not have a function; ``found`` says why."""
 
 
 #: What must be equal, element by element.
@@ -176,7 +71,7 @@ class Function:
         None: it is something else.
     solves: whether it solves for accelerations: an arm in which a joint moves without inertia has no such
         function, nor has one with friction that depends on the accelerations.
-    fuses: functions that it is the results of, one after another, see :mod:`robodyn.dynamics.fusing`.
+    fuses: functions that it is the results of, one after another, see :mod:`.functions.fusing`.
     others: other ways to write ``outputs``; what is emitted is the one that takes the fewest operations.
     small: the same, for arms of few joints.
     of_rigid_arms: the same, for arms whose drives have no effects.

@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 from robodyn.dynamics.arm import Arm, Body, Symmetric
 from robodyn.dynamics.functions.arguments import PI, QD, QDD, TAU, Array, Q
-from robodyn.dynamics.functions.record import Dynamics, Function, Pair, Vector
+from robodyn.dynamics.functions.record import Function, Pair
 from robodyn.dynamics.lump import Lump
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.dynamics.regressor import torques_from, unit_torques
 from robodyn.dynamics.regroup import lumps_of
+from robodyn.dynamics.state import Dynamics, Vector
 from robodyn.effects.scalars import quotient
 
 if TYPE_CHECKING:

@@ -7,9 +7,10 @@ from typing import Any
 
 from robodyn.dynamics.articulated import articulated_bodies
 from robodyn.dynamics.functions.arguments import QD, QDD, TAU, Array, Q
-from robodyn.dynamics.functions.record import Derivative, Dynamics, Function, Pair, Vector
+from robodyn.dynamics.functions.record import Derivative, Function, Pair
 from robodyn.dynamics.mass_matrix import Factored, factoring, solve_symmetric
 from robodyn.dynamics.responses import inverse_mass_matrix_by_answers
+from robodyn.dynamics.state import Dynamics, Vector
 from robodyn.dynamics.weights import holding_torques, weighed
 
 M = Array("M", "mass matrix", "kg m^2, kg m, kg", shape=("n", "n"))

@@ -7,10 +7,11 @@ from typing import Any
 
 from robodyn.dynamics.articulated import articulated_bodies
 from robodyn.dynamics.functions.arguments import QD, QDD, TAU, WRENCH, Array, Q
-from robodyn.dynamics.functions.record import WITH_WRENCH, Dynamics, Function, Pair, Vector
+from robodyn.dynamics.functions.record import WITH_WRENCH, Function, Pair
 from robodyn.dynamics.functions.standard import FUNCTIONS as STANDARD
 from robodyn.dynamics.kinematics import frames, jacobian
 from robodyn.dynamics.mass_matrix import factoring, solve_symmetric
+from robodyn.dynamics.state import Dynamics, Vector
 from robodyn.dynamics.wrenches import by_jacobian, carried_outward
 
 TAU_WRENCH = Array("tau_wrench", "joint torques of the wrench, J^T w", "N m", "N")

@@ -17,7 +17,6 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from robodyn.dynamics.functions.record import Dynamics
 from robodyn.dynamics.inverse.limits import (
     DAMPED,
     EASED,
@@ -36,6 +35,7 @@ from robodyn.dynamics.inverse.subproblems import both, either
 from robodyn.dynamics.jacobians import columns
 from robodyn.dynamics.mass_matrix import Factored
 from robodyn.dynamics.poses import pose
+from robodyn.dynamics.state import Dynamics
 from robodyn.dynamics.vectors import Vector, dot, scaled
 from robodyn.effects.scalars import choose, root
 

@@ -10,7 +10,6 @@ from math import cos, isqrt, sin
 from typing import Any
 
 from robodyn.dynamics.arm import Arm
-from robodyn.dynamics.functions.record import NoSuchFunction
 from robodyn.dynamics.inverse.branch import Branch, Setting
 from robodyn.dynamics.inverse.classes import (
     Class,
@@ -35,6 +34,7 @@ from robodyn.dynamics.inverse.solution import (
     solved,
 )
 from robodyn.dynamics.inverse.structures import Points
+from robodyn.dynamics.state import NoSuchFunction
 from robodyn.effects.scalars import cosine, sine
 
 #: The order in which the joints of an arm of seven are tried as the redundant one (from 0): the one between

@@ -9,7 +9,6 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.arm import Arm
-from robodyn.dynamics.functions.record import Dynamics, NoSuchFunction
 from robodyn.dynamics.inverse.descent import Descent, State
 from robodyn.dynamics.inverse.inverse import Inverse, inverse_of, size_of
 from robodyn.dynamics.inverse.limits import ASIDE, BEGUN, EDGE, ITERATIONS, REFINEMENTS
@@ -18,6 +17,7 @@ from robodyn.dynamics.inverse.rank import has_full_rank, moves_all_ways
 from robodyn.dynamics.inverse.screws import as_floats, chain_of
 from robodyn.dynamics.inverse.solution import Joint, Nearest, Solved, joints_of, nearest, places_only
 from robodyn.dynamics.iterative import Iterative
+from robodyn.dynamics.state import Dynamics, NoSuchFunction
 
 _WEAK = (
     "there is a direction in which its joints move the tool only because axes do not meet, or are not "

@@ -7,7 +7,8 @@ from functools import cache
 from typing import Any
 
 from robodyn.dynamics.functions.arguments import INPUTS
-from robodyn.dynamics.functions.record import Dynamics, Function, Pair, ReferenceDynamics, Vector, lengths_of
+from robodyn.dynamics.functions.record import Function, Pair, lengths_of
+from robodyn.dynamics.state import Dynamics, ReferenceDynamics, Vector
 from robodyn.errors import InputError
 
 #: What stands between the names of functions that are fused.
