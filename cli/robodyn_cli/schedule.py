@@ -60,7 +60,7 @@ def _thesis(table: str, as_json: bool) -> None:
 
 
 def _forms(settings: ScheduleOptions, as_json: bool) -> None:
-    from robodyn.thesis.forms import compared, forms_text
+    from robodyn.thesis.logarithmic import compared, forms_text
     from robodyn_cli.progress import line
 
     with line() as shown:

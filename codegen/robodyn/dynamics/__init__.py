@@ -3,7 +3,7 @@
 Modules and packages from the bottom to the top, each of which imports only those that stand before it:
 
 - numbers and frames: ``limits vectors frame arm transforms``
-- one arm, and what its functions ask of it: ``lump parallel base_parameter rigid_drives state iterative``
+- one arm, and what its functions ask of it: ``lump parallel base_parameter state``
 - motion of frames: ``kinematics sections poses jacobians drift dual``
 - masses: ``carried regroup composite spatial weights energy momenta mass_matrix``
 - recursions: ``joints newton_euler modified_newton_euler derivatives articulated``

@@ -14,8 +14,7 @@ from robodyn.dynamics.lump import NO_LUMP, MomentForm
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.dynamics.parallel import Turns, single_turns
 from robodyn.dynamics.regroup import lumps_of
-from robodyn.dynamics.rigid_drives import RigidDrives
-from robodyn.dynamics.state import First, Moving
+from robodyn.dynamics.state import First, Moving, RigidDrives
 from robodyn.dynamics.vectors import Vector, unmarked
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -170,6 +171,42 @@ class ReferenceDynamics(Dynamics, Protocol):
         """The derivative ``[n]`` of the torques at ``inputs["qd"]`` and these accelerations, which stay,
         along the direction ``dq, dqd`` ``[n]`` of positions and velocities."""
         ...
+
+
+class RigidDrives:
+    """Dynamics without friction that depends on loads; see :class:`Dynamics`."""
+
+    @abstractmethod
+    def torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Sequence[Any]:
+        """Joint torques [n]."""
+
+    def torques_under_wrench(
+        self, qd: Sequence[Any], qdd: Sequence[Any], wrench_torques: Sequence[Any]
+    ) -> Sequence[Any]:
+        """Joint torques [n] less those that the wrench gives."""
+        return [tau - push for tau, push in zip(self.torques(qd, qdd), wrench_torques, strict=True)]
+
+
+#: What gives numbers of an arm at one state, a :class:`Dynamics`.
+Stage = Callable[[Any], Sequence[Any]]
+
+
+@dataclass(frozen=True, slots=True)
+class Iterative:
+    """Results that cannot be written straight: they are approached in ``most`` steps at most, from each of
+    ``rows`` starts.
+
+    ``start`` gives the states before the first step, one after another. ``step`` gives the state after the
+    one in the input ``x``, whose first ``[n]`` numbers are the positions ``q`` at which it has the arm, and
+    whose last one is more than 0 where nothing is left to do. ``finish`` gives the results, of all states in
+    ``x``.
+    """
+
+    start: Stage
+    step: Stage
+    finish: Stage
+    most: int
+    rows: int = 1
 
 
 class NoSuchFunction(InputError):

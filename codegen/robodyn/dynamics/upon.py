@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING, Any
 from robodyn.dynamics.arm import Arm, Motion
 from robodyn.dynamics.lump import MomentForm
 from robodyn.dynamics.parallel import Turns
-from robodyn.dynamics.rigid_drives import RigidDrives
-from robodyn.dynamics.state import Dynamics, Moving, Rotor
+from robodyn.dynamics.state import Dynamics, Moving, RigidDrives, Rotor
 
 if TYPE_CHECKING:
     from robodyn.dynamics.base_parameter import BaseParameter

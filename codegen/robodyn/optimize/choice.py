@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING, Any
 
 from robodyn.dynamics.functions import Function
 from robodyn.dynamics.functions.fusing import Writing
-from robodyn.dynamics.iterative import Iterative
 from robodyn.dynamics.lump import MomentForm
+from robodyn.dynamics.state import Iterative
 from robodyn.errors import InputError
 from robodyn.ir.copying import rearranged
 from robodyn.ir.graph import Graph, Scalar

@@ -27,7 +27,7 @@ from robodyn.dynamics.mass_matrix import mass_matrix
 from robodyn.dynamics.modified_newton_euler import reactions
 from robodyn.dynamics.parallel import Turns, chain_turns, single_turns
 from robodyn.dynamics.regroup import lumps_of, regrouped_with_ground
-from robodyn.dynamics.rigid_drives import RigidDrives
+from robodyn.dynamics.state import RigidDrives
 from robodyn.dynamics.vectors import Mark, Vector
 from robodyn.dynamics.wrenches import beyond_the_last_link
 from robodyn.errors import InputError

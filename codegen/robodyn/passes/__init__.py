@@ -1,12 +1,11 @@
 """Passes from program to program, one file each; what a level of optimisation runs."""
 
-from robodyn.passes.cse import cse
 from robodyn.passes.dce import dce
 from robodyn.passes.factor import factor
-from robodyn.passes.fold import fold
 from robodyn.passes.negate import negate
 from robodyn.passes.order import order
 from robodyn.passes.pipeline import Pass, PassError, run, unchecked
+from robodyn.passes.replay import cse, fold
 from robodyn.passes.units import units
 
 #: Always run: they change signs and order, no operation.

@@ -1,10 +1,11 @@
-"""What passes share: a program as a graph and back."""
+"""A program as a graph and back, which passes share, and the two passes that are nothing else."""
 
 from __future__ import annotations
 
 from typing import Any
 
 from robodyn.ir.graph import Graph, Scalar
+from robodyn.ir.lowering import lower
 from robodyn.ir.program import Program
 
 
@@ -26,3 +27,13 @@ def grouped(program: Program, values: list[Scalar]) -> list[tuple[str, list[Any]
         outputs.append((name, values[position : position + len(elements)]))
         position += len(elements)
     return outputs
+
+
+def cse(program: Program) -> Program:
+    """``program`` with equal operations (up to order and sign of operands) merged, and no algebra done."""
+    return lower(*as_graph(program, fold=False))
+
+
+def fold(program: Program) -> Program:
+    """``program`` without arithmetic among constants and identities: ``k (l x)`` is ``(k l) x``."""
+    return lower(*as_graph(program, fold=True))

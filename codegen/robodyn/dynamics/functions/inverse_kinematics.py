@@ -17,7 +17,7 @@ from robodyn.dynamics.state import Dynamics
 if TYPE_CHECKING:
     from robodyn.dynamics.arm import Arm
     from robodyn.dynamics.inverse import Inverse, Nearest, Solved
-    from robodyn.dynamics.iterative import Iterative
+    from robodyn.dynamics.state import Iterative
 
 SOLUTIONS = Array("solutions", "joint positions, a row for each branch", "rad", "m", shape=("b", "n"))
 EXISTS = Array(

@@ -12,7 +12,7 @@ from robodyn.dynamics.state import Dynamics, ReferenceDynamics, Vector
 
 if TYPE_CHECKING:
     from robodyn.dynamics.arm import Arm
-    from robodyn.dynamics.iterative import Iterative
+    from robodyn.dynamics.state import Iterative
 
 #: What a function is called that has the wrench as a further input, behind the name of the one without.
 WITH_WRENCH = "_with_wrench"

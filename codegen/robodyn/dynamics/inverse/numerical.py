@@ -16,8 +16,7 @@ from robodyn.dynamics.inverse.nearly import idealised
 from robodyn.dynamics.inverse.rank import has_full_rank, moves_all_ways
 from robodyn.dynamics.inverse.screws import as_floats, chain_of
 from robodyn.dynamics.inverse.solution import Joint, Nearest, Solved, joints_of, nearest, places_only
-from robodyn.dynamics.iterative import Iterative
-from robodyn.dynamics.state import Dynamics, NoSuchFunction
+from robodyn.dynamics.state import Dynamics, Iterative, NoSuchFunction
 
 _WEAK = (
     "there is a direction in which its joints move the tool only because axes do not meet, or are not "
