@@ -58,6 +58,7 @@ OPTIONAL: Final = frozenset(
         "hypothesis",
         "jsonschema",
         "kconfiglib",
+        "mcap",
         "mujoco",
         "ortools",
         "pinocchio",
