@@ -22,6 +22,7 @@ from typing import Final
 import pytest
 
 from robodyn_cli.main import main
+from robodyn_testing.wanted import require_tool
 
 _HEAD: Final = "=== "
 _COMMAND: Final = "$ "
@@ -66,6 +67,7 @@ def _run(line: str, folder: Path, capsys: pytest.CaptureFixture[str]) -> str:
     """What the command ``line`` prints, writes and exits with."""
     program, *words = shlex.split(line)
     if program != "robodyn":
+        require_tool(program)
         return subprocess.run(["sh", "-c", line], check=True, capture_output=True, text=True).stdout
     before = _files(folder)
     capsys.readouterr()
