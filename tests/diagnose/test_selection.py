@@ -107,7 +107,9 @@ def test_two_effects_are_both_named(hidden: tuple[tuple[str, int | None], ...], 
     assert np.all(found.gap.validate_after < 1.3 * made.truth.noise)
 
 
-@pytest.mark.parametrize("effect", one_in_ci([("random_offset",), ("acceleration_friction",)]))
+@pytest.mark.parametrize(
+    "effect", ["random_offset", pytest.param("acceleration_friction", marks=pytest.mark.slow)]
+)
 @pytest.mark.thorough
 def test_what_is_in_no_catalogue_is_not_named(effect: str) -> None:
     made = Case("puma560_3dof", ((effect, 1),), 1, 6.0).make()
