@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import io
+import pickle
 import random
 import sqlite3
 import struct
@@ -103,6 +104,8 @@ def test_nothing_is_unpickled(tmp_path: Path) -> None:
     single = tmp_path / "log.npy"
     single.write_bytes(stream.getvalue())
     assert "Python objects" in refused(single)
+    single.write_bytes(pickle.dumps("an object"))  # numpy would advise to load it all the same
+    assert "magic string is not correct" in refused(single)
 
 
 def record(kind: int, content: bytes) -> bytes:

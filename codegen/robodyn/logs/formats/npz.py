@@ -43,7 +43,7 @@ def open_npz(path: Path, file: str, gaps: bool) -> Recording:
 def _arrays(path: Path) -> Iterator[tuple[str, tuple[int, ...], np.dtype[Any], Load]]:
     """Name, shape and kind of the arrays in a file, and what loads each: mapped where it is not packed."""
     if not zipfile.is_zipfile(path):
-        array = np.load(path, mmap_mode="r", allow_pickle=False)
+        array = np.lib.format.open_memmap(path, mode="r")  # refuses what would have to be unpickled
         yield "array", array.shape, array.dtype, lambda: array
         return
     archive = zipfile.ZipFile(path)

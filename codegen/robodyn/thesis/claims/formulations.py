@@ -31,7 +31,6 @@ SMALL_PUMA: Final = "puma560_3dof_d12"
 _FUNCTIONS: Final = ("inverse_dynamics", "gravity", "bias", "mass_matrix", "forward_dynamics")
 _INVERSE: Final = ("inverse_dynamics",)
 _METHODS: Final[tuple[Method, ...]] = ("I", "II")
-_BACKWARD: Final = ("F", "N", "f", "f_rotated", "n")
 
 
 def orders(_: Arms) -> Outcome:
