@@ -16,9 +16,11 @@ from robodyn.outputs import check_outputs, remove_leftovers, write_files
 from robodyn_cli.choices import FILE, REPORTS
 from robodyn_cli.common import (
     FORCE,
+    as_json,
     echo_document,
+    flag,
     force_option,
-    json_option,
+    option,
     output_folder,
     printable,
     talk,
@@ -33,52 +35,27 @@ if TYPE_CHECKING:
 
 
 @click.command()
-@click.option(
-    "--file",
-    "path",
-    type=FILE,
-    metavar="FILE",
-    default="robodyn.toml",
-    show_default=True,
-    help="Project file; its lock file lies beside it.",
-)
-@click.option(
-    "--workers",
-    type=click.IntRange(min=1),
-    metavar="N",
-    help="Robots generated in parallel.  [default: one per core]",
-)
-@click.option(
+@option("--file=FILE path", "Project file; its lock file lies beside it.", FILE, default="robodyn.toml")
+@option("--workers=N", "Robots generated in parallel.  [default: one per core]", click.IntRange(min=1))
+@flag(
     "--check",
-    is_flag=True,
-    help="Write nothing; exit with 1 if a file differs, a budget is exceeded, or a count is higher than in "
+    "Write nothing; exit with 1 if a file differs, a budget is exceeded, or a count is higher than in "
     "the lock file.",
 )
-@click.option(
-    "--against",
-    type=FILE,
-    metavar="FILE",
-    help="Lock file to compare counts with, such as that of the branch that a pull request goes to.  "
+@option(
+    "--against=FILE",
+    "Lock file to compare counts with, such as that of the branch that a pull request goes to.  "
     "[default: that of the project]",
+    FILE,
 )
-@click.option(
-    "--format",
-    "format_",
-    type=REPORTS,
-    metavar="HOW",
+@option(
+    "--format=HOW format_",
+    "Format of the report: text, json, junit (XML), or markdown (for a pull request).",
+    REPORTS,
     default="text",
-    show_default=True,
-    help="Format of the report: text, json, junit (XML), or markdown (for a pull request).",
 )
-@click.option(
-    "-o",
-    "--output",
-    type=FILE,
-    metavar="FILE",
-    help="Write the report to FILE, and the text of it to stdout.",
-)
+@option("-o --output=FILE", "Write the report to FILE, and the text of it to stdout.", FILE)
 @force_option(FORCE)
-@json_option
 def command(
     path: str,
     workers: int | None,
@@ -87,7 +64,6 @@ def command(
     format_: str,
     output: str | None,
     force: bool,
-    as_json: bool,
 ) -> None:
     """Write or check the kernels of all robots of a project.
 
@@ -95,7 +71,7 @@ def command(
     changed is generated and written. The lock file, robodyn.lock, has the counts of every function and the
     hashes of all files: commit it, and let CI run "robodyn build --check".
     """
-    form = _format(format_, as_json=as_json)
+    form = _format(format_)
     try:
         comparison, written = _built(
             Path(path), workers, check=check, force=force, against=against, report=output
@@ -137,7 +113,7 @@ def _built(
     return comparison if check else _worse_is_noted(comparison), written
 
 
-def _format(name: str, *, as_json: bool) -> str:
+def _format(name: str) -> str:
     """The format that is asked for.
 
     Raises
@@ -152,9 +128,9 @@ def _format(name: str, *, as_json: bool) -> str:
             expected=f"one of {', '.join(FORMATS)}",
             remedy=did_you_mean(name, FORMATS),
         )
-    if as_json and name not in ("text", "json"):
+    if as_json() and name not in ("text", "json"):
         raise InputError("--json is --format json", found=f"--format {name}", remedy="remove one of them")
-    return "json" if as_json else name
+    return "json" if as_json() else name
 
 
 @contextmanager

@@ -20,7 +20,7 @@ from robodyn.project.fingerprint import fingerprints
 from robodyn.project.keys import PACKAGE, Keys
 from robodyn.project.product import Product, Store
 from robodyn_cli.common import Document, talk
-from robodyn_cli.file_options import files_read_by, with_file_options
+from robodyn_cli.file_options import files_read_by, with_common_options
 from robodyn_cli.project_keys import check_settings
 
 if TYPE_CHECKING:
@@ -148,7 +148,7 @@ def carry_out(job: Job, root: Path) -> RobodynError | None:
     """Generate what ``job`` says and keep it in the store at ``root``, with what was said meanwhile; the
     error, if there is one."""
     module, contents = _PACKAGED if job.command == PACKAGE else _GENERATED
-    command = with_file_options(importlib.import_module(module).command)
+    command = with_common_options(importlib.import_module(module).command)
     messages, document = io.StringIO(), Document()
     try:
         with (

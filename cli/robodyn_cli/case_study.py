@@ -8,47 +8,24 @@ import click
 
 from robodyn.outputs import write_files
 from robodyn_cli.choices import ARMS, FOLDER, PROFILES
-from robodyn_cli.common import echo_json, json_option, output_folder, printable, talk
+from robodyn_cli.common import as_json, echo_json, option, output_folder, printable, talk
 
 
 @click.command()
-@click.option(
-    "-o", "--output", type=FOLDER, metavar="DIR", help="Write the samples (CSV) and the pictures to DIR."
+@option("-o --output=DIR", "Write the samples (CSV) and the pictures to DIR.", FOLDER)
+@option(
+    "--profile=PROFILE", "Velocity profile along the line: quintic or trapezoid.", PROFILES, default="quintic"
 )
-@click.option(
-    "--profile",
-    type=PROFILES,
-    metavar="PROFILE",
-    default="quintic",
-    show_default=True,
-    help="Velocity profile along the line: quintic or trapezoid.",
-)
-@click.option(
-    "--end", metavar="M", type=float, default=0.5, show_default=True, help="End of the line: y = z."
-)
-@click.option(
-    "--payload", metavar="KG", type=float, default=0.0, show_default=True, help="Payload of the arm."
-)
-@click.option(
-    "--span",
-    metavar="M",
-    type=float,
-    default=0.2,
-    show_default=True,
-    help="Distance between the bearings of a joint.",
-)
-@click.option(
-    "--arm",
-    type=ARMS,
-    metavar="ARM",
+@option("--end=M", "End of the line: y = z.", float, default=0.5)
+@option("--payload=KG", "Payload of the arm.", float, default=0.0)
+@option("--span=M", "Distance between the bearings of a joint.", float, default=0.2)
+@option(
+    "--arm=ARM",
+    "Arm: programs (angles of D.1.3, dynamics of D.1.2) or consistent (the arm of D.1.2 for both).",
+    ARMS,
     default="programs",
-    show_default=True,
-    help="Arm: programs (angles of D.1.3, dynamics of D.1.2) or consistent (the arm of D.1.2 for both).",
 )
-@json_option
-def command(
-    output: str | None, profile: str, end: float, payload: float, span: float, arm: str, as_json: bool
-) -> None:
+def command(output: str | None, profile: str, end: float, payload: float, span: float, arm: str) -> None:
     """Repeat the thesis's case study of friction (chapter 3).
 
     The end point of a three-joint PUMA 560 moves along the line y = z at x = 0.4 m, with the friction of
@@ -66,7 +43,7 @@ def command(
         talk("robodyn: compiling and simulating")
     assumed = Assumptions(profile, end, span, payload, arm)  # type: ignore[arg-type]  # checked by case_study
     study = case_study(assumed)
-    if as_json:
+    if as_json():
         echo_json(to_dict(study))
     else:
         click.echo(to_text(study), nl=False)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import importlib
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, Final, Literal
 
 import click
@@ -11,15 +11,9 @@ import click
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
 
-    from robodyn.targets import Target
-
     _Word = click.ParamType[str]
 else:
     _Word = click.ParamType  # generic from click 8.3 on only
-
-
-#: Attributes of a record that say in a few words what it is.
-_HELP: Final = ("purpose", "title")
 
 
 def words(source: str) -> dict[str, str]:
@@ -29,11 +23,13 @@ def words(source: str) -> dict[str, str]:
     table: Any = getattr(importlib.import_module(module), name)
     listed = table() if callable(table) else table
     records = listed.values() if isinstance(listed, Mapping) else listed
-    return dict(zip((str(getattr(word, "id", word)) for word in listed), map(_help, records), strict=True))
+    names = (str(_attribute(word, ("id", "name")) or word) for word in listed)
+    return dict(zip(names, (_attribute(record, ("purpose", "title")) for record in records), strict=True))
 
 
-def _help(record: Any) -> str:
-    return next((text for name in _HELP if isinstance(text := getattr(record, name, None), str)), "")
+def _attribute(record: Any, names: tuple[str, ...]) -> str:
+    """The first of the attributes that ``record`` has as a text."""
+    return next((text for name in names if isinstance(text := getattr(record, name, None), str)), "")
 
 
 class OneOf(_Word):
@@ -41,7 +37,7 @@ class OneOf(_Word):
     the words, imported when a shell completes.
 
     ``many``: several, separated by commas. ``files``: the path of a file as well. ``more``: further words.
-    ``others``: words that are not in the table are right as well.
+    ``others``: words that are not in the table are right as well. ``prefix`` stands before each word.
     The library checks what was typed: its message says what there is, and Python gets the same one.
     """
 
@@ -55,8 +51,9 @@ class OneOf(_Word):
         files: bool = False,
         more: tuple[str, ...] = (),
         others: bool = False,
+        prefix: str = "",
     ) -> None:
-        self.source, self.more = source, more
+        self.source, self.more, self.prefix = source, more, prefix
         self.many, self.files, self.others = many, files, others
 
     def words(self) -> tuple[str, ...]:
@@ -71,56 +68,13 @@ class OneOf(_Word):
 
         before, comma, last = incomplete.rpartition(",") if self.many else ("", "", incomplete)
         offered = [
-            CompletionItem(before + comma + word, help=text or None)
+            CompletionItem(before + comma + self.prefix + word, help=text or None)
             for word, text in {**words(self.source), **dict.fromkeys(self.more, "")}.items()
-            if word.startswith(last)
+            if (self.prefix + word).startswith(last)
         ]
         if self.files:
             offered.append(CompletionItem(incomplete, type="file"))
         return offered
-
-
-class TargetOption(click.Option):
-    """An option that takes names of targets. ``{name}`` in its help stands for those that ``lists[name]``,
-    a function of :mod:`robodyn.targets`, returns; a shell completes those of the first.
-
-    ``prefix`` stands before a target's name in a value: ``weighted:`` of an objective.
-    """
-
-    def __init__(self, *names: Any, lists: dict[str, str], prefix: str = "", **others: Any) -> None:
-        self._lists = lists
-        self._prefix = prefix
-        super().__init__(*names, **others)
-
-    @property
-    def help(self) -> str | None:
-        """The help, with names in place of ``{name}``."""
-        lists = {name: _names(what) for name, what in self._lists.items()}
-        return None if self._template is None else self._template.format(**lists)
-
-    @help.setter
-    def help(self, template: str | None) -> None:
-        self._template = template
-
-    def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:
-        """The names that begin like ``incomplete``, the last one of several that commas part."""
-        from click.shell_completion import CompletionItem
-
-        before, comma, last = incomplete.rpartition(",")
-        first = next(iter(self._lists.values()))
-        words = (self._prefix + target.name for target in _targets(first))
-        return [CompletionItem(f"{before}{comma}{word}") for word in words if word.startswith(last)]
-
-
-def _targets(what: str) -> Iterable[Target]:
-    import robodyn.targets
-
-    listed: Callable[[], tuple[Target, ...]] = getattr(robodyn.targets, what)
-    return listed()
-
-
-def _names(what: str) -> str:
-    return ", ".join(target.name for target in _targets(what))
 
 
 class Place(_Word):
@@ -155,13 +109,16 @@ SEVERAL_LANGUAGES: Final = OneOf("robodyn.emit.languages:LANGUAGES", many=True, 
 COMPILED_LANGUAGES: Final = OneOf("robodyn.emit.languages:compiled_names")
 EFFECTS: Final = OneOf("robodyn.effects.catalogue:CATALOGUE")
 SEVERAL_EFFECTS: Final = OneOf("robodyn.effects.catalogue:CATALOGUE", many=True)
+TARGETS: Final = OneOf("robodyn.targets:compiled_targets", many=True, others=True)
+PLANNED_TARGETS: Final = OneOf("robodyn.targets:planned_targets", others=True)
+OBJECTIVES: Final = OneOf("robodyn.targets:all_targets", prefix="weighted:", others=True)
 PROOFS: Final = OneOf("robodyn.certify:PROOFS", many=True)
 TABLES: Final = OneOf("robodyn.thesis.tables:TABLE_IDS")
 ARMS: Final = OneOf("robodyn.thesis.case_study:ARMS")
 PROFILES: Final = OneOf("robodyn.thesis.case_study:REST_TO_REST")
 TARGET_FORMATS: Final = OneOf("robodyn.formats.exporting:TARGETS")
 COMPARED: Final = OneOf("robodyn.compare.robots:GROUPS", many=True)
-SHELLS: Final = OneOf("robodyn_cli.shells:SHELLS")
+SHELL_NAMES: Final = OneOf("robodyn_cli.completion:SHELLS")
 TOOLS: Final = OneOf("robodyn.doctor:names", many=True)
 REPORTS: Final = OneOf("robodyn.project.reports:FORMATS")
 PACKAGES: Final = OneOf("robodyn.packages.formats:FORMATS")

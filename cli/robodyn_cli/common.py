@@ -33,21 +33,60 @@ def add_options(*options: Callable[[Any], Any]) -> Callable[[Command], Command]:
     return add
 
 
+def option(
+    names: str, help: str | Callable[[], str], type: Any = str, **more: Any
+) -> Callable[[Command], Command]:
+    """A decorator that adds an option to a command: ``option("-o --output=DIR to", "Output folder.")`` has
+    its spellings, what stands for the value, and the argument's name where that is not the last spelling.
+    A list or tuple in place of a ``type`` has the words to choose from; a default is shown in the help, which
+    is looked up when it is printed if it is a function."""
+    spelled = [part.partition("=") for part in names.split()]
+    metavar = next((metavar for _, _, metavar in spelled if metavar), None)
+    more = {"metavar": metavar, "show_default": "default" in more, **more}
+    if callable(help):
+        more |= {"cls": _LateHelp, "look_up": help}
+    else:
+        more["help"] = help
+    kind = click.Choice(type) if isinstance(type, (list, tuple)) else type
+    return click.option(*(name for name, _, _ in spelled), type=kind, **more)
+
+
+class _LateHelp(click.Option):
+    """An option whose help lists what a table of the library has."""
+
+    def __init__(self, *names: Any, look_up: Callable[[], str], **others: Any) -> None:
+        super().__init__(*names, **others)
+        self._look_up = look_up
+
+    def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
+        self.help = self._look_up()
+        return super().get_help_record(ctx)
+
+
+def flag(names: str, help: str, **more: Any) -> Callable[[Command], Command]:
+    """A decorator that adds a flag to a command: ``names`` are separated by blanks."""
+    return click.option(*names.split(), is_flag=True, help=help, **more)
+
+
 def robot_argument(command: Command) -> Command:
     """Add the argument ROBOT, passed to `command` as ``robot: str`` without any check."""
     return click.argument("robot", type=ROBOTS, metavar="ROBOT")(command)
 
 
-def json_option(command: Command) -> Command:
-    """Add the flag ``--json``, passed to `command` as ``as_json: bool``."""
-    return click.option("--json", "as_json", is_flag=True, help="Print the results, or the error, as JSON.")(
-        command
-    )
+#: The option that every command has.
+JSON: Final = click.Option(
+    ["--json", "as_json"], is_flag=True, help="Print the results, or the error, as JSON."
+)
+
+
+def as_json() -> bool:
+    """Whether the command that runs has ``--json``."""
+    return bool(click.get_current_context().params.get("as_json"))
 
 
 def force_option(text: str) -> Callable[[Command], Command]:
     """Add the flag ``--force``, passed to the command as ``force: bool``; ``text`` is its help."""
-    return click.option("--force", is_flag=True, help=text)
+    return flag("--force", text)
 
 
 #: Help of ``--force`` where robodyn chooses the names of files.
@@ -234,6 +273,20 @@ def check_files(folder: Path, files: Mapping[str, str | bytes]) -> None:
             f"{', '.join(printable(folder / name) for name in different)}: not up to date",
             remedy="run the same command without --check",
         )
+
+
+def report_up_to_date(robot: str, folder: Path, files: Mapping[str, str | bytes]) -> None:
+    """Compare ``folder`` with what would be written there, and say so.
+
+    Raises
+    ------
+    CheckError: a file is missing, or differs.
+    """
+    check_files(folder, files)
+    if as_json():
+        echo_json({"robot": robot, "checked": [str(folder / file) for file in files]})
+    else:
+        click.echo(f"{robot}: {len(files)} files in {printable(folder)} are up to date")
 
 
 def compare_files(folder: Path, files: Mapping[str, str | bytes]) -> list[str]:

@@ -1,67 +1,175 @@
-"""``robodyn completion``: what lets a shell complete commands, options and names."""
+"""``robodyn completion``: what lets bash, zsh and fish complete commands, options and names.
+
+The script of a shell (``templates/completion``) hands over the line up to the cursor (``COMP_WORDS``) and
+gets a line for each candidate, which stands for all of the word that the cursor is at. click's own scripts
+lose the names beside files (bash), what follows a comma (fish), every second key (zsh), and values
+behind ``--option=`` and ``:``.
+"""
 
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any, ClassVar, Final
 
 import click
+from click.shell_completion import CompletionItem, ShellComplete, add_completion_class, split_arg_string
 
-from robodyn_cli.choices import SHELLS
-from robodyn_cli.common import echo_json, json_option, printable, write_file
+from robodyn.errors import InputError
+from robodyn_cli.choices import SHELL_NAMES
+from robodyn_cli.common import as_json, echo_json, flag, printable, write_file
+
+MARK: Final = 'as "robodyn completion'
+_DATA: Final = ("XDG_DATA_HOME", ".local/share")
+
+
+class Shell(ShellComplete):
+    """A shell: its script, and where it looks for scripts."""
+
+    source_template = ""  # the script is a file
+    file: ClassVar[str]
+    """The name of the script's file."""
+    base: ClassVar[tuple[str, str]] = _DATA
+    """The variable that names the folder it is in (XDG base directories), and that folder below the user's
+    home where the variable names none."""
+    below: ClassVar[str]
+    """The user's folder of completions, below that."""
+
+    @classmethod
+    def folder(cls, environment: Mapping[str, str], home: Path) -> Path:
+        """The user's folder of completions. A variable whose path is not absolute does not count."""
+        variable, default = cls.base
+        stated = Path(environment.get(variable, ""))
+        return (stated if stated.is_absolute() else home / default) / cls.below
+
+    @staticmethod
+    def needed(folder: Path) -> str | None:
+        """What the user has to do for the shell to look into `folder`, if anything."""
+        return None
+
+    def get_completion_args(self) -> tuple[list[str], str]:
+        """The words before the cursor's word, without the program; and that word, up to the cursor."""
+        line = os.environ.get("COMP_WORDS", "")
+        words = split_arg_string(line)
+        begun = words.pop() if words and not line[-1:].isspace() else ""
+        return words[1:], begun
+
+    def get_completions(self, args: list[str], incomplete: str) -> list[CompletionItem[str]]:
+        """The candidates, each for all of the word ``incomplete``."""
+        candidates = super().get_completions(args, incomplete)
+        option, equals, _ = incomplete.partition("=")
+        if not equals or not option.startswith("--"):
+            return candidates
+        return [
+            CompletionItem(f"{option}={item.value}", item.type, item.help) if item.type == "plain" else item
+            for item in candidates
+        ]
+
+
+class _Bash(Shell):
+    name, file, below = "bash", "robodyn", "bash-completion/completions"
+
+    @classmethod
+    def folder(cls, environment: Mapping[str, str], home: Path) -> Path:
+        chosen = environment.get("BASH_COMPLETION_USER_DIR", "").partition(":")[0]
+        return Path(chosen) / "completions" if chosen else super().folder(environment, home)
+
+    @staticmethod
+    def needed(folder: Path) -> str | None:
+        prefixes = ("/usr", "/usr/local", "/opt/homebrew")
+        if any(Path(prefix, "share/bash-completion/bash_completion").is_file() for prefix in prefixes):
+            return None
+        return (
+            "bash looks there if the package bash-completion is installed; "
+            f"else add to ~/.bashrc: source {folder / _Bash.file}"
+        )
+
+    def format_completion(self, item: CompletionItem[Any]) -> str:
+        return f"{item.type},{item.value}"
+
+
+class _Zsh(Shell):
+    name, file, below = "zsh", "_robodyn", "zsh/site-functions"
+
+    @staticmethod
+    def needed(folder: Path) -> str | None:
+        return f"zsh looks there with this line before compinit in ~/.zshrc: fpath=({folder} $fpath)"
+
+    def format_completion(self, item: CompletionItem[Any]) -> str:
+        return f"{item.type}\n{item.value}\n{_first_sentence(item.help) or '_'}"
+
+
+class _Fish(Shell):
+    name, file, below = "fish", "robodyn.fish", "fish/completions"
+    base = ("XDG_CONFIG_HOME", ".config")
+
+    def format_completion(self, item: CompletionItem[Any]) -> str:
+        return f"{item.type},{item.value}\t{_first_sentence(item.help)}".rstrip("\t")
+
+
+def _first_sentence(text: str | None) -> str:
+    """The first sentence, which a list of candidates has room for."""
+    return " ".join((text or "").split()).partition(". ")[0].rstrip(".")
+
+
+SHELLS: Final[dict[str, type[Shell]]] = {shell.name: shell for shell in (_Bash, _Zsh, _Fish)}
+for _shell in SHELLS.values():
+    add_completion_class(_shell)
+
+
+def script(shell: str) -> str:
+    """The script of `shell`."""
+    from robodyn.resources import data_dir
+
+    return (data_dir("templates") / "completion" / SHELLS[shell].file).read_text(encoding="utf-8")
 
 
 @click.command()
-@click.argument("shell", type=SHELLS, metavar="[SHELL]", required=False)
-@click.option("--install", is_flag=True, help="Write the script to your folder of SHELL's completions.")
-@click.option("--uninstall", is_flag=True, help="Remove it from there.")
-@json_option
-def command(shell: str | None, install: bool, uninstall: bool, as_json: bool) -> None:
+@click.argument("shell", type=SHELL_NAMES, metavar="[SHELL]", required=False)
+@flag("--install", "Write the script to your folder of SHELL's completions.")
+@flag("--uninstall", "Remove it from there.")
+def command(shell: str | None, install: bool, uninstall: bool) -> None:
     """Print or install the script with which a shell completes robodyn.
 
     SHELL is bash, zsh or fish; without it, the one that the environment variable SHELL names. Commands,
     options, robots, functions, effects, targets, languages and files are completed. --install writes one
     file, and changes none of yours.
     """
-    from robodyn.errors import InputError
-    from robodyn_cli.shells import script
-
-    name = _named(shell)
+    name = shell if shell is not None else Path(os.environ.get("SHELL", "")).name
+    if name not in SHELLS:
+        raise InputError(
+            f"there is no completion for the shell {name!r}" if name else "no shell is named",
+            expected=f"one of {', '.join(SHELLS)}",
+            remedy="name it: robodyn completion bash" if shell is None else None,
+        )
     if install and uninstall:
         raise InputError("--install and --uninstall contradict each other", remedy="remove one of them")
     text = script(name)
     if not install and not uninstall:
-        if as_json:
+        if as_json():
             echo_json({"shell": name, "script": text})
         else:
             click.echo(text, nl=False)
         return
     path = _path(name)
-    changed = _remove(path) if uninstall else _write(path, text)
-    if as_json:
+    before = _installed(path)
+    changed = before != text if install else before is not None
+    if install and changed:
+        write_file(path, text, remedy="print it: robodyn completion SHELL")
+    elif changed:
+        _remove(path)
+    if as_json():
         echo_json({"shell": name, "path": str(path), "installed": install, "changed": changed})
-    else:
-        _report(name, path, install=install, changed=changed)
-
-
-def _named(shell: str | None) -> str:
-    """The name of the shell.
-
-    Raises
-    ------
-    InputError: there is no completion for it.
-    """
-    from robodyn.errors import InputError
-    from robodyn_cli.shells import SHELLS
-
-    name = shell if shell is not None else Path(os.environ.get("SHELL", "")).name
-    if name not in SHELLS:
-        raise InputError(
-            "no shell is named" if not name else f"there is no completion for the shell {name!r}",
-            expected=f"one of {', '.join(SHELLS)}",
-            remedy="name it: robodyn completion bash" if shell is None else None,
-        )
-    return name
+        return
+    if uninstall:
+        click.echo(f"removed {printable(path)}" if changed else f"nothing to remove at {printable(path)}")
+        return
+    click.echo(f"wrote {printable(path)}" if changed else f"{printable(path)} is up to date")
+    needed = SHELLS[name].needed(path.parent)
+    if needed is not None:
+        click.echo(needed)
+    click.echo(f"new shells complete robodyn; to undo: robodyn completion {name} --uninstall")
 
 
 def _path(shell: str) -> Path:
@@ -71,9 +179,6 @@ def _path(shell: str) -> Path:
     ------
     InputError: there is no home folder.
     """
-    from robodyn.errors import InputError
-    from robodyn_cli.shells import SHELLS
-
     try:
         home = Path.home()
     except RuntimeError:
@@ -83,57 +188,29 @@ def _path(shell: str) -> Path:
     return SHELLS[shell].folder(os.environ, home) / SHELLS[shell].file
 
 
-def _write(path: Path, text: str) -> bool:
-    """Write `text` to `path`; False if it is there already."""
-    if _is_ours(path) and path.read_text(encoding="utf-8") == text:
-        return False
-    write_file(path, text, remedy="print it: robodyn completion SHELL")
-    return True
-
-
-def _remove(path: Path) -> bool:
-    """Remove the script at `path`; False if there is none."""
-    from robodyn.files import cannot_write
-
-    if not _is_ours(path):
-        return False
-    try:
-        path.unlink()
-    except OSError as error:
-        raise cannot_write(printable(path), error, "remove it by hand") from None
-    return True
-
-
-def _is_ours(path: Path) -> bool:
-    """Whether a script of robodyn is at `path`.
+def _installed(path: Path) -> str | None:
+    """The script of robodyn at `path`, None if nothing is there.
 
     Raises
     ------
     InputError: something else is.
     """
-    from robodyn.errors import InputError
-    from robodyn_cli.shells import MARK
-
     if not path.exists():
-        return False
-    if not path.is_file() or MARK not in path.read_text(encoding="utf-8", errors="replace"):
+        return None
+    text = path.read_text(encoding="utf-8", errors="replace") if path.is_file() else ""
+    if MARK not in text:
         raise InputError(
             f"{printable(path)} is not a script of robodyn",
             expected="nothing there, or an earlier completion of robodyn",
             remedy="move it away first",
         )
-    return True
+    return text
 
 
-def _report(shell: str, path: Path, *, install: bool, changed: bool) -> None:
-    """Say what was done, what is left to do, and how to undo it."""
-    from robodyn_cli.shells import SHELLS
+def _remove(path: Path) -> None:
+    from robodyn.files import cannot_write
 
-    if not install:
-        click.echo(f"removed {printable(path)}" if changed else f"nothing to remove at {printable(path)}")
-        return
-    click.echo(f"wrote {printable(path)}" if changed else f"{printable(path)} is up to date")
-    needed = SHELLS[shell].needed(path.parent)
-    if needed is not None:
-        click.echo(needed)
-    click.echo(f"new shells complete robodyn; to undo: robodyn completion {shell} --uninstall")
+    try:
+        path.unlink()
+    except OSError as error:
+        raise cannot_write(printable(path), error, "remove it by hand") from None

@@ -8,32 +8,32 @@ from typing import TYPE_CHECKING, Any
 from robodyn_cli.common import wrapped
 
 if TYPE_CHECKING:
-    from robodyn.counts import Beside, Count
+    from robodyn.counts import Count
     from robodyn.optimize.prune import Pruning
     from robodyn.robot import Robot
 
 
-def record(robot: Robot, function: str, formulation: str, count: Count) -> dict[str, Any]:
-    """A count as ``--json`` prints it."""
+def record(
+    robot: Robot,
+    function: str,
+    formulation: str,
+    count: Count,
+    rigid: Count | None = None,
+    pruning: Pruning | None = None,
+) -> dict[str, Any]:
+    """A count as ``--json`` prints it; of a robot with effects split into the operations of the ``rigid`` arm
+    and those of the effects; with the object ``prune``, if its function was pruned."""
     from robodyn.counts import beside
 
     printed = beside(robot, function, count, formulation)
-    return {
-        "robot": robot.name,
-        "function": function,
-        "formulation": formulation,
-        **count.to_dict(),
+    row: dict[str, Any] = {
+        "robot": robot.name, "function": function, "formulation": formulation, **count.to_dict(),
         "thesis": None if printed is None else printed.to_dict(),
-    }
-
-
-def with_rigid(row: dict[str, Any], rigid: Count | None) -> dict[str, Any]:
-    """``row`` of a robot with effects, split into the rigid arm's operations and those of the effects."""
+    }  # fmt: skip
     if rigid is not None:
-        own = rigid.to_dict()
-        row["rigid"] = own
-        row["effects"] = {kind: row[kind] - own[kind] for kind in own}
-    return row
+        row["rigid"] = rigid.to_dict()
+        row["effects"] = {kind: row[kind] - number for kind, number in rigid.to_dict().items()}
+    return row if pruning is None else {**row, "prune": pruning.to_dict()}
 
 
 def fused_lines(counts: Mapping[str, Count], alone: Mapping[str, Sequence[Count]]) -> list[str]:
@@ -81,12 +81,8 @@ def lines(robot: Robot, rows: Iterable[tuple[str, str, str, Count]]) -> list[str
             numbers = [*numbers[:3], count.sqrt, *numbers[3:], count.other]
         table.append((heading, *map(str, numbers), thesis, printed.verdict if printed else "-"))
         if printed:
-            notes[_note(printed)] = None
+            notes[f"thesis: Table {printed.table}, {printed.row}: {printed.note}"] = None
     return [*_aligned(table), *(line for note in notes for line in wrapped(note))]
-
-
-def _note(printed: Beside) -> str:
-    return f"thesis: Table {printed.table}, {printed.row}: {printed.note}"
 
 
 def _aligned(table: Sequence[tuple[str, ...]]) -> list[str]:
@@ -99,11 +95,6 @@ def _aligned(table: Sequence[tuple[str, ...]]) -> list[str]:
         ).rstrip()
         for row in table
     ]
-
-
-def with_pruning(record: dict[str, Any], pruning: Pruning | None) -> dict[str, Any]:
-    """A count's record with the object ``prune``, if its function was pruned."""
-    return record if pruning is None else {**record, "prune": pruning.to_dict()}
 
 
 def pruning_lines(prunings: Mapping[Any, Pruning]) -> list[str]:

@@ -15,9 +15,11 @@ from robodyn.outputs import check_outputs, write_files
 from robodyn_cli import progress
 from robodyn_cli.choices import FILE, FOLDER, SEVERAL_EFFECTS
 from robodyn_cli.common import (
+    as_json,
     echo_document,
-    json_option,
+    flag,
     load_robot,
+    option,
     parameter_values,
     printable,
     robot_argument,
@@ -52,30 +54,21 @@ UNEXPLAINED: Final = 4
 @click.command()
 @robot_argument
 @click.argument("logs", type=FILE, metavar="TRAIN.csv [MORE.csv ...]", nargs=-1, required=True)
-@click.option("--validate", type=FILE, metavar="V.csv", help="Log for validation, not used for fitting.")
+@option("--validate=V.csv", "Log for validation, not used for fitting.", FILE)
 @log_options
-@click.option(
-    "-o", "--output", "--out", "out", type=FOLDER, required=True, metavar="DIR", help="Output folder."
-)
+@option("-o --output --out=DIR out", "Output folder.", FOLDER, required=True)
 @parameter_option()
-@click.option("--only", type=SEVERAL_EFFECTS, metavar="A,B", help="Look for these effects only.")
-@click.option(
-    "--except", "without", type=SEVERAL_EFFECTS, metavar="A,B", help="Look for all but these effects."
+@option("--only=A,B", "Look for these effects only.", SEVERAL_EFFECTS)
+@option("--except=A,B without", "Look for all but these effects.", SEVERAL_EFFECTS)
+@option(
+    "--joints=J,K",
+    "Look for effects at these joints only, and for none of the whole robot (payload, base tilt).",
 )
-@click.option(
-    "--joints",
-    metavar="J,K",
-    help="Look for effects at these joints only, and for none of the whole robot (payload, base tilt).",
+@option(
+    "--most=N", "Name at most N effects; one at several joints counts once.  [default: 8]", click.IntRange(1)
 )
-@click.option(
-    "--most",
-    type=click.IntRange(1),
-    metavar="N",
-    help="Name at most N effects; one at several joints counts once.  [default: 8]",
-)
-@click.option("--no-kernels", is_flag=True, help="Do not write C and Fortran of the amended model.")
-@click.option("--strict", is_flag=True, help="Refuse physically implausible values.")
-@json_option
+@flag("--no-kernels", "Do not write C and Fortran of the amended model.")
+@flag("--strict", "Refuse physically implausible values.")
 def command(
     robot: str,
     logs: tuple[str, ...],
@@ -90,7 +83,6 @@ def command(
     most: int | None,
     no_kernels: bool,
     strict: bool,
-    as_json: bool,
 ) -> None:
     """Find the effects that a model is missing, add them, and validate the amended model.
 
@@ -122,7 +114,7 @@ def command(
     elif (folder / KERNELS).exists():
         talk(f"robodyn: note: {printable(folder / KERNELS)} is from an earlier run")
     write_files(folder, files)
-    if as_json:
+    if as_json():
         echo_document(str(files[DATA]))
     else:
         from robodyn.report.diagnosis_summary import summary

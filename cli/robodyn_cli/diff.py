@@ -9,7 +9,7 @@ import click
 
 from robodyn.errors import CheckError
 from robodyn_cli.choices import COMPARED, ROBOTS
-from robodyn_cli.common import echo_json, json_option, load_robot, printable, wrapped
+from robodyn_cli.common import as_json, echo_json, load_robot, option, printable, wrapped
 from robodyn_cli.values import parameter_option
 
 if TYPE_CHECKING:
@@ -19,27 +19,19 @@ if TYPE_CHECKING:
 @click.command()
 @click.argument("left", type=ROBOTS, metavar="ROBOT")
 @click.argument("right", type=ROBOTS, metavar="ROBOT")
-@click.option(
-    "--tolerance",
-    type=click.FloatRange(0, 1),
-    metavar="SHARE",
-    help="Share by which numbers may differ (angles: rad); default: 1e-9.",
+@option(
+    "--tolerance=SHARE",
+    "Share by which numbers may differ (angles: rad); default: 1e-9.",
+    click.FloatRange(0, 1),
 )
-@click.option(
-    "--ignore",
-    type=COMPARED,
-    metavar="WHAT,...",
-    help="Leave differences out: names, limits, links, ...",
-)
+@option("--ignore=WHAT,...", "Leave differences out: names, limits, links, ...", COMPARED)
 @parameter_option(" of both")
-@json_option
 def command(
     left: str,
     right: str,
     tolerance: float | None,
     ignore: str | None,
     param: Sequence[tuple[str, float]],
-    as_json: bool,
 ) -> None:
     """Compare two robots: numbers, frames, torques, operation counts.
 
@@ -58,7 +50,7 @@ def command(
         ignore=[word for word in (ignore or "").replace(" ", "").split(",") if word],
         parameters=dict(param) or None,
     )
-    if as_json:
+    if as_json():
         echo_json(to_dict(comparison))
     else:
         for text in _lines(comparison):

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from robodyn.errors import ToolError
 from robodyn_cli.choices import TOOLS
-from robodyn_cli.common import WIDTH, echo_json, json_option, printable
+from robodyn_cli.common import WIDTH, as_json, echo_json, flag, option, printable
 from robodyn_cli.options import listed
 
 if TYPE_CHECKING:
@@ -16,19 +17,15 @@ if TYPE_CHECKING:
 
 
 @click.command()
-@click.option(
-    "--need", type=TOOLS, metavar="A,B", help="Exit with 3 if one of these is missing, such as gcc,gappa."
-)
-@click.option("--all", "all_", is_flag=True, help="Show also what only robodyn's own tests use.")
-@json_option
-def command(need: str | None, all_: bool, as_json: bool) -> None:
+@option("--need=A,B", "Exit with 3 if one of these is missing, such as gcc,gappa.", TOOLS)
+@flag("--all all_", "Show also what only robodyn's own tests use.")
+def command(need: str | None, all_: bool) -> None:
     """Show which programs and libraries are here, what each enables, and how to get the others.
 
     All but the libraries that pip installs with robodyn are optional: what needs one says so. Exits with 3
     if such a library, a file of robodyn, or a tool of --need is missing; else with 0.
     """
     from robodyn.doctor import examine, known, named
-    from robodyn.errors import ToolError
     from robodyn.tools import Use
 
     tools = known()
@@ -37,7 +34,7 @@ def command(need: str | None, all_: bool, as_json: bool) -> None:
     needed = [named(name) for name in listed(need or "")] if all_are_known else []
     tools = tuple(tool for tool in tools if all_ or tool.use is not Use.DEVELOPMENT or tool in needed)
     states = examine(tools)
-    if as_json:
+    if as_json():
         echo_json({**_machine(), "tools": [state.to_dict() for state in states]})
     else:
         _print(states)

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from robodyn.errors import InputError
 from robodyn_cli.common import load_robot, talk
 from robodyn_cli.simulate_options import SimulationOptions, exactly, spread
 
@@ -78,7 +79,6 @@ def driven(robot: Robot, settings: SimulationOptions, values: Mapping[str, float
 
 
 def _torques(robot: Robot, settings: SimulationOptions) -> Driven:
-    from robodyn.errors import InputError
     from robodyn.simulate.plant import build_plant
     from robodyn.simulate.simulation import Torques
     from robodyn.simulate.torque_file import read_torques
@@ -118,15 +118,13 @@ def _controller(
     kd: Any = 0.0
     if law != "feedforward":
         own_kp, own_kd = default_gains(plant.system, motion, law, period, values)
-        kp = own_kp.tolist() if settings.kp is None else spread("--kp", settings.kp, robot.n, robot.name)
-        kd = own_kd.tolist() if settings.kd is None else spread("--kd", settings.kd, robot.n, robot.name)
+        kp = own_kp.tolist() if settings.kp is None else spread("--kp", settings.kp, robot)
+        kd = own_kd.tolist() if settings.kd is None else spread("--kd", settings.kd, robot)
     return Follow(motion, law, kp=kp, kd=kd, period=period, model=model)  # type: ignore[arg-type]
 
 
 def _model(robot: Robot, spec: str) -> Robot:
     """The controller's model of ``robot``."""
-    from robodyn.errors import InputError
-
     model = load_robot(spec)
     strange = [name for name in model.parameters if name not in robot.parameters]
     if model.n != robot.n or strange:
@@ -175,7 +173,7 @@ def _straight(
 
     from robodyn.simulate.trajectories import quintic, trapezoid
 
-    end = exactly("--to", settings.to, robot.n, robot.name)
+    end = exactly("--to", settings.to, robot)
     assert end is not None
     period = _control_period(settings)
     way = np.abs(np.subtract(end, start))
@@ -193,7 +191,6 @@ def _line(
     duration: float,
     values: Mapping[str, float],
 ) -> Trajectory:
-    from robodyn.errors import InputError
     from robodyn.simulate.kinematics import Kinematics
     from robodyn.simulate.trajectories import line
 
@@ -210,7 +207,7 @@ def _line(
         settings.line[0] if len(settings.line) == 2 else place,
         settings.line[-1],
         duration,
-        settings.profile or "quintic",  # type: ignore[arg-type]  # checked by click
+        settings.profile or "quintic",
         rotation=turn if link == 6 else None,
         start=start,
         period=_control_period(settings),

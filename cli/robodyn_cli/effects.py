@@ -4,25 +4,24 @@ from __future__ import annotations
 
 import click
 
+from robodyn.errors import InputError
 from robodyn_cli.choices import EFFECTS
-from robodyn_cli.common import echo_json, json_option
+from robodyn_cli.common import as_json, echo_json, flag
 
 
 @click.command()
 @click.argument("id", type=EFFECTS, metavar="[ID]", required=False)
-@click.option("--markdown", is_flag=True, help="Print the whole page (docs/effects.md).")
-@click.option("--latex", is_flag=True, help="Print the equations as LaTeX.")
-@json_option
-def command(id: str | None, markdown: bool, latex: bool, as_json: bool) -> None:
+@flag("--markdown", "Print the whole page (docs/effects.md).")
+@flag("--latex", "Print the equations as LaTeX.")
+def command(id: str | None, markdown: bool, latex: bool) -> None:
     """List the effects of the catalogue, or describe one of them."""
     from robodyn.effects.catalogue import CATALOGUE, effect
-    from robodyn.errors import InputError
     from robodyn.report import effects as report
 
-    if markdown + latex + as_json > 1:
+    if markdown + latex + as_json() > 1:
         raise InputError("more than one output format", expected="--markdown, --latex or --json")
     chosen = CATALOGUE if id is None else {id: effect(id)}
-    if as_json:
+    if as_json():
         pages = [report.data(each) for each in chosen.values()]
         echo_json(pages if id is None else pages[0])
     elif latex:

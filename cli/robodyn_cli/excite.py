@@ -6,12 +6,14 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from robodyn.errors import InputError
 from robodyn_cli import progress
 from robodyn_cli.choices import FILE, SEVERAL_EFFECTS
 from robodyn_cli.common import (
+    as_json,
     echo_json,
-    json_option,
     load_robot,
+    option,
     output_folder,
     printable,
     robot_argument,
@@ -32,47 +34,14 @@ _LARGEST = 5_000_000  # samples times joints
 
 @click.command()
 @robot_argument
-@click.option(
-    "--tell",
-    type=SEVERAL_EFFECTS,
-    metavar="A,B[@JOINT]",
-    help="Effects to distinguish.  [default: the whole catalogue]",
-)
-@click.option(
-    "--duration", type=POSITIVE, default=10.0, metavar="S", help="Duration of the motion.  [default: 10]"
-)
-@click.option(
-    "--harmonics",
-    type=click.IntRange(2, 50),
-    default=5,
-    metavar="N",
-    show_default=True,
-    help="Number of harmonics of the motion.",
-)
-@click.option(
-    "--rate", type=POSITIVE, default=100.0, metavar="HZ", help="Sample rate of the file.  [default: 100]"
-)
-@click.option(
-    "--seed",
-    type=click.IntRange(0),
-    default=0,
-    metavar="S",
-    show_default=True,
-    help="Seed of the random motions.",
-)
-@click.option(
-    "--tries",
-    type=click.IntRange(1, 10_000),
-    default=20,
-    metavar="N",
-    show_default=True,
-    help="Number of motions to try.",
-)
-@click.option(
-    "-o", "--output", type=FILE, metavar="TRAJ.csv", required=True, help="Output file, - for stdout."
-)
-@json_option
-def command(robot: str, tell: str | None, output: str, as_json: bool, rate: float, **options: Any) -> None:
+@option("--tell=A,B[@JOINT]", "Effects to distinguish.  [default: the whole catalogue]", SEVERAL_EFFECTS)
+@option("--duration=S", "Duration of the motion.", POSITIVE, default="10")
+@option("--harmonics=N", "Number of harmonics of the motion.", click.IntRange(2, 50), default=5)
+@option("--rate=HZ", "Sample rate of the file.", POSITIVE, default="100")
+@option("--seed=S", "Seed of the random motions.", click.IntRange(0), default=0)
+@option("--tries=N", "Number of motions to try.", click.IntRange(1, 10_000), default=20)
+@option("-o --output=TRAJ.csv", "Output file, - for stdout.", FILE, required=True)
+def command(robot: str, tell: str | None, output: str, rate: float, **options: Any) -> None:
     """Design a motion within the limits that distinguishes effects.
 
     The command tries several random periodic motions and writes the best one: the one on which the torques of
@@ -82,10 +51,9 @@ def command(robot: str, tell: str | None, output: str, as_json: bool, rate: floa
     The file has the columns t, q.., qd.. and qdd.., as read by simulate --trajectory and hide --trajectory.
     """
     from robodyn.diagnose.excite import design
-    from robodyn.errors import InputError
 
     described = load_robot(robot)
-    if output == "-" and as_json:
+    if output == "-" and as_json():
         raise InputError("--json and -o - both write to stdout", remedy="remove one of them")
     samples = options["duration"] * rate
     if not 20 <= samples <= _LARGEST / described.n:
@@ -110,7 +78,7 @@ def command(robot: str, tell: str | None, output: str, as_json: bool, rate: floa
         path = output_folder(output)
         write_file(path, text)
         files = [str(path)]
-    if as_json:
+    if as_json():
         echo_json(_summary(best, files))
         return
     for line in _lines(best, files):

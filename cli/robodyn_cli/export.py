@@ -9,11 +9,12 @@ import click
 from robodyn_cli.choices import FILE, TARGET_FORMATS
 from robodyn_cli.common import (
     FORCE_FILE,
+    as_json,
     echo_json,
     force_option,
-    json_option,
     load_robot,
     new_file,
+    option,
     parameter_values,
     printable,
     robot_argument,
@@ -25,20 +26,11 @@ from robodyn_cli.values import parameter_option
 
 @click.command()
 @robot_argument
-@click.option(
-    "--to",
-    required=True,
-    type=TARGET_FORMATS,
-    metavar="FORMAT",
-    help="Format of the file: urdf, mjcf or sdf.",
-)
+@option("--to=FORMAT", "Format of the file: urdf, mjcf or sdf.", TARGET_FORMATS, required=True)
 @parameter_option()
-@click.option("-o", "--output", type=FILE, metavar="FILE", help="Output file; default: stdout.")
+@option("-o --output=FILE", "Output file; default: stdout.", FILE)
 @force_option(FORCE_FILE)
-@json_option
-def command(
-    robot: str, to: str, param: Sequence[tuple[str, float]], output: str | None, force: bool, as_json: bool
-) -> None:
+def command(robot: str, to: str, param: Sequence[tuple[str, float]], output: str | None, force: bool) -> None:
     """Export a robot to URDF, MJCF or SDF.
 
     The file has the same torques, poses and joint coordinates, base and tool frames, limits, viscous and
@@ -57,7 +49,7 @@ def command(
         talk(f"robodyn: note: {remark}")
     for what in exported.missing:
         talk(f"robodyn: not in the file: {what}")
-    if as_json:
+    if as_json():
         echo_json(
             {
                 "name": arm.name,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import copy
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from functools import wraps
 from typing import Any
 
@@ -12,60 +12,58 @@ import click
 
 from robodyn.errors import InputError
 from robodyn_cli.choices import ROBOTS
+from robodyn_cli.common import JSON, flag, option
 from robodyn_cli.values import Argument, unique
 
 
 def file_options(command: Callable[..., Any]) -> Callable[..., Any]:
     """Add ``--arg`` (``arg``), ``--model`` (``file_model``), ``--without`` (``left_out``) and ``--massless``
     (``massless``) to a command."""
-    command = click.option(
+    command = flag(
         "--massless",
-        is_flag=True,
-        help="Take masses and inertias that the file does not state as 0; without it, torques that rest on "
-        "them are refused.",
+        "Take masses and inertias that the file does not state as 0; without it, torques that rest on them "
+        "are refused.",
     )(command)
-    command = click.option(
-        "--without",
-        "left_out",
-        multiple=True,
-        metavar="NAME",
-        help="Leave out something that a file in another format states, that changes torques and that is not "
+    command = option(
+        "--without=NAME left_out",
+        "Leave out something that a file in another format states, that changes torques and that is not "
         "modelled: gravcomp, density, ...; may be repeated.",
-    )(command)
-    command = click.option(
-        "--model",
-        "file_model",
-        default="",
-        metavar="NAME",
-        help="Model to read from an SDF file that has several; OUTER::INNER for one in another.",
-    )(command)
-    return click.option(
-        "--arg",
-        type=Argument(),
         multiple=True,
-        metavar="NAME=VALUE",
-        help="Set an argument of a xacro file, or ('find NAME') a folder that it or an MJCF file may read; "
-        "may be repeated.",
+    )(command)
+    command = option(
+        "--model=NAME file_model",
+        "Model to read from an SDF file that has several; OUTER::INNER for one in another.",
+        default="",
+        show_default=False,
+    )(command)
+    return option(
+        "--arg=NAME=VALUE",
+        "Set an argument of a xacro file, or ('find NAME') a folder that it or an MJCF file may read; may "
+        "be repeated.",
+        Argument(),
+        multiple=True,
     )(command)
 
 
-def with_file_options(command: click.Command) -> click.Command:
-    """``command``, which takes a ROBOT, with the options."""
-    assert command.callback is not None
-    callback = file_options(_in_their_context(command.callback))
-    wider = copy.copy(command)
-    wider.params = [*command.params, *reversed(callback.__click_params__)]  # type: ignore[attr-defined]
-    wider.callback = callback
-    return wider
+def with_common_options(command: click.Command) -> click.Command:
+    """``command`` with ``--json`` and, if it takes a ROBOT, with the options of how files are read, none of
+    which its function gets."""
+    callback = command.callback
+    assert callback is not None
+    takes_robot = any(parameter.type is ROBOTS for parameter in command.params)
 
-
-def _in_their_context(callback: Callable[..., Any]) -> Callable[..., Any]:
     @wraps(callback)
     def with_options(**parameters: Any) -> Any:
-        with files_read_by(parameters):
+        parameters.pop(JSON.name, None)
+        with files_read_by(parameters) if takes_robot else nullcontext():
             return callback(**parameters)
 
-    return with_options
+    wider = copy.copy(command)
+    wider.params = [*command.params, JSON]
+    if takes_robot:
+        wider.params += reversed(file_options(with_options).__click_params__)  # type: ignore[attr-defined]
+    wider.callback = with_options
+    return wider
 
 
 @contextmanager

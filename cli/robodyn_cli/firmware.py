@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
-from robodyn_cli.common import check_files, echo_json, printable, talk
+from robodyn.errors import InputError
+from robodyn_cli.common import as_json, echo_json, flag, printable, report_up_to_date, talk
 from robodyn_cli.options import listed
 
 if TYPE_CHECKING:
@@ -23,10 +24,9 @@ FOLDER = "firmware"
 
 def firmware_option(command: Command) -> Command:
     """Add ``--firmware``, passed to `command` as ``firmware: bool``."""
-    return click.option(
+    return flag(
         "--firmware",
-        is_flag=True,
-        help="Write DIR/firmware instead: kernel with built-in sine and cosine (inverse_dynamics, or "
+        "Write DIR/firmware instead: kernel with built-in sine and cosine (inverse_dynamics, or "
         "--functions), self-test, CMake, an image for qemu, a README with the measured cost.",
     )(command)
 
@@ -38,18 +38,17 @@ def for_firmware(options: Options, target: str | None, **others: object) -> Opti
     ------
     InputError: one of them is set.
     """
-    from robodyn.errors import InputError
     from robodyn.firmware import firmware_options
 
     for name, value in others.items():
         if value:
             raise InputError(f"--{name} cannot be combined with --firmware", remedy="remove one of them")
-    return firmware_options(
-        options,
-        listed(target or ""),
-        scalar=options.scalar if _on_command_line("scalar") else None,
-        trig=options.trig if _on_command_line("trig") else None,
-    )
+    source = click.get_current_context().get_parameter_source
+    named = {
+        name: getattr(options, name) if source(name) is click.core.ParameterSource.COMMANDLINE else None
+        for name in ("scalar", "trig")
+    }
+    return firmware_options(options, listed(target or ""), **named)
 
 
 def firmware_of(generated: Generated, languages: tuple[str, ...], target: str | None) -> Folder:
@@ -64,12 +63,9 @@ def write_firmware(
     folder: Path,
     languages: tuple[str, ...],
     target: str | None,
-    *,
-    check: bool,
-    as_json: bool,
-    write: Callable[[Path, dict[str, str]], None],
+    write: Callable[[Path, dict[str, str]], None] | None,
 ) -> None:
-    """``write`` the folder, or compare it with what would be written (except the README, which depends on
+    """``write`` the folder; None: compare it with what would be written (except the README, which depends on
     this machine).
 
     Raises
@@ -80,40 +76,22 @@ def write_firmware(
 
     folder = folder / FOLDER
     name, targets = generated.unit.robot.name, targets_named(listed(target or ""))
-    made_folder = firmware_of(generated, languages, target)
-    files = dict(made_folder.files)
-    if check:
-        check_files(folder, files)
-        if as_json:
-            echo_json({"robot": name, "checked": [str(folder / file) for file in files]})
-        else:
-            click.echo(f"{name}: {len(files)} files in {printable(folder)} are up to date")
+    product = firmware_of(generated, languages, target)
+    files = dict(product.files)
+    if write is None:
+        report_up_to_date(name, folder, files)
         return
     functions = [interface.function for interface in generated.signatures]
     figures = [measure(name, files, functions, one) for one in targets]
-    files["README.md"] = made_folder.readme(figures)
+    files["README.md"] = product.readme(figures)
     write(folder, files)
-    for needed in dict.fromkeys(
-        missing for measured in figures for missing in (measured.missing, measured.not_run)
-    ):
+    for needed in dict.fromkeys(tool for each in figures for tool in (each.missing, each.not_run)):
         if needed is not None:
             talk(f"robodyn: note: not everything was measured: needs {needed}")
-    if as_json:
-        echo_json(
-            {
-                "robot": name,
-                "files": [str(folder / file) for file in files],
-                "firmware": [measured.to_dict() for measured in figures],
-            }
-        )
+    if as_json():
+        paths = [str(folder / file) for file in files]
+        echo_json({"robot": name, "files": paths, "firmware": [each.to_dict() for each in figures]})
         return
     click.echo(f"{name}: wrote {len(files)} files in {printable(folder)}")
-    for measured in figures:
-        for line in measured.lines():
-            click.echo(line)
-
-
-def _on_command_line(name: str) -> bool:
-    """Whether the option was given on the command line."""
-    source = click.get_current_context().get_parameter_source(name)
-    return source is click.core.ParameterSource.COMMANDLINE
+    for line in (line for each in figures for line in each.lines()):
+        click.echo(line)

@@ -13,7 +13,7 @@ from robodyn.errors import InputError
 from robodyn.outputs import check_outputs, write_files
 from robodyn_cli import progress
 from robodyn_cli.choices import FILE, FOLDER
-from robodyn_cli.common import echo_document, json_option, printable, talk
+from robodyn_cli.common import as_json, echo_document, flag, option, printable, talk
 from robodyn_cli.log_files import result_folder, spare_inputs
 from robodyn_cli.values import POSITIVE
 
@@ -29,35 +29,25 @@ _PAGES: Final = 100
 
 @click.command()
 @click.argument("fleet", type=FILE, metavar="FLEET")
-@click.option(
-    "-o", "--output", "--out", "out", required=True, type=FOLDER, metavar="DIR", help="Output folder."
-)
-@click.option(
-    "--on",
+@option("-o --output --out=DIR out", "Output folder.", FOLDER, required=True)
+@option(
+    "--on=WHERE",
+    "Where the work runs: here (in this process), local[:N] (N processes of this machine; without N "
+    "one for each core), or dask://HOST:PORT (a scheduler of Dask).",
     default="local",
-    metavar="WHERE",
-    help="Where the work runs: here (in this process), local[:N] (N processes of this machine; without N one "
-    "for each core), or dask://HOST:PORT (a scheduler of Dask).  [default: local]",
 )
-@click.option(
-    "--diagnose",
-    type=click.Choice(["named", "all", "none"]),
-    default="named",
-    help="Units that get a full diagnosis of their logs.  [default: named]",
+@option(
+    "--diagnose", "Units that get a full diagnosis of their logs.", ["named", "all", "none"], default="named"
 )
-@click.option(
-    "--false-names",
-    type=POSITIVE,
-    metavar="SHARE",
-    help="Share of the named units of the whole fleet that may be healthy on average.  [default: 0.05]",
+@option(
+    "--false-names=SHARE",
+    "Share of the named units of the whole fleet that may be healthy on average.  [default: 0.05]",
+    POSITIVE,
 )
-@click.option("--tls-ca", type=FILE, metavar="FILE", help="Certificate that signs the scheduler's (PEM).")
-@click.option("--tls-cert", type=FILE, metavar="FILE", help="Own certificate for dask:// (PEM).")
-@click.option(
-    "--tls-key", type=FILE, metavar="FILE", help="Its key (PEM).  [default: in the file of --tls-cert]"
-)
-@click.option("--no-parquet", is_flag=True, help="Do not write fleet.parquet, which needs pyarrow.")
-@json_option
+@option("--tls-ca=FILE", "Certificate that signs the scheduler's (PEM).", FILE)
+@option("--tls-cert=FILE", "Own certificate for dask:// (PEM).", FILE)
+@option("--tls-key=FILE", "Its key (PEM).  [default: in the file of --tls-cert]", FILE)
+@flag("--no-parquet", "Do not write fleet.parquet, which needs pyarrow.")
 def command(
     fleet: str,
     out: str,
@@ -65,7 +55,6 @@ def command(
     diagnose: Any,
     false_names: float | None,
     no_parquet: bool,
-    as_json: bool,
     **tls: str | None,
 ) -> None:
     """Find the arms of a fleet that differ from their siblings or have changed.
@@ -98,7 +87,7 @@ def command(
         text = _written(result, folder, shown.tell, table=not no_parquet)
     for arm in described.types.values():
         load(arm.spec, warn=lambda _: None, note=lambda text: talk(f"robodyn: note: {text}"))
-    if as_json:
+    if as_json():
         echo_document(text)
         return
     from robodyn.report.fleet_text import summary

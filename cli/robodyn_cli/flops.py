@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import click
 
+from robodyn.errors import CheckError
 from robodyn_cli.code_options import prune_option, pruning_progress, tolerance
-from robodyn_cli.common import echo_json, json_option, robot_argument
-from robodyn_cli.counted import effect_lines, lines, pruning_lines, record, with_pruning, with_rigid
+from robodyn_cli.common import as_json, echo_json, option, robot_argument
+from robodyn_cli.counted import effect_lines, lines, pruning_lines, record
 from robodyn_cli.options import (
     functions_option,
     fuse_option,
     listed,
     load,
     model_options,
+    options_of,
     search_options,
     with_fused,
 )
@@ -23,28 +27,18 @@ from robodyn_cli.searching import Search
 @robot_argument
 @functions_option("inverse_dynamics", "Functions to count, separated by commas, or all.")
 @fuse_option
-@click.option("--budget", metavar="KIND=N,...", help="Maximum operations, e.g. mul=208,add=152,total=360.")
+@option("--budget=KIND=N,...", "Maximum operations, e.g. mul=208,add=152,total=360.")
 @model_options
 @search_options
 @prune_option
-@json_option
 def command(
     robot: str,
     functions: str,
     fuse: tuple[str, ...],
     wrench: bool,
     budget: str | None,
-    formulation: str,
-    optimize: str,
-    no_regroup: bool,
-    engine: str,
-    strict: bool,
-    budget_seconds: float | None,
-    seed: int,
-    objective: str,
-    keep: bool,
     prune: str | None,
-    as_json: bool,
+    **model: Any,
 ) -> None:
     """Count multiplications and additions, and check them against a budget.
 
@@ -57,8 +51,7 @@ def command(
 
     from robodyn.counts import Count, count, parse_budget
     from robodyn.dynamics.functions import FUNCTIONS, NoSuchFunction
-    from robodyn.errors import CheckError
-    from robodyn.kernels.generate import Options, maker
+    from robodyn.kernels.generate import maker
     from robodyn.optimize.programs import FORMULATIONS
     from robodyn.optimize.prune import Pruning
 
@@ -66,11 +59,12 @@ def command(
     chosen = (
         with_fused(tuple(FUNCTIONS) if functions == "all" else listed(functions), fuse, wrench=wrench) or ()
     )
-    formulations = tuple(FORMULATIONS) if formulation == "all" else (formulation,)
-    options = Options(chosen, formulations[0], optimize, not no_regroup, engine=engine)  # type: ignore[arg-type]
-    options = replace(options, prune=tolerance(prune))
-    described = load(robot, strict=strict)
-    options = Search(budget_seconds, seed, objective, keep).applied(described, options, chosen)
+    every = model["formulation"] == "all"
+    formulations = tuple(FORMULATIONS) if every else (model["formulation"],)
+    options = options_of(chosen, {**model, "formulation": formulations[0]}, prune=tolerance(prune))
+    described = load(robot, strict=model["strict"])
+    search = Search(*(model[name] for name in ("budget_seconds", "seed", "objective", "keep")))
+    options = search.applied(described, options, chosen)
     choices = [
         (f, form, replace(options, functions=(f,), formulation=form)) for form in formulations for f in chosen
     ]
@@ -88,14 +82,12 @@ def command(
                 continue
             rigid[f, form] = programs.rigid_count(f)
             prunings.update({(name, form): pruning for name, pruning in programs.prunings.items()})
-    if as_json:
+    if as_json():
         records = [
-            with_pruning(
-                with_rigid(record(described, f, form, c), rigid.get((f, form))), prunings.get((f, form))
-            )
+            record(described, f, form, c, rigid.get((f, form)), prunings.get((f, form)))
             for f, form, c in counts
         ]
-        echo_json(records if len(choices) > 1 or "all" in (functions, formulation) else records[0])
+        echo_json(records if len(choices) > 1 or every or functions == "all" else records[0])
     else:
         click.echo(f"{described.name}: {described.title}" if described.title else described.name)
         many = len(formulations) > 1

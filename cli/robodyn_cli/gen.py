@@ -9,29 +9,24 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from robodyn.errors import CheckError, InputError, ToolError
 from robodyn.outputs import write_files
 from robodyn_cli.choices import FOLDER
 from robodyn_cli.code_options import code_options, prune_option
 from robodyn_cli.common import (
     FORCE,
-    check_files,
+    as_json,
     echo_json,
+    flag,
     force_option,
-    json_option,
+    option,
     output_folder,
     printable,
+    report_up_to_date,
     robot_argument,
     wrapped,
 )
-from robodyn_cli.counted import (
-    effect_lines,
-    fused_lines,
-    lines,
-    pruning_lines,
-    record,
-    with_pruning,
-    with_rigid,
-)
+from robodyn_cli.counted import effect_lines, fused_lines, lines, pruning_lines
 from robodyn_cli.firmware import firmware_option, write_firmware
 from robodyn_cli.generating import kernels
 from robodyn_cli.languages import language_option
@@ -43,135 +38,81 @@ if TYPE_CHECKING:
 
 @click.command()
 @robot_argument
-@click.option("-o", "--output", type=FOLDER, metavar="DIR", help="Output folder.  [default: generated/NAME]")
+@option("-o --output=DIR", "Output folder.  [default: generated/NAME]", FOLDER)
 @language_option
-@click.option("--compile", "compile_", is_flag=True, help="Also compile and load the kernels.")
-@code_options(
-    lists={"compiled": "compiled_targets", "firmware": "firmware_targets"},
-    target_help=" With --firmware: processors of the images, separated by commas: {firmware}.  [default with "
-    "--firmware: all]",
-)
-@click.option("--batch", is_flag=True, help="Also write NAME_batch.c: many states per call, with SIMD.")
+@flag("--compile compile_", "Also compile and load the kernels.")
+@code_options(firmware=True)
+@flag("--batch", "Also write NAME_batch.c: many states per call, with SIMD.")
 @functions_option()
 @fuse_option
 @model_options
 @search_options
-@click.option(
-    "--on",
-    metavar="WHERE",
-    help="Search with many seeds at once, and take the best: here, local[:N] (N processes) or "
+@option(
+    "--on=WHERE",
+    "Search with many seeds at once, and take the best: here, local[:N] (N processes) or "
     "dask://HOST:PORT (a scheduler of Dask).",
 )
-@click.option(
-    "--seeds",
-    type=click.IntRange(1, 100_000),
-    metavar="N",
-    help="How many seeds, from --seed on, with --on; each has the whole budget.  [default: 8]",
+@option(
+    "--seeds=N",
+    "How many seeds, from --seed on, with --on; each has the whole budget.  [default: 8]",
+    click.IntRange(1, 100_000),
 )
 @prune_option
 @firmware_option
-@click.option("--latex", is_flag=True, help="Also write NAME.tex, the typeset recursion (uses sympy).")
-@click.option("--check", is_flag=True, help="Write nothing; exit with 1 if the files in DIR differ.")
+@flag("--latex", "Also write NAME.tex, the typeset recursion (uses sympy).")
+@flag("--check", "Write nothing; exit with 1 if the files in DIR differ.")
 @force_option(FORCE)
-@json_option
-def command(
-    robot: str,
-    output: str | None,
-    lang: str | None,
-    compile_: bool,
-    target: str | None,
-    batch: bool,
-    keep: bool,
-    firmware: bool,
-    latex: bool,
-    check: bool,
-    force: bool,
-    as_json: bool,
-    **others: Any,
-) -> None:
+def command(robot: str, output: str | None, check: bool, force: bool, **options: Any) -> None:
     """Write the kernels of a robot, and print the operation counts.
 
     They are in C and Fortran unless --lang says otherwise: DIR gets NAME.h, NAME.c and NAME.f90 (a crate with
     --lang rust, a module with --lang javascript) with the functions of --functions. The same input gives the
     same bytes on any machine.
     """
-    from robodyn.errors import InputError
-
-    if check and keep:
+    if check and options["keep"]:
         raise InputError("--check writes nothing, but --keep writes a record", remedy="remove one of them")
     folder = output_folder(output) if output is not None else None
-    product = kernels(
-        robot,
-        lang=lang,
-        compiled=compile_,
-        firmware=firmware,
-        target=target,
-        batch=batch,
-        keep=keep,
-        latex=latex,
-        **others,
-    )
-    described, options, generated = product.robot, product.options, product.generated
-    formulation = options.formulation
-    if folder is None:
-        folder = Path("generated") / described.name
-    if firmware:
-        write_firmware(
-            generated, folder, product.languages, target, check=check, as_json=as_json,
-            write=lambda folder, files: _write(folder, files, default=output is None, force=force),
-        )  # fmt: skip
+    product = kernels(robot, **options)
+    generated, name = product.generated, product.robot.name
+    folder = Path("generated") / name if folder is None else folder
+
+    def write(folder: Path, files: Mapping[str, str | bytes]) -> None:
+        """Write ``files``; of the default folder no part may be a link, which nobody has named."""
+        base = Path() if output is None else folder
+        paths = {str((folder / file).relative_to(base)): content for file, content in files.items()}
+        write_files(base, paths, force=force)
+
+    if options["firmware"]:
+        write_firmware(generated, folder, product.languages, options["target"], None if check else write)
         return
-    files = product.files(batch=batch, latex=latex)
+    files = product.files(batch=options["batch"], latex=options["latex"])
     if check:
-        check_files(folder, files)
-        if as_json:
-            echo_json({"robot": described.name, "checked": [str(folder / name) for name in files]})
-        else:
-            click.echo(f"{described.name}: {len(files)} files in {printable(folder)} are up to date")
+        report_up_to_date(name, folder, files)
         return
-    built = (
-        _compiled(generated, product.languages, explicit=lang is not None, batch=batch) if compile_ else None
-    )
-    _write(folder, files, default=output is None, force=force)
-    if as_json:
-        echo_json(
-            {
-                "robot": described.name,
-                **_profile(options),
-                "files": [str(folder / name) for name in files],
-                "functions": [
-                    with_pruning(
-                        with_rigid(record(described, f, formulation, c), generated.rigid_counts.get(f)),
-                        generated.prunings.get(f),
-                    )
-                    | {"zeros": generated.zeros[f]}
-                    for f, c in generated.counts.items()
-                ],
-                "compiled": built,
-                **generated.base_parameters(),
-            }
-        )
+    built: dict[str, Any] | None = None
+    if options["compile_"]:
+        explicit = options["lang"] is not None
+        built = _compiled(generated, product.languages, explicit=explicit, batch=options["batch"])
+    write(folder, files)
+    if as_json():
+        paths = [str(folder / file) for file in files]
+        functions = [
+            {**product.record(function), "zeros": generated.zeros[function]} for function in generated.counts
+        ]
+        head = {"robot": name, **_profile(product.options), "files": paths, "functions": functions}
+        echo_json({**head, "compiled": built, **generated.base_parameters()})
         return
-    wrote = ", ".join(printable(folder / name) for name in files)
-    for line in wrapped(f"{described.name}: wrote {wrote}"):
+    wrote = ", ".join(printable(folder / file) for file in files)
+    rows = [(f, f, product.options.formulation, count) for f, count in generated.counts.items()]
+    for line in (
+        *wrapped(f"{name}: wrote {wrote}"),
+        *lines(product.robot, rows),
+        *fused_lines(generated.counts, generated.alone),
+        *effect_lines(generated.counts, generated.rigid_counts),
+        *pruning_lines(generated.prunings),
+        *(f"{language}: {text}" for language, text in (built or {}).items()),
+    ):
         click.echo(line)
-    for line in lines(described, [(f, f, formulation, c) for f, c in generated.counts.items()]):
-        click.echo(line)
-    for line in fused_lines(generated.counts, generated.alone):
-        click.echo(line)
-    for line in effect_lines(generated.counts, generated.rigid_counts):
-        click.echo(line)
-    for line in pruning_lines(generated.prunings):
-        click.echo(line)
-    for language, text in (built or {}).items():
-        click.echo(f"{language}: {text}")
-
-
-def _write(folder: Path, files: Mapping[str, str | bytes], *, default: bool, force: bool) -> None:
-    """Write ``files`` to ``folder``; of the ``default`` one no part may be a link, which nobody has named."""
-    base = Path() if default else folder
-    paths = {str((folder / name).relative_to(base)): content for name, content in files.items()}
-    write_files(base, paths, force=force)
 
 
 def _profile(options: Options) -> dict[str, Any]:
@@ -189,7 +130,6 @@ def _compiled(
 ) -> dict[str, Any]:
     """Compile and load each language; compare their results bit by bit if there are several."""
     from robodyn.emit.languages import LANGUAGES
-    from robodyn.errors import CheckError, ToolError
     from robodyn.kernels.kernel import load as load_kernel
 
     kernels: dict[str, Any] = {}

@@ -5,15 +5,18 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from types import SimpleNamespace
+from typing import TYPE_CHECKING, Any
 
 import click
 
+from robodyn.errors import InputError
 from robodyn_cli.code_options import pruning_progress, tolerance
 from robodyn_cli.common import talk
+from robodyn_cli.counted import record
 from robodyn_cli.firmware import for_firmware
 from robodyn_cli.languages import chosen_languages, tests_of, trig_for
-from robodyn_cli.options import kernel_options, listed, load, with_fused
+from robodyn_cli.options import listed, load, options_of, with_fused
 from robodyn_cli.searching import Search
 
 if TYPE_CHECKING:
@@ -30,6 +33,13 @@ class Kernels:
     languages: tuple[str, ...]
     generated: Generated
 
+    def record(self, function: str) -> dict[str, Any]:
+        """The count of a ``function`` as ``--json`` prints it."""
+        generated = self.generated
+        rigid, pruning = generated.rigid_counts.get(function), generated.prunings.get(function)
+        count, formulation = generated.counts[function], self.options.formulation
+        return record(self.robot, function, formulation, count, rigid, pruning)
+
     def files(self, *, batch: bool, latex: bool) -> dict[str, str]:
         """Text by file name; with notes on stderr about what cannot be written."""
         files = {
@@ -45,41 +55,9 @@ class Kernels:
         return files
 
 
-def kernels(
-    robot: str,
-    *,
-    lang: str | None,
-    scalar: str,
-    trig: str,
-    batch: bool,
-    order: str,
-    contraction: str | None,
-    target: str | None,
-    functions: str | None,
-    fuse: tuple[str, ...],
-    wrench: bool,
-    misra: bool,
-    readable: bool,
-    formulation: str,
-    optimize: str,
-    no_regroup: bool,
-    engine: str,
-    strict: bool,
-    budget_seconds: float | None,
-    seed: int,
-    objective: str,
-    keep: bool,
-    prune: str | None,
-    latex: bool,
-    on: str | None = None,
-    seeds: int | None = None,
-    compiled: bool = False,
-    firmware: bool = False,
-    derivatives: bool = False,
-) -> Kernels:
-    """The kernels of the description ``robot`` with the options of ``gen`` in the current context of click;
-    ``compiled``: for languages that can be called from here; ``derivatives``: with what has those of the
-    functions, as far as the robot has it.
+def kernels(robot: str, **options: Any) -> Kernels:
+    """The kernels of the description ``robot`` with the ``options`` of ``gen``, in the current context of
+    click. ``derivatives``: with what has those of the functions, as far as the robot has it.
 
     Raises
     ------
@@ -87,62 +65,60 @@ def kernels(
     """
     from robodyn.kernels.generate import generate
 
-    languages = chosen_languages(lang, compiled=compiled)
-    if readable:
-        optimize, order = _in_the_books_order(optimize, order, batch=batch)
-    options = kernel_options(
-        None if firmware else target,
-        {
-            "scalar": scalar,
-            "trig": trig_for(languages, trig),
-            "order": order,
-            "contraction": contraction,
-            "objective": objective,
-        },
-        functions=with_fused(functions and listed(functions), fuse, wrench=wrench),
-        formulation=formulation,
-        optimize=optimize,
-        regroup=not no_regroup,
-        engine=engine,
-        prune=tolerance(prune),
-        misra=misra,
-        readable=readable,
-        derivatives=derivatives,
-    )
+    given = SimpleNamespace(**{"derivatives": False, "on": None, "seeds": None, **options})
+    compiled, firmware = options.get("compile_", False), options.get("firmware", False)
+    languages = chosen_languages(given.lang, compiled=compiled)
+    if given.readable:
+        _check_readable(given)
+        given.optimize, given.order = "none", "recursion"
+    given.trig = trig_for(languages, given.trig)
+    target = None if firmware else given.target
+    chosen = {
+        name: getattr(given, name)
+        for name in ("scalar", "trig", "order", "contraction", "objective")
+        if target is None or _is_on_command_line(name) or (name == "order" and given.readable)
+    }  # the others are the target's
+    functions = with_fused(given.functions and listed(given.functions), given.fuse, wrench=given.wrench)
+    plain = {name: getattr(given, name) for name in ("misra", "readable", "derivatives")}
+    asked = options_of(functions, vars(given), target=target, prune=tolerance(given.prune), **plain, **chosen)
     if firmware:
-        unfit = {"compile": compiled, "latex": latex, "batch": batch, "contraction on": contraction == "on"}
-        options = for_firmware(options, target, **unfit)
-    described = load(robot, strict=strict)
-    options = Search(budget_seconds, seed, options.objective, keep, on, seeds).applied(
-        described, options, options.function_names
-    )
+        contracted = given.contraction == "on"
+        unfit = {
+            "compile": compiled,
+            "latex": given.latex,
+            "batch": given.batch,
+            "contraction on": contracted,
+        }
+        asked = for_firmware(asked, given.target, **unfit)
+    described = load(robot, strict=given.strict)
+    search = Search(given.budget_seconds, given.seed, asked.objective, given.keep, given.on, given.seeds)
+    asked = search.applied(described, asked, asked.function_names)
     with pruning_progress() as tell:
-        generated = generate(described, options, progress=_progress(described), pruning=tell)
+        generated = generate(described, asked, progress=_progress(described), pruning=tell)
     for function, reason in generated.left_out.items():
         talk(f"robodyn: note: {described.name} has no {function}: {reason}")
-    return Kernels(described, options, languages, generated)
+    return Kernels(described, asked, languages, generated)
 
 
-def _in_the_books_order(optimize: str, order: str, *, batch: bool) -> tuple[str, str]:
-    """What --readable stands for, where the command line says nothing else; contradictions are refused."""
-    from click.core import ParameterSource
+def _is_on_command_line(name: str) -> bool:
+    source = click.get_current_context().get_parameter_source(name)
+    return source is not click.core.ParameterSource.DEFAULT
 
-    from robodyn.errors import InputError
 
-    context = click.get_current_context()
+def _check_readable(given: SimpleNamespace) -> None:
+    """Refuse what contradicts --readable."""
     contradictions = [
-        f"--{name} {value}"
-        for name, value, fitting in (("optimize", optimize, "none"), ("order", order, "recursion"))
-        if value != fitting and context.get_parameter_source(name) is not ParameterSource.DEFAULT
+        f"--{name} {getattr(given, name)}"
+        for name, fitting in (("optimize", "none"), ("order", "recursion"))
+        if getattr(given, name) != fitting and _is_on_command_line(name)
     ]
-    if contradictions or batch:
+    if contradictions or given.batch:
         raise InputError(
             "--readable writes the recursion as it stands in the book, one state at a time",
-            found=", ".join([*contradictions, *["--batch"] * batch]),
+            found=", ".join([*contradictions, *["--batch"] * given.batch]),
             expected="--optimize none and --order recursion, without --batch",
             remedy="remove --readable or what contradicts it",
         )
-    return "none", "recursion"
 
 
 #: From this number of joints on, the progress is shown.

@@ -9,14 +9,16 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from robodyn.errors import InputError, Place
 from robodyn.outputs import write_files
 from robodyn_cli import progress
 from robodyn_cli.choices import EFFECTS, FILE, FOLDER, ROBOTS
 from robodyn_cli.common import (
+    as_json,
     echo_document,
     echo_json,
-    json_option,
     load_robot,
+    option,
     output_folder,
     printable,
     talk,
@@ -38,76 +40,38 @@ _LONGEST_ANSWER, _LONGEST_DIAGNOSIS = 1 << 24, 1 << 28  # bytes
 
 @click.command()
 @click.argument("robot", type=ROBOTS, metavar="[ROBOT]", required=False)
-@click.option(
-    "--effect",
-    "effects",
-    type=EFFECTS,
+@option(
+    "--effect=ID[@JOINT][:K=V,...] effects",
+    "Effect to hide; missing parameters are random.",
+    EFFECTS,
     multiple=True,
-    metavar="ID[@JOINT][:K=V,...]",
-    help="Effect to hide; missing parameters are random.",
 )
-@click.option(
-    "--random",
-    type=click.IntRange(0, 20),
-    metavar="N",
-    help="Hide N more effects, chosen at random.  [default: 1]",
-)
-@click.option(
-    "--seed", type=click.IntRange(0), metavar="S", default=0, show_default=True, help="Random seed."
-)
-@click.option(
-    "--duration", type=POSITIVE, default=10.0, metavar="S", help="Duration of each log.  [default: 10]"
-)
-@click.option(
-    "--rate", type=POSITIVE, default=1000.0, metavar="HZ", help="Sample rate of the logs.  [default: 1000]"
-)
-@click.option(
-    "--trajectory",
-    "trajectories",
+@option("--random=N", "Hide N more effects, chosen at random.  [default: 1]", click.IntRange(0, 20))
+@option("--seed=S", "Random seed.", click.IntRange(0), default=0)
+@option("--duration=S", "Duration of each log.", POSITIVE, default="10")
+@option("--rate=HZ", "Sample rate of the logs.", POSITIVE, default="1000")
+@option(
+    "--trajectory=FILE.csv trajectories",
+    "Motion of train.csv; if given twice, the second is that of validate.csv.",
+    FILE,
     multiple=True,
-    type=FILE,
-    metavar="FILE.csv",
-    help="Motion of train.csv; if given twice, the second is that of validate.csv.",
 )
-@click.option(
-    "--noise",
-    type=POSITIVE,
-    default=0.015,
-    metavar="SHARE",
-    help="Torque noise as a share of the RMS torque.  [default: 0.015]",
+@option("--noise=SHARE", "Torque noise as a share of the RMS torque.", POSITIVE, default="0.015")
+@option("--ratio=R", "Size of random effects relative to the noise.", POSITIVE, default="4")
+@option("--encoder-bits=B", "Encoder bits per turn; 0: exact.", SIZE, default="20")
+@option("-o --output=DIR", "Output folder.", FOLDER)
+@option(
+    "--open=DIR opened", "Print the sealed answer of the test in DIR (or that file itself) and exit.", FOLDER
 )
-@click.option(
-    "--ratio",
-    type=POSITIVE,
-    default=4.0,
-    metavar="R",
-    help="Size of random effects relative to the noise.  [default: 4]",
-)
-@click.option(
-    "--encoder-bits",
-    type=SIZE,
-    default=20.0,
-    metavar="B",
-    help="Encoder bits per turn; 0: exact.  [default: 20]",
-)
-@click.option("-o", "--output", type=FOLDER, metavar="DIR", help="Output folder.")
-@click.option(
-    "--open",
-    "opened",
-    type=FOLDER,
-    metavar="DIR",
-    help="Print the sealed answer of the test in DIR (or that file itself) and exit.",
-)
-@click.option(
+@option(
     "--score",
-    nargs=2,
-    type=FILE,
+    "Compare a diagnosis.json (or the folder it is in) with the answer of the test in DIR (or that "
+    "file itself).",
+    FILE,
     metavar="DIR DIAGNOSIS",
-    help="Compare a diagnosis.json (or the folder it is in) with the answer of the test in DIR (or that file "
-    "itself).",
+    nargs=2,
 )
-@json_option
-def command(opened: str | None, score: tuple[str, str] | None, as_json: bool, **options: Any) -> None:
+def command(opened: str | None, score: tuple[str, str] | None, **options: Any) -> None:
     """Make a blind test: hide effects in simulated logs and seal the answer.
 
     The model is ROBOT; the simulated arm also has the effects of --effect and random ones. DIR gets
@@ -116,7 +80,6 @@ def command(opened: str | None, score: tuple[str, str] | None, as_json: bool, **
     --ratio times the noise. --random 0 alone hides nothing and tests for false claims.
     """
     from robodyn.diagnose.blind.seal import checked
-    from robodyn.errors import InputError
 
     modes = [name for name, there in (("--open", opened), ("--score", score)) if there is not None]
     hiding = [name for name in _OF_HIDING if options[name] not in (None, ())]
@@ -129,18 +92,16 @@ def command(opened: str | None, score: tuple[str, str] | None, as_json: bool, **
     if opened is not None:
         echo_document(json.dumps(checked(_answer(Path(opened))), indent=2, ensure_ascii=False))
     elif score is not None:
-        _score(Path(score[0]), Path(score[1]), as_json=as_json)
+        _score(Path(score[0]), Path(score[1]))
     else:
-        _hide(options, as_json=as_json)
+        _hide(options)
 
 
 # --- hiding -----------------------------------------------------------------------------------------------
 
 
-def _hide(options: dict[str, Any], *, as_json: bool) -> None:
+def _hide(options: dict[str, Any]) -> None:
     """Write the files of a blind test, and print what was written without the answer."""
-    from robodyn.errors import InputError
-
     if options["robot"] is None:
         raise InputError("no robot is named", remedy="use robodyn hide ROBOT -o DIR")
     if options["output"] is None:
@@ -158,7 +119,7 @@ def _hide(options: dict[str, Any], *, as_json: bool) -> None:
     files = blind.files()
     write_files(folder, files)
     count = len(blind.effects)
-    if as_json:
+    if as_json():
         echo_json(
             {
                 "robot": blind.model.name,
@@ -201,7 +162,6 @@ def _blind(options: dict[str, Any]) -> Blind:
 
 def _setup(options: dict[str, Any], n: int, longest: float) -> Setup:
     from robodyn.diagnose.blind.hide import Setup
-    from robodyn.errors import InputError
     from robodyn_cli.simulate_options import whole
 
     longest = max(longest, options["duration"])
@@ -217,7 +177,6 @@ def _setup(options: dict[str, Any], n: int, longest: float) -> Setup:
 
 
 def _motions(files: Sequence[str], n: int) -> list[Trajectory]:
-    from robodyn.errors import InputError
     from robodyn.simulate.trajectories import from_file
 
     if len(files) > 2:
@@ -238,7 +197,6 @@ def amendment(text: str) -> Amendment:
     """
     from robodyn.diagnose.amend.amend import Amendment
     from robodyn.effects.catalogue import effect
-    from robodyn.errors import InputError
     from robodyn.robot.numbers import parse_number
 
     place, _, rest = text.partition(":")
@@ -263,8 +221,6 @@ def placed(text: str) -> tuple[str, int | None]:
     ------
     InputError: it is not.
     """
-    from robodyn.errors import InputError
-
     id, at, joint = (part.strip() for part in text.partition("@"))
     if at and not (joint.isascii() and joint.isdecimal() and 0 < len(joint) < 9):
         raise InputError(f"{text!r} has no valid joint", expected="ID@JOINT, for instance coulomb_friction@2")
@@ -287,11 +243,10 @@ def _answer(path: Path) -> Part:
     return unsealed(read_text(path, _LONGEST_ANSWER, "the answer.sealed of robodyn hide"), label(path))
 
 
-def _score(folder: Path, file: Path, *, as_json: bool) -> None:
+def _score(folder: Path, file: Path) -> None:
     """Print how the diagnosis in ``file`` did at the test in ``folder``; exit with 1 if it is wrong, or
     missed what is hidden."""
     from robodyn.diagnose.blind.seal import checked, score
-    from robodyn.errors import InputError, Place
     from robodyn.files import label, parsed_json, read_text
 
     if folder.suffix == ".json" and folder.is_file():
@@ -311,7 +266,7 @@ def _score(folder: Path, file: Path, *, as_json: bool) -> None:
     result = score(answer, diagnosis, label(file))
     if not result.same:
         talk("robodyn: warning: the diagnosis was made from other logs than those of this test")
-    if as_json:
+    if as_json():
         echo_json(result.to_dict())
     else:
         click.echo("\n".join(_lines(result, folder)))

@@ -14,9 +14,11 @@ from robodyn.outputs import check_outputs, write_files
 from robodyn_cli import progress
 from robodyn_cli.choices import FILE, FOLDER
 from robodyn_cli.common import (
+    as_json,
     echo_document,
-    json_option,
+    flag,
     load_robot,
+    option,
     parameter_values,
     printable,
     robot_argument,
@@ -43,30 +45,23 @@ _UNKNOWN: Final = "unknown"
 @click.command()
 @robot_argument
 @click.argument("logs", type=FILE, metavar="LOG [LOG ...]", nargs=-1, required=True)
-@click.option("--validate", type=FILE, metavar="V.csv", help="Log for validation, not used for fitting.")
+@option("--validate=V.csv", "Log for validation, not used for fitting.", FILE)
 @log_options
-@click.option("-o", "--output", "out", required=True, type=FOLDER, metavar="DIR", help="Output folder.")
-@click.option(
-    "--gains",
-    is_flag=True,
-    help="Fit a gain of each torque channel: torque constants are known only roughly.",
-)
-@click.option(
+@option("-o --output=DIR out", "Output folder.", FOLDER, required=True)
+@flag("--gains", "Fit a gain of each torque channel: torque constants are known only roughly.")
+@option(
     "--offsets",
-    type=click.Choice(["auto", "yes", "no"]),
+    "Fit a constant offset of each torque channel; auto: where held-out samples show one.",
+    ["auto", "yes", "no"],
     default="auto",
-    show_default=True,
-    help="Fit a constant offset of each torque channel; auto: where held-out samples show one.",
 )
-@click.option(
-    "--load",
+@option(
+    "--load=LOG=MASS",
+    "Mass [kg] that the arm carried in that log beyond its description, or LOG=unknown.",
     multiple=True,
-    metavar="LOG=MASS",
-    help="Mass [kg] that the arm carried in that log beyond its description, or LOG=unknown.",
 )
 @parameter_option()
-@click.option("--strict", is_flag=True, help="Refuse physically implausible values.")
-@json_option
+@flag("--strict", "Refuse physically implausible values.")
 def command(
     robot: str,
     logs: tuple[str, ...],
@@ -79,7 +74,6 @@ def command(
     load: tuple[str, ...],
     param: tuple[tuple[str, float], ...],
     strict: bool,
-    as_json: bool,
 ) -> None:
     """Identify links, friction and rotors from logs, physically consistent, with intervals.
 
@@ -123,7 +117,7 @@ def command(
             )
     text = json.dumps(outcome.to_dict(), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
     write_files(folder, {_DATA: text, _MODEL: outcome.model_text})
-    if as_json:
+    if as_json():
         echo_document(text)
         return
     from robodyn.report.identification import summary

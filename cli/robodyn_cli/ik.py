@@ -6,8 +6,17 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from robodyn.errors import CheckError, InputError
 from robodyn_cli.choices import FILE
-from robodyn_cli.common import echo_json, json_option, load_robot, parameter_values, robot_argument
+from robodyn_cli.common import (
+    as_json,
+    echo_json,
+    flag,
+    load_robot,
+    option,
+    parameter_values,
+    robot_argument,
+)
 from robodyn_cli.values import SEVERAL, parameter_option
 
 if TYPE_CHECKING:
@@ -16,38 +25,24 @@ if TYPE_CHECKING:
 
 @click.command()
 @robot_argument
-@click.option(
-    "--pose",
-    "poses",
-    type=SEVERAL,
-    multiple=True,
-    metavar="X,Y,Z,...",
-    help="Pose of the tool in the world: x,y,z,roll,pitch,yaw (m, rad), or the 12 numbers of [R p] row by "
+@option(
+    "--pose=X,Y,Z,... poses",
+    "Pose of the tool in the world: x,y,z,roll,pitch,yaw (m, rad), or the 12 numbers of [R p] row by "
     "row, or 16 of a 4 by 4 matrix; may be repeated.",
+    SEVERAL,
+    multiple=True,
 )
-@click.option(
-    "--poses",
-    "file",
-    type=FILE,
-    metavar="FILE",
-    help="File with many poses, in JSON (a list of them) or CSV (a row each).",
+@option("--poses=FILE file", "File with many poses, in JSON (a list of them) or CSV (a row each).", FILE)
+@option("--of=Q positions", "Pose at these joint positions (rad or m).", SEVERAL)
+@option(
+    "--near=Q",
+    "Reference: what free joints take, and what the nearest solution is near to.  [default: zeros]",
+    SEVERAL,
 )
-@click.option(
-    "--of", "positions", type=SEVERAL, metavar="Q", help="Pose at these joint positions (rad or m)."
-)
-@click.option(
-    "--near",
-    type=SEVERAL,
-    metavar="Q",
-    help="Reference: what free joints take, and what the nearest solution is near to.  [default: zeros]",
-)
-@click.option("--nearest", is_flag=True, help="Only the solution nearest to the reference.")
-@click.option(
-    "--degrees", is_flag=True, help="Angles in degrees, on the command line, in files and in the text."
-)
+@flag("--nearest", "Only the solution nearest to the reference.")
+@flag("--degrees", "Angles in degrees, on the command line, in files and in the text.")
 @parameter_option()
-@click.option("--strict", is_flag=True, help="Refuse physically implausible values.")
-@json_option
+@flag("--strict", "Refuse physically implausible values.")
 def command(
     robot: str,
     poses: tuple[tuple[float, ...], ...],
@@ -58,7 +53,6 @@ def command(
     degrees: bool,
     param: tuple[tuple[str, float], ...],
     strict: bool,
-    as_json: bool,
 ) -> None:
     """Solve for the joint positions that bring the tool to a pose.
 
@@ -68,7 +62,6 @@ def command(
     {"robot", "method", "conditions", "free_joint", "poses": [{"pose", "reached", "nearest", "branches"}]}, in
     rad and m.
     """
-    from robodyn.errors import CheckError
     from robodyn.report.poses import poses_document, poses_text
     from robodyn.simulate.poses import PoseSolver
 
@@ -78,7 +71,7 @@ def command(
     posed = solver.solve(
         frames, None if near is None else _positions(solver, "--near", near, degrees=degrees)
     )
-    if as_json:
+    if as_json():
         echo_json(poses_document(solver, posed, nearest_only=nearest))
     else:
         for line in poses_text(solver, posed, nearest_only=nearest, degrees=degrees):
@@ -104,7 +97,6 @@ def _frames(
     """All poses [K, 3, 4] of the command line."""
     import numpy as np
 
-    from robodyn.errors import InputError
     from robodyn.simulate.pose_text import FORMS, frame_of, frames_in
 
     frames = [frame_of(numbers, degrees=degrees) for numbers in poses]
@@ -126,6 +118,6 @@ def _positions(solver: PoseSolver, option: str, values: tuple[float, ...], *, de
     from robodyn_cli.simulate_options import exactly
 
     robot = solver.robot
-    exactly(option, values, robot.n, robot.name)
+    exactly(option, values, robot)
     revolute = [degrees and link.joint.kind == "revolute" for link in robot.links]
     return [radians(x) if turn else x for x, turn in zip(values, revolute, strict=True)]

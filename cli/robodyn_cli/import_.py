@@ -12,10 +12,12 @@ from robodyn.errors import InputError
 from robodyn_cli.choices import FILE
 from robodyn_cli.common import (
     FORCE_FILE,
+    as_json,
     echo_json,
+    flag,
     force_option,
-    json_option,
     new_file,
+    option,
     printable,
     talk,
     write_file,
@@ -29,34 +31,28 @@ if TYPE_CHECKING:
 
 @click.command()
 @click.argument("file", type=FILE, metavar="FILE")
-@click.option("--base", default="", metavar="LINK", help="Link that is fixed; default: the root.")
-@click.option("--tip", default="", metavar="LINK", help="Link at the end; default: the only one there is.")
-@click.option(
-    "--lock",
-    type=Parameter(),
-    multiple=True,
-    metavar="JOINT=VALUE",
-    help="Fix a joint at a position (rad or m); may be repeated.",
+@option("--base=LINK", "Link that is fixed; default: the root.", default="", show_default=False)
+@option("--tip=LINK", "Link at the end; default: the only one there is.", default="", show_default=False)
+@option(
+    "--lock=JOINT=VALUE", "Fix a joint at a position (rad or m); may be repeated.", Parameter(), multiple=True
 )
 @file_options
-@click.option(
-    "--snap",
-    type=click.FloatRange(0, 0.01),
+@option(
+    "--snap=RAD",
+    "Make angles of axes within RAD of a multiple of pi/2 exactly that, at most 0.01.",
+    click.FloatRange(0, 0.01),
     default=0.0,
-    metavar="RAD",
-    help="Make angles of axes within RAD of a multiple of pi/2 exactly that, at most 0.01.",
+    show_default=False,
 )
-@click.option(
-    "--gravity",
-    type=Point(),
-    metavar="X,Y,Z",
-    help="Gravity in the file's root frame, m/s^2; default: what the file says, else 0,0,-9.81.",
+@option(
+    "--gravity=X,Y,Z",
+    "Gravity in the file's root frame, m/s^2; default: what the file says, else 0,0,-9.81.",
+    Point(),
 )
-@click.option("--name", default="", metavar="NAME", help="Name of the robot; default: the one in the file.")
-@click.option("--strict", is_flag=True, help="Refuse inertias that no body has.")
-@click.option("-o", "--output", type=FILE, metavar="ARM.yaml", help="Output file; default: stdout.")
+@option("--name=NAME", "Name of the robot; default: the one in the file.", default="", show_default=False)
+@flag("--strict", "Refuse inertias that no body has.")
+@option("-o --output=ARM.yaml", "Output file; default: stdout.", FILE)
 @force_option(FORCE_FILE)
-@json_option
 def command(
     file: str,
     base: str,
@@ -72,7 +68,6 @@ def command(
     strict: bool,
     output: str | None,
     force: bool,
-    as_json: bool,
 ) -> None:
     """Import a serial arm from URDF, MJCF, SDF or xacro as a description.
 
@@ -107,7 +102,7 @@ def command(
     _tell(imported)
     if imported.near and not unknown_masses(imported.robot):
         _tell_angles(imported, import_arm(file, snap=_widest(imported), **options))
-    if as_json:
+    if as_json():
         echo_json(_data(imported, str(path) if path else None, text))
     elif path is None:
         click.echo(text, nl=False)

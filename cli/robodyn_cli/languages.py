@@ -2,63 +2,41 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING
 
 import click
 
+from robodyn.errors import InputError
 from robodyn_cli.choices import COMPILED_LANGUAGES, SEVERAL_LANGUAGES
+from robodyn_cli.common import option
 from robodyn_cli.options import listed
 
 if TYPE_CHECKING:
     from robodyn.kernels.generate import Generated
 
-Command = TypeVar("Command", bound=Callable[..., Any])
+
+def _languages() -> str:
+    from robodyn.emit.languages import LANGUAGES, defaults
+
+    names = [
+        name if not language.aliases else f"{name} ({', '.join(language.aliases)})"
+        for name, language in LANGUAGES.items()
+    ]
+    return f"Languages, separated by commas: {', '.join(names)}.  [default: {','.join(defaults())}]"
 
 
-class _Languages(click.Option):
-    """An option whose help names the languages; they are looked up when the help is printed."""
+def _compiled_languages() -> str:
+    from robodyn.emit.languages import compiled_names
 
-    def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
-        from robodyn.emit.languages import LANGUAGES, defaults
-
-        names = [
-            name if not language.aliases else f"{name} ({', '.join(language.aliases)})"
-            for name, language in LANGUAGES.items()
-        ]
-        self.help = f"Languages, separated by commas: {', '.join(names)}.  [default: {','.join(defaults())}]"
-        return super().get_help_record(ctx)
+    return f"Language: {' or '.join(compiled_names())}."
 
 
-def language_option(command: Command) -> Command:
-    """Add ``--lang`` (``--language``), passed to `command` as ``lang: str | None``."""
-    return click.option(
-        "--lang", "--language", "lang", type=SEVERAL_LANGUAGES, metavar="A,B", cls=_Languages
-    )(command)
-
-
-class _Compiled(click.Option):
-    """An option for one language that can be called from Python."""
-
-    def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
-        from robodyn.emit.languages import compiled_names
-
-        self.help = f"Language: {' or '.join(compiled_names())}."
-        return super().get_help_record(ctx)
-
-
-def compiled_language_option(command: Command) -> Command:
-    """Add ``--lang`` (``--language``), passed to `command` as ``lang: str``."""
-    return click.option(
-        "--lang",
-        "--language",
-        "lang",
-        type=COMPILED_LANGUAGES,
-        metavar="A",
-        default="c",
-        show_default=True,
-        cls=_Compiled,
-    )(command)
+#: Adds ``--lang`` (``--language``), passed to a command as ``lang: str | None``.
+language_option = option("--lang --language=A,B lang", _languages, SEVERAL_LANGUAGES)
+#: The same for one language that can be called from Python, passed as ``lang: str``.
+compiled_language_option = option(
+    "--lang --language=A lang", _compiled_languages, COMPILED_LANGUAGES, default="c"
+)
 
 
 def chosen_languages(lang: str | None, *, compiled: bool = False) -> tuple[str, ...]:
@@ -69,7 +47,6 @@ def chosen_languages(lang: str | None, *, compiled: bool = False) -> tuple[str, 
     InputError: no language, a duplicate, an unknown language, or one that cannot be called.
     """
     from robodyn.emit.languages import LANGUAGES, compiled_language, defaults, languages_named
-    from robodyn.errors import InputError
 
     if lang is None:
         return defaults()

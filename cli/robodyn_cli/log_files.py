@@ -6,12 +6,10 @@ from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
-import click
-
 from robodyn.errors import InputError
 from robodyn_cli import progress
 from robodyn_cli.choices import FILE
-from robodyn_cli.common import printable, talk
+from robodyn_cli.common import option, printable, talk
 
 if TYPE_CHECKING:
     from robodyn.logs.log import Log
@@ -24,18 +22,12 @@ Command = TypeVar("Command", bound=Callable[..., Any])
 
 def log_options(command: Command) -> Command:
     """Add ``--map`` and ``--columns``, passed to `command` as ``map_file`` and ``columns``, str or None."""
-    command = click.option(
-        "--columns",
-        metavar="TEXT",
-        help='Which columns are what, in which unit: "q=joint_%d_pos[deg],tau=current_%d[A]".',
+    command = option(
+        "--columns=TEXT", 'Which columns are what, in which unit: "q=joint_%d_pos[deg],tau=current_%d[A]".'
     )(command)
-    return click.option(
-        "--map",
-        "map_file",
-        type=FILE,
-        metavar="MAP.yaml",
-        help="The same as a file (robodyn logs FILE -o MAP.yaml).",
-    )(command)
+    return option("--map=MAP.yaml map_file", "The same as a file (robodyn logs FILE -o MAP.yaml).", FILE)(
+        command
+    )
 
 
 def log_map(map_file: str | None, columns: str | None) -> LogMap | None:
@@ -88,7 +80,7 @@ def spare_inputs(outputs: Iterable[Path], inputs: Sequence[str]) -> None:
             if output.exists() and Path(source).exists() and output.samefile(source):
                 raise InputError(
                     f"{printable(output)} is an input and would be overwritten",
-                    remedy="choose another path with -o",
+                    remedy="choose another name with -o",
                 )
 
 

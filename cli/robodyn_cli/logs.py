@@ -8,19 +8,16 @@ import click
 
 from robodyn.errors import InputError
 from robodyn_cli.choices import FILE, ROBOTS
-from robodyn_cli.common import echo_json, json_option, load_robot, printable, talk, write_file
+from robodyn_cli.common import as_json, echo_json, load_robot, option, printable, talk, write_file
 from robodyn_cli.log_files import log_map, log_options, spare_inputs
 
 
 @click.command()
 @click.argument("file", type=FILE, metavar="FILE")
-@click.option("--robot", type=ROBOTS, metavar="ROBOT", help="Compare joints, limits and signs.")
+@option("--robot=ROBOT", "Compare joints, limits and signs.", ROBOTS)
 @log_options
-@click.option("-o", "--output", "out", type=FILE, metavar="MAP.yaml", help="Write the map to this file.")
-@json_option
-def command(
-    file: str, robot: str | None, map_file: str | None, columns: str | None, out: str | None, as_json: bool
-) -> None:
+@option("-o --output=MAP.yaml out", "Write the map to this file.", FILE)
+def command(file: str, robot: str | None, map_file: str | None, columns: str | None, out: str | None) -> None:
     """Show what is in a log, and propose which columns are what.
 
     FILE is CSV or other text, Parquet, npz, MATLAB, MCAP, rosbag2 (.db3 or its folder) or JSON. The command
@@ -39,7 +36,7 @@ def command(
         inputs = [str(path) for path in input_files(file)]
         spare_inputs([Path(out)], [*inputs, *([map_file] if map_file else [])])
     result = examine(file, described, log_map(map_file, columns))
-    if as_json:
+    if as_json():
         echo_json(data(result))
     else:
         for line in lines(result, "" if described is None else described.name):

@@ -15,75 +15,54 @@ from typing import TYPE_CHECKING, Final
 
 import click
 
+from robodyn.errors import did_you_mean
 from robodyn_cli.common import Document
 from robodyn_cli.failures import asks_for_json, guard
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
 
-COMMANDS: Final[dict[str, tuple[str, str]]] = {
-    "gen": ("robodyn_cli.gen", "Write the kernels of a robot, and print the operation counts."),
-    "package": (
-        "robodyn_cli.package",
-        "Write a package of a robot's kernels for somebody else's build.",
-    ),
-    "build": ("robodyn_cli.build", "Write or check the kernels of all robots of a project."),
-    "flops": ("robodyn_cli.flops", "Count multiplications and additions, and check them against a budget."),
-    "tables": ("robodyn_cli.tables", "Compare the thesis's tables with recomputed figures."),
-    "schedule": (
-        "robodyn_cli.schedule",
-        "Split the dynamics into tasks and schedule them on processors.",
-    ),
-    "plan": ("robodyn_cli.plan", "Find a formulation, schedule and target that meet a deadline."),
-    "bench": (
-        "robodyn_cli.bench",
-        "Time a kernel on this machine: serial, packed, on threads, and compared with installed peers.",
-    ),
-    "ik": ("robodyn_cli.ik", "Solve for the joint positions that bring the tool to a pose."),
-    "simulate": (
-        "robodyn_cli.simulate",
-        "Simulate a robot with all its effects, and write the log.",
-    ),
-    "diagnose": (
-        "robodyn_cli.diagnose",
-        "Find the effects that a model is missing, add them, and validate the amended model.",
-    ),
-    "fleet": (
-        "robodyn_cli.fleet",
-        "Find the arms of a fleet that differ from their siblings or have changed.",
-    ),
-    "logs": ("robodyn_cli.logs", "Show what is in a log, and propose which columns are what."),
-    "identify": (
-        "robodyn_cli.identify",
-        "Identify links, friction and rotors from logs, physically consistent, with intervals.",
-    ),
-    "hide": ("robodyn_cli.hide", "Make a blind test: hide effects in simulated logs and seal the answer."),
-    "excite": ("robodyn_cli.excite", "Design a motion within the limits that distinguishes effects."),
-    "verify": ("robodyn_cli.verify", "Compare the compiled kernels with independent references."),
-    "prove": (
-        "robodyn_cli.prove",
-        "Prove properties of a kernel: rounding, run-time errors, stack, MISRA C:2012.",
-    ),
-    "case-study": ("robodyn_cli.case_study", "Repeat the thesis's case study of friction (chapter 3)."),
-    "effects": ("robodyn_cli.effects", "List the effects of the catalogue, or describe one of them."),
-    "robots": ("robodyn_cli.robots", "List the bundled robots."),
-    "import": ("robodyn_cli.import_", "Import a serial arm from URDF, MJCF, SDF or xacro as a description."),
-    "export": ("robodyn_cli.export", "Export a robot to URDF, MJCF or SDF."),
-    "diff": ("robodyn_cli.diff", "Compare two robots: numbers, frames, torques, operation counts."),
-    "report": ("robodyn_cli.report", "Write a page that shows an arm, or two beside each other."),
-    "schema": ("robodyn_cli.schema", "Print the JSON Schema of the robot description."),
-    "new": ("robodyn_cli.new", "Write a commented starter file to fill in."),
-    "doctor": (
-        "robodyn_cli.doctor",
-        "Show which programs and libraries are here, what each enables, and how to get the others.",
-    ),
-    "completion": (
-        "robodyn_cli.completion",
-        "Print or install the script with which a shell completes robodyn.",
-    ),
+COMMANDS: Final = {
+    "gen": "Write the kernels of a robot, and print the operation counts.",
+    "package": "Write a package of a robot's kernels for somebody else's build.",
+    "build": "Write or check the kernels of all robots of a project.",
+    "flops": "Count multiplications and additions, and check them against a budget.",
+    "tables": "Compare the thesis's tables with recomputed figures.",
+    "schedule": "Split the dynamics into tasks and schedule them on processors.",
+    "plan": "Find a formulation, schedule and target that meet a deadline.",
+    "bench": "Time a kernel on this machine: serial, packed, on threads, and compared with installed peers.",
+    "ik": "Solve for the joint positions that bring the tool to a pose.",
+    "simulate": "Simulate a robot with all its effects, and write the log.",
+    "diagnose": "Find the effects that a model is missing, add them, and validate the amended model.",
+    "fleet": "Find the arms of a fleet that differ from their siblings or have changed.",
+    "logs": "Show what is in a log, and propose which columns are what.",
+    "identify": "Identify links, friction and rotors from logs, physically consistent, with intervals.",
+    "hide": "Make a blind test: hide effects in simulated logs and seal the answer.",
+    "excite": "Design a motion within the limits that distinguishes effects.",
+    "verify": "Compare the compiled kernels with independent references.",
+    "prove": "Prove properties of a kernel: rounding, run-time errors, stack, MISRA C:2012.",
+    "case-study": "Repeat the thesis's case study of friction (chapter 3).",
+    "effects": "List the effects of the catalogue, or describe one of them.",
+    "robots": "List the bundled robots.",
+    "import": "Import a serial arm from URDF, MJCF, SDF or xacro as a description.",
+    "export": "Export a robot to URDF, MJCF or SDF.",
+    "diff": "Compare two robots: numbers, frames, torques, operation counts.",
+    "report": "Write a page that shows an arm, or two beside each other.",
+    "schema": "Print the JSON Schema of the robot description.",
+    "new": "Write a commented starter file to fill in.",
+    "doctor": "Show which programs and libraries are here, what each enables, and how to get the others.",
+    "completion": "Print or install the script with which a shell completes robodyn.",
 }
-"""Name of a command -> (module whose ``command`` it is, short help)."""
+"""Name of a command -> its short help."""
 
+
+def module_of(name: str) -> str:
+    """The module whose ``command`` the command ``name`` is."""
+    return "robodyn_cli." + {"import": "import_"}.get(name, name.replace("-", "_"))
+
+
+#: The variable in which a shell says what it asks for, as in ``templates/completion``.
+COMPLETE: Final = "_ROBODYN_COMPLETE"
 HELP: Final = {"help_option_names": ["-h", "--help"]}
 
 
@@ -96,22 +75,14 @@ class LazyGroup(click.Group):
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         if cmd_name not in COMMANDS:
             return None
-        command = importlib.import_module(COMMANDS[cmd_name][0]).command
-        assert isinstance(command, click.Command)
-        from robodyn_cli.choices import ROBOTS
+        from robodyn_cli.file_options import with_common_options
 
-        if all(parameter.type is not ROBOTS for parameter in command.params):
-            return command
-        from robodyn_cli.file_options import with_file_options
-
-        return with_file_options(command)
+        return with_common_options(importlib.import_module(module_of(cmd_name)).command)
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
         if args[0] not in COMMANDS:
-            from robodyn.errors import did_you_mean
-
             hint = did_you_mean(args[0], COMMANDS) or f"the commands are {', '.join(COMMANDS)}."
             ctx.fail(f"No such command {args[0]!r}; {hint}")
         return super().resolve_command(ctx, args)
@@ -121,14 +92,14 @@ class LazyGroup(click.Group):
 
         commands = [
             CompletionItem(name, help=short)
-            for name, (_, short) in COMMANDS.items()
+            for name, short in COMMANDS.items()
             if name.startswith(incomplete)
         ]
         return [*commands, *click.Command.shell_complete(self, ctx, incomplete)]
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         with formatter.section("Commands"):
-            formatter.write_dl([(name, short) for name, (_, short) in COMMANDS.items()])
+            formatter.write_dl(list(COMMANDS.items()))
 
 
 def _print_version(ctx: click.Context, _: click.Parameter, wanted: bool) -> None:
@@ -172,12 +143,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _begin(arguments: list[str], document: Document) -> None:
     _open_what_is_closed()
-    if "_ROBODYN_COMPLETE" in os.environ:  # a shell asks for completions
+    if (instruction := os.environ.get(COMPLETE)) is not None:  # a shell asks for completions
         from click.shell_completion import shell_complete
 
-        from robodyn_cli.shells import VARIABLE
-
-        raise click.exceptions.Exit(shell_complete(cli, {}, "robodyn", VARIABLE, os.environ[VARIABLE]))
+        importlib.import_module("robodyn_cli.completion")  # our shells replace click's
+        raise click.exceptions.Exit(shell_complete(cli, {}, "robodyn", COMPLETE, instruction))
     _run(arguments, document)
 
 

@@ -7,10 +7,11 @@ import click
 from robodyn_cli.choices import FILE
 from robodyn_cli.common import (
     FORCE_FILE,
+    as_json,
     echo_json,
     force_option,
-    json_option,
     new_file,
+    option,
     printable,
     talk,
     write_file,
@@ -19,20 +20,10 @@ from robodyn_cli.common import (
 
 @click.command()
 @click.argument("name", default="my_robot")
-@click.option(
-    "--joints",
-    type=click.IntRange(min=1),
-    default=6,
-    show_default=True,
-    metavar="N",
-    help="Number of joints.",
-)
-@click.option(
-    "-o", "--output", type=FILE, metavar="FILE", help="Output file, - for stdout.  [default: NAME.yaml]"
-)
+@option("--joints=N", "Number of joints.", click.IntRange(min=1), default=6)
+@option("-o --output=FILE", "Output file, - for stdout.  [default: NAME.yaml]", FILE)
 @force_option(FORCE_FILE)
-@json_option
-def command(name: str, joints: int, output: str | None, force: bool, as_json: bool) -> None:
+def command(name: str, joints: int, output: str | None, force: bool) -> None:
     """Write a commented starter file to fill in.
 
     NAME is the robot's name [default: my_robot], a C identifier: the prefix of every function generated for
@@ -42,14 +33,14 @@ def command(name: str, joints: int, output: str | None, force: bool, as_json: bo
 
     text = robodyn.robot.starter(name, joints)
     if output == "-":
-        if as_json:
+        if as_json():
             echo_json({"name": name, "joints": joints, "text": text})
         else:
             click.echo(text, nl=False)
         return
     path = new_file(f"{name}.yaml" if output is None else output, force=force)
     write_file(path, text, force=force)
-    if as_json:
+    if as_json():
         echo_json({"name": name, "joints": joints, "path": str(path)})
     label = printable(path)
     talk(f"wrote {label}: fill it in, then run: robodyn gen {label}")

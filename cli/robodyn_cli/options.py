@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
-from robodyn_cli.choices import ENGINES, FORMULATIONS, LEVELS, SCALARS, SEVERAL_FUNCTIONS, TargetOption
-from robodyn_cli.common import add_options
+from robodyn.errors import InputError
+from robodyn_cli.choices import ENGINES, FORMULATIONS, LEVELS, OBJECTIVES, SCALARS, SEVERAL_FUNCTIONS
+from robodyn_cli.common import add_options, flag, option
 
 if TYPE_CHECKING:
     from robodyn.kernels.generate import Options
@@ -18,66 +19,51 @@ Command = TypeVar("Command", bound=Callable[..., Any])
 
 
 model_options = add_options(
-    click.option(
-        "--formulation",
-        type=FORMULATIONS,
-        metavar="F",
+    option(
+        "--formulation=F",
+        "Formulation: modified_newton_euler (lambda matrix), newton_euler, newton_euler_base, orin, "
+        "balafoutis, kane, lagrange_3x3, lagrange_4x4 or lagrange.",
+        FORMULATIONS,
         default="modified_newton_euler",
-        show_default=True,
-        help="Formulation: modified_newton_euler (lambda matrix), newton_euler, newton_euler_base, "
-        "orin, balafoutis, kane, lagrange_3x3, lagrange_4x4 or lagrange.",
     ),
-    click.option(
-        "--optimize",
-        type=LEVELS,
-        metavar="LEVEL",
+    option(
+        "--optimize=LEVEL",
+        "Optimisation: none (textbook recursion), fast, record (the best known program for exactly this "
+        "arm, else fast), search (formulation variants) or full (also algebraic identities).",
+        LEVELS,
         default="record",
-        show_default=True,
-        help="Optimisation: none (textbook recursion), fast, record (the best known program for "
-        "exactly this arm, else fast), search (formulation variants) or full (also algebraic "
-        "identities).",
     ),
-    click.option("--no-regroup", is_flag=True, help="Do not regroup to base parameters."),
-    click.option(
-        "--engine",
-        type=ENGINES,
-        metavar="NAME",
+    flag("--no-regroup", "Do not regroup to base parameters."),
+    option(
+        "--engine=NAME",
+        "Engine: graph, or sympy as a cross-check (slower, no smaller, without records and searches).",
+        ENGINES,
         default="graph",
-        show_default=True,
-        help="Engine: graph, or sympy as a cross-check (slower, no smaller, without records and searches).",
     ),
-    click.option("--strict", is_flag=True, help="Refuse physically implausible values."),
+    flag("--strict", "Refuse physically implausible values."),
 )
 """Add the options that select the model and its optimisation."""
 
 
 def scalar_option(command: Command) -> Command:
     """Add ``--scalar``, passed as ``scalar: str``."""
-    return click.option(
-        "--scalar",
-        type=SCALARS,
-        metavar="TYPE",
-        default="double",
-        show_default=True,
-        help="Scalar type: double or float.",
-    )(command)
+    return option("--scalar=TYPE", "Scalar type: double or float.", SCALARS, default="double")(command)
+
+
+def _objectives() -> str:
+    from robodyn.targets import all_targets
+
+    return (
+        "Objective of record, search and full: total, mul, fma (fused multiply-adds), depth "
+        f"(longest chain), sincos, or weighted:TARGET ({', '.join(target.name for target in all_targets())})."
+    )
 
 
 search_options = add_options(
-    click.option("--budget-seconds", metavar="S", type=float, help="Time limit of search and full."),
-    click.option("--seed", metavar="N", default=0, show_default=True, help="Seed of search and full."),
-    click.option(
-        "--objective",
-        metavar="WHAT",
-        default="total",
-        show_default=True,
-        cls=TargetOption,
-        lists={"all": "all_targets"},
-        prefix="weighted:",
-        help="Objective of record, search and full: total, mul, fma (fused multiply-adds), depth "
-        "(longest chain), sincos, or weighted:TARGET ({all}).",
-    ),
-    click.option("--keep", is_flag=True, help="Save the result in the folder records beside ROBOT."),
+    option("--budget-seconds=S", "Time limit of search and full.", float),
+    option("--seed=N", "Seed of search and full.", int, default=0),
+    option("--objective=WHAT", _objectives, OBJECTIVES, default="total"),
+    flag("--keep", "Save the result in the folder records beside ROBOT."),
 )
 """Add the options of a search: time budget, seed, objective, and whether to save the result."""
 
@@ -107,7 +93,6 @@ def _check_engine() -> None:
         return
     from click.core import ParameterSource
 
-    from robodyn.errors import InputError
     from robodyn_cli.common import talk
 
     if context.get_parameter_source("optimize") is not ParameterSource.DEFAULT:
@@ -125,54 +110,46 @@ def listed(text: str) -> tuple[str, ...]:
     return tuple(part.strip() for part in text.split(",") if part.strip())
 
 
-class _Functions(click.Option):
-    """An option whose help lists the functions; they are looked up when that is asked for."""
-
-    def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
-        from robodyn.dynamics.functions import FUNCTIONS
-
-        name, text = super().get_help_record(ctx) or ("", "")
-        listed = "; ".join(
-            f"{function.name} ({function.purpose}{'' if function.by_default else '; on request'})"
-            for function in FUNCTIONS.values()
-        )
-        return name, f"{text}  There are {listed}."
-
-
 def functions_option(default: str | None = None, text: str | None = None) -> Callable[[Command], Command]:
     """Add ``--functions``, passed to the command as ``functions: str | None``, names separated by commas;
     without ``default`` those that are written by default. ``text`` is the help."""
     without = "" if default else "  [default: all but those on request]"
-    return click.option(
-        "--functions",
-        "--function",
-        type=SEVERAL_FUNCTIONS,
-        metavar="A,B",
+
+    def help() -> str:
+        from robodyn.dynamics.functions import FUNCTIONS
+
+        names = "; ".join(
+            f"{function.name} ({function.purpose}{'' if function.by_default else '; on request'})"
+            for function in FUNCTIONS.values()
+        )
+        what = text or f"Functions, separated by commas, or all that ROBOT has.{without}"
+        return f"{what}  There are {names}."
+
+    return option(
+        "--functions --function=A,B functions",
+        help,
+        SEVERAL_FUNCTIONS,
         multiple=True,
         default=None if default is None else (default,),
         show_default=default or False,
-        cls=_Functions,
         callback=_joined,
-        help=text or f"Functions, separated by commas, or all that ROBOT has.{without}",
     )
 
 
 def fuse_option(command: Command) -> Command:
     """Add ``--fuse`` and ``--wrench``, passed as ``fuse: tuple[str, ...]`` and ``wrench: bool``,
     see :func:`with_fused`."""
-    command = click.option(
+    command = flag(
         "--wrench",
-        is_flag=True,
-        help="Torques, accelerations and forces in the joints with a wrench on the tool as a further input: "
-        "the functions ..._with_wrench in place of those without.",
+        "Torques, accelerations and forces in the joints with a wrench on the tool as a further input: the "
+        "functions ..._with_wrench in place of those without.",
     )(command)
-    return click.option(
-        "--fuse",
-        type=SEVERAL_FUNCTIONS,
-        metavar="A,B",
-        multiple=True,
-        help="Write A_and_B as well, which gives the results of both (or of more) and shares their work. "
+    return option(
+        "--fuse=A,B",
+        "Write A_and_B as well, which gives the results of both (or of more) and shares their work. "
         "Without --functions nothing else is written.",
+        SEVERAL_FUNCTIONS,
+        multiple=True,
     )(command)
 
 
@@ -192,8 +169,6 @@ def with_fused(
         fuse = [",".join(pushed(name) for name in listed(text)) for text in fuse]
     for text in fuse:
         if len(listed(text)) < 2:
-            from robodyn.errors import InputError
-
             raise InputError(
                 "one function alone cannot be fused",
                 found=f"--fuse {text}",
@@ -216,8 +191,6 @@ def one_function(functions: str) -> str:
     """
     names = listed(functions)
     if len(names) != 1:
-        from robodyn.errors import InputError
-
         raise InputError(
             "this command works on one function at a time",
             found=f"--functions {functions}",
@@ -227,19 +200,14 @@ def one_function(functions: str) -> str:
     return names[0]
 
 
-def kernel_options(target: str | None, chosen: dict[str, Any], **others: Any) -> Options:
-    """The options; those of ``chosen`` given on the command line override the defaults of ``target``."""
-    from click.core import ParameterSource
-
+def options_of(
+    functions: Sequence[str] | None, model: Mapping[str, Any], *, target: str | None = None, **others: Any
+) -> Options:
+    """The options of the kernels of ``functions`` as those of :data:`model_options`, in ``model``, say; of
+    the rest, what ``others`` lack is as fits the ``target``."""
     from robodyn.kernels.generate import Options
 
-    if target is None:
-        return Options(**chosen, **others)
-    context = click.get_current_context()
-    explicit = {
-        what: value
-        for what, value in chosen.items()
-        if context.get_parameter_source(what) is not ParameterSource.DEFAULT
-        or (what == "order" and others["readable"])
-    }
-    return Options.for_target(target, **explicit, **others)
+    for name in ("formulation", "optimize", "engine"):
+        others[name] = model[name]
+    others |= {"regroup": not model["no_regroup"], "functions": functions and tuple(functions)}
+    return Options(**others) if target is None else Options.for_target(target, **others)

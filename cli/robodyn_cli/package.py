@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import shlex
-from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,16 +13,17 @@ from robodyn_cli.choices import FOLDER, PACKAGES
 from robodyn_cli.code_options import code_options, prune_option
 from robodyn_cli.common import (
     FORCE,
+    as_json,
     check_files,
     echo_json,
+    flag,
     force_option,
-    json_option,
+    option,
     output_folder,
     printable,
     robot_argument,
     wrapped,
 )
-from robodyn_cli.counted import record
 from robodyn_cli.generating import Kernels, kernels
 from robodyn_cli.options import functions_option, fuse_option, listed, model_options, search_options
 from robodyn_cli.progress import line
@@ -32,59 +32,35 @@ if TYPE_CHECKING:
     from robodyn.packages import Format, Package
 
 
-class _Formats(click.Option):
-    """An option whose help names the formats; they are looked up when the help is printed."""
+def _formats() -> str:
+    from robodyn.packages import FORMATS
 
-    def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
-        from robodyn.packages import FORMATS
-
-        names = "; ".join(f"{name} ({form.title}, for {form.tool})" for name, form in FORMATS.items())
-        self.help = f"Format: {names}."
-        return super().get_help_record(ctx)
+    names = "; ".join(f"{name} ({form.title}, for {form.tool})" for name, form in FORMATS.items())
+    return f"Format: {names}."
 
 
 @click.command()
 @robot_argument
-@click.option("--as", "format_", type=PACKAGES, metavar="FORMAT", required=True, cls=_Formats)
-@click.option(
-    "-o", "--output", type=FOLDER, metavar="DIR", help="Output folder.  [default: packages/NAME/FORMAT]"
-)
-@click.option(
-    "--version",
-    metavar="X.Y.Z",
-    default="0.1.0",
-    show_default=True,
-    help="Version of the package.",
-)
-@click.option("--license", metavar="ID", help="Licence of the package, an SPDX expression such as MIT.")
-@click.option(
+@option("--as=FORMAT format_", _formats, PACKAGES, required=True)
+@option("-o --output=DIR", "Output folder.  [default: packages/NAME/FORMAT]", FOLDER)
+@option("--version=X.Y.Z", "Version of the package.", default="0.1.0")
+@option("--license=ID", "Licence of the package, an SPDX expression such as MIT.")
+@option(
     "--maintainer",
+    'Maintainer of the package, such as "Ada Lovelace <ada@example.org>".  [default: not stated]',
     metavar="NAME <EMAIL>",
-    help='Maintainer of the package, such as "Ada Lovelace <ada@example.org>".  [default: not stated]',
 )
 @functions_option(
     text="Functions, separated by commas, or all that ROBOT has.  [default: those of the format]"
 )
 @fuse_option
-@code_options(lists={"compiled": "compiled_targets"})
+@code_options()
 @model_options
 @search_options
 @prune_option
-@click.option("--check", is_flag=True, help="Write nothing; exit with 1 if the files in DIR differ.")
+@flag("--check", "Write nothing; exit with 1 if the files in DIR differ.")
 @force_option(FORCE)
-@json_option
-def command(
-    robot: str,
-    format_: str,
-    output: str | None,
-    version: str,
-    license: str | None,
-    maintainer: str | None,
-    check: bool,
-    force: bool,
-    as_json: bool,
-    **others: Any,
-) -> None:
+def command(robot: str, output: str | None, check: bool, force: bool, **options: Any) -> None:
     """Write a package of a robot's kernels for somebody else's build.
 
     DIR gets everything that the tool needs, and a README on how to use it. The kernels are those of "robodyn
@@ -92,28 +68,41 @@ def command(
     otherwise. The same input gives the same bytes on any machine, except where a package has a binary.
     """
     folder = None if output is None else output_folder(output)
-    package, product = packed(robot, format_, version, license, maintainer, **others)
+    package, product = packed(robot, **options)
+    name = product.robot.name
     with line() as shown:
-        shown.tell(f"robodyn: {product.robot.name}: {package.format.title} ...")
+        shown.tell(f"robodyn: {name}: {package.format.title} ...")
         files = package.files()
-    folder = Path("packages") / product.robot.name / package.format.name if folder is None else folder
+    folder = Path("packages") / name / package.format.name if folder is None else folder
     if check:
         check_files(folder, files)
     else:
         base = Path() if output is None else folder
-        paths = {str((folder / name).relative_to(base)): each for name, each in files.items()}
-        write_files(base, paths, force=force)
-    _report(package, product, folder, files, checked=check, as_json=as_json)
+        write_files(
+            base, {str((folder / file).relative_to(base)): each for file, each in files.items()}, force=force
+        )
+    take = package.format.take.format(folder=shlex.quote(str(folder)), name=package.name)
+    counts = product.generated.counts
+    if as_json():
+        echo_json(
+            {
+                "robot": name, "format": package.format.name, "package": package.name,
+                "version": package.version,
+                "checked" if check else "files": [str(folder / path) for path in files],
+                "functions": [product.record(function) for function in counts],
+                "take": take,
+            }
+        )  # fmt: skip
+    elif check:
+        click.echo(f"{name}: {len(files)} files in {printable(folder)} are up to date")
+    else:
+        click.echo(f"{name}: wrote {package.format.title} of {len(files)} files in {printable(folder)}")
+        sizes = ", ".join(f"{function} ({count.total} operations)" for function, count in counts.items())
+        for text in (*wrapped(f"{package.name} {package.version}: {sizes}"), f"next: {printable(take)}"):
+            click.echo(text)
 
 
-def packed(
-    robot: str,
-    format_: str,
-    version: str,
-    license: str | None,
-    maintainer: str | None,
-    **options: Any,
-) -> tuple[Package, Kernels]:
+def packed(robot: str, format_: str, **options: Any) -> tuple[Package, Kernels]:
     """The package that the command line in the current context of click asks for, and its kernels.
 
     Raises
@@ -123,11 +112,9 @@ def packed(
     from robodyn.packages import format_named, package
 
     form = format_named(format_)
+    head = {name: options.pop(name) for name in ("version", "license", "maintainer")}
     product = _kernels(robot, form, options)
-    return (
-        package(product.generated, form, version=version, license=license, maintainer=maintainer),
-        product,
-    )
+    return package(product.generated, form, **head), product
 
 
 def _kernels(robot: str, form: Format, options: dict[str, Any]) -> Kernels:
@@ -145,45 +132,5 @@ def _kernels(robot: str, form: Format, options: dict[str, Any]) -> Kernels:
         named = form.functions
     if named or options["fuse"]:
         options["functions"] = ",".join(dict.fromkeys((*named, *form.needs))) or None
-    return kernels(
-        robot,
-        lang=form.language.name,
-        batch=False,
-        latex=False,
-        derivatives=form.derivatives,
-        **options,
-    )
-
-
-def _report(
-    package: Package,
-    product: Kernels,
-    folder: Path,
-    files: Mapping[str, str | bytes],
-    *,
-    checked: bool,
-    as_json: bool,
-) -> None:
-    """Say what was written or checked, and how the tool takes it."""
-    name, formulation = product.robot.name, product.options.formulation
-    take = package.format.take.format(folder=shlex.quote(str(folder)), name=package.name)
-    counts = product.generated.counts
-    if as_json:
-        echo_json(
-            {
-                "robot": name,
-                "format": package.format.name,
-                "package": package.name,
-                "version": package.version,
-                "checked" if checked else "files": [str(folder / path) for path in files],
-                "functions": [record(product.robot, f, formulation, c) for f, c in counts.items()],
-                "take": take,
-            }
-        )
-    elif checked:
-        click.echo(f"{name}: {len(files)} files in {printable(folder)} are up to date")
-    else:
-        click.echo(f"{name}: wrote {package.format.title} of {len(files)} files in {printable(folder)}")
-        sizes = ", ".join(f"{function} ({count.total} operations)" for function, count in counts.items())
-        for text in (*wrapped(f"{package.name} {package.version}: {sizes}"), f"next: {printable(take)}"):
-            click.echo(text)
+    options |= {"lang": form.language.name, "batch": False, "latex": False, "derivatives": form.derivatives}
+    return kernels(robot, **options)

@@ -6,38 +6,33 @@ from typing import TYPE_CHECKING
 
 import click
 
-from robodyn_cli.choices import TargetOption
-from robodyn_cli.common import echo_json, json_option, load_robot, robot_argument
+from robodyn.errors import CheckError
+from robodyn_cli.choices import PLANNED_TARGETS
+from robodyn_cli.common import as_json, echo_json, flag, load_robot, option, robot_argument
 from robodyn_cli.options import functions_option, one_function
 
 if TYPE_CHECKING:
     from robodyn.ir.signature import ScalarType
 
 
+def _targets() -> str:
+    from robodyn.targets import planned_targets
+
+    names = ", ".join(target.name for target in planned_targets())
+    return (
+        f"Target; repeat for several: {names}, here (measured), or NAME:cores=4,mhz=1500,pass=150 (ns),"
+        "mul=1,add=1,div=14,sqrt=14,sincos=46 (cycles). [default: all]"
+    )
+
+
 @click.command()
 @robot_argument
-@click.option(
-    "-p", "--processors", metavar="N", type=int, default=1, show_default=True, help="Maximum number of cores."
-)
-@click.option("--deadline", metavar="T", required=True, help="Maximum time of a call: 100us, 0.5ms, 800ns.")
-@click.option(
-    "--target",
-    "targets",
-    metavar="T",
-    multiple=True,
-    cls=TargetOption,
-    lists={"planned": "planned_targets"},
-    help="Target; repeat for several: {planned}, here (measured), or "
-    "NAME:cores=4,mhz=1500,pass=150 (ns),mul=1,add=1,div=14,sqrt=14,sincos=46 (cycles). [default: all]",
-)
-@click.option(
-    "--scalar",
-    type=click.Choice(["float", "double"]),
-    help="Scalar type: float or double.  [default: the target's]",
-)
+@option("-p --processors=N", "Maximum number of cores.", int, default=1)
+@option("--deadline=T", "Maximum time of a call: 100us, 0.5ms, 800ns.", required=True)
+@option("--target=T targets", _targets, PLANNED_TARGETS, multiple=True)
+@option("--scalar", "Scalar type: float or double.  [default: the target's]", ["float", "double"])
 @functions_option("inverse_dynamics", "Function to plan.")
-@click.option("--strict", is_flag=True, help="Refuse physically implausible values.")
-@json_option
+@flag("--strict", "Refuse physically implausible values.")
 def command(
     robot: str,
     processors: int,
@@ -46,7 +41,6 @@ def command(
     scalar: ScalarType | None,
     functions: str,
     strict: bool,
-    as_json: bool,
 ) -> None:
     """Find a formulation, schedule and target that meet a deadline.
 
@@ -62,7 +56,6 @@ def command(
         plans,
     )
     from robodyn.dynamics.functions import function_named
-    from robodyn.errors import CheckError
     from robodyn.report.benchmarks import plan_text, time_text
     from robodyn.targets import Target, planned_targets
     from robodyn_cli.progress import line
@@ -80,7 +73,7 @@ def command(
         wanted = [target or here(described, tell) for target in requested] or list(planned_targets())
         candidates = plans(described, processors, wanted, function=function, scalar=scalar, tell=tell)
     best = chosen(candidates, limit)
-    if as_json:
+    if as_json():
         echo_json(
             {
                 "robot": described.name,

@@ -11,7 +11,7 @@ from robodyn.errors import InputError
 from robodyn.project.keys import PACKAGE, Key, Keys
 from robodyn.project.reading import OF, Entry
 from robodyn_cli.choices import OneOf
-from robodyn_cli.file_options import with_file_options
+from robodyn_cli.file_options import with_common_options
 from robodyn_cli.gen import command as gen
 from robodyn_cli.package import command as package
 
@@ -39,7 +39,7 @@ _SEARCHES: Final = ("search", "full")
 
 def project_keys() -> Keys:
     """All keys."""
-    return Keys(kernels=_keys(with_file_options(gen)), packages=_keys(with_file_options(package)))
+    return Keys(kernels=_keys(with_common_options(gen)), packages=_keys(with_common_options(package)))
 
 
 def _keys(command: click.Command) -> dict[str, Key]:

@@ -11,9 +11,11 @@ import click
 from robodyn.outputs import write_files
 from robodyn_cli.choices import FILE, ROBOTS
 from robodyn_cli.common import (
+    as_json,
     echo_json,
-    json_option,
+    flag,
     load_robot,
+    option,
     output_folder,
     parameter_values,
     printable,
@@ -30,25 +32,19 @@ if TYPE_CHECKING:
 @click.command()
 @robot_argument
 @click.argument("other", type=ROBOTS, metavar="[ROBOT]", required=False)
-@click.option(
-    "-o",
-    "--output",
-    "--out",
-    "out",
-    type=FILE,
-    metavar="PATH",
-    help="Page to write (.html), or the folder that gets it.  [default: this folder]",
+@option(
+    "-o --output --out=PATH out",
+    "Page to write (.html), or the folder that gets it.  [default: this folder]",
+    FILE,
 )
 @parameter_option(" of both")
-@click.option("--strict", is_flag=True, help="Refuse implausible numbers in place of showing the doubts.")
-@json_option
+@flag("--strict", "Refuse implausible numbers in place of showing the doubts.")
 def command(
     robot: str,
     other: str | None,
     out: str | None,
     param: Sequence[tuple[str, float]],
     strict: bool,
-    as_json: bool,
 ) -> None:
     """Write a page that shows an arm, or two beside each other.
 
@@ -70,7 +66,7 @@ def command(
 
         comparison = to_dict(compare(arms[0].robot, arms[1].robot))
     path = _path(out, [arm.robot.name for arm in arms])
-    if not as_json or out is not None:
+    if not as_json() or out is not None:
         from robodyn.report.arm_page import page
 
         text = page(arms, comparison)
@@ -79,7 +75,7 @@ def command(
         else:
             write_files(path.parent, {path.name: text})
         talk(f"robodyn: wrote {printable(path)}")
-    if as_json:
+    if as_json():
         data: list[dict[str, Any]] = [arm.data for arm in arms]
         echo_json(data[0] if comparison is None else {"robots": data, "comparison": comparison})
 

@@ -6,16 +6,15 @@ from typing import TYPE_CHECKING
 
 import click
 
-from robodyn_cli.common import WIDTH, echo_json, json_option
+from robodyn_cli.common import WIDTH, as_json, echo_json, flag
 
 if TYPE_CHECKING:
     from robodyn.robot import Robot
 
 
 @click.command()
-@click.option("--names", is_flag=True, help="Print the names only, one per line.")
-@json_option
-def command(names: bool, as_json: bool) -> None:
+@flag("--names", "Print the names only, one per line.")
+def command(names: bool) -> None:
     """List the bundled robots.
 
     Each line shows the joints from base to tip, R for revolute and P for prismatic, and where masses and
@@ -29,7 +28,7 @@ def command(names: bool, as_json: bool) -> None:
 
     bundled = robodyn.robot.bundled_names()
     if names:
-        if as_json:
+        if as_json():
             echo_json(list(bundled))
         else:
             for name in bundled:
@@ -38,7 +37,7 @@ def command(names: bool, as_json: bool) -> None:
     robots = [robodyn.robot.load(name, warn=lambda _: None) for name in bundled]
     rows = [(robot.name, _letters(robot), inertial_origin(robot.links), robot.title) for robot in robots]
     rows.sort(key=lambda row: row[2] == "synthetic")
-    if as_json:
+    if as_json():
         echo_json([dict(zip(("name", "joints", "origin", "title"), row, strict=True)) for row in rows])
         return
     widths = [max((len(row[column]) for row in rows), default=0) for column in range(3)]

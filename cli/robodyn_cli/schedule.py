@@ -9,8 +9,8 @@ import click
 
 from robodyn.outputs import check_outputs, write_files
 from robodyn_cli.choices import ROBOTS
-from robodyn_cli.common import echo_json, json_option, output_folder, printable, talk, write_file
-from robodyn_cli.options import load, model_options
+from robodyn_cli.common import as_json, echo_json, output_folder, printable, talk, write_file
+from robodyn_cli.options import load, model_options, options_of
 from robodyn_cli.schedule_options import ScheduleOptions, picture_file, schedule_options
 from robodyn_cli.searching import Search
 
@@ -26,8 +26,7 @@ if TYPE_CHECKING:
 @click.argument("robot", type=ROBOTS, metavar="[ROBOT]", required=False)
 @schedule_options
 @model_options
-@json_option
-def command(robot: str | None, as_json: bool, **options: Any) -> None:
+def command(robot: str | None, **options: Any) -> None:
     """Split the dynamics into tasks and schedule them on processors.
 
     Without --cut the tasks are those of the thesis, three operations each, for ROBOT or for any revolute arm
@@ -41,37 +40,37 @@ def command(robot: str | None, as_json: bool, **options: Any) -> None:
     """
     settings = ScheduleOptions.of(robot, options)
     if settings.thesis is not None:
-        _thesis(settings.thesis, as_json)
+        _thesis(settings.thesis)
     elif settings.forms:
-        _forms(settings, as_json)
+        _forms(settings)
     else:
-        _schedule(settings, as_json)
+        _schedule(settings)
 
 
-def _thesis(table: str, as_json: bool) -> None:
+def _thesis(table: str) -> None:
     from robodyn.thesis.tables import make, to_text
     from robodyn.thesis.tables.schedules import one_table
 
     tables = make("schedules") if table == "all" else one_table(table)
-    if as_json:
+    if as_json():
         echo_json(tables.to_dict())
     else:
         click.echo(to_text(tables), nl=False)
 
 
-def _forms(settings: ScheduleOptions, as_json: bool) -> None:
+def _forms(settings: ScheduleOptions) -> None:
     from robodyn.thesis.logarithmic import compared, forms_text
     from robodyn_cli.progress import line
 
     with line() as shown:
         comparison = compared(settings.links or 16, lambda text: shown.tell(f"robodyn: {text}"))
-    if as_json:
+    if as_json():
         echo_json(comparison)
     else:
         click.echo(forms_text(comparison), nl=False)
 
 
-def _schedule(settings: ScheduleOptions, as_json: bool) -> None:
+def _schedule(settings: ScheduleOptions) -> None:
     from robodyn.report.schedule_pictures import gantt_svg, layers_svg, sweep_svg
     from robodyn.report.schedules import processors_of, sweep_text, to_dict, to_text
     from robodyn.schedule import Machine, solve
@@ -82,24 +81,18 @@ def _schedule(settings: ScheduleOptions, as_json: bool) -> None:
     described, source, signature = _source(settings)
     picture, layers = picture_file(settings.picture), picture_file(settings.layers)
     if settings.fewest:
-        _fewest(settings, source, as_json)
+        _fewest(settings, source)
         return
     counts = processors_of(settings.processors)
     settings.check(len(counts))
     machines = [Machine(p, settings.communication, not settings.no_levels) for p in counts]
 
+    limits = {
+        "seconds": settings.seconds, "seed": settings.seed, "nodes": settings.nodes or MOST_NODES,
+    }  # fmt: skip
+
     def solved(method: Any, graph: TaskGraph) -> list[Solved]:
-        return [
-            solve(
-                graph,
-                machine,
-                method,
-                seconds=settings.seconds,
-                seed=settings.seed,
-                nodes=settings.nodes or MOST_NODES,
-            )
-            for machine in machines
-        ]
+        return [solve(graph, machine, method, **limits) for machine in machines]
 
     with line() as shown:
         if settings.method in SEARCHES:
@@ -121,7 +114,7 @@ def _schedule(settings: ScheduleOptions, as_json: bool) -> None:
     written = (*pictures, *write_files(folder, files))
     for file, text in pictures.items():
         write_file(file, text)
-    if as_json:
+    if as_json():
         records = [to_dict(source, one) for one in solutions]
         echo_json(records[0] if len(records) == 1 else records)
     else:
@@ -134,43 +127,37 @@ def _schedule(settings: ScheduleOptions, as_json: bool) -> None:
 
 def _source(settings: ScheduleOptions) -> tuple[Robot | None, Source, Signature | None]:
     """The task graph to schedule; for a kernel also the robot and the signature."""
-    from robodyn.report.schedule_sources import cut_source, links_source, robot_source
+    from robodyn.report.schedule_sources import Source, cut_source, links_source, robot_source
     from robodyn.schedule.cutting import cut, parse_costs
     from robodyn.schedule.friction_tasks import chosen_friction
 
-    if settings.links is not None:
-        if settings.form is None:
-            prices = None if settings.cost is None else parse_costs(settings.cost)
-            rubbing = None if settings.friction is None else chosen_friction(settings.friction)
-            source = links_source(
-                settings.links, as_printed=settings.as_printed, costs=prices, friction=rubbing
-            )
-            return None, source, None
+    costs = None if settings.cost is None else parse_costs(settings.cost)
+    if settings.form is not None:
         from robodyn.thesis.logarithmic import general_program
 
         k = settings.operations or 1
-        costs = None if settings.cost is None else parse_costs(settings.cost)
         tasks = cut(general_program(settings.form, settings.links), k, costs)
         return None, cut_source(f"{settings.links} links, {settings.form}", tasks, k), None
-    assert settings.robot is not None
+    if settings.links is not None:
+        friction = None if settings.friction is None else chosen_friction(settings.friction)
+        source = links_source(settings.links, as_printed=settings.as_printed, costs=costs, friction=friction)
+        return None, source, None
     described = load(settings.robot, strict=settings.strict)
     if settings.operations is None and settings.emit is None:
         by_joint = _friction(settings.friction, described)
         return described, robot_source(described, as_printed=settings.as_printed, friction=by_joint), None
     if settings.operations is None:
         from robodyn.optimize.programs import signature
-        from robodyn.report.schedule_sources import Source
         from robodyn.schedule.task_program import task_program
 
         tasks = task_program(described)
         source = Source(described.name, "tasks of Table 4.1 that this arm needs", tasks.graph, cut=tasks)
         return described, source, signature(described, "inverse_dynamics")
-    from robodyn.kernels.generate import Options, generate
+    from robodyn.kernels.generate import generate
 
-    options = Options((settings.function,), **settings.model())
+    options = options_of((settings.function,), vars(settings))
     options = Search(None, settings.seed, "total", False).applied(described, options, (settings.function,))
     ((interface, program),) = generate(described, options).unit.functions
-    costs = None if settings.cost is None else parse_costs(settings.cost)
     tasks = cut(program, settings.operations, costs)
     return described, cut_source(described.name, tasks, settings.operations), interface
 
@@ -186,7 +173,7 @@ def _friction(text: Any, robot: Robot) -> dict[int, Friction] | None:
     return {joint: friction for joint, friction in by_joint.items() if friction is not None}
 
 
-def _fewest(settings: ScheduleOptions, source: Source, as_json: bool) -> None:
+def _fewest(settings: ScheduleOptions, source: Source) -> None:
     from robodyn.schedule.optimum import fewest_for_critical_path
     from robodyn_cli.progress import line
 
@@ -194,18 +181,11 @@ def _fewest(settings: ScheduleOptions, source: Source, as_json: bool) -> None:
         fewest = fewest_for_critical_path(
             source.graph, seconds=settings.seconds, tell=lambda text: shown.tell(f"robodyn: {text}")
         )
-    if as_json:
-        echo_json(
-            {
-                "robot": source.name,
-                "tasks": len(source.graph),
-                "critical_path": fewest.span,
-                "processors": fewest.processors,
-                "at_least": fewest.at_least,
-                "proven": fewest.proven,
-                "slots": [list(row) for row in fewest.timetable.slots],
-            }
-        )
+    if as_json():
+        numbers = {name: getattr(fewest, name) for name in ("processors", "at_least", "proven")}
+        slots = [list(row) for row in fewest.timetable.slots]
+        head = {"robot": source.name, "tasks": len(source.graph), "critical_path": fewest.span}
+        echo_json({**head, **numbers, "slots": slots})
         return
     least = "fewer" if fewest.proven else f"fewer than {fewest.at_least}"
     click.echo(f"{source.name}: {len(source.graph)} {source.tasks}, critical path {fewest.span}")

@@ -2,152 +2,76 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, Final, TypeVar
+from types import SimpleNamespace
+from typing import Any, Final
 
 import click
 
+from robodyn.errors import InputError
 from robodyn_cli.choices import FILE, FOLDER
-from robodyn_cli.common import add_options
+from robodyn_cli.common import add_options, flag, option
 from robodyn_cli.options import functions_option, one_function
-
-Command = TypeVar("Command", bound=Callable[..., Any])
 
 #: ``robodyn.schedule.METHODS``, which tests hold equal to this: importing it would slow down ``--help``.
 METHODS: Final = ("thesis", "critical-path", "dhlf", "df-ihs", "a-star", "branch-and-bound", "optimal")
 
 
 schedule_options = add_options(
-    click.option(
-        "-p",
-        "--processors",
-        metavar="N",
-        default=None,
-        help="Number of processors: 4, 2,4,8 or 2..13.",
-    ),
-    click.option(
-        "--links",
-        metavar="N",
-        type=int,
-        help="Schedule any revolute arm of N joints (without ROBOT).",
-    ),
-    click.option(
+    option("-p --processors=N", "Number of processors: 4, 2,4,8 or 2..13."),
+    option("--links=N", "Schedule any revolute arm of N joints (without ROBOT).", int),
+    option(
         "--method",
-        type=click.Choice(METHODS),
+        "Method: list heuristics (thesis: section 4.3.3; critical-path; dhlf), searches (df-ihs, a-star, "
+        "branch-and-bound: one processor per joint) or optimal (OR-Tools; proof or bound).",
+        METHODS,
         default="critical-path",
-        show_default=True,
-        help="Method: list heuristics (thesis: section 4.3.3; critical-path; dhlf), searches (df-ihs,"
-        " a-star, branch-and-bound: one processor per joint) or optimal (OR-Tools; proof or bound).",
     ),
-    click.option("--as-printed", is_flag=True, help="Use the task set printed in the thesis."),
-    click.option(
+    flag("--as-printed", "Use the task set printed in the thesis."),
+    option(
         "--friction",
-        type=click.Choice(("none", "joint", "transmission", "both")),
-        help="Tasks of friction in all joints; without this option, those that ROBOT describes.",
+        "Tasks of friction in all joints; without this option, those that ROBOT describes.",
+        ("none", "joint", "transmission", "both"),
     ),
-    click.option(
-        "--cut",
-        metavar="K",
-        help="Split a kernel into tasks of at most K operations; thesis: the thesis's tasks.",
-    ),
+    option("--cut=K", "Split a kernel into tasks of at most K operations; thesis: the thesis's tasks."),
     functions_option("inverse_dynamics", "Function to split (with --cut K)."),
-    click.option(
-        "--form",
-        metavar="F",
-        help="Recursion (with --links): newton-euler, modified-newton-euler, lee-chang or lathrop.",
+    option(
+        "--form=F", "Recursion (with --links): newton-euler, modified-newton-euler, lee-chang or lathrop."
     ),
-    click.option(
-        "--forms",
-        is_flag=True,
-        help="Compare linear and logarithmic forms for up to --links N joints.",
-    ),
-    click.option("--cost", metavar="OP=N,...", help="Costs of operations: mul=1,add=1,div=14."),
-    click.option(
-        "--communication",
-        metavar="T",
-        type=int,
+    flag("--forms", "Compare linear and logarithmic forms for up to --links N joints."),
+    option("--cost=OP=N,...", "Costs of operations: mul=1,add=1,div=14."),
+    option(
+        "--communication=T",
+        "Time to pass a value, or to synchronise between levels.",
+        int,
         default=0,
-        help="Time to pass a value, or to synchronise between levels.",
+        show_default=False,
     ),
-    click.option("--no-levels", is_flag=True, help="Start tasks as soon as their inputs are available."),
-    click.option(
-        "--budget-seconds",
-        "--seconds",
-        "seconds",
-        metavar="S",
-        type=float,
-        help="Time limit of a search. [default: 60, branch-and-bound 10]",
+    flag("--no-levels", "Start tasks as soon as their inputs are available."),
+    option(
+        "--budget-seconds --seconds=S seconds",
+        "Time limit of a search. [default: 60, branch-and-bound 10]",
+        float,
     ),
-    click.option(
-        "--nodes",
-        metavar="N",
-        type=click.IntRange(min=1),
-        help="Limit of nodes that df-ihs and a-star visit. [default: 200000]",
+    option(
+        "--nodes=N", "Limit of nodes that df-ihs and a-star visit. [default: 200000]", click.IntRange(min=1)
     ),
-    click.option("--seed", metavar="N", type=int, default=0, help="Seed of the optimiser."),
-    click.option("--fewest", is_flag=True, help="Find the fewest processors that reach the critical path."),
-    click.option("--thesis", metavar="TABLE", help="Check a printed schedule: 4.3, C.1, 4.8, all."),
-    click.option(
-        "--picture",
-        type=FILE,
-        metavar="FILE.svg",
-        help="Write the Gantt chart; for a sweep, Figures 4.11-4.13.",
-    ),
-    click.option("--layers", type=FILE, metavar="FILE.svg", help="Write the layered graph."),
-    click.option(
-        "-o",
-        "--output",
-        "--emit",
-        "emit",
-        type=FOLDER,
-        metavar="DIR",
-        help="Write parallel C to DIR.",
-    ),
-    click.option("--sync", metavar="HOW", help="Synchronisation (with -o): barrier or counters."),
-    click.option(
-        "--packed",
-        metavar="LANES",
-        type=int,
-        help="Also write the packed form (with -o): 2, 4 or 8 lanes.",
-    ),
+    option("--seed=N", "Seed of the optimiser.", int, default=0, show_default=False),
+    flag("--fewest", "Find the fewest processors that reach the critical path."),
+    option("--thesis=TABLE", "Check a printed schedule: 4.3, C.1, 4.8, all."),
+    option("--picture=FILE.svg", "Write the Gantt chart; for a sweep, Figures 4.11-4.13.", FILE),
+    option("--layers=FILE.svg", "Write the layered graph.", FILE),
+    option("-o --output --emit=DIR emit", "Write parallel C to DIR.", FOLDER),
+    option("--sync=HOW", "Synchronisation (with -o): barrier or counters."),
+    option("--packed=LANES", "Also write the packed form (with -o): 2, 4 or 8 lanes.", int),
 )
 """Add the options of tasks, machine, method and output."""
 
 
-@dataclass(frozen=True, slots=True)
-class ScheduleOptions:
-    """The parsed options of ``robodyn schedule``."""
-
-    robot: str | None
-    processors: str
-    links: int | None
-    method: Any
-    as_printed: bool
-    friction: Any
-    operations: int | None
-    function: str
-    form: str | None
-    forms: bool
-    cost: str | None
-    communication: int
-    no_levels: bool
-    seconds: float
-    nodes: int | None
-    seed: int
-    fewest: bool
-    thesis: str | None
-    picture: str | None
-    layers: str | None
-    emit: str | None
-    sync: Any
-    packed: int | None
-    formulation: str
-    optimize: str
-    no_regroup: bool
-    engine: str
-    strict: bool
+class ScheduleOptions(SimpleNamespace):
+    """The parsed options of ``robodyn schedule``; ``operations``: those of a task of a kernel, None for the
+    thesis's tasks."""
 
     @staticmethod
     def of(robot: str | None, options: dict[str, Any]) -> ScheduleOptions:
@@ -157,127 +81,111 @@ class ScheduleOptions:
         ------
         InputError: options that cannot be combined, or nothing to schedule.
         """
-        from robodyn.errors import InputError
-
-        cut = options.pop("cut")
-        options["function"] = one_function(options.pop("functions"))
-        operations = None if cut in (None, "thesis") else _operations(cut)
-        if cut is None and (options["emit"] is not None or _kernel(options)):
-            operations = 3  # for a kernel
-        processors = options.pop("processors")
-        if options["seconds"] is None:
-            options["seconds"] = 10.0 if options["method"] == "branch-and-bound" else 60.0
-        settings = ScheduleOptions(robot, processors=processors or "1", operations=operations, **options)
-        settings = _with_form(settings)
-        if settings.thesis is not None or settings.forms:
-            if robot is not None:
-                raise InputError(
-                    f"{'--forms' if settings.forms else '--thesis'} takes no robot",
-                    found=robot,
-                    remedy="remove it",
-                )
-            return settings
-        if (robot is None) == (settings.links is None):
-            raise InputError(
-                "nothing unique to schedule",
-                found="neither ROBOT nor --links" if robot is None else "both ROBOT and --links",
-                expected="one of ROBOT and --links N",
-            )
-        if processors is None and not settings.fewest:
-            raise InputError("the number of processors is missing", remedy="add -p 4, -p 2..13, or --fewest")
-        settings._fitting()
+        settings = ScheduleOptions(robot=robot, **options)
+        settings.function = one_function(settings.functions)
+        settings.operations = None if settings.cut in (None, "thesis") else _operations(settings.cut)
+        if settings.cut is None and (settings.emit is not None or settings._is_kernel()):
+            settings.operations = 3
+        if settings.seconds is None:
+            settings.seconds = 10.0 if settings.method == "branch-and-bound" else 60.0
+        if settings.form is not None:
+            settings.form = _form(settings.form)
+        for refused, error in settings._refusals():
+            if refused:
+                raise error
+        settings.processors = settings.processors or "1"
         return settings
 
-    def _fitting(self) -> None:
-        from robodyn.errors import InputError
-
-        if self.links is not None and self.emit is not None:
-            raise InputError(
-                "a general arm (--links) has no parameters to emit", remedy="use a ROBOT instead"
-            )
-        if self.links is not None and self.operations is not None and self.form is None:
-            raise InputError(
-                "a general arm (--links) has no kernel to split", remedy="add --form, or use a ROBOT instead"
-            )
-        if self.form is not None and self.links is None:
-            raise InputError("--form requires --links")
-        if self.friction is not None and (self.operations is not None or self.emit is not None):
-            raise InputError(
+    def _refusals(self) -> Iterator[tuple[bool, InputError]]:
+        """What cannot be combined: whether it is here, and the error."""
+        alone = "--forms" if self.forms else "--thesis" if self.thesis is not None else None
+        if alone is not None:
+            error = InputError(f"{alone} takes no robot", found=self.robot, remedy="remove it")
+            yield self.robot is not None, error
+            return
+        general, kernel, emits = self.links is not None, self.operations is not None, self.emit is not None
+        yield (
+            (self.robot is not None) == general,
+            InputError(
+                "nothing unique to schedule",
+                found="both ROBOT and --links" if general else "neither ROBOT nor --links",
+                expected="one of ROBOT and --links N",
+            ),
+        )
+        for refused, what, remedy in (
+            (
+                self.processors is None and not self.fewest,
+                "the number of processors is missing",
+                "add -p 4, -p 2..13, or --fewest",
+            ),
+            (general and emits, "a general arm (--links) has no parameters to emit", "use a ROBOT instead"),
+            (
+                general and kernel and self.form is None,
+                "a general arm (--links) has no kernel to split",
+                "add --form, or use a ROBOT instead",
+            ),
+            (self.form is not None and not general, "--form requires --links", None),
+            (
+                self.friction is not None and (kernel or emits),
                 "--friction is of the thesis's tasks; a kernel has the friction that its robot describes",
-                remedy="leave out --cut and --emit, or --friction",
-            )
-        if self.as_printed and self.operations is not None:
-            raise InputError(
-                "--as-printed applies to the thesis's tasks, not to a kernel", remedy="remove --cut"
-            )
-        if self.cost is not None and self.operations is None and self.links is None:
-            raise InputError("--cost requires tasks of operations", remedy="add --cut 1, or another number")
-        if self.sync not in (None, "barrier", "counters"):
-            raise InputError(
-                f"unknown synchronisation {self.sync!r}", expected="--sync barrier or --sync counters"
-            )
-        for option, name in ((self.sync, "--sync"), (self.packed, "--packed")):
-            if option is not None and self.emit is None:
-                raise InputError(f"{name} requires -o")
-        if not 0 < self.seconds < 1e7:
-            raise InputError(
+                "leave out --cut and --emit, or --friction",
+            ),
+            (
+                self.as_printed and kernel,
+                "--as-printed applies to the thesis's tasks, not to a kernel",
+                "remove --cut",
+            ),
+            (
+                self.cost is not None and not kernel and not general,
+                "--cost requires tasks of operations",
+                "add --cut 1, or another number",
+            ),
+        ):
+            yield refused, InputError(what, remedy=remedy)
+        known = self.sync in (None, "barrier", "counters")
+        expected = "--sync barrier or --sync counters"
+        yield not known, InputError(f"unknown synchronisation {self.sync!r}", expected=expected)
+        yield self.sync is not None and not emits, InputError("--sync requires -o")
+        yield self.packed is not None and not emits, InputError("--packed requires -o")
+        yield (
+            not 0 < self.seconds < 1e7,
+            InputError(
                 "the time limit of the search is out of range",
                 found=f"--budget-seconds {self.seconds:g}",
                 expected="more than 0",
-            )
+            ),
+        )
 
     def check(self, machines: int) -> None:
         """Raise :class:`InputError` if there are several schedules and only one can be emitted."""
-        from robodyn.errors import InputError
-
         if self.emit is not None and machines > 1:
-            raise InputError(
-                "only one schedule can be emitted", found=f"{machines} machines", expected="-p N"
-            )
+            found = f"{machines} machines"
+            raise InputError("only one schedule can be emitted", found=found, expected="-p N")
 
-    def model(self) -> dict[str, Any]:
-        """The options of the kernel."""
-        return {
-            "formulation": self.formulation,
-            "optimize": self.optimize,
-            "regroup": not self.no_regroup,
-            "engine": self.engine,
-        }
+    def _is_kernel(self) -> bool:
+        """Whether an option selects a kernel."""
+        from robodyn.dynamics.functions import function_named
+
+        default = {"formulation": "modified_newton_euler", "optimize": "record", "engine": "graph"}
+        changed = any(getattr(self, name) != value for name, value in default.items())
+        return changed or self.no_regroup or not function_named(self.function).is_recursion
 
 
-def _with_form(settings: ScheduleOptions) -> ScheduleOptions:
-    from dataclasses import replace
-
-    if settings.form is None:
-        return settings
-    from robodyn.errors import InputError
+def _form(text: str) -> str:
+    """The name of the recursion that ``--form`` spells."""
     from robodyn.thesis.logarithmic import FORMS
 
-    name = "modified newton-euler" if settings.form == "modified-newton-euler" else settings.form
+    name = "modified newton-euler" if text == "modified-newton-euler" else text
     if name not in FORMS:
-        raise InputError(
-            f"unknown form {settings.form!r}",
-            expected=f"one of {', '.join(f.replace(' ', '-') for f in FORMS)}",
-        )
-    return replace(settings, form=name)
-
-
-def _kernel(options: dict[str, Any]) -> bool:
-    """Whether an option selects a kernel."""
-    from robodyn.dynamics.functions import function_named
-
-    usual = {"formulation": "modified_newton_euler", "optimize": "record", "engine": "graph"}
-    changed = any(options[name] != value for name, value in usual.items())
-    return changed or options["no_regroup"] or not function_named(options["function"]).is_recursion
+        names = ", ".join(form.replace(" ", "-") for form in FORMS)
+        raise InputError(f"unknown form {text!r}", expected=f"one of {names}")
+    return name
 
 
 def _operations(text: str) -> int:
-    from robodyn.errors import InputError
-
     if not text.isdecimal() or len(text) > 6:
-        raise InputError(
-            "--cut cannot be read", found=repr(text), expected="thesis, or a number of operations"
-        )
+        expected = "thesis, or a number of operations"
+        raise InputError("--cut cannot be read", found=repr(text), expected=expected)
     return int(text)
 
 
@@ -288,8 +196,6 @@ def picture_file(text: str | None) -> Path | None:
     ------
     InputError: the name does not end in .svg.
     """
-    from robodyn.errors import InputError
-
     if text is None:
         return None
     if not text.endswith(".svg") or text == ".svg":

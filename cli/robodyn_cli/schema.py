@@ -5,16 +5,15 @@ from __future__ import annotations
 import click
 
 from robodyn.errors import InputError, error_schema
-from robodyn_cli.common import echo_json, json_option
+from robodyn_cli.common import echo_json, flag
 
 
 @click.command()
-@click.option("--project", is_flag=True, help="That of the project file, robodyn.toml, instead.")
-@click.option("--fleet", is_flag=True, help="That of fleet.json, the result of robodyn fleet, instead.")
-@click.option("--fleet-file", is_flag=True, help="That of the description of a fleet, fleet.toml, instead.")
-@click.option("--error", is_flag=True, help="That of what --json prints where a command fails, instead.")
-@json_option
-def command(project: bool, fleet: bool, fleet_file: bool, error: bool, as_json: bool) -> None:
+@flag("--project", "That of the project file, robodyn.toml, instead.")
+@flag("--fleet", "That of fleet.json, the result of robodyn fleet, instead.")
+@flag("--fleet-file", "That of the description of a fleet, fleet.toml, instead.")
+@flag("--error", "That of what --json prints where a command fails, instead.")
+def command(project: bool, fleet: bool, fleet_file: bool, error: bool) -> None:
     """Print the JSON Schema of the robot description.
 
     An editor can use it to complete keys and mark mistakes in the YAML file, in robodyn.toml or in

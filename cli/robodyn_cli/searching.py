@@ -6,6 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Final
 
+from robodyn.errors import InputError
+
 if TYPE_CHECKING:
     from robodyn.kernels.generate import Options
     from robodyn.optimize.records import Record
@@ -37,8 +39,6 @@ class Search:
         ------
         InputError: options that cannot be combined.
         """
-        from robodyn.errors import InputError
-
         objective = self.objective
         if objective != "total":
             from robodyn.counts.objective import parse_objective

@@ -9,19 +9,23 @@ from typing import TYPE_CHECKING, Any, Final
 
 import click
 
+from robodyn.errors import InputError
 from robodyn.outputs import check_outputs, write_files
 from robodyn_cli import progress
 from robodyn_cli.choices import FILE
 from robodyn_cli.common import (
+    as_json,
     echo_json,
-    json_option,
+    flag,
     load_robot,
+    option,
     output_folder,
     parameter_values,
     printable,
     robot_argument,
     talk,
 )
+from robodyn_cli.log_files import spare_inputs
 from robodyn_cli.simulate_options import SimulationOptions, exactly, simulation_options, spread, whole
 
 if TYPE_CHECKING:
@@ -43,22 +47,11 @@ _BALANCED: Final = 1e-3
 
 @click.command()
 @robot_argument
-@click.option(
-    "-o",
-    "--output",
-    type=FILE,
-    metavar="LOG",
-    help="Output log: .csv, .parquet, or - (CSV on stdout).  [default: NAME.csv]",
-)
+@option("-o --output=LOG", "Output log: .csv, .parquet, or - (CSV on stdout).  [default: NAME.csv]", FILE)
 @simulation_options
-@click.option(
-    "--picture", type=FILE, metavar="FILE", help="Plot positions, velocities and torques to .svg or .png."
-)
-@click.option("--strict", is_flag=True, help="Refuse physically implausible values.")
-@json_option
-def command(
-    robot: str, output: str | None, picture: str | None, strict: bool, as_json: bool, **options: Any
-) -> None:
+@option("--picture=FILE", "Plot positions, velocities and torques to .svg or .png.", FILE)
+@flag("--strict", "Refuse physically implausible values.")
+def command(robot: str, output: str | None, picture: str | None, strict: bool, **options: Any) -> None:
     """Simulate a robot with all its effects, and write the log.
 
     Give one of --torque, --trajectory, --to, --line and --excite; without them the motor torques are zero.
@@ -71,16 +64,14 @@ def command(
     described = load_robot(robot, strict=strict)
     target = _target(described, output)
     drawn = None if picture is None else _picture_file(picture)
-    if target is None and as_json:
-        from robodyn.errors import InputError
-
+    if target is None and as_json():
         raise InputError("--json and -o - both write to stdout", remedy="remove one of them")
-    _spare_inputs([target, drawn], [robot, settings.torque, settings.trajectory, settings.model])
-    n, name = described.n, described.name
-    exactly("--from", settings.start, n, name)
-    exactly("--speed", settings.speed, n, name)
-    for option, positions in (("--from", settings.start), ("--to", settings.to)):
-        _check_turns(described, option, positions, strict)
+    inputs = (robot, settings.torque, settings.trajectory, settings.model)
+    spare_inputs((file for file in (target, drawn) if file is not None), [name for name in inputs if name])
+    exactly("--from", settings.start, described)
+    exactly("--speed", settings.speed, described)
+    for name_, positions in (("--from", settings.start), ("--to", settings.to)):
+        _check_turns(described, name_, positions, strict)
     values = parameter_values(described, settings.param)
     sensors = _sensors(described, settings)
     run, what = _run(described, settings, values)
@@ -99,7 +90,7 @@ def command(
     summary = _summary(run, log, settings, what, [*files, *pictures])
     if target is None:
         click.echo(log.csv(), nl=False)
-    if as_json:
+    if as_json():
         echo_json(summary)
     else:
         for line in to_text(summary):
@@ -113,8 +104,6 @@ def command(
 
 def _target(robot: Robot, output: str | None) -> Path | None:
     """The path of the log; None for stdout."""
-    from robodyn.errors import InputError
-
     if output == "-":
         return None
     path = Path(f"{robot.name}.csv") if output is None else output_folder(output)
@@ -129,7 +118,6 @@ def _target(robot: Robot, output: str | None) -> Path | None:
 
 def _check_turns(robot: Robot, option: str, positions: tuple[float, ...] | None, strict: bool) -> None:
     """Doubt positions in degrees; refuse them if ``strict``."""
-    from robodyn.errors import InputError
     from robodyn.simulate.limits import beyond_a_turn
 
     if positions is None or len(positions) != robot.n:
@@ -149,8 +137,6 @@ def _check_turns(robot: Robot, option: str, positions: tuple[float, ...] | None,
 
 
 def _picture_file(text: str) -> Path:
-    from robodyn.errors import InputError
-
     path = Path(text)
     if path.suffix.lower() not in _PICTURES:
         raise InputError(
@@ -159,31 +145,15 @@ def _picture_file(text: str) -> Path:
     return path
 
 
-def _spare_inputs(outputs: list[Path | None], inputs: list[str | None]) -> None:
-    """Refuse to overwrite an input."""
-    from robodyn.errors import InputError
-
-    for output in outputs:
-        for source in inputs:
-            if output is None or source is None or not (output.exists() and Path(source).exists()):
-                continue
-            if output.samefile(source):
-                raise InputError(
-                    f"{printable(output)} is an input and would be overwritten",
-                    remedy="choose another name with -o",
-                )
-
-
 def _sensors(robot: Robot, settings: SimulationOptions) -> Sensors:
     from robodyn.simulate.sensors import Sensors, resolution_of
 
-    n, name = robot.n, robot.name
-    resolution = (0.0,) * n
+    resolution = (0.0,) * robot.n
     if settings.position_resolution is not None:
-        resolution = spread("--position-resolution", settings.position_resolution, n, name)
+        resolution = spread("--position-resolution", settings.position_resolution, robot)
     elif settings.encoder_bits is not None:
         linear = [i for i, link in enumerate(robot.links) if link.joint.kind == "prismatic"]
-        bits = spread("--encoder-bits", settings.encoder_bits, n, name)
+        bits = spread("--encoder-bits", settings.encoder_bits, robot)
         resolution = tuple(
             0.0 if i in linear else resolution_of(whole(width)) for i, width in enumerate(bits)
         )
@@ -193,22 +163,18 @@ def _sensors(robot: Robot, settings: SimulationOptions) -> Sensors:
                 f"({', '.join(str(i + 1) for i in linear)}), which are exact; "
                 "--position-resolution sets the step of each joint"
             )
-    return Sensors(
-        position_resolution=resolution,
-        position_noise=spread("--position-noise", settings.position_noise, n, name),
-        velocity=settings.velocity,  # type: ignore[arg-type]  # checked by click
-        acceleration=settings.acceleration,  # type: ignore[arg-type]
-        cutoff=settings.cutoff,
-        torque_resolution=spread("--torque-resolution", settings.torque_resolution, n, name),
-        torque_noise=spread("--torque-noise", settings.torque_noise, n, name),
-    )
+    noise: dict[str, Any] = {
+        name: spread(f"--{name.replace('_', '-')}", getattr(settings, name), robot)
+        for name in ("position_noise", "torque_resolution", "torque_noise")
+    }
+    rates = {name: getattr(settings, name) for name in ("velocity", "acceleration", "cutoff")}
+    return Sensors(position_resolution=resolution, **noise, **rates)
 
 
 # --- the run ----------------------------------------------------------------------------------------------
 
 
 def _run(robot: Robot, settings: SimulationOptions, values: Mapping[str, float]) -> tuple[Simulation, Driven]:
-    from robodyn.errors import InputError
     from robodyn.simulate.simulation import simulate
     from robodyn_cli.driving import driven
 
@@ -239,20 +205,11 @@ def _run(robot: Robot, settings: SimulationOptions, values: Mapping[str, float])
                 shown.tell(f"robodyn: {robot.name}: {reached:.3f} of {what.duration:g} s")
 
         run = simulate(
-            robot,
-            what.drive,
-            start=settings.start if settings.drive != "line" else None,
-            speed=settings.speed,
-            duration=what.duration,
-            sample_period=1 / settings.rate,
-            method=settings.solver,  # type: ignore[arg-type]  # checked by click
-            step=settings.fixed_step,
-            rtol=rtol,
-            atol=atol,
-            parameters=values,
-            plant=what.plant,
+            robot, what.drive, duration=what.duration, sample_period=1 / settings.rate, plant=what.plant,
+            start=settings.start if settings.drive != "line" else None, speed=settings.speed,
+            method=settings.solver, step=settings.fixed_step, rtol=rtol, atol=atol, parameters=values,
             progress=tell,
-        )
+        )  # fmt: skip
     return run, what
 
 
@@ -264,29 +221,17 @@ def _log(run: Simulation, sensors: Sensors, settings: SimulationOptions, what: D
     from robodyn.logs.provenance import provenance
 
     robot = run.plant.robot
-    options: dict[str, Any] = {
-        "drive": what.description,
-        "from": run.q[0],
-        "speed": run.qd[0],
-        "duration": what.duration,
-        "rate": settings.rate,
-        "parameters": run.parameters,
-    }
+    options = {
+        "drive": what.description, "from": run.q[0], "speed": run.qd[0], "duration": what.duration,
+        "rate": settings.rate, "parameters": run.parameters,
+    }  # fmt: skip
     if settings.solver == "adaptive":
         options["rtol"], options["atol"] = settings.tolerances
-    return replace(
-        run.log(sensors, seed=settings.seed),
-        provenance=provenance(
-            robot,
-            yaml=text_of(spec).encode(),
-            options=options,
-            sensors=sensors.describe(),
-            seed=settings.seed,
-            solver=settings.solver,
-            step=settings.fixed_step,
-            energy=run.balance().to_dict(),
-        ),
-    )
+    origin = provenance(
+        robot, yaml=text_of(spec).encode(), options=options, sensors=sensors.describe(), seed=settings.seed,
+        solver=settings.solver, step=settings.fixed_step, energy=run.balance().to_dict(),
+    )  # fmt: skip
+    return replace(run.log(sensors, seed=settings.seed), provenance=origin)
 
 
 # --- after the run ----------------------------------------------------------------------------------------

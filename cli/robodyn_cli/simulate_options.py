@@ -3,62 +3,29 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from dataclasses import dataclass
-from typing import Any, TypeVar
+from types import SimpleNamespace
+from typing import TYPE_CHECKING
 
 import click
-from click import option
 
+from robodyn.errors import InputError
 from robodyn_cli.choices import FILE, ROBOTS
-from robodyn_cli.common import add_options
+from robodyn_cli.common import add_options, flag, option
 from robodyn_cli.values import POSITIVE, POSITIVES, SEVERAL, SIZES, Line, parameter_option
 
-Command = TypeVar("Command", bound=Callable[..., Any])
+if TYPE_CHECKING:
+    from robodyn.robot import Robot
 
 DRIVES = ("torque", "trajectory", "to", "line", "excite")
 CONTROLLERS = ("feedforward", "pd", "computed-torque")
 RATES = ("true", "difference", "filtered", "none")
 
 
-@dataclass(frozen=True, slots=True)
-class SimulationOptions:
-    """The parsed options; None where the default depends on other options."""
+class SimulationOptions(SimpleNamespace):
+    """The parsed options of :data:`simulation_options`; None where the default depends on other options."""
 
-    torque: str | None
-    linear: bool
-    trajectory: str | None
-    to: tuple[float, ...] | None
-    line: tuple[tuple[float, ...], ...] | None
-    excite: bool
-    profile: str | None
-    point: tuple[float, ...] | None
-    link: int | None
-    harmonics: int | None
-    base_frequency: float | None
-    controller: str | None
-    kp: tuple[float, ...] | None
-    kd: tuple[float, ...] | None
-    model: str | None
-    control_rate: float | None
-    start: tuple[float, ...] | None
-    speed: tuple[float, ...] | None
-    duration: float | None
     rate: float
-    solver: str
     step: float | None
-    rtol: float | None
-    atol: float | None
-    param: tuple[tuple[str, float], ...]
-    encoder_bits: tuple[float, ...] | None
-    position_resolution: tuple[float, ...] | None
-    position_noise: tuple[float, ...]
-    velocity: str
-    acceleration: str
-    cutoff: float | None
-    torque_noise: tuple[float, ...]
-    torque_resolution: tuple[float, ...]
-    seed: int
 
     @property
     def drive(self) -> str | None:
@@ -88,8 +55,6 @@ class SimulationOptions:
         ------
         InputError: names the two options.
         """
-        from robodyn.errors import InputError
-
         drives = self._present(DRIVES)
         if len(drives) > 1:
             raise InputError(
@@ -139,123 +104,87 @@ def _spelled(name: str) -> str:
 
 
 simulation_options = add_options(
-    option("--torque", type=FILE, metavar="FILE.csv",
-           help="Apply torques t,tau1..taun, held between rows."),
-    option("--linear", is_flag=True, help="Interpolate between rows (with --torque)."),
-    option("--trajectory", type=FILE, metavar="FILE.csv",
-           help="Follow a motion: t,q1..qn (qd, qdd if known)."),
-    option("--to", type=SEVERAL, metavar="Q", help="Move to Q (rad or m, separated by commas)."),
-    option("--line", type=Line(), metavar="A:B",
-           help="Move a point from x,y,z to x,y,z (m) on a straight line."),
-    option("--excite", is_flag=True, help="Follow a periodic motion of all joints within their limits."),
+    option("--torque=FILE.csv", "Apply torques t,tau1..taun, held between rows.", FILE),
+    flag("--linear", "Interpolate between rows (with --torque)."),
+    option("--trajectory=FILE.csv", "Follow a motion: t,q1..qn (qd, qdd if known).", FILE),
+    option("--to=Q", "Move to Q (rad or m, separated by commas).", SEVERAL),
+    option("--line=A:B", "Move a point from x,y,z to x,y,z (m) on a straight line.", Line()),
+    flag("--excite", "Follow a periodic motion of all joints within their limits."),
     option(
-        "--profile",
-        type=click.Choice(["quintic", "trapezoid"]),
-        help="Velocity profile (with --to, --line).  [default: quintic]",
+        "--profile", "Velocity profile (with --to, --line).  [default: quintic]", ["quintic", "trapezoid"]
     ),
-    option("--point", type=SEVERAL, metavar="X,Y,Z",
-           help="Point that follows --line, in its link's frame (m).  [default: the tool]"),
-    option("--link", type=click.IntRange(1), metavar="N",
-           help="Link of --point.  [default: 6, or the last]"),
-    option("--harmonics", type=click.IntRange(2, 1000), metavar="K",
-           help="Number of harmonics (with --excite).  [default: 5]"),
-    option("--base-frequency", type=POSITIVE, metavar="HZ",
-           help="Base frequency (with --excite).  [default: 1/duration]"),
-    option("--controller", type=click.Choice(CONTROLLERS),
-           help="Controller that follows the motion.  [default: pd]"),
-    option("--kp", type=SIZES, metavar="K",
-           help="Position gain, one value or one per joint.  [default: from the inertia]"),
-    option("--kd", type=SIZES, metavar="K",
-           help="Velocity gain, one value or one per joint.  [default: from the inertia]"),
-    option("--controller-model", "model", type=ROBOTS, metavar="ROBOT",
-           help="Model used by the controller.  [default: the robot itself]"),
-    option("--control-rate", type=POSITIVE, metavar="HZ",
-           help="Sample rate of the controller.  [default: 1000]"),
-    option("--from", "start", type=SEVERAL, metavar="Q",
-           help="Initial position.  [default: start of the motion]"),
-    option("--speed", type=SEVERAL, metavar="QD", help="Initial velocity (rad/s or m/s)."),
-    option("--duration", type=POSITIVE, metavar="S",
-           help="Duration.  [default: that of the file; --to, --line: 2; else 10]"),
-    option("--rate", type=POSITIVE, metavar="HZ", default=1000.0,
-           help="Sample rate of the log.  [default: 1000]"),
     option(
-        "--solver",
-        type=click.Choice(["adaptive", "rk4"]),
-        default="adaptive",
-        show_default=True,
-        help="Solver with adaptive or fixed steps.",
+        "--point=X,Y,Z", "Point that follows --line, in its link's frame (m).  [default: the tool]", SEVERAL
     ),
-    option("--step", type=POSITIVE, metavar="S",
-           help="Step of rk4, or maximum step of adaptive.  [default: 1e-3, 1e-2]"),
-    option("--rtol", type=POSITIVE, metavar="X", help="Relative tolerance.  [default: 1e-8]"),
-    option("--atol", type=POSITIVE, metavar="X", help="Absolute tolerance.  [default: 1e-10]"),
+    option("--link=N", "Link of --point.  [default: 6, or the last]", click.IntRange(1)),
+    option("--harmonics=K", "Number of harmonics (with --excite).  [default: 5]", click.IntRange(2, 1000)),
+    option("--base-frequency=HZ", "Base frequency (with --excite).  [default: 1/duration]", POSITIVE),
+    option("--controller", "Controller that follows the motion.  [default: pd]", CONTROLLERS),
+    option("--kp=K", "Position gain, one value or one per joint.  [default: from the inertia]", SIZES),
+    option("--kd=K", "Velocity gain, one value or one per joint.  [default: from the inertia]", SIZES),
+    option(
+        "--controller-model=ROBOT model", "Model used by the controller.  [default: the robot itself]", ROBOTS
+    ),
+    option("--control-rate=HZ", "Sample rate of the controller.  [default: 1000]", POSITIVE),
+    option("--from=Q start", "Initial position.  [default: start of the motion]", SEVERAL),
+    option("--speed=QD", "Initial velocity (rad/s or m/s).", SEVERAL),
+    option("--duration=S", "Duration.  [default: that of the file; --to, --line: 2; else 10]", POSITIVE),
+    option("--rate=HZ", "Sample rate of the log.", POSITIVE, default="1000"),
+    option("--solver", "Solver with adaptive or fixed steps.", ["adaptive", "rk4"], default="adaptive"),
+    option("--step=S", "Step of rk4, or maximum step of adaptive.  [default: 1e-3, 1e-2]", POSITIVE),
+    option("--rtol=X", "Relative tolerance.  [default: 1e-8]", POSITIVE),
+    option("--atol=X", "Absolute tolerance.  [default: 1e-10]", POSITIVE),
     parameter_option(),
-    option("--encoder-bits", type=POSITIVES, metavar="BITS",
-           help="Encoder bits per turn (revolute joints)."),
-    option("--position-resolution", type=SIZES, metavar="X", help="Encoder step (rad or m)."),
-    option("--position-noise", type=SIZES, metavar="X", default=(0.0,),
-           help="Standard deviation of the position noise (rad or m)."),
+    option("--encoder-bits=BITS", "Encoder bits per turn (revolute joints).", POSITIVES),
+    option("--position-resolution=X", "Encoder step (rad or m).", SIZES),
     option(
-        "--velocity", type=click.Choice(RATES), default="true", show_default=True,
-        help="Velocity in the log."
+        "--position-noise=X",
+        "Standard deviation of the position noise (rad or m).",
+        SIZES,
+        default=(0.0,),
+        show_default=False,
     ),
+    option("--velocity", "Velocity in the log.", RATES, default="true"),
+    option("--acceleration", "Acceleration in the log.", RATES, default="true"),
+    option("--cutoff=HZ", "Cutoff frequency of the low-pass filter for filtered.", POSITIVE),
     option(
-        "--acceleration", type=click.Choice(RATES), default="true", show_default=True,
-        help="Acceleration in the log."
+        "--torque-noise=X",
+        "Standard deviation of the torque noise (N m or N).",
+        SIZES,
+        default=(0.0,),
+        show_default=False,
     ),
-    option("--cutoff", type=POSITIVE, metavar="HZ",
-           help="Cutoff frequency of the low-pass filter for filtered."),
-    option(
-        "--torque-noise", type=SIZES, metavar="X", default=(0.0,),
-        help="Standard deviation of the torque noise (N m or N)."
-    ),
-    option("--torque-resolution", type=SIZES, metavar="X", default=(0.0,),
-           help="Torque step (N m or N)."),
-    option(
-        "--seed",
-        type=click.IntRange(0),
-        metavar="N",
-        default=0,
-        show_default=True,
-        help="Seed of --excite and of the noise.",
-    ),
-)  # fmt: skip
+    option("--torque-resolution=X", "Torque step (N m or N).", SIZES, default=(0.0,), show_default=False),
+    option("--seed=N", "Seed of --excite and of the noise.", click.IntRange(0), default=0),
+)
 """Add the options that :class:`SimulationOptions` holds."""
 
 
-def spread(name: str, values: tuple[float, ...], n: int, robot: str) -> tuple[float, ...]:
+def spread(name: str, values: tuple[float, ...], robot: Robot) -> tuple[float, ...]:
     """``values`` of an option, one per joint [n]; a single value applies to all.
 
     Raises
     ------
     InputError: neither one nor n.
     """
-    from robodyn.errors import InputError
-
-    if len(values) not in (1, n):
-        raise InputError(
-            f"{name} does not fit {robot}",
-            found=f"{len(values)} numbers",
-            expected=f"1 or {n}" if n > 1 else "1",
-        )
-    return values if len(values) == n else values * n
+    several = values * robot.n if len(values) == 1 else values
+    return _fitting(name, several, robot, f"1 or {robot.n}" if robot.n > 1 else "1")
 
 
-def exactly(name: str, values: tuple[float, ...] | None, n: int, robot: str) -> tuple[float, ...] | None:
+def exactly(name: str, values: tuple[float, ...] | None, robot: Robot) -> tuple[float, ...] | None:
     """``values`` of an option that must have shape [n], or None.
 
     Raises
     ------
     InputError: another shape.
     """
-    from robodyn.errors import InputError
+    return None if values is None else _fitting(name, values, robot, f"{robot.n}, separated by commas")
 
-    if values is not None and len(values) != n:
-        raise InputError(
-            f"{name} does not fit {robot}",
-            found=f"{len(values)} numbers",
-            expected=f"{n}, separated by commas",
-        )
+
+def _fitting(name: str, values: tuple[float, ...], robot: Robot, expected: str) -> tuple[float, ...]:
+    if len(values) != robot.n:
+        found = f"{len(values)} numbers"
+        raise InputError(f"{name} does not fit {robot.name}", found=found, expected=expected)
     return values
 
 
@@ -266,8 +195,6 @@ def whole(bits: float) -> int:
     ------
     InputError: it is not an integer.
     """
-    from robodyn.errors import InputError
-
     if not (math.isfinite(bits) and bits == int(bits)):
         raise InputError("encoder bits must be an integer", found=f"{bits:g}", expected="for instance 17")
     return int(bits)

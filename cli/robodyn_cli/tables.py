@@ -8,20 +8,19 @@ from pathlib import Path
 
 import click
 
+from robodyn.errors import InputError
 from robodyn_cli.choices import FILE, TABLES
-from robodyn_cli.common import echo_json, json_option, printable, talk, write_file
+from robodyn_cli.common import as_json, echo_json, option, printable, talk, write_file
 
 
 @click.command()
 @click.argument("table_id", type=TABLES, metavar="[ID]", required=False)
-@click.option(
-    "--picture",
-    type=FILE,
-    metavar="FILE.svg",
-    help="Write a picture: of 2.9 what a joint costs, of 2.10 Figure 2.9 redrawn, of robots the counts.",
+@option(
+    "--picture=FILE.svg",
+    "Write a picture: of 2.9 what a joint costs, of 2.10 Figure 2.9 redrawn, of robots the counts.",
+    FILE,
 )
-@json_option
-def command(table_id: str | None, picture: str | None, as_json: bool) -> None:
+def command(table_id: str | None, picture: str | None) -> None:
     """Compare the thesis's tables with recomputed figures.
 
     ID is 1.1, 2.4, 2.6, 2.9, 2.10, 3.1, 3.3, 3.4, 3.5, 4.1, 4.2, 4.4, 4.5, 4.6, 4.8, equations (slips in
@@ -38,13 +37,13 @@ def command(table_id: str | None, picture: str | None, as_json: bool) -> None:
     tables = []
     for one in ids:
         table = make(one, _progress(one))
-        if as_json:
+        if as_json():
             tables.append(table.to_dict())
             continue
         if one != ids[0]:
             click.echo()
         click.echo(to_text(table), nl=False)
-    if as_json:
+    if as_json():
         echo_json(tables if table_id is None else tables[0])
     if target is not None:
         write_file(target, _picture(ids))
@@ -67,8 +66,6 @@ def _picture_file(text: str, ids: tuple[str, ...]) -> Path:
     ------
     InputError: the name does not end in .svg, or the table has no picture.
     """
-    from robodyn.errors import InputError
-
     if not {"2.9", "2.10", "robots"} & set(ids):
         raise InputError(
             "this table has no picture",

@@ -8,6 +8,9 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
+from robodyn.errors import InputError
+from robodyn_cli.common import option
+
 if TYPE_CHECKING:
     _Type = click.ParamType[Any]
 else:
@@ -31,7 +34,6 @@ class Numbers(_Type):
         self.sign, self.single = sign, single
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        from robodyn.errors import InputError
         from robodyn.robot.numbers import parse_number
 
         if not isinstance(value, str):  # a default
@@ -101,7 +103,7 @@ class Point(_Type):
 def parameter_option(what: str = "") -> Callable[[Command], Command]:
     """Add ``--param``, passed on as ``param: tuple[tuple[str, float], ...]``; ``what`` it is of."""
     text = f"Value of a run-time parameter (SI units){what}; may be repeated."
-    return click.option("--param", type=Parameter(), multiple=True, metavar="NAME=VALUE", help=text)
+    return option("--param=NAME=VALUE", text, Parameter(), multiple=True)
 
 
 ONE, POSITIVE, SIZE = Numbers(single=True), Numbers("positive", single=True), Numbers("size", single=True)
@@ -115,8 +117,6 @@ def unique(pairs: Sequence[tuple[str, Any]], option: str) -> dict[str, Any]:
     ------
     InputError: a name stands there twice.
     """
-    from robodyn.errors import InputError
-
     names = [name for name, _ in pairs]
     twice = [name for name in names if names.count(name) > 1]
     if twice:

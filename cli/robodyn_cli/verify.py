@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
+from robodyn.errors import CheckError, InputError
 from robodyn_cli.choices import FILE, TRIGONOMETRY
-from robodyn_cli.common import echo_json, json_option, robot_argument, wrapped
+from robodyn_cli.common import as_json, echo_json, option, robot_argument, wrapped
 from robodyn_cli.languages import compiled_language_option
-from robodyn_cli.options import functions_option, listed, load, model_options, scalar_option
+from robodyn_cli.options import functions_option, listed, load, model_options, options_of, scalar_option
 from robodyn_cli.values import Parameter, unique
 
 if TYPE_CHECKING:
@@ -21,36 +22,24 @@ if TYPE_CHECKING:
 
 @click.command()
 @robot_argument
-@click.option(
-    "--states", type=click.IntRange(1, 1_000_000), default=200, show_default=True, help="Number of states."
-)
-@click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Seed of the sample.")
+@option("--states", "Number of states.", click.IntRange(1, 1_000_000), default=200)
+@option("--seed", "Seed of the sample.", click.IntRange(min=0), default=0)
 @scalar_option
-@click.option(
-    "--trig",
-    type=TRIGONOMETRY,
-    metavar="HOW",
-    default="libm",
-    show_default=True,
-    help="Sine and cosine: libm or builtin.",
-)
+@option("--trig=HOW", "Sine and cosine: libm or builtin.", TRIGONOMETRY, default="libm")
 @compiled_language_option
 @functions_option()
-@click.option(
-    "--against",
-    type=FILE,
-    metavar="FILE",
-    help="Compare with the URDF, xacro or MJCF file that ROBOT comes from, as Pinocchio or MuJoCo reads it.",
+@option(
+    "--against=FILE",
+    "Compare with the URDF, xacro or MJCF file that ROBOT comes from, as Pinocchio or MuJoCo reads it.",
+    FILE,
 )
-@click.option(
-    "--lock",
-    type=Parameter(),
+@option(
+    "--lock=JOINT=VALUE",
+    "Of --against: where a joint stands that ROBOT does not have, as of robodyn import.",
+    Parameter(),
     multiple=True,
-    metavar="JOINT=VALUE",
-    help="Of --against: where a joint stands that ROBOT does not have, as of robodyn import.",
 )
 @model_options
-@json_option
 def command(
     robot: str,
     states: int,
@@ -61,12 +50,7 @@ def command(
     functions: str | None,
     against: str | None,
     lock: tuple[tuple[str, float], ...],
-    formulation: str,
-    optimize: str,
-    no_regroup: bool,
-    engine: str,
-    strict: bool,
-    as_json: bool,
+    **model: Any,
 ) -> None:
     """Compare the compiled kernels with independent references.
 
@@ -83,8 +67,7 @@ def command(
     """
     from robodyn.dynamics.functions import function_named
     from robodyn.emit.languages import compiled_language
-    from robodyn.errors import CheckError, InputError
-    from robodyn.kernels.generate import Options, generate
+    from robodyn.kernels.generate import generate
     from robodyn.kernels.kernel import load as load_kernel
     from robodyn.verify import verify
     from robodyn.verify.against import comparable, with_original
@@ -93,16 +76,9 @@ def command(
     lang = compiled_language(lang)[0].name
     if trig == "given":
         raise InputError("a kernel with --trig given has no angles to verify", expected="libm or builtin")
-    options = Options(
-        functions=None if functions is None else listed(functions),
-        trig=trig,  # type: ignore[arg-type]
-        formulation=formulation,
-        optimize=optimize,  # type: ignore[arg-type]  # checked by Options
-        regroup=not no_regroup,
-        scalar=scalar,  # type: ignore[arg-type]
-        engine=engine,  # type: ignore[arg-type]
-    )
-    described = load(robot, strict=strict)
+    names = None if functions is None else listed(functions)
+    options = options_of(names, model, trig=trig, scalar=scalar)
+    described = load(robot, strict=model["strict"])
     original = _original(described, against, unique(lock, "--lock"))
     left_out: dict[str, str] = {}
     if original is not None:
@@ -119,7 +95,7 @@ def command(
     if original is not None:
         report = with_original(report, described, original, left_out)
     passed = report.passed and all(exact.values()) and all(closing.values())
-    if as_json:
+    if as_json():
         exactly = {"equal_on_fractions": exact, "closing_to_60_digits": closing}
         echo_json({**report.to_dict(), **exactly, "passed": passed})
     else:
@@ -149,7 +125,6 @@ def _original(robot: Robot, file: str | None, locks: dict[str, float]) -> PeerAr
     """What another library reads of the joints of ``robot`` in ``file``."""
     from pathlib import Path
 
-    from robodyn.errors import InputError
     from robodyn.verify.against import read_original
 
     if file is not None:

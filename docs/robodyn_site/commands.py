@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib
 import re
 from typing import Final
 
@@ -22,7 +21,8 @@ def pages() -> dict[str, str]:
 
 def of_command(name: str) -> str:
     """The page of one command."""
-    command: click.Command = importlib.import_module(COMMANDS[name][0]).command
+    command = cli.get_command(click.Context(cli), name)
+    assert command is not None
     context = click.Context(command, info_name=f"robodyn {name}")
     paragraphs = (command.help or "").replace("\b\n", "").split("\n\n")
     records = [parameter.get_help_record(context) for parameter in command.params]
@@ -39,7 +39,7 @@ def of_command(name: str) -> str:
 
 
 def _index() -> str:
-    rows = ((f"[`{name}`]({name}.md)", plain(short)) for name, (_, short) in COMMANDS.items())
+    rows = ((f"[`{name}`]({name}.md)", plain(short)) for name, short in COMMANDS.items())
     paragraphs = (cli.help or "").split("\n\n")[1:]
     return page(
         "# Commands",

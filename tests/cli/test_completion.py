@@ -13,8 +13,8 @@ from time import monotonic
 
 import pytest
 
+from robodyn_cli.completion import SHELLS, script
 from robodyn_cli.main import main
-from robodyn_cli.shells import SHELLS, script
 from robodyn_testing.wanted import require_module, require_tool
 
 Capture = pytest.CaptureFixture[str]

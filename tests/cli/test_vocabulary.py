@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import re
 from collections import defaultdict
-from importlib import import_module
 
 import click
 import pytest
@@ -17,7 +16,7 @@ from robodyn.robot import bundled_names
 from robodyn.targets import all_targets
 from robodyn_cli.main import COMMANDS, cli, main
 
-ALL = {name: import_module(module).command for name, (module, _) in COMMANDS.items()}
+ALL = {name: command for name in COMMANDS if (command := cli.get_command(click.Context(cli), name))}
 
 
 def options(command: click.Command) -> list[click.Option]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib
 import re
 import textwrap
 from collections.abc import Iterable
@@ -23,7 +22,7 @@ from robodyn.formats.elements_of import FORMATS, table_of
 from robodyn.formats.tree import PHYSICS
 from robodyn.robot import read_text
 from robodyn.targets.table import TARGETS
-from robodyn_cli.main import COMMANDS
+from robodyn_cli.main import COMMANDS, cli
 from robodyn_site import navigation, outside, python
 from robodyn_site.curves import entry, picture, usual_values
 from robodyn_site.docstrings import markdown
@@ -39,7 +38,8 @@ SHOWN = [effect for effect in CATALOGUE.values() if usual_values(effect)]
 
 @pytest.mark.parametrize("name", COMMANDS)
 def test_the_page_of_a_command_has_each_of_its_options(name: str) -> None:
-    command: click.Command = importlib.import_module(COMMANDS[name][0]).command
+    command = cli.get_command(click.Context(cli), name)
+    assert command is not None
     options = [option for one in command.params if isinstance(one, click.Option) for option in one.opts]
     shown = re.findall(r"^`(-[^`]+)`$", pages()[f"commands/{name}.md"], flags=re.MULTILINE)
     assert options
