@@ -12,10 +12,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from robodyn.errors import InputError
-from robodyn.logs.conversion import SI, SI_PRISMATIC
 from robodyn.logs.log import Log, read_log
 from robodyn.logs.mapping import LogMap, map_of_columns, map_of_text
-from robodyn.logs.units import UnknownUnit, names_of, scaled, unit_of
+from robodyn.logs.units import SI, SI_PRISMATIC, UnknownUnit, names_of, scaled, unit_of
 from robodyn.robot import load
 
 K = 20

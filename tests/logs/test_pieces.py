@@ -14,12 +14,12 @@ from hypothesis import strategies as st
 from logs.files_of_logs import bag, read_in_this_process, write
 from robodyn.errors import InputError
 from robodyn.logs import arrays, windows
-from robodyn.logs.conditions import together
 from robodyn.logs.formats import parquet, ros2
 from robodyn.logs.formats import text as text_format
 from robodyn.logs.log import Log, read_log
 from robodyn.logs.mapping import LogMap, map_of_text
 from robodyn.logs.pieces import pieces
+from robodyn.logs.streams import together
 
 K = 403
 FORMATS = (

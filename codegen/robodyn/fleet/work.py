@@ -14,13 +14,12 @@ from typing import TYPE_CHECKING, Final
 from robodyn.cluster.work import WrongWorker
 from robodyn.errors import InputError, RobodynError
 from robodyn.fleet.sources.fleet import IN_LOG, ArmType
-from robodyn.logs.content import digest, signature
-from robodyn.logs.second_file import files_of
+from robodyn.logs.content import digest, files_of, signature
 
 if TYPE_CHECKING:
     from robodyn.fleet.digest import Digest
-    from robodyn.logs.conditions import Mean
     from robodyn.logs.log import Log
+    from robodyn.logs.streams import Mean
 
 #: When a log began stands before its digest.
 _BEGAN: Final = Struct("<d")
@@ -88,9 +87,9 @@ def _digest(arm: ArmType, source: str) -> bytes:
     """As :func:`digest_log`, of whatever is at ``source``."""
     from robodyn.fleet.digest import digest_of
     from robodyn.fleet.limits import PIECE
-    from robodyn.logs.conditions import together
     from robodyn.logs.mapping import map_of_text
     from robodyn.logs.pieces import pieces
+    from robodyn.logs.streams import together
     from robodyn.robot.reader import read_text
 
     robot = read_text(arm.text, arm.spec, warn=lambda _: None)

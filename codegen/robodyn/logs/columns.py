@@ -94,17 +94,6 @@ def layout_of(
     return Layout(joints, len(names), groups, ignored, linked)
 
 
-def too_long(file: str, samples: int, columns: int) -> InputError:
-    """What to say of a log with more ``samples`` of so many ``columns`` than are read."""
-    return InputError(
-        "the log is too long",
-        where=Place(file),
-        found=f"more than {samples} samples of {columns} columns",
-        expected=f"at most {LARGEST} numbers",
-        remedy="take a part of it, or fewer samples a second",
-    )
-
-
 def is_known(name: str) -> bool:
     """Whether ``name`` is one that a column of a log has."""
     return name == "t" or _INDEXED.match(name) is not None

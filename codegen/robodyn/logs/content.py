@@ -5,16 +5,31 @@ from __future__ import annotations
 import hashlib
 from pathlib import Path
 
-from robodyn.logs.second_file import files_of
+
+def split_pair(name: str) -> tuple[str, str | None]:
+    """The two files that ``name`` stands for: ``A+B`` is A and B, unless a file is called so."""
+    if "+" not in name or Path(name).exists():
+        return name, None
+    places = [k for k, mark in enumerate(name) if mark == "+"]
+    # A plus may be part of a file's name: the parts that are there are meant.
+    for k in places:
+        if Path(name[:k]).is_file() and Path(name[k + 1 :]).is_file():
+            return name[:k], name[k + 1 :]
+    first = next((k for k in places if Path(name[:k]).exists()), places[0])
+    return name[:first], name[first + 1 :]
+
+
+def files_of(name: str) -> tuple[str, ...]:
+    """The paths of the file or files that ``name`` stands for."""
+    first, second = split_pair(name)
+    return (first,) if second is None else (first, second)
 
 
 def input_files(source: str) -> list[Path]:
     """The files of a log: one, two of A.csv+B.csv, or those of a recording's folder."""
     files = []
-    for name in files_of(source):
-        path = Path(name)
-        inside = sorted(inner for inner in path.iterdir() if inner.is_file()) if path.is_dir() else [path]
-        files += inside
+    for path in map(Path, files_of(source)):
+        files += sorted(inner for inner in path.iterdir() if inner.is_file()) if path.is_dir() else [path]
     return files
 
 

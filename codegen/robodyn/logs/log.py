@@ -9,26 +9,19 @@ it, ``LOG.csv.json``, which depends on nothing but the run: no time of day, no p
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.errors import InputError, Place
-from robodyn.files import label
-from robodyn.logs.assemble import Arrays, assemble
-from robodyn.logs.columns import GROUPS, LINKS, Layout, layout_of
-from robodyn.logs.conditions import Mean, mean_of
-from robodyn.logs.formats import FORMATS, format_of, open_recording, readable
-from robodyn.logs.limits import EARLIEST, LATEST
+from robodyn.errors import InputError
+from robodyn.logs.assemble import Block
+from robodyn.logs.blocks import log_blocks
 from robodyn.logs.mapping import LogMap
-from robodyn.logs.provenance import provenance_text
-from robodyn.logs.recording import Recording, Table
-from robodyn.logs.second_file import Joining, not_as_many, split_pair, spread, with_second
 from robodyn.logs.shortest import write_csv
-from robodyn.logs.usual import usual_map
+from robodyn.logs.streams import CONDITION, Mean, mean_of
 from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]
@@ -130,7 +123,11 @@ class Log:
         ------
         ToolError: it is to be Parquet, and pyarrow is missing.
         """
-        content = self.parquet() if name.lower().endswith(FORMATS["parquet"].suffixes) else self.csv()
+        from robodyn.logs.formats.parquet import FORMAT
+        from robodyn.logs.provenance import provenance_text
+
+        is_parquet = name.lower().endswith(FORMAT.suffixes)
+        content = self.parquet() if is_parquet else self.csv()
         return {name: content, f"{name}.json": provenance_text(self.provenance)}
 
     def _groups(self) -> list[tuple[str, Floats]]:
@@ -183,117 +180,19 @@ def read_log(
     InputError: no such file, or not such a log; with file, line and column of what is wrong.
     ToolError: the library for its format is missing.
     """
-    if robot is not None and n is None:
-        n = robot.n
-    if n is not None and n < 1:
-        raise InputError("a log is of one joint or more", found=f"n = {n}")
-    name, second = split_pair(os.fspath(path))
-    with readable(label(name)):
-        tables = usual_tables(name, second, n) if mapping is None else None
-    if tables is None:
-        return _of_recording(name, second, mapping, n, robot)
-    first, links = tables
-    with readable(label(name)):
-        log = log_of_arrays(first.read(), first.layout.ignored)
-    if links is None:
-        return log
-    file = links.recording.file
-    with readable(file):
-        arrays = links.read()
-    if len(arrays.t) != log.samples:
-        raise not_as_many(file, len(arrays.t), log.samples)
-    return replace(log, ql=Joining(file).joined(log.t, log.ql, arrays.t, arrays.groups["ql"]))
+    [block] = log_blocks(path, n, mapping, robot, whole=True)
+    return log_of_block(block)
 
 
-@dataclass(frozen=True, slots=True)
-class UsualTable:
-    """A ``recording`` that is one table whose columns have the usual names: which are what, ``layout``."""
-
-    recording: Recording
-    layout: Layout
-
-    @property
-    def groups(self) -> dict[str, list[str]]:
-        """The names of its columns, group by group."""
-        names = self.recording.names
-        return {group: [names[k] for k in places] for group, places in self.layout.groups.items()}
-
-    def read(self) -> Arrays:
-        """All of its rows."""
-        return self._arrays(self.recording.read(self.recording.streams[0], self.groups, None))
-
-    def blocks(self) -> Iterator[Arrays]:
-        """Its rows, block by block."""
-        return map(self._arrays, self.recording.blocks(self.recording.streams[0], self.groups, None))
-
-    def _arrays(self, table: Table) -> Arrays:
-        t = table.groups["t"][:, 0]
-        groups = {group: columns for group, columns in table.groups.items() if group not in ("t", "ql")}
-        if "ql" in table.groups:
-            groups["ql"] = spread(table.groups["ql"], self.layout)
-        is_dated = len(t) > 0 and EARLIEST <= float(t[0]) < LATEST
-        return Arrays(t, groups, (), 0.0 if is_dated else None)
-
-
-def usual_tables(name: str, second: str | None, n: int | None) -> tuple[UsualTable, UsualTable | None] | None:
-    """The table in the file ``name``, and that of second encoders in the file ``second``, if both are tables
-    whose columns have the usual names.
-
-    Raises
-    ------
-    InputError: one of them lacks columns.
-    """
-    if second is not None and not format_of(second).is_table:
-        return None
-    first = usual_table(name, n)
-    if first is None or second is None:
-        return None if first is None else (first, None)
-    links = usual_table(second, first.layout.n, LINKS)
-    return None if links is None else (first, links)
-
-
-def usual_table(name: str, n: int | None, wanted: Sequence[str] = GROUPS) -> UsualTable | None:
-    """The table in the file ``name`` with the groups ``wanted`` of ``n`` joints; None where a map must say
-    which columns are what: it is no table, or states units.
-
-    Raises
-    ------
-    InputError: it lacks columns.
-    """
-    if not format_of(name).is_table:
-        return None
-    recording = open_recording(name, gaps=False)
-    if recording.streams[0].units and wanted == GROUPS:
-        return None
-    where = Place(recording.file, recording.line)
-    return UsualTable(recording, layout_of(recording.names, n, where, wanted, named=recording.named))
-
-
-def _of_recording(
-    name: str, second: str | None, mapping: LogMap | None, n: int | None, robot: Robot | None
-) -> Log:
-    """The log in a file of any format, by a map."""
-    recording = open_recording(name)
-    mapping = map_for(recording, second, mapping, robot)
-    with readable(recording.file):
-        arrays = assemble(recording, mapping, n, robot, open_recording)
-    return log_of_arrays(arrays, ())
-
-
-def map_for(recording: Recording, second: str | None, mapping: LogMap | None, robot: Robot | None) -> LogMap:
-    """The map of ``recording``: usual names where ``mapping`` says none; encoders of a ``second`` file."""
-    if mapping is None:
-        mapping = usual_map(recording, robot)
-    elif mapping.is_usual:
-        mapping = replace(usual_map(recording, robot), conditions=mapping.conditions)
-    return mapping if second is None else with_second(mapping, open_recording(second), second)
-
-
-def log_of_arrays(arrays: Arrays, ignored: tuple[str, ...]) -> Log:
-    """The log that ``arrays`` are."""
-    groups = arrays.groups
-    conditions = {**{name: mean_of(each) for name, each in arrays.readings.items()}, **arrays.apart}
+def log_of_block(block: Block) -> Log:
+    """The log whose samples are the rows of ``block``."""
+    rows = block.rows
+    readings = {
+        name.removeprefix(CONDITION): mean_of(each)
+        for name, each in rows.items()
+        if name.startswith(CONDITION)
+    }
     return Log(
-        arrays.t, groups["q"], groups.get("qd"), groups.get("qdd"), groups["tau"], {}, ignored,
-        groups.get("ql"), arrays.notes, arrays.began, conditions,
+        rows["t"], rows["q"], rows.get("qd"), rows.get("qdd"), rows["tau"], {}, block.ignored,
+        rows.get("ql"), block.notes, block.began, {**readings, **block.apart},
     )  # fmt: skip

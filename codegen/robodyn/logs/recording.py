@@ -11,8 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.errors import InputError, Place
-from robodyn.logs.columns import LARGEST, too_long
-from robodyn.logs.windows import Rows, in_order, length_of
+from robodyn.logs import windows
+from robodyn.logs.columns import LARGEST
+from robodyn.logs.windows import Rows, length_of
 from robodyn.robot.names import shown
 
 Floats = NDArray[np.float64]
@@ -91,14 +92,21 @@ class Recording:
         """
         width = sum(map(len, groups.values()))
         most = LARGEST // max(1, width)
+        too_long = InputError(
+            "the log is too long",
+            where=Place(self.file),
+            found=f"more than {most} samples of {width} columns",
+            expected=f"at most {LARGEST} numbers",
+            remedy="take a part of it, or fewer samples a second",
+        )
         arrays: dict[str, NDArray[Any]] = {}
         count = 0
         if stream.rows is not None and stream.rows > most:
-            raise too_long(self.file, most, width)
+            raise too_long
         for rows in self.parts(stream, groups, stamp):
             start, count = count, count + length_of(rows)
             if count > most:
-                raise too_long(self.file, most, width)
+                raise too_long
             for name, part in rows.items():
                 array = arrays.setdefault(name, np.empty((stream.rows or 0, *part.shape[1:]), part.dtype))
                 if count > len(array):
@@ -123,7 +131,9 @@ class Recording:
         """
         left = stream.rows or 0
         parts = self.parts(stream, groups, stamp)
-        for rows in in_order(parts, RECEIVED, self.file) if stream.stamps else parts:
+        if stream.stamps:
+            parts = windows.in_order(parts, RECEIVED, windows.WINDOW, self.file)
+        for rows in parts:
             left -= length_of(rows)
             yield _table(rows, 0)
         if stream.rows is not None and left:
@@ -134,6 +144,20 @@ class Recording:
 def _table(rows: Rows, skipped: int) -> Table:
     groups = {name: part for name, part in rows.items() if name not in (RECEIVED, STAMPS)}
     return Table(groups, rows.get(STAMPS), skipped)
+
+
+def candidates(recording: Recording, name: str, topic: str) -> list[tuple[Stream, str]]:
+    """All columns that ``name`` may mean."""
+    fits = []
+    for stream in recording.streams:
+        column = name
+        if stream.name and name.startswith(stream.name + BETWEEN):
+            column = name[len(stream.name) + 1 :]
+        elif topic and stream.name != topic:
+            continue
+        if column in stream.columns or column in stream.stamps:
+            fits.append((stream, column))
+    return fits
 
 
 def find(recording: Recording, name: str, topic: str, where: Place) -> tuple[Stream, str]:
@@ -158,32 +182,14 @@ def find(recording: Recording, name: str, topic: str, where: Place) -> tuple[Str
             remedy="write the stream before it: " + fits[0][0].full(fits[0][1]),
         )
     listed = [stream.full(column) for stream in recording.streams for column in stream.columns]
+    close = difflib.get_close_matches(name, listed, n=4, cutoff=0.5) or listed[:6]
     raise InputError(
         "the file has no such column",
         where=where,
         found=shown(name),
-        expected=_expected(name, listed),
+        expected=", ".join(map(shown, close)) + (", ..." if len(listed) > len(close) else ""),
         remedy=f"robodyn logs {recording.file} lists what there is",
     )
-
-
-def candidates(recording: Recording, name: str, topic: str) -> list[tuple[Stream, str]]:
-    """All columns that ``name`` may mean."""
-    fits = []
-    for stream in recording.streams:
-        column = name
-        if stream.name and name.startswith(stream.name + BETWEEN):
-            column = name[len(stream.name) + 1 :]
-        elif topic and stream.name != topic:
-            continue
-        if column in stream.columns or column in stream.stamps:
-            fits.append((stream, column))
-    return fits
-
-
-def _expected(name: str, listed: Sequence[str]) -> str:
-    close = difflib.get_close_matches(name, listed, n=4, cutoff=0.5) or list(listed[:6])
-    return ", ".join(map(shown, close)) + (", ..." if len(listed) > len(close) else "")
 
 
 def damaged(file: str, kind: str, reason: object, remedy: str | None = None) -> InputError:

@@ -18,8 +18,8 @@ Rows = Mapping[str, NDArray[Any]]
 
 #: Rows that may have come too early or too late by so many places.
 WINDOW: Final = 1 << 16
-#: Rows of one stream that are in memory while another's times are waited for.
-MOST_WAITING: Final = 1 << 22
+#: Windows of one stream that are in memory while another's times are waited for.
+WAITING: Final = 64
 
 
 def length_of(rows: Rows) -> int:
@@ -55,73 +55,60 @@ def of_length(parts: Iterator[Rows], most: int) -> Iterator[Rows]:
         yield joined_rows(waiting)
 
 
-def in_order(parts: Iterator[Rows], key: str, file: str) -> Iterator[Rows]:
+def in_order(parts: Iterator[Rows], key: str, window: int, file: str) -> Iterator[Rows]:
     """The rows of ``parts`` by rising ``key``, equal ones as they stood: what sorting all of them gives.
 
     Raises
     ------
-    InputError: a row comes later by more than :data:`WINDOW` places.
+    InputError: a row comes later by more than ``window`` places.
     """
-    window = WINDOW
     waiting: list[Rows] = []
     count = 0
-    last = None  # of the rows that have been handed on
+    last: Any = None  # of the rows that have been handed on
+
+    def in_turn() -> Rows:
+        rows = joined_rows(waiting)
+        values = rows[key]
+        if last is not None and values.min() < last:
+            raise InputError(
+                "the rows are too far out of order to be read in pieces",
+                where=Place(file),
+                found=f"a row that is late by more than {window} rows",
+                remedy="sort the file by time, or take a part of it that can be read at once",
+            )
+        if (np.diff(values) >= 0).all():
+            return rows
+        order = np.argsort(values, kind="stable")
+        return {name: array[order] for name, array in rows.items()}
+
     for part in parts:
         waiting.append(part)
         count += length_of(part)
         if count < 2 * window:
             continue
-        rows = _sorted(joined_rows(waiting), key, last, file)
+        rows = in_turn()
         yield cut(rows, 0, count - window)
         last = rows[key][count - window - 1]
         waiting, count = [cut(rows, count - window)], window
     if count:
-        yield _sorted(joined_rows(waiting), key, last, file)
-
-
-def _sorted(rows: Rows, key: str, last: Any, file: str) -> Rows:
-    values = rows[key]
-    if last is not None and values.min() < last:
-        raise InputError(
-            "the rows are too far out of order to be read in pieces",
-            where=Place(file),
-            found=f"a row that is late by more than {WINDOW} rows",
-            remedy="sort the file by time, or take a part of it that can be read at once",
-        )
-    if (np.diff(values) >= 0).all():
-        return rows
-    order = np.argsort(values, kind="stable")
-    return {name: array[order] for name, array in rows.items()}
-
-
-def interpolated(times: Floats, columns: Floats, t: Floats, step: float) -> Floats:
-    """``columns`` [K, m] at ``t`` [L], between their rising ``times`` [K]: NaN before, behind, and where
-    these are further apart than :data:`APART` times ``step``."""
-    if not len(times):
-        return np.full((len(t), columns.shape[1]), np.nan)
-    result = np.empty((len(t), columns.shape[1]))
-    for k in range(columns.shape[1]):
-        result[:, k] = np.interp(t, times, columns[:, k], left=np.nan, right=np.nan)
-    steps = np.diff(times)
-    if len(steps):
-        after = np.clip(np.searchsorted(times, t), 1, len(times) - 1)
-        result[steps[after - 1] > APART * step] = np.nan
-    return result
+        yield in_turn()
 
 
 class Interpolation:
     """The columns of ``parts``, which have ``times`` [k] and ``columns`` [k, m], at any times that mostly
-    rise; ``step``: the usual one between their own times, ``width``: how many columns."""
+    rise; ``step``: the median between their own times, ``width``: how many columns. Rows may be late by a
+    ``window``."""
 
-    def __init__(self, parts: Iterator[Rows], step: float, width: int, file: str) -> None:
+    def __init__(self, parts: Iterator[Rows], step: float, width: int, window: int, file: str) -> None:
         sound = ({name: array[np.isfinite(part["times"])] for name, array in part.items()} for part in parts)
-        self._parts = in_order(sound, "times", file)
-        self._step, self._file = step, file
+        self._parts = in_order(sound, "times", window, file)
+        self._step, self._window, self._file = step, window, file
         self._rows: Rows = {"times": np.empty(0), "columns": np.empty((0, width))}
-        self._dropped = False
+        self._is_dropped = False
 
     def at(self, t: Floats) -> Floats:
-        """The columns [k, m] at ``t`` [k], as :func:`interpolated` has them.
+        """The columns [k, m] at ``t`` [k]: NaN before, behind, and where their times are further apart than
+        :data:`APART` steps.
 
         Raises
         ------
@@ -130,12 +117,21 @@ class Interpolation:
         finite = t[np.isfinite(t)]
         if len(finite):
             self._reach(float(finite.max()))
-            if self._dropped and finite.min() <= self._rows["times"][0]:
+            if self._is_dropped and finite.min() <= self._rows["times"][0]:
                 raise self._refusal("times that go back")
-        columns = interpolated(self._rows["times"], self._rows["columns"], t, self._step)
-        if len(finite):
-            self._drop(float(finite.max()))
-        return columns
+        times, columns = self._rows["times"], self._rows["columns"]
+        result = np.full((len(t), columns.shape[1]), np.nan)
+        if len(times):
+            for k in range(columns.shape[1]):
+                result[:, k] = np.interp(t, times, columns[:, k], left=np.nan, right=np.nan)
+        if len(times) > 1:
+            after = np.clip(np.searchsorted(times, t), 1, len(times) - 1)
+            result[np.diff(times)[after - 1] > APART * self._step] = np.nan
+        if len(finite):  # what lies before by more than a window is not needed any more
+            before = int(np.searchsorted(times, float(finite.max()))) - 1 - self._window
+            if before > 0:
+                self._rows, self._is_dropped = cut(self._rows, before), True
+        return result
 
     def _reach(self, t: float) -> None:
         """Read on until there is a row after ``t``, or no more."""
@@ -147,15 +143,9 @@ class Interpolation:
                 break
             waiting.append(part)
             count += length_of(part)
-            if count > MOST_WAITING:
+            if count > WAITING * self._window:
                 raise self._refusal("times that leap ahead")
         self._rows = joined_rows(waiting)
-
-    def _drop(self, t: float) -> None:
-        """Forget what lies before ``t`` by more than a window."""
-        before = int(np.searchsorted(self._rows["times"], t)) - 1 - WINDOW
-        if before > 0:
-            self._rows, self._dropped = cut(self._rows, before), True
 
     def _refusal(self, what: str) -> InputError:
         return InputError(

@@ -12,12 +12,13 @@ import numpy as np
 from robodyn.errors import InputError, Place
 from robodyn.logs.against_robot import JointCheck, check_joints, flipped
 from robodyn.logs.assemble import assemble
+from robodyn.logs.blocks import with_second
+from robodyn.logs.content import split_pair
 from robodyn.logs.formats import open_recording, readable
-from robodyn.logs.log import Log, log_of_arrays, read_log
+from robodyn.logs.log import Log, log_of_block, read_log
 from robodyn.logs.mapping import Channel, LogMap
 from robodyn.logs.propose import propose
 from robodyn.logs.recording import Recording
-from robodyn.logs.second_file import split_pair, with_second
 from robodyn.logs.survey import LogFacts, StreamFacts, facts_of, look
 from robodyn.robot.model import Robot
 
@@ -67,7 +68,7 @@ def _examined(path: str | os.PathLike[str], robot: Robot | None, mapping: LogMap
         proposal = propose(recording, streams, robot)
         mapping, reasons, missing = proposal.mapping, proposal.reasons, proposal.missing
     if second is not None:
-        mapping = with_second(mapping, open_recording(second), second)
+        mapping = with_second(mapping, second)
     result = Examination(recording, streams, mapping, proposed, reasons, missing)
     if missing:
         problem = f"nothing in the file says which columns are {', '.join(missing)}"
@@ -112,8 +113,8 @@ def _turned(result: Examination, log: Log, robot: Robot, joints: tuple[int, ...]
 def _mapped(recording: Recording, mapping: LogMap, robot: Robot | None) -> Log:
     with readable(recording.file):
         n = None if robot is None else robot.n
-        arrays = assemble(recording, mapping, n, robot, open_recording)
-    return log_of_arrays(arrays, ())
+        [block] = assemble(recording, mapping, n, robot, whole=True)
+        return log_of_block(block)
 
 
 def _needs_none(name: str, second: str | None, robot: Robot | None, log: Log) -> bool:

@@ -16,7 +16,7 @@ from robodyn.fleet.limits import LARGEST_MANIFEST
 from robodyn.fleet.sources.dates import DateFormat, NotADate
 from robodyn.fleet.sources.gathering import Facts, Gathering, source_of
 from robodyn.fleet.sources.pattern import Pattern, excluded, kind_of
-from robodyn.logs.second_file import files_of
+from robodyn.logs.content import files_of
 from robodyn.robot.names import shown
 
 JSON_LINES: Final = (".jsonl", ".ndjson")

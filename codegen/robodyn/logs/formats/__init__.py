@@ -48,6 +48,9 @@ def format_of(path: str | os.PathLike[str]) -> LogFormat:
     text if none claims it."""
     place = Path(path)
     is_folder = place.is_dir()
+    text = FORMATS["text"]
+    if not is_folder and place.name.lower().endswith(text.suffixes):
+        return text  # without a look at the others
     claims = [
         each
         for each in FORMATS.values()
@@ -57,7 +60,7 @@ def format_of(path: str | os.PathLike[str]) -> LogFormat:
         with open_regular(place, "a log", label(path)) as source:
             head = source.read(520) or b""
         claims = [each for each in claims if head.find(each.mark) in (0, 512)][:1] or claims[-1:]
-    return claims[-1] if claims else FORMATS["text"]
+    return claims[-1] if claims else text
 
 
 def is_log(path: Path) -> bool:
