@@ -119,10 +119,10 @@ def text(word: str) -> bytes:
 @pytest.mark.parametrize(
     ("content", "words"),
     [
-        (lambda zstd: _chunk(zstd.compress(bytes(100)), 1000, "zstd"), "no messages"),
+        (lambda zstd: _chunk(zstd.compress(bytes(99)), 1000, "zstd"), "no messages"),
         (lambda zstd: _chunk(b"", 1 << 40, "zstd"), "damaged"),
         (lambda zstd: _chunk(b"x" * 20, 20, "zstd"), "damaged"),
-        (lambda zstd: _chunk(struct.pack("<BQ", 5, 1 << 60), 9, ""), "beyond the end of its chunk"),
+        (lambda zstd: _chunk(struct.pack("<BQ", 5, 1 << 60), 9, ""), "damaged"),
         (lambda zstd: record(3, struct.pack("<HI", 1, 1 << 31)), "there are no messages"),
         (lambda zstd: b"", "there are no messages"),
         (lambda zstd: struct.pack("<BQ", 6, 1 << 60), "damaged"),

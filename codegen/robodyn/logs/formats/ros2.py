@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from contextlib import AbstractContextManager, closing
+from dataclasses import dataclass, field
 from pathlib import Path, PurePath
 from typing import Any, Final
 
@@ -13,28 +15,47 @@ from numpy.typing import NDArray
 
 from robodyn.errors import InputError, Place
 from robodyn.files import read_text
-from robodyn.logs.bags import Database, McapFile, Storage, Topic
-from robodyn.logs.cdr import NotCdr, Plan, plan_of
+from robodyn.logs.cdr import MessageReader, NotCdr, plan_of
 from robodyn.logs.formats import LogFormat
 from robodyn.logs.recording import RECEIVED, STAMPS, Groups, Recording, Stream
 from robodyn.logs.windows import Rows
-from robodyn.tools.libraries import ROSBAGS
+from robodyn.tools.libraries import MCAP, ROSBAGS
 
-#: Messages that are taken apart at once, and plans that are remembered for one size of message.
-BATCH, PLANS = 4096, 32
+#: Messages that are taken apart at once; messages of a topic that are looked at to learn what it has, and the
+#: largest of them [bytes].
+BATCH, LOOKED_AT, LOOKED_SIZE = 4096, 24, 1 << 18
 #: Files of a folder.
 FILES: Final = 1000
 _STAMP: Final = "header.stamp"
 _SUFFIXES: Final = (".mcap", ".db3")
+_ZSTD: Final = b"\x28\xb5\x2f\xfd"
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
+class _Topic:
+    """A topic of a file: its ``key`` there, ``name``, ``type`` of message, ``encoding``, ``definition`` and
+    its ``language`` (ros2msg, ros2idl or none), how many messages it has, and the first of them."""
+
+    key: int
+    name: str
+    type: str
+    encoding: str
+    language: str
+    definition: str
+    count: int
+    first: Sequence[bytes]
+
+
+@dataclass(slots=True)
 class _Channel:
-    """A topic in the files that have it: its keys in each, and the definition of its type."""
+    """A topic in the ``files`` that have it, with its key in each: its ``type`` of message and the
+    ``definitions`` of that, and of all files how many messages they have, and the first of each."""
 
-    topic: Topic
-    keys: list[tuple[Storage, set[int]]]
+    type: str
     definitions: Mapping[str, Any]
+    files: list[tuple[_McapFile | _Database, int]] = field(default_factory=list)
+    count: int = 0
+    first: list[bytes] = field(default_factory=list)
 
 
 def open_ros2(path: Path, file: str, gaps: bool) -> Recording:
@@ -45,55 +66,48 @@ def open_ros2(path: Path, file: str, gaps: bool) -> Recording:
     InputError: there are no messages.
     """
     paths = _files(path, file) if path.is_dir() else [path]
-    is_mcap = paths[0].suffix.lower() == ".mcap"
     channels: dict[str, _Channel] = {}
-    counts: dict[str, int] = {}
-    first: dict[str, list[bytes]] = {}
     notes = []
     for each in paths:
-        storage: Storage = McapFile(each) if each.suffix.lower() == ".mcap" else Database(each)
+        storage = _McapFile(each) if each.suffix.lower() == ".mcap" else _Database(each)
         for topic in storage.topics():
-            name = topic.name
-            channel = channels.setdefault(name, _Channel(topic, [], _definitions(topic)))
-            if channel.topic.type != topic.type:
-                notes.append(f"{name}: messages of another type, {topic.type}, left out")
+            if topic.name not in channels:
+                channels[topic.name] = _Channel(topic.type, _definitions(topic))
+            channel = channels[topic.name]
+            if channel.type != topic.type:
+                notes.append(f"{topic.name}: messages of another type, {topic.type}, left out")
                 continue
-            channel.keys.append((storage, {topic.key}))
-            counts[name] = counts.get(name, 0) + topic.count
-            first.setdefault(name, []).extend(topic.first)
+            channel.files.append((storage, topic.key))
+            channel.count += topic.count
+            channel.first += topic.first
         if storage.cut:
             notes.append(f"{each.name}: cut off at byte {storage.cut}; what stands before it is read")
-    streams = tuple(
-        _stream(channel, counts[name], first[name]) for name, channel in channels.items() if counts.get(name)
-    )
-    format = "MCAP" if is_mcap else "rosbag2"
+    streams = tuple(_stream(name, channel) for name, channel in channels.items() if channel.count)
+    format = "MCAP" if paths[0].suffix.lower() == ".mcap" else "rosbag2"
     if not streams:
         raise InputError(f"there are no messages in the {format} file", where=Place(file))
 
     def parts(stream: Stream, groups: Groups, stamp: str | None) -> Iterator[Rows]:
-        return _parts(channels[stream.name], groups, None if stamp == RECEIVED else stamp)
+        channel = channels[stream.name]
+        own = None if stamp == RECEIVED else stamp
+        reader = MessageReader(channel.type, channel.definitions, groups, own)
+        for times, messages in _batches(channel):
+            is_sound, tables, stamps = reader.rows(messages)
+            yield {
+                **{group: table[is_sound] for group, table in tables.items()},
+                RECEIVED: times[is_sound],
+                STAMPS: (times if own is None else stamps)[is_sound],
+            }
 
     return Recording(file, format, streams, parts, tuple(notes))
-
-
-def _parts(channel: _Channel, groups: Groups, stamp: str | None) -> Iterator[Rows]:
-    """The messages of ``channel`` that have all columns."""
-    reader = _Reader(channel, groups, stamp)
-    for times, messages in _batches(channel):
-        is_sound, tables, stamps = reader.rows(messages)
-        yield {
-            **{group: table[is_sound] for group, table in tables.items()},
-            RECEIVED: times[is_sound],
-            STAMPS: times[is_sound] if stamps is None else stamps[is_sound],
-        }
 
 
 def _batches(channel: _Channel) -> Iterator[tuple[NDArray[np.int64], list[bytes]]]:
     """Times [ns] and contents of the messages of ``channel``."""
     times: list[int] = []
     messages: list[bytes] = []
-    for storage, keys in channel.keys:
-        for time, data in storage.messages(keys):
+    for storage, key in channel.files:
+        for time, data in storage.messages(key):
             times.append(time if time < 1 << 63 else 0)
             messages.append(data)
             if len(messages) == BATCH:
@@ -103,80 +117,26 @@ def _batches(channel: _Channel) -> Iterator[tuple[NDArray[np.int64], list[bytes]
         yield np.array(times, dtype=np.int64), messages
 
 
-class _Reader:
-    """Takes messages of a channel apart, as plans of earlier ones say."""
-
-    def __init__(self, channel: _Channel, groups: Groups, stamp: str | None) -> None:
-        self.channel, self.groups, self.stamp = channel, groups, stamp
-        self.wanted = [name for names in groups.values() for name in names]
-        self.plans: dict[int, list[Plan]] = {}
-
-    def rows(
-        self, messages: list[bytes]
-    ) -> tuple[NDArray[np.bool_], dict[str, NDArray[np.float64]], NDArray[np.int64] | None]:
-        """Which messages have all columns; their numbers [B, m] by group, and their stamps [B]."""
-        count = len(messages)
-        sound = np.zeros(count, dtype=bool)
-        tables = {group: np.empty((count, len(names))) for group, names in self.groups.items()}
-        stamps = np.zeros(count, dtype=np.int64) if self.stamp is not None else None
-        sizes = np.fromiter(map(len, messages), np.int64, count)
-        for size in np.unique(sizes).tolist():
-            left = np.flatnonzero(sizes == size)
-            table = np.frombuffer(b"".join([messages[k] for k in left.tolist()]), np.uint8)
-            table = table.reshape(len(left), size)
-            known = self.plans.setdefault(size, [])
-            tried = 0
-            while len(left):
-                if tried < len(known):
-                    plan = known[tried]
-                    tried += 1
-                else:
-                    plan = plan_of(messages[int(left[0])], self.channel.topic.type, self.channel.definitions)
-                    known.insert(0, plan)
-                    del known[PLANS:]
-                    tried = len(known)
-                like = plan.fits(table)
-                at = left[like]
-                if len(at) and self._has(plan):
-                    part = table[like]
-                    sound[at] = True
-                    for group, names in self.groups.items():
-                        for k, name in enumerate(names):
-                            tables[group][at, k] = plan.numbers(part, name)
-                    if stamps is not None and self.stamp is not None:
-                        stamps[at] = plan.times(part, self.stamp)
-                left, table = left[~like], table[~like]
-        return sound, tables, stamps
-
-    def _has(self, plan: Plan) -> bool:
-        stamped = self.stamp is None or self.stamp in plan.stamps
-        return stamped and all(name in plan.columns for name in self.wanted)
-
-
-def _stream(channel: _Channel, count: int, first: Sequence[bytes]) -> Stream:
+def _stream(name: str, channel: _Channel) -> Stream:
     """The stream of a topic: the columns of its first messages. One that cannot be read has none."""
-    topic = channel.topic
     columns: dict[str, None] = {}
     stamps: dict[str, None] = {}
     times = []
-    for message in first:
+    for message in channel.first:
         try:
-            plan = plan_of(message, topic.type, channel.definitions)
+            plan = plan_of(message, channel.type, channel.definitions)
         except NotCdr:
             continue
         columns.update(dict.fromkeys(plan.columns))
         stamps.update(dict.fromkeys(plan.stamps))
         if _STAMP in plan.stamps:
-            data = np.frombuffer(message, np.uint8)[None, :]
-            times.append(int(plan.times(data, _STAMP)[0]))
+            times.append(int(plan.times(np.frombuffer(message, np.uint8)[None, :], _STAMP)[0]))
     own = [_STAMP] if any(times) and (len(set(times)) > 1 or len(times) < 2) else []
-    others = [name for name in stamps if name not in own]
-    return Stream(
-        topic.name, topic.type, count, tuple(columns), stamps=(*own, RECEIVED, *others)
-    )  # fmt: skip
+    others = [each for each in stamps if each not in own]
+    return Stream(name, channel.type, channel.count, tuple(columns), stamps=(*own, RECEIVED, *others))
 
 
-def _definitions(topic: Topic) -> Mapping[str, Any]:
+def _definitions(topic: _Topic) -> Mapping[str, Any]:
     """Definitions of the types of a topic: those of the file, on top of the usual ones."""
     typesys = ROSBAGS.load("typesys")
     usual: dict[str, Any] = dict(typesys.get_typestore(typesys.Stores.LATEST).fielddefs)
@@ -196,12 +156,21 @@ def _definitions(topic: Topic) -> Mapping[str, Any]:
     return usual
 
 
+# --- files ------------------------------------------------------------------------------------------------
+
+
 def _files(folder: Path, file: str) -> list[Path]:
-    """The files of a recording in a folder, in their order."""
+    """The files of a recording in a folder, in their order: as metadata.yaml lists them, else by number,
+    bag_2.db3 before bag_10.db3."""
+
+    def by_number(path: Path) -> list[tuple[int, str]]:
+        parts = re.split(r"(\d+)", path.name)
+        return [(int(part[:18]), "") if part.isdecimal() else (0, part) for part in parts]
+
     listed = _listed(folder)
     if not listed:
-        names = [path for path in folder.iterdir() if path.suffix.lower() in _SUFFIXES and path.is_file()]
-        listed = sorted(names, key=_by_number)
+        inside = [path for path in folder.iterdir() if path.suffix.lower() in _SUFFIXES and path.is_file()]
+        listed = sorted(inside, key=by_number)
     if not listed:
         packed = [path.name for path in folder.iterdir() if path.suffix == ".zstd"]
         raise InputError(
@@ -214,29 +183,138 @@ def _files(folder: Path, file: str) -> list[Path]:
     return listed[:FILES]
 
 
-def _by_number(path: Path) -> list[tuple[int, str]]:
-    """bag_2.db3 before bag_10.db3."""
-    return [(int(part[:18]), "") if part.isdecimal() else (0, part) for part in re.split(r"(\d+)", path.name)]
-
-
 def _listed(folder: Path) -> list[Path]:
     """The files that metadata.yaml lists, and that are there."""
     from robodyn.robot import document
 
-    about = folder / "metadata.yaml"
-    if not about.is_file():
+    metadata = folder / "metadata.yaml"
+    if not metadata.is_file():
         return []
     try:
-        node = document.compose(read_text(about, 1 << 20, "metadata of a recording"), str(about))
+        node = document.compose(read_text(metadata, 1 << 20, "metadata of a recording"), str(metadata))
     except InputError:
         return []
     for key in ("rosbag2_bagfile_information", "relative_file_paths"):
         entries = node.entries if isinstance(node, document.Mapping) else ()
         node = next((value for name, value in entries if name.text == key), node)
     items = node.items if isinstance(node, document.Sequence) else ()
-    names = [PurePath(item.text).name for item in items if isinstance(item, document.Scalar)]
-    paths = [folder / name for name in names]
+    paths = [folder / PurePath(item.text).name for item in items if isinstance(item, document.Scalar)]
     return paths if all(path.is_file() and path.suffix.lower() in _SUFFIXES for path in paths) else []
+
+
+class _McapFile:
+    """An MCAP file; ``cut``: the byte at which it breaks off, 0 if it does not. The index at its end is not
+    used: a recording that was cut off has none, and what was written before the cut is read."""
+
+    def __init__(self, path: Path) -> None:
+        MCAP.load()
+        self._path, self.cut = path, 0
+        self._schemas: dict[int, Any] = {}
+        self._channels: dict[int, Any] = {}
+
+    def topics(self) -> Iterator[_Topic]:
+        """What is in it."""
+        counts: dict[int, int] = {}
+        first: dict[int, list[bytes]] = {}
+        for message in self._messages():
+            key = message.channel_id
+            counts[key] = counts.get(key, 0) + 1
+            kept = first.setdefault(key, [])
+            if len(kept) < LOOKED_AT and len(message.data) <= LOOKED_SIZE:
+                kept.append(_unpacked(message.data))
+        for key, channel in self._channels.items():
+            schema = self._schemas.get(channel.schema_id)
+            kind, language, text = (schema and (schema.name, schema.encoding, schema.data)) or ("", "", b"")
+            yield _Topic(
+                key, channel.topic, kind, channel.message_encoding, language,
+                text.decode("utf-8", "replace"), counts.get(key, 0), first.get(key, ()),
+            )  # fmt: skip
+
+    def messages(self, key: int) -> Iterator[tuple[int, bytes]]:
+        """Time of recording [ns] and content of the messages of a topic, as they stand in the file."""
+        messages = (each for each in self._messages() if each.channel_id == key)
+        return ((each.log_time, _unpacked(each.data)) for each in messages)
+
+    def _messages(self) -> Iterator[Any]:
+        from mcap.records import Channel, Chunk, DataEnd, Message, Schema
+        from mcap.stream_reader import StreamReader, breakup_chunk
+
+        with self._path.open("rb") as source:
+            size = os.fstat(source.fileno()).st_size
+            try:
+                for record in StreamReader(source, emit_chunks=True).records:
+                    if isinstance(record, DataEnd):
+                        return
+                    if source.tell() == size:  # the last record may lack its end
+                        break
+                    records = [record]
+                    if isinstance(record, Chunk):
+                        records = breakup_chunk(record, validate_crc=True)
+                    for each in records:
+                        if isinstance(each, Message):
+                            yield each
+                        elif isinstance(each, Schema):
+                            self._schemas.setdefault(each.id, each)
+                        elif isinstance(each, Channel):
+                            self._channels.setdefault(each.id, each)
+            except Exception:
+                if source.tell() < size:
+                    raise
+            self.cut = size
+
+
+class _Database:
+    """rosbag2's database at ``path``: messages in a table of SQLite."""
+
+    cut = 0
+
+    def __init__(self, path: Path) -> None:
+        journal = path.with_name(path.name + "-wal")
+        # Nothing is written; what a recorder that died has left in its journal is read with the rest.
+        mode = "mode=ro" if journal.is_file() and journal.stat().st_size else "mode=ro&immutable=1"
+        self._uri = f"{path.absolute().as_uri()}?{mode}"
+
+    def _opened(self) -> AbstractContextManager[Any]:
+        import sqlite3
+
+        return closing(sqlite3.connect(self._uri, uri=True))
+
+    def topics(self) -> Iterator[_Topic]:
+        """What is in it."""
+        with self._opened() as connection:
+            query = "SELECT name FROM sqlite_master WHERE type = 'table'"  # a view could run for ever
+            tables = {name for (name,) in connection.execute(query)}
+            if not {"topics", "messages"} <= tables:
+                raise ValueError("no tables topics and messages: this is no recording of ROS 2")
+            definitions: dict[str, tuple[str, str]] = {}
+            if "message_definitions" in tables:
+                query = "SELECT topic_type, encoding, encoded_message_definition FROM message_definitions"
+                definitions = {kind: (language, text) for kind, language, text in connection.execute(query)}
+            query = "SELECT id, name, type, serialization_format FROM topics"
+            for key, name, kind, encoding in connection.execute(query).fetchall():
+                query = "SELECT count(*) FROM messages WHERE topic_id = ?"
+                (count,) = connection.execute(query, (key,)).fetchone()
+                query = "SELECT data FROM messages WHERE topic_id = ? AND length(data) <= ? LIMIT ?"
+                heads = connection.execute(query, (key, LOOKED_SIZE, LOOKED_AT)).fetchall()
+                first = [_unpacked(data) for (data,) in heads]
+                yield _Topic(key, name, kind, encoding, *definitions.get(kind, ("", "")), count, first)
+
+    def messages(self, key: int) -> Iterator[tuple[int, bytes]]:
+        """Time of recording [ns] and content of the messages of a topic, as they stand in the file."""
+        with self._opened() as connection:
+            query = "SELECT timestamp, data FROM messages WHERE topic_id = ? ORDER BY id"
+            for time, data in connection.execute(query, (key,)):
+                yield time, _unpacked(data)
+
+
+def _unpacked(message: bytes) -> bytes:
+    """A message that may be compressed on its own: CDR never begins so."""
+    if not message.startswith(_ZSTD):
+        return message
+    import zstandard  # comes with mcap
+
+    content: bytes = zstandard.ZstdDecompressor().decompressobj().decompress(message)
+    return content
 
 
 FORMAT = LogFormat("ros2", _SUFFIXES, "a recording of ROS 2", open_ros2, library=ROSBAGS, folders=True)
