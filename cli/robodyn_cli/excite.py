@@ -102,7 +102,7 @@ def _effects_at(text: str | None) -> list[EffectAt]:
 
 
 def _csv(motion: Trajectory) -> str:
-    from robodyn.logs.shortest import write_csv
+    from robodyn.logs.log import write_csv
 
     kinds = (("q", motion.q), ("qd", motion.qd), ("qdd", motion.qdd))
     names = [f"{kind}{i + 1}" for kind, _ in kinds for i in range(motion.n)]

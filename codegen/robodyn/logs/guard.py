@@ -14,7 +14,6 @@ import sys
 import threading
 import weakref
 from collections.abc import Iterator
-from itertools import count
 from pathlib import Path
 from typing import Any, Final
 
@@ -44,16 +43,12 @@ class _Reader:
 
     def __init__(self) -> None:
         imports = os.pathsep.join(path or str(Path.cwd()) for path in sys.path)
-        environment = dict(os.environ, PYTHONPATH=imports)
         self.owner = os.getpid()
         self.process = subprocess.Popen(
-            [sys.executable, "-P", "-c", _SERVE],
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.DEVNULL,
-            env=environment,
+            [sys.executable, "-P", "-c", _SERVE], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL, env=dict(os.environ, PYTHONPATH=imports),
             start_new_session=True,  # Ctrl-C is for the one that asks
-        )
+        )  # fmt: skip
         self.end = weakref.finalize(self, _end, self.process)
 
     def ask(self, request: tuple[Any, ...], file: str, seconds: float) -> Any:
@@ -72,9 +67,18 @@ class _Reader:
             self.process.stdin.flush()
             is_done, answer = pickle.load(self.process.stdout)
         except (EOFError, BrokenPipeError, pickle.UnpicklingError):
-            in_time = timer.is_alive()
+            is_late = not timer.is_alive()
             self.end()
-            raise _lost(file, self.process.returncode, None if in_time else seconds) from None
+            status = self.process.returncode
+            ended = f"signal {-status}" if status < 0 else f"exit status {status}"
+            what = "the log took too long to read" if is_late else "the log ended the process that read it"
+            raise InputError(
+                what,
+                where=Place(file),
+                found=f"more than {seconds:.0f} s" if is_late else ended,
+                expected="a file that is not damaged, and fits into memory",
+                remedy="take a part of it, or write it again, as CSV or Parquet",
+            ) from None
         except BaseException:  # an answer would be left over
             self.end()
             raise
@@ -88,19 +92,6 @@ class _Reader:
             del answer  # which has this frame in its traceback: neither would be let go of soon
 
 
-#: Processes that wait for the next file.
-_waiting: list[_Reader] = []
-
-
-def _reader() -> _Reader:
-    """One that waits, or a new one."""
-    while _waiting:
-        reader = _waiting.pop()
-        if reader.owner == os.getpid() and reader.process.poll() is None:
-            return reader
-    return _Reader()
-
-
 def _end(process: subprocess.Popen[bytes]) -> None:
     process.kill()
     for stream in (process.stdin, process.stdout):
@@ -110,33 +101,20 @@ def _end(process: subprocess.Popen[bytes]) -> None:
     process.wait()
 
 
-def _lost(file: str, status: int, seconds: float | None) -> InputError:
-    """What to say of a process that has ended, by its exit status, or after so many ``seconds``."""
-    if seconds is not None:
-        return InputError(
-            "the log took too long to read",
-            where=Place(file),
-            found=f"more than {seconds:.0f} s",
-            remedy="take a part of it, or write it again, as CSV or Parquet",
-        )
-    return InputError(
-        "the log ended the process that read it",
-        where=Place(file),
-        found=f"signal {-status}" if status < 0 else f"exit status {status}",
-        expected="a file that is not damaged, and fits into memory",
-        remedy="write it again, as CSV or Parquet",
-    )
+#: Processes that wait for the next file.
+_waiting: list[_Reader] = []
 
 
 class _Lease:
-    """A process while it reads the ``file`` at ``path``; it goes back when nobody has it any more."""
+    """A process while it reads the ``file`` at ``path``: one that waits, or a new one. It goes back when
+    nobody has the lease any more."""
 
     def __init__(self, path: Path, file: str) -> None:
         files = path.iterdir() if path.is_dir() else [path]
         self.file = file
         self.seconds = SECONDS + sum(each.stat().st_size for each in files) / RATE
-        self.keys = count()
-        self.reader = _reader()
+        _waiting[:] = (each for each in _waiting if each.owner == os.getpid() and each.process.poll() is None)
+        self.reader = _waiting.pop() if _waiting else _Reader()
         weakref.finalize(self, _give_back, self.reader).atexit = False
 
     def ask(self, *request: Any) -> Any:
@@ -144,8 +122,7 @@ class _Lease:
 
     def parts(self, stream: Stream, groups: Groups, stamp: str | None) -> Iterator[Rows]:
         """As :data:`~robodyn.logs.recording.Parts` says."""
-        key = next(self.keys)
-        self.ask("read", key, stream, groups, stamp)
+        key = self.ask("read", stream, groups, stamp)
         try:
             while (rows := self.ask("next", key)) is not None:
                 yield rows
@@ -177,69 +154,61 @@ def open_guarded(format: LogFormat, path: Path, file: str, gaps: bool) -> Record
 
 def serve() -> None:
     """Read what is asked for, until nothing more is."""
-    _limit()
+    with contextlib.suppress(ImportError):  # not on Windows
+        import resource
+
+        # Of data: files that are mapped, and what a library reserves ahead, take no memory.
+        for limit, value in ((resource.RLIMIT_DATA, MEMORY), (resource.RLIMIT_CORE, 0)):
+            most = resource.getrlimit(limit)[1]
+            least = value if most == resource.RLIM_INFINITY else min(value, most)
+            resource.setrlimit(limit, (least, least))
     questions, answers = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # a library that prints does not answer
     session = _Session()
     while True:
         try:
-            request = pickle.load(questions)
+            kind, *details = pickle.load(questions)
         except EOFError:
             return
         try:
-            answer = True, session.answer(*request)
+            answer = True, getattr(session, kind)(*details)
         except Exception as error:
-            answer = False, session.error(error)
+            answer = False, session.said_of(error)
         pickle.dump(answer, answers, protocol=pickle.HIGHEST_PROTOCOL)
         answers.flush()
 
 
-def _limit() -> None:
-    try:
-        import resource
-    except ImportError:  # not on Windows
-        return
-    # Of data: files that are mapped, and what a library reserves ahead, take no memory.
-    for limit, value in ((resource.RLIMIT_DATA, MEMORY), (resource.RLIMIT_CORE, 0)):
-        most = resource.getrlimit(limit)[1]
-        least = value if most == resource.RLIM_INFINITY else min(value, most)
-        resource.setrlimit(limit, (least, least))
-
-
 class _Session:
-    """The file that is open, and what is being read of it."""
+    """The file that is open, and what is being read of it; a method for each request."""
+
+    recording: Recording
 
     def __init__(self) -> None:
-        self.file = ""
-        self.format: LogFormat | None = None
-        self.recording: Recording | None = None
-        self.parts: dict[int, Iterator[Rows]] = {}
+        self.parts: list[Iterator[Rows]] = []
 
-    def answer(self, kind: str, *details: Any) -> Any:
-        if kind == "open":
-            self.recording = None
-            self.parts.clear()
-            self.format, path, self.file, gaps = details
-            assert self.format is not None
-            self.recording = self.format.open(path, self.file, gaps)
-            return {name: getattr(self.recording, name) for name in ("format", "streams", "notes", "names")}
-        key, *rest = details
-        if kind == "read":
-            assert self.recording is not None
-            self.parts[key] = iter(self.recording.parts(*rest))
-        elif kind == "close":
-            self.parts.pop(key, None)
-        else:
-            return next(self.parts[key], None)
-        return None
+    def open(self, format: LogFormat, path: Path, file: str, gaps: bool) -> dict[str, Any]:
+        self.format, self.file = format, file
+        self.__dict__.pop("recording", None)  # the one before is let go of first
+        self.parts.clear()
+        self.recording = format.open(path, file, gaps)
+        return {name: getattr(self.recording, name) for name in ("format", "streams", "notes", "names")}
 
-    def error(self, error: Exception) -> Exception:
-        """What is said of an error: of ours and of the system, what they say; of a library, that the file is
-        damaged."""
+    def read(self, *what: Any) -> int:
+        self.parts.append(iter(self.recording.parts(*what)))
+        return len(self.parts) - 1
+
+    def next(self, key: int) -> Rows | None:
+        return next(self.parts[key], None)
+
+    def close(self, key: int) -> None:
+        self.parts[key] = iter(())
+
+    def said_of(self, error: Exception) -> Exception:
+        """What is said of an ``error``: of ours and of the system, what they say; of a library, that the file
+        is damaged."""
         if isinstance(error, MemoryError):
             return MemoryError()
         if isinstance(error, RobodynError) or (isinstance(error, OSError) and error.errno is not None):
             return error
-        assert self.format is not None
         reason = "values nested too deeply" if isinstance(error, RecursionError) else error
         return damaged(self.file, self.format.title, reason, self.format.remedy or None)

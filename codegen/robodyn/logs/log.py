@@ -9,7 +9,7 @@ it, ``LOG.csv.json``, which depends on nothing but the run: no time of day, no p
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -20,7 +20,6 @@ from robodyn.errors import InputError
 from robodyn.logs.assemble import Block
 from robodyn.logs.blocks import log_blocks
 from robodyn.logs.mapping import LogMap
-from robodyn.logs.shortest import write_csv
 from robodyn.logs.streams import CONDITION, Mean, mean_of
 from robodyn.robot.model import Robot
 
@@ -139,6 +138,13 @@ class Log:
     def _joints(self, group: str) -> tuple[int, ...]:
         """The joints (from 0) that have columns of that ``group``."""
         return self.linked if group == "ql" else tuple(range(self.n))
+
+
+def write_csv(names: Sequence[str], columns: Sequence[Floats]) -> str:
+    """The text of a log: the header, and a line a sample; ``columns`` are ``[K]`` each. Every number is the
+    shortest that reads back as the same double."""
+    rows = (",".join(map(repr, row)) for row in np.column_stack(columns).tolist())
+    return "\n".join([",".join(names), *rows, ""])
 
 
 #: A log, its file, or what hands it over and keeps nothing of it: a long one is let go once it was looked at.

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Sequence as Words
+from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import Final, NoReturn
+from typing import Any, Final, NoReturn
 
 from robodyn.errors import InputError, Place
 from robodyn.files import label, read_text
@@ -33,9 +34,15 @@ NUMBERS: Final = {
     "counts_per_turn": "ticks to a turn",
     "bits": "bits of whole numbers that have a sign, and were recorded without it",
 }
+#: What numbers must be, and what is said of others.
+_CHECKS: Final[dict[str, tuple[Callable[[Fraction], bool], str, str | None]]] = {
+    "sign": (lambda x: abs(x) == 1, "a sign is 1 or -1", None),
+    "bits": (lambda x: x.denominator == 1 and 2 <= x <= 64, "this is no number of bits", "8, 16 or 32"),
+    "rate": (lambda x: x > 0, "the rate is not positive", "samples a second [Hz]"),
+}
 #: These may also be the word robot: as the description has it.
 OF_ROBOT: Final = ("gear", "torque_constant")
-_WORDS: Final = ("column", "columns", "unit", "joints", "file", "rate", *NUMBERS)
+_KEYS: Final = ("column", "columns", "unit", "joints", "file", "rate", *NUMBERS)
 _TOP: Final = (*GROUPS, "joints", "topic", "conditions")
 _UNIT = re.compile(r"(?P<name>.*?)\s*\[(?P<unit>[^\[\]]*)\]\Z", re.DOTALL)
 _INDEX = re.compile(r"\s*(%d|%s|[0-9]+|:)\s*\Z")
@@ -123,16 +130,12 @@ def map_of_columns(text: str, file: str = "--columns") -> LogMap:
         group, sign, columns = part.partition("=")
         group = group.strip()
         if not sign or not columns.strip():
-            raise InputError(
-                "a group of columns has no name",
-                where=where,
-                found=shown(part.strip()),
-                expected="q=NAME[UNIT], with %d for the number of the joint",
-            )
+            expected = "q=NAME[UNIT], with %d for the number of the joint"
+            what = "a group of columns has no name"
+            raise InputError(what, where=where, found=shown(part.strip()), expected=expected)
         if group not in GROUPS:
-            raise InputError(
-                "there is no such group of columns", where=where, found=shown(group), expected=_listed(GROUPS)
-            )
+            what = "there is no such group of columns"
+            raise InputError(what, where=where, found=shown(group), expected=_listed(GROUPS))
         if group in groups:
             raise InputError("the group stands here a second time", where=where, found=group)
         groups[group] = _channel(columns.strip(), where)
@@ -178,40 +181,38 @@ class _Reader:
     def fail(self, node: Node, what: str, **more: str | None) -> NoReturn:
         raise InputError(what, where=self.place(node), **more)
 
-    def entries(self, node: Node, keys: tuple[str, ...], what: str) -> Iterator[tuple[str, Node]]:
+    def entries(self, node: Node, what: str, example: str) -> Iterator[tuple[Scalar, Node]]:
         if not isinstance(node, document.Mapping):
-            self.fail(node, f"{what} must be a mapping", found=describe(node), expected="NAME: VALUE")
-        for key, value in node.entries:
+            self.fail(node, f"{what} must be a mapping", found=describe(node), expected=example)
+        yield from node.entries
+
+    def known(self, node: Node, keys: tuple[str, ...], what: str) -> Iterator[tuple[str, Node]]:
+        for key, value in self.entries(node, what, "NAME: VALUE"):
             if key.text not in keys:
                 self.fail(key, f"{what} has no such key", found=shown(key.text), expected=_listed(keys))
             yield key.text, value
 
     def map(self, node: Node) -> LogMap:
         groups: dict[str, Channel] = {}
-        joints: tuple[str, ...] = ()
-        topic = ""
-        conditions: dict[str, Channel] = {}
-        for key, value in self.entries(node, _TOP, "the map"):
+        more: dict[str, Any] = {}
+        for key, value in self.known(node, _TOP, "the map"):
             if key == "joints":
-                joints = self.words(value)
-                if len(set(joints)) < len(joints):
-                    self.fail(value, "a joint stands here twice", found=", ".join(joints[:9]))
+                more[key] = self.words(value)
+                self.refuse_twice(value, more[key])
             elif key == "topic":
-                topic = self.word(value)
+                more[key] = self.word(value)
             elif key == "conditions":
-                conditions = self.conditions(value)
+                more[key] = self.conditions(value)
             else:
                 groups[key] = self.group(value, key)
-        if not (groups or joints or topic or conditions):
+        if not groups and not any(more.values()):
             self.fail(node, "the map says nothing", expected="q: joint_%d_pos[deg]")
-        return LogMap(groups, joints, topic, conditions)
+        return LogMap(groups, **more)
 
     def conditions(self, node: Node) -> dict[str, Channel]:
         """Columns of conditions by name: a pattern, a list, or one of these with a unit."""
-        if not isinstance(node, document.Mapping):
-            self.fail(node, "conditions must be a mapping", found=describe(node), expected="NAME: COLUMN")
         conditions = {}
-        for key, value in node.entries:
+        for key, value in self.entries(node, "conditions", "NAME: COLUMN"):
             channel = self.group(value, f"the condition {key.text}")
             if channel.numbers or channel.of_robot or channel.joints or channel.file:
                 self.fail(value, "a condition has columns and a unit only", expected="motor_temp_%d[degC]")
@@ -224,32 +225,28 @@ class _Reader:
             return _channel(self.word(node), where)
         if isinstance(node, Sequence):
             return Channel(self.names(node, group), where)
-        columns: tuple[str, ...] = ()
-        channel = Channel((), where)
+        more: dict[str, Any] = {}
         numbers: dict[str, tuple[Fraction, ...]] = {}
         of_robot: set[str] = set()
-        for key, value in self.entries(node, _WORDS, group):
+        for key, value in self.known(node, _KEYS, group):
             if key in ("column", "columns"):
-                if columns:
+                if "columns" in more:
                     self.fail(value, f"{group} has both column and columns", remedy="delete one of them")
-                columns = self.names(value, group)
+                more["columns"] = self.names(value, group)
             elif key in ("unit", "file"):
-                channel = replace(channel, **{key: self.word(value)})  # type: ignore[arg-type]
+                more[key] = self.word(value)
             elif key == "joints":
-                channel = replace(channel, joints=self.joints(value))
+                more[key] = self.joints(value)
             elif key == "rate":
                 if group != "t":
                     self.fail(value, "only t has a rate", found=group)
-                channel = replace(channel, rate=self.numbers(value, key)[0])
+                more[key] = self.numbers(value, key)[0]
             elif key in OF_ROBOT and isinstance(value, Scalar) and value.text == "robot":
                 of_robot.add(key)
             else:
                 numbers[key] = self.numbers(value, key)
-        channel = replace(channel, columns=columns, numbers=numbers, of_robot=frozenset(of_robot))
-        self.check(node, group, channel)
-        return channel
-
-    def check(self, node: Node, group: str, channel: Channel) -> None:
+        more = {"columns": (), **more}
+        channel = Channel(place=where, numbers=numbers, of_robot=frozenset(of_robot), **more)
         if bool(channel.columns) == (channel.rate is not None):
             one = "column: NAME, or rate: HZ" if group == "t" else "columns: NAME_%d"
             self.fail(node, f"{group} needs a column" + (" or a rate" if group == "t" else ""), expected=one)
@@ -257,55 +254,58 @@ class _Reader:
             "t": ("sign", "zero", "offset", "factor"),
             "tau": ("sign", "zero", "offset", "factor", "bits", "gear", "torque_constant", "rated"),
         }.get(group, ("sign", "zero", "offset", "factor", "bits", "gear", "counts_per_turn"))
-        for key in (*channel.numbers, *channel.of_robot):
+        for key in (*numbers, *of_robot):
             if key not in sound:
-                self.fail(
-                    node, f"{group} has no {key}", found=f"{key}: {NUMBERS[key]}", expected=_listed(sound)
-                )
+                found = f"{key}: {NUMBERS[key]}"
+                self.fail(node, f"{group} has no {key}", found=found, expected=_listed(sound))
         if channel.joints and len(channel.columns) > 1 and len(channel.columns) != len(channel.joints):
             counts = f"{len(channel.columns)} columns and {len(channel.joints)} joints"
             self.fail(node, f"{group} has another number of columns than of joints", found=counts)
+        return channel
+
+    def refuse_twice(self, node: Node, joints: Words[object]) -> None:
+        if len(set(joints)) < len(joints):
+            self.fail(node, "a joint stands here twice", found=", ".join(map(str, joints[:9])))
 
     def word(self, node: Node) -> str:
         if not isinstance(node, Scalar) or not node.text.strip():
             self.fail(node, "there is no name here", found=describe(node), expected="a name")
         return node.text
 
-    def words(self, node: Node) -> tuple[str, ...]:
+    def items(self, node: Node, what: str, expected: str) -> tuple[Node, ...]:
         if not isinstance(node, Sequence) or not 1 <= len(node.items) <= JOINTS:
-            self.fail(node, "this is no list of names", found=describe(node), expected="[name, name, ...]")
-        return tuple(self.word(item) for item in node.items)
+            self.fail(node, what, found=describe(node), expected=expected)
+        return node.items
+
+    def words(self, node: Node) -> tuple[str, ...]:
+        return tuple(map(self.word, self.items(node, "this is no list of names", "[name, name, ...]")))
 
     def names(self, node: Node, group: str) -> tuple[str, ...]:
         """Names of columns: a pattern, or a list, in which null is a joint without one."""
         if isinstance(node, Scalar):
             return (self.word(node),)
-        if not isinstance(node, Sequence) or not 1 <= len(node.items) <= JOINTS:
-            self.fail(
-                node, "these are no columns", found=describe(node), expected="a name, or a list of them"
-            )
         names = []
-        for item in node.items:
-            nothing = isinstance(item, Scalar) and item.plain and item.text in ("", "~", "null")
-            if nothing and group != "ql":
+        for item in self.items(node, "these are no columns", "a name, or a list of them"):
+            is_null = isinstance(item, Scalar) and item.plain and item.text in ("", "~", "null")
+            if is_null and group != "ql":
                 self.fail(item, f"every joint has a column of {group}", found="null", expected="a name")
-            names.append("" if nothing else self.word(item))
+            names.append("" if is_null else self.word(item))
         return tuple(names)
 
     def joints(self, node: Node) -> tuple[int, ...]:
         joints = []
-        for text, item in zip(self.words(node), node.items, strict=True):  # type: ignore[union-attr]
+        for item in self.items(node, "this is no list of names", "[name, name, ...]"):
+            text = self.word(item)
             if not text.isascii() or not text.isdigit() or not 1 <= int(text[:4]) <= JOINTS:
                 self.fail(item, "this is not the number of a joint", found=shown(text), expected="1, 2, ...")
             joints.append(int(text))
-        if len(set(joints)) < len(joints):
-            self.fail(node, "a joint stands here twice", found=", ".join(map(str, joints[:9])))
+        self.refuse_twice(node, joints)
         return tuple(joints)
 
     def numbers(self, node: Node, key: str) -> tuple[Fraction, ...]:
-        items = node.items if isinstance(node, Sequence) else (node,)
-        if not 1 <= len(items) <= JOINTS:
-            self.fail(node, f"{key} has no number", found=describe(node), expected="a number, or one a joint")
+        if not isinstance(node, Sequence):
+            return (self.one(node, key),)
+        items = self.items(node, f"{key} has no number", "a number, or one a joint")
         return tuple(self.one(item, key) for item in items)
 
     def one(self, node: Node, key: str) -> Fraction:
@@ -322,12 +322,8 @@ class _Reader:
                 expected=error.expected,
                 remedy=error.remedy,
             ) from None
-        if key == "sign" and abs(value) != 1:
-            self.fail(node, "a sign is 1 or -1", found=node.text)
+        if key in _CHECKS and not _CHECKS[key][0](value):
+            self.fail(node, _CHECKS[key][1], found=node.text, expected=_CHECKS[key][2])
         if key in ("factor", "gear", "torque_constant", "rated", "counts_per_turn") and value == 0:
             self.fail(node, f"{key} is 0", expected=NUMBERS[key])
-        if key == "bits" and not (value.denominator == 1 and 2 <= value <= 64):
-            self.fail(node, "this is no number of bits", found=node.text, expected="8, 16 or 32")
-        if key == "rate" and value <= 0:
-            self.fail(node, "the rate is not positive", found=node.text, expected="samples a second [Hz]")
         return value

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 
 from robodyn.errors import InputError, Place
@@ -54,8 +55,9 @@ def channel_of(recording: Recording, mapping: LogMap, group: str) -> Channel:
     where = Place(recording.file)
     for pattern in USUAL[group]:
         channel = Channel((pattern,), where)
-        if _exists(recording, mapping, channel):
-            return channel
+        with suppress(InputError):
+            if _names(recording, mapping, channel, None):
+                return channel
     listed = [stream.full(column) for stream in recording.streams for column in stream.columns]
     more = f", ... ({len(listed)} columns)" if len(listed) > 6 else ""
     raise InputError(
@@ -67,13 +69,6 @@ def channel_of(recording: Recording, mapping: LogMap, group: str) -> Channel:
     )
 
 
-def _exists(recording: Recording, mapping: LogMap, channel: Channel) -> bool:
-    try:
-        return bool(_names(recording, mapping, channel, None))
-    except InputError:
-        return False
-
-
 def sources(
     recording: Recording, mapping: LogMap, group: str, channel: Channel, n: int
 ) -> tuple[Source, ...]:
@@ -83,10 +78,7 @@ def sources(
     ------
     InputError: there are no such columns, or not as many.
     """
-    if group == "t":
-        stream, column = find(recording, channel.columns[0], mapping.topic, channel.place)
-        return (Source(stream, column, 0),)
-    joints = [j - 1 for j in channel.joints] or list(range(n))
+    joints = [0] if group == "t" else [j - 1 for j in channel.joints] or list(range(n))
     if max(joints) >= n:
         raise InputError(
             "the map has a joint that the robot has not",
@@ -94,10 +86,8 @@ def sources(
             found=f"joint {max(joints) + 1}",
             expected=f"1 to {n}",
         )
-    names: Sequence[str]
-    if len(channel.columns) > 1:
-        names = channel.columns
-    else:
+    names: Sequence[str] = channel.columns
+    if len(names) == 1 and group != "t":
         names = _names(recording, mapping, channel, joints)
     if len(names) != len(joints):
         raise InputError(
@@ -107,11 +97,11 @@ def sources(
             expected=str(len(joints)),
             remedy="name a column for each joint, base to tip",
         )
-    result = []
-    for joint, name in zip(joints, names, strict=True):
-        if name:
-            result.append(Source(*find(recording, name, mapping.topic, channel.place), joint))
-    return tuple(result)
+    return tuple(
+        Source(*find(recording, name, mapping.topic, channel.place), joint)
+        for joint, name in zip(joints, names, strict=True)
+        if name
+    )
 
 
 def _names(
@@ -129,9 +119,8 @@ def _names(
         first, last = int(match["first"]), int(match["last"])
         return tuple(f"{match['head']}{k}" for k in range(first, min(last, first + 999) + 1))
     if not candidates(recording, pattern, mapping.topic):
-        array = f"{pattern}.%d"
         try:
-            return _by_number(recording, mapping, channel, array, joints)
+            return _by_number(recording, mapping, channel, f"{pattern}.%d", joints)
         except InputError:
             find(recording, pattern, mapping.topic, channel.place)  # names what there is
     return (pattern,)

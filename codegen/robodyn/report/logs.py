@@ -9,10 +9,9 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.logs.against_robot import JointCheck
 from robodyn.logs.map_text import map_text
 from robodyn.logs.survey import ColumnFacts, LogFacts, StreamFacts
-from robodyn.logs.wizard import Examination
+from robodyn.logs.wizard import Examination, JointCheck
 
 Floats = NDArray[np.float64]
 
