@@ -8,7 +8,7 @@ the link before, seen along other axes, T3 forms the Coriolis acceleration, and 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import partial
 from typing import Any, Final
 
@@ -22,15 +22,6 @@ from robodyn.schedule.tasks import TASKS
 Watch = Callable[[TaskId], None]
 
 
-def _zeros() -> list[Any]:
-    return [0, 0, 0]
-
-
-def _no_rows() -> list[list[Any]]:
-    return [[0, 0, 0], [0, 0, 0], [0, 0, 0]]
-
-
-@dataclass(slots=True)
 class Link:
     """The quantities of a link by the names of Table 4.1, vectors as lists, zero until a task writes them.
 
@@ -38,24 +29,14 @@ class Link:
     ``f`` and ``n`` of the link beyond, turned about its joint's axis only.
     """
 
-    w: list[Any] = field(default_factory=_zeros)
-    c: list[Any] = field(default_factory=_zeros)
-    alpha: list[Any] = field(default_factory=_zeros)
-    ww: list[list[Any]] = field(default_factory=_no_rows)
-    lam: list[list[Any]] = field(default_factory=_no_rows)
-    before: list[list[Any]] = field(default_factory=_no_rows)
-    moved: list[Any] = field(default_factory=_zeros)
-    a: list[Any] = field(default_factory=_zeros)
-    own: list[list[Any]] = field(default_factory=_no_rows)
-    a_c: list[Any] = field(default_factory=_zeros)
-    F: list[Any] = field(default_factory=_zeros)
-    N: list[Any] = field(default_factory=_zeros)
-    f_turned: list[Any] = field(default_factory=_zeros)
-    f: list[Any] = field(default_factory=_zeros)
-    p_f: list[Any] = field(default_factory=_zeros)
-    s_F: list[Any] = field(default_factory=_zeros)
-    n_turned: list[Any] = field(default_factory=_zeros)
-    n: list[Any] = field(default_factory=_zeros)
+    def __init__(self) -> None:
+        def zeros() -> list[Any]:
+            return [0, 0, 0]
+
+        self.w, self.c, self.alpha, self.moved, self.a, self.a_c = (zeros() for _ in range(6))
+        self.F, self.N, self.f_turned, self.f, self.n_turned, self.n = (zeros() for _ in range(6))
+        self.p_f, self.s_F = zeros(), zeros()
+        self.ww, self.lam, self.before, self.own = ([zeros() for _ in range(3)] for _ in range(4))
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,10 +62,8 @@ class Joint:
         return self.c * y - self.s * x if axis == 1 else z
 
     def about_axis(self, u: list[Any], axis: int) -> Any:
-        """A component of ``u`` turned about z by the joint's angle."""
-        if axis == 0:
-            return self.c * u[0] - self.s * u[1]
-        return self.s * u[0] + self.c * u[1] if axis == 1 else u[2]
+        """The first or second component of ``u`` turned about z by the joint's angle."""
+        return self.s * u[0] + self.c * u[1] if axis else self.c * u[0] - self.s * u[1]
 
     def forth(self, turned: list[Any]) -> Vector:
         """``R u`` of what is turned about z already."""
@@ -101,24 +80,24 @@ class Place:
     joint: Joint
     next: Joint | None
 
+    def through(self, turned: list[Any]) -> Vector:
+        """What the link beyond hands over, from what is turned about its axis already."""
+        return (0, 0, 0) if self.next is None else self.next.forth(turned)
 
-def _turn_w(axis: int, at: Place) -> None:
-    at.now.w[axis], at.now.w[2] = at.joint.back(at.was.w, axis), at.joint.back(at.was.w, 2)
+
+def _turn(axis: int, at: Place, *, what: str) -> None:
+    source = at.now.moved if what == "a" else getattr(at.was, what)
+    target = getattr(at.now, what)
+    target[axis], target[2] = at.joint.back(source, axis), at.joint.back(source, 2)
 
 
 def _joint_rate(at: Place) -> None:
-    now, qd = at.now, at.joint.qd
+    now, rate = at.now, at.joint.qd
     if at.joint.body.revolute:
-        now.w[2] = now.w[2] + qd
-        now.c = [qd * now.w[1], -(qd * now.w[0]), at.joint.qdd]
+        now.w[2] = now.w[2] + rate
     else:
-        twice = 2 * qd
-        now.c = [twice * now.w[1], -(twice * now.w[0]), at.joint.qdd]
-
-
-def _turn_alpha(axis: int, at: Place) -> None:
-    at.now.alpha[axis] = at.joint.back(at.was.alpha, axis)
-    at.now.alpha[2] = at.joint.back(at.was.alpha, 2)
+        rate = 2 * rate
+    now.c = [rate * now.w[1], -(rate * now.w[0]), at.joint.qdd]
 
 
 def _add_joint(at: Place) -> None:
@@ -163,18 +142,10 @@ def _products(axis: int, at: Place, *, of_parent: bool) -> None:
     into[axis] = [x * y for x, y in zip(rows[axis], r, strict=True)]
 
 
-def _move(axis: int, at: Place) -> None:
-    x, y, z = at.now.before[axis]
-    at.now.moved[axis] = at.was.a[axis] + x + y + z
-
-
-def _turn_a(axis: int, at: Place) -> None:
-    at.now.a[axis], at.now.a[2] = at.joint.back(at.now.moved, axis), at.joint.back(at.now.moved, 2)
-
-
-def _centre(axis: int, at: Place) -> None:
-    x, y, z = at.now.own[axis]
-    at.now.a_c[axis] = at.now.a[axis] + x + y + z
+def _accelerate(axis: int, at: Place, *, of_parent: bool) -> None:
+    into, start = (at.now.moved, at.was.a) if of_parent else (at.now.a_c, at.now.a)
+    x, y, z = (at.now.before if of_parent else at.now.own)[axis]
+    into[axis] = start[axis] + x + y + z
 
 
 def _inertial(at: Place) -> None:
@@ -182,13 +153,9 @@ def _inertial(at: Place) -> None:
 
 
 def _euler(axis: int, at: Place) -> None:
-    i, (kx, ky, kz) = at.joint.body.inertia, (at.now.ww[1][2], at.now.ww[2][0], at.now.ww[0][1])
-    own, D, k = (
-        (i.xx, i.zz - i.yy, kx),
-        (i.yy, i.xx - i.zz, ky),
-        (i.zz, i.yy - i.xx, kz),
-    )[axis]
-    at.now.N[axis] = own * at.now.alpha[axis] + D * k
+    moments = (at.joint.body.inertia.xx, at.joint.body.inertia.yy, at.joint.body.inertia.zz)
+    j, k = (axis + 1) % 3, (axis + 2) % 3
+    at.now.N[axis] = moments[axis] * at.now.alpha[axis] + (moments[k] - moments[j]) * at.now.ww[j][k]
 
 
 def _turn_back(axis: int, at: Place, *, force: bool) -> None:
@@ -197,17 +164,13 @@ def _turn_back(axis: int, at: Place, *, force: bool) -> None:
         target[axis], target[2] = at.next.about_axis(source, axis), source[2]
 
 
-def _handed(at: Place, turned: list[Any]) -> Vector:
-    return (0, 0, 0) if at.next is None else at.next.forth(turned)
-
-
 def _force(at: Place) -> None:
-    at.now.f = [x + y for x, y in zip(at.now.F, _handed(at, at.now.f_turned), strict=True)]
+    at.now.f = [x + y for x, y in zip(at.now.F, at.through(at.now.f_turned), strict=True)]
 
 
 def _p_cross_f(axis: int, at: Place) -> None:
     p: Vector = (0, 0, 0) if at.next is None else at.next.p
-    at.now.p_f[axis] = _cross(axis, p, _handed(at, at.now.f_turned))
+    at.now.p_f[axis] = _cross(axis, p, at.through(at.now.f_turned))
 
 
 def _s_cross_F(axis: int, at: Place) -> None:
@@ -222,29 +185,38 @@ def _cross(axis: int, u: Vector, v: Vector) -> Any:
 
 def _moment(axis: int, at: Place) -> None:
     now = at.now
-    now.n[axis] = now.N[axis] + now.p_f[axis] + now.s_F[axis] + _handed(at, now.n_turned)[axis]
+    now.n[axis] = now.N[axis] + now.p_f[axis] + now.s_F[axis] + at.through(now.n_turned)[axis]
 
 
-_DO: Final[dict[int, Callable[[Place], None]]] = {
-    **{1 + i: partial(_turn_w, i) for i in (0, 1)},
-    3: _joint_rate,
-    **{4 + i: partial(_turn_alpha, i) for i in (0, 1)},
-    6: _add_joint,
-    **{row: partial(_lambda, row) for row in range(7, 12)},
-    **{12 + i: partial(_products, i, of_parent=True) for i in range(3)},
-    **{15 + i: partial(_move, i) for i in range(3)},
-    **{18 + i: partial(_turn_a, i) for i in (0, 1)},
-    **{20 + i: partial(_products, i, of_parent=False) for i in range(3)},
-    **{23 + i: partial(_centre, i) for i in range(3)},
-    26: _inertial,
-    **{27 + i: partial(_euler, i) for i in range(3)},
-    **{30 + i: partial(_turn_back, i, force=True) for i in (0, 1)},
-    32: _force,
-    **{33 + i: partial(_p_cross_f, i) for i in range(3)},
-    **{36 + i: partial(_s_cross_F, i) for i in range(3)},
-    **{39 + i: partial(_turn_back, i, force=False) for i in (0, 1)},
-    **{41 + i: partial(_moment, i) for i in range(3)},
-}
+def _each(step: Callable[..., None], axes: Iterable[int] = range(3), **how: Any) -> list[Callable[..., None]]:
+    return [partial(step, axis, **how) for axis in axes]
+
+
+_DO: Final[dict[int, Callable[[Place], None]]] = dict(
+    enumerate(
+        [
+            *_each(_turn, (0, 1), what="w"),
+            _joint_rate,
+            *_each(_turn, (0, 1), what="alpha"),
+            _add_joint,
+            *_each(_lambda, _ENTRIES),
+            *_each(_products, of_parent=True),
+            *_each(_accelerate, of_parent=True),
+            *_each(_turn, (0, 1), what="a"),
+            *_each(_products, of_parent=False),
+            *_each(_accelerate, of_parent=False),
+            _inertial,
+            *_each(_euler),
+            *_each(_turn_back, (0, 1), force=True),
+            _force,
+            *_each(_p_cross_f),
+            *_each(_s_cross_F),
+            *_each(_turn_back, (0, 1), force=False),
+            *_each(_moment),
+        ],
+        start=1,
+    )
+)
 
 
 def run_tasks(
@@ -261,8 +233,8 @@ def run_tasks(
     the tasks. The torque of a revolute joint is ``n[2]`` [N m] of its link, the force of a prismatic one
     ``f[2]`` [N].
     """
-    base = Link(a=[-x for x in arm.gravity])
-    links = [base, *(Link() for _ in arm.bodies), Link()]
+    links = [Link() for _ in range(len(arm.bodies) + 2)]
+    links[0].a = [-x for x in arm.gravity]
     p = origins or [origin(body, d) for body, d in zip(arm.bodies, motion.d, strict=True)]
     joints = [
         Joint(*each) for each in zip(arm.bodies, motion.c, motion.s, p, motion.qd, motion.qdd, strict=True)

@@ -79,14 +79,8 @@ def cut(program: Program, k: int = 3, costs: Mapping[str, int] | None = None) ->
     if not 1 <= k <= MOST_OPERATIONS:
         raise InputError("a task has operations", found=f"{k}", expected=f"1 to {MOST_OPERATIONS} of them")
     price = COSTS if costs is None else costs
-    home = _homes(program, price)
-    groups = _trees(program, price, home, k)
-    groups = _levelled(program, price, groups, k)
+    groups = _merge_levels(program, price, _trees(program, _homes(program, price), k), k)
     return _finished(program, price, groups, costs is not None)
-
-
-def _paid(program: Program, price: Mapping[str, int], i: int) -> bool:
-    return price[program.operations[i].op] > 0
 
 
 def _homes(program: Program, price: Mapping[str, int]) -> list[int]:
@@ -94,32 +88,19 @@ def _homes(program: Program, price: Mapping[str, int]) -> list[int]:
     its argument, -1 where nothing that costs something is before it."""
     home: list[int] = []
     for i, operation in enumerate(program.operations):
-        if _paid(program, price, i):
+        if price[operation.op]:
             home.append(i)
             continue
-        behind = {home[arg] for arg in operation.args if isinstance(arg, int)} - {-1}
-        if len(behind) > 1:  # a free operation on two values that are not free: it goes with the later one
-            home.append(max(behind))
-        else:
-            home.append(behind.pop() if behind else -1)
+        # A free operation on two values that are not free goes with the later one.
+        home.append(max((home[arg] for arg in operation.args if isinstance(arg, int)), default=-1))
     return home
 
 
-def _needs(program: Program, home: Sequence[int]) -> list[set[int]]:
-    """What each operation needs, by the operations that cost something."""
-    needs: list[set[int]] = [set() for _ in program.operations]
-    for i, operation in enumerate(program.operations):
-        own = home[i]
-        if own >= 0:
-            needs[own] |= {home[arg] for arg in operation.args if isinstance(arg, int)} - {-1, own}
-    return needs
-
-
-def _trees(program: Program, price: Mapping[str, int], home: list[int], k: int) -> list[int]:
+def _trees(program: Program, home: list[int], k: int) -> list[int]:
     """The group of each operation, named by its last member; -1 before all."""
-    needs = _needs(program, home)
-    users: dict[int, set[int]] = {i: set() for i in set(home) - {-1}}
-    for i, needed in enumerate(needs):
+    needs = _between(program, home)
+    users: dict[int, set[int]] = {i: set() for i in needs}
+    for i, needed in needs.items():
         for other in needed:
             users[other].add(i)
     group = {i: i for i in users}
@@ -140,14 +121,14 @@ def _trees(program: Program, price: Mapping[str, int], home: list[int], k: int) 
     return [-1 if own < 0 else top(own) for own in home]
 
 
-def _levelled(program: Program, price: Mapping[str, int], groups: list[int], k: int) -> list[int]:
+def _merge_levels(program: Program, price: Mapping[str, int], groups: list[int], k: int) -> list[int]:
     """Groups of the same level put together, those of the same link first."""
     if k == 1:
         return groups
     size: dict[int, int] = {}
     for i, group in enumerate(groups):
         if group >= 0:
-            size[group] = size.get(group, 0) + _paid(program, price, i)
+            size[group] = size.get(group, 0) + (price[program.operations[i].op] > 0)
     level = _levels(_between(program, groups))
     links = _links(program, groups)
     merged: dict[int, int] = {}

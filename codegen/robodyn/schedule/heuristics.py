@@ -11,17 +11,15 @@ the successors that a task would set free now.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection
+from functools import partial
 from typing import NamedTuple
 
 from robodyn.errors import InputError
 from robodyn.schedule.graph import TaskGraph, TaskId
-from robodyn.schedule.machine import Machine, Placement, Schedule, Timetable, in_time
+from robodyn.schedule.machine import Machine, Placement, Schedule, Timetable, in_levels, in_time
 
 #: The smaller, the sooner a ready task is taken.
 Preference = Callable[[TaskId], tuple[int, ...]]
-
-#: Judged at the moment of choice: the task, and the tasks that are done or chosen by then.
-Moment = Callable[[TaskId, Collection[TaskId]], tuple[int, ...]]
 
 
 def thesis_order(graph: TaskGraph) -> Preference:
@@ -33,19 +31,6 @@ def critical_path_order(graph: TaskGraph) -> Preference:
     """The longest remaining chain first, then most immediate successors; among equals the thesis's order."""
     remaining, later, otherwise = graph.remaining(), graph.before(), thesis_order(graph)
     return lambda task: (-remaining[task], -len(later[task]), *otherwise(task))
-
-
-def dynamic_order(graph: TaskGraph) -> Moment:
-    """The longest remaining chain first, then most successors that nothing else holds up any more."""
-    remaining, later, otherwise = graph.remaining(), graph.before(), thesis_order(graph)
-
-    def judged(task: TaskId, done: Collection[TaskId]) -> tuple[int, ...]:
-        freed = sum(
-            all(other == task or other in done for other in graph.after[follower]) for follower in later[task]
-        )
-        return (-remaining[task], -freed, -len(later[task]), *otherwise(task))
-
-    return judged
 
 
 def list_schedule(graph: TaskGraph, processors: int, preference: Preference | None = None) -> Schedule:
@@ -61,17 +46,19 @@ def list_schedule(graph: TaskGraph, processors: int, preference: Preference | No
 
 
 def dynamic_schedule(graph: TaskGraph, processors: int) -> Schedule:
-    """As :func:`list_schedule`, by :func:`dynamic_order`: judged anew after every task that is taken."""
-    judged = dynamic_order(graph)
+    """As :func:`list_schedule`, the longest remaining chain first, then most successors that nothing else
+    holds up any more: judged anew after every task that is taken."""
+    remaining, later, otherwise = graph.remaining(), graph.before(), thesis_order(graph)
+
+    def judged(task: TaskId, done: set[TaskId]) -> tuple[int, ...]:
+        freed = sum(graph.after[follower] - done == {task} for follower in later[task])
+        return (-remaining[task], -freed, -len(later[task]), *otherwise(task))
 
     def chosen(ready: list[TaskId], done: set[TaskId]) -> list[TaskId]:
         taken: list[TaskId] = []
-        known, left = set(done), list(ready)
-        while left and len(taken) < processors:
-            best = min(left, key=lambda task: judged(task, known))
-            left.remove(best)
-            taken.append(best)
-            known.add(best)
+        while len(taken) < min(processors, len(ready)):
+            judge = partial(judged, done=done.union(taken))
+            taken.append(min(set(ready).difference(taken), key=judge))
         return taken
 
     return _in_levels(graph, processors, chosen)
@@ -137,6 +124,17 @@ def list_times(
                 placements = [done[needed] for needed in graph.after[follower]]
                 arrival[follower] = _arrival(machine.communication, placements)
     return in_time(machine, done.values())
+
+
+def planned(
+    graph: TaskGraph, machine: Machine, preference: Preference, *, dynamic: bool = False
+) -> Timetable:
+    """The list schedule on ``machine``, by ``preference``; if ``dynamic``, judged anew at every choice."""
+    if not machine.synchronised:
+        return list_times(graph, machine, preference, levels_count=dynamic)
+    if dynamic:
+        return in_levels(graph, machine, dynamic_schedule(graph, machine.processors))
+    return in_levels(graph, machine, list_schedule(graph, machine.processors, preference))
 
 
 class _Arrival(NamedTuple):

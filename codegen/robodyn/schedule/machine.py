@@ -9,7 +9,7 @@ a value that another processor has made comes ``communication`` later. Sending o
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -144,11 +144,3 @@ def in_time(machine: Machine, placements: Iterable[Placement]) -> Timetable:
         for k in range(bisect_left(times, one.start), bisect_left(times, one.finish)):
             rows[k][one.processor] = one.task
     return Timetable(machine, ordered, span, tuple(map(tuple, rows)), tuple(times))
-
-
-def settled(levels: Mapping[TaskId, int], order: Callable[[TaskId], tuple[int, ...]], p: int) -> Schedule:
-    """The schedule that does each task in its level (from 0), processors filled by ``order``."""
-    slots: list[list[TaskId]] = [[] for _ in range(max(levels.values(), default=-1) + 1)]
-    for task in sorted(levels, key=order):
-        slots[levels[task]].append(task)
-    return Schedule(p, tuple(map(tuple, slots)))

@@ -6,24 +6,17 @@ Every timetable is judged by :mod:`robodyn.schedule.validate` before it is hande
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final, Literal, get_args
 
 from robodyn.errors import InputError
 from robodyn.schedule.bounds import lower_bound
-from robodyn.schedule.branch_and_bound import a_star, df_ihs, one_processor_a_joint
+from robodyn.schedule.branch_and_bound import one_processor_a_joint
 from robodyn.schedule.graph import TaskGraph
-from robodyn.schedule.heuristics import (
-    critical_path_order,
-    dynamic_schedule,
-    list_schedule,
-    list_times,
-    thesis_order,
-)
+from robodyn.schedule.heuristics import critical_path_order, planned, thesis_order
 from robodyn.schedule.machine import Machine, Timetable, in_levels
 from robodyn.schedule.optimum import optimum, placed
-from robodyn.schedule.tree import MOST_NODES, Limits, Searched, Tree
+from robodyn.schedule.tree import MOST_NODES, Limits, Searched, Tree, searched
 from robodyn.schedule.validate import faults_of_times
 
 Method = Literal["thesis", "critical-path", "dhlf", "df-ihs", "a-star", "branch-and-bound", "optimal"]
@@ -41,7 +34,6 @@ TITLES: Final[dict[Method, str]] = {
 
 #: Methods that search, and stop after some time.
 SEARCHES: Final[tuple[Method, ...]] = ("df-ihs", "a-star", "branch-and-bound", "optimal")
-_TREE_SEARCHES: Final[dict[Method, Callable[..., Searched]]] = {"df-ihs": df_ihs, "a-star": a_star}
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,25 +92,19 @@ def solve(
     """
     if method not in METHODS:
         raise InputError(f"unknown method {method!r}", expected=f"one of {', '.join(METHODS)}")
-    bound, own = _bound(graph, machine), None
-    search: Searched | None = None
+    bound, own, search = _bound(graph, machine), None, None
     if method == "optimal":
         result = optimum(graph, machine, seconds=seconds, seed=seed)
         timetable = result.timetable
         bound = max(bound, _with_meetings(result.lower_bound, machine))
-    elif method in _TREE_SEARCHES:
+    elif method in ("df-ihs", "a-star"):
         timetable, search = _searched(graph, machine, method, seconds, nodes)
         bound = max(bound, _with_meetings(search.lower_bound, machine))
     elif method == "branch-and-bound":
         timetable, own = _a_joint(graph, machine, seconds)
-    elif not machine.synchronised:
-        order = thesis_order(graph) if method == "thesis" else critical_path_order(graph)
-        timetable = list_times(graph, machine, order, levels_count=method == "dhlf")
-    elif method == "dhlf":
-        timetable = in_levels(graph, machine, dynamic_schedule(graph, machine.processors))
     else:
         order = thesis_order(graph) if method == "thesis" else critical_path_order(graph)
-        timetable = in_levels(graph, machine, list_schedule(graph, machine.processors, order))
+        timetable = planned(graph, machine, order, dynamic=method == "dhlf")
     check(graph, timetable)
     return Solved(graph, method, timetable, bound, own, search)
 
@@ -136,20 +122,15 @@ def _searched(
             found=f"{machine.communication}",
             remedy="leave out --communication or --no-levels, or take another method",
         )
-    order = critical_path_order(graph)
-    p = machine.processors
-    free = Machine(p, synchronised=machine.synchronised)
-    if machine.synchronised:
-        lists = [in_levels(graph, free, list_schedule(graph, p, order))]
-        if method == "a-star":
-            lists.append(in_levels(graph, free, dynamic_schedule(graph, p)))
-    else:
-        dynamic = (False, True) if method == "a-star" else (False,)
-        lists = [list_times(graph, free, order, levels_count=one) for one in dynamic]
-    first = min(lists, key=lambda plan: plan.span)
+    best_first = method == "a-star"
+    free = Machine(machine.processors, synchronised=machine.synchronised)
+    ways = (False, True) if best_first else (False,)
+    plans = [planned(graph, free, critical_path_order(graph), dynamic=dynamic) for dynamic in ways]
+    first = min(plans, key=lambda plan: plan.span)
     known = {one.task: one.start for one in first.placements}
     limits = Limits(nodes, time.monotonic() + seconds)
-    solution = _TREE_SEARCHES[method](Tree(graph, p), known, first.span, limits)
+    tree = Tree(graph, machine.processors)
+    solution = searched(tree, known, first.span, limits, best_first=best_first)
     return placed(graph, machine, dict(solution.starts), None), solution
 
 

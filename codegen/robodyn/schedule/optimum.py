@@ -14,8 +14,8 @@ from typing import Any
 from robodyn.errors import InputError
 from robodyn.schedule.bounds import fewest_processors, lower_bound
 from robodyn.schedule.graph import TaskGraph, TaskId
-from robodyn.schedule.heuristics import critical_path_order, dynamic_schedule, list_schedule, list_times
-from robodyn.schedule.machine import Machine, Placement, Timetable, in_levels, in_time, settled
+from robodyn.schedule.heuristics import critical_path_order, planned, thesis_order
+from robodyn.schedule.machine import Machine, Placement, Schedule, Timetable, in_levels, in_time
 from robodyn.tools.libraries import ORTOOLS
 
 
@@ -46,19 +46,9 @@ def solver() -> Any:
     return cp_model
 
 
-def optimum(
-    graph: TaskGraph,
-    machine: Machine,
-    *,
-    seconds: float = 60.0,
-    seed: int = 0,
-    workers: int = 1,
-    stop_at: int | None = None,
-) -> Optimum:
-    """The shortest schedule of ``graph`` on ``machine``, or the best found within ``seconds``.
-
-    With one worker and enough time, the same schedule at any time; with more, whichever comes first.
-    ``stop_at``: a length with which to be content.
+def optimum(graph: TaskGraph, machine: Machine, *, seconds: float = 60.0, seed: int = 0) -> Optimum:
+    """The shortest schedule of ``graph`` on ``machine``, or the best found within ``seconds``; with
+    enough time always the same one.
 
     Raises
     ------
@@ -70,40 +60,17 @@ def optimum(
             "the optimum in levels is for tasks of equal length",
             remedy="add --no-levels, or leave out --cost and --communication",
         )
-    best, bound = _known(graph, machine)
-    target = max(bound, stop_at or 0)
-    if best.levels <= target:
-        return Optimum(best, bound, best.levels == bound)
-    return _solved(graph, machine, best, bound, target, seconds, seed, workers)
-
-
-def _known(graph: TaskGraph, machine: Machine) -> tuple[Timetable, int]:
-    """The best of the heuristics, and the bound."""
-    p = machine.processors
-    order = critical_path_order(graph)
-    if machine.synchronised:
-        plans = [list_schedule(graph, p, order), list_schedule(graph, p), dynamic_schedule(graph, p)]
-        best = in_levels(graph, machine, min(plans, key=lambda plan: plan.levels))
-    else:
-        lists = [list_times(graph, machine, order, levels_count=dynamic) for dynamic in (False, True)]
-        best = min(lists, key=lambda plan: plan.span)
-    return best, lower_bound(graph, p)
-
-
-def _solved(
-    graph: TaskGraph,
-    machine: Machine,
-    best: Timetable,
-    bound: int,
-    target: int,
-    seconds: float,
-    seed: int,
-    workers: int,
-) -> Optimum:
+    best, bound = _best_list(graph, machine), lower_bound(graph, machine.processors)
+    if best.levels <= bound:
+        return Optimum(best, bound, True)
     cp = solver()
     model = cp.CpModel()
     horizon = best.levels if machine.synchronised else best.span
-    starts = _tasks(model, graph, horizon)
+    early, late = graph.earliest(), graph.remaining()
+    starts = {
+        task: model.new_int_var(early[task] - graph.length(task), horizon - late[task], f"t{task}")
+        for task in graph.tasks
+    }
     places = None
     if not machine.synchronised and machine.communication:
         places = _processors(model, graph, machine, starts)
@@ -113,7 +80,7 @@ def _solved(
         for task, needed in graph.after.items():
             for other in needed:
                 model.add(starts[task] >= starts[other] + graph.length(other))
-    span = model.new_int_var(target, horizon, "span")
+    span = model.new_int_var(bound, horizon, "span")
     for task in graph.tasks:
         model.add(span >= starts[task] + graph.length(task))
     model.minimize(span)
@@ -125,30 +92,28 @@ def _solved(
     run = cp.CpSolver()
     run.parameters.max_time_in_seconds = max(seconds, 0.01)
     run.parameters.random_seed = seed
-    run.parameters.num_workers = workers
+    run.parameters.num_workers = 1
     status = run.solve(model)
-    proven = status == cp.OPTIMAL
-    solution = best
     if status in (cp.OPTIMAL, cp.FEASIBLE) and run.objective_value < horizon:
         when = {task: int(run.value(start)) for task, start in starts.items()}
         where = None
         if places is not None:
             where = {t: next(k for k, x in enumerate(row) if run.value(x)) for t, row in places.items()}
-        solution = placed(graph, machine, when, where)
-    known = max(bound, -int(-run.best_objective_bound // 1)) if status != cp.UNKNOWN else bound
-    # A length with which to be content is no bound.
-    known = min(known, solution.levels) if target == bound or not proven else bound
-    return Optimum(
-        solution, solution.levels if proven and target == bound else known, proven and target == bound
-    )
+        best = placed(graph, machine, when, where)
+    if status == cp.OPTIMAL:
+        return Optimum(best, best.levels, True)
+    if status != cp.UNKNOWN:
+        bound = max(bound, -int(-run.best_objective_bound // 1))
+    return Optimum(best, min(bound, best.levels), False)
 
 
-def _tasks(model: Any, graph: TaskGraph, horizon: int) -> dict[TaskId, Any]:
-    early, late = graph.earliest(), graph.remaining()
-    return {
-        task: model.new_int_var(early[task] - graph.length(task), horizon - late[task], f"t{task}")
-        for task in graph.tasks
-    }
+def _best_list(graph: TaskGraph, machine: Machine) -> Timetable:
+    """The shortest of the list schedules."""
+    orders = [(critical_path_order, False), (critical_path_order, True)]
+    if machine.synchronised:
+        orders.insert(1, (thesis_order, False))
+    plans = [planned(graph, machine, order(graph), dynamic=dynamic) for order, dynamic in orders]
+    return min(plans, key=lambda plan: plan.span)
 
 
 def _processors(
@@ -180,22 +145,18 @@ def placed(
     """The timetable in which every task begins when ``when`` says (in levels: its level, from 0), on the
     processor that ``where`` says or on any that is free."""
     if machine.synchronised:
-        return in_levels(graph, machine, settled(when, critical_path_order(graph), machine.processors))
+        slots: list[list[TaskId]] = [[] for _ in range(max(when.values(), default=-1) + 1)]
+        for task in sorted(when, key=critical_path_order(graph)):
+            slots[when[task]].append(task)
+        return in_levels(graph, machine, Schedule(machine.processors, tuple(map(tuple, slots))))
     if where is None:
-        where = _interval_processors(graph, machine.processors, when)
+        free, where = [0] * machine.processors, {}
+        for task in sorted(when, key=lambda task: (when[task], task)):  # whichever is free
+            where[task] = next(k for k, end in enumerate(free) if end <= when[task])
+            free[where[task]] = when[task] + graph.length(task)
     return in_time(
         machine, [Placement(t, where[t], start, start + graph.length(t)) for t, start in when.items()]
     )
-
-
-def _interval_processors(graph: TaskGraph, p: int, when: dict[TaskId, int]) -> dict[TaskId, int]:
-    """Processors for tasks of which never more than ``p`` run at a time: whichever is free."""
-    free = [0] * p
-    where: dict[TaskId, int] = {}
-    for task in sorted(when, key=lambda task: (when[task], task)):
-        where[task] = next(k for k in range(p) if free[k] <= when[task])
-        free[where[task]] = when[task] + graph.length(task)
-    return where
 
 
 @dataclass(frozen=True, slots=True)
@@ -229,20 +190,12 @@ def fewest_for_critical_path(
             "the fewest processors are found for tasks of equal length", remedy="leave out --cost"
         )
     span = graph.critical_path
-    least = fewest_processors(graph, span)
-    most, best = least, None
-    while best is None:
-        machine = Machine(most)
-        plan, _ = _known(graph, machine)
-        if plan.levels == span:
-            best = plan
-        else:
-            most += 1
-    at_least = least
-    for p in range(least, most):
+    at_least = most = fewest_processors(graph, span)
+    while (best := _best_list(graph, Machine(most))).levels > span:
+        most += 1
+    for p in range(at_least, most):
         tell(f"{p} processors")
-        machine = Machine(p)
-        result = optimum(graph, machine, seconds=seconds)
+        result = optimum(graph, Machine(p), seconds=seconds)
         if result.timetable.levels == span:
             return Fewest(span, at_least, p, result.timetable)
         if at_least == p and result.lower_bound > span:

@@ -34,76 +34,59 @@ class Task:
     after: tuple[tuple[Place, int], ...]
 
 
-def _before(*numbers: int) -> tuple[tuple[Place, int], ...]:
-    return tuple((-1, task_number) for task_number in numbers)
-
-
-def _own(*numbers: int) -> tuple[tuple[Place, int], ...]:
-    return tuple((0, task_number) for task_number in numbers)
-
-
-def _beyond(*numbers: int) -> tuple[tuple[Place, int], ...]:
-    return tuple((1, task_number) for task_number in numbers)
-
-
-def _forward(
-    task_number: int, step: str, layer: int, does: str, after: tuple[tuple[Place, int], ...]
-) -> Task:
-    return Task(task_number, step, True, layer, does, after)
-
-
-def _backward(
-    task_number: int, step: str, layer: int, does: str, after: tuple[tuple[Place, int], ...]
-) -> Task:
-    return Task(task_number, step, False, layer, does, after)
-
-
+#: Step, layer, words, and the tasks that are waited for, by their place.
+_Row = tuple[str, int, str, dict[Place, tuple[int, ...]]]
 _LAMBDA = (9, 10, 11)
 _MOMENT = (27, 28, 29, *range(33, 41))
 
-TASKS: Final[tuple[Task, ...]] = (
-    _forward(1, "1", 1, "w' = R^T w of the link before, x", _before(1, 2, 3)),
-    _forward(2, "1", 1, "w', y", _before(1, 2, 3)),
-    _forward(3, "1, 2", 2, "w_z = w'_z + qd; c = (qd w_y, -qd w_x, qdd)", _own(1, 2)),
-    _forward(4, "2", 2, "alpha' = R^T alpha of the link before, x", _before(6)),
-    _forward(5, "2", 2, "alpha', y", _before(6)),
-    _forward(6, "2", 3, "alpha = alpha' + c", _own(3, 4, 5)),
-    _forward(7, "2A", 3, "k = (w_y w_z, w_z w_x, w_x w_y)", _own(1, 2, 3)),
-    _forward(8, "2A", 3, "w_x^2, w_y^2, w_z^2", _own(1, 2, 3)),
-    _forward(9, "2A", 4, "lambda_11, lambda_22, lambda_33 = -(sums of two squares)", _own(8)),
-    _forward(10, "2A", 4, "lambda_21, lambda_13, lambda_32 = k + alpha, z, y, x", _own(6, 7)),
-    _forward(11, "2A", 4, "lambda_12, lambda_31, lambda_23 = k - alpha, z, y, x", _own(6, 7)),
-    _forward(12, "3", 3, "products of lambda p of the link before, x", _before(*_LAMBDA)),
-    _forward(13, "3", 3, "products of lambda p of the link before, y", _before(*_LAMBDA)),
-    _forward(14, "3", 3, "products of lambda p of the link before, z", _before(*_LAMBDA)),
-    _forward(15, "3", 4, "a'' = a of the link before + its lambda p, x", _before(18, 19) + _own(12, 13, 14)),
-    _forward(16, "3", 4, "a'', y", _before(18, 19) + _own(12, 13, 14)),
-    _forward(17, "3", 4, "a'', z", _before(18, 19) + _own(12, 13, 14)),
-    _forward(18, "3", 5, "a = R^T a'', x", _own(15, 16, 17)),
-    _forward(19, "3", 5, "a, y", _own(15, 16, 17)),
-    _forward(20, "4", 5, "products of lambda s, x", _own(*_LAMBDA)),
-    _forward(21, "4", 5, "products of lambda s, y", _own(*_LAMBDA)),
-    _forward(22, "4", 5, "products of lambda s, z", _own(*_LAMBDA)),
-    _forward(23, "4", 6, "a_c = a + lambda s, x", _own(18, 19, 20, 21, 22)),
-    _forward(24, "4", 6, "a_c, y", _own(18, 19, 20, 21, 22)),
-    _forward(25, "4", 6, "a_c, z", _own(18, 19, 20, 21, 22)),
-    _backward(26, "5", 1, "F = m a_c", _own(23, 24, 25)),
-    _backward(27, "6", 1, "N = I alpha + D k, x", _own(6, 7)),
-    _backward(28, "6", 1, "N, y", _own(6, 7)),
-    _backward(29, "6", 1, "N, z", _own(6, 7)),
-    _backward(30, "7", 1, "f' = R f of the link beyond, one of two components", _beyond(32)),
-    _backward(31, "7", 1, "f', the other", _beyond(32)),
-    _backward(32, "7", 2, "f = F + f'", _own(26, 30, 31)),
-    _backward(33, "8", 2, "p x f', x", _own(30, 31)),
-    _backward(34, "8", 2, "p x f', y", _own(30, 31)),
-    _backward(35, "8", 2, "p x f', z", _own(30, 31)),
-    _backward(36, "8", 2, "s x F, x", _own(26)),
-    _backward(37, "8", 2, "s x F, y", _own(26)),
-    _backward(38, "8", 2, "s x F, z", _own(26)),
-    _backward(39, "8", 2, "n' = R n of the link beyond, one of two components", _beyond(41, 42, 43)),
-    _backward(40, "8", 2, "n', the other", _beyond(41, 42, 43)),
-    _backward(41, "8", 3, "n = N + p x f' + s x F + n', x", _own(*_MOMENT)),
-    _backward(42, "8", 3, "n, y", _own(*_MOMENT)),
-    _backward(43, "8", 3, "n, z", _own(*_MOMENT)),
+_ROWS: Final[tuple[_Row, ...]] = (
+    ("1", 1, "w' = R^T w of the link before, x", {-1: (1, 2, 3)}),
+    ("1", 1, "w', y", {-1: (1, 2, 3)}),
+    ("1, 2", 2, "w_z = w'_z + qd; c = (qd w_y, -qd w_x, qdd)", {0: (1, 2)}),
+    ("2", 2, "alpha' = R^T alpha of the link before, x", {-1: (6,)}),
+    ("2", 2, "alpha', y", {-1: (6,)}),
+    ("2", 3, "alpha = alpha' + c", {0: (3, 4, 5)}),
+    ("2A", 3, "k = (w_y w_z, w_z w_x, w_x w_y)", {0: (1, 2, 3)}),
+    ("2A", 3, "w_x^2, w_y^2, w_z^2", {0: (1, 2, 3)}),
+    ("2A", 4, "lambda_11, lambda_22, lambda_33 = -(sums of two squares)", {0: (8,)}),
+    ("2A", 4, "lambda_21, lambda_13, lambda_32 = k + alpha, z, y, x", {0: (6, 7)}),
+    ("2A", 4, "lambda_12, lambda_31, lambda_23 = k - alpha, z, y, x", {0: (6, 7)}),
+    ("3", 3, "products of lambda p of the link before, x", {-1: _LAMBDA}),
+    ("3", 3, "products of lambda p of the link before, y", {-1: _LAMBDA}),
+    ("3", 3, "products of lambda p of the link before, z", {-1: _LAMBDA}),
+    ("3", 4, "a'' = a of the link before + its lambda p, x", {-1: (18, 19), 0: (12, 13, 14)}),
+    ("3", 4, "a'', y", {-1: (18, 19), 0: (12, 13, 14)}),
+    ("3", 4, "a'', z", {-1: (18, 19), 0: (12, 13, 14)}),
+    ("3", 5, "a = R^T a'', x", {0: (15, 16, 17)}),
+    ("3", 5, "a, y", {0: (15, 16, 17)}),
+    ("4", 5, "products of lambda s, x", {0: _LAMBDA}),
+    ("4", 5, "products of lambda s, y", {0: _LAMBDA}),
+    ("4", 5, "products of lambda s, z", {0: _LAMBDA}),
+    ("4", 6, "a_c = a + lambda s, x", {0: (18, 19, 20, 21, 22)}),
+    ("4", 6, "a_c, y", {0: (18, 19, 20, 21, 22)}),
+    ("4", 6, "a_c, z", {0: (18, 19, 20, 21, 22)}),
+    ("5", 1, "F = m a_c", {0: (23, 24, 25)}),
+    ("6", 1, "N = I alpha + D k, x", {0: (6, 7)}),
+    ("6", 1, "N, y", {0: (6, 7)}),
+    ("6", 1, "N, z", {0: (6, 7)}),
+    ("7", 1, "f' = R f of the link beyond, one of two components", {1: (32,)}),
+    ("7", 1, "f', the other", {1: (32,)}),
+    ("7", 2, "f = F + f'", {0: (26, 30, 31)}),
+    ("8", 2, "p x f', x", {0: (30, 31)}),
+    ("8", 2, "p x f', y", {0: (30, 31)}),
+    ("8", 2, "p x f', z", {0: (30, 31)}),
+    ("8", 2, "s x F, x", {0: (26,)}),
+    ("8", 2, "s x F, y", {0: (26,)}),
+    ("8", 2, "s x F, z", {0: (26,)}),
+    ("8", 2, "n' = R n of the link beyond, one of two components", {1: (41, 42, 43)}),
+    ("8", 2, "n', the other", {1: (41, 42, 43)}),
+    ("8", 3, "n = N + p x f' + s x F + n', x", {0: _MOMENT}),
+    ("8", 3, "n, y", {0: _MOMENT}),
+    ("8", 3, "n, z", {0: _MOMENT}),
 )
-"""Table 4.1, ``TASKS[row - 1]``."""
+
+TASKS: Final[tuple[Task, ...]] = tuple(
+    Task(row, step, row <= 25, layer, does, tuple((place, k) for place in after for k in after[place]))
+    for row, (step, layer, does, after) in enumerate(_ROWS, 1)
+)
+"""Table 4.1, ``TASKS[row - 1]``: the forward pass, then from 26 on the backward pass."""

@@ -1,4 +1,4 @@
-"""The tree of schedules that the searches DF/IHS and A* walk through, with what no branch can beat.
+"""The tree of schedules, with what no branch can beat, and the searches DF/IHS and A* that walk through it.
 
 A node is a moment at which a processor is free: what has begun, what still runs, what is ready. A branch
 gives some ready tasks to free processors, the most urgent first (longest remaining chain, then most immediate
@@ -8,10 +8,28 @@ another ends is in the tree, and so is a shortest one. Passing values costs noth
 
 Source of the bound: Hu 1961, and Fernandez and Bussell 1973 for tasks of any length: what has to be done
 ``j`` before the end at the latest needs processors until then.
+
+**DF/IHS**: depth first with implicit heuristic search, which begins where CP/MISF ends. In every node the
+branch that critical path and most immediate successors would take comes first: the first way down is the
+list schedule CP/MISF, whatever comes later can only be shorter. A branch is left where its bound is no
+better than the best schedule, or where the same tasks had begun no later before. Source: Kasahara and Narita
+1984, Practical Multiprocessor Scheduling Algorithms for Efficient Parallel Processing, IEEE Trans. Computers
+C-33; 1985, Parallel Processing of Robot-Arm Control Computation on a Multimicroprocessor System, IEEE J.
+Robotics and Automation 1. Neither was at hand; the bound is that of Fernandez and Bussell which they are
+known to use.
+
+**A***: of all schedules begun, the one that promises the shortest end is continued. What it promises is a
+bound that no way through it can beat, so that the first schedule which is complete is a shortest one, and
+where a limit ends the search, the least promise that is open bounds all schedules. Among equal promises the
+one that has got furthest goes first. A node hands over its branches a few at a time, most urgent first, and
+waits with its own promise meanwhile: there may be thousands. Source: Chen, Lee and Hou 1988, Efficient
+Scheduling Algorithms for Robot Inverse Dynamics Computation on a Multiprocessor System, IEEE Trans. SMC
+18(5), who search by an improved A*. The paper was not at hand: promise, order and memory are ours.
 """
 
 from __future__ import annotations
 
+import heapq
 import itertools
 import time
 from bisect import insort
@@ -175,3 +193,46 @@ class Tree:
             starts.update((self.tasks[i], node.before.time) for i in node.taken)
             node = node.before
         return starts
+
+
+#: Branches that a node of A* hands over at a time.
+_AT_A_TIME: Final = 8
+
+
+def searched(
+    tree: Tree, known: Mapping[TaskId, int], span: int, limits: Limits, *, best_first: bool
+) -> Searched:
+    """The best schedule within ``limits``, by A* if ``best_first`` and else by DF/IHS; not longer than
+    the one that is ``known`` (starts of tasks, and its ``span``), for DF/IHS that of CP/MISF."""
+    best, starts = span, known
+    root, bound_of_all = tree.root(), tree.bound_of_all
+    seen: dict[object, int] = {}
+    ages = itertools.count()
+    #: Promise, order among equal ones, age, node, and its branches that are left.
+    waiting: list[tuple[int, int, int, Node, Iterator[Node]]] = []
+    if root.ready:
+        waiting.append((bound_of_all, 0, next(ages), root, tree.branches(root)))
+    at_a_time = _AT_A_TIME if best_first else 1
+    nodes, ended = 0, None
+    while waiting and waiting[0][0] < best and ended is None:
+        promise, order, age, node, branches = heapq.heappop(waiting)
+        some = list(itertools.islice(branches, at_a_time))
+        if len(some) == at_a_time:
+            heapq.heappush(waiting, (promise, order, age, node, branches))
+        for child in some:
+            nodes += 1
+            ended = ended or limits.reached(nodes)
+            if tree.complete(child):
+                if child.time < best:
+                    best, starts = child.time, tree.starts(child)
+                continue
+            state, bound = tree.same(child), max(promise, tree.bound(child))
+            if bound >= best or seen.get(state, best) <= child.time:
+                continue
+            seen[state], age = child.time, next(ages)
+            # DF/IHS goes down from the youngest node, A* from that of the least promise which got furthest.
+            rank = (bound, -child.begun.bit_count()) if best_first else (bound_of_all, -age)
+            heapq.heappush(waiting, (*rank, age, child, tree.branches(child)))
+    least = min(waiting[0][0], best) if waiting else best
+    proven: Ended = "proven"
+    return Searched(starts, best, least, nodes, proven if least == best else ended or proven)
