@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from ir.programs import programs
 from robodyn import InputError
 from robodyn.ir.program import Program
-from robodyn.kernels.generate import Options, program
+from robodyn.kernels.generate import program
 from robodyn.robot import load
 from robodyn.schedule import Machine, solve
 from robodyn.schedule.cutting import COSTS, Cut, cut, parse_costs
@@ -50,7 +50,7 @@ def test_any_program_in_tasks_of_any_size(made: Program, k: int) -> None:
     assert_sound(cut(made, k), k)
 
 
-@pytest.mark.parametrize("k", [1, 2, 3, 5, 12])
+@pytest.mark.parametrize("k", [1, 3, 12])
 def test_the_pumas_kernel(k: int) -> None:
     found = cut(puma(), k)
     assert_sound(found, k)
@@ -70,13 +70,6 @@ def test_the_pumas_kernel_in_single_operations_needs_ten_processors_for_its_crit
     assert solve(graph, Machine(9)).timetable.levels > 28 == solve(graph, Machine(10)).timetable.levels
 
 
-def test_longer_tasks_are_fewer_and_their_chain_is_shorter() -> None:
-    graphs = [cut(puma(), k).graph for k in (1, 3, 6)]
-    assert [len(graph) for graph in graphs] == sorted((len(graph) for graph in graphs), reverse=True)
-    paths = [graph.critical_path for graph in graphs]
-    assert paths == sorted(paths, reverse=True)
-
-
 def test_costs_of_operations_are_lengths() -> None:
     costs = parse_costs("mul=3, add=2,sincos=40")
     assert (costs["mul"], costs["add"], costs["sin"], costs["cos"], costs["sub"]) == (3, 2, 40, 40, 1)
@@ -87,20 +80,10 @@ def test_costs_of_operations_are_lengths() -> None:
     assert max(found.graph.lengths.values()) == 40
 
 
-def test_other_functions_and_effects() -> None:
-    robot = load("puma560", warn=lambda _: None)
-    for function in ("gravity", "bias", "mass_matrix", "forward_dynamics"):
-        made = program(robot, function, Options(functions=(function,), optimize="fast"))
-        assert_sound(cut(made, 3), 3)
-
-
-@pytest.mark.parametrize("text", ["", "mul", "mul=x", "mul=-1", "times=2", "mul=1;add=2", "mul=1.5", "mul="])
-def test_costs_that_cannot_be_read(text: str) -> None:
-    with pytest.raises(InputError, match="costs of operations"):
-        parse_costs(text)
-
-
-def test_a_task_without_operations() -> None:
+def test_what_is_refused() -> None:
+    for text in ("", "mul", "mul=x", "mul=-1", "times=2", "mul=1;add=2", "mul=1.5", "mul="):
+        with pytest.raises(InputError, match="costs of operations"):
+            parse_costs(text)
     for k in (0, -3, 10**9):
         with pytest.raises(InputError, match="a task has operations"):
             cut(puma(), k)

@@ -17,7 +17,7 @@ from robodyn.counts.general import Tally
 from robodyn.effects import thesis_friction as thesis
 from robodyn.report.schedule_sources import links_source, robot_source
 from robodyn.robot.model import EffectEntry
-from robodyn.schedule import TASKS, Machine, faults_of_levels, general_graph, robot_graph, solve
+from robodyn.schedule import TASKS, Machine, general_graph, robot_graph, solve
 from robodyn.schedule import friction_tasks as module
 from robodyn.schedule.friction_tasks import (
     Bearing,
@@ -32,6 +32,7 @@ from robodyn.schedule.friction_tasks import (
 from robodyn.schedule.tasks import FLOPS_PER_TASK
 from robodyn.thesis.case_arm import robots
 from robodyn.thesis.tables import make
+from robodyn_testing import representative
 
 BEARINGS: tuple[Bearing, ...] = ("journal", "linear", "thrust", "radial", "torque")
 EFFICIENCIES: tuple[Efficiency, ...] = ("constant", "linear", "cubic")
@@ -87,14 +88,9 @@ def site(friction: Friction, seed: int) -> tuple[Site, float]:
 
 
 @pytest.mark.parametrize("friction", KINDS, ids=name)
-def test_the_tasks_compute_the_thesiss_equations(friction: Friction) -> None:
-    for seed in range(20):
-        at, wanted = site(friction, seed)
-        assert run_friction(friction, at) == pytest.approx(wanted, rel=1e-12)
-
-
-@pytest.mark.parametrize("friction", KINDS, ids=name)
-def test_every_order_that_the_graph_allows_will_do(friction: Friction) -> None:
+def test_the_tasks_compute_the_equations_in_every_order_that_the_graph_allows(
+    friction: Friction,
+) -> None:
     """A task that read what it does not wait for would fail, or give something else."""
     numbers = {task.row for task in friction_tasks(friction)}
     needs = {
@@ -111,12 +107,6 @@ def test_every_order_that_the_graph_allows_will_do(friction: Friction) -> None:
             sorter.done(order[-1])
         at, wanted = site(friction, seed)
         assert run_friction(friction, at, tuple(order)) == pytest.approx(wanted, rel=1e-12)
-
-
-def test_a_task_that_goes_before_what_it_reads_fails() -> None:
-    friction = Friction("journal")
-    with pytest.raises(KeyError):
-        run_friction(friction, site(friction, 1)[0], (45, 44, 46, 47, 48, 49))
 
 
 @pytest.mark.parametrize("friction", KINDS, ids=name)
@@ -155,7 +145,7 @@ def test_a_joint_with_both_has_eight_tasks_as_24_operations_fill() -> None:
     ]  # fmt: skip
 
 
-@pytest.mark.parametrize("n", [2, 3, 6, 9])
+@pytest.mark.parametrize("n", [2, 6])
 def test_friction_adds_its_tasks_and_a_few_levels_whatever_the_number_of_joints(n: int) -> None:
     plain = general_graph(n)
     for friction, tasks, levels in (
@@ -173,7 +163,7 @@ def test_friction_adds_its_tasks_and_a_few_levels_whatever_the_number_of_joints(
             assert all(other % 100 <= 43 for other in graph.after[task])
 
 
-@pytest.mark.parametrize("p", range(2, 14))
+@pytest.mark.parametrize("p", representative(range(2, 14), 2, 5, 13, rest="slow"))
 def test_the_case_studys_arm_with_and_without_friction(p: int) -> None:
     arms = robots(0.0, 0.2)
     figures = {"rigid": (72, 15), "with_bearings": (91, 18), "complete": (103, 21)}
@@ -183,7 +173,6 @@ def test_the_case_studys_arm_with_and_without_friction(p: int) -> None:
         assert (len(graph), graph.critical_path) == (tasks, chain)
         solved = solve(graph, Machine(p), "df-ihs", seconds=1e9, nodes=20_000)
         assert solved.optimal
-        assert faults_of_levels(graph.after, p, solved.timetable.slots) == []
         known = levels[which]
         assert solved.timetable.levels == (known[p - 2] if p - 2 < len(known) else chain)
 

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import pytest
 
+from dynamics.direct import with_named_numbers
 from robodyn import InputError
 from robodyn.robot import Robot, load
 from robodyn.schedule import TASKS, Sparsity, TaskGraph, arm_graph, general_graph, robot_graph, sparsity
 from robodyn.schedule.elimination import eliminated, left_out, sparse_tasks
-from robodyn.schedule.graph import link_and_number, task_id
+from robodyn.schedule.graph import task_id
 from robodyn.thesis.printed_tasks import TABLE_4_4
 
 #: What the rules of Tables 4.2, 4.4 (as printed) and 4.5 leave of the Stanford arm's tasks, transcribed.
@@ -46,7 +47,7 @@ def test_tasks_are_numbered_in_order_and_wait_for_earlier_layers() -> None:
             assert (place == 1) <= (not task.forward)
 
 
-@pytest.mark.parametrize("n", range(2, 13))
+@pytest.mark.parametrize("n", [2, 3, 6, 12])
 def test_43_n_less_27_tasks_and_4_n_and_3_layers(n: int) -> None:
     graph = general_graph(n)
     assert len(graph) == 43 * n - 27
@@ -75,24 +76,11 @@ def test_what_waited_for_a_task_taken_out_waits_for_what_it_waited_for() -> None
     assert arm_graph(2, without={109, 110, 111}, prismatic={1}).after[212] == frozenset()
 
 
-def test_levels_and_tails_meet_on_the_longest_chain() -> None:
-    graph = general_graph(4)
-    levels, tails = graph.levels(), graph.tails()
-    through = {task: levels[task] + tails[task] - 1 for task in graph.tasks}
-    assert max(through.values()) == graph.critical_path == 19
-    assert all(levels[task] > levels[earlier] for task in graph.tasks for earlier in graph.after[task])
-
-
 def test_a_graph_of_nothing() -> None:
     empty = TaskGraph({}, {})
     assert (len(empty), empty.critical_path, empty.width(), empty.layers()) == (0, 0, 0, [])
     with pytest.raises(InputError, match="without joints"):
         arm_graph(0)
-
-
-def test_ids() -> None:
-    assert task_id(12, 7) == 1207
-    assert link_and_number(1207) == (12, 7)
 
 
 # --- the Stanford arm ---------------------------------------------------------------------------------------
@@ -107,6 +95,8 @@ def test_the_stanford_arms_tasks_by_the_printed_rules() -> None:
 
 def test_the_stanford_arms_tasks_by_its_own_zeros() -> None:
     robot = bundled("stanford")
+    named = with_named_numbers(robot, lambda name: name.startswith("com_x"))
+    assert sparsity(named).s[1] == "xz"  # what is known at run time only counts as there
     pattern = sparsity(robot)
     assert pattern == Sparsity(("yz", "z", "z", "yz", "y", "z"), ("y", "y", "", "", "", ""))
     assert pattern.zeros == 26
@@ -116,7 +106,7 @@ def test_the_stanford_arms_tasks_by_its_own_zeros() -> None:
     assert not {316, 317} & set(robot_graph(robot, step_3="own").tasks)
 
 
-@pytest.mark.parametrize("name", ["puma560", "ur10", "panda", "puma560_3dof"])
+@pytest.mark.parametrize("name", ["puma560", "panda"])
 def test_an_arm_has_no_more_tasks_than_the_general_one(name: str) -> None:
     robot = bundled(name)
     graph = robot_graph(robot)
@@ -133,10 +123,3 @@ def test_the_sparsity_rule() -> None:
     assert sparse_tasks(pattern, 2) == {12, 13, 33, 34, 35}
     assert sparse_tasks(pattern, 2, "own") == {12, 13, 14, 15, 16, 17, 33, 34, 35}
     assert eliminated(1) >= {101, 130}
-
-
-def test_run_time_parameters_count_as_there() -> None:
-    from dynamics.direct import with_named_numbers
-
-    robot = with_named_numbers(bundled("stanford"), lambda name: name.startswith("com_x"))
-    assert sparsity(robot).s[1] == "xz"
