@@ -16,7 +16,7 @@ from robodyn_cli.searching import Search
 
 if TYPE_CHECKING:
     from robodyn.ir.signature import Signature
-    from robodyn.report.schedule_sources import Source
+    from robodyn.report.schedules import Source
     from robodyn.robot import Robot
     from robodyn.schedule import Solved, TaskGraph
     from robodyn.schedule.friction_tasks import Friction
@@ -127,7 +127,7 @@ def _schedule(settings: ScheduleOptions) -> None:
 
 def _source(settings: ScheduleOptions) -> tuple[Robot | None, Source, Signature | None]:
     """The task graph to schedule; for a kernel also the robot and the signature."""
-    from robodyn.report.schedule_sources import Source, cut_source, links_source, robot_source
+    from robodyn.report.schedules import Source, cut_source, links_source, robot_source
     from robodyn.schedule.cutting import cut, parse_costs
     from robodyn.schedule.friction_tasks import chosen_friction
 

@@ -14,7 +14,7 @@ from robodyn.draw import style
 from robodyn.logs.log import Log
 from robodyn.report import motion
 from robodyn.report.schedule_pictures import critical_chain, layers_svg
-from robodyn.report.schedule_sources import links_source
+from robodyn.report.schedules import links_source
 from robodyn.robot import load
 from robodyn_testing import require_module
 

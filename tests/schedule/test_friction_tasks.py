@@ -15,7 +15,7 @@ import pytest
 from robodyn import InputError, load
 from robodyn.counts.general import Tally
 from robodyn.effects import thesis_friction as thesis
-from robodyn.report.schedule_sources import links_source, robot_source
+from robodyn.report.schedules import links_source, robot_source
 from robodyn.robot.model import EffectEntry
 from robodyn.schedule import TASKS, Machine, general_graph, robot_graph, solve
 from robodyn.schedule import friction_tasks as module

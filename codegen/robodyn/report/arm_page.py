@@ -15,6 +15,7 @@ from markupsafe import Markup, escape
 
 from robodyn.draw.markup import json_text, markup_template, policy, script_text
 from robodyn.draw.mathml import of_latex
+from robodyn.emit.languages import language_of_browsers
 from robodyn.emit.render import environment
 from robodyn.report.arm_data import Arm
 from robodyn.report.chart_frames import Chart, Frame, Mark, span
@@ -34,7 +35,6 @@ _MOST_TASKS, _MOST_CODE = 600, 400_000
 
 def page(arms: Sequence[Arm], comparison: dict[str, Any] | None = None) -> str:
     """The HTML of an arm, or of two beside each other with their ``comparison``."""
-    live = json_text([{key: arm.data[key] for key in _LIVE} for arm in arms])
     scripts = [_kernel_script(arm) for arm in arms]
     scripts.append(script_text("".join(environment().get_template(name).render() for name in _MODULES)))
     return markup_template("arm.html.j2").render(
@@ -43,23 +43,21 @@ def page(arms: Sequence[Arm], comparison: dict[str, Any] | None = None) -> str:
         comparison=comparison,
         rows=_rows(arms),
         dynamics=Markup(of_latex(_DYNAMICS)),
-        live=live,
+        live=json_text([{key: arm.data[key] for key in _LIVE} for arm in arms]),
         scripts=scripts,
         policy=policy(scripts),
         version=arms[0].data["version"],
     )
 
 
-# --- scripts ----------------------------------------------------------------------------------------------
-
-
 def _kernel_script(arm: Arm) -> Markup:
     """The emitted module, and a line that hands its functions on."""
-    functions = ", ".join(f"{name}: {entry['symbol']}" for name, entry in arm.kernel.functions.items())
-    remembers = any(entry["remembers"] for entry in arm.kernel.functions.values())
-    initial = "initial_state" if remembers else "null"
+    (module,) = arm.kernel.files((language_of_browsers().name,)).values()
+    entries = arm.data["kernel"]["functions"]
+    functions = ", ".join(f"{name}: {entry['symbol']}" for name, entry in entries.items())
+    initial = "initial_state" if any(entry["remembers"] for entry in entries.values()) else "null"
     handed = f"(globalThis.robodynKernels ??= []).push({{ {functions}, initial_state: {initial} }});\n"
-    return script_text(f"{arm.kernel.module}\n{handed}")
+    return script_text(f"{module}\n{handed}")
 
 
 # --- what the template is told ----------------------------------------------------------------------------
@@ -67,44 +65,40 @@ def _kernel_script(arm: Arm) -> Markup:
 
 def _shown(arm: Arm) -> dict[str, Any]:
     data = arm.data
+    kinds = [joint["kind"] for joint in data["joints"]]
     return {
         "name": data["robot"],
         "title": data["title"] or data["robot"],
-        "kinds": _kinds(data["joints"]),
+        "kinds": " and ".join(f"{kinds.count(kind)} {kind}" for kind in dict.fromkeys(kinds)),
         "length": formatted(data["reach"]),
         "mass": formatted(sum(link["mass"] for link in data["links"])),
         "hardest": _hardest(data),
-        "doubts": _plausibility(data["links"]),
+        "doubts": _doubts(data["links"]),
         "account": list(account_lines(arm.robot)),
-        "charts": [_chart(data, j) for j in range(min(len(data["joints"]), _MOST_CHARTS))],
+        "charts": [_motion_chart(data, j) for j in range(min(len(kinds), _MOST_CHARTS))],
         "effects": [_effect(effect) for effect in data["effects"]],
         "next_best": next((bar for bar in data["counts"]["bars"] if not bar["ours"]), None),
-        "equations": [_typeset(record) for record in data["equations"]],
         "gantt": Markup(gantt_svg(arm.source, arm.solved)),
         "layers": Markup(layers_svg(arm.source)) if data["schedule"]["tasks"] <= _MOST_TASKS else None,
         "notes": arm.source.notes,
-        "code": _code(arm),
+        "code": {
+            name: (text, highlighted(text) if len(text) <= _MOST_CODE else None)
+            for name, text in arm.generated.files(("c",)).items()
+        },
     }
 
 
 def _rows(arms: Sequence[Arm]) -> list[dict[str, Any]]:
     """A row of controls for each joint; of two arms that of the first where it has one."""
-    most = max(arms, key=lambda arm: arm.robot.n).data["joints"]
     first = arms[0].data["joints"]
-    rows = []
-    for j, joint in enumerate(most):
-        axis = first[j] if j < len(first) else joint
-        rows.append({**axis, "name": "" if axis["name"] == f"link{j + 1}" else axis["name"]})
-    return rows
+    most = max(arms, key=lambda arm: arm.robot.n).data["joints"]
+    rows = [*first, *most[len(first) :]]
+    return [
+        {**row, "name": "" if row["name"] == f"link{j}" else row["name"]} for j, row in enumerate(rows, 1)
+    ]
 
 
-def _kinds(joints: Sequence[dict[str, Any]]) -> str:
-    kinds = [joint["kind"] for joint in joints]
-    parts = [f"{kinds.count(kind)} {kind}" for kind in dict.fromkeys(kinds)]
-    return " and ".join(parts)
-
-
-def _plausibility(links: list[dict[str, Any]]) -> list[dict[str, Any]]:
+def _doubts(links: list[dict[str, Any]]) -> list[dict[str, Any]]:
     """Each doubt once, with the links that it is about."""
     by_text: dict[tuple[str, str], list[str]] = {}
     for link in links:
@@ -123,48 +117,35 @@ def _hardest(data: dict[str, Any]) -> dict[str, Any] | None:
     return {"joint": j + 1, "torque": formatted(peaks[j]), "unit": data["joints"][j]["units"]["torque"]}
 
 
-def _chart(data: dict[str, Any], j: int) -> Chart:
+def _motion_chart(data: dict[str, Any], j: int) -> Chart:
     """The torque of joint ``j`` (from 0) along the motion, and what of it holds the arm."""
     path, unit = data["motion"], data["joints"][j]["units"]["torque"]
-    t = np.array(path["times"])
     total, holding = np.array(path["torque"][j]), np.array(path["gravity"][j])
-    frame = Frame(0.0, path["period"], *span(total, holding, [0.0]))
-    marks = [
-        Mark("mean holding", frame.line(t, holding), "gravity"),
-        Mark("mean total", frame.line(t, total), "torque"),
-    ]
     caption = f"{total.min():.3g} to {total.max():.3g} {unit}".replace("-", "−")
-    return frame.chart(f"Joint {j + 1}", caption, ("t [s]", f"[{unit}]"), marks, most=(5, 3))
+    curves = {"mean holding": holding, "mean total": total}
+    return _chart(f"Joint {j + 1}", caption, ("t [s]", f"[{unit}]"), path["times"], curves, path["period"])
 
 
 def _effect(effect: dict[str, Any]) -> dict[str, Any]:
-    return {
-        **effect,
-        "equation": Markup(of_latex(effect["latex"])),
-        "charts": [_curve(effect, curve) for curve in effect["curves"][:_MOST_CHARTS]],
-    }
+    charts = [_effect_chart(effect["title"], curve) for curve in effect["curves"][:_MOST_CHARTS]]
+    return {**effect, "equation": Markup(of_latex(effect["latex"])), "charts": charts}
 
 
-def _curve(effect: dict[str, Any], curve: dict[str, Any]) -> Chart:
-    x = np.array(curve["x"])
-    ways = [np.array(torque) for torque in curve["torque"]]
-    frame = Frame(float(x[0]), float(x[-1]), *span(*ways, [0.0]))
-    marks = [
-        Mark("mean total" if k == 0 else "mean back total", frame.line(x, y)) for k, y in enumerate(ways)
-    ]
+def _effect_chart(title: str, curve: dict[str, Any]) -> Chart:
+    ways = dict(zip(("mean total", "mean back total"), map(np.array, curve["torque"]), strict=False))
     labels = (f"{curve['over']} [{curve['unit']}]", f"[{curve['torque_unit']}]")
-    peak = max(float(np.abs(y).max()) for y in ways)
+    peak = max(float(np.abs(y).max()) for y in ways.values())
     caption = f"up to {peak:.3g} {curve['torque_unit']}"
-    return frame.chart(f"Joint {curve['joint']}: {effect['title']}", caption, labels, marks, most=(5, 3))
+    return _chart(f"Joint {curve['joint']}: {title}", caption, labels, curve["x"], ways, curve["x"][-1])
 
 
-def _typeset(record: dict[str, Any]) -> dict[str, Any]:
-    """MathML is made by us, of letters, digits and signs."""
-    return {
-        **record,
-        "groups": [{**group, "steps": list(map(Markup, group["steps"]))} for group in record["groups"]],
-        "results": list(map(Markup, record["results"])),
-    }
+def _chart(
+    title: str, caption: str, labels: tuple[str, str], x: list[float], curves: dict[str, Any], end: float
+) -> Chart:
+    """A chart of ``curves`` over ``x`` up to ``end``, by the names of their looks."""
+    frame = Frame(x[0], end, *span(*curves.values(), [0.0]))
+    marks = [Mark(css, frame.line(np.array(x), y)) for css, y in curves.items()]
+    return frame.chart(title, caption, labels, marks, most=(5, 3))
 
 
 # --- the emitted C ----------------------------------------------------------------------------------------
@@ -176,26 +157,13 @@ _TOKEN: Final = re.compile(
 )
 
 
-def _code(arm: Arm) -> list[dict[str, Any]]:
-    return [
-        {
-            "name": name,
-            "lines": text.count("\n"),
-            "size": len(text),
-            "text": highlighted(text) if len(text) <= _MOST_CODE else None,
-        }
-        for name, text in arm.generated.files(("c",)).items()
-    ]
-
-
 def highlighted(text: str) -> Markup:
     """C with its comments, directives, keywords and numbers marked."""
-    parts: list[Markup] = []
-    place = 0
+    parts, place = [], 0
     for match in _TOKEN.finditer(text):
-        parts.append(escape(text[place : match.start()]))
-        kind = (match.lastgroup or "")[0]
-        parts.append(Markup('<i class="{}">{}</i>').format(kind, match[0]))
+        parts += [
+            escape(text[place : match.start()]),
+            Markup('<i class="{}">{}</i>').format((match.lastgroup or "")[0], match[0]),
+        ]
         place = match.end()
-    parts.append(escape(text[place:]))
-    return Markup("").join(parts)
+    return Markup("").join([*parts, escape(text[place:])])

@@ -8,21 +8,20 @@ a task waits for is done by then. One chain of them from the first layer to the 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from itertools import pairwise
-from typing import Any, Final
+from typing import Final
 
 from robodyn.draw import style
 from robodyn.draw.markup import markup_template
 from robodyn.draw.panels import Curve, Panel, figure
-from robodyn.report.schedule_sources import Source
+from robodyn.report.schedules import Source
 from robodyn.schedule import Solved
 from robodyn.schedule.graph import TaskGraph
 from robodyn.thesis.printed_tasks import TIMES_OTHERS, TIMES_STANFORD
 
 #: A unit of time, a row, what is left of the rows and above them, a colour of the key, in px.
 _CELL, _ROW, _LEFT, _TOP, _SWATCH = 34, 26, 50, 92, 70
-_PROCESSORS: Final = "processors"
 #: Pixels of the longest schedule.
 _WIDEST: Final = 13600
 
@@ -35,7 +34,8 @@ def colour_of(link: int) -> str:
 def gantt_svg(source: Source, solved: Solved) -> str:
     """The schedule: a row a processor, a box a task, coloured by link."""
     table, graph = solved.timetable, source.graph
-    scale = min(_CELL, _WIDEST / max(1, table.span))
+    p, end = table.machine.processors, table.span
+    scale = min(_CELL, _WIDEST / max(1, end))
     boxes = [
         {
             "x": f"{scale * one.start:.1f}",
@@ -49,20 +49,22 @@ def gantt_svg(source: Source, solved: Solved) -> str:
         }
         for one in table.placements
     ]
-    p = table.machine.processors
-    every = max(1, -(-table.span // 30))
-    links = sorted({graph.link(task) for task in graph.tasks})
+    by_colour: dict[str, list[str]] = {}
+    for link in sorted({graph.link(task) for task in graph.tasks}):
+        by_colour.setdefault(colour_of(link), []).append(str(link))
     unit = "levels" if table.machine.synchronised else "units of time"
-    key = _key(links)
     title = f"{source.name}: {len(graph)} tasks on {p} processors"
     note = f"{table.levels} {unit}, speed-up {solved.speedup:.3f}, efficiency {100 * solved.efficiency:.2f} %"
     return markup_template("gantt.svg.j2").render(
         style=style,
         width=max(
-            _LEFT + max(round(scale * table.span), _SWATCH * len(key)) + 30, style.head_width(title, note)
+            _LEFT + max(round(scale * end), _SWATCH * len(by_colour)) + 30, style.head_width(title, note)
         ),
         height=_TOP + _ROW * p + 56,
-        key=key,
+        key=[
+            {"x": _SWATCH * k, "fill": fill, "label": _links_text(links)}
+            for k, (fill, links) in enumerate(by_colour.items())
+        ],
         unit=f"time [{unit}]",
         left=_LEFT,
         top=_TOP,
@@ -71,27 +73,15 @@ def gantt_svg(source: Source, solved: Solved) -> str:
         note=note,
         boxes=boxes,
         rows=[{"y": _ROW * k + _ROW / 2, "label": f"P{k + 1}"} for k in range(p)],
-        ticks=[{"x": f"{scale * t:.1f}", "label": str(t)} for t in range(0, table.span + 1, every)],
-        span=f"{scale * table.span:.1f}",
+        ticks=[(f"{scale * t:.1f}", t) for t in range(0, end + 1, max(1, -(-end // 30)))],
+        span=f"{scale * end:.1f}",
         bottom=_ROW * p,
     )
 
 
-def _key(links: Sequence[int]) -> list[dict[str, Any]]:
-    """Colours and the links that have them."""
-    by_colour: dict[str, list[str]] = {}
-    for link in links:
-        by_colour.setdefault(colour_of(link), []).append(str(link))
-    return [
-        {
-            "x": _SWATCH * k,
-            "fill": fill,
-            "label": f"link {some[0]}"
-            if len(some) == 1
-            else f"{some[0]}, {some[1]}" + " ..." * (len(some) > 2),
-        }
-        for k, (fill, some) in enumerate(by_colour.items())
-    ]
+def _links_text(links: Sequence[str]) -> str:
+    """The links that have a colour."""
+    return ", ".join(links[:2]) + " ..." * (len(links) > 2) if len(links) > 1 else f"link {links[0]}"
 
 
 def sweep_svg(source: Source, solutions: Sequence[Solved], others: Sequence[Solved] = ()) -> str:
@@ -101,53 +91,47 @@ def sweep_svg(source: Source, solutions: Sequence[Solved], others: Sequence[Solv
     its tables support. Of a source with friction, ``others`` are the same machines without it.
     """
     p = [one.timetable.machine.processors for one in solutions]
-    if len(p) == 1:
-        p, solutions, others = p * 2, [*solutions] * 2, [*others] * 2
     # The printed levels are those of the printed tasks.
     work = source.graph.work if source.figures is None else source.figures["tasks"]
-    rubbing = source.plain is not None
-    own = "with friction" if rubbing else f"{solutions[0].method}"
-    times: list[Curve] = [Curve(own, p, [one.timetable.span for one in solutions])]
-    speed = [Curve(own, p, [one.speedup for one in solutions])]
-    share = [Curve(own, p, [100 * one.efficiency for one in solutions])]
-    if others:
-        name = "without friction" if rubbing else f"{others[0].method}"
-        times.append(Curve(name, p, [one.timetable.span for one in others]))
-        speed.append(Curve(name, p, [one.speedup for one in others]))
-        share.append(Curve(name, p, [100 * one.efficiency for one in others]))
-    printed = [(k, source.printed[k][0]) for k in sorted(set(p)) if k in source.printed]
-    if len(printed) > 1:
-        at = [k for k, _ in printed]
-        times.append(Curve("printed levels", at, [levels for _, levels in printed], dashed=True))
-        speed.append(Curve("printed levels", at, [work / levels for _, levels in printed], dashed=True))
-        share.append(
-            Curve("printed levels", at, [100 * work / levels / k for k, levels in printed], dashed=True)
-        )
-    speed.append(Curve("ideal", p, [float(k) for k in p], dashed=True))
-    unit = "levels" if solutions[0].timetable.machine.synchronised else "units of time"
-    panels = [
-        Panel("Processing time", _PROCESSORS, f"time [{unit}]", tuple(times)),
-        Panel("Speed-up", _PROCESSORS, "speed-up over one processor", tuple(speed)),
-        Panel("Efficiency", _PROCESSORS, "efficiency [%]", tuple(share)),
+    names = ("with friction", "without friction") if source.plain is not None else ("", "")
+    series = [  # by processors time, speed-up and efficiency in percent
+        (name or some[0].method, p, [(one.timetable.span, one.speedup, 100 * one.efficiency) for one in some])
+        for name, some in zip(names, (solutions, others), strict=True)
+        if some
     ]
+    levels = {k: source.printed[k][0] for k in sorted(set(p)) if k in source.printed}
+    if len(levels) > 1:
+        rows = [(level, work / level, 100 * work / level / k) for k, level in levels.items()]
+        series.append(("printed levels", list(levels), rows))
+    curves = [
+        [
+            Curve(name, at, [row[k] for row in rows], dashed=name == "printed levels")
+            for name, at, rows in series
+        ]
+        for k in range(3)
+    ]
+    curves[1].append(Curve("ideal", p, [float(k) for k in p], dashed=True))
+    unit = "levels" if solutions[0].timetable.machine.synchronised else "units of time"
+    labels = {
+        "Processing time": f"time [{unit}]",
+        "Speed-up": "speed-up over one processor",
+        "Efficiency": "efficiency [%]",
+    }
     if source.figures is not None:
-        panels.append(_of_others())
+        labels["Processing time, Table 4.8"] = "time [ms], as printed"
+        columns = {"Dhanaraj 1990": TIMES_STANFORD, **TIMES_OTHERS}
+        curves.append(
+            [
+                Curve(name, sorted(times), [times[k] for k in sorted(times)], dashed=True)
+                for name, times in columns.items()
+            ]
+        )
+    panels = [
+        Panel(title, "processors", label, tuple(some))
+        for (title, label), some in zip(labels.items(), curves, strict=True)
+    ]
     note = f"{source.name}, {len(source.graph)} tasks; dashed: from the printed tables, or the ideal"
     return figure("Figures 4.11 to 4.13, redrawn", note, panels)
-
-
-def _of_others() -> Panel:
-    """Table 4.8's columns."""
-    columns = {"Dhanaraj 1990": TIMES_STANFORD, **TIMES_OTHERS}
-    return Panel(
-        "Processing time, Table 4.8",
-        _PROCESSORS,
-        "time [ms], as printed",
-        tuple(
-            Curve(name, sorted(times), [times[k] for k in sorted(times)], dashed=True)
-            for name, times in columns.items()
-        ),
-    )
 
 
 #: A box, from one to the next beside it and below it, and what is between layers and between lanes, in px.
@@ -159,28 +143,33 @@ _BESIDE: Final = 4
 
 def layers_svg(source: Source) -> str:
     """The layered graph of ``source``."""
-    graph = source.graph
-    layers = [sorted(layer) for layer in _layers(graph)]
+    graph, level = source.graph, source.graph.levels()
     links = sorted({graph.link(task) for task in graph.tasks})
-    cells = [{link: [t for t in layer if graph.link(t) == link] for link in links} for layer in layers]
-    wide = {link: min(_BESIDE, max(len(cell[link]) for cell in cells)) for link in links}
-    lanes, right = {}, 0
+    layers = [
+        {link: [t for t in sorted(graph.tasks) if (level[t], graph.link(t)) == (k, link)] for link in links}
+        for k in range(1, graph.critical_path + 1)
+    ]
+    lanes, right = [], 0
     for link in links:
-        lanes[link] = right
-        right += wide[link] * _STEP[0] + _LANE
+        wide = min(_BESIDE, max(len(layer[link]) for layer in layers))
+        lanes.append((link, right, wide * _STEP[0]))
+        right += wide * _STEP[0] + _LANE
     rows, bottom = [], 0
     at: dict[int, tuple[float, float]] = {}
-    for k, cell in enumerate(cells, 1):
-        deep = max(-(-len(tasks) // _BESIDE) for tasks in cell.values())
-        rows.append({"y": bottom + (_STEP[1] * (deep - 1) + _BOX[1]) / 2, "label": str(k)})
-        for link, tasks in cell.items():
-            at.update(_places(tasks, lanes[link], wide[link], bottom))
+    for k, layer in enumerate(layers, 1):
+        deep = max(-(-len(tasks) // _BESIDE) for tasks in layer.values())
+        rows.append({"y": bottom + (_STEP[1] * (deep - 1) + _BOX[1]) / 2, "label": k})
+        for link, left, width in lanes:
+            for place, task in enumerate(layer[link]):
+                row, column = divmod(place, _BESIDE)
+                in_row = min(_BESIDE, len(layer[link]) - row * _BESIDE)
+                x = left + (width - in_row * _STEP[0]) / 2 + column * _STEP[0]
+                at[task] = (x, bottom + row * _STEP[1])
         bottom += _STEP[1] * (deep - 1) + _BOX[1] + _LAYER
-    level = graph.levels()
     waits = [(a, b) for b in graph.tasks for a in sorted(graph.after[b]) if level[a] == level[b] - 1]
-    widest = max(map(len, layers), default=0)
     chain = critical_chain(graph)
     steps = set(pairwise(chain))
+    widest = max(sum(map(len, layer.values())) for layer in layers)
     title = f"{source.name}: layered graph"
     note = (
         f"{len(graph)} {source.tasks} in {len(layers)} layers, at most {widest} in one; "
@@ -195,17 +184,16 @@ def layers_svg(source: Source) -> str:
         note=note,
         lanes=[
             {
-                "x": lanes[link] - _LANE / 2, "width": wide[link] * _STEP[0] + _LANE - 6,
+                "x": left - _LANE / 2, "width": width + _LANE - 6,
                 "fill": style.pale(colour_of(link), 0.35), "label": f"link {link}",
-                "middle": lanes[link] + (wide[link] * _STEP[0] - _STEP[0] + _BOX[0]) / 2,
+                "middle": left + (width - _STEP[0] + _BOX[0]) / 2,
             }
-            for link in links
+            for link, left, width in lanes
         ],
-        lines=[_line(at[a], at[b], (a, b) in steps) for a, b in sorted(waits, key=steps.__contains__)],
+        lines=[(*at[a], *at[b], (a, b) in steps) for a, b in sorted(waits, key=steps.__contains__)],
         boxes=[
             {
-                "x": x, "y": y, "fill": colour_of(graph.link(task)), "label": str(task),
-                "thick": task in chain,
+                "x": x, "y": y, "fill": colour_of(graph.link(task)), "label": task, "thick": task in chain,
                 "name": f"task {task}, link {graph.link(task)}, layer {level[task]}"
                 + (f", after {', '.join(map(str, sorted(graph.after[task])))}" if graph.after[task] else ""),
             }
@@ -214,15 +202,6 @@ def layers_svg(source: Source) -> str:
         box={"width": _BOX[0], "height": _BOX[1]},
         rows=rows,
     )  # fmt: skip
-
-
-def _layers(graph: TaskGraph) -> list[list[int]]:
-    """Tasks by the earliest layer that they can be in."""
-    level = graph.levels()
-    layers: list[list[int]] = [[] for _ in range(graph.critical_path)]
-    for task in graph.tasks:
-        layers[level[task] - 1].append(task)
-    return layers
 
 
 def critical_chain(graph: TaskGraph) -> list[int]:
@@ -234,21 +213,3 @@ def critical_chain(graph: TaskGraph) -> list[int]:
         chain.insert(0, min(waits))
         waits = {other for other in graph.after[chain[0]] if level[other] == level[chain[0]] - 1}
     return chain
-
-
-def _places(tasks: Sequence[int], left: float, wide: int, top: float) -> Mapping[int, tuple[float, float]]:
-    """The corner of each box of a cell, rows in the middle of their lane."""
-    places = {}
-    for k, task in enumerate(tasks):
-        row, column = divmod(k, _BESIDE)
-        in_row = min(_BESIDE, len(tasks) - row * _BESIDE)
-        places[task] = (left + (wide - in_row) * _STEP[0] / 2 + column * _STEP[0], top + row * _STEP[1])
-    return places
-
-
-def _line(above: tuple[float, float], below: tuple[float, float], thick: bool) -> dict[str, Any]:
-    """From the bottom of one box to the top of another."""
-    return {
-        "x1": above[0] + _BOX[0] / 2, "y1": above[1] + _BOX[1],
-        "x2": below[0] + _BOX[0] / 2, "y2": below[1], "thick": thick,
-    }  # fmt: skip
