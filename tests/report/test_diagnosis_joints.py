@@ -16,10 +16,9 @@ from report.test_diagnosis_report import Page
 from robodyn.diagnose.result import Gap, Series
 from robodyn.report.chart_frames import HIGH
 from robodyn.report.diagnosis import page
-from robodyn.report.diagnosis_charts import torques
 from robodyn.report.diagnosis_joints import FEW, by_joint, table_of_kinds
+from robodyn.report.diagnosis_residual import best_of, localised, shown_over, torques, travelled
 from robodyn.report.diagnosis_summary import advice
-from robodyn.report.diagnosis_where import best_of, localised, shown_over, travelled
 from robodyn.robot import Robot, load
 
 

@@ -19,7 +19,7 @@ from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Gap
 from robodyn.fleet.result import FleetResult, Unused
 from robodyn.report import diagnosis_summary, fleet_text
 from robodyn.report.diagnosis_headline import LINE, headline, in_a_line, missing_words
-from robodyn.report.diagnosis_where import localised, travelled
+from robodyn.report.diagnosis_residual import localised, travelled
 from robodyn.robot import load, read_text
 
 FILE: Final = Path(__file__).with_name("lines.txt")

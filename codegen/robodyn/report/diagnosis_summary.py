@@ -12,36 +12,19 @@ import numpy as np
 
 from robodyn.diagnose.limits import CLAIM
 from robodyn.diagnose.result import Diagnosis, Estimate, Finding
+from robodyn.report import diagnosis_text as words
 from robodyn.report.diagnosis_findings import next_of
 from robodyn.report.diagnosis_headline import headline, in_a_line
-from robodyn.report.diagnosis_joints import units_at
-from robodyn.report.diagnosis_text import (
-    chosen,
-    claims,
-    experiments,
-    is_touched_only,
-    is_unseen,
-    joints_of,
-    listed,
-    named,
-    place_of,
-    still,
-    times_noise,
-    title_of,
-    touched_at,
-    units_of,
-    with_interval,
-    worst_joint,
-)
-from robodyn.report.diagnosis_where import Localised, Travel
-from robodyn.report.figures import aligned, capital, formatted
+from robodyn.report.diagnosis_residual import Localised, Travel
+from robodyn.report.figures import aligned, capital, formatted, printable
 
+_SWEEP: Final = "Constant speeds from slow to fast, both ways, one joint at a time."
 #: What to record when nothing can be named, by the quantity that shows the residual best.
 _ADVICE: Final = {
     "a short time": "The same motion again. What comes back at the same place belongs to the arm; what "
     "does not is contact, a cable, temperature or the sensor.",
-    "direction": "Constant speeds from slow to fast, both ways, one joint at a time.",
-    "velocity": "Constant speeds from slow to fast, both ways, one joint at a time.",
+    "direction": _SWEEP,
+    "velocity": _SWEEP,
     "position": "A slow sweep of the joint through its whole travel and back, at two speeds.",
     "acceleration": "The same path at full and at half speed: what is of inertia falls to a quarter.",
     "load": "The same motion with a known payload and without.",
@@ -53,6 +36,7 @@ _NO_ADVICE: Final = (
     "belongs to the arm, what does not to its surroundings or its sensors."
 )
 _CLAUSES: Final = {
+    None: "no single quantity shows it",
     "constant": "it is constant",
     "direction": "seen best over the direction of motion",
     "load, each way": "seen best over the load, each direction of motion apart",
@@ -67,133 +51,127 @@ _LOUD: Final = 0.05
 
 def tiles(diagnosis: Diagnosis, validated: bool, places: Sequence[Localised]) -> list[tuple[str, str, str]]:
     """Question, answer, and a remark on it."""
-    summary = [
-        _missing(diagnosis, validated),
-        _where(diagnosis, places),
-        _sure(diagnosis),
-        _better(diagnosis, validated, places),
-    ]
     old, new = diagnosis.operations
-    if old or new:
-        more = f" ({new - old:+d})" if new != old else ""
-        text = f"operations of one call of the inverse dynamics{more}"
-        summary.append(("Cost of the kernel", f"{old} → {new}" if new != old else f"{old}", text))
-    return [*summary, _next(diagnosis)]
+    cost = (f"{old} → {new}", f" ({new - old:+d})") if new != old else (f"{old}", "")
+    text = f"operations of one call of the inverse dynamics{cost[1]}"
+    return [
+        ("What is missing", *_missing(diagnosis, validated)),
+        _where(diagnosis, places),
+        ("How sure", *_sure(diagnosis)),
+        _better(diagnosis, validated, places),
+        *([("Cost of the kernel", cost[0], text)] if old or new else []),
+        ("What to record next", *_next(diagnosis)),
+    ]
 
 
 def main_joint(diagnosis: Diagnosis, places: Sequence[Localised]) -> Localised:
     """The joint that matters most: where nothing explains it, that of the headline."""
-    worst = worst_joint(diagnosis.left) if diagnosis.verdict == "unexplained" else None
+    worst = words.worst_joint(diagnosis.left) if diagnosis.verdict == "unexplained" else None
     return max(places, key=lambda p: p.share) if worst is None else places[worst - 1]
 
 
-def _worst(diagnosis: Diagnosis, validated: bool, places: Sequence[Localised]) -> int:
-    """The joint (from 1) whose gap is told: where most of it was, in units of the noise."""
-    if diagnosis.verdict == "unexplained":
-        return main_joint(diagnosis, places).joint
-    before, _ = chosen(diagnosis, validated)
-    size = times_noise(diagnosis, before, unknown=-1.0)
-    joints = [f.joint - 1 for f in claims(diagnosis) if f.joint is not None] or list(range(diagnosis.robot.n))
-    return max(joints, key=lambda j: float(size[j])) + 1
-
-
-def _missing(diagnosis: Diagnosis, validated: bool) -> tuple[str, str, str]:
+def _missing(diagnosis: Diagnosis, validated: bool) -> tuple[str, str]:
+    lacking = words.claims(diagnosis)
     if diagnosis.verdict == "consistent":
-        return "What is missing", "Nothing", "no effect is worth adding"
-    lacking = claims(diagnosis)
-    if is_touched_only(diagnosis):
-        return "What is missing", "Nothing", "but something outside touched the arm"
+        return "Nothing", "no effect is worth adding"
+    if words.is_touched_only(diagnosis):
+        return "Nothing", "but something outside touched the arm"
     if diagnosis.verdict == "unexplained" or not lacking:
-        return "What is missing", "Something", "that no effect of the catalogue explains"
-    rest = still(diagnosis, validated)
-    more = [f"something at {joints_of(rest, diagnosis.robot.n)} that this does not explain"] if rest else []
+        return "Something", "that no effect of the catalogue explains"
+    noisy = words.joints_above_noise(diagnosis, validated)
+    more = (
+        [f"something at {words.joints_of(noisy, diagnosis.robot.n)} that this does not explain"]
+        if noisy
+        else []
+    )
     counted = Counter(f.effect for f in lacking)
     if len(counted) > _FEW:
-        names = [f"{named(id)} ({count})" if count > 1 else named(id) for id, count in counted.most_common()]
-        several = f"{len(lacking)} effects of {len(counted)} kinds"
-        return "What is missing", several, "; ".join([listed(names), *more])
-    others = [named(id) for id in counted if id != lacking[0].effect]
-    remark = f"and {listed([*others, *more])}" if others or more else "and nothing else"
-    return "What is missing", title_of(lacking[0].effect), remark
+        names = [
+            f"{words.named(id)} ({count})" if count > 1 else words.named(id)
+            for id, count in counted.most_common()
+        ]
+        return f"{len(lacking)} effects of {len(counted)} kinds", "; ".join([words.listed(names), *more])
+    first, *others = counted
+    rest = [*map(words.named, others), *more]
+    return words.title_of(first), f"and {words.listed(rest)}" if rest else "and nothing else"
 
 
 def _where(diagnosis: Diagnosis, places: Sequence[Localised]) -> tuple[str, str, str]:
-    top = main_joint(diagnosis, places)
-    over = _shown(top.best)
+    top, lacking = main_joint(diagnosis, places), words.claims(diagnosis)
     share = f"{100 * top.share:.0f} % of the excess is at joint {top.joint}"
     if diagnosis.verdict == "consistent":
-        return "At which joint", "None", "no joint stands out of its noise" if not top.shown else share
-    if is_touched_only(diagnosis):
-        where, when = touched_at(claims(diagnosis)[0])
+        return "At which joint", "None", share if top.shown else "no joint stands out of its noise"
+    if words.is_touched_only(diagnosis):
+        where, when = words.touched_at(lacking[0])
         return "Where and when", capital(where), when or share
     if diagnosis.verdict == "unexplained":
+        answer = f"joint {top.joint}"
         if math.isfinite(top.left) and top.left > 1:
             share = f"{formatted(top.left)} times what would matter is left there"
-        return "At which joint", f"Joint {top.joint}", f"{share}; {over}"
-    joints = sorted({f.joint for f in claims(diagnosis) if f.joint is not None})
-    whole = ["the whole robot"] if any(f.joint is None for f in claims(diagnosis)) else []
-    answer = listed([*([joints_of(joints)] if joints else []), *whole])
-    return "At which joint", capital(answer), f"{share}; {over}"
+    else:
+        joints = sorted({f.joint for f in lacking if f.joint is not None})
+        whole = ["the whole robot"] if any(f.joint is None for f in lacking) else []
+        answer = words.listed([*([words.joints_of(joints)] if joints else []), *whole])
+    return "At which joint", capital(answer), f"{share}; {_shown(top.best)}"
 
 
 def _shown(name: str | None) -> str:
     """What shows a residual best, as a clause."""
-    if name is None:
-        return "no single quantity shows it"
     return _CLAUSES.get(name) or f"seen best over the {name}"
 
 
-def _sure(diagnosis: Diagnosis) -> tuple[str, str, str]:
-    lacking = claims(diagnosis)
-    question = "How sure"
+def _sure(diagnosis: Diagnosis) -> tuple[str, str]:
+    lacking, count, detectable = words.claims(diagnosis), len(diagnosis.findings), diagnosis.detectable
     if diagnosis.verdict == "missing_effect" and lacking:
-        open_ = list(dict.fromkeys(named(r) for f in lacking for r in f.confounded_with))
-        least = min(f.confidence for f in lacking)
-        rivals = f"not told from {listed(open_)}" if open_ else "no rival is left"
+        rivals = list(dict.fromkeys(words.named(rival) for f in lacking for rival in f.confounded_with))
+        text = f"not told from {words.listed(rivals)}" if rivals else "no rival is left"
         several = "the least sure of the names; " if len(lacking) > 1 else ""
-        return question, f"{100 * least:.0f} %", several + rivals
+        return f"{100 * min(f.confidence for f in lacking):.0f} %", several + text
     if diagnosis.verdict == "unexplained":
-        some = f"{len(diagnosis.findings)} suspicions, none held" if len(diagnosis.findings) > 1 else ""
-        some = "one suspicion, which did not hold" if len(diagnosis.findings) == 1 else some
-        return question, "No name", some or "no name reaches 50 %"
-    if diagnosis.detectable is not None and np.isfinite(diagnosis.detectable).any():
-        j = int(np.nanargmax(diagnosis.detectable))
-        size = f"{formatted(diagnosis.detectable[j])} {units_at(diagnosis, j)['torque']}"
-        return question, f"down to {size}", f"RMS at joint {j + 1}: anything larger would be worth a name"
-    return question, "As far as the motion goes", "what it does not excite it cannot show: see below"
+        one = "one suspicion, which did not hold" if count else "no name reaches 50 %"
+        return "No name", f"{count} suspicions, none held" if count > 1 else one
+    if detectable is not None and np.isfinite(detectable).any():
+        j = int(np.nanargmax(detectable))
+        size = f"{formatted(detectable[j])} {words.units_at(diagnosis, j)['torque']}"
+        return f"down to {size}", f"RMS at joint {j + 1}: anything larger would be worth a name"
+    return "As far as the motion goes", "what it does not excite it cannot show: see below"
 
 
 def _better(diagnosis: Diagnosis, validated: bool, places: Sequence[Localised]) -> tuple[str, str, str]:
-    question = f"How much better{'' if validated else ' (on the logs fitted)'}"
-    before, after = chosen(diagnosis, validated)
-    j = _worst(diagnosis, validated, places) - 1
-    unit, floor = units_at(diagnosis, j)["torque"], diagnosis.gap.noise_floor[j]
-    noise = f"noise floor {formatted(floor)}"
-    if diagnosis.verdict != "missing_effect" or is_touched_only(diagnosis):
+    before, after = words.chosen(diagnosis, validated)
+    # Where most of the gap was, in units of the noise.
+    j = main_joint(diagnosis, places).joint - 1
+    if diagnosis.verdict != "unexplained":
+        size = words.times_noise(diagnosis, before, unknown=-1.0)
+        joints = [f.joint - 1 for f in words.claims(diagnosis) if f.joint is not None]
+        j = max(joints or range(diagnosis.robot.n), key=lambda j: float(size[j]))
+    unit, floor = words.units_at(diagnosis, j)["torque"], diagnosis.gap.noise_floor[j]
+    if diagnosis.verdict != "missing_effect" or words.is_touched_only(diagnosis):
         times = before[j] / floor if floor > 0 else math.nan
-        stays = f"RMS at joint {j + 1}, {formatted(times)} times its noise"
         touched = "; contact is not added to a model" if diagnosis.verdict == "missing_effect" else ""
-        return "How much is left", f"{formatted(before[j])} {unit}", stays + touched
+        text = f"RMS at joint {j + 1}, {formatted(times)} times its noise{touched}"
+        return "How much is left", f"{formatted(before[j])} {unit}", text
     share = diagnosis.gap.closed(validated=validated)
-    gone = f"{100 * share:.0f} % of the gap closed; " if share is not None else ""
-    where = f"RMS at joint {j + 1}{', on a log that was not fitted' if validated else ''}; {noise}"
-    return question, f"{formatted(before[j])} → {formatted(after[j])} {unit}", gone + where
+    closed = f"{100 * share:.0f} % of the gap closed; " if share is not None else ""
+    log = ", on a log that was not fitted" if validated else ""
+    remark = f"{closed}RMS at joint {j + 1}{log}; noise floor {formatted(floor)}"
+    question = f"How much better{'' if validated else ' (on the logs fitted)'}"
+    return question, f"{formatted(before[j])} → {formatted(after[j])} {unit}", remark
 
 
-def _next(diagnosis: Diagnosis) -> tuple[str, str, str]:
-    following = next_of(diagnosis)
-    question = "What to record next"
-    if not following:
-        if diagnosis.verdict == "unexplained":
-            return question, "See below", "a motion that narrows it down"
-        return question, "Nothing more", "for these names" if claims(diagnosis) else "that these logs ask for"
-    text = following[0]["text"]
+def _next(diagnosis: Diagnosis) -> tuple[str, str]:
+    steps = next_of(diagnosis)
+    if not steps and diagnosis.verdict == "unexplained":
+        return "See below", "a motion that narrows it down"
+    if not steps:
+        return "Nothing more", "for these names" if words.claims(diagnosis) else "that these logs ask for"
+    text = steps[0]["text"]
     text = text.partition(": ")[2] or text
     if len(text) > _SHORT:
         text = f"{text[:_SHORT].rsplit(' ', 1)[0]} …"
-    more = f" (and {len(following) - 1} more)" if len(following) > 1 else ""
-    one = len(following) == 1
-    return question, "One motion" if one else f"{len(following)} motions", text + more
+    if len(steps) == 1:
+        return "One motion", text
+    return f"{len(steps)} motions", f"{text} (and {len(steps) - 1} more)"
 
 
 def advice(
@@ -202,21 +180,22 @@ def advice(
     """What to record next where no name asks for it."""
     items = []
     if diagnosis.verdict == "unexplained":
-        by_text: dict[str, list[int]] = {}
+        by_quantity: dict[str | None, list[int]] = {}
         for place in places:
             if place.shown and (place.share > _LOUD or place.left > 1):
-                by_text.setdefault(place.best or "", []).append(place.joint)
-        for best, joints in by_text.items():
-            title = f"{joints_of(joints)}: {_shown(best or None)}"
-            items.append({"title": capital(title), "text": _ADVICE.get(best, _NO_ADVICE)})
-    lame = [t for t in travels if t.wants]
-    if lame and diagnosis.verdict != "missing_effect":
-        lacks: dict[str, list[int]] = {}
-        for travel in lame:
+                by_quantity.setdefault(place.best, []).append(place.joint)
+        for best, joints in by_quantity.items():
+            title = f"{words.joints_of(joints)}: {_shown(best)}"
+            items.append({"title": capital(title), "text": _ADVICE.get(best or "", _NO_ADVICE)})
+    lacks: dict[str, list[int]] = {}
+    for travel in travels:
+        if travel.wants:
             lacks.setdefault(travel.wants, []).append(travel.joint)
-        text = "; ".join(f"{joints_of(joints)}: {wants}" for wants, joints in lacks.items())
-        text = f"{capital(text)}. What is not excited cannot be seen."
-        items.append({"title": "More motion", "text": text})
+    if lacks and diagnosis.verdict != "missing_effect":
+        text = "; ".join(f"{words.joints_of(joints)}: {wants}" for wants, joints in lacks.items())
+        items.append(
+            {"title": "More motion", "text": f"{capital(text)}. What is not excited cannot be seen."}
+        )
     return items
 
 
@@ -228,108 +207,92 @@ _PARAMETERS, _JOINTS = 3, 8
 def summary(diagnosis: Diagnosis, report: str, *, validated: bool) -> list[str]:
     """The diagnosis in :data:`LINES` lines at most; ``report`` is where the page is, ``validated`` whether
     there was a log that was not fitted."""
-    head = _head(diagnosis, validated)
-    tail = _gap(diagnosis, validated)
-    tail += _improvement(diagnosis, validated)
+    verdict = diagnosis.verdict.replace("_", " ")
+    head = [f"{verdict}: {headline(diagnosis, validated=validated)}"]
+    if len(head[0]) > WIDTH:  # what does not fit into a line stands beneath it
+        line, rest = in_a_line(diagnosis, validated=validated, room=WIDTH - len(verdict) - 2)
+        head = [f"{verdict}: {line}", *([rest] if rest else [])]
+    tail = [*_gap(diagnosis, validated), *_improvement(diagnosis, validated)]
     if "one_body" in diagnosis.extra:
         tail.append(diagnosis.extra["one_body"])
-    following = experiments(diagnosis)
-    if following:
-        more = f" (and {len(following) - 1} more)" if len(following) > 1 else ""
-        tail.append(f"record next: {following[0]}{more}")
-    notes = f"; {len(diagnosis.flags)} remarks on the data there" if len(diagnosis.flags) > 1 else ""
-    notes = "; one remark on the data there" if len(diagnosis.flags) == 1 else notes
-    tail.append(f"report: {report}{notes}")
+    steps = [f.experiment for f in diagnosis.findings if f.experiment]
+    is_sure = diagnosis.verdict == "missing_effect" and all(f.confidence >= CLAIM for f in diagnosis.findings)
+    if diagnosis.record and not is_sure:
+        steps.append(diagnosis.record)
+    steps = list(dict.fromkeys(steps))
+    if steps:
+        more = f" (and {len(steps) - 1} more)" if len(steps) > 1 else ""
+        tail.append(f"record next: {steps[0]}{more}")
+    flags = len(diagnosis.flags)
+    remarks = f"{flags} remarks" if flags > 1 else "one remark"
+    tail.append(f"report: {report}{f'; {remarks} on the data there' if flags else ''}")
     room = LINES - len(head) - len(tail)
-    lines = [_line(k, findings) for k, findings in enumerate(_together(diagnosis), 1)]
+    groups: dict[tuple[bool, str], list[Finding]] = {}  # words.claims first; of one effect together
+    for finding in sorted(diagnosis.findings, key=lambda f: f.confidence < CLAIM):
+        groups.setdefault((finding.confidence < CLAIM, finding.effect), []).append(finding)
+    lines = [f"{k}. {_finding_line(findings)}" for k, findings in enumerate(groups.values(), 1)]
     if len(lines) > room:
         lines = [*lines[: room - 1], f"and {len(lines) - room + 1} more in the report"]
     if any("(" in line and " to " in line for line in lines):
         tail[0] += "; brackets: 95 % intervals"
-    return [_plain(line) for line in (*head, *lines, *tail)]
+    return [printable(line) for line in (*head, *lines, *tail)]
 
 
-def _head(diagnosis: Diagnosis, validated: bool) -> list[str]:
-    """The verdict: a line, and what does not fit into it beneath."""
-    verdict = diagnosis.verdict.replace("_", " ")
-    whole = f"{verdict}: {headline(diagnosis, validated=validated)}"
-    if len(whole) <= WIDTH:
-        return [whole]
-    line, rest = in_a_line(diagnosis, validated=validated, room=WIDTH - len(verdict) - 2)
-    return [f"{verdict}: {line}", *([rest] if rest else [])]
-
-
-def _together(diagnosis: Diagnosis) -> list[list[Finding]]:
-    """The findings, claims first; those of one effect at several joints together."""
-    groups: dict[tuple[bool, str], list[Finding]] = {}
-    for finding in sorted(diagnosis.findings, key=lambda f: f.confidence < CLAIM):
-        groups.setdefault((finding.confidence < CLAIM, finding.effect), []).append(finding)
-    return [sorted(group, key=lambda f: f.joint or 0) for group in groups.values()]
-
-
-def _line(k: int, findings: Sequence[Finding]) -> str:
+def _finding_line(findings: Sequence[Finding]) -> str:
     """One finding with its numbers, or those of one effect at several joints with their first numbers."""
+    findings = sorted(findings, key=lambda f: f.joint or 0)
     first = findings[0]
-    known = list(first.parameters.items())
     if len(findings) > 1:
-        joints = [f.joint for f in findings if f.joint is not None]
-        place = joints_of(joints)
-        name, estimate = known[0] if known else ("", Estimate("", None, ""))
+        place = words.joints_of([f.joint for f in findings if f.joint is not None])
+        name, estimate = next(iter(first.parameters.items()), ("", Estimate("", None, "")))
         values = [f.parameters[name].value for f in findings if name in f.parameters]
         figures = ", ".join(v if isinstance(v, str) else formatted(v) for v in values)
         unit = f" {estimate.unit}" if estimate.unit not in ("", "1") else ""
-        shown, rest = [f"{name} {figures}{unit}"], len(known) - 1
+        shown = [f"{name} {figures}{unit}"]
     else:
-        place = place_of(first.joint)
-        identified = [(name, p) for name, p in known if not is_unseen(p, first.effect, name)]
-        shown = [f"{name} {with_interval(p, first.effect, name)}" for name, p in identified][:_PARAMETERS]
-        rest = len(known) - len(shown)
-    if rest > 0:
-        shown.append(f"{rest} more")
-    least = min(f.confidence for f in findings)
-    sure = f"{100 * least:.0f} % sure"
-    if first.confidence < CLAIM:
-        sure = f"a suspicion, {sure}"
-    others = list(dict.fromkeys(rival for f in findings for rival in f.confounded_with))
-    rivals = f"; or {', '.join(others)}" if others else ""
-    return f"{k}. {first.effect}, {place}: {', '.join(shown) or 'no figures'}; {sure}{rivals}"
+        place = words.place_of(first.joint)
+        shown = [
+            f"{name} {words.with_interval(p, first.effect, name)}"
+            for name, p in words.identified(first).items()
+        ]
+        shown = shown[:_PARAMETERS]
+    rest = len(first.parameters) - len(shown)
+    shown += [f"{rest} more"] if rest > 0 else []
+    suspicion = "a suspicion, " if first.confidence < CLAIM else ""
+    sure = f"{suspicion}{100 * min(f.confidence for f in findings):.0f} % sure"
+    rivals = ", ".join(dict.fromkeys(rival for f in findings for rival in f.confounded_with))
+    text = f"{first.effect}, {place}: {', '.join(shown) or 'no figures'}; {sure}"
+    return f"{text}; or {rivals}" if rivals else text
 
 
 def _gap(diagnosis: Diagnosis, validated: bool) -> list[str]:
     """Before, after and noise by joint, of long arms where most is there."""
-    before, after = chosen(diagnosis, validated)
-    changed = diagnosis.verdict == "missing_effect" or "refitted" in diagnosis.extra
-    log = "validation log" if validated else "logs that were fitted"
-    size = times_noise(diagnosis, before)
-    shown = sorted(sorted(range(diagnosis.robot.n), key=lambda j: (-float(size[j]), j))[:_JOINTS])
-    rows = [("gap before" if changed else "gap", before), ("noise floor", diagnosis.gap.noise_floor)]
-    if changed:
-        rows.insert(1, ("gap after", after))
-    cells = [[name, *(formatted(values[j]) for j in shown)] for name, values in rows]
+    before, after = words.chosen(diagnosis, validated)
+    n, size = diagnosis.robot.n, words.times_noise(diagnosis, before)
+    shown = sorted(sorted(range(n), key=lambda j: (-float(size[j]), j))[:_JOINTS])
+    rows = {"gap": before}
+    if diagnosis.verdict == "missing_effect" or "refitted" in diagnosis.extra:
+        rows = {"gap before": before, "gap after": after}
+    cells = [[name, *(formatted(values[j]) for j in shown)] for name, values in rows.items()]
+    cells.append(["noise floor", *(formatted(diagnosis.gap.noise_floor[j]) for j in shown)])
     lines = aligned([["joint", *(str(j + 1) for j in shown)], *cells], left=(0,))
-    most = f", {_JOINTS} of {diagnosis.robot.n} joints" if diagnosis.robot.n > _JOINTS else ""
-    lines[0] += f"  ({units_of(diagnosis)}, RMS, {log}{most})"
-    return lines
+    most = f", {_JOINTS} of {n} joints" if n > _JOINTS else ""
+    log = "validation log" if validated else "logs that were fitted"
+    return [f"{lines[0]}  ({words.units_of(diagnosis)}, RMS, {log}{most})", *lines[1:]]
 
 
 def _improvement(diagnosis: Diagnosis, validated: bool) -> list[str]:
     """How much of the gap is gone, and what the kernel costs, as a line; none where nothing was added."""
     if diagnosis.verdict != "missing_effect" and "refitted" not in diagnosis.extra:
         return []
-    share = diagnosis.gap.closed(validated=validated)
-    if is_touched_only(diagnosis):
+    if words.is_touched_only(diagnosis):
         return ["contact is left out of the fit and not added to the model"]
+    share = diagnosis.gap.closed(validated=validated)
     parts = [] if share is None else [f"{100 * share:.0f} % of the gap closed"]
-    rest = still(diagnosis, validated)
-    if rest:
-        parts.append(f"left beyond the noise at {joints_of(rest, diagnosis.robot.n)}")
+    noisy = words.joints_above_noise(diagnosis, validated)
+    parts += [f"left beyond the noise at {words.joints_of(noisy, diagnosis.robot.n)}"] if noisy else []
     old, new = diagnosis.operations
     if old or new:
         more = f" -> {new} operations ({new - old:+d})" if old != new else " operations, as before"
         parts.append(f"inverse dynamics {old}{more}")
     return ["; ".join(parts)] if parts else []
-
-
-def _plain(line: str) -> str:
-    """What a terminal prints as it stands."""
-    return "".join(c if c.isprintable() else " " for c in line)

@@ -1,9 +1,12 @@
-"""A diagnosis in words: names, places, and figures with their intervals."""
+"""A diagnosis in words: names, places, and figures with their intervals.
+
+Findings of one kind are one thing: whatever rubs is friction, unless a single law is all there is of it.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Final
 
 import numpy as np
@@ -13,20 +16,28 @@ from robodyn.diagnose.limits import CLAIM
 from robodyn.diagnose.result import Bounds, Diagnosis, Estimate, Finding
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.traits import Traits
+from robodyn.report.figures import UNITS
 
 Floats = NDArray[np.float64]
 
 #: An error so many times its value says nothing; of a size, as many.
-_UNSEEN: Final = 20.0
-_UNSEEN_SIZE: Final = 1.0
+_UNSEEN, _UNSEEN_SIZE = 20.0, 1.0
 #: A gap so many times the noise is still one.
 _STILL: Final = 1.5
 _PEOPLE: Final = ("Coulomb", "Stribeck")
+
+# --- names and places -------------------------------------------------------------------------------------
 
 
 def title_of(effect: str) -> str:
     """An effect as people call it; the id where the catalogue has no such effect."""
     return CATALOGUE[effect].title if effect in CATALOGUE else effect
+
+
+def named(effect: str) -> str:
+    """An effect within a sentence; people keep their capitals."""
+    title = title_of(effect)
+    return title if title.startswith(_PEOPLE) else title[:1].lower() + title[1:]
 
 
 def traits_of(effect: str) -> Traits:
@@ -44,58 +55,42 @@ def place_of(joint: int | None) -> str:
     return "the whole robot" if joint is None else f"joint {joint}"
 
 
-def with_interval(estimate: Estimate, effect: str = "", name: str = "") -> str:
-    """A parameter with its unit and, in brackets, its 95 % interval; what the motion does not show is not
-    identifiable. ``effect`` and ``name`` say whose it is."""
-    text = value_text(estimate, effect, name)
-    interval = None if is_unseen(estimate, effect, name) else estimate.interval
-    if interval is None or isinstance(estimate.value, str) or not math.isfinite(estimate.value):
-        return text
-    return f"{text} ({interval_text(estimate.value, interval)})"
+def listed(parts: Sequence[str]) -> str:
+    """Several things within a sentence."""
+    return f"{', '.join(parts[:-1])} and {parts[-1]}" if len(parts) > 1 else "".join(parts)
 
 
-def interval_text(value: float, interval: Bounds) -> str:
-    """An interval of a ``value`` in words, of which one side may be open."""
-    digits = _digits(value, _half(value, interval))
-    low, high = (None if end is None else _significant(end, digits) for end in interval)
-    if low is None or high is None:
-        return f"at most {high}" if low is None else f"at least {low}"
-    return f"{low} to {high}"
+def joints_of(joints: Sequence[int], n: int | None = None) -> str:
+    """Several joints of ``n`` within a sentence."""
+    if n is not None and len(joints) == n > 2:
+        return "every joint"
+    if len(joints) > 2 and list(joints) == list(range(joints[0], joints[0] + len(joints))):
+        return f"joints {joints[0]} to {joints[-1]}"
+    return f"joint{'s' if len(joints) > 1 else ''} {listed([str(j) for j in joints])}"
 
 
-def _half(value: float, interval: Bounds) -> float:
-    """Half the width of an interval about a ``value``; by its one end, where it is open."""
-    low, high = interval
-    if low is None or high is None:
-        return abs(value - (high if low is None else low))  # type: ignore[operator]  # one is known
-    return (high - low) / 2
+def several(count: int, noun: str) -> str:
+    """``1 unit``, ``1,000 units``."""
+    return f"{count:,} {noun}{'' if count == 1 else 's'}"
 
 
-def value_text(estimate: Estimate, effect: str = "", name: str = "") -> str:
-    """A parameter with its unit, digits as far as its interval lets them count."""
-    value, interval = estimate.value, estimate.interval
-    unit = f" {estimate.unit}" if estimate.unit not in ("", "1") else ""
-    if isinstance(value, str):
-        return value
-    if is_unseen(estimate, effect, name):
-        return "not identifiable"
-    if not math.isfinite(value):
-        return "n/a"
-    digits = 4 if interval is None else _digits(value, _half(value, interval))
-    return f"{_significant(value, digits)}{unit}"
+def more_text(count: int) -> str:
+    """How many things are not named."""
+    return "one more" if count == 1 else f"{count} more"
 
 
-def _significant(value: float, digits: int) -> str:
-    """A figure of so many digits, without a power of ten below a million."""
-    text = f"{value:.{digits}g}"
-    return f"{float(text):.0f}" if "e+" in text and abs(value) < 1e6 else text
+def units_at(diagnosis: Diagnosis, j: int) -> Mapping[str, str]:
+    """Units at joint ``j`` (from 0)."""
+    return UNITS[diagnosis.robot.links[j].joint.kind]
 
 
-def _digits(value: float, half: float) -> int:
-    """Significant digits of a value that is known to within ``half``: two of those are uncertain."""
-    if half <= 0 or value == 0:
-        return 3
-    return max(2, min(7, 2 + math.ceil(math.log10(max(abs(value), half) / half))))
+def units_of(diagnosis: Diagnosis) -> str:
+    """The unit of the joints' torques."""
+    kinds = {link.joint.kind for link in diagnosis.robot.links}
+    return "N m" if kinds == {"revolute"} else "N" if kinds == {"prismatic"} else "N m or N"
+
+
+# --- figures ----------------------------------------------------------------------------------------------
 
 
 def is_unseen(estimate: Estimate, effect: str = "", name: str = "") -> bool:
@@ -108,29 +103,67 @@ def is_unseen(estimate: Estimate, effect: str = "", name: str = "") -> bool:
         return False
     if not math.isfinite(error):
         return True
-    known = CATALOGUE[effect].parameters if effect in CATALOGUE else ()
-    is_size = any(p.name == name and p.sign != "any" for p in known)
+    parameters = CATALOGUE[effect].parameters if effect in CATALOGUE else ()
+    is_size = any(p.name == name and p.sign != "any" for p in parameters)
     return error > (_UNSEEN_SIZE if is_size else _UNSEEN) * abs(value) > 0
 
 
-def claims(diagnosis: Diagnosis) -> tuple[Finding, ...]:
+def identified(finding: Finding) -> dict[str, Estimate]:
+    """The parameters of a finding that the motion shows."""
+    return {name: p for name, p in finding.parameters.items() if not is_unseen(p, finding.effect, name)}
+
+
+def value_text(estimate: Estimate, effect: str = "", name: str = "") -> str:
+    """A parameter with its unit, digits as far as its interval lets them count; what the motion does not show
+    is not identifiable. ``effect`` and ``name`` say whose it is."""
+    value, interval = estimate.value, estimate.interval
+    if isinstance(value, str):
+        return value
+    if is_unseen(estimate, effect, name):
+        return "not identifiable"
+    if not math.isfinite(value):
+        return "n/a"
+    unit = f" {estimate.unit}" if estimate.unit not in ("", "1") else ""
+    return _significant(value, 4 if interval is None else _digits(value, interval)) + unit
+
+
+def with_interval(estimate: Estimate, effect: str = "", name: str = "") -> str:
+    """A parameter as :func:`value_text` has it and, in brackets, its 95 % interval."""
+    text, value, interval = value_text(estimate, effect, name), estimate.value, estimate.interval
+    if interval is None or isinstance(value, str) or text in ("n/a", "not identifiable"):
+        return text
+    return f"{text} ({interval_text(value, interval)})"
+
+
+def interval_text(value: float, interval: Bounds) -> str:
+    """An interval of a ``value`` in words, of which one side may be open."""
+    low, high = (None if end is None else _significant(end, _digits(value, interval)) for end in interval)
+    if low is None or high is None:
+        return f"at most {high}" if low is None else f"at least {low}"
+    return f"{low} to {high}"
+
+
+def _significant(value: float, digits: int) -> str:
+    """A figure of so many digits, without a power of ten below a million."""
+    text = f"{value:.{digits}g}"
+    return f"{float(text):.0f}" if "e+" in text and abs(value) < 1e6 else text
+
+
+def _digits(value: float, interval: Bounds) -> int:
+    """Significant digits of a value that is known to within an interval: two of those are uncertain."""
+    ends = [end for end in interval if end is not None]
+    half = (ends[1] - ends[0]) / 2 if len(ends) == 2 else abs(value - ends[0])
+    if half <= 0 or value == 0:
+        return 3
+    return max(2, min(7, 2 + math.ceil(math.log10(max(abs(value), half) / half))))
+
+
+# --- what a diagnosis says --------------------------------------------------------------------------------
+
+
+def claims(diagnosis: Diagnosis) -> list[Finding]:
     """The findings that are claims."""
-    return tuple(finding for finding in diagnosis.findings if finding.confidence >= CLAIM)
-
-
-def listed(parts: Sequence[str]) -> str:
-    """Several things within a sentence."""
-    return f"{', '.join(parts[:-1])} and {parts[-1]}" if len(parts) > 1 else "".join(parts)
-
-
-def touched_at(contact: Finding) -> tuple[str, str]:
-    """Where and when a contact was; what is not known is left out."""
-    values = {name: p.value for name, p in contact.parameters.items()}
-    link, start, end = (values.get(name) for name in ("link", "start", "end"))
-    place = f"link {link:g}" if isinstance(link, float | int) else "the arm"
-    if isinstance(start, float | int) and isinstance(end, float | int):
-        return place, f"from {start:.2f} to {end:.2f} s"
-    return place, ""
+    return [finding for finding in diagnosis.findings if finding.confidence >= CLAIM]
 
 
 def is_touched_only(diagnosis: Diagnosis) -> bool:
@@ -139,35 +172,19 @@ def is_touched_only(diagnosis: Diagnosis) -> bool:
     return bool(lacking) and all(is_contact(f.effect) for f in lacking)
 
 
-def named(effect: str) -> str:
-    """An effect within a sentence; people keep their capitals."""
-    title = title_of(effect)
-    return title if title.startswith(_PEOPLE) else title[:1].lower() + title[1:]
-
-
-def worst_joint(values: Floats) -> int | None:
-    """The joint (from 1) at which ``values`` [n] are largest; None where there are none."""
-    known = np.where(np.isfinite(values), values, -np.inf)
-    return int(np.argmax(known)) + 1 if len(known) and np.isfinite(known.max()) else None
-
-
-def experiments(diagnosis: Diagnosis) -> tuple[str, ...]:
-    """What is to be recorded next, each thing once."""
-    named = [f.experiment for f in diagnosis.findings if f.experiment]
-    sure = diagnosis.verdict == "missing_effect" and all(f.confidence >= CLAIM for f in diagnosis.findings)
-    return tuple(dict.fromkeys([*named, *([diagnosis.record] if diagnosis.record and not sure else [])]))
+def touched_at(contact: Finding) -> tuple[str, str]:
+    """Where and when a contact was; what is not known is left out."""
+    values = {name: p.value for name, p in contact.parameters.items() if not isinstance(p.value, str)}
+    place = f"link {values['link']:g}" if "link" in values else "the arm"
+    return place, "from {start:.2f} to {end:.2f} s".format(**values) if {"start", "end"} <= set(
+        values
+    ) else ""
 
 
 def chosen(diagnosis: Diagnosis, validated: bool) -> tuple[Floats, Floats]:
     """RMS [n] before and after, of the log that proves most."""
     gap = diagnosis.gap
     return (gap.validate_before, gap.validate_after) if validated else (gap.train_before, gap.train_after)
-
-
-def still(diagnosis: Diagnosis, validated: bool) -> list[int]:
-    """Joints (from 1) at which a gap is left that stands out of the noise."""
-    _, after = chosen(diagnosis, validated)
-    return (np.flatnonzero(times_noise(diagnosis, after) > _STILL) + 1).tolist()
 
 
 def times_noise(diagnosis: Diagnosis, rms: Floats, unknown: float = 0.0) -> Floats:
@@ -177,16 +194,27 @@ def times_noise(diagnosis: Diagnosis, rms: Floats, unknown: float = 0.0) -> Floa
         return np.nan_to_num(rms / diagnosis.gap.noise_floor, nan=unknown, posinf=0.0)
 
 
-def joints_of(joints: Sequence[int], n: int | None = None) -> str:
-    """Several joints of ``n`` within a sentence."""
-    if n is not None and len(joints) == n > 2:
-        return "every joint"
-    if len(joints) > 2 and list(joints) == list(range(joints[0], joints[0] + len(joints))):
-        return f"joints {joints[0]} to {joints[-1]}"
-    return f"joint{'s' if len(joints) > 1 else ''} {listed([str(j) for j in joints])}"
+def joints_above_noise(diagnosis: Diagnosis, validated: bool) -> list[int]:
+    """Joints (from 1) at which a gap is left that stands out of the noise."""
+    _, after = chosen(diagnosis, validated)
+    return (np.flatnonzero(times_noise(diagnosis, after) > _STILL) + 1).tolist()
 
 
-def units_of(diagnosis: Diagnosis) -> str:
-    """The unit of the joints' torques."""
-    kinds = {link.joint.kind for link in diagnosis.robot.links}
-    return "N m" if kinds == {"revolute"} else "N" if kinds == {"prismatic"} else "N m or N"
+def worst_joint(values: Floats) -> int | None:
+    """The joint (from 1) at which ``values`` [n] are largest; None where there are none."""
+    finite = np.where(np.isfinite(values), values, -np.inf)
+    return int(np.argmax(finite)) + 1 if len(finite) and np.isfinite(finite.max()) else None
+
+
+def by_kind(lacking: Iterable[Finding]) -> list[list[Finding]]:
+    """Findings of one kind together, kinds and findings in the order given."""
+    kinds: dict[str, list[Finding]] = {}
+    for finding in lacking:
+        kinds.setdefault(kind_of(finding.effect), []).append(finding)
+    return list(kinds.values())
+
+
+def kind_of(effect: str) -> str:
+    """What ``effect`` is an instance of: findings of one kind are one thing in a sentence."""
+    entry = CATALOGUE.get(effect)
+    return "friction" if entry is not None and entry.level == "joint" and entry.dissipative else effect

@@ -39,6 +39,11 @@ def with_error(value: float, error: float, sign: str = "+-") -> str:
     return f"{value + 0.0:.{places}f} {sign} {error:.{places}f}"
 
 
+def printable(line: str) -> str:
+    """What a terminal prints as it stands."""
+    return "".join(c if c.isprintable() else " " for c in line)
+
+
 def capital(text: str) -> str:
     """``text`` at the beginning of a line."""
     return text[:1].upper() + text[1:]
