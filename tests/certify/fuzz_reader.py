@@ -14,7 +14,7 @@ from pathlib import Path
 import atheris  # type: ignore[import-not-found, import-untyped, unused-ignore]
 
 with atheris.instrument_imports(include=["robodyn"]):
-    from robodyn.certify.ranges import with_ranges
+    from robodyn.certify.plan import with_ranges
     from robodyn.errors import InputError
     from robodyn.robot import bundled_names, bundled_text, read_text, starter, to_yaml
     from robodyn.robot.reader import read_bytes

@@ -12,12 +12,12 @@ import pytest
 from robodyn.certify.forward import Forward
 from robodyn.certify.gappa import Proven, Scripts, prove, read
 from robodyn.certify.readback import check_read_back
-from robodyn.certify.tools import Done
 from robodyn.errors import CheckError, InputError
 from robodyn.ir.evaluate import evaluate
 from robodyn.ir.program import Input
 from robodyn.kernels.generate import Generated, Options, generate
 from robodyn.robot import Robot, load, read_text
+from robodyn.toolchain.running import Finished
 from robodyn_testing import covering, representative, require_tool
 from robodyn_testing.waiting import eventually, runs
 
@@ -191,7 +191,7 @@ def test_programs_without_a_bound_are_told() -> None:
     ],
 )
 def test_what_is_no_bound_is_none(code: int | None, said: str, reason: str) -> None:
-    found = read(Done(code, said, 5.0), 5)
+    found = read(Finished(code, said), 5)
     assert found.error is None
     assert found.reason.startswith(reason)
 
@@ -201,7 +201,7 @@ def test_gappa_answers_are_read_outwards() -> None:
         "Results:\n  result in [-3b-1 {-1.5, -2^(0.58)}, 1b70]\n"
         "  result - E_result in [-1b-80, 36893488147419103233b-90]"
     )
-    found = read(Done(0, said, 1.0), 5)
+    found = read(Finished(0, said), 5)
     assert (found.low, found.high) == (-1.5, 2.0**70)
     assert found.error is not None
     assert Fraction(found.error) > Fraction(36893488147419103233, 2**90)

@@ -13,7 +13,7 @@ import pytest
 from emit.kernels import STRICT, STRICT_FORTRAN, write
 from emit.modules import Module
 from robodyn.certify import eva
-from robodyn.certify.tools import run
+from robodyn.certify.plan import run
 from robodyn.emit.batch import batch_files
 from robodyn.emit.languages.fortran import LANGUAGE
 from robodyn.emit.render import environment

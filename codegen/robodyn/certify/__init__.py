@@ -3,8 +3,7 @@
 robodyn writes the questions and reads the answers; Gappa, Frama-C, gcc and cppcheck prove.
 """
 
-from robodyn.certify.plan import PROOFS, Finding, ProofOptions
-from robodyn.certify.ranges import with_ranges
+from robodyn.certify.plan import PROOFS, Finding, ProofOptions, with_ranges
 from robodyn.certify.run import Proof, prove
 
 __all__ = ["PROOFS", "Finding", "Proof", "ProofOptions", "prove", "with_ranges"]

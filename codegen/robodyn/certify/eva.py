@@ -8,28 +8,29 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from robodyn.certify.plan import Finding, ProofOptions, Subject, Tell, not_run
-from robodyn.certify.tools import PATIENCE, Done, last_lines, run, version
-from robodyn.emit.listing import Listing, listing_of
+from robodyn.certify.plan import (
+    PATIENCE,
+    Finding,
+    ProofOptions,
+    Subject,
+    Tell,
+    last_lines,
+    not_run,
+    run,
+    version,
+)
+from robodyn.emit.listing import listing_of
 from robodyn.emit.render import environment
 from robodyn.ir.signature import Signature
+from robodyn.toolchain.running import Finished
 from robodyn.tools.programs import FRAMA_C
 
 #: Special numbers are values like others; every function is entered; integers must not overflow either. Loops
 #: through the angles of a function are looked at turn by turn: what is read later has been written.
 OPTIONS = (
-    "-eva",
-    "-eva-precision",
-    "1",
-    "-eva-auto-loop-unroll",
-    "128",
-    "-warn-special-float",
-    "none",
-    "-warn-signed-overflow",
-    "-warn-unsigned-downcast",
-    "-main",
-    "prove_every_input",
-)
+    "-eva", "-eva-precision", "1", "-eva-auto-loop-unroll", "128", "-warn-special-float", "none",
+    "-warn-signed-overflow", "-warn-unsigned-downcast", "-main", "prove_every_input",
+)  # fmt: skip
 #: What the analysis shows once it has come to the end of the driver.
 END = "Frama_C_show_each_end"
 
@@ -39,10 +40,9 @@ _FUNCTIONS = re.compile(r"([0-9]+) functions? analyzed \(out of ([0-9]+)\)")
 _STATEMENTS = re.compile(r"([0-9]+) statements? reached \(out of ([0-9]+)\)")
 #: Words that say that something was not looked into.
 _HOLES = re.compile(
-    r"(neither code nor specification|missing-spec|user error|fatal error|recursive call|assuming"
-    r"|degeneration)",
-    re.I,
-)
+    r"neither code nor specification|missing-spec|user error|fatal error|recursive call|assuming"
+    r"|degeneration", re.I
+)  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,54 +62,45 @@ class Analysis:
 
 
 def driver_context(name: str, signatures: Sequence[Signature]) -> dict[str, Any]:
-    """What the template of the driver is given: every function, on numbers that may be anything."""
+    """What the template of the driver is given: every function, on numbers that may be anything, and the
+    functions that list the solutions of kernels."""
     calls = []
-    for interface in signatures:
-        arguments = [array for array, _ in (*interface.inputs, *interface.outputs)]
-        fills = [f"{array}[{i}]" for array, size in interface.inputs for i in range(size)]
-        if interface.parameters:
-            arguments.append("&p")
-            fills += [f"p.{member}" for member in interface.parameters]
-        if interface.states:
-            arguments += ["&state", "any"]
-            fills += [f"state.{member}" for member in interface.states]
-        calls.append(
-            {
-                "symbol": interface.symbol,
-                "arrays": [*interface.inputs, *interface.outputs],
-                "parameters": bool(interface.parameters),
-                "states": bool(interface.states),
-                "fills": fills,
-                "integers": [],
-                "arguments": ", ".join(arguments),
-            }
-        )
-        listing = listing_of(interface)
+    for each in signatures:
+        calls.append(_call(each.symbol, each.inputs, each.outputs, each.parameters, states=each.states))
+        listing = listing_of(each)
         if listing is not None:
-            calls.append(_list_call(listing))
+            inputs = [("T", 12), *([("q_near", listing.joints)] if listing.near else [])]
+            flags = [("flags", listing.branches)]
+            outputs = [("Q", listing.size)]
+            calls.append(_call(listing.symbol, inputs, outputs, listing.kernel.parameters, integers=flags))
     return {"name": name, "calls": calls, "end": END}
 
 
-def _list_call(listing: Listing) -> dict[str, Any]:
-    """The function that lists the solutions of a kernel."""
-    inputs = [("T", 12), *([("q_near", listing.joints)] if listing.near else [])]
+def _call(
+    symbol: str,
+    inputs: Sequence[tuple[str, int]],
+    outputs: Sequence[tuple[str, int]],
+    parameters: Sequence[str],
+    *,
+    states: Sequence[str] = (),
+    integers: Sequence[tuple[str, int]] = (),
+) -> dict[str, Any]:
+    arguments = [array for array, _ in (*inputs, *outputs, *integers)]
+    arguments += ["&p"] * bool(parameters) + ["&state", "any"] * bool(states)
     fills = [f"{array}[{i}]" for array, size in inputs for i in range(size)]
-    arguments = [*(array for array, _ in inputs), "Q", "flags"]
-    if listing.kernel.parameters:
-        arguments.append("&p")
-        fills += [f"p.{member}" for member in listing.kernel.parameters]
+    fills += [f"p.{member}" for member in parameters] + [f"state.{member}" for member in states]
     return {
-        "symbol": listing.symbol,
-        "arrays": [*inputs, ("Q", listing.size)],
-        "integers": [("flags", listing.branches)],
-        "parameters": bool(listing.kernel.parameters),
-        "states": False,
+        "symbol": symbol,
+        "arrays": [*inputs, *outputs],
+        "parameters": bool(parameters),
+        "states": bool(states),
         "fills": fills,
+        "integers": integers,
         "arguments": ", ".join(arguments),
     }
 
 
-def read(done: Done, seconds: float) -> Analysis:
+def read(done: Finished, seconds: float = PATIENCE) -> Analysis:
     """Eva's words, read with suspicion: what is not plainly a proof is none."""
     if done.code is None:
         return Analysis(None, (), (0, 0), (0, 0), f"not finished after {seconds:g} s")
@@ -140,17 +131,8 @@ def _pair(pattern: re.Pattern[str], output: str) -> tuple[int, int]:
 
 def _alarm_lines(output: str) -> list[str]:
     """Each alarm in a line: Frama-C goes on in lines that are indented."""
-    lines = output.splitlines()
-    alarms = []
-    for i, line in enumerate(lines):
-        if line.startswith("[eva:alarm]"):
-            rest = [line.removeprefix("[eva:alarm]")]
-            for more in lines[i + 1 :]:
-                if not more.startswith("  "):
-                    break
-                rest.append(more)
-            alarms.append(" ".join(" ".join(rest).split()))
-    return alarms
+    alarms = re.findall(r"^\[eva:alarm\](.*(?:\n  .*)*)", output, re.M)
+    return [" ".join(alarm.split()) for alarm in alarms]
 
 
 def prove_eva(subject: Subject, proofs: ProofOptions, folder: Path, tell: Tell) -> Finding:
@@ -165,8 +147,8 @@ def prove_eva(subject: Subject, proofs: ProofOptions, folder: Path, tell: Tell) 
     (folder / driver).write_text(text, encoding="utf-8", newline="\n")
     arguments = [*OPTIONS, f"{name}.c", driver]
     tell("Frama-C Eva")
-    done = run([frama_c, *arguments], folder, PATIENCE)
-    analysis = read(done, PATIENCE)
+    done = run([frama_c, *arguments], folder)
+    analysis = read(done)
     functions = ", ".join(s.function for s in subject.generated.signatures)
     return Finding(
         "eva",

@@ -8,16 +8,17 @@ import re
 import time
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from pathlib import Path
 
 from robodyn.certify.forward import Forward, as_scalar
-from robodyn.certify.tools import Done, end_all, last_lines, run
+from robodyn.certify.plan import last_lines, run
 from robodyn.emit.spelling import Spelling
 from robodyn.emit.statements import Apply, Expression, Statement, statements
 from robodyn.errors import ToolError
 from robodyn.ir.program import Input, Program
+from robodyn.toolchain.running import Finished, end_all
 
 _FORMAT = {"float": "ieee_32", "double": "ieee_64"}
 
@@ -178,11 +179,11 @@ class Proven:
     ``error`` None: no bound, and ``reason`` says why.
     """
 
-    low: float | None
-    high: float | None
-    error: float | None
-    seconds: float
+    low: float | None = None
+    high: float | None = None
+    error: float | None = None
     reason: str = ""
+    seconds: float = 0.0
 
 
 def prove(
@@ -196,35 +197,40 @@ def prove(
 ) -> list[Proven]:
     """Run Gappa on ``scripts`` (files in ``folder``), ``workers`` at a time, ``seconds`` each at most;
     ``progress`` is told how many are done."""
-    proven: dict[str, Proven] = {}
+
+    def bound(name: str) -> Proven:
+        began = time.monotonic()
+        proven = read(run([gappa, name], folder, seconds), seconds)
+        return replace(proven, seconds=time.monotonic() - began)
+
     with ThreadPoolExecutor(workers) as pool:
-        jobs = {pool.submit(run, [gappa, name], folder, seconds): name for name in scripts}
+        jobs = [pool.submit(bound, name) for name in scripts]
         try:
-            for job in as_completed(jobs):
-                proven[jobs[job]] = read(job.result(), seconds)
-                progress(len(proven))
+            for done, job in enumerate(as_completed(jobs), 1):
+                job.result()
+                progress(done)
         except BaseException:
             pool.shutdown(wait=False, cancel_futures=True)
             while not all(job.done() for job in jobs):  # one may just be starting
                 end_all()
                 time.sleep(0.02)
             raise
-    return [proven[name] for name in scripts]
+    return [job.result() for job in jobs]
 
 
-def read(done: Done, seconds: float) -> Proven:
-    """Gappa's answer, read."""
+def read(done: Finished, seconds: float) -> Proven:
+    """Gappa's answer, which it had ``seconds`` for, read."""
     if done.code is None:
-        return Proven(None, None, None, done.seconds, f"not finished after {seconds:g} s")
+        return Proven(reason=f"not finished after {seconds:g} s")
     value = re.search(rf"^\s*result in {_ENCLOSURE}", done.output, re.M)
     error = re.search(rf"^\s*result - E_result in {_ENCLOSURE}", done.output, re.M)
     # What is exact is told as a single number.
     none = re.search(r"^\s*result - E_result in \[0, 0\]", done.output, re.M)
     if done.code != 0 or value is None or (error is None and none is None):
-        return Proven(None, None, None, done.seconds, f"no bound found: {last_lines(done.output)}")
+        return Proven(reason=f"no bound found: {last_lines(done.output)}")
     low, high = (_number(text) for text in value.groups())
     sizes = [abs(_number(text)) for text in error.groups()] if error else [Fraction(0)]
-    return Proven(_outward(low, -1), _outward(high, 1), _outward(max(sizes), 1), done.seconds)
+    return Proven(_outward(low, -1), _outward(high, 1), _outward(max(sizes), 1))
 
 
 def _number(text: str) -> Fraction:

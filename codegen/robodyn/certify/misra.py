@@ -7,23 +7,18 @@ from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
 
-from robodyn.certify.plan import Finding, ProofOptions, Subject, Tell, not_run
-from robodyn.certify.tools import PATIENCE, Done, last_lines, run, version
+from robodyn.certify.plan import Finding, ProofOptions, Subject, Tell, last_lines, not_run, run, version
 from robodyn.emit.listing import misra_deviations
 from robodyn.emit.unit import Unit, calls
 from robodyn.errors import ToolError
+from robodyn.toolchain.running import Finished
 from robodyn.tools.programs import CPPCHECK
 
 _FORMAT = "{file}|{line}|{id}|{message}"
 OPTIONS = (
-    "--addon=misra",
-    "--enable=all",
-    "--std=c99",
-    "--quiet",
-    "--suppress=missingIncludeSystem",
-    "--suppress=unusedFunction",
-    f"--template={_FORMAT}",
-)
+    "--addon=misra", "--enable=all", "--std=c99", "--quiet", "--suppress=missingIncludeSystem",
+    "--suppress=unusedFunction", f"--template={_FORMAT}",
+)  # fmt: skip
 #: For choices within choices: to follow values through them takes cppcheck hours, and no rule needs it.
 _FEW_VALUES = "--valueflow-max-iterations=0"
 #: A file that breaks two rules on purpose: the checker must see it, else it sees nothing at all.
@@ -46,7 +41,7 @@ def cppcheck_options(unit: Unit) -> tuple[str, ...]:
     return (*OPTIONS, _FEW_VALUES) if "select" in calls(unit) else OPTIONS
 
 
-def read(done: Done) -> Check:
+def read(done: Finished) -> Check:
     """What cppcheck said.
 
     Raises
@@ -68,10 +63,11 @@ def read(done: Done) -> Check:
             rules[rule[1]] += 1
         else:
             others.append(f"{match[1]}:{match[2]}: {match[4]} [{match[3]}]")
-    return Check(dict(sorted(rules.items(), key=lambda item: _order(item[0]))), tuple(others))
+    ordered = sorted(rules, key=lambda rule: [int(number) for number in rule.split(".")])
+    return Check({rule: rules[rule] for rule in ordered}, tuple(others))
 
 
-def check_control(done: Done) -> None:
+def check_control(done: Finished) -> None:
     """Make sure that the checker sees what is there.
 
     Raises
@@ -88,23 +84,18 @@ def check_control(done: Done) -> None:
         )
 
 
-def _order(rule: str) -> tuple[int, ...]:
-    return tuple(map(int, rule.split(".")))
-
-
 def prove_misra(subject: Subject, proofs: ProofOptions, folder: Path, tell: Tell) -> Finding:
     """Every finding of MISRA C:2012 that is left is explained in the kernel."""
     cppcheck = CPPCHECK.path()
     if cppcheck is None:
         return not_run("misra", CPPCHECK)
-    source = f"{subject.generated.unit.robot.name}.c"
     tell("MISRA C:2012")
-    control = folder / f"{subject.generated.unit.robot.name}_control.c"
-    control.write_text(CONTROL, encoding="utf-8", newline="\n")
-    check_control(run([cppcheck, *OPTIONS, control.name], folder, PATIENCE))
     unit = subject.generated.unit
+    source, control = f"{unit.robot.name}.c", f"{unit.robot.name}_control.c"
+    (folder / control).write_text(CONTROL, encoding="utf-8", newline="\n")
+    check_control(run([cppcheck, *OPTIONS, control], folder))
     options = cppcheck_options(unit)
-    done = run([cppcheck, *options, source], folder, PATIENCE)
+    done = run([cppcheck, *options, source], folder)
     report = read(done)
     explained = misra_deviations(unit)
     open_ = sorted(set(report.rules) - set(explained))

@@ -8,8 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from robodyn.certify.plan import Finding, ProofOptions, Subject, Tell, not_run
-from robodyn.certify.tools import last_lines, run, version
+from robodyn.certify.plan import Finding, ProofOptions, Subject, Tell, last_lines, not_run, run, version
 from robodyn.emit.freestanding import freestanding_calls
 from robodyn.firmware.measure import Depth, deepest
 from robodyn.targets import firmware_targets
@@ -45,33 +44,18 @@ def machines(*, freestanding: bool = False) -> tuple[Machine, ...]:
     """This machine, and every target that a firmware image is made for; ``freestanding``: those compile a
     kernel that does without a C library."""
     without = ("-ffreestanding",) if freestanding else ()
-    return (
-        Machine("this machine, gcc -O2", GCC, (*C_FLAGS, *_HERE)),
-        *(
-            Machine(
-                f"{target.name}, gcc -O2",
-                target.board.architecture.compiler,
-                (*C_FLAGS, *without, *(target.flags or ())),
-            )
-            for target in firmware_targets()
-            if target.board is not None
-        ),
-    )
+    boards = [(target, target.board) for target in firmware_targets() if target.board is not None]
+    others = [
+        Machine(f"{t.name}, gcc -O2", board.architecture.compiler, (*C_FLAGS, *without, *(t.flags or ())))
+        for t, board in boards
+    ]
+    return (Machine("this machine, gcc -O2", GCC, (*C_FLAGS, *_HERE)), *others)
 
 
 def command(machine: Machine, source: str) -> list[str]:
     """What compiles ``source`` and writes what each function needs."""
-    return [
-        machine.tool.name,
-        *machine.flags,
-        "-idirafter",
-        STAND_IN,
-        "-fcallgraph-info=su",
-        "-c",
-        source,
-        "-o",
-        "stack.o",
-    ]
+    options = ["-idirafter", STAND_IN, "-fcallgraph-info=su", "-c", source, "-o", "stack.o"]
+    return [machine.tool.name, *machine.flags, *options]
 
 
 def measure(machine: Machine, source: str, functions: Iterable[str], folder: Path) -> list[Depth]:
@@ -93,12 +77,9 @@ def prove_stack(subject: Subject, proofs: ProofOptions, folder: Path, tell: Tell
         return not_run("stack", GCC)
     source = f"{subject.generated.unit.robot.name}.c"
     symbols = [s.symbol for s in subject.generated.signatures]
-    lines: list[str] = []
-    rows: list[dict[str, Any]] = []
+    lines, rows, commands = list[str](), list[dict[str, Any]](), list[str]()
     tools: dict[str, None] = {}
-    commands: list[str] = []
-    bad = False
-    known = 0
+    measured: list[Depth] = []
     stand_ins = {f"{STAND_IN}/{name}": text for name, text in HEADERS.items()}
     (folder / STAND_IN).mkdir()
     for name, text in stand_ins.items():
@@ -113,12 +94,23 @@ def prove_stack(subject: Subject, proofs: ProofOptions, folder: Path, tell: Tell
             tools[version(machine.tool)] = None
             commands.append(" ".join(command(machine, source)))
             lines += [f"{machine.name}: {_depth_text(depth)}" for depth in depths]
-            known += sum(depth.size is not None and not depth.beyond for depth in depths)
-            bad = bad or any(depth.size is None or not depth.only_helpers for depth in depths)
-        rows += [_stack_row(machine, depth) for depth in depths]
+            measured += depths
+        rows += [
+            {
+                "machine": machine.name,
+                "function": depth.function,
+                "bytes": depth.size,
+                "chain": list(depth.chain),
+                "beyond": list(depth.beyond),
+                "reason": depth.reason,
+            }
+            for depth in depths
+        ]
+    some = any(depth.size is not None and not depth.beyond for depth in measured)
+    all_known = all(depth.size is not None and depth.only_helpers for depth in measured)
     return Finding(
         "stack",
-        "proved" if known and not bad else "failed",
+        "proved" if some and all_known else "failed",
         "The most stack that a call needs, with all that it calls: no recursion, no call by a pointer, no "
         "array of a length that is known only at run time.",
         tuple(lines),
@@ -134,15 +126,3 @@ def _depth_text(depth: Depth) -> str:
         return depth.reason
     size = "no bound" if depth.size is None else f"{depth.size} B"
     return f"{depth.function} {size}{f' ({depth.reason})' if depth.reason else ''}"
-
-
-def _stack_row(machine: Machine, depth: Depth) -> dict[str, Any]:
-    """A row of ``proof.json``: its members are the same where nothing could be measured."""
-    return {
-        "machine": machine.name,
-        "function": depth.function,
-        "bytes": depth.size,
-        "chain": list(depth.chain),
-        "beyond": list(depth.beyond),
-        "reason": depth.reason,
-    }

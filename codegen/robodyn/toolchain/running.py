@@ -50,10 +50,13 @@ def run(
     OSError: it cannot be started.
     """
     pipe, nowhere = subprocess.PIPE, subprocess.DEVNULL
+    environment = {**os.environ, "LC_ALL": "C"}
+    if folder is not None:  # Frama-C goes by it
+        environment["PWD"] = str(folder)
     process: subprocess.Popen[bytes] = start(
         list(command),
         cwd=folder,
-        env={**os.environ, "LC_ALL": "C"},
+        env=environment,
         stdin=nowhere,
         stdout=nowhere if listen == "stderr" else pipe,
         stderr=subprocess.STDOUT if listen == "both" else pipe if listen == "stderr" else nowhere,
