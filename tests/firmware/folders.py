@@ -5,17 +5,22 @@ from __future__ import annotations
 import re
 import subprocess
 from collections.abc import Mapping, Sequence
+from fractions import Fraction
 from functools import cache
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
+
+import numpy as np
 
 from robodyn.emit.languages import compiled_language
 from robodyn.firmware import Folder, firmware, firmware_options, targets_named
 from robodyn.firmware.measure import FLAGS
+from robodyn.ir.evaluate import evaluate
+from robodyn.ir.program import Input, Program
 from robodyn.kernels.generate import Generated, Options, generate
 from robodyn.robot import Robot, load, read_text
 from robodyn.targets import Target
-from robodyn_testing import require_tool
+from robodyn_testing import require_machine, require_tool
 
 STRICT: Final = (
     "-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Wdouble-promotion", "-Werror",
@@ -88,17 +93,8 @@ def host(gcc: str, name: str, where: Path, *flags: str) -> tuple[int, str]:
 
 def fortran(gfortran: str, name: str, where: Path) -> tuple[int, str]:
     """The Fortran self-test on this computer."""
-    code, said = run(
-        [
-            gfortran,
-            *compiled_language("fortran")[1].flags,
-            f"{name}.f90",
-            f"{name}_selftest.f90",
-            "-o",
-            "fortran",
-        ],
-        where,
-    )
+    flags = compiled_language("fortran")[1].flags
+    code, said = run([gfortran, *flags, f"{name}.f90", f"{name}_selftest.f90", "-o", "fortran"], where)
     assert code == 0, said
     return run([str(where / "fortran")], where)
 
@@ -107,3 +103,18 @@ def digests(said: str) -> dict[str, tuple[int, int]]:
     """Digests by function: the one found, and the one expected."""
     found = re.findall(r"^(\w+) digest ([0-9a-fA-F]+) expected ([0-9a-fA-F]+)", said, re.M)
     return {function: (int(one, 16), int(other, 16)) for function, one, other in found}
+
+
+def in_extended_precision(program: Program, inputs: Mapping[Input, Any]) -> Any:
+    """The output of ``program`` at ``inputs`` ``[N]``, ``[N, size]``, in more digits than doubles have."""
+    require_machine(np.finfo(np.longdouble).nmant >= 60, "extended precision in numpy")
+    functions = {"sin": np.sin, "cos": np.cos, "sqrt": np.sqrt, "abs": np.abs, "sign": np.sign,
+                 "atan2": np.arctan2}  # fmt: skip
+
+    def number(x: Fraction) -> Any:
+        return np.longdouble(x.numerator) / np.longdouble(x.denominator)
+
+    extended = {name: x.astype(np.longdouble) for name, x in inputs.items()}
+    count = len(next(iter(extended.values())))
+    ((_, elements),) = evaluate(program, extended, constant=number, functions=functions).items()
+    return np.stack([np.broadcast_to(x, count) for x in elements], axis=1)

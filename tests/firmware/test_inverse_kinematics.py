@@ -18,12 +18,10 @@ from firmware.folders import digests, fortran, host, require_firmware_tools, run
 from robodyn.dynamics.functions import function_named
 from robodyn.emit.languages import compiled_language
 from robodyn.firmware import Folder, firmware, firmware_options, measure, targets_named
-from robodyn.firmware.digest import fnv1a, kernel_sine, outputs
+from robodyn.firmware.digest import DTYPE, draw, fnv1a, kernel_sine, outputs, program_inputs, ranges
 from robodyn.firmware.language_tests import language_tests
 from robodyn.firmware.rounding import rounding_bounds
-from robodyn.firmware.states import DTYPE, draw, ranges
 from robodyn.firmware.vectors import evaluated, missed_poses, well_conditioned
-from robodyn.ir.program import Input
 from robodyn.kernels.generate import Generated, Options, generate
 from robodyn.robot import load
 from robodyn.verify.reference import Reference
@@ -241,7 +239,7 @@ def test_poses_of_the_self_test_have_bounds_and_positions_that_lead_back() -> No
     robot = load("puma560", warn=lambda _: None)
     ((interface, program),) = kernel_of("puma560", "float", ALL[1:]).unit.functions
     states = well_conditioned(robot, program, {}, 8, 2, "float")
-    inputs = {Input(a, i): x[:, i].astype(float) for a, x in states.items() for i in range(x.shape[1])}
+    inputs = program_inputs(states, {})
     bounds = rounding_bounds(program, inputs, "float")
     assert 0 < max(x.max() for x in bounds.values()) < 1e-2
     assert bounds["branch"].max() == 0

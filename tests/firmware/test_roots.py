@@ -12,8 +12,8 @@ import pytest
 
 from firmware.folders import STRICT, digests, fortran, host, require_firmware_tools, write
 from robodyn.firmware import Folder, firmware, firmware_options, targets_named
+from robodyn.firmware.digest import DTYPE
 from robodyn.firmware.measure import FLAGS, measure
-from robodyn.firmware.states import DTYPE
 from robodyn.kernels.generate import Options, generate
 from robodyn.robot import read_text
 from robodyn_testing import require_tool
@@ -87,26 +87,13 @@ def test_roots_digit_by_digit_are_rounded_correctly(scalar: str, tmp_path: Path)
     ]
     subprocess.run(command, cwd=tmp_path, check=True)
     info, random = np.finfo(real), np.random.default_rng(3)
-    special = [
-        0.0,
-        -0.0,
-        1.0,
-        2.0,
-        4.0,
-        info.tiny,
-        info.smallest_subnormal,
-        info.max,
-        -1.0,
-        np.inf,
-        -np.inf,
-        np.nan,
-    ]
+    special = [0.0, -0.0, 1.0, 2.0, 4.0, info.tiny, info.smallest_subnormal, info.max]
+    special += [-1.0, np.inf, -np.inf, np.nan]
     bits = random.integers(0, 1 << (8 * real().nbytes - 1), 20_000, dtype=np.uint64)
     near = np.nextafter(np.arange(1, 200, dtype=real) ** 2, real(np.inf))
     subnormal = random.uniform(0, 1, 200).astype(real) * real(info.tiny)
-    x = np.concatenate(
-        [np.array(special, real), bits.astype(f"u{real().nbytes}").view(real), near, subnormal]
-    )
+    drawn = bits.astype(f"u{real().nbytes}").view(real)
+    x = np.concatenate([np.array(special, real), drawn, near, subnormal])
     roots = np.empty_like(x)
     ctypes.CDLL(str(tmp_path / "all.so")).all(
         ctypes.c_long(x.size), *(a.ctypes.data_as(ctypes.c_void_p) for a in (x, roots))

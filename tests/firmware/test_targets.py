@@ -17,7 +17,7 @@ from firmware.folders import (
     robot,
     run,
     write,
-)
+)  # fmt: skip
 from robodyn.errors import CheckError
 from robodyn.firmware import Figures, measure, targets_named
 from robodyn.verify.exact import exact_torque
@@ -81,24 +81,22 @@ def test_all_processors_x86_and_fortran_give_the_same_bits(scalar: str, tools: N
     assert len(set(found.values())) == 1, found
 
 
-def test_a_processor_that_fails_is_an_error(tools: None) -> None:
+@pytest.mark.parametrize(
+    ("target", "wrong", "said"),
+    [
+        ("cortex-m4f", "tau[0] = 1.0f + ", r"self-test of puma560 fails on cortex-m4f in qemu.*failed 3"),
+        ("cortex-m3", "*(volatile int *)0xF0000000 = 0;\n    tau[0] = ", "found fault"),
+        ("rv32imafc", "*(volatile int *)0xF0000000 = 0;\n    tau[0] = ", "found fault"),
+    ],
+)
+def test_a_processor_that_fails_is_an_error(target: str, wrong: str, said: str, tools: None) -> None:
     files = folder("puma560", "float").files
-    source = files["puma560.c"]
-    wrong = source.replace("tau[0] = ", "tau[0] = 1.0f + ", 1)
-    assert wrong != source
-    with pytest.raises(CheckError, match=r"self-test of puma560 fails on cortex-m4f in qemu.*failed 3"):
-        measure("puma560", {**files, "puma560.c": wrong}, ["inverse_dynamics"], TARGETS["cortex-m4f"])
+    source = files["puma560.c"].replace("tau[0] = ", wrong, 1)
+    with pytest.raises(CheckError, match=said):
+        measure("puma560", {**files, "puma560.c": source}, ["inverse_dynamics"], TARGETS[target])
 
 
-@pytest.mark.parametrize("target", ["cortex-m3", "rv32imafc"])
-def test_a_fault_ends_the_image(target: str, tools: None) -> None:
-    files = folder("puma560", "float").files
-    wrong = files["puma560.c"].replace("tau[0] = ", "*(volatile int *)0xF0000000 = 0;\n    tau[0] = ", 1)
-    with pytest.raises(CheckError, match="found fault"):
-        measure("puma560", {**files, "puma560.c": wrong}, ["inverse_dynamics"], TARGETS[target])
-
-
-@pytest.mark.parametrize("target", TARGETS)
+@pytest.mark.parametrize("target", representative(TARGETS, "cortex-m3", "rv32imafc", rest="slow"))
 def test_make_runs_the_image(target: str, tools: None, tmp_path: Path) -> None:
     write(tmp_path, folder("puma560", "float").files)
     code, said = run([require_tool("make"), "run", "size", f"TARGET={target}"], tmp_path)

@@ -202,7 +202,7 @@ def test_nothing_else_runs_programs() -> None:
     # formats: a room above toolchain; bounded in time, memory and output, and in a session of its own.
     # logs: bounded in time and memory, ended with the process that asks, and in a session of its own.
     runs = {
-        f"{name}.py" for name in ("toolchain/running", "toolchain/workers", "certify/tools", "logs/guard")
+        f"{name}.py" for name in ("toolchain/running", "toolchain/workers", "logs/guard")
     }
     runs.add("formats/xacro.py")
     assert found == runs | {"formats/xacro_process.py"}  # which names programs to refuse them

@@ -13,31 +13,34 @@ from numpy.typing import NDArray
 
 from robodyn.dynamics.functions.arguments import Q
 from robodyn.emit.c_syntax import c_spelling
-from robodyn.emit.language import Language
 from robodyn.emit.languages import LANGUAGES, defaults, languages_named
 from robodyn.emit.lines import head_of
 from robodyn.emit.markdown import Markdown, markdown_environment
 from robodyn.emit.render import environment
 from robodyn.emit.spelling import Spelling
 from robodyn.errors import InputError
-from robodyn.firmware.digest import FNV_BASIS, FNV_PRIME, fnv1a, kernel_sine, outputs
-from robodyn.firmware.measure import FLAGS, REPEATED, STATES, Figures
-from robodyn.firmware.options import check_firmware, image_context, image_files, ticks
-from robodyn.firmware.states import (
+from robodyn.firmware.digest import (
     DIGEST_SEED,
     DIGEST_STATES,
     DTYPE,
+    FNV_BASIS,
+    FNV_PRIME,
     INCREMENT,
     MULTIPLIER,
     VECTORS,
     Range,
     draw,
+    fnv1a,
+    kernel_sine,
+    outputs,
     ranges,
-)
+)  # fmt: skip
+from robodyn.firmware.measure import FLAGS, REPEATED, STATES, Figures
+from robodyn.firmware.options import check_firmware, image_context, image_files, ticks
 from robodyn.firmware.vectors import SMALLEST, Vectors, rounded_up, states_of, vectors
 from robodyn.ir.evaluate import angle_form
 from robodyn.ir.program import Input, Program
-from robodyn.ir.signature import ScalarType, Signature
+from robodyn.ir.signature import Signature
 from robodyn.kernels.generate import Generated
 from robodyn.robot.account import account_lines
 from robodyn.targets import Target
@@ -107,17 +110,18 @@ def firmware(
     unable = [language.title for language in chosen if "firmware" not in language.features]
     if "c" not in names or unable:
         beside = ", ".join(one.name for one in LANGUAGES.values() if one.selftest is not None)
+        written = f"is not written in {' and '.join(unable)}" if unable else "is for C"
         raise InputError(
-            f"a firmware folder is not written in {' and '.join(unable)}"
-            if unable
-            else "a firmware folder is for C",
-            found=", ".join(names),
-            expected=f"c, alone or with {beside}",
+            f"a firmware folder {written}", found=", ".join(names), expected=f"c, alone or with {beside}"
         )
-    others = [language for language in chosen if language.selftest is not None]
-    context = _context(generated, targets, others)
+    robot, scalar = generated.unit.robot, generated.options.scalar
+    arrays = dict.fromkeys(array for interface in generated.signatures for array, _ in interface.inputs)
+    spans = ranges(robot, tuple(arrays), scalar)
+    values = draw_parameters(robot, None, 0, np.dtype(DTYPE[scalar]))
+    others = [(language, each) for language in chosen if (each := language.selftest) is not None]
+    context = _context(generated, targets, spans, values)
+    context["others"] = {language.name: each for language, each in others}
     files = generated.files(names)
-    name = generated.unit.robot.name
     figures = {
         "confirmed": f" and confirmed by {context['confirmed']}" if context["confirmed"] else "",
         "states": DIGEST_STATES,
@@ -125,48 +129,50 @@ def firmware(
         "ticks": ticks(targets),
     }
 
-    def write(file: str, template: str, head: str, **own: object) -> None:
-        heading = head_of(generated.unit.robot, [head])
-        files[file.replace("NAME", name)] = (
-            environment().get_template(f"firmware/{template}").render(context, head=heading, **own)
-        )
+    def write(file: str, template: str, note: str, **more: object) -> None:
+        text = environment().get_template(f"firmware/{template}")
+        files[file.replace("NAME", robot.name)] = text.render(context, head=head_of(robot, [note]), **more)
 
     for file, template in _C.items():
         write(file, template, _NOTES[file].format(**figures))
-    for language in others:
-        if language.selftest is not None:
-            own = _in_language(language, context["numbers"], single=generated.options.scalar == "float")
-            head = _OTHER.format(title=language.title)
-            write(language.selftest.file, language.selftest.template, head, own=own)
-    files |= image_files(generated.unit.robot, targets, context)
+    for language, selftest in others:
+        single = scalar == "float"
+        spelling = language.spelling(single)
+        own = {
+            **selftest.types(single),
+            "ranges": _spelled_ranges(spans, spelling),
+            "scale": spelling.number(_SCALE),
+            "parameters": [
+                (name, spelling.number(Fraction(values[name]))) for name in generated.signatures[0].parameters
+            ],
+        }
+        write(selftest.file, selftest.template, _OTHER.format(title=language.title), own=own)
+    files |= image_files(robot, targets, context)
     return Folder(files, context)
 
 
-def _in_language(language: Language, numbers: _Numbers, *, single: bool) -> dict[str, Any]:
-    """What the template of a self-test is told in the language's own spelling."""
-    assert language.selftest is not None
-    spelling = language.spelling(single)
-    return {
-        **language.selftest.types(single),
-        "ranges": [
-            {"array": s.array, "middle": _numbers(s.middle, spelling), "half": _numbers(s.half, spelling)}
-            for s in numbers.ranges
-        ],
-        "scale": spelling.number(_SCALE),
-        "parameters": [(name, spelling.number(value)) for name, value in numbers.parameters.items()],
-    }
-
-
-@dataclass(frozen=True, slots=True)
-class _Numbers:
-    """Numbers of a self-test that every language spells: ranges of the inputs, values of the parameters."""
-
-    ranges: Sequence[Range]
-    parameters: dict[str, Fraction]
-
-
-def _base(generated: Generated, targets: Sequence[Target], others: Sequence[Language]) -> dict[str, Any]:
+def _context(
+    generated: Generated, targets: Sequence[Target], spans: Sequence[Range], values: Mapping[str, float]
+) -> dict[str, Any]:
+    """What the templates are given; states lie within ``spans``, run-time parameters have ``values``."""
     robot, scalar = generated.unit.robot, generated.options.scalar
+    c = c_spelling(single=scalar == "float")
+    states = draw(spans, DIGEST_STATES, DIGEST_SEED, scalar)
+    functions, confirmed = [], []
+    for interface, program in generated.unit.functions:
+        pruning = generated.prunings.get(interface.function)
+        spare = pruning.proven if pruning is not None else ()
+        tested = states_of(robot, interface, program, values)
+        expected = vectors(robot, interface.function, program, tested, values, scalar, spare=spare)
+        confirmed.append(expected.confirmed)
+        inputs = {array: states[array] for array, _ in interface.inputs}
+        digest = fnv1a(outputs(program, inputs, values, scalar, kernel_sine(scalar)))
+        lines = _vector_lines(expected, tested, c, SMALLEST[scalar])
+        functions.append({**_function(interface, program), "digest": digest, "vectors": lines})
+    sizes: dict[str, int] = {}  # of the arrays that results go to: each as large as the largest of its name
+    for function in functions:
+        sizes[function["output"]] = max(function["size"], sizes.get(function["output"], 0))
+    parameters = generated.signatures[0].parameters
     return {
         "name": robot.name,
         "prefix": robot.name.upper(),
@@ -174,127 +180,54 @@ def _base(generated: Generated, targets: Sequence[Target], others: Sequence[Lang
         "n": robot.n,
         "scalar": scalar,
         **image_context(targets),
-        "others": {language.name: language.selftest for language in others},
         "flags": FLAGS,
         "measured_states": STATES,
         "repeated": REPEATED,
         "states": DIGEST_STATES,
         "title": robot.title or "a serial arm",
         "account": list(account_lines(robot)),
-    }
-
-
-def _context(generated: Generated, targets: Sequence[Target], others: Sequence[Language]) -> dict[str, Any]:
-    """What the templates are given."""
-    robot, scalar = generated.unit.robot, generated.options.scalar
-    single = scalar == "float"
-    c = c_spelling(single=single)
-    arrays = tuple(dict.fromkeys(a for interface in generated.signatures for a, _ in interface.inputs))
-    spans = ranges(robot, arrays, scalar)
-    at = draw(spans, DIGEST_STATES, DIGEST_SEED, scalar)
-    values = draw_parameters(robot, None, 0, np.dtype(DTYPE[scalar]))
-    functions, confirmed = [], []
-    for interface, program in generated.unit.functions:
-        pruning = generated.prunings.get(interface.function)
-        spare = pruning.proven if pruning is not None else ()
-        states = states_of(robot, interface, program, values)
-        vectors_of = vectors(robot, interface.function, program, states, values, scalar, spare=spare)
-        confirmed.append(vectors_of.confirmed)
-        own = {array: at[array] for array, _ in interface.inputs}
-        bits = outputs(program, own, values, scalar, kernel_sine(scalar))
-        functions.append(_function(interface, program, vectors_of, states, fnv1a(bits), scalar))
-    parameters = generated.signatures[0].parameters
-    return _base(generated, targets, others) | {
         "confirmed": " and ".join(dict.fromkeys(confirmed)) if all(confirmed) else "",
         "functions": functions,
         "vectors": VECTORS,
-        "ranges": [
-            {"array": s.array, "middle": _numbers(s.middle, c), "half": _numbers(s.half, c)} for s in spans
-        ],
+        "ranges": _spelled_ranges(spans, c),
         "parameters": [c.number(Fraction(values[name])) for name in parameters],
-        "outputs": _memory(generated.signatures),
+        "outputs": list(sizes.items()),
         "seed": DIGEST_SEED,
         "multiplier": MULTIPLIER,
         "increment": INCREMENT,
         "basis": FNV_BASIS,
         "prime": FNV_PRIME,
         "scale": c.number(_SCALE),
-        "largest": c.number(Fraction(10**38 if single else 10**308)),
-        "bits": "uint32_t" if single else "uint64_t",
-        "width": 32 if single else 64,
-        "numbers": _Numbers(spans, {name: Fraction(values[name]) for name in parameters}),
+        "largest": c.number(Fraction(10**38 if scalar == "float" else 10**308)),
+        "bits": "uint32_t" if scalar == "float" else "uint64_t",
+        "width": 32 if scalar == "float" else 64,
     }
 
 
-#: Where the self-test has the results of a function that has several, one after another.
-_ELEMENTS = "elements"
-
-
-def _results(interface: Signature) -> tuple[str, int, list[str]]:
-    """The array that a self-test keeps the results of a function in, its size, and the results in C."""
-    if len(interface.outputs) == 1:
-        ((array, size),) = interface.outputs
-        return array, size, [array]
-    places, start = [], 0
-    for _, size in interface.outputs:
-        places.append(f"{_ELEMENTS} + {start}" if start else _ELEMENTS)
-        start += size
-    return _ELEMENTS, start, places
-
-
-def _memory(interfaces: Sequence[Signature]) -> list[tuple[str, int]]:
-    """The arrays that the results of all functions go to, each as large as the largest of its name."""
-    sizes: dict[str, int] = {}
-    for array, size, _ in map(_results, interfaces):
-        sizes[array] = max(size, sizes.get(array, 0))
-    return list(sizes.items())
-
-
-def _continued(arguments: Sequence[str]) -> str:
-    """Arguments in Fortran, on several lines where they are long."""
-    return " &\n        ".join(textwrap.wrap(", ".join(arguments), _WIDTH - 30))
-
-
-def _slices(interface: Signature) -> list[str]:
-    """The results in Fortran: parts of one array."""
-    array, start, parts = f"{interface.function}_found", 1, []
-    for _, size in interface.outputs:
-        parts.append(f"{array}({start}:{start + size - 1})" if len(interface.outputs) > 1 else array)
-        start += size
-    return parts
-
-
-def _function(
-    interface: Signature,
-    program: Program,
-    vectors: Vectors,
-    states: Mapping[str, NDArray[Any]],
-    digest: int,
-    scalar: ScalarType,
-) -> dict[str, Any]:
-    """What the templates say of one function."""
+def _function(interface: Signature, program: Program) -> dict[str, Any]:
+    """What the templates say of the calls of one function. The results of a function that has several go to
+    one array, one after another, in C and in Fortran."""
     inputs = [array for array, _ in interface.inputs]
-    output, size, places = _results(interface)
+    several, drawn = len(interface.outputs) > 1, f"{interface.function}_found"
+    output = "elements" if several else interface.outputs[0][0]
+    places, slices, start = [], [], 0
+    for _, size in interface.outputs:
+        places.append(f"{output} + {start}" if start else output)
+        slices.append(f"{drawn}({start + 1}:{start + size})" if several else drawn)
+        start += size
     last = [f"&{interface.robot}_selftest_params"] if interface.parameters else []
     vector = f"{interface.function}_vectors[k]"
+    in_fortran = [*(f"{a}_drawn" for a in inputs), *slices, *["values"] * bool(interface.parameters)]
     return {
         "name": interface.function,
         "symbol": interface.symbol,
         "inputs": interface.inputs,
         "output": output,
-        "size": size,
-        "digest": digest,
+        "size": start,
         "angles": _angles(program),
         "vector_call": ", ".join([*(f"{vector}.{a}" for a in inputs), *places, *last]),
         "state_call": ", ".join([*(f"state.{a}" for a in inputs), *places, *last]),
-        "drawn_call": _continued(
-            [
-                *(f"{a}_drawn" for a in inputs),
-                *_slices(interface),
-                *(["values"] if interface.parameters else []),
-            ]
-        ),
-        "vectors": _vector_lines(vectors, states, scalar),
+        "drawn_call": " &\n        ".join(textwrap.wrap(", ".join(in_fortran), _WIDTH - 30)),
     }
 
 
@@ -309,35 +242,35 @@ def _angles(program: Program) -> list[int]:
 
 
 def _vector_lines(
-    vectors: Vectors, states: Mapping[str, NDArray[Any]], scalar: ScalarType
+    vectors: Vectors, states: Mapping[str, NDArray[Any]], spelling: Spelling, smallest: float
 ) -> list[list[list[str]]]:
     """Each vector as lists of lines, array by array."""
-    spelling = c_spelling(single=scalar == "float")
     lines = []
     for k, expected in enumerate(vectors.expected):
-        arrays = [[float(v) for v in x[k]] for x in states.values()]
-        small = [Fraction(0) if abs(x) < SMALLEST[scalar] else x for x in expected]
-        rows = [_braced([Fraction(v) for v in row], spelling) for row in arrays]
-        rows += [
-            _braced(small, spelling),
-            _braced([rounded_up(t, scalar) for t in vectors.tolerance[k]], spelling),
-        ]
-        lines.append([[*row[:-1], row[-1] + ","] for row in rows[:-1]] + [rows[-1]])
+        rows: list[Sequence[float | Fraction]] = [[float(v) for v in x[k]] for x in states.values()]
+        rows.append([Fraction(0) if abs(x) < smallest else x for x in expected])
+        rows.append([rounded_up(t, smallest) for t in vectors.tolerance[k]])
+        *first, last = (_braced(row, spelling) for row in rows)
+        lines.append([*([*row[:-1], row[-1] + ","] for row in first), last])
     return lines
 
 
-def _braced(numbers: Sequence[Fraction], spelling: Spelling) -> list[str]:
+def _braced(numbers: Sequence[float | Fraction], spelling: Spelling) -> list[str]:
     """An initialiser as lines."""
     text = "{ " + ", ".join(_numbers(numbers, spelling)) + " }"
     return textwrap.wrap(
-        text,
-        _WIDTH,
-        initial_indent=" " * 8,
-        subsequent_indent=" " * 10,
-        break_long_words=False,
+        text, _WIDTH, initial_indent=" " * 8, subsequent_indent=" " * 10, break_long_words=False,
         break_on_hyphens=False,
-    )
+    )  # fmt: skip
 
 
 def _numbers(numbers: Sequence[float | Fraction], spelling: Spelling) -> list[str]:
     return [spelling.number(Fraction(x)) for x in numbers]
+
+
+def _spelled_ranges(spans: Sequence[Range], spelling: Spelling) -> list[dict[str, Any]]:
+    """Ranges of the inputs in a language's spelling."""
+    return [
+        {"array": s.array, "middle": _numbers(s.middle, spelling), "half": _numbers(s.half, spelling)}
+        for s in spans
+    ]

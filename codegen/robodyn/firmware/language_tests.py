@@ -22,8 +22,8 @@ from robodyn.emit.languages import languages_named
 from robodyn.emit.lines import head_of
 from robodyn.emit.render import environment
 from robodyn.emit.spelling import Spelling
+from robodyn.firmware.digest import DTYPE, Range, draw, program_inputs, ranges
 from robodyn.firmware.rounding import UNIT, rounding_bounds
-from robodyn.firmware.states import DTYPE, Range, draw, program_inputs, ranges
 from robodyn.firmware.vectors import SMALLEST, confirm, evaluated, pose_states, rounded_up
 from robodyn.ir.program import Input, Program
 from robodyn.ir.signature import ScalarType, Signature
@@ -91,17 +91,12 @@ def language_tests(
             "entry": entry,
             "head": head_of(robot, [head]),
             "values": [spelling.number(Fraction(values[name])) for name in robot.parameters],
-            "functions": [_spelled(*function, spelling, scalar) for function in functions],
+            "functions": [_spelled(*function, spelling, SMALLEST[scalar]) for function in functions],
         }
-        files |= _rendered(templates, robot.name, context)
+        for file, template in templates.items():
+            text = environment().get_template(template).render(context)
+            files[file.replace("NAME", robot.name)] = text
     return files
-
-
-def _rendered(templates: Mapping[str, str], name: str, context: Mapping[str, Any]) -> dict[str, str]:
-    return {
-        file.replace("NAME", name): environment().get_template(template).render(context)
-        for file, template in templates.items()
-    }
 
 
 def _states(generated: Generated, signature: Signature) -> dict[Input, NDArray[np.float64]]:
@@ -172,13 +167,13 @@ def _spelled(
     inputs: Mapping[Input, NDArray[np.float64]],
     rows: Sequence[_Row],
     spelling: Spelling,
-    scalar: ScalarType,
+    smallest: float,
 ) -> dict[str, Any]:
     """What a template is told of a function; numbers are lines of numbers with commas."""
 
     def numbers(values: Iterable[float | Fraction]) -> list[str]:
         exact = [Fraction(x) for x in values]
-        small = [Fraction(0) if abs(x) < SMALLEST[scalar] else x for x in exact]
+        small = [Fraction(0) if abs(x) < smallest else x for x in exact]
         return textwrap.wrap(", ".join(map(spelling.number, small)), 88, break_on_hyphens=False)
 
     def at(array: str, size: int, k: int) -> list[float]:
@@ -200,7 +195,7 @@ def _spelled(
                         "array": array,
                         "size": len(expected),
                         "expected": numbers(expected),
-                        "tolerance": numbers(rounded_up(t, scalar) for t in tolerance),
+                        "tolerance": numbers(rounded_up(t, smallest) for t in tolerance),
                     }
                     for array, expected, tolerance in outputs
                 ],

@@ -105,13 +105,12 @@ def measure(name: str, files: Mapping[str, str], functions: Sequence[str], targe
             (folder / file).write_text(text, encoding="utf-8", newline="\n")
         image = _built(name, target, folder)
         graph = (folder / f"{name}.ci").read_text(encoding="utf-8")
+        symbols = _run([tools.nm.name, "-u", f"{name}.o"], folder)
         figures = Figures(
             target,
             compiler=_run([tools.compiler.name, "--version"], folder).splitlines()[0],
             sections=_sections(_run([tools.size.name, "-A", f"{name}.o"], folder)),
-            undefined=tuple(
-                line.split()[-1] for line in _run([tools.nm.name, "-u", f"{name}.o"], folder).splitlines()
-            ),
+            undefined=tuple(line.split()[-1] for line in symbols.splitlines()),
             costs=tuple(
                 Cost(f, deepest(graph, f"{name}_{emitted_name(f, functions)}").size) for f in functions
             ),
@@ -210,10 +209,9 @@ def deepest(graph: str, function: str) -> Depth:
         size, chain = depth(function, ())
     except _UnboundedError as reason:
         return Depth(function, None, (), str(reason))
-    if beyond:
-        reason_ = f"and what {', '.join(sorted(beyond))} need on top, which gcc does not state"
-        return Depth(function, size, chain, reason_, tuple(sorted(beyond)))
-    return Depth(function, size, chain)
+    names = tuple(sorted(beyond))
+    on_top = f"and what {', '.join(names)} need on top, which gcc does not state" if names else ""
+    return Depth(function, size, chain, on_top, names)
 
 
 class _UnboundedError(Exception):
@@ -231,7 +229,6 @@ def _sections(output: str) -> dict[str, int]:
 def _with_run(figures: Figures, name: str, image: str, folder: Path) -> Figures:
     """``figures`` with what the image says of itself in qemu."""
     board = _board(figures.target)
-    ticks_each = board.ticks
     command = [*board.command, image]
     output = _run(command, folder, range(256))
     if "self-test passed" not in output:
@@ -243,19 +240,16 @@ def _with_run(figures: Figures, name: str, image: str, folder: Path) -> Figures:
     costs = []
     for cost in figures.costs:
         digest = re.search(rf"^{cost.function} digest ([0-9a-f]+)", output, re.M)
-        ticks = re.search(
-            rf"^measured {cost.function} calls (\d+) ticks (\d+) idle (\d+) most (\d+) stack (\d+)",
-            output,
-            re.M,
-        )
+        words = rf"^measured {cost.function} calls (\d+) ticks (\d+) idle (\d+) most (\d+) stack (\d+)"
+        ticks = re.search(words, output, re.M)
         assert digest
         assert ticks
         calls, total, idle, most, used = map(int, ticks.groups())
         costs.append(
             dataclasses.replace(
                 cost,
-                instructions=(total - idle) / calls / ticks_each,
-                most=(most - idle / STATES) / REPEATED / ticks_each,
+                instructions=(total - idle) / calls / board.ticks,
+                most=(most - idle / STATES) / REPEATED / board.ticks,
                 stack_used=used,
                 digest=int(digest[1], 16),
             )

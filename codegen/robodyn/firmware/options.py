@@ -13,7 +13,7 @@ from robodyn.emit.lines import head_of
 from robodyn.emit.render import environment
 from robodyn.emit.unit import OF_LIBM
 from robodyn.errors import InputError
-from robodyn.firmware.states import DRAWN
+from robodyn.firmware.digest import DRAWN
 from robodyn.ir.signature import ScalarType
 from robodyn.kernels.generate import Generated, Options
 from robodyn.robot.model import Robot
@@ -60,29 +60,22 @@ def firmware_options(
         )
     if scalar is None:
         scalar = "double" if all("double" in target.hardware for target in named) else "float"
-    options = dataclasses.replace(
-        options, functions=options.functions or FUNCTIONS, scalar=scalar, trig="builtin"
-    )
-    untested = {name: inputs for name in options.function_names if (inputs := _without_limits(name))}
-    for function, inputs in untested.items():
-        if options.insists_on(function):
+    functions = options.functions or FUNCTIONS
+    options = dataclasses.replace(options, functions=functions, scalar=scalar, trig="builtin")
+    without = []
+    for name in options.function_names:
+        function, asked = function_named(name), options.insists_on(name)
+        unknown = sorted(set(function.input_names) - DRAWN)  # there is no telling what to test them with
+        if unknown and asked:
             raise InputError(
-                f"no firmware tests {function}",
-                found=f"its input {', '.join(inputs)}, of which no joint has limits",
+                f"no firmware tests {name}",
+                found=f"its input {', '.join(unknown)}, of which no joint has limits",
                 remedy="leave it out of --functions, or out of --firmware",
             )
-    # Of a pose: only by name, since not every arm has one that can be tested.
-    unasked = [
-        name
-        for name in options.function_names
-        if function_named(name).of_pose and not options.insists_on(name)
-    ]
-    return dataclasses.replace(options, without=(*untested, *unasked))
-
-
-def _without_limits(function: str) -> list[str]:
-    """The inputs of ``function`` that no range is known of: there is no telling what to test them with."""
-    return sorted(set(function_named(function).input_names) - DRAWN)
+        # Of a pose: only by name, since not every arm has one that can be tested.
+        if unknown or (function.of_pose and not asked):
+            without.append(name)
+    return dataclasses.replace(options, without=tuple(without))
 
 
 def check_firmware(generated: Generated) -> None:
@@ -126,14 +119,12 @@ def image_context(targets: Sequence[Target]) -> dict[str, Any]:
 
 def ticks(targets: Sequence[Target]) -> str:
     """How instructions are counted in the emulators, in words."""
-    boards = [target.board for target in targets if target.board]
-    return " and ".join(
-        dict.fromkeys(
-            f"-icount shift={board.architecture.shift} {board.architecture.counter} counts {board.ticks:g} "
-            "an instruction"
-            for board in boards
-        )
+    ways = (
+        f"-icount shift={b.architecture.shift} {b.architecture.counter} counts {b.ticks:g} an instruction"
+        for target in targets
+        if (b := target.board)
     )
+    return " and ".join(dict.fromkeys(ways))
 
 
 def image_files(robot: Robot, targets: Sequence[Target], context: Mapping[str, Any]) -> dict[str, str]:

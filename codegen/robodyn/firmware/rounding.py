@@ -120,14 +120,6 @@ def _constant(value: Fraction, scalar: ScalarType, states: int) -> _Bounded:
     return _Bounded(np.full(states, float(value)), np.full(states, off))
 
 
-def _sum(x: _Bounded, y: _Bounded) -> tuple[Floats, Floats]:
-    return x.value + y.value, x.error + y.error
-
-
-def _difference(x: _Bounded, y: _Bounded) -> tuple[Floats, Floats]:
-    return x.value - y.value, x.error + y.error
-
-
 def _product(x: _Bounded, y: _Bounded) -> tuple[Floats, Floats]:
     error = np.abs(x.value) * y.error + np.abs(y.value) * x.error + x.error * y.error
     return x.value * y.value, error
@@ -197,8 +189,8 @@ def _farthest(value: Floats, others: Sequence[Floats]) -> Floats:
 
 
 _RULES: Mapping[str, Callable[..., tuple[Floats, Floats]]] = {
-    "add": _sum,
-    "sub": _difference,
+    "add": lambda x, y: (x.value + y.value, x.error + y.error),
+    "sub": lambda x, y: (x.value - y.value, x.error + y.error),
     "mul": _product,
     "div": _quotient,
     "neg": lambda x: (-x.value, x.error),

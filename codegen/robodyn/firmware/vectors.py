@@ -24,8 +24,8 @@ from robodyn.dynamics.functions import function_named
 from robodyn.dynamics.functions.arguments import NEAR, POSE, Q
 from robodyn.dynamics.functions.record import Function
 from robodyn.errors import InputError
+from robodyn.firmware.digest import DTYPE, VECTOR_SEED, VECTORS, draw, program_inputs, ranges, vector_states
 from robodyn.firmware.rounding import TINY, UNIT, rounding_bounds
-from robodyn.firmware.states import DTYPE, VECTOR_SEED, VECTORS, draw, program_inputs, ranges, vector_states
 from robodyn.ir.digits import evaluate_to_digits
 from robodyn.ir.program import Input, Program
 from robodyn.ir.signature import ScalarType, Signature
@@ -138,11 +138,9 @@ def evaluated(
         return {array: [_fraction(x) for x in row] for array, row in outputs.items()}
 
 
-def rounded_up(tolerance: float, scalar: ScalarType) -> Fraction:
-    """``tolerance`` rounded up to three digits, to a number that is not subnormal."""
-    if tolerance == 0:
-        return Fraction(0)
-    return Fraction(f"{max(tolerance, 2 * SMALLEST[scalar]) * _UP:.2e}")
+def rounded_up(tolerance: float, smallest: float) -> Fraction:
+    """``tolerance`` rounded up to three digits, to a number well above the ``smallest`` normal one."""
+    return Fraction(f"{max(tolerance, 2 * smallest) * _UP:.2e}") if tolerance else Fraction(0)
 
 
 def _fraction(x: Any) -> Fraction:
