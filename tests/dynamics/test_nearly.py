@@ -12,8 +12,7 @@ from numpy.typing import NDArray
 
 from robodyn.dynamics.arm import build_arm
 from robodyn.dynamics.inverse import Inverse, Numerical
-from robodyn.dynamics.inverse.inverse import size_of
-from robodyn.dynamics.inverse.nearly import idealised
+from robodyn.dynamics.inverse.numerical import idealised
 from robodyn.dynamics.inverse.screws import chain_of
 from robodyn.optimize.programs import inverse_kinematics_of
 from robodyn.robot import load
@@ -95,7 +94,7 @@ def test_what_is_neglected_is_said() -> None:
 def test_nothing_is_neglected_of_arms_that_are_of_a_class(name: str) -> None:
     arm = build_arm(plain(name), lambda x: x, lambda name: name)
     chain = chain_of(arm)
-    similar, neglected = idealised(chain, size_of(chain))
+    similar, neglected = idealised(chain)
     assert neglected == ()
     assert [x.direction for x in similar.axes] == [x.direction for x in chain.axes]
     assert isinstance(inverse_kinematics_of(plain(name)), Inverse)

@@ -2,7 +2,7 @@
 
 Modules and packages from the bottom to the top, each of which imports only those that stand before it:
 
-- numbers and frames: ``limits vectors frame arm transforms``
+- numbers and frames: ``limits vectors arm transforms``
 - one arm, and what its functions ask of it: ``lump parallel base_parameter state``
 - motion of frames: ``kinematics sections poses jacobians drift dual``
 - masses: ``carried regroup composite spatial weights energy momenta mass_matrix``

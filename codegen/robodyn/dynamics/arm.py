@@ -7,8 +7,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
-from robodyn.dynamics.frame import BASE, Frame
-from robodyn.dynamics.vectors import ZERO, Vector
+from robodyn.dynamics.vectors import BASE, ZERO, Frame, Vector
 from robodyn.effects.scalars import cosine, is_zero, sine
 from robodyn.ir.program import Label
 from robodyn.robot.model import Inertia, Placement, Robot

@@ -10,8 +10,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, Motion
-from robodyn.dynamics.frame import BASE, Frame
-from robodyn.dynamics.vectors import ZERO, Vector, cross, plus, scaled
+from robodyn.dynamics.vectors import BASE, ZERO, Frame, Vector, cross, plus, scaled
 from robodyn.effects.scalars import is_zero
 
 #: Rows of scalars.

@@ -23,11 +23,11 @@ from typing import Any
 
 from robodyn.dynamics.arm import Body, Symmetric, into_child, origin
 from robodyn.dynamics.articulated import Yielding, yielding
-from robodyn.dynamics.poses import flat, placed
+from robodyn.dynamics.poses import placed
 from robodyn.dynamics.sections import ROWS, Row
 from robodyn.dynamics.spatial import Pair, Spatial
 from robodyn.dynamics.state import Dynamics, Moving
-from robodyn.dynamics.vectors import ZERO, Mark, Vector, cross, dot, plus, scaled
+from robodyn.dynamics.vectors import ZERO, Mark, Vector, cross, dot, flat, plus, scaled
 from robodyn.effects.scalars import is_zero
 from robodyn.ir.program import Label
 

@@ -15,10 +15,9 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, Motion, about_x, about_z, origin
-from robodyn.dynamics.frame import BASE, Frame
 from robodyn.dynamics.limits import SECTIONS_TRIED
 from robodyn.dynamics.parallel import Turns
-from robodyn.dynamics.vectors import ZERO, Mark, Vector, named, plus, scaled, unmarked
+from robodyn.dynamics.vectors import BASE, ZERO, Frame, Mark, Vector, named, plus, scaled, unmarked
 from robodyn.effects.scalars import is_zero
 
 #: Three unit axes along those of another frame.

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from robodyn.dynamics.arm import Arm, JointAngle, build_arm, build_motion
-from robodyn.dynamics.frame import BASE, Frame
 from robodyn.dynamics.kinematics import frames, jacobian, jacobian_rate
+from robodyn.dynamics.vectors import BASE, Frame
 from robodyn.errors import InputError
 from robodyn.robot.model import Placement, Robot
 from robodyn.verify.numbers import Parameters, filled, real

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 from robodyn.dynamics.functions.arguments import NEAR, POSE, Array
 from robodyn.dynamics.functions.record import Answers, Function
-from robodyn.dynamics.poses import flat
 from robodyn.dynamics.state import Dynamics
+from robodyn.dynamics.vectors import flat
 
 if TYPE_CHECKING:
     from robodyn.dynamics.arm import Arm
@@ -50,7 +50,7 @@ def _all_branches(at: Dynamics) -> Sequence[Any]:
 
 
 def _rows(solved: Solved) -> Sequence[Any]:
-    return [*flat(solved.solutions), *solved.exists, *solved.within, *solved.singular, solved.count]
+    return [*flat(solved.solutions), *solved.exists, *solved.within, *solved.singular, sum(solved.exists)]
 
 
 def _nearest(at: Dynamics) -> Sequence[Any]:

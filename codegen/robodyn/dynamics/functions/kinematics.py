@@ -16,11 +16,11 @@ from robodyn.dynamics.jacobians import Column, columns
 from robodyn.dynamics.kinematics import frames, jacobian
 from robodyn.dynamics.mass_matrix import factoring
 from robodyn.dynamics.operational import by_elimination, lambda_inverse
-from robodyn.dynamics.poses import flat, link_places, placed, pose, rows_of, seen_from_tool
+from robodyn.dynamics.poses import link_places, placed, pose, rows_of, seen_from_tool
 from robodyn.dynamics.responses import lambda_inverse_by_answers
 from robodyn.dynamics.state import Dynamics, Vector
 from robodyn.dynamics.transforms import Matrix, applied, axial, poses, product, transposed
-from robodyn.dynamics.vectors import plus, scaled
+from robodyn.dynamics.vectors import flat, plus, scaled
 
 LINK_POSITIONS = Array("link_positions", "origins of the links in the world", "m", shape=("n", 3))
 LINK_ROTATIONS = Array(

@@ -8,142 +8,40 @@ whatever that joint's position; its axes are then joints at with it in several p
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import Protocol
+from typing import NamedTuple
 
-from robodyn.dynamics.inverse import few_joints
-from robodyn.dynamics.inverse.branch import Branch, Setting, Sum
-from robodyn.dynamics.inverse.lines import feet, nearest
-from robodyn.dynamics.inverse.orientation import marker_of, oriented
-from robodyn.dynamics.inverse.places import Reach, in_a_plane, shoulders
-from robodyn.dynamics.inverse.screws import Axis, Target, minus
-from robodyn.dynamics.inverse.structures import (
+from robodyn.dynamics.inverse.limits import TOLERANCE
+from robodyn.dynamics.inverse.places import (
     STRUCTURES,
     Axes,
-    Points,
+    Reach,
     Structure,
+    in_a_plane,
     parallel,
-    through,
+    shoulders,
+    slid,
 )
-from robodyn.dynamics.vectors import Vector, dot
+from robodyn.dynamics.inverse.screws import Axis, Target, feet
+from robodyn.dynamics.inverse.subproblems import Branch, Setting, Sum, both, lever_of, real_root
+from robodyn.dynamics.vectors import Vector, dot, minus, plus, scaled
+from robodyn.effects.scalars import choose
+
+#: Points of axes by joint.
+Points = dict[int, Vector]
 
 
-class Class(Protocol):
-    """How the angles of ``axes`` follow from a target."""
+class Class(NamedTuple):
+    """How the positions of axes follow from a target.
 
-    @property
-    def conditions(self) -> tuple[str, ...]:
-        """What holds for the arm, a sentence each, without a stop."""
-        ...
-
-    @property
-    def points(self) -> Points:
-        """Points of the axes that it needs, by joint, of the chain as it is at rest."""
-        ...
-
-    def solve(self, axes: Sequence[Axis], target: Target, at: Setting) -> Iterator[Branch]:
-        """All branches; ``axes`` through ``points``."""
-        ...
-
-
-@dataclass(frozen=True, slots=True)
-class Wrist:
-    """The last three axes meet: the first three joints place the point where they do, the others turn."""
-
-    structure: Structure
-    mirrored: bool
-    centre: Vector
-    marker: Vector
-    points: Points
-    conditions: tuple[str, ...]
-
-    def solve(self, axes: Sequence[Axis], target: Target, at: Setting) -> Iterator[Branch]:
-        """All branches."""
-        first = _three(axes[:3])
-        place = target.placed(self.centre)
-        for branch in _placed(self.structure, self.mirrored, first, self.centre, place, at):
-
-            def rotation(v: Vector, branch: Branch = branch) -> Vector:
-                return branch.inward_of(first, target.turned(v))
-
-            yield from oriented(_three(axes[3:]), rotation, self.marker, branch, at)
-
-
-@dataclass(frozen=True, slots=True)
-class ThreeParallel:
-    """The second, third and fourth axes are parallel, and the last two meet.
-
-    What is along the three tells the first angle, directions tell the sum of the three and the last two, and
-    two links in a plane remain.
+    ``conditions``: what holds for the arm, a sentence each, without a stop. ``points``: points of the axes
+    that it needs, by joint, of the chain as it is at rest. ``solve``: all branches, of axes through these.
     """
 
-    centre: Vector
-    marker: Vector
-    points: Points
     conditions: tuple[str, ...]
-
-    def solve(self, axes: Sequence[Axis], target: Target, at: Setting) -> Iterator[Branch]:
-        """All branches."""
-        one, two, three, four, five, six = axes
-        h = two.direction
-        p = minus(target.placed(self.centre), one.point)
-        back = target.inverse()
-        distance = dot(h, minus(self.centre, one.point))
-        ways = (six.reversed(), five.reversed(), four.reversed())
-        for first, w in shoulders(one, h, p, distance, Branch(), at):
-
-            def rotation(v: Vector, branch: Branch = first) -> Vector:
-                return back.turned(branch.outward(one, v))
-
-            u = minus(w, minus(two.point, one.point))
-            for turned in oriented(ways, rotation, self.marker, first, at):
-                beyond = turned.outward(four, minus(self.centre, four.point))
-                b, c = minus(three.point, two.point), minus(four.point, three.point)
-                for branch in in_a_plane((two, three), b, c, minus(u, beyond), turned, at):
-                    others = tuple((each.joint, _sense(each, four)) for each in (two, three))
-                    rest = Sum(branch.positions[four.joint], minus=others)
-                    yield branch.known(four.joint, rest)
-
-
-@dataclass(frozen=True, slots=True)
-class Place:
-    """Three joints that bring the tool's origin to a point, however it is turned."""
-
-    structure: Structure
-    mirrored: bool
-    tip: Vector
     points: Points
-    conditions: tuple[str, ...]
-
-    def solve(self, axes: Sequence[Axis], target: Target, at: Setting) -> Iterator[Branch]:
-        """All branches."""
-        place = target.placed(self.tip)
-        yield from _placed(self.structure, self.mirrored, _three(axes), self.tip, place, at)
-
-
-@dataclass(frozen=True, slots=True)
-class FewJoints:
-    """One or two joints that bring the tool's origin to a point, however it is turned."""
-
-    tip: Vector
-    points: Points
-    conditions: tuple[str, ...]
-
-    def solve(self, axes: Sequence[Axis], target: Target, at: Setting) -> Iterator[Branch]:
-        """All branches."""
-        yield from few_joints.placed(axes, self.tip, target.placed(self.tip), at)
-
-
-def _placed(
-    structure: Structure, mirrored: bool, axes: Axes, tip: Vector, place: Vector, at: Setting
-) -> Iterator[Branch]:
-    """Branches of three joints that bring ``tip`` to ``place``."""
-    reach = Reach(_mirror(axes), place, tip) if mirrored else Reach(axes, tip, place)
-    yield from structure.solve(reach, Branch(), at)
-
-
-# --- what an arm is of --------------------------------------------------------------------------------------
+    solve: Callable[[Sequence[Axis], Target, Setting], Iterator[Branch]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -162,90 +60,157 @@ class Joints:
     moved: int = 0
 
 
-def wrists(arm: Joints) -> Iterator[Wrist]:
-    """Ways to see the last three of six axes as a spherical wrist."""
+def classes_of(arm: Joints) -> Iterator[Class]:
+    """Ways to see the axes of ``arm``."""
+    if len(arm.axes) == 6:
+        yield from _wrists(arm)
+        yield from _three_parallel(arm)
+    elif len(arm.axes) == 3:
+        yield from _places(arm)
+    elif len(arm.axes) < 3:
+        yield _few(arm)
+
+
+def _wrists(arm: Joints) -> Iterator[Class]:
+    """The last three axes meet: the first three joints place the point where they do, the others turn."""
     four, five, six = arm.axes[3:]
     if arm.moved > 3 or not (four.revolute and five.revolute and six.revolute):
         return
     centre, _ = feet(four, five)
-    point = shares(centre, arm.size)
     for stance in arm.stances({}):
-        last = stance[3:]
-        if not through(last, point) or parallel(last[0], last[1]) or parallel(last[1], last[2]):
+        a, b, c = stance[3:]
+        if not _meet((a, b, c), centre, arm.size) or parallel(a, b) or parallel(b, c):
             return
+    marker = _marker_of(six)
     meeting = "axes {}, {} and {} meet in a point".format(*_numbers(arm.axes[3:]))
-    for structure, mirrored, points in _structures(arm):
-        words = structure.words.format(*_numbers(_mirror(arm.axes) if mirrored else arm.axes))
-        yield Wrist(structure, mirrored, centre, marker_of(six), points, (meeting, words))
+    for structure, mirrored, points, words in _structures(arm):
+
+        def solve(
+            axes: Sequence[Axis],
+            target: Target,
+            at: Setting,
+            structure: Structure = structure,
+            mirrored: bool = mirrored,
+        ) -> Iterator[Branch]:
+            for branch in _placed(structure, mirrored, axes, centre, target.placed(centre), at):
+
+                def rotation(v: Vector, branch: Branch = branch) -> Vector:
+                    return branch.inward_of(axes[:3], target.turned(v))
+
+                yield from _oriented(_three(axes[3:]), rotation, marker, branch, at)
+
+        yield Class((meeting, words), points, solve)
 
 
-def parallels(arm: Joints) -> Iterator[ThreeParallel]:
-    """The way to see the second, third and fourth of six axes as parallel, if there is one."""
+def _three_parallel(arm: Joints) -> Iterator[Class]:
+    """The second, third and fourth axes are parallel, and the last two meet.
+
+    What is along the three tells the first angle, directions tell the sum of the three and the last two, and
+    two links in a plane remain.
+    """
     one, two, three, four, five, six = arm.axes
     if arm.moved > 1 or not all(axis.revolute for axis in arm.axes):
         return
     centre, _ = feet(five, six)
     first, second = feet(one, two)
-    third = nearest(three, second)
-    points = dict(zip((0, 1, 2, 3), (first, second, third, nearest(four, third)), strict=True))
-    points = {arm.axes[k].joint: point for k, point in points.items()}
-    point = shares(centre, arm.size)
+    third = three.nearest(second)
+    through = (first, second, third, four.nearest(third))
+    points = {axis.joint: point for axis, point in zip(arm.axes, through, strict=False)}
     for a, b, c, d, e, f in arm.stances(points):
-        if not (parallel(b, c) and parallel(b, d) and through((e, f), point)):
+        if not (parallel(b, c) and parallel(b, d) and _meet((e, f), centre, arm.size)):
             return
         if parallel(a, b) or parallel(d, e) or parallel(e, f):
             return
+    marker = _marker_of(four)
+
+    def solve(axes: Sequence[Axis], target: Target, at: Setting) -> Iterator[Branch]:
+        one, two, three, four, five, six = axes
+        h = two.direction
+        p = minus(target.placed(centre), one.point)
+        back = target.inverse()
+        distance = dot(h, minus(centre, one.point))
+        ways = (six.reversed(), five.reversed(), four.reversed())
+        for first, w in shoulders(one, h, p, distance, Branch(), at):
+
+            def rotation(v: Vector, branch: Branch = first) -> Vector:
+                return back.turned(branch.outward(one, v))
+
+            u = minus(w, minus(two.point, one.point))
+            for turned in _oriented(ways, rotation, marker, first, at):
+                beyond = turned.outward(four, minus(centre, four.point))
+                b, c = minus(three.point, two.point), minus(four.point, three.point)
+                for branch in in_a_plane((two, three), b, c, minus(u, beyond), turned, at):
+                    senses = (
+                        (each.joint, 1 if dot(each.direction, four.direction) > 0 else -1)
+                        for each in (two, three)
+                    )
+                    rest = Sum(branch.positions[four.joint], minus=tuple(senses))
+                    yield branch.at(four.joint, rest)
+
     numbers = _numbers(arm.axes)
-    yield ThreeParallel(
-        centre,
-        marker_of(four),
-        points,
-        (
-            "axes {1}, {2} and {3} are parallel, and axes {0} and {4} are not".format(*numbers),
-            "axes {4} and {5} meet".format(*numbers),
-        ),
-    )
+    words = "axes {1}, {2} and {3} are parallel, and axes {0} and {4} are not", "axes {4} and {5} meet"
+    yield Class((words[0].format(*numbers), words[1].format(*numbers)), points, solve)
 
 
-def whole_places(arm: Joints) -> Iterator[Place]:
-    """Ways to bring the tip to a point by three axes."""
-    for structure, mirrored, points in _structures(arm):
-        words = structure.words.format(*_numbers(_mirror(arm.axes) if mirrored else arm.axes))
-        yield Place(structure, mirrored, arm.tip, points, (words,))
+def _places(arm: Joints) -> Iterator[Class]:
+    """Three joints that bring the tool's origin to a point, however it is turned."""
+    for structure, mirrored, points, words in _structures(arm):
+
+        def solve(
+            axes: Sequence[Axis],
+            target: Target,
+            at: Setting,
+            structure: Structure = structure,
+            mirrored: bool = mirrored,
+        ) -> Iterator[Branch]:
+            return _placed(structure, mirrored, axes, arm.tip, target.placed(arm.tip), at)
+
+        yield Class((words,), points, solve)
 
 
-def few(arm: Joints) -> Iterator[FewJoints]:
-    """The way to bring the tip to a point by one or two axes."""
+def _few(arm: Joints) -> Class:
+    """One or two joints that bring the tool's origin to a point, however it is turned."""
     points = {}
     if len(arm.axes) == 2:
         one, two = arm.axes
-        first, second = feet(one, two)
-        points = {one.joint: first, two.joint: second}
-    yield FewJoints(arm.tip, points, ("there are fewer than three joints",))
+        points = dict(zip((one.joint, two.joint), feet(one, two), strict=True))
+
+    def solve(axes: Sequence[Axis], target: Target, at: Setting) -> Iterator[Branch]:
+        return _placed_by_few(axes, arm.tip, target.placed(arm.tip), at)
+
+    return Class(("there are fewer than three joints",), points, solve)
 
 
-def _structures(arm: Joints) -> Iterator[tuple[Structure, bool, Points]]:
-    """Ways to place a point by the first three axes; whether these are taken from the last to the first."""
+def _placed(
+    structure: Structure, mirrored: bool, axes: Sequence[Axis], tip: Vector, place: Vector, at: Setting
+) -> Iterator[Branch]:
+    """Branches of the first three joints that bring ``tip`` to ``place``."""
+    reach = Reach(_mirror(axes), place, tip) if mirrored else Reach(_three(axes), tip, place)
+    return structure.solve(reach, Branch(), at)
+
+
+def _structures(arm: Joints) -> Iterator[tuple[Structure, bool, Points, str]]:
+    """Ways to place a point by the first three axes; whether these are taken from the last to the first; the
+    points (where the first two are nearest to each other, and on the third what is nearest to that); and what
+    is needed, in words."""
     for mirrored in (False, True):
-        axes = _mirror(arm.axes) if mirrored else _three(arm.axes)
+        ordered = _mirror if mirrored else _three
+        one, two, three = axes = ordered(arm.axes)
         kinds = "".join("R" if axis.revolute else "P" for axis in axes)
+        first, second = feet(one, two)
+        points = {one.joint: first, two.joint: second, three.joint: three.nearest(second)}
         for structure in STRUCTURES:
-            if structure.kinds != kinds:
-                continue
-            points = structure.points(axes)
-            stances = arm.stances(points)
-            if all(structure.applies(_mirror(each) if mirrored else _three(each)) for each in stances):
-                yield structure, mirrored, points
+            if structure.kinds == kinds and all(
+                structure.applies(*ordered(stance)) for stance in arm.stances(points)
+            ):
+                yield structure, mirrored, points, structure.words.format(*_numbers(axes))
 
 
-def shares(u: Vector, size: Fraction) -> Vector:
-    """Lengths as shares of ``size``, in floats."""
-    return float(u[0] / size), float(u[1] / size), float(u[2] / size)
-
-
-def _sense(one: Axis, other: Axis) -> int:
-    """1 where two parallel axes point one way, else -1."""
-    return 1 if dot(one.direction, other.direction) > 0 else -1
+def _meet(axes: Sequence[Axis], point: Vector, size: Fraction) -> bool:
+    """Whether all ``axes``, in floats with lengths as shares of ``size``, go through ``point``."""
+    x, y, z = point
+    share = (float(x / size), float(y / size), float(z / size))
+    return all(axis.distance(share) <= TOLERANCE for axis in axes)
 
 
 def _three(axes: Sequence[Axis]) -> Axes:
@@ -259,3 +224,90 @@ def _mirror(axes: Sequence[Axis]) -> Axes:
 
 def _numbers(axes: Sequence[Axis]) -> list[int]:
     return [axis.joint + 1 for axis in axes]
+
+
+# --- fewer joints -------------------------------------------------------------------------------------------
+
+
+def _placed_by_few(axes: Sequence[Axis], tip: Vector, place: Vector, at: Setting) -> Iterator[Branch]:
+    """Branches in which ``axes``, one or two, bring ``tip`` to ``place`` [m], or nearest to it. They reach a
+    line or a surface: a branch exists where ``place`` is on it, to within the edge of reach."""
+    slack = (at.edge * at.size) ** 2
+    for branch in _nearest(axes, tip, place, at):
+        moved = tip
+        for axis in reversed(axes):
+            if axis.revolute:
+                moved = plus(axis.point, branch.outward(axis, minus(moved, axis.point)))
+            else:
+                moved = plus(moved, scaled(branch.positions[axis.joint], axis.direction))
+        u = minus(place, moved)
+        there = choose(slack - dot(u, u), 1, 0)
+        yield replace(branch, exists=both(branch.exists, there))
+
+
+def _nearest(axes: Sequence[Axis], tip: Vector, place: Vector, at: Setting) -> Iterator[Branch]:
+    one, two = axes[0], axes[-1]
+    if len(axes) == 1 and one.revolute:
+        onto = at.onto(one, minus(tip, one.point), minus(place, one.point), 2)
+        yield Branch().one(one.joint, onto)
+    elif len(axes) == 1:
+        yield Branch().at(one.joint, dot(one.direction, minus(place, tip)))
+    elif one.revolute:
+        yield from _turned(one, two, tip, place, at)
+    elif two.revolute:  # from the tip to the base it is a turn, and then a slide
+        yield from _turned(two.reversed(), one.reversed(), place, tip, at)
+    else:
+        yield slid(Branch(), one, two, minus(place, tip))
+
+
+def _turned(one: Axis, two: Axis, tip: Vector, place: Vector, at: Setting) -> Iterator[Branch]:
+    """A revolute axis, and another joint behind it that brings the tip as far from a point of that axis as
+    the place is."""
+    p = minus(place, one.point)
+    if two.revolute:
+        b, v = minus(two.point, one.point), minus(tip, two.point)
+        ways = at.fold(two, b, v, dot(p, p))
+    else:
+        b, v = minus(tip, one.point), two.direction
+        ways = at.slide(dot(b, v), dot(b, b) - dot(p, p))
+    for out in Branch().each(two.joint, ways):
+        moved = out.outward(two, v) if two.revolute else scaled(out.positions[two.joint], v)
+        yield out.one(one.joint, at.onto(one, plus(b, moved), p, 2))
+
+
+# --- three axes that turn -----------------------------------------------------------------------------------
+
+
+def _oriented(
+    axes: Axes, rotation: Callable[[Vector], Vector], marker: Vector, branch: Branch, at: Setting
+) -> Iterator[Branch]:
+    """``branch`` with the angles of three ``axes`` that add up to ``rotation``, in two ways.
+
+    The third axis is turned where ``rotation`` has it by the first two: the first brings it as far along the
+    second axis as it is at rest, the second does the rest. ``marker``, a unit vector that is not along the
+    third axis, then shows the third angle. Where the first and third axes line up the first angle is free.
+    """
+    first, second, third = axes
+    pointing = rotation(third.direction)
+    sideways = rotation(marker)
+    along = dot(second.direction, third.direction)
+    # along = second . (R1^T pointing) = pointing . (R1 second)
+    for one in branch.each(first.joint, at.reach(first, second.direction, pointing, along)):
+        rest = one.inward(first, pointing)
+        lever = lever_of(second.direction, third.direction)
+        two = one.one(second.joint, at.onto(second, third.direction, rest, lever=lever))
+        marked = two.inward(second, two.inward(first, sideways))
+        yield two.one(third.joint, at.onto(third, marker, marked, lever=1))
+
+
+def _marker_of(axis: Axis) -> Vector:
+    """A unit vector across ``axis``, of numbers that are simple where its direction's are."""
+    x, y, z = axis.direction
+    if abs(x) <= abs(y) and abs(x) <= abs(z):
+        v = (0 * x, z, -y)
+    elif abs(y) <= abs(z):
+        v = (z, 0 * y, -x)
+    else:
+        v = (y, -x, 0 * z)
+    length = real_root(dot(v, v))
+    return v[0] / length, v[1] / length, v[2] / length

@@ -36,7 +36,7 @@ from robodyn.dynamics.jacobians import columns
 from robodyn.dynamics.mass_matrix import Factored
 from robodyn.dynamics.poses import pose
 from robodyn.dynamics.state import Dynamics
-from robodyn.dynamics.vectors import Vector, dot, scaled
+from robodyn.dynamics.vectors import Vector, dot, inner, scaled
 from robodyn.effects.scalars import choose, root
 
 #: Rows of scalars.
@@ -142,7 +142,7 @@ class Descent:
             column = list(u) if places_only(self.joints) else [*u, *w]
             J.append([Fraction(0)] * len(column) if k in self.locked else column)
             if joint.limits is not None and k not in self.locked:
-                push = _dot(column, missing)
+                push = inner(column, missing)
                 low, high = joint.limits
                 q = at.inputs["q"][k]
                 blocked = choose(push, choose(high - q, 0, 1), choose(q - low, 0, 1))
@@ -151,9 +151,9 @@ class Descent:
             rows = [list(row) for row in zip(*J, strict=True)]
             factored = Factored(_damped(rows, damping))
             y = factored.solve(missing)
-            return [_dot(column, y) for column in J], _least(factored.pivots)
+            return [inner(column, y) for column in J], _least(factored.pivots)
         factored = Factored(_damped(J, damping))
-        return factored.solve([_dot(column, missing) for column in J]), _least(factored.pivots)
+        return factored.solve([inner(column, missing) for column in J]), _least(factored.pivots)
 
 
 def rotation_between(m: Matrix) -> list[Any]:
@@ -179,16 +179,9 @@ def _damped(rows: Matrix, damping: Any) -> Matrix:
     result: Matrix = [[0] * m for _ in range(m)]
     for i in range(m):
         for j in range(i, m):
-            result[i][j] = result[j][i] = _dot(rows[i], rows[j])
+            result[i][j] = result[j][i] = inner(rows[i], rows[j])
         result[i][i] = result[i][i] + damping
     return result
-
-
-def _dot(u: Sequence[Any], v: Sequence[Any]) -> Any:
-    total: Any = 0
-    for x, y in zip(u, v, strict=True):
-        total = total + x * y
-    return total
 
 
 def _least(values: Sequence[Any]) -> Any:

@@ -1,5 +1,10 @@
 """Inverse kinematics by iteration: of arms of no class from a reference, of arms that are nearly of a class
-from its branches."""
+from its branches.
+
+A description that has 1.5708 for a quarter turn, or was calibrated, has axes that miss each other by some
+micrometres. Where they would be without that, parallel and meeting, is where its branches begin; what was
+neglected is made up for by steps towards the pose.
+"""
 
 from __future__ import annotations
 
@@ -9,19 +14,30 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.arm import Arm
+from robodyn.dynamics.inverse.closed_form import Inverse, has_exact_lengths, inverse_of
 from robodyn.dynamics.inverse.descent import Descent, State
-from robodyn.dynamics.inverse.inverse import Inverse, inverse_of, size_of
-from robodyn.dynamics.inverse.limits import ASIDE, BEGUN, EDGE, ITERATIONS, REFINEMENTS
-from robodyn.dynamics.inverse.nearly import idealised
-from robodyn.dynamics.inverse.rank import has_full_rank, moves_all_ways
-from robodyn.dynamics.inverse.screws import as_floats, chain_of
+from robodyn.dynamics.inverse.limits import (
+    ALMOST,
+    ASIDE,
+    BEGUN,
+    EDGE,
+    FULL_RANK,
+    ITERATIONS,
+    REFINEMENTS,
+    TOLERANCE,
+)
+from robodyn.dynamics.inverse.screws import Axis, Chain, as_floats, chain_of, feet, least_motion
 from robodyn.dynamics.inverse.solution import Joint, Nearest, Solved, joints_of, nearest, places_only
+from robodyn.dynamics.inverse.subproblems import real_root
 from robodyn.dynamics.state import Dynamics, Iterative, NoSuchFunction
+from robodyn.dynamics.vectors import Vector, dot, minus, scaled
 
 _WEAK = (
     "there is a direction in which its joints move the tool only because axes do not meet, or are not "
     "parallel: few poses are within reach, and those only from a reference very near them"
 )
+#: Digits behind the point of what is moved [m].
+_DIGITS = 15
 
 
 @dataclass(frozen=True, slots=True)
@@ -125,19 +141,72 @@ def solver_of(arm: Arm) -> Inverse | Numerical:
     try:
         return inverse_of(arm, limits)
     except NoSuchFunction as none:
-        if not all(isinstance(x, (int, Fraction)) for body in arm.bodies for x in (body.a, body.b, body.d)):
+        if not has_exact_lengths(arm):
             raise
         reason = none.found or none.what
     chain, joints = chain_of(arm), joints_of(arm, limits)
-    whole = size_of(chain)
     # The sum of all offsets is about twice the reach: they are along three axes, and those at base and tool
     # are levers of nothing.
-    size = whole / 2
-    similar, neglected = idealised(chain, whole)
+    size = chain.size / 2
+    similar, neglected = idealised(chain)
     try:
         begins = inverse_of(arm, limits, similar)
     except NoSuchFunction:
-        if has_full_rank(as_floats(chain, whole)) and not moves_all_ways(as_floats(similar, whole)):
+        motion, without = (least_motion(as_floats(each, chain.size)) for each in (chain, similar))
+        if motion > TOLERANCE and without <= FULL_RANK:
             return Numerical(joints, size, (reason, _WEAK, *neglected), weak=True)
         return Numerical(joints, size, (reason,))
     return Numerical(joints, size, (*begins.conditions, *neglected), begins, REFINEMENTS)
+
+
+def idealised(chain: Chain) -> tuple[Chain, tuple[str, ...]]:
+    """``chain``, of exact numbers, with axes parallel that are to within :data:`ALMOST`, and meeting those
+    before them that they miss by no more than that as a share of its size; and what was neglected, a
+    sentence each, the most of each kind."""
+    size = float(chain.size)
+    axes: list[Axis] = []
+    turned = missed = 0.0
+    meeting: Vector | None = None
+    for axis in chain.axes:
+        moved = replace(axis, direction=_idealised_direction(axis.direction, axes))
+        turned = max(turned, axis.slope(moved))
+        point = _idealised_meeting(axes[-1], moved, meeting, ALMOST * size) if axes else None
+        if point is not None:
+            missed = max(missed, moved.distance(point))
+            moved = replace(moved, point=point)
+        axes.append(moved)
+        meeting = point
+    neglected = []
+    if turned > TOLERANCE:
+        neglected.append(f"axes are up to {turned:.1e} rad from where that holds")
+    if missed > TOLERANCE * size:
+        neglected.append(f"axes miss each other by up to {1000 * missed:.2g} mm where they have to meet")
+    return replace(chain, axes=tuple(axes)), tuple(neglected)
+
+
+def _idealised_direction(direction: Vector, before: Sequence[Axis]) -> Vector:
+    """``direction``, or that of an axis before it that is nearly parallel; what is nearly 0 of it is 0."""
+    for axis in before:
+        along = dot(axis.direction, direction)
+        aside = minus(direction, scaled(along, axis.direction))
+        if float(dot(aside, aside)) <= ALMOST**2:
+            return scaled(1 if along > 0 else -1, axis.direction)
+    x, y, z = (Fraction(0) if abs(u) <= ALMOST else u for u in direction)
+    if (x, y, z) == direction:
+        return direction
+    length = real_root(x * x + y * y + z * z)
+    return x / length, y / length, z / length
+
+
+def _idealised_meeting(before: Axis, axis: Axis, meeting: Vector | None, near: float) -> Vector | None:
+    """Where ``axis`` nearly meets the one ``before`` it [m], if it does: best where that meets its own."""
+    if before.is_along(axis):
+        return None
+    if meeting is not None and axis.distance(meeting) <= near:
+        return meeting
+    foot, _ = feet(before, axis)
+    if axis.distance(foot) > near:
+        return None
+    x, y, z = (Fraction(round(u, _DIGITS)) for u in foot)
+    # Rounded along the axis before, so that it stays on it.
+    return before.nearest((x, y, z))

@@ -11,20 +11,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from itertools import pairwise
+from math import cos, sin, sqrt
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, into_parent, origin
-from robodyn.dynamics.frame import BASE, Frame
-from robodyn.dynamics.inverse.limits import NEGLIGIBLE
-from robodyn.dynamics.vectors import Vector, cross, dot, plus, scaled
-
-#: An angle as (cosine, sine).
-Circle = tuple[Any, Any]
-
-
-def minus(u: Vector, v: Vector) -> Vector:
-    """``u - v``."""
-    return u[0] - v[0], u[1] - v[1], u[2] - v[2]
+from robodyn.dynamics.inverse.limits import NEGLIGIBLE, TRIED
+from robodyn.dynamics.vectors import BASE, ZERO, Frame, Vector, cross, dot, minus, plus, scaled
+from robodyn.ir.evaluate import Circle
 
 
 def across(axis: Vector, v: Vector) -> Vector:
@@ -42,12 +36,6 @@ def turned(axis: Vector, angle: Circle, v: Vector) -> Vector:
 def opposite(angle: Circle) -> Circle:
     """The angle's negative."""
     return angle[0], -angle[1]
-
-
-def sum_of(one: Circle, other: Circle) -> Circle:
-    """The sum of two angles."""
-    (c, s), (e, f) = one, other
-    return c * e - s * f, s * e + c * f
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,6 +60,35 @@ class Axis:
     def reversed(self) -> Axis:
         """The axis along which the same angles turn the other way."""
         return replace(self, direction=scaled(-1, self.direction))
+
+    def nearest(self, point: Vector) -> Vector:
+        """The point of the axis nearest to ``point``."""
+        along = dot(self.direction, minus(point, self.point))
+        return plus(self.point, scaled(along, self.direction))
+
+    def distance(self, point: Vector) -> float:
+        """From ``point`` to the axis [m], in floats."""
+        u = across(self.direction, minus(point, self.point))
+        return sqrt(dot(u, u))
+
+    def is_along(self, other: Axis) -> bool:
+        """Whether the directions of two axes are one line's, of exact numbers."""
+        return not any(cross(self.direction, other.direction))
+
+    def slope(self, other: Axis) -> float:
+        """The sine of the angle between two axes, in floats."""
+        u = cross(self.direction, other.direction)
+        return sqrt(dot(u, u))
+
+
+def feet(one: Axis, other: Axis) -> tuple[Vector, Vector]:
+    """The points of two axes that are nearest to each other; of parallel ones any such."""
+    if one.is_along(other):
+        return one.point, other.nearest(one.point)
+    w, k = minus(other.point, one.point), dot(one.direction, other.direction)
+    s = (dot(w, one.direction) - k * dot(w, other.direction)) / (1 - k * k)
+    foot = plus(one.point, scaled(s, one.direction))
+    return foot, other.nearest(foot)
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,6 +127,13 @@ class Chain:
     axes: tuple[Axis, ...]
     tool: Frame
 
+    @property
+    def size(self) -> Fraction:
+        """No less than any lever of the arm at any position, and about its reach [m]."""
+        points = [*(axis.point for axis in self.axes), self.tool.origin]
+        total = sum((abs(x) for one, other in pairwise(points) for x in minus(other, one)), Fraction(0))
+        return total or Fraction(1)
+
     def reversed(self) -> Chain:
         """The same joints from tip to base: they add up to the inverse displacement."""
         return replace(self, axes=tuple(axis.reversed() for axis in reversed(self.axes)))
@@ -144,22 +168,23 @@ class Chain:
 def chain_of(arm: Arm) -> Chain:
     """The axes of ``arm`` at rest, of its description's exact numbers."""
     size = Fraction(max(1, *(abs(x) for body in arm.bodies for x in (body.a, body.b, body.d))))
+
+    def clean(frame: Frame) -> Frame:
+        """``frame`` with what is nothing but the description's rounding taken for 0."""
+
+        def of(u: Vector, size: Fraction | int = 1) -> Vector:
+            x, y, z = (Fraction(0) if abs(x) <= NEGLIGIBLE * size else Fraction(x) for x in u)
+            return x, y, z
+
+        return Frame(of(frame.origin, size), of(frame.x), of(frame.y), of(frame.z))
+
     frame, axes = BASE, []
     for joint, body in enumerate(arm.bodies):
         c, s = (1, 0) if body.revolute else (body.theta.cos, body.theta.sin)
-        x, y, z = (into_parent(body, c, s, unit) for unit in ((1, 0, 0), (0, 1, 0), (0, 0, 1)))
-        frame = Frame(origin(body, body.d), x, y, z).within(frame)
-        frame = Frame(_clean(frame.origin, size), *(_clean(u, 1) for u in (frame.x, frame.y, frame.z)))
+        x, y, z = (into_parent(body, c, s, unit) for unit in (BASE.x, BASE.y, BASE.z))
+        frame = clean(Frame(origin(body, body.d), x, y, z).within(frame))
         axes.append(Axis(joint, body.revolute, frame.z, frame.origin))
-    tool = arm.tool.within(frame)
-    tool = Frame(_clean(tool.origin, size), *(_clean(u, 1) for u in (tool.x, tool.y, tool.z)))
-    return Chain(tuple(axes), tool)
-
-
-def _clean(u: Vector, size: Fraction | int) -> Vector:
-    """``u`` with what is nothing but a description's rounding, for numbers of ``size``, taken for 0."""
-    x, y, z = (Fraction(0) if abs(x) <= NEGLIGIBLE * size else Fraction(x) for x in u)
-    return x, y, z
+    return Chain(tuple(axes), clean(arm.tool.within(frame)))
 
 
 def as_floats(chain: Chain, size: Fraction) -> Chain:
@@ -170,5 +195,53 @@ def as_floats(chain: Chain, size: Fraction) -> Chain:
 
     axes = (replace(x, direction=of(x.direction), point=of(x.point, size)) for x in chain.axes)
     tool = chain.tool
-    tool = Frame(of(tool.origin, size), of(tool.x), of(tool.y), of(tool.z))
-    return Chain(tuple(axes), tool)
+    return Chain(tuple(axes), Frame(of(tool.origin, size), of(tool.x), of(tool.y), of(tool.z)))
+
+
+# --- whether joints can move a tool in all directions -------------------------------------------------------
+
+
+def least_motion(chain: Chain) -> float:
+    """Of ``chain``, in floats with lengths as shares of its size, the last pivot of its Jacobian (of the
+    tool's place for three joints or fewer, else of place and direction) in the best of some configurations:
+    more than rounding where it has full rank."""
+    return max(_last_pivot(_jacobian_columns(chain, k)) for k in range(len(TRIED)))
+
+
+def _jacobian_columns(chain: Chain, start: int) -> list[list[float]]:
+    """What moves the tool, by joint, in one of several configurations."""
+    tip: Vector = chain.tool.origin
+    columns: list[tuple[Vector, Vector]] = []
+    for k in reversed(range(len(chain.axes))):
+        axis, angle = chain.axes[k], TRIED[(start + k) % len(TRIED)] + 0.1 * k
+        z = axis.direction
+        if axis.revolute:
+            circle = (cos(angle), sin(angle))
+            columns = [(turned(z, circle, v), turned(z, circle, w)) for v, w in columns]
+            lever = turned(z, circle, minus(tip, axis.point))
+            tip = plus(axis.point, lever)
+            columns.append((cross(z, lever), z))
+        else:
+            tip = plus(tip, scaled(angle, z))
+            columns.append((z, ZERO))
+    return [[*v] if len(columns) <= 3 else [*v, *w] for v, w in columns]
+
+
+def _last_pivot(rows: list[list[float]]) -> float:
+    """That of elimination with complete pivoting: 0 where the rows depend on each other."""
+    pivot = 0.0
+    for step in range(min(len(rows), len(rows[0]))):
+        i, j = max(
+            ((i, j) for i in range(step, len(rows)) for j in range(step, len(rows[0]))),
+            key=lambda place: abs(rows[place[0]][place[1]]),
+        )
+        rows[step], rows[i] = rows[i], rows[step]
+        for row in rows:
+            row[step], row[j] = row[j], row[step]
+        pivot = abs(rows[step][step])
+        if not pivot:
+            return 0.0
+        for row in rows[step + 1 :]:
+            share = row[step] / rows[step][step]
+            row[step:] = [x - share * y for x, y in zip(row[step:], rows[step][step:], strict=True)]
+    return pivot

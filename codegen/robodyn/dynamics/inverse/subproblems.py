@@ -1,4 +1,5 @@
-"""Equations of one angle that inverse kinematics is put together from, over any scalar.
+"""Equations of one angle that inverse kinematics is put together from, over any scalar, and a branch of it as
+it grows with their answers.
 
 After Paden (1986) and Kahan, as Elias and Wen have them (IK-Geo, 2022), with three differences. Angles stay
 pairs of cosine and sine until the last. Every equation has an answer for whatever it is given, in least
@@ -9,49 +10,20 @@ error even where single angles are ill-determined.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from fractions import Fraction
 from math import isqrt
-from typing import Any
+from typing import Any, NamedTuple
 
-from robodyn.dynamics.inverse.limits import EDGE, FOLD, LEVER
-from robodyn.dynamics.inverse.screws import Circle, across
+from robodyn.dynamics.inverse.limits import EDGE, FOLD, LEVER, TOLERANCE
+from robodyn.dynamics.inverse.screws import Axis, across, opposite, turned
 from robodyn.dynamics.vectors import Vector, cross, dot
 from robodyn.effects.scalars import choose, is_zero, magnitude, root
+from robodyn.ir.evaluate import Circle, turn
 
 
-@dataclass(frozen=True, slots=True)
-class Scale:
-    """How large the levers of an equation may be, and how exactly they are known.
-
-    They are products of vectors of which ``lengths`` are no longer than ``size`` [m] and the others unit
-    vectors. ``unit``: the rounding unit.
-    """
-
-    unit: Fraction
-    size: Fraction
-    lengths: int
-
-    @property
-    def edge(self) -> Fraction:
-        """See :data:`~robodyn.dynamics.inverse.limits.EDGE`."""
-        return EDGE * self.unit
-
-    @property
-    def floor(self) -> Fraction:
-        """The square of a lever that is nothing but rounding."""
-        own = LEVER * self.unit * (self.size if self.lengths else 1)
-        return own ** (2 * max(1, self.lengths))
-
-    @property
-    def short(self) -> Fraction:
-        """The square of a lever so short that what it turns is singular."""
-        return self.edge ** max(1, self.lengths) * self.size ** (2 * self.lengths)
-
-
-@dataclass(frozen=True, slots=True)
-class Two:
+class Two(NamedTuple):
     """Two answers, whether there are any (1 or 0), and whether they meet or are free (1 or 0).
 
     ``beyond``: how far what was wanted is beyond what is reached; ``side``: how far ``R v`` is across that
@@ -65,12 +37,193 @@ class Two:
     side: Any = 0
 
 
-@dataclass(frozen=True, slots=True)
-class One:
+class One(NamedTuple):
     """An answer, and whether it is free (1 or 0)."""
 
     answer: Any
     meet: Any
+
+
+class Sum(NamedTuple):
+    """The position of a joint as an angle less those of others, ``minus``: joints with +1, or -1 where the
+    axis points the other way."""
+
+    angle: Circle
+    minus: tuple[tuple[int, int], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Branch:
+    """Positions of some of an arm's joints: ``positions`` by joint (from 0), angles as (cos, sin), lengths
+    [m].
+
+    ``exists``: whether all equations had an answer; ``singular``: whether two met, or one was free;
+    ``signs``: which of two answers was taken, by joint.
+    """
+
+    positions: Mapping[int, Any] = field(default_factory=dict)
+    exists: Any = 1
+    singular: Any = 0
+    signs: tuple[tuple[int, int], ...] = ()
+
+    def each(self, joint: int, two: Two) -> Iterator[Branch]:
+        """With the two positions of ``joint``, one after the other."""
+        for sign, answer in zip((1, -1), two.answers, strict=True):
+            yield self.sided(joint, sign, answer, two.exist, two.meet)
+
+    def sided(self, joint: int, sign: int, answer: Any, exist: Any, meet: Any) -> Branch:
+        """With that of the two positions of ``joint``."""
+        positions, signs = {**self.positions, joint: answer}, (*self.signs, (joint, sign))
+        return Branch(positions, both(self.exists, exist), either(self.singular, meet), signs)
+
+    def one(self, joint: int, one: One) -> Branch:
+        """With the position of ``joint``."""
+        positions = {**self.positions, joint: one.answer}
+        return Branch(positions, self.exists, either(self.singular, one.meet), self.signs)
+
+    def at(self, joint: int, position: Any) -> Branch:
+        """With a ``position`` of ``joint`` that follows from the others."""
+        return Branch({**self.positions, joint: position}, self.exists, self.singular, self.signs)
+
+    def inward_of(self, axes: Sequence[Axis], v: Vector) -> Vector:
+        """A vector before some axes, from base to tip, seen from behind them; turns about axes that are
+        parallel and follow each other are one."""
+        k = 0
+        while k < len(axes):
+            axis, angle = axes[k], self.positions[axes[k].joint]
+            k += 1
+            if not axis.revolute:
+                continue
+            while k < len(axes) and axes[k].revolute and axes[k].direction == axis.direction:
+                angle = turn(angle, self.positions[axes[k].joint])
+                k += 1
+            v = turned(axis.direction, opposite(angle), v)
+        return v
+
+    def outward(self, axis: Axis, v: Vector) -> Vector:
+        """A vector behind a revolute ``axis``, seen from before it."""
+        return turned(axis.direction, self.positions[axis.joint], v)
+
+    def inward(self, axis: Axis, v: Vector) -> Vector:
+        """A vector before a revolute ``axis``, seen from behind it."""
+        return turned(axis.direction, opposite(self.positions[axis.joint]), v)
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """What the equations of an arm share: where free joints are taken to be, ``near`` by joint; the arm's
+    ``size``, no shorter than any lever [m]; the rounding ``unit``.
+
+    How large levers may be, and how exactly they are known, depends on how many ``lengths``, no longer than
+    ``size``, they are products of; other vectors are unit vectors.
+    """
+
+    near: Callable[[int], Circle]
+    size: Fraction
+    unit: Fraction
+
+    @property
+    def edge(self) -> Fraction:
+        """See :data:`~robodyn.dynamics.inverse.limits.EDGE`."""
+        return EDGE * self.unit
+
+    def _floor(self, lengths: int) -> Fraction:
+        """The square of a lever that is nothing but rounding."""
+        own = LEVER * self.unit * (self.size if lengths else 1)
+        return own ** (2 * max(1, lengths))
+
+    def _short(self, lengths: int) -> Fraction:
+        """The square of a lever so short that what it turns is singular."""
+        return self.edge ** max(1, lengths) * self.size ** (2 * lengths)
+
+    def onto(self, axis: Axis, v: Vector, onto: Vector, lengths: int = 0, *, lever: Any = 0) -> One:
+        """The angle about ``axis`` that turns ``v`` onto ``onto``, or nearest to it, that of the reference
+        where it is the same for every angle. ``lever``: a number that is not 0 where ``v`` is never along the
+        axis, and that does not occur where there is an answer."""
+        c, s = dot(across(axis.direction, v), onto), dot(cross(axis.direction, v), onto)
+        square, floor = c * c + s * s, self._floor(lengths)
+        if is_number(lever) and abs(lever) > TOLERANCE * self.size:
+            length = 1 / real_root(square + floor)
+            return One((c * length, s * length), 0)
+        free = choose(square - floor, 0, 1)
+        length = 1 / real_root(choose(free, 1, square))
+        meet = choose(square - self._short(lengths), 0, 1)
+        return One(chosen(free, self.near(axis.joint), (c * length, s * length)), meet)
+
+    def reach(
+        self,
+        axis: Axis,
+        v: Vector,
+        along: Vector,
+        distance: Any,
+        lengths: int = 0,
+        margins: tuple[Any, Any, Any] | None = None,
+    ) -> Two:
+        """The two angles about ``axis`` at which ``v``, turned, is ``distance`` along the vector ``along``:
+        ``along . R v = distance``. Where none is, the nearest, twice; that of the reference, and for two that
+        are always half a turn apart the other side of it, where all are. ``margins``: how far what turns of
+        ``distance`` is from its lowest and highest values, where that is known better, and how exactly."""
+        base = across(axis.direction, v)
+        x, y = dot(along, base), dot(along, cross(axis.direction, v))
+        square = x * x + y * y
+        if margins is None:
+            b = distance - dot(along, axis.direction) * dot(axis.direction, v)
+        else:
+            b = (margins[0] - margins[1]) / 2
+        known = is_number(square) and square != 0
+        floor = Fraction(0) if known else self._floor(lengths)
+        free = 0 if known else choose(square - floor, 0, 1)
+        blunt = 0 if known else choose(square - self._short(lengths), 0, 1)
+        if is_zero(b):  # whatever the lever is, its two perpendiculars
+            most = real_root(square)
+            share = 1 / choose(free, 1, most)
+            c, s = -(y * share), x * share
+            c, s = (c, s) if known else chosen(free, self.near(axis.joint), (c, s))
+            return Two(((c, s), (-c, -s)), 1, blunt, side=most)
+        rest = square - b * b if margins is None else margins[0] * margins[1]
+        most = real_root(square)
+        slack = self.edge * (most if known else self.size**lengths)
+        exist = choose(rest + slack * (2 * most + slack), 1, 0)
+        meet = either(blunt, choose(self.edge * square - rest, 1, 0))
+        if margins is None:
+            side = real_root(choose(rest, rest, 0))
+        else:  # folded or stretched to within rounding is folded or stretched: the two answers are one
+            low, high, noise = margins
+            side = real_root(choose(low - noise, choose(high - noise, rest, 0), 0))
+        # Beyond reach, x^2 + y^2 < b^2: the root is 0, and what is left is brought back onto the circle.
+        share = 1 / choose(free, 1, choose(rest, square, most * magnitude(b)))
+        one = ((x * b - y * side) * share, (y * b + x * side) * share)
+        other = ((x * b + y * side) * share, (y * b - x * side) * share)
+        if not known:
+            one = chosen(free, self.near(axis.joint), one)
+            other = chosen(free, self.near(axis.joint), other)
+        return Two((one, other), exist, meet, choose(rest, 0, choose(b, b - most, b + most)), side)
+
+    def fold(self, axis: Axis, b: Vector, c: Vector, square: Any) -> Two:
+        """The two angles about ``axis`` at which ``b + R c`` has the length of which ``square`` is given, see
+        :meth:`reach`. Lengths that are known before a program runs tell how far that is from being folded and
+        stretched; worked out from there, the angles are right even where the length is almost nothing."""
+        along = dot(axis.direction, b) + dot(axis.direction, c)
+        fixed = along * along
+        one, other = across(axis.direction, b), across(axis.direction, c)
+        squares = dot(one, one), dot(other, other)
+        margins = None
+        if all(map(is_number, squares)):
+            short, long = (real_root(x) for x in squares)
+            margins = (
+                (square - (fixed + (long - short) ** 2)) / 2,
+                ((fixed + (long + short) ** 2) - square) / 2,
+                FOLD * self.unit * square,
+            )
+        bend = (square - (fixed + squares[0] + squares[1])) / 2
+        return self.reach(axis, other, one, bend, 2, margins)
+
+    def slide(self, p: Any, q: Any) -> Two:
+        """The two lengths ``d`` with ``d^2 + 2 p d + q = 0``; ``-p`` where none is."""
+        rest = p * p - q
+        edge = self.edge * self.size * self.size
+        side = real_root(choose(rest, rest, 0))
+        return Two((side - p, -side - p), choose(rest + edge, 1, 0), choose(edge - rest, 1, 0))
 
 
 def both(*conditions: Any) -> Any:
@@ -94,99 +247,6 @@ def chosen(condition: Any, one: Circle, other: Circle) -> Circle:
     return choose(condition, one[0], other[0]), choose(condition, one[1], other[1])
 
 
-def turning_onto(
-    v: Vector,
-    onto: Vector,
-    axis: Vector,
-    near: Callable[[], Circle] | None,
-    scale: Scale,
-) -> One:
-    """The angle about ``axis`` that turns ``v`` onto ``onto``, or nearest to it; ``near`` where that is the
-    same for every angle, which for None does not occur where there is an answer."""
-    c, s = dot(across(axis, v), onto), dot(cross(axis, v), onto)
-    square = c * c + s * s
-    floor = scale.floor
-    if near is None:
-        length = 1 / real_root(square + floor)
-        return One((c * length, s * length), 0)
-    free = choose(square - floor, 0, 1)
-    length = 1 / real_root(choose(free, 1, square))
-    meet = choose(square - scale.short, 0, 1)
-    return One(chosen(free, near(), (c * length, s * length)), meet)
-
-
-def reaching(
-    v: Vector,
-    along: Vector,
-    distance: Any,
-    axis: Vector,
-    near: Callable[[], Circle],
-    scale: Scale,
-    margins: tuple[Any, Any, Any] | None = None,
-) -> Two:
-    """The two angles about ``axis`` at which ``v``, turned, is ``distance`` along the vector ``along``:
-    ``along . R v = distance``. Where none is, the nearest, twice; ``near``, and for two that are always half
-    a turn apart the other side of it, where all are. ``margins``: how far what turns of
-    ``distance`` is from its lowest and highest values, where that is known better, and how exactly."""
-    base = across(axis, v)
-    x, y = dot(along, base), dot(along, cross(axis, v))
-    square = x * x + y * y
-    if margins is None:
-        b = distance - dot(along, axis) * dot(axis, v)
-    else:
-        b = (margins[0] - margins[1]) / 2
-    known = is_number(square) and square != 0
-    floor = Fraction(0) if known else scale.floor
-    free = 0 if known else choose(square - floor, 0, 1)
-    blunt = 0 if known else choose(square - scale.short, 0, 1)
-    if is_zero(b):  # whatever the lever is, its two perpendiculars
-        most = real_root(square)
-        share = 1 / choose(free, 1, most)
-        c, s = -(y * share), x * share
-        c, s = (c, s) if known else chosen(free, near(), (c, s))
-        return Two(((c, s), (-c, -s)), 1, blunt, side=most)
-    rest = square - b * b if margins is None else margins[0] * margins[1]
-    most = real_root(square)
-    slack = scale.edge * (most if known else scale.size**scale.lengths)
-    exist = choose(rest + slack * (2 * most + slack), 1, 0)
-    meet = either(blunt, choose(scale.edge * square - rest, 1, 0))
-    if margins is None:
-        side = real_root(choose(rest, rest, 0))
-    else:  # folded or stretched to within rounding is folded or stretched: the two answers are one
-        low, high, noise = margins
-        side = real_root(choose(low - noise, choose(high - noise, rest, 0), 0))
-    # Beyond reach, x^2 + y^2 < b^2: the root is 0, and what is left is brought back onto the circle.
-    share = 1 / choose(free, 1, choose(rest, square, most * magnitude(b)))
-    answers = (
-        ((x * b - y * side) * share, (y * b + x * side) * share),
-        ((x * b + y * side) * share, (y * b - x * side) * share),
-    )
-    if not known:
-        one, other = answers
-        answers = chosen(free, near(), one), chosen(free, near(), other)
-    return Two(answers, exist, meet, choose(rest, 0, choose(b, b - most, b + most)), side)
-
-
-def folding(b: Vector, c: Vector, square: Any, axis: Vector, near: Callable[[], Circle], scale: Scale) -> Two:
-    """The two angles about ``axis`` at which ``b + R c`` has the length of which ``square`` is given, see
-    :func:`reaching`. Lengths that are known before a program runs tell how far that is from being folded and
-    stretched; worked out from there, the angles are right even where the length is almost nothing."""
-    along = dot(axis, b) + dot(axis, c)
-    fixed = along * along
-    one, other = across(axis, b), across(axis, c)
-    squares = dot(one, one), dot(other, other)
-    margins = None
-    if all(map(is_number, squares)):
-        short, long = (real_root(x) for x in squares)
-        margins = (
-            (square - (fixed + (long - short) ** 2)) / 2,
-            ((fixed + (long + short) ** 2) - square) / 2,
-            FOLD * scale.unit * square,
-        )
-    bend = (square - (fixed + squares[0] + squares[1])) / 2
-    return reaching(other, one, bend, axis, near, scale, margins)
-
-
 def is_number(x: Any) -> bool:
     """Whether ``x`` is known before a program runs."""
     return isinstance(x, (int, Fraction))
@@ -194,8 +254,8 @@ def is_number(x: Any) -> bool:
 
 def lever_of(axis: Vector, v: Vector) -> Any:
     """How far ``v`` is from the line along ``axis``, where that is known; else 0."""
-    flat = across(axis, v)
-    square = dot(flat, flat)
+    u = across(axis, v)
+    square = dot(u, u)
     return real_root(square) if is_number(square) else 0
 
 
@@ -207,11 +267,3 @@ def real_root(x: Any) -> Any:
         return Fraction(0)
     scale = 1 << (300 + max(0, Fraction(x).denominator.bit_length() - Fraction(x).numerator.bit_length()))
     return Fraction(isqrt(int(Fraction(x) * scale * scale)), scale)
-
-
-def slides(p: Any, q: Any, scale: Scale) -> Two:
-    """The two lengths ``d`` with ``d^2 + 2 p d + q = 0``; ``-p`` where none is."""
-    rest = p * p - q
-    edge = scale.edge * scale.size * scale.size
-    side = real_root(choose(rest, rest, 0))
-    return Two((side - p, -side - p), choose(rest + edge, 1, 0), choose(edge - rest, 1, 0))

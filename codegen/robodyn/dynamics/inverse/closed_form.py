@@ -1,28 +1,17 @@
-"""The inverse kinematics of an arm: its class, its branches, and where they put the joints."""
+"""The inverse kinematics of an arm in closed form: its class, its branches, and where they put the joints."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from itertools import pairwise
 from math import cos, isqrt, sin
 from typing import Any
 
 from robodyn.dynamics.arm import Arm
-from robodyn.dynamics.inverse.branch import Branch, Setting
-from robodyn.dynamics.inverse.classes import (
-    Class,
-    Joints,
-    few,
-    parallels,
-    shares,
-    whole_places,
-    wrists,
-)
-from robodyn.dynamics.inverse.limits import TRIED
-from robodyn.dynamics.inverse.rank import moves_all_ways
-from robodyn.dynamics.inverse.screws import Axis, Chain, Circle, as_floats, chain_of, minus, sum_of
+from robodyn.dynamics.inverse.classes import Class, Joints, Points, classes_of
+from robodyn.dynamics.inverse.limits import FULL_RANK, TRIED
+from robodyn.dynamics.inverse.screws import Axis, Chain, as_floats, chain_of, least_motion
 from robodyn.dynamics.inverse.solution import (
     Joint,
     Limits,
@@ -33,9 +22,10 @@ from robodyn.dynamics.inverse.solution import (
     places_only,
     solved,
 )
-from robodyn.dynamics.inverse.structures import Points
+from robodyn.dynamics.inverse.subproblems import Branch, Setting
 from robodyn.dynamics.state import NoSuchFunction
 from robodyn.effects.scalars import cosine, sine
+from robodyn.ir.evaluate import Circle, turn
 
 #: The order in which the joints of an arm of seven are tried as the redundant one (from 0): the one between
 #: shoulder and elbow, then the ends.
@@ -48,10 +38,9 @@ class Inverse:
 
     Attributes
     ----------
-    conditions: what holds for its axes, a sentence each.
-    branches: how many solutions there are at most; each has its place.
-    branch_names: which of its two positions each joint has that has two: ``1+ 3- 5+``.
     redundant: the joint (from 0) that takes its position from the reference; None without one.
+    kind: its class.
+    signs: by branch, which of its two positions (+1 or -1) each joint has that has two.
     """
 
     arm: Arm
@@ -65,7 +54,7 @@ class Inverse:
 
     @property
     def branch_names(self) -> tuple[str, ...]:
-        """Names of the branches."""
+        """Names of the branches, by the positions of joints that have two: ``1+ 3- 5+``."""
         return tuple(
             " ".join(f"{joint + 1}{'+' if sign > 0 else '-'}" for joint, sign in signs)
             for signs in self.signs
@@ -73,12 +62,12 @@ class Inverse:
 
     @property
     def branches(self) -> int:
-        """How many solutions there are at most."""
+        """How many solutions there are at most; each has its place."""
         return len(self.signs)
 
     @property
     def conditions(self) -> tuple[str, ...]:
-        """What holds for its axes."""
+        """What holds for its axes, a sentence each."""
         return self.kind.conditions
 
     @property
@@ -90,16 +79,11 @@ class Inverse:
         """All branches for the tool at ``T`` [12], ``[R p]`` row by row, over any scalar; ``q_near`` [n] (rad
         or m) says where joints are that the pose leaves free. ``unit``: the arithmetic's rounding unit."""
         fixed = {} if self.redundant is None else {self.redundant: q_near[self.redundant]}
-        branches = self._branches(T, q_near, unit)
-        return solved(branches, self.joints, fixed, self._rounding(unit))
+        return solved(self._branches(T, q_near, unit), self.joints, fixed, _rounding(unit))
 
     def nearest(self, T: Sequence[Any], q_near: Sequence[Any], unit: Fraction) -> Nearest:
         """The branch nearest to ``q_near``, see :func:`~robodyn.dynamics.inverse.solution.nearest`."""
-        return nearest(self.solve(T, q_near, unit), self.joints, q_near, self._rounding(unit))
-
-    def _rounding(self, unit: Fraction) -> Fraction:
-        """What positions may be beyond limits by [rad or m]: near singular poses angles are no more exact."""
-        return Fraction(1, isqrt(unit.denominator))
+        return nearest(self.solve(T, q_near, unit), self.joints, q_near, _rounding(unit))
 
     def _branches(self, T: Sequence[Any], q_near: Sequence[Any], unit: Fraction) -> list[Branch]:
         circles: dict[int, Circle] = {}
@@ -107,11 +91,10 @@ class Inverse:
         def near(joint: int) -> Circle:
             if joint not in circles:
                 own = (cosine(q_near[joint]), sine(q_near[joint]))
-                circles[joint] = sum_of(own, self.joints[joint].offset)
+                circles[joint] = turn(own, self.joints[joint].offset)
             return circles[joint]
 
-        target = self.chain.target(T, self.arm.base)
-        chain = self.chain
+        chain, target = self.chain, self.chain.target(T, self.arm.base)
         if self.mirrored:
             chain, target = chain.reversed(), target.inverse()
         axes = chain.axes
@@ -120,6 +103,11 @@ class Inverse:
             position = near(self.redundant) if axes[place].revolute else q_near[self.redundant]
             target, axes = target.behind(axes[place], position), chain.without(place, position)
         return list(self.kind.solve(axes, target, Setting(near, self.size, unit)))
+
+
+def _rounding(unit: Fraction) -> Fraction:
+    """What positions may be beyond limits by [rad or m]: near singular poses angles are no more exact."""
+    return Fraction(1, isqrt(unit.denominator))
 
 
 def inverse_of(arm: Arm, limits: Sequence[Limits], chain: Chain | None = None) -> Inverse:
@@ -131,27 +119,30 @@ def inverse_of(arm: Arm, limits: Sequence[Limits], chain: Chain | None = None) -
     NoSuchFunction: it is of no class that has one in closed form.
     """
     n = len(arm.bodies)
-    if not all(isinstance(x, (int, Fraction)) for body in arm.bodies for x in (body.a, body.b, body.d)):
+    if not has_exact_lengths(arm):
         raise _none("lengths are run-time parameters", "numbers")
     chain = chain or chain_of(arm)
-    size = size_of(chain)
     joints = joints_of(arm, limits)
-    if not moves_all_ways(as_floats(chain, size)):
+    if least_motion(as_floats(chain, chain.size)) <= FULL_RANK:
         raise _none(
             "its joints do not move the tool in all directions",
             "joints that do, and where there are three or fewer a tool that is not on the last one's axis",
         )
     for redundant in _REDUNDANT if n == 7 else (None,):
         for mirrored in (False, True) if n > 3 else (False,):
-            for kind in _classes(chain.reversed() if mirrored else chain, redundant, size):
+            for kind in _classes(chain.reversed() if mirrored else chain, redundant, chain.size):
                 through = chain.through(kind.points)
-                own = Inverse(arm, through, joints, mirrored, redundant, kind, size)
-                return _named(own)
+                return _named(Inverse(arm, through, joints, mirrored, redundant, kind, chain.size))
     raise _none(
         "its axes are of no class that has inverse kinematics in closed form",
         "a spherical wrist or shoulder (three axes that meet) with two axes that are parallel or meet; three "
         "parallel axes; or an arm of three joints or fewer",
     )
+
+
+def has_exact_lengths(arm: Arm) -> bool:
+    """Whether no length of ``arm`` is a run-time parameter."""
+    return all(isinstance(x, (int, Fraction)) for body in arm.bodies for x in (body.a, body.b, body.d))
 
 
 def _classes(chain: Chain, redundant: int | None, size: Fraction) -> Iterator[Class]:
@@ -160,22 +151,16 @@ def _classes(chain: Chain, redundant: int | None, size: Fraction) -> Iterator[Cl
     floats = as_floats(chain, size)
 
     def stances(points: Points) -> list[tuple[Axis, ...]]:
-        placed = {j: shares(point, size) for j, point in points.items()}
-        through = floats.through(placed)
+        through = floats.through(
+            {j: (float(x / size), float(y / size), float(z / size)) for j, (x, y, z) in points.items()}
+        )
         if place is None:
             return [through.axes]
         positions = [(cos(x), sin(x)) if chain.axes[place].revolute else x for x in TRIED]
         return [through.without(place, position) for position in positions]
 
     axes = chain.axes if place is None else (*chain.axes[:place], *chain.axes[place + 1 :])
-    joints = Joints(axes, chain.tool.origin, size, stances, place or 0)
-    if len(axes) == 6:
-        yield from wrists(joints)
-        yield from parallels(joints)
-    elif len(axes) == 3:
-        yield from whole_places(joints)
-    elif len(axes) < 3:
-        yield from few(joints)
+    return classes_of(Joints(axes, chain.tool.origin, size, stances, place or 0))
 
 
 def _named(inverse: Inverse) -> Inverse:
@@ -184,16 +169,6 @@ def _named(inverse: Inverse) -> Inverse:
     near = [0.1 * (k + 1) for k in range(len(inverse.joints))]
     branches = inverse._branches(T, near, Fraction(1, 1 << 52))
     return replace(inverse, signs=tuple(tuple(sorted(branch.signs)) for branch in branches))
-
-
-def size_of(chain: Chain) -> Fraction:
-    """No less than any lever of the arm at any position, and about its reach [m]."""
-    points = [*(axis.point for axis in chain.axes), chain.tool.origin]
-    total = sum(
-        (abs(x) for one, other in pairwise(points) for x in minus(other, one)),
-        Fraction(0),
-    )
-    return total or Fraction(1)
 
 
 def _none(reason: str, expected: str) -> NoSuchFunction:
