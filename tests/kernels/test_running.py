@@ -201,9 +201,7 @@ def test_nothing_else_runs_programs() -> None:
     }
     # formats: a room above toolchain; bounded in time, memory and output, and in a session of its own.
     # logs: bounded in time and memory, ended with the process that asks, and in a session of its own.
-    runs = {
-        f"{name}.py" for name in ("toolchain/running", "toolchain/workers", "logs/guard")
-    }
+    runs = {f"{name}.py" for name in ("toolchain/running", "toolchain/workers", "logs/guard")}
     runs.add("formats/xacro.py")
     assert found == runs | {"formats/xacro_process.py"}  # which names programs to refuse them
     assert sys.modules["robodyn.toolchain.running"] is running

@@ -12,7 +12,7 @@ import pytest
 from robodyn.errors import InputError
 from robodyn.project.keys import Key
 from robodyn.project.reading import OWN, OWN_OF_PACKAGE, read_project
-from robodyn_cli.file_options import with_file_options
+from robodyn_cli.file_options import with_common_options
 from robodyn_cli.gen import command as gen
 from robodyn_cli.main import main
 from robodyn_cli.package import command as package
@@ -26,8 +26,8 @@ KEYS = project_keys()
 @pytest.mark.parametrize(
     ("command", "keys", "of_a_run", "own"),
     [
-        (with_file_options(gen), KEYS.kernels, {"arg", "compile", "force", "on", "seeds"}, OWN),
-        (with_file_options(package), KEYS.packages, {"arg", "as", "force"}, OWN_OF_PACKAGE),
+        (with_common_options(gen), KEYS.kernels, {"arg", "compile", "force", "on", "seeds"}, OWN),
+        (with_common_options(package), KEYS.packages, {"arg", "as", "force"}, OWN_OF_PACKAGE),
     ],
 )
 def test_every_option_that_says_what_is_written_is_a_key(
