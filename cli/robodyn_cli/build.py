@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -56,15 +56,7 @@ if TYPE_CHECKING:
 )
 @option("-o --output=FILE", "Write the report to FILE, and the text of it to stdout.", FILE)
 @force_option(FORCE)
-def command(
-    path: str,
-    workers: int | None,
-    check: bool,
-    against: str | None,
-    format_: str,
-    output: str | None,
-    force: bool,
-) -> None:
+def command(path: str, check: bool, format_: str, output: str | None, **options: Any) -> None:
     """Write or check the kernels of all robots of a project.
 
     The project file, robodyn.toml, has the robots with their options, outputs and budgets. Only what has
@@ -73,9 +65,7 @@ def command(
     """
     form = _format(format_)
     try:
-        comparison, written = _built(
-            Path(path), workers, check=check, force=force, against=against, report=output
-        )
+        comparison, written = _built(Path(path), check=check, report=output, **options)
     except RobodynError as error:
         _show_error(error, form, output)
         raise
@@ -84,7 +74,7 @@ def command(
 
 
 def _built(
-    path: Path, workers: int | None, *, check: bool, force: bool, against: str | None, report: str | None
+    path: Path, *, workers: int | None, check: bool, force: bool, against: str | None, report: str | None
 ) -> tuple[Comparison, list[str]]:
     """Write or check what the project file asks for, once the file ``report`` can be written: how it
     compares, and the paths of what was written."""

@@ -8,7 +8,7 @@ import click
 
 from robodyn.outputs import write_files
 from robodyn_cli.choices import ARMS, FOLDER, PROFILES
-from robodyn_cli.common import as_json, echo_json, option, output_folder, printable, talk
+from robodyn_cli.common import option, output_folder, printable, show, talk
 
 
 @click.command()
@@ -43,10 +43,7 @@ def command(output: str | None, profile: str, end: float, payload: float, span: 
         talk("robodyn: compiling and simulating")
     assumed = Assumptions(profile, end, span, payload, arm)  # type: ignore[arg-type]  # checked by case_study
     study = case_study(assumed)
-    if as_json():
-        echo_json(to_dict(study))
-    else:
-        click.echo(to_text(study), nl=False)
+    show(lambda: to_dict(study), lambda: to_text(study).splitlines())
     if folder is not None:
         from robodyn.thesis.case_pictures import pictures
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import os
 import sys
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any, Final, TypeVar
@@ -118,11 +118,14 @@ class Document:
     robots: list[Robot] = field(default_factory=list)
 
 
+def _document() -> Document | None:
+    context = click.get_current_context(silent=True)
+    return None if context is None else context.find_object(Document)
+
+
 def echo_document(text: str) -> None:
     """Print `text`, a JSON document, on stdout: the only one there, even if the command fails afterwards."""
-    context = click.get_current_context(silent=True)
-    document = None if context is None else context.find_object(Document)
-    if document is not None:
+    if (document := _document()) is not None:
         document.begun = True
     click.echo(text.rstrip("\n"))
 
@@ -135,10 +138,18 @@ def echo_json(obj: object) -> None:
     echo_document(json.dumps(with_account(obj), indent=2, ensure_ascii=False, allow_nan=False))
 
 
+def show(data: Callable[[], object], lines: Callable[[], Iterable[str]]) -> None:
+    """Print the results: their ``data`` as JSON with --json, else as ``lines``."""
+    if as_json():
+        echo_json(data())
+        return
+    for line in lines():
+        click.echo(line)
+
+
 def with_account(obj: object) -> object:
     """`obj`, each of its mappings if it is a list, with what is known of the robots that were loaded."""
-    context = click.get_current_context(silent=True)
-    document = None if context is None else context.find_object(Document)
+    document = _document()
     if document is None or not document.robots:
         return obj
     from robodyn.robot.account import account_to_dict
@@ -217,9 +228,7 @@ def load_robot(robot: str, *, strict: bool = False) -> Robot:
         warn=lambda text: talk(f"robodyn: warning: {text}"),
         note=lambda text: talk(f"robodyn: note: {text}"),
     )
-    context = click.get_current_context(silent=True)
-    document = None if context is None else context.find_object(Document)
-    if document is not None:
+    if (document := _document()) is not None:
         document.robots.append(described)
     return described
 

@@ -4,43 +4,29 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Mapping, Sequence
-from pathlib import Path
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, Final
 
 import click
 
 from robodyn.errors import InputError
-from robodyn.outputs import check_outputs, write_files
-from robodyn_cli import progress
+from robodyn.outputs import write_files
 from robodyn_cli.choices import FILE, FOLDER, SEVERAL_EFFECTS
 from robodyn_cli.common import (
     as_json,
     echo_document,
     flag,
-    load_robot,
     option,
-    parameter_values,
     printable,
     robot_argument,
     talk,
 )
-from robodyn_cli.log_files import (
-    description_of,
-    handed_over,
-    log_map,
-    log_options,
-    read_all,
-    result_folder,
-    spare_inputs,
-)
+from robodyn_cli.log_files import log_options, outputs_for, run_on_logs
 from robodyn_cli.options import listed
 from robodyn_cli.values import parameter_option
 
 if TYPE_CHECKING:
     from robodyn.diagnose.result import Diagnosis
-    from robodyn.logs.mapping import LogMap
-    from robodyn.robot import Robot
 
 #: The files of a diagnosis.
 DATA: Final = "diagnosis.json"
@@ -69,21 +55,7 @@ UNEXPLAINED: Final = 4
 )
 @flag("--no-kernels", "Do not write C and Fortran of the amended model.")
 @flag("--strict", "Refuse physically implausible values.")
-def command(
-    robot: str,
-    logs: tuple[str, ...],
-    validate: str | None,
-    map_file: str | None,
-    columns: str | None,
-    out: str,
-    param: tuple[tuple[str, float], ...],
-    only: str | None,
-    without: str | None,
-    joints: str | None,
-    most: int | None,
-    no_kernels: bool,
-    strict: bool,
-) -> None:
+def command(robot: str, no_kernels: bool, **options: Any) -> None:
     """Find the effects that a model is missing, add them, and validate the amended model.
 
     Logs (CSV, Parquet, npz, MATLAB, MCAP, rosbag2, JSON) have the columns t, q1.., tau1.., and optionally
@@ -93,21 +65,16 @@ def command(
     same input gives the same files. Exit code 4 means that a residual remains that no effect of the catalogue
     explains.
     """
-    from robodyn.logs.content import input_files
+    from robodyn.diagnose.run import diagnose
+    from robodyn.diagnose.stages import stages
 
-    folder = result_folder(out)
-    sources = [*logs, *([] if validate is None else [validate])]
-    inputs = [robot, *(str(file) for source in sources for file in input_files(source))]
-    spare_inputs([folder / name for name in (DATA, MODEL, REPORT)], inputs)
-    check_outputs(folder, (DATA, MODEL, REPORT))
-    described = load_robot(robot, strict=strict)
-    values = parameter_values(described, param) or None
+    folder = outputs_for(robot, options, (DATA, MODEL, REPORT))
     scope = {
-        "only": _effects("--only", only), "without": _effects("--except", without),
-        "joints": _joints(joints), "most": most,
+        "only": _effects("--only", options["only"]), "without": _effects("--except", options["without"]),
+        "joints": _joints(options["joints"]), "most": options["most"],
     }  # fmt: skip
-    diagnosis = _diagnosed(described, robot, logs, validate, values, log_map(map_file, columns), scope)
-    validated = validate is not None
+    diagnosis = run_on_logs(diagnose, stages, robot, options, **scope)
+    validated = options["validate"] is not None
     files: dict[str, str | bytes] = {**files_of(diagnosis, validated=validated)}
     if not no_kernels:
         files.update(kernels_of(diagnosis))
@@ -142,40 +109,6 @@ def _joints(text: str | None) -> list[int]:
     if not all(word.isascii() and word.isdigit() for word in words):
         raise InputError("--joints is not a list of joints", found=str(text), expected="numbers, such as 1,3")
     return [int(word) for word in words]
-
-
-# --- the diagnosis ----------------------------------------------------------------------------------------
-
-
-def _diagnosed(
-    robot: Robot,
-    spec: str,
-    logs: Sequence[str],
-    validate: str | None,
-    values: Mapping[str, float] | None,
-    mapping: LogMap | None,
-    scope: Mapping[str, Any],
-) -> Diagnosis:
-    from robodyn.diagnose.run import diagnose
-    from robodyn.diagnose.stages import stages
-
-    paths = [*logs, *([] if validate is None else [validate])]
-    with progress.line() as shown:
-        read, hashes = read_all(robot, paths, mapping, shown)
-        costs = stages(robot.n, read)
-        sources = handed_over(read)
-        with progress.countdown(shown, f"robodyn: {robot.name}", costs) as tell:
-            return diagnose(
-                robot,
-                sources[: len(logs)],
-                None if validate is None else sources[-1],
-                text=description_of(spec),
-                names=[printable(Path(path).name) for path in paths],
-                hashes=hashes,
-                parameters=values,
-                progress=tell,
-                **scope,
-            )
 
 
 # --- the files ----------------------------------------------------------------------------------------------

@@ -9,7 +9,7 @@ import click
 
 from robodyn.errors import CheckError
 from robodyn_cli.choices import COMPARED, ROBOTS
-from robodyn_cli.common import as_json, echo_json, load_robot, option, printable, wrapped
+from robodyn_cli.common import load_robot, option, printable, show, wrapped
 from robodyn_cli.values import parameter_option
 
 if TYPE_CHECKING:
@@ -50,20 +50,13 @@ def command(
         ignore=[word for word in (ignore or "").replace(" ", "").split(",") if word],
         parameters=dict(param) or None,
     )
-    if as_json():
-        echo_json(to_dict(comparison))
-    else:
-        for text in _lines(comparison):
-            for line in wrapped(text):
-                click.echo(line)
-        for line in _summary(comparison):
-            click.echo(line)
+    show(
+        lambda: to_dict(comparison),
+        lambda: (*(line for text in _lines(comparison) for line in wrapped(text)), *_summary(comparison)),
+    )
     if not comparison.same:
-        raise CheckError(f"{printable(left)} and {printable(right)} differ", found=_groups(comparison))
-
-
-def _groups(comparison: Comparison) -> str:
-    return ", ".join(dict.fromkeys(difference.group for difference in comparison.differences))
+        groups = ", ".join(dict.fromkeys(difference.group for difference in comparison.differences))
+        raise CheckError(f"{printable(left)} and {printable(right)} differ", found=groups)
 
 
 def _lines(comparison: Comparison) -> list[str]:

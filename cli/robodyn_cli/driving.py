@@ -49,6 +49,7 @@ def driven(robot: Robot, settings: SimulationOptions, values: Mapping[str, float
     InputError: an option or a file does not fit the robot.
     ToolError: no C compiler.
     """
+    from robodyn.simulate.limits import outside
     from robodyn.simulate.plant import build_plant
 
     if settings.drive is None:
@@ -59,18 +60,16 @@ def driven(robot: Robot, settings: SimulationOptions, values: Mapping[str, float
     duration = settings.duration if settings.duration is not None else motion.duration
     if settings.drive == "trajectory" and duration > motion.duration * (1 + 1e-9):
         talk(f"robodyn: note: the motion ends at {motion.duration:g} s; its last row is held")
-    _warn_of_limits(robot, motion)
+    for text in outside(robot, motion):
+        talk(f"robodyn: warning: {text}")
     model = None if settings.model is None else _model(robot, settings.model)
     law = (settings.controller or "pd").replace("-", "_")
     plant = build_plant(robot, model=model)
     follow = _controller(plant, settings, motion, law, model, values)
     description = {
-        "kind": "follow",
-        "trajectory": motion.describe(),
-        "controller": law,
-        "control_rate": 1 / follow.period,
-        "model": None if model is None else model.name,
-    }
+        "kind": "follow", "trajectory": motion.describe(), "controller": law,
+        "control_rate": 1 / follow.period, "model": None if model is None else model.name,
+    }  # fmt: skip
     if settings.trajectory is not None:
         description["sha256"] = _hash(settings.trajectory)
     if law != "feedforward":
@@ -83,8 +82,8 @@ def _torques(robot: Robot, settings: SimulationOptions) -> Driven:
     from robodyn.simulate.simulation import Torques
     from robodyn.simulate.torque_file import read_torques
 
-    assert settings.torque is not None
-    table, period = read_torques(settings.torque, robot.n)
+    file = settings.torque
+    table, period = read_torques(file, robot.n)
     end = (len(table) - 1) * period if len(table) > 1 else 0.0
     if settings.duration is None and len(table) == 1:
         raise InputError("one row of torques has no duration", remedy="add --duration S")
@@ -94,8 +93,8 @@ def _torques(robot: Robot, settings: SimulationOptions) -> Driven:
     drive = Torques(table, period if math.isfinite(period) else duration, settings.linear)
     description = {
         "kind": "torque",
-        "file": Path(settings.torque).name,
-        "sha256": _hash(settings.torque),
+        "file": Path(file).name,
+        "sha256": _hash(file),
         "linear": settings.linear,
     }
     return Driven(build_plant(robot), drive, duration, description)
@@ -105,29 +104,26 @@ def _controller(
     plant: Plant,
     settings: SimulationOptions,
     motion: Trajectory,
-    law: str,
+    law: Any,
     model: Robot | None,
     values: Mapping[str, float],
 ) -> Follow:
     from robodyn.simulate.gains import default_gains
     from robodyn.simulate.simulation import Follow
 
-    robot = plant.robot
     period = _control_period(settings)
-    kp: Any = 0.0
-    kd: Any = 0.0
+    gains: dict[str, Any] = {"kp": 0.0, "kd": 0.0}
     if law != "feedforward":
-        own_kp, own_kd = default_gains(plant.system, motion, law, period, values)
-        kp = own_kp.tolist() if settings.kp is None else spread("--kp", settings.kp, robot)
-        kd = own_kd.tolist() if settings.kd is None else spread("--kd", settings.kd, robot)
-    return Follow(motion, law, kp=kp, kd=kd, period=period, model=model)  # type: ignore[arg-type]
+        default = default_gains(plant.system, motion, law, period, values)
+        for (name, chosen), gain in zip((("kp", settings.kp), ("kd", settings.kd)), default, strict=True):
+            gains[name] = gain.tolist() if chosen is None else spread(f"--{name}", chosen, plant.robot)
+    return Follow(motion, law, period=period, model=model, **gains)
 
 
 def _model(robot: Robot, spec: str) -> Robot:
     """The controller's model of ``robot``."""
     model = load_robot(spec)
-    strange = [name for name in model.parameters if name not in robot.parameters]
-    if model.n != robot.n or strange:
+    if model.n != robot.n or not set(model.parameters) <= set(robot.parameters):
         raise InputError(
             f"--controller-model does not fit {robot.name}",
             found=f"{model.n} joints, run-time parameters {', '.join(model.parameters) or 'none'}",
@@ -137,14 +133,7 @@ def _model(robot: Robot, spec: str) -> Robot:
 
 
 def _control_period(settings: SimulationOptions) -> float:
-    return 1 / (settings.control_rate if settings.control_rate is not None else _CONTROL_RATE)
-
-
-def _warn_of_limits(robot: Robot, motion: Trajectory) -> None:
-    from robodyn.simulate.limits import outside
-
-    for text in outside(robot, motion):
-        talk(f"robodyn: warning: {text}")
+    return float(1 / (settings.control_rate if settings.control_rate is not None else _CONTROL_RATE))
 
 
 # --- motions ----------------------------------------------------------------------------------------------
@@ -155,7 +144,6 @@ def _motion(robot: Robot, settings: SimulationOptions, values: Mapping[str, floa
     if settings.drive == "trajectory":
         from robodyn.simulate.trajectories import from_file
 
-        assert settings.trajectory is not None
         return from_file(settings.trajectory, robot.n)
     if settings.drive == "excite":
         return _excitation(robot, settings)
@@ -173,9 +161,8 @@ def _straight(
 
     from robodyn.simulate.trajectories import quintic, trapezoid
 
-    end = exactly("--to", settings.to, robot)
+    end, period = exactly("--to", settings.to, robot), _control_period(settings)
     assert end is not None
-    period = _control_period(settings)
     way = np.abs(np.subtract(end, start))
     if settings.profile != "trapezoid" or not way.any():
         return quintic(start, end, duration, period=period)
@@ -194,24 +181,18 @@ def _line(
     from robodyn.simulate.kinematics import Kinematics
     from robodyn.simulate.trajectories import line
 
-    assert settings.line is not None
     link = settings.link if settings.link is not None else min(robot.n, 6)
     tool = (0.0, 0.0, 0.0) if robot.tool is None or link != robot.n else tuple(map(float, robot.tool.xyz))
     point = settings.point if settings.point is not None else tool
     if len(point) != 3:
         raise InputError("--point is not a point", found=f"{len(point)} numbers", expected="x,y,z in m")
     kinematics = Kinematics(robot, values, point, link)
-    place, turn = kinematics.pose(start)
+    place, rotation = kinematics.pose(start)
+    begin, end = settings.line if len(settings.line) == 2 else (place, settings.line[0])
     return line(
-        kinematics,
-        settings.line[0] if len(settings.line) == 2 else place,
-        settings.line[-1],
-        duration,
-        settings.profile or "quintic",
-        rotation=turn if link == 6 else None,
-        start=start,
-        period=_control_period(settings),
-    )
+        kinematics, begin, end, duration, settings.profile or "quintic", start=start,
+        rotation=rotation if link == 6 else None, period=_control_period(settings),
+    )  # fmt: skip
 
 
 def _excitation(robot: Robot, settings: SimulationOptions) -> Trajectory:
@@ -220,15 +201,10 @@ def _excitation(robot: Robot, settings: SimulationOptions) -> Trajectory:
 
     limited, filled = with_limits(robot)
     if filled:
-        kinds = sorted({robot.links[i - 1].joint.kind for i in filled}, reverse=True)
         words = []
-        for kind in kinds:
-            low, high = ASSUMED[kind].position or (0, 0)
-            v, a, unit = (
-                ASSUMED[kind].velocity,
-                ASSUMED[kind].acceleration,
-                "m" if kind == "prismatic" else "rad",
-            )
+        for kind in sorted({robot.links[i - 1].joint.kind for i in filled}, reverse=True):
+            (low, high), unit = ASSUMED[kind].position or (0, 0), "m" if kind == "prismatic" else "rad"
+            v, a = ASSUMED[kind].velocity, ASSUMED[kind].acceleration
             words.append(
                 f"{float(low):.3g} to {float(high):.3g} {unit}, {v} {unit}/s, {a} {unit}/s^2 ({kind})"
             )
@@ -238,14 +214,10 @@ def _excitation(robot: Robot, settings: SimulationOptions) -> Trajectory:
     if frequency is None:
         frequency = 1 / (settings.duration if settings.duration is not None else RUN)
     duration = settings.duration if settings.duration is not None else 1 / frequency
-    return fourier(
-        limited,
-        frequency,
-        settings.harmonics if settings.harmonics is not None else _HARMONICS,
-        settings.seed,
-        periods=max(1, math.ceil(duration * frequency * (1 - 1e-12))),
-        period=_control_period(settings),
-    )
+    harmonics = settings.harmonics if settings.harmonics is not None else _HARMONICS
+    periods = max(1, math.ceil(duration * frequency * (1 - 1e-12)))
+    period = _control_period(settings)
+    return fourier(limited, frequency, harmonics, settings.seed, periods=periods, period=period)
 
 
 def _hash(path: str) -> str:

@@ -50,17 +50,11 @@ def command(robot: str, to: str, param: Sequence[tuple[str, float]], output: str
     for what in exported.missing:
         talk(f"robodyn: not in the file: {what}")
     if as_json():
-        echo_json(
-            {
-                "name": arm.name,
-                "format": to,
-                "joints": list(exported.names),
-                "path": str(path) if path else None,
-                "remarks": list(exported.remarks),
-                "missing": list(exported.missing),
-                "text": exported.text,
-            }
-        )
+        lists = {
+            "joints": list(exported.names), "path": str(path) if path else None,
+            "remarks": list(exported.remarks), "missing": list(exported.missing),
+        }  # fmt: skip
+        echo_json({"name": arm.name, "format": to, **lists, "text": exported.text})
     elif path is None:
         click.echo(exported.text, nl=False)
     if path is not None:

@@ -48,15 +48,7 @@ _PAGES: Final = 100
 @option("--tls-cert=FILE", "Own certificate for dask:// (PEM).", FILE)
 @option("--tls-key=FILE", "Its key (PEM).  [default: in the file of --tls-cert]", FILE)
 @flag("--no-parquet", "Do not write fleet.parquet, which needs pyarrow.")
-def command(
-    fleet: str,
-    out: str,
-    on: str,
-    diagnose: Any,
-    false_names: float | None,
-    no_parquet: bool,
-    **tls: str | None,
-) -> None:
+def command(fleet: str, out: str, on: str, no_parquet: bool, **options: Any) -> None:
     """Find the arms of a fleet that differ from their siblings or have changed.
 
     FLEET is a file such as fleet.toml, which says what types of arms there are and where their logs lie, or a
@@ -71,11 +63,12 @@ def command(
 
     check_place(on)
     folder = result_folder(out)
-    security = _security(tls, on)
+    security = _security(options, on)
     if not no_parquet:
         from robodyn.fleet.table import check_parquet
 
         check_parquet("add --no-parquet")
+    false_names = options["false_names"]
     if false_names is not None and not false_names < 1:
         raise InputError("--false-names is not a share", found=f"{false_names:g}", expected="less than 1")
     described = read_fleet(fleet)
@@ -83,7 +76,7 @@ def command(
     spare_inputs([folder / name for name in (_DATA, _TABLE, _PAGE)], inputs)
     check_outputs(folder, (_DATA, _PAGE, *[_TABLE] * (not no_parquet)))
     with progress.line() as shown:
-        result = _judged(described, folder, on, diagnose, false_names, security, shown.tell)
+        result = _judged(described, folder, on, options, security, shown.tell)
         text = _written(result, folder, shown.tell, table=not no_parquet)
     for arm in described.types.values():
         load(arm.spec, warn=lambda _: None, note=lambda text: talk(f"robodyn: note: {text}"))
@@ -96,9 +89,9 @@ def command(
         click.echo(line)
 
 
-def _security(tls: Mapping[str, str | None], on: str) -> Security | None:
+def _security(options: Mapping[str, Any], on: str) -> Security | None:
     """The files of --tls-ca, --tls-cert and --tls-key; None without: then Dask's own configuration counts."""
-    authority, certificate, key = (tls[name] for name in ("tls_ca", "tls_cert", "tls_key"))
+    authority, certificate, key = (options[name] for name in ("tls_ca", "tls_cert", "tls_key"))
     if authority is None and certificate is None and key is None:
         return None
     if authority is None or certificate is None:
@@ -119,13 +112,11 @@ def _judged(
     fleet: Fleet,
     folder: Path,
     on: str,
-    diagnose: Any,
-    false_names: float | None,
+    options: Mapping[str, Any],
     security: Security | None,
     tell: Callable[[str], None],
 ) -> FleetResult:
     """What is said of the fleet; files of diagnoses are in ``folder`` then."""
-    from robodyn.fleet.limits import FALSE_NAMES
     from robodyn.fleet.run import run_fleet
     from robodyn_cli.diagnose import files_of
     from robodyn_cli.progress import Pace
@@ -136,9 +127,10 @@ def _judged(
         rest = f", {done:,} of {of:,}{pace.words(stage, done, of, monotonic())}" if of else ""
         tell(f"robodyn: {printable(fleet.name)}: {stage}{rest}")
 
+    share = {} if options["false_names"] is None else {"false_names": options["false_names"]}
     return run_fleet(
-        fleet, folder, on, diagnose=diagnose, files_of=files_of, security=security, progress=progress,
-        false_names=FALSE_NAMES if false_names is None else false_names,
+        fleet, folder, on, diagnose=options["diagnose"], files_of=files_of, security=security,
+        progress=progress, **share,
     )  # fmt: skip
 
 

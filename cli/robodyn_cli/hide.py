@@ -14,15 +14,15 @@ from robodyn.outputs import write_files
 from robodyn_cli import progress
 from robodyn_cli.choices import EFFECTS, FILE, FOLDER, ROBOTS
 from robodyn_cli.common import (
-    as_json,
     echo_document,
-    echo_json,
     load_robot,
     option,
     output_folder,
     printable,
+    show,
     talk,
 )
+from robodyn_cli.log_files import spare_inputs
 from robodyn_cli.values import POSITIVE, SIZE
 
 if TYPE_CHECKING:
@@ -107,36 +107,23 @@ def _hide(options: dict[str, Any]) -> None:
     if options["output"] is None:
         raise InputError("no output folder", remedy="add -o DIR")
     folder = output_folder(options["output"])
-    for file in options["trajectories"]:
-        for name in ("train.csv", "validate.csv"):
-            there = (folder / name).exists() and Path(file).exists()
-            if there and (folder / name).samefile(file):
-                raise InputError(
-                    f"{printable(folder / name)} is an input and would be overwritten",
-                    remedy="choose another folder with -o",
-                )
+    spare_inputs([folder / name for name in ("train.csv", "validate.csv")], options["trajectories"])
     blind = _blind(options)
     files = blind.files()
     write_files(folder, files)
-    count = len(blind.effects)
-    if as_json():
-        echo_json(
-            {
-                "robot": blind.model.name,
-                "folder": str(folder),
-                "files": list(files),
-                "hidden": count,
-                "noise": blind.noise.tolist(),
-            }
-        )
-    else:
-        at = printable(folder)
-        what = "nothing is" if not count else "1 effect is" if count == 1 else f"{count} effects are"
-        click.echo(f"{blind.model.name}: {what} hidden in {at}: {', '.join(files)}")
-        click.echo(
-            f"robodyn diagnose {at}/given.yaml {at}/train.csv --validate {at}/validate.csv -o {at}/found"
-        )
-        click.echo(f"robodyn hide --score {at} {at}/found/diagnosis.json")
+    count, robot, at = len(blind.effects), blind.model.name, printable(folder)
+    what = "nothing is" if not count else "1 effect is" if count == 1 else f"{count} effects are"
+    show(
+        lambda: {
+            "robot": robot, "folder": str(folder), "files": list(files), "hidden": count,
+            "noise": blind.noise.tolist(),
+        },
+        lambda: (
+            f"{robot}: {what} hidden in {at}: {', '.join(files)}",
+            f"robodyn diagnose {at}/given.yaml {at}/train.csv --validate {at}/validate.csv -o {at}/found",
+            f"robodyn hide --score {at} {at}/found/diagnosis.json",
+        ),
+    )  # fmt: skip
     if options["effects"] and blind.ratio < 1:
         talk(f"robodyn: note: the hidden effects are {blind.ratio:.2g} times the noise: too small to find")
 
@@ -148,16 +135,13 @@ def _blind(options: dict[str, Any]) -> Blind:
     robot = load_robot(options["robot"])
     wanted = [amendment(text) for text in options["effects"]]
     motions = _motions(options["trajectories"], robot.n)
+    random = int(not wanted) if options["random"] is None else options["random"]
+    setup = _setup(options, robot.n, max((motion.duration for motion in motions), default=0.0))
     with progress.line() as shown:
         return hide(
-            robot,
-            wanted,
-            random=options["random"] if options["random"] is not None else int(not wanted),
-            setup=_setup(options, robot.n, max((motion.duration for motion in motions), default=0.0)),
-            motions=motions,
-            text=text_of(options["robot"]),
+            robot, wanted, random=random, setup=setup, motions=motions, text=text_of(options["robot"]),
             progress=lambda what: shown.tell(f"robodyn: {robot.name}: {what}"),
-        )
+        )  # fmt: skip
 
 
 def _setup(options: dict[str, Any], n: int, longest: float) -> Setup:
@@ -266,10 +250,7 @@ def _score(folder: Path, file: Path) -> None:
     result = score(answer, diagnosis, label(file))
     if not result.same:
         talk("robodyn: warning: the diagnosis was made from other logs than those of this test")
-    if as_json():
-        echo_json(result.to_dict())
-    else:
-        click.echo("\n".join(_lines(result, folder)))
+    show(result.to_dict, lambda: _lines(result, folder))
     if result.result in ("wrong", "missed"):
         raise click.exceptions.Exit(1)
 

@@ -5,33 +5,22 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import click
 
 from robodyn.errors import InputError
-from robodyn.outputs import check_outputs, write_files
-from robodyn_cli import progress
+from robodyn.outputs import write_files
 from robodyn_cli.choices import FILE, FOLDER
 from robodyn_cli.common import (
     as_json,
     echo_document,
     flag,
-    load_robot,
     option,
-    parameter_values,
     printable,
     robot_argument,
 )
-from robodyn_cli.log_files import (
-    description_of,
-    handed_over,
-    log_map,
-    log_options,
-    read_all,
-    result_folder,
-    spare_inputs,
-)
+from robodyn_cli.log_files import log_options, outputs_for, run_on_logs
 from robodyn_cli.values import parameter_option
 
 if TYPE_CHECKING:
@@ -62,19 +51,7 @@ _UNKNOWN: Final = "unknown"
 )
 @parameter_option()
 @flag("--strict", "Refuse physically implausible values.")
-def command(
-    robot: str,
-    logs: tuple[str, ...],
-    validate: str | None,
-    map_file: str | None,
-    columns: str | None,
-    out: str,
-    gains: bool,
-    offsets: str,
-    load: tuple[str, ...],
-    param: tuple[tuple[str, float], ...],
-    strict: bool,
-) -> None:
+def command(robot: str, gains: bool, offsets: str, load: tuple[str, ...], **options: Any) -> None:
     """Identify links, friction and rotors from logs, physically consistent, with intervals.
 
     Logs (CSV, Parquet, npz, MATLAB, MCAP, rosbag2, JSON) have the columns t, q1.., tau1.. in SI units, unless
@@ -85,36 +62,14 @@ def command(
     """
     from robodyn.identify.fit import Options
     from robodyn.identify.run import identify, stages
-    from robodyn.logs.content import input_files
 
-    folder = result_folder(out)
-    paths = [*logs, *([] if validate is None else [validate])]
-    inputs = [robot, *(str(file) for path in paths for file in input_files(path))]
-    spare_inputs([folder / _DATA, folder / _MODEL], inputs)
-    check_outputs(folder, (_DATA, _MODEL))
-    described = load_robot(robot, strict=strict)
-    values = parameter_values(described, param) or None
-    options = Options(
+    folder = outputs_for(robot, options, (_DATA, _MODEL))
+    fitted = Options(
         offsets={"auto": "auto", "yes": True, "no": False}[offsets],  # type: ignore[arg-type]
         gains=gains,
-        loads=_loads(load, logs),
+        loads=_loads(load, options["logs"]),
     )
-    with progress.line() as shown:
-        read, hashes = read_all(described, paths, log_map(map_file, columns), shown)
-        costs = stages(described.n, read)
-        sources = handed_over(read)
-        with progress.countdown(shown, f"robodyn: {described.name}", costs) as tell:
-            outcome = identify(
-                described,
-                sources[: len(logs)],
-                None if validate is None else sources[-1],
-                options=options,
-                text=description_of(robot),
-                names=[printable(Path(path).name) for path in paths],
-                hashes=hashes,
-                parameters=values,
-                progress=tell,
-            )
+    outcome = run_on_logs(identify, stages, robot, options, options=fitted)
     text = json.dumps(outcome.to_dict(), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
     write_files(folder, {_DATA: text, _MODEL: outcome.model_text})
     if as_json():

@@ -9,13 +9,12 @@ import click
 from robodyn.errors import CheckError, InputError
 from robodyn_cli.choices import FILE
 from robodyn_cli.common import (
-    as_json,
-    echo_json,
     flag,
     load_robot,
     option,
     parameter_values,
     robot_argument,
+    show,
 )
 from robodyn_cli.values import SEVERAL, parameter_option
 
@@ -68,14 +67,12 @@ def command(
     described = load_robot(robot, strict=strict)
     solver = PoseSolver(described, parameter_values(described, param))
     frames = _frames(solver, poses, file, positions, degrees=degrees)
-    posed = solver.solve(
-        frames, None if near is None else _positions(solver, "--near", near, degrees=degrees)
+    reference = None if near is None else _positions(solver, "--near", near, degrees=degrees)
+    posed = solver.solve(frames, reference)
+    show(
+        lambda: poses_document(solver, posed, nearest_only=nearest),
+        lambda: poses_text(solver, posed, nearest_only=nearest, degrees=degrees),
     )
-    if as_json():
-        echo_json(poses_document(solver, posed, nearest_only=nearest))
-    else:
-        for line in poses_text(solver, posed, nearest_only=nearest, degrees=degrees):
-            click.echo(line)
     missed = [k for k, each in enumerate(posed, start=1) if not each.reached]
     if missed:
         raise CheckError(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -53,22 +52,7 @@ if TYPE_CHECKING:
 @flag("--strict", "Refuse inertias that no body has.")
 @option("-o --output=ARM.yaml", "Output file; default: stdout.", FILE)
 @force_option(FORCE_FILE)
-def command(
-    file: str,
-    base: str,
-    tip: str,
-    lock: Sequence[tuple[str, float]],
-    arg: Sequence[tuple[str, str]],
-    file_model: str,
-    left_out: tuple[str, ...],
-    massless: bool,
-    snap: float,
-    gravity: tuple[float, float, float] | None,
-    name: str,
-    strict: bool,
-    output: str | None,
-    force: bool,
-) -> None:
+def command(file: str, snap: float, output: str | None, force: bool, **options: Any) -> None:
     """Import a serial arm from URDF, MJCF, SDF or xacro as a description.
 
     Fixed joints are merged. Links beside the chain are locked, at 0 or as --lock says, and lumped into the
@@ -83,23 +67,19 @@ def command(
         raise InputError(
             f"{printable(path)} is the input and would be overwritten", remedy="choose another -o"
         )
-    options: dict[str, Any] = {
-        "base": base,
-        "tip": tip,
-        "locks": unique(lock, "--lock"),
-        "name": name,
-        "arguments": unique(arg, "--arg"),
-        "model": file_model,
-        "without": left_out,
-        "massless": massless,
-        "gravity": gravity,
-        "strict": strict,
-    }
+    options |= {
+        "locks": unique(options.pop("lock"), "--lock"), "arguments": unique(options.pop("arg"), "--arg"),
+        "model": options.pop("file_model"), "without": options.pop("left_out"),
+    }  # fmt: skip
     imported = import_arm(file, snap=snap, **options)
     text = description_text(imported)
     if path is not None:
         write_file(path, text, force=force)
-    _tell(imported)
+    for where, words in imported.implausible:
+        talk(f"robodyn: warning: {where}: {words}")
+    assert imported.robot.account is not None
+    for line in imported.robot.account.lines():
+        talk(f"robodyn: note: {imported.file}: {line}")
     if imported.near and not unknown_masses(imported.robot):
         _tell_angles(imported, import_arm(file, snap=_widest(imported), **options))
     if as_json():
@@ -108,14 +88,6 @@ def command(
         click.echo(text, nl=False)
     if path is not None:
         talk(f"robodyn: wrote {printable(path)}: {imported.robot.n} joints")
-
-
-def _tell(imported: Imported) -> None:
-    for where, words in imported.implausible:
-        talk(f"robodyn: warning: {where}: {words}")
-    assert imported.robot.account is not None
-    for line in imported.robot.account.lines():
-        talk(f"robodyn: note: {imported.file}: {line}")
 
 
 def _widest(imported: Imported) -> float:
@@ -145,12 +117,8 @@ def _data(imported: Imported, path: str | None, text: str) -> dict[str, Any]:
 
     robot = imported.robot
     return {
-        "name": robot.name,
-        "file": imported.file,
-        "format": imported.format,
-        "joints": [link.name for link in robot.links],
-        "path": path,
-        "remarks": list(imported.remarks),
+        "name": robot.name, "file": imported.file, "format": imported.format,
+        "joints": [link.name for link in robot.links], "path": path, "remarks": list(imported.remarks),
         "unused": [
             {"what": part.what, "file": part.file, "lines": list(part.lines)} for part in imported.unused
         ],
@@ -160,6 +128,5 @@ def _data(imported: Imported, path: str | None, text: str) -> dict[str, Any]:
             {"where": angle.where, "value": angle.radians, "quarter_turns": angle.quarter}
             for angle in imported.near
         ],
-        "text": text,
-        "account": [account_to_dict(robot)],
-    }
+        "text": text, "account": [account_to_dict(robot)],
+    }  # fmt: skip

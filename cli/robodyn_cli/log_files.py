@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from robodyn.errors import InputError
+from robodyn.outputs import check_outputs
 from robodyn_cli import progress
 from robodyn_cli.choices import FILE
-from robodyn_cli.common import option, printable, talk
+from robodyn_cli.common import load_robot, option, parameter_values, printable, talk
 
 if TYPE_CHECKING:
     from robodyn.logs.log import Log
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
 
 
 Command = TypeVar("Command", bound=Callable[..., Any])
+Result = TypeVar("Result")
 
 
 def log_options(command: Command) -> Command:
@@ -113,16 +115,52 @@ def read_all(
     return logs, hashes
 
 
-def handed_over(logs: list[Log]) -> list[Callable[[], Log]]:
-    """What hands over each of the ``logs``, once. The list is emptied: nothing keeps a long log in memory
-    once it was looked at."""
-    several: list[Callable[[], Log]] = [[log].pop for log in logs]
-    logs.clear()
-    return several
+def outputs_for(robot: str, options: Mapping[str, Any], names: Sequence[str]) -> Path:
+    """The folder of -o (``out``), in which files of these ``names`` can be written and are no inputs.
+
+    Raises
+    ------
+    InputError, OutputError: they cannot, or are.
+    """
+    from robodyn.logs.content import input_files
+
+    folder = result_folder(options["out"])
+    inputs = [robot, *(str(file) for path in _paths(options) for file in input_files(path))]
+    spare_inputs([folder / name for name in names], inputs)
+    check_outputs(folder, names)
+    return folder
 
 
-def description_of(spec: str) -> str:
-    """The text of the robot description ``spec``, of an arm in another format the YAML that it imports to."""
+def run_on_logs(
+    work: Callable[..., Result],
+    stages: Callable[[int, list[Log]], Mapping[str, float]],
+    robot: str,
+    given: Mapping[str, Any],
+    **others: Any,
+) -> Result:
+    """What ``work`` (:func:`robodyn.diagnose.diagnose` or its like) says of the description ``robot`` and the
+    logs of the options ``given`` (``logs``, ``validate``, ``map_file``, ``columns``, ``param``, ``strict``),
+    while a line shows its ``stages``."""
     from robodyn.formats.loading import text_of
 
-    return text_of(spec)
+    described = load_robot(robot, strict=given["strict"])
+    values = parameter_values(described, given["param"]) or None
+    paths, count = _paths(given), len(given["logs"])
+    with progress.line() as shown:
+        mapping = log_map(given["map_file"], given["columns"])
+        logs, hashes = read_all(described, paths, mapping, shown)
+        costs = stages(described.n, logs)
+        # Each log is handed over once: nothing keeps a long one in memory after it was looked at.
+        sources: list[Callable[[], Log]] = [[log].pop for log in logs]
+        logs.clear()
+        with progress.countdown(shown, f"robodyn: {described.name}", costs) as tell:
+            return work(
+                described, sources[:count], sources[count] if len(sources) > count else None,
+                text=text_of(robot), names=[printable(Path(path).name) for path in paths], hashes=hashes,
+                parameters=values, progress=tell, **others,
+            )  # fmt: skip
+
+
+def _paths(options: Mapping[str, Any]) -> list[str]:
+    validate = options["validate"]
+    return [*options["logs"], *([] if validate is None else [validate])]

@@ -8,7 +8,7 @@ import click
 
 from robodyn.errors import InputError
 from robodyn_cli.choices import FILE, ROBOTS
-from robodyn_cli.common import as_json, echo_json, load_robot, option, printable, talk, write_file
+from robodyn_cli.common import load_robot, option, printable, show, talk, write_file
 from robodyn_cli.log_files import log_map, log_options, spare_inputs
 
 
@@ -36,11 +36,7 @@ def command(file: str, robot: str | None, map_file: str | None, columns: str | N
         inputs = [str(path) for path in input_files(file)]
         spare_inputs([Path(out)], [*inputs, *([map_file] if map_file else [])])
     result = examine(file, described, log_map(map_file, columns))
-    if as_json():
-        echo_json(data(result))
-    else:
-        for line in lines(result, "" if described is None else described.name):
-            click.echo(line)
+    show(lambda: data(result), lambda: lines(result, "" if described is None else described.name))
     if out is not None:
         title = f"Map of {Path(file).name}. Check it; robodyn logs FILE --map shows what it does."
         text = map_text(result.mapping, result.reasons, result.missing, title)

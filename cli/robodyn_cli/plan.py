@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import Any
 
 import click
 
 from robodyn.errors import CheckError
 from robodyn_cli.choices import PLANNED_TARGETS
-from robodyn_cli.common import as_json, echo_json, flag, load_robot, option, robot_argument
+from robodyn_cli.common import flag, load_robot, option, robot_argument, show
 from robodyn_cli.options import functions_option, one_function
-
-if TYPE_CHECKING:
-    from robodyn.ir.signature import ScalarType
 
 
 def _targets() -> str:
@@ -33,37 +30,25 @@ def _targets() -> str:
 @option("--scalar", "Scalar type: float or double.  [default: the target's]", ["float", "double"])
 @functions_option("inverse_dynamics", "Function to plan.")
 @flag("--strict", "Refuse physically implausible values.")
-def command(
-    robot: str,
-    processors: int,
-    deadline: str,
-    targets: tuple[str, ...],
-    scalar: ScalarType | None,
-    functions: str,
-    strict: bool,
-) -> None:
+def command(robot: str, functions: str, strict: bool, **options: Any) -> None:
     """Find a formulation, schedule and target that meet a deadline.
 
     The formulations are split into tasks of several sizes and scheduled on 1 to N cores of every target, with
     its communication cost. The plan with the fewest cores that meets the deadline is chosen. Exits with 1 if
     there is none. With --json: {"robot", "deadline_ns", "chosen", "plans"}.
     """
-    from robodyn.bench.plan import (
-        chosen,
-        here,
-        parse_deadline,
-        parse_target,
-        plans,
-    )
+    from robodyn.bench.plan import chosen, here, parse_deadline, parse_target, plans
     from robodyn.dynamics.functions import function_named
     from robodyn.report.benchmarks import plan_text, time_text
     from robodyn.targets import Target, planned_targets
     from robodyn_cli.progress import line
 
-    limit = parse_deadline(deadline)
+    limit = parse_deadline(options["deadline"])
     function = one_function(functions)
     function_named(function)
-    requested: list[Target | None] = [None if text == "here" else parse_target(text) for text in targets]
+    requested: list[Target | None] = [
+        None if text == "here" else parse_target(text) for text in options["targets"]
+    ]
     described = load_robot(robot, strict=strict)
     with line() as shown:
 
@@ -71,19 +56,18 @@ def command(
             shown.tell(f"robodyn: {text}")
 
         wanted = [target or here(described, tell) for target in requested] or list(planned_targets())
-        candidates = plans(described, processors, wanted, function=function, scalar=scalar, tell=tell)
-    best = chosen(candidates, limit)
-    if as_json():
-        echo_json(
-            {
-                "robot": described.name,
-                "deadline_ns": limit,
-                "chosen": None if best is None else best.to_dict(limit),
-                "plans": [plan.to_dict(limit) for plan in candidates],
-            }
+        candidates = plans(
+            described, options["processors"], wanted, function=function, scalar=options["scalar"], tell=tell
         )
-    else:
-        click.echo(plan_text(described, robot, candidates, wanted, limit, function), nl=False)
+    best = chosen(candidates, limit)
+    show(
+        lambda: {
+            "robot": described.name, "deadline_ns": limit,
+            "chosen": None if best is None else best.to_dict(limit),
+            "plans": [plan.to_dict(limit) for plan in candidates],
+        },
+        lambda: plan_text(described, robot, candidates, wanted, limit, function).splitlines(),
+    )  # fmt: skip
     if best is None:
         raise CheckError(
             f"nothing meets {time_text(limit)}",

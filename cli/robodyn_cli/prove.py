@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -11,7 +12,7 @@ import click
 from robodyn.errors import CheckError, InputError, ToolError
 from robodyn.outputs import write_files
 from robodyn_cli.choices import FOLDER, PROOFS, SCALARS, TRIGONOMETRY
-from robodyn_cli.common import as_json, echo_json, option, output_folder, printable, robot_argument
+from robodyn_cli.common import option, output_folder, printable, robot_argument, show
 from robodyn_cli.options import functions_option, listed, load, model_options, options_of
 
 if TYPE_CHECKING:
@@ -35,19 +36,7 @@ if TYPE_CHECKING:
 @option("--workers", "Torques proved in parallel.  [default: one per core]", click.IntRange(min=1))
 @option("--tolerance=T", "Fail if a bound exceeds this share of the joint's largest torque: 0.01% or 1e-4.")
 @model_options
-def command(
-    robot: str,
-    output: str | None,
-    ranges: str | None,
-    scalar: str,
-    trig: str,
-    functions: str,
-    only: str | None,
-    seconds: float,
-    workers: int | None,
-    tolerance: str | None,
-    **model: Any,
-) -> None:
+def command(robot: str, output: str | None, functions: str, **options: Any) -> None:
     """Prove properties of a kernel: rounding, run-time errors, stack, MISRA C:2012.
 
     DIR gets the kernel as written by "gen --misra", the scripts, the output of the tools, PROOF.md and
@@ -59,20 +48,18 @@ def command(
     from robodyn.toolchain.program import cores
     from robodyn_cli.progress import line
 
-    options = options_of(listed(functions), model, scalar=scalar, trig=trig)
-    names = PROOFS if only is None else listed(only)
-    proofs = ProofOptions(names, seconds, workers or cores(), _share(tolerance))
-    described = load(robot, strict=model["strict"])
+    kernel = options_of(listed(functions), options, scalar=options["scalar"], trig=options["trig"])
+    names = PROOFS if options["only"] is None else listed(options["only"])
+    workers, share = options["workers"] or cores(), _share(options["tolerance"])
+    proofs = ProofOptions(names, options["seconds"], workers, share)
+    described, ranges = load(robot, strict=options["strict"]), options["ranges"]
     needed = ranges is not None or "gappa" in proofs.only
     ranged = with_ranges(described, ranges) if needed else described  # as the robot's limits
     folder = output_folder(output) if output is not None else Path("proof") / described.name
     with line() as shown:
-        proof = prove(described, ranged, options, proofs, lambda text: shown.tell(f"robodyn: {text}"))
+        proof = prove(described, ranged, kernel, proofs, lambda text: shown.tell(f"robodyn: {text}"))
     write_files(folder, proof.files())
-    if as_json():
-        echo_json({**proof.to_dict(), "folder": str(folder)})
-    else:
-        _print(proof, folder)
+    show(lambda: {**proof.to_dict(), "folder": str(folder)}, lambda: _lines(proof, folder))
     if proof.failed:
         raise CheckError(f"{described.name}: not proven: {', '.join(proof.failed)}")
     if proof.missing:
@@ -98,11 +85,11 @@ def _share(text: str | None) -> Fraction | None:
     return share
 
 
-def _print(proof: Proof, folder: Path) -> None:
+def _lines(proof: Proof, folder: Path) -> Iterator[str]:
     for finding in proof.findings:
-        click.echo(f"{finding.name}: {finding.status}")
+        yield f"{finding.name}: {finding.status}"
         if finding.status != "not run":
-            click.echo(f"  {finding.claim}")
-        for text in finding.lines:
-            click.echo(f"  {text}")
-    click.echo(f"wrote {printable(folder / 'PROOF.md')}")
+            yield from (f"  {text}" for text in (finding.claim, *finding.lines))
+        else:
+            yield from (f"  {text}" for text in finding.lines)
+    yield f"wrote {printable(folder / 'PROOF.md')}"

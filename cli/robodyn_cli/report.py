@@ -29,6 +29,9 @@ if TYPE_CHECKING:
     from robodyn.robot import Robot
 
 
+Parameters = Sequence[tuple[str, float]]
+
+
 @click.command()
 @robot_argument
 @click.argument("other", type=ROBOTS, metavar="[ROBOT]", required=False)
@@ -39,13 +42,7 @@ if TYPE_CHECKING:
 )
 @parameter_option(" of both")
 @flag("--strict", "Refuse implausible numbers in place of showing the doubts.")
-def command(
-    robot: str,
-    other: str | None,
-    out: str | None,
-    param: Sequence[tuple[str, float]],
-    strict: bool,
-) -> None:
+def command(robot: str, other: str | None, out: str | None, param: Parameters, strict: bool) -> None:
     """Write a page that shows an arm, or two beside each other.
 
     One HTML file that needs no network: the arm in 3D, moved by sliders through its own kernel in JavaScript,
@@ -56,9 +53,8 @@ def command(
     """
     from robodyn.report.arm_data import arm_of
 
-    arms = []
-    for described in (robot, *([other] if other is not None else [])):
-        arms.append(arm_of(_filled(load_robot(described, strict=strict), param)))
+    specs = (robot, *([other] if other is not None else []))
+    arms = [arm_of(_filled(load_robot(spec, strict=strict), param)) for spec in specs]
     comparison = None
     if len(arms) == 2:
         from robodyn.compare.as_json import to_dict
@@ -80,7 +76,7 @@ def command(
         echo_json(data[0] if comparison is None else {"robots": data, "comparison": comparison})
 
 
-def _filled(described: Robot, param: Sequence[tuple[str, float]]) -> Robot:
+def _filled(described: Robot, param: Parameters) -> Robot:
     """The robot with its run-time parameters at the values of ``--param``, those that it has."""
     own = [(name, value) for name, value in param if name in described.parameters]
     return described.at(parameter_values(described, own)) if own else described

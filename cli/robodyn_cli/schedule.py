@@ -9,7 +9,7 @@ import click
 
 from robodyn.outputs import check_outputs, write_files
 from robodyn_cli.choices import ROBOTS
-from robodyn_cli.common import as_json, echo_json, output_folder, printable, talk, write_file
+from robodyn_cli.common import as_json, echo_json, output_folder, printable, show, talk, write_file
 from robodyn_cli.options import load, model_options, options_of
 from robodyn_cli.schedule_options import ScheduleOptions, picture_file, schedule_options
 from robodyn_cli.searching import Search
@@ -52,10 +52,7 @@ def _thesis(table: str) -> None:
     from robodyn.thesis.tables.schedules import one_table
 
     tables = make("schedules") if table == "all" else one_table(table)
-    if as_json():
-        echo_json(tables.to_dict())
-    else:
-        click.echo(to_text(tables), nl=False)
+    show(tables.to_dict, lambda: to_text(tables).splitlines())
 
 
 def _forms(settings: ScheduleOptions) -> None:
@@ -64,10 +61,7 @@ def _forms(settings: ScheduleOptions) -> None:
 
     with line() as shown:
         comparison = compared(settings.links or 16, lambda text: shown.tell(f"robodyn: {text}"))
-    if as_json():
-        echo_json(comparison)
-    else:
-        click.echo(forms_text(comparison), nl=False)
+    show(lambda: comparison, lambda: forms_text(comparison).splitlines())
 
 
 def _schedule(settings: ScheduleOptions) -> None:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from robodyn.errors import CheckError, InputError
 from robodyn_cli.choices import FILE, TRIGONOMETRY
-from robodyn_cli.common import as_json, echo_json, option, robot_argument, wrapped
+from robodyn_cli.common import option, robot_argument, show, wrapped
 from robodyn_cli.languages import compiled_language_option
 from robodyn_cli.options import functions_option, listed, load, model_options, options_of, scalar_option
 from robodyn_cli.values import Parameter, unique
@@ -40,18 +41,7 @@ if TYPE_CHECKING:
     multiple=True,
 )
 @model_options
-def command(
-    robot: str,
-    states: int,
-    seed: int,
-    scalar: str,
-    trig: str,
-    lang: str,
-    functions: str | None,
-    against: str | None,
-    lock: tuple[tuple[str, float], ...],
-    **model: Any,
-) -> None:
+def command(robot: str, functions: str | None, **options: Any) -> None:
     """Compare the compiled kernels with independent references.
 
     The programs must equal plain Newton-Euler on exact fractions; those of inverse kinematics must lead back
@@ -65,7 +55,6 @@ def command(
     expands to, and its torques, mass matrix, motion of the links, tool frame and gear ratios are compared,
     joint by joint of the same name. What the library has no model of is not compared, and listed.
     """
-    from robodyn.dynamics.functions import function_named
     from robodyn.emit.languages import compiled_language
     from robodyn.kernels.generate import generate
     from robodyn.kernels.kernel import load as load_kernel
@@ -73,42 +62,35 @@ def command(
     from robodyn.verify.against import comparable, with_original
     from robodyn_cli.progress import line
 
-    lang = compiled_language(lang)[0].name
-    if trig == "given":
+    lang = compiled_language(options["lang"])[0].name
+    if options["trig"] == "given":
         raise InputError("a kernel with --trig given has no angles to verify", expected="libm or builtin")
     names = None if functions is None else listed(functions)
-    options = options_of(names, model, trig=trig, scalar=scalar)
-    described = load(robot, strict=model["strict"])
-    original = _original(described, against, unique(lock, "--lock"))
+    described = load(robot, strict=options["strict"])
+    original = _original(described, options["against"], unique(options["lock"], "--lock"))
     left_out: dict[str, str] = {}
     if original is not None:
         described, left_out = comparable(described, original)
-    generated = generate(described, options)
+    generated = generate(
+        described, options_of(names, options, trig=options["trig"], scalar=options["scalar"])
+    )
     kernel = load_kernel(generated.signatures, generated.files((lang,)), language=lang)
     exact, closing = _exactly(generated), _closing(generated)
+    sample = {name: options[name] for name in ("states", "seed")}
     with line() as shown:
 
         def tell(done: int, of: int) -> None:
             shown.tell(f"robodyn: {described.name}: {done} of {of} comparisons")
 
-        report = verify(described, kernel, states=states, seed=seed, progress=tell, original=original)
+        report = verify(described, kernel, progress=tell, original=original, **sample)
     if original is not None:
         report = with_original(report, described, original, left_out)
     passed = report.passed and all(exact.values()) and all(closing.values())
-    if as_json():
-        exactly = {"equal_on_fractions": exact, "closing_to_60_digits": closing}
-        echo_json({**report.to_dict(), **exactly, "passed": passed})
-    else:
-        click.echo(report.to_text())
-        if report.worst is not None:
-            state = "; ".join(f"{name} = {list(x)}" for name, x in report.worst.to_dict()["inputs"].items())
-            click.echo("\n".join(wrapped(f"the largest error occurs at {state}")))
-        for function, equal in exact.items():
-            plain = "products of transforms" if function_named(function).geometric else "plain Newton-Euler"
-            click.echo(f"{function}: {'equal to' if equal else 'NOT EQUAL to'} {plain} on fractions")
-        for function, right in closing.items():
-            verb = "leads" if right else "DOES NOT LEAD"
-            click.echo(f"{function}: {verb} back to the pose in plain forward kinematics, at 60 digits")
+    exactly = {"equal_on_fractions": exact, "closing_to_60_digits": closing}
+    show(
+        lambda: {**report.to_dict(), **exactly, "passed": passed},
+        lambda: _lines(report, exact, closing),
+    )
     if report.uncompared:
         raise CheckError(
             f"{described.name}: not every function was compared with a reference",
@@ -119,6 +101,22 @@ def command(
             f"{described.name}: the kernel does not agree with the references",
             found=_largest_difference(report, described),
         )
+
+
+def _lines(report: VerifyReport, exact: dict[str, bool], closing: dict[str, bool]) -> Iterator[str]:
+    """The report for people."""
+    from robodyn.dynamics.functions import function_named
+
+    yield report.to_text()
+    if report.worst is not None:
+        state = "; ".join(f"{name} = {list(x)}" for name, x in report.worst.to_dict()["inputs"].items())
+        yield from wrapped(f"the largest error occurs at {state}")
+    for function, equal in exact.items():
+        plain = "products of transforms" if function_named(function).geometric else "plain Newton-Euler"
+        yield f"{function}: {'equal to' if equal else 'NOT EQUAL to'} {plain} on fractions"
+    for function, right in closing.items():
+        verb = "leads" if right else "DOES NOT LEAD"
+        yield f"{function}: {verb} back to the pose in plain forward kinematics, at 60 digits"
 
 
 def _original(robot: Robot, file: str | None, locks: dict[str, float]) -> PeerArm | None:
