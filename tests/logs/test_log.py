@@ -216,7 +216,7 @@ def test_nan_and_infinity_are_values(written: Callable[[str | bytes], str]) -> N
         (GOOD.encode() + b"0.2,1,\xff2,3,4\n", "log.csv:4:7: the file is not UTF-8 text; found byte 0xff"),
         (GOOD.encode() + b"0.2,1,\x002,3,4\n", "log.csv:4:7: the cell is not a number; found '\\x002'"),
         (b"t,q\xe91,tau1\n", "log.csv:1:4: the file is not UTF-8 text; found byte 0xe9"),
-        (GOOD.encode("utf-16"), "log.csv:1:1: the file is not UTF-8 text; found UTF-16"),
+        (GOOD.encode("utf-16"), "log.csv: the file is not UTF-8 text; found UTF-16"),
         (b"PAR1....", "give it the ending .parquet"),
         ("0.0,1.0,2.0\n0.1,1.0,2.0\n", "write a first line with the names of the columns"),
         ("time,q1,tau1\n0,1,2\n", "found no t; expected t,q1,tau1; call the time t [s]"),

@@ -34,14 +34,19 @@ LINE = 1 << 20
 BLOCK = 1 << 21
 
 _COMMA, _NEWLINE = b",\n"
-#: How packed files begin.
-_PACKED = {
-    b"\x1f\x8b": "gzip",
-    b"PK\x03\x04": "zip",
-    b"BZh": "bzip2",
-    b"\xfd7zXZ": "xz",
-    b"\x28\xb5\x2f\xfd": "zstd",
-}
+#: How files begin that are no text; what they are, and what to do.
+_NO_TEXT = [
+    (b"\xff\xfe", "the file is not UTF-8 text", "UTF-16", "save it as UTF-8"),
+    (b"\xfe\xff", "the file is not UTF-8 text", "UTF-16", "save it as UTF-8"),
+    (b"PAR1", "the file is not text", "Parquet", "give it the ending .parquet"),
+    *(
+        (mark, "the file is packed", kind, "unpack it, and give what was in it")
+        for mark, kind in (
+            (b"\x1f\x8b", "gzip"), (b"PK\x03\x04", "zip"), (b"BZh", "bzip2"), (b"\xfd7zXZ", "xz"),
+            (b"\x28\xb5\x2f\xfd", "zstd"),
+        )
+    ),
+]  # fmt: skip
 
 
 def open_text(path: Path, file: str, gaps: bool) -> Recording:
@@ -125,45 +130,29 @@ def row_blocks(path: Path, file: str, layout: Layout, dialect: Dialect) -> Itera
 
 def _header(source: BinaryIO, file: str) -> list[str]:
     data = source.readline(LINE + 1)
+    where = Place(file, 1)
     if not data:
         raise InputError("the file is empty", where=Place(file), expected="a log: t,q1..qn,tau1..taun")
-    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
-        raise InputError(
-            "the file is not UTF-8 text", where=Place(file, 1, 1), found="UTF-16", remedy="save it as UTF-8"
-        )
-    if data.startswith(b"PAR1"):
-        raise InputError(
-            "the file is not text",
-            where=Place(file),
-            found="Parquet",
-            remedy="give it the ending .parquet",
-        )
-    for mark, kind in _PACKED.items():
+    for mark, what, found, remedy in _NO_TEXT:
         if data.startswith(mark):
-            raise InputError(
-                "the file is packed",
-                where=Place(file),
-                found=kind,
-                remedy="unpack it, and give what was in it",
-            )
+            raise InputError(what, where=Place(file), found=found, remedy=remedy)
     if b"\0" in data:
-        raise InputError("the file is not text", where=Place(file, 1), found="a zero byte", expected="a log")
+        raise InputError("the file is not text", where=where, found="a zero byte", expected="a log")
     if b"\r" in data.rstrip(b"\r\n"):
         raise InputError(
             "lines end in carriage returns alone",
-            where=Place(file, 1),
+            where=where,
             expected="newlines",
             remedy="write it with line ends of Unix or Windows",
         )
     if len(data) > LINE:
-        raise _too_long(Place(file, 1))
-    return cells_of(_decode(data, Place(file, 1)).removeprefix("\ufeff").rstrip("\r\n"), ",")
+        raise _too_long(where)
+    return cells_of(_decode(data, where).removeprefix("\ufeff").rstrip("\r\n"), ",")
 
 
 def _too_long(where: Place) -> InputError:
-    return InputError(
-        "the line is too long", where=where, found="more than 1 MiB", expected="a log: a line a sample"
-    )
+    what, found = "the line is too long", "more than 1 MiB"
+    return InputError(what, where=where, found=found, expected="a log: a line a sample")
 
 
 def _decode(data: bytes, where: Place) -> str:
@@ -171,12 +160,10 @@ def _decode(data: bytes, where: Place) -> str:
         return data.decode("utf-8")
     except UnicodeDecodeError as error:
         column = len(data[: error.start].decode("utf-8", "replace")) + (where.column or 1)
-        raise InputError(
-            "the file is not UTF-8 text",
-            where=Place(where.file, where.line, column),
-            found=f"byte 0x{data[error.start]:02x}",
-            remedy="save it as UTF-8",
-        ) from None
+        found = f"byte 0x{data[error.start]:02x}"
+        where = Place(where.file, where.line, column)
+        what = "the file is not UTF-8 text"
+        raise InputError(what, where=where, found=found, remedy="save it as UTF-8") from None
 
 
 def _blocks(source: BinaryIO, file: str, line: int) -> Iterator[bytes]:
@@ -230,13 +217,21 @@ def _search(block: bytes, layout: Layout, where: Place, *, empty: bool) -> Float
             continue
         cells = data.split(b",")
         if len(cells) != layout.width:
-            last = line == where.line + len(lines) - 1
+            remedies = [
+                (line == where.line + len(lines) - 1, "the file was cut off there: delete its last line"),
+                (
+                    b";" in data,
+                    "separate the columns by commas, not semicolons (and write decimals with a point)",
+                ),
+                (b'"' in data, "an extra column must not have commas in it"),
+                (data.rstrip().endswith(b","), "delete the comma at the end of the line"),
+            ]
             raise InputError(
                 "the line has another number of cells than the header",
                 where=Place(where.file, line),
                 found=str(len(cells)),
                 expected=str(layout.width),
-                remedy="the file was cut off there: delete its last line" if last else _line_remedy(data),
+                remedy=next((text for holds, text in remedies if holds), "delete the line, or mend it"),
             )
         row = []
         for position in layout.wanted:
@@ -248,38 +243,25 @@ def _search(block: bytes, layout: Layout, where: Place, *, empty: bool) -> Float
     return np.array(rows, dtype=np.float64).reshape(len(rows), len(layout.wanted))
 
 
-def _line_remedy(line: bytes) -> str:
-    if b";" in line:
-        return "separate the columns by commas, not semicolons (and write decimals with a point)"
-    if b'"' in line:
-        return "an extra column must not have commas in it"
-    if line.rstrip().endswith(b","):
-        return "delete the comma at the end of the line"
-    return "delete the line, or mend it"
-
-
 def _wrong_cell(cells: Sequence[bytes], position: int, line: Place) -> InputError:
-    before = sum(len(cell.decode("utf-8", "replace")) + 1 for cell in cells[:position])
+    """What to say of a cell that is not a number."""
     cell = cells[position]
-    space = len(cell) - len(cell.lstrip()) if cell.strip() else 0
-    where = Place(line.file, line.line, before + space + 1)
-    content = shown(_decode(cell.strip(), where)) if cell.strip() else "nothing"
+    text = cell.strip()
+    column = sum(len(each.decode("utf-8", "replace")) + 1 for each in cells[:position]) + 1
+    where = Place(line.file, line.line, column + (len(cell) - len(cell.lstrip()) if text else 0))
+    remedy = "where there is no value, write nan"
+    if not any(number_of(each) is not None for each in cells):
+        is_quoted = text.startswith(b'"')
+        remedy = "write numbers without quotes" if is_quoted else "delete the line: nothing in it is a number"
+    elif not position and (b":" in cell or cell.count(b"-") > 1):
+        remedy = "write times in seconds"
     return InputError(
         "the cell is not a number",
         where=where,
-        found=content,
+        found=shown(_decode(text, where)) if text else "nothing",
         expected="a number such as -0.125 or 1e-3",
-        remedy=_cell_remedy(cells, cell),
+        remedy=remedy,
     )
-
-
-def _cell_remedy(cells: Sequence[bytes], cell: bytes) -> str:
-    if not any(number_of(each) is not None for each in cells):
-        quoted = cell.strip().startswith(b'"')
-        return "write numbers without quotes" if quoted else "delete the line: nothing in it is a number"
-    if cell is cells[0] and (b":" in cell or cell.count(b"-") > 1):
-        return "write times in seconds"
-    return "where there is no value, write nan"
 
 
 FORMAT = LogFormat("text", (".csv", ".txt", ".tsv"), "text", open_text, is_guarded=False, is_table=True)
