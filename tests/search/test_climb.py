@@ -10,11 +10,11 @@ from typing import Any
 
 import pytest
 
-from records.made import ELBOW, SMOOTH, TOOL, arm, better, fast
+from records.made import ELBOW, arm, better, fast
 from robodyn import Options, program
-from robodyn.counts.objective import Objective, operations_of, parse_objective
+from robodyn.counts.objective import operations_of, parse_objective
 from robodyn.dynamics.equality import equals_recursion
-from robodyn.ir import Input, Label, Operation, Program
+from robodyn.ir import Input, Label, Program
 from robodyn.ir.field import Field
 from robodyn.ir.fingerprint import fingerprint
 from robodyn.optimize.records.labels import labelled
@@ -29,10 +29,7 @@ from search.arms import bundled
 
 ELBOW_ARM = arm(ELBOW)
 PLAIN = fast(ELBOW_ARM)
-OBJECTIVES = [
-    *("total", "mul", "fma", "depth", "sincos"),
-    *("weighted:cortex-m3", "weighted:cortex-m4", "weighted:x86-64-v3"),
-]
+OBJECTIVES = ("total", "mul", "fma", "depth", "sincos", "weighted:cortex-m3", "weighted:cortex-m4")
 
 
 def cost(made: Program, objective: str = "total") -> float:
@@ -71,22 +68,10 @@ def test_the_best_given_is_among_what_is_found() -> None:
     worse = program(ELBOW_ARM, "inverse_dynamics", Options(optimize="none"))
     assert cost(worse) > cost(PLAIN)
     for seconds in (0.001, 0.5):
-        found = climb([worse, PLAIN, worse], seconds=seconds, threads=3)
+        found = climb([worse, PLAIN, worse], seconds=seconds, threads=4)
         assert cost(found[0]) <= cost(PLAIN)
     assert climb([PLAIN], seconds=0.0)[0] == PLAIN
-    assert climb([PLAIN], seconds=-3.0)[0] == PLAIN
-
-
-@pytest.mark.parametrize("threads", [-1, 0, 1, 4])
-def test_threads(threads: int) -> None:
-    assert cost(climb([PLAIN], seconds=0.15, threads=threads)[0]) <= cost(PLAIN)
-
-
-def test_a_program_is_in_the_race_once() -> None:
-    x = Input("qd", 0)
-    least = Program((Operation("mul", (x, x)),), (("tau", (0,)),))
-    found = climb([least], seconds=0.4)
-    assert len(found) == 1
+    assert climb([PLAIN], seconds=-3.0, threads=-1)[0] == PLAIN
 
 
 def test_time_is_kept(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -150,78 +135,26 @@ def test_an_error_in_a_walk_is_passed_on(monkeypatch: pytest.MonkeyPatch) -> Non
         climb([PLAIN], seconds=1e9)
 
 
-def test_telling_while_the_race_is_sorted(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A list looks empty while it is sorted."""
-    race = climbing._Race([PLAIN], 1.0, 0, Objective(), 1, lambda at: None)
-    stop = threading.Event()
-
-    def add() -> None:
-        while not stop.is_set():
-            with race.lock:
-                race.add(PLAIN)
-
-    adding = threading.Thread(target=add)
-    adding.start()
-    try:
-        for _ in range(100_000):
-            race.tell()
-    finally:
-        stop.set()
-        adding.join()
-
-
 # --- names ------------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("text", [ELBOW, TOOL, SMOOTH], ids=["elbow", "tool", "smooth"])
-def test_values_get_their_names_back(text: str) -> None:
-    robot = arm(text)
-    plain = fast(robot)
-    bare = replace(plain, operations=tuple(op._replace(label=None) for op in plain.operations), origin=None)
-    named = labelled(bare, plain)
-    everything = replace(plain, outputs=(("all", tuple(range(len(plain.operations)))),), origin=None)
-    field = Field("here")
-    values = [min(v, field.prime - v) for v in fingerprint(everything, field, circle_point)]
-    known = {v for v, op in zip(values, plain.operations, strict=True) if op.label is not None}
-    with_names = {v for v, op in zip(values, named.operations, strict=True) if op.label is not None}
-    assert len(known) > 10
-    assert with_names == known
-    assert labelled(named, plain) == named
 
 
 def test_labels_are_true() -> None:
     """A value has the name of a quantity only if it is it, or minus it: and no two have one name."""
-    walk = Walk([PLAIN], seed=4)
-    walk.run(2000, 0.3)
-    named = labelled(walk.best(), PLAIN)
-
     field = Field("here")
 
-    def values(made: Program) -> list[int]:
+    def labels(made: Program) -> list[tuple[Label, int]]:
         everything = replace(made, outputs=(("all", tuple(range(len(made.operations)))),), origin=None)
-        return list(fingerprint(everything, field, circle_point))
+        values = fingerprint(everything, field, circle_point)
+        return [
+            (op.label._replace(negative=False), (-value if op.label.negative else value) % field.prime)
+            for value, op in zip(values, made.operations, strict=True)
+            if op.label is not None
+        ]
 
-    truth: dict[Label, int] = {}
-    for value, op in zip(values(PLAIN), PLAIN.operations, strict=True):
-        if op.label is not None:
-            plus = op.label._replace(negative=False)
-            truth.setdefault(plus, (field.prime - value) % field.prime if op.label.negative else value)
-    seen = set()
-    for value, op in zip(values(named), named.operations, strict=True):
-        if op.label is not None:
-            plus = op.label._replace(negative=False)
-            assert truth[plus] == ((field.prime - value) % field.prime if op.label.negative else value), op
-            assert plus not in seen
-            seen.add(plus)
-    assert len(seen) > 10
-
-
-def test_a_name_is_given_once() -> None:
-    n = len(PLAIN.operations)
-    k = next(k for k, op in enumerate(PLAIN.operations) if op.label is not None)
-    twice = replace(
-        PLAIN, operations=(*PLAIN.operations, PLAIN.operations[k], Operation("neg", (k,))), origin=None
-    )
-    labels = [op.label for op in labelled(twice, PLAIN).operations]
-    assert labels[k] is not None
-    assert labels[n:] == [None, None]
+    walk = Walk([PLAIN], seed=4)
+    walk.run(2000, 0.3)
+    truth, named = dict(labels(PLAIN)[::-1]), labels(labelled(walk.best(), PLAIN))
+    assert len(dict(named)) == len(named) > 10
+    assert all(truth[label] == value for label, value in named)
+    bare = replace(PLAIN, operations=tuple(op._replace(label=None) for op in PLAIN.operations), origin=None)
+    assert {value for _, value in labels(labelled(bare, PLAIN))} == set(truth.values())

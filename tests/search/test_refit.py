@@ -19,7 +19,7 @@ from robodyn.robot.model import EffectEntry
 from robodyn.search.improve import improved
 from robodyn.search.modular import Elimination, fraction_of, value_at_one
 from robodyn.search.refit import refitted
-from robodyn.search.transfer import transferred
+from robodyn.search.transfer import _between, transferred
 
 PRIME = 2**607 - 1
 INVERSE = "inverse_dynamics"
@@ -37,8 +37,6 @@ links:
 
 
 def path(one: Robot, other: Robot, function: str = INVERSE) -> list[Program]:
-    from robodyn.search.transfer import _between
-
     return [build(_between(one, other, t), function, Choice()) for t in range(4)]
 
 
@@ -67,16 +65,9 @@ def test_where_operations_are_missing_there_are_no_constants() -> None:
     simple = replace(ROBOT, links=(ROBOT.links[0], thin))
     program = build(simple, INVERSE, Choice())
     assert refitted(program, path(simple, OTHER), math.inf) is None
+    assert refitted(program, path(OTHER, simple), math.inf) is None  # it is another arm's
+    assert refitted(program, path(simple, simple), 1.0, clock=lambda: 2.0) is None  # time is over
     assert refitted(program, path(simple, simple), math.inf) == replace(program, origin=None)
-
-
-def test_when_time_is_over_it_ends() -> None:
-    program = better(ROBOT).program
-    assert refitted(program, path(ROBOT, OTHER), 1.0, clock=lambda: 2.0) is None
-
-
-def test_a_program_that_is_another_arms_is_not_taken() -> None:
-    assert refitted(better(ROBOT).program, path(OTHER, ROBOT), math.inf) is None
 
 
 @pytest.mark.parametrize("function", [INVERSE, "mass_matrix"])
@@ -124,10 +115,6 @@ def test_a_fraction_is_told_from_its_image(digits: int) -> None:
         x = Fraction(chance.randint(-(10**digits), 10**digits), chance.randint(1, 10**digits))
         image = x.numerator * pow(x.denominator, -1, PRIME) % PRIME
         assert fraction_of(image, PRIME) == x
-
-
-def test_what_is_no_fraction_of_few_digits_is_none() -> None:
-    chance = random.Random(1)
     assert [fraction_of(chance.randrange(PRIME), PRIME) for _ in range(20)] == [None] * 20
 
 

@@ -8,7 +8,7 @@ from typing import Any, Final
 import pytest
 
 from dynamics.direct import exact_arm
-from robodyn import InputError, Options, load, program
+from robodyn import Options, load, program
 from robodyn.counts import count
 from robodyn.counts.objective import Objective, operations_of
 from robodyn.dynamics.equality import equals_recursion
@@ -63,22 +63,6 @@ def test_the_same_seed_finds_the_same() -> None:
     assert [choice for _, choice, _ in one] != [choice for _, choice, _ in third]
 
 
-def test_a_search_goes_on_from_what_was_found() -> None:
-    robot = bundled("stanford_3dof_d3")
-    first = search(robot, **SHORT, seed=5)
-    again = search(robot, rounds=1, steps=1, seed=6, processes=1, start=[choice for _, choice, _ in first])
-    assert again[0][0] <= first[0][0]
-    with pytest.raises(InputError, match="a choice of another arm to start from; found 3 links; expected 6"):
-        search(bundled("stanford_d3"), **SHORT, start=[first[0][1]])
-
-
-def test_two_processes_find_what_is_right() -> None:
-    robot = bundled("stanford_3dof_d3")
-    found = search(robot, rounds=1, steps=60, seed=1, processes=2)
-    assert equals_recursion(robot, "inverse_dynamics", found[0][2])
-    assert found[0][0] < 69
-
-
 def test_workers_hand_on_results_and_errors() -> None:
     with Workers(2) as workers:
         assert workers.run(max, [(1, 2), (5, 4)]) == [2, 5]
@@ -105,7 +89,7 @@ def test_a_search_with_another_objective() -> None:
 
 ARMS = [
     replace(exact_arm(seed, joints=3 + seed % 5, full=bool(seed % 2), prismatic=0.1), torque_side="motor")
-    for seed in range(100, 120)
+    for seed in range(100, 108)
 ]
 
 
@@ -116,7 +100,7 @@ def test_fast_is_never_above_regrouping_alone(robot: Robot) -> None:
     assert equals_recursion(robot, "inverse_dynamics", made, points=1)
 
 
-@pytest.mark.parametrize("robot", sampled(ARMS[::5], every=4, rest="slow"), ids=lambda robot: robot.name)
+@pytest.mark.parametrize("robot", sampled(ARMS[::2], every=4, rest="slow"), ids=lambda robot: robot.name)
 def test_a_search_is_always_below_regrouping_alone(robot: Robot) -> None:
     found = search(robot, seconds=2, steps=40, seed=1, processes=1)
     assert found[0][0] < regrouped_alone(robot)

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import gc
+import itertools
 import os
 import subprocess
 import sys
-import threading
+from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -26,7 +26,7 @@ from robodyn.ir.fingerprint import fingerprint
 from robodyn.optimize.records import parse_record
 from robodyn.optimize.records.labels import labelled
 from robodyn.passes import SPELLING, run
-from robodyn.robot import Robot, bundled_names
+from robodyn.robot import Robot
 from robodyn.robot.values import circle_point
 from robodyn.search.network import NoWalk
 from robodyn.search.walk import CHAIN, FUSED, SUM, TOLERANCE, Walk
@@ -95,17 +95,6 @@ def test_bundled_robots(name: str) -> None:
     check(bundled(name), "inverse_dynamics", 100)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("name", bundled_names())
-def test_every_bundled_robot(name: str) -> None:
-    for function in ("inverse_dynamics", "gravity", "bias", "mass_matrix"):
-        if name == "puma560_3dof_d13":  # it has no masses
-            with pytest.raises(NoWalk, match="there is nothing to rewrite"):
-                check(bundled(name), function, 500)
-        else:
-            check(bundled(name), function, 500)
-
-
 @pytest.mark.parametrize("robot", random_arms(6, joints=4), ids=lambda robot: robot.name)
 def test_random_arms(robot: Robot) -> None:
     for k, function in enumerate(("inverse_dynamics", "mass_matrix", "gravity")):
@@ -115,15 +104,12 @@ def test_random_arms(robot: Robot) -> None:
             assert "nothing to rewrite" in str(nothing)  # noqa: PT017
 
 
-@pytest.mark.parametrize("objective", KINDS)
-@pytest.mark.parametrize("temperature", [0.0, 0.25, 3.0])
+@pytest.mark.parametrize(("objective", "temperature"), [*itertools.product(KINDS, (0.25, 3.0)), (SUM, 0.0)])
 def test_objectives_and_temperatures(objective: int, temperature: float) -> None:
-    check(arm(ELBOW), "inverse_dynamics", 500, temperature=temperature, objective=objective, seed=9)
-
-
-@pytest.mark.parametrize("weights", [(1, 3), (4, 4), (4, 7), (1, 0), (0, 1)])
-def test_weights(weights: tuple[int, int]) -> None:
-    check(arm(ELBOW), "bias", 300, weights=weights, temperature=0.25 * max(weights))
+    robot, seed = arm(ELBOW), (1 << 63) + 5
+    check(robot, "inverse_dynamics", 500, temperature=temperature, objective=objective, seed=seed)
+    for weights in ((1, 3), (4, 7), (1, 0), (0, 1)) if objective == SUM else ():
+        check(robot, "bias", 300, weights=weights, temperature=temperature * max(weights))
 
 
 @pytest.mark.slow
@@ -158,10 +144,6 @@ def test_special_arms(name: str) -> None:
             assert "has no forward dynamics" in str(error)  # noqa: PT017
 
 
-def test_a_walk_gets_somewhere() -> None:
-    assert own_cost(check(arm(ELBOW), "inverse_dynamics", 2000), SUM) < own_cost(fast(arm(ELBOW)), SUM)
-
-
 @pytest.mark.parametrize("objective", KINDS)
 def test_the_cost_is_that_of_the_program(objective: int) -> None:
     for name in ("stanford_3dof_d3", "puma560_3dof_d3"):
@@ -184,13 +166,9 @@ def test_the_same_seed_takes_the_same_way() -> None:
         return walk.best()
 
     once = walked(5, 600)
+    assert own_cost(once, SUM) < own_cost(plain, SUM)
     assert once == walked(5, 600) == walked(5, 100, 250, 250)
     assert len({walked(seed, 600).operations for seed in (5, 6, 7)}) > 1
-
-
-@pytest.mark.parametrize("seed", [0, 1, (1 << 31) - 1, (1 << 63) + 5, (1 << 64) - 1])
-def test_seeds(seed: int) -> None:
-    check(bundled("stanford_3dof_d3"), "inverse_dynamics", 200, seed=seed)
 
 
 def test_rounding_stays_bounded() -> None:
@@ -211,7 +189,7 @@ def test_rounding_stays_bounded() -> None:
     assert errors(1.0)[0] > TOLERANCE, "nothing to be held back from: the test shows nothing"
 
 
-@pytest.mark.parametrize("name", ["stanford_3dof_d3", "puma560_d2", "ur5", "tx40"])
+@pytest.mark.parametrize("name", ["stanford_3dof_d3", "ur5"])
 def test_single_precision_is_near_the_truth(name: str) -> None:
     """Apart from the walk's own bookkeeping, and at other states."""
     robot = bundled(name)
@@ -245,7 +223,7 @@ def test_a_hot_walk_does_not_hang() -> None:
     subprocess.run([sys.executable, "-c", program], check=True, timeout=100, cwd=path)
 
 
-def test_nothing_to_rewrite() -> None:
+def test_nothing_or_too_much_to_rewrite() -> None:
     x = Input("qd", 0)
     for outputs in ((), (x,), (Fraction(3), x), (Fraction(0),)):
         with pytest.raises(NoWalk, match="nothing to rewrite"):
@@ -253,39 +231,27 @@ def test_nothing_to_rewrite() -> None:
     sine = Program((Operation("sin", (Input("q", 0),)),), (("tau", (0, 0)),))
     with pytest.raises(NoWalk, match="nothing to rewrite"):
         Walk([sine], seed=1)
-
-
-def test_too_large_is_told() -> None:
-    operations = [Operation("mul", (Input("qd", 0), Input("q", 0)))]
+    operations = [Operation("mul", (x, Input("q", 0)))]
     operations += [Operation("add", (k, Fraction(k + 1, 7))) for k in range(2500)]
-    with pytest.raises(NoWalk, match="too large"):
-        Walk([Program(tuple(operations), (("tau", (2500,)),))], seed=1)
-    many = [Operation("mul", (Input("qd", 0), Fraction(k + 2))) for k in range(300)]
-    with pytest.raises(NoWalk, match="too large"):
-        Walk([Program(tuple(many), (("M", tuple(range(300))),))], seed=1)
+    many = [Operation("mul", (x, Fraction(k + 2))) for k in range(300)]
+    for large in (
+        Program(tuple(operations), (("tau", (2500,)),)), Program(tuple(many), (("M", tuple(range(300))),)),
+    ):  # fmt: skip
+        with pytest.raises(NoWalk, match="too large"):
+            Walk([large], seed=1)
 
 
 def test_walks_run_side_by_side() -> None:
     """C code runs without the interpreter's lock, and walks share nothing."""
     plain = fast(bundled("stanford_3dof_d3"))
-    expected = []
-    for seed in range(4):
+
+    def walked(seed: int) -> Program:
         walk = Walk([plain], seed=seed)
         walk.run(1500, 0.3)
-        expected.append(walk.best())
-    found: list[Any] = [None] * 4
+        return walk.best()
 
-    def run_one(seed: int) -> None:
-        walk = Walk([plain], seed=seed)
-        walk.run(1500, 0.3)
-        found[seed] = walk.best()
-
-    threads = [threading.Thread(target=run_one, args=(seed,)) for seed in range(4)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    assert found == expected
+    with ThreadPoolExecutor(4) as threads:
+        assert list(threads.map(walked, range(4))) == list(map(walked, range(4)))
 
 
 ENDLESS = """

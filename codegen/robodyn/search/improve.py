@@ -123,15 +123,12 @@ def improved(
         distinct = climb(
             distinct, seconds=left, seed=seed, objective=objective, threads=processes, progress=tell
         )
-    for program in distinct:
-        record = proved(robot, function, program, recursion, objective, how)
-        if record is not None:
-            kept = [old for old in known if old.program.operations == record.program.operations]
-            record = kept[0] if kept else record
-            if resume:
-                keep(record)
-            return record
-    raise AssertionError("the recursion itself equals the recursion")
+    results = (proved(robot, function, program, recursion, objective, how) for program in distinct)
+    record = next(result for result in results if result is not None)  # the recursion equals itself
+    record = next((old for old in known if old.program.operations == record.program.operations), record)
+    if resume:
+        keep(record)
+    return record
 
 
 def _compiler() -> bool:
@@ -258,9 +255,3 @@ def write_record(record: Record, folder: Path) -> Path:
         path = folder / file_name(name, record.function, record.objective)
     replace_file(path, record.text().encode())
     return path
-
-
-__all__ = [
-    "BUDGET", "Progress", "Stage", "check_search", "cost", "improved", "keep", "kept_folder", "known_records",
-    "proved", "write_record",
-]  # fmt: skip

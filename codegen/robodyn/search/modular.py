@@ -9,8 +9,8 @@ import math
 from collections.abc import Sequence
 from fractions import Fraction
 
-#: So many bits of a prime are left over where a fraction is recognised: chance leaves none.
-_SPARE = 64
+#: So many bits of a modulus are left over where a fraction is recognised: chance leaves none.
+_SPARE = 60
 
 
 class Elimination:
@@ -56,16 +56,25 @@ class Elimination:
         return solution
 
 
-def fraction_of(image: int, prime: int) -> Fraction | None:
-    """The fraction of few digits that has this image modulo ``prime``; None where none stands out."""
-    bound = math.isqrt(prime >> 1)
-    r, next_r, s, next_s = prime, image % prime, 0, 1
+def fraction_of(image: int, modulus: int) -> Fraction | None:
+    """The fraction of few digits that has this image (P. S. Wang 1981); None where none stands out."""
+    bound = math.isqrt(modulus >> 1)
+    r, next_r, s, next_s = modulus, image % modulus, 0, 1
     while next_r > bound:
         q = r // next_r
         r, next_r, s, next_s = next_r, r - q * next_r, next_s, s - q * next_s
-    if not next_s or next_r * abs(next_s) > prime >> _SPARE:
+    if not next_s or next_r * abs(next_s) > modulus >> _SPARE:
         return None
-    return Fraction(next_r if next_s > 0 else -next_r, abs(next_s))
+    return Fraction(next_r, next_s)
+
+
+def fraction_of_residues(parts: Sequence[int], moduli: Sequence[int]) -> Fraction | None:
+    """The fraction of few digits with these residues; None where none stands out."""
+    x, m = 0, 1
+    for part, p in zip(parts, moduli, strict=True):
+        x += m * ((part - x) * pow(m, -1, p) % p)
+        m *= p
+    return fraction_of(x, m)
 
 
 def value_at_one(series: Sequence[int], prime: int) -> int | None:

@@ -13,10 +13,10 @@ from dataclasses import dataclass
 from decimal import Decimal, localcontext
 from fractions import Fraction
 
-from robodyn.ir.evaluate import AngleForm, angle_form
+from robodyn.ir.evaluate import AngleForm, angle_form, turn
 from robodyn.ir.program import Input, Operand, Program
-from robodyn.search.reconstruction import NoWalk as NoWalk
-from robodyn.search.reconstruction import State, fraction
+from robodyn.robot.values import circle_point
+from robodyn.search.modular import fraction_of_residues
 
 #: Operations of the walk, as the C code numbers them.
 LEAF, ADD, MUL, SCALE, OFFSET = range(5)
@@ -24,61 +24,65 @@ LEAF, ADD, MUL, SCALE, OFFSET = range(5)
 POINTS, FURTHER = 3, 2
 #: The primes are 2^61 less these.
 BELOW = (
-    1,
-    31,
-    45,
-    229,
-    259,
-    283,
-    339,
-    391,
-    403,
-    465,
-    531,
-    579,
-    675,
-    759,
-    799,
-    819,
-    829,
-    843,
-    859,
-    939,
-    985,
-    1015,
-    1153,
-    1195,
-    1215,
-    1281,
-    1299,
-    1351,
-    1371,
-    1425,
-    1489,
-    1525,
-    1533,
-    1543,
-    1609,
-    1621,
-    1669,
-    1741,
-    1753,
-    1813,
-    1845,
-    1849,
-    1855,
-    1863,
-    1869,
-    1909,
-    1921,
-    1923,
-)
+    1, 31, 45, 229, 259, 283, 339, 391, 403, 465, 531, 579, 675, 759, 799, 819, 829, 843, 859, 939, 985,
+    1015, 1153, 1195, 1215, 1281, 1299, 1351, 1371, 1425, 1489, 1525, 1533, 1543, 1609, 1621, 1669, 1741,
+    1753, 1813, 1845, 1849, 1855, 1863, 1869, 1909, 1921, 1923,
+)  # fmt: skip
 STATES = 12
 
 #: Digits of the truth: what a pair of doubles holds, and some to spare.
 _DIGITS = 45
 
 _OPAQUE = frozenset(("sin", "cos", "sqrt", "tanh", "sign", "div"))
+
+
+class NoWalk(Exception):
+    """The program has nothing that the walk could rewrite, or what it cannot read."""
+
+
+def fraction(parts: Sequence[int], moduli: Sequence[int]) -> Fraction:
+    """The fraction with these residues; :class:`NoWalk` where there is none of the size that they allow."""
+    value = fraction_of_residues(parts, moduli)
+    if value is None:
+        raise NoWalk("a constant is too large to recover")
+    return value
+
+
+class State:
+    """Where the arm is: exact rationals for inputs and points of the circle for joint angles."""
+
+    def __init__(self, chance: random.Random) -> None:
+        self.chance = chance
+        self.numbers: dict[tuple[object, ...], Fraction] = {}
+        self.points: dict[Input, tuple[Fraction, Fraction]] = {}
+
+    def angle(self, form: AngleForm) -> tuple[Fraction, Fraction]:
+        terms, constant = form
+        total = circle_point(constant) if constant else (Fraction(1), Fraction(0))
+        for x, multiple in terms:
+            if isinstance(multiple, Fraction):
+                raise ValueError(f"the sine of {multiple} {x} has no exact value")
+            if x not in self.points:
+                t = Fraction(self.chance.randint(-(3 << 37), 3 << 37), 1 << 37)
+                self.points[x] = ((1 - t * t) / (1 + t * t), 2 * t / (1 + t * t))
+            c, s = self.points[x]
+            for _ in range(abs(multiple)):
+                total = turn(total, (c, s if multiple > 0 else -s))
+        return total
+
+    def leaf(self, meaning: tuple[object, ...]) -> Fraction:
+        """The value of a leaf: an input, a sine or cosine of an angle, or an opaque operation."""
+        kind, what = meaning
+        if kind in ("sin", "cos"):
+            return self.angle(what)[kind == "sin"]  # type: ignore[arg-type]  # the form of an angle
+        if meaning not in self.numbers:
+            chance = self.chance
+            if kind == "input":
+                size = chance.randint(1 << 37, 3 << 39) * chance.choice((-1, 1))
+            else:
+                size = chance.randint(-(1 << 39), 1 << 39)
+            self.numbers[meaning] = Fraction(size, 1 << 39)
+        return self.numbers[meaning]
 
 
 @dataclass(frozen=True, slots=True)

@@ -18,20 +18,7 @@ from robodyn.effects.scalars import is_zero
 from robodyn.optimize.costing import Costing, exact, operations
 from robodyn.optimize.factoring import saved
 from robodyn.optimize.gauge import Unsuited
-from robodyn.optimize.tally import (
-    ADD,
-    CALL,
-    COS,
-    INPUT,
-    MUL,
-    NUMBER,
-    OFFSET,
-    PRIME,
-    SCALE,
-    SIN,
-    Tally,
-    Value,
-)
+from robodyn.optimize.tally import ADD, CALL, COS, INPUT, MUL, NUMBER, OFFSET, PRIME, SCALE, SIN, Tally, Value
 from robodyn.optimize.variant import LINK_VALUES, Variant
 from robodyn.robot.model import Robot
 
@@ -60,12 +47,11 @@ class Candidates:
 
     def judged(self, variant: Variant) -> tuple[float, Sketch] | None:
         """The cost of ``variant`` and its sketch; None where it does not suit the robot."""
-        if variant in self._costs:
-            return self._costs[variant]
-        if len(self._costs) > _MANY:
-            self._costs.clear()
-        cost = self._costs[variant] = self._judged(variant)
-        return cost
+        if variant not in self._costs:
+            if len(self._costs) > _MANY:
+                self._costs.clear()
+            self._costs[variant] = self._judged(variant)
+        return self._costs[variant]
 
     def _judged(self, variant: Variant) -> tuple[float, Sketch] | None:
         try:
@@ -119,6 +105,13 @@ _EVEN: Final[tuple[Changes, ...]] = tuple(
 )
 
 
+#: Fields of a link that are changed together.
+_PAIRS: Final = (
+    ("second", "form"), ("form", "frame"), ("mass", "form"), ("second", "mass"), ("second", "first"),
+    ("row", "column"), ("alpha", "column"), ("slide", "carry"), ("carry", "frame"), ("column", "form"),
+)  # fmt: skip
+
+
 class Space:
     """The variants of one robot."""
 
@@ -135,40 +128,28 @@ class Space:
 
     def _values(self, i: int) -> dict[str, tuple[Any, ...]]:
         """The values of each field that come into question for link ``i``."""
-        bodies, body = self.arm.bodies, self.arm.bodies[i]
+        body, tip, parallel = self.arm.bodies[i], i + 1 == self.n, is_zero(self.arm.bodies[i].sin_alpha)
         values = dict(LINK_VALUES)
-        tip = i + 1 == self.n
         if not body.revolute:
             values.update(mass=("zero",), first=("zero",), second=("zero", "keep"), frame=("own",))
         elif i == 0:
             values.update(mass=("zero",), first=("zero",), second=("zero",))
         elif not tip:
             values["frame"] = ("own", "start")
-        if i != self.n - 2:
-            values["form"] = tuple(form for form in values["form"] if form != "wrist")
         if i == 0:
-            values.update(
-                alpha=("carried",),
-                row=("own",),
-                column=("own",),
-                carry=("own",),
-                slide=("none",),
-                chained=(True,),
-                frame=("own",),
-            )
+            values.update({name: values[name][:1] for name in (*PATH, "frame") if name != "lever"})
         if not chained(self.arm)[i]:
             values["chained"] = (True,)
         if tip:
             values["lever"] = ("own",)
-            values["slide"] = tuple(slide for slide in values["slide"] if slide != "next")
-        if is_zero(body.d):
-            values["slide"] = tuple(slide for slide in values["slide"] if slide != "own")
-        if i and body.revolute and is_zero(body.a):
-            values["mass"] = tuple(rule for rule in values["mass"] if not rule.startswith("parent"))
-        if i and is_zero(body.sin_alpha):
-            values["first"] = tuple(rule for rule in values["first"] if not rule.startswith("parent"))
-            values["second"] = tuple(rule for rule in values["second"] if not rule.startswith("parent"))
-        del bodies
+        out = {"form": ["wrist"] * (i != self.n - 2), "slide": ["next"] * tip + ["own"] * is_zero(body.d)}
+        for name, rules in out.items():
+            values[name] = tuple(value for value in values[name] if value not in rules)
+        for name, pointless in (
+            ("mass", body.revolute and is_zero(body.a)), ("first", parallel), ("second", parallel)
+        ):  # fmt: skip
+            if i and pointless:
+                values[name] = tuple(rule for rule in values[name] if not rule.startswith("parent"))
         return values
 
     def _macros(self, i: int) -> list[dict[int, Changes]]:
@@ -180,17 +161,12 @@ class Space:
             macros += [{i: change} for change in _SPIN]
             if i > 1:
                 macros += [{i: spin, i - 1: point} for spin in _SPIN for point in _POINT]
-                macros += [
-                    {i: _SPIN[0], i - 1: {**point, "form": "wrist"}}
-                    for point in _POINT
-                    if point["frame"] == "start" and point["form"] == "point_y"
-                ] * 3
+                wrists = [
+                    point for point in _POINT if (point["frame"], point["form"]) == ("start", "point_y")
+                ]
+                macros += [{i: _SPIN[0], i - 1: {**point, "form": "wrist"}} for point in wrists] * 3
         legal = self.values
-        return [
-            change
-            for change in macros
-            if all(v in legal[j][f] for j, fs in change.items() for f, v in fs.items())
-        ]
+        return [c for c in macros if all(v in legal[j][f] for j, fs in c.items() for f, v in fs.items())]
 
     # -- moves ------------------------------------------------------------------------------------
     def random_neighbour(self, variant: Variant, rng: random.Random) -> Variant:
@@ -249,18 +225,7 @@ class Space:
                         yield variant.with_link(i, **{name: value})
             for change in self.macros[i]:
                 yield self._applied(variant, change)
-            for one, other in (
-                ("second", "form"),
-                ("form", "frame"),
-                ("mass", "form"),
-                ("second", "mass"),
-                ("second", "first"),
-                ("row", "column"),
-                ("alpha", "column"),
-                ("slide", "carry"),
-                ("carry", "frame"),
-                ("column", "form"),
-            ):
+            for one, other in _PAIRS:
                 for u in values[one]:
                     for v in values[other]:
                         if u != getattr(link, one) and v != getattr(link, other):

@@ -10,11 +10,10 @@ from __future__ import annotations
 import math
 import random
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from robodyn.counts.objective import Objective, operations_of
-from robodyn.errors import InputError
 from robodyn.ir.program import Program
 from robodyn.optimize.programs import Choice, build
 from robodyn.optimize.slide import suited_variant
@@ -53,42 +52,28 @@ def search(
     seed: int = 0,
     objective: Objective | None = None,
     progress: Callable[[Progress], None] | None = None,
-    start: Sequence[Choice] | None = None,
     processes: int = 2,
     rounds: int | None = None,
     steps: int = STEPS,
-    kept: int = KEPT,
 ) -> list[Result]:
     """The best formulation variants the inverse dynamics of ``robot`` that are found in ``seconds`` (or in so
     many ``rounds``), best first and different from one another: cost, choice, program after all passes.
 
-    ``start`` are choices of an earlier search. The programs are those of the passes; that they equal the
-    plain recursion is for the caller to prove (:func:`~robodyn.dynamics.equality.equals_recursion`).
+    The programs are those of the passes; that they equal the plain recursion is for the caller to prove
+    (:func:`~robodyn.dynamics.equality.equals_recursion`).
     """
     objective = objective or Objective()
     began = time.monotonic()
     deadline = began + seconds if rounds is None else math.inf
     space, candidates = Space(robot), Candidates(robot, objective)
     plain = space.fitted(suited_variant(space.arm))
-    known: Known = {}
-    for choice in start or ():
-        if choice.variant is not None:
-            if len(choice.variant.links) != robot.n:
-                raise InputError(
-                    "a choice of another arm to start from",
-                    found=f"{len(choice.variant.links)} links",
-                    expected=f"{robot.n}",
-                )
-            judged = candidates.judged(choice.variant)
-            if judged is not None:
-                known[choice.variant] = judged
     judged = candidates.judged(plain)
     assert judged is not None, "the plain variant suits every arm"
-    known[plain] = judged
-    tried, done = len(known), 0
+    known: Known = {plain: judged}
+    tried, done = 1, 0
     with Workers(processes) as workers:
         while (rounds is None or done < rounds) and (time.monotonic() < deadline or not done):
-            pool = diverse(known, kept)
+            pool = diverse(known, KEPT)
             tasks = []
             for k in range(processes):
                 rng = random.Random(f"{seed} {done} {k}")
@@ -103,7 +88,7 @@ def search(
             done += 1
             if progress is not None:
                 progress(Progress(time.monotonic() - began, done, tried, min(known.values())[0]))
-    return _results(robot, objective, known, kept)
+    return _results(robot, objective, known)
 
 
 def _drawn(pool: list[tuple[float, Variant]], rng: random.Random) -> Variant:
@@ -161,13 +146,9 @@ def walk(
                     break
             if steps % 64 == 0 and time.monotonic() > deadline:
                 break
-    top = sorted(seen.items(), key=lambda item: item[1])[:100]
-    known: Known = {}
-    for variant, _ in top:
-        judged = candidates.judged(variant)
-        if judged is not None:
-            known[variant] = judged
-    return known, steps
+    top = sorted(seen, key=seen.__getitem__)[:100]
+    judged = {variant: candidates.judged(variant) for variant in top}
+    return {variant: known for variant, known in judged.items() if known is not None}, steps
 
 
 def _by_cost(item: tuple[Variant, tuple[float, Sketch]]) -> float:
@@ -195,15 +176,12 @@ def _alike(one: frozenset[int], other: frozenset[int]) -> float:
     return len(one & other) / len(values) if values else 1.0
 
 
-def _results(robot: Robot, objective: Objective, known: Known, count: int) -> list[Result]:
+def _results(robot: Robot, objective: Objective, known: Known) -> list[Result]:
     """Programs of the best, by their cost after the passes."""
-    results: list[Result] = []
-    seen = set()
-    for _, variant in diverse(known, 4 * count):
+    results: dict[object, Result] = {}
+    for _, variant in diverse(known, 4 * KEPT):
         choice = Choice(variant=variant)
         program = run(build(robot, "inverse_dynamics", choice), FRESH)
-        if program.operations not in seen:
-            seen.add(program.operations)
-            results.append((objective.cost(operations_of(program)), choice, program))
-    results.sort(key=lambda result: result[0])
-    return results[:count]
+        cost = objective.cost(operations_of(program))
+        results.setdefault(program.operations, (cost, choice, program))
+    return sorted(results.values(), key=lambda result: result[0])[:KEPT]
