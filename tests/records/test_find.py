@@ -10,10 +10,9 @@ from pathlib import Path
 
 import pytest
 
-from records.made import ELBOW, arm, better, bundled, fast, recorded
-from robodyn import InputError, Options, generate
-from robodyn.counts import count
-from robodyn.optimize.records import FOLDER, best_record, bundled_records, parse_record
+from records.made import ELBOW, arm, better, fast, recorded
+from robodyn import InputError
+from robodyn.optimize.records import FOLDER, best_record
 from robodyn.optimize.records.find import file_name
 from robodyn.robot import Robot
 from robodyn.search.improve import write_record
@@ -51,47 +50,20 @@ def test_a_record_is_found_by_parameters_and_not_by_names(folder: Path) -> None:
     assert look(ROBOT) is None
 
 
-def test_a_copy_of_a_robot_gets_the_same_kernel(folder: Path) -> None:
-    options = Options(("inverse_dynamics",), record_folders=(folder,))
-    one = generate(ROBOT, options)
-    two = generate(replace(ROBOT, name="wrist"), options)
-    assert one.counts == two.counts
-    assert one.counts["inverse_dynamics"].total == count(better(ROBOT).program).total
-    renamed = [text.replace("elbow", "wrist").replace("ELBOW", "WRIST") for text in one.files().values()]
-    assert renamed == list(two.files().values())
-
-
-def test_the_name_of_a_bundled_robot_makes_no_difference() -> None:
-    committed = sorted(bundled_records().glob("*.inverse_dynamics.total.record"))
-    for path in committed[:3]:
-        robot = bundled(path.name.partition(".")[0])
-        assert look(robot) == look(replace(robot, name="mine", title="my own"))
-        assert look(robot) == parse_record(path.read_text(encoding="utf-8"), "").text()
-
-
 def test_the_first_folder_counts(folder: Path, tmp_path: Path) -> None:
     other = tmp_path / "other"
     text = write_record(recorded(ROBOT, fast(ROBOT)), other).read_text()
     assert text != better(ROBOT).text()
     assert look(ROBOT, other, folder) == text
     assert look(ROBOT, folder, other) == better(ROBOT).text()
-    assert look(ROBOT, tmp_path / "nowhere", folder) == better(ROBOT).text()
-
-
-def test_damage_in_another_robots_record_is_no_concern(folder: Path) -> None:
-    (folder / "a.inverse_dynamics.total.record").write_text("nonsense")
-    (folder / "b.inverse_dynamics.total.record").write_bytes(b"\xff\xfe\x00" * 100)
-    assert look(ROBOT, folder) == better(ROBOT).text()
+    (folder / "a.inverse_dynamics.total.record").write_bytes(b"\xff\xfe\x00" * 100)  # another robot's damage
+    for nowhere in (tmp_path / "nowhere", other / NAME, other / NAME / "below", Path("/dev/null")):
+        assert look(ROBOT, nowhere, folder) == better(ROBOT).text()
 
 
 @pytest.mark.parametrize(
     ("old", "new"),
-    [
-        (b"\ntau = ", b"\n\xfftau = "),
-        (b"tau = ", b"tau \xff "),
-        (b"%3 = ", b"%4 = "),
-        (b" mul ", b" m\x80l "),
-    ],
+    [(b"\ntau = ", b"\n\xfftau = "), (b"%3 = ", b"%4 = "), (b" mul ", b" m\x80l ")],
     ids=str,
 )
 def test_damage_in_its_own_is(folder: Path, old: bytes, new: bytes) -> None:
@@ -101,7 +73,7 @@ def test_damage_in_its_own_is(folder: Path, old: bytes, new: bytes) -> None:
         look(ROBOT, folder)
 
 
-@pytest.mark.parametrize("what", ["pipe", "folder", "loop", "nothing", "device", "huge"])
+@pytest.mark.parametrize("what", ["pipe", "folder", "loop", "device", "huge"])
 def test_what_is_no_file_is_passed_over(folder: Path, what: str) -> None:
     path = folder / NAME
     path.unlink()
@@ -111,8 +83,6 @@ def test_what_is_no_file_is_passed_over(folder: Path, what: str) -> None:
         path.mkdir()
     elif what == "loop":
         path.symlink_to(path)
-    elif what == "nothing":
-        path.symlink_to(folder / "nowhere")
     elif what == "device":
         path.symlink_to("/dev/zero")
     else:
@@ -124,27 +94,16 @@ def test_what_is_no_file_is_passed_over(folder: Path, what: str) -> None:
     assert look(ROBOT, folder) == better(ROBOT).text()
 
 
-def test_a_folder_that_is_none(tmp_path: Path) -> None:
-    file = tmp_path / "file"
-    file.write_text("")
-    for folder in (file, file / "below", tmp_path / "nowhere", Path("/dev/null")):
-        assert look(ROBOT, folder) is None
-
-
-@pytest.mark.parametrize("objective", ["weighted:cortex-m4", "weighted:x86-64-v3", "mul"])
+@pytest.mark.parametrize("objective", ["weighted:cortex-m4", "mul"])
 def test_objectives_make_plain_file_names(objective: str, tmp_path: Path) -> None:
     record = recorded(ROBOT, fast(ROBOT), objective=objective)
     path = write_record(record, tmp_path)
     assert path.name == file_name("elbow", "inverse_dynamics", objective)
     assert not set(path.name) & set(":/\\ ")
     assert look(ROBOT, tmp_path, objective=objective) == record.text()
-
-
-def test_a_record_outlives_the_name_of_its_target(tmp_path: Path) -> None:
-    record = recorded(ROBOT, fast(ROBOT), objective="weighted:cortex-m4")
-    write_record(record, tmp_path)
-    assert look(ROBOT, tmp_path, objective="weighted:cortex-m4f") == record.text()
-    assert look(ROBOT, tmp_path, objective="weighted:cortex-m7") is None
+    if objective != "mul":  # another name of the target
+        assert look(ROBOT, tmp_path, objective="weighted:cortex-m4f") == record.text()
+        assert look(ROBOT, tmp_path, objective="weighted:cortex-m7") is None
 
 
 def test_two_robots_of_one_name_keep_their_records(tmp_path: Path) -> None:

@@ -8,14 +8,12 @@ from fractions import Fraction
 from typing import Any
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from records.made import TOOL, arm, bundled
 from robodyn.optimize.records import bundled_records, identity, parse_record
 from robodyn.optimize.records.labels import function_key
 from robodyn.optimize.records.record import header
-from robodyn.robot import Robot, bundled_names
+from robodyn.robot import Robot
 from robodyn.robot.model import Comparison, EffectEntry, Gear, Inertia, Joint, Limits, Link, Placement
 from robodyn.robot.values import Affine, angle, parameter, quarter_turns
 
@@ -108,50 +106,12 @@ def _put(vector: tuple[Any, ...], k: int, x: Any) -> tuple[Any, ...]:
     return (*vector[:k], x, *vector[k + 1 :])
 
 
-def test_the_order_of_links_counts() -> None:
-    assert identity(replace(BASE, links=BASE.links[::-1])) != identity(BASE)
-
-
 def test_a_run_time_parameter_counts_by_its_name() -> None:
     found = [with_link(replace(LINK, mass=x)) for x in (parameter("m"), parameter("n"), Fraction(1))]
     found.append(with_link(replace(LINK, mass=Affine(Fraction(1), (("m", Fraction(1)),)))))
     found.append(with_link(replace(LINK, mass=Affine(Fraction(0), (("m", Fraction(2)),)))))
     found.append(with_link(replace(LINK, mass=Affine(Fraction(0), (("m", Fraction(1)), ("n", Fraction(1)))))))
     assert len({identity(robot) for robot in found}) == len(found)
-
-
-NUMBERS = st.fractions(min_value=-2, max_value=2, max_denominator=20)
-VALUES = NUMBERS | st.builds(
-    lambda constant, factor, name: Affine(constant, ((name, factor),)),
-    NUMBERS,
-    NUMBERS.filter(bool),
-    st.sampled_from(["a", "b", "a_1"]),
-)
-
-
-@given(st.tuples(VALUES, VALUES, VALUES), st.tuples(VALUES, VALUES, VALUES))
-def test_what_differs_never_looks_the_same(one: tuple[Any, Any, Any], other: tuple[Any, Any, Any]) -> None:
-    def robot(values: tuple[Any, Any, Any]) -> Robot:
-        mass, y, a = values
-        joint = replace(JOINT, a=a)
-        return with_link(replace(LINK, joint=joint, mass=mass, com=(LINK.com[0], y, LINK.com[2])))
-
-    assert (identity(robot(one)) == identity(robot(other))) is (one == other)
-
-
-def test_bundled_robots_are_the_same_where_their_numbers_are() -> None:
-    def numbers(robot: Robot) -> object:
-        bare = [
-            replace(link, name="", confidence=Fraction(0), joint=replace(link.joint, limits=Limits()))
-            for link in robot.links
-        ]
-        return replace(robot, name="", title="", source="", compare=None, links=tuple(bare))
-
-    robots = [bundled(name) for name in bundled_names()]
-    for robot in robots:
-        for other in robots:
-            same = identity(robot) == identity(other)
-            assert same is (numbers(robot) == numbers(other)), (robot.name, other.name)
 
 
 def test_identities_of_committed_records_are_those_of_their_robots() -> None:

@@ -15,10 +15,11 @@ from robodyn.ir import Input, Operand, Operation, Program
 from robodyn.ir.fingerprint import fingerprint
 from robodyn.optimize.records import Record, bundled_records, identity, parse_record
 from robodyn.optimize.records.validation import validated
-from robodyn.passes import FAST
+from robodyn.passes import FAST, SPELLING, run
 from robodyn.passes.specialise import at_rest
 from robodyn.robot import Robot
 from robodyn.robot.values import circle_point
+from robodyn.search.walk import Walk
 from robodyn_testing.random_robots import random_robot
 
 ROBOT = bundled("stanford_3dof_d3")
@@ -35,10 +36,6 @@ def refused(made: Program, robot: Robot = ROBOT, function: str = "inverse_dynami
         message = str(error)
     assert f"the record of {robot.name} does not compute its {function}" in message
     return True
-
-
-def test_these_tests_use_inputs_that_are_read() -> None:
-    assert {Input("qd", 1), Input("q", 1), Input("q", 2)} <= set(PROGRAM.inputs())
 
 
 def with_operation(made: Program, k: int, changed: Operation) -> Program:
@@ -97,6 +94,7 @@ def test_one_thing_changed_is_enough(robot: Robot) -> None:
 def test_outputs_must_be_those_of_the_function() -> None:
     ((name, elements),) = PROGRAM.outputs
     x, y, z = elements
+    assert refused(fast(bundled("stanford_3dof")))
     for outputs in (
         ((name, (y, x, z)),),
         ((name, (x, y)),),
@@ -153,46 +151,6 @@ def test_inputs_that_the_recursion_does_not_read_may_be_read() -> None:
     assert count(made).total <= count(fast(robot, "gravity")).total
 
 
-def test_the_program_of_another_robot_is_refused() -> None:
-    assert refused(fast(bundled("stanford_3dof")))
-    assert refused(fast(bundled("puma560_3dof")))
-    forged = recorded(ROBOT, fast(bundled("stanford_3dof")))
-    with pytest.raises(InputError, match="does not compute its inverse_dynamics"):
-        program(ROBOT, "inverse_dynamics", Options(("inverse_dynamics",), records=(forged,)))
-
-
-def test_a_program_that_is_wrong_only_where_it_has_no_value_is_refused() -> None:
-    """x qd / qd is x as a rational function, and nothing at qd = 0, where every arm starts."""
-    n = len(PROGRAM.operations)
-    ((name, (x, *rest)),) = PROGRAM.outputs
-    rate = Input("qd", 1)
-    more = (Operation("mul", (x, rate)), Operation("div", (n, rate)))
-    assert refused(Program((*PROGRAM.operations, *more), ((name, (n + 1, *rest)),)))
-
-
-@pytest.mark.parametrize("seeds", [(1, 2), (0, 1), (1, 2, 3, 4), (7,)])
-def test_a_program_made_for_the_points_of_comparison_is_refused(seeds: tuple[int, ...]) -> None:
-    """torque + (v - a)(v - b): right where v is a or b, the points that a fixed seed gives."""
-    q = Input("qd", 1)
-    assert q in PROGRAM.inputs()
-    points = [fingerprint(Program((), (("x", (q,)),)), seed, circle_point)[0] for seed in seeds]
-    lines: list[Operation] = list(PROGRAM.operations)
-    ((name, (x, *rest)),) = PROGRAM.outputs
-    error: Operand | None = None
-    for point in points:
-        lines.append(Operation("sub", (q, Fraction(point))))
-        error = len(lines) - 1 if error is None else error
-        if error != len(lines) - 1:
-            lines.append(Operation("mul", (error, len(lines) - 1)))
-            error = len(lines) - 1
-    assert error is not None
-    lines.append(Operation("add", (x, error)))
-    made = Program(tuple(lines), ((name, (len(lines) - 1, *rest)),))
-    for seed in seeds:
-        assert fingerprint(made, seed, circle_point) == fingerprint(PROGRAM, seed, circle_point)
-    assert refused(made)
-
-
 @pytest.mark.parametrize(
     "operations",
     [
@@ -236,7 +194,7 @@ def test_a_record_is_used_where_it_is_better_and_only_there() -> None:
     assert program(robot, "inverse_dynamics", options) == fast(robot)
 
 
-@pytest.mark.parametrize(("seed", "joints"), [(36, 2), (58, 4), (11, 2), (5, 1), (20, 1), (12, 3)])
+@pytest.mark.parametrize(("seed", "joints"), [(36, 2), (58, 4), (5, 1)])
 @pytest.mark.parametrize("function", ["inverse_dynamics", "gravity", "mass_matrix"])
 def test_a_record_a_little_worse_than_fast_is_not_used(function: str, seed: int, joints: int) -> None:
     """Even where it is far better than the recursion is before the passes, as on these arms."""
@@ -252,12 +210,7 @@ def test_a_record_a_little_worse_than_fast_is_not_used(function: str, seed: int,
 
 @pytest.mark.parametrize(
     "changes",
-    [
-        {"optimize": "none"},
-        {"optimize": "fast"},
-        {"regroup": False},
-        {"formulation": "newton_euler"},
-    ],
+    [{"optimize": "none"}, {"optimize": "fast"}, {"regroup": False}, {"formulation": "newton_euler"}],
     ids=str,
 )
 def test_options_that_take_no_record(changes: dict[str, str]) -> None:
@@ -274,21 +227,12 @@ def check_what_is_made_of(robot: Robot, record: Record) -> None:
         assert equals_recursion(robot, function, made, seed=3), function
 
 
-@pytest.mark.parametrize("seed", [2, 3, 6, 10, 14, 22, 28, 31, 37])
-def test_gravity_and_bias_made_of_a_record_are_exact(seed: int) -> None:
-    from robodyn.passes import SPELLING, run
-    from robodyn.search.walk import Walk
-
-    robot = random_robot(seed, exotic=0)
-    walk = Walk([fast(robot)], seed=seed)
+@pytest.mark.parametrize("robot", [arm(TOOL), *(random_robot(seed, exotic=0) for seed in (2, 10, 22))])
+def test_gravity_and_bias_made_of_a_record_are_exact(robot: Robot) -> None:
+    walk = Walk([fast(robot)], seed=5)
     walk.run(800, 0.3)
-    check_what_is_made_of(robot, recorded(robot, run(walk.best(), SPELLING)))
-
-
-def test_gravity_and_bias_with_friction_and_names() -> None:
-    robot = arm(TOOL)
-    check_what_is_made_of(robot, recorded(robot, fast(robot)))
-    check_what_is_made_of(robot, better(robot))
+    for made in (fast(robot), run(walk.best(), SPELLING)):
+        check_what_is_made_of(robot, recorded(robot, made))
 
 
 @pytest.mark.thorough

@@ -137,8 +137,6 @@ def test_what_was_found_is_kept_and_gone_on_from(cache: Path) -> None:
 def test_from_nothing_without_resume(cache: Path) -> None:
     write_record(better(ROBOT), cache / FOLDER)
     before = (cache / FOLDER / NAME).read_text()
-    folders = quick(seconds=1e-6, folders=(cache / FOLDER,))
-    assert count(folders.program).total <= count(better(ROBOT).program).total
     record = quick(seconds=1e-6, resume=False)
     assert record.program.operations != better(ROBOT).program.operations
     assert (cache / FOLDER / NAME).read_text() == before
@@ -171,13 +169,6 @@ def test_a_damaged_record_in_the_cache_is_passed_over(kind: str, cache: Path) ->
     record = quick()
     check(record)
     assert path.read_text() == record.text()
-
-
-def test_robots_of_one_name_do_not_lose_each_others_records(cache: Path) -> None:
-    heavier = replace(ROBOT, gravity=(ROBOT.gravity[0], ROBOT.gravity[1], Fraction(-10)))
-    one, two = quick(), quick(heavier)
-    assert one.identity != two.identity
-    assert sorted(path.read_text() for path in (cache / FOLDER).iterdir()) == sorted([one.text(), two.text()])
 
 
 @pytest.mark.parametrize(
