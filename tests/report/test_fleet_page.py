@@ -14,7 +14,7 @@ from report.test_diagnosis_report import Page
 from robodyn.draw.scales import DAY
 from robodyn.fleet.result import FleetResult, Look, UnitResult
 from robodyn.report.fleet import page, unit_pages
-from robodyn.report.fleet_charts import SHADES, SHOWN, ordered, script_data, shade_of, type_maps
+from robodyn.report.fleet_charts import SHADES, SHOWN, ordered, script_data, shade_css, type_maps
 from robodyn.report.fleet_text import (
     most_unusual,
     summary,
@@ -47,42 +47,42 @@ def renamed(result: FleetResult, name: str) -> FleetResult:
     )  # fmt: skip
 
 
-def test_the_map_has_all_units_once_the_named_first(small: FleetResult) -> None:
+def test_the_map_has_all_units_once_the_named_first() -> None:
     result = fleet(90, 9)
     maps = type_maps(result)
-    assert [len(m.shown) for m in maps] == [SHOWN] * 3
-    rows = [row for m in maps for row in (*m.shown, *m.folded)]
-    assert sorted(row.unit for row in rows) == sorted(unit.unit for unit in result.units)
+    assert [len(m["shown"]) for m in maps] == [SHOWN] * 3
+    rows = [row for m in maps for row in (*m["shown"], *m["folded"])]
+    assert sorted(row["unit"] for row in rows) == sorted(unit.unit for unit in result.units)
     order = ordered(result)
-    assert all(order[row.index].unit == row.unit for row in rows)
+    assert all(order[row["index"]].unit == row["unit"] for row in rows)
     assert [bool(unit.claims) for unit in order] == [True] * 9 + [False] * 81
     sizes = [most_unusual(unit) for unit in order[9:]]
     assert sizes == sorted(sizes, reverse=True)
-    assert [m.places[-1] for m in maps] == ["arm"] * 3
-    assert [len(m.places) for m in maps] == [7, 5, 8]
-    named = [cell for row in maps[0].shown for cell in row.cells if cell.is_named]
-    assert {cell.css for cell in named} == {"p4 named"}
-    assert {row.cells[0].is_named for row in maps[0].shown if "J1" in row.named} == {True}
+    assert [(m["places"][-1], len(m["places"])) for m in maps] == [("arm", 7), ("arm", 5), ("arm", 8)]
+    named = {cell["css"] for row in maps[0]["shown"] for cell in row["cells"] if "named" in cell["css"]}
+    assert named == {"p4 named"}
+    assert {row["cells"][0]["css"] for row in maps[0]["shown"] if "J1" in row["named"]} == named
 
 
 def test_shades_begin_where_the_legend_says() -> None:
-    assert shade_of(None) == shade_of(float("inf")) == shade_of(1.9) == 0
-    for k, bound in enumerate(SHADES):
-        assert (shade_of(bound), shade_of(-bound), shade_of(bound - 0.1)) == (k + 1, -k - 1, k)
+    assert shade_css(None) == shade_css(float("inf")) == shade_css(1.9) == ""
+    for k, bound in enumerate(SHADES, 1):
+        assert (shade_css(bound), shade_css(-bound)) == (f"p{k}", f"m{k}")
+        assert shade_css(bound - 0.1) == (f"p{k - 1}" if k > 1 else "")
 
 
 def test_the_script_gets_what_the_cells_show(small: FleetResult) -> None:
     data = script_data(small)
     for m in type_maps(small):
-        kind = data["types"][m.index]
-        for row in (*m.shown, *m.folded):
-            _, unit, unusual, now, named = data["units"][row.index]
-            assert unit == row.unit
+        kind = data["types"][m["index"]]
+        for row in (*m["shown"], *m["folded"]):
+            _, unit, unusual, now, named = data["units"][row["index"]]
+            assert unit == row["unit"]
             assert len(unusual) == len(now) == len(kind["features"])
-            for place, cell in zip(kind["places"], row.cells, strict=True):
+            for place, cell in zip(kind["places"], row["cells"], strict=True):
                 at = [unusual[k] for k, feature in enumerate(kind["features"]) if feature[1] == place]
-                assert cell.text == unusual_text(max(at, key=abs) / 10)
-                assert cell.is_named == any(kind["features"][k][1] == place for k in named)
+                assert cell["text"] == unusual_text(max(at, key=abs) / 10)
+                assert ("named" in cell["css"]) == any(kind["features"][k][1] == place for k in named)
 
 
 @pytest.mark.parametrize("name", [HOSTILE, "..", "", "a\nb\0", "-->", "{{ 7*7 }}", "'\"", "\u202e"])

@@ -14,7 +14,7 @@ from robodyn.diagnose.limits import CLAIM
 from robodyn.diagnose.result import Diagnosis, Finding
 from robodyn.report import diagnosis_text as words
 from robodyn.report.chart_frames import percent
-from robodyn.report.figures import capital, formatted
+from robodyn.report.figures import capital, formatted, several
 
 Floats = NDArray[np.float64]
 
@@ -131,7 +131,7 @@ def by_joint(
     for joint in _joints(diagnosis.findings):
         group = [card for card in cards if card["joint"] == joint]
         if group:
-            remark = words.several(len(group), "finding")
+            remark = several(len(group), "finding")
             if joint is not None:
                 unit = words.units_at(diagnosis, joint - 1)["torque"]
                 figures = f"{formatted(before[joint - 1])} → {formatted(after[joint - 1])} {unit}"

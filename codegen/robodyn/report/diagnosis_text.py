@@ -69,11 +69,6 @@ def joints_of(joints: Sequence[int], n: int | None = None) -> str:
     return f"joint{'s' if len(joints) > 1 else ''} {listed([str(j) for j in joints])}"
 
 
-def several(count: int, noun: str) -> str:
-    """``1 unit``, ``1,000 units``."""
-    return f"{count:,} {noun}{'' if count == 1 else 's'}"
-
-
 def more_text(count: int) -> str:
     """How many things are not named."""
     return "one more" if count == 1 else f"{count} more"

@@ -39,6 +39,11 @@ def with_error(value: float, error: float, sign: str = "+-") -> str:
     return f"{value + 0.0:.{places}f} {sign} {error:.{places}f}"
 
 
+def several(count: int, noun: str) -> str:
+    """``1 unit``, ``1,000 units``."""
+    return f"{count:,} {noun}{'' if count == 1 else 's'}"
+
+
 def printable(line: str) -> str:
     """What a terminal prints as it stands."""
     return "".join(c if c.isprintable() else " " for c in line)

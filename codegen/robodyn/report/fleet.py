@@ -9,57 +9,19 @@ from __future__ import annotations
 
 import posixpath
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator
 from typing import Any, Final
 
 import numpy as np
 
 from robodyn.draw.markup import json_text, markup_template, policy, script_template, script_text
 from robodyn.draw.scales import day_text, range_text
-from robodyn.fleet.result import (
-    Claim,
-    Feature,
-    FleetResult,
-    Look,
-    TypeResult,
-    UnitResult,
-    address,
-    unit_folder,
-)
-from robodyn.report import fleet_text
+from robodyn.fleet.result import Claim, FleetResult, TypeResult, UnitResult, address, unit_folder
+from robodyn.report import fleet_charts as charts
+from robodyn.report import fleet_text as words
 from robodyn.report.chart_frames import Frame, percent
-from robodyn.report.figures import capital
-from robodyn.report.fleet_charts import (
-    SHADES,
-    days_span,
-    kinds_of,
-    page_of,
-    readings_chart,
-    script_data,
-    shade_of,
-    sparkline,
-    type_maps,
-)
-from robodyn.report.fleet_text import (
-    brief,
-    counted,
-    days_of,
-    effects_text,
-    extent_text,
-    false_text,
-    has_unit,
-    headline,
-    interval_text,
-    is_known,
-    place_text,
-    plain,
-    several,
-    since_text,
-    size_text,
-    unusual_text,
-    what_text,
-    with_error,
-)
+from robodyn.report.figures import capital, several
+from robodyn.version import VERSION
 
 #: Changes and unused logs that are seen at once; the others are folded. Unused logs that are listed.
 _CHANGES, _UNUSED, _LISTED = 40, 12, 500
@@ -69,156 +31,120 @@ _TICKS: Final = 8
 
 def page(result: FleetResult) -> str:
     """The HTML of ``result``, the same bytes at any time and place."""
-    from importlib.metadata import version
-
     script = script_text(script_template("fleet.js").render())
     return markup_template("fleet.html.j2").render(
         name=result.name,
-        headline=headline(result),
-        extent=extent_text(result),
+        headline=words.headline(result),
+        extent=words.extent_text(result),
         tiles=_tiles(result),
         looks=_looks(result),
-        maps=type_maps(result),
-        kinds=kinds_of(result),
-        types=[kind.name for kind in result.types],
-        units=len(result.units),
-        shades=[f"{bound:g}" for bound in SHADES],
+        maps=charts.type_maps(result),
+        kinds=charts.kinds_of(result),
+        types=result.types,
+        shades=[f"{bound:g}" for bound in charts.SHADES],
         timeline=_timeline(result),
-        populations=[
-            (kind, sorted({name for feature in kind.features for name in feature.slopes}))
-            for kind in result.types
-        ],
         unused=result.unused[:_LISTED],
         unused_count=len(result.unused),
         unused_shown=_UNUSED,
-        data=json_text(script_data(result)),
+        data=json_text(charts.script_data(result)),
         script=script,
         policy=policy([script]),
-        version=version("robodyn"),
-        words=fleet_text,
+        version=VERSION,
+        words=words,
     )
-
-
-# --- the head ---------------------------------------------------------------------------------------------
 
 
 def _tiles(result: FleetResult) -> list[tuple[str, str, str]]:
     """Question, answer, and a remark on it."""
     claims = [claim for unit in result.units for claim in unit.claims]
     different = sum(bool(unit.claims) for unit in result.units)
-    what = counted([effects_text(claim.effects) for claim in claims]) if claims else "no unit stands out"
-    changed = [claim for claim in claims if claim.since is not None]
-    when = f"{len(changed):,} changed"
-    always = len(claims) - len(changed)
+    what = words.counted([words.effects_text(claim.effects) for claim in claims]) or "no unit stands out"
+    changes = [claim.since for claim in claims if claim.since is not None]
+    always = len(claims) - len(changes)
+    parts = [f"the last one on {day_text(max(changes))}"] if changes else []
+    parts += [f"{always:,} {'differs' if always == 1 else 'differ'} in all logs"] if always else []
+    when = f"{len(changes):,} changed" if claims else "nothing"
     tiles = [
         ("Units that differ", f"{different:,} of {len(result.units):,}", what),
-        ("How sure", f"{100 * result.false_names:g} % false names", false_text(result)),
-        ("Since when", when if claims else "nothing", _latest(changed, always) if claims else "has changed"),
+        ("How sure", f"{100 * result.false_names:g} % false names", words.false_text(result)),
+        ("Since when", when, "; ".join(parts) if claims else "has changed"),
     ]
-    if result.first_to_look_at:
-        first = result.first_to_look_at[0]
-        tiles.append(("Look first at", first.unit, _why(result, first)))
+    for look in result.first_to_look_at[:1]:
+        units = [unit for unit in result.units if (unit.type, unit.unit) == (look.type, look.unit)]
+        first = next((claim for unit in units for claim in unit.claims), None)
+        tiles.append(("Look first at", look.unit, capital(words.brief(first)) if first else look.why))
     return tiles
 
 
-def _why(result: FleetResult, look: Look) -> str:
-    """Why to look at a unit, in a few words."""
-    claims = (
-        claim
-        for one in result.units
-        if (one.type, one.unit) == (look.type, look.unit)
-        for claim in one.claims
-    )
-    first = next(claims, None)
-    return look.why if first is None else capital(brief(first))
-
-
-def _latest(changed: Sequence[Claim], always: int) -> str:
-    """When the last change was, and how many differ in all their logs."""
-    parts = []
-    if changed:
-        last = max(changed, key=lambda claim: claim.since or 0.0)
-        parts.append(f"the last one on {day_text(last.since or 0.0)}")
-    if always:
-        parts.append(f"{always:,} {'differs' if always == 1 else 'differ'} in all logs")
-    return "; ".join(parts)
-
-
-# --- what to look at --------------------------------------------------------------------------------------
-
-
 def _looks(result: FleetResult) -> list[dict[str, Any]]:
+    """What to look at, with a chart of what is claimed first, or is most unusual."""
     units = {(unit.type, unit.unit): unit for unit in result.units}
     kinds = {kind.name: kind for kind in result.types}
-    return [
-        _look(look, units[look.type, look.unit], kinds[look.type])
-        for look in result.first_to_look_at
-        if (look.type, look.unit) in units and look.type in kinds
-    ]
+    looks = []
+    for look in result.first_to_look_at:
+        unit, kind = units.get((look.type, look.unit)), kinds.get(look.type)
+        if unit is None or kind is None:
+            continue
+        features = {feature.name: feature for feature in kind.features}
+        claim = next((claim for claim in unit.claims if claim.feature in features), None)
+        unusual = [
+            (abs(x), name) for name, x in unit.unusual.items() if words.is_known(x) and name in features
+        ]
+        strangest = max(unusual, default=(0.0, None))[1]
+        name = claim.feature if claim else strangest
+        looks.append(
+            {
+                "unit": unit.unit, "type": unit.type, "page": charts.page_of(unit),
+                "diagnosis": address(unit.diagnosis) if unit.diagnosis else None,
+                "why": capital(look.why), "record": capital(look.record),
+                "logs": several(unit.logs, "log"),
+                "chart": charts.readings_chart(unit, features[name], claim) if name else None,
+                "claims": [_claim_words(one) for one in unit.claims],
+            }
+        )  # fmt: skip
+    return looks
 
 
-def _look(look: Look, unit: UnitResult, kind: TypeResult) -> dict[str, Any]:
-    features = {feature.name: feature for feature in kind.features}
-    claim = next((claim for claim in unit.claims if claim.feature in features), None)
-    chart = readings_chart(unit, features[claim.feature], claim) if claim else _strangest(unit, features)
-    return {
-        "unit": unit.unit, "type": unit.type, "page": page_of(unit),
-        "diagnosis": address(unit.diagnosis) if unit.diagnosis else None,
-        "why": capital(look.why), "record": capital(look.record),
-        "logs": several(unit.logs, "log"), "chart": chart,
-        "claims": [claim_words(one) for one in unit.claims],
-    }  # fmt: skip
-
-
-def _strangest(unit: UnitResult, features: Mapping[str, Feature]) -> Any:
-    """The chart of the most unusual feature of a unit of which nothing is claimed; None without any."""
-    known = [name for name, value in unit.unusual.items() if is_known(value) and name in features]
-    name = max(known, key=lambda name: abs(unit.unusual[name]), default=None)
-    return readings_chart(unit, features[name]) if name else None
-
-
-def claim_words(claim: Claim) -> dict[str, str]:
+def _claim_words(claim: Claim) -> dict[str, str]:
     """What is peculiar, in parts."""
     return {
-        "what": capital(what_text(claim)), "size": size_text(claim), "since": since_text(claim),
-        "interval": interval_text(claim),
+        "what": capital(words.what_text(claim)), "size": words.size_text(claim),
+        "since": words.since_text(claim), "interval": words.interval_text(claim),
         "p": f"{claim.p:.1g}", "q": f"{claim.q:.1g}",
     }  # fmt: skip
 
 
-# --- what changed and when --------------------------------------------------------------------------------
-
-
 def _timeline(result: FleetResult) -> dict[str, Any]:
     """A row for each claim: those with a day in their order, then those that were always so."""
-    rows = [(unit, claim) for unit in result.units for claim in unit.claims]
-    rows.sort(key=lambda row: (row[1].since is None, row[1].since or 0.0, row[0].type, row[0].unit))
-    span = days_of(result)
+    span = words.days_of(result)
     if span is None:
         return {"rows": [], "more": [], "ticks": []}
-    frame = Frame(*days_span(np.array(span)), 0.0, 1.0)
-    drawn = [_change(unit, claim, frame) for unit, claim in rows]
-    axis = frame.chart("", "", ("", ""), (), most=(_TICKS, 2), days=True)
-    return {"rows": drawn[:_CHANGES], "more": drawn[_CHANGES:], "ticks": axis.x_ticks}
+    frame = Frame(*charts.days_span(np.array(span)), 0.0, 1.0)
 
-
-def _change(unit: UnitResult, claim: Claim, frame: Frame) -> dict[str, Any]:
     def at(moment: float) -> float:
         return min(max(frame.across(moment), 0.0), 100.0)
 
-    low, high = claim.since_interval or (unit.first, unit.last)
-    return {
-        **claim_words(claim),
-        "unit": unit.unit,
-        "type": unit.type,
-        "page": page_of(unit),
-        "first": percent(at(unit.first)),
-        "days": percent(at(unit.last) - at(unit.first)),
-        "low": percent(at(low)),
-        "width": percent(max(at(high) - at(low), 0.3)),
-        "at": None if claim.since is None else percent(at(claim.since)),
-        "is_less": claim.size < 0,
-    }
+    rows = [(unit, claim) for unit in result.units for claim in unit.claims]
+    rows.sort(key=lambda row: (row[1].since is None, row[1].since or 0.0, row[0].type, row[0].unit))
+    drawn = []
+    for unit, claim in rows:
+        low, high = claim.since_interval or (unit.first, unit.last)
+        drawn.append(
+            {
+                **_claim_words(claim),
+                "unit": unit.unit,
+                "type": unit.type,
+                "page": charts.page_of(unit),
+                "first": percent(at(unit.first)),
+                "days": percent(at(unit.last) - at(unit.first)),
+                "low": percent(at(low)),
+                "width": percent(max(at(high) - at(low), 0.3)),
+                "at": None if claim.since is None else percent(at(claim.since)),
+                "is_less": claim.size < 0,
+            }
+        )
+    axis = frame.chart("", "", ("", ""), (), most=(_TICKS, 2), days=True)
+    return {"rows": drawn[:_CHANGES], "more": drawn[_CHANGES:], "ticks": axis.x_ticks}
 
 
 #: Features that are drawn: those of claims, then the most unusual ones up to so many.
@@ -227,88 +153,76 @@ _DRAWN: Final = 4
 
 def unit_pages(result: FleetResult) -> Iterator[tuple[str, str]]:
     """The path of each unit's page, relative to the fleet's, and its HTML; the same bytes at any time."""
-    from importlib.metadata import version
-
-    kinds, own = {kind.name: kind for kind in result.types}, version("robodyn")
+    kinds = {kind.name: kind for kind in result.types}
     looks = {(look.type, look.unit): capital(look.record) for look in result.first_to_look_at}
     for unit in result.units:
-        path = f"{unit_folder(unit.type, unit.unit)}/index.html"
-        record = looks.get((unit.type, unit.unit), "")
-        yield path, _page(result.name, unit, kinds[unit.type], record, own)
-
-
-def _page(fleet: str, unit: UnitResult, kind: TypeResult, record: str, version: str) -> str:
-    folder = unit_folder(unit.type, unit.unit)
-    return markup_template("fleet_unit.html.j2").render(
-        fleet=fleet,
-        back=posixpath.relpath("index.html", folder),
-        unit=unit.unit,
-        type=unit.type,
-        headline=_headline(unit),
-        extent=f"{several(unit.logs, 'log')}, {range_text(unit.first, unit.last)}",
-        diagnosis=address(posixpath.relpath(unit.diagnosis, folder)) if unit.diagnosis else None,
-        claims=[claim_words(claim) for claim in unit.claims],
-        record=record,
-        charts=_charts(unit, kind),
-        rows=[_row(unit, feature) for feature in kind.features],
-        readings=_readings(unit, kind.features),
-        version=version,
-    )
+        folder, kind = unit_folder(unit.type, unit.unit), kinds[unit.type]
+        text = markup_template("fleet_unit.html.j2").render(
+            fleet=result.name,
+            back=posixpath.relpath("index.html", folder),
+            unit=unit.unit,
+            type=unit.type,
+            headline=_headline(unit),
+            extent=f"{several(unit.logs, 'log')}, {range_text(unit.first, unit.last)}",
+            diagnosis=address(posixpath.relpath(unit.diagnosis, folder)) if unit.diagnosis else None,
+            claims=[_claim_words(claim) for claim in unit.claims],
+            record=looks.get((unit.type, unit.unit), ""),
+            charts=_charts(unit, kind),
+            rows=[_row(unit, feature) for feature in kind.features],
+            readings=_readings(unit, kind),
+            version=VERSION,
+        )
+        yield f"{folder}/index.html", text
 
 
 def _headline(unit: UnitResult) -> str:
     if not unit.claims:
         return f"{unit.unit} is like its siblings"
-    several_of = "" if len(unit.claims) == 1 else f" and {several(len(unit.claims) - 1, 'other thing')}"
-    return f"{unit.unit} differs: {what_text(unit.claims[0])}{several_of}"
+    others = f" and {several(len(unit.claims) - 1, 'other thing')}" if len(unit.claims) > 1 else ""
+    return f"{unit.unit} differs: {words.what_text(unit.claims[0])}{others}"
 
 
 def _charts(unit: UnitResult, kind: TypeResult) -> list[dict[str, Any]]:
     """Charts of what is claimed, then of what is most unusual."""
     claims = {claim.feature: claim for claim in reversed(unit.claims)}
-    order = sorted(
-        kind.features,
-        key=lambda f: (f.name not in claims, -abs(_known(unit.unusual.get(f.name)))),
-    )
-    charts = []
-    for feature in order[: max(_DRAWN, len(claims))]:
-        chart = readings_chart(unit, feature, claims.get(feature.name))
-        if chart is not None:
-            charts.append({"title": capital(what_text(feature)), "chart": chart})
-    return charts
+
+    def order(feature: Any) -> tuple[bool, float]:
+        value = unit.unusual.get(feature.name)
+        return feature.name not in claims, -abs(value) if words.is_known(value) else 0.0
+
+    drawn = [
+        (feature, charts.readings_chart(unit, feature, claims.get(feature.name)))
+        for feature in sorted(kind.features, key=order)[: max(_DRAWN, len(claims))]
+    ]
+    return [{"title": capital(words.what_text(f)), "chart": chart} for f, chart in drawn if chart is not None]
 
 
-def _known(value: float | None) -> float:
-    return value if is_known(value) else 0.0
-
-
-def _row(unit: UnitResult, feature: Feature) -> dict[str, Any]:
+def _row(unit: UnitResult, feature: Any) -> dict[str, Any]:
     value, error = unit.now.get(feature.name, (float("nan"), float("nan")))
     unusual = unit.unusual.get(feature.name)
-    shade = shade_of(None if not is_known(unusual) else round(unusual, 1))
     return {
-        "what": capital(effects_text(feature.effects)),
-        "place": place_text(feature.joint),
-        "name": feature.name,
-        "now": with_error(value, error, feature.unit) if is_known(value) else "\u2013",
-        "usual": with_error(feature.mean, feature.between_units, feature.unit),
-        "unusual": unusual_text(unusual),
-        "css": f"p{shade}" if shade > 0 else f"m{-shade}" if shade < 0 else "",
-        "path": sparkline(unit.readings.get(feature.name, ()), feature),
+        "what": capital(words.effects_text(feature.effects)),
+        "place": words.place_text(feature.joint),
+        "now": words.with_error(value, error, feature.unit),
+        "usual": words.with_error(feature.mean, feature.between_units, feature.unit),
+        "unusual": words.unusual_text(unusual),
+        "css": charts.shade_css(round(unusual, 1) if words.is_known(unusual) else None),
+        "path": charts.sparkline(unit.readings.get(feature.name, ()), feature),
     }
 
 
-def _readings(unit: UnitResult, features: Sequence[Feature]) -> dict[str, Any]:
+def _readings(unit: UnitResult, kind: TypeResult) -> dict[str, Any]:
     """A table of all readings: a row a day, a column a feature."""
-    shown = [feature for feature in features if unit.readings.get(feature.name)]
+    shown = [feature for feature in kind.features if unit.readings.get(feature.name)]
     by_date: dict[tuple[float, int], list[str]] = {}  # two logs may be of one moment
     for column, feature in enumerate(shown):
         counts: Counter[float] = Counter()
         for reading in unit.readings[feature.name]:
             cells = by_date.setdefault((reading.date, counts[reading.date]), [""] * len(shown))
-            cells[column] = plain(reading.value)
+            cells[column] = words.plain(reading.value)
             counts[reading.date] += 1
+    units = [f" [{feature.unit}]" if words.has_unit(feature.unit) else "" for feature in shown]
     return {
-        "heads": [capital(what_text(f)) + (f" [{f.unit}]" if has_unit(f.unit) else "") for f in shown],
+        "heads": [capital(words.what_text(f)) + unit for f, unit in zip(shown, units, strict=True)],
         "rows": [(day_text(date), cells) for (date, _), cells in sorted(by_date.items())],
     }

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from itertools import groupby
+from collections.abc import Sequence
 from typing import Any, Final
 
 import numpy as np
@@ -21,21 +19,9 @@ from robodyn.fleet.result import (
     address,
     unit_folder,
 )
+from robodyn.report import fleet_text as words
 from robodyn.report.chart_frames import Chart, Frame, Mark, Shade, percent, span
 from robodyn.report.figures import capital
-from robodyn.report.fleet_text import (
-    brief,
-    effects_text,
-    has_unit,
-    interval_text,
-    is_known,
-    most_unusual,
-    since_text,
-    unusual_text,
-    what_text,
-    with_error,
-    with_unit,
-)
 
 Floats = NDArray[np.float64]
 
@@ -62,18 +48,24 @@ def readings_chart(unit: UnitResult, feature: Feature, claim: Claim | None = Non
     usual, telling = _usual(feature), _telling(error, feature)
     frame = Frame(*days_span(x, unit.first, unit.last), *span(low[telling], high[telling], usual))
     marks = [Mark("noise", frame.level(*usual)), Mark("whisker logged", frame.whiskers(x, low, high))]
+    text = f"usual: {words.with_error(feature.mean, feature.between_units, feature.unit)}"
+    if feature.name in unit.now:
+        text = f"now {words.with_error(*unit.now[feature.name], feature.unit)}; {text}"
     shades: list[Shade] = []
     if claim is not None:
-        levels = _course(unit, feature, claim)
-        marks.append(Mark("line after", frame.line(*levels)) if levels else Mark("line after", ""))
-        shades = _interval(frame, claim)
+        weight = 1 / (error**2 + feature.between_logs**2 + np.finfo(float).tiny)
+        marks.append(Mark("line after", _course(frame, unit, claim, x, y, weight)))
+        days = words.interval_text(claim)
+        text = f"{words.since_text(claim)}{f' ({days})' if days else ''}; {text}"
+    if claim is not None and claim.since_interval is not None:
+        start, end = (min(max(frame.across(day), 0.0), 100.0) for day in claim.since_interval)
+        shades = [Shade(percent(start), percent(max(end - start, _NARROWEST)), "")]
     inside = frame.inside(x, y)
     marks.append(Mark("dots reading", frame.dots(x[inside], y[inside])))
-    title = f"{unit.unit}: {what_text(feature)}"
-    is_shown = has_unit(feature.unit) and len(feature.unit) <= _LABEL
-    unit_label = f"[{feature.unit}]" if is_shown else ""
-    text = _words(unit, feature, claim)
-    return frame.chart(title, text, ("", unit_label), marks, most=(6, 4), shades=shades, days=True)
+    title = f"{unit.unit}: {words.what_text(feature)}"
+    is_shown = words.has_unit(feature.unit) and len(feature.unit) <= _LABEL
+    labels = ("", f"[{feature.unit}]" if is_shown else "")
+    return frame.chart(title, capital(text), labels, marks, most=(6, 4), shades=shades, days=True)
 
 
 def sparkline(readings: Sequence[Reading], feature: Feature) -> str:
@@ -115,44 +107,21 @@ def _telling(error: Floats, feature: Feature) -> NDArray[np.bool_]:
     return np.asarray(error <= _VAGUE * max(float(np.median(error)), feature.between_units), dtype=bool)
 
 
-def _course(unit: UnitResult, feature: Feature, claim: Claim) -> tuple[Floats, Floats] | None:
-    """Days and values along the course of a claim: at the mean of the readings before the change, and by
-    the claim's size away from it afterwards; at the mean of all where there was no change. None where that
-    is not known."""
-    x, y, error = _columns(unit.readings.get(feature.name, ()))
-    weight = 1 / (error**2 + feature.between_logs**2 + np.finfo(float).tiny)
-    early = np.full(len(x), True) if claim.since is None else x < claim.since
+def _course(frame: Frame, unit: UnitResult, claim: Claim, x: Floats, y: Floats, weight: Floats) -> str:
+    """The path of a claim: at the mean of the readings before the change, and by the claim's size away from
+    it afterwards; at the mean of all where there was no change. Empty where that is not known."""
+    since = claim.since
+    early = np.full(len(x), True) if since is None else x < since
     if not early.any():
-        return None
+        return ""
     before = float(np.average(y[early], weights=weight[early]))
-    if claim.since is None:
-        return np.array([unit.first, unit.last]), np.array([before, before])
-    after = before + claim.size
+    if since is None:
+        return frame.line(np.array([unit.first, unit.last]), np.array([before, before]))
+    end = since
     if claim.shape == "drift":
         end = unit.last if claim.until is None else claim.until
-        days = np.array([unit.first, claim.since, end, max(end, unit.last)])
-        return days, np.array([before, before, after, after])
-    days = np.array([unit.first, claim.since, claim.since, unit.last])
-    return days, np.array([before, before, after, after])
-
-
-def _interval(frame: Frame, claim: Claim) -> list[Shade]:
-    """The days between which the change was."""
-    if claim.since_interval is None:
-        return []
-    start, end = (min(max(frame.across(day), 0.0), 100.0) for day in claim.since_interval)
-    return [Shade(percent(start), percent(max(end - start, _NARROWEST)), "")]
-
-
-def _words(unit: UnitResult, feature: Feature, claim: Claim | None) -> str:
-    """The chart for those who do not see it."""
-    text = f"usual: {with_error(feature.mean, feature.between_units, feature.unit)}"
-    if feature.name in unit.now:
-        text = f"now {with_error(*unit.now[feature.name], feature.unit)}; {text}"
-    if claim is None:
-        return capital(text)
-    days = interval_text(claim)
-    return f"{capital(since_text(claim))}{f' ({days})' if days else ''}; {text}"
+    days = np.array([unit.first, since, end, max(end, unit.last)])
+    return frame.line(days, before + np.array([0, 0, claim.size, claim.size]))
 
 
 #: Rows of a type that are seen at once; the others are folded.
@@ -161,108 +130,90 @@ SHOWN: Final = 20
 SHADES: Final = (2.0, 3.0, 4.5, 7.0, 10.0)
 
 
-@dataclass(frozen=True, slots=True)
-class Cell:
-    """A joint of a unit: the feature that is furthest from usual there, and how far; ``shade``: 0 for what
-    is usual, negative for less; ``is_named``: something there is a claim."""
-
-    text: str
-    shade: int
-    is_named: bool
-
-    @property
-    def css(self) -> str:
-        """The names of its looks."""
-        shade = f"p{self.shade}" if self.shade > 0 else f"m{-self.shade}" if self.shade < 0 else ""
-        return " ".join(part for part in (shade, "named" if self.is_named else "") if part)
-
-
-@dataclass(frozen=True, slots=True)
-class Row:
-    """A unit: where its page is, its place in the data of the script, its cells, what is named of it."""
-
-    unit: str
-    page: str
-    index: int
-    cells: tuple[Cell, ...]
-    named: str
-
-
-@dataclass(frozen=True, slots=True)
-class TypeMap:
-    """The rows of a type, the most unusual first; ``places`` are the columns: joints, and the whole arm."""
-
-    name: str
-    index: int
-    places: tuple[str, ...]
-    titles: tuple[str, ...]
-    shown: tuple[Row, ...]
-    folded: tuple[Row, ...]
-
-
 def ordered(result: FleetResult) -> list[UnitResult]:
     """The units, those with claims first, then the most unusual."""
-    return sorted(result.units, key=lambda unit: (not unit.claims, -most_unusual(unit), unit.type, unit.unit))
+    return sorted(
+        result.units, key=lambda unit: (not unit.claims, -words.most_unusual(unit), unit.type, unit.unit)
+    )
 
 
-def type_maps(result: FleetResult) -> list[TypeMap]:
-    """A map of each type that has units."""
-    by_type: dict[str, list[tuple[int, UnitResult]]] = {}
-    for index, unit in enumerate(ordered(result)):
-        by_type.setdefault(unit.type, []).append((index, unit))
+def type_maps(result: FleetResult) -> list[dict[str, Any]]:
+    """A map of each type that has units: its columns, and its rows, the most unusual first."""
+    units = list(enumerate(ordered(result)))
     maps = []
     for k, kind in enumerate(result.types):
         places = _places(kind)
-        rows = tuple(_row(unit, index, kind, places) for index, unit in by_type.get(kind.name, []))
+        rows = [_row(unit, index, kind, places) for index, unit in units if unit.type == kind.name]
         if rows:
-            texts = tuple("arm" if place is None else f"J{place}" for place in places)
-            titles = tuple("the whole arm" if place is None else f"joint {place}" for place in places)
-            maps.append(TypeMap(kind.name, k, texts, titles, rows[:SHOWN], rows[SHOWN:]))
+            maps.append(
+                {
+                    "name": kind.name,
+                    "index": k,
+                    "places": ["arm" if place is None else f"J{place}" for place in places],
+                    "titles": [words.place_text(place) for place in places],
+                    "shown": rows[:SHOWN],
+                    "folded": rows[SHOWN:],
+                }
+            )
     return maps
+
+
+def _row(unit: UnitResult, index: int, kind: TypeResult, places: Sequence[int | None]) -> dict[str, Any]:
+    """A unit: where its page is, its place in the data of the script, what is named of it, and of each joint
+    how far what is furthest from usual is."""
+    named = {claim.joint for claim in unit.claims}
+    cells = []
+    for place in places:
+        values = [unit.unusual.get(f.name) for f in kind.features if f.joint == place]
+        value = max((round(x, 1) for x in values if words.is_known(x)), key=abs, default=None)
+        css = " ".join([*shade_css(value).split(), *(["named"] if place in named else [])])
+        cells.append({"text": words.unusual_text(value), "css": css})
+    text = capital("; ".join(words.brief(claim) for claim in unit.claims))
+    return {"unit": unit.unit, "page": page_of(unit), "index": index, "cells": cells, "named": text}
 
 
 def script_data(result: FleetResult) -> dict[str, Any]:
     """What the script is told, so that a cell can say what it shows and the map be made of one kind of
-    effects: kinds; of each type the features; of each unit, in the order of the rows, how unusual and how
-    much each feature is."""
+    effects: kinds; of each type the features (title, joint or 0, kind, what is usual); of each unit, in the
+    order of the rows, how unusual each feature is (tenths), how much it is, and which are named."""
     kinds = kinds_of(result)
-    indices = {kind.name: k for k, kind in enumerate(result.types)}
-    return {
-        "shades": SHADES,
-        "kinds": kinds,
-        "types": [
-            {
-                "name": kind.name,
-                "places": [place or 0 for place in _places(kind)],
-                "features": [_feature(feature, kinds) for feature in kind.features],
-            }
-            for kind in result.types
-        ],
-        "units": [
-            _unit(unit, indices[unit.type], result.types[indices[unit.type]].features)
-            for unit in ordered(result)
-        ],
-    }
+    types = []
+    for kind in result.types:
+        features = []
+        for f in kind.features:
+            title = capital(words.effects_text(f.effects))
+            usual = words.with_error(f.mean, f.between_units, f.unit)
+            features.append([title, f.joint or 0, kinds.index(title), usual])
+        places = [place or 0 for place in _places(kind)]
+        types.append({"name": kind.name, "places": places, "features": features})
+    indices = {kind.name: (k, kind.features) for k, kind in enumerate(result.types)}
+    units = [_unit(unit, *indices[unit.type]) for unit in ordered(result)]
+    return {"shades": SHADES, "kinds": kinds, "types": types, "units": units}
+
+
+def _unit(unit: UnitResult, type: int, features: Sequence[Feature]) -> list[Any]:
+    unusual = [unit.unusual.get(f.name) for f in features]
+    now = [(unit.now.get(f.name, (None,))[0], f.unit) for f in features]
+    named = [k for k, f in enumerate(features) if any(claim.feature == f.name for claim in unit.claims)]
+    return [
+        type,
+        unit.unit,
+        [round(10 * value) if words.is_known(value) else None for value in unusual],
+        [words.with_unit(value, unit) if words.is_known(value) else "" for value, unit in now],
+        named,
+    ]
 
 
 def kinds_of(result: FleetResult) -> list[str]:
     """The kinds of features that there are, in words, in the order in which the types have them."""
-    every = [capital(effects_text(feature.effects)) for kind in result.types for feature in kind.features]
+    every = [capital(words.effects_text(f.effects)) for kind in result.types for f in kind.features]
     return list(dict.fromkeys(every))
 
 
-def furthest(values: Mapping[str, float], features: Sequence[Feature]) -> float | None:
-    """The value of the feature that is furthest from usual, to a tenth; None where none is known."""
-    known = [round(value, 1) for feature in features if is_known(value := values.get(feature.name))]
-    return max(known, key=abs, default=None)
-
-
-def shade_of(value: float | None) -> int:
-    """The shade of a cell, with the sign of ``value``."""
-    if not is_known(value):
-        return 0
-    steps = sum(abs(value) >= bound for bound in SHADES)
-    return steps if value > 0 else -steps
+def shade_css(value: float | None) -> str:
+    """The name of the looks of a cell; empty for what is usual."""
+    steps = sum(abs(value) >= bound for bound in SHADES) if words.is_known(value) else 0
+    return f"{'p' if value and value > 0 else 'm'}{steps}" if steps else ""
 
 
 def page_of(unit: UnitResult) -> str:
@@ -274,42 +225,3 @@ def _places(kind: TypeResult) -> tuple[int | None, ...]:
     """The columns of a type: all its joints, and the whole arm (None) if there are features of it."""
     whole = any(feature.joint is None for feature in kind.features)
     return (*range(1, kind.joints + 1), *([None] if whole else []))
-
-
-def _row(unit: UnitResult, index: int, kind: TypeResult, places: Sequence[int | None]) -> Row:
-    named = {claim.joint for claim in unit.claims}
-    by_place = {
-        place: list(group)
-        for place, group in groupby(
-            sorted(kind.features, key=lambda feature: feature.joint or 0), key=lambda feature: feature.joint
-        )
-    }
-    cells = []
-    for place in places:
-        value = furthest(unit.unusual, by_place.get(place, []))
-        cells.append(Cell(unusual_text(value), shade_of(value), place in named))
-    words = "; ".join(brief(claim) for claim in unit.claims)
-    return Row(unit.unit, page_of(unit), index, tuple(cells), capital(words))
-
-
-def _feature(feature: Feature, kinds: Sequence[str]) -> list[Any]:
-    """Title, joint (0: the whole arm), kind, and what is usual."""
-    title = capital(effects_text(feature.effects))
-    usual = with_error(feature.mean, feature.between_units, feature.unit)
-    return [title, feature.joint or 0, kinds.index(title), usual]
-
-
-def _unit(unit: UnitResult, type: int, features: Sequence[Feature]) -> list[Any]:
-    """Type, name, how unusual each feature is (tenths), how much it is, and which features are named."""
-    unusual = [_tenths(unit.unusual.get(feature.name)) for feature in features]
-    now = [_amount(unit.now.get(feature.name), feature.unit) for feature in features]
-    named = [k for k, f in enumerate(features) if any(claim.feature == f.name for claim in unit.claims)]
-    return [type, unit.unit, unusual, now, named]
-
-
-def _tenths(value: float | None) -> int | None:
-    return round(10 * value) if is_known(value) else None
-
-
-def _amount(now: tuple[float, float] | None, unit: str) -> str:
-    return with_unit(now[0], unit) if now is not None and is_known(now[0]) else ""

@@ -12,10 +12,8 @@ from robodyn.draw.scales import DAY, day_text, range_text
 from robodyn.fleet.result import Claim, Feature, FleetResult, UnitResult
 from robodyn.report import figures
 from robodyn.report.diagnosis_text import listed, named, place_of
-from robodyn.report.figures import capital, formatted
+from robodyn.report.figures import capital, formatted, printable, several
 
-#: Units of what has none.
-_NO_UNIT: Final = ("", "1", "-")
 #: Units of small things, which have prefixes; the smallest figure that is read easily.
 _SMALL: Final = ("rad", "m")
 _PREFIXES: Final = ((1.0, ""), (1e3, "m"), (1e6, "\u00b5"))
@@ -76,17 +74,15 @@ def with_unit(value: float, unit: str, *, signed: bool = False) -> str:
 
 def has_unit(unit: str) -> bool:
     """Whether a figure has a unit of measurement."""
-    return unit not in _NO_UNIT
+    return unit not in ("", "1", "-")
 
 
 def _scale(size: float, unit: str) -> tuple[float, str]:
     """The factor, and the unit after a space, in which a figure of this ``size`` is read most easily."""
     if not has_unit(unit):
         return 1.0, ""
-    for factor, prefix in _PREFIXES if unit in _SMALL and size > 0 else ():
-        if factor * size >= _LEAST:
-            return factor, f" {prefix}{unit}"
-    return 1.0, f" {unit}"
+    prefixes = _PREFIXES if unit in _SMALL and size > 0 else ()
+    return next(((f, f" {prefix}{unit}") for f, prefix in prefixes if f * size >= _LEAST), (1.0, f" {unit}"))
 
 
 def size_text(claim: Claim) -> str:
@@ -142,11 +138,6 @@ def most_unusual(unit: UnitResult) -> float:
     return max((abs(value) for value in unit.unusual.values() if is_known(value)), default=0.0)
 
 
-def several(count: int, noun: str) -> str:
-    """``1 unit``, ``1,000 units``."""
-    return f"{count:,} {noun}{'' if count == 1 else 's'}"
-
-
 def days_of(result: FleetResult) -> tuple[float, float] | None:
     """The first and the last moment of the logs that were used."""
     if not result.units:
@@ -167,18 +158,16 @@ def extent_text(result: FleetResult) -> str:
 
 def headline(result: FleetResult) -> str:
     """How many units differ, and how sure that is, as a sentence."""
-    different = [unit for unit in result.units if unit.claims]
-    of_all = f"{len(different):,} of {several(len(result.units), 'unit')}"
+    count, units = sum(bool(unit.claims) for unit in result.units), several(len(result.units), "unit")
     if not result.units:
         return "No log of this fleet could be used"
-    if len(result.units) == 1 and not different:
+    if not count and len(result.units) == 1:
         return "The only unit is what it was"
-    if not different:
-        return f"None of {several(len(result.units), 'unit')} differs from its siblings or from what it was"
+    if not count:
+        return f"None of {units} differs from its siblings or from what it was"
     verb = "differs from its siblings or from what it was"
-    if len(different) > 1:
-        verb = "differ from their siblings or from what they were"
-    return f"{of_all} {verb}; {false_text(result)}"
+    verb = verb if count == 1 else "differ from their siblings or from what they were"
+    return f"{count:,} of {units} {verb}; {false_text(result)}"
 
 
 def false_text(result: FleetResult) -> str:
@@ -193,9 +182,8 @@ def false_text(result: FleetResult) -> str:
 
 def counted(names: Sequence[str]) -> str:
     """How often each of ``names`` is there, the most frequent first."""
-    counts = {name: names.count(name) for name in dict.fromkeys(names)}
-    ordered = sorted(counts.items(), key=lambda item: (-item[1], item[0]))
-    return listed([f"{name} ({count})" for name, count in ordered])
+    counts = sorted(Counter(names).items(), key=lambda item: (-item[1], item[0]))
+    return listed([f"{name} ({count})" for name, count in counts])
 
 
 #: Columns of a line; units and reasons that have a line; lines of an advice.
@@ -205,53 +193,41 @@ _WIDTH, _LOOKS, _REASONS = 100, 5, 3
 def summary(result: FleetResult, page: str) -> list[str]:
     """A few lines; ``page`` is where the page is."""
     lines = [f"{result.name}: {headline(result)}", extent_text(result), *_looks(result)]
-    if result.first_to_look_at and result.first_to_look_at[0].record:
-        first = result.first_to_look_at[0]
-        lines.append(f"record next of {first.unit}: {first.record}")
-    lines += _unused(result)
-    lines.append(f"page: {page}")
-    return [wrapped for line in lines for wrapped in _wrapped(line)]
-
-
-def _looks(result: FleetResult) -> Iterator[str]:
-    units = {(unit.type, unit.unit): unit for unit in result.units}
-    looks = [look for look in result.first_to_look_at if (look.type, look.unit) in units]
-    if looks:
-        yield "look at first:"
-    for k, look in enumerate(looks[:_LOOKS], 1):
-        yield f"{k}. {look.type}/{look.unit}: {_why(units[look.type, look.unit], look.why)}"
-    named = sum(bool(unit.claims) for unit in result.units)
-    if named > min(_LOOKS, len(looks)):
-        yield f"and {named - min(_LOOKS, len(looks)):,} more on the page"
-
-
-def _why(unit: UnitResult, why: str) -> str:
-    """What is claimed first of a unit; without a claim what is said of it."""
-    if not unit.claims:
-        return why
-    claim, days = unit.claims[0], interval_text(unit.claims[0])
-    more = f"; and {several(len(unit.claims) - 1, 'more claim')}" if len(unit.claims) > 1 else ""
-    since = f"{since_text(claim)}{f' ({days})' if days else ''}"
-    return f"{what_text(claim)}: {size_text(claim)}, {since}{more}"
-
-
-def _unused(result: FleetResult) -> Iterator[str]:
-    """How many logs were not used, by reason."""
-    if not result.unused:
-        return
-    yield f"{capital(several(len(result.unused), 'log'))} not used:"
+    for first in result.first_to_look_at[:1]:
+        lines += [f"record next of {first.unit}: {first.record}"] if first.record else []
+    if result.unused:
+        lines.append(f"{capital(several(len(result.unused), 'log'))} not used:")
     reasons = Counter(log.why for log in result.unused).most_common()
     for why, count in reasons[:_REASONS]:
         example = next(log.source for log in result.unused if log.why == why)
-        yield f"- {count:,}: {why} ({'' if count == 1 else 'such as '}{example})"
+        lines.append(f"- {count:,}: {why} ({'' if count == 1 else 'such as '}{example})")
     if len(reasons) > _REASONS:
-        rest = sum(count for _, count in reasons[_REASONS:])
-        yield f"- {rest:,} for other reasons"
+        lines.append(f"- {sum(count for _, count in reasons[_REASONS:]):,} for other reasons")
+    return [wrapped for line in [*lines, f"page: {page}"] for wrapped in _wrapped(line)]
+
+
+def _looks(result: FleetResult) -> Iterator[str]:
+    """What is claimed first of the units to look at; without a claim what is said of them."""
+    units = {(unit.type, unit.unit): unit for unit in result.units}
+    looks = [look for look in result.first_to_look_at if (look.type, look.unit) in units][:_LOOKS]
+    if looks:
+        yield "look at first:"
+    for k, look in enumerate(looks, 1):
+        why, (claim, *others) = look.why, units[look.type, look.unit].claims or (None,)
+        if claim is not None:
+            days = interval_text(claim)
+            more = f"; and {several(len(others), 'more claim')}" if others else ""
+            since = f"{since_text(claim)}{f' ({days})' if days else ''}"
+            why = f"{what_text(claim)}: {size_text(claim)}, {since}{more}"
+        yield f"{k}. {look.type}/{look.unit}: {why}"
+    named = sum(bool(unit.claims) for unit in result.units)
+    if named > len(looks):
+        yield f"and {named - len(looks):,} more on the page"
 
 
 def _wrapped(line: str) -> list[str]:
-    plain = "".join(c if c.isprintable() else " " for c in line)
-    indent = "   " if plain[:1].isdigit() and plain[1:3] == ". " else "  "
+    line = printable(line)
+    indent = "   " if line[:1].isdigit() and line[1:3] == ". " else "  "
     return textwrap.wrap(
-        plain, _WIDTH, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False
+        line, _WIDTH, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False
     )

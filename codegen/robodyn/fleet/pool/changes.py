@@ -11,11 +11,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.draw.scales import DAY
 from robodyn.fleet.limits import (
     FINE_RAMPS,
     FINE_STEP,
@@ -30,7 +30,6 @@ from robodyn.fleet.limits import (
 from robodyn.fleet.pool.features import solved
 
 Floats = NDArray[np.float64]
-DAY: Final = 86400.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
