@@ -81,7 +81,7 @@ def command(robot: str, output: str | None, picture: str | None, strict: bool, *
     files: dict[str, str | bytes] = {} if target is None else log.files(str(target))
     pictures: dict[str, str | bytes] = {}
     if drawn is not None:
-        from robodyn.report.motion import motion_picture
+        from robodyn.report.run import motion_picture
 
         pictures[str(drawn)] = motion_picture(described, log, drawn.suffix[1:].lower(), what.reference)
     check_outputs(Path(), pictures, named=True)

@@ -19,7 +19,7 @@ from robodyn.draw.markup import markup_template
 from robodyn.draw.panels import HEIGHT, WIDTH, Bars, Curve, Panel, figure, spread
 from robodyn.draw.scales import DAY, date_ticks, day_text, decades, label, range_text, share, ticks
 from robodyn.logs.log import Log
-from robodyn.report.motion import motion_picture
+from robodyn.report.run import motion_picture
 from robodyn.robot import load
 from robodyn_testing import representative, require_module
 

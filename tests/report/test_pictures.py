@@ -12,7 +12,7 @@ import pytest
 
 from robodyn.draw import style
 from robodyn.logs.log import Log
-from robodyn.report import motion
+from robodyn.report import run
 from robodyn.report.schedule_pictures import critical_chain, layers_svg
 from robodyn.report.schedules import links_source
 from robodyn.robot import load
@@ -97,7 +97,7 @@ def test_every_joint_has_a_panel_for_each_quantity(
     name: str, units: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     robot, texts = load(name, warn=lambda _: None), words(monkeypatch)
-    picture = motion.motion_picture(robot, log(3), "svg").decode()
+    picture = run.motion_picture(robot, log(3), "svg").decode()
     assert len(set(re.findall(r'id="axes_\d+"', picture))) == 9
     assert sum(text.startswith("joint ") for text in texts) == 3
     assert any(units in text for text in texts)
@@ -108,6 +108,6 @@ def test_every_joint_has_a_panel_for_each_quantity(
 def test_what_a_log_lacks_has_no_column() -> None:
     robot = load("puma560_3dof", warn=lambda _: None)
     bare = replace(log(3), qd=None)
-    picture = motion.motion_picture(robot, bare, "svg")
+    picture = run.motion_picture(robot, bare, "svg")
     assert len(set(re.findall(rb'id="axes_\d+"', picture))) == 6
-    assert motion.motion_picture(robot, bare, "svg") == picture
+    assert run.motion_picture(robot, bare, "svg") == picture

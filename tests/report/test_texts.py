@@ -34,7 +34,7 @@ def test_every_effect_and_key_stands_in_it() -> None:
 def test_one_effect_as_text_json_and_latex() -> None:
     run = CliRunner()
     one = run.invoke(command, ["spring"])
-    assert one.output == report.section(CATALOGUE["spring"])
+    assert one.output == report.page(["spring"])
     found = json.loads(run.invoke(command, ["spring", "--json"]).output)
     assert found["parameters"][0]["unit"] == "N m/rad"
     assert found["parameters"][0]["prismatic_unit"] == "N/m"

@@ -15,17 +15,14 @@ def page(ids: Iterable[str] = CATALOGUE) -> str:
     """The page of all effects, or of ``ids``, in Markdown."""
     chosen = [CATALOGUE[id] for id in ids]
     head = overview(chosen, lambda id: f"#{id}") + "\n" if len(chosen) > 1 else ""
-    return head + "\n".join(map(section, chosen))
+    return head + "\n".join(
+        f"## {effect.id}\n\n{body(effect, f'**{effect.title}**', lambda id: f'`{id}`')}" for effect in chosen
+    )
 
 
 def overview(effects: Iterable[Effect], link: Callable[[str], str]) -> str:
     """What holds of all effects, and a list of them, each with a ``link``, in Markdown."""
     return environment().get_template("report/effects.md.j2").render(effects=effects, link=link)
-
-
-def section(effect: Effect) -> str:
-    """One effect in Markdown."""
-    return f"## {effect.id}\n\n{body(effect, f'**{effect.title}**', lambda id: f'`{id}`')}"
 
 
 def body(effect: Effect, name: str, rival: Callable[[str], str]) -> str:
@@ -50,28 +47,18 @@ def latex(ids: Iterable[str] = CATALOGUE) -> str:
 
 def data(effect: Effect) -> dict[str, Any]:
     """One effect for ``--json``."""
+    plain = ("title", "level", "place", "kind", "dissipative", "latex", "doc", "signature")
     return {
         "effect": effect.id,
-        "title": effect.title,
-        "level": effect.level,
-        "place": effect.place,
-        "kind": effect.kind,
-        "dissipative": effect.dissipative,
-        "latex": effect.latex,
-        "doc": effect.doc,
-        "signature": effect.signature,
+        **{key: getattr(effect, key) for key in plain},
         "rivals": list(effect.rivals),
         "separates": effect.separates,
         "source": effect.source,
         "parameters": [
             {
-                "name": p.name,
-                "doc": p.doc,
-                "unit": p.unit,
-                "prismatic_unit": p.unit if p.linear_unit is None else p.linear_unit,
-                "kind": p.kind,
-                "sign": p.sign,
-                "required": p.required,
+                **{key: getattr(p, key) for key in ("name", "doc", "unit")},
+                "prismatic_unit": p.unit_at(revolute=False),
+                **{key: getattr(p, key) for key in ("kind", "sign", "required")},
                 "default": None if p.default is None else default_text(p),
                 "choices": list(p.choices),
                 "run_time_name": p.names,

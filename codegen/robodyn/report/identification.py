@@ -3,61 +3,38 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from robodyn.identify.run import Identification
 from robodyn.report.figures import with_error
-
-Floats = NDArray[np.float64]
 
 
 def summary(outcome: Identification, path: str) -> list[str]:
     """The lines: what is left of the torque, joint by joint; what is seen and what is not; what to do."""
     r = outcome.residual
-    unseen = "held-out samples" if outcome.held_out else "the validation log"
-    shares = [_share(x, r.validate_torque) for x in (r.validate_after, r.validate_before, r.validate_plain)]
+    torque = np.maximum(r.validate_torque, 1e-300)
+    left = {9: r.validate_before, 10: r.validate_after, 13: r.validate_plain, 11: r.noise_floor}
+    described, share, plain, _ = (f"{100 * float(np.mean(x / torque)):.3g} %" for x in left.values())
     lines = [
-        f"{outcome.robot.name}: {shares[0]} of the torque is left on {unseen} "
-        f"(as described {shares[1]}, plain least squares {shares[2]}); wrote {path}",
+        f"{outcome.robot.name}: {share} of the torque is left on "
+        f"{'held-out samples' if outcome.held_out else 'the validation log'} (as described {described}, "
+        f"plain least squares {plain}); wrote {path}",
         "",
         "joint   torque [RMS]   described   identified   least squares   noise floor",
     ]
     for j in range(outcome.robot.n):
-        torque = r.validate_torque[j]
-        left = (r.validate_before, r.validate_after, r.validate_plain, r.noise_floor)
-        cells = zip((9, 10, 13, 11), left, strict=True)
-        row = "   ".join(f"{_percent(x[j], torque):>{width}}" for width, x in cells)
-        lines.append(f"{j + 1:5d}   {torque:12.4g}   {row}")
-    lines += ["", *_joints(outcome)]
+        cells = (f"{100 * x[j] / torque[j]:.3g} %".rjust(width) for width, x in left.items())
+        lines.append(f"{j + 1:5d}   {r.validate_torque[j]:12.4g}   {'   '.join(cells)}")
+    names: dict[str, list[str]] = {}  # friction, rotors and sensors, a line each with its error
+    for name, one in outcome.parameters.items():
+        place, _, what = name.partition(".")
+        if place.startswith("joint"):
+            value = "not seen" if one.stderr is None else with_error(one.value, one.stderr)
+            title = f"{what.split('.')[0].replace('_', ' ')} [{one.unit}]"
+            names.setdefault(title, []).append(f"{place.removeprefix('joint')}: {value}")
+    lines += ["", *(f"{what}: {', '.join(cells)}" for what, cells in names.items())]
     count, unknown = len(outcome.parameters), len(outcome.not_identifiable)
     lines.append(
         f"{count - unknown} of {count} parameters are identified, {unknown} are "
         f"not seen and stay near the description; condition {outcome.condition:.3g}"
     )
     return [*lines, *outcome.words]
-
-
-def _joints(outcome: Identification) -> list[str]:
-    """Friction, rotors and sensors, a line each with its error."""
-    lines = []
-    names: dict[str, list[str]] = {}
-    for name, one in outcome.parameters.items():
-        place, _, what = name.partition(".")
-        if not place.startswith("joint"):
-            continue
-        value = "not seen" if one.stderr is None else with_error(one.value, one.stderr)
-        names.setdefault(f"{what.split('.')[0].replace('_', ' ')} [{one.unit}]", []).append(
-            f"{place.removeprefix('joint')}: {value}"
-        )
-    for what, cells in names.items():
-        lines.append(f"{what}: {', '.join(cells)}")
-    return lines
-
-
-def _share(left: Floats, torque: Floats) -> str:
-    """The mean over joints of what is left of the torque, in per cent."""
-    return f"{100 * float(np.mean(left / np.maximum(torque, 1e-300))):.3g} %"
-
-
-def _percent(left: float, torque: float) -> str:
-    return f"{100 * left / max(torque, 1e-300):.3g} %"

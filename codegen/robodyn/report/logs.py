@@ -15,18 +15,18 @@ from robodyn.logs.wizard import Examination, JointCheck
 
 Floats = NDArray[np.float64]
 
-#: Columns of a stream, and rows of the mapped log, that are shown; cells of a sparkline.
-_COLUMNS, _ROWS, _CELLS = 40, 3, 48
+#: Streams, columns of a stream, and rows and columns of the mapped log that are shown; cells of a sparkline.
+_STREAMS, _COLUMNS, _ROWS, _WIDE, _CELLS = 8, 40, 3, 9, 48
 _BARS: Final = "▁▂▃▄▅▆▇█"
 
 
 def data(result: Examination) -> dict[str, Any]:
     """The examination for JSON."""
-    facts = result.facts
+    facts, log = result.facts, result.log
     return {
         "file": result.recording.file,
         "format": result.recording.format,
-        "notes": [*result.recording.notes, *(result.log.notes if result.log is not None else ())],
+        "notes": [*result.recording.notes, *(log.notes if log is not None else ())],
         "streams": [_stream_data(one) for one in result.streams],
         "map": map_text(result.mapping, {}, ()),
         "proposed": result.proposed,
@@ -34,7 +34,7 @@ def data(result: Examination) -> dict[str, Any]:
         "reasons": dict(result.reasons),
         "missing": list(result.missing),
         "problem": result.problem or None,
-        "log": None if facts is None or result.log is None else _log_data(result, facts),
+        "log": None if facts is None or log is None else _log_data(log, facts),
         "checks": [_check_data(one) for one in result.checks],
     }
 
@@ -48,37 +48,27 @@ def _stream_data(one: StreamFacts) -> dict[str, Any]:
         }
         for column in one.columns.values()
     ]  # fmt: skip
-    rate = _rate(one)
-    return {
-        "name": one.stream.name,
-        "kind": one.stream.kind,
-        "rows": one.rows,
-        "rate": rate,
-        "columns": columns,
-    }
+    head = {"name": one.stream.name, "kind": one.stream.kind, "rows": one.rows, "rate": _rate(one)}
+    return {**head, "columns": columns}
 
 
-def _log_data(result: Examination, facts: LogFacts) -> dict[str, Any]:
-    assert result.log is not None
-    log = result.log
+def _log_data(log: Log, facts: LogFacts) -> dict[str, Any]:
     ranges = [[_number(array.min()), _number(array.max())] for array in log.arrays()]
     return {
-        "samples": facts.samples, "joints": facts.joints, "duration": _number(facts.duration),
-        "rate": _number(facts.rate), "jitter": _number(facts.jitter),
-        "gaps": [{"at": at, "length": length} for at, length in facts.gaps], "backwards": facts.backwards,
-        "repeated": facts.repeated, "missing": facts.missing, "standstill": _number(facts.standstill),
+        "samples": facts.samples, "joints": facts.joints,
+        **{name: _number(getattr(facts, name)) for name in ("duration", "rate", "jitter")},
+        "gaps": [{"at": at, "length": length} for at, length in facts.gaps],
+        "backwards": facts.backwards, "repeated": facts.repeated, "missing": facts.missing,
+        "standstill": _number(facts.standstill),
         "move": list(facts.move), "ranges": dict(zip(log.columns, ranges, strict=True)),
         "linked": [j + 1 for j in log.linked],
     }  # fmt: skip
 
 
 def _check_data(check: JointCheck) -> dict[str, Any]:
-    return {
-        "joint": check.joint, "low": _number(check.low), "high": _number(check.high),
-        "limits": None if check.limits is None else list(check.limits),
-        "correlation": _number(check.correlation), "gain": _number(check.gain),
-        "remarks": list(check.remarks),
-    }  # fmt: skip
+    numbers = {name: _number(getattr(check, name)) for name in ("low", "high", "correlation", "gain")}
+    limits = None if check.limits is None else list(check.limits)
+    return {"joint": check.joint, **numbers, "limits": limits, "remarks": list(check.remarks)}
 
 
 def _number(value: Any) -> float | None:
@@ -98,49 +88,40 @@ def _rate(one: StreamFacts) -> float | None:
 def lines(result: Examination, robot: str = "") -> list[str]:
     """The examination for a terminal; ``robot`` is the name of the arm it was compared with."""
     recording = result.recording
-    text = [f"{recording.file}: {recording.format}"]
-    text += [f"  note: {note}" for note in recording.notes]
-    for one in result.streams[:8]:
+    text = [f"{recording.file}: {recording.format}", *(f"  note: {note}" for note in recording.notes)]
+    for one in result.streams[:_STREAMS]:
         text += _stream_lines(one)
-    if len(result.streams) > 8:
-        text.append(f"  ... and {len(result.streams) - 8} streams more")
+    if len(result.streams) > _STREAMS:
+        text.append(f"  ... and {len(result.streams) - _STREAMS} streams more")
     text.append("")
     if result.plain:
         text.append("No map is needed: names and units are the usual ones.")
     else:
-        text.append("Proposed map:" if result.proposed else "Map:")
-        text += [
-            f"  {line}" for line in map_text(result.mapping, result.reasons, result.missing).splitlines()
-        ]
+        mapping = map_text(result.mapping, result.reasons, result.missing).splitlines()
+        text += ["Proposed map:" if result.proposed else "Map:", *(f"  {line}" for line in mapping)]
     if result.problem:
         text += ["", f"Not read yet: {result.problem}"]
     if result.log is not None and result.facts is not None:
-        text += ["", *_log_lines(result, result.facts)]
+        text += ["", *_log_lines(result.log, result.facts)]
     if result.checks:
         text += ["", *_check_lines(result.checks, robot)]
     return text
 
 
 def _stream_lines(one: StreamFacts) -> list[str]:
-    rate = _rate(one)
-    head = [one.stream.name or "table", one.stream.kind, f"{one.rows} rows", f"{len(one.columns)} columns"]
+    rate, columns = _rate(one), list(one.columns.items())
+    head = [one.stream.name or "table", one.stream.kind, f"{one.rows} rows", f"{len(columns)} columns"]
     head += [f"{rate:.4g} Hz"] if rate else []
     text = ["  " + ", ".join(dict.fromkeys(head))]
-    width = max((len(name) for name in list(one.columns)[:_COLUMNS]), default=0)
-    for name, column in list(one.columns.items())[:_COLUMNS]:
+    width = min(48, max((len(name) for name, _ in columns[:_COLUMNS]), default=0))
+    for name, column in columns[:_COLUMNS]:
+        extent = "no numbers" if not column.share else f"{column.low:.6g} to {column.high:.6g}"
+        extent = f"{column.low:.6g}" if column.share and column.constant else extent
         unit = one.stream.units.get(name, "")
-        text.append(
-            f"    {name:<{min(width, 48)}}  {_range(column)}{' ' + unit if unit else ''}{_kind(column)}"
-        )
-    if len(one.columns) > _COLUMNS:
-        text.append(f"    ... and {len(one.columns) - _COLUMNS} columns more")
+        text.append(f"    {name:<{width}}  {extent}{' ' + unit if unit else ''}{_kind(column)}")
+    if len(columns) > _COLUMNS:
+        text.append(f"    ... and {len(columns) - _COLUMNS} columns more")
     return text
-
-
-def _range(column: ColumnFacts) -> str:
-    if not column.share:
-        return "no numbers"
-    return f"{column.low:.6g}" if column.constant else f"{column.low:.6g} to {column.high:.6g}"
 
 
 def _kind(column: ColumnFacts) -> str:
@@ -157,52 +138,48 @@ def _kind(column: ColumnFacts) -> str:
     return f"  ({', '.join(words)})" if words else ""
 
 
-def _log_lines(result: Examination, facts: LogFacts) -> list[str]:
-    log = result.log
-    assert log is not None
-    text = [
-        f"As mapped: {facts.samples} samples of {facts.joints} joint{'s' if facts.joints > 1 else ''}, "
-        + (f"{facts.duration:.6g} s, " if math.isfinite(facts.duration) else "")
-        + (f"{facts.rate:.5g} Hz" if math.isfinite(facts.rate) else "rate not observed")
-    ]
-    text += [f"  note: {note}" for note in log.notes]
-    remarks = [f"intervals even to {facts.jitter:.1%}" if facts.jitter < 1 else "intervals uneven"]
-    if math.isnan(facts.jitter):
-        remarks = ["no two times differ"]
+def _log_lines(log: Log, facts: LogFacts) -> list[str]:
+    head = [f"As mapped: {facts.samples} samples of {facts.joints} joint{'s' if facts.joints > 1 else ''}"]
+    head += [f"{facts.duration:.6g} s"] if math.isfinite(facts.duration) else []
+    head.append(f"{facts.rate:.5g} Hz" if math.isfinite(facts.rate) else "rate not observed")
+    text = [", ".join(head), *(f"  note: {note}" for note in log.notes)]
+    text += [f"  {remark}" for remark in _remarks(log, facts)]
+    names = ["t", *(f"q{j + 1}" for j in range(log.n)), *(f"tau{j + 1}" for j in range(log.n))]
+    columns = [log.t, *log.q.T, *log.tau.T][:_WIDE]
+    heads = " ".join(f"{name:>10}" for name in names[:_WIDE])
+    text.append(f"  {heads}{' ...' if len(names) > _WIDE else ''}")
+    for k in range(min(_ROWS, log.samples)):
+        cells = (f"{x[k]:.4g}" if math.isfinite(x[k]) else "-" for x in columns)
+        text.append("  " + " ".join(f"{cell:>10}" for cell in cells))
+    for group, array in (("q", log.q), ("tau", log.tau)):
+        for j in range(log.n):
+            extent = _interval(*_extent(array[:, j]))
+            text.append(f"  {group}{j + 1:<4} {spark(array[:, j], _CELLS)} {extent}")
+    return text
+
+
+def _remarks(log: Log, facts: LogFacts) -> list[str]:
+    even = f"intervals even to {facts.jitter:.1%}" if facts.jitter < 1 else "intervals uneven"
+    gap = ""
     if facts.gaps:
         at, length = facts.gaps[0]
         more = f", and {len(facts.gaps) - 1} more" if len(facts.gaps) > 1 else ""
-        remarks.append(f"a gap of {length:.4g} s at {at:.4g} s{more}")
-    if facts.backwards:
-        remarks.append(f"times go back {facts.backwards} times")
-    if facts.repeated:
-        remarks.append(f"{facts.repeated} rows repeat the one before them in every digit")
-    if facts.missing:
-        remarks.append(f"{facts.missing} rows without a number in t, q or tau")
-    if facts.standstill > 0.02:
-        remarks.append(f"standstill {facts.standstill:.0%} of the time")
+        gap = f"a gap of {length:.4g} s at {at:.4g} s{more}"
     moving = ", ".join(map(str, facts.move))
-    remarks.append(f"joints that move: {moving}" if moving else "no joint moves")
     unseen = ", ".join(f"q{j + 1}" for j in range(log.n) if not np.isfinite(log.q[:, j]).any())
-    if unseen:
-        remarks.append(f"not observed, no number in them: {unseen}")
-    if log.linked:
-        remarks.append("second encoders: " + ", ".join(f"ql{j + 1}" for j in log.linked))
-    text += [f"  {remark}" for remark in remarks]
-    names = ["t", *(f"q{j + 1}" for j in range(log.n)), *(f"tau{j + 1}" for j in range(log.n))]
-    columns = [log.t, *log.q.T, *log.tau.T]
-    shown = names[:9]
-    text.append(
-        "  " + " ".join(f"{name:>10}" for name in shown) + (" ..." if len(names) > len(shown) else "")
-    )
-    for k in range(min(_ROWS, log.samples)):
-        cells = (f"{x:.4g}" if math.isfinite(x) else "-" for x in (column[k] for column in columns))
-        text.append("  " + " ".join(f"{cell:>10}" for cell in list(cells)[: len(shown)]))
-    for group, array in (("q", log.q), ("tau", log.tau)):
-        for j in range(log.n):
-            bars = spark(array[:, j], _CELLS)
-            text.append(f"  {group}{j + 1:<4} {bars} {_interval(*_extent(array[:, j]))}")
-    return text
+    linked = ", ".join(f"ql{j + 1}" for j in log.linked)
+    remarks: dict[str, Any] = {  # and whether they hold
+        "no two times differ" if math.isnan(facts.jitter) else even: True,
+        gap: facts.gaps,
+        f"times go back {facts.backwards} times": facts.backwards,
+        f"{facts.repeated} rows repeat the one before them in every digit": facts.repeated,
+        f"{facts.missing} rows without a number in t, q or tau": facts.missing,
+        f"standstill {facts.standstill:.0%} of the time": facts.standstill > 0.02,
+        f"joints that move: {moving}" if moving else "no joint moves": True,
+        f"not observed, no number in them: {unseen}": unseen,
+        f"second encoders: {linked}": linked,
+    }
+    return [remark for remark, holds in remarks.items() if holds]
 
 
 def _extent(x: Floats) -> tuple[float, float]:
@@ -220,11 +197,8 @@ def spark(x: Floats, cells: int) -> str:
     bars = []
     for part in np.array_split(x, min(cells, len(x))):
         finite = part[np.isfinite(part)]
-        if not len(finite):
-            bars.append(" ")
-        else:
-            level = (float(finite.mean()) - low) / (high - low) if high > low else 0.0
-            bars.append(_BARS[min(int(level * len(_BARS)), len(_BARS) - 1)])
+        level = (float(finite.mean()) - low) / (high - low) if len(finite) and high > low else 0.0
+        bars.append(_BARS[min(int(level * len(_BARS)), len(_BARS) - 1)] if len(finite) else " ")
     return "".join(bars)
 
 
@@ -232,11 +206,10 @@ def _check_lines(checks: Sequence[JointCheck], robot: str) -> list[str]:
     text = [f"Beside {robot}:"]
     for check in checks:
         limits = "" if check.limits is None else f" of {check.limits[0]:.4g} to {check.limits[1]:.4g}"
-        line = f"  joint {check.joint}: {_interval(check.low, check.high)}{limits}"
+        gravity = "gravity says nothing here"
         if math.isfinite(check.correlation):
-            line += f"; torque goes with gravity's: {check.correlation:+.2f}, {check.gain:.3g} times as large"
-        else:
-            line += "; gravity says nothing here"
-        text.append(line)
+            times = f"{check.correlation:+.2f}, {check.gain:.3g} times as large"
+            gravity = f"torque goes with gravity's: {times}"
+        text.append(f"  joint {check.joint}: {_interval(check.low, check.high)}{limits}; {gravity}")
         text += [f"    {remark}" for remark in check.remarks]
     return text
