@@ -24,7 +24,7 @@ def command(names: bool) -> None:
     import textwrap
 
     import robodyn.robot
-    from robodyn.robot.origins import inertial_origin
+    from robodyn.robot.account import inertial_origin
 
     bundled = robodyn.robot.bundled_names()
     if names:

@@ -11,8 +11,7 @@ from typing import Any, Final
 import numpy as np
 
 from robodyn.draw.scales import label, share, ticks
-from robodyn.effects.effect import Effect
-from robodyn.effects.site import Site
+from robodyn.effects.effect import Effect, Site
 from robodyn.effects.traits import Usual
 
 #: A revolute joint of an arm of middle size, as a blind test would meet it.

@@ -6,8 +6,7 @@ import importlib
 import inspect
 from typing import Final
 
-from robodyn.targets import processors
-from robodyn.targets.table import TARGETS
+from robodyn.targets import TARGETS, processors
 from robodyn.targets.target import Costs, Target
 from robodyn_site.markdown import code, fenced, page, plain, table
 

@@ -11,7 +11,7 @@ import pytest
 
 from robodyn.resources import data_dir
 from robodyn.robot import Comparison, Link, Robot, bundled_names, bundled_text, load, read_text
-from robodyn.robot.plausibility import inertia_doubt
+from robodyn.robot.masses import inertia_doubt
 from robodyn.verify.numbers import exact_value
 from robodyn_testing import exactly
 

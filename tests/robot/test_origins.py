@@ -12,7 +12,7 @@ import pytest
 from robodyn import InputError, load
 from robodyn.report.arm_parts import links
 from robodyn.robot import Joint, Link, bundled_names, read_text, to_yaml
-from robodyn.robot.origins import Origins, origins_in_words, origins_to_dicts
+from robodyn.robot.account import Origins, origins_in_words, origins_to_dicts
 from robodyn.robot.values import ZERO, angle
 
 ARM = """name: arm

@@ -21,7 +21,7 @@ from robodyn.emit.languages import LANGUAGES
 from robodyn.formats.elements_of import FORMATS, table_of
 from robodyn.formats.tree import PHYSICS
 from robodyn.robot import read_text
-from robodyn.targets.table import TARGETS
+from robodyn.targets import TARGETS
 from robodyn_cli.main import COMMANDS, cli
 from robodyn_site import navigation, outside, python
 from robodyn_site.curves import entry, picture, usual_values

@@ -12,8 +12,8 @@ import pytest
 from robodyn.errors import InputError, ToolError
 from robodyn.formats.arm import import_arm
 from robodyn.robot.model import EffectEntry, Robot
+from robodyn.tools import Library
 from robodyn.tools.libraries import MUJOCO, PINOCCHIO
-from robodyn.tools.library import Library
 from robodyn.verify.against import comparable, compare, read_original
 from robodyn_testing import require_module
 from robodyn_testing.original_arms import MJCF, PLANTED, URDF

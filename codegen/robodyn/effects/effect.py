@@ -22,7 +22,7 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any, Literal
 
-from robodyn.effects.site import Site as Site
+from robodyn.effects.traits import Site as Site
 from robodyn.effects.traits import Traits
 
 #: What a parameter is: a number, three numbers, an efficiency (number or table), an inertia tensor, one of

@@ -3,7 +3,8 @@
 Each effect states its traits with its definition, and nobody else knows it by name. What a trait does not
 need to say follows from the definition: where it acts (``place``), whether it is dry (its equation follows
 the direction of motion), whether it remembers (``memory``) or lies between motor and link (``coupler``),
-whether it gives back what it takes (``potential``), in which parameters it is linear.
+whether it gives back what it takes (``potential``), in which parameters it is linear. First, what an equation
+may read (:class:`Site`).
 """
 
 from __future__ import annotations
@@ -11,10 +12,28 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
 
-if TYPE_CHECKING:
-    from robodyn.effects.site import Site
+
+@dataclass(frozen=True, slots=True)
+class Site:
+    """What an equation may read at a joint, over any scalar.
+
+    ``q, qd, qdd``: position, velocity and acceleration on its side of the drive [rad or m, per second];
+    ``direction``: sgn(qd), by whatever rule holds near rest; ``tau``: the torque that has come so far [N m or
+    N]; ``f`` [3] (N) and ``n`` [3] (N m): force and moment of the rigid arm through the joint, about the
+    origin and along the axes of the link's frame, z the joint's. ``revolute``: the kind of joint.
+    """
+
+    revolute: bool
+    q: Any = 0
+    qd: Any = 0
+    qdd: Any = 0
+    direction: Any = 0
+    tau: Any = 0
+    f: tuple[Any, Any, Any] = (0, 0, 0)
+    n: tuple[Any, Any, Any] = (0, 0, 0)
+
 
 #: Parameters as a diagnosis states them.
 Estimates = dict[str, float | str]

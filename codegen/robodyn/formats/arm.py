@@ -18,9 +18,9 @@ from robodyn.formats.reading import read_tree, taken_as_massless
 from robodyn.formats.serial import Serial, serial_chain
 from robodyn.formats.tree import Tree, Unused
 from robodyn.robot.account import PARTS, Account
+from robodyn.robot.masses import inertia_doubt, only_about_base_axis
 from robodyn.robot.model import Robot
 from robodyn.robot.names import TEXT_LENGTH
-from robodyn.robot.plausibility import inertia_doubt, only_about_base_axis
 from robodyn.robot.values import Angle
 
 

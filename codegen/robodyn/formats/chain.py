@@ -11,7 +11,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from robodyn.robot.origins import Origins
+from robodyn.robot.account import Origins
 from robodyn.robot.parts import Gear, JointKind, Limits
 from robodyn.robot.rotations import QUARTER_TURN
 

@@ -9,11 +9,11 @@ from robodyn.errors import InputError, Place
 from robodyn.formats.chain import ChainJoint
 from robodyn.formats.limits import GREATEST
 from robodyn.formats.tree import MOVING, TURNING, JointLimits, Tree, TreeJoint
+from robodyn.robot.account import Origins
 from robodyn.robot.names import ROBOT_NAME_LENGTH, TEXT_LENGTH, robot_name_fault, shown
 from robodyn.robot.numbers import shortest
-from robodyn.robot.origins import Origins
 from robodyn.robot.parts import Gear, JointKind, Limits
-from robodyn.robot.plausibility import limits_doubt
+from robodyn.robot.rotations import limits_doubt
 
 
 def robot_name(tree: Tree, preferred: str = "") -> str:

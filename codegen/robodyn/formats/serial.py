@@ -15,9 +15,9 @@ from robodyn.formats.limits import NAMES_SHOWN
 from robodyn.formats.rigid import carried, composed, lumped, motion
 from robodyn.formats.topology import Topology
 from robodyn.formats.tree import MOVING, Tree, TreeJoint, names, near
+from robodyn.robot.account import Origin
 from robodyn.robot.keys import LINKS
 from robodyn.robot.names import shown
-from robodyn.robot.origins import Origin
 
 
 class Positions:

@@ -35,8 +35,8 @@ from robodyn.identify.prior import Prior, Usual, prior_of
 from robodyn.identify.problem import Solution, Unknowns, misfits, solve
 from robodyn.identify.rows import Rows, Strength, bare, rows_of
 from robodyn.kernels.array_dynamics import PARAMETERS, Model
+from robodyn.robot.masses import only_about_base_axis
 from robodyn.robot.model import Robot
-from robodyn.robot.plausibility import only_about_base_axis
 
 Floats = NDArray[np.float64]
 #: Of a link's parameters that about its joint's axis.

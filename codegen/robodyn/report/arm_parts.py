@@ -14,10 +14,10 @@ import numpy as np
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Effect, Site
 from robodyn.report.figures import UNITS
+from robodyn.robot.account import GROUPS
+from robodyn.robot.masses import inertia_doubt, only_about_base_axis
 from robodyn.robot.model import AXES, Inertia, Joint, Link, Robot
-from robodyn.robot.origins import GROUPS
-from robodyn.robot.plausibility import inertia_doubt, limits_doubt, only_about_base_axis
-from robodyn.robot.rotations import ONE_TURN
+from robodyn.robot.rotations import ONE_TURN, limits_doubt
 from robodyn.simulate.limits import ASSUMED
 
 

@@ -9,6 +9,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.logs.log import Log
 from robodyn.logs.map_text import map_text
 from robodyn.logs.survey import ColumnFacts, LogFacts, StreamFacts
 from robodyn.logs.wizard import Examination, JointCheck

@@ -9,10 +9,10 @@ from typing import NoReturn, cast
 
 from robodyn.errors import InputError, Place
 from robodyn.robot import numbers
+from robodyn.robot.account import Origin
 from robodyn.robot.document import Mapping, Node, Scalar, Sequence, describe
 from robodyn.robot.keys import OTHER_NAMES, SIGNS, Key, allowed, expectation
 from robodyn.robot.names import shown, text_fault, unprintable_fault
-from robodyn.robot.origins import Origin
 from robodyn.robot.parts import UNKNOWN, Confidence, Vector
 from robodyn.robot.rotations import ONE_TURN
 from robodyn.robot.values import ZERO, Angle, Value, angle

@@ -1,7 +1,8 @@
 """Effects that only change numbers which a rigid arm has anyway.
 
 They go into those numbers and leave no entry: friction that is also written as ``friction``, rotor inertia,
-errors of a link's inertial parameters, the tilt of the base. So equal arms are equal, however written.
+errors of a link's inertial parameters, the tilt of the base. So equal arms are equal, however written. The
+thesis has rotors folded into the links, too.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from robodyn.robot import numbers
 from robodyn.robot.effects import Written
 from robodyn.robot.fields import Section
 from robodyn.robot.model import AXES, EffectEntry, Inertia, Link, Robot
-from robodyn.robot.values import Value, angle
+from robodyn.robot.values import ZERO, Value, angle
 
 # What lies between the link and the motor's torque: not in a torque behind the gear.
 _BEFORE_THE_GEAR = frozenset({"gear", "motor", "pair", "coupler"})
@@ -152,3 +153,26 @@ def _tilted(
         return x, y, z
     # Elsewhere cosines are good to 1e-30 only, and their digits are of no use.
     return tuple(map(numbers.shortest, map(float, (x, y, z))))  # type: ignore[return-value]
+
+
+def fold_rotor(robot: Robot) -> Robot:
+    """``robot`` with every ``motor_inertia`` moved into its link, as the thesis's programs do it.
+
+    Revolute: added to the link's Izz. The rotor then takes part in the whole rotation of the link, not
+    only in the joint's own: not the right physics (it is off by several N m on a moving PUMA 560), but what
+    the printed figures were computed with.
+
+    Prismatic: added to the link's mass [kg] at its centre, the nearest thing that a rigid body allows.
+    The joint's own acceleration meets the same inertia as before; in addition the lump weighs, and is
+    swung about by the other joints. The thesis never does this: its listings drop the number (0.782 kg of
+    the Stanford arm), and so do the bundled ``stanford_d3`` and ``stanford_3dof_d3``.
+    """
+    return replace(robot, links=tuple(_with_rotor(link) for link in robot.links))
+
+
+def _with_rotor(link: Link) -> Link:
+    rotor = link.joint.motor_inertia
+    joint = replace(link.joint, motor_inertia=ZERO)
+    if link.joint.kind == "revolute":
+        return replace(link, joint=joint, inertia=replace(link.inertia, zz=link.inertia.zz + rotor))
+    return replace(link, joint=joint, mass=link.mass + rotor)

@@ -7,9 +7,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Literal
 
-from robodyn.robot.account import PARTS
+from robodyn.robot.account import PARTS, STATEABLE
 from robodyn.robot.names import ROBOT_NAME_LENGTH, TEXT_LENGTH
-from robodyn.robot.origins import STATEABLE
 from robodyn.robot.parts import AXES, UNKNOWN
 
 Kind = Literal[

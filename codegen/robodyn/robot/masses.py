@@ -1,14 +1,106 @@
-"""Masses and inertias that nobody knows: which joints carry them, and taking them as 0 on purpose. Rotors
-folded into the links, as the thesis has them."""
+"""Masses and inertias that nobody knows, which are refused or taken as 0 on purpose; and inertia tensors that
+no body has: a negative principal moment, a broken triangle inequality.
+
+The latter is decided with exact rationals: every principal moment is at most the sum of the two others if and
+only if ``trace/2 * 1 - I``, the second moments of the mass, has no negative eigenvalue, which its principal
+minors tell (Traversaro et al., IROS 2016; Wensing et al., RA-L 2018).
+"""
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
+from fractions import Fraction
 
 from robodyn.errors import InputError
-from robodyn.robot.model import Link, Robot
-from robodyn.robot.origins import Origin
-from robodyn.robot.values import ZERO
+from robodyn.robot.account import Origin
+from robodyn.robot.model import AXES, Inertia, Joint, Robot
+from robodyn.robot.numbers import brief
+
+# Rounding noise of converted tensors, as a share of the trace, is not worth a word.
+_NOISE = Fraction(1, 10**9)
+_Entries = tuple[Fraction, Fraction, Fraction, Fraction, Fraction, Fraction]
+
+
+def inertia_doubt(inertia: Inertia) -> str | None:
+    """What is unphysical about the tensor [kg m^2], or None.
+
+    A tensor with run-time parameters in it is not judged.
+    """
+    if not is_judged(inertia):
+        return None
+    values = tuple(getattr(inertia, axes) for axes in AXES)
+    xx, yy, zz, xy, xz, yz = values
+    half = (xx + yy + zz) / 2
+    noise = _NOISE * abs(half)
+    # Physical second moments are sufficient for positive principal moments too: one test in the usual case.
+    if _has_no_negative_eigenvalue((half - xx + noise, half - yy + noise, half - zz + noise, -xy, -xz, -yz)):
+        return None
+    for axis, moment in zip("xyz", (xx, yy, zz), strict=True):
+        if moment < 0:
+            return f"I{axis}{axis} = {brief(moment)} kg m^2 is negative"
+    for (p, one), (q, two), (r, three) in (
+        (("x", xx), ("y", yy), ("z", zz)),
+        (("x", xx), ("z", zz), ("y", yy)),
+        (("y", yy), ("z", zz), ("x", xx)),
+    ):
+        if one + two + noise < three:
+            left, right = _distinct(one + two, three)
+            return f"I{p}{p} + I{q}{q} = {left} < I{r}{r} = {right} kg m^2"
+    # The diagonal is fine: the products of inertia are too large for it.
+    low, middle, high = _principal_moments((xx, yy, zz, xy, xz, yz))
+    if not _has_no_negative_eigenvalue((xx + noise, yy + noise, zz + noise, xy, xz, yz)):
+        return f"the principal moment {low:.6g} kg m^2 is negative"
+    return f"of the principal moments {low:.6g} + {middle:.6g} < {high:.6g} kg m^2"
+
+
+def is_judged(inertia: Inertia) -> bool:
+    """Whether all entries are known now; a run-time parameter is not."""
+    return all(isinstance(getattr(inertia, axes), Fraction) for axes in AXES)
+
+
+def only_about_base_axis(joint: Joint, inertia: Inertia) -> bool:
+    """Whether nothing but Izz is stated of a link that turns about an axis fixed in the base.
+
+    Then no other entry enters any torque, and tables (the thesis's too) leave them out: no doubt.
+    """
+    return joint.kind == "revolute" and not any(getattr(inertia, axes) for axes in AXES if axes != "zz")
+
+
+def _has_no_negative_eigenvalue(entries: _Entries) -> bool:
+    """Whether all seven principal minors of the symmetric matrix are 0 or more."""
+    xx, yy, zz, xy, xz, yz = entries
+    if xx < 0 or yy < 0 or zz < 0:
+        return False
+    if xx * yy < xy * xy or xx * zz < xz * xz or yy * zz < yz * yz:
+        return False
+    return xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz) >= 0
+
+
+def _principal_moments(entries: _Entries) -> tuple[float, float, float]:
+    """Eigenvalues of the symmetric matrix, ascending, in closed form; for messages."""
+    scale = max(abs(entry) for entry in entries)
+    xx, yy, zz, xy, xz, yz = (float(entry / scale) for entry in entries)
+    mean = (xx + yy + zz) / 3
+    a, b, c = xx - mean, yy - mean, zz - mean
+    radius = math.sqrt((a * a + b * b + c * c + 2 * (xy * xy + xz * xz + yz * yz)) / 6)
+    if radius == 0:
+        return (mean * float(scale),) * 3
+    determinant = a * (b * c - yz * yz) - xy * (xy * c - yz * xz) + xz * (xy * yz - b * xz)
+    third = math.acos(max(-1.0, min(1.0, determinant / (2 * radius**3)))) / 3
+    roots = sorted(mean + 2 * radius * math.cos(third + 2 * math.pi * k / 3) for k in range(3))
+    low, middle, high = (root * float(scale) for root in roots)
+    return low, middle, high
+
+
+def _distinct(left: Fraction, right: Fraction) -> tuple[str, str]:
+    """Both for a message, with as many digits as it takes to see that they differ."""
+    if brief(left) != brief(right):
+        return brief(left), brief(right)
+    return repr(float(left)), repr(float(right))
+
+
+# --- what nobody knows --------------------------------------------------------------------------------------
 
 
 def unknown_masses(robot: Robot) -> tuple[int, ...]:
@@ -61,26 +153,3 @@ def massless(robot: Robot) -> Robot:
 def _named(joint: int, robot: Robot) -> str:
     name = robot.links[joint - 1].name
     return f"joint {joint}" + ("" if name == f"link{joint}" else f" ({name})")
-
-
-def fold_rotor(robot: Robot) -> Robot:
-    """``robot`` with every ``motor_inertia`` moved into its link, as the thesis's programs do it.
-
-    Revolute: added to the link's Izz. The rotor then takes part in the whole rotation of the link, not
-    only in the joint's own: not the right physics (it is off by several N m on a moving PUMA 560), but what
-    the printed figures were computed with.
-
-    Prismatic: added to the link's mass [kg] at its centre, the nearest thing that a rigid body allows.
-    The joint's own acceleration meets the same inertia as before; in addition the lump weighs, and is
-    swung about by the other joints. The thesis never does this: its listings drop the number (0.782 kg of
-    the Stanford arm), and so do the bundled ``stanford_d3`` and ``stanford_3dof_d3``.
-    """
-    return replace(robot, links=tuple(_with_rotor(link) for link in robot.links))
-
-
-def _with_rotor(link: Link) -> Link:
-    rotor = link.joint.motor_inertia
-    joint = replace(link.joint, motor_inertia=ZERO)
-    if link.joint.kind == "revolute":
-        return replace(link, joint=joint, inertia=replace(link.inertia, zz=link.inertia.zz + rotor))
-    return replace(link, joint=joint, mass=link.mass + rotor)

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Literal
 
-from robodyn.robot.origins import Origins
+from robodyn.robot.account import Origins
 from robodyn.robot.values import ZERO, Affine, Angle, Value
 
 if TYPE_CHECKING:

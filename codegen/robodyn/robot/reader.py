@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from robodyn.errors import InputError
 from robodyn.robot import numbers
-from robodyn.robot.account import PARTS, Account
+from robodyn.robot.account import GROUPS, PARTS, Account, Origin, Origins
 from robodyn.robot.document import Mapping, Node, Scalar, compose, decode, describe
 from robodyn.robot.fields import Section, Source
 from robodyn.robot.frames import (
@@ -23,11 +23,11 @@ from robodyn.robot.frames import (
     tool_from_standard,
 )
 from robodyn.robot.keys import INERTIA, LINK, LINKS, REST_VELOCITY, ROBOT, ROW, expectation
+from robodyn.robot.masses import inertia_doubt, is_judged, only_about_base_axis
 from robodyn.robot.model import Comparison, Gear, Inertia, Joint, JointKind, Limits, Link, Placement, Robot
 from robodyn.robot.names import ROBOT_NAME_EXPECTED, parameter_clash, robot_name_fault, shown
-from robodyn.robot.origins import GROUPS, Origin, Origins
 from robodyn.robot.parts import UNKNOWN, Confidence
-from robodyn.robot.plausibility import inertia_doubt, is_judged, limits_doubt, only_about_base_axis
+from robodyn.robot.rotations import limits_doubt
 
 if TYPE_CHECKING:
     from robodyn.robot.effects import Written

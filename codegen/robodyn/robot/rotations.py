@@ -1,4 +1,5 @@
-"""Rotations of exact numbers: their angles, tensors that they turn, and how what comes out is rounded."""
+"""Rotations of exact numbers: their angles, tensors that they turn, how what comes out is rounded, and angles
+that were probably meant as degrees."""
 
 from __future__ import annotations
 
@@ -6,8 +7,8 @@ import math
 from dataclasses import dataclass
 from fractions import Fraction
 
-from robodyn.robot.numbers import rounded, shortest
-from robodyn.robot.parts import Exact, Inertia, Placement, Rows, Vector
+from robodyn.robot.numbers import brief, rounded, shortest
+from robodyn.robot.parts import Exact, Inertia, JointKind, Limits, Placement, Rows, Vector
 from robodyn.robot.values import PI, ZERO, Angle, angle, quarter_turns
 
 QUARTER_TURN: float = 1e-11
@@ -48,6 +49,17 @@ class Twist:
     alpha: Angle
     theta: Angle
     parallel: bool
+
+
+def limits_doubt(limits: Limits, kind: JointKind) -> str | None:
+    """What is doubtful about the limits of position of a joint: whole degrees in the place of radians; or
+    None."""
+    if kind == "prismatic" or limits.position is None:
+        return None
+    low, high = limits.position
+    if SIX_TURNS < max(-low, high) <= MANY_TURNS and low % 5 == 0 and high % 5 == 0:
+        return f"{brief(low)} to {brief(high)} rad are more than six turns"
+    return None
 
 
 def transposed(R: Rows) -> Rows:

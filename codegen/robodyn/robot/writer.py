@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Literal
 
 from robodyn.robot import numbers
-from robodyn.robot.account import PARTS, Account
+from robodyn.robot.account import PARTS, Account, Origin, origins_to_state
 from robodyn.robot.model import (
     AXES,
     Confidence,
@@ -21,7 +21,6 @@ from robodyn.robot.model import (
     Robot,
     Setting,
 )
-from robodyn.robot.origins import Origin, origins_to_state
 from robodyn.robot.values import ZERO, Affine, Angle, Value, angle
 
 # Smallest part of pi that is looked for behind an angle: pi/360 is half a degree.

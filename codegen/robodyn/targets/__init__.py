@@ -4,29 +4,23 @@
 'cortex-m4f'
 """
 
-from robodyn.targets.table import (
+from robodyn.targets.target import (
     TARGETS,
+    Architecture,
+    Board,
+    Chip,
+    Contraction,
+    Costs,
+    Region,
+    Target,
     all_targets,
     compiled_targets,
     firmware_targets,
     planned_targets,
     target_named,
-)
-from robodyn.targets.target import Architecture, Board, Chip, Contraction, Costs, Region, Target
+)  # fmt: skip
 
 __all__ = [
-    "TARGETS",
-    "Architecture",
-    "Board",
-    "Chip",
-    "Contraction",
-    "Costs",
-    "Program",
-    "Region",
-    "Target",
-    "all_targets",
-    "compiled_targets",
-    "firmware_targets",
-    "planned_targets",
-    "target_named",
-]
+    "TARGETS", "Architecture", "Board", "Chip", "Contraction", "Costs", "Region", "Target", "all_targets",
+    "compiled_targets", "firmware_targets", "planned_targets", "target_named",
+]  # fmt: skip

@@ -4,7 +4,6 @@ A record stands here, or with what it belongs to: a compiler with its language, 
 architecture. Error messages, ``robodyn doctor`` and the tests take names and packages from the records.
 """
 
-from robodyn.tools.library import Library
-from robodyn.tools.tool import Tool, Use
+from robodyn.tools.tool import Library, Tool, Use
 
 __all__ = ["Library", "Tool", "Use"]

@@ -7,8 +7,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any, Final
 
-from robodyn.tools.library import Library
-from robodyn.tools.tool import Use
+from robodyn.tools.tool import Library, Use
 
 CFFI: Final = Library("cffi", Use.EVERYTHING, "calls of compiled kernels")
 CLICK: Final = Library("click", Use.EVERYTHING, "commands")

@@ -13,7 +13,7 @@ from robodyn.errors import InputError, Place
 from robodyn.files import label, open_regular
 from robodyn.logs.recording import Recording
 from robodyn.registry import Registry
-from robodyn.tools.library import Library
+from robodyn.tools import Library
 
 
 @dataclass(frozen=True, slots=True)
