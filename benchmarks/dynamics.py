@@ -24,10 +24,10 @@ from benchmarks.marked import with_part
 
 from robodyn import Options, load, program
 from robodyn.dynamics.arm import JointAngle, Motion, build_arm, build_motion, inertial
-from robodyn.dynamics.energy import energies
 from robodyn.dynamics.mass_matrix import mass_matrix
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.dynamics.parallel import single_turns
+from robodyn.dynamics.reference import energies
 from robodyn.dynamics.regressor import torques_from
 from robodyn.dynamics.regroup import lumps_of
 from robodyn.ir.evaluate import evaluate

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -12,7 +13,7 @@ from ir.programs import Point, exactly
 from peers.numbers import Array, armature, number
 from robodyn import Options, load, program
 from robodyn.counts import count
-from robodyn.dynamics.functions import derivatives
+from robodyn.dynamics.functions import FUNCTIONS as RECORDS
 from robodyn.ir import Graph, Input, Program
 from robodyn.ir.derivative import jacobian
 from robodyn.ir.evaluate import evaluate
@@ -193,17 +194,16 @@ def test_drives_are_differentiated_with_all_they_do() -> None:
 @pytest.mark.parametrize("function", FUNCTIONS)
 def test_a_wrong_formula_is_noticed(function: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Nothing leaves whose friction, gravity or momenta are not those of the recursion."""
-    right = derivatives._flat
-    robot = load("puma560_3dof")
+    right = RECORDS[function]
 
-    def wrong(*matrices: list[list[Any]]) -> list[Any]:
-        first = [list(row) for row in matrices[0]]
-        first[2][1] = first[2][1] * Fraction(999, 1000)
-        return right(first, *matrices[1:])
+    def wrong(at: Any) -> list[Any]:
+        elements = list(right.outputs(at))
+        elements[7] = elements[7] * Fraction(999, 1000)
+        return elements
 
-    monkeypatch.setattr(derivatives, "_flat", wrong)
+    monkeypatch.setitem(RECORDS, function, replace(right, outputs=wrong))
     with pytest.raises(Unequal):
-        program(robot, function, FAST)
+        program(load("puma560_3dof"), function, FAST)
 
 
 def test_what_is_always_zero_is_listed() -> None:

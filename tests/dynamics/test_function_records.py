@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from robodyn.dynamics.functions import FUNCTIONS, INPUTS, array_named, function_named, torques_at
-from robodyn.dynamics.functions.arguments import Array
+from robodyn.dynamics.functions.record import Array
 from robodyn.errors import InputError
 
 ROOT = Path(__file__).parents[2]

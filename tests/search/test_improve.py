@@ -63,7 +63,7 @@ def check(record: Record, robot: Robot = ROBOT, function: str = "inverse_dynamic
     assert (record.robot, record.identity, record.function) == (robot.name, identity(robot), function)
     assert cost(record.program, objective) <= cost(fast(robot, function), objective)
     if robot.rest_velocity is None:
-        assert equals_recursion(robot, function, record.program, seed=5)
+        assert equals_recursion(robot, function, record.program)
     assert parse_record(record.text(), "") == record
     made = program(robot, function, Options((function,), objective=record.objective, records=(record,)))
     assert cost(made, objective) <= cost(fast(robot, function), objective)

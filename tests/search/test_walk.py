@@ -75,7 +75,7 @@ def check(
         fingerprint(plain, s, circle_point) for s in seeds
     ]
     if robot.rest_velocity is None:
-        assert equals_recursion(robot, function, made, points=1, seed=seed)
+        assert equals_recursion(robot, function, made, points=1)
     if not function_named(function).solves:  # what is divided by is an operand that no walk looks into
         saved = own_cost(plain, objective, weights) - own_cost(made, objective, weights)
         assert saved >= (before - after if objective == SUM else 0), "no folding makes it more again"

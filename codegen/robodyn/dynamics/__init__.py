@@ -4,12 +4,11 @@ Modules and packages from the bottom to the top, each of which imports only thos
 
 - numbers and frames: ``limits vectors arm transforms``
 - one arm, and what its functions ask of it: ``lump parallel base_parameter state``
-- motion of frames: ``kinematics sections poses jacobians drift dual``
-- masses: ``carried regroup composite spatial weights energy momenta mass_matrix``
+- motion of frames: ``kinematics sections poses jacobians dual``
+- masses: ``regroup spatial weights momenta mass_matrix``
 - recursions: ``joints newton_euler modified_newton_euler derivatives articulated``
-- what rests on recursions: ``operational responses wrenches regressor base_set``
-- references: ``free_bodies described``
+- what rests on recursions: ``operational regressor base_set reference``
 - joint positions of a pose: ``inverse``
 - the table of functions: ``functions``
-- programs of functions, put together and proven: ``upon compose closing equality``
+- programs of functions, put together and proven: ``compose closing equality``
 """

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
-from robodyn.dynamics.vectors import BASE, ZERO, Frame, Vector
+from robodyn.dynamics.vectors import BASE, ZERO, Frame, Mark, Vector
 from robodyn.effects.scalars import cosine, is_zero, sine
 from robodyn.ir.program import Label
 from robodyn.robot.model import Inertia, Placement, Robot
@@ -36,6 +36,40 @@ class Symmetric:
     def entries(self) -> tuple[Any, ...]:
         """``xx yy zz xy xz yz``."""
         return (self.xx, self.yy, self.zz, self.xy, self.xz, self.yz)
+
+    def plus(self, other: Symmetric) -> Symmetric:
+        """The sum of both."""
+        return Symmetric(*(u + v for u, v in zip(self.entries(), other.entries(), strict=True)))
+
+    def about_x(self, c: Any, s: Any) -> Symmetric:
+        """The same turned about x by the angle of cosine ``c`` and sine ``s``."""
+        turned = c * c * (self.yy - self.zz) - 2 * (c * s) * self.yz
+        return Symmetric(
+            self.xx,
+            self.zz + turned,
+            self.yy - turned,
+            c * self.xy - s * self.xz,
+            s * self.xy + c * self.xz,
+            c * s * (self.yy - self.zz) + (2 * (c * c) - 1) * self.yz,
+        )
+
+    def about_z(self, c: Any, s: Any) -> Symmetric:
+        """The same turned about z by the angle of cosine ``c`` and sine ``s``."""
+        # The part of xx that comes and goes with the angle.
+        turned = c * c * (self.xx - self.yy) - 2 * (c * s) * self.xy
+        return Symmetric(
+            self.yy + turned,
+            self.xx - turned,
+            self.zz,
+            c * s * (self.xx - self.yy) + (2 * (c * c) - 1) * self.xy,
+            c * self.xz - s * self.yz,
+            s * self.xz + c * self.yz,
+        )
+
+    def named(self, mark: Mark, link: int, quantity: str) -> Symmetric:
+        """The same with each entry marked as ``quantity`` of ``link``."""
+        entries = zip(self.entries(), ("xx", "yy", "zz", "xy", "xz", "yz"), strict=True)
+        return Symmetric(*(mark(value, Label(link, quantity, axes)) for value, axes in entries))
 
 
 @dataclass(frozen=True, slots=True)

@@ -35,6 +35,11 @@ class Yielding:
     felt: Spatial
 
 
+def origins_of(at: Moving) -> list[Vector]:
+    """The origins of the links [n], along the axes of those before them."""
+    return [origin(body, d) for body, d in zip(at.arm.bodies, at.motion.d, strict=True)]
+
+
 def yielding(at: Moving, origins: Sequence[Vector], mark: Mark) -> list[Yielding]:
     """How the joints [n] give way, each with all that it carries free to move; ``origins`` [n] of the links
     along the axes of those before them."""
@@ -50,7 +55,7 @@ def yielding(at: Moving, origins: Sequence[Vector], mark: Mark) -> list[Yielding
 def articulated_bodies(at: Moving, tau: Sequence[Any], mark: Mark = unmarked) -> list[Any]:
     """Accelerations [n] (rad/s^2; m/s^2 at prismatic joints) that the torques ``tau`` [n] give."""
     arm, motion = at.arm, at.motion
-    origins = [origin(body, d) for body, d in zip(arm.bodies, motion.d, strict=True)]
+    origins = origins_of(at)
     rates, carried = _rates(at, origins, mark)
     joints = yielding(at, origins, mark)
     left = _left(at, tau, joints, origins, rates, carried, mark)

@@ -3,18 +3,45 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from robodyn.dynamics.functions import Dynamics, Function, torques_at
-from robodyn.dynamics.state import Vector
-from robodyn.dynamics.upon import Upon
+from robodyn.dynamics.functions import Dynamics, Function, Rotor, torques_at
+from robodyn.dynamics.state import RigidDrives, Vector
 from robodyn.ir.derivative import jacobian
 from robodyn.ir.graph import Graph
 from robodyn.ir.lowering import lower
 from robodyn.ir.program import Input, Label, Program
 
+if TYPE_CHECKING:
+    from robodyn.dynamics.base_parameter import BaseParameter
+
 #: The dynamics in a graph, at inputs ``[n]`` by name.
 Beneath = Callable[[Graph, Mapping[str, Vector]], Dynamics]
+#: Matrices as rows.
+Rows = list[list[Any]]
+
+
+class DynamicsOnTop(RigidDrives):
+    """What the dynamics ``beneath`` say of places, motion and masses, is what these say; see
+    :class:`robodyn.dynamics.functions.Dynamics`."""
+
+    def __init__(self, beneath: Dynamics) -> None:
+        self.beneath, self.arm = beneath, beneath.arm
+        self.cheapest, self.rounding = beneath.cheapest, beneath.rounding
+        self.motion, self.turns, self.links = beneath.motion, beneath.turns, beneath.links
+        self.reactions = beneath.reactions
+
+    def base_set(self) -> Sequence[BaseParameter]:
+        """The base parameters."""
+        return self.beneath.base_set()
+
+    def rotors(self) -> Sequence[Rotor]:
+        """The rotors."""
+        return self.beneath.rotors()
+
+    def inertial_torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Sequence[Any]:
+        """Joint torques [n] without gravity and what drives do besides."""
+        return self.beneath.inertial_torques(qd, qdd)
 
 
 def composed(function: Function, programs: Mapping[str, Program], n: int, beneath: Beneath) -> list[Program]:
@@ -39,10 +66,6 @@ def side_by_side(function: Function, programs: Sequence[Program]) -> Program:
     return lower(graph, [(array.name, results[array.name]) for array in function.results])
 
 
-#: Matrices as rows.
-Rows = list[list[Any]]
-
-
 def torque_derivatives(
     graph: Graph, torques: Callable[[Vector, Vector], Vector], qd: Vector, qdd: Vector
 ) -> tuple[Rows, Rows]:
@@ -59,16 +82,11 @@ def torque_derivatives(
     return matrix[:n], matrix[n:]
 
 
-class _OfParts(Upon):
-    """The dynamics that programs give, see :class:`robodyn.dynamics.functions.Dynamics`."""
+class _OfParts(DynamicsOnTop):
+    """The dynamics that programs give."""
 
     def __init__(
-        self,
-        graph: Graph,
-        function: Function,
-        programs: Mapping[str, Program],
-        n: int,
-        beneath: Beneath,
+        self, graph: Graph, function: Function, programs: Mapping[str, Program], n: int, beneath: Beneath
     ) -> None:
         self._graph, self._function, self._programs = graph, function, programs
         self._values: dict[str, list[Any]] = {part: graph.replay(programs[part]) for part in function.parts}
@@ -83,11 +101,10 @@ class _OfParts(Upon):
     def torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
         """Joint torques [n], of the part that gives them."""
         part = torques_at(qd, qdd).name
-        rates = {"qd": qd, "qdd": qdd}
+        values, rates = self._part(part), {"qd": qd, "qdd": qdd}
         other = [name for name, x in rates.items() if x is not self.rest and x is not self.inputs.get(name)]
         if not other:
-            return self._part(part)
-        self._part(part)
+            return values
         inputs = {Input(name, i): x for name in other for i, x in enumerate(rates[name])}
         return self._graph.replay(self._programs[part], inputs=inputs)
 

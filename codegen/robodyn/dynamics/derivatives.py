@@ -21,8 +21,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, about_x, about_z, origin
-from robodyn.dynamics.composite import NOTHING, Composite, moving, named_composite
 from robodyn.dynamics.modified_newton_euler import Lambda, lambda_matrix
+from robodyn.dynamics.parallel import reaches
+from robodyn.dynamics.spatial import NO_COMPOSITE, Composite
 from robodyn.dynamics.state import Moving
 from robodyn.dynamics.vectors import ZERO, Mark, Vector, cross, dot, named, plus, scaled, unmarked
 
@@ -70,33 +71,24 @@ def _derivatives(at: Moving, gravity: Vector, times: int, mark: Mark) -> Torque:
     """Momenta and rates are taken ``times``, so that the derivatives by velocities come ``times`` half, and
     those by positions right for 2."""
     arm, turns, n = at.arm, at.turns, len(at.arm.bodies)
-    reach = _reach(at)
+    reach = reaches(arm, at.motion, turns)
     links = _forward(at, gravity, mark)
     by_q, by_qd, by_qdd = ([[0] * n for _ in range(n)] for _ in range(3))
     derivatives = Torque(by_q, by_qd, by_qdd)
-    beyond = NOTHING
+    beyond = NO_COMPOSITE
     for i in reversed(range(n)):
         c, s = turns.c[i], turns.s[i]
-        here, further = _own(at, links, i), NOTHING
+        here, further = _own(at, links, i), NO_COMPOSITE
         if i + 1 < n:
             child = arm.bodies[i + 1]
             further = beyond.turned_x(child.cos_alpha, child.sin_alpha).about(reach[i])
             if not turns.follows[i + 1]:
-                here, further = here.with_(further), NOTHING
-        composite = named_composite(here.turned_z(c, s).with_(further), i + 1, mark)
+                here, further = here.with_(further), NO_COMPOSITE
+        composite = here.turned_z(c, s).with_(further).named(i + 1, mark)
         wrenches = _wrenches(arm, i, composite, links[i], times)
         _carry_down(at, i, wrenches, links, reach, derivatives, times)
-        beyond = moving(composite, arm, i, times * at.motion.qd[i])
+        beyond = composite.moving(arm, i, times * at.motion.qd[i])
     return derivatives
-
-
-def _reach(at: Moving) -> list[Vector]:
-    """The next origin from each, along the axes in which the two links' composite is formed."""
-    reach: list[Vector] = []
-    for i in range(1, len(at.arm.bodies)):
-        p = origin(at.arm.bodies[i], at.motion.d[i])
-        reach.append(about_z(at.turns.c[i - 1], at.turns.s[i - 1], p) if at.turns.follows[i] else p)
-    return reach
 
 
 def _forward(at: Moving, gravity: Vector, mark: Mark) -> list[_Link]:

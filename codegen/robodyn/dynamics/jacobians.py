@@ -1,4 +1,5 @@
-"""Geometric Jacobian of the tool's origin, over any scalar, in few operations.
+"""Geometric Jacobian of the tool's origin, what its rate gives, and joint torques of a wrench on the tool,
+over any scalar, in few operations.
 
 Column j is ``z x r`` and ``z``: the joint's axis, and the lever ``r`` from its frame's origin to the tool. A
 lever may be nested from the tip, along the axes of the section or link that it begins in, where the cross
@@ -11,15 +12,16 @@ whose axes it has zeros. Which takes fewer operations depends on the arm, and is
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
 
+from robodyn.dynamics.arm import about_z, into_child, origin
 from robodyn.dynamics.limits import SECTIONS_TRIED
-from robodyn.dynamics.poses import placed
-from robodyn.dynamics.sections import ROWS, Placed, Row, Section, along, tried
+from robodyn.dynamics.poses import placed, tool_place
+from robodyn.dynamics.sections import ROWS, Placed, Row, Section, Step, along, grounded, sections_of, tried
 from robodyn.dynamics.state import Dynamics
-from robodyn.dynamics.vectors import ZERO, Vector, cross, named, plus, scaled
+from robodyn.dynamics.vectors import ZERO, Vector, cross, dot, minus, named, plus, scaled
 
 #: What is tried: a row of the axes that is made of the others, and from how many sections nearby directions
 #: are written; with levers put together anywhere, and with nested ones. Other combinations have not paid.
@@ -139,3 +141,131 @@ def _directions(arm: Placed, k: int, nearby: int) -> list[Vector]:
 def _across(x: Vector, y: Vector, lever: Vector, way: int) -> Vector:
     """``z x lever``, the lever along the axes ``x``, ``y`` (and ``z``, times ``way``)."""
     return plus(scaled(way * lever[0], y), scaled(-(way * lever[1]), x))
+
+
+# --- the rate of the Jacobian ------------------------------------------------------------------------------
+# From the tip to the base, place, velocity, acceleration and turning of the tool relative to the carrier of a
+# section are those relative to its last link, turned, and what the section's own rate adds (Craig, 5.6, and
+# 6.2 for accelerations). All is zero or constant at the tip; what comes out at the base is along its axes.
+
+
+@dataclass(frozen=True, slots=True)
+class _Relative:
+    """The tool relative to a link, along axes that it carries: ``place`` [m], ``velocity`` and
+    ``acceleration`` of its origin, ``spin`` and ``spin_rate`` of its axes [rad/s, rad/s^2]."""
+
+    place: Vector
+    velocity: Vector
+    acceleration: Vector
+    spin: Vector
+    spin_rate: Vector
+
+
+def tool_drift(at: Dynamics) -> list[Any]:
+    """Acceleration of the tool's origin and angular acceleration [6] at zero joint accelerations, along the
+    world's axes."""
+    qd = at.inputs["qd"]
+    motion, turns = at.motion(qd, at.rest), at.turns(qd, at.rest)
+    base, sections = grounded(at.arm.base, sections_of(at.arm, motion, turns))
+    tool = _Relative(ZERO, ZERO, ZERO, ZERO, ZERO)
+    for section in sections[:0:-1]:
+        tool = _relative_to_carrier(at, section, turns.rate, tool, early=False)
+    ways = []
+    for early in (False, True):  # what nobody asks for need not be turned
+        last = _relative_to_carrier(at, sections[0], turns.rate, tool, early=early)
+        accelerations = (along((base.x, base.y, base.z), u) for u in (last.acceleration, last.spin_rate))
+        ways.append([x for u in accelerations for x in u])
+    (result,) = at.cheapest([ways])
+    return list(result)
+
+
+def _relative_to_carrier(
+    at: Dynamics, section: Section, rates: Sequence[Any], tool: _Relative, *, early: bool
+) -> _Relative:
+    """The tool relative to what carries the section, along its axes, from the same relative to the section's
+    last link."""
+    *inner, last = section.steps
+    slides = not at.arm.bodies[last.link].revolute
+    rate = 0 if slides else rates[last.link]
+    tool = replace(tool, place=plus(last.reach, tool.place))
+    tool = _turned_early(last, rate, tool) if early else _turned(last, rate, tool)
+    place, velocity, acceleration = tool.place, tool.velocity, tool.acceleration
+    for step in reversed(inner):
+        arm = about_z(step.c, step.s, step.reach)
+        speed = _spun(rates[step.link], arm)
+        place = plus(_flipped(step, arm), place)
+        velocity = plus(_flipped(step, speed), velocity)
+        acceleration = plus(_flipped(step, _spun(rates[step.link], speed)), acceleration)
+    place = plus(section.offset, place)
+    if slides:
+        velocity = plus(velocity, (0, 0, at.inputs["qd"][last.link]))
+    moved = (place, velocity, acceleration, tool.spin, tool.spin_rate)
+    link = section.steps[0].link + 1
+    names = ("r", "vr", "ar", "wr", "alphar")
+    return _Relative(
+        *(named(at.mark, section.untwisted(u), link, name) for u, name in zip(moved, names, strict=True))
+    )
+
+
+def _turned(step: Step, rate: Any, tool: _Relative) -> _Relative:
+    """The tool relative to the section's axes: turned, and what the link's ``rate`` adds."""
+    c, s = step.c, step.s
+    place, carried, spin = (about_z(c, s, u) for u in (tool.place, tool.velocity, tool.spin))
+    velocity = plus(carried, _spun(rate, place))
+    acceleration = plus(about_z(c, s, tool.acceleration), _spun(rate, plus(carried, velocity)))
+    spin_rate = plus(about_z(c, s, tool.spin_rate), _spun(rate, spin))
+    moved = (place, velocity, acceleration, plus(spin, (0, 0, rate)), spin_rate)
+    return _Relative(*(_flipped(step, u) for u in moved))
+
+
+def _turned_early(step: Step, rate: Any, tool: _Relative) -> _Relative:
+    """The same, what the rate adds being turned as well."""
+    velocity = plus(tool.velocity, _spun(rate, tool.place))
+    acceleration = plus(tool.acceleration, _spun(rate, plus(tool.velocity, velocity)))
+    spin_rate = plus(tool.spin_rate, _spun(rate, tool.spin))
+    moved = (tool.place, velocity, acceleration, plus(tool.spin, (0, 0, rate)), spin_rate)
+    return _Relative(*(step.turned(u) for u in moved))
+
+
+def _spun(rate: Any, u: Vector) -> Vector:
+    """``rate z x u``."""
+    return -(rate * u[1]), rate * u[0], 0
+
+
+def _flipped(step: Step, u: Vector) -> Vector:
+    return u[0], step.way * u[1], step.way * u[2]
+
+
+# --- joint torques of a wrench ------------------------------------------------------------------------------
+
+
+def wrench_torques(at: Dynamics) -> list[Any]:
+    """Joint torques [n] (N m; N at prismatic joints) of the wrench on the tool, ``J^T w``: each column of the
+    Jacobian times the wrench. Source: Craig, Introduction to Robotics, 5.9 (static forces)."""
+    f, moment = _wrench(at)
+    return [dot(v, f) + dot(w, moment) for v, w in columns(at)]
+
+
+def wrench_torques_outward(at: Dynamics) -> list[Any]:
+    """The same, force and moment about each origin turned from link to link, base to tip."""
+    arm, (f, moment) = at.arm, _wrench(at)
+    motion = at.motion(at.rest, at.rest)
+    base = arm.base
+    # About the base frame's origin, along its axes.
+    lever = minus(tool_place(at, placed(at)), base.origin)
+    moment = base.back(plus(moment, cross(lever, f)))
+    f = base.back(f)
+    torques = []
+    for i, body in enumerate(arm.bodies):
+        c, s = motion.c[i], motion.s[i]
+        moment = into_child(body, c, s, plus(moment, cross(f, origin(body, motion.d[i]))))
+        f = into_child(body, c, s, f)
+        f, moment = named(at.mark, f, i + 1, "fw"), named(at.mark, moment, i + 1, "nw")
+        torques.append(moment[2] if body.revolute else f[2])
+    return torques
+
+
+def _wrench(at: Dynamics) -> tuple[Vector, Vector]:
+    """Force and moment at the tool's origin, along the world's axes."""
+    fx, fy, fz, nx, ny, nz = at.inputs["w"]
+    return (fx, fy, fz), (nx, ny, nz)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from robodyn.dynamics.arm import Symmetric
-from robodyn.dynamics.vectors import Vector
+from robodyn.dynamics.vectors import Mark, Vector, named
 
 #: How the moment of a link about its origin is written.
 #:
@@ -38,6 +38,11 @@ class Lump:
         """Inertia tensor about the frame's origin [kg m^2]."""
         k = self.second
         return Symmetric(k.yy + k.zz, k.xx + k.zz, k.xx + k.yy, -k.xy, -k.xz, -k.yz)
+
+    def named(self, mark: Mark, link: int) -> Lump:
+        """The same, of ``link``, with each component marked."""
+        first = named(mark, self.first, link, "h")
+        return Lump(self.mass, first, self.second.named(mark, link, "k"))
 
 
 #: Nothing at all.

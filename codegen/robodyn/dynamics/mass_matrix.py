@@ -5,12 +5,12 @@ Sources: Walker and Orin 1982 (composite rigid bodies); Featherstone 2008, chapt
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
-from robodyn.dynamics.arm import Arm, Motion, about_x, about_z, origin
+from robodyn.dynamics.arm import Arm, Motion, about_x, about_z
 from robodyn.dynamics.lump import NO_LUMP, Lump
-from robodyn.dynamics.parallel import Turns
+from robodyn.dynamics.parallel import Turns, reaches
 from robodyn.dynamics.regroup import about_axis_x, about_axis_z, merged, shifted
 from robodyn.dynamics.vectors import Mark, Vector, cross, named, plus, unmarked
 from robodyn.effects.scalars import is_zero, quotient
@@ -27,11 +27,7 @@ def mass_matrix(
     """
     n = len(arm.bodies)
     matrix: list[list[Any]] = [[0] * n for _ in range(n)]
-    # The next origin from each, along the axes in which the two links' composite is formed.
-    reach: list[Vector] = []
-    for i in range(1, n):
-        p = origin(arm.bodies[i], motion.d[i])
-        reach.append(about_z(turns.c[i - 1], turns.s[i - 1], p) if turns.follows[i] else p)
+    reach = reaches(arm, motion, turns)
     composite = NO_LUMP
     for j in reversed(range(n)):
         body, c, s = arm.bodies[j], turns.c[j], turns.s[j]
@@ -43,7 +39,7 @@ def mass_matrix(
                 here, further = merged(here, further), NO_LUMP
         # Inertia about the joint's axis, which the turn does not change.
         about_axis = (here.second.xx + here.second.yy) + (further.second.xx + further.second.yy)
-        composite = _marked(merged(about_axis_z(here, c, s), further), j + 1, mark)
+        composite = merged(about_axis_z(here, c, s), further).named(mark, j + 1)
         (x, y, _), k = composite.first, composite.second
         # Force and moment that a unit acceleration of joint j alone needs, about the frame's origin.
         if body.revolute:
@@ -68,13 +64,6 @@ def mass_matrix(
             f = named(mark, f, i + 1, "fu")
             moment = named(mark, moment, i + 1, "nu")
     return matrix
-
-
-def _marked(lump: Lump, link: int, mark: Mark) -> Lump:
-    first = named(mark, lump.first, link, "h")
-    entries = zip(lump.second.entries(), ("xx", "yy", "zz", "xy", "xz", "yz"), strict=True)
-    second = type(lump.second)(*(mark(value, Label(link, "k", axes)) for value, axes in entries))
-    return Lump(lump.mass, first, second)
 
 
 class Factored:
@@ -111,12 +100,15 @@ class Factored:
 
     def halved(self, right: Sequence[Any]) -> list[Any]:
         """``U^-1 right`` [n], from tip to base; what is zero at the tip stays zero there."""
+        return self._halved(right, lambda total, row: total)
+
+    def _halved(self, right: Sequence[Any], mark: Callable[[Any, int], Any]) -> list[Any]:
         half: list[Any] = []
         for i, row in enumerate(self._order):
             total = right[row]
             for k in range(i):
                 total = total - self._factor[i][k] * half[k]
-            half.append(total)
+            half.append(mark(total, row))
         return half
 
     def divided(self, half: Sequence[Any]) -> list[Any]:
@@ -125,17 +117,12 @@ class Factored:
 
     def solve(self, right: Sequence[Any], quantity: str = "qdd") -> list[Any]:
         """The solution [n] of ``matrix x = right``; emitted code calls it ``quantity``."""
-        factor, mark, order, n = self._factor, self._mark, self._order, len(right)
-        y: list[Any] = []
-        for i in range(n):
-            total = right[order[i]]
-            for k in range(i):
-                total = total - factor[i][k] * y[k]
-            y.append(mark(total, Label(order[i] + 1, "y", "")))
-        x = [y[i] * self._inverse[i] for i in range(n)]
+        mark, order, n = self._mark, self._order, len(right)
+        half = self._halved(right, lambda total, row: mark(total, Label(row + 1, "y", "")))
+        x = self.divided(half)
         for i in reversed(range(n)):
             for k in range(i + 1, n):
-                x[i] = x[i] - factor[k][i] * x[k]
+                x[i] = x[i] - self._factor[k][i] * x[k]
             x[i] = mark(x[i], Label(order[i] + 1, quantity, ""))
         return [x[order[i]] for i in range(n)]
 

@@ -9,7 +9,7 @@ joint's force, and rotor inertia on the diagonal.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -118,6 +118,14 @@ def reactions(
     the origin of link i's frame (steps 7 and 8); ``beyond`` are those of the last link on what lies beyond
     it, in its frame."""
     return [(f, moment) for _, f, moment in _inward(arm, motion, mark, beyond)][::-1]
+
+
+def beyond_the_last_link(arm: Arm, motion: Motion, w: Sequence[Any]) -> tuple[Vector, Vector]:
+    """Force and moment of the last link on what pushes the tool with ``w`` [6], in that link's frame."""
+    f, moment = (scaled(-1, arm.base.back(u)) for u in ((w[0], w[1], w[2]), (w[3], w[4], w[5])))
+    for body, c, s in zip(arm.bodies, motion.c, motion.s, strict=True):
+        f, moment = into_child(body, c, s, f), into_child(body, c, s, moment)
+    return f, plus(moment, cross(arm.tool.origin, f))
 
 
 def _inward(arm: Arm, motion: Motion, mark: Mark, beyond: Reaction) -> Iterator[tuple[int, Vector, Vector]]:

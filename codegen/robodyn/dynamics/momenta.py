@@ -12,21 +12,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from robodyn.dynamics.arm import Arm, Motion, about_x, about_z, origin
 from robodyn.dynamics.lump import Lump
 from robodyn.dynamics.state import Rotor
-from robodyn.dynamics.vectors import ZERO, Mark, Vector, cross, dot, named, plus, scaled, unmarked
+from robodyn.dynamics.vectors import HALF, ZERO, Mark, Vector, cross, dot, named, plus, scaled, unmarked
 from robodyn.effects.scalars import is_zero
 from robodyn.ir.program import Label
 
 if TYPE_CHECKING:
     from robodyn.dynamics.parallel import Turns
     from robodyn.dynamics.state import Moving
-
-HALF = Fraction(1, 2)
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,7 +11,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from robodyn.dynamics.arm import Arm, JointAngle, Motion, Trigonometry
+from robodyn.dynamics.arm import Arm, JointAngle, Motion, Trigonometry, about_z, origin
+from robodyn.dynamics.vectors import Vector
 from robodyn.effects.scalars import is_zero
 from robodyn.robot.values import quarter_turns
 
@@ -71,6 +72,15 @@ def chain_turns(
             rate[i] = way * rate[i - 1] + rate[i]
             acceleration[i] = way * acceleration[i - 1] + acceleration[i]
     return Turns(tuple(c), tuple(s), tuple(rate), tuple(acceleration), follows)
+
+
+def reaches(arm: Arm, motion: Motion, turns: Turns) -> list[Vector]:
+    """The next origin from each [n - 1], along the axes in which the composite of the two links is formed."""
+    reach: list[Vector] = []
+    for i in range(1, len(arm.bodies)):
+        p = origin(arm.bodies[i], motion.d[i])
+        reach.append(about_z(turns.c[i - 1], turns.s[i - 1], p) if turns.follows[i] else p)
+    return reach
 
 
 def _summed(before: JointAngle, way: int, quarter: int | None) -> Any:

@@ -11,14 +11,15 @@ must be fixed.
 
 from __future__ import annotations
 
+import functools
+import math
 from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
-from robodyn.dynamics.arm import Arm, Symmetric, origin
-from robodyn.dynamics.carried import carried
+from robodyn.dynamics.arm import Arm, Symmetric, about_x, about_z, origin
 from robodyn.dynamics.lump import NO_LUMP, Lump, MomentForm
-from robodyn.dynamics.vectors import Vector
+from robodyn.dynamics.vectors import Vector, plus
 from robodyn.effects.scalars import is_zero
 
 
@@ -95,49 +96,17 @@ def suited_forms(arm: Arm) -> tuple[MomentForm, ...]:
 
 def merged(one: Lump, other: Lump) -> Lump:
     """Both lumps, in one frame."""
-    return Lump(
-        one.mass + other.mass,
-        (one.first[0] + other.first[0], one.first[1] + other.first[1], one.first[2] + other.first[2]),
-        Symmetric(*(u + v for u, v in zip(one.second.entries(), other.second.entries(), strict=True))),
-    )
+    return Lump(one.mass + other.mass, plus(one.first, other.first), one.second.plus(other.second))
 
 
 def about_axis_z(lump: Lump, c: Any, s: Any) -> Lump:
     """``lump`` turned about z by the angle of cosine ``c`` and sine ``s``."""
-    x, y, z = lump.first
-    return Lump(lump.mass, (c * x - s * y, s * x + c * y, z), tensor_about_z(lump.second, c, s))
-
-
-def tensor_about_z(k: Symmetric, c: Any, s: Any) -> Symmetric:
-    """``k`` turned about z by the angle of cosine ``c`` and sine ``s``."""
-    turned = c * c * (k.xx - k.yy) - 2 * (c * s) * k.xy  # the part of xx that comes and goes with the angle
-    return Symmetric(
-        k.yy + turned,
-        k.xx - turned,
-        k.zz,
-        c * s * (k.xx - k.yy) + (2 * (c * c) - 1) * k.xy,
-        c * k.xz - s * k.yz,
-        s * k.xz + c * k.yz,
-    )
+    return Lump(lump.mass, about_z(c, s, lump.first), lump.second.about_z(c, s))
 
 
 def about_axis_x(lump: Lump, c: Any, s: Any) -> Lump:
     """``lump`` turned about x by the angle of cosine ``c`` and sine ``s``."""
-    x, y, z = lump.first
-    return Lump(lump.mass, (x, c * y - s * z, s * y + c * z), tensor_about_x(lump.second, c, s))
-
-
-def tensor_about_x(k: Symmetric, c: Any, s: Any) -> Symmetric:
-    """``k`` turned about x by the angle of cosine ``c`` and sine ``s``."""
-    turned = c * c * (k.yy - k.zz) - 2 * (c * s) * k.yz
-    return Symmetric(
-        k.xx,
-        k.zz + turned,
-        k.yy - turned,
-        c * k.xy - s * k.xz,
-        s * k.xy + c * k.xz,
-        c * s * (k.yy - k.zz) + (2 * (c * c) - 1) * k.yz,
-    )
+    return Lump(lump.mass, about_x(c, s, lump.first), lump.second.about_x(c, s))
 
 
 def shifted(lump: Lump, p: Vector) -> Lump:
@@ -165,6 +134,64 @@ def in_parent(lump: Lump, arm: Arm, i: int, d: Any) -> Lump:
 
 
 def moved_into(lump: Lump, c: Any, s: Any, p: Vector) -> Lump:
-    """``lump`` turned about x, and then about a point from which its own origin lies at ``p`` [m]."""
-    moved = carried(lump, c, s, p)
-    return shifted(about_axis_x(lump, c, s), p) if moved is None else moved
+    """``lump`` turned about x by the angle of cosine ``c`` and sine ``s``, and then about a point from which
+    its own origin lies at ``p`` [m]."""
+    numbers = (lump.mass, *lump.first, *lump.second.entries(), c, s, *p)
+    if all(isinstance(x, (int, Fraction)) for x in numbers):
+        return _moved_exactly(lump, c, s, p)
+    return shifted(about_axis_x(lump, c, s), p)
+
+
+@functools.lru_cache(maxsize=1024)
+def _moved_exactly(lump: Lump, c: int | Fraction, s: int | Fraction, p: Vector) -> Lump:
+    """The same in whole numbers.
+
+    Exact numbers gain digits with every frame that they are carried through, and the sums of a move in
+    fractions take a greatest common divisor each, which costs the square of the digits: on long arms that is
+    most of a generation. Here all ten numbers share one denominator, and each is reduced once, at the end.
+    Remembered: writings of an arm that are weighed against each other share most of their moves.
+    """
+    numbers = (lump.mass, *lump.first, *lump.second.entries())
+    (m, x, y, z, xx, yy, zz, xy, xz, yz), below = _over_one(numbers)
+    (C, S), e = _over_one((c, s))
+    (p0, p1, p2), f = _over_one(p)
+    # Turned, everything over below * e^2.
+    m, ee = m * e * e, e * e
+    x, y, z = x * ee, (C * y - S * z) * e, (S * y + C * z) * e
+    turned = C * C * (yy - zz) - 2 * C * S * yz
+    xx, yy, zz, xy, xz, yz = (
+        xx * ee,
+        zz * ee + turned,
+        yy * ee - turned,
+        (C * xy - S * xz) * e,
+        (S * xy + C * xz) * e,
+        C * S * (yy - zz) + (2 * C * C - ee) * yz,
+    )
+    # Shifted, moments of order k over that times f^k.
+    hx, hy, hz = m * p0, m * p1, m * p2
+    x, y, z, ff = x * f, y * f, z * f, f * f
+    second = (
+        xx * ff + p0 * (2 * x + hx),
+        yy * ff + p1 * (2 * y + hy),
+        zz * ff + p2 * (2 * z + hz),
+        xy * ff + p0 * y + (x + hx) * p1,
+        xz * ff + p0 * z + (x + hx) * p2,
+        yz * ff + p1 * z + (y + hy) * p2,
+    )
+    below *= ee
+    first = (_reduced(x + hx, below * f), _reduced(y + hy, below * f), _reduced(z + hz, below * f))
+    return Lump(_reduced(m, below), first, Symmetric(*(_reduced(k, below * ff) for k in second)))
+
+
+def _over_one(numbers: Sequence[int | Fraction]) -> tuple[list[int], int]:
+    """``numbers`` as numerators over one denominator."""
+    below = math.lcm(*(x.denominator for x in numbers))
+    return [x.numerator * (below // x.denominator) for x in numbers], below
+
+
+def _reduced(numerator: int, denominator: int) -> int | Fraction:
+    """The quotient, an integer where it is one."""
+    if not numerator:
+        return 0
+    fraction = Fraction(numerator, denominator)
+    return fraction.numerator if fraction.denominator == 1 else fraction

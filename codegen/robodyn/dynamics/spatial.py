@@ -1,8 +1,7 @@
-"""Symmetric 6x6 forms of two vectors, about an origin: inertias of bodies that joints let move, over any
-scalar, and what such bodies answer with.
+"""Composite bodies over any scalar: symmetric 6x6 forms of two vectors about an origin, bodies in motion.
 
 An inertia takes the accelerations ``(alpha, a)``, angular and of the frame's origin, to the moment and force
-that they take. What a link answers with takes the force and moment at its origin to ``(a, alpha)``, in this
+that they take. What a link responds with takes the force and moment at its origin to ``(a, alpha)``, in this
 order: moved to another origin, the two are alike, one outward and the other inward.
 """
 
@@ -11,13 +10,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from robodyn.dynamics.arm import Symmetric
-from robodyn.dynamics.composite import Rows, rows_about_x, rows_about_z
-from robodyn.dynamics.lump import Lump
-from robodyn.dynamics.regroup import tensor_about_x, tensor_about_z
-from robodyn.dynamics.vectors import AXES, Mark, Vector, cross, dot, named, plus
-from robodyn.ir.program import Label
+from robodyn.dynamics.arm import Arm, Symmetric, about_x, about_z
+from robodyn.dynamics.lump import NO_LUMP, Lump
+from robodyn.dynamics.regroup import about_axis_x, about_axis_z, merged, shifted
+from robodyn.dynamics.vectors import AXES, ZERO, Mark, Vector, cross, dot, named, plus, scaled
 
+Rows = tuple[Vector, Vector, Vector]
 #: Two vectors, as a form takes and gives them.
 Pair = tuple[Vector, Vector]
 
@@ -33,7 +31,7 @@ class Spatial:
     def with_(self, other: Spatial) -> Spatial:
         """The sum of both."""
         one, two, three = (plus(u, v) for u, v in zip(self.B, other.B, strict=True))
-        return Spatial(_sum(self.A, other.A), (one, two, three), _sum(self.M, other.M))
+        return Spatial(self.A.plus(other.A), (one, two, three), self.M.plus(other.M))
 
     def times(self, u: Vector, v: Vector) -> Pair:
         """What the form makes of two vectors."""
@@ -44,11 +42,11 @@ class Spatial:
 
     def about_x(self, c: Any, s: Any) -> Spatial:
         """The same along axes turned back about x."""
-        return Spatial(tensor_about_x(self.A, c, s), rows_about_x(c, s, self.B), tensor_about_x(self.M, c, s))
+        return Spatial(self.A.about_x(c, s), rows_about_x(c, s, self.B), self.M.about_x(c, s))
 
     def about_z(self, c: Any, s: Any) -> Spatial:
         """The same along axes turned back about z."""
-        return Spatial(tensor_about_z(self.A, c, s), rows_about_z(c, s, self.B), tensor_about_z(self.M, c, s))
+        return Spatial(self.A.about_z(c, s), rows_about_z(c, s, self.B), self.M.about_z(c, s))
 
     def moved(self, r: Vector) -> Spatial:
         """Of an inertia the same about a point from which its origin lies at ``r``; of an answer, at a point
@@ -71,15 +69,11 @@ class Spatial:
 
     def named(self, link: int, quantity: str, mark: Mark) -> Spatial:
         """The same with each entry marked as ``quantity`` of ``link``."""
-
-        def tensor(k: Symmetric, part: str) -> Symmetric:
-            entries = zip(k.entries(), ("xx", "yy", "zz", "xy", "xz", "yz"), strict=True)
-            return Symmetric(*(mark(value, Label(link, quantity + part, axes)) for value, axes in entries))
-
         x, y, z = (
             named(mark, row, link, f"{quantity}b{axis}") for row, axis in zip(self.B, AXES, strict=True)
         )
-        return Spatial(tensor(self.A, "a"), (x, y, z), tensor(self.M, "m"))
+        A, M = (part.named(mark, link, quantity + of) for part, of in ((self.A, "a"), (self.M, "m")))
+        return Spatial(A, (x, y, z), M)
 
 
 def inertia_of(lump: Lump) -> Spatial:
@@ -96,5 +90,82 @@ def less(k: Symmetric, u: Vector, v: Vector) -> Symmetric:
     )  # fmt: skip
 
 
-def _sum(one: Symmetric, other: Symmetric) -> Symmetric:
-    return Symmetric(*(u + v for u, v in zip(one.entries(), other.entries(), strict=True)))
+@dataclass(frozen=True, slots=True)
+class Composite:
+    """All that is carried by a joint, about an origin: the masses, momentum ``p`` and ``N`` (by rows)
+    relative to the link, force ``f`` and moment ``n``."""
+
+    lump: Lump
+    p: Vector
+    N: Rows
+    f: Vector
+    n: Vector
+
+    def turned_x(self, c: Any, s: Any) -> Composite:
+        """The same along axes turned back about x."""
+        p, f, n = (about_x(c, s, u) for u in (self.p, self.f, self.n))
+        return Composite(about_axis_x(self.lump, c, s), p, rows_about_x(c, s, self.N), f, n)
+
+    def turned_z(self, c: Any, s: Any) -> Composite:
+        """The same along axes turned back about z."""
+        p, f, n = (about_z(c, s, u) for u in (self.p, self.f, self.n))
+        return Composite(about_axis_z(self.lump, c, s), p, rows_about_z(c, s, self.N), f, n)
+
+    def about(self, r: Vector) -> Composite:
+        """The same about a point from which the origin lies at ``r``."""
+        x, y, z = (plus(row, scaled(u, r)) for row, u in zip(self.N, self.p, strict=True))
+        n = plus(self.n, cross(r, self.f))
+        return Composite(shifted(self.lump, r), self.p, (x, y, z), self.f, n)
+
+    def with_(self, other: Composite) -> Composite:
+        """Both."""
+        x, y, z = map(plus, self.N, other.N)
+        lump, p = merged(self.lump, other.lump), plus(self.p, other.p)
+        return Composite(lump, p, (x, y, z), plus(self.f, other.f), plus(self.n, other.n))
+
+    def named(self, link: int, mark: Mark) -> Composite:
+        """The same, of ``link``, with each component marked."""
+        lump = self.lump.named(mark, link)
+        x, y, z = (named(mark, row, link, f"u{axis}") for row, axis in zip(self.N, AXES, strict=True))
+        p, f, n = (named(mark, u, link, name) for u, name in ((self.p, "p"), (self.f, "f"), (self.n, "n")))
+        return Composite(lump, p, (x, y, z), f, n)
+
+    def moving(self, arm: Arm, i: int, rate: Any) -> Composite:
+        """The same with momenta relative to what carries joint ``i``, which moves at ``rate``."""
+        lump, k = self.lump, self.lump.second
+        h = lump.first
+        if arm.bodies[i].revolute:
+            p = plus(self.p, (-(rate * h[1]), rate * h[0], 0))
+            more: Rows = (
+                (-(rate * k.xy), -(rate * k.yy), -(rate * k.yz)),
+                (rate * k.xx, rate * k.xy, rate * k.xz),
+                ZERO,
+            )
+        else:
+            p = plus(self.p, (0, 0, rate * lump.mass))
+            more = (ZERO, ZERO, scaled(rate, h))
+        x, y, z = (plus(row, added) for row, added in zip(self.N, more, strict=True))
+        return Composite(lump, p, (x, y, z), self.f, self.n)
+
+
+NO_COMPOSITE = Composite(NO_LUMP, ZERO, (ZERO, ZERO, ZERO), ZERO, ZERO)
+
+
+def rows_about_x(c: Any, s: Any, N: Rows) -> Rows:
+    """``R N R^T``, R turning about x."""
+    columns = [about_x(c, s, (N[0][k], N[1][k], N[2][k])) for k in range(3)]
+    rows = [about_x(c, s, (columns[0][k], columns[1][k], columns[2][k])) for k in range(3)]
+    return rows[0], rows[1], rows[2]
+
+
+def rows_about_z(c: Any, s: Any, N: Rows) -> Rows:
+    """``R N R^T``, R turning about z: what of the upper block changes with the angle is formed once."""
+    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = N
+    cc, cs = c * c, c * s
+    turned = cc * (xx - yy) - cs * (xy + yx)
+    across = cs * (xx - yy) + cc * (xy + yx)
+    return (
+        (yy + turned, across - yx, c * xz - s * yz),
+        (across - xy, xx - turned, s * xz + c * yz),
+        (c * zx - s * zy, s * zx + c * zy, zz),
+    )

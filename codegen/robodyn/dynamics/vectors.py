@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
 from robodyn.ir.program import Label
@@ -14,6 +15,7 @@ Mark = Callable[[Any, Label], Any]
 
 ZERO: Vector = (0, 0, 0)
 AXES = ("x", "y", "z")
+HALF = Fraction(1, 2)
 
 
 def unmarked(value: Any, label: Label) -> Any:

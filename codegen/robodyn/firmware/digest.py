@@ -23,7 +23,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.dynamics.functions.arguments import NEAR, POSE
+from robodyn.dynamics.functions.record import NEAR, POSE
 from robodyn.emit import arctangent
 from robodyn.emit.spelling import nearest_float
 from robodyn.emit.trig import DOUBLE, FLOAT, Trigonometric

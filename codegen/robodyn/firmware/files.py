@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.dynamics.functions.arguments import Q
+from robodyn.dynamics.functions.record import Q
 from robodyn.emit.c_syntax import c_spelling
 from robodyn.emit.languages import LANGUAGES, defaults, languages_named
 from robodyn.emit.lines import head_of

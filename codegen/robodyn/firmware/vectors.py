@@ -21,8 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.dynamics.functions import function_named
-from robodyn.dynamics.functions.arguments import NEAR, POSE, Q
-from robodyn.dynamics.functions.record import Function
+from robodyn.dynamics.functions.record import NEAR, POSE, Function, Q
 from robodyn.errors import InputError
 from robodyn.firmware.digest import DTYPE, VECTOR_SEED, VECTORS, draw, program_inputs, ranges, vector_states
 from robodyn.firmware.rounding import TINY, UNIT, rounding_bounds

@@ -16,13 +16,11 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.drives.drive import Layer, layer_of, rigid_part
-from robodyn.dynamics.arm import JointAngle, Motion, build_arm, build_motion, inertial
+from robodyn.dynamics.arm import JointAngle, Motion, build_arm, build_motion
 from robodyn.dynamics.base_parameter import BaseParameter
-from robodyn.dynamics.described import AsDescribed
 from robodyn.dynamics.functions import INPUTS, Rotor, function_named
-from robodyn.dynamics.joints import rotors_of
 from robodyn.dynamics.limits import PROVEN_DIGITS
-from robodyn.dynamics.newton_euler import newton_euler
+from robodyn.dynamics.reference import PlainDynamics
 from robodyn.dynamics.state import with_rotors
 from robodyn.ir.digits import evaluate_to_digits, to_digits
 from robodyn.ir.evaluate import turn
@@ -80,7 +78,7 @@ def _meets_condition(robot: Robot, function: str, program: Program, digits: int)
         return all(abs(x - y) <= share * size for x, y in zip(one, other, strict=True))
 
 
-class _ToDigits(AsDescribed):
+class _ToDigits(PlainDynamics):
     """Newton-Euler with the drives on it over numbers of mpmath, effects that remember in their steady form;
     see :class:`robodyn.dynamics.state.ReferenceDynamics`. ``step``: that of differences."""
 
@@ -135,21 +133,11 @@ class _ToDigits(AsDescribed):
 
     def inertial_torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
         """Torques [n] of links and rotors, without gravity and what drives do besides."""
-        links = newton_euler(inertial(self.arm), self.motion(qd, qdd))
-        return with_rotors(links, self._layer().rotors(), qdd)
-
-    def mass_matrix(self) -> list[list[Any]]:
-        """Mass matrix [n][n]: torques of unit accelerations less those of none, of the arm at rest."""
-        still = self.torques(self.rest, self.rest)
-        columns = []
-        for j in range(len(self.rest)):
-            moving = self.torques(self.rest, [int(i == j) for i in range(len(self.rest))])
-            columns.append([x - y for x, y in zip(moving, still, strict=True)])
-        return [list(row) for row in zip(*columns, strict=True)]
+        return with_rotors(super().inertial_torques(qd, qdd), self._layer().rotors(), qdd)
 
     def rotors(self) -> list[Rotor]:
         """The rotors of the drives."""
-        return [*rotors_of(self.arm), *self._layer().rotors()]
+        return [*super().rotors(), *self._layer().rotors()]
 
     def base_set(self) -> tuple[BaseParameter, ...]:
         """There are none: torques are not linear in any."""

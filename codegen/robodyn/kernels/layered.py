@@ -9,7 +9,7 @@ from robodyn.counts import Count, count
 from robodyn.drives.drive import layer_of, rigid_part
 from robodyn.dynamics.compose import composed
 from robodyn.dynamics.functions import FUNCTIONS, Function, function_named
-from robodyn.dynamics.functions.arguments import WRENCH
+from robodyn.dynamics.functions.record import WRENCH
 from robodyn.errors import InputError
 from robodyn.ir.field import FINAL_BITS
 from robodyn.ir.fingerprint import agree

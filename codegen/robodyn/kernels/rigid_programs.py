@@ -10,7 +10,8 @@ from robodyn.counts import Count
 from robodyn.counts.objective import operations_of, parse_objective
 from robodyn.dynamics.compose import composed, side_by_side
 from robodyn.dynamics.functions import Function, NoSuchFunction, function_named, recursion
-from robodyn.dynamics.functions.fusing import AND, Writing, one_after_another
+from robodyn.dynamics.functions.fusing import AND, one_after_another
+from robodyn.dynamics.functions.record import Writing
 from robodyn.ir.digits import TooLarge
 from robodyn.ir.graph import Graph
 from robodyn.ir.program import Input, Program

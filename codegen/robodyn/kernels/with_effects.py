@@ -19,13 +19,12 @@ from robodyn.drives.drive import (
     rigid_part,
 )
 from robodyn.dynamics.arm import JointAngle, build_arm, build_motion
-from robodyn.dynamics.compose import Rows, torque_derivatives
+from robodyn.dynamics.compose import DynamicsOnTop, Rows, torque_derivatives
 from robodyn.dynamics.functions import Function, Rotor, function_named, torques_at
 from robodyn.dynamics.kinematics import frames
 from robodyn.dynamics.modified_newton_euler import modified_newton_euler
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.dynamics.state import with_rotors
-from robodyn.dynamics.upon import Upon
 from robodyn.dynamics.vectors import cross, plus, scaled
 from robodyn.effects.effect import Site
 from robodyn.errors import InputError
@@ -104,7 +103,7 @@ def layered(
     return lower(at.graph, outputs + ([("state", at.states)] if at.states else []))
 
 
-class _Layered(Upon):
+class _Layered(DynamicsOnTop):
     """Drives on a rigid arm, in a graph; see :class:`robodyn.dynamics.functions.Dynamics`."""
 
     def __init__(
@@ -136,11 +135,11 @@ class _Layered(Upon):
 
     def rotors(self) -> list[Rotor]:
         """The rotors of the drives."""
-        return [*super().rotors(), *self._layer.rotors()]
+        return [*self.beneath.rotors(), *self._layer.rotors()]
 
     def inertial_torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
         """Torques [n] of the rigid arm and all rotors, without gravity and what drives do besides."""
-        return with_rotors(super().inertial_torques(qd, qdd), self._layer.rotors(), qdd)
+        return with_rotors(self.beneath.inertial_torques(qd, qdd), self._layer.rotors(), qdd)
 
     def mark(self, value: Any, label: Label) -> Any:
         """Name ``value``."""

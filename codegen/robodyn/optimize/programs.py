@@ -19,17 +19,16 @@ from robodyn.dynamics.arm import (
     inertial,
 )
 from robodyn.dynamics.functions import Moving, NoSuchFunction, Rotor, function_named
-from robodyn.dynamics.functions.fusing import Writing
+from robodyn.dynamics.functions.record import Writing
 from robodyn.dynamics.joints import rotors_of
 from robodyn.dynamics.limits import ROUNDING
 from robodyn.dynamics.lump import NO_LUMP, MomentForm
 from robodyn.dynamics.mass_matrix import mass_matrix
-from robodyn.dynamics.modified_newton_euler import reactions
+from robodyn.dynamics.modified_newton_euler import beyond_the_last_link, reactions
 from robodyn.dynamics.parallel import Turns, chain_turns, single_turns
 from robodyn.dynamics.regroup import lumps_of, regrouped_with_ground
 from robodyn.dynamics.state import RigidDrives
 from robodyn.dynamics.vectors import Mark, Vector
-from robodyn.dynamics.wrenches import beyond_the_last_link
 from robodyn.errors import InputError
 from robodyn.ir import Graph, Label, Node, Program, Signature
 from robodyn.ir.fingerprint import in_drawn_field

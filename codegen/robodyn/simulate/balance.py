@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from robodyn.drives.coupling import coupler_of
 from robodyn.drives.drive import combined, layer_of, rigid_part
 from robodyn.dynamics.arm import build_arm, build_motion, trigonometry_at
-from robodyn.dynamics.energy import energies
+from robodyn.dynamics.reference import energies
 from robodyn.simulate.system import System
 
 Floats = NDArray[np.float64]

@@ -22,9 +22,8 @@ from robodyn.dynamics.arm import (
     build_motion,
     trigonometry_at,
 )
-from robodyn.dynamics.described import AsDescribed
 from robodyn.dynamics.functions import Function, Rotor
-from robodyn.dynamics.joints import rotors_of
+from robodyn.dynamics.reference import PlainDynamics
 from robodyn.dynamics.state import with_rotors
 from robodyn.dynamics.vectors import Vector
 from robodyn.errors import InputError
@@ -124,7 +123,7 @@ class Oracle:
         return rows if self.exact else rows.astype(np.float64)
 
 
-class _Columns(AsDescribed):
+class _Columns(PlainDynamics):
     """A reference over columns ``[N]`` of states; see :class:`robodyn.dynamics.functions.Dynamics`."""
 
     def __init__(self, oracle: Oracle, inputs: Mapping[str, Floats]) -> None:
@@ -160,7 +159,7 @@ class _Columns(AsDescribed):
         """The rotors of the drives."""
         robot, values = self._oracle.robot, self._oracle.parameters
         layer = layer_of(robot, self._scalar, lambda name: self._scalar(Fraction(values[name])))
-        return rotors_of(self.arm) + layer.rotors()
+        return super().rotors() + layer.rotors()
 
     def torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
         """Torques, ``n`` columns."""

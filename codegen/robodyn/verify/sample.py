@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.dynamics.functions.arguments import PI
+from robodyn.dynamics.functions.record import PI
 from robodyn.errors import InputError
 from robodyn.ir.signature import Signature
 from robodyn.robot.filling import parameter_values

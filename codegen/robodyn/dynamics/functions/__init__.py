@@ -10,9 +10,8 @@ from collections.abc import Collection, Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
-from robodyn.dynamics.functions.arguments import INPUTS, SC, Array
 from robodyn.dynamics.functions.fusing import AND, fused
-from robodyn.dynamics.functions.record import WITH_WRENCH, Function, Pair
+from robodyn.dynamics.functions.record import INPUTS, SC, WITH_WRENCH, Array, Function, Pair
 from robodyn.dynamics.state import Dynamics, Moving, NoSuchFunction, Rotor
 from robodyn.effects.scalars import is_zero
 from robodyn.errors import InputError
@@ -68,15 +67,13 @@ def registered(functions: Iterable[Function]) -> dict[str, Function]:
     return table
 
 
-def _files() -> Iterable[Function]:
-    folder = Path(__file__).parent
-    for file in sorted(folder.glob("*.py")):
-        if file.stem not in ("__init__", "arguments", "fusing", "record"):
-            yield from importlib.import_module(f"{__name__}.{file.stem}").FUNCTIONS
+def _records() -> Iterable[Function]:
+    for file in sorted(Path(__file__).parent.glob("[!_]*.py")):
+        yield from getattr(importlib.import_module(f"{__name__}.{file.stem}"), "FUNCTIONS", ())
 
 
 #: Every function by its name, those that are written by default first.
-FUNCTIONS: dict[str, Function] = registered(_files())
+FUNCTIONS: dict[str, Function] = registered(_records())
 
 
 def function_named(name: str) -> Function:
@@ -114,10 +111,10 @@ def array_named(name: str) -> Array:
     ------
     InputError: no function has one.
     """
-    known = arrays()
-    if name not in known:
-        raise InputError(f"unknown array {name!r}", expected=f"one of {', '.join(known)}")
-    return known[name]
+    table = arrays()
+    if name not in table:
+        raise InputError(f"unknown array {name!r}", expected=f"one of {', '.join(table)}")
+    return table[name]
 
 
 def torques_at(qd: Sequence[Any], qdd: Sequence[Any]) -> Function:

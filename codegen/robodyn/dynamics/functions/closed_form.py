@@ -9,9 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from robodyn.dynamics.derivatives import coriolis_matrix
-from robodyn.dynamics.functions.arguments import Array, Q
-from robodyn.dynamics.functions.record import Function, Pair
+from robodyn.dynamics.functions.record import Array, Function, Pair, Q
 from robodyn.dynamics.limits import SYMBOLS_JOINTS
 from robodyn.dynamics.state import Dynamics, NoSuchFunction, Vector
 
@@ -20,6 +18,8 @@ H = Array("h", "torques by products of velocities qd_k qd_m", "N m s^2/rad^2", s
 
 def _symbols(at: Dynamics) -> Sequence[Any]:
     """Column k of the Coriolis matrix of a unit of the rate m is h_ikm."""
+    from robodyn.dynamics.derivatives import coriolis_matrix
+
     n = len(at.rest)
     if n > SYMBOLS_JOINTS:
         raise NoSuchFunction(
@@ -39,9 +39,8 @@ def _products(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
     n = len(x)
     rows = [result[n * n * i : n * n * (i + 1)] for i in range(n)]
     torques = [sum(row[n * k + m] * (x[k] * x[m]) for k in range(n) for m in range(n)) for row in rows]
-    pairs = [(row[n * k + m], row[n * m + k]) for row in rows for k in range(n) for m in range(k)]
-    one, other = (list(side) for side in zip(*pairs, strict=True)) if pairs else ([], [])
-    return [*torques, *one], [*at.inertial_torques(x, at.rest), *other]
+    mirrored = [row[n * m + k] for row in rows for k in range(n) for m in range(n)]
+    return [*torques, *result], [*at.inertial_torques(x, at.rest), *mirrored]
 
 
 FUNCTIONS = (

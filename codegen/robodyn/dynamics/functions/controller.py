@@ -8,12 +8,11 @@ from robodyn.dynamics.functions.fusing import fused
 from robodyn.dynamics.functions.kinematics import FUNCTIONS as KINEMATICS
 from robodyn.dynamics.functions.standard import FUNCTIONS as STANDARD
 
-_KNOWN = {function.name: function for function in (*KINEMATICS, *STANDARD)}
-_PARTS = ("forward_kinematics", "jacobian", "bias", "mass_matrix")
+_BY_NAME = {function.name: function for function in (*KINEMATICS, *STANDARD)}
 
 FUNCTIONS = (
     replace(
-        fused([_KNOWN[part] for part in _PARTS]),
+        fused([_BY_NAME[part] for part in ("forward_kinematics", "jacobian", "bias", "mass_matrix")]),
         name="controller",
         purpose="pose and Jacobian of the tool, bias and mass matrix, which share their work",
     ),

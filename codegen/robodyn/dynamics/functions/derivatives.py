@@ -6,18 +6,16 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
-from robodyn.dynamics.derivatives import coriolis_matrix, torque_derivatives
-from robodyn.dynamics.functions.arguments import QD, QDD, TAU, Array, Length, Q
-from robodyn.dynamics.functions.record import Function, Pair
+from robodyn.dynamics.functions.record import QD, QDD, TAU, Array, Function, Pair, Q
 from robodyn.dynamics.joints import friction_slope
 from robodyn.dynamics.mass_matrix import Factored, solve_symmetric
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.dynamics.state import Dynamics, ReferenceDynamics, Vector
+from robodyn.dynamics.vectors import flat, inner, products
 
 
 def _square(name: str, holds: str, unit: str) -> Array:
-    shape: tuple[Length, ...] = ("n", "n")
-    return Array(name, holds, unit, "N in place of N m, m in place of rad", shape)
+    return Array(name, holds, unit, "N in place of N m, m in place of rad", ("n", "n"))
 
 
 DTAU_DQ = _square("dtau_dq", "torques by positions", "N m/rad")
@@ -28,13 +26,11 @@ DQDD_DTAU = _square("dqdd_dtau", "accelerations by torques: the inverse mass mat
 C = Array("C", "Coriolis matrix", "kg m^2/s, kg m/s, kg/s", shape=("n", "n"))
 
 
-def _flat(*matrices: Sequence[Vector]) -> list[Any]:
-    return [x for matrix in matrices for row in matrix for x in row]
-
-
 def _by_q_and_qd(at: Dynamics, qdd: Vector) -> tuple[Sequence[Vector], Sequence[Vector]]:
     """Derivatives of the torques by positions and by velocities, as rows: written out, or of a program that
     is there already."""
+    from robodyn.dynamics.derivatives import torque_derivatives
+
     qd = at.inputs["qd"]
     differentiated = at.torque_derivatives(qdd)
     if differentiated is not None:
@@ -46,7 +42,8 @@ def _by_q_and_qd(at: Dynamics, qdd: Vector) -> tuple[Sequence[Vector], Sequence[
 
 
 def _of_torques(at: Dynamics) -> Sequence[Any]:
-    return _flat(*_by_q_and_qd(at, at.inputs["qdd"]))
+    by_q, by_qd = _by_q_and_qd(at, at.inputs["qdd"])
+    return [*flat(by_q), *flat(by_qd)]
 
 
 def _slopes(at: ReferenceDynamics, qdd: Vector, x: Vector) -> list[Any]:
@@ -55,48 +52,37 @@ def _slopes(at: ReferenceDynamics, qdd: Vector, x: Vector) -> list[Any]:
     return [*at.torque_slopes(qdd, x, none), *at.torque_slopes(qdd, none, x)]
 
 
-def _times(entries: Sequence[Any], x: Vector) -> list[list[Any]]:
-    """Square matrices, row by row one after another, each times ``x``."""
-    n = len(x)
-    rows = [entries[k : k + n] for k in range(0, len(entries), n)]
-    products = [sum(entry * step for entry, step in zip(row, x, strict=True)) for row in rows]
-    return [products[k : k + n] for k in range(0, len(products), n)]
-
-
 def _torques_change(at: ReferenceDynamics, result: Sequence[Any], x: Vector) -> Pair:
     """Both matrices times ``x``, beside the derivative of the torques along it."""
-    by_q, by_qd = _times(result, x)
-    return by_q + by_qd, _slopes(at, at.inputs["qdd"], x)
+    return products(result, x), _slopes(at, at.inputs["qdd"], x)
 
 
 def _of_accelerations(at: Dynamics) -> Sequence[Any]:
     """``-M^-1`` times the derivatives of the torques that the accelerations need."""
-    qd = at.inputs["qd"]
     matrix = Factored(at.mass_matrix(), at.mark)
-    bias = at.torques(qd, at.rest)
+    bias = at.torques(at.inputs["qd"], at.rest)
     qdd = matrix.solve([tau - h for tau, h in zip(at.inputs["tau"], bias, strict=True)])
     inverse = matrix.inverse()
-    return _flat(*(_minus_product(inverse, by) for by in _by_q_and_qd(at, qdd)), inverse)
-
-
-def _minus_product(one: Sequence[Vector], other: Sequence[Vector]) -> list[list[Any]]:
-    columns = list(zip(*other, strict=True))
-    return [[-sum(x * y for x, y in zip(row, column, strict=True)) for column in columns] for row in one]
+    columns = [list(zip(*by, strict=True)) for by in _by_q_and_qd(at, qdd)]
+    changes = [-inner(row, column) for by in columns for row in inverse for column in by]
+    return [*changes, *flat(inverse)]
 
 
 def _accelerations_change(at: ReferenceDynamics, result: Sequence[Any], x: Vector) -> Pair:
     """Each matrix times ``x``, carried back to torques: to compare accelerations would measure the condition
     of the mass matrix instead."""
-    matrix, qd = at.mass_matrix(), at.inputs["qd"]
-    bias = at.torques(qd, at.rest)
+    matrix, n = at.mass_matrix(), len(x)
+    bias = at.torques(at.inputs["qd"], at.rest)
     qdd = solve_symmetric(matrix, [tau - h for tau, h in zip(at.inputs["tau"], bias, strict=True)])
-    entries = _flat(matrix)
-    needed = [torque for column in _times(result, x) for torque in _times(entries, column)[0]]
+    changes = products(result, x)
+    needed = [inner(row, changes[k : k + n]) for k in range(0, 3 * n, n) for row in matrix]
     return needed, [-slope for slope in _slopes(at, qdd, x)] + list(x)
 
 
 def _coriolis(at: Dynamics) -> Sequence[Any]:
-    return _flat(coriolis_matrix(at.links(at.inputs["qd"], at.rest), at.mark))
+    from robodyn.dynamics.derivatives import coriolis_matrix
+
+    return flat(coriolis_matrix(at.links(at.inputs["qd"], at.rest), at.mark))
 
 
 def _polar(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
@@ -104,13 +90,9 @@ def _polar(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
     qd = at.inputs["qd"]
     bodies = tuple(replace(body, viscous=0, coulomb=0) for body in at.arm.bodies)
     arm = replace(at.arm, bodies=bodies, gravity=(0, 0, 0))
-
-    def torques(rates: Vector) -> list[Any]:
-        return newton_euler(arm, at.motion(rates, at.rest))
-
-    both = torques([v + w for v, w in zip(qd, x, strict=True)])
-    parts = zip(both, torques(qd), torques(x), strict=True)
-    return [2 * y for y in _times(result, x)[0]], [b - v - w for b, v, w in parts]
+    sums = [v + w for v, w in zip(qd, x, strict=True)]
+    torques = (newton_euler(arm, at.motion(rates, at.rest)) for rates in (sums, qd, x))
+    return [2 * y for y in products(result, x)], [b - v - w for b, v, w in zip(*torques, strict=True)]
 
 
 FUNCTIONS = (

@@ -5,15 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from robodyn.dynamics.arm import Motion
-from robodyn.dynamics.dual import moving_along, slopes
-from robodyn.dynamics.energy import energies
-from robodyn.dynamics.functions.arguments import QD, Array, Q
-from robodyn.dynamics.functions.record import Function, Pair
+from robodyn.dynamics.functions.record import QD, Array, Function, Pair, Q
 from robodyn.dynamics.joints import joint_torque
-from robodyn.dynamics.momenta import HALF, kinetic_energy, momenta
 from robodyn.dynamics.state import Dynamics, Vector
-from robodyn.dynamics.weights import holding_torques, potential_inward, potential_outward, weighed
+from robodyn.dynamics.vectors import HALF, inner
 
 T = Array("E_kin", "kinetic energy", "J", shape=())
 V = Array("E_pot", "potential energy, 0 at the origin of the base frame", "J", shape=())
@@ -26,6 +21,8 @@ BETA = Array("beta", "C^T qd - g", "N m", "N")
 
 
 def _kinetic(at: Dynamics) -> Sequence[Any]:
+    from robodyn.dynamics.momenta import kinetic_energy
+
     links = at.links(at.inputs["qd"], at.rest, "inertia")
     return [kinetic_energy(links, at.rotors(), at.mark)]
 
@@ -44,22 +41,28 @@ def _half_the_square(at: Dynamics) -> Sequence[Any]:
 
 def _work(at: Dynamics) -> Sequence[Any]:
     """``qd`` times half the momentum that torques show."""
-    return [sum(HALF * rate * p for rate, p in zip(at.inputs["qd"], _pushed(at), strict=True))]
+    return [sum(HALF * rate * p for rate, p in zip(at.inputs["qd"], _momentum_by_torques(at), strict=True))]
 
 
 # --- potential energy -------------------------------------------------------------------------------------
 
 
 def _potential(at: Dynamics) -> Sequence[Any]:
+    from robodyn.dynamics.weights import potential_inward, weighed
+
     return [potential_inward(weighed(at.links(at.rest, at.rest)), at.mark)]
 
 
 def _potential_outward(at: Dynamics) -> Sequence[Any]:
+    from robodyn.dynamics.weights import potential_outward, weighed
+
     return [potential_outward(weighed(at.links(at.rest, at.rest)), at.mark)]
 
 
 def _heights(at: Dynamics) -> Sequence[Any]:
     """Link by link, by the heights of the centres of mass as they are described."""
+    from robodyn.dynamics.reference import energies
+
     return [energies(at.arm, at.motion(at.rest, at.rest))[1]]
 
 
@@ -67,8 +70,9 @@ def _heights(at: Dynamics) -> Sequence[Any]:
 
 
 def _momentum(at: Dynamics) -> Sequence[Any]:
-    links = at.links(at.inputs["qd"], at.rest, "inertia")
-    return momenta(links, at.rotors(), at.mark)[0]
+    from robodyn.dynamics.momenta import momenta
+
+    return momenta(at.links(at.inputs["qd"], at.rest, "inertia"), at.rotors(), at.mark)[0]
 
 
 def _as_torques(at: Dynamics) -> Sequence[Any]:
@@ -77,11 +81,10 @@ def _as_torques(at: Dynamics) -> Sequence[Any]:
 
 
 def _matrix_times_rates(at: Dynamics) -> Sequence[Any]:
-    qd = at.inputs["qd"]
-    return [sum(entry * rate for entry, rate in zip(row, qd, strict=True)) for row in at.mass_matrix()]
+    return [inner(row, at.inputs["qd"]) for row in at.mass_matrix()]
 
 
-def _pushed(at: Dynamics) -> list[Any]:
+def _momentum_by_torques(at: Dynamics) -> list[Any]:
     """The torques of the accelerations ``qd`` at rest, less those that hold the arm."""
     moving, still = at.torques(at.rest, at.inputs["qd"]), at.torques(at.rest, at.rest)
     return [x - y for x, y in zip(moving, still, strict=True)]
@@ -110,20 +113,24 @@ def _rates_of_energies(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
     qd = at.inputs["qd"]
     both = [rate + step for rate, step in zip(qd, x, strict=True)]
     gain = _slope(at, both, qd) - _slope(at, qd, qd) - _slope(at, x, qd)
-    return [_along(x, result)], [gain - _slope(at, qd, x)]
+    return [inner(x, result)], [gain - _slope(at, qd, x)]
 
 
 # --- momentum observer ------------------------------------------------------------------------------------
 
 
 def _observer_term(at: Dynamics) -> Sequence[Any]:
-    links = at.links(at.inputs["qd"], at.rest, "inertia")
-    _, slope = momenta(links, (), at.mark)
+    from robodyn.dynamics.momenta import momenta
+
+    _, slope = momenta(at.links(at.inputs["qd"], at.rest, "inertia"), (), at.mark)
     return [x - g for x, g in zip(slope, at.torques(at.rest, at.rest), strict=True)]
 
 
 def _observer_by_weights(at: Dynamics) -> Sequence[Any]:
     """The same with what holds the links alone: drives of rigid arms add nothing at rest."""
+    from robodyn.dynamics.momenta import momenta
+    from robodyn.dynamics.weights import holding_torques, weighed
+
     links = at.links(at.inputs["qd"], at.rest, "inertia")
     _, slope = momenta(links, (), at.mark)
     return [x - g for x, g in zip(slope, holding_torques(at, weighed(links)), strict=True)]
@@ -139,18 +146,17 @@ def _slopes_less_gravity(at: Dynamics) -> Sequence[Any]:
 def _slope_along(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
     """The same along a random ``x``."""
     still = at.torques(at.rest, at.rest)
-    return [_along(x, result)], [_slope(at, at.inputs["qd"], x) - _along(x, still)]
+    return [inner(x, result)], [_slope(at, at.inputs["qd"], x) - inner(x, still)]
 
 
 def _slope(at: Dynamics, rates: Vector, x: Vector) -> Any:
     """The derivative of the kinetic energy at ``rates`` by the positions along ``x``."""
-    motion: Motion = moving_along(at.arm, at.motion(rates, at.rest), x, at.rest, at.rest)
+    from robodyn.dynamics.dual import moving_along, slopes
+    from robodyn.dynamics.reference import energies
+
+    motion = moving_along(at.arm, at.motion(rates, at.rest), x, at.rest, at.rest)
     (slope,) = slopes(energies(at.arm, motion)[:1])
     return slope
-
-
-def _along(x: Vector, y: Sequence[Any]) -> Any:
-    return sum(one * other for one, other in zip(x, y, strict=True))
 
 
 FUNCTIONS = (
@@ -181,7 +187,7 @@ FUNCTIONS = (
         (Q, QD),
         (P,),
         _momentum,
-        expected=_pushed,
+        expected=_momentum_by_torques,
         parts=("mass_matrix",),
         by_parts=_matrix_times_rates,
         others=(_as_torques,),

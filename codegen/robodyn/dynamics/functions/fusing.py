@@ -6,15 +6,12 @@ from collections.abc import Callable, Sequence
 from functools import cache
 from typing import Any
 
-from robodyn.dynamics.functions.arguments import INPUTS
-from robodyn.dynamics.functions.record import Function, Pair, lengths_of
+from robodyn.dynamics.functions.record import INPUTS, Function, Pair, Writing, cut, lengths_of
 from robodyn.dynamics.state import Dynamics, ReferenceDynamics, Vector
 from robodyn.errors import InputError
 
 #: What stands between the names of functions that are fused.
 AND = "_and_"
-
-Writing = Callable[[Dynamics], Sequence[Any]]
 
 
 def fused(functions: Sequence[Function]) -> Function:
@@ -31,40 +28,33 @@ def fused(functions: Sequence[Function]) -> Function:
 def _fused(functions: tuple[Function, ...]) -> Function:
     if len(functions) < 2:
         raise InputError("one function alone cannot be fused", remedy="name two or more, as in --fuse a,b")
+
+    def refusal(one: str, other: str, found: str) -> InputError:
+        return InputError(f"{one} and {other} cannot be fused", found=found, remedy="leave one of them out")
+
     of_pose = next((function for function in functions if function.of_pose), None)
     of_state = next((function for function in functions if not function.of_pose), None)
     if of_pose is not None and of_state is not None:
-        raise InputError(
-            f"{of_pose.name} and {of_state.name} cannot be fused",
-            found="one is of a pose, the other of joint positions: they have no work in common",
-            remedy="leave one of them out",
-        )
+        found = "one is of a pose, the other of joint positions: they have no work in common"
+        raise refusal(of_pose.name, of_state.name, found)
     results: dict[str, str] = {}
     for function in functions:
         for array in function.results:
             if array.name in results:
-                raise InputError(
-                    f"{results[array.name]} and {function.name} cannot be fused",
-                    found=f"both give {array.name}",
-                    remedy="leave one of them out",
-                )
+                raise refusal(results[array.name], function.name, f"both give {array.name}")
             results[array.name] = function.name
     for function in functions:
         for array in function.inputs:
             if array.name in results:
-                raise InputError(
-                    f"{results[array.name]} and {function.name} cannot be fused",
-                    found=f"{array.name} is a result of one and an input of the other",
-                    remedy="leave one of them out",
-                )
-    known = [array for array in INPUTS if any(array in function.inputs for function in functions)]
-    more = {array: None for function in functions for array in function.inputs if array not in known}
+                found = f"{array.name} is a result of one and an input of the other"
+                raise refusal(results[array.name], function.name, found)
+    inputs = {array for function in functions for array in function.inputs}
     unconditional = all(f.expected is not None and f.condition is None for f in functions)
     *before, last = (function.words for function in functions)
     return Function(
         AND.join(function.name for function in functions),
         f"{', '.join(before)} and {last}, which share their work",
-        (*known, *more),
+        tuple(array for array in INPUTS if array in inputs),
         tuple(array for function in functions for array in function.results),
         one_after_another([function.outputs for function in functions]),
         expected=one_after_another([f.expected for f in functions if f.expected]) if unconditional else None,
@@ -104,9 +94,6 @@ def parts_of(
     functions: Sequence[Function], elements: Sequence[Any], n: int
 ) -> list[tuple[Function, Sequence[Any]]]:
     """Each function with its part of ``elements``, one after another, for ``n`` joints."""
-    parts, start, lengths = [], 0, lengths_of(functions, len(elements), n)
-    for function in functions:
-        end = start + function.size_at(n, *lengths)
-        parts.append((function, elements[start:end]))
-        start = end
-    return parts
+    lengths = lengths_of(functions, len(elements), n)
+    sizes = [function.size_at(n, *lengths) for function in functions]
+    return list(zip(functions, cut(elements, sizes), strict=True))

@@ -9,14 +9,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from robodyn.dynamics.functions.arguments import NEAR, POSE, Array
-from robodyn.dynamics.functions.record import Answers, Function
+from robodyn.dynamics.functions.record import NEAR, POSE, Answers, Array, Function
 from robodyn.dynamics.state import Dynamics
 from robodyn.dynamics.vectors import flat
 
 if TYPE_CHECKING:
     from robodyn.dynamics.arm import Arm
-    from robodyn.dynamics.inverse import Inverse, Nearest, Solved
+    from robodyn.dynamics.inverse import Inverse, Nearest, Numerical, Solved
     from robodyn.dynamics.state import Iterative
 
 SOLUTIONS = Array("solutions", "joint positions, a row for each branch", "rad", "m", shape=("b", "n"))
@@ -45,34 +44,37 @@ def _closed_form(at: Dynamics) -> Inverse:
     return inverse_of(at.arm, [body.limits for body in at.arm.bodies])
 
 
-def _all_branches(at: Dynamics) -> Sequence[Any]:
-    return _rows(_closed_form(at).solve(at.inputs["T"], at.inputs["q_near"], at.rounding))
+def _numerical(arm: Arm) -> Numerical | None:
+    from robodyn.dynamics.inverse import Numerical, solver_of
+
+    solver = solver_of(arm)
+    return solver if isinstance(solver, Numerical) else None
 
 
 def _rows(solved: Solved) -> Sequence[Any]:
     return [*flat(solved.solutions), *solved.exists, *solved.within, *solved.singular, sum(solved.exists)]
 
 
+def _all_branches(at: Dynamics) -> Sequence[Any]:
+    return _rows(_closed_form(at).solve(at.inputs["T"], at.inputs["q_near"], at.rounding))
+
+
+def _approached(arm: Arm) -> Iterative | None:
+    solver = _numerical(arm)
+    return None if solver is None else solver.approach(lambda at, solved: _rows(solved))
+
+
+def _one(nearest: Nearest) -> Sequence[Any]:
+    return [*nearest.solution, *nearest[1:]]
+
+
 def _nearest(at: Dynamics) -> Sequence[Any]:
     return _one(_closed_form(at).nearest(at.inputs["T"], at.inputs["q_near"], at.rounding))
 
 
-def _one(nearest: Nearest) -> Sequence[Any]:
-    return [*nearest.solution, nearest.exists, nearest.within, nearest.singular, nearest.branch]
-
-
-def _approached(arm: Arm) -> Iterative | None:
-    from robodyn.dynamics.inverse import Numerical, solver_of
-
-    solver = solver_of(arm)
-    return solver.approach(lambda at, solved: _rows(solved)) if isinstance(solver, Numerical) else None
-
-
 def _nearest_approached(arm: Arm) -> Iterative | None:
-    from robodyn.dynamics.inverse import Numerical, solver_of
-
-    solver = solver_of(arm)
-    if not isinstance(solver, Numerical):
+    solver = _numerical(arm)
+    if solver is None:
         return None
     return solver.approach(lambda at, solved: _one(solver.nearest(solved, at.inputs["q_near"], at.rounding)))
 

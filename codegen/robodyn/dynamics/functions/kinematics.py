@@ -7,39 +7,24 @@ from dataclasses import replace
 from typing import Any
 
 from robodyn.dynamics.arm import Motion, in_stated_frame, inertial
-from robodyn.dynamics.articulated import articulated_bodies
-from robodyn.dynamics.drift import tool_drift
-from robodyn.dynamics.dual import moving_along, slopes, values
-from robodyn.dynamics.functions.arguments import POSE, QD, Array, Q
-from robodyn.dynamics.functions.record import Derivative, Function, Pair
-from robodyn.dynamics.jacobians import Column, columns
-from robodyn.dynamics.kinematics import frames, jacobian
+from robodyn.dynamics.functions.record import POSE, QD, Array, Derivative, Function, Pair, Q, Writing
 from robodyn.dynamics.mass_matrix import factoring
-from robodyn.dynamics.operational import by_elimination, lambda_inverse
-from robodyn.dynamics.poses import link_places, placed, pose, rows_of, seen_from_tool
-from robodyn.dynamics.responses import lambda_inverse_by_answers
 from robodyn.dynamics.state import Dynamics, Vector
 from robodyn.dynamics.transforms import Matrix, applied, axial, poses, product, transposed
-from robodyn.dynamics.vectors import flat, plus, scaled
+from robodyn.dynamics.vectors import flat, inner, plus, products, scaled
 
 LINK_POSITIONS = Array("link_positions", "origins of the links in the world", "m", shape=("n", 3))
 LINK_ROTATIONS = Array(
     "link_rotations", "turn vectors of the links' frames into the world's", "", shape=("n", 3, 3)
 )
-JAC = Array(
-    "jac",
-    "velocity and angular velocity of the tool along the world's axes, for each rate",
-    "m and 1",
-    "1 and 0",
-    shape=(6, "n"),
-)
-JAC_TOOL = Array(
-    "jac_tool",
-    "velocity and angular velocity of the tool along its own axes, for each rate",
-    "m and 1",
-    "1 and 0",
-    shape=(6, "n"),
-)
+
+
+def _jacobian_along(name: str, axes: str) -> Array:
+    holds = f"velocity and angular velocity of the tool along {axes} axes, for each rate"
+    return Array(name, holds, "m and 1", "1 and 0", (6, "n"))
+
+
+JAC, JAC_TOOL = _jacobian_along("jac", "the world's"), _jacobian_along("jac_tool", "its own")
 DRIFT = Array(
     "drift",
     "acceleration and angular acceleration of the tool at qdd = 0 in the world",
@@ -52,10 +37,14 @@ LAMBDA_INVERSE = Array(
 
 
 def _forward_kinematics(at: Dynamics) -> Sequence[Any]:
+    from robodyn.dynamics.poses import pose
+
     return pose(at)
 
 
 def _link_poses(at: Dynamics) -> Sequence[Any]:
+    from robodyn.dynamics.poses import link_places, placed, rows_of
+
     arm = placed(at)
     axes = [arm.links[i] for i in range(len(arm.links))]
     rotations = [rows_of(in_stated_frame(at.arm, i, *axes[i])) for i in range(len(axes))]
@@ -69,86 +58,82 @@ def _link_poses(at: Dynamics) -> Sequence[Any]:
     return [*flat(places), *flat(flat(rotations))]
 
 
-def _jacobian(at: Dynamics) -> Sequence[Any]:
-    return _by_rows(columns(at))
+def _jacobian(*, of_tool: bool = False, nested_only: bool = False) -> Writing:
+    def written(at: Dynamics) -> Sequence[Any]:
+        from robodyn.dynamics.jacobians import columns
+        from robodyn.dynamics.poses import placed, seen_from_tool
 
+        both = columns(at, seen_from_tool if of_tool else placed, nested_only=nested_only)
+        return flat(transposed(tuple((*v, *w) for v, w in both)))
 
-def _nested_jacobian(at: Dynamics) -> Sequence[Any]:
-    return _by_rows(columns(at, nested_only=True))
-
-
-def _tool_jacobian(at: Dynamics) -> Sequence[Any]:
-    return _by_rows(columns(at, seen_from_tool))
-
-
-def _nested_tool_jacobian(at: Dynamics) -> Sequence[Any]:
-    return _by_rows(columns(at, seen_from_tool, nested_only=True))
-
-
-def _by_rows(jacobian_columns: Sequence[Column]) -> list[Any]:
-    return flat(transposed(tuple((*v, *w) for v, w in jacobian_columns)))
+    return written
 
 
 def _drift(at: Dynamics) -> Sequence[Any]:
+    from robodyn.dynamics.jacobians import tool_drift
+
     return tool_drift(at)
 
 
 def _lambda_inverse(at: Dynamics) -> Sequence[Any]:
-    return flat(lambda_inverse(at))
+    from robodyn.dynamics.operational import lambda_inverse
+
+    return lambda_inverse(at)
 
 
-def _lambda_by_answers(at: Dynamics) -> Sequence[Any]:
-    return flat(lambda_inverse_by_answers(at))
+def _lambda_by_responses(at: Dynamics) -> Sequence[Any]:
+    from robodyn.dynamics.operational import lambda_inverse_by_responses
+
+    return lambda_inverse_by_responses(at)
 
 
 # --- by other ways: transforms, and poses differentiated ----------------------------------------------------
 
 
 def _tool_pose(at: Dynamics) -> Sequence[Any]:
-    T = poses(at.arm, at.motion(at.rest, at.rest))[-1]
-    return flat(T[:3])
+    return flat(poses(at.arm, at.motion(at.rest, at.rest))[-1][:3])
 
 
 def _all_poses(at: Dynamics) -> Sequence[Any]:
-    placed_links = poses(at.arm, at.motion(at.rest, at.rest))[:-1]
+    links = poses(at.arm, at.motion(at.rest, at.rest))[:-1]
     if at.arm.stated_frames:
         ends = (((1, 0, 0, a), (0, c, -s, 0), (0, s, c, 0), (0, 0, 0, 1)) for a, c, s in at.arm.stated_frames)
-        placed_links = [product(T, end) for T, end in zip(placed_links, ends, strict=True)]
-    places = (row[3] for T in placed_links for row in T[:3])
-    return [*places, *(x for T in placed_links for row in T[:3] for x in row[:3])]
+        links = [product(T, end) for T, end in zip(links, ends, strict=True)]
+    rows = [row for T in links for row in T[:3]]
+    return [*(row[3] for row in rows), *(x for row in rows for x in row[:3])]
 
 
 def _along(at: Dynamics, motion: Motion, rates: Sequence[Any]) -> Motion:
     """``motion`` as duals that move at ``rates``."""
+    from robodyn.dynamics.dual import moving_along
+
     return moving_along(at.arm, motion, rates, at.rest, at.rest)
 
 
 def _velocity(at: Dynamics, rates: Sequence[Any]) -> tuple[list[Any], list[Any], Matrix]:
     """Velocity, angular velocity and rotation of the tool at the rates, by differentiating its pose."""
+    from robodyn.dynamics.dual import slopes, values
+
     T = poses(at.arm, _along(at, at.motion(at.rest, at.rest), rates))[-1]
-    R = tuple(tuple(values(row[:3])) for row in T[:3])
-    R_rate = tuple(tuple(slopes(row[:3])) for row in T[:3])
+    R, R_rate = (tuple(tuple(part(row[:3])) for row in T[:3]) for part in (values, slopes))
     return slopes([row[3] for row in T[:3]]), axial(product(R_rate, transposed(R))), R
 
 
 def _moves_the_tool(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
     """Velocities at random rates: as telling as all columns, at a fraction of the cost."""
     velocity, spin, _ = _velocity(at, x)
-    return _times(result, x), [*velocity, *spin]
+    return products(result, x), [*velocity, *spin]
 
 
 def _moves_the_tool_along_its_axes(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
     velocity, spin, R = _velocity(at, x)
-    return _times(result, x), [y for u in (velocity, spin) for y in applied(transposed(R), tuple(u))]
-
-
-def _times(rows: Sequence[Any], x: Vector) -> list[Any]:
-    n = len(x)
-    return [sum(rows[n * i + j] * x[j] for j in range(n)) for i in range(len(rows) // n)]
+    return products(result, x), [y for u in (velocity, spin) for y in applied(transposed(R), tuple(u))]
 
 
 def _second_derivative(at: Dynamics) -> Sequence[Any]:
     """The tool's pose differentiated twice at constant rates."""
+    from robodyn.dynamics.dual import slopes, values
+
     qd = at.inputs["qd"]
     T = poses(at.arm, _along(at, _along(at, at.motion(at.rest, at.rest), qd), qd))[-1]
     R = tuple(tuple(values(values(row[:3]))) for row in T[:3])
@@ -157,30 +142,37 @@ def _second_derivative(at: Dynamics) -> Sequence[Any]:
     return [*slopes(slopes([row[3] for row in T[:3]])), *(x + y for x, y in spun)]
 
 
+def _plain_jacobian(at: Dynamics) -> list[list[Any]]:
+    """Rows [6][n] by the textbook."""
+    from robodyn.dynamics.kinematics import frames, jacobian
+
+    links = frames(at.arm, at.motion(at.rest, at.rest), at.arm.base)
+    return jacobian(at.arm, links, at.arm.tool.origin)
+
+
 def _solved_for(at: Dynamics) -> Sequence[Any]:
     """Joint accelerations for a force or moment at the tool, and the tool's for those."""
-    links = frames(at.arm, at.motion(at.rest, at.rest), at.arm.base)
-    J = jacobian(at.arm, links, at.arm.tool.origin)
+    from robodyn.dynamics.operational import by_elimination
+
+    J = _plain_jacobian(at)
     X = by_elimination(at.mass_matrix(), list(zip(*J, strict=True)))
-    return [sum(x * row[k] for x, row in zip(y, X, strict=True)) for y in J for k in range(6)]
+    return [inner(y, column) for y in J for column in zip(*X, strict=True)]
 
 
 def _answers_a_push(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
     """The tool's acceleration for one random push, as telling as all six: that of the joint accelerations
     which the push gives. Whatever these were worked out by, they are right where they need its torques."""
-    links = frames(at.arm, at.motion(at.rest, at.rest), at.arm.base)
-    J = jacobian(at.arm, links, at.arm.tool.origin)
-    push = [_power(x[k % len(x)], 1 + k // len(x)) for k in range(6)]
-    torques = [sum(row[j] * w for row, w in zip(J, push, strict=True)) for j in range(len(x))]
+    from robodyn.dynamics.articulated import articulated_bodies
+
+    J = _plain_jacobian(at)
+    push = list(x)
+    while len(push) < 6:
+        push = [*push, *(y * power for y, power in zip(x, push[-len(x) :], strict=True))]
+    push = push[:6]
+    torques = [inner(column, push) for column in zip(*J, strict=True)]
     moving = at.links(at.rest, at.rest)
     qdd = articulated_bodies(replace(moving, arm=inertial(moving.arm)), torques)
-    accelerations = [sum(y * z for y, z in zip(row, qdd, strict=True)) for row in J]
-    answer = [sum(result[6 * r + s] * push[s] for s in range(6)) for r in range(6)]
-    return [*answer, *at.inertial_torques(at.rest, qdd)], [*accelerations, *torques]
-
-
-def _power(x: Any, exponent: int) -> Any:
-    return x if exponent == 1 else x * _power(x, exponent - 1)
+    return [*products(result, push), *at.inertial_torques(at.rest, qdd)], [*products(flat(J), qdd), *torques]
 
 
 FUNCTIONS = (
@@ -208,9 +200,9 @@ FUNCTIONS = (
         "geometric Jacobian of the tool's origin along the world's axes: three linear rows, three angular",
         (Q,),
         (JAC,),
-        _jacobian,
+        _jacobian(),
         condition=_moves_the_tool,
-        others=(_nested_jacobian,),
+        others=(_jacobian(nested_only=True),),
         geometric=True,
     ),
     Function(
@@ -218,9 +210,9 @@ FUNCTIONS = (
         "the Jacobian along the tool's axes",
         (Q,),
         (JAC_TOOL,),
-        _tool_jacobian,
+        _jacobian(of_tool=True),
         condition=_moves_the_tool_along_its_axes,
-        others=(_nested_tool_jacobian,),
+        others=(_jacobian(of_tool=True, nested_only=True),),
         geometric=True,
     ),
     Function(
@@ -233,7 +225,7 @@ FUNCTIONS = (
         condition=_answers_a_push,
         parts=("mass_matrix",),
         solves=True,
-        of_long_arms=(_lambda_by_answers,),
+        of_long_arms=(_lambda_by_responses,),
         beside_parts=factoring,
     ),
     Function(

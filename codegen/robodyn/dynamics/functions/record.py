@@ -1,12 +1,13 @@
-"""What a function of an arm is: one record that everything reads which writes, counts or checks it."""
+"""What a function of an arm is: one record that everything reads which writes, counts or checks it; and its
+arguments, arrays with shape, unit and meaning."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, NamedTuple
+from math import prod
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
-from robodyn.dynamics.functions.arguments import INPUTS, Array
 from robodyn.dynamics.limits import FEW_JOINTS, MANY_JOINTS
 from robodyn.dynamics.state import Dynamics, ReferenceDynamics, Vector
 
@@ -14,12 +15,91 @@ if TYPE_CHECKING:
     from robodyn.dynamics.arm import Arm
     from robodyn.dynamics.state import Iterative
 
+#: Elements of a state along one axis: a number, or as many as there are joints (n), base parameters (p), or
+#: branches of the inverse kinematics (b).
+Length = int | Literal["n", "p", "b"]
+
+
+class Array(NamedTuple):
+    """An argument of a kernel: what it holds, its unit (and that at prismatic joints, where it is another),
+    and the shape of one state's, ``()`` for a single number. C and Fortran have it as one row of numbers,
+    matrices row by row. ``optional``: calls from Python may leave it out, it is zero then, and that of one
+    state may go with many states."""
+
+    name: str
+    holds: str
+    unit: str
+    prismatic: str = ""
+    shape: tuple[Length, ...] = ("n",)
+    optional: bool = False
+
+    def shape_at(self, n: int, p: int = 0, b: int = 0) -> tuple[int, ...]:
+        """The shape for ``n`` joints, ``p`` base parameters and ``b`` branches."""
+        lengths = {"n": n, "p": p, "b": b}
+        return tuple(lengths[length] if isinstance(length, str) else length for length in self.shape)
+
+    def size_at(self, n: int, p: int = 0, b: int = 0) -> int:
+        """How many numbers these are."""
+        return prod(self.shape_at(n, p, b))
+
+    def shape_of(self, size: int, n: int = 0) -> tuple[int, ...]:
+        """The shape of so many numbers, for ``n`` joints if that is known.
+
+        Raises
+        ------
+        ValueError: the array has not so many, whatever the number of joints.
+        """
+        count = 0  # of base parameters or branches; no array has both
+        if {"p", "b"} & set(self.shape):
+            count = size // max(1, self.size_at(n, 1, 1))
+        else:
+            free = self.shape.count("n")
+            n = round((size / self.size_at(1)) ** (1 / free)) if free else 0
+        if self.size_at(n, count, count) != size:
+            raise ValueError(f"{self.name} is {list(self.shape)}, and not of {size} numbers")
+        return self.shape_at(n, count, count)
+
+    @property
+    def text(self) -> str:
+        """What it holds and its unit, for the heads of files."""
+        rows = ", row by row" if len(self.shape) > 1 else ""
+        unit = self.unit + (f", prismatic {self.prismatic}" if self.prismatic else "")
+        return f"{self.holds}{rows}" + (f" [{unit}]" if unit else "")
+
+    @property
+    def words(self) -> str:
+        """The same for Python, where matrices are matrices."""
+        units = " or ".join(unit for unit in (self.unit, self.prismatic) if unit)
+        return f"{self.holds}, {units}" if units else self.holds
+
+
+#: What a function may be given.
+Q = Array("q", "joint positions", "rad", "m")
+QD = Array("qd", "joint velocities", "rad/s", "m/s")
+QDD = Array("qdd", "joint accelerations", "rad/s^2", "m/s^2")
+TAU = Array("tau", "joint torques", "N m", "N")
+#: In q's place, where sines and cosines are given.
+SC = Array("sc", "sines and cosines, as listed below", "")
+#: What pushes the tool, on request.
+WRENCH = Array(
+    "w", "force and moment on the tool at its origin, along the world's axes", "N, N m", shape=(6,)
+)
+PI = Array("pi", "base parameters, as listed below", "SI units", shape=("p",))
+#: What poses are given and computed as.
+POSE = Array("T", "frame of the tool in the world, [R p]", "1 and m", shape=(3, 4))
+NEAR = Array(
+    "q_near", "joint positions, which joints take that the pose leaves free", "rad", "m", optional=True
+)
+INPUTS = (Q, QD, QDD, TAU, WRENCH, PI, POSE, NEAR)
+
 #: What a function is called that has the wrench as a further input, behind the name of the one without.
 WITH_WRENCH = "_with_wrench"
 #: Names of other arguments: run-time parameters, memory, time step, states of a batch.
 _TAKEN = {"p", "state", "dt", "N", "n"}
 
 
+#: What gives the elements of results, one after another.
+Writing = Callable[[Dynamics], Sequence[Any]]
 #: What must be equal, element by element.
 Pair = tuple[Sequence[Any], Sequence[Any]]
 
@@ -94,21 +174,21 @@ class Function:
     purpose: str
     inputs: tuple[Array, ...]
     results: tuple[Array, ...]
-    outputs: Callable[[Dynamics], Sequence[Any]]
-    expected: Callable[[Dynamics], Sequence[Any]] | None = None
+    outputs: Writing
+    expected: Writing | None = None
     condition: Callable[[ReferenceDynamics, Sequence[Any], Vector], Pair] | None = None
     by_default: bool = False
     parts: tuple[str, ...] = ()
     zeros: tuple[str, ...] | None = None
     solves: bool = False
     fuses: tuple[Function, ...] = ()
-    others: tuple[Callable[[Dynamics], Sequence[Any]], ...] = ()
-    small: tuple[Callable[[Dynamics], Sequence[Any]], ...] = ()
-    of_rigid_arms: tuple[Callable[[Dynamics], Sequence[Any]], ...] = ()
-    of_long_arms: tuple[Callable[[Dynamics], Sequence[Any]], ...] = ()
+    others: tuple[Writing, ...] = ()
+    small: tuple[Writing, ...] = ()
+    of_rigid_arms: tuple[Writing, ...] = ()
+    of_long_arms: tuple[Writing, ...] = ()
     beside_parts: Callable[[int], int] = lambda joints: 0
     apart: bool = False
-    by_parts: Callable[[Dynamics], Sequence[Any]] | None = None
+    by_parts: Writing | None = None
     drives: bool = True
     geometric: bool = False
     derivatives: tuple[Derivative, ...] = ()
@@ -118,27 +198,25 @@ class Function:
 
     def __post_init__(self) -> None:
         """:class:`ValueError` for a record that is none: found where the package is imported."""
-        if not self.name.isidentifier() or not self.purpose:
-            raise ValueError(
-                f"function {self.name!r}: a function has an identifier for a name, and a purpose"
-            )
-        if not self.inputs or not set(self.inputs) <= set(INPUTS):
-            names = ", ".join(array.name for array in INPUTS)
-            raise ValueError(f"function {self.name!r}: inputs are some of {names}")
-        if not self.results or set(self.results) & set(self.inputs):
-            raise ValueError(f"function {self.name!r}: a function has results, and none is an input as well")
         taken = _TAKEN & {array.name for array in self.results}
-        if taken:
-            raise ValueError(f"function {self.name!r}: emitted code has other arguments called {taken}")
-        if self.expected is None and self.condition is None and self.answers is None:
-            raise ValueError(
-                f"function {self.name!r}: nothing says what is right: expected, condition or answers"
-            )
-        if self.derivatives and (len(self.results), tuple(d.by for d in self.derivatives)) != (
-            1,
-            self.input_names,
-        ):
-            raise ValueError(f"function {self.name!r}: derivatives are of one result by all inputs, or none")
+        by = tuple(derivative.by for derivative in self.derivatives)
+        problems = {
+            "a function has an identifier for a name, and a purpose": not self.name.isidentifier()
+            or not self.purpose,
+            f"inputs are some of {', '.join(array.name for array in INPUTS)}": not self.inputs
+            or not set(self.inputs) <= set(INPUTS),
+            "a function has results, and none is an input as well": not self.results
+            or set(self.results) & set(self.inputs),
+            f"emitted code has other arguments called {taken}": taken,
+            "nothing says what is right: expected, condition or answers": self.expected is None
+            and self.condition is None
+            and self.answers is None,
+            "derivatives are of one result by all inputs, or none": by
+            and (len(self.results), by) != (1, self.input_names),
+        }
+        for problem, is_there in problems.items():
+            if is_there:
+                raise ValueError(f"function {self.name!r}: {problem}")
 
     @property
     def is_recursion(self) -> bool:
@@ -192,15 +270,15 @@ class Function:
         """Names of the inputs."""
         return tuple(array.name for array in self.inputs)
 
-    def compositions(self, n: int) -> tuple[Callable[[Dynamics], Sequence[Any]], ...]:
+    def compositions(self, n: int) -> tuple[Writing, ...]:
         """All ways to put it together from its parts."""
         return self.writings(n) if self.by_parts is None else (self.by_parts,)
 
-    def writings(self, n: int) -> tuple[Callable[[Dynamics], Sequence[Any]], ...]:
+    def writings(self, n: int) -> tuple[Writing, ...]:
         """All ways to write the outputs of ``n`` joints."""
         return (self.outputs, *self.others, *(self.small if n <= FEW_JOINTS else ()))
 
-    def without_effects(self, n: int) -> tuple[Callable[[Dynamics], Sequence[Any]], ...]:
+    def without_effects(self, n: int) -> tuple[Writing, ...]:
         """All other ways to write them where drives have no effects."""
         return (*self.of_rigid_arms, *(self.of_long_arms if n >= MANY_JOINTS else ()))
 
@@ -210,12 +288,9 @@ class Function:
 
     def split(self, elements: Sequence[Any], n: int) -> list[tuple[str, Sequence[Any]]]:
         """``elements``, one after another, as ``(name, elements)`` of each result."""
-        parts, start, lengths = [], 0, lengths_of([self], len(elements), n)
-        for array in self.results:
-            end = start + array.size_at(n, *lengths)
-            parts.append((array.name, elements[start:end]))
-            start = end
-        return parts
+        lengths = lengths_of([self], len(elements), n)
+        pieces = cut(elements, [array.size_at(n, *lengths) for array in self.results])
+        return [(array.name, piece) for array, piece in zip(self.results, pieces, strict=True)]
 
     def compared(self, dynamics: ReferenceDynamics, result: Sequence[Any], anywhere: Vector) -> Pair:
         """Two sequences that are equal if the elements ``result`` are what ``dynamics`` say; ``anywhere``
@@ -234,3 +309,11 @@ def lengths_of(functions: Sequence[Function], size: int, n: int) -> tuple[int, i
     )
     p, b = ((size - known) // (more - known) if more > known else 0 for more in (with_parameter, with_branch))
     return p, b
+
+
+def cut(elements: Sequence[Any], sizes: Sequence[int]) -> Iterator[Sequence[Any]]:
+    """``elements`` in pieces of these ``sizes``, one after another."""
+    start = 0
+    for size in sizes:
+        yield elements[start : start + size]
+        start += size

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from robodyn.dynamics.arm import Arm, Body, Symmetric
-from robodyn.dynamics.functions.arguments import PI, QD, QDD, TAU, Array, Q
-from robodyn.dynamics.functions.record import Function, Pair
+from robodyn.dynamics.functions.record import PI, QD, QDD, TAU, Array, Function, Pair, Q
 from robodyn.dynamics.lump import Lump
 from robodyn.dynamics.newton_euler import newton_euler
-from robodyn.dynamics.regressor import torques_from, unit_torques
-from robodyn.dynamics.regroup import lumps_of
+from robodyn.dynamics.regroup import lumps_of, shifted
 from robodyn.dynamics.state import Dynamics, Vector
+from robodyn.dynamics.vectors import flat, products
 from robodyn.effects.scalars import quotient
 
 if TYPE_CHECKING:
@@ -23,27 +22,32 @@ Y = Array("Y", "torques by base parameters, a column each", "SI units", shape=("
 
 
 def _columns(at: Dynamics) -> Sequence[Any]:
+    from robodyn.dynamics.regressor import unit_torques
+
     qd, qdd = at.inputs["qd"], at.inputs["qdd"]
     columns = [parameter.own for parameter in at.base_set()]
-    rows = unit_torques(at.arm, at.motion(qd, qdd), at.turns(qd, qdd), columns, at.mark)
-    return [x for row in rows for x in row]
+    return flat(unit_torques(at.arm, at.motion(qd, qdd), at.turns(qd, qdd), columns, at.mark))
 
 
 def _of_any_masses(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
     """The regressor times the base parameters of an arm that moves like this one and has any masses, rotors
     and friction, beside the torques of that arm."""
     arm = _with_masses(at.arm, x)
-    numbers = _standard(arm)
+    numbers = _numbers_of(arm)
     parameters = [parameter.value(numbers) for parameter in at.base_set()]
-    p = len(parameters)
-    rows = [result[k : k + p] for k in range(0, len(result), p)]
-    torques = [sum(y * value for y, value in zip(row, parameters, strict=True)) for row in rows]
-    return torques, newton_euler(arm, at.motion(at.inputs["qd"], at.inputs["qdd"]))
+    return products(result, parameters), newton_euler(arm, at.motion(at.inputs["qd"], at.inputs["qdd"]))
 
 
 def _with_masses(arm: Arm, x: Vector) -> Arm:
-    """``arm`` with other masses, rotors and friction, which nothing connects but ``x``."""
-    drawn = _drawn(x)
+    """``arm`` with other masses, rotors and friction, which nothing connects but ``x``: sums of it whose
+    factors are the digits of one number after another; small, as arms are."""
+    state = 1
+
+    def drawn() -> Any:
+        nonlocal state
+        state = state * 75 % 65537  # Lehmer's generator, as in the ZX Spectrum
+        return sum(((state >> 3 * (k % 5)) % 8 + 1) * value for k, value in enumerate(x)) / 512
+
     bodies: list[Body] = []
     for body in arm.bodies:
         mass, com = 1 + len(bodies), (drawn(), drawn(), drawn())
@@ -54,18 +58,16 @@ def _with_masses(arm: Arm, x: Vector) -> Arm:
     return replace(arm, bodies=tuple(bodies))
 
 
-def _drawn(x: Vector) -> Callable[[], Any]:
-    """Sums of ``x`` whose factors are the digits of one number after another; small, as arms are."""
-    state = [1]
+def _numbers_of(arm: Arm) -> dict[Standard, Any]:
+    """The numbers of the links of ``arm`` by name."""
+    from robodyn.dynamics.base_parameter import numbers_of
 
-    def drawn() -> Any:
-        state[0] = state[0] * 75 % 65537  # Lehmer's generator, as in the ZX Spectrum
-        return sum(((state[0] >> 3 * (k % 5)) % 8 + 1) * value for k, value in enumerate(x)) / 512
-
-    return drawn
+    return numbers_of(arm, lumps_of(arm))
 
 
 def _from_parameters(at: Dynamics) -> Sequence[Any]:
+    from robodyn.dynamics.regressor import torques_from
+
     qd, qdd = at.inputs["qd"], at.inputs["qdd"]
     owns: list[tuple[str, int]] = [parameter.own for parameter in at.base_set()]
     numbers = dict(zip(owns, at.inputs["pi"], strict=True))
@@ -74,7 +76,7 @@ def _from_parameters(at: Dynamics) -> Sequence[Any]:
 
 def _of_an_arm_with_them(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
     """The torques of an arm that has these base parameters, and of all else that its links have anything."""
-    numbers = _standard(_with_masses(at.arm, x))
+    numbers = _numbers_of(_with_masses(at.arm, x))
     parameters = at.base_set()
     for parameter in parameters:
         numbers[parameter.own] = 0
@@ -91,28 +93,18 @@ def _with_numbers(body: Body, numbers: Mapping[Standard, Any], link: int) -> Bod
     from robodyn.dynamics.base_parameter import DRIVE, MOMENTS, Standard
 
     m, x, y, z, *second = (numbers[Standard(quantity, link)] for quantity in MOMENTS)
-    com = tuple(quotient(h, m) for h in (x, y, z))
-    i = Lump(m, (x, y, z), Symmetric(*second)).inertia()
-    cx, cy, cz = com
-    central = Symmetric(
-        i.xx - (y * cy + z * cz),
-        i.yy - (x * cx + z * cz),
-        i.zz - (x * cx + y * cy),
-        i.xy + x * cy,
-        i.xz + x * cz,
-        i.yz + y * cz,
-    )
+    com = cx, cy, cz = quotient(x, m), quotient(y, m), quotient(z, m)
+    moved = shifted(Lump(m, (x, y, z), Symmetric(*second)), (-cx, -cy, -cz))
     rotor, viscous, coulomb = (numbers[Standard(quantity, link)] for quantity in DRIVE)
     return replace(
-        body, mass=m, com=com, inertia=central, motor_inertia=rotor, viscous=viscous, coulomb=coulomb
+        body,
+        mass=m,
+        com=com,
+        inertia=moved.inertia(),
+        motor_inertia=rotor,
+        viscous=viscous,
+        coulomb=coulomb,
     )
-
-
-def _standard(arm: Arm) -> dict[Standard, Any]:
-    """The numbers of the links of ``arm`` by name."""
-    from robodyn.dynamics.base_parameter import numbers_of
-
-    return numbers_of(arm, lumps_of(arm))
 
 
 FUNCTIONS = (

@@ -5,13 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from robodyn.dynamics.articulated import articulated_bodies
-from robodyn.dynamics.functions.arguments import QD, QDD, TAU, Array, Q
-from robodyn.dynamics.functions.record import Derivative, Function, Pair
+from robodyn.dynamics.functions.record import QD, QDD, TAU, Array, Derivative, Function, Pair, Q
 from robodyn.dynamics.mass_matrix import Factored, factoring, solve_symmetric
-from robodyn.dynamics.responses import inverse_mass_matrix_by_answers
 from robodyn.dynamics.state import Dynamics, Vector
-from robodyn.dynamics.weights import holding_torques, weighed
+from robodyn.dynamics.vectors import flat, products
 
 M = Array("M", "mass matrix", "kg m^2, kg m, kg", shape=("n", "n"))
 M_INVERSE = Array("M_inverse", "inverse mass matrix", "1/(kg m^2), 1/(kg m), 1/kg", shape=("n", "n"))
@@ -27,6 +24,8 @@ def _gravity(at: Dynamics) -> Sequence[Any]:
 
 def _gravity_by_weights(at: Dynamics) -> Sequence[Any]:
     """Of the links alone: drives of rigid arms add nothing at rest."""
+    from robodyn.dynamics.weights import holding_torques, weighed
+
     return holding_torques(at, weighed(at.links(at.rest, at.rest)))
 
 
@@ -35,15 +34,18 @@ def _bias(at: Dynamics) -> Sequence[Any]:
 
 
 def _mass_matrix(at: Dynamics) -> Sequence[Any]:
-    return [entry for row in at.mass_matrix() for entry in row]
+    return flat(at.mass_matrix())
 
 
 def _accelerates(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
     """``M x`` for a random ``x``: as telling as all columns of ``M``, at a fraction of the cost."""
-    n = len(x)
-    product = [sum(result[n * i + j] * x[j] for j in range(n)) for i in range(n)]
-    needed = zip(at.torques(at.rest, x), at.torques(at.rest, at.rest), strict=True)
-    return product, [moving - still for moving, still in needed]
+    return products(result, x), _torques_from_rest(at, x)
+
+
+def _torques_from_rest(at: Dynamics, x: Vector) -> list[Any]:
+    """The torques of the accelerations ``x`` less those at rest."""
+    torques = zip(at.torques(at.rest, x), at.torques(at.rest, at.rest), strict=True)
+    return [moving - still for moving, still in torques]
 
 
 def _forward_dynamics(at: Dynamics) -> Sequence[Any]:
@@ -56,6 +58,8 @@ def _forward_dynamics(at: Dynamics) -> Sequence[Any]:
 
 def _articulated(at: Dynamics) -> Sequence[Any]:
     """Without a mass matrix: what takes fewer operations for long arms."""
+    from robodyn.dynamics.articulated import articulated_bodies
+
     return articulated_bodies(at.links(at.inputs["qd"], at.rest), at.inputs["tau"], at.mark)
 
 
@@ -66,19 +70,18 @@ def _needs_the_torques(at: Dynamics, result: Sequence[Any], _: Vector) -> Pair:
 
 
 def _inverse(at: Dynamics) -> Sequence[Any]:
-    return [entry for row in Factored(at.mass_matrix(), at.mark).inverse() for entry in row]
+    return flat(Factored(at.mass_matrix(), at.mark).inverse())
 
 
-def _inverse_by_answers(at: Dynamics) -> Sequence[Any]:
-    return [entry for row in inverse_mass_matrix_by_answers(at) for entry in row]
+def _inverse_by_responses(at: Dynamics) -> Sequence[Any]:
+    from robodyn.dynamics.operational import inverse_mass_matrix_by_responses
+
+    return flat(inverse_mass_matrix_by_responses(at))
 
 
 def _undoes_the_matrix(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
     """The torques of the accelerations that the inverse makes of ``x``, less those at rest, are ``x``."""
-    n = len(x)
-    accelerations = [sum(result[n * i + j] * x[j] for j in range(n)) for i in range(n)]
-    moving, still = at.torques(at.rest, accelerations), at.torques(at.rest, at.rest)
-    return [one - other for one, other in zip(moving, still, strict=True)], x
+    return _torques_from_rest(at, products(result, x)), x
 
 
 _BY_Q = Derivative("q", "inverse_dynamics_derivatives", "dtau_dq")
@@ -155,7 +158,7 @@ FUNCTIONS = (
         condition=_undoes_the_matrix,
         parts=("mass_matrix",),
         solves=True,
-        of_long_arms=(_inverse_by_answers,),
+        of_long_arms=(_inverse_by_responses,),
         beside_parts=lambda joints: 2 * factoring(joints),
     ),
 )

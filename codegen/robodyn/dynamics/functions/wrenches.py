@@ -5,28 +5,46 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from robodyn.dynamics.articulated import articulated_bodies
-from robodyn.dynamics.functions.arguments import QD, QDD, TAU, WRENCH, Array, Q
-from robodyn.dynamics.functions.record import WITH_WRENCH, Function, Pair
+from robodyn.dynamics.functions.record import (
+    QD,
+    QDD,
+    TAU,
+    WITH_WRENCH,
+    WRENCH,
+    Array,
+    Function,
+    Pair,
+    Q,
+    Writing,
+)
 from robodyn.dynamics.functions.standard import FUNCTIONS as STANDARD
-from robodyn.dynamics.kinematics import frames, jacobian
 from robodyn.dynamics.mass_matrix import factoring, solve_symmetric
 from robodyn.dynamics.state import Dynamics, Vector
-from robodyn.dynamics.wrenches import by_jacobian, carried_outward
+from robodyn.dynamics.vectors import inner
 
 TAU_WRENCH = Array("tau_wrench", "joint torques of the wrench, J^T w", "N m", "N")
 
 
-def _through_the_jacobian(at: Dynamics) -> list[Any]:
+def _by_jacobian(at: Dynamics) -> Sequence[Any]:
+    from robodyn.dynamics.jacobians import wrench_torques
+
+    return wrench_torques(at)
+
+
+def _outward(at: Dynamics) -> Sequence[Any]:
+    from robodyn.dynamics.jacobians import wrench_torques_outward
+
+    return wrench_torques_outward(at)
+
+
+def _by_the_textbook(at: Dynamics) -> list[Any]:
     """``J^T w`` by the textbook's Jacobian."""
-    arm, w = at.arm, at.inputs["w"]
+    from robodyn.dynamics.kinematics import frames, jacobian
+
+    arm = at.arm
     placed = frames(arm, at.motion(at.rest, at.rest), arm.base)
     columns = zip(*jacobian(arm, placed, arm.tool.origin), strict=True)
-    return [sum(x * y for x, y in zip(column, w, strict=True)) for column in columns]
-
-
-def _less(torques: Vector, wrench: Vector) -> list[Any]:
-    return [tau - pushed for tau, pushed in zip(torques, wrench, strict=True)]
+    return [inner(column, at.inputs["w"]) for column in columns]
 
 
 def _with_wrench(function: Function) -> Function:
@@ -34,7 +52,7 @@ def _with_wrench(function: Function) -> Function:
     zeros = function.zeros
     assert zeros is not None
 
-    def under(wrench_torques: Callable[[Dynamics], Vector]) -> Callable[[Dynamics], Sequence[Any]]:
+    def under(wrench_torques: Callable[[Dynamics], Vector]) -> Writing:
         def torques(at: Dynamics) -> Sequence[Any]:
             qd, qdd = (at.rest if name in zeros else at.inputs[name] for name in ("qd", "qdd"))
             return at.torques_under_wrench(qd, qdd, wrench_torques(at))
@@ -46,39 +64,38 @@ def _with_wrench(function: Function) -> Function:
         f"{function.purpose}, and bear a wrench on the tool",
         (*function.inputs, WRENCH),
         (TAU,),
-        under(by_jacobian),
-        expected=under(_through_the_jacobian),
+        under(_by_jacobian),
+        expected=under(_by_the_textbook),
         parts=(function.name,),
         apart=True,
-        others=(under(carried_outward),),
+        others=(under(_outward),),
     )
 
 
-def _forward(at: Dynamics) -> Sequence[Any]:
-    return _solved(at, by_jacobian(at))
+def _forward(wrench_torques: Writing) -> Writing:
+    """``qdd = M^-1 (tau + J^T w - h)``."""
 
+    def solved(at: Dynamics) -> Sequence[Any]:
+        pushed = wrench_torques(at)
+        bias = at.torques(at.inputs["qd"], at.rest)
+        right = zip(at.inputs["tau"], pushed, bias, strict=True)
+        return solve_symmetric(at.mass_matrix(), [tau + w - h for tau, w, h in right], at.mark)
 
-def _forward_outward(at: Dynamics) -> Sequence[Any]:
-    return _solved(at, carried_outward(at))
+    return solved
 
 
 def _articulated(at: Dynamics) -> Sequence[Any]:
     """Without a mass matrix: what takes fewer operations for long arms."""
-    pushed = [tau + w for tau, w in zip(at.inputs["tau"], carried_outward(at), strict=True)]
+    from robodyn.dynamics.articulated import articulated_bodies
+
+    pushed = [tau + w for tau, w in zip(at.inputs["tau"], _outward(at), strict=True)]
     return articulated_bodies(at.links(at.inputs["qd"], at.rest), pushed, at.mark)
-
-
-def _solved(at: Dynamics, pushed: Vector) -> Sequence[Any]:
-    """``qdd = M^-1 (tau + J^T w - h)``."""
-    bias = at.torques(at.inputs["qd"], at.rest)
-    right = zip(at.inputs["tau"], pushed, bias, strict=True)
-    return solve_symmetric(at.mass_matrix(), [tau + w - h for tau, w, h in right], at.mark)
 
 
 def _needs_the_torques(at: Dynamics, result: Sequence[Any], _: Vector) -> Pair:
     """The torques that the accelerations need beside the wrench."""
-    needed = at.torques(at.inputs["qd"], result)
-    return _less(needed, _through_the_jacobian(at)), at.inputs["tau"]
+    needed = zip(at.torques(at.inputs["qd"], result), _by_the_textbook(at), strict=True)
+    return [tau - pushed for tau, pushed in needed], at.inputs["tau"]
 
 
 FUNCTIONS = (
@@ -87,9 +104,9 @@ FUNCTIONS = (
         "joint torques that a wrench on the tool does work with",
         (Q, WRENCH),
         (TAU_WRENCH,),
-        by_jacobian,
-        expected=_through_the_jacobian,
-        others=(carried_outward,),
+        _by_jacobian,
+        expected=_by_the_textbook,
+        others=(_outward,),
         geometric=True,
     ),
     *(_with_wrench(function) for function in STANDARD if function.gives_torques),
@@ -98,9 +115,9 @@ FUNCTIONS = (
         "accelerations that the torques tau and a wrench on the tool give",
         (Q, QD, TAU, WRENCH),
         (QDD,),
-        _forward,
+        _forward(_by_jacobian),
         condition=_needs_the_torques,
-        others=(_forward_outward,),
+        others=(_forward(_outward),),
         of_rigid_arms=(_articulated,),
         beside_parts=factoring,
         parts=("bias", "mass_matrix"),
