@@ -138,7 +138,7 @@ _RIGID = "the rigid arm only; robodyn effects --latex prints the equations of ef
 def _typeset(robot: Robot, formulation: str) -> str:
     """The recursion as LaTeX, under a head; for a robot with effects that of its rigid arm, with a note."""
     from robodyn.drives.drive import has_drive_effects, rigid_part
-    from robodyn.emit.lines import head_of
+    from robodyn.emit.head import head_of
     from robodyn.kernels.through_sympy import symbolic
     from robodyn.optimize.programs import Choice
 

@@ -16,13 +16,13 @@ if TYPE_CHECKING:
 
 
 def _languages() -> str:
-    from robodyn.emit.languages import LANGUAGES, defaults
+    from robodyn.emit.languages import DEFAULTS, LANGUAGES
 
     names = [
         name if not language.aliases else f"{name} ({', '.join(language.aliases)})"
         for name, language in LANGUAGES.items()
     ]
-    return f"Languages, separated by commas: {', '.join(names)}.  [default: {','.join(defaults())}]"
+    return f"Languages, separated by commas: {', '.join(names)}.  [default: {','.join(DEFAULTS)}]"
 
 
 def _compiled_languages() -> str:
@@ -46,10 +46,10 @@ def chosen_languages(lang: str | None, *, compiled: bool = False) -> tuple[str, 
     ------
     InputError: no language, a duplicate, an unknown language, or one that cannot be called.
     """
-    from robodyn.emit.languages import LANGUAGES, compiled_language, defaults, languages_named
+    from robodyn.emit.languages import DEFAULTS, LANGUAGES, compiled_language, languages_named
 
     if lang is None:
-        return defaults()
+        return DEFAULTS
     names = listed(lang)
     if not names:
         raise InputError("--lang names no language", expected=f"some of {', '.join(LANGUAGES)}")

@@ -115,6 +115,14 @@ def read_all(
     return logs, hashes
 
 
+def handed_over(logs: list[Log]) -> list[Callable[[], Log]]:
+    """What hands over each of the ``logs``, once. The list is emptied: nothing keeps a long log in memory
+    once it was looked at."""
+    sources: list[Callable[[], Log]] = [[log].pop for log in logs]
+    logs.clear()
+    return sources
+
+
 def outputs_for(robot: str, options: Mapping[str, Any], names: Sequence[str]) -> Path:
     """The folder of -o (``out``), in which files of these ``names`` can be written and are no inputs.
 
@@ -150,9 +158,7 @@ def run_on_logs(
         mapping = log_map(given["map_file"], given["columns"])
         logs, hashes = read_all(described, paths, mapping, shown)
         costs = stages(described.n, logs)
-        # Each log is handed over once: nothing keeps a long one in memory after it was looked at.
-        sources: list[Callable[[], Log]] = [[log].pop for log in logs]
-        logs.clear()
+        sources = handed_over(logs)
         with progress.countdown(shown, f"robodyn: {described.name}", costs) as tell:
             return work(
                 described, sources[:count], sources[count] if len(sources) > count else None,

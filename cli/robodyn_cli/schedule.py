@@ -196,12 +196,12 @@ def _emitted(
     """The folder and the files of the parallel C; no files without ``-o``."""
     if settings.emit is None:
         return Path(), {}
-    from robodyn.emit.packed import schedule_files
+    from robodyn.emit.parallel import schedule_files
 
     assert described is not None
     assert signature is not None
     assert source.cut is not None
     folder = output_folder(settings.emit)
     return folder, schedule_files(
-        described, signature, source.cut, solved.timetable, waiting=settings.sync, lanes=settings.packed
+        described, signature, source.cut, solved.timetable, waiting=settings.sync, vector=settings.packed
     )

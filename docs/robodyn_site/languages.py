@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from robodyn.emit.language import Language
-from robodyn.emit.languages import LANGUAGES
+from robodyn.emit.languages import DEFAULTS, LANGUAGES
 from robodyn.kernels.generate import Options, generate
 from robodyn.robot import load
 from robodyn_site.markdown import code, fenced, page, plain, table
@@ -26,7 +26,7 @@ def of_language(language: Language) -> str:
     return page(
         f"# {language.title}",
         f"`--lang {language.name}` writes the kernels in {language.title}"
-        + (", and so does `robodyn gen` without `--lang`." if language.default else "."),
+        + (", and so does `robodyn gen` without `--lang`." if language.name in DEFAULTS else "."),
         _table(language),
         "## What it looks like",
         f"`robodyn gen {ROBOT} --functions {FUNCTION} --lang {language.name}` writes",
@@ -36,7 +36,7 @@ def of_language(language: Language) -> str:
 
 def _index() -> str:
     rows = [
-        (f"[`{name}`]({name}.md)", plain(one.title), "yes" if one.default else "")
+        (f"[`{name}`]({name}.md)", plain(one.title), "yes" if name in DEFAULTS else "")
         for name, one in LANGUAGES.items()
     ]
     return page(

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from robodyn.certify.eva import driver_context
-from robodyn.emit.packed import schedule_files
+from robodyn.emit.parallel import schedule_files
 from robodyn.emit.render import environment
 from robodyn.firmware import firmware, firmware_options, targets_named
 from robodyn.kernels.batch import batch_calls
@@ -79,7 +79,7 @@ def of_schedule(robot: Robot) -> dict[str, str]:
     ((signature, program),) = made.unit.functions
     tasks = cut(program, 3)
     timetable = solve(tasks.graph, Machine(2), "critical-path").timetable
-    return schedule_files(robot, signature, tasks, timetable, lanes=4)
+    return schedule_files(robot, signature, tasks, timetable, vector=4)
 
 
 #: The ways to emit, by name: what stands in one folder, and in one program.

@@ -21,16 +21,14 @@ from emit.crates import Crate
 from emit.kernels import STRICT, STRICT_FORTRAN, write
 from emit.modules import Module
 from robodyn.effects.scalars import arctangent, choose, magnitude
-from robodyn.emit.arctangent import DOUBLE, FLOAT, WIDE, Arctangent
 from robodyn.emit.batch import batch_files
+from robodyn.emit.trig import ARCTANGENT_ULPS, DOUBLE, FLOAT, WIDE, Trigonometric
 from robodyn.firmware.digest import kernel_sine, outputs
 from robodyn.ir import Graph, Input
 from robodyn.ir.evaluate import evaluate
 from robodyn.ir.lowering import lower
 from robodyn.passes.arctangents import arctangents_together
 from robodyn_testing import require_machine, require_tool
-
-OF = {"double": DOUBLE, "float": FLOAT}
 
 Angle = Callable[[Any, Any], Any]
 
@@ -91,20 +89,19 @@ def points(scalar: str, count: int) -> tuple[NDArray[Any], NDArray[Any]]:
 
 
 @pytest.mark.parametrize("of", [DOUBLE, FLOAT])
-def test_two_pieces_of_a_quarter_turn_and_a_polynomial(of: Arctangent) -> None:
+def test_two_pieces_of_a_quarter_turn_and_a_polynomial(of: Trigonometric) -> None:
     digits = 53 if of.bits == 64 else 24
     real: Any = np.float64 if digits == 53 else np.float32
     with mpmath.workprec(200):
-        rest = mpmath.pi / 2 - mpmath.mpf(of.first) - mpmath.mpf(of.second)
-        assert abs(rest) < abs(of.second) * mpmath.mpf(2) ** -digits
+        rest = mpmath.pi / 2 - mpmath.mpf(of.quarter[0]) - mpmath.mpf(of.quarter[1])
+        assert abs(rest) < abs(of.quarter[1]) * mpmath.mpf(2) ** -digits
         for k in range(401):
             t = mpmath.mpf(k or 1) / 400 * mpmath.mpf(WIDE)
-            p = sum((-1) ** i * mpmath.mpf(c) * t ** (2 * i) for i, c in enumerate(of.coefficients))
+            p = sum((-1) ** i * mpmath.mpf(c) * t ** (2 * i) for i, c in enumerate(of.arctangent))
             assert abs((t - t**3 * p) / mpmath.atan(t) - 1) < (8.92e-18 if digits == 53 else 3.1e-9)
     # Halves of it are added: products with k = 0, 1/2 ... 2 are exact.
-    assert Fraction(of.first).numerator.bit_length() + 2 <= digits
-    assert all(float(real(c)) == c for c in (of.first, of.second, *of.coefficients))
-    assert [int(np.array(v, real).view(f"u{of.bits // 8}")) for v in (1, 0.5)] == [of.one, of.half]
+    assert Fraction(of.quarter[0]).numerator.bit_length() + 2 <= digits
+    assert all(float(real(c)) == c for c in (*of.quarter, *of.arctangent))
 
 
 # --- accuracy ---------------------------------------------------------------------------------------------
@@ -123,7 +120,7 @@ def test_errors_stay_below_what_is_said(case: tuple[str, Angle]) -> None:
     scalar, angle = case
     y, x = points(scalar, 20_000)
     errors = ulps(angle(y, x), y, x)
-    assert errors.max() < OF[scalar].ulps
+    assert errors.max() < ARCTANGENT_ULPS
     assert errors.max() > 0.5
     assert errors[np.abs(np.arctan2(y, x)) > 0.5].max() < 1.05
 
@@ -141,7 +138,7 @@ def test_every_float(tmp_path: Path) -> None:
             normal = np.abs(exact) > 2.0**-125
             if normal.any():
                 worst = max(worst, float((np.abs(own - exact) / unit)[normal].max()))
-    assert worst < FLOAT.ulps
+    assert worst < ARCTANGENT_ULPS
 
 
 # --- special points ---------------------------------------------------------------------------------------

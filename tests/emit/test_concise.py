@@ -7,8 +7,8 @@ from fractions import Fraction
 import pytest
 
 from robodyn.emit.c_syntax import c_spelling
-from robodyn.emit.concise import LARGE, explained_once
-from robodyn.emit.statements import Apply, Body, statements
+from robodyn.emit.headings import explained_once
+from robodyn.emit.statements import LARGE, Apply, Body, statements
 from robodyn.ir import Input, Label, Operation, Program
 
 OFTEN, RARE, SHORT = Fraction("0.123456789012"), Fraction("0.987654321098"), Fraction("0.25")

@@ -17,16 +17,15 @@ from numpy.typing import NDArray
 from emit.angles import FUNCTION, NAME, SCALARS, TYPES, of_program
 from emit.kernels import write
 from robodyn.effects.scalars import arctangent, cosine, sine
-from robodyn.emit.arctangent import DOUBLE as ARCTANGENT
 from robodyn.emit.batch import batch_files
-from robodyn.emit.trig import DOUBLE, FLOAT
+from robodyn.emit.trig import ARCTANGENT_ULPS, DOUBLE, FLOAT
 from robodyn.ir import Graph, Program
 from robodyn.ir.lowering import lower
 from robodyn_testing import representative, require_machine, require_tool
 
 OF: Final = {"double": DOUBLE, "float": FLOAT}
 #: What the errors stay below [ulp], sine, cosine, arctangent.
-BOUNDS: Final = np.array([1, 1, ARCTANGENT.ulps])
+BOUNDS: Final = np.array([1, 1, ARCTANGENT_ULPS])
 
 FLAGS: Final = (
     "",

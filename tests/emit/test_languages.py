@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from emit.kernels import in_single, made
-from robodyn.emit.languages import LANGUAGES, compiled_language, defaults, language_named, languages_named
+from robodyn.emit.languages import DEFAULTS, LANGUAGES, compiled_language, language_named, languages_named
 from robodyn.errors import InputError
 from robodyn.kernels.generate import Options, generate
 from robodyn.robot import load
@@ -33,7 +33,7 @@ NAMES = {
 
 def test_the_table() -> None:
     assert list(LANGUAGES) == ["c", "fortran", "javascript", "rust"]
-    assert defaults() == ("c", "fortran")
+    assert DEFAULTS == ("c", "fortran")
     assert language_named("f90") is LANGUAGES["fortran"]
     assert language_named("rs") is LANGUAGES["rust"]
     assert {"rust", "rs", ".rs", "fortran", "f90", ".f90", ".f", "javascript", "js", ".mjs"} == NAMES

@@ -10,8 +10,7 @@ import pytest
 
 from emit.kernels import ODD, RANDOM, robots, write
 from robodyn import InputError
-from robodyn.emit.packed import packed_files
-from robodyn.emit.parallel import Parallel, parallel_files
+from robodyn.emit.parallel import schedule_files
 from robodyn.ir import Signature
 from robodyn.ir.program import Program
 from robodyn.kernels.generate import Options, generate
@@ -46,10 +45,10 @@ def robot(name: str) -> Robot:
 
 def kernel(
     name: str, function: str = "inverse_dynamics", scalar: str = "double"
-) -> tuple[dict[str, str], Signature, Program]:
+) -> tuple[Signature, Program]:
     made = generate(robot(name), Options(functions=(function,), scalar=scalar))  # type: ignore[arg-type]
     ((signature, program),) = made.unit.functions
-    return made.files(("c",)), signature, program
+    return signature, program
 
 
 def scheduled(program: Program, p: int, k: int, waiting: Waiting) -> tuple[Cut, Timetable]:
@@ -61,9 +60,8 @@ def scheduled(program: Program, p: int, k: int, waiting: Waiting) -> tuple[Cut, 
 def all_files(
     name: str, p: int, k: int, waiting: Waiting, function: str = "inverse_dynamics", scalar: str = "double"
 ) -> dict[str, str]:
-    files, signature, program = kernel(name, function, scalar)
-    tasks, timetable = scheduled(program, p, k, waiting)
-    return files | parallel_files(Parallel(robot(name), signature, tasks, timetable, waiting))
+    signature, program = kernel(name, function, scalar)
+    return schedule_files(robot(name), signature, *scheduled(program, p, k, waiting), waiting=waiting)
 
 
 def ran(folder: Path, files: dict[str, str], states: int, *flags: str) -> str:
@@ -112,17 +110,11 @@ def test_other_functions_in_single_precision(function: str, tmp_path: Path) -> N
 @pytest.mark.thorough
 def test_the_thesis_s_tasks_run(tmp_path: Path) -> None:
     """Table 4.1's tasks as a program of their own, serial and parallel."""
-    from dataclasses import replace
-
-    from robodyn.emit import render
-
     arm = robot("stanford")
     tasks = task_program(arm)
     made = generate(arm, Options(functions=("inverse_dynamics",)))
     ((signature, _),) = made.unit.functions
-    unit = replace(made.unit, functions=((signature, tasks.program),), notes=())
-    timetable = solve(tasks.graph, Machine(3), "thesis").timetable
-    files = render(unit, ("c",)) | parallel_files(Parallel(arm, signature, tasks, timetable))
+    files = schedule_files(arm, signature, tasks, solve(tasks.graph, Machine(3), "thesis").timetable)
     assert ran(tmp_path, files, 300, *STRICT).startswith("states 300 differing 0 ")
 
 
@@ -172,9 +164,7 @@ def test_odd_robots(name: str, tmp_path: Path) -> None:
     arm = robots()[name]
     made = generate(arm, Options(functions=("inverse_dynamics",)))
     ((signature, program),) = made.unit.functions
-    tasks, timetable = scheduled(program, 3, 3, "barrier")
-    files = made.files(("c",)) | packed_files(arm, signature, pack(program, 4))
-    files |= parallel_files(Parallel(arm, signature, tasks, timetable, packed=True))
+    files = schedule_files(arm, signature, *scheduled(program, 3, 3, "barrier"), vector=4)
     assert ran(tmp_path, files, 60, *STRICT, "-Wno-psabi").startswith("states 60 differing 0 ")
 
 
@@ -186,7 +176,7 @@ def test_no_heap_and_no_clock() -> None:
 
 
 def test_barriers_stand_only_where_a_value_passes() -> None:
-    _, _, program = kernel("puma560")
+    _, program = kernel("puma560")
     tasks, timetable = scheduled(program, 2, 3, "barrier")
     plan = lanes(tasks, timetable)
     assert len(plan.barriers) < timetable.levels
@@ -206,7 +196,7 @@ def test_barriers_stand_only_where_a_value_passes() -> None:
 
 
 def test_every_operation_is_computed_once() -> None:
-    _, _, program = kernel("stanford")
+    _, program = kernel("stanford")
     for waiting in ("barrier", "counters"):
         tasks, timetable = scheduled(program, 3, 3, waiting)
         plan = lanes(tasks, timetable, waiting)
@@ -215,7 +205,7 @@ def test_every_operation_is_computed_once() -> None:
 
 
 def test_counters_follow_a_schedule_without_levels() -> None:
-    _, _, program = kernel("puma560")
+    _, program = kernel("puma560")
     tasks, timetable = scheduled(program, 2, 3, "counters")
     with pytest.raises(InputError, match="--sync counters"):
         lanes(tasks, timetable, "barrier")
@@ -226,11 +216,8 @@ def test_what_remembers_is_refused() -> None:
     arm = read_text(text, warn=lambda _: None)
     made = generate(arm, Options(functions=("inverse_dynamics",)))
     ((signature, program),) = made.unit.functions
-    tasks, timetable = scheduled(program, 2, 3, "barrier")
     with pytest.raises(InputError, match="remembers"):
-        parallel_files(Parallel(arm, signature, tasks, timetable))
-    with pytest.raises(InputError, match="remembers"):
-        packed_files(arm, signature, pack(program))
+        schedule_files(arm, signature, *scheduled(program, 2, 3, "barrier"))
 
 
 # --- lanes of a vector --------------------------------------------------------------------------------------
@@ -265,14 +252,14 @@ int main(void) {{
 def test_packed_bits(
     name: str, function: str, width: int, scalar: str, compiler: str, tmp_path: Path
 ) -> None:
-    files, signature, program = kernel(name, function, scalar)
-    files |= packed_files(robot(name), signature, pack(program, width))
+    signature, program = kernel(name, function, scalar)
+    files = schedule_files(robot(name), signature, *scheduled(program, 1, 3, "barrier"), vector=width)
     n = len(signature.inputs)
     files["main.c"] = MAIN.format(
         name=name, n=n, function=function, arguments=", ".join(f"x[{i}]" for i in range(n)),
         size=signature.outputs[0][1],
     )  # fmt: skip
-    sources = write(tmp_path, files)
+    sources = [source for source in write(tmp_path, files) if "parallel" not in source]
     tool = require_tool(compiler)
     strict = (*STRICT, "-Wno-psabi") if compiler == "gcc" else STRICT
     command = [tool, "-std=c11", "-O2", "-ffp-contract=off", *strict, *sources, "-lm", "-o", "check"]
@@ -285,7 +272,7 @@ def test_packed_bits(
 
 
 def test_packing_keeps_the_order_and_the_kinds() -> None:
-    _, _, program = kernel("puma560")
+    _, program = kernel("puma560")
     found = pack(program, 4)
     done: set[int] = set()
     for group in found.groups:

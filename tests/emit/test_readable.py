@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from robodyn.counts import count
-from robodyn.emit.statements import QUANTITIES
+from robodyn.emit.headings import QUANTITIES
 from robodyn.errors import InputError
 from robodyn.kernels.generate import Options, generate
 from robodyn.robot import bundled_names, load

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from emit.kernels import complaints, in_single, made, write
 from robodyn import InputError, Options
 from robodyn.emit.c_syntax import c_spelling
-from robodyn.emit.languages.fortran import fortran_spelling
+from robodyn.emit.languages.fortran import LANGUAGE as FORTRAN
 from robodyn.emit.spelling import shortest
 from robodyn.emit.statements import Apply, statements
 from robodyn.ir import Input, Label, Operation, Program
@@ -33,7 +33,7 @@ def spelt(*operations: Operation, single: bool = False) -> tuple[str, str]:
     *_, expression = statements(Program(operations, (("t", (len(operations) - 1,)),))).statements
     return (
         c_spelling(single=single).text(expression.expression),
-        fortran_spelling(single=single).text(expression.expression),
+        FORTRAN.spelling(single).text(expression.expression),
     )
 
 
@@ -147,7 +147,7 @@ def test_what_a_literal_looks_like() -> None:
     ):
         assert c_spelling(single=False).number(value) == double
         assert c_spelling(single=True).number(value) == single
-        assert fortran_spelling(single=False).number(value) == f"{double}_rk"
+        assert FORTRAN.spelling(False).number(value) == f"{double}_rk"
 
 
 def test_literals_read_back_in_both_languages(tmp_path: Path) -> None:
@@ -158,9 +158,7 @@ def test_literals_read_back_in_both_languages(tmp_path: Path) -> None:
         kind, real = ("float", "c_float") if single else ("double", "c_double")
         c = ", ".join(c_spelling(single=single).number(x) for x in values)
         files[f"c_{kind}.c"] = f"const {kind} c_{kind}[{len(values)}] = {{{c}}};\n"
-        fortran = "\n".join(
-            f"x({k}) = {fortran_spelling(single=single).number(x)}" for k, x in enumerate(values, 1)
-        )
+        fortran = "\n".join(f"x({k}) = {FORTRAN.spelling(single).number(x)}" for k, x in enumerate(values, 1))
         files[f"f_{kind}.f90"] = (
             f"subroutine f(x) bind(c, name='f_{kind}')\nuse iso_c_binding, only: rk => {real}\n"
             f"real(rk), intent(out) :: x({len(values)})\n{fortran}\nend subroutine\n"

@@ -11,14 +11,15 @@ from numpy.typing import NDArray
 
 import robodyn
 from robodyn import Options
-from robodyn.emit.results import check_one_result
+from robodyn.emit.parallel import schedule_files
 from robodyn.errors import InputError
 from robodyn.ir import graph
 from robodyn.kernels import kernel as kernels
 from robodyn.kernels.generate import generate
 from robodyn.optimize import merging
-from robodyn.optimize.programs import signature
 from robodyn.robot import load
+from robodyn.schedule import Machine, solve
+from robodyn.schedule.cutting import cut
 from robodyn_testing import require_tool
 
 NAMES = ("forward_kinematics", "link_poses", "jacobian")
@@ -97,14 +98,14 @@ def test_batches_write_to_arrays_of_one_order(kernel: kernels.Kernel, q: NDArray
         kernel.batch(q, function="link_poses", out=(last[0], np.empty((N, 3, 3, 3))))
 
 
-def test_threads_and_lanes_refuse_several_results() -> None:
-    interface = signature(load("stanford_3dof"), "link_poses")
-    for how in ("in parallel", "packed"):
-        with pytest.raises(
-            InputError, match=f"has several results, and is not emitted {how}; found link_positions, "
-        ):
-            check_one_result(interface, how)
-    check_one_result(signature(load("stanford_3dof"), "jacobian"), "packed")
+def test_a_schedule_refuses_several_results() -> None:
+    ((interface, program),) = generate(load("stanford_3dof"), Options(("link_poses",))).unit.functions
+    tasks = cut(program, 3)
+    timetable = solve(tasks.graph, Machine(2), "critical-path").timetable
+    with pytest.raises(
+        InputError, match="has several results, and is not emitted in parallel; found link_positions, "
+    ):
+        schedule_files(load("stanford_3dof"), interface, tasks, timetable)
 
 
 # Functions that are too large for any compiler are refused before they take all memory.

@@ -18,7 +18,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
-from robodyn.emit.packed import schedule_files
+from robodyn.emit.parallel import schedule_files
 from robodyn.errors import CheckError
 from robodyn.ir.signature import Signature
 from robodyn.robot.model import Robot
@@ -161,7 +161,7 @@ def bench(
         for waiting in ("barrier", "counters"):
             tell(f"{p} threads, {waiting}")
             table = solve(cut.graph, Machine(p), "critical-path").timetable
-            files = schedule_files(robot, signature, cut, table, waiting=waiting, lanes=lanes_wide)
+            files = schedule_files(robot, signature, cut, table, waiting=waiting, vector=lanes_wide)
             crowded = p > here
             flags = (*THREADED_FLAGS, *([f"-D{signature.robot}_spins=1u"] if crowded else []))
             state_count = states or (CROWDED if crowded else STATES)

@@ -13,7 +13,7 @@ from robodyn.certify.gappa import Proven, Scripts, prove
 from robodyn.certify.plan import Finding, ProofOptions, Subject, Tell, not_run, version
 from robodyn.certify.readback import check_read_back
 from robodyn.dynamics.functions import FUNCTIONS
-from robodyn.emit.trig import DOUBLE, FLOAT, accuracy_notes
+from robodyn.emit.trig import DOUBLE, FLOAT
 from robodyn.errors import CheckError, InputError, ToolError
 from robodyn.ir.evaluate import evaluate
 from robodyn.ir.program import Input, Program
@@ -188,9 +188,9 @@ def claim(trig: str, scalar: str) -> Claim:
     if trig == "libm":
         text = "Assumed, not proven: errors of libm's sine and cosine are at most 1 unit in the last place."
         return Claim(1.0, None, text)
-    limit = (FLOAT if scalar == "float" else DOUBLE).exact
-    notes = " ".join(accuracy_notes(single=scalar == "float"))
-    return Claim(1.0, limit, f"Stated of the kernel's sine and cosine: {notes}")
+    numbers = FLOAT if scalar == "float" else DOUBLE
+    notes = " ".join(numbers.sines_told)
+    return Claim(1.0, numbers.exact, f"Stated of the kernel's sine and cosine: {notes}")
 
 
 # --- a search for the worst error ---------------------------------------------------------------------------

@@ -19,8 +19,8 @@ from robodyn.certify.plan import (
     run,
     version,
 )
-from robodyn.emit.listing import listing_of
 from robodyn.emit.render import environment
+from robodyn.emit.unit import listing_of
 from robodyn.ir.signature import Signature
 from robodyn.toolchain.running import Finished
 from robodyn.tools.programs import FRAMA_C

@@ -8,8 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from robodyn.certify.plan import Finding, ProofOptions, Subject, Tell, last_lines, not_run, run, version
-from robodyn.emit.listing import misra_deviations
-from robodyn.emit.unit import Unit, calls
+from robodyn.emit.unit import Unit, calls, misra_deviations
 from robodyn.errors import ToolError
 from robodyn.toolchain.running import Finished
 from robodyn.tools.programs import CPPCHECK

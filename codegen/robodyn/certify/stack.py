@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from robodyn.certify.plan import Finding, ProofOptions, Subject, Tell, last_lines, not_run, run, version
-from robodyn.emit.freestanding import freestanding_calls
+from robodyn.emit.unit import freestanding_calls
 from robodyn.firmware.measure import Depth, deepest
 from robodyn.targets import firmware_targets
 from robodyn.toolchain.compiler import C_FLAGS

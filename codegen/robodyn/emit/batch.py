@@ -8,20 +8,19 @@ one; other compilers get lanes of one state. Each lane is rounded as the operati
 
 from __future__ import annotations
 
-import textwrap
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from robodyn.dynamics.functions import array_named, function_named
-from robodyn.emit.c_syntax import c_builtin, c_spelling, c_syntax
-from robodyn.emit.lines import head_of
-from robodyn.emit.render import Unit, environment
-from robodyn.emit.spelling import WIDTH, Spelling
+from robodyn.emit.c_syntax import c_spelling, c_syntax, prototype, refused
+from robodyn.emit.head import head_of
+from robodyn.emit.render import environment
+from robodyn.emit.spelling import call
 from robodyn.emit.statements import Apply, Body, Expression, Statement, statements
-from robodyn.emit.syntax import Syntax
+from robodyn.emit.trig import builtin_context
+from robodyn.emit.unit import Unit
 from robodyn.errors import InputError
-from robodyn.ir.program import Input
+from robodyn.ir.program import Input, Program
 from robodyn.ir.signature import Signature
 from robodyn.passes.registers import registers
 
@@ -55,31 +54,36 @@ def batch_files(unit: Unit) -> dict[str, str]:
         unit.functions[0][1].straight("batches on vectors are")
     able = [(signature, program) for signature, program in straight if not signature.states]
     if not able:
-        signature = unit.functions[0][0]
         raise InputError(
-            f"{signature.symbol} remembers between calls: its states come one after another in time",
+            f"{straight[0][0].symbol} remembers between calls: its states come one after another in time",
             expected="a function without memory",
             remedy="leave out the effects with memory, or call it state by state",
         )
     name = unit.robot.name
-    single = able[0][0].scalar == "float"
-    functions = [
-        _Function(signature, statements(registers(program), in_order=True)) for signature, program in able
-    ]
-    used = {op for function in functions for op in _operations(function.body)}
+    used = {operation.op for _, program in able for operation in program.operations}
+    numbers, lanes = (
+        builtin_context(
+            c_syntax(c_spelling(single=unit.single), real, libm=False),
+            sines=not used.isdisjoint({"sin", "cos"}),
+            arctangents="atan2" in used,
+        )
+        for real in (f"{name}_real", "LANES_VEC")
+    )
     context: dict[str, Any] = {
         "name": name,
         "upper": name.upper(),
-        "bytes": 4 if single else 8,
-        "single": single,
-        "suffix": "f" if single else "",
-        "functions": [function.context() for function in functions],
+        "bytes": 4 if unit.single else 8,
+        "suffix": "f" if unit.single else "",
+        "functions": [_function(signature, program) for signature, program in able],
         "helpers": [helper for helper in _HELPERS if helper in used],
-        **c_builtin(name, single=single, sines="sin" in used or "cos" in used, arctangents="atan2" in used),
+        **numbers,
+        "lanes_trig": lanes["trig"],
+        "lanes_arctangent": lanes["arctangent"],
+        "refused": refused(numbers),
         "tile": TILE,
         "chunk": CHUNK,
     }
-    calls = _notes(able[0][0], unit)
+    calls = _notes(unit)
     notes = {"batch.h": calls, "batch.c": calls, "lanes.h": [_LANES.format(name=name)]}
     return {
         f"{name}_{part}": environment()
@@ -89,15 +93,14 @@ def batch_files(unit: Unit) -> dict[str, str]:
     }
 
 
-def _notes(signature: Signature, unit: Unit) -> list[str]:
-    real = f"{signature.robot}_real"
-    arrays = dict.fromkeys(a for s, _ in unit.functions for a, _ in (*s.inputs, *s.outputs))
+def _notes(unit: Unit) -> list[str]:
     notes = [
         "Many states in one call, as lanes of the processor's vectors.",
         "Arrays, in SI units:",
-        *(f"  {array:4} {array_named(array).text}" for array in arrays),
+        *(f"  {array:4} {array_named(array).text}" for array in unit.arrays),
         f"..._batch: element j of state k is [j*stride + k], stride >= count: every joint's values stand one "
-        f"after another. ..._batch_rows: it is [k*n + j], n the elements of a state ({real} each).",
+        f"after another. ..._batch_rows: it is [k*n + j], n the elements of a state ({unit.robot.name}_real "
+        "each).",
         "count may be any number, 0 too. No alignment is asked for. What is written must not overlap what is "
         "read. States do not touch each other: any number of threads may work on parts of a batch, and with "
         f"-fopenmp a batch of more than {CHUNK} states is shared among threads.",
@@ -107,67 +110,59 @@ def _notes(signature: Signature, unit: Unit) -> list[str]:
     return notes
 
 
-@dataclass(frozen=True, slots=True)
-class _Function:
+def _function(s: Signature, program: Program) -> dict[str, Any]:
     """A function as text for the templates."""
+    body = statements(registers(program), in_order=True)
+    read = {array: sorted(x.index or 0 for x in body.inputs if x.is_of(array)) for array, _ in s.inputs}
+    real = f"{s.robot}_real"
 
-    signature: Signature
-    body: Body
+    def arguments(restrict: str) -> list[str]:
+        arrays = [f"const {real} *{restrict}{array}" for array, _ in s.inputs]
+        arrays += [f"{real} *{restrict}{array}" for array, _ in s.outputs]
+        return [*arrays, f"const {s.robot}_params *p"] if s.parameters else arrays
 
-    def context(self) -> dict[str, Any]:
-        """What the templates ask for."""
-        s = self.signature
-        real = f"{s.robot}_real"
-        read = _read(self.body)
-        arguments = [f"const {real} *{array}" for array, _ in s.inputs]
-        arguments += [f"{real} *{array}" for array, _ in s.outputs]
-        parameter = [f"const {s.robot}_params *p"] if s.parameters else []
-        own = [f"const {real} *RESTRICT {array}" for array, _ in s.inputs]
-        own += [f"{real} *RESTRICT {array}" for array, _ in s.outputs]
-        reads_parameters = any(j is None for _, j in read)
-        inputs = [array for array, _ in s.inputs]
-        return {
-            "name": s.called,
-            "purpose": function_named(s.function).purpose,
-            "columns": _prototype(
-                f"void {s.symbol}_batch(", ["size_t count, size_t stride", *arguments, *parameter]
-            ),
-            "rows": _prototype(f"void {s.symbol}_batch_rows(", ["size_t count", *arguments, *parameter]),
-            "kernel": _prototype(
-                f"static void LANES_NAME({s.called})(", ["size_t count, size_t stride", *own, *parameter]
-            ),
-            "kernel_rows": _prototype(
-                f"static void LANES_NAME({s.called}_rows)(", ["size_t count", *own, *parameter]
-            ),
-            "kernel_columns": _prototype(
-                f"static void LANES_NAME({s.called}_columns)(",
-                ["size_t count, size_t stride", *own, *parameter],
-            ),
-            "inputs": [
-                {"name": a, "size": n, "read": [j for j in range(n) if (a, j) in read]} for a, n in s.inputs
-            ],
-            "outputs": [{"name": a, "size": n} for a, n in s.outputs],
-            "arrays": [*inputs, *(array for array, _ in s.outputs)],
-            "reads": any(j is not None for _, j in read),
-            "unused": [array for array in inputs if not any(a == array and j is not None for a, j in read)]
-            + (["p"] if s.parameters and not reads_parameters else []),
-            "p": ", p" if s.parameters else "",
-            "lines": _Lines(s, self.body).lines,
-        }
+    def head(name: str, first: str, restrict: str) -> str:
+        return prototype(f"{name}(", [first, *arguments(restrict)]) + ")"
+
+    lanes, columns = f"static void LANES_NAME({s.called}", "size_t count, size_t stride"
+    unread = s.parameters and all(x.index is not None for x in body.inputs)
+    return {
+        "name": s.called,
+        "purpose": function_named(s.function).purpose,
+        "columns": head(f"void {s.symbol}_batch", columns, ""),
+        "rows": head(f"void {s.symbol}_batch_rows", "size_t count", ""),
+        "kernel": head(f"{lanes})", columns, "RESTRICT "),
+        "kernel_rows": head(f"{lanes}_rows)", "size_t count", "RESTRICT "),
+        "kernel_columns": head(f"{lanes}_columns)", columns, "RESTRICT "),
+        "inputs": [{"name": array, "size": size, "read": read[array]} for array, size in s.inputs],
+        "outputs": [{"name": array, "size": size} for array, size in s.outputs],
+        "arrays": [array for array, _ in (*s.inputs, *s.outputs)],
+        "reads": any(read.values()),
+        "unused": [array for array, elements in read.items() if not elements] + (["p"] if unread else []),
+        "p": ", p" if s.parameters else "",
+        "lines": _Lines(s, body).lines,
+    }
 
 
 class _Lines:
     """The statements of a function on vectors."""
 
     def __init__(self, signature: Signature, body: Body) -> None:
-        single = signature.scalar == "float"
-        scalar = c_spelling(single=single)
-        self._scalar = _indented(c_syntax(scalar, f"{signature.robot}_real", libm=False))
-        self._vector = _indented(c_syntax(_on_lanes(scalar), "LANES_VEC", libm=False))
+        scalar = c_spelling(single=signature.scalar == "float")
+        functions = {op: call(f"LANES_NAME({op})") for op in _HELPERS} | {"atan2": call("LANES_ATAN2")}
+        vector = replace(scalar, element=lambda array, j: f"LANES_AT({array}, {j})", functions=functions)
+        self._scalar, self._vector = (
+            replace(c_syntax(spelling, real, libm=False), indent=" " * 8)
+            for spelling, real in ((scalar, f"{signature.robot}_real"), (vector, "LANES_VEC"))
+        )
         #: Names of values that are the same in all states: they come of constants and parameters alone.
         self._uniform: set[str] = set()
         self._angles = {s.name: s.expression for s in body.statements if s.angle}
-        self._trig = _trig_of(body)
+        #: For each angle, what its sine and its cosine are called.
+        self._trig: dict[Expression, dict[str, str]] = {}
+        for s in body.statements:
+            if isinstance(s.expression, Apply) and s.expression.op in ("sin", "cos"):
+                self._trig.setdefault(s.expression.args[0], {})[s.expression.op] = s.name
         self._paired: set[str] = set()
         self.lines: list[str] = []
         # Sines first, where the inputs give them: they need many registers, the rest of the kernel has them
@@ -193,52 +188,41 @@ class _Lines:
 
     def _from_inputs(self, statement: Statement) -> bool:
         e = statement.expression
-        if statement.angle:
-            return _only_inputs(e)
         if isinstance(e, Apply) and e.op in ("sin", "cos"):
             argument = e.args[0]
-            return _only_inputs(
-                self._angles.get(argument, argument) if isinstance(argument, str) else argument
-            )
-        return False
+            e = self._angles.get(argument, argument) if isinstance(argument, str) else argument
+        elif not statement.angle:
+            return False
+        return _only_inputs(e)
 
     def _statement(self, s: Statement) -> None:
         e = s.expression
         if isinstance(e, Apply) and e.op in ("sin", "cos"):
-            self._sine(e)
-            return
-        if self._same(e):
+            self._sine(e.args[0])
+        elif self._same(e):
             self._uniform.add(s.name)
             self.lines += self._scalar.statement(Statement(s.name, e))
-            return
-        self.lines += self._vector.statement(Statement(s.name, self._lifted(e)))
+        else:
+            self.lines += self._vector.statement(Statement(s.name, self._lifted(e)))
 
-    def _sine(self, e: Apply) -> None:
+    def _sine(self, angle: Expression) -> None:
         """Sine and cosine of one angle, at the first of them."""
-        key = self._text(e.args[0])
+        key = self._vector.spelling.text(self._lifted(angle))
         if key in self._paired:
             return
         self._paired.add(key)
-        pair = self._trig[e.args[0]]
-        sine, cosine = (pair.get(op, f"{op}_not_used") for op in ("sin", "cos"))
-        opened = len(pair) < 2  # the other one gets a name of its own, in a block's shadow
-        if opened:
+        pair = self._trig[angle]
+        sine, cosine = (pair.get(op, f"{op}_not_used_{len(self._paired)}") for op in ("sin", "cos"))
+        if len(pair) < 2:
             self._add(f"LANES_VEC {next(iter(pair.values()))};")
-            unused = sine if "sin" not in pair else cosine
-            self._add(f"LANES_VEC {unused}_{len(self._paired)};")
-            sine, cosine = (
-                f"{name}_{len(self._paired)}" if name == unused else name for name in (sine, cosine)
-            )
+            self._add(f"LANES_VEC {cosine if 'sin' in pair else sine};")
         else:
             self._add(f"LANES_VEC {sine}, {cosine};")
-        self._add(f"LANES_SINCOS({self._lanes(e.args[0])}, &{sine}, &{cosine});")
+        self._add(f"LANES_SINCOS({self._lanes(angle)}, &{sine}, &{cosine});")
 
     def _lanes(self, e: Expression) -> str:
         if self._same(e):
             return f"LANES_NAME(all)({self._scalar.spelling.text(e)})"
-        return self._text(e)
-
-    def _text(self, e: Expression) -> str:
         return self._vector.spelling.text(self._lifted(e))
 
     def _lifted(self, e: Expression) -> Expression:
@@ -265,57 +249,5 @@ class _Lines:
         self.lines += self._vector.line(text)
 
 
-def _indented(syntax: Syntax) -> Syntax:
-    return replace(syntax, indent=" " * 8)
-
-
-def _on_lanes(scalar: Spelling) -> Spelling:
-    def call(op: str) -> Callable[..., str]:
-        return lambda *args: f"LANES_NAME({op})({', '.join(args)})"
-
-    functions = {op: call(op) for op in _HELPERS} | {"atan2": lambda y, x: f"LANES_ATAN2({y}, {x})"}
-    return replace(scalar, element=lambda array, j: f"LANES_AT({array}, {j})", functions=functions)
-
-
-def _trig_of(body: Body) -> dict[Expression, dict[str, str]]:
-    """For each angle, what its sine and its cosine are called."""
-    angles: dict[Expression, dict[str, str]] = {}
-    for s in body.statements:
-        if isinstance(s.expression, Apply) and s.expression.op in ("sin", "cos"):
-            angles.setdefault(s.expression.args[0], {})[s.expression.op] = s.name
-    return angles
-
-
 def _only_inputs(e: Expression) -> bool:
-    if isinstance(e, str):
-        return False
-    return all(map(_only_inputs, e.args)) if isinstance(e, Apply) else True
-
-
-def _nodes(body: Body) -> list[Expression]:
-    nodes: list[Expression] = []
-    stack: list[Expression] = [s.expression for s in body.statements]
-    stack += [e for _, elements in body.outputs for e in elements]
-    while stack:
-        e = stack.pop()
-        nodes.append(e)
-        if isinstance(e, Apply):
-            stack.extend(e.args)
-    return nodes
-
-
-def _operations(body: Body) -> set[str]:
-    return {e.op for e in _nodes(body) if isinstance(e, Apply)}
-
-
-def _read(body: Body) -> set[tuple[str, int | None]]:
-    """Inputs that are read, as (array, index)."""
-    return {(e.array, e.index) for e in _nodes(body) if isinstance(e, Input)}
-
-
-def _prototype(head: str, arguments: list[str]) -> str:
-    """``head`` with its arguments and a closing parenthesis, in lines of moderate length."""
-    line = head + ", ".join(arguments) + ")"
-    if len(line) < WIDTH:
-        return line
-    return head + "\n" + textwrap.indent(",\n".join(arguments), "    ") + ")"
+    return all(map(_only_inputs, e.args)) if isinstance(e, Apply) else not isinstance(e, str)

@@ -6,11 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from robodyn.emit.arctangent import arctangent_context
-from robodyn.emit.spelling import Spelling, elements
+from robodyn.emit.spelling import WIDTH, Spelling, Syntax, call, elements, functions_of
 from robodyn.emit.statements import statements
-from robodyn.emit.syntax import Syntax
-from robodyn.emit.trig import trig_context
 from robodyn.ir.program import Program
 
 #: Compilations that would not round as written, and what is said of them. gcc names -fassociative-math from
@@ -32,33 +29,35 @@ _REFUSED = (
 )
 
 
+def refused(builtin: Mapping[str, Any]) -> list[tuple[str, str]]:
+    """The tests of such compilations and their words, of a file with the functions of our own in
+    ``builtin``."""
+    sines = (
+        "sine and cosine" if builtin["trig"] else "arctangents" if builtin["arctangent"] else "square roots"
+    )
+    return [(test, reason.format(sines)) for test, reason in _REFUSED]
+
+
 def c_spelling(*, single: bool, states: Sequence[str] = (), explicit: bool = False) -> Spelling:
     """``states`` are the members of ``state``, where a function has one; it has ``dt`` then. ``explicit``:
     products within sums stand in parentheses."""
-
     f = "f" if single else ""
-    zero, one = (f"0.0{f}", f"1.0{f}")
-    positive, negative = (
-        ("({} > " + zero + ")", "({} < " + zero + ")") if explicit else ("{} > " + zero, "{} < " + zero)
-    )
+    zero, one = f"0.0{f}", f"1.0{f}"
+
+    def compared(x: str, sign: str) -> str:
+        return f"({x} {sign} {zero})" if explicit else f"{x} {sign} {zero}"
+
     return Spelling(
         literal=lambda digits: digits + f,
         element=elements(states, "state->{}", "{}[{}]"),
         member=lambda name: f"p->{name}",
         functions={
-            "sin": lambda x: f"sin{f}({x})",
-            "cos": lambda x: f"cos{f}({x})",
-            "tanh": lambda x: f"tanh{f}({x})",
-            "sqrt": lambda x: f"sqrt{f}({x})",
-            "abs": lambda x: f"fabs{f}({x})",
-            "exp": lambda x: f"exp{f}({x})",
-            "pow": lambda x, y: f"pow{f}({x}, {y})",
-            "atan2": lambda y, x: f"atan2{f}({y}, {x})",
-            "select": lambda c, a, b: f"({positive.format(c)} ? {a} : {b})",
-            "sign": lambda x: f"({positive.format(x)} ? {one} : ({negative.format(x)} ? -{one} : {zero}))",
+            **functions_of(f"{{}}{f}"),
+            "abs": call(f"fabs{f}"),
+            "select": lambda c, a, b: f"({compared(c, '>')} ? {a} : {b})",
+            "sign": lambda x: f"({compared(x, '>')} ? {one} : ({compared(x, '<')} ? -{one} : {zero}))",
         },
         single=single,
-        continuation="",
         explicit=explicit,
     )
 
@@ -79,21 +78,10 @@ def c_syntax(spelling: Spelling, real: str, *, libm: bool = True) -> Syntax:
     )
 
 
-def c_builtin(name: str, *, single: bool, sines: bool, arctangents: bool) -> dict[str, Any]:
-    """What the templates of our sine and cosine, and of our arctangent, are told; None of what a file does
-    not have. Those called ``lanes_...`` are on vectors."""
-    one, lanes = (
-        c_syntax(c_spelling(single=single), real, libm=False) for real in (f"{name}_real", "LANES_VEC")
-    )
-    what = "sine and cosine" if sines else "arctangents" if arctangents else "square roots"
-    return {
-        "bits": 32 if single else 64,
-        "refused": [(test, reason.format(what)) for test, reason in _REFUSED],
-        "trig": trig_context(one) if sines else None,
-        "arctangent": arctangent_context(one) if arctangents else None,
-        "lanes_trig": trig_context(lanes) if sines else None,
-        "lanes_arctangent": arctangent_context(lanes) if arctangents else None,
-    }
+def prototype(head: str, arguments: Sequence[str]) -> str:
+    """``head`` with its arguments, without the closing parenthesis, in lines of moderate length."""
+    line = head + ", ".join(arguments)
+    return line if len(line) < WIDTH - 2 else head + "\n    " + ",\n    ".join(arguments)
 
 
 def static_function(
@@ -104,9 +92,8 @@ def static_function(
     ``outputs`` gives for each output of ``program`` the name of the argument; run-time ``parameters`` are
     elements of ``p``, in that order.
     """
-    place = {parameter: k for k, parameter in enumerate(parameters)}
     # Names of the description never reach this C: a parameter is a place in p.
-    spelling = replace(c_spelling(single=False), member=lambda parameter: f"p[{place[parameter]}]")
+    spelling = replace(c_spelling(single=False), member=lambda parameter: f"p[{parameters.index(parameter)}]")
     syntax = c_syntax(spelling, "double", libm=False)  # joined sines are welcome here
     body = statements(program)
     arguments = [f"const double *{array}" for array in inputs]
@@ -114,7 +101,7 @@ def static_function(
     lines = [f"static void {name}({', '.join(arguments)}, const double *p)", "{"]
     lines += [line for statement in body.statements for line in syntax.statement(statement)]
     for array, results in body.outputs:
-        target = outputs[array]
-        lines += [line for i, x in enumerate(results) for line in syntax.result(f"{target}[{i}]", x)]
+        for i, x in enumerate(results):
+            lines += syntax.result(f"{outputs[array]}[{i}]", x)
     lines += [f"    (void){array};" for array in (*inputs, *outputs.values(), "p")]
     return "\n".join([*lines, "}"]) + "\n"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -11,6 +11,7 @@ from robodyn.dynamics.functions import array_named, function_named
 from robodyn.emit.language import Language
 from robodyn.emit.spelling import WIDTH
 from robodyn.emit.unit import Unit, counted
+from robodyn.ir.signature import Signature
 from robodyn.robot.account import account_lines
 from robodyn.robot.identity import identity
 from robodyn.robot.model import EffectEntry, Inertia, Joint, Placement, Robot
@@ -26,83 +27,78 @@ _PLAIN = (
 )
 
 
+def _wrapped(texts: Iterable[str], indent: str = "", *, hyphens: bool = True) -> Iterator[str]:
+    for text in texts:
+        yield from textwrap.wrap(
+            comment(text), WIDTH - 4, subsequent_indent=f"{indent}  ", break_on_hyphens=hyphens
+        ) or [""]
+
+
+def head_of(robot: Robot, notes: Sequence[str]) -> list[str]:
+    """The comment at the top of a file that is no kernel: whose dynamics, the ``notes``, and what is known of
+    the robot's numbers."""
+    texts = (f"{robot.name}: {robot.title or 'a serial arm'}", *notes, *account_lines(robot))
+    return [*_wrapped(texts), "Written by robodyn; do not edit, generate again."]
+
+
 def head_lines(unit: Unit, language: Language) -> list[str]:
     """The lines: what this is and of which description, the joints, units and order of the arguments,
     run-time parameters, effects, options, and counts by kind."""
     lines: list[str] = []
 
-    def say(text: str, indent: str = "", *, hyphens: bool = True) -> None:
-        wrapped = textwrap.wrap(
-            comment(text), WIDTH - 4, subsequent_indent=indent + "  ", break_on_hyphens=hyphens
-        )
-        lines.extend(wrapped or [""])
+    def say(*texts: str, indent: str = "", hyphens: bool = True) -> None:
+        lines.extend(_wrapped(texts, indent, hyphens=hyphens))
 
     robot = unit.robot
     say(f"{robot.name}: {robot.title or 'a serial arm'}")
     if robot.source:
         say(f"Numbers: {robot.source}")
-    for line in account_lines(robot):
-        say(line, "  ")
+    say(*account_lines(robot), indent="  ")
     say(f"Written by robodyn {VERSION}; do not edit, generate again.")
     say(f"Description: {identity(robot)} (a hash of its numbers)")
     if unit.options:
         say(f"Options: {unit.options}", hyphens=False)
-    lines.append("")
-    say("Joints, base to tip, in modified Denavit-Hartenberg frames [rad, m]:")
-    for line in _table(robot):
-        say(line, "      ")
+    say("", "Joints, base to tip, in modified Denavit-Hartenberg frames [rad, m]:")
+    say(*_table(robot), indent="      ")
     say(f"Gravity in the base frame: {', '.join(repr(float(g)) for g in robot.base_gravity)} m/s^2")
-    for where, frame in (
-        ("Base frame in the world", robot.base),
-        ("Tool frame in the last link", robot.tool),
-    ):
-        if frame is not None:
-            say(f"{where}: {_placed(frame)}")
+    frames = (("Base frame in the world", robot.base), ("Tool frame in the last link", robot.tool))
+    say(*(f"{where}: {_placed(frame)}" for where, frame in frames if frame is not None))
     say("Arguments, in SI units, joint 1 first:")
-    arrays = dict.fromkeys(a for s, _ in unit.functions for a, _ in (*s.inputs, *s.outputs))
-    width = max(4, *map(len, arrays))
-    for array in arrays:
-        say(f"  {array:{width}} {array_named(array).text}", "      ")
+    width = max(4, *map(len, unit.arrays))
+    say(*(f"  {array:{width}} {array_named(array).text}" for array in unit.arrays), indent="      ")
     for line in _sides(robot):
-        say(line, "  " if line.startswith("  ") else "")
-    _say_parameters(unit, language, say)
-    if state_members(unit):
-        struct = language.type_name(robot.name, "state")
+        say(line, indent="  " if line.startswith("  ") else "")
+    if names := unit.functions[0][0].parameters:
+        say(f"Run-time parameters, in {language.type_name(robot.name, 'params')}:")
+        uses = parameter_uses(robot)
+        for name in names:
+            places = (f"{what} [{unit}]" if unit else what for what, unit in uses.get(name, ()))
+            say(f"  {name}: {', '.join(places)}", indent="      ")
+    if unit.states:
         say(
-            f"inverse_dynamics has states: {struct} begins at zero and a call with dt = 0; then "
-            "call it at every sample, dt > 0 [s] after the one before."
+            f"inverse_dynamics has states: {language.type_name(robot.name, 'state')} begins at zero and a "
+            "call with dt = 0; then call it at every sample, dt > 0 [s] after the one before."
         )
     if unit.sc:
+        element = language.spelling(unit.single).element
         say("sc, the sines and cosines that the functions read:")
-        spelling = language.spelling(unit.functions[0][0].scalar == "float")
-        for k, text in enumerate(unit.sc):
-            say(f"  {spelling.element('sc', k)} = {text}")
-    for note in (*unit.notes, *language.notes(unit)):
-        say(note)
-    for note in language.advice(unit):
-        say(note, hyphens=False)
-    lines.append("")
-    say("Operations (every binary * is a multiplication, every binary + or - an addition):")
-    for signature, program in unit.functions:
-        say(f"  {signature.function}: {counted(program)}", "    ")
-    for line in _zeros(unit):
-        say(line, "    ")
+        say(*(f"  {element('sc', k)} = {text}" for k, text in enumerate(unit.sc)))
+    say(*unit.notes)
+    say(*language.advice(unit), hyphens=False)
+    say("", "Operations (every binary * is a multiplication, every binary + or - an addition):")
+    say(
+        *(f"  {signature.function}: {counted(program)}" for signature, program in unit.functions),
+        indent="    ",
+    )
+    zeros = [  # solvers of sparse systems ask for them
+        f"  {signature.function}: {array} is 0 at {', '.join(map(str, places))}"
+        for signature, program in unit.functions
+        if not function_named(signature.function).by_default
+        for array, places in program.zeros().items()
+    ]
+    if zeros:
+        say("Always 0, elements counted from 0:", *zeros, indent="    ")
     return lines
-
-
-def _zeros(unit: Unit) -> list[str]:
-    """Which elements of results are always 0, of functions on request: solvers of sparse systems ask."""
-    lines = []
-    for signature, program in unit.functions:
-        if not function_named(signature.function).by_default:
-            for array, places in program.zeros().items():
-                lines.append(f"  {signature.function}: {array} is 0 at {', '.join(map(str, places))}")
-    return ["Always 0, elements counted from 0:", *lines] if lines else []
-
-
-def state_members(unit: Unit) -> tuple[str, ...]:
-    """Members of the state struct of ``unit``, if a function has one."""
-    return next((signature.states for signature, _ in unit.functions if signature.states), ())
 
 
 def comment(text: str) -> str:
@@ -116,23 +112,27 @@ def comment(text: str) -> str:
     return text
 
 
-def contained(robot: Robot, *, accelerated: bool, remembers: bool) -> tuple[str, ...]:
-    """What the drives add to torques of a moving arm, for the comment of a function; with ``accelerated``
-    what needs an acceleration too. What has a state is in its steady form unless the function ``remembers``:
-    elastic joints are stiff."""
-    if robot.torque_side == "link":
-        return ()
-    plain = [
+def contained(robot: Robot, signature: Signature) -> str:
+    """What the drives add to the torques of a function with velocities, for its comment, with accelerations
+    what needs these too; empty if nothing. What has a state is in its steady form unless the function
+    remembers: elastic joints are stiff."""
+    function = function_named(signature.function)
+    taken = {array.name for array in function.inputs}
+    if robot.torque_side == "link" or "qd" not in taken:
+        return ""
+    accelerated = "qdd" in taken or function.solves
+    names = [
         name
         for field, name, *_ in _PLAIN
         if (accelerated or field != "motor_inertia")
         and any(getattr(link.joint, field) for link in robot.links)
     ]
-    steady = "" if remembers else " (steady: as if nothing had changed for long)"
+    steady = "" if signature.states else " (steady: as if nothing had changed for long)"
     forms = {"algebraic": "", "state": steady}
-    entries = (entry.definition for entry in robot.effects)
-    titles = [lowered(effect.title) + forms[effect.kind] for effect in entries if effect.kind in forms]
-    return tuple(dict.fromkeys([*plain, *titles]))
+    for entry in robot.effects:
+        if entry.definition.kind in forms:
+            names.append(_lowered(entry.definition.title) + forms[entry.definition.kind])
+    return f"with {', '.join(dict.fromkeys(names))}" if names else ""
 
 
 # --- joints ------------------------------------------------------------------------------------------
@@ -140,34 +140,32 @@ def contained(robot: Robot, *, accelerated: bool, remembers: bool) -> tuple[str,
 
 def _table(robot: Robot) -> Iterator[str]:
     """A line for each joint: its number, name and kind, its row of DH numbers, its limits."""
-    rows = [
-        (
-            f"{i}",
-            link.name if link.name != f"link{i}" else "",
-            link.joint.kind,
-            *(f"{name} {text}" if text else "" for name, text in _row(link.joint)),
+    rows = []
+    for i, link in enumerate(robot.links, 1):
+        joint = link.joint
+        turned, slid = _angle(joint.theta), _value(joint.d)
+        if joint.kind == "revolute":
+            turned = "q" if turned == "0" else f"q + {turned}"
+        else:
+            slid = "q" if slid == "0" else f"q + {slid}"
+        aside = f"b {_value(joint.b)}" if joint.b else ""
+        name = link.name if link.name != f"link{i}" else ""
+        numbers = (
+            f"alpha {_angle(joint.alpha)}",
+            f"a {_value(joint.a)}",
+            aside,
+            f"d {slid}",
+            f"theta {turned}",
         )
-        for i, link in enumerate(robot.links, 1)
-    ]
-    widths = [max(len(row[k]) for row in rows) for k in range(len(rows[0]))]
+        rows.append((f"{i}", name, joint.kind, *numbers))
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     for row, link in zip(rows, robot.links, strict=True):
         cells = [cell.ljust(width) for cell, width in zip(row, widths, strict=True) if width]
         yield "  " + "  ".join(cells).rstrip()
-        limits = _limits(link.joint)
-        if limits:
+        if limits := _limits(link.joint):
             yield f"      limits: {limits}"
         if link.joint.gear is not None:
             yield f"      gear: {_gear(link.joint)}"
-
-
-def _row(joint: Joint) -> tuple[tuple[str, str], ...]:
-    turned, slid = _angle(joint.theta), _value(joint.d)
-    if joint.kind == "revolute":
-        turned = "q" if turned == "0" else f"q + {turned}"
-    else:
-        slid = "q" if slid == "0" else f"q + {slid}"
-    aside = (("b", _value(joint.b) if joint.b else ""),)
-    return (("alpha", _angle(joint.alpha)), ("a", _value(joint.a)), *aside, ("d", slid), ("theta", turned))
 
 
 def _placed(frame: Placement) -> str:
@@ -222,75 +220,54 @@ def _value(value: Value) -> str:
 
 def _sides(robot: Robot) -> Iterator[str]:
     """Whose torques these are, and what effects the numbers of the drives stand for."""
+    lines = []
+    for field, name, *units in _PLAIN if robot.torque_side != "link" else ():
+        values = [
+            f"joint {i} {_value(getattr(link.joint, field))} {units[link.joint.kind != 'revolute']}"
+            for i, link in enumerate(robot.links, 1)
+            if getattr(link.joint, field)
+        ]
+        lines += [f"  {name}: {', '.join(values)}"] if values else []
+    lines += [f"  {_entry(robot, entry)}" for entry in robot.effects]
     if robot.torque_side == "link":
         yield "Torques act behind the gear: rotor inertia and friction are not in them."
-    plain = list(_plain(robot))
-    if robot.torque_side == "link":
-        plain = []
-    if robot.torque_side == "motor" and (plain or robot.effects):
+    if robot.torque_side == "motor" and lines:
         yield "Torques are the motors', reflected to the joints; what lies between is in them."
-    entries = [_entry(robot, entry) for entry in robot.effects]
-    if plain or entries:
-        yield "Effects in this model:"
-        yield from (f"  {line}" for line in (*plain, *entries))
+    yield from ["Effects in this model:", *lines] if lines else []
     if robot.rest_velocity is not None:
         yield f"Near rest friction's sign is tanh(qd / {_value(robot.rest_velocity)})."
     if robot.dead_band is not None:
         yield f"Friction's sign is 0 below {_value(robot.dead_band)} rad/s or m/s."
 
 
-def _plain(robot: Robot) -> Iterator[str]:
-    for field, name, revolute, prismatic in _PLAIN:
-        values = [
-            f"joint {i} {_value(getattr(link.joint, field))} "
-            + (revolute if link.joint.kind == "revolute" else prismatic)
-            for i, link in enumerate(robot.links, 1)
-            if getattr(link.joint, field)
-        ]
-        if values:
-            yield f"{name}: {', '.join(values)}"
-
-
 def _entry(robot: Robot, entry: EffectEntry) -> str:
-    effect = entry.definition
-    revolute = entry.joint is None or robot.links[entry.joint - 1].joint.kind == "revolute"
-    units = {p.name: p.unit_at(revolute=revolute) for p in effect.parameters}
+    effect, (where, units) = entry.definition, _place(robot, entry)
     settings = ", ".join(
         f"{name} {_setting(value)} {'' if units.get(name) == '1' else units.get(name, '')}".rstrip()
         for name, value in entry.settings
     )
-    where = "" if entry.joint is None else f" at joint {entry.joint}"
     outside = {"sensor": "; of the sensors, in no kernel", "outside": "; in no kernel"}.get(effect.kind, "")
-    return f"{lowered(effect.title)}{where}: {settings}{outside}"
+    return f"{_lowered(effect.title)}{where}: {settings}{outside}"
 
 
-def lowered(title: str) -> str:
-    """``title`` within a sentence: names and acronyms stay as they are."""
-    first = title.split(" ", 1)[0]
-    return (
-        title if first[:1].isupper() and first in ("Coulomb", "Stribeck") else title[:1].lower() + title[1:]
-    )
+def _place(robot: Robot, entry: EffectEntry) -> tuple[str, dict[str, str]]:
+    """Where an effect is, and the units of its parameters there."""
+    revolute = entry.joint is None or robot.links[entry.joint - 1].joint.kind == "revolute"
+    where = "" if entry.joint is None else f" at joint {entry.joint}"
+    return where, {p.name: p.unit_at(revolute=revolute) for p in entry.definition.parameters}
+
+
+def _lowered(title: str) -> str:
+    """``title`` within a sentence: names stay as they are."""
+    return title if title.startswith(("Coulomb ", "Stribeck ")) else title[:1].lower() + title[1:]
 
 
 def _setting(value: Any) -> str:
     if isinstance(value, (Fraction, Affine)):
         return _value(value)
     if isinstance(value, Inertia):
-        return _setting((value.xx, value.yy, value.zz, value.xy, value.xz, value.yz))
-    if isinstance(value, tuple):
-        return f"[{', '.join(map(_setting, value))}]"
-    return str(value)
-
-
-def _say_parameters(unit: Unit, language: Language, say: Any) -> None:
-    names = unit.functions[0][0].parameters
-    if not names:
-        return
-    say(f"Run-time parameters, in {language.type_name(unit.robot.name, 'params')}:")
-    uses = parameter_uses(unit.robot)
-    for name in names:
-        places = (f"{what} [{unit}]" if unit else what for what, unit in uses.get(name, ()))
-        say(f"  {name}: {', '.join(places)}", "      ")
+        value = (value.xx, value.yy, value.zz, value.xy, value.xz, value.yz)
+    return f"[{', '.join(map(_setting, value))}]" if isinstance(value, tuple) else str(value)
 
 
 def parameter_uses(robot: Robot) -> dict[str, tuple[tuple[str, str], ...]]:
@@ -309,19 +286,15 @@ def parameter_uses(robot: Robot) -> dict[str, tuple[tuple[str, str], ...]]:
                 note(element, f"{what} {axis}", unit)
 
     for i, link in enumerate(robot.links, 1):
-        joint = link.joint
-        note(joint.a, f"a of joint {i}", "m")
-        note(joint.b, f"b of joint {i}", "m")
-        note(joint.d, f"d of joint {i}", "m")
+        for name in ("a", "b", "d"):
+            note(getattr(link.joint, name), f"{name} of joint {i}", "m")
         note(link.mass, f"mass of link {i}", "kg")
         note(link.com, f"centre of mass of link {i}", "m")
         note(link.inertia, f"inertia of link {i}", "kg m^2")
         for field, name, *units in _PLAIN:
-            note(getattr(joint, field), f"{name} of joint {i}", units[joint.kind != "revolute"])
+            note(getattr(link.joint, field), f"{name} of joint {i}", units[link.joint.kind != "revolute"])
     for entry in robot.effects:
-        revolute = entry.joint is None or robot.links[entry.joint - 1].joint.kind == "revolute"
-        where = "" if entry.joint is None else f" at joint {entry.joint}"
-        units_of = {p.name: p.unit_at(revolute=revolute) for p in entry.definition.parameters}
+        where, units_of = _place(robot, entry)
         for name, value in entry.settings:
-            note(value, f"{name} of {lowered(entry.definition.title)}{where}", units_of.get(name, ""))
+            note(value, f"{name} of {_lowered(entry.definition.title)}{where}", units_of.get(name, ""))
     return {name: tuple(names) for name, names in uses.items()}

@@ -4,38 +4,34 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
 
-from robodyn.emit.spelling import Spelling
-from robodyn.emit.syntax import Syntax
+from robodyn.emit.body import Lines
+from robodyn.emit.spelling import Spelling, Syntax
+from robodyn.emit.stages import Repeated
+from robodyn.emit.unit import Unit
 from robodyn.errors import InputError
+from robodyn.ir.signature import ScalarType, Signature
 from robodyn.robot.names import shown
 from robodyn.tools import Tool
 
-if TYPE_CHECKING:
-    from robodyn.emit.body import Lines
-    from robodyn.emit.stages import Repeated
-    from robodyn.emit.unit import Unit
-    from robodyn.ir.signature import ScalarType, Signature
-
 #: What not every language can do.
-Feature = Literal["batch", "parallel", "misra", "firmware"]
+Feature = Literal["batch", "misra", "firmware"]
 
 
 @dataclass(frozen=True, slots=True)
 class FunctionText:
     """One function on its way to the templates: its interface, its lines, and which arguments nothing reads.
 
-    ``rereads``: a sine reads an angle under another name (:class:`~robodyn.emit.syntax.Syntax`).
+    ``rereads``: a sine reads an angle under another name (:class:`~robodyn.emit.spelling.Syntax`).
     ``stage``: only another function calls it.
     """
 
     signature: Signature
-    unit: Unit
     lines: Lines
-    unused: tuple[str, ...]
-    rereads: bool = False
-    stage: bool = False
+    unused: Sequence[str]
+    rereads: bool
+    stage: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,12 +77,8 @@ class Language:
     context: Callable[[Unit], dict[str, Any]] = lambda unit: {}
     aliases: tuple[str, ...] = ()
     #: The lines of a function that repeats a step; None: it has no such functions.
-    repeating: Callable[[Repeated], Lines] | None = None
-    #: Whether ``gen`` writes it unless told otherwise.
-    default: bool = False
-    #: Notes for the head of the file.
-    notes: Callable[[Unit], tuple[str, ...]] = lambda unit: ()
-    #: Notes on compiling and calling, likewise.
+    repeating: Callable[[Repeated, Syntax], Lines] | None = None
+    #: Notes for the head of the file, on compiling and calling.
     advice: Callable[[Unit], tuple[str, ...]] = lambda unit: ()
     #: What the struct of a robot's ``params`` or ``state`` is called.
     type_name: Callable[[str, str], str] = lambda robot, kind: f"{robot}_{kind}"
@@ -103,8 +95,6 @@ class Language:
     longest_name: int | None = None
     #: What it can do beyond plain kernels.
     features: frozenset[Feature] = frozenset()
-    #: Whether browsers run it as it is.
-    of_browsers: bool = False
     #: Files of batches, by name.
     batch: Callable[[Unit], dict[str, str]] | None = None
     #: How it is compiled and called from Python; None: it is not.
@@ -117,12 +107,11 @@ class Language:
     def check(self, scalar: str, trig: str, signatures: Sequence[Signature]) -> None:
         """:class:`InputError` where it has no such numbers, no such sines and cosines, or no names as long as
         those of the functions."""
-        options = (("--scalar", scalar, self.scalars), ("--trig", trig, self.trigonometry))
-        for option, value, able in options:
+        for option, value, able in (("scalar", scalar, self.scalars), ("trig", trig, self.trigonometry)):
             if value not in able:
                 raise InputError(
-                    f"{self.title} is not written with {option} {value}",
-                    expected=f"{option} {' or '.join(able)}",
+                    f"{self.title} is not written with --{option} {value}",
+                    expected=f"--{option} {' or '.join(able)}",
                 )
         longest = max(signatures, key=lambda signature: len(signature.symbol))
         if self.longest_name is not None and len(longest.symbol) > self.longest_name:

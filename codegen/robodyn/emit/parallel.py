@@ -1,146 +1,226 @@
-"""Parallel C from a schedule: a team of threads, pinned if asked, that spin and never allocate.
+"""The files of a schedule: the serial kernel, its parallel form, and its packed form, which has the
+independent operations of a level as lanes of one core's vectors.
 
-Every value is the same operation on the same operands as in the serial kernel, so the bits are the same; only
-who computes it is decided by the schedule. A value that another processor reads is written once, into the
-team's
-memory, and read after a barrier or after its maker's counter has passed it.
+Parallel C is for a team of threads, pinned if asked, that spin and never allocate. A value that another
+processor reads is written once, into the team's memory, and read after a barrier or after its maker's counter
+has passed it. Vectors are those of gcc and clang (``vector_size``), which every target has, by instructions
+or one by one. In both, every value is the same operation on the same operands as in the serial kernel, so the
+bits are the same; only who computes it is decided by the schedule.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Collection
 from typing import Any
 
 from robodyn.dynamics.functions import array_named
 from robodyn.emit.c_syntax import c_spelling, c_syntax
-from robodyn.emit.lines import Writer, head_of
-from robodyn.emit.render import environment
-from robodyn.emit.results import check_one_result
+from robodyn.emit.head import head_of
+from robodyn.emit.render import environment, render
+from robodyn.emit.spelling import Syntax
+from robodyn.emit.statements import Apply, Expression, Statement, inputs_of, unique
+from robodyn.emit.unit import Unit
 from robodyn.errors import InputError
-from robodyn.ir.program import Program
+from robodyn.ir.program import Input, Operand, Program
 from robodyn.ir.signature import Signature
 from robodyn.robot.model import Robot
 from robodyn.schedule.cutting import Cut
 from robodyn.schedule.lanes import Lanes, Step, Waiting, lanes
 from robodyn.schedule.machine import Timetable
+from robodyn.schedule.packing import Packing, pack
 
 #: Looks at a counter before a thread lets others run; with a core a thread it hardly comes to that.
 SPINS = 200
 
-
-@dataclass(frozen=True, slots=True)
-class Parallel:
-    """What is emitted: a function of a robot, cut, with its schedule; ``notes`` are lines for the head;
-    ``packed``: the check runs the packed form too."""
-
-    robot: Robot
-    signature: Signature
-    cut: Cut
-    timetable: Timetable
-    waiting: Waiting = "barrier"
-    notes: tuple[str, ...] = ()
-    packed: bool = False
+_SIGNS = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
 
 
-def parallel_files(parallel: Parallel) -> dict[str, str]:
-    """``NAME_parallel.h``, ``NAME_parallel.c`` and ``NAME_parallel_check.c``: text by file name. The serial
-    kernel ``NAME.h`` and ``NAME.c``, which they include, is :func:`robodyn.emit.render`'s.
+def schedule_files(
+    robot: Robot,
+    signature: Signature,
+    cut: Cut,
+    timetable: Timetable,
+    *,
+    waiting: Waiting | None = None,
+    vector: int | None = None,
+) -> dict[str, str]:
+    """All files of a schedule of ``cut``: text by file name; with lanes in a ``vector`` the packed form too.
+
+    ``waiting``: barriers where the timetable has levels, counters where it has none, unless told.
 
     Raises
     ------
-    InputError: the function remembers between calls, which is not for threads, or has several results.
+    InputError: the function remembers between calls or has several results, or barriers are asked for where
+        there are no levels.
     """
-    signature = parallel.signature
-    check_one_result(signature, "in parallel")
+    if len(signature.outputs) > 1:
+        raise InputError(
+            f"{signature.symbol} has several results, and is not emitted in parallel",
+            found=", ".join(array for array, _ in signature.outputs),
+            expected="a function with one",
+        )
     if signature.states:
         raise InputError(
             f"{signature.symbol} remembers between calls, and is not emitted in parallel",
             found=", ".join(signature.states),
             remedy="leave out the effects with memory, or schedule another function",
         )
-    plan = lanes(parallel.cut, parallel.timetable, parallel.waiting)
-    context = _context(parallel, plan)
-    name = signature.robot
-    return {
-        f"{name}_parallel.h": environment().get_template("c/parallel.h.j2").render(context),
-        f"{name}_parallel.c": environment().get_template("c/parallel.c.j2").render(context),
-        f"{name}_parallel_check.c": environment().get_template("c/parallel_check.c.j2").render(context),
-    }
-
-
-def _context(parallel: Parallel, plan: Lanes) -> dict[str, Any]:
-    signature = parallel.signature
-    p = parallel.timetable.machine.processors
     ((output, size),) = signature.outputs
-    arrays = [array for array, _ in (*signature.inputs, *signature.outputs)]
-    return {
+    common: dict[str, Any] = {
         "name": signature.robot,
-        "guard": f"{signature.robot.upper()}_PARALLEL_H",
         "symbol": signature.symbol,
         "function": signature.function,
-        "processors": p,
         "inputs": [{"name": array, "size": length} for array, length in signature.inputs],
         "output": output,
         "size": size,
-        "arrays": [{"name": array, "what": array_named(array).text} for array in arrays],
         "parameters": signature.parameters,
+        "packed": vector is not None,
+    }
+    how = waiting or ("barrier" if timetable.machine.synchronised else "counters")
+    contexts = {"parallel": _parallel(robot, signature, cut, timetable, how)}
+    if vector is not None:
+        contexts["packed"] = _packed(robot, signature, pack(cut.program, vector))
+    files = render(Unit(robot, ((signature, cut.program),)), ("c",))
+    for form, context in contexts.items():
+        for part in (f"{form}.h", f"{form}.c", *(["parallel_check.c"] if form == "parallel" else [])):
+            template = environment().get_template(f"c/{part}.j2")
+            files[f"{signature.robot}_{part}"] = template.render(common, **context)
+    return files
+
+
+class _Writer:
+    """Writes operations of ``program`` as statements, one at a time, in whatever order a schedule has, and
+    keeps in mind what they are called.
+
+    A value that is used once, by an operation of the same task, is written where it is used. ``again``: sines
+    read angles under another name; ``inputs`` are those that have been read, under the names that stand
+    there; ``names`` are the expressions of what has been written or bound.
+    """
+
+    def __init__(self, program: Program, syntax: Syntax) -> None:
+        self.program = program
+        self.syntax = syntax
+        self.again = False
+        self.inputs: set[Input] = set()
+        self.names: dict[int, Expression] = {}
+        self._uses = program.uses()
+        self._users: dict[int, set[int]] = {}
+        self._taken: set[str] = set()
+        self._angles: set[int] = set()
+        #: Values with names: angles, results, and those that C writes twice or chooses without a branch.
+        self._whole = {operand for operand in program.results() if isinstance(operand, int)}
+        for i, (op, args, _) in enumerate(program.operations):
+            for arg in args:
+                if isinstance(arg, int):
+                    self._users.setdefault(arg, set()).add(i)
+                    if op in ("sin", "cos"):
+                        self._angles.add(arg)
+                    if op in ("sin", "cos", "sign", "select"):
+                        self._whole.add(arg)
+
+    def bound(self, i: int, source: str) -> list[str]:
+        """Call the value of operation ``i``, which stands in ``source``, by its name from here on."""
+        return self.syntax.line(self.syntax.declare(self._named(i), source))
+
+    def written(self, i: int, inside: Collection[int], *, keep: bool = False) -> list[str]:
+        """Operation ``i``: a statement, or none where it is written into its only use, which is in
+        ``inside``; ``keep``: it needs a name."""
+        op, args, label = self.program.operations[i]
+        expression = Apply(op, tuple(self._operand(arg) for arg in args))
+        alone = self._uses[i] == 1 and self._users.get(i, set()) <= set(inside) and i not in self._whole
+        if alone and not keep and label is None and op not in ("sin", "cos"):
+            self.names[i] = expression
+            return []
+        read = self.syntax.as_read(expression)
+        self.again |= read != expression
+        self.inputs.update(inputs_of(read))
+        return self.syntax.statement(Statement(self._named(i), expression, angle=i in self._angles))
+
+    def assigned(self, target: str, operand: Operand) -> list[str]:
+        """``target = operand``."""
+        return self.syntax.line(self.syntax.assign(target, self.text(operand)))
+
+    def text(self, operand: Operand) -> str:
+        """An operand in the language."""
+        expression = self._operand(operand)
+        self.inputs.update(inputs_of(expression))
+        return self.syntax.spelling.text(expression)
+
+    def reads(self, array: str) -> bool:
+        """Whether an element of ``array`` has been read, or a run-time parameter (``p``)."""
+        return any(x.index is None if array == "p" else x.is_of(array) for x in self.inputs)
+
+    def _operand(self, operand: Operand) -> Expression:
+        return self.names[operand] if isinstance(operand, int) else operand
+
+    def _named(self, i: int) -> str:
+        label = self.program.operations[i].label
+        self.names[i] = name = unique(f"t{i}" if label is None else str(label), self._taken)
+        return name
+
+
+def _parallel(
+    robot: Robot, signature: Signature, cut: Cut, timetable: Timetable, waiting: Waiting
+) -> dict[str, Any]:
+    plan = lanes(cut, timetable, waiting)
+    machine = timetable.machine
+    waits = sum(len(step.waits) for lane in plan.steps for step in lane)
+    meet = f"{waits} waits for another processor's counter"
+    if waiting == "barrier":
+        meet = f"{len(plan.barriers)} barriers"
+    note = (
+        f"{signature.function} on {machine.processors} processors: {len(cut.graph)} "
+        f"tasks in {timetable.levels} {'levels' if machine.synchronised else 'units of time'}, "
+        f"{len(plan.shared)} values that pass between processors, {meet}. The bits are those of the serial "
+        "kernel."
+    )
+    arrays = [array for array, _ in (*signature.inputs, *signature.outputs)]
+    kind = "level" if machine.synchronised else "time"
+    return {
+        "head": head_of(robot, [note]),
+        "processors": machine.processors,
+        "arrays": [{"name": array, "what": array_named(array).text} for array in arrays],
         "shared": max(1, len(plan.shared)),
-        "packed": parallel.packed,
         "barrier": bool(plan.barriers),
         "spins": SPINS,
         "stride": 1 + max(map(len, plan.steps)),
-        "lanes": [_lane(parallel, plan, k) for k in range(p)],
-        "head": head_of(parallel.robot, _notes(parallel, plan)),
+        "lanes": [_lane(signature, cut, plan, k, kind) for k in range(machine.processors)],
     }
 
 
-def _notes(parallel: Parallel, plan: Lanes) -> list[str]:
-    table = parallel.timetable
-    waits = sum(len(step.waits) for lane in plan.steps for step in lane)
-    meet = (
-        f"{len(plan.barriers)} barriers"
-        if parallel.waiting == "barrier"
-        else f"{waits} waits for another processor's counter"
-    )
-    return [
-        f"{parallel.signature.function} on {table.machine.processors} processors: {len(parallel.cut.graph)} "
-        f"tasks in {table.levels} {'levels' if table.machine.synchronised else 'units of time'}, "
-        f"{len(plan.shared)} values "
-        f"that pass between processors, {meet}. The bits are those of the serial kernel.",
-        *parallel.notes,
-    ]
-
-
-def _lane(parallel: Parallel, plan: Lanes, k: int) -> dict[str, Any]:
+def _lane(signature: Signature, cut: Cut, plan: Lanes, k: int, kind: str) -> dict[str, Any]:
     """The function of processor ``k``: its lines, and what it reads."""
-    spelling = c_spelling(single=parallel.signature.scalar == "float")
+    spelling = c_spelling(single=signature.scalar == "float")
     slot = {i: n for n, i in enumerate(plan.shared)}
-    writer = Writer(parallel.cut.program, c_syntax(spelling, f"{parallel.signature.robot}_real"))
+    writer = _Writer(cut.program, c_syntax(spelling, f"{signature.robot}_real"))
     lines: list[str] = []
+    meeting = f"    {signature.robot}_meet(team); /* before level {{}} */"
     barriers = list(plan.barriers)
     level = 0
-    for step in plan.steps[k]:
+    for done, step in enumerate(plan.steps[k], 1):
         while barriers and barriers[0] <= step.level:
-            lines.append(_meet(parallel.signature.robot, barriers.pop(0)))
+            lines.append(meeting.format(barriers.pop(0)))
         if step.task and step.level != level:
             level = step.level
-            kind = "level" if parallel.timetable.machine.synchronised else "time"
             lines.append(f"    /* {kind} {level} */")
-        lines += [
-            f"    {parallel.signature.robot}_await(&team->done[{j}], base + {n}u);" for j, n in step.waits
-        ]
-        lines += _step(parallel.cut, step, plan, k, writer, slot)
+        lines += [f"    {signature.robot}_await(&team->done[{j}], base + {n}u);" for j, n in step.waits]
+        lines += _step(cut, step, plan, k, writer, slot)
         if step.publishes:
-            done = plan.steps[k].index(step) + 1
             lines.append(
                 f"    atomic_store_explicit(&team->done[{k}].value, base + {done}u, memory_order_release);"
             )
-    lines += [_meet(parallel.signature.robot, where) for where in barriers]
-    written = _results(parallel.cut.program, plan, k, writer)
-    lines += written
-    text = "\n".join(lines)
-    arrays = [array for array, _ in parallel.signature.inputs if any(x.is_of(array) for x in writer.inputs)]
-    parameters = any(x.index is None for x in writer.inputs)
+    lines += map(meeting.format, barriers)
+    # What this processor made of the results; the first one also writes what nobody computes.
+    results = [
+        line
+        for _, elements in cut.program.outputs
+        for place, operand in enumerate(elements)
+        if k == (plan.processor_of[operand] if isinstance(operand, int) else 0)
+        for line in writer.assigned(f"out[{place}]", operand)
+    ]
+    lines += results
+    arrays = [array for array, _ in signature.inputs if writer.reads(array)]
+    parameters = writer.reads("p")
     return {
         "number": k,
         "lines": lines,
@@ -148,34 +228,65 @@ def _lane(parallel: Parallel, plan: Lanes, k: int) -> dict[str, Any]:
         "parameters": parameters,
         "again": writer.again,
         "base": any(step.waits or step.publishes for step in plan.steps[k]),
-        "quiet": not ("team" in text or arrays or parameters or writer.again or written),
-        "results": bool(written),
+        "quiet": not (
+            any("team" in line for line in lines) or arrays or parameters or writer.again or results
+        ),
+        "results": bool(results),
     }
 
 
-def _meet(name: str, level: int) -> str:
-    return f"    {name}_meet(team); /* before level {level} */"
-
-
-def _step(cut: Cut, step: Step, plan: Lanes, k: int, writer: Writer, slot: dict[int, int]) -> list[str]:
+def _step(cut: Cut, step: Step, plan: Lanes, k: int, writer: _Writer, slot: dict[int, int]) -> list[str]:
     lines: list[str] = []
-    inside = set(step.operations)
     for i in step.operations:
         for arg in cut.program.operations[i].args:
-            if isinstance(arg, int) and plan.processor_of[arg] != k and not writer.known(arg):
+            if isinstance(arg, int) and plan.processor_of[arg] != k and arg not in writer.names:
                 lines += writer.bound(arg, f"team->v[{slot[arg]}]")
-        lines += writer.written(i, inside, keep=i in slot)
+        lines += writer.written(i, step.operations, keep=i in slot)
         if i in slot:
-            lines.append(f"    team->v[{slot[i]}] = {writer.name(i)};")
+            lines.append(f"    team->v[{slot[i]}] = {writer.names[i]};")
     return lines
 
 
-def _results(program: Program, plan: Lanes, k: int, writer: Writer) -> list[str]:
-    """What this processor made of the results; the first one also writes what nobody computes."""
-    lines = []
-    for _, elements in program.outputs:
-        for place, operand in enumerate(elements):
-            owner = plan.processor_of[operand] if isinstance(operand, int) else 0
-            if owner == k:
-                lines += writer.assigned(f"out[{place}]", operand)
-    return lines
+def _packed(robot: Robot, signature: Signature, packing: Packing) -> dict[str, Any]:
+    name, program = signature.robot, packing.program
+    spelling = c_spelling(single=signature.scalar == "float")
+    writer, vectors = (
+        _Writer(program, c_syntax(spelling, f"{name}_real")),
+        c_syntax(spelling, f"{name}_lanes"),
+    )
+    lines: list[str] = []
+    written: dict[tuple[str, ...], str] = {}
+
+    def operand(elements: tuple[str, ...]) -> str:
+        """A vector of ``elements``, that of an earlier operation where it is the same; lanes that are not
+        needed hold the first element again."""
+        filled = elements + elements[:1] * (packing.lanes - len(elements))
+        return written.get(elements) or f"({name}_lanes){{{', '.join(filled)}}}"
+
+    for number, group in enumerate(packing.groups):
+        if len(group) == 1:
+            lines += writer.written(group[0], (), keep=True)
+            continue
+        operations = [program.operations[i] for i in group]
+        left, right = (operand(tuple(writer.text(each.args[side]) for each in operations)) for side in (0, 1))
+        vector = f"lanes_{number}"
+        lines += vectors.line(vectors.declare(vector, f"{left} {_SIGNS[operations[0].op]} {right}"))
+        elements = [f"{vector}[{k}]" for k in range(len(group))]
+        writer.names.update(zip(group, elements, strict=True))
+        written[tuple(elements)] = vector
+    for array, results in program.outputs:
+        for i, result in enumerate(results):
+            lines += [f"    {line.strip()}" for line in writer.assigned(f"{array}[{i}]", result)]
+    note = (
+        f"{signature.function} with {packing.lanes} lanes: {packing.vectors} vector operations, "
+        f"{100 * packing.filling:.0f} % of their lanes filled, and {len(packing.groups) - packing.vectors} "
+        "single ones. The bits are those of the serial kernel."
+    )
+    names = [*(array for array, _ in signature.inputs), *(["p"] if signature.parameters else [])]
+    return {
+        "head": head_of(robot, [note]),
+        "lanes": packing.lanes,
+        "lines": lines,
+        "again": writer.again,
+        "unused": [array for array in names if not writer.reads(array)],
+    }

@@ -1,12 +1,13 @@
-"""How a language writes numbers, operators and long lines."""
+"""How a language is written: numbers, operators, statements and long lines."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
-from robodyn.emit.statements import Apply, Expression
+from robodyn.emit.loops import Run
+from robodyn.emit.statements import Apply, Expression, Statement
 from robodyn.errors import InputError
 from robodyn.ir.program import Input
 
@@ -35,16 +36,27 @@ def elements(
     return element
 
 
+def call(name: str) -> Callable[..., str]:
+    """A function that is written as the call of ``name``."""
+    return lambda *arguments: f"{name}({', '.join(arguments)})"
+
+
+def functions_of(pattern: str) -> dict[str, Callable[..., str]]:
+    """The functions that mathematical libraries have, each called as ``pattern`` with its name."""
+    names = ("sin", "cos", "tanh", "sqrt", "exp", "pow", "atan2", "abs")
+    return {name: call(pattern.format(name)) for name in names}
+
+
 @dataclass(frozen=True, slots=True)
 class Spelling:
-    """A language: how it writes a literal, an input and the functions; ``single`` for float."""
+    """Numbers and operators: how a literal, an input and the functions are written; ``single`` for float."""
 
     literal: Callable[[str], str]
     element: Callable[[str, int], str]
     member: Callable[[str], str]
     functions: Mapping[str, Callable[..., str]]
     single: bool
-    continuation: str
+    continuation: str = ""
     #: Whether products within sums stand in parentheses, as MISRA C:2012 wants it.
     explicit: bool = False
     #: The sign of a product; that of the others has blanks about it.
@@ -62,6 +74,10 @@ class Spelling:
         """``expression`` in this language; parentheses keep its grouping, so that its rounding is
         the program's."""
         return self._text(expression)[0]
+
+    def row(self, expressions: Sequence[Expression]) -> str:
+        """``expressions`` with commas between them."""
+        return ", ".join(map(self.text, expressions))
 
     def _text(self, expression: Expression) -> tuple[str, int]:
         if isinstance(expression, str):
@@ -82,9 +98,7 @@ class Spelling:
         if op not in _OPERATORS:
             return self.functions[op](*(self._text(arg)[0] for arg in args)), _ATOM
         symbol, own = _OPERATORS[op]
-        one, other = args
-        left, left_strength = (one, _ATOM) if isinstance(one, str) else self._text(one)
-        right, right_strength = (other, _ATOM) if isinstance(other, str) else self._text(other)
+        (left, left_strength), (right, right_strength) = map(self._text, args)
         if left_strength < own or (self.explicit and own < left_strength < _ATOM):
             left = f"({left})"
         explicit = self.explicit and own < right_strength < _ATOM
@@ -94,17 +108,114 @@ class Spelling:
 
     def wrapped(self, line: str, indent: str) -> list[str]:
         """``line`` on as many lines as it needs, broken at blanks."""
-        if len(indent) + len(line) <= WIDTH - len(self.continuation):
+        room = WIDTH - len(self.continuation)
+        if len(indent) + len(line) <= room:
             return [indent + line]
         lines: list[str] = []
         current = indent
         for word in line.split(" "):
-            if current.strip() and len(current) + 1 + len(word) > WIDTH - len(self.continuation):
+            if current.strip() and len(current) + 1 + len(word) > room:
                 lines.append(current + self.continuation)
-                current = indent + "    " + word
+                current = f"{indent}    {word}"
             else:
-                current += word if not current.strip() else f" {word}"
+                current += f" {word}" if current.strip() else word
         return [*lines, current]
+
+
+@dataclass(frozen=True, slots=True)
+class Sines:
+    """How a language calls our sine and cosine: for all angles at once, and for one pair."""
+
+    all: Callable[[Sequence[Expression]], list[str]]
+    pair: Callable[[str, Expression], list[str]]
+    #: Our arctangent of a run of points in one loop; None where that gains nothing.
+    run: Callable[[Run], list[str]] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Syntax:
+    """The statements of a language: the one place where a named value becomes a line of text.
+
+    ``declare(name, text)`` and ``assign(target, text)`` give statements, ``declare_angle`` that of a value
+    whose sine and cosine are taken (``declare`` where it is None); ``comment`` has ``%s`` in the text's
+    place. ``reread`` are arrays that sines read under another name.
+    """
+
+    spelling: Spelling
+    comment: str
+    declare: Callable[[str, str], str]
+    assign: Callable[[str, str], str]
+    declare_angle: Callable[[str, str], str] | None = None
+    sines: Sines | None = None
+    reread: Mapping[str, str] = field(default_factory=dict)
+    indent: str = "    "
+    #: Where it is not None, no statement is broken: one that does not fit on a line, or with arguments of a
+    #: call that are longer, is written in parts, each with a name.
+    longest_call: int | None = None
+
+    def statement(self, statement: Statement) -> list[str]:
+        """The lines of ``statement``, its heading first."""
+        heading = [self.indent + self.comment % statement.heading] if statement.heading else []
+        declare = (self.declare_angle if statement.angle else None) or self.declare
+        expression = self.as_read(statement.expression)
+        before: list[str] = []
+        while self.longest_call is not None and not self._fits(statement.name, expression):
+            # The longest part that fits on a line gets a name.
+            name = f"{statement.name}_p{len(before) + 1}"
+            fitting = [part for part in _proper_parts(expression) if self._fits(name, part)]
+            if not fitting:
+                break
+            longest = max(fitting, key=lambda part: len(self.spelling.text(part)))
+            before += self.line(self.declare(name, self.spelling.text(longest)))
+            expression = _replaced(expression, longest, name)
+        return [*heading, *before, *self.line(declare(statement.name, self.spelling.text(expression)))]
+
+    def _fits(self, name: str, expression: Expression) -> bool:
+        text = self.spelling.text(expression)
+        return len(self.indent + self.declare(name, text)) <= WIDTH and self._calls_fit(expression)
+
+    def _calls_fit(self, expression: Expression) -> bool:
+        if not isinstance(expression, Apply) or self.longest_call is None:
+            return True
+        is_call = expression.op in self.spelling.functions
+        if is_call and len(self.spelling.row(expression.args)) > self.longest_call:
+            return False
+        return all(map(self._calls_fit, expression.args))
+
+    def result(self, target: str, expression: Expression) -> list[str]:
+        """The lines of ``target = expression``."""
+        return self.line(self.assign(target, self.spelling.text(expression)))
+
+    def line(self, text: str) -> list[str]:
+        """A ready statement, on as many lines as it needs."""
+        if self.longest_call is not None and len(self.indent + text) > WIDTH:
+            target, _, value = text.partition(" = ")
+            return [f"{self.indent}{target} =", f"{self.indent}    {value}"]
+        return self.spelling.wrapped(text, self.indent)
+
+    def as_read(self, expression: Expression) -> Expression:
+        """``expression`` with the angle that a sine reads under the name that it has there."""
+        if isinstance(expression, Apply) and expression.op == "sin":
+            (angle,) = expression.args
+            if isinstance(angle, Input) and angle.index is not None and angle.array in self.reread:
+                return Apply("sin", (Input(self.reread[angle.array], angle.index),))
+        return expression
+
+
+def _proper_parts(expression: Expression) -> list[Apply]:
+    """The operations within ``expression``, itself left out."""
+    inner = (
+        [arg for arg in expression.args if isinstance(arg, Apply)] if isinstance(expression, Apply) else []
+    )
+    return inner + [part for arg in inner for part in _proper_parts(arg)]
+
+
+def _replaced(expression: Expression, part: Apply, name: str) -> Expression:
+    if expression == part:
+        return name
+    if isinstance(expression, Apply):
+        return Apply(expression.op, tuple(_replaced(arg, part, name) for arg in expression.args))
+    return expression
 
 
 #: The smallest normal numbers: below them digits are lost, and compilers complain.
@@ -129,9 +240,7 @@ def shortest(value: Fraction, *, single: bool) -> str:
             expected=f"its size between {'1.2e-38 and 3.4e38' if single else '2.3e-308 and 1.7e308'}",
             remedy="check the units of the robot file" + (" or use --scalar double" if single else ""),
         ) from None
-    if not single:
-        return repr(rounded)
-    for digits in range(1, 10):
+    for digits in range(1, 10) if single else ():
         text = f"{rounded:.{digits}g}"
         try:
             if nearest_float(Fraction(text)) == rounded:

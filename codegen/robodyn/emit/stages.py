@@ -12,10 +12,8 @@ from dataclasses import dataclass, replace
 from robodyn.ir.program import STATE, Program
 from robodyn.ir.signature import Signature
 
-#: What a step makes of the state.
-NEXT = "next"
-#: Of several states the one that is stepped.
-ROW = "row"
+#: What a step makes of the state, and of several states the one that is stepped.
+NEXT, ROW = "next", "row"
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,14 +45,15 @@ class Repeated:
     most: int
 
     @property
-    def stages(self) -> tuple[Stage, ...]:
-        """In the order in which they run."""
-        return self.start, self.step, self.finish
+    def arrays(self) -> dict[str, int]:
+        """Local arrays with their sizes."""
+        return {STATE: self.size * self.rows, NEXT: self.size}
 
     @property
     def unread(self) -> list[str]:
         """Inputs that no stage reads, and the run-time parameters, which none does."""
-        read = {name for stage in self.stages for name, _ in stage.signature.inputs}
+        stages = (self.start, self.step, self.finish)
+        read = {name for stage in stages for name, _ in stage.signature.inputs}
         names = [name for name, _ in self.whole.inputs if name not in read]
         return [*names, "p"] if self.whole.parameters else names
 
@@ -63,39 +62,24 @@ def repeated(whole: Signature, program: Program) -> Repeated:
     """The stages of a ``program`` that repeats a step."""
     iteration = program.iteration
     assert iteration is not None
-    every = iteration.size * iteration.rows
+    size, every = iteration.size, iteration.size * iteration.rows
     start, step, finish = program.parts()
+    ((_, elements),) = step.outputs
+    step = replace(step, outputs=((NEXT, elements),), origin=None)
 
     def stage(name: str, part: Program, state: int, outputs: Sequence[tuple[str, int]], words: str) -> Stage:
         read = {x.array for x in part.inputs()}
-        inputs = [(array, size) for array, size in (*whole.inputs, (STATE, state)) if array in read]
-        own = replace(
-            whole,
-            alias=f"{whole.called}_{name}_",
-            inputs=tuple(inputs),
-            outputs=tuple(outputs),
-            parameters=(),
-        )
-        return Stage(own, part, f"{whole.symbol}: {words}")
+        inputs = tuple(each for each in (*whole.inputs, (STATE, state)) if each[0] in read)
+        alias = f"{whole.called}_{name}_"
+        signature = replace(whole, alias=alias, inputs=inputs, outputs=tuple(outputs), parameters=())
+        return Stage(signature, part, f"{whole.symbol}: {words}")
 
     return Repeated(
         whole,
         stage("start", start, 0, [(STATE, every)], "the state before the first step"),
-        stage(
-            "step",
-            part_writing(step, NEXT),
-            iteration.size,
-            [(NEXT, iteration.size)],
-            "a step, from one state to the next",
-        ),
+        stage("step", step, size, [(NEXT, size)], "a step, from one state to the next"),
         stage("finish", finish, every, whole.outputs, "the results, from the last state"),
-        iteration.size,
+        size,
         iteration.rows,
         iteration.most,
     )
-
-
-def part_writing(program: Program, array: str) -> Program:
-    """``program`` with its only output called ``array``."""
-    ((_, elements),) = program.outputs
-    return replace(program, outputs=((array, elements),), origin=None)

@@ -7,83 +7,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import NamedTuple
 
-from robodyn.emit.concise import LARGE, explained_once, of_angles, often_read, steps_served
+from robodyn.emit.headings import explained_once, heading_of
 from robodyn.ir.program import Input, Label, Program
 from robodyn.robot.names import is_reserved
-
-#: What a quantity is, and its unit, for headings.
-QUANTITIES: dict[str, str] = {
-    "sc": "sines and cosines of the joint angles",
-    "w": "angular velocity [rad/s]",
-    "alpha": "angular acceleration [rad/s^2]",
-    "ww": "products of the angular velocity [1/s^2]",
-    "lam": "lambda matrix: takes a position to its acceleration [1/s^2]",
-    "a": "acceleration of the frame's origin, gravity taken off [m/s^2]",
-    "ac": "acceleration of the centre of mass, gravity taken off [m/s^2]",
-    "ao": "acceleration of the frame's origin [m/s^2]",
-    "vo": "velocity of the frame's origin [m/s]",
-    "pl": "momentum of all that the joint carries, along the axes that its turn starts from [kg m/s]",
-    "pa": "its moment about the frame's origin [kg m^2/s]",
-    "ke": "kinetic energy of the links up to this one [J]",
-    "pe": "potential energy of the links up to this one [J]",
-    "hc": "first moment of all that the joint carries, along the axes that its turn starts from [kg m]",
-    "hw": "first moment of all that the joint carries, before its turn, times gravity [N m]",
-    "g": "gravity along the link's axes [m/s^2]",
-    "E": "rotation to the base",
-    "pb": "origin of the frame from that of the frame before, along the base's axes [m]",
-    "wb": "angular velocity, along the base's axes [rad/s]",
-    "alphab": "angular acceleration, along the base's axes [rad/s^2]",
-    "ab": "acceleration of the frame's origin, gravity taken off, along the base's axes [m/s^2]",
-    "rb": "centre of mass from the frame's origin, along the base's axes [m]",
-    "fcb": "force that moves the link, along the base's axes [N]",
-    "ncb": "moment that turns the link, along the base's axes [N m]",
-    "fb": "force through the joint, along the base's axes [N]",
-    "nb": "moment through the joint, about the frame's origin, along the base's axes [N m]",
-    "A": "transform to the parent's frame",
-    "R": "rotation to the parent's frame",
-    "dA": "its derivative by the joint variable",
-    "dR": "its derivative by the joint variable",
-    "W": "transform to the base",
-    "dW": "its derivatives by joint variables",
-    "ddW": "its second derivatives by joint variables",
-    "Wd": "its first time derivative [1/s]",
-    "Wdd": "its second time derivative [1/s^2]",
-    "dp": "derivative of the origin by the joint variable",
-    "pdd": "acceleration of the frame's origin, along the base's axes [m/s^2]",
-    "D": "second moment of position and acceleration of all that the joint carries [N m]",
-    "e": "inertia force of all that the joint carries, along the base's axes [N]",
-    "v": "coefficients of products of velocities",
-    "tg": "gravity torque",
-    "r": "centre of mass",
-    "pw": "partial angular velocities of the link, joint by joint",
-    "pv": "partial velocities of the centre of mass, joint by joint [m, at a prismatic joint 1]",
-    "fw": "force through the joint less what the whole mass beyond it takes at the origin [N]",
-    "fc": "force that moves the link [N]",
-    "nc": "moment that turns the link [N m]",
-    "f": "force through the joint [N]",
-    "n": "moment through the joint, about the frame's origin [N m]",
-    "f0": "force through the joint, along the axes that its turn starts from [N]",
-    "n0": "moment through the joint, along the axes that its turn starts from [N m]",
-    "tau": "joint torque [N m], at a prismatic joint force [N]",
-    "h": "first moment of the composite body, about the frame's origin [kg m]",
-    "k": "second moment of the composite body [kg m^2]",
-    "fu": "force for a unit acceleration of a joint further out",
-    "nu": "moment for a unit acceleration of a joint further out",
-    "m": "mass matrix, its row of this joint",
-    "ia": "inertia of all that the joint carries, the joints beyond free to move, about the frame's origin",
-    "ea": "acceleration of the frame for a push at its origin, all joints free to move",
-    "pivot": "factorisation M = U D U^T",
-    "y": "forward substitution",
-    "qdd": "joint acceleration [rad/s^2], at a prismatic joint [m/s^2]",
-}
-
-
-#: Quantities that stand under the heading of another.
-_UNDER: dict[str, str] = {
-    **dict.fromkeys(("ipivot", "u", "ud"), "pivot"),
-    **dict.fromkeys(("ibx", "iby", "ibz", "im"), "ia"),
-    **dict.fromkeys(("ebx", "eby", "ebz", "em"), "ea"),
-}
 
 
 class Apply(NamedTuple):
@@ -116,16 +42,6 @@ class Body:
     outputs: tuple[tuple[str, tuple[Expression, ...]], ...]
     inputs: frozenset[Input]
 
-    @property
-    def arrays(self) -> set[str]:
-        """Names of the arrays that are read."""
-        return {x.array for x in self.inputs if x.index is not None}
-
-    @property
-    def reads_parameters(self) -> bool:
-        """Whether a run-time parameter is read; it may be called like an array."""
-        return any(x.index is None for x in self.inputs)
-
 
 def inputs_of(*expressions: Expression) -> list[Input]:
     """The inputs that ``expressions`` read, from left to right."""
@@ -140,10 +56,13 @@ def inputs_of(*expressions: Expression) -> list[Input]:
     return inputs
 
 
-#: The heading of numbers that have names.
-_NUMBERS = "numbers that are read often"
 #: Steps written into one statement at most, so that a line can be read.
 _LONGEST = 10
+#: Operations of a function above which its text is kept short. The derivatives of an arm of seven joints in
+#: general position take some 7,000; the cosine of one twist stands in them a hundred times.
+LARGE = 1500
+#: Characters of a number from which on it has a name where it is read so often, and their heading.
+_LONG, _OFTEN, _NUMBERS = 10, 4, "numbers that are read often"
 
 
 def statements(
@@ -155,7 +74,7 @@ def statements(
     is named after the step that it serves (``w2_part1``) and stands under its heading; else it is ``t1``,
     ``t2`` and so on. ``concise``: in a large function long numbers that it reads often have names, and
     headings explain a quantity once."""
-    served = steps_served(program) if readable else None
+    served = _steps_served(program) if readable else None
     parts: Counter[str] = Counter()
     arrays = {name for name, _ in program.outputs}
     operations = program.operations
@@ -170,12 +89,11 @@ def statements(
     following = _written_in_order(program) if in_order else None
     concise = concise and len(operations) > LARGE
     numbers: dict[tuple[int, int], str] = {}
-    if concise:
-        for k, constant in enumerate(often_read(program), 1):
-            name = numbers[constant.as_integer_ratio()] = unique(f"k{k}", taken)
-            written.append(Statement(name, constant, None if heading else _NUMBERS))
-            heading = _NUMBERS
-    angular = of_angles(program) if numbers else set()
+    angular = _of_angles(program) if concise else set()
+    for k, constant in enumerate(_often_read(program, angular) if concise else (), 1):
+        name = numbers[constant.as_integer_ratio()] = unique(f"k{k}", taken)
+        written.append(Statement(name, constant, None if heading else _NUMBERS))
+        heading = _NUMBERS
 
     for i, (op, args, label) in enumerate(operations):
         steps = 1
@@ -189,28 +107,31 @@ def statements(
             else:
                 written_args.append(arg)
         whole = Apply(op, tuple(written_args))
-        alone = i in named or steps >= _LONGEST or (following is not None and i not in following)
-        if not alone:
+        if i not in named and steps < _LONGEST and (following is None or i in following):
             text.append(whole)
             size.append(steps)
             continue
-        if label is None and served is not None:
-            step = served[i]._replace(axis="", negative=False)
-            parts[str(step)] += 1
-            name, group = f"{step}_part{parts[str(step)]}", _heading(step)
-        else:
-            serial += label is None
-            name, group = _name(label, serial), _heading(label)
-        name = unique(name, taken)
+        step = label if served is None else served[i]
+        group = heading_of(step)
         if group is None and served is not None:
-            step = served[i]
-            place = f"element {step.link} of " if step.quantity in arrays else f"link {step.link}: "
-            group = place + step.quantity
+            quantity = served[i].quantity
+            of = f"element {served[i].link} of " if quantity in arrays else f"link {served[i].link}: "
+            group = of + quantity
+        if label is not None:
+            name = str(label)
+        elif step is not None:
+            step = step._replace(axis="", negative=False)
+            parts[str(step)] += 1
+            name = f"{step}_part{parts[str(step)]}"
+        else:
+            serial += 1
+            name = f"t{serial}"
+        name = unique(name, taken)
         shown = group if group != heading else None
         if shown is not None and concise:
             shown = explained_once(shown, explained)
         written.append(Statement(name, whole, shown, i in arguments))
-        heading = group if group is not None else heading
+        heading = heading if group is None else group
         text.append(name)
         size.append(0)
     outputs = tuple(
@@ -229,12 +150,9 @@ def _named(program: Program) -> tuple[set[int], set[int]]:
     for i, (op, args, label) in enumerate(program.operations):
         if op in ("sin", "cos"):
             arguments.update(x for x in args if isinstance(x, int))
-            named.add(i)
-        elif op == "atan2":
-            named.add(i)
         elif op in ("sign", "select"):  # C writes the argument of a sign twice, and a choice without branches
             named.update(x for x in args if isinstance(x, int))  # where both sides are there
-        if label is not None or uses[i] > 1:
+        if label is not None or uses[i] > 1 or op in ("sin", "cos", "atan2"):
             named.add(i)
     return named | arguments, arguments
 
@@ -254,10 +172,6 @@ def _written_in_order(program: Program) -> set[int]:
     return seen
 
 
-def _name(label: Label | None, serial: int) -> str:
-    return f"t{serial}" if label is None else str(label)
-
-
 def unique(name: str, taken: set[str]) -> str:
     """``name``, from now on ``taken``; with a number if it is that already, or a word of a language (a label
     may come from a file)."""
@@ -270,13 +184,42 @@ def unique(name: str, taken: set[str]) -> str:
     return candidate
 
 
-def _heading(label: Label | None) -> str | None:
-    if label is None:
-        return None
-    if label.quantity.removesuffix("to").rstrip("0123456789") in ("c", "s", "angle"):
-        return QUANTITIES["sc"]
-    family = _UNDER.get(label.quantity, label.quantity)
-    meaning = QUANTITIES.get(family)
-    if meaning is None:
-        return None
-    return meaning if family == "pivot" else f"link {label.link}: {meaning}"
+def _steps_served(program: Program) -> list[Label]:
+    """A label for every operation: its own; else that of the first labelled value that is computed from it;
+    else the array that the result goes to, with its element (from 1) for a link."""
+    steps = [operation.label for operation in program.operations]
+    for array, elements in program.outputs:
+        for k, operand in enumerate(elements, 1):
+            if isinstance(operand, int) and steps[operand] is None:
+                steps[operand] = Label(k, array, "")
+    first = [len(steps) if step is None else i for i, step in enumerate(steps)]
+    for i in range(len(steps) - 1, -1, -1):  # users stand after what they read
+        for arg in program.operations[i].args:
+            if isinstance(arg, int) and steps[arg] is None:
+                first[arg] = min(first[arg], first[i])
+    served = [steps[i] for i in first]  # a program holds nothing that no result needs
+    return [step for step in served if step is not None]
+
+
+def _often_read(program: Program, angular: set[int]) -> list[Fraction]:
+    """Long numbers that ``program`` reads often outside the ``angular`` operations, in the order of their
+    first use."""
+    read: Counter[tuple[int, int]] = Counter()  # two integers are hashed sooner than a Fraction
+    for i, operation in enumerate(program.operations):
+        if i not in angular:
+            read.update([x.as_integer_ratio() for x in operation.args if type(x) is Fraction])
+    often = [Fraction(*ratio) for ratio, times in read.items() if times >= _OFTEN]
+    return [constant for constant in often if constant > 0 and len(repr(float(constant))) >= _LONG]
+
+
+def _of_angles(program: Program) -> set[int]:
+    """The operations that arguments of sines and cosines are made of."""
+    operations = program.operations
+    stack = [x for op in operations if op.op in ("sin", "cos") for x in op.args if isinstance(x, int)]
+    angular: set[int] = set()
+    while stack:
+        i = stack.pop()
+        if i not in angular:
+            angular.add(i)
+            stack.extend(x for x in operations[i].args if isinstance(x, int))
+    return angular

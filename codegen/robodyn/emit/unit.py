@@ -1,10 +1,17 @@
-"""What goes into one header and one source: functions with their programs, and words about them."""
+"""What goes into one header and one source: functions with their programs, what they call, and words about
+them.
+
+At the end stand the rules of MISRA C:2012 that emitted C does not keep, and why. The rules' words are not
+ours to print.
+"""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from typing import ClassVar
 
 from robodyn.counts.count import Count, count
+from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.ir.program import Program
 from robodyn.ir.signature import Signature
 from robodyn.robot.model import Robot
@@ -25,7 +32,7 @@ class Unit:
     robot: Robot
     functions: tuple[tuple[Signature, Program], ...]
     sc: tuple[str, ...] = ()
-    notes: tuple[str, ...] = field(default=())
+    notes: tuple[str, ...] = ()
     misra: bool = False
     builtin: bool = False
     lanes: int = 4
@@ -35,9 +42,25 @@ class Unit:
     options: str = ""
     readable: bool = False
 
+    @property
+    def single(self) -> bool:
+        """Whether numbers are float."""
+        return self.functions[0][0].scalar == "float"
 
-#: What is libm's, whoever makes the sines.
-OF_LIBM = frozenset({"tanh", "sqrt", "abs", "exp", "pow"})
+    @property
+    def states(self) -> tuple[str, ...]:
+        """Members of the state struct, if a function has one."""
+        return next((signature.states for signature, _ in self.functions if signature.states), ())
+
+    @property
+    def arrays(self) -> tuple[str, ...]:
+        """The arguments of all functions by name, each once."""
+        each = (array for s, _ in self.functions for array, _ in (*s.inputs, *s.outputs))
+        return tuple(dict.fromkeys(each))
+
+
+#: What is libm's, whoever makes the sines, and those of it that are there without a library.
+OF_LIBM, FREESTANDING = frozenset({"tanh", "sqrt", "abs", "exp", "pow"}), frozenset({"abs", "sqrt"})
 #: What is libm's unless it is built in.
 BUILTIN = frozenset({"sin", "cos", "atan2"})
 
@@ -53,9 +76,15 @@ def needs_libm(unit: Unit) -> bool:
     return not unit.builtin or bool(calls(unit) & OF_LIBM)
 
 
+def freestanding_calls(unit: Unit) -> frozenset[str]:
+    """What of libm C kernels of ``unit`` call that is there without it; none where they need it anyway."""
+    called = frozenset(calls(unit) & OF_LIBM)
+    return called if unit.builtin and called <= FREESTANDING else frozenset()
+
+
 def has_sines(unit: Unit) -> bool:
     """Whether a function of ``unit`` calls our own sine and cosine."""
-    return unit.builtin and any(count(program).sincos for _, program in unit.functions)
+    return unit.builtin and not calls(unit).isdisjoint({"sin", "cos"})
 
 
 def has_arctangents(unit: Unit) -> bool:
@@ -63,28 +92,26 @@ def has_arctangents(unit: Unit) -> bool:
     return unit.builtin and "atan2" in calls(unit)
 
 
+def counted(program: Program) -> str:
+    """The operations of ``program`` in words."""
+    if program.iteration is None:
+        return _counted(count(program))
+    start, step, finish = map(count, program.parts())
+    steps = program.iteration.rows * program.iteration.most
+    beside = f"{start.total + finish.total} operations beside them; {count(program).total} in all at most"
+    return f"{steps} steps at most, each of {_counted(step)}; {beside}"
+
+
+def _counted(count: Count) -> str:
+    other = f"; {count.other} other calls" if count.other else ""
+    return f"{count}; {count.neg} unary minus; {count.sincos} sine/cosine{other}"
+
+
 def builtin_words(unit: Unit) -> str:
     """What of the functions that a library would have is built in: the beginning of a sentence."""
     if not has_arctangents(unit):
         return "Sine and cosine are built in"
     return f"{'Sine, cosine and arctangent are' if has_sines(unit) else 'The arctangent is'} built in"
-
-
-def counted(program: Program) -> str:
-    """The operations of ``program`` in words."""
-    if program.iteration is None:
-        return counted_text(count(program))
-    start, step, finish = map(count, program.parts())
-    steps = program.iteration.rows * program.iteration.most
-    beside = f"{start.total + finish.total} operations beside them; {count(program).total} in all at most"
-    return f"{steps} steps at most, each of {counted_text(step)}; {beside}"
-
-
-def counted_text(count: Count) -> str:
-    parts = [str(count), f"{count.neg} unary minus", f"{count.sincos} sine/cosine"]
-    if count.other:
-        parts.append(f"{count.other} other calls")
-    return "; ".join(parts)
 
 
 def advice(unit: Unit) -> tuple[str, ...]:
@@ -107,3 +134,77 @@ def advice(unit: Unit) -> tuple[str, ...]:
             "must not overlap them otherwise.",
         )
     return notes
+
+
+#: Joints beyond which a pose leaves some free.
+_POSED = 6
+
+
+@dataclass(frozen=True, slots=True)
+class Listing:
+    """A list of solutions: a small function before the kernel, which has a place for every branch and a
+    number for every flag. It puts the solutions that exist in front, in the order of the branches, the others
+    behind them, writes what is true of each into one integer, and returns how many exist.
+
+    ``symbol`` of the function in C and its ``name`` elsewhere, the kernel before it, ``branches`` and
+    ``joints``; ``near``: whether it is given the reference too, because the arm is redundant or its one
+    solution is searched for from there. Otherwise free joints are at 0.
+    """
+
+    symbol: str
+    name: str
+    kernel: Signature
+    branches: int
+    joints: int
+    near: bool
+
+    #: What is true of a solution, by the bit that says so; above them is the branch's number times BRANCH.
+    FLAGS: ClassVar = {"EXISTS": 1, "WITHIN": 2, "SINGULAR": 4}
+    BRANCH: ClassVar = 8
+
+    @property
+    def size(self) -> int:
+        """Joint positions in all."""
+        return self.branches * self.joints
+
+
+def listing_of(signature: Signature) -> Listing | None:
+    """The list of the solutions of ``signature``; None where it has not all branches."""
+    function = FUNCTIONS.get(signature.function)
+    if function is None or function.answers is None or function.answers.branch:
+        return None
+    sizes = dict(signature.outputs)  # a stage of it has others, and given sines are no pose
+    if "T" not in dict(signature.inputs) or function.answers.exists not in sizes:
+        return None
+    branches = sizes[function.answers.exists]
+    joints = sizes[function.answers.solutions] // branches
+    near = joints > _POSED or branches == 1
+    return Listing(f"{signature.robot}_{function.name}", function.name, signature, branches, joints, near)
+
+
+_DEVIATIONS = {
+    "2.5": "macros of the header say sizes and bits of flags to callers; the kernel itself does not need all",
+    "8.7": "a function that another one of the file calls is for callers as well",
+    "19.2": "a union reads the bits of a floating number, to choose and to sign sine and cosine without a "
+    "branch; its members have one size, C99 defines what is read (6.5.2.3), and the number is IEEE 754",
+}
+
+
+def misra_deviations(unit: Unit) -> dict[str, str]:
+    """Rules that a kernel written for MISRA C:2012 does not keep, and why."""
+    signatures = [signature for signature, _ in unit.functions]
+    listed = any(listing_of(signature) is not None for signature in signatures)
+    columns = any(signature.columns for signature in signatures)
+    broken = {"2.5": listed or columns, "8.7": listed, "19.2": unit.builtin}
+    return {rule: why for rule, why in _DEVIATIONS.items() if broken[rule]}
+
+
+def misra_notes(unit: Unit) -> tuple[str, ...]:
+    """What the head of such a kernel says."""
+    lines = misra_deviations(unit)
+    if not lines:
+        return ("MISRA C:2012: cppcheck finds no rule that is not kept (robodyn prove).",)
+    return (
+        f"MISRA C:2012: every rule that cppcheck checks is kept but {', '.join(lines)} (robodyn prove):",
+        *(f"{rule}: {why}" for rule, why in lines.items()),
+    )

@@ -24,9 +24,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.dynamics.functions.record import NEAR, POSE
-from robodyn.emit import arctangent
 from robodyn.emit.spelling import nearest_float
-from robodyn.emit.trig import DOUBLE, FLOAT, Trigonometric
+from robodyn.emit.trig import DOUBLE, FLOAT, WIDE, Trigonometric
 from robodyn.ir.evaluate import evaluate
 from robodyn.ir.program import Input, Program
 from robodyn.ir.signature import ScalarType
@@ -197,11 +196,10 @@ def fnv1a(numbers: Array) -> int:
 def kernel_sine(scalar: ScalarType) -> dict[str, Callable[..., Array]]:
     """``sin`` and ``cos`` of arrays [rad], and ``atan2`` of two, in float32 (``float``) or float64."""
     of = FLOAT if scalar == "float" else DOUBLE
-    angle_of = arctangent.FLOAT if scalar == "float" else arctangent.DOUBLE
     return {
         "sin": lambda x: _sincos(x, of)[0],
         "cos": lambda x: _sincos(x, of)[1],
-        "atan2": lambda y, x: _atan2(y, x, angle_of),
+        "atan2": lambda y, x: _atan2(y, x, of),
     }
 
 
@@ -231,22 +229,22 @@ def _sincos(x: Array, of: Trigonometric) -> tuple[Array, Array]:
 
 
 @np.errstate(all="ignore")  # points that are too far end in NaN
-def _atan2(y: Array, x: Array, of: arctangent.Arctangent) -> Array:
+def _atan2(y: Array, x: Array, of: Trigonometric) -> Array:
     real: Any = np.float32 if of.bits == 32 else np.float64
     zero, half, one = real(0), real(0.5), real(1)
     steep = np.abs(y) > np.abs(x)
     a, b = np.where(steep, np.abs(y), np.abs(x)), np.where(steep, np.abs(x), np.abs(y))
     side = np.copysign(one, np.where(steep, -x, x))
-    wide = b > a * real(arctangent.WIDE)
+    wide = b > a * real(WIDE)
     over = a + np.where(wide, b, zero)
     t = side * ((b - np.where(wide, a, zero)) / np.where(over == 0, one, over))
     k = ((one - np.where(steep, zero, side)) + side * np.where(wide, half, zero)) + zero * over
     z = t * t
-    p = _polynomial([real(c) for c in of.coefficients], z, z * z)
-    q = k * real(of.first)
+    p = _polynomial([real(c) for c in of.arctangent], z, z * z)
+    q = k * real(of.quarter[0])
     h = q + t
     n = (q - h) + t
-    return np.asarray(np.copysign(h + (n + (k * real(of.second) - (t * z) * p)), y))
+    return np.asarray(np.copysign(h + (n + (k * real(of.quarter[1]) - (t * z) * p)), y))
 
 
 def _polynomial(coefficients: Sequence[Any], z: Array, zz: Array) -> Array:

@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from robodyn.dynamics.functions.record import Q
 from robodyn.emit.c_syntax import c_spelling
-from robodyn.emit.languages import LANGUAGES, defaults, languages_named
-from robodyn.emit.lines import head_of
+from robodyn.emit.head import head_of
+from robodyn.emit.languages import LANGUAGES, languages_named
 from robodyn.emit.markdown import Markdown, markdown_environment
 from robodyn.emit.render import environment
 from robodyn.emit.spelling import Spelling
@@ -105,7 +105,7 @@ def firmware(
         language that firmware is not written in.
     """
     check_firmware(generated)
-    chosen = languages_named(defaults() if languages is None else languages)
+    chosen = languages_named(languages)
     names = [language.name for language in chosen]
     unable = [language.title for language in chosen if "firmware" not in language.features]
     if "c" not in names or unable:

@@ -17,9 +17,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.dynamics.functions import function_named
-from robodyn.emit.head import state_members
+from robodyn.emit.head import head_of
 from robodyn.emit.languages import languages_named
-from robodyn.emit.lines import head_of
 from robodyn.emit.render import environment
 from robodyn.emit.spelling import Spelling
 from robodyn.firmware.digest import DTYPE, Range, draw, program_inputs, ranges
@@ -85,7 +84,7 @@ def language_tests(
         spelling = language.spelling(scalar == "float")
         context = {
             "parameters": robot.parameters,
-            "states": state_members(generated.unit),
+            "states": generated.unit.states,
             **language.context(generated.unit),
             "name": robot.name,
             "entry": entry,

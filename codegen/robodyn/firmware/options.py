@@ -8,10 +8,9 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from robodyn.dynamics.functions import function_named
-from robodyn.emit.freestanding import FREESTANDING
-from robodyn.emit.lines import head_of
+from robodyn.emit.head import head_of
 from robodyn.emit.render import environment
-from robodyn.emit.unit import OF_LIBM
+from robodyn.emit.unit import FREESTANDING, OF_LIBM
 from robodyn.errors import InputError
 from robodyn.firmware.digest import DRAWN
 from robodyn.ir.signature import ScalarType

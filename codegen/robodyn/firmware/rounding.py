@@ -15,9 +15,8 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.emit import arctangent
 from robodyn.emit.spelling import nearest_float
-from robodyn.emit.trig import DOUBLE, FLOAT
+from robodyn.emit.trig import ARCTANGENT_ULPS, DOUBLE, FLOAT
 from robodyn.ir.program import Input, Operand, Program
 from robodyn.ir.signature import ScalarType
 
@@ -37,7 +36,7 @@ FAR: Mapping[ScalarType, float] = {"float": 5.5e-8, "double": 0.0}
 _LIBRARY, _LIBRARY_ULPS = ("exp", "tanh", "pow"), 3
 
 #: How many ulps the kernel's arctangent is off at most; glibc's is better.
-_ANGLE_ULPS = arctangent.DOUBLE.ulps
+_ANGLE_ULPS = ARCTANGENT_ULPS
 
 #: Whole numbers up to this are exact in float and double.
 _WHOLE = 2.0**24

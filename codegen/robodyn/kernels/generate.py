@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 from robodyn.counts import Count, count
 from robodyn.dynamics.functions import NoSuchFunction, emitted_name, function_named
 from robodyn.emit import Unit, render
-from robodyn.emit.languages import defaults, languages_named, require
+from robodyn.emit.languages import languages_named, require
 from robodyn.formats.loading import robot_of
 from robodyn.ir.program import Program, rarely_collected
 from robodyn.ir.signature import Signature
@@ -98,20 +98,20 @@ class Generated:
 
     @rarely_collected()
     def files(self, languages: Sequence[str] | None = None, *, batch: bool = False) -> dict[str, str]:
-        """The files in ``languages`` (default: :func:`robodyn.emit.languages.defaults`): text by file name;
+        """The files in ``languages`` (default: C and Fortran): text by file name;
         with ``batch`` those of batches too. Writes nothing.
 
         Raises
         ------
         InputError: there is no such language, or none of them has what is asked for.
         """
-        chosen = languages_named(defaults() if languages is None else languages)
+        chosen = languages_named(languages)
         for language in chosen:
             language.check(self.options.scalar, self.options.trig, self.signatures)
         if self.unit.misra:
-            require("misra", chosen)
+            require("misra", "MISRA C:2012 is", chosen)
         if batch:
-            require("batch", chosen)
+            require("batch", "batches are", chosen)
         names = tuple(language.name for language in chosen)
         files = render(self.unit, names)
         for language in chosen:

@@ -10,7 +10,6 @@ from dataclasses import dataclass, field
 from typing import Final, Literal
 
 from robodyn.dynamics.functions import array_named, function_named
-from robodyn.emit.head import state_members
 from robodyn.emit.language import Language
 from robodyn.emit.unit import needs_libm
 from robodyn.errors import InputError
@@ -129,7 +128,7 @@ class Package:
     @property
     def states(self) -> tuple[str, ...]:
         """Members of ``NAME_state``, which stateful functions remember."""
-        return state_members(self.generated.unit)
+        return self.generated.unit.states
 
     @property
     def libm(self) -> bool:

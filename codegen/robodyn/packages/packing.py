@@ -6,7 +6,6 @@ import re
 from collections.abc import Iterable, Mapping
 from typing import Final
 
-from robodyn.emit.head import state_members
 from robodyn.errors import InputError
 from robodyn.kernels.generate import Generated
 from robodyn.packages.format import Format, Package, Trait, read_maintainer
@@ -77,7 +76,7 @@ def _traits(generated: Generated) -> Iterable[Trait]:
     """Those that the kernels have."""
     if generated.unit.robot.parameters:
         yield "parameters"
-    if state_members(generated.unit):
+    if generated.unit.states:
         yield "memory"
     if generated.unit.sc or generated.options.trig == "given":
         yield "given sines"

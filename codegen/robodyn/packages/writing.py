@@ -7,8 +7,8 @@ import zipfile
 from collections.abc import Mapping
 from typing import Any, Final
 
+from robodyn.emit.head import head_of
 from robodyn.emit.languages.c import LANGUAGE as C
-from robodyn.emit.lines import head_of
 from robodyn.emit.markdown import Markdown, markdown_environment
 from robodyn.emit.render import environment
 from robodyn.packages.format import NOT_STATED, Files, Package

@@ -22,7 +22,7 @@ from robodyn.passes.order import before_use
 _EFFORT = 16_000
 #: How many levels of depth a reader outweighs.
 _READER = 3
-#: Inputs in whose place results may be written (:mod:`robodyn.emit.results`).
+#: Inputs in whose place results may be written (:mod:`robodyn.emit.body`).
 _IN_PLACE = ("q", "qd", "qdd", "tau")
 
 

@@ -15,7 +15,6 @@ from markupsafe import Markup, escape
 
 from robodyn.draw.markup import json_text, markup_template, policy, script_text
 from robodyn.draw.mathml import of_latex
-from robodyn.emit.languages import language_of_browsers
 from robodyn.emit.render import environment
 from robodyn.report.arm_data import Arm
 from robodyn.report.chart_frames import Chart, Frame, Mark, span
@@ -52,7 +51,7 @@ def page(arms: Sequence[Arm], comparison: dict[str, Any] | None = None) -> str:
 
 def _kernel_script(arm: Arm) -> Markup:
     """The emitted module, and a line that hands its functions on."""
-    (module,) = arm.kernel.files((language_of_browsers().name,)).values()
+    (module,) = arm.kernel.files(("javascript",)).values()
     entries = arm.data["kernel"]["functions"]
     functions = ", ".join(f"{name}: {entry['symbol']}" for name, entry in entries.items())
     initial = "initial_state" if any(entry["remembers"] for entry in entries.values()) else "null"

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from scipy.stats import chi2, f, norm
 
-from robodyn.fleet.pool.changes import DAY, courses
+from robodyn.draw.scales import DAY
+from robodyn.fleet.pool.changes import courses
 from robodyn.fleet.pool.names import Chance, Odds, chance_of, false_shares, of_several
 from robodyn.fleet.pool.population import Series, common_of, spread_of
 

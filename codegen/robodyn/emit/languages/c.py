@@ -3,35 +3,37 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from robodyn.emit.batch import batch_files
 from robodyn.emit.body import Lines
-from robodyn.emit.c_syntax import c_builtin, c_spelling, c_syntax
-from robodyn.emit.freestanding import freestanding_calls, freestanding_context
+from robodyn.emit.c_syntax import c_spelling, c_syntax, prototype, refused
 from robodyn.emit.language import Compiled, FunctionText, Language
-from robodyn.emit.listing import BRANCH, FLAGS, listing_of, misra_notes
-from robodyn.emit.runs import Run
-from robodyn.emit.sines import ANGLES, COSINES, SINES
-from robodyn.emit.spelling import WIDTH
+from robodyn.emit.loops import ANGLES, COSINES, SINES, Run
+from robodyn.emit.spelling import Sines, Syntax, call
 from robodyn.emit.stages import NEXT, ROW, Repeated, Stage
 from robodyn.emit.statements import Expression
-from robodyn.emit.syntax import Sines, Syntax
-from robodyn.emit.unit import Unit, advice, has_arctangents, has_sines, needs_libm
+from robodyn.emit.unit import (
+    Listing,
+    Unit,
+    advice,
+    freestanding_calls,
+    has_arctangents,
+    has_sines,
+    listing_of,
+    misra_notes,
+    needs_libm,
+)
 from robodyn.ir.program import STATE
 from robodyn.ir.signature import Signature
 from robodyn.tools import Tool, Use
 
 
 def _syntax(signature: Signature, unit: Unit) -> Syntax:
-    from dataclasses import replace
-
     spelling = c_spelling(single=signature.scalar == "float", states=signature.states, explicit=unit.misra)
-    if unit.builtin:
-        spelling = spelling.calling(atan2=lambda y, x: f"{signature.robot}_atan2_({y}, {x})")
-    own = {op: f"{signature.robot}_{op}_({{}})".format for op in freestanding_calls(unit)}
-    spelling = spelling.calling(**own)
+    ours = freestanding_calls(unit) | ({"atan2"} if unit.builtin else set())
+    spelling = spelling.calling(**{op: call(f"{signature.robot}_{op}_") for op in ours})
     syntax = c_syntax(spelling, f"{signature.robot}_real", libm=not unit.builtin)
     return replace(syntax, sines=_sines(signature.robot, syntax))
 
@@ -40,47 +42,42 @@ def _sines(name: str, syntax: Syntax) -> Sines:
     """``NAME_sincos_`` in C."""
     real, spelling = f"{name}_real", syntax.spelling
 
-    def loop(angles: Sequence[Expression]) -> list[str]:
-        size = len(angles)
-        texts = ", ".join(spelling.text(angle) for angle in angles)
-        lines = syntax.line(f"const {real} {ANGLES}[{size}] = {{{texts}}};")
-        lines += [f"    {real} {SINES}[{size}];", f"    {real} {COSINES}[{size}];"]
+    def filled(array: str, values: Sequence[Expression]) -> list[str]:
+        return syntax.line(f"const {real} {array}[{len(values)}] = {{{spelling.row(values)}}};")
 
-        def call(i: str) -> str:
-            return f"    {name}_sincos_({ANGLES}[{i}], &{SINES}[{i}], &{COSINES}[{i}]);"
-
+    def loop(size: int, statement: str) -> list[str]:
         if size == 1:
-            return [*lines, call("0")]
-        return [*lines, f"    for (int i = 0; i < {size}; ++i) {{", "    " + call("i"), "    }"]
+            return [f"    {statement.replace('[i]', '[0]')}"]
+        return [f"    for (int i = 0; i < {size}; ++i) {{", f"        {statement}", "    }"]
+
+    def every(angles: Sequence[Expression]) -> list[str]:
+        size = len(angles)
+        results = [f"    {real} {array}[{size}];" for array in (SINES, COSINES)]
+        turn = f"{name}_sincos_({ANGLES}[i], &{SINES}[i], &{COSINES}[i]);"
+        return [*filled(ANGLES, angles), *results, *loop(size, turn)]
 
     def pair(array: str, angle: Expression) -> list[str]:
-        call = f"{name}_sincos_({spelling.text(angle)}, &{array}[0], &{array}[1]);"
-        return [f"    {real} {array}[2];", *syntax.line(call)]
+        turn = f"{name}_sincos_({spelling.text(angle)}, &{array}[0], &{array}[1]);"
+        return [f"    {real} {array}[2];", *syntax.line(turn)]
 
     def run(it: Run) -> list[str]:
         size = len(it.ups)
         ups, alongs, angles = it.arrays
-        lines = []
-        for array, values in ((ups, it.ups), (alongs, it.alongs)):
-            texts = ", ".join(spelling.text(value) for value in values)
-            lines += syntax.line(f"const {real} {array}[{size}] = {{{texts}}};")
-        call = spelling.functions["atan2"](f"{ups}[i]", f"{alongs}[i]")
+        turn = spelling.functions["atan2"](f"{ups}[i]", f"{alongs}[i]")
         return [
-            *lines,
+            *filled(ups, it.ups),
+            *filled(alongs, it.alongs),
             f"    {real} {angles}[{size}];",
-            f"    for (int i = 0; i < {size}; ++i) {{",
-            f"        {angles}[i] = {call};",
-            "    }",
+            *loop(size, f"{angles}[i] = {turn};"),
         ]
 
-    return Sines(loop, pair, run)
+    return Sines(every, pair, run)
 
 
-def _repeating(it: Repeated) -> Lines:
-    real, syntax = f"{it.whole.robot}_real", c_syntax(c_spelling(single=it.whole.scalar == "float"), "")
-    zero = syntax.spelling.number(Fraction(0))
+def _repeating(it: Repeated, syntax: Syntax) -> Lines:
+    real, zero = f"{it.whole.robot}_real", syntax.spelling.number(Fraction(0))
 
-    def call(stage: Stage, indent: str = "", **places: str) -> list[str]:
+    def called(stage: Stage, indent: str = "", **places: str) -> list[str]:
         return [indent + line for line in syntax.line(f"{stage.call(**places)};")]
 
     row = STATE if it.rows == 1 else ROW
@@ -89,7 +86,7 @@ def _repeating(it: Repeated) -> Lines:
         f"        if ({row}[{it.size - 1}] > {zero}) {{",
         "            break;",
         "        }",
-        *call(it.step, "    ", **{STATE: row}),
+        *called(it.step, "    ", **{STATE: row}),
         f"        for (int i = 0; i < {it.size}; ++i) {{",
         f"            {row}[i] = {NEXT}[i];",
         "        }",
@@ -102,100 +99,99 @@ def _repeating(it: Repeated) -> Lines:
             *(f"    {line}" for line in loop),
             "    }",
         ]
-    arrays = {STATE: it.size * it.rows, NEXT: it.size}
-    declared = [f"    {real} {array}[{size}];" for array, size in arrays.items()]
-    return Lines.of([*declared, *call(it.start), *loop, *call(it.finish)], arrays)
+    declared = [f"    {real} {array}[{size}];" for array, size in it.arrays.items()]
+    return Lines([*declared, *called(it.start), *loop, *called(it.finish)], it.arrays)
 
 
 def _function(text: FunctionText) -> dict[str, Any]:
-    signature, lines = text.signature, text.lines
-    real = f"{signature.robot}_real"
-    arguments = [f"const {real} {array}[{size}]" for array, size in signature.inputs]
-    arguments += [f"{real} {array}[{size}]" for array, size in signature.outputs]
+    signature, real = text.signature, f"{text.signature.robot}_real"
+    arguments = {array: f"const {real} {array}[{size}]" for array, size in signature.inputs}
+    arguments |= {array: f"{real} {array}[{size}]" for array, size in signature.outputs}
     if signature.parameters:
-        arguments.append(f"const {signature.robot}_params *p")
+        arguments["p"] = f"const {signature.robot}_params *p"
     if signature.states:
-        arguments += [f"{signature.robot}_state *state", f"{real} dt"]
+        arguments |= {"state": f"{signature.robot}_state *state", "dt": f"{real} dt"}
+    listing = listing_of(signature)
+    static = "static " if text.stage else ""
     return {
-        "arguments": arguments,
-        "prototype": _prototype(f"{'static ' if text.stage else ''}void {signature.symbol}(", arguments),
-        "lines": lines.statements,
-        "results": lines.results,
+        "arguments": list(arguments.values()),
+        "prototype": prototype(f"{static}void {signature.symbol}(", list(arguments.values())),
+        "lines": text.lines.statements,
         "again": text.rereads,
-        "inner": _inner(signature, lines, arguments) if lines.angles else None,
-        "listing": _listing(signature),
+        "inner": _inner(signature, text.lines, arguments) if text.lines.angles else None,
+        "listing": listing,
+        "listing_prototype": listing and _listing_prototype(listing, real),
     }
 
 
-def _listing(signature: Signature) -> dict[str, Any] | None:
-    """The function that lists solutions, before the kernel that has all branches."""
-    listing = listing_of(signature)
-    if listing is None:
-        return None
-    real = f"{signature.robot}_real"
+def _listing_prototype(listing: Listing, real: str) -> str:
     arguments = [f"const {real} T[12]"]
     arguments += [f"const {real} q_near[{listing.joints}]"] if listing.near else []
     arguments += [f"{real} Q[{listing.size}]", f"int flags[{listing.branches}]"]
-    arguments += [f"const {signature.robot}_params *p"] if signature.parameters else []
-    zero = c_spelling(single=signature.scalar == "float").number(Fraction(0))
-    return {
-        "prototype": _prototype(f"int {listing.symbol}(", arguments),
-        "kernel": signature.symbol,
-        "near": listing.near,
-        "branches": listing.branches,
-        "joints": listing.joints,
-        "size": listing.size,
-        "parameters": bool(signature.parameters),
-        "zero": zero,
-        "zeros": ", ".join([zero] * listing.joints),
-        "flags": {name: f"{signature.robot}_IK_{name}" for name in FLAGS},
-        "branch": BRANCH,
-    }
+    arguments += [f"const {listing.kernel.robot}_params *p"] if listing.kernel.parameters else []
+    return prototype(f"int {listing.symbol}(", arguments)
 
 
-def _inner(signature: Signature, lines: Lines, arguments: list[str]) -> dict[str, Any]:
+def _inner(signature: Signature, lines: Lines, arguments: dict[str, str]) -> dict[str, Any]:
     """The part of a function that is given sines and cosines: what it is called with, and how."""
-    passed = [array for array in (SINES, COSINES) if array in lines.reads]
-    taken = [f"const {signature.robot}_real {array}[{lines.arrays[array]}]" for array in passed]
-    outputs = {array for array, _ in signature.outputs}
-    for argument in arguments:
-        name = argument.split()[-1].lstrip("*").partition("[")[0]
-        is_parameters = argument.endswith("_params *p")
-        read = lines.parameters if is_parameters else name in lines.reads | outputs
-        if read or name == "state":
-            taken.append(argument)
-            passed.append(name)
+    read = {"p" if x.index is None else x.array for x in lines.inputs}
+    used = read | {array for array, _ in signature.outputs} | {"state"}
+    given = {
+        array: f"const {signature.robot}_real {array}[{lines.arrays[array]}]"
+        for array in (SINES, COSINES)
+        if array in read
+    }
+    given |= {name: argument for name, argument in arguments.items() if name in used}
     symbol = f"{signature.symbol}_given_"
     return {
-        "prototype": _prototype(f"{signature.robot}_APART_ void {symbol}(", taken),
+        "prototype": prototype(f"{signature.robot}_APART_ void {symbol}(", list(given.values())),
         "angles": lines.angles,
-        "call": f"{symbol}({', '.join(passed)});",
+        "call": f"{symbol}({', '.join(given)});",
     }
-
-
-def _prototype(head: str, arguments: list[str]) -> str:
-    """``head`` with its arguments, without the closing parenthesis, in lines of moderate length."""
-    line = head + ", ".join(arguments)
-    if len(line) < WIDTH - 2:
-        return line
-    return head + (",\n" + " " * 4).join(["\n    " + arguments[0], *arguments[1:]])
 
 
 def _context(unit: Unit) -> dict[str, Any]:
-    name = unit.robot.name
-    single = unit.functions[0][0].scalar == "float"
+    builtin = {"trig": has_sines(unit), "arctangent": has_arctangents(unit)}
     return {
-        **c_builtin(
-            name,
-            single=single,
-            sines=has_sines(unit),
-            arctangents=has_arctangents(unit),
-        ),
+        "refused": refused(builtin),
         "contraction": None if unit.contraction is None else unit.contraction.upper(),
         "math": needs_libm(unit),
-        "freestanding": freestanding_context(unit, c_spelling(single=single).number),
-        "guard": f"{name.upper()}_H",
+        "freestanding": _freestanding(unit),
+        "guard": f"{unit.robot.name.upper()}_H",
         "macros": _macros(unit),
+    }
+
+
+#: Where the compiler has an instruction for the square root of a float (True), of a double.
+_INSTRUCTION = {
+    True: "(defined(__ARM_FP) && ((__ARM_FP & 4) != 0)) || defined(__riscv_fsqrt)",
+    False: "(defined(__ARM_FP) && ((__ARM_FP & 8) != 0)) || (defined(__riscv_fsqrt) && (__riscv_flen >= 64))",
+}
+
+
+def _freestanding(unit: Unit) -> dict[str, Any] | None:
+    """What the template of absolute values and square roots without a library is told, to the same bits
+    (IEEE 754 rounds both correctly); None where nothing of it is called."""
+    called = freestanding_calls(unit)
+    if not called:
+        return None
+    number = c_spelling(single=unit.single).number
+    # Digits behind the first, and the power of two (twice an even one) that makes a subnormal number normal.
+    digits, power, bias = (23, 24, 127) if unit.single else (52, 54, 1023)
+    return {
+        "called": called,
+        "suffix": "f" if unit.single else "",
+        "instruction": f"defined(__SSE2__) || defined(__aarch64__) || {_INSTRUCTION[unit.single]}",
+        "digits": digits,
+        "bias": bias,
+        "size": f"0x7{'f' * (7 if unit.single else 15)}u",
+        "unit": f"{1 << digits:#x}u",
+        "fraction": f"{(1 << digits) - 1:#x}u",
+        "infinite": f"{(2 * bias + 1) << digits:#x}u",
+        "zero": number(Fraction(0)),
+        "one": number(Fraction(1)),
+        "up": number(Fraction(2) ** power),
+        "down": number(Fraction(1, 2 ** (power // 2))),
     }
 
 
@@ -206,18 +202,19 @@ def _macros(unit: Unit) -> list[str]:
     names = dict.fromkeys((unit.robot.name, unit.robot.name.upper()))
     numbers = {"REGRESSOR_COLUMNS": columns} if columns else {}
     for listing in filter(None, (listing_of(interface) for interface, _ in unit.functions)):
-        numbers |= {"IK_MAX": listing.branches, **{f"IK_{name}": bit for name, bit in FLAGS.items()}}
+        numbers |= {"IK_MAX": listing.branches, **{f"IK_{name}": bit for name, bit in Listing.FLAGS.items()}}
     return [f"#define {name}_{what} {value}" for name in names for what, value in numbers.items()]
 
 
-def _notes(unit: Unit) -> tuple[str, ...]:
-    return misra_notes(unit) if unit.misra else ()
+def _batch(unit: Unit) -> dict[str, str]:
+    from robodyn.emit.batch import batch_files
+
+    return batch_files(unit)
 
 
 LANGUAGE = Language(
     name="c",
     title="C",
-    default=True,
     suffixes=(".c",),
     files={"NAME.h": "c/kernel.h.j2", "NAME.c": "c/kernel.c.j2"},
     package_tests={"NAME_vectors.c": "c/vectors.c.j2"},
@@ -226,10 +223,9 @@ LANGUAGE = Language(
     function=_function,
     repeating=_repeating,
     context=_context,
-    advice=advice,
-    notes=_notes,
-    features=frozenset({"batch", "parallel", "misra", "firmware"}),
-    batch=batch_files,
+    advice=lambda unit: (misra_notes(unit) if unit.misra else ()) + advice(unit),
+    features=frozenset({"batch", "misra", "firmware"}),
+    batch=_batch,
     compiled=Compiled(
         compiler=Tool(
             ("cc", "gcc", "clang"),

@@ -7,20 +7,17 @@ differ from those of C's library and of another engine.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
-from robodyn.emit.arctangent import arctangent_context
 from robodyn.emit.body import Lines
 from robodyn.emit.language import FunctionText, Language
-from robodyn.emit.sines import ANGLES, COSINES, SINES
-from robodyn.emit.spelling import Spelling, elements
+from robodyn.emit.loops import ANGLES, COSINES, SINES
+from robodyn.emit.spelling import Sines, Spelling, Syntax, call, elements, functions_of
 from robodyn.emit.stages import NEXT, ROW, Repeated, Stage
 from robodyn.emit.statements import Expression
-from robodyn.emit.syntax import Sines, Syntax
-from robodyn.emit.trig import trig_context
-from robodyn.emit.unit import BUILTIN, Unit, builtin_words, calls, has_arctangents, has_sines
+from robodyn.emit.unit import BUILTIN, Unit, builtin_words, calls
 from robodyn.ir.program import STATE
 from robodyn.ir.signature import Signature
 from robodyn.tools import Tool, Use
@@ -29,43 +26,32 @@ from robodyn.tools import Tool, Use
 _INEXACT = frozenset({"exp", "pow", "tanh"})
 
 
-def javascript_spelling(*, states: Sequence[str] = ()) -> Spelling:
-    """``states`` are the members of ``state``, where a function has one; it has ``dt`` then."""
-
-    def of_math(name: str) -> Callable[..., str]:
-        return lambda *arguments: f"Math.{name}({', '.join(arguments)})"
-
-    names = ("sin", "cos", "tanh", "sqrt", "exp", "pow", "abs", "atan2")
+def _spelling(states: Sequence[str] = ()) -> Spelling:
     return Spelling(
         literal=lambda digits: digits,
         element=elements(states, "state.{}", "{}[{}]"),
         member=lambda name: f"p.{name}",
         functions={
-            **{name: of_math(name) for name in names},
+            **functions_of("Math.{}"),
             "select": lambda c, a, b: f"({c} > 0.0 ? {a} : {b})",
             # Math.sign keeps the sign of -0, which C's comparison does not.
             "sign": lambda x: f"({x} > 0.0 ? 1.0 : {x} < 0.0 ? -1.0 : 0.0)",
         },
         single=False,
-        continuation="",
         times=" * ",
     )
 
 
-def _plain_syntax(spelling: Spelling) -> Syntax:
-    return Syntax(
+def _syntax(signature: Signature, unit: Unit) -> Syntax:
+    spelling = _spelling(signature.states)
+    if unit.builtin:
+        spelling = spelling.calling(atan2=call("atan2"))
+    syntax = Syntax(
         spelling,
         comment="// %s",
         declare=lambda name, text: f"const {name} = {text};",
         assign=lambda target, text: f"{target} = {text};",
     )
-
-
-def _syntax(signature: Signature, unit: Unit) -> Syntax:
-    spelling = javascript_spelling(states=signature.states)
-    if unit.builtin:
-        spelling = spelling.calling(atan2=lambda y, x: f"atan2({y}, {x})")
-    syntax = _plain_syntax(spelling)
     return replace(syntax, sines=_sines(syntax))
 
 
@@ -73,36 +59,28 @@ def _sines(syntax: Syntax) -> Sines:
     """``sincos`` of an angle is the array of both."""
     spelling = syntax.spelling
 
-    def loop(angles: Sequence[Expression]) -> list[str]:
+    def every(angles: Sequence[Expression]) -> list[str]:
         size = len(angles)
         arrays = [f"    const {array} = new Float64Array({size});" for array in (SINES, COSINES)]
         if size == 1:
-            return [
-                *arrays,
-                *syntax.line(f"[{SINES}[0], {COSINES}[0]] = sincos({spelling.text(angles[0])});"),
-            ]
+            return [*arrays, *syntax.line(f"[{SINES}[0], {COSINES}[0]] = sincos({spelling.row(angles)});")]
         return [
-            *syntax.line(f"const {ANGLES} = [{', '.join(spelling.text(angle) for angle in angles)}];"),
+            *syntax.line(f"const {ANGLES} = [{spelling.row(angles)}];"),
             *arrays,
             f"    for (let i = 0; i < {size}; ++i) [{SINES}[i], {COSINES}[i]] = sincos({ANGLES}[i]);",
         ]
 
-    def pair(array: str, angle: Expression) -> list[str]:
-        return syntax.line(f"const {array} = sincos({spelling.text(angle)});")
-
-    return Sines(loop, pair)
+    return Sines(every, lambda array, x: syntax.line(f"const {array} = sincos({spelling.text(x)});"))
 
 
-def _repeating(it: Repeated) -> Lines:
-    syntax = _plain_syntax(javascript_spelling())
-
-    def call(stage: Stage, indent: str = "", **places: str) -> list[str]:
+def _repeating(it: Repeated, syntax: Syntax) -> Lines:
+    def called(stage: Stage, indent: str = "", **places: str) -> list[str]:
         return [indent + line for line in syntax.line(f"{stage.call(**places)};")]
 
     row = STATE if it.rows == 1 else ROW
     loop = [
         f"    for (let k = 0; k < {it.most} && !({row}[{it.size - 1}] > 0.0); ++k) {{",
-        *call(it.step, "    ", **{STATE: row}),
+        *called(it.step, "    ", **{STATE: row}),
         f"        {row}.set({NEXT});",
         "    }",
     ]
@@ -113,9 +91,8 @@ def _repeating(it: Repeated) -> Lines:
             *(f"    {line}" for line in loop),
             "    }",
         ]
-    arrays = {STATE: it.size * it.rows, NEXT: it.size}
-    declared = [f"    const {array} = new Float64Array({size});" for array, size in arrays.items()]
-    return Lines.of([*declared, *call(it.start), *loop, *call(it.finish)], arrays)
+    declared = [f"    const {array} = new Float64Array({size});" for array, size in it.arrays.items()]
+    return Lines([*declared, *called(it.start), *loop, *called(it.finish)], it.arrays)
 
 
 def _function(text: FunctionText) -> dict[str, Any]:
@@ -126,16 +103,7 @@ def _function(text: FunctionText) -> dict[str, Any]:
     return {
         "name": signature.called,
         "arguments": ", ".join(arguments),
-        "lines": lines.angles + lines.statements,
-        "results": lines.results,
-    }
-
-
-def _context(unit: Unit) -> dict[str, Any]:
-    syntax = _plain_syntax(javascript_spelling())
-    return {
-        "trig": trig_context(syntax) if has_sines(unit) else None,
-        "arctangent": arctangent_context(syntax) if has_arctangents(unit) else None,
+        "lines": [*lines.angles, *lines.statements],
     }
 
 
@@ -144,10 +112,8 @@ def _advice(unit: Unit) -> tuple[str, ...]:
         "Arrays are those of the caller: any that can be indexed, results are written into them.",
     )
     if unit.builtin:
-        advice += (
-            f"{builtin_words(unit)}. The same bits in every engine, and those of the C with "
-            "-ffp-contract=off.",
-        )
+        words = f"{builtin_words(unit)}. The same bits in every engine, and those of the C with "
+        advice += (f"{words}-ffp-contract=off.",)
     if calls(unit) & (_INEXACT if unit.builtin else _INEXACT | BUILTIN):
         advice += (
             "Functions of Math are called; but for sqrt and abs their last bits are the engine's own.",
@@ -162,15 +128,13 @@ LANGUAGE = Language(
     suffixes=(".mjs",),
     files={"NAME.mjs": "javascript/kernel.mjs.j2"},
     tests={"NAME.test.mjs": "javascript/vectors.mjs.j2"},
-    spelling=lambda single: javascript_spelling(),
+    spelling=lambda single: _spelling(),
     syntax=_syntax,
     function=_function,
     repeating=_repeating,
-    context=_context,
     advice=_advice,
     type_name=lambda robot, kind: {"params": "p"}.get(kind, kind),
     trig="builtin",
     scalars=("double",),
-    of_browsers=True,
     takers=(Tool(("node",), Use.LANGUAGES, "tests of JavaScript modules", "nodejs", "https://nodejs.org"),),
 )

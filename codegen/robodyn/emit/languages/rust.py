@@ -8,21 +8,15 @@ crate ``libm``'s; apart from ``sqrt`` its last bit may differ from that of C's l
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from typing import Any
 
-from robodyn.emit.arctangent import arctangent_context
 from robodyn.emit.body import Lines
 from robodyn.emit.language import FunctionText, Language
-from robodyn.emit.listing import BRANCH, FLAGS, listing_of
-from robodyn.emit.runs import Run
-from robodyn.emit.sines import ANGLES, COSINES, SINES
-from robodyn.emit.spelling import WIDTH, Spelling, elements
+from robodyn.emit.loops import ANGLES, COSINES, SINES, Run
+from robodyn.emit.spelling import WIDTH, Sines, Spelling, Syntax, call, elements, functions_of
 from robodyn.emit.stages import NEXT, ROW, Repeated, Stage
 from robodyn.emit.statements import Expression
-from robodyn.emit.syntax import Sines, Syntax
-from robodyn.emit.trig import trig_context
-from robodyn.emit.unit import BUILTIN, Unit, builtin_words, calls, has_arctangents, has_sines
+from robodyn.emit.unit import BUILTIN, OF_LIBM, Listing, Unit, builtin_words, calls, listing_of
 from robodyn.errors import InputError
 from robodyn.ir.program import STATE
 from robodyn.ir.signature import Signature
@@ -43,32 +37,17 @@ _CRATES = _KEYWORDS | _NEVER | {"alloc", "core", "libm", "proc_macro", "std", "t
 #: rustfmt breaks a call whose arguments are longer, and an array.
 _ARGUMENTS = 60
 
-#: Operations of the crate libm.
-_OF_LIBM = frozenset({"exp", "pow", "sqrt", "tanh"})
 
-
-def rust_spelling(*, single: bool, states: Sequence[str] = ()) -> Spelling:
-    """``states`` are the members of ``state``, where a function has one; it has ``dt`` then."""
-
-    f = "f" if single else ""
+def _spelling(*, single: bool, states: Sequence[str] = ()) -> Spelling:
     return Spelling(
         literal=lambda digits: digits,
         element=elements([identifier(name) for name in states], "state.{}", "{}[{}]"),
         member=lambda name: f"p.{identifier(name)}",
         functions={
-            "sin": lambda x: f"libm::sin{f}({x})",
-            "cos": lambda x: f"libm::cos{f}({x})",
-            "tanh": lambda x: f"libm::tanh{f}({x})",
-            "sqrt": lambda x: f"libm::sqrt{f}({x})",
-            "exp": lambda x: f"libm::exp{f}({x})",
-            "pow": lambda x, y: f"libm::pow{f}({x}, {y})",
-            "atan2": lambda y, x: f"libm::atan2{f}({y}, {x})",
-            "select": lambda c, a, b: f"select({c}, {a}, {b})",
-            "abs": lambda x: f"abs({x})",
-            "sign": lambda x: f"sign({x})",
+            **functions_of(f"libm::{{}}{'f' if single else ''}"),
+            **{name: call(name) for name in ("abs", "select", "sign")},
         },
         single=single,
-        continuation="",
         times=" * ",
     )
 
@@ -90,90 +69,68 @@ def crate_name(robot: str) -> str:
     return f"{robot}_dynamics" if robot in _CRATES else robot
 
 
-def _plain_syntax(spelling: Spelling) -> Syntax:
+def _syntax(signature: Signature, unit: Unit) -> Syntax:
+    spelling = _spelling(single=signature.scalar == "float", states=signature.states)
+    if unit.builtin:
+        spelling = spelling.calling(atan2=call("atan2"))
     return Syntax(
         spelling,
         comment="// %s",
         declare=lambda name, text: f"let {name} = {text};",
         assign=lambda target, text: f"{target} = {text};",
         longest_call=_ARGUMENTS,
+        sines=_sines(spelling),
     )
-
-
-def _syntax(signature: Signature, unit: Unit) -> Syntax:
-    spelling = rust_spelling(single=signature.scalar == "float", states=signature.states)
-    if unit.builtin:
-        spelling = spelling.calling(atan2=lambda y, x: f"atan2({y}, {x})")
-    syntax = _plain_syntax(spelling)
-    return replace(syntax, sines=_sines(syntax.spelling))
 
 
 def _sines(spelling: Spelling) -> Sines:
     """``sincos`` of an angle is the array of both."""
 
-    def loop(angles: Sequence[Expression]) -> list[str]:
-        size = len(angles)
-        texts = [spelling.text(angle) for angle in angles]
-        line = f"    let {ANGLES} = [{', '.join(texts)}];"
-        lines = [line]
-        if len(", ".join(texts)) > _ARGUMENTS:
-            lines = ["    #[rustfmt::skip]", *spelling.wrapped(line.strip(), "    ")]
+    def filled(array: str, values: Sequence[Expression]) -> list[str]:
+        text = spelling.row(values)
+        skip = ["    #[rustfmt::skip]"] if len(text) > _ARGUMENTS else []
+        return [*skip, *spelling.wrapped(f"let {array} = [{text}];", "    ")]
+
+    def every(angles: Sequence[Expression]) -> list[str]:
         return [
-            *lines,
-            f"    let mut {SINES} = [0.0; {size}];",
-            f"    let mut {COSINES} = [0.0; {size}];",
+            *filled(ANGLES, angles),
+            *(f"    let mut {array} = [0.0; {len(angles)}];" for array in (SINES, COSINES)),
             f"    for (i, angle) in {ANGLES}.iter().enumerate() {{",
             f"        [{SINES}[i], {COSINES}[i]] = sincos(*angle);",
             "    }",
         ]
 
-    def pair(array: str, angle: Expression) -> list[str]:
-        return [f"    let {array} = sincos({spelling.text(angle)});"]
-
     def run(it: Run) -> list[str]:
         ups, alongs, angles = it.arrays
-        lines = []
-        for array, values in ((ups, it.ups), (alongs, it.alongs)):
-            texts = ", ".join(spelling.text(value) for value in values)
-            long = len(texts) > _ARGUMENTS
-            lines += ["    #[rustfmt::skip]"] if long else []
-            lines += spelling.wrapped(f"let {array} = [{texts}];", "    ")
         return [
-            *lines,
+            *filled(ups, it.ups),
+            *filled(alongs, it.alongs),
             f"    let mut {angles} = [0.0; {len(it.ups)}];",
             f"    for (i, angle) in {angles}.iter_mut().enumerate() {{",
             f"        *angle = atan2({ups}[i], {alongs}[i]);",
             "    }",
         ]
 
-    return Sines(loop, pair, run)
+    return Sines(every, lambda array, x: [f"    let {array} = sincos({spelling.text(x)});"], run)
 
 
-def _repeating(it: Repeated) -> Lines:
-    own = {name for name, _ in it.whole.inputs}
+def _repeating(it: Repeated, _: Syntax) -> Lines:
+    given = {name for name, _ in it.whole.inputs}
 
-    def call(stage: Stage, indent: str, state: str) -> list[str]:
+    def called(stage: Stage, indent: str, state: str) -> list[str]:
         """Arrays of the caller are references; of our own one is lent."""
-        inputs = [name if name in own else f"&{state}" for name, _ in stage.signature.inputs]
+        inputs = [name if name in given else f"&{state}" for name, _ in stage.signature.inputs]
         lent = {STATE: f"&mut {STATE}", NEXT: f"&mut {NEXT}"}
         arguments = [*inputs, *(lent.get(name, name) for name, _ in stage.signature.outputs)]
-        line = f"{indent}{stage.signature.called}({', '.join(arguments)});"
-        if len(line) <= WIDTH and len(", ".join(arguments)) <= _ARGUMENTS:
-            return [line]
-        return [
-            f"{indent}{stage.signature.called}(",
-            *(f"{indent}    {argument}," for argument in arguments),
-            f"{indent});",
-        ]
+        return _broken(f"{stage.signature.called}(", arguments, ");", indent, _ARGUMENTS)
 
-    last, inner = it.size - 1, "        "
     state = STATE if it.rows == 1 else ROW
     loop = [
         f"    for _ in 0..{it.most} {{",
-        f"        if {state}[{last}] > 0.0 {{",
+        f"        if {state}[{it.size - 1}] > 0.0 {{",
         "            break;",
         "        }",
-        *call(it.step, inner, state),
+        *called(it.step, "        ", state),
         f"        {state} = {NEXT};",
         "    }",
     ]
@@ -186,85 +143,61 @@ def _repeating(it: Repeated) -> Lines:
             f"        each.copy_from_slice(&{ROW});",
             "    }",
         ]
-    declared = [
-        f"    let mut {STATE} = [0.0; {it.size * it.rows}];",
-        f"    let mut {NEXT} = [0.0; {it.size}];",
-    ]
-    lines = [*declared, *call(it.start, "    ", STATE), *loop, *call(it.finish, "    ", STATE)]
-    return Lines.of(lines, {})
+    declared = [f"    let mut {array} = [0.0; {size}];" for array, size in it.arrays.items()]
+    return Lines([*declared, *called(it.start, "    ", STATE), *loop, *called(it.finish, "    ", STATE)], {})
 
 
-def _listing(signature: Signature) -> dict[str, Any] | None:
-    """The function that lists solutions, before the kernel that has all branches."""
-    listing = listing_of(signature)
-    if listing is None:
-        return None
-    arguments = ["T: &[Real; 12]"]
-    arguments += [f"q_near: &[Real; {listing.joints}]"] if listing.near else []
-    arguments += [f"Q: &mut [Real; {listing.size}]", f"flags: &mut [i32; {listing.branches}]"]
-    arguments += ["p: &Params"] if signature.parameters else []
-    return {
-        "head": _head(f"pub fn {listing.name}(", arguments, ") -> i32 {"),
-        "name": listing.name,
-        "symbol": listing.symbol,
-        "kernel": signature.called,
-        "near": listing.near,
-        "branches": listing.branches,
-        "joints": listing.joints,
-        "size": listing.size,
-        "parameters": bool(signature.parameters),
-        "flags": FLAGS,
-        "branch": BRANCH,
-    }
-
-
-def _head(opening: str, arguments: list[str], closing: str) -> list[str]:
-    """The head of a function, on one line if it fits."""
-    line = f"{opening}{', '.join(arguments)}{closing}"
-    return [line] if len(line) <= WIDTH else [opening, *(f"    {x}," for x in arguments), closing]
+def _broken(
+    opening: str, arguments: Sequence[str], closing: str, indent: str = "", longest: int = WIDTH
+) -> list[str]:
+    """A call or the head of a function, on one line if it fits."""
+    text = ", ".join(arguments)
+    line = f"{indent}{opening}{text}{closing}"
+    if len(line) <= WIDTH and len(text) <= longest:
+        return [line]
+    return [indent + opening, *(f"{indent}    {argument}," for argument in arguments), indent + closing]
 
 
 def _function(text: FunctionText) -> dict[str, Any]:
     signature, lines = text.signature, text.lines
     arguments = [f"{array}: &[Real; {size}]" for array, size in signature.inputs]
     arguments += [f"{array}: &mut [Real; {size}]" for array, size in signature.outputs]
-    if signature.parameters:
-        arguments.append("p: &Params")
-    if signature.states:
-        arguments += ["state: &mut State", "dt: Real"]
-    opening = f"{'' if text.stage else 'pub '}fn {signature.called}("
-    unread = [array for array in (SINES, COSINES) if array in lines.arrays and array not in lines.reads]
+    arguments += ["p: &Params"] if signature.parameters else []
+    arguments += ["state: &mut State", "dt: Real"] if signature.states else []
+    read = {x.array for x in lines.inputs if x.index is not None}
+    unread = [array for array in (SINES, COSINES) if array in lines.arrays and array not in read]
+    listing = listing_of(signature)
     return {
         "name": signature.called,
-        "head": _head(opening, arguments, ") {"),
-        "listing": _listing(signature),
-        "lines": lines.angles + lines.statements,
-        "results": lines.results,
+        "head": _broken(f"{'' if text.stage else 'pub '}fn {signature.called}(", arguments, ") {"),
+        "listing": listing,
+        "listing_head": listing and _listing_head(listing),
+        "lines": [*lines.angles, *lines.statements],
         "unused": [*text.unused, *unread],
     }
 
 
+def _listing_head(listing: Listing) -> list[str]:
+    arguments = ["T: &[Real; 12]"]
+    arguments += [f"q_near: &[Real; {listing.joints}]"] if listing.near else []
+    arguments += [f"Q: &mut [Real; {listing.size}]", f"flags: &mut [i32; {listing.branches}]"]
+    arguments += ["p: &Params"] if listing.kernel.parameters else []
+    return _broken(f"pub fn {listing.name}(", arguments, ") -> i32 {")
+
+
 def uses_libm(unit: Unit) -> bool:
     """Whether the crate needs ``libm``."""
-    return bool(calls(unit) & (_OF_LIBM if unit.builtin else _OF_LIBM | BUILTIN))
+    return not calls(unit).isdisjoint((OF_LIBM - {"abs"}) | (frozenset() if unit.builtin else BUILTIN))
 
 
 def _context(unit: Unit) -> dict[str, Any]:
-    interface = unit.functions[0][0]
-    single = interface.scalar == "float"
-    operations = calls(unit)
-    syntax = _plain_syntax(rust_spelling(single=single))
-    states = next((signature.states for signature, _ in unit.functions if signature.states), ())
     return {
-        "trig": trig_context(syntax) if has_sines(unit) else None,
-        "arctangent": arctangent_context(syntax) if has_arctangents(unit) else None,
         "crate": crate_name(unit.robot.name),
-        "real": "f32" if single else "f64",
-        "bits": 32 if single else 64,
-        "helpers": sorted({"abs", "select", "sign"} & operations),
+        "real": "f32" if unit.single else "f64",
+        "helpers": sorted({"abs", "select", "sign"} & calls(unit)),
         "libm": uses_libm(unit),
-        "parameters": [identifier(name) for name in interface.parameters],
-        "states": [identifier(name) for name in states],
+        "parameters": [identifier(name) for name in unit.functions[0][0].parameters],
+        "states": [identifier(name) for name in unit.states],
     }
 
 
@@ -290,7 +223,7 @@ LANGUAGE = Language(
     suffixes=(".rs",),
     files={"Cargo.toml": "rust/Cargo.toml.j2", "src/lib.rs": "rust/lib.rs.j2"},
     tests={"tests/vectors.rs": "rust/vectors.rs.j2"},
-    spelling=lambda single: rust_spelling(single=single),
+    spelling=lambda single: _spelling(single=single),
     syntax=_syntax,
     function=_function,
     repeating=_repeating,
