@@ -32,8 +32,8 @@ from typing import Any, Final
 import numpy as np
 
 from robodyn.errors import InputError, RobodynError
+from robodyn.formats.arm import how_files_are_read, read_tree
 from robodyn.formats.frames import description_of
-from robodyn.formats.reading import how_files_are_read, read_tree
 from robodyn.formats.serial import serial_chain
 from robodyn.formats.topology import Topology
 from robodyn.robot import Robot, read_text, to_yaml

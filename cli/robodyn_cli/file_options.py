@@ -79,8 +79,8 @@ def files_read_by(parameters: dict[str, Any]) -> Iterator[None]:
     if not arg and not file_model and not left_out and not massless:
         yield
         return
+    from robodyn.formats.arm import how_files_are_read, is_sdf
     from robodyn.formats.loading import SUFFIXES
-    from robodyn.formats.reading import how_files_are_read, is_sdf
 
     robots = list(_robots(click.get_current_context()))
     only_folders = all(name.startswith("find ") for name, _ in arg)

@@ -7,7 +7,16 @@ import random
 
 import pytest
 
-from robodyn.formats.chain import IDENTITY, Pose, about_axis, cosine_and_sine, product, transposed, turned
+from robodyn.formats.chain import (
+    IDENTITY,
+    Pose,
+    about_axis,
+    composed,
+    cosine_and_sine,
+    product,
+    transposed,
+    turned,
+)
 
 
 def random_pose(random_numbers: random.Random) -> Pose:
@@ -19,7 +28,7 @@ def test_a_pose_and_its_inverse_are_the_identity() -> None:
     random_numbers = random.Random(1)
     for _ in range(20):
         pose = random_pose(random_numbers)
-        nothing = pose.compose(pose.inverse())
+        nothing = composed(pose, pose.inverse())
         assert nothing.xyz == pytest.approx((0, 0, 0), abs=1e-15)
         for row, unit in zip(nothing.rotation, IDENTITY, strict=True):
             assert row == pytest.approx(unit, abs=1e-15)

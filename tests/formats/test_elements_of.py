@@ -12,9 +12,8 @@ from pathlib import Path
 import pytest
 
 from robodyn.formats.elements import parse
-from robodyn.formats.elements_of import FORMATS, Table, table_of
+from robodyn.formats.elements_of import FORMATS, Table, Unread, table_of
 from robodyn.formats.tree import PHYSICS, Leftovers
-from robodyn.formats.unread import Unread
 from robodyn_testing import require_module
 
 NAMES = Path(__file__).parent / "names"
@@ -148,6 +147,6 @@ def test_what_the_table_does_not_have_is_told_as_unknown(title: str, text: str, 
     """In what has no effect, too; what a plugin holds is its."""
     document = parse(text.encode(), "arm.xml")
     leftovers = Leftovers("arm.xml")
-    Unread(table_of(title), leftovers, document.place).note(document.root, (document.root.tag,))
+    Unread(table_of(title), leftovers, document.place).note(document.root)
     said = [part.what for part in leftovers.unused() if part.what.startswith("unknown")]
     assert sorted(said) == sorted(f"unknown to {title}: {what}" for what in unknown)

@@ -15,10 +15,10 @@ import robodyn
 from robodyn import Options, load, program
 from robodyn.counts import count
 from robodyn.formats.arm import near_right_angles
-from robodyn.formats.chain import Body, Chain, ChainJoint, Pose, about_axis
+from robodyn.formats.chain import Body, Chain, ChainJoint, Pose, about_axis, composed, moved
 from robodyn.formats.frames import description_of
 from robodyn.robot import Robot, read_text, to_yaml
-from robodyn.robot.model import Placement
+from robodyn.robot.model import AXES, Placement
 from robodyn.simulate.kinematics import Kinematics
 from robodyn.verify import Reference
 from robodyn_testing import commit_seeds, require_module, seed_counts
@@ -109,28 +109,19 @@ def chain_of(robot: Robot, reframed: Callable[[int], Pose] = lambda i: Pose()) -
 
     joints, before = [], Pose()
     for i, link in enumerate(robot.links, 1):
-        j, t = link.joint, link.inertia
+        j, own = link.joint, reframed(i)
         twist = about_axis((1.0, 0.0, 0.0), j.alpha.radians)
-        place = Pose(rotation=twist).compose(
-            Pose((real(j.a), real(j.b), real(j.d)), about_axis(Z, j.theta.radians))
-        )
-        own = reframed(i)
-        back = own.inverse()
-        tensor = [[t.xx, t.xy, t.xz], [t.xy, t.yy, t.yz], [t.xz, t.yz, t.zz]]
-        R = np.array(back.rotation)
-        turned = R @ np.array([[real(x) for x in row] for row in tensor]) @ R.T
+        turn = Pose((real(j.a), real(j.b), real(j.d)), about_axis(Z, j.theta.radians))
+        place = composed(composed(before.inverse(), Pose(rotation=twist)), turn)
         x, y, z = map(real, link.com)
-        body = Body(
-            real(link.mass),
-            back.compose(Pose((x, y, z))).xyz,
-            tuple(float(turned[a]) for a in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))),  # type: ignore[arg-type]
-        )
+        xx, yy, zz, xy, xz, yz = (real(getattr(link.inertia, axes)) for axes in AXES)
+        body = moved(own.inverse(), Body(real(link.mass), (x, y, z), (xx, yy, zz, xy, xz, yz)))
         joints.append(
             ChainJoint(
                 link.name,
                 link.name,
                 j.kind,
-                before.inverse().compose(place).compose(own),
+                composed(place, own),
                 tuple(row[2] for row in zip(*own.rotation, strict=True)),  # type: ignore[arg-type]
                 body,
                 viscous=real(j.viscous),

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from robodyn.formats.reading import read_tree
+from robodyn.formats.arm import read_tree
 from robodyn.formats.serial import serial_chain
 from robodyn.formats.tree import MOVING
 from robodyn_testing import require_module

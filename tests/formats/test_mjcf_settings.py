@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from robodyn.formats.reading import read_tree
+from robodyn.formats.arm import read_tree
 from robodyn.verify.against import read_original
 from robodyn_testing import require_module
 from robodyn_testing.mjcf_arms import ATTACHED, GRIPPER, MERGED, TENDONS, arm, write

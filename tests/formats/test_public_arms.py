@@ -10,8 +10,8 @@ import pytest
 
 from robodyn import Options, program
 from robodyn.errors import InputError
+from robodyn.formats.arm import read_tree
 from robodyn.formats.frames import description_of
-from robodyn.formats.reading import read_tree
 from robodyn.formats.serial import Serial, serial_chain
 from robodyn.formats.topology import Topology
 from robodyn.formats.tree import PHYSICS, Tree

@@ -9,8 +9,7 @@ import pytest
 
 from robodyn.errors import InputError, ToolError
 from robodyn.formats import limits, xacro
-from robodyn.formats.arm import import_arm
-from robodyn.formats.reading import read_tree
+from robodyn.formats.arm import import_arm, read_tree
 from robodyn_testing import require_module
 from robodyn_testing.urdf_text import link
 from robodyn_testing.xacro_arms import PACKAGE

@@ -46,23 +46,22 @@ LISTS = values(
     "<xacro:property name=\"names\" value=\"${['a', 'bcd']}\"/>",
 )  # fmt: skip
 NUMBERS = values(
-    "1 + 2 * 3 - 4 / 5", "7 // 2", "7 % 3", "2 ** 10", "2 ** -1", "-x", "not x", "1 &lt;&lt; 3", "5 &amp; 3",
+    "1 + 2 * 3 - 4 / 5", "7 // 2", "7 % 3", "2 ** 10", "2 ** -1", "-x", "not x", "5 &amp; 3",
     "0.1 + 0.2", "1e-7", "1e22", "1_000", "0x10", "round(2.567, 1)", "round(2.5)", "int(2.9)", "float('1e3')",
     "radians(90)", "degrees(pi)", "sin(pi / 6) + cos(0) + tan(0.1)", "atan2(1, 2)", "sqrt(2)", "hypot(3, 4)",
-    "math.floor(2.5) + math.ceil(2.5)", "math.pi", "math.prod([2, 3])", "fabs(-1)", "copysign(1, -0.0)",
-    "math.factorial(5)", "log(e)", "inf", "tau", "x if x &gt; 1 else 0", "0 &lt; x &lt;= 2",
+    "math.floor(2.5) + math.ceil(2.5)", "math.pi", "fabs(-1)", "copysign(1, -0.0)",
+    "log(e)", "inf", "tau", "x if x &gt; 1 else 0", "0 &lt; x &lt;= 2",
     "1 if None is None else 2",
-    "python.divmod(7, 2)", "bool(0)", "bool('a')", "True", "None", "x == 2 or y", "math.comb(5, 2)",
+    "python.divmod(7, 2)", "bool(0)", "bool('a')", "True", "None", "x == 2 or y",
     before='<xacro:property name="x" value="2"/>',
 )  # fmt: skip
 TEXTS = values(
     "'a' + 'b'", "'ab' * 2", "text.upper()", "text.split('_')[0]", "text.replace('_', '-')", "text[1:3]",
     "'%.3f %5d|%-4s' % (1.23456, 7, 'x')", "'%(k)s' % dict(k=3)", "'%d%%' % 5", "text.startswith('left')",
-    "text.strip('l')", "text.find('_')", "'left' in text", "text == 'left_arm'", "'7'.zfill(3)",
-    "str(1.0) + 'm'",
+    "text.strip('l')", "text.find('_')", "'left' in text", "text == 'left_arm'",     "str(1.0) + 'm'",
     "xacro.tokenize('a,b; c')", "xacro.tokenize('a:b', ':')", "xacro.message('hi')", "python.ord('a')",
     "'1' '2'",
-    "python.repr('a')", "text.count('l')", "text.partition('_')[2]", "'a\\tb'", "text.title().center(12)",
+    "python.repr('a')", "text.count('l')", "text.partition('_')[2]", "'a\\tb'", "text.title()",
     r"'\d' + text",
     before='<xacro:property name="text" value="left_arm"/>',
 )  # fmt: skip

@@ -60,7 +60,7 @@ HOSTILE = {
     "no attribute 'format'"),
     "f-string": (link("$(eval f'{sin.__self__}')"), "JoinedStr is not"),
     "percent": (link("${'%(a.__class__)s' % dict(a=1)}"), "a field of a text"),
-    "percent of a function": (link("${'%s' % sin}"), "is not evaluated here"),
+    "percent of a function": (link("${'%s' % sin}"), "is not a value"),
     "class in eval": (link("$(eval 'a'.__class__)"), "no attribute '__class__'"),
     "eval by a property": (link("${p}", f'<xacro:property name="p" value="${{{RUN}}}"/>'), "__import__"),
     "a default": ('<xacro:macro name="m" params="a:=${().__class__}"/><xacro:m/>', "__class__"),

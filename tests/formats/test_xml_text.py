@@ -10,9 +10,8 @@ import pytest
 
 import robodyn
 from robodyn.errors import InputError
-from robodyn.formats.arm import import_arm
+from robodyn.formats.arm import import_arm, read_tree
 from robodyn.formats.elements import parse
-from robodyn.formats.reading import read_tree
 from robodyn.formats.serial import serial_chain
 from robodyn.formats.xml_text import ENCODINGS, xml_text
 from robodyn.robot import to_yaml

@@ -1,22 +1,32 @@
-"""A serial chain as other formats state it: joint axes in any direction, frames where their author put them.
+"""A serial chain as other formats state it: joint axes in any direction, frames where their author put them;
+and how its poses and rigid bodies are put together.
 
 Numbers are floats, SI units. What a file wrote as decimal text comes out as the same text again:
 :func:`~robodyn.robot.numbers.shortest` makes the rational of a float's shortest text, and rotations by
-multiples of pi/2 have entries 0 and +-1 only, so that nothing they touch is rounded.
+multiples of pi/2 have entries 0 and +-1 only, so that nothing they touch is rounded. Sums are exact before
+they are rounded, so decimals stay short.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
 
+from robodyn.formats.limits import ROUNDING
 from robodyn.robot.account import Origins
+from robodyn.robot.numbers import shortest
 from robodyn.robot.parts import Gear, JointKind, Limits
 from robodyn.robot.rotations import QUARTER_TURN
+from robodyn.robot.values import ZERO
 
 Vector = tuple[float, float, float]
 Rotation = tuple[Vector, Vector, Vector]
+#: The entries ``xx yy zz xy xz yz`` of an inertia tensor [kg m^2].
+Tensor = tuple[float, float, float, float, float, float]
+#: A pseudo-inertia [4, 4] by rows: the integral of ``[r; 1] [r; 1]^T`` over the mass of a body.
+Moments = Sequence[Sequence[Fraction]]
 
 IDENTITY: Rotation = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 _QUARTERS = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))
@@ -65,10 +75,6 @@ class Pose:
         )
         return cls((x, y, z), rotation)
 
-    def compose(self, child: Pose) -> Pose:
-        """``child``, stated in this frame, as a pose in the parent of this frame."""
-        return Pose(added(self.xyz, turned(self.rotation, child.xyz)), product(self.rotation, child.rotation))
-
     def inverse(self) -> Pose:
         """The parent frame in this frame."""
         back = transposed(self.rotation)
@@ -83,7 +89,7 @@ class Body:
 
     mass: float = 0.0
     com: Vector = (0.0, 0.0, 0.0)
-    inertia: tuple[float, float, float, float, float, float] = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    inertia: Tensor = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,11 +160,6 @@ def cross(u: Vector, v: Vector) -> Vector:
     return (u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
 
 
-def added(u: Vector, v: Vector) -> Vector:
-    """``u + v``."""
-    return (u[0] + v[0], u[1] + v[1], u[2] + v[2])
-
-
 def scaled(factor: float, u: Vector) -> Vector:
     """``factor u``."""
     return (factor * u[0], factor * u[1], factor * u[2])
@@ -192,3 +193,83 @@ def about_axis(axis: Vector, angle: float) -> Rotation:
         (v * x * y + s * z, c + v * y * y, v * y * z - s * x),
         (v * x * z - s * y, v * y * z + s * x, c + v * z * z),
     )
+
+
+def unit(numbers: Vector) -> Vector:
+    """``numbers`` at length 1. One along x, y or z has its exact entries."""
+    x, y, z = numbers
+    length = math.hypot(x, y, z)
+    return numbers if length == 1.0 else (x / length, y / length, z / length)
+
+
+def composed(pose: Pose, child: Pose) -> Pose:
+    """``child``, stated in the frame of ``pose``, as a pose in its parent."""
+    if child == Pose():
+        return pose
+    return Pose(_position(pose, child.xyz), product(pose.rotation, child.rotation))
+
+
+def tidy(pose: Pose) -> Pose:
+    """``pose`` with 0 and +-1 in the rotation where rounding left something else."""
+    whole = {x: float(round(x)) for row in pose.rotation for x in row if abs(x - round(x)) <= ROUNDING}
+    a, b, c = ((whole.get(x, x), whole.get(y, y), whole.get(z, z)) for x, y, z in pose.rotation)
+    return Pose(pose.xyz, (a, b, c))
+
+
+def body_of(mass: float, pose: Pose, inertia: Tensor) -> Body:
+    """The body whose centre of mass is the origin of ``pose`` and whose tensor is along the axes of it;
+    turned by quarters, entries change their places and signs only."""
+    xx, yy, zz, xy, xz, yz = inertia
+    tensor: Rotation = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
+    a, b, c = product(product(pose.rotation, tensor), transposed(pose.rotation))
+    return Body(mass, pose.xyz, (a[0], b[1], c[2], a[1], a[2], b[2]))
+
+
+def moved(pose: Pose, body: Body) -> Body:
+    """``body``, stated in the frame of ``pose``, in its parent."""
+    if pose == Pose():
+        return body
+    return body_of(body.mass, replace(pose, xyz=_position(pose, body.com)), body.inertia)
+
+
+def lumped(bodies: Iterable[Body]) -> Body:
+    """One body out of several in the same frame."""
+    bodies = [body for body in bodies if body != Body()]
+    if len(bodies) < 2:
+        return bodies[0] if bodies else Body()
+    rows = zip(*map(moments_of, bodies), strict=True)
+    return body_with([[sum(entries, ZERO) for entries in zip(*row, strict=True)] for row in rows])
+
+
+def moments_of(body: Body) -> Moments:
+    """The pseudo-inertia of ``body`` about its frame's origin: second and first moments, and mass."""
+    mass, com = shortest(body.mass), [*map(shortest, body.com), Fraction(1)]
+    xx, yy, zz, xy, xz, yz = map(shortest, body.inertia)
+    half = (xx + yy + zz) / 2
+    second = [[half - xx, -xy, -xz], [-xy, half - yy, -yz], [-xz, -yz, half - zz]]
+    central = [[*row, ZERO] for row in second] + [[ZERO] * 4]
+    return [
+        [x + mass * r * c for x, c in zip(row, com, strict=True)] for row, r in zip(central, com, strict=True)
+    ]
+
+
+def body_with(moments: Moments) -> Body:
+    """The body that has this pseudo-inertia, rounded; one without mass has its centre at the origin."""
+    mass = moments[3][3]
+    com = [moments[k][3] / mass if mass else ZERO for k in range(3)]
+    (a, d, e), (_, b, f), (_, _, c) = (
+        [moments[i][k] - mass * com[i] * com[k] for k in range(3)] for i in range(3)
+    )
+    x, y, z = map(float, com)
+    xx, yy, zz, xy, xz, yz = map(float, (b + c, a + c, a + b, -d, -e, -f))
+    return Body(float(mass), (x, y, z), (xx, yy, zz, xy, xz, yz))
+
+
+def _position(pose: Pose, point: Vector) -> Vector:
+    """``R point + xyz``, rounded once an entry."""
+    inner = [*map(shortest, point)]
+    x, y, z = (
+        float(shortest(origin) + sum((shortest(r) * c for r, c in zip(row, inner, strict=True)), ZERO))
+        for origin, row in zip(pose.xyz, pose.rotation, strict=True)
+    )
+    return (x, y, z)

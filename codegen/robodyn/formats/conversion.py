@@ -1,16 +1,19 @@
-"""Names, limits and what sits in a joint, from a tree's terms to those of a description."""
+"""Names, limits, springs and what else sits in a joint, from a tree's terms to those of a description."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
+from fractions import Fraction
 from pathlib import PurePath
 
 from robodyn.errors import InputError, Place
-from robodyn.formats.chain import ChainJoint
+from robodyn.formats.chain import ChainJoint, Spring
 from robodyn.formats.limits import GREATEST
-from robodyn.formats.tree import MOVING, TURNING, JointLimits, Tree, TreeJoint
+from robodyn.formats.tree import TURNING, JointLimits, Tree, TreeJoint
 from robodyn.robot.account import Origins
-from robodyn.robot.names import ROBOT_NAME_LENGTH, TEXT_LENGTH, robot_name_fault, shown
+from robodyn.robot.model import EffectEntry
+from robodyn.robot.names import ROBOT_NAME_LENGTH, robot_name_fault, shown
 from robodyn.robot.numbers import shortest
 from robodyn.robot.parts import Gear, JointKind, Limits
 from robodyn.robot.rotations import limits_doubt
@@ -23,11 +26,9 @@ def robot_name(tree: Tree, preferred: str = "") -> str:
     ------
     InputError: it is a keyword, or the ``preferred`` name is no identifier.
     """
-    name = (
-        preferred or identifier(tree.name) or identifier(PurePath(tree.file).name.partition(".")[0]) or "arm"
-    )
-    fault = robot_name_fault(name)
-    if fault:
+    stem = PurePath(tree.file).name.partition(".")[0]
+    name = preferred or _identifier(tree.name) or _identifier(stem) or "arm"
+    if fault := robot_name_fault(name):
         raise InputError(
             f"the robot's name {fault}",
             where=Place(tree.file),
@@ -38,18 +39,10 @@ def robot_name(tree: Tree, preferred: str = "") -> str:
     return name
 
 
-def identifier(text: str) -> str:
+def _identifier(text: str) -> str:
     """``text`` with underscores for what cannot stand in an identifier; "" where nothing is left."""
     words = re.sub(r"[^A-Za-z0-9]+", "_", text).strip("_")
     return (words if words[:1].isalpha() or not words else f"arm_{words}")[:ROBOT_NAME_LENGTH].rstrip("_")
-
-
-def title_of(tree: Tree, base: str = "", tip: str = "") -> str:
-    """What a description says of where it comes from: the file, or the robot with both ends of the chain."""
-    text = (
-        f"{tree.name or 'robot'}, {base} to {tip}" if tip else f"{PurePath(tree.file).name} ({tree.format})"
-    )
-    return printable(text)[:TEXT_LENGTH]
 
 
 def printable(text: str) -> str:
@@ -59,17 +52,9 @@ def printable(text: str) -> str:
 
 def joint_of(joint: TreeJoint) -> tuple[ChainJoint, list[str]]:
     """The joint of a chain without its pose and body; and what of its limits was not taken as it stands."""
-    assert joint.kind in MOVING
     kind: JointKind = "revolute" if joint.kind in TURNING else "prismatic"
-    limits, remarks = limits_of(joint.limits, kind)
-    gear = None
-    if joint.ratio is not None:
-        constant = None if joint.torque_constant is None else shortest(joint.torque_constant)
-        gear = Gear(shortest(joint.ratio), constant)
-    stated = {
-        "friction": [value is not None for value in (joint.damping, joint.friction)],
-        "motor_inertia": [joint.armature is not None],
-    }
+    limits, remarks = _limits_of(joint.limits, kind)
+    stated = {"friction": (joint.damping, joint.friction), "motor_inertia": (joint.armature,)}
     converted = ChainJoint(
         joint.name,
         joint.child,
@@ -79,37 +64,58 @@ def joint_of(joint: TreeJoint) -> tuple[ChainJoint, list[str]]:
         viscous=joint.damping or 0.0,
         coulomb=joint.friction or 0.0,
         motor_inertia=joint.armature or 0.0,
-        gear=gear,
+        gear=None if joint.ratio is None else Gear(shortest(joint.ratio)),
         spring=joint.spring,
-        origins=Origins().with_stated(name for name, values in stated.items() if any(values)),
+        origins=Origins().with_stated(
+            name for name, values in stated.items() if any(x is not None for x in values)
+        ),
     )
     return converted, remarks
 
 
-def limits_of(limits: JointLimits, kind: JointKind) -> tuple[Limits, list[str]]:
+def _limits_of(limits: JointLimits, kind: JointKind) -> tuple[Limits, list[str]]:
     """Limits that say something, and what was left out."""
     remarks = []
     lower, upper = limits.lower, limits.upper
     position = None
     if lower is not None and upper is not None and lower < upper:
         position = (shortest(lower), shortest(upper))
-        doubt = limits_doubt(Limits(position), kind)
-        if doubt:
+        if doubt := limits_doubt(Limits(position), kind):
             remarks.append(f"limits of {doubt}: were degrees meant?")
     elif (lower, upper) not in ((None, None), (0.0, 0.0)):
         ends = ["none" if end is None else f"{end:g}" for end in (lower, upper)]
         remarks.append(f"no limits of position: lower {ends[0]}, upper {ends[1]}")
-    speeds = {}
-    for name, value in (
-        ("velocity", limits.velocity),
-        ("acceleration", limits.acceleration),
-        ("torque", limits.effort),
-    ):
-        if value is not None and 0 < value < GREATEST:
-            speeds[name] = shortest(value)
-        elif value is not None:
-            remarks.append(f"no limit of {name}: {value:g}")
-    return (
-        Limits(position, speeds.get("velocity"), speeds.get("acceleration"), speeds.get("torque")),
-        remarks,
-    )
+    stated = {"velocity": limits.velocity, "acceleration": limits.acceleration, "torque": limits.effort}
+    taken = {name: shortest(x) for name, x in stated.items() if x is not None and 0 < x < GREATEST}
+    left_out = {name: x for name, x in stated.items() if x is not None and name not in taken}
+    remarks += [f"no limit of {name}: {x:g}" for name, x in left_out.items()]
+    return Limits(position, **taken), remarks
+
+
+def effects_of_springs(springs: Iterable[Spring | None]) -> tuple[EffectEntry, ...]:
+    """The effects that say as much as the ``springs`` of joints, base to tip; None: the joint has none."""
+    hung = [(joint, spring) for joint, spring in enumerate(springs, 1) if spring is not None]
+    if not hung:
+        return ()
+    from robodyn.effects.catalogue import CATALOGUE  # an arm without springs does without it
+
+    (effect,) = (effect for effect in CATALOGUE.values() if effect.traits.in_files)
+    stiffness, rest = effect.traits.in_files
+    entries = []
+    for joint, spring in hung:
+        stated = {stiffness: shortest(spring.stiffness), rest: shortest(spring.rest)}
+        settings = [(each.name, stated.get(each.name, each.default)) for each in effect.parameters]
+        entries.append(
+            EffectEntry(effect.id, joint, tuple((name, x) for name, x in settings if x is not None))
+        )
+    return tuple(entries)
+
+
+def spring_of(entry: EffectEntry) -> Spring | None:
+    """The spring of a file that ``entry`` is; None where files have no words for it."""
+    stated = entry.definition.traits.in_files
+    more = [value for name, value in entry.settings if name not in stated]
+    if not stated or entry.joint is None or any(more):
+        return None
+    stiffness, rest = (entry[name] if name in entry else Fraction(0) for name in stated)
+    return Spring(float(stiffness), float(rest))

@@ -66,9 +66,12 @@ class Document:
         """Where ``element`` begins, or where its ``attribute`` does if it can be told."""
         line, column = element.line, element.column
         if attribute in element.attributes:
-            start = _offset(self.text, line) + column - 1
-            end = self.text.find(">", start)
-            hit = re.compile(rf"\s({re.escape(attribute)})\s*=").search(self.text, start, end)
+            start = 0
+            for _ in range(line - 1):
+                start = self.text.index("\n", start) + 1
+            start += column - 1
+            word = re.compile(rf"\s({re.escape(attribute)})\s*=")
+            hit = word.search(self.text, start, self.text.find(">", start))
             if hit:
                 line += self.text.count("\n", start, hit.start(1))
                 column = hit.start(1) - self.text.rfind("\n", 0, hit.start(1))
@@ -108,63 +111,44 @@ class _Builder:
         self.parser.buffer_text = True
         self.parser.StartElementHandler = self.start
         self.parser.EndElementHandler = self.end
-        self.parser.CharacterDataHandler = self.characters
+        self.parser.CharacterDataHandler = lambda text: self.open[-1][3].append(text)
         self.parser.StartDoctypeDeclHandler = self.doctype
         self.open: list[tuple[str, dict[str, str], list[Element], list[str], int, int]] = []
-        self.root: Element | None = None
+        self.top: list[Element] = []
         self.elements = 0
 
     def build(self, text: str) -> Element:
         try:
             self.parser.Parse(text, True)
-        except (expat.ExpatError, UnicodeEncodeError) as error:
-            raise self._not_xml(error) from None
-        assert self.root is not None  # expat refuses a document without an element
-        return self.root
+        except expat.ExpatError as error:
+            raise self.fault(_NOT_XML, expat.ErrorString(error.code)) from None
+        except UnicodeEncodeError:
+            raise InputError(_NOT_XML, where=Place(self.file), found="half of a surrogate pair") from None
+        return self.top[0]  # expat refuses a document without an element
 
     def start(self, tag: str, attributes: dict[str, str]) -> None:
         self.elements += 1
         if self.elements > ELEMENTS:
-            self._refuse("the file has too many elements", f"more than {ELEMENTS}")
+            raise self.fault("the file has too many elements", f"more than {ELEMENTS}")
         if len(self.open) >= DEPTH:
-            self._refuse("the elements are nested too deeply", f"more than {DEPTH} levels")
+            raise self.fault("the elements are nested too deeply", f"more than {DEPTH} levels")
         if len(attributes) > ATTRIBUTES:
-            self._refuse("an element has too many attributes", f"{len(attributes)}, not {ATTRIBUTES}")
+            raise self.fault("an element has too many attributes", f"{len(attributes)}, not {ATTRIBUTES}")
         line, column = self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber + 1
         self.open.append((tag, attributes, [], [], line, column))
 
-    def characters(self, text: str) -> None:
-        self.open[-1][3].append(text)
-
     def end(self, _: str) -> None:
         tag, attributes, children, texts, line, column = self.open.pop()
-        element = Element(tag, attributes, tuple(children), "".join(texts).strip(), line, column)
-        if self.open:
-            self.open[-1][2].append(element)
-        else:
-            self.root = element
+        siblings = self.open[-1][2] if self.open else self.top
+        siblings.append(Element(tag, attributes, tuple(children), "".join(texts).strip(), line, column))
 
     def doctype(self, *_: object) -> None:
-        self._refuse("the file has a document type", "<!DOCTYPE", "delete it: entities are not expanded")
+        remedy = "delete it: entities are not expanded"
+        raise self.fault("the file has a document type", "<!DOCTYPE", remedy)
 
-    def _refuse(self, what: str, seen: str, remedy: str | None = None) -> None:
-        line, column = self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber + 1
-        where = Place(self.file, line, column)
-        raise InputError(what, where=where, found=seen, expected=self.expected, remedy=remedy)
-
-    def _not_xml(self, error: expat.ExpatError | UnicodeEncodeError) -> InputError:
-        if isinstance(error, UnicodeEncodeError):
-            return InputError(_NOT_XML, where=Place(self.file), found="half of a surrogate pair")
-        where = Place(self.file, error.lineno, error.offset + 1)
-        return InputError(_NOT_XML, where=where, found=expat.ErrorString(error.code), expected=self.expected)
-
-
-def _offset(text: str, line: int) -> int:
-    """Where ``line`` begins in ``text``."""
-    start = 0
-    for _ in range(line - 1):
-        start = text.index("\n", start) + 1
-    return start
+    def fault(self, what: str, found: str, remedy: str | None = None) -> InputError:
+        where = Place(self.file, self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber + 1)
+        return InputError(what, where=where, found=found, expected=self.expected, remedy=remedy)
 
 
 def tag_shown(element: Element) -> str:

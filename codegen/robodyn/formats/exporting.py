@@ -7,22 +7,24 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 from robodyn.errors import InputError
-from robodyn.formats.writers import mjcf, sdf, urdf
-from robodyn.formats.writers.markup import Tag, document
+from robodyn.formats.writers import Tag, decimals, document, mjcf, sdf, urdf
 from robodyn.formats.writers.parts import Parts, parts_of
-from robodyn.formats.writers.physical import physical
 from robodyn.robot.model import Robot
 from robodyn.robot.names import shown
 
-_WRITERS: Final[dict[str, Callable[[Parts], tuple[Tag, list[str]]]]] = {
-    "urdf": urdf.root,
-    "mjcf": mjcf.root,
-    "sdf": sdf.root,
-}
-#: Formats whose readers refuse links without mass.
-_PHYSICAL: Final = frozenset({"mjcf", "sdf"})
 #: Formats that are written, and the ending of their files.
 TARGETS: Final = {"urdf": ".urdf", "mjcf": ".xml", "sdf": ".sdf"}
+_WRITERS: Final[dict[str, Callable[[Parts], Tag]]] = {"urdf": urdf.root, "mjcf": mjcf.root, "sdf": sdf.root}
+_FEW: Final = ", which few readers know"
+#: What each format does not say, and in which words all the same.
+_MISSING: Final = {
+    "urdf": {
+        "rotor inertias": f", but for the attribute 'armature' of <dynamics>{_FEW}",
+        "limits of acceleration": f", but for an attribute 'acceleration' of <limit>{_FEW}",
+    },
+    "mjcf": {"limits of velocity": "", "limits of acceleration": ""},
+    "sdf": {"rotor inertias": "", "gear ratios": "", "limits of acceleration": ""},
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,22 +53,37 @@ def export_arm(robot: Robot, to: str) -> Exported:
     if to not in _WRITERS:
         raise InputError("the format is unknown", found=shown(to), expected=", ".join(_WRITERS))
     parts = parts_of(robot)
-    renamed = tuple(
+    notes = [
         f"{shown(link.name)} is called {shown(joint.name)}"
         for link, joint in zip(robot.links, parts.joints, strict=True)
         if link.name != joint.name
-    )
+    ]
     loads = [entry.effect for entry in robot.effects if entry.definition.traits.body]
-    notes = [f"in the last link: {', '.join(loads)}"] if loads else []
-    if to in _PHYSICAL:
+    notes += [f"in the last link: {', '.join(loads)}"] if loads else []
+    if to != "urdf":  # readers of the others refuse links without mass
+        from robodyn.formats.writers.physical import physical
+
         joints, changed = physical(parts.joints)
         parts = replace(parts, joints=joints)
         notes += changed
-    root, missing = _WRITERS[to](parts)
-    return Exported(
-        to,
-        document(root, parts.comments),
-        tuple(joint.name for joint in parts.joints),
-        (*renamed, *notes),
-        (*parts.left_out, *missing),
-    )
+    text = document(_WRITERS[to](parts), parts.comments)
+    names = tuple(joint.name for joint in parts.joints)
+    return Exported(to, text, names, tuple(notes), (*parts.left_out, *_missing(parts, to)))
+
+
+def _missing(parts: Parts, to: str) -> list[str]:
+    """What is in ``parts`` and not in a file of that format."""
+    missing = []
+    if to == "urdf":
+        springs = ", ".join(joint.name for joint in parts.joints if joint.spring)
+        missing += [f"springs: {springs}"] if springs else []
+        if parts.gravity != (0.0, 0.0, -9.81):
+            gravity = f"gravity, {decimals(parts.gravity)} m/s^2"
+            missing.append(f"{gravity}: set it in the program that reads the file")
+    stated = {
+        "rotor inertias": any(joint.motor_inertia for joint in parts.joints),
+        "gear ratios": any(joint.gear for joint in parts.joints),
+        "limits of velocity": any(joint.limits.velocity is not None for joint in parts.joints),
+        "limits of acceleration": any(joint.limits.acceleration is not None for joint in parts.joints),
+    }
+    return missing + [what + words for what, words in _MISSING[to].items() if stated[what]]

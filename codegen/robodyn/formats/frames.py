@@ -31,8 +31,8 @@ from robodyn.formats.chain import (
     scaled,
     transposed,
 )
+from robodyn.formats.conversion import effects_of_springs
 from robodyn.formats.limits import SLIDE, STEEP
-from robodyn.formats.springs import entries_of
 from robodyn.robot.model import Inertia, Joint, Link, Robot
 from robodyn.robot.numbers import shortest
 from robodyn.robot.parts import Exact, JointKind, Rows
@@ -206,7 +206,7 @@ def description_of(chain: Chain, snap: float = 0.0) -> Robot:
         chain.title,
         chain.source,
         gravity=vector(chain.gravity),
-        effects=entries_of(joint.spring for joint in chain.joints),
+        effects=effects_of_springs(joint.spring for joint in chain.joints),
         base=placement(product(ground, turn), base, size, within),
         tool=placement(tool, (x, y, z - table[-1].slide), size, within),
     )

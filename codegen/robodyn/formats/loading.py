@@ -45,12 +45,12 @@ def load(
     foreign = _is_foreign(spec)
     if not foreign:
         if model:
-            from robodyn.formats.reading import no_model_to_choose
+            from robodyn.formats.arm import no_model_to_choose
 
             raise no_model_to_choose(label(spec))
         robot = bundled.load(spec, strict=strict, warn=warn)
         if unknown_masses(robot):
-            from robodyn.formats.reading import taken_as_massless
+            from robodyn.formats.arm import taken_as_massless
 
             robot = taken_as_massless(robot, massless)
     else:

@@ -4,24 +4,28 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final
 
 from robodyn.errors import InputError, Place
-from robodyn.formats.chain import Body, Pose, Spring, Vector
+from robodyn.formats.chain import Body, Pose, Spring, Vector, body_of, composed, tidy, unit
 from robodyn.formats.elements import Document
-from robodyn.formats.limits import NAMES_SHOWN, PLACEHOLDER, SAME_INERTIA
+from robodyn.formats.limits import PLACEHOLDER, SAME_INERTIA
 from robodyn.formats.mjcf_drives import with_couplings, with_drives
-from robodyn.formats.mjcf_handed import Handed
-from robodyn.formats.mjcf_text import handed
-from robodyn.formats.quantities import body_of, unit
-from robodyn.formats.rigid import composed, tidy
-from robodyn.formats.tree import JointLimits, Kind, Leftovers, Loop, Tree, TreeJoint, TreeLink, checked, names
+from robodyn.formats.mjcf_input import ModelText
+from robodyn.formats.mjcf_text import model_text
+from robodyn.formats.tree import JointLimits, Leftovers, Loop, Tree, TreeJoint, TreeLink, checked, names
 from robodyn.tools.libraries import MUJOCO, quiet_mujoco
 
 WORLD: Final = "world"
-_KINDS: Final[tuple[Kind, ...]] = ("floating", "ball", "prismatic", "revolute")
+_KINDS: Final = ("floating", "ball", "prismatic", "revolute")
+#: Parts of a joint that flags of the simulation switch off.
+_SWITCHED: Final[dict[str, tuple[str, tuple[str, str]]]] = {
+    "spring": ("springs of joints are", ("PASSIVE", "SPRING")),
+    "damping": ("damping of joints is", ("PASSIVE", "DAMPER")),
+    "friction": ("friction of joints is", ("FRICTIONLOSS", "CONSTRAINT")),
+}
 
 
 def read_tree(document: Document, path: Path | None, folders: Iterable[str] = ()) -> Tree:
@@ -39,7 +43,7 @@ def read_tree(document: Document, path: Path | None, folders: Iterable[str] = ()
     """
     mujoco = MUJOCO.load(where=Place(document.file))
     leftovers = Leftovers(document.file)
-    text = handed(document, path, leftovers, folders)
+    text = model_text(document, path, leftovers, folders)
     try:
         with quiet_mujoco(mujoco):
             files = {name: model.encode() for name, model in text.models.items()}
@@ -48,17 +52,14 @@ def read_tree(document: Document, path: Path | None, folders: Iterable[str] = ()
             model = spec.compile()
     except (ValueError, mujoco.FatalError) as error:
         message = " ".join(str(error).split())
-        raise InputError(
-            "MuJoCo refuses the file",
-            where=text.place(message, document.file),
-            found=message[:300],
-        ) from None
-    tree = _Model(mujoco, spec, model, text, document.file, bare).tree(document, leftovers)
-    notes = {"unused": leftovers.unused(), "physics": tuple(leftovers.physics)}
-    return checked(replace(tree, **notes, warnings=tuple(text.warnings)))  # type: ignore[arg-type]
+        where = text.place(message, document.file)
+        raise InputError("MuJoCo refuses the file", where=where, found=message[:300]) from None
+    name = document.root.attributes.get("model", "")
+    tree = _Model(mujoco, spec, model, text, bare, document.file, leftovers).tree(name)
+    return checked(replace(tree, unused=leftovers.unused(), physics=tuple(leftovers.physics)))
 
 
-def _without_meshes(spec: Any, text: Handed) -> set[str]:
+def _without_meshes(spec: Any, text: ModelText) -> set[str]:
     """Delete the geoms that stand for meshes; the names of bodies whose inertia depends on them."""
     bare = set()
     for body in spec.bodies:
@@ -87,109 +88,98 @@ def _scales(spec: Any) -> bool:
     return float(spec.compiler.settotalmass) > 0
 
 
-@dataclass(frozen=True, slots=True)
 class _Model:
     """A compiled model and what it was made of."""
 
-    mujoco: Any
-    spec: Any
-    model: Any
-    text: Handed
-    file: str
-    bare: set[str]
+    def __init__(
+        self,
+        mujoco: Any,
+        spec: Any,
+        model: Any,
+        text: ModelText,
+        bare: set[str],
+        file: str,
+        leftovers: Leftovers,
+    ) -> None:
+        self.mujoco, self.spec, self.model, self.text = mujoco, spec, model, text
+        self.bare, self.file, self.leftovers = bare, file, leftovers
 
-    def tree(self, document: Document, leftovers: Leftovers) -> Tree:
+    def tree(self, model_name: str) -> Tree:
         links, joints = [], []
         for index in range(self.model.nbody):
             body = self.model.body(index)
-            parts = self.joints(body, leftovers) if index else []
+            parts = self.joints(body) if index else []
             links += [TreeLink(joint.child, joint.where) for joint in parts[:-1]]
             links.append(self.link(body))
             joints += parts
         bodies = {link.name for link in links}
         for index in range(self.model.nsite):
             site = self.model.site(index)
-            name = site.name if site.name not in bodies else f"{site.name} (site)"
-            links.append(TreeLink(name, self.place("site", site.name)))
-            joints.append(
-                TreeJoint(
-                    f"{site.name} (site)",
-                    "fixed",
-                    self.model.body(int(site.bodyid[0])).name,
-                    name,
-                    self.place("site", site.name),
-                    pose(site.pos, site.quat),
-                )
-            )
-        self.note_surroundings(leftovers)
-        driven, ranges = with_drives(self.mujoco, self.model, joints, leftovers)
-        with_motors, remarks = self.as_switched(driven)  # flags switch the actuators' part off too
-        coupled, loops = with_motors, tuple[Loop, ...]()
-        if self.is_off("CONSTRAINT") or self.is_off("EQUALITY"):
+            where, in_brackets = self.place("site", site.name), f"{site.name} (site)"
+            name = site.name if site.name not in bodies else in_brackets
+            links.append(TreeLink(name, where))
+            parent, origin = self.model.body(int(site.bodyid[0])).name, pose(site.pos, site.quat)
+            joints.append(TreeJoint(in_brackets, "fixed", parent, name, where, origin))
+        gravity = (0.0, 0.0, 0.0) if self.is_off("GRAVITY") else vector(self.model.opt.gravity)
+        self.note_surroundings(any(gravity))
+        joints, ranges = with_drives(self.mujoco, self.model, joints, self.leftovers)
+        joints, switched = self.as_switched(joints)  # flags switch the actuators' part off too
+        loops: tuple[Loop, ...] = ()
+        if self.is_off("CONSTRAINT", "EQUALITY"):
             ties = self.model.neq or self.text.tendons
-            remarks += ["what ties joints and bodies is switched off (flag)"] if ties else []
+            switched += ["what ties joints and bodies is switched off (flag)"] if ties else []
         else:
             for where, of in self.text.tendons:
-                leftovers.changes_torques("equality", of, where)
-            coupled, loops = with_couplings(self.mujoco, self.model, with_motors, self.text)
+                self.leftovers.changes_torques("equality", of, where)
+            joints, loops = with_couplings(self.mujoco, self.model, joints, self.text)
         return Tree(
-            document.root.attributes.get("model", ""),
+            model_name,
             "MJCF",
             self.file,
             tuple(links),
-            tuple(coupled),
-            self.gravity,
+            tuple(joints),
+            gravity,
             loops,
-            remarks=(*self.overruled(), *self.remarks(), *remarks, *ranges),
+            remarks=(*self.overruled(), *self.remarks(), *switched, *ranges),
+            warnings=tuple(self.text.warnings),
         )
 
-    def is_off(self, flag: str) -> bool:
-        """Whether the file switches the ``flag`` of the simulation off."""
-        bit = getattr(self.mujoco.mjtDisableBit, f"mjDSBL_{flag}", 0)
-        return bool(int(self.model.opt.disableflags) & int(bit))
-
-    @property
-    def gravity(self) -> Vector:
-        """Gravity [m/s^2], 0 where it is switched off."""
-        return (0.0, 0.0, 0.0) if self.is_off("GRAVITY") else vector(self.model.opt.gravity)
+    def is_off(self, *flags: str) -> bool:
+        """Whether the file switches one of the ``flags`` of the simulation off."""
+        bits = (int(getattr(self.mujoco.mjtDisableBit, f"mjDSBL_{flag}", 0)) for flag in flags)
+        return any(int(self.model.opt.disableflags) & bit for bit in bits)
 
     def as_switched(self, joints: Sequence[TreeJoint]) -> tuple[list[TreeJoint], list[str]]:
         """The joints without what the file's flags switch off, and what was switched off."""
         remarks = ["gravity is switched off (flag)"] if self.is_off("GRAVITY") else []
-        passive = self.is_off("PASSIVE")
-        if (passive or self.is_off("SPRING")) and any(joint.spring for joint in joints):
-            remarks.append("springs of joints are switched off (flag)")
-            joints = [replace(joint, spring=None) for joint in joints]
-        if (passive or self.is_off("DAMPER")) and any(joint.damping for joint in joints):
-            remarks.append("damping of joints is switched off (flag)")
-            joints = [replace(joint, damping=0.0) for joint in joints]
-        if (self.is_off("FRICTIONLOSS") or self.is_off("CONSTRAINT")) and any(
-            joint.friction for joint in joints
-        ):
-            remarks.append("friction of joints is switched off (flag)")
-            joints = [replace(joint, friction=0.0) for joint in joints]
+        for part, (words, flags) in _SWITCHED.items():
+            if self.is_off(*flags) and any(getattr(joint, part) for joint in joints):
+                remarks.append(f"{words} switched off (flag)")
+                nothing: Any = None if part == "spring" else 0.0
+                joints = [replace(joint, **{part: nothing}) for joint in joints]
         return list(joints), remarks
 
-    def note_surroundings(self, leftovers: Leftovers) -> None:
-        """Note the fluid around the arm, and forces that take weight off its bodies."""
+    def note_surroundings(self, weigh: bool) -> None:
+        """Note the fluid around the arm, and forces that take weight off its bodies if they ``weigh``."""
         for name in ("density", "viscosity"):
-            if getattr(self.model.opt, name):
-                leftovers.changes_torques(name, f"{getattr(self.model.opt, name):g}", Place(self.file))
-        for index in range(self.model.nbody if any(self.gravity) else 0):
+            if value := getattr(self.model.opt, name):
+                self.leftovers.changes_torques(name, f"{value:g}", Place(self.file))
+        for index in range(self.model.nbody if weigh else 0):
             share, body = float(self.model.body_gravcomp[index]), self.model.body(index)
             if share and self.model.body_weldid[index] and body.mass[0]:
-                leftovers.changes_torques("gravcomp", f"body {body.name}", self.place("body", body.name))
+                where = self.place("body", body.name)
+                self.leftovers.changes_torques("gravcomp", f"body {body.name}", where)
 
     def overruled(self) -> tuple[str, ...]:
         """What a file says of the surroundings and flags where another one's counts: a model has one of each
         with all that is attached to it."""
         remarks = []
         for place, name, text in self.text.settings:
-            stated = counts = " ".join(text.split())
+            words = text.split()
+            stated = counts = " ".join(words)
             if stated in ("enable", "disable"):
                 counts = "disable" if self.is_off(name.upper()) else "enable"
-            else:
-                words = stated.split()  # MuJoCo reads hexadecimal ones too
+            else:  # MuJoCo reads hexadecimal ones too
                 values = [float.fromhex(word) if "x" in word.lower() else float(word) for word in words]
                 setting = getattr(self.model.opt, name)
                 settings = [setting] if len(words) == 1 else list(setting)
@@ -198,15 +188,13 @@ class _Model:
                 remarks.append(f"{name} is {counts}, and not {stated} ({place}), as MuJoCo reads it")
         return tuple(dict.fromkeys(remarks))
 
-    def remarks(self) -> tuple[str, ...]:
+    def remarks(self) -> list[str]:
         """Whose inertia is not stated."""
         if self.bare and _scales(self.spec):
-            return ("masses are scaled to settotalmass, and one of a mesh is among them: all are unknown",)
+            return ["masses are scaled to settotalmass, and one of a mesh is among them: all are unknown"]
         bodies = [body.name for body in self.spec.bodies if body.name not in {WORLD, *self.bare}]
         shapes = [name for name in bodies if self.of_shapes(name) and self.model.body(name).mass[0]]
-        if not shapes:
-            return ()
-        return (f"inertia from shapes, as MuJoCo computes it: {names(shapes, NAMES_SHOWN)}",)
+        return [f"inertia from shapes, as MuJoCo computes it: {names(shapes)}"] if shapes else []
 
     def of_shapes(self, body: str) -> bool:
         """Whether MuJoCo takes the inertia of the ``body`` from its shapes."""
@@ -216,7 +204,7 @@ class _Model:
     def place(self, tag: str, name: str) -> Place:
         return self.text.place_of(tag, name, self.file)
 
-    def joints(self, body: Any, leftovers: Leftovers) -> list[TreeJoint]:
+    def joints(self, body: Any) -> list[TreeJoint]:
         """The joints between a body and its parent: a fixed one, or one or several that move."""
         parent, where = self.model.body(int(body.parentid[0])).name, self.place("body", body.name)
         origin = pose(body.pos, body.quat)
@@ -227,42 +215,40 @@ class _Model:
         for index in range(first, first + count):
             name = self.model.joint(index).name
             child = body.name if index == first + count - 1 else f"{body.name} before {name}"
-            joints.append(self.joint(index, parent, child, origin, leftovers))
+            joints.append(self.joint(index, parent, child, origin))
             parent, origin = child, Pose()
         return joints
 
-    def joint(self, index: int, parent: str, child: str, origin: Pose, leftovers: Leftovers) -> TreeJoint:
+    def joint(self, index: int, parent: str, child: str, origin: Pose) -> TreeJoint:
         model = self.model
         name, kind = model.joint(index).name, _KINDS[int(model.jnt_type[index])]
         where, dof = self.place("joint", name), int(model.jnt_dofadr[index])
+        joint = TreeJoint(name, kind, parent, child, where, origin)
         if kind not in ("revolute", "prismatic"):
-            return TreeJoint(name, kind, parent, child, where, origin)
+            return joint
         stiffness, address = float(model.jnt_stiffness[index]), int(model.jnt_qposadr[index])
         spring = Spring(stiffness, float(model.qpos_spring[address])) if stiffness else None
         damping = float(model.dof_damping[dof])
         if all(self.spec.joint(name).springdamper > 0) and self.moves_with_bare(dof):
-            leftovers.changes_torques("springdamper", f"joint {name}", where)
+            self.leftovers.changes_torques("springdamper", f"joint {name}", where)
             spring, damping = None, 0.0
-        if (harder := getattr(model, "jnt_stiffnesspoly", None)) is not None and harder[index].any():
-            leftovers.changes_torques("stiffness", f"joint {name}", where)
-        if (faster := getattr(model, "dof_dampingpoly", None)) is not None and faster[dof].any():
-            leftovers.changes_torques("damping", f"joint {name}", where)
-        anchor = vector(model.jnt_pos[index])
-        lower, upper = map(float, model.jnt_range[index])
-        limited = bool(model.jnt_limited[index])
+        for table, at, word in (
+            ("jnt_stiffnesspoly", index, "stiffness"),
+            ("dof_dampingpoly", dof, "damping"),
+        ):
+            if (higher := getattr(model, table, None)) is not None and higher[at].any():
+                self.leftovers.changes_torques(word, f"joint {name}", where)
+        x, y, z = anchor = vector(model.jnt_pos[index])
+        is_limited = bool(model.jnt_limited[index])
+        lower, upper = map(float, model.jnt_range[index]) if is_limited else (None, None)
         effort = float(abs(model.jnt_actfrcrange[index]).max()) if model.jnt_actfrclimited[index] else None
-        x, y, z = anchor
-        return TreeJoint(
-            name,
-            kind,
-            parent,
-            child,
-            where,
-            composed(origin, Pose(anchor)),
-            Pose((-x, -y, -z)),
-            unit(vector(model.jnt_axis[index])),
-            float(model.qpos0[address]),
-            JointLimits(lower, upper, effort=effort) if limited else JointLimits(effort=effort),
+        return replace(
+            joint,
+            origin=composed(origin, Pose(anchor)),
+            child_pose=Pose((-x, -y, -z)),
+            axis=unit(vector(model.jnt_axis[index])),
+            reference=float(model.qpos0[address]),
+            limits=JointLimits(lower, upper, effort=effort),
             damping=damping or None,  # a 0 may be stated, or MuJoCo's default
             friction=float(model.dof_frictionloss[dof]) or None,
             armature=float(model.dof_armature[dof]) or None,
@@ -281,13 +267,11 @@ class _Model:
         if body.name in self.bare or not body.id:
             is_bare = body.name in self.bare
             return TreeLink(body.name, where, shape=is_bare, unread=is_bare)
-        stated = self.spec.body(body.name)
         if not body.mass[0] and not body.inertia.any():
             return TreeLink(body.name, where, shape=bool(body.geomnum[0]))
-        frame = pose(body.ipos, body.iquat)
         xx, yy, zz = map(float, body.inertia)
-        solid = body_of(float(body.mass[0]), frame, (xx, yy, zz, 0.0, 0.0, 0.0))
-        solid = _as_stated(solid, [float(x) for x in stated.fullinertia])
+        solid = body_of(float(body.mass[0]), pose(body.ipos, body.iquat), (xx, yy, zz, 0.0, 0.0, 0.0))
+        solid = _as_stated(solid, [float(x) for x in self.spec.body(body.name).fullinertia])
         return TreeLink(body.name, where, solid, True, self.of_shapes(body.name))
 
 

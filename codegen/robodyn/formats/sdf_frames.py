@@ -9,15 +9,14 @@ Which of several models is read is decided here too (:func:`choose_model`).
 
 from __future__ import annotations
 
+import math
 from collections.abc import Container, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
-from robodyn.formats.chain import Pose
+from robodyn.formats.chain import Pose, composed
 from robodyn.formats.elements import Element
-from robodyn.formats.limits import NAMES_SHOWN
 from robodyn.formats.quantities import Quantities
-from robodyn.formats.rigid import composed
 from robodyn.formats.tree import names, near
 from robodyn.robot.names import shown
 
@@ -34,7 +33,7 @@ class _Frame:
     element: Element
     relative_to: str
     attached_to: str
-    placed: str = ""
+    placed: str
 
 
 class Frames:
@@ -57,36 +56,32 @@ class Frames:
         for element in scope.children:
             name = prefix + element.attributes.get("name", "")
             if element.tag == "link":
-                self._add(name, element, parent, name)
+                self._add(prefix, _Frame(element, parent, name, name))
             elif element.tag == "joint":
                 child = element.first("child")
                 link = absolute("" if child is None else child.text, prefix)
-                self._add(name, element, link, link)
+                self._add(prefix, _Frame(element, link, link, name))
             elif element.tag == "frame":
                 to = absolute(element.attributes.get("attached_to") or MODEL, prefix)
-                self._add(name, element, to, to)
+                self._add(prefix, _Frame(element, to, to, name))
             elif element.tag == "model":
-                placed = element.attributes.get("placement_frame") or MODEL
                 inside = name + INSIDE
-                self._add(name, element, parent, _canonical_link(element, inside), absolute(placed, inside))
+                placed = absolute(element.attributes.get("placement_frame") or MODEL, inside)
+                self._add(prefix, _Frame(element, parent, _canonical_link(element, inside), placed))
                 self._add_all(element, inside)
 
-    def _add(self, name: str, element: Element, relative_to: str, attached_to: str, placed: str = "") -> None:
+    def _add(self, prefix: str, frame: _Frame) -> None:
+        own_name = frame.element.attributes.get("name", "")
+        name = prefix + own_name
         if name in self._frames or name.rpartition(INSIDE)[2] in (MODEL, WORLD):
             if not name.startswith(self._root + INSIDE):
                 return  # of a model that is not read: the first one counts
-            raise self._reader.fail(
-                element,
-                "two frames of the model have the same name",
-                attribute="name",
-                found=shown(element.attributes.get("name", "")),
-            )
-        pose = element.first("pose")
+            what = "two frames of the model have the same name"
+            raise self._reader.fail(frame.element, what, shown(own_name), attribute="name")
+        pose = frame.element.first("pose")
         words = {} if pose is None else pose.attributes
         stated = words.get("relative_to") or words.get("frame")  # so called before SDF 1.7
-        if stated:
-            relative_to = absolute(stated, name.removesuffix(element.attributes.get("name", "")))
-        self._frames[name] = _Frame(element, relative_to, attached_to, placed or name)
+        self._frames[name] = replace(frame, relative_to=absolute(stated, prefix)) if stated else frame
 
     def pose(self, name: str, asker: Element) -> Pose:
         """The frame ``name`` in the frame of the root; ``asker`` is the element that names it.
@@ -123,7 +118,7 @@ class Frames:
             if name in path or name not in self._frames:
                 circle = "frames are relative to each other in a circle"
                 what = circle if name in path else "there is no frame of this name"
-                raise self._reader.fail(asker, what, found=shown(self.name(name)))
+                raise self._reader.fail(asker, what, shown(self.name(name)))
             path[name] = None
             asker, name = self._frames[name].element, self._frames[name].relative_to
         return list(path)
@@ -143,9 +138,8 @@ class Frames:
         passed: set[str] = set()
         while name != WORLD and not (name in self._frames and self._frames[name].attached_to == name):
             if name in passed or name not in self._frames:
-                raise self._reader.fail(
-                    asker, "there is no link or frame of this name", found=shown(self.name(name))
-                )
+                what = "there is no link or frame of this name"
+                raise self._reader.fail(asker, what, shown(self.name(name)))
             passed.add(name)
             name = self._frames[name].attached_to
         return name
@@ -156,31 +150,19 @@ class Frames:
 
     def stated(self, element: Element, of: str) -> Pose:
         """The ``<pose>`` of an element as written; the identity where there is none."""
-        pose = self._reader.one(element, "pose", of)
+        reader, what = self._reader, f"{of}: <pose>"
+        pose = reader.one(element, "pose", of)
         if pose is None or not pose.text:
             return Pose()
-        what = f"{of}: <pose>"
         rotation = pose.attributes.get("rotation_format", "euler_rpy")
-        if rotation not in ("euler_rpy", "quat_xyzw"):
-            raise self._reader.fail(
-                pose,
-                f"{what}: the format of the rotation is unknown",
-                attribute="rotation_format",
-                found=shown(rotation),
-                expected="euler_rpy or quat_xyzw",
-            )
         if rotation == "quat_xyzw":
-            x, y, z, i, j, k, w = self._reader.numbers(pose.text, 7, pose, "", what)
-            try:
-                return Pose.from_quaternion((x, y, z), (w, i, j, k))
-            except ValueError:
-                raise self._reader.fail(
-                    pose, f"{what}: the quaternion is zero", found=shown(pose.text)
-                ) from None
-        x, y, z, *rpy = self._reader.numbers(pose.text, 6, pose, "", what)
-        if self._reader.truth(pose.attributes.get("degrees", "0"), pose, "degrees"):
-            import math
-
+            x, y, z, *_ = reader.numbers(pose.text, 7, pose, "", what)
+            return reader.quaternion(" ".join(pose.text.split()[3:]), pose, "", (x, y, z), what)
+        if rotation != "euler_rpy":
+            what += ": the format of the rotation is unknown"
+            raise reader.fail(pose, what, shown(rotation), "euler_rpy or quat_xyzw", "rotation_format")
+        x, y, z, *rpy = reader.numbers(pose.text, 6, pose, "", what)
+        if reader.truth(pose.attributes.get("degrees", "0"), pose, "degrees"):
             rpy = [math.radians(angle) for angle in rpy]
         return Pose.from_rpy((x, y, z), rpy)
 
@@ -224,21 +206,16 @@ def absolute(name: str, prefix: str) -> str:
 
 def _canonical_link(model: Element, prefix: str) -> str:
     """The link that stands for a model: the one that it names, else its first one, else its first model's."""
-    stated = model.attributes.get("canonical_link")
-    if stated:
+    if stated := model.attributes.get("canonical_link"):
         return absolute(stated, prefix)
-    link = model.first("link")
-    if link is not None:
+    if link := model.first("link"):
         return prefix + link.attributes.get("name", "")
     inner = model.first("model")
     return (
         prefix
         if inner is None
-        else _canonical_link(inner, f"{prefix}{inner.attributes.get('name', '')}{INSIDE}")
+        else _canonical_link(inner, prefix + inner.attributes.get("name", "") + INSIDE)
     )
-
-
-_REMEDY: Final = "choose one with --model NAME (from Python: model=NAME)"
 
 
 @dataclass(frozen=True, slots=True)
@@ -269,29 +246,23 @@ def choose_model(reader: Quantities, root: Element, name: str = "") -> ChosenMod
     if name:
         inside = [each for model in models for each in _with_models_inside(model)]
         matches = [each for each in inside if each.name == name]
-        if len(matches) != 1:
-            raise reader.fail(
-                matches[1].model if matches else root,
-                "two models have that name" if matches else "there is no model of that name",
-                found=shown(name),
-                expected=None if matches else near(name, (each.name for each in inside), "model"),
-            )
+        if not matches:
+            expected = near(name, (each.name for each in inside), "model")
+            raise reader.fail(root, "there is no model of that name", shown(name), expected)
+        if len(matches) > 1:
+            raise reader.fail(matches[1].model, "two models have that name", shown(name))
         return matches[0]
     arms = [each for each in models if _has_joints_that_move(reader, each.model)]
     if len(models) > 1 and len(arms) != 1:
-        raise reader.fail(
-            models[1].model,
-            "the file has several models",
-            found=names((each.name for each in models), NAMES_SHOWN),
-            expected="one, or one whose joints move",
-            remedy=_REMEDY,
-        )
+        found, expected = names(each.name for each in models), "one, or one whose joints move"
+        remedy = "choose one with --model NAME (from Python: model=NAME)"
+        raise reader.fail(models[1].model, "the file has several models", found, expected, remedy=remedy)
     if len(models) == 1:
         return models[0]
     (arm,) = arms
-    others = names((each.name for each in models if each is not arm), NAMES_SHOWN)
+    others = names(each.name for each in models if each is not arm)
     remark = f"the model {shown(arm.name)} is read, the only one with joints that move; not read: {others}"
-    return ChosenModel(arm.model, arm.name, arm.around, (remark,))
+    return replace(arm, remarks=(remark,))
 
 
 def _with_models_inside(chosen: ChosenModel) -> Iterator[ChosenModel]:

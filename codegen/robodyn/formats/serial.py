@@ -7,17 +7,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from pathlib import PurePath
 
 from robodyn.errors import InputError, Place
-from robodyn.formats.chain import Chain, ChainJoint, Pose
-from robodyn.formats.conversion import joint_of, title_of
-from robodyn.formats.limits import NAMES_SHOWN
-from robodyn.formats.rigid import carried, composed, lumped, motion
+from robodyn.formats.chain import Chain, ChainJoint, Pose, composed, lumped, moved
+from robodyn.formats.conversion import joint_of, printable
 from robodyn.formats.topology import Topology
-from robodyn.formats.tree import MOVING, Tree, TreeJoint, names, near
+from robodyn.formats.tree import MOVING, Tree, TreeJoint, names, no_such
 from robodyn.robot.account import Origin
 from robodyn.robot.keys import LINKS
-from robodyn.robot.names import shown
+from robodyn.robot.names import TEXT_LENGTH, shown
 
 
 class Positions:
@@ -29,11 +28,16 @@ class Positions:
     """
 
     def __init__(self, topology: Topology, locks: Mapping[str, float]) -> None:
-        self._topology, self._locks = topology, dict(locks)
+        self._topology, self._locks = topology, locks
         self._joints = {joint.name: joint for joint in topology.tree.joints}
-        for name, value in self._locks.items():
-            self._check(name, value)
-        self._at_root = {joint.name for joint in topology.tree.joints if self._is_at_root(joint)}
+        for name, value in locks.items():
+            self._check_lock(name, value)
+        self._at_root = {
+            joint.name
+            for joint in topology.tree.joints
+            if joint.kind == "floating"
+            and all(above.kind == "fixed" for above in topology.path(joint.parent))
+        }
 
     def moves(self, joint: TreeJoint) -> bool:
         """Whether ``joint`` moves unless it is beside the chain: neither fixed nor locked.
@@ -42,29 +46,32 @@ class Positions:
         """
         if joint.kind == "fixed" or joint.name in self._at_root or joint.name in self._locks:
             return False
-        return joint.mimic is None or not self._is_locked(joint)
+        seen = set()
+        while joint.mimic is not None and joint.name not in seen:
+            seen.add(joint.name)
+            if joint.mimic.leader in self._locks:
+                return False
+            joint = self._joints.get(joint.mimic.leader, joint)
+        return joint.kind != "fixed"
 
     def of(self, joint: TreeJoint) -> float:
         """The position at which ``joint`` is locked."""
-        seen: set[str] = set()
-        mimics = []
+        followers: list[TreeJoint] = []
         while joint.name not in self._locks and joint.mimic is not None:
-            seen.add(joint.name)
-            mimic = joint.mimic
-            leader = self._joints.get(mimic.leader)
+            followers.append(joint)
+            seen = {each.name for each in followers}
+            leader = self._joints.get(joint.mimic.leader)
             if leader is None or leader.name in seen:
-                raise InputError(
-                    f"joint {shown(joint.name)} follows a joint that "
-                    + ("is not there" if leader is None else "follows it"),
-                    where=joint.where,
-                    found=shown(mimic.leader),
-                    expected=near(mimic.leader, (each for each in self._joints if each not in seen), "joint"),
-                )
-            mimics.append(mimic)
+                how = "is not there" if leader is None else "follows it"
+                what = f"joint {shown(joint.name)} follows a joint that {how}"
+                others = (name for name in self._joints if name not in seen)
+                raise no_such("joint", what, joint.mimic.leader, others, joint.where)
             joint = leader
-        position = self._own(joint)
-        for mimic in reversed(mimics):
-            position = mimic.position(position)
+        lower, upper = joint.limits.lower or 0.0, joint.limits.upper or 0.0
+        position = self._locks.get(joint.name, lower if lower > 0 else min(upper, 0.0))
+        for follower in reversed(followers):
+            assert follower.mimic is not None
+            position = follower.mimic.position(position)
         return position
 
     def check_in_chain(self, joint: TreeJoint, chain: set[str]) -> None:
@@ -99,64 +106,31 @@ class Positions:
                 if joint.mimic and joint.mimic.leader in chain:
                     followers.append(f"{joint.name} ({joint.mimic.leader})")
         if followers:
-            remarks.append(
-                f"locked here, though they follow a joint of the chain: {names(followers, NAMES_SHOWN)}"
-            )
+            remarks.append(f"locked here, though they follow a joint of the chain: {names(followers)}")
         if locked:
-            remarks.insert(
-                0, f"locked, and lumped into the links that carry them: {names(locked, NAMES_SHOWN)}"
-            )
+            remarks.insert(0, f"locked, and lumped into the links that carry them: {names(locked)}")
         return remarks
 
-    def _own(self, joint: TreeJoint) -> float:
-        if joint.name in self._locks:
-            return self._locks[joint.name]
-        lower, upper = joint.limits.lower, joint.limits.upper
-        if lower is not None and lower > 0:
-            return lower
-        if upper is not None and upper < 0:
-            return upper
-        return 0.0
-
-    def _check(self, name: str, value: float) -> None:
+    def _check_lock(self, name: str, value: float) -> None:
         joint = self._joints.get(name)
         if joint is None:
-            raise InputError(
-                "there is no joint of the name after --lock",
-                where=Place(self._topology.tree.file),
-                found=shown(name),
-                expected=near(name, self._joints, "joint"),
-            )
-        lower, upper = joint.limits.lower, joint.limits.upper
-        outside = (lower is not None and value < lower) or (upper is not None and value > upper)
+            what, where = "there is no joint of the name after --lock", Place(self._topology.tree.file)
+            raise no_such("joint", what, name, self._joints, where)
+        lower, upper, unit = (
+            joint.limits.lower,
+            joint.limits.upper,
+            " rad" if joint.kind != "prismatic" else " m",
+        )
         if joint.kind not in MOVING:
-            outside = value != 0
-            lower = upper = 0.0
-        if outside:
-            unit = "m" if joint.kind == "prismatic" else "rad"
+            lower, upper, unit = 0.0, 0.0, ""
+        if (lower is not None and value < lower) or (upper is not None and value > upper):
             ends = ("-inf" if lower is None else f"{lower:g}", "inf" if upper is None else f"{upper:g}")
             raise InputError(
                 f"the joint {shown(name)}, {joint.kind}, cannot be locked there",
                 where=joint.where,
                 found=f"--lock {name}={value:g}",
-                expected=f"{' to '.join(ends)} {unit}" if joint.kind in MOVING else "0",
+                expected=" to ".join(ends if unit else ["0"]) + unit,
             )
-
-    def _is_locked(self, joint: TreeJoint) -> bool:
-        """Whether the joint that ``joint`` follows, directly or through others, is locked."""
-        seen = set()
-        while joint.mimic is not None and joint.name not in seen:
-            seen.add(joint.name)
-            if joint.mimic.leader in self._locks:
-                return True
-            joint = self._joints.get(joint.mimic.leader, joint)
-        return joint.kind == "fixed"
-
-    def _is_at_root(self, joint: TreeJoint) -> bool:
-        """Whether ``joint`` is a floating one with nothing that moves above it."""
-        if joint.kind != "floating":
-            return False
-        return all(above.kind == "fixed" for above in self._topology.path(joint.parent))
 
 
 @dataclass(frozen=True, slots=True)
@@ -183,23 +157,20 @@ def serial_chain(
     """
     topology = Topology(tree)
     positions = Positions(topology, locks or {})
-    start = topology.link(base, "--base").name if base else topology.base()
+    start = topology.chosen_link(base, "--base") if base else topology.base()
     remarks = list(tree.remarks)
     if tip:
-        end = topology.link(tip, "--tip").name
+        end = topology.chosen_link(tip, "--tip")
     else:
-        only = topology.tip(
+        end, others = topology.tip(
             start, positions.moves, lambda joint: joint.kind in MOVING and joint.mimic is None
         )
-        end = only.link
-        if only.others:
-            remarks.append(
-                f"the tool frame is that of {end}; --tip chooses another: {names(only.others, NAMES_SHOWN)}"
-            )
-    path = _path(topology, start, end)
-    moving = [joint for joint in path if positions.moves(joint)]
+        if others:
+            remarks.append(f"the tool frame is that of {end}; --tip chooses another: {names(others)}")
+    moving = [joint for joint in topology.path_between(start, end) if positions.moves(joint)]
+    in_chain = {joint.name for joint in moving}
     for joint in moving:
-        positions.check_in_chain(joint, {each.name for each in moving})
+        positions.check_in_chain(joint, in_chain)
     if not 1 <= len(moving) <= LINKS:
         raise InputError(
             f"between {shown(start)} and {shown(end)} {'nothing moves' if not moving else 'too much moves'}",
@@ -208,60 +179,43 @@ def serial_chain(
             expected=f"1 to {LINKS}",
         )
     frames = _Frames(topology, positions, start, moving)
-    _check_loops(tree, frames)
     joints: list[ChainJoint] = []
     left_out: dict[str, list[str]] = {}
     for index, joint in enumerate(moving, 1):
         converted, unlike = joint_of(joint)
         for remark in unlike:
             left_out.setdefault(remark, []).append(joint.name)
-        pose = composed(frames.pose[joint.parent], composed(joint.origin, motion(joint, 0.0)))
+        pose = composed(frames.pose[joint.parent], composed(joint.origin, joint.motion(0.0)))
         converted = replace(frames.with_body(converted, index), pose=pose)
         where = topology.links[joint.child].where
         joints.append(replace(converted, origins=replace(converted.origins, where=where)))
-    remarks += [f"{remark}: {names(of, NAMES_SHOWN)}" for remark, of in left_out.items()]
+    remarks += [f"{remark}: {names(of)}" for remark, of in left_out.items()]
     remarks += frames.massless()
-    remarks += positions.remarks(frames.carrier, {joint.name for joint in moving})
+    remarks += positions.remarks(frames.carrier, in_chain)
     pose = Pose()
     for joint in topology.path(start):
-        step = motion(joint, positions.of(joint))
-        pose = composed(composed(composed(pose, joint.origin), step), joint.child_pose)
-    chain = Chain(
-        name,
-        tuple(joints),
-        title_of(tree, start, end),
-        title_of(tree),
-        tree.gravity,
-        base=pose,
-        tool=frames.pose[end],
-    )
+        pose = composed(
+            composed(composed(pose, joint.origin), joint.motion(positions.of(joint))), joint.child_pose
+        )
+    title, source = f"{tree.name or 'robot'}, {start} to {end}", f"{PurePath(tree.file).name} ({tree.format})"
+    title, source = (printable(text)[:TEXT_LENGTH] for text in (title, source))
+    chain = Chain(name, tuple(joints), title, source, tree.gravity, pose, frames.pose[end])
     places = tuple(topology.links[joint.child].where for joint in moving)
     return Serial(chain, places, tuple(dict.fromkeys(remarks)))
-
-
-def _path(topology: Topology, start: str, end: str) -> list[TreeJoint]:
-    """The joints from ``start`` down to ``end``."""
-    path = topology.path(end)
-    above = [joint.parent for joint in path] + [end]
-    if start not in above:
-        raise InputError(
-            f"the link {shown(end)} does not hang on the link {shown(start)}",
-            where=topology.links[end].where,
-            found=f"the path {names(above, NAMES_SHOWN)}",
-            expected="a tip below the base",
-            remedy="choose another --base or --tip",
-        )
-    return path[above.index(start) :]
 
 
 class _Frames:
     """Links in the frames of the chain's joints that carry them: ``carrier`` 0 is the base, i the i-th joint.
 
     ``pose`` is that of a link in its carrier's frame.
+
+    Raises
+    ------
+    InputError: something ties links together that move apart.
     """
 
     def __init__(self, topology: Topology, positions: Positions, base: str, moving: list[TreeJoint]) -> None:
-        self._topology, self._moving = topology, moving
+        self._links, self._moving = topology.links, moving
         index = {joint.name: i for i, joint in enumerate(moving, 1)}
         self.carrier, self.pose = {base: 0}, {base: Pose()}
         for joint in topology.joints_below(base):
@@ -269,9 +223,18 @@ class _Frames:
                 self.carrier[joint.child] = index[joint.name]
                 self.pose[joint.child] = joint.child_pose
             else:
-                step = composed(joint.origin, motion(joint, positions.of(joint)))
+                step = composed(joint.origin, joint.motion(positions.of(joint)))
                 self.carrier[joint.child] = self.carrier[joint.parent]
                 self.pose[joint.child] = composed(self.pose[joint.parent], composed(step, joint.child_pose))
+        for loop in topology.tree.loops:
+            if len({self.carrier.get(link, 0) for link in loop.links}) > 1:
+                raise InputError(
+                    f"{loop.what} closes a loop through the chain",
+                    where=loop.where,
+                    found=f"it ties {shown(loop.links[0])} to {shown(loop.links[1])}",
+                    expected="a tree: robodyn has no closed loops",
+                    remedy="delete it, or choose a --tip before the loop",
+                )
 
     def with_body(self, joint: ChainJoint, index: int) -> ChainJoint:
         """``joint``, the one of that ``index``, with what it carries before the next one as one body.
@@ -279,48 +242,33 @@ class _Frames:
         One that is partly assumed is assumed. Links without inertia have an unknown one, but for a mere frame
         between two joints, such as makes a universal joint of them.
         """
-        links = [self._topology.links[name] for name, i in self.carrier.items() if i == index]
+        links = [self._links[name] for name, i in self.carrier.items() if i == index]
         # What is partly left to meshes is unknown as a whole.
         bodies = [] if any(link.unread for link in links) else [link for link in links if link.body]
-        body = lumped(carried(self.pose[link.name], link.body) for link in bodies if link.body)
         origin: Origin = "assumed" if any(link.assumed for link in bodies) else "stated"
-        absent: Origin = "absent"
+        unknown = any(link.is_point for link in bodies)
         if not bodies:
-            between = index < len(self._moving) and not any(link.shape for link in links)
-            origins = replace(joint.origins, mass=absent, com=absent, inertia=absent, unknown=not between)
-            return replace(joint, origins=origins)
-        origins = replace(joint.origins, mass=origin, com=origin, inertia=origin)
-        if any(link.is_point for link in bodies):
-            origins = replace(origins, inertia=absent, unknown=True)
+            origin, unknown = "absent", index == len(self._moving) or any(link.shape for link in links)
+        origins = replace(
+            joint.origins,
+            mass=origin,
+            com=origin,
+            inertia="absent" if unknown else origin,
+            unknown=unknown,
+        )
+        body = lumped(moved(self.pose[link.name], link.body) for link in bodies if link.body)
         return replace(joint, body=body, origins=origins)
 
     def massless(self) -> list[str]:
         """Which links that move have no inertia in the file though they are more than frames, and which
         joints carry nothing at all."""
-        links = [self._topology.links[name] for name, index in self.carrier.items() if index]
-        remarks = []
-        without = [link.name for link in links if link.body is None and link.shape]
-        if without:
-            remarks.append(f"links without inertia, and so without mass: {names(without, NAMES_SHOWN)}")
-        points = [link.name for link in links if link.is_point]
-        if points:
-            remarks.append(f"links with a mass and no inertia: {names(points, NAMES_SHOWN)}")
+        links = [self._links[name] for name, index in self.carrier.items() if index]
         loaded = {self.carrier[link.name] for link in links if link.body}
-        bare = [joint.name for index, joint in enumerate(self._moving, 1) if index not in loaded]
-        if bare:
-            remarks.append(f"joints that carry no mass: {names(bare, NAMES_SHOWN)}")
-        return remarks
-
-
-def _check_loops(tree: Tree, frames: _Frames) -> None:
-    """Refuse what ties links together that move apart."""
-    for loop in tree.loops:
-        one, other = (frames.carrier.get(link, 0) for link in loop.links)
-        if one != other:
-            raise InputError(
-                f"{loop.what} closes a loop through the chain",
-                where=loop.where,
-                found=f"it ties {shown(loop.links[0])} to {shown(loop.links[1])}",
-                expected="a tree: robodyn has no closed loops",
-                remedy="delete it, or choose a --tip before the loop",
-            )
+        without = {
+            "links without inertia, and so without mass": [
+                x.name for x in links if x.body is None and x.shape
+            ],
+            "links with a mass and no inertia": [link.name for link in links if link.is_point],
+            "joints that carry no mass": [x.name for i, x in enumerate(self._moving, 1) if i not in loaded],
+        }
+        return [f"{words}: {names(of)}" for words, of in without.items() if of]

@@ -8,25 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
-from typing import Final, Literal
+from typing import Final
 
 from robodyn.errors import InputError, Place
-from robodyn.formats.chain import Body, Pose, Spring, Vector
+from robodyn.formats.chain import Body, Pose, Spring, Vector, about_axis, scaled
 from robodyn.formats.limits import GREATEST, LINES_SHOWN, LINKS, NAMES_SHOWN
 from robodyn.robot.names import TEXT_LENGTH, shown
+from robodyn.robot.numbers import shortest
 
-Kind = Literal[
-    "revolute",
-    "continuous",
-    "prismatic",
-    "fixed",
-    "floating",
-    "planar",
-    "ball",
-    "universal",
-    "screw",
-    "other",
-]
 #: What the names of files end in whose macros are expanded: lines are those of the expanded text.
 EXPANDED: Final = " (expanded)"
 #: Kinds that a chain's joint can be.
@@ -81,16 +70,17 @@ class TreeLink:
 
 @dataclass(frozen=True, slots=True)
 class TreeJoint:
-    """A joint between two links.
+    """A joint between two links; ``kind``: revolute, continuous, prismatic, fixed, floating, planar, ball,
+    universal, screw or other.
 
     The child's frame is ``origin * motion(axis, q - reference) * child_pose`` in the parent's frame;
     ``axis`` is a unit vector in the joint's frame. ``damping`` [N m s/rad or N s/m], ``friction`` [N m or N],
-    ``armature``: rotor inertia reflected to the joint [kg m^2 or kg]; ``ratio`` of the gear and
-    ``torque_constant`` [N m/A]; None where nothing is stated.
+    ``armature``: rotor inertia reflected to the joint [kg m^2 or kg]; ``ratio`` of the gear; None where
+    nothing is stated.
     """
 
     name: str
-    kind: Kind
+    kind: str
     parent: str
     child: str
     where: Place
@@ -103,9 +93,16 @@ class TreeJoint:
     friction: float | None = None
     armature: float | None = None
     ratio: float | None = None
-    torque_constant: float | None = None
     spring: Spring | None = None
     mimic: Mimic | None = None
+
+    def motion(self, position: float) -> Pose:
+        """The frame behind it in the frame before it at ``position`` [rad or m]; joints of other kinds than
+        revolute, continuous and prismatic are where the file puts them."""
+        displacement = float(shortest(position) - shortest(self.reference))
+        if self.kind in TURNING:
+            return Pose(rotation=about_axis(self.axis, displacement))
+        return Pose(scaled(displacement, self.axis)) if self.kind == "prismatic" else Pose()
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,16 +124,12 @@ class Unused:
 
     def text(self, file: str = "") -> str:
         """On one line, with the first few places; without the name of the file where that is ``file``."""
-        name = "" if self.file == file else self.file
-        if file and self.file == file + EXPANDED:
-            name = EXPANDED.strip(" ()")
-        if not self.lines:
-            return f"{self.what} ({name})" if name else self.what
-        shown = ", ".join(map(str, self.lines[:LINES_SHOWN]))
+        name = {file: "", file + EXPANDED: EXPANDED.strip(" ()")}.get(self.file, self.file)
         more = len(self.lines) - LINES_SHOWN
-        rest = f" and {more} more" if more > 0 else ""
-        word = "line" if len(self.lines) == 1 else "lines"
-        return f"{self.what} ({name + ': ' if name else ''}{word} {shown}{rest})"
+        word = "" if not self.lines else "line " if len(self.lines) == 1 else "lines "
+        places = word + ", ".join(map(str, self.lines[:LINES_SHOWN])) + (f" and {more} more" * (more > 0))
+        place = ": ".join(filter(None, (name, places)))
+        return f"{self.what} ({place})" if place else self.what
 
 
 #: What of a file changes torques and is not modelled: names by which the command line leaves it out.
@@ -180,7 +173,7 @@ class Physics:
 
 def physics_text(name: str, of: Iterable[str]) -> str:
     """The physics of that ``name`` on one line, with what it is ``of``, as far as that is stated."""
-    stated = names(filter(None, of), NAMES_SHOWN)
+    stated = names(filter(None, of))
     return f"{name}: {PHYSICS[name]}" + (f" ({stated})" if stated else "")
 
 
@@ -230,11 +223,11 @@ class Leftovers:
         return tuple(Unused(what, file, tuple(sorted(lines))) for (what, file), lines in self._lines.items())
 
 
-def names(words: Iterable[str], most: int) -> str:
+def names(words: Iterable[str]) -> str:
     """``a, b, c`` and how many more, for a message."""
     listed = [shown(word, TEXT_LENGTH)[1:-1] for word in words]
-    more = len(listed) - most
-    return ", ".join(listed[:most]) + (f" and {more} more" if more > 0 else "")
+    more = len(listed) - NAMES_SHOWN
+    return ", ".join(listed[:NAMES_SHOWN]) + (f" and {more} more" if more > 0 else "")
 
 
 def checked(tree: Tree) -> Tree:
@@ -246,46 +239,39 @@ def checked(tree: Tree) -> Tree:
     """
     if max(len(tree.links), len(tree.joints)) > LINKS:
         raise InputError("too many links or joints", where=Place(tree.file), found=f"more than {LINKS}")
-    _unique("link", tree.links)
-    _unique("joint", tree.joints)
-    links = dict.fromkeys(link.name for link in tree.links)
+    links = _by_name("link", tree.links)
+    _by_name("joint", tree.joints)
     for joint in tree.joints:
+        of = f"joint {shown(joint.name)}"
         for role, link in (("parent", joint.parent), ("child", joint.child)):
             if link not in links:
-                raise InputError(
-                    f"joint {shown(joint.name)}: there is no link of the name of its {role}",
-                    where=joint.where,
-                    found=shown(link),
-                    expected=near(link, links, "link"),
+                raise no_such(
+                    "link", f"{of}: there is no link of the name of its {role}", link, links, joint.where
                 )
-        for what, value, least in (
-            ("damping", joint.damping, 0.0),
-            ("friction", joint.friction, 0.0),
-            ("rotor inertia", joint.armature, 0.0),
-            ("reduction", joint.ratio, -GREATEST),
-        ):
+        numbers = {"damping": joint.damping, "friction": joint.friction, "rotor inertia": joint.armature}
+        for what, value in {**numbers, "reduction": joint.ratio}.items():
+            least = 0.0 if what in numbers else -GREATEST
             if value is not None and not least <= value <= GREATEST:
-                raise InputError(
-                    f"joint {shown(joint.name)}: the {what} is {'negative' if value < 0 else 'too large'}",
-                    where=joint.where,
-                    found=f"{value:g}",
-                    expected=f"{least:g} to {GREATEST:g}",
-                )
+                what = f"{of}: the {what} is {'negative' if value < 0 else 'too large'}"
+                expected = f"{least:g} to {GREATEST:g}"
+                raise InputError(what, where=joint.where, found=f"{value:g}", expected=expected)
     return tree
 
 
-def _unique(what: str, items: Sequence[TreeLink] | Sequence[TreeJoint]) -> None:
-    seen: dict[str, Place] = {}
+def _by_name(what: str, items: Sequence[TreeLink] | Sequence[TreeJoint]) -> dict[str, Place]:
+    places: dict[str, Place] = {}
     for item in items:
-        if item.name in seen:
-            raise InputError(
-                f"two {what}s have the same name",
-                where=item.where,
-                found=shown(item.name),
-                expected="another name",
-                remedy=f"the first is in line {seen[item.name].line}",
-            )
-        seen[item.name] = item.where
+        if item.name in places:
+            what, remedy = f"two {what}s have the same name", f"the first is in line {places[item.name].line}"
+            found, expected = shown(item.name), "another name"
+            raise InputError(what, where=item.where, found=found, expected=expected, remedy=remedy)
+        places[item.name] = item.where
+    return places
+
+
+def no_such(kind: str, what: str, word: str, words: Iterable[str], where: Place) -> InputError:
+    """The error that ``what`` is wrong: there is no link or joint, the ``kind``, of the name ``word``."""
+    return InputError(what, where=where, found=shown(word), expected=near(word, words, kind))
 
 
 def near(word: str, words: Iterable[str], what: str) -> str:
@@ -296,4 +282,4 @@ def near(word: str, words: Iterable[str], what: str) -> str:
     close = difflib.get_close_matches(word[:TEXT_LENGTH], words, 3)
     if close:
         return f"did you mean {' or '.join(map(shown, close))}?"
-    return f"one of the {what}s {names(words, NAMES_SHOWN)}" if words else f"a {what}, and there is none"
+    return f"one of the {what}s {names(words)}" if words else f"a {what}, and there is none"

@@ -6,17 +6,18 @@ Of transmissions the reduction of a gear and the rotor behind it are read.
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Final, get_args
+from typing import Final
 
-from robodyn.formats.chain import Body, Pose
+from robodyn.formats.chain import Body, Pose, body_of
 from robodyn.formats.elements import Document, Element, tag_shown
-from robodyn.formats.elements_of import table_of
-from robodyn.formats.quantities import Quantities, body_of, negative
-from robodyn.formats.tree import JointLimits, Kind, Leftovers, Mimic, Tree, TreeJoint, TreeLink, checked, near
-from robodyn.formats.unread import Unread
+from robodyn.formats.elements_of import Unread, table_of
+from robodyn.formats.quantities import Quantities
+from robodyn.formats.tree import JointLimits, Leftovers, Mimic, Tree, TreeJoint, TreeLink, checked, near
 from robodyn.robot.names import shown
 
-_KINDS: Final = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
+_KINDS: Final = {
+    kind: kind for kind in ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
+}
 
 
 def read_tree(document: Document) -> Tree:
@@ -29,16 +30,12 @@ def read_tree(document: Document) -> Tree:
     leftovers = Leftovers(document.file)
     reader = _Reader(document, leftovers)
     root = document.root
-    Unread(table_of("URDF"), leftovers, document.place).note(root, (root.tag,))
-    transmissions = Transmissions(reader, leftovers)
-    links, joints = [], []
-    for element in root.children:
-        if element.tag == "link":
-            links.append(reader.link(element))
-        elif element.tag == "joint":
-            joints.append(reader.joint(element))
-        elif element.tag == "transmission":
-            transmissions.read(element)
+    Unread(table_of("URDF"), leftovers, document.place).note(root)
+    links = [reader.link(element) for element in root.all("link")]
+    joints = [reader.joint(element) for element in root.all("joint")]
+    transmissions = _Transmissions(reader, leftovers)
+    for element in root.all("transmission"):
+        transmissions.read(element)
     if not links:
         macros = any(element.tag.startswith("xacro:") for element in root.walk())
         raise reader.fail(
@@ -47,17 +44,9 @@ def read_tree(document: Document) -> Tree:
             expected='elements <link name="..."> and <joint name="..." type="...">',
             remedy="this is a xacro file: name it .xacro" if macros else None,
         )
-    return checked(
-        Tree(
-            root.attributes.get("name", ""),
-            "URDF",
-            document.file,
-            tuple(links),
-            transmissions.applied(tuple(joints)),
-            unused=leftovers.unused(),
-            physics=tuple(leftovers.physics),
-        )
-    )
+    name, joints = root.attributes.get("name", ""), transmissions.applied(joints)
+    tree = Tree(name, "URDF", document.file, tuple(links), tuple(joints))
+    return checked(replace(tree, unused=leftovers.unused(), physics=tuple(leftovers.physics)))
 
 
 class _Reader(Quantities):
@@ -73,25 +62,16 @@ class _Reader(Quantities):
             return Pose()
         zero = (0.0, 0.0, 0.0)
         xyz = self.vector(origin, "xyz", of, zero)
-        if "quat_xyzw" in origin.attributes:
-            text = origin.attributes["quat_xyzw"]
-            if self.document.root.attributes.get("version", "1.0") == "1.0":  # urdfdom passes over it there
-                remedy = 'say so: <robot name="..." version="1.1">, or write rpy'
-                raise self.fail(
-                    origin,
-                    f"{of}: quat_xyzw is of URDF 1.1",
-                    attribute="quat_xyzw",
-                    found="1.0",
-                    remedy=remedy,
-                )
-            x, y, z, w = self.numbers(text, 4, origin, "quat_xyzw", f"{of}: quat_xyzw of <origin>")
-            try:
-                return Pose.from_quaternion(xyz, (w, x, y, z))
-            except ValueError:
-                raise self.fail(
-                    origin, f"{of}: the quaternion is zero", attribute="quat_xyzw", found=shown(text)
-                ) from None
-        return Pose.from_rpy(xyz, self.vector(origin, "rpy", of, zero))
+        text = origin.attributes.get("quat_xyzw")
+        if text is None:
+            return Pose.from_rpy(xyz, self.vector(origin, "rpy", of, zero))
+        if self.document.root.attributes.get("version", "1.0") == "1.0":  # urdfdom passes over it there
+            what, remedy = (
+                f"{of}: quat_xyzw is of URDF 1.1",
+                'say so: <robot name="..." version="1.1">, or write rpy',
+            )
+            raise self.fail(origin, what, "1.0", attribute="quat_xyzw", remedy=remedy)
+        return self.quaternion(text, origin, "quat_xyzw", xyz, f"{of}: quat_xyzw of <origin>")
 
     def link(self, element: Element) -> TreeLink:
         name = self.name(element, "a link")
@@ -100,38 +80,30 @@ class _Reader(Quantities):
         inertial = self.one(element, "inertial", of)
         if inertial is None:
             return TreeLink(name, self.place(element), None, shape)
-        is_point = self.one(inertial, "inertia", of) is None
-        return TreeLink(name, self.place(element), self.body(inertial, of), shape, is_point=is_point)
-
-    def body(self, inertial: Element, of: str) -> Body:
-        mass = self.number(self.must(inertial, "mass", of), "value", of, bad=negative)
-        tensor = self.one(inertial, "inertia", of)
+        mass = self.number(self.must(inertial, "mass", of), "value", of, least=0)
+        pose, tensor = self.origin(inertial, of), self.one(inertial, "inertia", of)
         if tensor is None:
-            return Body(mass, self.origin(inertial, of).xyz)
+            return TreeLink(name, self.place(element), Body(mass, pose.xyz), shape, is_point=True)
         xx, yy, zz = (self.number(tensor, key, of) for key in ("ixx", "iyy", "izz"))
         xy, xz, yz = (self.number(tensor, key, of, 0.0) for key in ("ixy", "ixz", "iyz"))
-        return body_of(mass, self.origin(inertial, of), (xx, yy, zz, xy, xz, yz))
+        return TreeLink(name, self.place(element), body_of(mass, pose, (xx, yy, zz, xy, xz, yz)), shape)
 
     def joint(self, element: Element) -> TreeJoint:
         name = self.name(element, "a joint")
         of = f"joint {shown(name)}"
-        word = self.required(element, "type", of)
-        if word not in _KINDS:
-            raise self.fail(
-                element,
-                f"{of}: the type is unknown",
-                attribute="type",
-                found=shown(word),
-                expected=", ".join(_KINDS),
-            )
-        kind: Kind = next(kind for kind in get_args(Kind) if kind == word)
-        parent = self.name(self.must(element, "parent", of), f"the parent of {of}", "link")
-        child = self.name(self.must(element, "child", of), f"the child of {of}", "link")
-        axis = self.one(element, "axis", of)
+        kind = self.kind(element, of, _KINDS)
+        parent, child = (
+            self.name(self.must(element, role, of), f"the {role} of {of}", "link")
+            for role in ("parent", "child")
+        )
+        axis, dynamics, mimic = (self.one(element, tag, of) for tag in ("axis", "dynamics", "mimic"))
         direction = (1.0, 0.0, 0.0)
         if axis is not None and kind not in ("fixed", "floating"):
             direction = self.axis(axis, self.vector(axis, "xyz", of, direction), "xyz", of)
-        dynamics, mimic = self.one(element, "dynamics", of), self.one(element, "mimic", of)
+        damping, friction, armature = (
+            self.number(dynamics, word, of, least=0) if dynamics and word in dynamics.attributes else None
+            for word in ("damping", "friction", "armature")
+        )
         return TreeJoint(
             name,
             kind,
@@ -141,52 +113,41 @@ class _Reader(Quantities):
             origin=self.origin(element, of),
             axis=direction,
             limits=self.limits(element, kind, of),
-            damping=self.dynamics(dynamics, "damping", of),
-            friction=self.dynamics(dynamics, "friction", of),
-            armature=self.dynamics(dynamics, "armature", of),
+            damping=damping,
+            friction=friction,
+            armature=armature,
             mimic=self.mimic(mimic, of) if mimic else None,
         )
 
-    def dynamics(self, dynamics: Element | None, name: str, of: str) -> float | None:
-        """A number in ``<dynamics>``; None where it is not stated."""
-        if dynamics is None or name not in dynamics.attributes:
-            return None
-        return self.number(dynamics, name, of, bad=negative)
-
-    def limits(self, element: Element, kind: Kind, of: str) -> JointLimits:
+    def limits(self, element: Element, kind: str, of: str) -> JointLimits:
         limit = self.one(element, "limit", of)
         if limit is None:
             return JointLimits()
-        velocity, acceleration, effort = (
-            self.limit(limit, key, of) for key in ("velocity", "acceleration", "effort")
+        ends: dict[str, float | None] = (
+            {"lower": 0.0, "upper": 0.0} if kind in ("revolute", "prismatic") else {}
         )
-        if kind not in ("revolute", "prismatic"):
-            return JointLimits(None, None, velocity, acceleration, effort)
-        lower = self.limit(limit, "lower", of) if "lower" in limit.attributes else 0.0
-        upper = self.limit(limit, "upper", of) if "upper" in limit.attributes else 0.0
-        return JointLimits(lower, upper, velocity, acceleration, effort)
+        for word in (*ends, "velocity", "acceleration", "effort"):
+            if word in limit.attributes:
+                ends[word] = self.limit(limit.attributes[word], limit, word, f"{of}: {word}")
+        return JointLimits(**ends)
 
     def mimic(self, mimic: Element, of: str) -> Mimic:
-        return Mimic(
-            self.name(mimic, f"the joint that {of} follows", "joint"),
-            self.number(mimic, "multiplier", of, 1.0),
-            self.number(mimic, "offset", of, 0.0),
-        )
+        leader = self.name(mimic, f"the joint that {of} follows", "joint")
+        return Mimic(leader, self.number(mimic, "multiplier", of, 1.0), self.number(mimic, "offset", of, 0.0))
 
 
-_SIMPLE: Final = "SimpleTransmission"
 _REDUCTION: Final = "mechanicalReduction"
 _MOTOR_INERTIA: Final = "motorInertia"
 _RATIO, _ROTOR = "drake:gear_ratio", "drake:rotor_inertia"
 
 
-class Transmissions:
+class _Transmissions:
     """Collects what transmissions say of joints: those between one motor and one joint."""
 
     def __init__(self, reader: Quantities, leftovers: Leftovers) -> None:
         self._reader, self._leftovers = reader, leftovers
         self._ratios: dict[str, float] = {}
-        self._armatures: dict[str, float] = {}
+        self._rotors: dict[str, float] = {}
         self._elements: dict[str, Element] = {}
         self._with_rotor: dict[str, Element] = {}
 
@@ -196,58 +157,43 @@ class Transmissions:
         actuators = list(element.all("actuator"))
         kind = element.first("type")
         word = element.attributes.get("type", "") if kind is None else kind.text
-        if len(joints) != 1 or len(actuators) > 1 or (word and not word.endswith(_SIMPLE)):
+        if len(joints) != 1 or len(actuators) > 1 or (word and not word.endswith("SimpleTransmission")):
             self._leftovers.add("transmissions of more than one motor and one joint", element.line)
             if any(part.tag in (_MOTOR_INERTIA, _ROTOR) for part in element.walk()):
                 of = f"transmission {element.attributes.get('name', '')}"
                 self._leftovers.changes_torques("transmission", of, self._reader.place(element))
             return
-        (joint,) = joints
-        self._elements.setdefault(joint, element)
+        self._elements.setdefault(joints[0], element)
         for part in element.walk():
-            if part.tag == _REDUCTION:
-                self._ratio(part, joint, part.text, "")
-            elif part.tag == _RATIO:
-                self._ratio(part, joint, part.attributes.get("value", ""), "value")
-            elif part.tag == _MOTOR_INERTIA:
-                what = f"joint {shown(joint)}: {tag_shown(part)}"
-                (rotor,) = self._reader.numbers(part.text, 1, part, "", what)
-                self._rotor(element, part, joint, rotor)
-            elif part.tag == _ROTOR:
-                rotor = self._reader.number(part, "value", f"joint '{joint}'", bad=negative)
-                self._rotor(element, part, joint, rotor)
+            if part.tag in (_REDUCTION, _RATIO, _MOTOR_INERTIA, _ROTOR):
+                self._number(element, part, joints[0])
 
-    def _rotor(self, transmission: Element, part: Element, joint: str, value: float) -> None:
-        """Take the rotor inertia; that of a second motor of the joint, even an equal one, is refused."""
-        if self._with_rotor.setdefault(joint, transmission) is not transmission:
-            raise self._reader.fail(
-                part,
-                f"joint {shown(joint)}: {tag_shown(part)} is stated by two transmissions",
-                found=f"{value:g} after {self._armatures[joint]:g}",
-                expected="one motor for a joint",
-                remedy="state the sum of their inertias in one of the transmissions",
-            )
-        self._state(self._armatures, part, joint, value)
-
-    def _ratio(self, part: Element, joint: str, text: str, attribute: str) -> None:
-        what = f"joint '{joint}': {tag_shown(part)}"
-        (ratio,) = self._reader.numbers(text, 1, part, attribute, what)
-        if ratio in (0.0, 1.0):
-            self._leftovers.add(f"reductions of {ratio:g}", part.line)
+    def _number(self, transmission: Element, part: Element, joint: str) -> None:
+        """Take a reduction, or a rotor inertia; another one of the joint before it, and the rotor of a second
+        motor, even an equal one, are refused."""
+        what = f"joint {shown(joint)}: {tag_shown(part)}"
+        attribute = "value" if part.tag in (_RATIO, _ROTOR) else ""
+        text = self._reader.required(part, "value", f"joint {shown(joint)}") if attribute else part.text
+        (value,) = self._reader.numbers(text, 1, part, attribute, what)
+        values, fault, remedy = self._ratios, "twice", None
+        if part.tag in (_MOTOR_INERTIA, _ROTOR):
+            values = self._rotors
+            if value < 0:
+                raise self._reader.fail(part, f"{what} is negative", f"{value:g}", attribute=attribute)
+            if self._with_rotor.setdefault(joint, transmission) is not transmission:
+                fault, remedy = (
+                    "by two transmissions",
+                    "state the sum of their inertias in one of the transmissions",
+                )
+        elif value in (0.0, 1.0):
+            self._leftovers.add(f"reductions of {value:g}", part.line)
             return
-        self._state(self._ratios, part, joint, ratio)
+        if remedy or values.setdefault(joint, value) != value:
+            what, found = f"{what} is stated {fault}", f"{value:g} after {values[joint]:g}"
+            expected = "one motor for a joint" if remedy else "one value for a joint"
+            raise self._reader.fail(part, what, found, expected, remedy=remedy)
 
-    def _state(self, values: dict[str, float], part: Element, joint: str, value: float) -> None:
-        """Take ``value`` for the ``joint``; another one before it is refused."""
-        if values.setdefault(joint, value) != value:
-            raise self._reader.fail(
-                part,
-                f"joint {shown(joint)}: {tag_shown(part)} is stated twice",
-                found=f"{value:g} after {values[joint]:g}",
-                expected="one value for a joint",
-            )
-
-    def applied(self, joints: tuple[TreeJoint, ...]) -> tuple[TreeJoint, ...]:
+    def applied(self, joints: list[TreeJoint]) -> list[TreeJoint]:
         """The joints with their ratios, and rotor inertias reflected through them; transmissions of joints
         that are not there are noted."""
         names = dict.fromkeys(joint.name for joint in joints)
@@ -255,12 +201,10 @@ class Transmissions:
             if name not in names:
                 of = f"joint {name}; {near(name, names, 'joint')}"
                 self._leftovers.changes_torques("transmission", of, self._reader.place(element))
-        return tuple(self._with_transmission(joint) for joint in joints)
+        return [self._with_transmission(joint) for joint in joints]
 
     def _with_transmission(self, joint: TreeJoint) -> TreeJoint:
-        ratio, rotor = self._ratios.get(joint.name), self._armatures.get(joint.name)
-        if ratio is not None:
-            joint = replace(joint, ratio=ratio)
+        ratio, rotor = self._ratios.get(joint.name), self._rotors.get(joint.name)
         if rotor is not None:
             joint = replace(joint, armature=(joint.armature or 0.0) + rotor * (ratio or 1.0) ** 2)
-        return joint
+        return joint if ratio is None else replace(joint, ratio=ratio)

@@ -10,9 +10,7 @@ import json
 import os
 import subprocess
 import sys
-import threading
 from collections.abc import Mapping
-from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 from typing import Final
@@ -20,7 +18,7 @@ from typing import Final
 from robodyn.errors import InputError, Place
 from robodyn.files import MIB, label
 from robodyn.formats import elements
-from robodyn.formats.limits import FILE_MIB, XACRO_MEMORY, XACRO_SECONDS
+from robodyn.formats.limits import XACRO_MEMORY, XACRO_SECONDS
 from robodyn.formats.tree import EXPANDED
 from robodyn.tools.libraries import XACRO
 
@@ -56,32 +54,23 @@ def expanded(path: Path, arguments: Mapping[str, str] | None = None) -> elements
         "memory": XACRO_MEMORY * MIB,
     }
     command = [sys.executable, "-I", "-B", "-c", _START, str(Path(__file__).parents[2])]
-    pipe = subprocess.PIPE
     environment = {name: os.environ[name] for name in _ENVIRONMENT if name in os.environ}
-    with subprocess.Popen(
-        command, stdin=pipe, stdout=pipe, stderr=pipe, start_new_session=True, env=environment
-    ) as process:
-        assert process.stdin is not None
-        assert process.stdout is not None
-        assert process.stderr is not None
-        late_end = threading.Timer(XACRO_SECONDS, process.kill)  # it may wait for a file that never ends
-        late_end.start()
-        try:
-            with suppress(BrokenPipeError), process.stdin as stdin:
-                stdin.write(json.dumps(task).encode())
-            data = process.stdout.read(FILE_MIB * MIB + 1)
-            process.stdout.close()
-            stderr = process.stderr.read(4096).decode("utf-8", "replace")  # one line: it fits into the pipe
-            process.wait()
-        finally:
-            late_end.cancel()
-            process.kill()
-    if len(data) > FILE_MIB * MIB:
-        raise _refused(name, f"more than {FILE_MIB} MiB")
-    if process.returncode:
-        late = process.returncode < 0
-        raise _refused(name, f"more than {XACRO_SECONDS} s or {XACRO_MEMORY} MiB" if late else stderr)
-    included, _, xml = data.partition(b"\n")
+    late = f"more than {XACRO_SECONDS} s or {XACRO_MEMORY} MiB"
+    try:
+        child = subprocess.run(
+            command,
+            input=json.dumps(task).encode(),
+            capture_output=True,
+            start_new_session=True,
+            env=environment,
+            timeout=XACRO_SECONDS,
+            check=False,
+        )
+    except subprocess.TimeoutExpired:  # it may wait for a file that never ends
+        raise _refused(name, late) from None
+    if child.returncode:
+        raise _refused(name, late if child.returncode < 0 else child.stderr.decode("utf-8", "replace"))
+    included, _, xml = child.stdout.partition(b"\n")
     warnings = [(Place(*where), words) for where, words in json.loads(included)]
     document = elements.parse(xml, name + EXPANDED, "xacro that expands to URDF")
     return replace(document, warnings=(*top.warnings, *warnings))

@@ -3,24 +3,26 @@
 Nothing is compiled. A name is what the file bound it to, or a function of the tables in
 :mod:`robodyn.formats.xacro_functions`; an attribute is a key of a mapping, a name in a namespace, or a method
 of those tables. No attribute of a Python object is read, so that no expression reaches the interpreter.
-Values are of Python's own plain types, and their size, and the work on them, is bounded.
+Values are of Python's own plain types (:mod:`robodyn.formats.xacro_values`), and their size, and the work on
+them, is bounded.
 """
 
 from __future__ import annotations
 
 import ast
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any, Final
 
 from robodyn.formats.xacro_values import (
     BINARY,
-    COMPARED,
+    COMPARISONS,
     DATA,
     LARGEST,
     UNARY,
     Function,
     Names,
     Refused,
+    checked_data,
     shown,
     size_of,
 )
@@ -29,6 +31,7 @@ STEPS: Final = 3 * LARGEST
 """[steps] Work for one expression: nodes evaluated, and values and characters produced."""
 LONGEST: Final = 10_000
 """[characters] Longest expression."""
+Local = Mapping[str, Any]
 
 
 def evaluate(expression: str, names: Names, methods: Mapping[type, Mapping[str, Function]]) -> Any:
@@ -43,12 +46,7 @@ def evaluate(expression: str, names: Names, methods: Mapping[type, Mapping[str, 
         raise Refused(f"an expression of more than {LONGEST} characters: {shown(text)}")
     try:
         tree = ast.parse(text, mode="eval")
-        value = Evaluator(names, methods).value(tree.body, {})
-        if type(value) not in DATA:
-            raise Refused("a function is not a value")
-        return value
-    except Refused as error:
-        raise Refused(f"{error}, in the expression {shown(text)}") from None
+        return checked_data(Evaluator(names, methods).value(tree.body, {}))
     except (SyntaxError, UnicodeError):
         raise Refused(f"not an expression: {shown(text)}") from None
     except RecursionError:
@@ -56,7 +54,7 @@ def evaluate(expression: str, names: Names, methods: Mapping[type, Mapping[str, 
     except MemoryError:  # of the parser too, where parentheses are nested
         raise Refused(f"out of memory: {shown(text)}") from None
     except Exception as error:
-        reason = str(error)[:150] or type(error).__name__
+        reason = str(error) if isinstance(error, Refused) else str(error)[:150] or type(error).__name__
         raise Refused(f"{reason}, in the expression {shown(text)}") from None
 
 
@@ -66,13 +64,67 @@ class Evaluator:
     def __init__(self, names: Names, methods: Mapping[type, Mapping[str, Function]]) -> None:
         self.names, self.methods, self.steps = names, methods, 0
 
-    def value(self, node: ast.AST, local: Mapping[str, Any]) -> Any:
-        """The value of ``node``."""
+    def value(self, node: ast.AST, local: Local) -> Any:
+        """The value of ``node``. All syntax that there is stands here; what is not a case is refused."""
         self.spend(1)
-        evaluate_node = _NODES.get(type(node))
-        if evaluate_node is None:
-            raise Refused(f"{type(node).__name__} is not evaluated here")
-        return evaluate_node(self, node, local)
+        match node:
+            case ast.Name():
+                return local[node.id] if node.id in local else _looked_up(self.names, node.id)
+            case ast.Constant():
+                return self.result(node.value)
+            case ast.Attribute():
+                return self._attribute(self.value(node.value, local), node.attr)
+            case ast.Subscript():
+                return self._subscript(node, local)
+            case ast.Call():
+                return self._call(node, local)
+            case ast.BinOp() if type(node.op) in BINARY:
+                left, right = (
+                    checked_data(self.value(node.left, local)),
+                    checked_data(self.value(node.right, local)),
+                )
+                return self.result(BINARY[type(node.op)](left, right))
+            case ast.UnaryOp():
+                return UNARY[type(node.op)](checked_data(self.value(node.operand, local)))
+            case ast.BoolOp():
+                value = None
+                for part in node.values:
+                    value = self.value(part, local)
+                    if bool(value) is isinstance(node.op, ast.Or):
+                        break
+                return value
+            case ast.Compare():
+                left, outcome = self.value(node.left, local), True
+                for operation, part in zip(node.ops, node.comparators, strict=True):
+                    right = self.value(part, local)
+                    outcome = COMPARISONS[type(operation)](left, right)
+                    if not outcome:
+                        break
+                    left = right
+                return outcome
+            case ast.IfExp():
+                return self.value(node.body if self.value(node.test, local) else node.orelse, local)
+            case ast.List():
+                return self.result(self._elements(node.elts, local))
+            case ast.Tuple():
+                return self.result(tuple(self._elements(node.elts, local)))
+            case ast.Set():
+                return self.result(set(self._elements(node.elts, local)))
+            case ast.Dict():
+                entries: dict[Any, Any] = {}
+                for key, part in zip(node.keys, node.values, strict=True):
+                    value = self.value(part, local)
+                    entries.update(value if key is None else {self.value(key, local): value})
+                return self.result(entries)
+            case ast.ListComp() | ast.SetComp() | ast.GeneratorExp():
+                values = [self.value(node.elt, inner) for inner in self._scopes(node.generators, local)]
+                return self.result(set(values) if isinstance(node, ast.SetComp) else values)
+            case ast.DictComp():
+                scopes = self._scopes(node.generators, local)
+                return self.result({self.value(node.key, x): self.value(node.value, x) for x in scopes})
+            case ast.Lambda():
+                return self._lambda(node, local)
+        raise Refused(f"{type(getattr(node, 'op', node)).__name__} is not evaluated here")
 
     def spend(self, steps: int) -> None:
         """Count ``steps`` of work."""
@@ -95,16 +147,7 @@ class Evaluator:
         first = (self,) if function.higher else ()
         return self.result(function.call(*first, *arguments, **options))
 
-    def _name(self, node: ast.Name, local: Mapping[str, Any]) -> Any:
-        if node.id in local:
-            return local[node.id]
-        return _looked_up(self.names, node.id)
-
-    def _constant(self, node: ast.Constant, local: Mapping[str, Any]) -> Any:
-        return self.result(node.value)
-
-    def _attribute(self, node: ast.Attribute, local: Mapping[str, Any]) -> Any:
-        owner, name = self.value(node.value, local), node.attr
+    def _attribute(self, owner: Any, name: str) -> Any:
         if isinstance(owner, Names):
             return _looked_up(owner, name)
         method = self.methods.get(type(owner), {}).get(name)
@@ -114,12 +157,11 @@ class Evaluator:
             return owner[name]
         raise Refused(f"no attribute {name!r} of a {type(owner).__name__}")
 
-    def _subscript(self, node: ast.Subscript, local: Mapping[str, Any]) -> Any:
+    def _subscript(self, node: ast.Subscript, local: Local) -> Any:
         owner = self.value(node.value, local)
         if isinstance(owner, Names) and isinstance(node.slice, ast.Constant):
             return _looked_up(owner, node.slice.value)
-        if type(owner) not in DATA:
-            raise Refused("only values have elements")
+        checked_data(owner)
         if isinstance(node.slice, ast.Slice):
             ends = (node.slice.lower, node.slice.upper, node.slice.step)
             return self.result(owner[slice(*(end and self.value(end, local) for end in ends))])
@@ -129,7 +171,7 @@ class Evaluator:
         except KeyError:
             raise Refused(f"no key {shown(str(key))}") from None
 
-    def _call(self, node: ast.Call, local: Mapping[str, Any]) -> Any:
+    def _call(self, node: ast.Call, local: Local) -> Any:
         function = self.value(node.func, local)
         options: dict[str, Any] = {}
         arguments = self._elements(node.args, local)
@@ -138,7 +180,7 @@ class Evaluator:
             options.update(value if keyword.arg is None else {keyword.arg: value})
         return self.call(function, *arguments, **options)
 
-    def _elements(self, nodes: list[ast.expr], local: Mapping[str, Any]) -> list[Any]:
+    def _elements(self, nodes: list[ast.expr], local: Local) -> list[Any]:
         elements: list[Any] = []
         for node in nodes:
             if isinstance(node, ast.Starred):
@@ -147,78 +189,17 @@ class Evaluator:
                 elements.append(self.value(node, local))
         return elements
 
-    def _binary(self, node: ast.BinOp, local: Mapping[str, Any]) -> Any:
-        operation = BINARY.get(type(node.op))
-        left, right = self.value(node.left, local), self.value(node.right, local)
-        if operation is None or type(left) not in DATA or type(right) not in DATA:
-            raise Refused(f"{type(node.op).__name__} is not evaluated here")
-        return self.result(operation(left, right))
-
-    def _unary(self, node: ast.UnaryOp, local: Mapping[str, Any]) -> Any:
-        value = self.value(node.operand, local)
-        if type(value) not in DATA:
-            raise Refused("only values have a sign")
-        return UNARY[type(node.op)](value)
-
-    def _boolean(self, node: ast.BoolOp, local: Mapping[str, Any]) -> Any:
-        stops_at = isinstance(node.op, ast.Or)
-        value = None
-        for part in node.values:
-            value = self.value(part, local)
-            if bool(value) is stops_at:
-                break
-        return value
-
-    def _comparison(self, node: ast.Compare, local: Mapping[str, Any]) -> Any:
-        left, outcome = self.value(node.left, local), True
-        for operation, part in zip(node.ops, node.comparators, strict=True):
-            right = self.value(part, local)
-            outcome = COMPARED[type(operation)](left, right)
-            if not outcome:
-                break
-            left = right
-        return outcome
-
-    def _choice(self, node: ast.IfExp, local: Mapping[str, Any]) -> Any:
-        return self.value(node.body if self.value(node.test, local) else node.orelse, local)
-
-    def _list(self, node: ast.List, local: Mapping[str, Any]) -> Any:
-        return self.result(self._elements(node.elts, local))
-
-    def _tuple(self, node: ast.Tuple, local: Mapping[str, Any]) -> Any:
-        return self.result(tuple(self._elements(node.elts, local)))
-
-    def _set(self, node: ast.Set, local: Mapping[str, Any]) -> Any:
-        return self.result(set(self._elements(node.elts, local)))
-
-    def _dict(self, node: ast.Dict, local: Mapping[str, Any]) -> Any:
-        entries: dict[Any, Any] = {}
-        for key, part in zip(node.keys, node.values, strict=True):
-            value = self.value(part, local)
-            entries.update(value if key is None else {self.value(key, local): value})
-        return self.result(entries)
-
-    def _comprehension(self, node: Any, local: Mapping[str, Any]) -> Any:
-        values = [self.value(node.elt, inner) for inner in self._scopes(node.generators, local)]
-        return self.result(set(values) if isinstance(node, ast.SetComp) else values)
-
-    def _mapping(self, node: ast.DictComp, local: Mapping[str, Any]) -> Any:
-        scopes = self._scopes(node.generators, local)
-        return self.result({self.value(node.key, inner): self.value(node.value, inner) for inner in scopes})
-
-    def _lambda(self, node: ast.Lambda, local: Mapping[str, Any]) -> Any:
-        parameters = [parameter.arg for parameter in node.args.args]
-        if ast.dump(node.args) != ast.dump(_plain_parameters(parameters)):
+    def _lambda(self, node: ast.Lambda, local: Local) -> Any:
+        parameters = [ast.arg(parameter.arg) for parameter in node.args.args]
+        if ast.dump(node.args) != ast.dump(ast.arguments([], parameters, None, [], [], None, [])):
             raise Refused("a lambda takes plain parameters here")
+        names = [parameter.arg for parameter in parameters]
+        return Function(
+            "lambda",
+            lambda *values: self.value(node.body, {**local, **dict(zip(names, values, strict=True))}),
+        )
 
-        def call(*arguments: Any) -> Any:
-            return self.value(node.body, {**local, **dict(zip(parameters, arguments, strict=True))})
-
-        return Function("lambda", call)
-
-    def _scopes(
-        self, loops: list[ast.comprehension], local: Mapping[str, Any]
-    ) -> Iterator[Mapping[str, Any]]:
+    def _scopes(self, loops: list[ast.comprehension], local: Local) -> Iterator[Local]:
         """The variables of a comprehension, round by round."""
         if not loops:
             yield local
@@ -244,39 +225,8 @@ class Evaluator:
             raise Refused(f"{type(target).__name__} is not bound here")
 
 
-def _plain_parameters(names: list[str]) -> ast.arguments:
-    parameters = [ast.arg(name) for name in names]
-    return ast.arguments(
-        posonlyargs=[], args=parameters, vararg=None, kwonlyargs=[], kw_defaults=[], kwarg=None, defaults=[]
-    )
-
-
 def _looked_up(names: Names, name: Any) -> Any:
     try:
         return names.lookup(name)
     except KeyError:
         raise Refused(f"name {shown(str(name))} is not defined") from None
-
-
-#: All syntax that there is; what is not in this table is refused.
-_NODES: Final[Mapping[type, Callable[[Evaluator, Any, Mapping[str, Any]], Any]]] = {
-    ast.Name: Evaluator._name,
-    ast.Constant: Evaluator._constant,
-    ast.Attribute: Evaluator._attribute,
-    ast.Subscript: Evaluator._subscript,
-    ast.Call: Evaluator._call,
-    ast.BinOp: Evaluator._binary,
-    ast.UnaryOp: Evaluator._unary,
-    ast.BoolOp: Evaluator._boolean,
-    ast.Compare: Evaluator._comparison,
-    ast.IfExp: Evaluator._choice,
-    ast.List: Evaluator._list,
-    ast.Tuple: Evaluator._tuple,
-    ast.Set: Evaluator._set,
-    ast.Dict: Evaluator._dict,
-    ast.ListComp: Evaluator._comprehension,
-    ast.SetComp: Evaluator._comprehension,
-    ast.GeneratorExp: Evaluator._comprehension,
-    ast.DictComp: Evaluator._mapping,
-    ast.Lambda: Evaluator._lambda,
-}

@@ -9,25 +9,18 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Mapping
-from functools import reduce
 from itertools import chain
 from typing import Any, Final
 
 from robodyn.formats.xacro_expressions import Evaluator
-from robodyn.formats.xacro_values import BITS, DATA, Function, Refused, check_count, size_of
+from robodyn.formats.xacro_values import Function, Refused, check_count, checked_data, size_of
 
-_MOST: Final = 500
-"""Largest argument of factorials and binomials; 500! has 3768 bits."""
-
-
-def _data(value: Any) -> Any:
-    if type(value) not in DATA:
-        raise Refused("a function is not a value")
-    return value
+_DIGITS: Final = 500
+"""[decimal places] Most that a number is rounded to."""
 
 
 def _list(value: Any = ()) -> list[Any]:
-    return list(_data(value))
+    return list(checked_data(value))
 
 
 def _range(*ends: int) -> range:
@@ -39,14 +32,14 @@ def _range(*ends: int) -> range:
 def _round(value: Any, digits: int | None = None) -> Any:
     if digits is None:
         return round(value)
-    if abs(digits) > _MOST:
-        raise Refused(f"more than {_MOST} digits")
+    if abs(digits) > _DIGITS:
+        raise Refused(f"more than {_DIGITS} digits")
     return round(value, digits)
 
 
 def _sum(values: Any, start: Any = 0) -> Any:
     if type(start) is not list:
-        return sum(_data(values), start)
+        return sum(checked_data(values), start)
     if any(type(part) is not list for part in values):
         raise Refused("only a list can be added to a list")
     return [*start, *chain.from_iterable(values)]
@@ -72,15 +65,14 @@ def _key(evaluator: Evaluator, key: Any) -> Callable[[Any], Any] | None:
 
 
 def _sorted(evaluator: Evaluator, source: Any, key: Any = None, reverse: Any = False) -> list[Any]:
-    return sorted(_data(source), key=_key(evaluator, key), reverse=bool(reverse))
+    return sorted(checked_data(source), key=_key(evaluator, key), reverse=bool(reverse))
 
 
-def _least(evaluator: Evaluator, *values: Any, key: Any = None, **default: Any) -> Any:
-    return min(*map(_data, values), key=_key(evaluator, key), **default)
+def _extremum(choose: Any) -> Callable[..., Any]:
+    def bounded(evaluator: Evaluator, *values: Any, key: Any = None, **default: Any) -> Any:
+        return choose(*map(checked_data, values), key=_key(evaluator, key), **default)
 
-
-def _greatest(evaluator: Evaluator, *values: Any, key: Any = None, **default: Any) -> Any:
-    return max(*map(_data, values), key=_key(evaluator, key), **default)
+    return bounded
 
 
 def _is_instance(value: Any, kinds: Any) -> bool:
@@ -97,29 +89,6 @@ def _type(value: Any) -> Function:
     raise Refused("a type that is not known")
 
 
-def _factorial(function: Callable[..., int]) -> Callable[..., int]:
-    def bounded(*arguments: int) -> int:
-        if any(argument > _MOST for argument in arguments):
-            raise Refused(f"math.{function.__name__} of more than {_MOST}")
-        return function(*arguments)
-
-    return bounded
-
-
-def _whole(value: Any) -> Any:
-    if type(value) is int and value.bit_length() > BITS:
-        raise Refused(f"a whole number of more than {BITS} bits")
-    return value
-
-
-def _product(values: Any, start: Any = 1) -> Any:
-    return reduce(lambda so_far, factor: _whole(math.prod((so_far, factor))), values, start)
-
-
-def _common_multiple(*numbers: int) -> int:
-    return reduce(lambda so_far, factor: int(_whole(math.lcm(so_far, factor))), numbers, 1)
-
-
 def _join(separator: str, source: Any) -> str:
     parts = _list(source)
     check_count(size_of(parts) + len(separator) * len(parts))
@@ -129,14 +98,6 @@ def _join(separator: str, source: Any) -> str:
 def _replace(text: str, old: str, new: str, count: int = -1) -> str:
     check_count(len(text) + text.count(old) * len(new))
     return text.replace(old, new, count)
-
-
-def _padded(method: Callable[..., str]) -> Callable[..., str]:
-    def bounded(text: str, width: int, *fill: str) -> str:
-        check_count(width)
-        return method(text, width, *fill)
-
-    return bounded
 
 
 def tokenize(text: str, sep: str = ",; ", skip_empty: bool = True) -> list[str]:
@@ -156,33 +117,34 @@ def _table(functions: Mapping[str, Callable[..., Any]], **options: Any) -> dict[
 
 
 _KINDS: Final[Mapping[type, Callable[..., Any]]] = {
-    bool: lambda value=False: bool(_data(value)),
+    bool: lambda value=False: bool(checked_data(value)),
     int: int,
     float: float,
-    str: lambda value="": str(_data(value)),
+    str: lambda value="": str(checked_data(value)),
     list: _list,
-    tuple: lambda value=(): tuple(_data(value)),
-    dict: lambda *pairs, **entries: dict(*map(_data, pairs), **entries),
-    set: lambda value=(): set(_data(value)),
+    tuple: lambda value=(): tuple(checked_data(value)),
+    dict: lambda *pairs, **entries: dict(*map(checked_data, pairs), **entries),
+    set: lambda value=(): set(checked_data(value)),
 }
 #: xacro's namespace ``python``.
 PYTHON: Final[Mapping[str, Function]] = {
     **{kind.__name__: Function(kind.__name__, call, kind=kind) for kind, call in _KINDS.items()},
     **_table(
-        {"map": _map, "filter": _filter, "sorted": _sorted, "min": _least, "max": _greatest}, higher=True
+        {"map": _map, "filter": _filter, "sorted": _sorted, "min": _extremum(min), "max": _extremum(max)},
+        higher=True,
     ),
     **_table(
         {
-            "len": lambda value: len(_data(value)),
+            "len": lambda value: len(checked_data(value)),
             "abs": abs,
-            "all": lambda values: all(_data(values)),
-            "any": lambda values: any(_data(values)),
+            "all": lambda values: all(checked_data(values)),
+            "any": lambda values: any(checked_data(values)),
             "divmod": divmod,
-            "enumerate": lambda values, start=0: list(enumerate(_data(values), start)),
+            "enumerate": lambda values, start=0: list(enumerate(checked_data(values), start)),
             "isinstance": _is_instance,
             "ord": ord,
             "range": _range,
-            "repr": lambda value: repr(_data(value)),
+            "repr": lambda value: repr(checked_data(value)),
             "reversed": lambda values: list(reversed(_list(values))),
             "round": _round,
             "sum": _sum,
@@ -203,8 +165,6 @@ _PLAIN_MATH: Final = (
 MATH: Final[Mapping[str, Any]] = {
     **{name: getattr(math, name) for name in ("e", "inf", "nan", "pi", "tau")},
     **_table({name: getattr(math, name) for name in _PLAIN_MATH if hasattr(math, name)}),
-    **_table({name: _factorial(getattr(math, name)) for name in ("factorial", "comb", "perm")}),
-    **_table({"prod": _product, "lcm": _common_multiple}),
 }
 _TEXT: Final = (
     "capitalize", "casefold", "count", "endswith", "find", "index", "isalnum", "isalpha", "isascii",
@@ -213,12 +173,10 @@ _TEXT: Final = (
     "rsplit", "rstrip", "split", "splitlines", "startswith", "strip", "swapcase", "title", "upper",
 )  # fmt: skip
 
-_PADDED: Final = ("center", "ljust", "rjust", "zfill")
 #: The methods of values, by type; no others are there.
 METHODS: Final[Mapping[type, Mapping[str, Function]]] = {
     str: {
         **_table({name: getattr(str, name) for name in _TEXT}),
-        **_table({name: _padded(getattr(str, name)) for name in _PADDED}),
         **_table({"join": _join, "replace": _replace}),
     },
     list: _table({name: getattr(list, name) for name in ("copy", "count", "index")}),

@@ -23,7 +23,8 @@ from xml.parsers import expat
 
 from robodyn import files
 from robodyn.errors import Place, RobodynError
-from robodyn.files import label
+from robodyn.files import MIB, label
+from robodyn.formats.limits import FILE_MIB
 from robodyn.formats.xacro_expressions import evaluate
 from robodyn.formats.xacro_files import Files, load_yaml
 from robodyn.formats.xacro_functions import MATH, METHODS, PYTHON, tokenize
@@ -79,15 +80,12 @@ class Expansion:
         if missing:
             raise Refused(f"this version of the package xacro has no {missing[0]}: install 'xacro>=2.1,<3'")
         self.xacro, self.eval_text = xacro, xacro.eval_text
-        split = {name: name.split(None, 1) for name in arguments}
-        stated: dict[str, dict[str, str]] = {"find": {}, "env": {}}
-        self.arguments: dict[str, str] = {}
-        for name, words in split.items():
-            if len(words) == 2 and words[0] in stated:
-                stated[words[0]][words[1]] = arguments[name]
-            else:
-                self.arguments[name] = arguments[name]
-        self.environment = stated["env"]
+        stated: dict[str, dict[str, str]] = {"find": {}, "env": {}, "": {}}
+        for name, value in arguments.items():
+            words = name.split(None, 1)
+            of_command = len(words) == 2 and words[0] in stated
+            stated[words[0] if of_command else ""][words[1] if of_command else name] = value
+        self.arguments, self.environment = stated[""], stated["env"]
         self.file, self.files = file, Files(file, stated["find"], ros)
         self.warnings: dict[Place, str] = {}
         self.symbols = self._symbols(xacro._global_symbols)
@@ -148,20 +146,19 @@ class Expansion:
         inner = text[2:-1]
         if inner.startswith("eval "):
             return str(evaluate(inner[5:], Names(self._name_of_eval), METHODS))
-        command, *words = inner.split() or [""]
-        if command == "cwd" and not words:
-            return str(Path.cwd())
-        if command == "arg" and len(words) == 1:
-            return _FIND.sub(lambda match: self.files.package(match.group(1)), self._argument(words[0]))
-        if command == "find" and len(words) == 1:
-            return self.files.package(words[0])
-        if command in ("env", "optenv") and words:
-            if words[0] in self.environment:
-                return self.environment[words[0]]
-            raise Refused(
-                f"the environment variable {label(words[0])[:80]} is not read; state it: "
-                f"--arg 'env {label(words[0])[:80]}=VALUE'"
-            )
+        match inner.split():
+            case ["cwd"]:
+                return str(Path.cwd())
+            case ["arg", name]:
+                return _FIND.sub(lambda match: self.files.package(match.group(1)), self._argument(name))
+            case ["find", name]:
+                return self.files.package(name)
+            case ["env" | "optenv", name, *_]:
+                if name in self.environment:
+                    return self.environment[name]
+                name = label(name)[:80]
+                remedy = f"state it: --arg 'env {name}=VALUE'"
+                raise Refused(f"the environment variable {name} is not read; {remedy}")
         raise Refused(f"no substitution that is known: {shown(text)}")
 
     def _argument(self, name: str) -> str:
@@ -276,12 +273,13 @@ def _words(error: BaseException) -> str:
     """The message, that of a refusal without what xacro wraps around it."""
     inner: Any = error
     while inner is not None:
-        if isinstance(inner, MemoryError):
-            return "out of memory"
-        if isinstance(inner, RecursionError):
-            return "macros, properties or files that contain themselves without end"
-        if isinstance(inner, Refused | RobodynError):
-            return str(inner)
+        match inner:
+            case MemoryError():
+                return "out of memory"
+            case RecursionError():
+                return "macros, properties or files that contain themselves without end"
+            case Refused() | RobodynError():
+                return str(inner)
         inner = getattr(inner, "exc", None)
     return str(error) or type(error).__name__
 
@@ -300,6 +298,8 @@ def main() -> int:
         bound(task["seconds"], task["memory"])
         guard()
         data = expansion.text().encode("utf-8", "replace")
+        if len(data) > FILE_MIB * MIB:
+            raise Refused(f"more than {FILE_MIB} MiB")
         places = [((at.file, at.line, at.column), words) for at, words in expansion.warnings.items()]
     except BaseException as error:
         words.write(label(" ".join(_words(error).split()))[:1000])

@@ -51,6 +51,13 @@ def shown(text: str) -> str:
     return repr(text[:80])
 
 
+def checked_data(value: Any) -> Any:
+    """``value`` itself, one of :data:`DATA`; what else an expression may have is refused."""
+    if type(value) not in DATA:
+        raise Refused("a function is not a value")
+    return value
+
+
 def size_of(value: Any) -> int:
     """How many values and characters ``value`` has; what it holds twice counts twice.
 
@@ -103,12 +110,6 @@ def _power(left: Any, right: Any) -> Any:
     return left**right
 
 
-def _shift(left: Any, right: Any) -> Any:
-    if isinstance(right, int) and right > BITS:
-        raise Refused(f"a whole number of more than {BITS} bits")
-    return left << right
-
-
 def _remainder(left: Any, right: Any) -> Any:
     if type(left) is str:
         fields = list(_FIELD.finditer(left))
@@ -119,7 +120,8 @@ def _remainder(left: Any, right: Any) -> Any:
     return left % right
 
 
-BINARY: Final[Mapping[type, Callable[[Any, Any], Any]]] = {
+Operator = Callable[..., Any]
+BINARY: Final[Mapping[type, Operator]] = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
     ast.Mult: _multiply,
@@ -127,27 +129,25 @@ BINARY: Final[Mapping[type, Callable[[Any, Any], Any]]] = {
     ast.FloorDiv: operator.floordiv,
     ast.Mod: _remainder,
     ast.Pow: _power,
-    ast.LShift: _shift,
-    ast.RShift: operator.rshift,
     ast.BitAnd: operator.and_,
     ast.BitOr: operator.or_,
     ast.BitXor: operator.xor,
 }
-UNARY: Final[Mapping[type, Callable[[Any], Any]]] = {
+UNARY: Final[Mapping[type, Operator]] = {
     ast.USub: operator.neg,
     ast.UAdd: operator.pos,
     ast.Not: operator.not_,
     ast.Invert: operator.invert,
 }
-COMPARED: Final[Mapping[type, Callable[[Any, Any], Any]]] = {
+COMPARISONS: Final[Mapping[type, Operator]] = {
     ast.Eq: operator.eq,
     ast.NotEq: operator.ne,
+    ast.Is: operator.is_,
+    ast.IsNot: operator.is_not,
     ast.Lt: operator.lt,
     ast.LtE: operator.le,
     ast.Gt: operator.gt,
     ast.GtE: operator.ge,
-    ast.Is: operator.is_,
-    ast.IsNot: operator.is_not,
     ast.In: lambda left, right: left in right,
     ast.NotIn: lambda left, right: left not in right,
 }

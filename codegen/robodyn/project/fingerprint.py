@@ -43,8 +43,8 @@ def _description(path: Path, settings: Mapping[str, Any]) -> str:
     if path.suffix.lower() not in _INCLUDING:
         return file_key(path)
     if path.suffix.lower() == ".xacro" or b"<include" in path.read_bytes():
+        from robodyn.formats.arm import how_files_are_read
         from robodyn.formats.loading import text_of
-        from robodyn.formats.reading import how_files_are_read
 
         without = settings.get("without", [])
         with how_files_are_read(

@@ -8,6 +8,7 @@ nothing.
 
 from __future__ import annotations
 
+import itertools
 import math
 import re
 from collections.abc import Iterable
@@ -16,11 +17,10 @@ from fractions import Fraction
 from typing import Final
 
 from robodyn.errors import InputError
-from robodyn.formats.chain import Body, Spring, Vector
+from robodyn.formats.chain import Body, Spring, Vector, lumped
+from robodyn.formats.conversion import spring_of
 from robodyn.formats.limits import PICTURE_HUB, PICTURE_RADIUS
-from robodyn.formats.rigid import lumped
-from robodyn.formats.springs import spring_of
-from robodyn.formats.writers.markup import legal
+from robodyn.formats.writers import legal
 from robodyn.robot.account import account_lines
 from robodyn.robot.masses import unknown_masses
 from robodyn.robot.model import AXES, EffectEntry, Inertia, Link, Robot
@@ -43,19 +43,16 @@ def cylinders(parts: Parts) -> list[tuple[Cylinder, ...]]:
     radius = _round(PICTURE_RADIUS * parts.size)
     ends = [joint.frame.xyz for joint in parts.joints] + [(parts.tool or Frame()).xyz]
     hub = Cylinder(Frame(), _round(PICTURE_HUB * radius), _round(2 * PICTURE_HUB * radius))
-    pictures = [[] if index == 0 or not radius else [hub] for index in range(len(ends))]
-    for picture, end in zip(pictures, ends, strict=True):
-        if radius and math.hypot(*end) > radius:
-            picture.append(_towards(end, radius))
-    return [tuple(picture) for picture in pictures]
-
-
-def _towards(end: Vector, radius: float) -> Cylinder:
-    """The cylinder from the origin to ``end``."""
-    x, y, z = end
-    middle = (_round(x / 2), _round(y / 2), _round(z / 2))
-    pitch, yaw = math.atan2(math.hypot(x, y), z), math.atan2(y, x)
-    return Cylinder(Frame(middle, (0.0, _round(pitch), _round(yaw))), radius, _round(math.hypot(x, y, z)))
+    pictures = []
+    for index, (x, y, z) in enumerate(ends):
+        picture = [hub] if index and radius else []
+        if radius and math.hypot(x, y, z) > radius:  # from the origin to the next frame
+            middle = (_round(x / 2), _round(y / 2), _round(z / 2))
+            pitch, yaw = math.atan2(math.hypot(x, y), z), math.atan2(y, x)
+            frame = Frame(middle, (0.0, _round(pitch), _round(yaw)))
+            picture.append(Cylinder(frame, radius, _round(math.hypot(x, y, z))))
+        pictures.append(tuple(picture))
+    return pictures
 
 
 def _round(x: float) -> float:
@@ -63,17 +60,18 @@ def _round(x: float) -> float:
     return float(f"{x:.4g}")
 
 
+#: Names of the entries of a tensor in URDF and SDF, in the order of a body's.
+TENSOR: Final = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 #: Names that mean something in one of the formats or in what reads it.
-RESERVED: Final = frozenset({"world", "base", "tool", "base_joint", "tool_joint", "universe", "root_joint"})
-_NOTHING: Final = (0.0, 0.0, 0.0)
+_RESERVED: Final = {"world", "base", "tool", "base_joint", "tool_joint", "universe", "root_joint"}
 
 
 @dataclass(frozen=True, slots=True)
 class Frame:
     """A frame in its parent: origin [m], and URDF's roll, pitch, yaw [rad]."""
 
-    xyz: Vector = _NOTHING
-    rpy: Vector = _NOTHING
+    xyz: Vector = (0.0, 0.0, 0.0)
+    rpy: Vector = (0.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,7 +90,13 @@ class PartJoint:
     motor_inertia: float
     gear: Gear | None
     spring: Spring | None
-    mass_is_known: bool = True
+    mass_is_known: bool
+
+    @property
+    def word(self) -> str:
+        """Its kind, as URDF and SDF call it."""
+        free = self.limits.position is None and self.kind == "revolute"
+        return "continuous" if free else self.kind
 
 
 @dataclass(frozen=True, slots=True)
@@ -128,34 +132,31 @@ def parts_of(robot: Robot) -> Parts:
             remedy=" ".join(f"--param {name}=VALUE" for name in robot.parameters),
         )
     unknown = unknown_masses(robot)
-    names = unique([link.name for link in robot.links], RESERVED)
-    links = unique([f"{name}_link" for name in names], RESERVED.union(names))
-    frames = [_frame_of(link) for link in robot.links]
-    bodies = [_body(link.mass, link.com, link.inertia) for link in robot.links]
+    names = _unique([link.name for link in robot.links], _RESERVED)
+    links = _unique([f"{name}_link" for name in names], _RESERVED.union(names))
     springs = {entry.joint: spring for entry in robot.effects if (spring := spring_of(entry)) is not None}
     loads = [entry for entry in robot.effects if entry.definition.traits.body]
+    bodies = [_body(link.mass, link.com, link.inertia) for link in robot.links]
     bodies[-1] = lumped([bodies[-1], *(_load(entry) for entry in loads)])
     joints = [
         PartJoint(
-            name,
-            behind,
+            names[i],
+            links[i],
             link.joint.kind,
-            frame,
-            body,
+            _frame_of(link),
+            bodies[i],
             link.joint.limits,
             _float(link.joint.viscous),
             _float(link.joint.coulomb),
             _float(link.joint.motor_inertia),
             link.joint.gear,
-            springs.get(i),
-            i not in unknown,
+            springs.get(i + 1),
+            i + 1 not in unknown,
         )
-        for i, (name, behind, link, frame, body) in enumerate(
-            zip(names, links, robot.links, frames, bodies, strict=True), 1
-        )
+        for i, link in enumerate(robot.links)
     ]
     tool = _placed(robot.tool)
-    size = math.fsum(math.hypot(*frame.xyz) for frame in [*frames, tool or Frame()])
+    frames = [joint.frame for joint in joints] + [tool or Frame()]
     return Parts(
         robot.name,
         (robot.title, robot.source, *account_lines(robot)),
@@ -163,12 +164,12 @@ def parts_of(robot: Robot) -> Parts:
         _placed(robot.base),
         tool,
         tuple(joints),
-        size,
+        math.fsum(math.hypot(*frame.xyz) for frame in frames),
         tuple(_left_out(robot, loads)),
     )
 
 
-def unique(names: Iterable[str], reserved: Iterable[str]) -> list[str]:
+def _unique(names: Iterable[str], reserved: Iterable[str]) -> list[str]:
     """``names`` as the formats can have them, none of them twice or ``reserved``: a number is added.
 
     Characters that XML has no place for become underscores, and so do colons (SDF's scopes) and slashes
@@ -177,12 +178,9 @@ def unique(names: Iterable[str], reserved: Iterable[str]) -> list[str]:
     taken, chosen = set(reserved), []
     for name in names:
         plain = re.sub(r"[:/]|^__|__$", "_", legal(name).strip()) or "joint"
-        candidate, count = plain, 1
-        while candidate in taken:
-            count += 1
-            candidate = f"{plain}_{count}"
-        taken.add(candidate)
-        chosen.append(candidate)
+        numbered = itertools.chain([plain], (f"{plain}_{count}" for count in itertools.count(2)))
+        chosen.append(next(each for each in numbered if each not in taken))
+        taken.add(chosen[-1])
     return chosen
 
 
@@ -197,9 +195,9 @@ def _left_out(robot: Robot, loads: list[EffectEntry]) -> Iterable[str]:
         yield "torque_side: link (in the file, rotors and friction are in the torque)"
     if robot.rest_velocity is not None or robot.dead_band is not None:
         yield "friction_at_rest"
-    _each = [link for link in robot.links if link.joint.gear and link.joint.gear.torque_constant is not None]
-    if _each:
-        yield "torque constants: " + ", ".join(link.name for link in _each)
+    gears = {link.name: link.joint.gear for link in robot.links}
+    if constants := [name for name, gear in gears.items() if gear and gear.torque_constant is not None]:
+        yield "torque constants: " + ", ".join(constants)
     if any(link.confidence is not None for link in robot.links):
         yield "confidence"
     if joints := unknown_masses(robot):
@@ -230,8 +228,7 @@ def _placed(frame: Placement | None) -> Frame | None:
 
 
 def _body(mass: Value, com: tuple[Value, Value, Value], inertia: Inertia) -> Body:
-    entries = [_float(getattr(inertia, axes)) for axes in AXES]
-    xx, yy, zz, xy, xz, yz = entries
+    xx, yy, zz, xy, xz, yz = (_float(getattr(inertia, axes)) for axes in AXES)
     return Body(_float(mass), _floats(com), (xx, yy, zz, xy, xz, yz))
 
 

@@ -2,18 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Final
-
-from robodyn.formats.writers.markup import Tag, decimal, decimals, leaf, tag
-from robodyn.formats.writers.parts import Cylinder, Frame, PartJoint, Parts, cylinders
-
-_VERSION: Final = "1.9"
+from robodyn.formats.writers import Tag, decimal, decimals, leaf, tag
+from robodyn.formats.writers.parts import TENSOR, Cylinder, Frame, PartJoint, Parts, cylinders
 
 
-def root(parts: Parts) -> tuple[Tag, list[str]]:
-    """The element ``<sdf>``, and what it does not say of ``parts``."""
+def root(parts: Parts) -> Tag:
+    """The element ``<sdf>``."""
     pictures = cylinders(parts)
-    missing = []
     elements = [_pose(parts.base)] if parts.base is not None else []
     elements += [
         tag("joint", leaf("parent", "world"), leaf("child", "base"), name="base_joint", type="fixed"),
@@ -27,42 +22,31 @@ def root(parts: Parts) -> tuple[Tag, list[str]]:
         elements.append(tag("frame", _pose(parts.tool), name="tool", attached_to=parent))
     model = tag("model", *elements, name=parts.name)
     world = tag("world", leaf("gravity", decimals(parts.gravity)), model, name=f"{parts.name}_world")
-    if any(joint.motor_inertia for joint in parts.joints):
-        missing.append("rotor inertias")
-    if any(joint.gear for joint in parts.joints):
-        missing.append("gear ratios")
-    if any(joint.limits.acceleration is not None for joint in parts.joints):
-        missing.append("limits of acceleration")
-    return tag("sdf", world, version=_VERSION), missing
+    return tag("sdf", world, version="1.9")
 
 
 def _joint(joint: PartJoint, parent: str) -> Tag:
     limits = joint.limits
-    position = limits.position or (None, None)
-    stated = zip(
-        ("lower", "upper", "effort", "velocity"), (*position, limits.torque, limits.velocity), strict=True
-    )
-    ends = [leaf(name, decimal(float(value))) for name, value in stated if value is not None]
-    sits: tuple[tuple[str, float], ...] = (("damping", joint.viscous), ("friction", joint.coulomb))
+    lower, upper = limits.position or (None, None)
+    ends = {"lower": lower, "upper": upper, "effort": limits.torque, "velocity": limits.velocity}
+    limit = [leaf(name, decimal(float(value))) for name, value in ends.items() if value is not None]
+    passive = {"damping": joint.viscous, "friction": joint.coulomb}
     if joint.spring:
-        sits += (("spring_reference", joint.spring.rest), ("spring_stiffness", joint.spring.stiffness))
-    dynamics = [leaf(name, decimal(value)) for name, value in sits if value]
+        passive |= {"spring_reference": joint.spring.rest, "spring_stiffness": joint.spring.stiffness}
+    dynamics = [leaf(name, decimal(value)) for name, value in passive.items() if value]
     axis = tag(
         "axis",
         leaf("xyz", "0 0 1"),
-        tag("limit", *ends) if ends else None,
+        tag("limit", *limit) if limit else None,
         tag("dynamics", *dynamics) if dynamics else None,
     )
-    pose = _pose(joint.frame, parent)
-    ends_of = leaf("parent", parent), leaf("child", joint.link)
-    free = limits.position is None and joint.kind == "revolute"
-    return tag("joint", pose, *ends_of, axis, name=joint.name, type="continuous" if free else joint.kind)
+    links = leaf("parent", parent), leaf("child", joint.link)
+    return tag("joint", _pose(joint.frame, parent), *links, axis, name=joint.name, type=joint.word)
 
 
 def _link(joint: PartJoint, picture: tuple[Cylinder, ...]) -> Tag:
     body = joint.body
-    keys = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
-    entries = [leaf(key, decimal(entry)) for key, entry in zip(keys, body.inertia, strict=True)]
+    entries = [leaf(key, decimal(entry)) for key, entry in zip(TENSOR, body.inertia, strict=True)]
     inertial = tag(
         "inertial",
         _pose(Frame(body.com)) if any(body.com) else None,
@@ -73,18 +57,14 @@ def _link(joint: PartJoint, picture: tuple[Cylinder, ...]) -> Tag:
 
 
 def _visuals(picture: tuple[Cylinder, ...]) -> list[Tag]:
-    return [
-        tag(
-            "visual",
-            _pose(each.frame) if each.frame != Frame() else None,
-            tag(
-                "geometry",
-                tag("cylinder", leaf("radius", decimal(each.radius)), leaf("length", decimal(each.length))),
-            ),
-            name=f"cylinder_{index}",
+    visuals = []
+    for index, each in enumerate(picture, 1):
+        sizes = leaf("radius", decimal(each.radius)), leaf("length", decimal(each.length))
+        pose = _pose(each.frame) if each.frame != Frame() else None
+        visuals.append(
+            tag("visual", pose, tag("geometry", tag("cylinder", *sizes)), name=f"cylinder_{index}")
         )
-        for index, each in enumerate(picture, 1)
-    ]
+    return visuals
 
 
 def _pose(frame: Frame, relative_to: str = "") -> Tag:

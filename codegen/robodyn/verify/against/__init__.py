@@ -41,7 +41,7 @@ def read_original(path: Path) -> MujocoFile | PinocchioFile:
     """
     name, expanded = label(path), None
     if name.lower().endswith(".xacro"):
-        from robodyn.formats.reading import stated_arguments
+        from robodyn.formats.arm import stated_arguments
         from robodyn.formats.xacro import expanded as expansion
 
         expanded = expansion(path, stated_arguments()).text.encode()

@@ -11,7 +11,6 @@ from typing import Final
 import numpy as np
 
 from robodyn.errors import InputError, Place
-from robodyn.formats.limits import NAMES_SHOWN
 from robodyn.formats.tree import names as names_shown
 from robodyn.formats.tree import near
 from robodyn.robot.model import Robot
@@ -125,7 +124,7 @@ def joints_in_file(
     raise InputError(
         f"the file has no joint {shown(missing[0])}, which {robot.name} has",
         where=Place(file),
-        found=names_shown(there, NAMES_SHOWN),
+        found=names_shown(there),
         expected=f"the {robot.n} joints of {robot.name}, matched by name, or as many joints as it has",
         remedy=f"name the links of {robot.name} as the file names its joints",
     )

@@ -8,7 +8,7 @@ from typing import Final
 
 import numpy as np
 
-from robodyn.formats.springs import spring_of
+from robodyn.formats.conversion import spring_of
 from robodyn.robot.model import EffectEntry, Robot
 from robodyn.robot.values import ZERO
 from robodyn.verify.against.arm import Frames, PeerArm

@@ -1,24 +1,25 @@
-"""What MuJoCo is given of an MJCF file, what of it stands where in the files, and what its default classes
-say: whether a geom is a mesh may stand in its class only."""
+"""What MuJoCo is given of an MJCF file: its text, what of it stands where in the files, what its default
+classes say, and which files it may include or attach."""
 
 from __future__ import annotations
 
+import os
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Final
 
-from robodyn.errors import Place
-from robodyn.formats.elements import Element
+from robodyn.errors import InputError, Place
+from robodyn.files import label
+from robodyn.formats.elements import Document, Element, read
+from robodyn.formats.limits import FILES_INCLUDED
+from robodyn.robot.names import shown
 
 MESH: Final = "robodyn mesh "
 """Begins the name of a geom that was a mesh: a ball stands for it and is deleted before the model is made."""
-_ZERO: Final = re.compile(r"[+-]?0*\.?0*([eE].*)?")
 _MESH_NUMBER: Final = re.compile(f"{MESH}(\\d+);")
-
-
-_NAMES: Final = re.compile(r"name|(child)?class|model|prefix|file|(joint|body|site)\d?")
-"""Attributes whose words are names: one may be called "nan"."""
+_TRACKED: Final = {"geom": ("type", "mesh", "hfield"), "equality": ("active",)}
 
 
 @dataclass(slots=True)
@@ -37,7 +38,7 @@ class InertiaRules:
 
 
 @dataclass(slots=True)
-class Handed:
+class ModelText:
     """The text for MuJoCo, a line an element, and the place in the files of each of its lines.
 
     ``models``: texts of the models that it attaches, by the name of the file that it has for them; their
@@ -59,9 +60,8 @@ class Handed:
     def place(self, message: str, file: str) -> Place:
         """The place that a message of MuJoCo means by ``line 12``; the file if it names none."""
         hit = re.search(r"line (\d{1,9})", message)
-        if hit and 0 < int(hit.group(1)) <= len(self.lines):
-            return self.lines[int(hit.group(1)) - 1]
-        return Place(file)
+        is_line = hit and 0 < int(hit.group(1)) <= len(self.lines)
+        return self.lines[int(hit.group(1)) - 1] if hit and is_line else Place(file)
 
     def place_of(self, tag: str, name: str, file: str) -> Place:
         """The place of what has that name; a replica has the name of what it repeats, and more behind it."""
@@ -72,24 +72,6 @@ class Handed:
         """Those of a geom that stands for a mesh; None for any other."""
         hit = _MESH_NUMBER.search(geom)
         return self.rules[int(hit.group(1))] if hit else None
-
-
-def names_of_nan(attributes: Mapping[str, str]) -> list[str]:
-    """The names of those ``attributes`` among whose numbers is one that is none."""
-    return [
-        name
-        for name, value in attributes.items()
-        if not _NAMES.fullmatch(name) and any(word.strip("+-").lower() == "nan" for word in value.split())
-    ]
-
-
-def has_rotor(actuator: Element) -> bool:
-    """Whether an actuator, or a default class of one, has inertia or damping."""
-    words = " ".join(actuator.attributes.get(name, "") for name in ("armature", "damping"))
-    return any(_ZERO.fullmatch(word) is None for word in words.split())
-
-
-_TRACKED: Final = {"geom": ("type", "mesh", "hfield"), "equality": ("active",)}
 
 
 class Classes:
@@ -123,11 +105,46 @@ class Classes:
         return {**self._values.get(name, {}), **element.attributes}
 
 
-def is_mesh(attributes: Mapping[str, str]) -> bool:
-    """Whether a geom takes its size from a mesh: it is one, or a shape that is fitted to one."""
-    return "mesh" in attributes or attributes.get("type") in ("mesh", "sdf")
+class Files:
+    """The files beside the MJCF file ``top`` and below it, and those in ``folders``; None: no file at all."""
 
+    def __init__(self, top: Path | None, folders: Iterable[str] = ()) -> None:
+        self._roots = (
+            [] if top is None else [top.parent.resolve(), *(Path(each).resolve() for each in folders)]
+        )
+        self._count = 0
 
-def is_height_field(attributes: Mapping[str, str]) -> bool:
-    """Whether a geom is a height field."""
-    return "hfield" in attributes or attributes.get("type") == "hfield"
+    def read(self, element: Element, document: Document, folders: Iterable[Path]) -> tuple[Document, Path]:
+        """The document that ``file`` of ``element`` names, and its path.
+
+        ``folders``: a relative path counts from the first of them in which there is such a file. As in
+        MuJoCo they are the folder of the model's own file, and that of the file in which ``element`` stands.
+
+        Raises
+        ------
+        InputError: it is outside of the folders that may be read, missing, one too many or not XML.
+        """
+        where, name = document.place(element, "file"), element.attributes.get("file", "")
+        if not self._roots:
+            raise InputError("a text that is no file cannot include others", where=where, found=shown(name))
+        for folder in dict.fromkeys(folders):
+            try:
+                path = (folder / name).resolve()
+            except (OSError, ValueError, RuntimeError):
+                path = folder
+            if not any(path.is_relative_to(root) and path != root for root in self._roots):
+                raise InputError(
+                    "the file that is included is outside of the folder",
+                    where=where,
+                    found=shown(name),
+                    expected="a file beside this one, or below it",
+                    remedy="copy it there, or state the folder that may be read: --arg 'find NAME=FOLDER'",
+                )
+            if path.is_file():
+                break
+        else:
+            raise InputError("the file that is included is not there", where=where, found=shown(name))
+        self._count += 1
+        if self._count > FILES_INCLUDED:
+            raise InputError("too many files are included", where=where, found=shown(name))
+        return read(str(path), "MJCF", label(os.path.relpath(path, self._roots[0]))), path
