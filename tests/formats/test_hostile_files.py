@@ -41,7 +41,6 @@ _LINE = [joint(f"j{i}", f"l{i}", f"l{i + 1}") for i in range(499)]
 CASES: dict[str, tuple[bytes | str, str]] = {
     "entities": (BOMB + changed('"arm"', '"&j;"'), "the file has a document type"),
     "external entity": (EXTERNAL + PAIR, "the file has a document type"),
-    "unknown entity": (changed('"arm"', '"&x;"'), "the file is not XML; found undefined entity"),
     "deep": (f"<robot>{deep('link', 100_000)}</robot>", "the elements are nested too deeply"),
     "many elements": ("<robot>" + "<link/>" * 110_000 + "</robot>", "the file has too many elements"),
     "many attributes": (
@@ -54,27 +53,17 @@ CASES: dict[str, tuple[bytes | str, str]] = {
     "binary": (bytes(range(256)) * 10, "the file is not UTF-8 text; found byte 0x80"),
     "comments": ("<robot>" + "<!--" * 400_000, "1:16: the file is not XML; found not well-formed"),
     "elf": (b"\x7fELF\x02\x01\x01\0", "1:1: the file is not XML"),
-    "utf-16": (PAIR.encode("utf-16")[:-1], "the file is not UTF-16 text; found byte 0x3e"),
-    "latin-1": (changed('"arm"', '"ärm"').encode("latin-1"), "the file is not UTF-8 text; found byte 0xe4"),
     "yaml": ("name: arm\n", "1:1: the file is not XML"),
     "not closed": (PAIR[:-8], "the file is not XML; found no element found"),
+    "nan": (changed('value="1"', 'value="nan"'), "is not a number; found 'nan'"),
+    "long number": (changed('value="1"', f'value="{"1" * 100_000}"'), "is too large; found '1111"),
     "other xml": ("<html/>", "1:1: the format is unknown; found <html>"),
     "only a root": ('<robot name="x"/>', "the robot has no links"),
-    "missing link": (changed('child link="b"', 'child link="c"'), "there is no link of the name of its c"),
-    "same names": (changed('name="b"', 'name="a"'), "two links have the same name; found 'a'"),
-    "circle": (robot(link("a"), link("b"), joint("i", "a", "b"), joint("j", "b", "a")), "form a circle"),
-    "nan": (changed('value="1"', 'value="nan"'), "is not a number; found 'nan'"),
-    "infinite": (changed('value="1"', 'value="1e400"'), "is too large; found '1e400'"),
-    "long number": (changed('value="1"', f'value="{"1" * 100_000}"'), "is too large; found '1111"),
-    "negative mass": (changed('value="1"', 'value="-1"'), "is negative; found '-1'"),
-    "zero axis": (changed('xyz="0 0 1"', 'xyz="0 0 0"'), "the axis has no direction"),
     "keyword": (changed('"arm"', '"double"'), "the robot's name is a keyword of C; found 'double'"),
     "keyword of Fortran": (changed('"arm"', '"Allocate"'), "is a keyword of Fortran; found 'Allocate'"),
     "header": (changed('"arm"', '"math"'), "hides the C header <math.h>"),
     "control characters": (changed('"j"', '"j&#x9b;31m"'), "the control character U+009B"),
     "long name": (changed('"j"', f'"{"j" * 100_000}"'), "has 100000 characters, 200 are allowed"),
-    "joints only": (robot(*(joint(f"j{i}", "a", "b") for i in range(9))), "the robot has no links"),
-    "self": (robot(link("a"), joint("j", "a", "a")), "the joints form a circle"),
     "many links": (robot(*(f'<link name="l{i}"/>' for i in range(6000))), "too many links or joints"),
     "long chain": (robot(*(link(f"l{i}") for i in range(500)), *_LINE), "found 499 moving joints"),
 }
@@ -150,18 +139,16 @@ def test_broken_files_are_refused_or_read(count: int, tmp_path: Path) -> None:
 
 
 def check_broken(seed: int, tmp_path: Path) -> None:
-    draw = random.Random(seed)
     mjcf = seed % 4 == 0
     if mjcf:
         require_module("mujoco")
     path = tmp_path / ("arm.xml" if mjcf else "arm.urdf")
-    path.write_bytes(mutated(random_mjcf(seed) if mjcf else random_urdf(seed), draw))
+    path.write_bytes(mutated(random_mjcf(seed) if mjcf else random_urdf(seed), random.Random(seed)))
+    refusal = ""
     try:
         import_arm(path)
     except InputError as error:
         refusal = str(error)
-    else:
-        refusal = ""
     assert "\n" not in refusal
     assert [file.name for file in tmp_path.iterdir()] == [path.name]
     path.unlink()

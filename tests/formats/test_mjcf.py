@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -121,24 +120,17 @@ def test_a_tensor_is_that_of_the_file_to_the_digit() -> None:
     assert serial.chain.joints[0].body.inertia == (0.01, 0.021, 0.022, 0.001, 0.002, -0.003)
 
 
-def test_actuators_are_gears_and_limits_of_torque() -> None:
+def test_actuators_are_gears_and_limits_of_torque_and_springs_are_slack_where_the_file_says() -> None:
+    spring = 'ref="0.1" springref="0.2" stiffness="3"'
     actuators = (
         '<actuator><motor joint="i" gear="100" ctrlrange="-2 2" armature="0.001"/>'
-        '<motor joint="j" gear="40" ctrlrange="-1 1"/><motor site="s"/></actuator>'
+        '<motor joint="j" gear="40" ctrlrange="-1 1"/><motor site="s"/></actuator></mujoco>'
     )
-    first, second = chain(TWO.replace("</mujoco>", actuators + "</mujoco>")).chain.joints
+    text = TWO.replace("</mujoco>", actuators).replace('name="j"', f'name="j" {spring}')
+    first, second = chain(text.replace("<worldbody>", '<compiler angle="radian"/><worldbody>')).chain.joints
     assert first.gear is not None
-    assert (first.gear.ratio, first.limits.torque) == (Fraction(100), Fraction(200))
-    assert first.motor_inertia == 10
-    assert second.gear is None
-    assert second.limits.torque == 40
-
-
-def test_a_spring_is_slack_where_the_file_says() -> None:
-    joint = '<joint name="i" ref="0.1" springref="0.2" stiffness="3"/>'
-    read = tree(mjcf(f'<body name="a">{joint}{SOLID}</body>', '<compiler angle="radian"/>'))
-    assert [joint.spring for joint in read.joints if joint.name == "i"] == [Spring(3.0, 0.2)]
-    assert not [part.what for part in read.unused if "spring" in part.what]
+    assert [first.gear.ratio, first.limits.torque, first.motor_inertia] == [100, 200, 10]
+    assert [second.gear, second.limits.torque, second.spring] == [None, 40, Spring(3.0, 0.2)]
 
 
 def test_joints_that_follow_and_loops() -> None:
@@ -168,25 +160,9 @@ def test_a_free_base_is_held_and_sites_are_tips() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
-        (
-            '<joint name="j"/>',
-            '<joint name="j" type="knee"/>',
-            "arm.xml:4:28: MuJoCo refuses the file; found XML Er",
-        ),
-        ('mass="2"', 'mass="-2"', "MuJoCo refuses the file"),
+        ('name="j"', 'name="j" type="knee"', "arm.xml:4:28: MuJoCo refuses the file; found XML"),
         (SOLID, "", "MuJoCo refuses the file; found Error: mass and inertia of moving bodies must be larger"),
-        (
-            '<body name="b"',
-            '<replicate count="1000000000"/><body name="b"',
-            "arm.xml:4:1: with what it includes, the file is too large",
-        ),
-        (
-            '<body name="b"',
-            '<include file="/etc/passwd"/><body name="b"',
-            "outside of the folder|is no file cannot",
-        ),
-        ("<worldbody>", '<size memory="900G"/><worldbody>', ""),
-        ("<worldbody>", '<extension><plugin plugin="x"/></extension><worldbody>', ""),
+        ("<worldbody>", '<size memory="900G"/><extension><plugin plugin="x"/></extension><worldbody>', ""),
     ],
 )
 def test_what_mujoco_refuses_has_its_place(old: str, new: str, words: str) -> None:
@@ -196,7 +172,7 @@ def test_what_mujoco_refuses_has_its_place(old: str, new: str, words: str) -> No
         return
     with pytest.raises(InputError) as caught:
         tree(text)
-    assert any(word in str(caught.value) for word in words.split("|")), str(caught.value)
+    assert words in str(caught.value)
 
 
 def test_files_are_included_from_the_folder_and_below_only(tmp_path: Path) -> None:

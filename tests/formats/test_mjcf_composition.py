@@ -36,193 +36,88 @@ def mujoco() -> Any:
 
 
 TORUS = '<plugin plugin="mujoco.sdf.torus"/>'
-#: Files of which the first is read; its chain ends in the body ``b`` unless something else is said.
-READ: dict[str, tuple[dict[str, str], str]] = {
-    "mesh in a class": ({"arm.xml": arm('<geom class="f"/>', MESH + IN_CLASS % "")}, "b"),
-    "class in a class": (
-        {
-            "arm.xml": arm(
-                '<geom class="g"/>', MESH + IN_CLASS % '<default class="g"><geom rgba="1 0 0 1"/></default>'
-            )
-        },
-        "b",
+GRIPPED = '<attach model="g" body="palm" prefix="p_"/>'
+INCLUDED = f"<mujocoinclude><body name='in_parts'>{SOLID}{SHAPE}</body></mujocoinclude>"
+OFF = '<default><default class="off"><equality active="false"/><default class="in"/></default></default>'
+
+
+def gripped(head: str, *changes: tuple[str, str]) -> tuple[dict[str, str], str]:
+    """The arm with a gripper attached, and the gripper with some ``changes``; its finger is the tip."""
+    text = GRIPPER
+    for old, new in changes:
+        text = text.replace(old, new)
+    return {"arm.xml": arm(GRIPPED, head + ATTACHED % "gripper.xml"), "gripper.xml": text}, "p_finger"
+
+
+#: Files of which the first is read, and the tip of its chain; a text alone is a file whose tip is ``b``.
+READ: dict[str, str | tuple[dict[str, str], str]] = {
+    "class in a class": arm(
+        '<geom class="g"/>', MESH + IN_CLASS % '<default class="g"><geom rgba="1 0 0 1"/></default>'
     ),
-    "another shape than the class's": (
-        {
-            "arm.xml": arm(
-                '<geom class="f" type="capsule" size="0.1 0.2" pos="0.1 0 0.2"/>'
-                '<geom class="f" mesh="m" density="0"/>',
-                MESH + '<default><default class="f"><geom type="mesh" density="500"/></default></default>',
-                solid="",
-            )
-        },
-        "b",
+    "another shape than the class's": arm(
+        '<geom class="f" type="capsule" size="0.1 0.2" pos="0.1 0 0"/><geom class="f" mesh="m" density="0"/>',
+        MESH + '<default><default class="f"><geom type="mesh" density="500"/></default></default>', solid="",
     ),
-    "plugins of shapes": (
-        {
-            "arm.xml": arm(
-                f'<geom type="sphere" size="0.1" mass="2" pos="1 2 3">{TORUS}</geom>'
-                f'<body>{SOLID}<geom type="sdf" mesh="t">{TORUS}</geom></body>',
-                f'<extension>{TORUS}</extension><asset><mesh name="t">{TORUS}</mesh></asset>',
-                solid="",
-            )
-        },
-        "b",
+    "plugins of shapes": arm(
+        f'<geom type="sphere" size="0.1" mass="2" pos="1 2 3">{TORUS}</geom>'
+        f'<body>{SOLID}<geom type="sdf" mesh="t">{TORUS}</geom></body>',
+        f'<extension>{TORUS}</extension><asset><mesh name="t">{TORUS}</mesh></asset>', solid="",
     ),
-    "childclass of a frame": (
-        {
-            "arm.xml": arm(
-                f'<frame childclass="f" pos="0.1 0 0.2" euler="10 20 30"><geom/><body name="c">{SOLID}<geom/>'
-                '<geom class="main" type="sphere" size="0.1" mass="2"/></body></frame>',
-                MESH + IN_CLASS % "",
-            )
-        },
-        "b",
+    "childclass of a frame": arm(
+        f'<frame childclass="f" pos="0.1 0 0.2" euler="10 20 30"><geom/><body name="c">{SOLID}<geom/>'
+        '<geom class="main" type="sphere" size="0.1" mass="2"/></body></frame>', MESH + IN_CLASS % "",
     ),
-    "main class": (
-        {"arm.xml": arm("<geom/>", MESH + '<default><geom type="mesh" mesh="m" density="0"/></default>')},
-        "b",
+    "main class": arm("<geom/>", MESH + '<default><geom type="mesh" mesh="m" density="0"/></default>'),
+    "default sections": arm(
+        '<geom class="f" size="0.1 0.2 0.3" density="9"/>',
+        '<default><default class="f"><geom type="box"/></default></default>'
+        '<default><geom type="mesh"/></default>', solid="",
     ),
-    "default sections": (
-        {
-            "arm.xml": arm(
-                '<geom class="f" size="0.1 0.2 0.3" density="9"/>',
-                '<default><default class="f"><geom type="box"/></default></default>'
-                '<default><geom type="mesh"/></default>',
-                solid="",
-            )
-        },
-        "b",
+    "inactive by default, by a class or itself": arm(
+        "", OFF, '<equality><joint class="off" joint1="i" joint2="j" polycoef="0.4 1 0 0 0"/>'
+        '<connect active="false" body1="b" anchor="0 0 0"/></equality>',
     ),
-    "inactive by default": (
-        {
-            "arm.xml": arm(
-                "",
-                '<default><equality active="false"/></default>',
-                '<equality><joint joint1="i" joint2="j" polycoef="0.4 1 0 0 0"/><weld body1="b"/></equality>',
-            )
-        },
-        "b",
+    "inactive equation of tendons by default": arm(
+        "", '<default><equality active="false"/></default>', TENDONS % ""
     ),
-    "inactive by a class or itself": (
-        {
-            "arm.xml": arm(
-                "",
-                '<default><default class="off"><equality active="false"/></default></default>',
-                '<equality><joint class="off" joint1="i" joint2="j"/>'
-                '<connect active="false" body1="b" anchor="0 0 0"/></equality>',
-            )
-        },
-        "b",
+    "inactive equation of tendons by a class in a class": arm("", OFF, TENDONS % 'class="in"'),
+    "equations of tendons switched off": arm("", '<option><flag equality="disable"/></option>', TENDONS % ""),
+    "replicas of replicas": arm(
+        '<replicate count="3" sep="-" offset="0 0.1 0" euler="0 0 50">'
+        '<replicate count="11" offset="0 0 0.02">'
+        f'<body pos="0.2 0 0">{SOLID}{SHAPE}<site name="s"/></body></replicate>'
+        f'<frame pos="1 0 0">{SHAPE}</frame></replicate>'
     ),
-    "inactive equation of tendons by default": (
-        {"arm.xml": arm("", '<default><equality active="false"/></default>', TENDONS % "")},
-        "b",
+    "replicas with joints beside the chain": arm(
+        '<replicate count="12" euler="0 0 30"><body name="f" pos="0.2 0 0">'
+        f'<joint name="k"/>{SOLID}</body></replicate>'
     ),
-    "inactive equation of tendons by a class in a class": (
-        {
-            "arm.xml": arm(
-                "",
-                '<default><default class="off"><equality active="false"/><default class="in"/></default>'
-                "</default>",
-                TENDONS % 'class="in"',
-            )
-        },
-        "b",
-    ),
-    "equations of tendons switched off": (
-        {"arm.xml": arm("", '<option><flag equality="disable"/></option>', TENDONS % "")},
-        "b",
-    ),
-    "constraints switched off": (
-        {"arm.xml": arm("", '<option><flag constraint="disable"/></option>', TENDONS % "")},
-        "b",
-    ),
-    "replicas of sites": (
-        {"arm.xml": arm('<replicate count="3" euler="0 0 20"><site name="s" pos="0.1 0 0"/></replicate>')},
-        "b",
-    ),
-    "replicas of shapes": (
-        {
-            "arm.xml": arm(
-                f'<replicate count="4" offset="0.1 0 0" euler="10 0 20">{SHAPE}</replicate>', solid=""
-            )
-        },
-        "b",
-    ),
-    "replicas of replicas": (
-        {
-            "arm.xml": arm(
-                '<replicate count="3" sep="-" offset="0 0.1 0" euler="0 0 50">'
-                '<replicate count="11" offset="0 0 0.02"><body pos="0.2 0 0">'
-                f'{SOLID}{SHAPE}<site name="s"/></body></replicate>'
-                f'<frame pos="1 0 0">{SHAPE}</frame></replicate>'
-            )
-        },
-        "b",
-    ),
-    "replicas with joints beside the chain": (
-        {
-            "arm.xml": arm(
-                '<replicate count="12" euler="0 0 30"><body name="f" pos="0.2 0 0">'
-                f'<joint name="k"/>{SOLID}</body></replicate>'
-            )
-        },
-        "b",
-    ),
-    "frames": (
-        {
-            "arm.xml": arm(
-                f'<frame pos="1 2 3" euler="10 20 30"><frame euler="0 0 9">{SHAPE}</frame></frame>', solid=""
-            )
-        },
-        "b",
-    ),
-    "attached": (
-        {
-            "arm.xml": arm(
-                '<frame pos="0 0 1" euler="9 0 0"><attach model="g" body="palm" prefix="p/"/></frame>',
-                ATTACHED % "gripper.xml",
-            ),
-            "gripper.xml": GRIPPER,
-        },
-        "p/finger",
+    "frames": arm(
+        f'<frame pos="1 2 3" euler="10 20 30"><frame euler="0 0 9">{SHAPE}</frame></frame>', solid=""
     ),
     "attached whole, by the model's name": (
         {
             "arm.xml": arm(
-                '<attach model="gripper" prefix="p_"/>', '<asset><model file="parts/gripper.xml"/></asset>'
+                '<attach model="gripper" prefix="p/"/>', '<asset><model file="parts/gripper.xml"/></asset>'
             ),
             "parts/gripper.xml": GRIPPER,
         },
-        "p_finger",
+        "p/finger",
     ),
     "attached twice, in replicas": (
         {
             "arm.xml": arm(
-                '<attach model="g" body="palm" prefix="l_"/><replicate count="2" offset="0.1 0 0">'
-                '<attach model="g" body="palm" prefix="r_"/></replicate>',
+                '<frame pos="0 0 1" euler="9 0 0"><attach model="g" body="palm" prefix="l_"/></frame>'
+                '<replicate count="2" offset="1 0 0"><attach model="g" body="palm" prefix="r_"/></replicate>',
                 ATTACHED % "gripper.xml",
             ),
             "gripper.xml": GRIPPER,
         },
         "l_finger",
     ),
-    "attached, its gravity taken over": (
-        {
-            "arm.xml": arm('<attach model="g" body="palm" prefix="p_"/>', MERGED + ATTACHED % "gripper.xml"),
-            "gripper.xml": GRIPPER.replace("<compiler", '<option gravity="1 2 -3"/><compiler'),
-        },
-        "p_finger",
-    ),
-    "attached, its flags taken over": (
-        {
-            "arm.xml": arm('<attach model="g" body="palm" prefix="p_"/>', MERGED + ATTACHED % "gripper.xml"),
-            "gripper.xml": GRIPPER.replace(
-                "<compiler", '<option><flag gravity="disable"/></option><compiler'
-            ),
-        },
-        "p_finger",
+    "attached, its gravity taken over": gripped(MERGED, ("<compiler", '<option gravity="1 2 -3"/><compiler')),
+    "attached, its flags taken over": gripped(
+        MERGED, ("<compiler", '<option><flag gravity="disable"/></option><compiler')
     ),
     "attached in what is attached": (
         {
@@ -232,14 +127,9 @@ READ: dict[str, tuple[dict[str, str], str]] = {
         },
         "out_in_finger",
     ),
-    "attached, its inertia from shapes": (
-        {
-            "arm.xml": arm('<attach model="g" body="palm" prefix="p_"/>', ATTACHED % "gripper.xml"),
-            "gripper.xml": GRIPPER.replace("<compiler ", '<compiler inertiafromgeom="true" ').replace(
-                "<geom mass", f'{SHAPE}<geom mass'
-            ).replace(f"{SOLID}</body></body>", f"{SOLID}{SHAPE}</body></body>"),
-        },
-        "p_finger",
+    "attached, its inertia from shapes": gripped(
+        "", ("<compiler ", '<compiler inertiafromgeom="true" '), ("<geom mass", f"{SHAPE}<geom mass"),
+        (f"{SOLID}</body></body>", f"{SOLID}{SHAPE}</body></body>"),
     ),
     "meshes in replicas and in what is attached": (
         {
@@ -254,27 +144,16 @@ READ: dict[str, tuple[dict[str, str], str]] = {
         },
         "p_finger0",
     ),
-    "included beside the file that includes": (
+    "included beside the file that includes, and beside the first": (
         {
-            "arm.xml": arm('<include file="parts/a.xml"/>'),
-            "parts/a.xml": '<mujocoinclude><include file="b.xml"/></mujocoinclude>',
-            "parts/b.xml": f'<mujocoinclude><body name="in_parts">{SOLID}{SHAPE}</body></mujocoinclude>',
-        },
-        "b",
-    ),
-    "included beside the first file": (
-        {
-            "arm.xml": arm('<include file="parts/a.xml"/>'),
-            "parts/a.xml": '<mujocoinclude><include file="b.xml"/></mujocoinclude>',
-            "parts/b.xml": "<mujocoinclude/>",
-            "b.xml": f'<mujocoinclude><body name="beside">{SOLID}{SHAPE}</body></mujocoinclude>',
-        },
-        "b",
-    ),
-    "classes of an included file": (
-        {
-            "arm.xml": arm('<geom class="f"/>', MESH + '<include file="classes.xml"/>'),
+            "arm.xml": arm(
+                '<geom class="f"/><include file="parts/a.xml"/>', MESH + '<include file="classes.xml"/>'
+            ),
             "classes.xml": f"<mujocoinclude>{IN_CLASS % ''}</mujocoinclude>",
+            "parts/a.xml": '<mujocoinclude><include file="b.xml"/><include file="c.xml"/></mujocoinclude>',
+            "parts/b.xml": INCLUDED,
+            "parts/c.xml": "<mujocoinclude/>",
+            "c.xml": INCLUDED.replace("in_parts", "beside"),
         },
         "b",
     ),
@@ -283,7 +162,8 @@ READ: dict[str, tuple[dict[str, str], str]] = {
 
 @pytest.mark.parametrize("case", READ)
 def test_the_arm_is_what_mujoco_makes_of_the_files(case: str, tmp_path: Path, mujoco: Any) -> None:
-    files, tip = READ[case]
+    read = READ[case]
+    files, tip = ({"arm.xml": read}, "b") if isinstance(read, str) else read
     path = write(tmp_path, files)
     model = mujoco.MjModel.from_xml_path(str(path))
     tree = read_tree(path)

@@ -12,7 +12,7 @@ from robodyn.formats.arm import how_files_are_read, import_arm, read_tree
 from robodyn.formats.serial import serial_chain
 from robodyn_cli.main import main
 from robodyn_testing import require_module
-from robodyn_testing.mjcf_arms import ATTACHED, GRIPPER, HAND, IN_CLASS, MESH, SOLID, arm, write
+from robodyn_testing.mjcf_arms import ATTACHED, GRIPPER, HAND, SOLID, arm, write
 from robodyn_testing.mujoco_chains import check_chain
 
 
@@ -35,20 +35,6 @@ def test_places_in_files_that_are_attached(tmp_path: Path) -> None:
         read_tree(path)
     write(tmp_path, {"gripper.xml": files["gripper.xml"].replace('model="gripper">', "><!-- a -- b -->")})
     assert [str(where) for where, _ in read_tree(path).warnings] == ["gripper.xml:2:17"]
-
-
-@pytest.mark.parametrize("active", ["", 'active="true"'])
-def test_what_is_active_still_counts(active: str, tmp_path: Path) -> None:
-    head = f'<default><equality active="{"false" if active else "true"}"/></default>'
-    tail = f'<equality><joint joint1="j" joint2="i" {active}/></equality>'
-    with pytest.raises(InputError, match="'j' of the chain follows the joint 'i'"):
-        import_arm(write(tmp_path, {"arm.xml": arm("", head, tail)}))
-
-
-def test_a_mesh_of_a_class_has_no_inertia_here(tmp_path: Path) -> None:
-    text = arm('<geom class="f"/>', MESH + (IN_CLASS % "").replace('mass="0"', ""), solid="")
-    imported = import_arm(write(tmp_path, {"arm.xml": text}))
-    assert "links without inertia, and so without mass: b" in imported.remarks
 
 
 REFUSED: dict[str, tuple[dict[str, str], str]] = {
@@ -93,18 +79,6 @@ REFUSED: dict[str, tuple[dict[str, str], str]] = {
     "no count": (
         {"arm.xml": arm('<replicate count="1e9"/>')},
         "arm.xml:4:12: the count of <replicate> is no whole number; found '1e9'",
-    ),
-    "no such model": (
-        {"arm.xml": arm('<attach model="x" body="y" prefix="z"/>')},
-        "arm.xml:4:1: MuJoCo refuses the file",
-    ),
-    "no such file": (
-        {"arm.xml": arm("", ATTACHED % "x.xml")},
-        "the file that is included is not there; found 'x.xml'",
-    ),
-    "attached from outside": (
-        {"arm.xml": arm("", ATTACHED % "../x.xml")},
-        "is outside of the folder; found '../x.xml'",
     ),
     "composite": (
         {"arm.xml": arm("<composite/>")},

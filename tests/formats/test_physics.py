@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 from robodyn import InputError, load
-from robodyn.formats.tree import PHYSICS
 from robodyn.robot import Robot
 from robodyn.verify.against import compare, read_original
 from robodyn.verify.reference import Reference
@@ -29,22 +28,14 @@ MJCF = """<mujoco model="arm"><compiler angle="radian"/>{option}{default}
 </body></body></body></worldbody>{tail}</mujoco>"""
 NOTHING = dict.fromkeys(("option", "default", "body", "joint", "tail"), "")
 
+HELD = '<equality><joint joint1="j2" polycoef="0.25 0 0 0 0"/></equality>'
 MODELLED = {
-    "plain": {},
-    "no gravity": {"option": '<option><flag gravity="disable"/></option>'},
-    "no springs": {"option": '<option><flag spring="disable"/></option>'},
-    "no damping": {"option": '<option><flag damper="disable"/></option>'},
     "no damping, that of a motor either": {
         "option": '<option><flag damper="disable"/></option>',
         "tail": '<actuator><motor joint="j1" gear="5" armature="2e-4" damping="0.3"/></actuator>',
     },
-    "no friction": {"option": '<option><flag frictionloss="disable"/></option>'},
-    "no constraints, of which friction is one": {"option": '<option><flag constraint="disable"/></option>'},
-    "no equations": {
-        "option": '<option><flag equality="disable"/></option>',
-        "tail": '<equality><joint joint1="j2" polycoef="0.25 0 0 0 0"/></equality>',
-    },
-    "a motor": {"tail": '<actuator><motor joint="j1" gear="50" armature="2e-4" damping="0.01"/></actuator>'},
+    "a joint that is held": {"tail": HELD},
+    "no equations": {"option": '<option><flag equality="disable"/></option>', "tail": HELD},
     "motors on one joint": {
         "tail": '<actuator><motor joint="j1" gear="-50" armature="2e-4"/>'
         '<position joint="j1" kp="9" armature="1e-4" damping="0.3"/>'
@@ -53,7 +44,7 @@ MODELLED = {
     "a motor in the parent's frame": {
         "tail": '<actuator><motor jointinparent="j1" gear="5" armature="2e-4"/></actuator>'
     },
-    "a motor on a tendon that has neither": {
+    "a tendon that only measures, with a motor that has neither": {
         "tail": '<tendon><fixed name="t"><joint joint="j1" coef="1"/></fixed></tendon>'
         '<actuator><motor tendon="t" gear="5"/></actuator>'
     },
@@ -62,28 +53,9 @@ MODELLED = {
         "tail": '<actuator><damper joint="j3" gear="20" kv="1" ctrlrange="0 1"/>'
         '<motor joint="j2"/></actuator>',
     },
-    "gravity compensated without gravity": {
-        "option": '<option gravity="0 0 0"/>',
-        "body": ' gravcomp="1"',
-    },
-    "a tendon that only measures": {
-        "tail": '<tendon><fixed name="t"><joint joint="j1" coef="1"/></fixed></tendon>'
-    },
+    "gravity compensated without gravity": {"option": '<option gravity="0 0 0"/>', "body": ' gravcomp="1"'},
 }  # fmt: skip
 TENDON = '<tendon><fixed name="t" {}="2"><joint joint="j1" coef="1"/></fixed></tendon>'
-REFUSED: dict[str, tuple[str, dict[str, str]]] = {
-    "gravcomp": ("body b1", {"body": ' gravcomp="0.5"'}),
-    "density": ("1.2", {"option": '<option density="1.2"/>'}),
-    "viscosity": ("2e-05", {"option": '<option viscosity="2e-5"/>'}),
-    "tendon": ("fixed t", {"tail": TENDON.format("stiffness")}),
-    "equality": (
-        "tendon e",
-        {"tail": TENDON.format("width") + '<equality><tendon name="e" tendon1="t"/></equality>'},
-    ),
-    "stiffness": ("joint j1", {"joint": ' stiffness="3 4"'}),
-    "damping": ("joint j1", {"joint": ' damping="3 4"'}),
-    "dcmotor": ("dcmotor j1", {"tail": '<actuator><dcmotor joint="j1"/></actuator>'}),
-}  # fmt: skip
 
 
 def written(folder: Path, parts: dict[str, str]) -> Path:
@@ -105,24 +77,11 @@ def test_what_is_modelled_is_mujocos(name: str, tmp_path: Path) -> None:
     check(load(path, warn=lambda _: None), path)
 
 
-@pytest.mark.parametrize("name", REFUSED)
-def test_what_is_not_modelled_is_refused_until_it_is_left_out(name: str, tmp_path: Path) -> None:
+def test_what_is_left_out_leaves_the_rest_as_it_is(tmp_path: Path) -> None:
     require_module("mujoco")
-    of, parts = REFUSED[name]
-    path = written(tmp_path, parts)
-    with pytest.raises(InputError) as raised:
-        load(path)
-    error = raised.value
-    assert (error.what, error.remedy) == (
-        f"this changes torques, and is not modelled: {name}: {PHYSICS[name]} ({of})",
-        f"leave it out: --without {name}",
-    )
-    assert error.where is not None
-    remarks: list[str] = []
-    linear = {key: text.replace(" 4", "") for key, text in parts.items() if key == "joint"}
-    plain = load(written(tmp_path, linear), warn=lambda _: None)
-    assert load(written(tmp_path, parts), without=[name], warn=remarks.append) == plain
-    assert f"{path}: left out, although it changes torques: {name}: {PHYSICS[name]} ({of})" in remarks
+    plain = load(written(tmp_path, {}), warn=lambda _: None)
+    path = written(tmp_path, {"body": ' gravcomp="0.5"'})
+    assert load(path, without=["gravcomp"], warn=lambda _: None) == plain
     with pytest.raises(InputError, match="nothing of this name is left out"):
         load(path, without=["wind"])
 
@@ -167,22 +126,10 @@ def test_what_is_left_out_in_many_places_is_one_remark(tmp_path: Path) -> None:
     assert remark.endswith(" and 60 more)")
 
 
-def test_a_joint_that_is_held_is_fixed_there(tmp_path: Path) -> None:
-    """Torques of the others are those of MuJoCo with the joint at that position."""
-    require_module("mujoco")
-    held = written(tmp_path, {"tail": '<equality><joint joint1="j2" polycoef="0.25 0 0 0 0"/></equality>'})
-    robot = load(held, warn=lambda _: None)
-    assert [link.name for link in robot.links] == ["j1", "j3"]
-    check(robot, held)
-
-
 @pytest.mark.parametrize("flag", ["equality", "constraint"])
 def test_an_equation_that_is_switched_off_holds_nothing(flag: str, tmp_path: Path) -> None:
     require_module("mujoco")
-    parts = {
-        "option": f'<option><flag {flag}="disable"/></option>',
-        "tail": '<equality><joint joint1="j2" polycoef="0.25 0 0 0 0"/></equality>',
-    }
+    parts = {"option": f'<option><flag {flag}="disable"/></option>', "tail": HELD}
     remarks: list[str] = []
     assert load(written(tmp_path, parts), warn=remarks.append).n == 3
     assert any("what ties joints and bodies is switched off (flag)" in remark for remark in remarks)
@@ -217,8 +164,6 @@ TRANSMISSION = """<transmission name="t{0}"><joint name="{1}"/><actuator name="m
             r"4:1: .*\(joint i; .*\); .*--without transmission",
         ),
         (TRANSMISSION.format(1, "j", 9) + TRANSMISSION.format(2, "j", 8), "stated twice; found 8 after 9"),
-        ('<gazebo reference="arm"><turnGravityOff>true</turnGravityOff></gazebo>', "--without gazebo"),
-        ('<gazebo reference="j"><springStiffness>3</springStiffness></gazebo>', "--without gazebo"),
     ],
 )
 def test_urdf(inside: str, message: str, tmp_path: Path) -> None:
@@ -268,33 +213,19 @@ def test_urdf_twice_the_same(tmp_path: Path) -> None:
         load(tmp_path / "arm.urdf")  # two motors, of equal rotors
 
 
-SDF = """<sdf version="1.10"><model name="arm"><link name="base"/><joint name="fix" type="fixed">
+NEUTRAL = """<sdf version="1.10"><model name="arm"><link name="base"/><joint name="fix" type="fixed">
 <parent>world</parent><child>base</child></joint>
-<link name="arm"><inertial><mass>1</mass>{inertial}</inertial>{link}</link>
+<link name="arm"><inertial><mass>1</mass></inertial><gravity>1</gravity><enable_wind>0</enable_wind></link>
 <joint name="j" type="revolute"><parent>base</parent><child>arm</child><axis><xyz>0 1 0</xyz></axis></joint>
-{model}</model></sdf>"""
+</model></sdf>"""
 
 
-@pytest.mark.parametrize(
-    ("name", "parts"),
-    [
-        ("gravity", {"link": "<gravity>false</gravity>"}),
-        ("enable_wind", {"link": "<enable_wind>1</enable_wind>"}),
-        ("enable_wind", {"model": "<enable_wind>true</enable_wind>"}),
-        ("velocity_decay", {"link": "<velocity_decay><linear>0.1</linear></velocity_decay>"}),
-        ("fluid_added_mass", {"inertial": "<fluid_added_mass><xx>1</xx></fluid_added_mass>"}),
-    ],
-)
-def test_sdf(name: str, parts: dict[str, str], tmp_path: Path) -> None:
-    path = tmp_path / "arm.sdf"
-    path.write_text(SDF.format(**{"link": "", "inertial": "", "model": "", **parts}))
-    with pytest.raises(InputError, match=f"--without {name}"):
+def test_words_that_change_nothing_are_not_refused(tmp_path: Path) -> None:
+    (path := tmp_path / "arm.sdf").write_text(NEUTRAL)
+    assert load(path, warn=lambda _: None).n == 1
+    path.write_text(NEUTRAL.replace("<gravity>1", "<gravity>false"))
+    with pytest.raises(InputError, match="--without gravity"):
         load(path)
-    assert load(path, without=[name], warn=lambda _: None).n == 1
-    switched = {"gravity": "<gravity>1</gravity>", "enable_wind": "<enable_wind>0</enable_wind>"}
-    if name in switched:
-        path.write_text(SDF.format(inertial="", model="", link=switched[name]))
-        assert load(path, warn=lambda _: None).n == 1
 
 
 MOTOR = '<actuator><motor joint="j1" {}/></actuator>'
@@ -327,18 +258,12 @@ def test_numbers_that_are_none_or_beyond_all(
     assert [file.name for file in tmp_path.iterdir()] == [path.name]
 
 
-def test_something_may_be_called_nan(tmp_path: Path) -> None:
-    require_module("mujoco")
-    path = tmp_path / "arm.xml"
-    path.write_text(MJCF.format(**NOTHING).replace('"j1"', '"nan"'))
-    assert load(path, warn=lambda _: None).links[0].name == "nan"
-
-
 def test_names_in_messages_are_one_line(tmp_path: Path) -> None:
     require_module("mujoco")
     path = tmp_path / "arm.xml"
     tail = '<actuator><motor joint="j&#10;1" forcerange="-1 2"/></actuator>'
     text = MJCF.format(**{**NOTHING, "tail": tail}).replace('name="j1"', 'name="j&#10;1"')
+    text = text.replace('"j3"', '"nan"')  # a name, and no number
     path.write_text(text)
     remarks: list[str] = []
     load(path, warn=remarks.append)

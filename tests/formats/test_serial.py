@@ -181,35 +181,25 @@ def test_joints_that_follow_each_other_are_refused() -> None:
 
 
 def test_what_sits_in_a_joint_arrives() -> None:
-    inside = (
-        '<limit lower="-2.5" upper="2.5" velocity="3.14" effort="0"/>'
-        '<dynamics damping="0.5" friction="0.25"/><mimic joint="x"/>'
-    )
+    inside = '<limit lower="-180" upper="180" velocity="3.14" effort="0"/>'
+    inside += '<dynamics damping="0.5" friction="0.25"/>'
     drive = (
         '<transmission name="t"><type>transmission_interface/SimpleTransmission</type><joint name="j"/>'
         '<actuator name="m"><mechanicalReduction>-120</mechanicalReduction></actuator></transmission>'
     )
-    text = robot(
-        link("a"), link("b"), joint("j", "a", "b", "revolute", inside.replace('<mimic joint="x"/>', ""))
-    )
-    text = text.replace("</robot>", drive + "</robot>")
+    text = robot(link("a"), link("b"), joint("j", "a", "b", "revolute", inside), drive)
     serial = chain(text)
     (only,) = serial.chain.joints
     assert (only.viscous, only.coulomb) == (0.5, 0.25)
     assert only.gear is not None
     assert only.gear.ratio == -120
-    assert only.limits.position == (Fraction("-2.5"), Fraction("2.5"))
-    assert only.limits.velocity == Fraction("3.14")
-    assert only.limits.torque is None
-    assert serial.remarks == ("no limit of torque: 0: j",)
-    assert not tree(text).unused
-
-
-def test_degrees_are_doubted() -> None:
-    text = robot(link("a"), link("b"), joint("j", "a", "b", "revolute", '<limit lower="-180" upper="180"/>'))
-    assert chain(text).remarks == (
+    assert only.limits.position == (Fraction(-180), Fraction(180))
+    assert (only.limits.velocity, only.limits.torque) == (Fraction("3.14"), None)
+    assert serial.remarks == (
         "limits of -180 to 180 rad are more than six turns: were degrees meant?: j",
+        "no limit of torque: 0: j",
     )
+    assert not tree(text).unused
 
 
 def test_a_follower_of_a_follower_is_where_both_put_it() -> None:

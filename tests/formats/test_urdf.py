@@ -62,22 +62,16 @@ def test_inertia_is_turned_into_the_link() -> None:
         (
             'type="revolute"',
             'type="hinge"',
-            "4:17: joint 'j': the type is unknown; found 'hinge'; expected rev",
+            "4:17: joint 'j': the type is unknown; found 'hinge'; expected",
         ),
-        (
-            '<parent link="a"/>',
-            '<parent link="c"/>',
-            "4:1: joint 'j': there is no link of the name of its par",
-        ),
+        ('<parent link="a"/>', '<parent link="c"/>', "4:1: joint 'j': there is no link of the name of its p"),
         ('<parent link="a"/>', "", "joint 'j': <joint> has no <parent>"),
         ('<child link="b"/>', "<child/>", "<child> has no 'link'"),
         ('<axis xyz="0 0 1"/>', '<axis xyz="0 0 0"/>', "joint 'j': the axis has no direction"),
         ('<axis xyz="0 0 1"/>', '<axis xyz="0 0"/>', "xyz of <axis> must have 3 numbers; found '0 0'"),
         ('<axis xyz="0 0 1"/>', '<axis xyz="0 0 nan"/>', "xyz of <axis> is not a number; found 'nan'"),
-        ('<axis xyz="0 0 1"/>', '<axis xyz="0 0 1e999"/>', "is too large; found '1e999'"),
         ('xyz="0.3 0 0"', 'xyz="0,3 0 0"', "is not a number; found '0,3'; expected a decimal number"),
         ('value="1"', 'value="-1"', "2:55: link 'a': value of <mass> is negative; found '-1'"),
-        ('value="1"', 'value="inf"', "is not a number; found 'inf'"),
         ('value="1"', 'value="1_0"', "is not a number; found '1_0'"),
         ('value="1"', 'value=""', "is not a number; found nothing"),
         ('<mass value="1"/>', "", "link 'a': <inertial> has no <mass>"),
@@ -88,11 +82,7 @@ def test_inertia_is_turned_into_the_link() -> None:
         ('lower="-1"', 'lower="-l"', "lower is not a number; found '-l'"),
         ('name="a"', 'name="a&#1;"', "not XML"),
         ('name="a"', 'name="a&#x202e;"', "the name of a link contains the control character U+202E"),
-        (
-            "</robot>",
-            '<joint name="j" type="fixed"><parent link="a"/><child link="b"/></joint></robot>',
-            "two joi",
-        ),
+        ("</robot>", f"{joint('j', 'a', 'b')}</robot>", "two joints have the same name"),
     ],
 )
 def test_errors_say_where_and_what(old: str, new: str, words: str) -> None:

@@ -11,7 +11,7 @@ from robodyn.formats.arm import import_arm
 from robodyn.formats.xacro import expanded
 from robodyn_testing import require_module
 from robodyn_testing.plain_xacro import element_list, plain_expansions
-from robodyn_testing.xacro_arms import FAMILY, HEAD, PACKAGE, TABLES, TWO_LINKS, arm, named, values, write
+from robodyn_testing.xacro_arms import FAMILY, HEAD, PACKAGE, TWO_LINKS, arm, named, values, write
 
 FAMILY_TOP = "Series_Description-main/urdf/series.urdf.xacro"
 
@@ -185,7 +185,6 @@ CASES = {
         FAMILY, FAMILY_TOP, {"tf_prefix": "r_",
         "absolute": "true"}, {"series_description": "Series_Description-main"}
     ),
-    "tables": Case(TABLES, "hand_description/robots/hand.urdf.xacro"),
     "lists": one(LISTS), "numbers": one(NUMBERS), "texts": one(TEXTS), "scopes": one(SCOPES),
     "loop": one(LOOP),
     "blocks": one(BLOCKS), "arguments": one(ARGUMENTS),

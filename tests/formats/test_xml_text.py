@@ -30,7 +30,6 @@ COMMENT = "<!-- M\N{LATIN SMALL LETTER A WITH DIAERESIS}rz -->"
 READ: dict[str, tuple[str, str, str]] = {
     "hyphens": ("\n<!-- a -- b -->", "utf-8", ":2:8: hyphens in a row in a comment are not"),
     "rule": ("<!--------->\n<!-- a --->", "utf-8", ":1:5: hyphens in a row in a comment, here and in 1 more"),
-    "hyphen at the end": ("<!-- a --->", "utf-8", ":1:8: hyphens in a row"),
     "comment of markup": ('<!-- <link name="--"/> <?x --><!-- <![CDATA[ -- -->', "utf-8", ":1:18: hyphens"),
     "hyphens elsewhere": ("<?x -- <!-- ?><!-- a - b -->", "utf-8", ""),
     "blank line": ('\n <?xml version="1.0"?>', "utf-8", ":2:2: something stands before <?xml"),
@@ -39,15 +38,11 @@ READ: dict[str, tuple[str, str, str]] = {
     "mark after a line": ('\n\ufeff<?xml version="1.0"?>', "utf-8", ":2:2: something stands before <?xml"),
     "mark twice": ("\ufeff\ufeff", "utf-8", ":1:1: a byte order mark"),
     "latin-1": (DECLARED % "ISO-8859-1" + COMMENT, "latin-1", ""),
-    "windows-1252": (DECLARED % "windows-1252" + COMMENT, "cp1252", ""),
     "single quotes": ("<?xml version='1.0' encoding='Latin1' ?>" + COMMENT, "latin-1", ""),
-    "cyrillic": (DECLARED % "KOI8-R" + "<!-- \N{CYRILLIC SMALL LETTER YA} -->", "koi8-r", ""),
-    "chinese": (DECLARED % "GB2312" + "<!-- \N{CJK UNIFIED IDEOGRAPH-624B} -->", "gb2312", ""),
     "utf-16": (DECLARED % "UTF-16" + COMMENT, "utf-16", ""),
     "utf-16 undeclared": (COMMENT, "utf-16", ""),
     "utf-16, big end": ("\ufeff" + DECLARED % "UTF-16" + COMMENT, "utf-16-be", ""),
     "utf-16 without mark": (DECLARED % "UTF-16" + COMMENT, "utf-16-le", ":1:31: a file in UTF-16 has no"),
-    "utf-16le": (DECLARED % "UTF-16LE" + COMMENT, "utf-16-le", ""),
     "mark of another": ("\ufeff" + DECLARED % "ISO-8859-1" + COMMENT, "utf-8", ":1:31: the file declares"),
     "both": ("\n" + DECLARED % "Latin-1" + COMMENT + "<!-- -- -->", "latin-1", ":2:1: something stands"),
 }
@@ -104,10 +99,6 @@ REFUSED: dict[str, tuple[bytes, str]] = {
         (DECLARED % "UTF-8" + COMMENT + ARM).encode("latin-1"),
         ":2:7: the file is not UTF-8 text; found byte 0xe4; save",
     ),
-    "ascii": (
-        (DECLARED % "US-ASCII" + COMMENT + ARM).encode(),
-        ":2:7: the file is not US-ASCII text; found byte 0xc3",
-    ),
     "undefined byte": (
         (DECLARED % "windows-1252").encode() + b"\r\n <!-- \x81 -->" + ARM.encode(),
         ":3:7: the file is not windows-1252 text; found byte 0x81",
@@ -123,10 +114,8 @@ REFUSED: dict[str, tuple[bytes, str]] = {
     "half a character": ((COMMENT + ARM).encode("utf-16") + b"<", "the file is not UTF-16 text"),
     "unknown": ((DECLARED % "klingon" + ARM).encode(), ":1:31: the encoding that the file declares is not"),
     "no text": ((DECLARED % "zlib_codec" + ARM).encode(), "declares is not read; found 'zlib_codec'"),
-    "escapes": ((DECLARED % "unicode_escape" + ARM).encode(), "declares is not read"),
     "words first": (b'words <?xml version="1.0"?>' + ARM.encode(), ":1:1: the file is not XML"),
     "comment first": (b'<!-- x --><?xml version="1.0"?>' + ARM.encode(), ":1:11: the file is not XML"),
-    "open comment": (f"<!-- -- {ARM}".encode(), "the file is not XML"),
     "after a mend": (f"\n<!-- -- -->\n{ARM[:-8]}</x>".encode(), "the file is not XML; found mismatched tag"),
     "entities": (
         b'\n<?xml version="1.0"?><!DOCTYPE r [<!ENTITY a "<!-- -- -->">]>' + ARM.encode(),

@@ -138,42 +138,6 @@ kinematics:
         for name in ("base", "shoulder", "elbow")
     ),
 }
-#: A hand whose numbers are tables in YAML, and whose files name each other by relative paths.
-TABLES: Final = {
-    "hand_description/package.xml": PACKAGE % "hand_description",
-    "hand_description/robots/hand.urdf.xacro": f"""{HEAD}
-<xacro:arg name="arm_id" default="fx"/><xacro:arg name="gazebo" default="false"/>
-<xacro:property name="arm_id" value="$(arg arm_id)"/>
-<xacro:include filename="../common/utils.xacro"/>
-<xacro:property name="inertials" value="${{xacro.load_yaml('../config/inertials.yaml')}}"/>
-<xacro:fx-link name="link0"><c/></xacro:fx-link>
-<xacro:fx-link name="link1" no_prefix="true"><s><a/><b/></s></xacro:fx-link>
-<xacro:capsule radius="0.06" length="0.283" xyz="-0.075 0 0.06" direction="x"/></robot>""",
-    "hand_description/common/utils.xacro": f"""{HEAD}
-<xacro:macro name="fx-inertials" params="name inertials:=^">
-<xacro:unless value="${{name in inertials}}">${{xacro.warning('none for: ' + name)}}</xacro:unless>
-<xacro:if value="${{name in inertials}}">
-<xacro:property name="link_inertials" value="${{inertials[name]}}" lazy_eval="false"/>
-<inertial><origin rpy="${{link_inertials.origin.rpy}}" xyz="${{link_inertials.origin.xyz}}"/>
-<mass value="${{link_inertials.mass}}"/>
-<xacro:if value="${{'inertia' in link_inertials}}">
-<xacro:property name="I" value="${{link_inertials.inertia}}"/>
-<inertia ixx="${{I.xx}}" ixy="${{I.xy}}" izz="${{I['zz']}}"/></xacro:if></inertial></xacro:if></xacro:macro>
-<xacro:macro name="fx-link" params="name no_prefix:='false' rpy:='0 0 0' gazebo:=false **shapes">
-<xacro:property name="prefix" value="${{'' if no_prefix else arm_id + '_'}}"/>
-<link name="${{prefix}}${{name}}"><xacro:insert_block name="shapes"/><xacro:fx-inertials name="${{name}}"/>
-</link></xacro:macro>
-<xacro:macro name="capsule" params="radius length xyz:='0 0 0' direction:='z'">
-<xacro:property name="r" value="${{pi/2.0 if 'y' in direction else 0}}"/>
-<xacro:property name="x" value="${{xyz.split(' ')[0]}}"/>
-<xacro:property name="sx" value="${{length / 2.0 if 'x' in direction else 0}}"/>
-<collision><origin xyz="${{x+sx}} ${{xyz.split(' ')[1]}} 0" rpy="${{r}} 0 0"/></collision></xacro:macro>
-</robot>""",
-    "hand_description/config/inertials.yaml": """
-link0: {origin: {xyz: 0 0 0.1, rpy: 0 0 0}, mass: 2.81, inertia: {xx: 0.01, xy: 1e-3, zz: 9}}
-other: {mass: 1}
-""",
-}
 
 
 def write(folder: Path, files: Mapping[str, str]) -> None:
