@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from ir.programs import Point, exactly
-from peers.numbers import Array, armature, number
+from peers.numbers import Array, number
 from robodyn import Options, load, program
 from robodyn.counts import count
 from robodyn.dynamics.functions import FUNCTIONS as RECORDS
@@ -91,9 +91,9 @@ def test_random_robots_have_them_as_pinocchio_says(seed: int) -> None:
         )
         matrix = numbers(coriolis, state)["C"].reshape(n, n)
         np.testing.assert_allclose(2 * matrix, by_qd, atol=1e-11 * largest)
-        if np.linalg.cond(by_qdd := full(by_qdd) + added_armature(robot)) > 1e6:
+        if np.linalg.cond(by_qdd := full(by_qdd)) > 1e6:
             continue
-        tau = np.array(pin.rnea(model, data, q, qd, qdd)) + added_armature(robot) @ qdd
+        tau = np.array(pin.rnea(model, data, q, qd, qdd))
         tau = tau + friction(robot, qd)
         forward = numbers(
             program(robot, "forward_dynamics_derivatives", FAST), {"q": q, "qd": qd, "tau": tau}
@@ -115,13 +115,6 @@ def numbers(made: Program, state: dict[str, Array]) -> dict[str, Array]:
 
 def full(upper: Array) -> Array:
     return np.triu(upper) + np.triu(upper, 1).T
-
-
-def added_armature(robot: Robot) -> Array:
-    """What of the rotors Pinocchio's derivatives have not: releases differ."""
-    from peers.pinocchio_peer import armature_honoured
-
-    return np.diag(np.zeros(robot.n) if armature_honoured()["crba"] else armature(robot))
 
 
 def friction(robot: Robot, qd: Array) -> Array:

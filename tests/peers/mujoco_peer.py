@@ -6,8 +6,8 @@ nothing else; friction is added here. That of :func:`moving_model` is for ``mj_s
 friction (a soft constraint) and springs of the joints, and the payload.
 
 MuJoCo's compiler refuses links that its arithmetic could handle: without mass, without extent, or breaking
-the triangle inequality. Such a robot is *not expressible* in MJCF. By default the refused links then pass the
-compiler with a stand-in inertia, and their own numbers are written into the compiled model.
+the triangle inequality. The refused links pass the compiler with a stand-in inertia, and their own numbers
+are written into the compiled model.
 
 Principal moments and axes are computed here: MuJoCo 3.2 diagonalises a ``fullinertia`` to six digits only.
 """
@@ -24,19 +24,6 @@ import numpy as np
 from peers.numbers import Array, armature, friction, inertia_tensor, number, placement
 from robodyn.robot.model import EffectEntry, Inertia, Link, Robot
 from robodyn.robot.values import Value
-
-__all__ = [
-    "NotExpressible",
-    "bias",
-    "forward_dynamics",
-    "gravity",
-    "mass_matrix",
-    "motion",
-    "moving_model",
-    "mujoco_model",
-    "refusals",
-    "torques",
-]
 
 _HEAD = """\
 <mujoco model="{name}">
@@ -74,20 +61,14 @@ class Moving:
         )
 
 
-class NotExpressible(ValueError):
-    """MJCF cannot state this robot; the message says which links the compiler refuses, and why."""
-
-
 def moving_model(robot: Robot, moving: Moving) -> mujoco.MjModel:
     """The robot with its payload, and with damping, dry friction and springs of its joints, for ``mj_step``.
 
-    Other effects raise :class:`NotExpressible`.
+    Other effects it does not have.
     """
     for entry in robot.effects:
-        linear = entry.effect == "spring" and not entry.number("cubic")
-        if not linear and entry.effect != "payload":
-            raise NotExpressible(f"{robot.name} has {entry.effect}, which MJCF cannot state")
-    model = mujoco_model(robot, moving=moving)
+        assert entry.effect == "payload" or (entry.effect == "spring" and not entry.number("cubic"))
+    model = mujoco_model(robot, moving)
     # Friction's regularisation goes by the inertia at the joint, of which the stand-ins know nothing.
     mujoco.mj_setConst(model, mujoco.MjData(model))
     return model
@@ -114,21 +95,14 @@ def motion(
     return np.array(positions), np.array(velocities)
 
 
-def mujoco_model(robot: Robot, *, patch: bool = True, moving: Moving | None = None) -> mujoco.MjModel:
-    """The robot as a compiled MuJoCo model.
-
-    Where the compiler refuses a link, its inertia is written into the compiled model (``patch``), or
-    :class:`NotExpressible` is raised.
-    """
+def mujoco_model(robot: Robot, moving: Moving | None = None) -> mujoco.MjModel:
+    """The robot as a compiled MuJoCo model; the inertia of links that its compiler refuses is put in."""
     try:
         return mujoco.MjModel.from_xml_string(_mjcf(robot, (), moving))
-    except ValueError as error:
+    except ValueError:
         refused = refusals(robot)
         if not refused:
             raise
-        if not patch:
-            reasons = "; ".join(f"link {i + 1}: {reason}" for i, reason in sorted(refused.items()))
-            raise NotExpressible(f"{robot.name} is not expressible in MJCF: {reasons}") from error
     model = mujoco.MjModel.from_xml_string(_mjcf(robot, refused, moving))
     for i in refused:
         _write_inertia(model, i + 1, robot.links[i])
@@ -239,15 +213,9 @@ def _mjcf(robot: Robot, patched: Iterable[int], moving: Moving | None = None) ->
     """The MJCF text, with a stand-in inertia for the links ``patched`` (from 0)."""
     stand_ins = set(patched)
     option = 'integrator="Euler"' if moving is None else moving.option
-    dry = any(link.joint.coulomb for link in robot.links) and moving is not None
-    lines = [
-        _HEAD.format(
-            name=robot.name,
-            gravity=_text(float(g) for g in robot.base_gravity),
-            option=option,
-            dry="enable" if dry else "disable",
-        )
-    ]
+    dry = "enable" if moving is not None and any(link.joint.coulomb for link in robot.links) else "disable"
+    pull = _text(float(g) for g in robot.base_gravity)
+    lines = [_HEAD.format(name=robot.name, gravity=pull, option=option, dry=dry)]
     rotors = armature(robot)
     for i, link in enumerate(robot.links):
         rotation, position = placement(link.joint)

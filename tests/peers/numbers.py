@@ -5,10 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.robot.model import Inertia, Joint, Robot
+from robodyn.robot.model import AXES, Inertia, Joint, Robot
 from robodyn.robot.values import Affine, Value
-
-__all__ = ["Array", "armature", "friction", "inertia_tensor", "number", "placement"]
 
 Array = NDArray[np.float64]
 
@@ -36,9 +34,7 @@ def placement(joint: Joint) -> tuple[Array, Array]:
 
 def inertia_tensor(inertia: Inertia) -> Array:
     """The tensor about the centre of mass [3, 3], kg m^2."""
-    xx, yy, zz, xy, xz, yz = (
-        number(v) for v in (inertia.xx, inertia.yy, inertia.zz, inertia.xy, inertia.xz, inertia.yz)
-    )
+    xx, yy, zz, xy, xz, yz = (number(getattr(inertia, axes)) for axes in AXES)
     return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
 
 

@@ -5,8 +5,6 @@ Q, Qd, Qdd and Tau are [N, n]; SI units. Friction is added here, Pinocchio's alg
 
 from __future__ import annotations
 
-from functools import cache
-
 import numpy as np
 import pinocchio as pin
 
@@ -32,39 +30,18 @@ def pinocchio_model(robot: Robot) -> pin.Model:
     return model
 
 
-@cache
-def armature_honoured() -> dict[str, bool]:
-    """Whether this Pinocchio's ``rnea``, ``crba`` and ``aba`` count ``model.armature``; tried on one joint.
-
-    Releases before 3 had it in ``aba`` only. All three do in 3 and 4.
-    """
-    model = pin.Model()
-    model.addJoint(0, pin.JointModelRZ(), pin.SE3.Identity(), "joint")
-    model.appendBodyToJoint(1, pin.Inertia(1.0, np.zeros(3), np.eye(3)), pin.SE3.Identity())
-    model.armature = np.ones(1)
-    zero, one, data = np.zeros(1), np.ones(1), model.createData()
-    return {
-        "rnea": bool(abs(pin.rnea(model, data, zero, zero, one)[0] - 2) < 1e-12),
-        "crba": bool(abs(pin.crba(model, data, zero)[0, 0] - 2) < 1e-12),
-        "aba": bool(abs(pin.aba(model, data, zero, zero, one)[0] - 0.5) < 1e-12),
-    }
-
-
 def torques(model: pin.Model, robot: Robot, Q: Array, Qd: Array, Qdd: Array) -> Array:
     """Inverse dynamics [N, n]: recursive Newton-Euler, and friction."""
     data = model.createData()
-    tau = np.array([pin.rnea(model, data, *state) for state in zip(Q, Qd, Qdd, strict=True)])
-    if not armature_honoured()["rnea"]:
-        tau += armature(robot) * Qdd
-    return tau + friction(robot, Qd)
+    tau = [pin.rnea(model, data, *state) for state in zip(Q, Qd, Qdd, strict=True)]
+    return np.array(tau) + friction(robot, Qd)
 
 
 def mass_matrix(model: pin.Model, robot: Robot, Q: Array) -> Array:
     """Mass matrix [N, n, n] by the composite rigid body algorithm, rotors on its diagonal."""
     data = model.createData()
-    M = np.array([np.triu(pin.crba(model, data, q)) for q in Q])
-    M += np.triu(M, 1).swapaxes(1, 2)  # older releases fill the upper triangle only
-    return M if armature_honoured()["crba"] else M + np.diag(armature(robot))
+    M: Array = np.array([np.triu(pin.crba(model, data, q)) for q in Q])
+    return M + np.triu(M, 1).swapaxes(1, 2)  # older releases fill the upper triangle only
 
 
 def gravity(model: pin.Model, robot: Robot, Q: Array) -> Array:
@@ -82,10 +59,5 @@ def bias(model: pin.Model, robot: Robot, Q: Array, Qd: Array) -> Array:
 
 def forward_dynamics(model: pin.Model, robot: Robot, Q: Array, Qd: Array, Tau: Array) -> Array:
     """Accelerations [N, n] by the articulated body algorithm; the mass matrix must not be singular."""
-    drive = Tau - friction(robot, Qd)
-    if not armature_honoured()["aba"]:
-        rest = Tau - bias(model, robot, Q, Qd)
-        qdd = np.linalg.solve(mass_matrix(model, robot, Q), rest[..., None])[..., 0]
-        return np.asarray(qdd, dtype=np.float64)
-    data = model.createData()
+    drive, data = Tau - friction(robot, Qd), model.createData()
     return np.array([pin.aba(model, data, *state) for state in zip(Q, Qd, drive, strict=True)])

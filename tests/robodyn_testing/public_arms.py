@@ -9,27 +9,10 @@ from typing import Final
 from robodyn_testing.wanted import require_distribution
 
 _ERD, _RTB = "example-robot-data", "rtb-data"
-_FOLDERS: Final = {
-    _ERD: "cmeel.prefix/share/example-robot-data/robots",
-    _RTB: "rtbdata",
-}
-_TROSSEN_ARMS: Final = (
-    "px100",
-    "px150",
-    "rx150",
-    "rx200",
-    "vx250",
-    "vx300",
-    "vx300s",
-    "wx200",
-    "wx250",
-    "wx250s",
-)
-_TROSSEN = "xacro/trossen_descriptions/urdf"
-
+_FOLDERS: Final = {_ERD: "cmeel.prefix/share/example-robot-data/robots", _RTB: "rtbdata"}
 #: By package: files with arms, hands and legs of all kinds.
 FILES: Final = {
-    _ERD: (
+    _ERD: [
         "ur_description/urdf/ur3_robot.urdf",
         "ur_description/urdf/ur3_gripper.urdf",
         "ur_description/urdf/ur5_robot.urdf",
@@ -63,8 +46,8 @@ FILES: Final = {
         "finger_edu_description/robots/finger_edu.urdf",
         "double_pendulum_description/urdf/double_pendulum.urdf",
         "asr_twodof_description/urdf/TwoDofs.urdf",
-    ),
-    _RTB: (
+    ],
+    _RTB: [
         "xacro/abb_irb140_description/urdf/irb140.urdf",
         "xacro/kuka_description/kuka_kr16/urdf/kr16_2.urdf",
         "xacro/kuka_description/kuka_kr120/urdf/kr120r2500pro.urdf",
@@ -74,8 +57,17 @@ FILES: Final = {
         "xacro/unimation_puma560_description/urdf/puma560_robot.urdf.xacro",
         "xacro/qut_frankie_description/robots/panda_arm_hand.urdf.xacro",
         "armer_xarm/data/xacro/robots/xarm6/xarm6.xacro",
-        *(f"{_TROSSEN}/{name}.urdf.xacro" for name in _TROSSEN_ARMS),
-    ),
+        "xacro/trossen_descriptions/urdf/px100.urdf.xacro",
+        "xacro/trossen_descriptions/urdf/px150.urdf.xacro",
+        "xacro/trossen_descriptions/urdf/rx150.urdf.xacro",
+        "xacro/trossen_descriptions/urdf/rx200.urdf.xacro",
+        "xacro/trossen_descriptions/urdf/vx250.urdf.xacro",
+        "xacro/trossen_descriptions/urdf/vx300.urdf.xacro",
+        "xacro/trossen_descriptions/urdf/vx300s.urdf.xacro",
+        "xacro/trossen_descriptions/urdf/wx200.urdf.xacro",
+        "xacro/trossen_descriptions/urdf/wx250.urdf.xacro",
+        "xacro/trossen_descriptions/urdf/wx250s.urdf.xacro",
+    ],
 }
 #: All of them, as (package, file).
 ARMS: Final = tuple((package, file) for package, files in FILES.items() for file in files)
