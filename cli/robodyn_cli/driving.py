@@ -80,7 +80,7 @@ def driven(robot: Robot, settings: SimulationOptions, values: Mapping[str, float
 def _torques(robot: Robot, settings: SimulationOptions) -> Driven:
     from robodyn.simulate.plant import build_plant
     from robodyn.simulate.simulation import Torques
-    from robodyn.simulate.torque_file import read_torques
+    from robodyn.simulate.trajectories.file import read_torques
 
     file = settings.torque
     table, period = read_torques(file, robot.n)

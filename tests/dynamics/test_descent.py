@@ -25,8 +25,7 @@ from robodyn.kernels.proof import closes
 from robodyn.optimize.programs import Choice, build, inverse_kinematics_of, signature
 from robodyn.robot import read_text
 from robodyn.robot.model import Robot
-from robodyn.simulate.inverse_kinematics import rotation_vector
-from robodyn.simulate.kinematics import Kinematics
+from robodyn.simulate.kinematics import Kinematics, rotation_vector
 
 Floats = NDArray[np.float64]
 VECTORS: dict[str, Callable[..., Any]] = {

@@ -18,7 +18,7 @@ from robodyn.optimize.programs import inverse_kinematics_of
 from robodyn.robot import load
 from robodyn.robot.model import Robot
 from robodyn.robot.values import angle
-from robodyn.simulate.inverse_kinematics import drawn_between, position_limits
+from robodyn.simulate.kinematics import drawn_between, position_limits
 from robodyn.simulate.poses import PoseSolver
 
 Floats = NDArray[np.float64]

@@ -20,8 +20,8 @@ from robodyn.logs import recording
 from robodyn.logs.columns import layout_of
 from robodyn.logs.formats import text as text_format
 from robodyn.logs.log import read_log
-from robodyn.simulate.torque_file import read_torques
 from robodyn.simulate.trajectories import from_file
+from robodyn.simulate.trajectories.file import read_torques
 from robodyn_testing import require_module
 
 ROWS = 100

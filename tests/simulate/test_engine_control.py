@@ -103,47 +103,14 @@ def test_computed_torque_follows_its_path() -> None:
     assert np.abs(E - E[0] - made.work + made.loss).max() < 1e-8
 
 
-def test_a_callback_is_asked_every_period_and_what_it_says_is_held() -> None:
-    asked: list[tuple[float, float, float]] = []
-
-    def control(t: float, q: Floats, qd: Floats) -> Floats:
-        asked.append((t, q[0], qd[0]))
-        return 0.25 + 30.0 * (0.5 - q) - 4.0 * qd
-
-    made = slide(Control.function(control, 1, 0.1, limit=[6.0]), sample_period=0.1)
-    same = slide(
-        Control.pd([[0.5]], [[0.0]], 0.1, 30.0, 4.0, torque=[[0.25]], limit=[6.0]), sample_period=0.1
-    )
-    np.testing.assert_allclose(made.y, same.y, atol=1e-12)
-    np.testing.assert_allclose([t for t, _, _ in asked], made.t, atol=1e-12)
-    np.testing.assert_array_equal([q for _, q, _ in asked], made.y[:, 0])
-
-
-def test_what_a_callback_raises_comes_through() -> None:
-    def broken(t: float, q: Floats, qd: Floats) -> Floats:
-        raise ZeroDivisionError("by what")
-
-    with pytest.raises(ZeroDivisionError, match="by what"):
-        slide(Control.function(broken, 1, 0.1))
-    with pytest.raises(InputError, match=r"wrong shape; found \[2\]; expected \[1\]"):
-        slide(Control.function(lambda t, q, qd: [1.0, 2.0], 1, 0.1))
-
-
-@pytest.mark.parametrize("where", ["callback", "progress"])
-def test_ctrl_c_keeps_what_there_is(where: str) -> None:
-    def control(t: float, q: Floats, qd: Floats) -> Floats:
-        if where == "callback" and t > 0.45:
-            raise KeyboardInterrupt
-        return q
-
+def test_ctrl_c_keeps_what_there_is() -> None:
     def progress(t: float) -> None:
-        if where == "progress" and t > 0.45:
+        if t > 0.45:
             raise KeyboardInterrupt
 
     made = engine(BLOCK).run(
-        [0.0], [1.0], duration=1.0, sample_period=0.005, parameters=FREE, progress=progress,
-        control=Control.function(control, 1, 0.1),
-    )  # fmt: skip
+        [0.0], [1.0], duration=1.0, sample_period=0.005, parameters=FREE, progress=progress
+    )
     assert made.status == "interrupted"
     assert 91 <= len(made.t) < 201
     assert made.t[-1] <= made.time < 1.0

@@ -16,7 +16,8 @@ import numpy as np
 import pytest
 
 from robodyn.robot.model import Inertia, Robot
-from robodyn.simulate.simulation import Custom, Drive, Follow, Simulation, Torques, simulate
+from robodyn.simulate.plant import build_plant
+from robodyn.simulate.simulation import Drive, Follow, Simulation, Torques, simulate
 from robodyn.simulate.trajectories.trajectory import Trajectory
 from robodyn_testing import require_module
 from simulate.arms import Floats, arm, each, effect, plant_of, rotors, start_of
@@ -69,22 +70,23 @@ def waves(robot: Robot, times: Floats) -> tuple[Floats, Floats, Floats]:
 def drift(robot: Robot, times: Floats) -> tuple[Floats, Floats, Floats]:
     """At a steady speed, so that nothing turns."""
     speed = np.full(robot.n, 0.2)
-    return np.outer(times, speed) - 0.3, np.broadcast_to(speed, (len(times), robot.n)), np.zeros((1, robot.n))
+    q = np.outer(times, speed) - 0.3
+    return q, np.broadcast_to(speed, q.shape), np.zeros_like(q)
 
 
 @dataclass(frozen=True)
 class Law:
-    """A controller of the tests' own: torque [K, n] ahead and, around ``q`` and ``qd`` [K, n], kp and kd."""
+    """A controller of the tests' own: torque [K, n] ahead and, around the ``motion``, kp and kd."""
 
     ahead: Floats
-    q: Floats
-    qd: Floats
+    motion: Trajectory
     kp: float = 0.0
     kd: float = 0.0
 
     def __call__(self, t: float, q: Floats, qd: Floats) -> Floats:
         k = min(round(t / PERIOD), len(self.ahead) - 1)
-        torque: Floats = self.ahead[k] + self.kp * (self.q[k] - q) + self.kd * (self.qd[k] - qd)
+        off, slow = self.motion.q[k] - q, self.motion.qd[k] - qd
+        torque: Floats = self.ahead[k] + self.kp * off + self.kd * slow
         return torque
 
 
@@ -94,18 +96,18 @@ def law_along(
     """With the torques that the bare arm needs for the motion."""
     from peers import mujoco_peer
 
-    q, qd, qdd = motion(robot, TIMES)
+    wanted = Trajectory(TIMES, *motion(robot, TIMES))
     bare = replace(robot, effects=())
-    ahead = mujoco_peer.torques(mujoco_peer.mujoco_model(bare), bare, q, qd, np.broadcast_to(qdd, q.shape))
-    return Law(ahead, q, qd, **gains)
+    ahead = mujoco_peer.torques(mujoco_peer.mujoco_model(bare), bare, wanted.q, wanted.qd, wanted.qdd)
+    return Law(ahead, wanted, **gains)
 
 
 def ours(
     robot: Robot, drive: Drive | None, q: Floats, qd: Floats, duration: float, **options: Any
 ) -> Simulation:
     return simulate(
-        robot, drive, start=q, speed=qd, duration=duration, sample_period=PERIOD, plant=plant_of(robot),
-        **{"step": STEP, **options},
+        robot, drive, start=q, speed=qd, duration=duration, sample_period=PERIOD,
+        **{"step": STEP, "plant": plant_of(robot), **options},
     )  # fmt: skip
 
 
@@ -175,7 +177,7 @@ def test_a_laden_arm_let_go_driven_and_controlled(name: str) -> None:
     made = ours(robot, Torques(table.ahead, PERIOD), q, still, DURATION)
     assert apart(theirs(robot, table, q, still, DURATION), made.q) < 1e-11
 
-    wanted = Trajectory(TIMES, *waves(robot, TIMES))
+    wanted = table.motion
     pd = replace(table, ahead=0 * table.ahead, kp=60.0, kd=6.0)
     made = ours(robot, Follow(wanted, "pd", 60.0, 6.0, PERIOD, without_model=True), q, still, DURATION)
     assert apart(theirs(robot, pd, q, still, DURATION), made.q) < 1e-11
@@ -218,18 +220,24 @@ def test_adaptive_steps_are_what_fixed_ones_tend_to(name: str) -> None:
 def test_dry_friction(name: str) -> None:
     """Sliding one way both laws are one. Through reversals MuJoCo's comes nearer to ours the harder it is."""
     robot = dry(name)
+    plant = build_plant(robot, model=replace(robot, effects=()))
+
+    def follow(law: Law, q: Floats, qd: Floats, duration: float, **options: Any) -> Simulation:
+        drive = Follow(law.motion, "pd", law.kp, law.kd, PERIOD, plant.model)
+        return ours(robot, drive, q, qd, duration, plant=plant, **options)
+
     law = law_along(robot, drift, kp=150.0, kd=15.0)
-    q, qd = law.q[0] + 0.01, law.qd[0]
-    made = ours(robot, Custom(law, PERIOD), q, qd, DURATION)
+    q, qd = law.motion.q[0] + 0.01, law.motion.qd[0]
+    made = follow(law, q, qd, DURATION)
     assert made.qd.min() > 0.1
     assert apart(theirs(robot, law, q, qd, DURATION), made.q) < 1e-12
 
     law = law_along(robot, waves, kp=150.0, kd=15.0)
-    q, qd = law.q[0], law.qd[0]
-    made = ours(robot, Custom(law, PERIOD), q, qd, 2.0, method="adaptive", rtol=1e-10)
+    q, qd = law.motion.q[0], law.motion.qd[0]
+    made = follow(law, q, qd, 2.0, method="adaptive", rtol=1e-10)
     turned = (np.diff(np.sign(made.qd), axis=0) != 0).any(axis=0)
     assert turned.sum() >= 2
-    fixed = ours(robot, Custom(law, PERIOD), q, qd, 2.0)
+    fixed = follow(law, q, qd, 2.0)
     assert apart(fixed.q, made.q) < 1e-9
     off = [
         apart(theirs(robot, law, q, qd, 2.0, step, 1 / step), made.q) for step in (2e-3, 1e-3, 5e-4, 2.5e-4)

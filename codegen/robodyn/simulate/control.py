@@ -1,10 +1,11 @@
-"""What drives the motors in a simulation: tables, controllers, a function of Python."""
+"""What drives the motors in a simulation: tables and controllers."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,9 +13,12 @@ from numpy.typing import ArrayLike, NDArray
 from robodyn.errors import InputError
 
 Floats = NDArray[np.float64]
-Callback = Callable[[float, Floats, Floats], ArrayLike]
 
-HELD_TABLE, LINEAR_TABLE, PD, COMPUTED_TORQUE, CALLBACK = range(5)
+HELD_TABLE, LINEAR_TABLE, PD, COMPUTED_TORQUE = range(4)
+
+
+def _none() -> Floats:
+    return np.zeros(0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,25 +26,23 @@ class Control:
     """Torques of m motors, decided every ``period`` [s] and held (but for ``linear``). Make one with
 
     ``none()``, ``held(torque, period)``, ``linear(torque, period)``,
-    ``pd(q, qd, period, kp, kd, torque=None)``, ``computed(q, qd, qdd, period, kp, kd)``,
-    ``function(callback, motors, period)``.
+    ``pd(q, qd, period, kp, kd, torque=None)``, ``computed(q, qd, qdd, period, kp, kd)``.
 
-    Tables are [rows, m], one row each period from t = 0; the last row stays. ``place`` and ``seen`` [m] are
-    the coordinates (from 0) that the motors drive and their encoders read; default: motor j coordinate j.
-    ``limit`` [m] is the largest torque [N m or N] that the drives give.
+    Tables are [rows, m], one row each period from t = 0; the last row stays. All take ``place`` and ``seen``
+    [m], the coordinates (from 0) that the motors drive and their encoders read (default: motor j coordinate
+    j), and ``limit`` [m], the largest torque [N m or N] that the drives give.
     """
 
     kind: int
     period: float
     motors: int
     rows: int = 1
-    torque: Floats = field(default_factory=lambda: np.zeros(0))
-    q: Floats = field(default_factory=lambda: np.zeros(0))
-    qd: Floats = field(default_factory=lambda: np.zeros(0))
-    qdd: Floats = field(default_factory=lambda: np.zeros(0))
-    kp: Floats = field(default_factory=lambda: np.zeros(0))
-    kd: Floats = field(default_factory=lambda: np.zeros(0))
-    callback: Callback | None = None
+    torque: Floats = field(default_factory=_none)
+    q: Floats = field(default_factory=_none)
+    qd: Floats = field(default_factory=_none)
+    qdd: Floats = field(default_factory=_none)
+    kp: Floats = field(default_factory=_none)
+    kd: Floats = field(default_factory=_none)
     limit: Floats | None = None
     place: tuple[int, ...] = ()
     seen: tuple[int, ...] = ()
@@ -56,109 +58,52 @@ class Control:
         return cls(HELD_TABLE, math.inf, 0)
 
     @classmethod
-    def held(
-        cls,
-        torque: ArrayLike,
-        period: float,
-        *,
-        limit: ArrayLike | None = None,
-        place: Sequence[int] | None = None,
-        seen: Sequence[int] | None = None,
-    ) -> Control:
+    def held(cls, torque: ArrayLike, period: float, **motors: Any) -> Control:
         """Row k of ``torque`` [rows, m] from k ``period`` to the next."""
-        table = _table("torque", torque)
-        return _control(HELD_TABLE, period, table.shape, limit, place, seen, torque=table)
+        return _control(HELD_TABLE, period, {"torque": torque}, **motors)
 
     @classmethod
-    def linear(
-        cls,
-        torque: ArrayLike,
-        period: float,
-        *,
-        limit: ArrayLike | None = None,
-        place: Sequence[int] | None = None,
-        seen: Sequence[int] | None = None,
-    ) -> Control:
+    def linear(cls, torque: ArrayLike, period: float, **motors: Any) -> Control:
         """Straight lines between the rows of ``torque`` [rows, m]."""
-        table = _table("torque", torque)
-        return _control(LINEAR_TABLE, period, table.shape, limit, place, seen, torque=table)
+        return _control(LINEAR_TABLE, period, {"torque": torque}, **motors)
 
     @classmethod
     def pd(
-        cls,
-        q: ArrayLike,
-        qd: ArrayLike,
-        period: float,
-        kp: ArrayLike,
-        kd: ArrayLike,
-        *,
-        torque: ArrayLike | None = None,
-        limit: ArrayLike | None = None,
-        place: Sequence[int] | None = None,
-        seen: Sequence[int] | None = None,
-    ) -> Control:
+        cls, q: ArrayLike, qd: ArrayLike, period: float, kp: ArrayLike, kd: ArrayLike,
+        *, torque: ArrayLike | None = None, **motors: Any,
+    ) -> Control:  # fmt: skip
         """``torque + kp (q - y) + kd (qd - v)``; all tables [rows, m], gains [m]."""
-        table = _table("q", q)
-        shape = table.shape
-        ahead = np.zeros(shape) if torque is None else _table("torque", torque, shape)
-        return _control(
-            PD, period, shape, limit, place, seen,
-            torque=ahead, q=table, qd=_table("qd", qd, shape),
-            kp=_gains("kp", kp, shape[1]), kd=_gains("kd", kd, shape[1]),
-        )  # fmt: skip
+        ahead = np.zeros(np.shape(q)) if torque is None else torque
+        return _control(PD, period, {"q": q, "qd": qd, "torque": ahead}, {"kp": kp, "kd": kd}, **motors)
 
     @classmethod
     def computed(
-        cls,
-        q: ArrayLike,
-        qd: ArrayLike,
-        qdd: ArrayLike,
-        period: float,
-        kp: ArrayLike,
-        kd: ArrayLike,
-        *,
-        limit: ArrayLike | None = None,
-        place: Sequence[int] | None = None,
-        seen: Sequence[int] | None = None,
-    ) -> Control:
+        cls, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike, period: float, kp: ArrayLike, kd: ArrayLike,
+        **motors: Any,
+    ) -> Control:  # fmt: skip
         """``model(y, v, qdd + kd (qd - v) + kp (q - y))`` with the system's own ``model``."""
-        table = _table("q", q)
-        shape = table.shape
-        return _control(
-            COMPUTED_TORQUE, period, shape, limit, place, seen,
-            q=table, qd=_table("qd", qd, shape), qdd=_table("qdd", qdd, shape),
-            kp=_gains("kp", kp, shape[1]), kd=_gains("kd", kd, shape[1]),
-        )  # fmt: skip
-
-    @classmethod
-    def function(
-        cls,
-        callback: Callback,
-        motors: int,
-        period: float,
-        *,
-        limit: ArrayLike | None = None,
-        place: Sequence[int] | None = None,
-        seen: Sequence[int] | None = None,
-    ) -> Control:
-        """``callback(t, y, v)`` gives the torques [m] from what the encoders read, [m] each."""
-        return _control(CALLBACK, period, (1, motors), limit, place, seen, callback=callback)
+        tables = {"q": q, "qd": qd, "qdd": qdd}
+        return _control(COMPUTED_TORQUE, period, tables, {"kp": kp, "kd": kd}, **motors)
 
 
 def _control(
     kind: int,
     period: float,
-    shape: tuple[int, ...],
-    limit: ArrayLike | None,
-    place: Sequence[int] | None,
-    seen: Sequence[int] | None,
-    callback: Callback | None = None,
-    **tables: Floats,
+    tables: Mapping[str, ArrayLike],
+    gains: Mapping[str, ArrayLike] | None = None,
+    *,
+    limit: ArrayLike | None = None,
+    place: Sequence[int] | None = None,
+    seen: Sequence[int] | None = None,
 ) -> Control:
-    rows, motors = shape
+    arrays: dict[str, Any] = {}
+    for name, values in tables.items():
+        arrays[name] = _table(name, values, next((each.shape for each in arrays.values()), None))
+    rows, motors = next(iter(arrays.values())).shape
     if not period > 0:
         raise InputError("the period of the control is not a time", found=f"{period}", expected="more than 0")
-    limits = None if limit is None else _gains("limit", limit, motors)
+    for name, value in (*(gains or {}).items(), ("limit", limit)):
+        arrays[name] = None if value is None else _gains(name, value, motors)
     driven = tuple(range(motors)) if place is None else tuple(place)
     read = driven if seen is None else tuple(seen)
     for name, places in (("place", driven), ("seen", read)):
@@ -166,9 +111,7 @@ def _control(
             raise InputError(
                 f"{name} does not fit the motors", found=f"{places}", expected=f"{motors} coordinates"
             )
-    return Control(
-        kind, period, motors, rows, callback=callback, limit=limits, place=driven, seen=read, **tables
-    )
+    return Control(kind, period, motors, rows, place=driven, seen=read, **arrays)
 
 
 def _table(name: str, values: ArrayLike, shape: tuple[int, ...] | None = None) -> Floats:

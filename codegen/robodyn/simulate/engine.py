@@ -90,7 +90,7 @@ class Engine:
         ------
         InputError: an array of the wrong shape or with a number that is not finite, a period that is not
             positive.
-        Exception: what the control's callback or ``progress`` raises.
+        Exception: what ``progress`` raises.
         """
         plan = control if control is not None else Control.none()
         self._check(plan, method)
@@ -124,11 +124,6 @@ class Engine:
         for name in ("torque", "q", "qd", "qdd", "kp", "kd"):
             setattr(settings, name, pointer(getattr(plan, name)))
         settings.limit = self.ffi.NULL if plan.limit is None else pointer(plan.limit)
-        raised: list[BaseException] = []
-        if plan.callback is not None:
-            call = self._callback(plan, raised)
-            kept.append(call)
-            settings.callback = call
         samples = math.floor(duration / sample_period + 1e-9) + 1
         width = 1 + 3 * self.n + self.states + self.elements + 2 * motors + 2
         rows = np.empty((samples, width))
@@ -138,8 +133,6 @@ class Engine:
             raise MemoryError
         state = self.ffi.gc(run, self.library.run_free)
         status = self._advance(state, samples, progress)
-        if raised and not isinstance(raised[0], KeyboardInterrupt):
-            raise raised[0]
         return self._record(state, rows, motors, status)
 
     def model_torques(self, q: Floats, qd: Floats, qdd: Floats, parameters: ArrayLike = ()) -> Floats:
@@ -174,29 +167,6 @@ class Engine:
         except KeyboardInterrupt:
             return STATUSES.index("interrupted")
         return 0
-
-    def _callback(self, plan: Control, raised: list[BaseException]) -> Any:
-        function, motors = plan.callback, plan.motors
-        assert function is not None
-
-        def called(t: float, q: Any, qd: Any, tau: Any) -> int:
-            seen = [np.array(self.ffi.unpack(values, motors)) for values in (q, qd)]
-            result = np.asarray(function(t, *seen), dtype=np.float64)
-            if result.shape != (motors,):
-                raise InputError(
-                    "the control's callback gave an array of the wrong shape",
-                    found=f"{list(result.shape)}",
-                    expected=f"[{motors}]",
-                )
-            self.ffi.memmove(tau, result.tobytes(), 8 * motors)
-            return 0
-
-        def failed(kind: object, error: BaseException, trace: object) -> int:
-            raised.append(error)
-            return 1
-
-        kind = "int(double, const double *, const double *, double *)"
-        return self.ffi.callback(kind, called, error=1, onerror=failed)
 
     def _record(self, state: Any, rows: Floats, motors: int, status: int) -> Record:
         count = int(self.library.run_recorded(state))

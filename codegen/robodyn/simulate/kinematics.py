@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -13,8 +13,8 @@ from robodyn.dynamics.arm import Arm, JointAngle, build_arm, build_motion
 from robodyn.dynamics.kinematics import frames, jacobian, jacobian_rate
 from robodyn.dynamics.vectors import BASE, Frame
 from robodyn.errors import InputError
+from robodyn.robot.filling import parameter_values
 from robodyn.robot.model import Placement, Robot
-from robodyn.verify.numbers import Parameters, filled, real
 
 Floats = NDArray[np.float64]
 
@@ -34,7 +34,7 @@ class Kinematics:
     def __init__(
         self,
         robot: Robot,
-        parameters: Parameters | None = None,
+        parameters: Mapping[str, float] | None = None,
         point: Sequence[float] = (0.0, 0.0, 0.0),
         link: int | None = None,
     ) -> None:
@@ -44,12 +44,11 @@ class Kinematics:
             )
         if len(point) != 3 or not all(math.isfinite(x) for x in point):
             raise InputError("a point is three numbers", found=str(list(point)), expected="[x, y, z] in m")
-        values = filled(robot, parameters)
         self.robot = robot
-        self.parameters = values
+        self.parameters = parameter_values(robot, parameters)
         self.point = (float(point[0]), float(point[1]), float(point[2]))
         self.link = robot.n if link is None else link
-        self._arm: Arm = build_arm(robot, real, lambda name: float(values[name]))
+        self._arm: Arm = build_arm(robot, float, self.parameters.__getitem__)
         self._base = BASE if robot.base is None else _frame(robot.base)
         self._turns = [(float(link.joint.theta.cos), float(link.joint.theta.sin)) for link in robot.links]
 
@@ -120,7 +119,7 @@ class Kinematics:
             return c * ct - s * st, s * ct + c * st
 
         zeros = [0.0] * n
-        motion = build_motion(self._arm, joints[0], zeros, zeros, trigonometry, real)
+        motion = build_motion(self._arm, joints[0], zeros, zeros, trigonometry, float)
         return frames(self._arm, motion, self._base), shape[:-1], joints[1:]
 
 
@@ -145,3 +144,44 @@ def _gathered(nested: Any, lead: tuple[int, ...]) -> Floats:
             value = value[i]
         result[(slice(None), *index)] = value
     return result
+
+
+# --- positions and rotations --------------------------------------------------------------------------------
+
+
+def is_revolute(robot: Robot) -> list[bool]:
+    """Which joints [n] turn."""
+    return [link.joint.kind == "revolute" for link in robot.links]
+
+
+def closest_turns(q: Floats, near: Floats) -> Floats:
+    """``q`` [.., n] (rad) with whole turns added, so that each is within half a turn of ``near``."""
+    return q - math.tau * np.round((q - near) / math.tau)
+
+
+def position_limits(robot: Robot) -> Floats:
+    """Lowest and highest position of each joint [n, 2] (rad or m); infinite where the robot states none."""
+    none = (-math.inf, math.inf)
+    bounds = [link.joint.limits.position or none for link in robot.links]
+    return np.array([[float(low), float(high)] for low, high in bounds])
+
+
+def drawn_between(robot: Robot, low: Floats, high: Floats) -> tuple[Floats, Floats]:
+    """Between what positions are drawn [n]: the limits, or within pi or 1 m where there are none."""
+    reach = np.where(is_revolute(robot), math.pi, 1.0)
+    lowest = np.where(np.isfinite(low), low, np.minimum(-reach, high - reach))
+    return lowest, np.where(np.isfinite(high), high, np.maximum(reach, lowest + reach))
+
+
+def rotation_vector(R: Floats) -> Floats:
+    """Axis times angle [3] (rad, 0 to pi) of the rotation ``R`` [3, 3]."""
+    axis = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]) / 2
+    sine, cosine = float(np.linalg.norm(axis)), (float(np.trace(R)) - 1) / 2
+    if cosine > -0.99:
+        return axis * (math.atan2(sine, cosine) / sine if sine > 1e-8 else 1.0)
+    # Near half a turn the axis is in the symmetric part; its sign is the small antisymmetric part's.
+    column = int(np.argmax(np.diag(R)))
+    u = (R[:, column] + R[column, :]) / 2 - cosine * np.eye(3)[column]
+    u = u / np.linalg.norm(u)
+    turn: Floats = u * (math.atan2(sine, cosine) if u @ axis >= 0 else -math.atan2(sine, cosine))
+    return turn

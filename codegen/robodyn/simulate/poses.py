@@ -22,13 +22,14 @@ from robodyn.ir.evaluate import REAL_FUNCTIONS, evaluate
 from robodyn.ir.program import Input, Program
 from robodyn.optimize.programs import Choice, build, inverse_kinematics_of
 from robodyn.robot.model import Robot
-from robodyn.simulate.inverse_kinematics import (
+from robodyn.simulate.kinematics import (
+    Kinematics,
     closest_turns,
     drawn_between,
+    is_revolute,
     position_limits,
     rotation_vector,
 )
-from robodyn.simulate.kinematics import Kinematics
 
 Floats = NDArray[np.float64]
 
@@ -198,7 +199,7 @@ class PoseSolver:
             least_squares(missing, start, xtol=1e-15, ftol=1e-15, gtol=1e-15, **limits) for start in starts
         ]
         q = min(ends, key=lambda end: float(end.cost)).x
-        endless = np.isinf(high - low) & [link.joint.kind == "revolute" for link in self.robot.links]
+        endless = np.isinf(high - low) & is_revolute(self.robot)
         q = np.where(endless, closest_turns(q, np.zeros_like(q)), q)
         (off,) = self._off(T, q[None])
         solution = Solution(LEAST_SQUARES, q, max(off) < _REACHED, True, False, off)

@@ -23,7 +23,7 @@ from robodyn.logs.log import Log
 from robodyn.robot.filling import parameter_values
 from robodyn.robot.model import Robot
 from robodyn.simulate.balance import Balance, stored_energy
-from robodyn.simulate.control import Callback, Control
+from robodyn.simulate.control import Control
 from robodyn.simulate.engine import ATOL, RTOL, Method
 from robodyn.simulate.plant import Plant, build_plant, drive_limits
 from robodyn.simulate.run import Record
@@ -69,16 +69,7 @@ class Follow:
     without_model: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class Custom:
-    """A controller in Python: ``callback(t, q, qd)`` gives the torques [n] from what the encoders read, once
-    every ``period`` [s]."""
-
-    callback: Callback
-    period: float = PERIOD
-
-
-Drive = Torques | Follow | Custom
+Drive = Torques | Follow
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -276,8 +267,6 @@ def _control(
     if drive is None:
         zeros = np.zeros((1, robot.n))
         return Control.held(zeros, 1.0, **places)
-    if isinstance(drive, Custom):
-        return Control.function(drive.callback, robot.n, drive.period, **places)
     if isinstance(drive, Torques):
         make = Control.linear if drive.linear else Control.held
         table = np.asarray(drive.table, np.float64)

@@ -25,7 +25,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from robodyn.errors import InputError
 from robodyn.robot.model import Joint, Robot
-from robodyn.simulate.inverse_kinematics import closest_turns
+from robodyn.simulate.kinematics import closest_turns
 from robodyn.verify.numbers import Parameters, exact_value, filled, real
 
 Floats = NDArray[np.float64]

@@ -112,7 +112,7 @@ static int step(run *r, double until) {
 /* All that is due at t, and the slopes from there on; `next` is where the next step ends at the latest. 0: failed. */
 static int prepared(run *r, double *next) {
     if (r->landing) land(r);
-    if (!update(r)) return failed(r, INTERRUPTED);
+    update(r);
     *next = next_jump(r);
     r->until = nextafter(*next, -HUGE_VAL);
     return ready(r);

@@ -4,7 +4,7 @@
 #include <math.h>
 #include "run.h"
 
-enum { HELD, LINEAR, PD, COMPUTED, CALLBACK };
+enum { HELD, LINEAR, PD, COMPUTED };
 
 /* Instants nearer than this are one. */
 static double nearness(const run *r) { return 1e-12 * (1 + fabs(r->t)); }
@@ -20,7 +20,7 @@ static double clipped(const run *r, int j, double torque) {
     return torque > limit ? limit : torque < -limit ? -limit : torque;
 }
 
-static int control(run *r, long instant) {
+static void control(run *r, long instant) {
     const settings *is = &r->is;
     double q[N], qd[N];
     for (int j = 0; j < is->motors; j++) {
@@ -29,8 +29,6 @@ static int control(run *r, long instant) {
     }
     if (is->control == HELD || is->control == LINEAR) {
         for (int j = 0; j < is->motors; j++) r->command[j] = row_of(r, is->torque, instant)[j];
-    } else if (is->control == CALLBACK) {
-        if (is->callback((double)instant * is->period, q, qd, r->command)) return 0;
     } else {
         const double *want = row_of(r, is->q, instant), *rate = row_of(r, is->qd, instant);
         if (is->control == PD) {
@@ -48,14 +46,13 @@ static int control(run *r, long instant) {
         }
     }
     for (int j = 0; j < is->motors; j++) r->applied[j] = clipped(r, j, r->command[j]);
-    return 1;
 }
 
 /* What is due at t: control, at once for the first time, and breaks. */
-static int update(run *r) {
+static void update(run *r) {
     double now = r->t + nearness(r);
     while (r->instant == 0 || (double)r->instant * r->is.period <= now) {
-        if (!control(r, r->instant)) return 0;
+        control(r, r->instant);
         r->instant++;
         r->known = 0;
     }
@@ -63,7 +60,6 @@ static int update(run *r) {
         r->next_break++;
         r->known = 0;
     }
-    return 1;
 }
 
 /* The next time at which a torque may jump or bend, or the run's end. */

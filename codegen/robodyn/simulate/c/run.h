@@ -7,7 +7,7 @@
 #include "linear.h"
 
 enum { STAGES = 7 };
-enum { GOING, NOT_FINITE, NO_ACCELERATION, TOO_MANY_STEPS, STEP_TOO_SMALL, INTERRUPTED };
+enum { GOING, NOT_FINITE, NO_ACCELERATION, TOO_MANY_STEPS, STEP_TOO_SMALL };
 enum { STEPS, REJECTED, EVALUATIONS, EVENTS, ITERATIONS, COUNTERS };
 
 /* The rows of the elements that are stuck: `row` [rows] is a basis of them all, `coefficient` how all of them come

@@ -12,7 +12,7 @@ typedef struct {
     const double *parameters;
     const double *breaks;    /* ascending */
     int break_count;
-    int control;             /* 0 held table, 1 linear table, 2 PD, 3 computed torque, 4 callback */
+    int control;             /* 0 held table, 1 linear table, 2 PD, 3 computed torque */
     int motors;
     const int *place, *seen; /* [motors] coordinate that is driven, that is measured */
     double period;           /* of the control and its tables */
@@ -20,7 +20,6 @@ typedef struct {
     const double *torque, *q, *qd, *qdd;
     const double *kp, *kd;   /* [motors] */
     const double *limit;     /* [motors], or null */
-    int (*callback)(double t, const double *y, const double *v, double *tau); /* not 0: stop */
     double *record;          /* [samples, width] t y v a z s command applied work loss */
 } settings;
 typedef struct run run;

@@ -2,7 +2,7 @@
 
 from robodyn.simulate.trajectories.file import from_file
 from robodyn.simulate.trajectories.fourier import fourier
-from robodyn.simulate.trajectories.joints import quintic, trapezoid, via
+from robodyn.simulate.trajectories.joints import quintic, trapezoid
 from robodyn.simulate.trajectories.line import line
 from robodyn.simulate.trajectories.profiles import PROFILES, ProfileName
 from robodyn.simulate.trajectories.trajectory import PERIOD, Trajectory
@@ -17,5 +17,4 @@ __all__ = [
     "line",
     "quintic",
     "trapezoid",
-    "via",
 ]

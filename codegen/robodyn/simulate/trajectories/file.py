@@ -1,9 +1,12 @@
-"""Motions from CSV files: ``t,q1..qn`` and, where they are known, ``qd1..qdn`` and ``qdd1..qddn``."""
+"""Motions and torques from CSV files, an even sample a line: ``t,q1..qn`` and, where they are known,
+``qd1..qdn`` and ``qdd1..qddn``; ``t,tau1..taun``."""
 
 from __future__ import annotations
 
+import math
 import re
 from collections import Counter
+from dataclasses import dataclass
 from functools import partial
 from os import PathLike
 from pathlib import Path
@@ -22,7 +25,6 @@ Floats = NDArray[np.float64]
 LARGEST = 1 << 28
 
 _SAMPLES = 7  # what missing rates at the ends are estimated from
-_HEADER = "t,q1..qn, then qd1..qdn and qdd1..qddn or not"
 
 
 def from_file(path: str | PathLike[str], n: int | None = None) -> Trajectory:
@@ -37,126 +39,149 @@ def from_file(path: str | PathLike[str], n: int | None = None) -> Trajectory:
     InputError: an unreadable file, a column that is missing, a cell that is no finite number, uneven
         times; with the file and the line.
     """
-    name = Path(path).name
-    columns, table, lines = _read(Path(path), name, n)
-    where = partial(Place, name)
-    t = table[:, columns["t"][0]]
-    step = (t[-1] - t[0]) / (len(t) - 1)
-    uneven = uneven_sample(t)
-    if uneven is not None:
-        raise InputError(
-            "the times are not even",
-            where=where(lines[uneven]),
-            found=f"t = {t[uneven]:.9g}",
-            expected=f"{t[0] + step * uneven:.9g}: one sample every {step:.6g} s"
-            if step > 0
-            else "rising times",
-            remedy="sample the motion at even times",
-        )
-    times = step * np.arange(len(t))
-    q = table[:, columns["q"]]
-    qd = table[:, columns["qd"]] if "qd" in columns else None
-    qdd = table[:, columns["qdd"]] if "qdd" in columns else None
+    table = _Table.read(Path(path), "a motion", "t,q1..qn, then qd1..qdn and qdd1..qddn or not")
+    groups = table.groups("q", n, ("qd", "qdd"))
+    t = table.even_times()
+    if len(t) < 2:
+        where = Place(table.name, table.lines[-1][0])
+        raise InputError("a motion needs samples", where=where, found=str(len(t)), expected="two or more")
+    times = (t[-1] - t[0]) / (len(t) - 1) * np.arange(len(t))
+    q, qd, qdd = groups["q"], groups.get("qd"), groups.get("qdd")
     if (qd is None or qdd is None) and len(t) < _SAMPLES:
         raise InputError(
             "too few samples to find the rates from",
-            where=where(lines[-1]),
+            where=Place(table.name, table.lines[-1][0]),
             found=f"{len(t)}",
             expected=f"{_SAMPLES} or more, or columns qd and qdd",
         )
-    kinds = [kind for kind in ("q", "qd", "qdd") if kind in columns]
     if qd is None:
         qd, bend = least_jerk(times, q, *end_rates(times, q))
         qdd = bend if qdd is None else qdd
     elif qdd is None:
         qdd, _ = least_jerk(times, qd, *end_rates(times, qd))
-    provenance = {"kind": "file", "file": name, "columns": kinds, "first": float(t[0])}
+    provenance = {"kind": "file", "file": table.name, "columns": list(groups), "first": float(t[0])}
     return Trajectory(times, q, qd, qdd, provenance, partial(hermite, times, q, qd, qdd))
 
 
-def _read(path: Path, name: str, n: int | None) -> tuple[dict[str, list[int]], Floats, list[int]]:
-    """Columns by kind, the table [K, columns] and the line of each sample."""
-    text = read_text(path, LARGEST, "a motion, such as motion.csv", name)
-    rows = [(i, line) for i, line in enumerate(text.splitlines(), 1) if line.strip()]
-    if not rows:
-        raise InputError("the file is empty", where=Place(name, 1), expected=_HEADER)
-    first, header = rows[0]
-    names = [cell.strip() for cell in header.split(",")]
-    columns = _columns(names, Place(name, first), n)
-    lines = [i for i, _ in rows[1:]]
-    if len(lines) < 2:
-        raise InputError(
-            "a motion needs samples",
-            where=Place(name, rows[-1][0]),
-            found=str(len(lines)),
-            expected="two or more",
-        )
-    wanted = sorted(k for kind in columns.values() for k in kind)
-    for i, line in rows[1:]:
-        if line.count(",") != len(names) - 1:
-            raise InputError(
-                "a line of the wrong length",
-                where=Place(name, i),
-                found=f"{line.count(',') + 1} cells",
-                expected=f"{len(names)}, as the header has",
-            )
-    table = np.empty((len(lines), len(wanted)))  # no larger than the text, now that its lines are whole
-    for sample, (i, line) in enumerate(rows[1:]):
-        cells = line.split(",")
-        for column, k in enumerate(wanted):
-            try:
-                table[sample, column] = float(cells[k])
-            except ValueError:
-                raise _not_number(name, i, names[k], cells[k]) from None
-        if not np.isfinite(table[sample]).all():
-            k = next(k for column, k in enumerate(wanted) if not np.isfinite(table[sample, column]))
-            raise _not_number(name, i, names[k], cells[k])
-    at = {k: column for column, k in enumerate(wanted)}
-    return {kind: [at[k] for k in places] for kind, places in columns.items()}, table, lines
+def read_torques(path: str | PathLike[str], n: int) -> tuple[Floats, float]:
+    """The table [K, n] (N m or N) in the CSV file ``path``, and the time [s] from row to row.
+
+    Columns are found by name, in any order; others are passed over, so that a log will do. Times are counted
+    from the first row. A single row is one torque for all time; its period is infinite.
+
+    Raises
+    ------
+    InputError: an unreadable file, a column that is missing, torques of another arm, a cell that is no finite
+        number, times that are not even; with file and line.
+    """
+    table = _Table.read(Path(path), "torques", f"t,tau1..tau{n}" if n > 1 else "t,tau1")
+    tau = table.groups("tau", n)["tau"]
+    t = table.even_times()
+    return tau, float((t[-1] - t[0]) / (len(t) - 1)) if len(t) > 1 else math.inf
 
 
-def _columns(names: list[str], where: Place, n: int | None) -> dict[str, list[int]]:
-    """Places of ``t``, ``q`` and of those rates that are there, joint by joint."""
-    repeated = sorted(name for name, times in Counter(names).items() if times > 1)
-    if repeated:
-        listed = ", ".join(repeated[:8])
-        raise InputError("a column stands twice", where=where, found=listed[:200], expected=_HEADER)
-    joints = [int(match[1]) for name in names if (match := re.fullmatch(r"q([1-9][0-9]{0,3})", name))]
-    count = n or max(joints, default=1)
-    there = {name: place for place, name in enumerate(names)}
-    missing = [name for name in ("t", *(f"q{j + 1}" for j in range(count))) if name not in there]
-    if missing:
-        raise InputError(
-            f"there is no column {', '.join(missing[:8])}",
-            where=where,
-            found=", ".join(names)[:200],
-            expected=_HEADER,
-            remedy="separate the columns by commas" if any(";" in x or "\t" in x for x in names) else None,
-        )
-    if n is not None and max(joints) > n:
-        raise InputError(
-            "the motion is of another arm", where=where, found=f"{max(joints)} joints", expected=str(n)
-        )
-    columns = {"t": [there["t"]], "q": [there[f"q{j + 1}"] for j in range(count)]}
-    for kind in ("qd", "qdd"):
-        own = [f"{kind}{j + 1}" for j in range(count)]
-        known = [name for name in own if name in there]
-        if known and len(known) < count:
+@dataclass(frozen=True, slots=True)
+class _Table:
+    """The lines of a CSV file below its header, with their numbers, and the ``columns`` that it names."""
+
+    name: str
+    what: str
+    expected: str
+    header: int
+    columns: tuple[str, ...]
+    lines: list[tuple[int, str]]
+
+    @classmethod
+    def read(cls, path: Path, what: str, expected: str) -> _Table:
+        text = read_text(path, LARGEST, f"{what}, such as {what.split()[-1]}.csv", path.name)
+        lines = [(i, line) for i, line in enumerate(text.splitlines(), 1) if line.strip()]
+        if not lines:
+            raise InputError("the file is empty", where=Place(path.name, 1), expected=expected)
+        columns = tuple(cell.strip() for cell in lines[0][1].split(","))
+        return cls(path.name, what, expected, lines[0][0], columns, lines[1:])
+
+    def groups(self, group: str, n: int | None, optional: tuple[str, ...] = ()) -> dict[str, Floats]:
+        """The columns [K, n] of a ``group``, and of the ``optional`` ones that are there."""
+        where, counts = Place(self.name, self.header), Counter(self.columns)
+        numbers = [int(m[1]) for m in (re.fullmatch(rf"{group}([1-9][0-9]{{0,3}})", c) for c in counts) if m]
+        joints = range(1, (n or max(numbers, default=1)) + 1)
+        wanted = {kind: [f"{kind}{j}" for j in joints] for kind in (group, *optional)}
+        twice = [c for c in ("t", *(c for names in wanted.values() for c in names)) if counts[c] > 1]
+        if twice:
+            found = ", ".join(twice[:8])
+            raise InputError("a column stands twice", where=where, found=found, expected=self.expected)
+        missing = [name for name in ("t", *wanted[group]) if name not in counts]
+        if missing:
+            is_other = any(";" in name or "\t" in name for name in self.columns)
             raise InputError(
-                f"some columns of {kind} are missing",
+                f"there is no column {', '.join(missing[:8])}",
                 where=where,
-                found=", ".join(known)[:200],
-                expected=f"{own[0]} to {own[-1]}, or none of them",
+                found=", ".join(self.columns)[:200],
+                expected=self.expected,
+                remedy="separate the columns by commas" if is_other else None,
             )
-        if known:
-            columns[kind] = [there[name] for name in own]
-    return columns
+        if max(numbers) > len(joints):
+            what = f"{self.what} of another arm"
+            raise InputError(what, where=where, found=f"{max(numbers)} joints", expected=str(n))
+        groups = {}
+        for kind, names in wanted.items():
+            known = [name for name in names if name in counts]
+            if known and len(known) < len(names):
+                raise InputError(
+                    f"some columns of {kind} are missing",
+                    where=where,
+                    found=", ".join(known)[:200],
+                    expected=f"{names[0]} to {names[-1]}, or none of them",
+                )
+            if known:
+                groups[kind] = self.numbers(names)
+        return groups
 
+    def numbers(self, names: list[str]) -> Floats:
+        """The numbers [K, m] in the columns ``names``, all of them finite."""
+        for i, line in self.lines:
+            if line.count(",") != len(self.columns) - 1:
+                raise InputError(
+                    "a line of the wrong length",
+                    where=Place(self.name, i),
+                    found=f"{line.count(',') + 1} cells",
+                    expected=f"{len(self.columns)}, as the header has",
+                )
+        places = [self.columns.index(name) for name in names]
+        table = np.empty((len(self.lines), len(places)))  # no larger than the text: its lines are whole
+        for k, (i, line) in enumerate(self.lines):
+            cells = line.split(",")
+            for column, place in enumerate(places):
+                try:
+                    table[k, column] = float(cells[place])
+                except ValueError:
+                    table[k, column] = math.nan
+                if not math.isfinite(table[k, column]):
+                    raise InputError(
+                        f"{names[column]} is not a finite number",
+                        where=Place(self.name, i),
+                        found=repr(cells[place].strip()[:40]),
+                        expected="such as 0.25",
+                    )
+        return table
 
-def _not_number(file: str, line: int, column: str, cell: str) -> InputError:
-    return InputError(
-        f"{column} is not a finite number",
-        where=Place(file, line),
-        found=repr(cell.strip()[:40]),
-        expected="such as 0.25",
-    )
+    def even_times(self) -> Floats:
+        """The times [K] of the lines."""
+        if not self.lines:
+            where = Place(self.name, self.header)
+            raise InputError(
+                f"{self.what} without samples", where=where, expected=f"{self.expected}, and rows"
+            )
+        t = self.numbers(["t"])[:, 0]
+        uneven = uneven_sample(t) if len(t) > 1 else None
+        if uneven is not None:
+            step = (t[-1] - t[0]) / (len(t) - 1)
+            even = f"{t[0] + step * uneven:.9g}: one sample every {step:.6g} s"
+            raise InputError(
+                "the times are not even",
+                where=Place(self.name, self.lines[uneven][0]),
+                found=f"t = {t[uneven]:.9g}",
+                expected=even if step > 0 else "rising times",
+                remedy="fill the gaps, or sample at even times",
+            )
+        return t

@@ -3,31 +3,20 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from robodyn.errors import InputError
-from robodyn.robot.model import Limits, Robot
-from robodyn.simulate.trajectories.trajectory import PERIOD, Trajectory, joint_vector, sample_times
+from robodyn.robot.model import Robot
+from robodyn.simulate.trajectories.trajectory import PERIOD, Trajectory, sample_times
 
 Floats = NDArray[np.float64]
 
 _PER_HARMONIC = 256  # points of the grid on which extremes are sought, a period of the highest harmonic
 _SHARE = 0.98
-
-
-@dataclass(frozen=True, slots=True)
-class _Bounds:
-    """Limits of all joints [n]."""
-
-    low: Floats
-    high: Floats
-    velocity: Floats
-    acceleration: Floats
 
 
 def fourier(
@@ -38,8 +27,6 @@ def fourier(
     *,
     periods: int = 1,
     share: float = _SHARE,
-    default: Limits | None = None,
-    centre: ArrayLike | None = None,
     period: float = PERIOD,
 ) -> Trajectory:
     """A sum of ``harmonics`` of the base ``frequency`` [Hz] in every joint, for ``periods`` periods.
@@ -48,13 +35,11 @@ def fourier(
     the same for the same ``seed``, and each joint's are scaled until one of its limits of position, velocity
     or acceleration is used up to the ``share``, at every time and not at the samples only: with extremes
     M on a grid of N points a period, a sum of K harmonics stays below ``M / cos(pi K / N)`` (M. Riesz 1914).
-    Limits are the robot's; where it states none, those of ``default``. The range of a joint has
-    its middle at ``centre`` [n] (rad or m), by default in the middle of the limits.
+    The range of a joint has its middle in that of its limits.
 
     Raises
     ------
-    InputError: a limit is missing; fewer than two harmonics; a centre outside the limits; numbers that are no
-        frequency or share.
+    InputError: a limit is missing; fewer than two harmonics; numbers that are no frequency or share.
     """
     if not 2 <= harmonics <= 1000 or periods < 1:
         raise InputError(
@@ -68,16 +53,8 @@ def fourier(
             found=f"{frequency!r} Hz, {share!r}",
             expected="a positive frequency, a share in 0 .. 1",
         )
-    bounds = _bounds(robot, default or Limits())
-    middle = (bounds.low + bounds.high) / 2 if centre is None else joint_vector("the centre", centre, robot.n)
-    room = np.minimum(bounds.high - middle, middle - bounds.low)
-    if not (room > 0).all():
-        joint = int(np.argmin(room)) + 1
-        raise InputError(
-            f"{robot.name}: the centre of joint {joint} is not inside its limits",
-            found=f"{middle[joint - 1]:.6g}",
-            expected=f"{bounds.low[joint - 1]:.6g} to {bounds.high[joint - 1]:.6g}",
-        )
+    low, high, velocity, acceleration = _limits(robot)
+    middle, room = (low + high) / 2, (high - low) / 2
     base = 2 * math.pi * frequency
     sines, cosines = _drawn(harmonics, robot.n, seed)
     N = _PER_HARMONIC * harmonics
@@ -88,8 +65,8 @@ def fourier(
     used = beyond * np.array(
         [
             (highest - lowest) / 2 / room,
-            np.abs(qd).max(axis=0) / bounds.velocity,
-            np.abs(qdd).max(axis=0) / bounds.acceleration,
+            np.abs(qd).max(axis=0) / velocity,
+            np.abs(qdd).max(axis=0) / acceleration,
         ]
     )
     scale = share / used.max(axis=0)
@@ -132,32 +109,20 @@ def _drawn(harmonics: int, n: int, seed: int) -> tuple[Floats, Floats]:
     return sines.T, cosines.T
 
 
-def _bounds(robot: Robot, default: Limits) -> _Bounds:
-    """The limits of all joints, those of ``default`` where the robot states none."""
+def _limits(robot: Robot) -> Floats:
+    """Lowest and highest positions, velocities and accelerations of all joints [4, n]."""
     rows = []
-    for i, link in enumerate(robot.links):
+    for i, link in enumerate(robot.links, 1):
         own = link.joint.limits
-        position = own.position or default.position
-        velocity = own.velocity if own.velocity is not None else default.velocity
-        acceleration = own.acceleration if own.acceleration is not None else default.acceleration
-        missing = [
-            name
-            for name, value in (
-                ("position", position),
-                ("velocity", velocity),
-                ("acceleration", acceleration),
-            )
-            if value is None
-        ]
-        if position is None or velocity is None or acceleration is None:
+        stated = {"position": own.position, "velocity": own.velocity, "acceleration": own.acceleration}
+        missing = [name for name, value in stated.items() if value is None]
+        if own.position is None or own.velocity is None or own.acceleration is None:
             raise InputError(
-                f"{robot.name}: link {i + 1} states no limit of {', '.join(missing)}",
-                remedy="add limits: {position: [-pi, pi], velocity: 2, acceleration: 10} to the link, "
-                "or give default limits",
+                f"{robot.name}: link {i} states no limit of {', '.join(missing)}",
+                remedy="add limits: {position: [-pi, pi], velocity: 2, acceleration: 10} to the link",
             )
-        rows.append((float(position[0]), float(position[1]), float(velocity), float(acceleration)))
-        if not (rows[-1][2] > 0 and rows[-1][3] > 0):
-            raise InputError(
-                f"{robot.name}: link {i + 1} has a limit of 0", expected="positive velocity and acceleration"
-            )
-    return _Bounds(*np.array(rows).T)
+        rows.append([float(x) for x in (*own.position, own.velocity, own.acceleration)])
+        if not (own.velocity > 0 and own.acceleration > 0):
+            expected = "positive velocity and acceleration"
+            raise InputError(f"{robot.name}: link {i} has a limit of 0", expected=expected)
+    return np.array(rows).T

@@ -1,8 +1,7 @@
-"""Motions from joint position to joint position: quintic, trapezoid, and through points."""
+"""Motions from joint position to joint position: quintic and trapezoid."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import partial
 from typing import Any
 
@@ -11,7 +10,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from robodyn.errors import InputError
 from robodyn.simulate.trajectories.profiles import Profile, quintic_profile, trapezoid_profile
-from robodyn.simulate.trajectories.spline import hermite, least_jerk
 from robodyn.simulate.trajectories.trajectory import PERIOD, Trajectory, joint_vector, sample_times
 
 Floats = NDArray[np.float64]
@@ -68,51 +66,6 @@ def trapezoid(
         "time": float(duration),
     }
     return _straight(ends, partial(trapezoid_profile, float(ramp), float(duration)), t, provenance)
-
-
-def via(points: ArrayLike, times: ArrayLike, *, period: float = PERIOD) -> Trajectory:
-    """Through ``points`` [m, n] (rad or m) at ``times`` [m] (s, the first 0), at rest at both ends.
-
-    Pieces of degree five with four continuous derivatives: of all such motions the one of least jerk.
-
-    Raises
-    ------
-    InputError: fewer than two points, times that do not rise from 0, or numbers that are not finite.
-    """
-    x = np.asarray(points, dtype=np.float64)
-    knots = np.asarray(times, dtype=np.float64)
-    if x.ndim != 2 or len(x) < 2 or x.shape[1] < 1 or not np.isfinite(x).all():
-        raise InputError(
-            "these are no points to go through",
-            found=f"shape {list(x.shape)}",
-            expected="[m, n], m at least 2, finite",
-        )
-    if (
-        knots.shape != (len(x),)
-        or knots[0] != 0
-        or not (np.diff(knots) > 0).all()
-        or not np.isfinite(knots).all()
-    ):
-        raise InputError(
-            "times of the points do not rise from 0",
-            found=str(knots.tolist()),
-            expected=f"[{len(x)}] in s, 0 first",
-        )
-    still = np.zeros((2, x.shape[1]))
-    v, a = least_jerk(knots, x, still, still)
-    t = sample_times(float(knots[-1]), period, beyond=True)
-    law = partial(_stopped, partial(hermite, knots, x, v, a), float(knots[-1]))
-    provenance = {"kind": "via", "points": x.tolist(), "times": knots.tolist()}
-    return Trajectory(t, *law(t), provenance, law)
-
-
-def _stopped(
-    law: Callable[[Floats], tuple[Floats, Floats, Floats]], end: float, t: Floats
-) -> tuple[Floats, Floats, Floats]:
-    """``law`` up to ``end``, and standing there afterwards."""
-    q, qd, qdd = law(np.minimum(t, end))
-    after = (t >= end)[:, None]
-    return q, np.where(after, 0.0, qd), np.where(after, 0.0, qdd)
 
 
 def _along(ends: tuple[Floats, Floats], profile: Profile, t: Floats) -> tuple[Floats, Floats, Floats]:

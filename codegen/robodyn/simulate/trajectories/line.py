@@ -16,9 +16,8 @@ from robodyn.dynamics.inverse import Numerical
 from robodyn.errors import InputError
 from robodyn.robot.model import Placement, Robot
 from robodyn.robot.values import quarter_turns
-from robodyn.simulate.inverse_kinematics import InverseKinematics, closest_turns, position_limits
-from robodyn.simulate.kinematics import Kinematics
-from robodyn.simulate.poses import PoseSolver
+from robodyn.simulate.kinematics import Kinematics, closest_turns, is_revolute, position_limits
+from robodyn.simulate.poses import PoseSolver, Solution
 from robodyn.simulate.trajectories.profiles import Profile, ProfileName, profile_of
 from robodyn.simulate.trajectories.spline import hermite
 from robodyn.simulate.trajectories.trajectory import PERIOD, Trajectory, joint_vector, sample_times
@@ -48,7 +47,6 @@ def line(
     rotation: ArrayLike | None = None,
     start: ArrayLike | None = None,
     period: float = PERIOD,
-    singular: float = SINGULAR,
 ) -> Trajectory:
     """The point of ``kinematics`` along the straight line from ``start_point`` to ``end_point`` [3] (m).
 
@@ -62,8 +60,8 @@ def line(
     Raises
     ------
     InputError: the line is not within reach, or passes a singular place (smallest singular value of the
-        Jacobian not above ``singular`` times the largest); the led joints are not as many as the conditions;
-        the solver does not meet the line.
+        Jacobian not above :data:`SINGULAR` times the largest); the led joints are not as many as the
+        conditions; the solver does not meet the line.
     """
     a, b = _point("start", start_point), _point("end", end_point)
     rows = 3 if rotation is None else 6
@@ -78,12 +76,11 @@ def line(
     turn = None if rotation is None else np.asarray(rotation, dtype=np.float64)
     robot = kinematics.robot
     begin = np.zeros(robot.n) if start is None else joint_vector("the start", start, robot.n)
-    solve = solver or _inverse(kinematics, turn, begin)
     along = profile_of(profile, float(duration))
     t = sample_times(duration, period, beyond=profile != "constant")
     way = _Line(kinematics, (a, b), turn, along)
-    q = way.solved(t, solve, begin)
-    way.regular(t, q, singular)
+    q = way.met(t, begin, None if solver is None else solver(way.path(t)))
+    way.regular(t, q)
     q = way.refined(t, q)
     samples = (t, q, *way.rates(t, q))
     provenance: dict[str, Any] = {
@@ -115,18 +112,25 @@ class _Line:
         path: Floats = start + self.profile(t)[0][:, None] * (end - start)
         return path
 
-    def solved(self, t: Floats, solve: Solver, begin: Floats) -> Floats:
-        """Joint positions [K, n], those of the joints that are not led from ``begin`` [n]."""
+    def met(self, t: Floats, begin: Floats, led: Floats | None) -> Floats:
+        """Joint positions [K, n], those of the joints that are not led from ``begin`` [n]. Those that are
+        ``led`` are of a solver, or come of inverse kinematics: in closed form, or where there is none, or
+        where the path leaves its branch, by Newton's method from sample to sample."""
         path = self.path(t)
         m = self.kinematics.link
-        led = np.asarray(solve(path), dtype=np.float64)
+        q = np.tile(begin, (len(t), 1))
+        if led is None:
+            solver = solver_up_to(self.kinematics)
+            turn = np.eye(3) if self.rotation is None else self.rotation
+            poses = np.concatenate([np.broadcast_to(turn, (len(t), 3, 3)), path[:, :, None]], axis=2)
+            led = along_branch(solver, poses, begin[:m])
+            if led is None:
+                q[0, :m] = self.reached(solver.solve(poses[:1], begin[:m])[0].nearest, path[0])
+                return self.followed(t, q)
         if led.shape != (len(t), m):
-            raise InputError(
-                "the solver's joints have the wrong shape",
-                found=str(list(led.shape)),
-                expected=str([len(t), m]),
-            )
-        q = np.hstack([led, np.broadcast_to(begin[m:], (len(t), self.kinematics.robot.n - m))])
+            found, expected = str(list(led.shape)), str([len(t), m])
+            raise InputError("the solver's joints have the wrong shape", found=found, expected=expected)
+        q[:, :m] = led
         missed = np.abs(self.missing(t, q)).max(axis=1)
         if missed.max() > _MISSED:
             k = int(np.argmax(missed))
@@ -137,6 +141,37 @@ class _Line:
                 remedy="do the solver and the kinematics speak of the same point?",
             )
         return q
+
+    def reached(self, solution: Solution, point: Floats) -> Floats:
+        """The joints of a ``solution`` that reaches its pose within the limits."""
+        if solution.exists and solution.within:
+            return solution.q
+        raise self.unreachable(point, max(solution.off))
+
+    def followed(self, t: Floats, q: Floats) -> Floats:
+        """``q`` [K, n], of which the first row is known, each other from those before it."""
+        low, high = position_limits(self.kinematics.robot).T
+        for k in range(1, len(t)):
+            guess = 2 * q[k - 1] - q[k - 2] if k > 1 else q[0]
+            try:
+                q[k] = self.refined(t[k : k + 1], guess[None])[0]
+                missed = float(np.abs(self.missing(t[k : k + 1], q[k : k + 1])).max())
+            except np.linalg.LinAlgError:
+                missed = math.inf
+            jump = float(np.abs(q[k] - q[k - 1]).max())
+            if not (
+                missed <= _MISSED and jump <= _LARGEST_JUMP and (low <= q[k]).all() and (q[k] <= high).all()
+            ):
+                raise self.unreachable(self.path(t)[k], missed)
+        return q
+
+    def unreachable(self, point: Floats, missed: float) -> InputError:
+        """What to say of a ``point`` that the arm does not come to, but for so much."""
+        return InputError(
+            f"{self.kinematics.robot.name}: the point {_place(point)} of the line cannot be reached",
+            found=f"{missed:.3g} (m or rad) missing, or a joint beyond its limits",
+            remedy="move it into the arm's reach, widen the joints' limits, or give another start",
+        )
 
     def refined(self, t: Floats, q: Floats) -> Floats:
         """``q`` [K, n] brought onto the line by Newton's method, from nearby."""
@@ -174,11 +209,11 @@ class _Line:
         qdd[:, :m] = np.linalg.solve(J, rest)[..., 0]
         return qd, qdd
 
-    def regular(self, t: Floats, q: Floats, singular: float) -> None:
+    def regular(self, t: Floats, q: Floats) -> None:
         """Refuses the first singular place, one between two samples as well."""
         J = self._led(self.kinematics.jacobian(q))
         sizes = np.linalg.svd(J, compute_uv=False)
-        bad = sizes[:, -1] <= singular * sizes[:, 0]
+        bad = sizes[:, -1] <= SINGULAR * sizes[:, 0]
         turned = np.sign(np.linalg.det(J))
         bad[1:] |= turned[1:] * turned[:-1] < 0
         if bad.any():
@@ -187,7 +222,7 @@ class _Line:
                 f"{self.kinematics.robot.name}: the line passes a singular place",
                 found=f"{_place(self.path(t)[k])} at {t[k]:.6g} s, smallest singular value of the Jacobian "
                 f"{sizes[k, -1] / sizes[k, 0]:.2g} times the largest",
-                expected=f"more than {singular:g} times, all the way",
+                expected=f"more than {SINGULAR:g} times, all the way",
                 remedy="lead the line past it",
             )
 
@@ -203,24 +238,6 @@ def _between(
     """The law of a line that is known at ``samples``: near them, so on their branch."""
     q = way.refined(t, hermite(*samples, t)[0])
     return q, *way.rates(t, q)
-
-
-def _inverse(kinematics: Kinematics, rotation: Floats | None, start: Floats) -> Solver:
-    """Inverse kinematics of the led joints: in closed form, or where there is none, or where the path leaves
-    its branch, by a search, which says where it cannot go on."""
-    solver = solver_up_to(kinematics)
-
-    def solve(path: Floats) -> Floats:
-        turn = np.eye(3) if rotation is None else rotation
-        rotations = np.broadcast_to(turn, (len(path), 3, 3))
-        poses = np.concatenate([rotations, path[:, :, None]], axis=2)
-        joints = along_branch(solver, poses, start[: kinematics.link])
-        if joints is not None:
-            return joints
-        search = InverseKinematics(kinematics)
-        return search.along(path, None if rotation is None else rotations, start)[:, : kinematics.link]
-
-    return solve
 
 
 def _point(name: str, value: ArrayLike) -> Floats:
@@ -255,7 +272,7 @@ def along_branch(solver: PoseSolver, poses: Floats, start: Floats) -> Floats | N
     if isinstance(solver.solver, Numerical) and solver.solver.alone:
         return None
     q, usable = solver.branches(poses, start)
-    revolute = np.array([link.joint.kind == "revolute" for link in solver.robot.links])
+    revolute = is_revolute(solver.robot)
     low, high = position_limits(solver.robot).T
     joints = np.empty((len(q), solver.robot.n))
     last = start
