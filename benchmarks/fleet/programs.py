@@ -22,8 +22,7 @@ from numpy.typing import NDArray
 
 from robodyn.robot.model import Robot
 from robodyn.simulate.limits import with_limits
-from robodyn.simulate.trajectories.spline import hermite
-from robodyn.simulate.trajectories.trajectory import Trajectory, sample_times
+from robodyn.simulate.trajectories.trajectory import Trajectory, hermite, sample_times
 
 Floats = NDArray[np.float64]
 

@@ -13,8 +13,7 @@ from numpy.typing import NDArray
 from robodyn.errors import InputError, ToolError
 from robodyn.simulate import engine as engines
 from robodyn.simulate.control import Control
-from robodyn.simulate.engine import build_engine
-from robodyn.simulate.run import Record
+from robodyn.simulate.engine import Record, build_engine
 from robodyn_testing import require_module, require_tool
 from simulate.systems import BLOCK, BRISTLE, LIFT, PENDULUM, STRICT, energy, engine
 

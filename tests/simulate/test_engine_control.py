@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from robodyn.errors import InputError
 from robodyn.simulate.control import Control
-from robodyn.simulate.run import Record
+from robodyn.simulate.engine import Record
 from simulate.systems import BLOCK, PENDULUM, energy, engine
 
 Floats = NDArray[np.float64]

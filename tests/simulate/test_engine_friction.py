@@ -10,7 +10,7 @@ import pytest
 from numpy.typing import NDArray
 
 from robodyn.simulate.control import Control
-from robodyn.simulate.run import Record
+from robodyn.simulate.engine import Record
 from robodyn_testing import require_module
 from simulate.systems import BLOCK, COUPLED, GEARS, LIFT, engine
 

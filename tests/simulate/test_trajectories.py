@@ -20,7 +20,7 @@ from robodyn.robot import load
 from robodyn.robot.model import Limits, Robot
 from robodyn.simulate.kinematics import Kinematics
 from robodyn.simulate.trajectories import Trajectory, fourier, line, quintic, trapezoid
-from robodyn.simulate.trajectories.spline import least_jerk
+from robodyn.simulate.trajectories.trajectory import least_jerk
 from robodyn.thesis.puma_inverse import PumaArm
 from robodyn_testing import exactly
 

@@ -8,7 +8,7 @@
 
 ``glue`` is C text: macros for the sizes, and the static functions by which the engine calls the system; see
 ``c/system.h``. It may include the headers among the files. :class:`~robodyn.simulate.control.Control` says
-what drives the motors, :class:`~robodyn.simulate.run.Record` what comes back. A run of no duration gives the
+what drives the motors, :class:`Record` what comes back. A run of no duration gives the
 acceleration and the directions of the dry friction at its start.
 
 Two methods: ``rk4`` of fixed steps ends a step where an element of dry friction comes to rest, and lets go of
@@ -30,7 +30,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from robodyn.errors import InputError, ToolError
 from robodyn.simulate.control import LINEAR_TABLE, Control
-from robodyn.simulate.run import STATUSES, Record
 from robodyn.toolchain.cache import Cache, content_key
 from robodyn.toolchain.compiler import C_FLAGS, find_c
 
@@ -43,6 +42,39 @@ ATOL: Final = 1e-10
 _COUNTERS = ("steps", "rejected", "evaluations", "events", "iterations")
 _METHODS = ("rk4", "adaptive")
 _CHUNK = 0.05  # s between two looks at what Python has to do
+
+#: What a run ended with, by the engine's own number.
+STATUSES = ("done", "not finite", "no acceleration", "too many steps", "step too small", "interrupted")
+
+
+@dataclass(frozen=True, slots=True)
+class Record:
+    """What a run gave at its S samples, as far as it came; SI units.
+
+    ``t`` [S]; coordinates ``y`` [S, n], their velocities ``v`` and accelerations ``a``; internal states ``z``
+    [S, k]; directions ``s`` [S, elements] of the dry friction, -1 or 1 sliding, 0 stuck; torques [S, motors]
+    as the control gave them, ``command``, and as the drives did, ``applied``; ``work`` [S] of the torques and
+    ``loss`` to what the system's ``conserved`` leaves out [J], 0 where it has none. ``status``: one of
+    :data:`STATUSES`; ``time``: where the run ended [s]; ``counters``: steps, rejected, evaluations of the
+    acceleration, events, iterations of Newton's method.
+
+    A sample at an instant of the control is taken after it: ``a``, ``s`` and the torques are those from
+    there on.
+    """
+
+    t: Floats
+    y: Floats
+    v: Floats
+    a: Floats
+    z: Floats
+    s: Floats
+    command: Floats
+    applied: Floats
+    work: Floats
+    loss: Floats
+    status: str
+    time: float
+    counters: Mapping[str, int]
 
 
 @dataclass(frozen=True, slots=True)

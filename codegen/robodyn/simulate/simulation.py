@@ -24,9 +24,8 @@ from robodyn.robot.filling import parameter_values
 from robodyn.robot.model import Robot
 from robodyn.simulate.balance import Balance, stored_energy
 from robodyn.simulate.control import Control
-from robodyn.simulate.engine import ATOL, RTOL, Method
+from robodyn.simulate.engine import ATOL, RTOL, Method, Record
 from robodyn.simulate.plant import Plant, build_plant, drive_limits
-from robodyn.simulate.run import Record
 from robodyn.simulate.sensors import Sensors, measure
 from robodyn.simulate.start import start_state
 from robodyn.simulate.trajectories.trajectory import Trajectory

@@ -2,9 +2,8 @@
 
 from robodyn.simulate.trajectories.file import from_file
 from robodyn.simulate.trajectories.fourier import fourier
-from robodyn.simulate.trajectories.joints import quintic, trapezoid
+from robodyn.simulate.trajectories.joints import PROFILES, ProfileName, quintic, trapezoid
 from robodyn.simulate.trajectories.line import line
-from robodyn.simulate.trajectories.profiles import PROFILES, ProfileName
 from robodyn.simulate.trajectories.trajectory import PERIOD, Trajectory
 
 __all__ = [

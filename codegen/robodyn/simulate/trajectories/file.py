@@ -16,8 +16,7 @@ from numpy.typing import NDArray
 
 from robodyn.errors import InputError, Place
 from robodyn.files import read_text
-from robodyn.simulate.trajectories.spline import end_rates, hermite, least_jerk
-from robodyn.simulate.trajectories.trajectory import Trajectory, uneven_sample
+from robodyn.simulate.trajectories.trajectory import Trajectory, end_rates, hermite, least_jerk, uneven_sample
 
 Floats = NDArray[np.float64]
 

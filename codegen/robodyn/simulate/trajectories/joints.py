@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from robodyn.errors import InputError
-from robodyn.simulate.trajectories.profiles import Profile, quintic_profile, trapezoid_profile
 from robodyn.simulate.trajectories.trajectory import PERIOD, Trajectory, joint_vector, sample_times
 
 Floats = NDArray[np.float64]
+ProfileName = Literal["quintic", "trapezoid", "constant"]
+#: Share of the way [K], its rate [K] (1/s) and the rate's rate [K] (1/s^2) at times [K] (s).
+Profile = Callable[[Floats], tuple[Floats, Floats, Floats]]
+
+PROFILES: tuple[ProfileName, ...] = ("quintic", "trapezoid", "constant")
+_RAMP = 0.25
 
 _NO_WAY = 1e-100  # [rad or m]: a joint that goes less far sets no pace
 
@@ -99,3 +105,51 @@ def _limit(what: str, value: ArrayLike, n: int) -> Floats:
     if not (limits > 0).all() or not np.isfinite(limits).all():
         raise InputError(f"{what} must be positive", found=str(limits.tolist()), expected="positive numbers")
     return limits
+
+
+# --- profiles: how far along a straight way one is, from 0 to 1, with its two rates -----------------------
+
+
+def quintic_profile(duration: float, t: Floats) -> tuple[Floats, Floats, Floats]:
+    """``10 s^3 - 15 s^4 + 6 s^5`` of ``s = t / duration``: at rest, without acceleration, at both ends."""
+    s = np.clip(t / duration, 0.0, 1.0)
+    way = s**3 * (10 + s * (-15 + s * 6))
+    return way, 30 * s**2 * (1 - s) ** 2 / duration, 60 * s * (1 - s) * (1 - 2 * s) / duration**2
+
+
+def trapezoid_profile(ramp: float, duration: float, t: Floats) -> tuple[Floats, Floats, Floats]:
+    """Constant acceleration for ``ramp`` [s], constant speed, deceleration for ``ramp``; ``ramp`` is
+    at most half the duration."""
+    speed = 1 / (duration - ramp)
+    rate = speed / ramp
+    t = np.clip(t, 0.0, duration)
+    left = duration - t
+    way = np.where(
+        t < ramp,
+        rate * t**2 / 2,
+        np.where(left <= ramp, 1 - rate * left**2 / 2, speed * (t - ramp / 2)),
+    )
+    velocity = np.minimum(np.minimum(rate * t, rate * left), speed)
+    acceleration = np.where(t < ramp, rate, np.where((left <= ramp) & (left > 0), -rate, 0.0))
+    return way, velocity, acceleration
+
+
+def constant_profile(duration: float, t: Floats) -> tuple[Floats, Floats, Floats]:
+    """Constant speed from the first moment to the last."""
+    return t / duration, np.full_like(t, 1 / duration), np.zeros_like(t)
+
+
+def profile_of(name: str, duration: float) -> Profile:
+    """The profile ``name`` over ``duration`` [s]; the trapezoid speeds up for a quarter of it.
+
+    Raises
+    ------
+    InputError: there is no such profile.
+    """
+    if name == "quintic":
+        return lambda t: quintic_profile(duration, t)
+    if name == "trapezoid":
+        return lambda t: trapezoid_profile(_RAMP * duration, duration, t)
+    if name == "constant":
+        return lambda t: constant_profile(duration, t)
+    raise InputError("there is no such profile", found=repr(name), expected=" or ".join(PROFILES))

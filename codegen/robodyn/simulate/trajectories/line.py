@@ -18,9 +18,8 @@ from robodyn.robot.model import Placement, Robot
 from robodyn.robot.values import quarter_turns
 from robodyn.simulate.kinematics import Kinematics, closest_turns, is_revolute, position_limits
 from robodyn.simulate.poses import PoseSolver, Solution
-from robodyn.simulate.trajectories.profiles import Profile, ProfileName, profile_of
-from robodyn.simulate.trajectories.spline import hermite
-from robodyn.simulate.trajectories.trajectory import PERIOD, Trajectory, joint_vector, sample_times
+from robodyn.simulate.trajectories.joints import Profile, ProfileName, profile_of
+from robodyn.simulate.trajectories.trajectory import PERIOD, Trajectory, hermite, joint_vector, sample_times
 
 Floats = NDArray[np.float64]
 
