@@ -27,7 +27,7 @@ from benchmarks.peers.candidates import pinocchio_traced
 from benchmarks.peers.ours import values_of
 from numpy.typing import NDArray
 
-from robodyn.bench.peers import Disagreement, hold_against, numbers_of
+from robodyn.bench.peers.numbers import Disagreement, hold_against, numbers_of
 from robodyn.counts import count
 from robodyn.counts.peers import FILE, peers_csv
 from robodyn.dynamics.functions import NoSuchFunction

@@ -26,9 +26,8 @@ from benchmarks.peers.pictures import growth_picture, peers_picture
 from benchmarks.peers.race import Race, harness, paired, random_states
 from benchmarks.peers.tables import markdown
 
-from robodyn.bench.peers import TOLERANCE, Disagreement, hold_against, numbers_of
-from robodyn.bench.peers.agreement import TOLERANCE_FLOAT
 from robodyn.bench.peers.calls import checked, raced
+from robodyn.bench.peers.numbers import TOLERANCE, TOLERANCE_FLOAT, Disagreement, hold_against, numbers_of
 from robodyn.robot import load
 
 RESULTS = Path(__file__).resolve().parents[1] / "results"

@@ -13,7 +13,7 @@ from benchmarks.peers.candidates import Candidate, Missing, both, pinocchio_head
 from benchmarks.peers.ours import BUILDS, values_of, written
 from benchmarks.peers.race import Race, States, paired, random_states
 
-from robodyn.bench.peers import Disagreement, hold_against, numbers_of
+from robodyn.bench.peers.numbers import Disagreement, hold_against, numbers_of
 from robodyn.kernels.generate import Options, generate, program
 from robodyn.robot import Robot, load
 

@@ -15,7 +15,7 @@ from benchmarks.peers.family import family_text
 from benchmarks.peers.ours import kernels, reference
 from benchmarks.peers.race import Race, random_states
 
-from robodyn.bench.peers import hold_against, numbers_of
+from robodyn.bench.peers.numbers import hold_against, numbers_of
 from robodyn.counts import count
 from robodyn.kernels.generate import Options, program
 from robodyn.robot import load

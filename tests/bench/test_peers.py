@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from robodyn.bench.peers import Disagreement, NumbersLacking, hold_against, numbers_of
 from robodyn.bench.peers.calls import PEERS, checked, raced
+from robodyn.bench.peers.numbers import Disagreement, NumbersLacking, hold_against, numbers_of
 from robodyn.bench.peers.textbook import inverse_dynamics
 from robodyn.robot import Robot, load
 from robodyn.verify.reference import Reference

@@ -13,7 +13,7 @@ from benchmarks.peers.building import Lacking
 from benchmarks.peers.candidates import Candidate
 from benchmarks.peers.race import Race, harness
 
-from robodyn.bench.peers import Disagreement
+from robodyn.bench.peers.numbers import Disagreement
 from robodyn_testing import require_tool
 
 RESULTS = Path(__file__).parents[2] / "benchmarks" / "results"

@@ -21,7 +21,7 @@ from benchmarks.functions.state import Rows, State, Values
 from benchmarks.functions.tables import in_document, markdown, not_below, ratio
 from benchmarks.peers.ours import values_of
 
-from robodyn.bench.peers import numbers_of
+from robodyn.bench.peers.numbers import numbers_of
 from robodyn.counts import count
 from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.kernels.generate import Options, program

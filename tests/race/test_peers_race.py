@@ -18,7 +18,7 @@ from benchmarks.peers.candidates import Candidate, Missing
 from benchmarks.peers.race import Race, harness, paired, random_states
 from benchmarks.peers.tables import markdown
 
-from robodyn.bench.peers import numbers_of
+from robodyn.bench.peers.numbers import numbers_of
 from robodyn.robot import load
 from robodyn_testing import require_tool
 

@@ -8,16 +8,22 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any, Final
 
 import numpy as np
 
-from robodyn.bench.peers.agreement import Disagreement, hold_against
-from robodyn.bench.peers.calls import PEERS, States, checked, own_calls, raced
+from robodyn.bench.peers.calls import PEERS, Call, States, checked, own_calls, raced
 from robodyn.bench.peers.models import casadi_function
-from robodyn.bench.peers.numbers import Floats, Numbers, NumbersLacking, numbers_of
+from robodyn.bench.peers.numbers import (
+    Disagreement,
+    Floats,
+    Numbers,
+    NumbersLacking,
+    hold_against,
+    numbers_of,
+)
 from robodyn.emit.render import environment
 from robodyn.errors import CheckError, ToolError
 from robodyn.kernels.generate import Options, generate, program
@@ -29,6 +35,7 @@ from robodyn.toolchain.program import built
 from robodyn.toolchain.running import run
 from robodyn.tools.libraries import CASADI, MUJOCO, PINOCCHIO
 from robodyn.tools.programs import VALGRIND
+from robodyn.verify.reference import Reference
 
 _COUNT: Final = 64
 _TITLES: Final = {"builtin": "built-in sine and cosine", "libm": "libm's", "given": "given by the caller"}
@@ -47,10 +54,6 @@ class Timed:
     ratio: float
     instructions: float | None = None
 
-    def to_dict(self) -> dict[str, Any]:
-        """As ``bench --json`` prints it."""
-        return {k: getattr(self, k) for k in ("key", "title", "ns", "ratio", "instructions")}
-
 
 @dataclass(frozen=True, slots=True)
 class KernelBench:
@@ -65,8 +68,8 @@ class KernelBench:
         """As ``bench --json`` prints it."""
         return {
             "flags": self.flags,
-            "kernels": [row.to_dict() for row in self.native],
-            "python": [row.to_dict() for row in self.python],
+            "kernels": list(map(asdict, self.native)),
+            "python": list(map(asdict, self.python)),
             "not_measured": dict(self.absent),
         }
 
@@ -81,41 +84,50 @@ def kernel_bench(
     ToolError: no compiler.
     CheckError: a kernel of ours does not give the textbook's torques.
     """
-    interface = signature(robot, "inverse_dynamics")
+    flags, interface = " ".join(C_FLAGS), signature(robot, "inverse_dynamics")
     if interface.parameters or interface.states:
         why = "run-time parameters" if interface.parameters else "effects with a state"
-        return KernelBench(" ".join(C_FLAGS), (), (), {"calls beside peers": f"{robot.name} has {why}"})
-    absent: dict[str, str] = {}
+        return KernelBench(flags, (), (), {"calls beside peers": f"{robot.name} has {why}"})
     arm: Numbers | None = None
     try:
         arm = numbers_of(robot)
+        absent = {
+            peer.distribution: f"not installed ({peer.install})"
+            for peer in _PEERS.values()
+            if not peer.present()
+        }
     except NumbersLacking as lacking:
-        absent |= dict.fromkeys((peer.distribution for peer in _PEERS.values()), str(lacking))
-    here = []
-    for module, peer in _PEERS.items() if arm is not None else ():
-        if peer.present():
-            here.append(module)
-        else:
-            absent[peer.distribution] = f"not installed ({peer.install})"
-    states = _states(robot)
-    wanted = _reference(robot, states)
-    tell("kernels in C")
-    native = _native(robot, options, arm if "casadi" in here else None, states, wanted, cc, absent)
-    tell("calls from Python")
-    python = _python(robot, arm, states, wanted, here, cc, absent)
-    return KernelBench(" ".join(C_FLAGS), native, python, absent)
-
-
-def _states(robot: Robot) -> States:
+        absent = {peer.distribution: str(lacking) for peer in _PEERS.values()}
     random = np.random.default_rng(7)
     q, qd, qdd = (random.uniform(-limit, limit, (_COUNT, robot.n)) for limit in (np.pi, 3.0, 10.0))
-    return q, qd, qdd
+    states = (q, qd, qdd)
+    wanted = np.asarray(Reference(robot).inverse_dynamics(*states), dtype=np.float64)
+    tell("kernels in C")
+    for_casadi = None if CASADI.distribution in absent else arm
+    native = _native(robot, options, for_casadi, states, wanted, cc, absent)
+    tell("calls from Python")
+    calls = own_calls(robot, states, cc=cc)
+    for call in calls:
+        checked(call, wanted)
+    for module, peer in _PEERS.items():
+        if arm is None or peer.distribution in absent:
+            continue
+        try:
+            call = PEERS[module](arm, states)
+            checked(call, wanted)
+            calls.append(call)
+        except (Disagreement, ImportError, RuntimeError, ValueError) as error:
+            absent[peer.distribution] = str(error)
+    return KernelBench(flags, native, _timed(calls, raced(calls, 30, 5e-4), {}), absent)
 
 
-def _reference(robot: Robot, states: States) -> Floats:
-    from robodyn.verify.reference import Reference
-
-    return np.asarray(Reference(robot).inverse_dynamics(*states), dtype=np.float64)
+def _timed(ways: Sequence[Call | _Runner], times: Floats, counted: Mapping[str, float]) -> tuple[Timed, ...]:
+    """What each of ``ways`` takes, of nanoseconds ``times`` [rounds, ways]."""
+    median, ratio = np.median(times, axis=0), np.median(times / times[:, :1], axis=0)
+    return tuple(
+        Timed(way.key, way.title, float(median[k]), float(ratio[k]), counted.get(way.key))
+        for k, way in enumerate(ways)
+    )
 
 
 # --- in C ---------------------------------------------------------------------------------------------------
@@ -149,30 +161,22 @@ def _native(
     if layout:
         arrays["sc"] = _trig_inputs(layout, states[0])
     with built(_files(runners, arrays, robot.n), cc=cc, flags=C_FLAGS) as path:
-        torques = np.array([float(x) for x in _output_of([str(path)]).split()])
+        torques = np.array(_output_of([str(path)]).split(), dtype=np.float64)
         for runner, tau in zip(runners, torques.reshape(len(runners), *wanted.shape), strict=True):
             hold_against(runner.title, wanted, tau)
-        lines = _output_of([str(path), "200", "10"]).splitlines()
-        counted = _instructions(path, [runner.key for runner in runners], absent)
-    times = np.array([[float(x) for x in line.split()] for line in lines])
-    ratios = np.median(times / times[:, :1], axis=0)
-    return tuple(
-        Timed(r.key, r.title, float(np.median(times[:, k])), float(ratios[k]), counted.get(r.key))
-        for k, r in enumerate(runners)
-    )
+        times = np.array([line.split() for line in _output_of([str(path), "200", "10"]).splitlines()], float)
+        return _timed(runners, times, _instructions(path, [runner.key for runner in runners], absent))
 
 
 def _own(robot: Robot, options: Options, trig: str) -> _Runner:
-    import dataclasses
-
-    wanted = dataclasses.replace(options, functions=("inverse_dynamics",), trig=trig, scalar="double")  # type: ignore[arg-type]
-    files = generate(robot, wanted).files(("c",))
+    own = replace(options, functions=("inverse_dynamics",), trig=trig, scalar="double")  # type: ignore[arg-type]
+    files = generate(robot, own).files(("c",))
     name, symbol = robot.name, f"{robot.name}_inverse_dynamics"
     text = files[f"{name}.c"].replace(f'#include "{name}.h"', files[f"{name}.h"])
     first = "sc" if trig == "given" else "q"
     return _Runner(
         trig,
-        f"robodyn, sine and cosine {_TITLES[trig]}" if trig != "builtin" else f"robodyn, {_TITLES[trig]}",
+        f"robodyn, {'' if trig == 'builtin' else 'sine and cosine '}{_TITLES[trig]}",
         f"#define {symbol} kernel_{trig}\n{text}",
         f"void kernel_{trig}(const double *, const double *, const double *, double *);",
         f"kernel_{trig}({first}[k], qd[k], qdd[k], tau[k]);",
@@ -195,16 +199,10 @@ def _of_casadi(arm: Numbers) -> _Runner:
 
 
 def _files(runners: Sequence[_Runner], arrays: Mapping[str, Floats], joints: int) -> dict[str, str]:
-    spelled = [
-        {
-            "name": name,
-            "size": values.shape[1],
-            "rows": [", ".join(repr(float(x)) for x in row) for row in values],
-        }
-        for name, values in arrays.items()
-    ]
-    context = {"count": _COUNT, "joints": joints, "runners": runners, "arrays": spelled}
-    main = environment().get_template("c/race.c.j2").render(context)
+    spelled = {name: [", ".join(map(repr, x)) for x in values.tolist()] for name, values in arrays.items()}
+    sizes = {name: values.shape[1] for name, values in arrays.items()}
+    template = environment().get_template("c/race.c.j2")
+    main = template.render(count=_COUNT, joints=joints, runners=runners, arrays=spelled, sizes=sizes)
     return {"race_main.c": main, **{f"race_{r.key}.c": r.source for r in runners}}
 
 
@@ -247,34 +245,3 @@ def _instructions(path: Path, keys: Sequence[str], absent: dict[str, str]) -> di
             totals.append(int(total[1].replace(",", "")))
         counts[key] = (totals[1] - totals[0]) / (2 * _COUNT)
     return counts
-
-
-# --- from Python --------------------------------------------------------------------------------------------
-
-
-def _python(
-    robot: Robot,
-    arm: Numbers | None,
-    states: States,
-    wanted: Floats,
-    here: Sequence[str],
-    cc: str | None,
-    absent: dict[str, str],
-) -> tuple[Timed, ...]:
-    calls = own_calls(robot, states, cc=cc)
-    for call in calls:
-        checked(call, wanted)
-    for module in here:
-        assert arm is not None  # else nothing is here
-        try:
-            call = PEERS[module](arm, states)
-            checked(call, wanted)
-            calls.append(call)
-        except (Disagreement, ImportError, RuntimeError, ValueError) as error:
-            absent[_PEERS[module].distribution] = str(error)
-    times = raced(calls, 30, 5e-4)
-    ratios = np.median(times / times[:, :1], axis=0)
-    return tuple(
-        Timed(call.key, call.title, float(np.median(times[:, k])), float(ratios[k]))
-        for k, call in enumerate(calls)
-    )

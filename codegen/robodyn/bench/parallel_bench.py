@@ -12,11 +12,12 @@ waiting, all tasks being s times as long.
 
 from __future__ import annotations
 
+import itertools
 import os
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Any, Final, get_args
 
 from robodyn.emit.parallel import schedule_files
 from robodyn.errors import CheckError
@@ -33,6 +34,8 @@ SIZES: Final = (3, 30, 300, 3_000, 30_000, 300_000)
 
 #: States of a measurement, and of one whose threads outnumber the cores: there a wait may take milliseconds.
 STATES, CROWDED = 20_000, 500
+#: States that the packed form computes at once.
+_LANES: Final = 4
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,33 +79,32 @@ class Measured:
         parallel = longer * self.chain * self.operation_ns + self.waiting_ns
         return longer * self.operations * self.operation_ns / parallel
 
+    @property
+    def break_even_sizes(self) -> dict[str, float] | None:
+        """The operations of each task and of all tasks at :attr:`break_even`."""
+        if self.break_even is None:
+            return None
+        whole = self.break_even * self.operations
+        return {"operations_a_task": whole / self.tasks, "operations_in_all": whole}
+
     def to_dict(self) -> dict[str, Any]:
         """As ``bench --json`` prints it."""
-        even = self.break_even
         return {
             "processors": self.processors,
             "sync": self.waiting,
-            "levels": self.levels,
-            "meetings": self.meetings,
-            "parallel_ns": self.parallel_ns,
-            "waiting_ns": self.waiting_ns,
+            **{key: getattr(self, key) for key in ("levels", "meetings", "parallel_ns", "waiting_ns")},
             "ns_a_meeting": self.waiting_ns / self.meetings if self.meetings else None,
             "wins": self.wins,
             "speedup": self.serial_ns / self.parallel_ns,
             "schedule_speedup": self.operations / self.chain,
             "speedup_at": {str(size): self.speedup_at(size) for size in SIZES},
-            "break_even": None
-            if even is None
-            else {
-                "operations_a_task": even * self.operations / self.tasks,
-                "operations_in_all": even * self.operations,
-            },
+            "break_even": self.break_even_sizes,
         }
 
 
 @dataclass(frozen=True, slots=True)
 class Bench:
-    """All of it, on this machine."""
+    """All of it, on this machine; ``load``: how many processes want a core, on average over a minute."""
 
     robot: str
     function: str
@@ -120,18 +122,12 @@ class Bench:
 
     def to_dict(self) -> dict[str, Any]:
         """As ``bench --json`` prints it."""
+        packed = {"lanes": self.packed_lanes, "ns": self.packed_ns, "wins": self.packed_ns < self.serial_ns}
         return {
-            "robot": self.robot,
-            "function": self.function,
-            "cores": self.cores,
-            "compiler": self.compiler,
+            **{key: getattr(self, key) for key in ("robot", "function", "cores", "compiler")},
             "operations": self.rows[0].operations,
             "serial_ns": self.serial_ns,
-            "packed": {
-                "lanes": self.packed_lanes,
-                "ns": self.packed_ns,
-                "wins": self.packed_ns < self.serial_ns,
-            },
+            "packed": packed,
             "threads": [row.to_dict() for row in self.rows],
         }
 
@@ -142,8 +138,6 @@ def bench(
     cut: Cut,
     processors: Sequence[int],
     *,
-    lanes_wide: int = 4,
-    cc: str | None = None,
     states: int | None = None,
     tell: Callable[[str], None] = lambda _: None,
 ) -> Bench:
@@ -154,57 +148,39 @@ def bench(
     ToolError: no compiler, or no threads.
     CheckError: bits differ.
     """
-    here = cores()
-    rows: list[Measured] = []
-    packed: list[float] = []
-    for p in processors:
-        for waiting in ("barrier", "counters"):
-            tell(f"{p} threads, {waiting}")
-            table = solve(cut.graph, Machine(p), "critical-path").timetable
-            files = schedule_files(robot, signature, cut, table, waiting=waiting, vector=lanes_wide)
-            crowded = p > here
-            flags = (*THREADED_FLAGS, *([f"-D{signature.robot}_spins=1u"] if crowded else []))
-            state_count = states or (CROWDED if crowded else STATES)
-            code, output = run_program(files, [str(state_count)], cc=cc, flags=flags)
-            times = {name: float(value) for name, value in re.findall(r"(\w+) ([\d.]+)", output)}
-            if code != 0 or times.get("differing") != 0:
-                raise CheckError(
-                    f"{p} threads do not give the serial kernel's bits",
-                    found=output.strip() or f"exit code {code}",
-                )
-            packed.append(times["packed_ns"])
-            rows.append(_measured(cut, table, waiting, times))
-    return Bench(
-        robot.name,
-        signature.function,
-        here,
-        find_c(cc).version,
-        lanes_wide,
-        min(packed),
-        _load(),
-        tuple(rows),
-    )
+    rows, packed = [], []
+    for p, waiting in itertools.product(processors, get_args(Waiting)):
+        tell(f"{p} threads, {waiting}")
+        table = solve(cut.graph, Machine(p), "critical-path").timetable
+        files = schedule_files(robot, signature, cut, table, waiting=waiting, lanes=_LANES)
+        is_crowded = p > cores()
+        flags = (*THREADED_FLAGS, *([f"-D{signature.robot}_spins=1u"] if is_crowded else []))
+        code, output = run_program(files, [str(states or (CROWDED if is_crowded else STATES))], flags=flags)
+        times = {name: float(value) for name, value in re.findall(r"(\w+) ([\d.]+)", output)}
+        if code != 0 or times.get("differing") != 0:
+            raise CheckError(
+                f"{p} threads do not give the serial kernel's bits",
+                found=output.strip() or f"exit code {code}",
+            )
+        packed.append(times["packed_ns"])
+        rows.append(_measured(cut, table, waiting, times))
+    load = os.getloadavg()[0] if hasattr(os, "getloadavg") else None
+    compiler, function = find_c(None).version, signature.function
+    return Bench(robot.name, function, cores(), compiler, _LANES, min(packed), load, tuple(rows))
 
 
 def _measured(cut: Cut, table: Timetable, waiting: Waiting, times: dict[str, float]) -> Measured:
     plan = lanes(cut, table, waiting)
     price = [COSTS[operation.op] for operation in cut.program.operations]
     weight = {task: sum(price[i] for i in own) for task, own in cut.operations().items()}
-    chain = sum(max(weight[task] for task in row if task is not None) for row in table.slots)
-    meetings = len(plan.barriers) or sum(len(step.waits) for lane in plan.steps for step in lane)
     return Measured(
         table.machine.processors,
         waiting,
         table.levels,
-        meetings,
+        len(plan.barriers) or sum(len(step.waits) for lane in plan.steps for step in lane),
         times["serial_ns"],
         times["parallel_ns"],
         sum(price),
-        chain,
+        sum(max(weight[task] for task in row if task is not None) for row in table.slots),
         len(cut.graph),
     )
-
-
-def _load() -> float | None:
-    """How many processes want a core, on average over a minute."""
-    return os.getloadavg()[0] if hasattr(os, "getloadavg") else None

@@ -6,9 +6,10 @@ target's cost of communication. It is judged by the time that its schedule takes
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any, Final
 
 from robodyn.dynamics.functions import function_named
@@ -48,18 +49,8 @@ class Plan:
 
     def to_dict(self, deadline_ns: float) -> dict[str, Any]:
         """As ``plan --json`` prints it."""
-        return {
-            "target": self.target,
-            "formulation": self.formulation,
-            "processors": self.processors,
-            "cut": self.cut,
-            "synchronised": self.levels,
-            "tasks": self.tasks,
-            "operations": self.operations,
-            "time_ns": self.time_ns,
-            "lower_bound_ns": self.lower_bound_ns,
-            "meets": self.time_ns <= deadline_ns,
-        }
+        plan = {"synchronised" if key == "levels" else key: value for key, value in asdict(self).items()}
+        return plan | {"meets": self.time_ns <= deadline_ns}
 
 
 def parse_deadline(text: str) -> float:
@@ -152,19 +143,17 @@ def plans(
     InputError: no processors, a target whose clock is not known, or an unknown function.
     """
     Machine(processors)
-    for target in targets:
-        chip_of(target)
+    chips = {target.name: chip_of(target) for target in targets}
     programs: dict[str, Program] = {}
     for name, options in FORMULATIONS.items():
-        if not function_named(function).is_recursion and "formulation" in options:
-            continue
-        tell(name)
-        programs[name] = program(robot, function, Options((function,), **options))
+        if function_named(function).is_recursion or "formulation" not in options:
+            tell(name)
+            programs[name] = program(robot, function, Options((function,), **options))
     candidates: list[Plan] = []
     for target in targets:
         for name, candidate in programs.items():
             tell(f"{target.name}, {name}")
-            cores = min(processors, chip_of(target).cores)
+            cores = min(processors, chips[target.name].cores)
             candidates += _of_target(target, name, candidate, cores, scalar)
     return sorted(candidates, key=lambda plan: (plan.time_ns, plan.processors))
 
@@ -188,27 +177,21 @@ def _of_target(
     units, costs = _units(target.costs_of(scalar or target.scalar))
     chip = chip_of(target)
     unit_ns = chip.cycle_ns / units
-    whole = sum(costs[operation.op] for operation in program.operations)
+    whole_ns = unit_ns * sum(costs[operation.op] for operation in program.operations)
     operations = sum(COSTS[operation.op] for operation in program.operations)
-    candidates = [
-        Plan(target.name, formulation, 1, None, True, 1, operations, whole * unit_ns, whole * unit_ns)
-    ]
+    plans = [Plan(target.name, formulation, 1, None, True, 1, operations, whole_ns, whole_ns)]
     passing = round(chip.passing_ns / unit_ns)
     graphs = {k: cut(program, k, costs).graph for k in CUTS} if most > 1 else {}
     for p in range(2, most + 1):
-        best: Plan | None = None
-        for k, graph in graphs.items():
-            for levels in (True, False):
-                solved = solve(graph, Machine(p, passing, levels), "critical-path")
-                time = solved.timetable.span * unit_ns
-                if best is None or time < best.time_ns:
-                    bound = solved.lower_bound * unit_ns
-                    best = Plan(target.name, formulation, p, k, levels, len(graph), operations, time, bound)
-        if (
-            best is not None and best.time_ns < candidates[-1].time_ns
-        ):  # more cores that gain nothing are no plan
-            candidates.append(best)
-    return candidates
+        tried = []
+        for (k, graph), levels in itertools.product(graphs.items(), (True, False)):
+            solved = solve(graph, Machine(p, passing, levels), "critical-path")
+            time, bound = solved.timetable.span * unit_ns, solved.lower_bound * unit_ns
+            tried.append(Plan(target.name, formulation, p, k, levels, len(graph), operations, time, bound))
+        best = min(tried, key=lambda plan: plan.time_ns)
+        if best.time_ns < plans[-1].time_ns:  # more cores that gain nothing are no plan
+            plans.append(best)
+    return plans
 
 
 def _units(costs: Costs) -> tuple[int, dict[str, int]]:

@@ -11,9 +11,8 @@ from typing import Any, Final
 
 import numpy as np
 
-from robodyn.bench.peers.agreement import hold_against
 from robodyn.bench.peers.models import casadi_function, mujoco_model, pinocchio_model
-from robodyn.bench.peers.numbers import Floats, Numbers
+from robodyn.bench.peers.numbers import Floats, Numbers, hold_against
 from robodyn.robot.model import Robot
 
 #: States of a batch.

@@ -1,15 +1,16 @@
-"""A rigid arm in plain doubles, which is what the peers take."""
+"""A rigid arm in plain doubles, which is what the peers take; and whether one gives our torques: only then is
+it timed."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.errors import InputError
-from robodyn.robot.model import Link, Robot
-from robodyn.robot.values import Affine, Value
+from robodyn.errors import CheckError, InputError
+from robodyn.robot.model import AXES, Link, Robot
 
 Floats = NDArray[np.float64]
 
@@ -105,22 +106,55 @@ def numbers_of(robot: Robot) -> Numbers:
 
 
 def _link(link: Link, motor: bool) -> LinkNumbers:
-    i, joint = link.inertia, link.joint
-    xx, yy, zz, xy, xz, yz = (_float(x) for x in (i.xx, i.yy, i.zz, i.xy, i.xz, i.yz))
+    joint = link.joint
+    xx, yy, zz, xy, xz, yz = (_plain(getattr(link.inertia, axes)) for axes in AXES)
     return LinkNumbers(
         revolute=joint.kind == "revolute",
         alpha=(joint.alpha.radians, float(joint.alpha.cos), float(joint.alpha.sin)),
-        a=_float(joint.a),
-        d=_float(joint.d),
         theta=(joint.theta.radians, float(joint.theta.cos), float(joint.theta.sin)),
-        mass=_float(link.mass),
-        com=np.array([_float(x) for x in link.com]),
+        mass=_plain(link.mass),
+        com=np.array([_plain(x) for x in link.com]),
         inertia=np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]),
-        rotor=_float(joint.motor_inertia) if motor else 0.0,
-        b=_float(joint.b),
+        rotor=_plain(joint.motor_inertia) if motor else 0.0,
+        **{name: _plain(getattr(joint, name)) for name in ("a", "d", "b")},
     )
 
 
-def _float(value: Value) -> float:
-    assert not isinstance(value, Affine)  # there are no parameters
-    return float(value)
+def _plain(value: Any) -> float:
+    return float(value)  # there are no run-time parameters
+
+
+# --- agreement --------------------------------------------------------------------------------------------
+
+#: What may be between two torques of a state, as a share of the larger of 1 and its largest torque.
+TOLERANCE: Final = 1e-9
+#: The same for kernels in single precision.
+TOLERANCE_FLOAT: Final = 2e-4
+
+
+class Disagreement(CheckError):
+    """A peer gives other torques: whatever it computes, its time says nothing."""
+
+
+def hold_against(name: str, ours: NDArray[Any], theirs: NDArray[Any], tolerance: float = TOLERANCE) -> float:
+    """The largest difference of the torques [N, n] of one and the other, as a share of what it is held to
+    (:data:`TOLERANCE`).
+
+    Raises
+    ------
+    Disagreement: more than ``tolerance``, or a torque that is no number.
+    """
+    if ours.shape != theirs.shape:
+        raise Disagreement(f"{name} gives torques [{theirs.shape}]", expected=f"[{ours.shape}]")
+    scale = np.maximum(1.0, np.abs(ours).max(axis=1, keepdims=True))
+    error = np.abs(theirs.astype(np.float64) - ours) / scale
+    worst = float(np.nan_to_num(error, nan=np.inf).max()) if error.size else 0.0
+    if worst > tolerance:
+        state, joint = np.unravel_index(int(np.nan_to_num(error, nan=np.inf).argmax()), error.shape)
+        raise Disagreement(
+            f"{name} gives another torque in state {state}, joint {joint + 1}",
+            found=f"{theirs[state, joint]!r}",
+            expected=f"{ours[state, joint]!r}, to {tolerance:g} of the largest torque",
+            remedy="it is not timed",
+        )
+    return worst
