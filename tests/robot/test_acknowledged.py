@@ -9,7 +9,7 @@ import pytest
 
 from robodyn.diagnose.amend.amend import Amendment, amended, amended_text
 from robodyn.errors import InputError
-from robodyn.robot import Robot, bundled_text, fold_rotor, json_schema, read_text, starter, to_yaml
+from robodyn.robot import Robot, bundled_text, fold_rotor, read_text, to_yaml
 from robodyn.robot.identity import identity
 from robodyn.robot.rewriting import rewritten
 
@@ -96,9 +96,3 @@ def test_an_amended_model_keeps_it_unless_the_tensor_changed(amendment: Amendmen
     assert after == amended(robot, [amendment])
     assert warnings == []
     assert bool(after.links[2].acknowledged) is stays
-
-
-def test_schema_and_starter_know_the_key() -> None:
-    link = json_schema()["properties"]["links"]["items"]["properties"]
-    assert "implausible" in link["acknowledged"]["description"]
-    assert "# acknowledged: " in starter()

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import hashlib
 import re
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
+from typing import Any
 
 import pytest
 
@@ -18,14 +19,8 @@ from robodyn_testing import exactly
 # Table 2.1: alpha_{i-1} in quarter turns, a_{i-1}, d_i. Table 2.2 with link 3 corrected.
 PUMA_DH = ((0, "0", "0"), (-1, "0", "0.2435"), (0, "0.4318", "-0.0934"),
            (1, "-0.0203", "0.4331"), (-1, "0", "0"), (1, "0", "0"))  # fmt: skip
-STANFORD_DH = (
-    (0, "0", "0"),
-    (-1, "0", "0.1524"),
-    (1, "0", "0"),
-    (0, "0", "0"),
-    (-1, "0", "0"),
-    (1, "0", "0"),
-)
+STANFORD_DH = ((0, "0", "0"), (-1, "0", "0.1524"), (1, "0", "0"),
+               (0, "0", "0"), (-1, "0", "0"), (1, "0", "0"))  # fmt: skip
 NONE = "0 0 0 0"
 
 # Columns: mass, x, y, z | Ixx, Iyy, Izz | motor.
@@ -81,28 +76,20 @@ PUMA_3_D13 = ((NONE, "0 0 0", "0"),) * 3
 PUMA_3_D4 = (*PUMA_3_D12[:2], ("16.05 0 -0.2954 0", "2.056512 0.0154 2.906512", "0"))
 
 
-@dataclass(frozen=True)
-class Transcript:
-    """A robot of the thesis as its tables say it."""
-
-    dh: tuple[tuple[int, str, str], ...]
-    links: tuple[tuple[str, str, str], ...]
-    row: str | None
-
-
-TRANSCRIPTS = {
-    "puma560": Transcript(PUMA_DH, PUMA, "puma_6"),
-    "puma560_3dof": Transcript(PUMA_DH, PUMA[:3], "puma_3"),
-    "stanford": Transcript(STANFORD_DH, STANFORD, "stanford_6"),
-    "stanford_3dof": Transcript(STANFORD_DH, STANFORD[:3], "stanford_3"),
-    "puma560_d2": Transcript(PUMA_DH, PUMA_D2, "puma_6"),
-    "puma560_3dof_d3": Transcript(PUMA_DH, PUMA_D2[:3], "puma_3"),
-    "stanford_d3": Transcript(STANFORD_DH, STANFORD_D3, "stanford_6"),
-    "stanford_3dof_d3": Transcript(STANFORD_DH, STANFORD_3_D3, "stanford_3"),
-    "puma560_3dof_d11": Transcript(PUMA_DH, PUMA_3_D11, None),
-    "puma560_3dof_d13": Transcript(PUMA_3_D13_DH, PUMA_3_D13, None),
-    "puma560_3dof_d12": Transcript(PUMA_DH, PUMA_3_D12, None),
-    "puma560_3dof_d4": Transcript(PUMA_DH, PUMA_3_D4, None),
+#: The robots of the thesis as its tables say them: DH rows, links, and the row that they are set beside.
+TRANSCRIPTS: dict[str, tuple[Any, Any, str | None]] = {
+    "puma560": (PUMA_DH, PUMA, "puma_6"),
+    "puma560_3dof": (PUMA_DH, PUMA[:3], "puma_3"),
+    "stanford": (STANFORD_DH, STANFORD, "stanford_6"),
+    "stanford_3dof": (STANFORD_DH, STANFORD[:3], "stanford_3"),
+    "puma560_d2": (PUMA_DH, PUMA_D2, "puma_6"),
+    "puma560_3dof_d3": (PUMA_DH, PUMA_D2[:3], "puma_3"),
+    "stanford_d3": (STANFORD_DH, STANFORD_D3, "stanford_6"),
+    "stanford_3dof_d3": (STANFORD_DH, STANFORD_3_D3, "stanford_3"),
+    "puma560_3dof_d11": (PUMA_DH, PUMA_3_D11, None),
+    "puma560_3dof_d13": (PUMA_3_D13_DH, PUMA_3_D13, None),
+    "puma560_3dof_d12": (PUMA_DH, PUMA_3_D12, None),
+    "puma560_3dof_d4": (PUMA_DH, PUMA_3_D4, None),
 }
 # The others are bundled as they were when others' figures were measured on them: no number that enters a
 # torque changes.
@@ -118,6 +105,14 @@ AS_THEY_ARE = {
     "ur10": "b1dd82558928b4fd4ba1d2f5aaf33af74755a7b7b2fa188500e3bab42ae76fda",
     "ur5": "d0d03b25c5894c707ca44a11892de6c4c293c9df4139e5b48fa7c7b7619a7a9e",
 }
+
+
+#: Links whose tensors no body has, which the files acknowledge.
+DOUBTFUL = {
+    "puma560": [3], "puma560_3dof": [3], "puma560_d2": [2, 3, 4, 5, 6], "puma560_3dof_d3": [2, 3],
+    "puma560_3dof_d12": [2, 3], "puma560_3dof_d4": [2, 3], "puma560_rotor_in_link": [2, 3, 4, 5, 6],
+    "stanford_d3": [1, 2, 4, 5], "stanford_3dof_d3": [1, 2],
+}  # fmt: skip
 
 
 def _load(name: str) -> Robot:
@@ -141,6 +136,8 @@ def test_each_has_its_file_name_a_title_and_a_source(name: str) -> None:
     assert robot.source
     assert robot.parameters == ()
     assert all(len(line) <= 110 for line in bundled_text(name).splitlines() if name in TRANSCRIPTS)
+    if name in ("tx40", "panda"):  # a licence stays with what it is of
+        assert "Apache-2.0" in robot.source
 
 
 def _check_link(link: Link, dh: tuple[int, str, str], row: tuple[str, str, str], prismatic: bool) -> None:
@@ -159,13 +156,12 @@ def _check_link(link: Link, dh: tuple[int, str, str], row: tuple[str, str, str],
 
 @pytest.mark.parametrize("name", TRANSCRIPTS)
 def test_the_thesis_robots_number_by_number(name: str) -> None:
-    transcript, robot = TRANSCRIPTS[name], _load(name)
+    (dh, rows, compared), robot = TRANSCRIPTS[name], _load(name)
     assert robot.gravity == exactly(0, 0, Fraction(-98, 10))
-    assert robot.compare == (Comparison("2.10", transcript.row) if transcript.row else None)
-    assert robot.n == len(transcript.links)
-    for i, (link, row) in enumerate(zip(robot.links, transcript.links, strict=True)):
-        prismatic = transcript.dh is STANFORD_DH and i == 2
-        _check_link(link, transcript.dh[i], row, prismatic)
+    assert robot.compare == (Comparison("2.10", compared) if compared else None)
+    assert robot.n == len(rows)
+    for i, (link, row) in enumerate(zip(robot.links, rows, strict=True)):
+        _check_link(link, dh[i], row, prismatic=dh is STANFORD_DH and i == 2)
 
 
 def test_the_pseudo_inertias_of_d_1_1() -> None:
@@ -181,15 +177,12 @@ def test_the_pseudo_inertias_of_d_1_1() -> None:
         assert about_origin == tuple(i + mass * s for i, s in zip(moments, shifts, strict=True))
 
 
-def test_the_point_of_d_1_3() -> None:
+def test_the_sets_hang_together() -> None:
+    """What the thesis says of how one set came from another."""
     tool = _load("puma560_3dof_d13").tool
     assert tool is not None
     assert tool.xyz == _row("0 0.4318 0")
     assert all(angle.quarter == 0 for angle in tool.rpy)
-
-
-def test_the_sets_hang_together() -> None:
-    """What the thesis says of how one set came from another."""
     d12, d4 = _load("puma560_3dof_d12").links[2], _load("puma560_3dof_d4").links[2]
     payload, arm = 10, Fraction("0.4318")
     assert isinstance(d4.mass, Fraction)
@@ -214,6 +207,10 @@ def test_no_bundled_robot_warns_and_each_reason_holds(name: str) -> None:
     told: list[str] = []
     robot = load(name, warn=told.append)
     assert told == []
+    read_text(re.sub(r"\n    acknowledged: .*", "", bundled_text(name)), warn=told.append)
+    doubtful = [int(line.split("link ")[1].split(":")[0]) for line in told]
+    acknowledged = [i for i, link in enumerate(robot.links, 1) if link.acknowledged]
+    assert doubtful == acknowledged == DOUBTFUL.get(name, [])
     for link in robot.links:
         stated = re.match(r"the rotor \(([0-9.]+) kg m\^2\) is (in|folded into) Izz", link.acknowledged)
         if stated:
@@ -232,31 +229,3 @@ def test_the_others_are_as_they_were(name: str) -> None:
     words = ("#", "    acknowledged:", "origin:", "    limits:")
     text = "".join(line for line in lines if not line.startswith(words))
     assert hashlib.sha256(text.encode()).hexdigest() == AS_THEY_ARE[name]
-
-
-def test_the_licence_of_the_tx40_stays_with_it() -> None:
-    assert "Apache License, Version 2.0" in bundled_text("tx40")
-    assert "Apache-2.0" in _load("tx40").source
-    assert "Apache-2.0" in _load("panda").source
-
-
-DOUBTFUL = {
-    "puma560": [3],
-    "puma560_3dof": [3],
-    "puma560_d2": [2, 3, 4, 5, 6],
-    "puma560_3dof_d3": [2, 3],
-    "puma560_3dof_d12": [2, 3],
-    "puma560_3dof_d4": [2, 3],
-    "puma560_rotor_in_link": [2, 3, 4, 5, 6],
-    "stanford_d3": [1, 2, 4, 5],
-    "stanford_3dof_d3": [1, 2],
-}
-
-
-@pytest.mark.parametrize("name", bundled_names())
-def test_which_tensors_are_doubtful(name: str) -> None:
-    acknowledged = [i for i, link in enumerate(_load(name).links, 1) if link.acknowledged]
-    told: list[str] = []
-    read_text(re.sub(r"\n    acknowledged: .*", "", bundled_text(name)), warn=told.append)
-    links = [int(line.split("link ")[1].split(":")[0]) for line in told]
-    assert links == acknowledged == DOUBTFUL.get(name, [])

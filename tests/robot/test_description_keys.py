@@ -4,11 +4,24 @@ from __future__ import annotations
 
 import math
 from fractions import Fraction
+from typing import Final
 
 import numpy as np
 import pytest
 
-from robodyn.robot import Comparison, DoubtfulRobot, Gear, Inertia, Limits, Link, Robot, read_text
+from robodyn.robot import (
+    Comparison,
+    DoubtfulRobot,
+    Gear,
+    Inertia,
+    Joint,
+    Limits,
+    Link,
+    Robot,
+    read_text,
+    to_yaml,
+)  # fmt: skip
+from robodyn.robot.model import JointKind
 from robodyn.robot.values import ZERO, Affine, angle, parameter
 from robodyn_testing import exactly
 
@@ -24,6 +37,7 @@ links:
     joint: revolute
     alpha: -pi/2
     a: 17*0.0254
+    b: 2*0.1
     d: 0.2435
     theta: pi
     mass: 17.4
@@ -43,6 +57,9 @@ effects: [{effect: payload, mass: 2.5}]
 """
 
 
+KINDS: Final[tuple[tuple[str, JointKind], ...]] = (("link1", "revolute"), ("link2", "prismatic"))
+
+
 def _link(text: str) -> Link:
     """The one link with the keys in ``text``, which are written in flow style."""
     return read_text("name: arm\nlinks: [{joint: revolute, " + text + "}]").links[0]
@@ -51,39 +68,30 @@ def _link(text: str) -> Link:
 def test_everything_stated() -> None:
     robot = read_text(EVERYTHING)
     f = Fraction
-    assert robot.name == "puma560"
-    assert robot.title == "PUMA 560: six joints"
-    assert robot.source == "where the numbers come from"
+    texts = ("puma560", "PUMA 560: six joints", "where the numbers come from")
+    assert (robot.name, robot.title, robot.source) == texts
     assert robot.gravity == exactly(0, f(1, 2), f(-98, 10))
     assert robot.compare == Comparison("2.10", "puma_6")  # not 2.1: the text counts
-    assert robot.torque_side == "link"
-    assert robot.rest_velocity == f(1, 100)
-    assert robot.dead_band is None
+    assert (robot.torque_side, robot.rest_velocity, robot.dead_band) == ("link", f(1, 100), None)
     assert [(entry.effect, entry.joint) for entry in robot.effects] == [("spring", 1), ("payload", None)]
     assert robot.effects[0]["stiffness"] == 2 * parameter("k")
     assert robot.effects[1]["mass"] == f(5, 2)
     assert robot.parameters == ("m_tool", "k")
     shoulder, slide = robot.links
-    assert shoulder.name == "shoulder"
-    assert shoulder.mass == f(174, 10)
+    assert (shoulder.name, shoulder.mass) == ("shoulder", f(174, 10))
     assert shoulder.com == (f(68, 1000), f(6, 1000), f(-16, 1000))
-    assert shoulder.inertia == Inertia(
-        f(13, 100), f(524, 1000), f(539, 1000), f(1, 100), f(-2, 100), f(3, 100)
-    )
+    moments = ("0.13", "0.524", "0.539", "0.01", "-0.02", "0.03")
+    assert shoulder.inertia == Inertia(*map(f, moments))
     assert shoulder.confidence == shoulder.inertial_share == f(2, 100)
     joint = shoulder.joint
     assert joint.gear == Gear(f(121), f(11, 100))
     assert joint.gear.torque_per_ampere == f(1331, 100)
-    assert joint.kind == "revolute"
-    assert joint.alpha.quarter == -1
-    assert joint.theta.quarter == 2
-    assert (joint.a, joint.d) == (f(4318, 10000), f(2435, 10000))
+    assert (joint.kind, joint.alpha.quarter, joint.theta.quarter) == ("revolute", -1, 2)
+    assert (joint.a, joint.b, joint.d) == (f(4318, 10000), f(1, 5), f(2435, 10000))
     assert joint.motor_inertia == f(471, 100)
     assert (joint.viscous, joint.coulomb) == (f(12, 10), f(3))
     assert joint.limits == Limits((f(-29, 10), f(29, 10)), f(3), f(10), f(1864, 10))
-    assert slide.name == "link2"
-    assert slide.joint.kind == "prismatic"
-    assert slide.mass == parameter("m_tool")
+    assert (slide.name, slide.joint.kind, slide.mass) == ("link2", "prismatic", parameter("m_tool"))
 
 
 def test_the_base_stands_in_the_world_and_the_tool_in_the_last_link() -> None:
@@ -105,35 +113,15 @@ def test_the_base_stands_in_the_world_and_the_tool_in_the_last_link() -> None:
     assert read_text(text).base_gravity == exactly(1, 2, 3)
 
 
-def test_an_offset_beside_the_twist() -> None:
-    assert _link("a: 1, b: 2*0.1, d: 3").joint.b == Fraction(1, 5)
-    assert _link("b: b_1").joint.b == parameter("b_1")
-    assert _link("a: 1").joint.b == 0
-
-
 def test_only_name_links_and_joint_are_required() -> None:
     robot = read_text("name: arm\nlinks:\n- joint: revolute\n- joint: prismatic\n")
-    assert robot.n == 2
-    assert [link.name for link in robot.links] == ["link1", "link2"]
-    assert robot.title == robot.source == ""
-    assert robot.gravity == exactly(0, 0, Fraction(-981, 100))
-    assert robot.compare is None
-    assert robot.torque_side == "motor"
-    assert robot.rest_velocity is None
-    assert robot.dead_band is None
-    assert robot.effects == ()
-    assert robot.parameters == ()
-    for link in robot.links:
-        assert link.mass == ZERO
-        assert link.com == (ZERO, ZERO, ZERO)
-        assert link.inertia == Inertia()
-        assert link.confidence is None
-        assert link.inertial_share == Fraction(1, 10)
-        assert link.joint.gear is None
-        assert link.joint.limits == Limits()
-        assert link.joint.alpha == link.joint.theta == angle(ZERO)
-        assert {link.joint.a, link.joint.d, link.joint.motor_inertia} == {ZERO}
-        assert {link.joint.viscous, link.joint.coulomb} == {ZERO}
+    flat, zero = angle(ZERO), (ZERO, ZERO, ZERO)
+    revolute, prismatic = (
+        Link(name, Joint(kind, flat, ZERO, ZERO, flat, *zero, Limits()), ZERO, zero, Inertia(), None)
+        for name, kind in KINDS
+    )
+    assert robot == Robot("arm", (revolute, prismatic), "", "", exactly(0, 0, Fraction(-981, 100)))
+    assert robot.links[0].inertial_share == Fraction(1, 10)
 
 
 @pytest.mark.parametrize(
@@ -146,32 +134,27 @@ def test_only_name_links_and_joint_are_required() -> None:
     ],
 )
 def test_friction_at_rest(text: str, velocity: Fraction | None) -> None:
-    robot = read_text(f"name: arm\nfriction_at_rest: {text}\nlinks: [{{joint: revolute}}]")
-    assert robot.rest_velocity == velocity
+    """A dead band is written as a smoothed sign is."""
+    for rule in ("smooth", "dead_band"):
+        stated = text.replace("smooth", rule)
+        robot = read_text(f"name: arm\nfriction_at_rest: {stated}\nlinks: [{{joint: revolute}}]")
+        expected = (velocity, None) if rule == "smooth" else (None, velocity)
+        assert (robot.rest_velocity, robot.dead_band) == expected
+        assert read_text(to_yaml(robot)) == robot
 
 
 def test_a_link_states_its_confidence_or_takes_the_robots_or_none_is_stated() -> None:
     links = "[{joint: revolute}, {joint: revolute, confidence: 0.1}, {joint: revolute, confidence: unknown}]"
-    plain = read_text(f"name: arm\nlinks: {links}").links
-    assert [link.confidence for link in plain] == [None, Fraction(1, 10), "unknown"]
-    assert [link.inertial_share for link in plain] == [Fraction(1, 10), Fraction(1, 10), 1]
-    guessed = read_text(f"name: arm\nconfidence: unknown\nlinks: {links}").links
-    assert [link.confidence for link in guessed] == ["unknown", Fraction(1, 10), "unknown"]
-    measured = read_text(f"name: arm\nconfidence: 1/50\nlinks: {links}").links
-    assert [link.confidence for link in measured] == [Fraction(1, 50), Fraction(1, 10), "unknown"]
-
-
-def test_a_gear_without_a_torque_constant() -> None:
-    gear = _link("gear: {ratio: 256.86}").joint.gear
-    assert gear == Gear(Fraction(25686, 100))
-    assert gear.torque_per_ampere is None
+    for stated, first in (("", None), ("unknown", "unknown"), ("0.5", Fraction(1, 2))):
+        head = f"confidence: {stated}\n" if stated else ""
+        read = read_text(f"name: arm\n{head}links: {links}").links
+        assert [link.confidence for link in read] == [first, Fraction(1, 10), "unknown"]
+        assert [link.inertial_share for link in read[1:]] == [Fraction(1, 10), 1]
 
 
 def test_yaml_1_1_does_not_reinterpret_words_and_numbers() -> None:
     robot = read_text("name: yes\ntitle: 010\nsource: null and void\nlinks: [{name: 1e3, joint: revolute}]")
-    assert robot.name == "yes"
-    assert robot.title == "010"
-    assert robot.source == "null and void"
+    assert (robot.name, robot.title, robot.source) == ("yes", "010", "null and void")
     assert robot.links[0].name == "1e3"
     assert _link("mass: 1e-3").mass == Fraction(1, 1000)
     assert _link("mass: 010").mass == 10
@@ -202,8 +185,7 @@ def test_free_text_is_one_line() -> None:
     robot = read_text(
         "name: arm\ntitle: |\n  two\n  lines  \nsource: >-\n  folded\n  text\nlinks: [{joint: revolute}]"
     )
-    assert robot.title == "two lines"
-    assert robot.source == "folded text"
+    assert (robot.title, robot.source) == ("two lines", "folded text")
     odd = "Größe */ /* ?\\/ \\\\ // 機械 %s {{ x }} \U0001f916"
     assert read_text(f"name: arm\ntitle: '{odd}'\nlinks: [{{joint: revolute}}]").title == odd
 
@@ -252,21 +234,9 @@ def test_a_link_may_have_inertia_without_mass_and_nothing_at_all() -> None:
 @pytest.mark.parametrize(
     ("link", "doubt"),
     [
-        (
-            "inertia: {xx: 0.066, yy: 0.0125, zz: 0.086}",
-            "55: link 2: inertia is not physical: Ixx + Iyy = 0.0785 < Izz = 0.086 kg m^2; check the table, "
-            "or move a rotor's share to motor_inertia, or say why it stands (acknowledged: ...)",
-        ),
-        (
-            "limits: {position: [-180, 180]}",
-            "65: link 2: limits: position: -180 to 180 rad are more than six turns; "
-            "limits are in rad: write [-180*pi/180, 180*pi/180] if degrees are meant",
-        ),
-        (
-            "alpha: -90, theta: 2*pi",
-            "53: link 2: alpha = -90 rad is more than one turn; "
-            "angles are in rad: write -90*pi/180 if degrees are meant",
-        ),
+        ("inertia: {xx: 0.066, yy: 0.0125, zz: 0.086}", "55: link 2: inertia is not physical"),
+        ("limits: {position: [-180, 180]}", "65: link 2: limits: position: -180 to 180 rad are"),
+        ("alpha: -90, theta: 2*pi", "53: link 2: alpha = -90 rad is more than one turn"),
     ],
 )
 def test_doubts_are_told_and_the_robot_is_read(link: str, doubt: str) -> None:
@@ -274,7 +244,8 @@ def test_doubts_are_told_and_the_robot_is_read(link: str, doubt: str) -> None:
     told: list[str] = []
     text = f"name: arm\nlinks: [{{joint: revolute}}, {{joint: revolute, {link}}}]"
     assert read_text(text, "arm.yaml", warn=told.append).n == 2
-    assert told == [f"arm.yaml:2:{doubt}"]
+    assert len(told) == 1
+    assert told[0].startswith(f"arm.yaml:2:{doubt}")
 
 
 def test_limits_that_are_no_degrees() -> None:
@@ -319,10 +290,3 @@ def test_izz_alone_is_enough_for_a_link_on_a_fixed_axis() -> None:
 def test_doubts_are_python_warnings_unless_taken() -> None:
     with pytest.warns(DoubtfulRobot, match=r"<text>:2:34: link 1: alpha = 90 rad"):
         read_text("name: arm\nlinks: [{joint: revolute, alpha: 90}]")
-
-
-def test_a_robot_is_a_value() -> None:
-    one, two = read_text(EVERYTHING), read_text(EVERYTHING)
-    assert one == two
-    assert hash(one) == hash(two)
-    assert isinstance(one, Robot)

@@ -6,6 +6,7 @@ import difflib
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
+from typing import Any
 
 import pytest
 import yaml
@@ -33,6 +34,14 @@ links:   # base to tip
 # the end"""
 
 
+def at(editor: Editor, *path: str | int) -> Any:
+    """The node at ``path``, keys and indices from the root."""
+    node = editor.root
+    for step in path:
+        node = editor.child(node, step) if isinstance(step, str) else node.value[step]
+    return node
+
+
 def _lines(old: str, new: str) -> list[str]:
     """The lines that go and come."""
     return [line for line in difflib.ndiff(old.splitlines(), new.splitlines()) if line[:1] in "-+"]
@@ -48,63 +57,31 @@ def _edited(text: str, edit: Callable[[Editor], object]) -> str:
     ("edit", "lines"),
     [
         (lambda e: None, []),
-        (
-            lambda e: e.set_key(e.node("links", 0), "mass", "1.75", []),
-            ["-     mass: 1.50   # kg, two places", "+     mass: 1.75   # kg, two places"],
-        ),
-        (
-            lambda e: e.set_key(e.node("links", 0), "d", "0.1", [], ["joint", "d", "mass"]),
-            ["+     d: 0.1"],
-        ),
-        (
-            lambda e: e.set_key(e.node("links", 1), "d", "0.1", []),
-            [
-                "-   - {joint: prismatic, mass: 2}   # in one line",
-                "+   - {joint: prismatic, mass: 2, d: 0.1}   # in one line",
-            ],
-        ),
+        (lambda e: e.set_key(at(e, "links", 0), "mass", "1.75", []),
+         ["-     mass: 1.50   # kg, two places", "+     mass: 1.75   # kg, two places"]),
+        (lambda e: e.set_key(at(e, "links", 0), "d", "0.1", [], ["joint", "d", "mass"]), ["+     d: 0.1"]),
+        (lambda e: e.set_key(at(e, "links", 1), "d", "0.1", []),
+         ["-   - {joint: prismatic, mass: 2}   # in one line",
+          "+   - {joint: prismatic, mass: 2, d: 0.1}   # in one line"]),
         (lambda e: e.set_key(e.root, "title", "t", [], ["name", "title"]), ["+ title: t"]),
-        (
-            lambda e: e.change_list(e.node("links", 0), "effects", [], add=["{effect: backlash, gap: 1}"]),
-            ["+       - {effect: backlash, gap: 1}"],
-        ),
-        (
-            lambda e: e.change_list(e.root, "effects", [], add=["{effect: payload, mass: 1}"]),
-            ["+ effects:", "+   - {effect: payload, mass: 1}"],
-        ),
-        (
-            lambda e: e.change_list(e.node("links", 1), "effects", [], add=["one", "two"]),
-            [
-                "-   - {joint: prismatic, mass: 2}   # in one line",
-                "+   - {joint: prismatic, mass: 2, effects: [one, two]}   # in one line",
-            ],
-        ),
-        (
-            lambda e: e.change_list(e.node("links", 0), "effects", [], delete=[1]),
-            ["-       - {effect: torque_bias, bias: 1e-2}"],
-        ),
-        (
-            lambda e: e.change_list(e.node("links", 0), "effects", [], delete=[0, 1]),
-            [
-                "-     effects:",
-                "-       - effect: spring   # a hose",
-                "-         stiffness: 2.0",
-                "-       # the last one",
-                "-       - {effect: torque_bias, bias: 1e-2}",
-                "+     # a hose",
-                "+     # the last one",
-            ],
-        ),
-        (
-            lambda e: e.remove_key(e.node("links", 0, "limits"), "velocity"),
-            [
-                "-     limits: {velocity:  3,",
-                "-              torque: 0x10}   # broken over two lines",
-                "+     limits: {torque: 0x10}   # broken over two lines",
-            ],
-        ),
+        (lambda e: e.change_list(at(e, "links", 0), "effects", [], add=["{effect: backlash, gap: 1}"]),
+         ["+       - {effect: backlash, gap: 1}"]),
+        (lambda e: e.change_list(e.root, "effects", [], add=["{effect: payload, mass: 1}"]),
+         ["+ effects:", "+   - {effect: payload, mass: 1}"]),
+        (lambda e: e.change_list(at(e, "links", 1), "effects", [], add=["one", "two"]),
+         ["-   - {joint: prismatic, mass: 2}   # in one line",
+          "+   - {joint: prismatic, mass: 2, effects: [one, two]}   # in one line"]),
+        (lambda e: e.change_list(at(e, "links", 0), "effects", [], delete=[1]),
+         ["-       - {effect: torque_bias, bias: 1e-2}"]),
+        (lambda e: e.change_list(at(e, "links", 0), "effects", [], delete=[0, 1]),
+         ["-     effects:", "-       - effect: spring   # a hose", "-         stiffness: 2.0",
+          "-       # the last one", "-       - {effect: torque_bias, bias: 1e-2}", "+     # a hose",
+          "+     # the last one"]),
+        (lambda e: e.remove_key(at(e, "links", 0, "limits"), "velocity"),
+         ["-     limits: {velocity:  3,", "-              torque: 0x10}   # broken over two lines",
+          "+     limits: {torque: 0x10}   # broken over two lines"]),
     ],
-)
+)  # fmt: skip
 @pytest.mark.parametrize("ends", ["\n", "\r\n"])
 def test_only_what_is_edited_changes(edit: Callable[[Editor], object], lines: list[str], ends: str) -> None:
     text = TEXT.replace("\n", ends)
@@ -114,18 +91,10 @@ def test_only_what_is_edited_changes(edit: Callable[[Editor], object], lines: li
     yaml.safe_load(new)
 
 
-def test_paths() -> None:
-    editor = Editor(TEXT)
-    assert editor.node("links", 0, "mass").value == "1.50"
-    assert editor.node() is editor.root
-    for path in (("links", 2), ("links", "mass"), ("gravity",), ("name", "x"), ("links", 0, 0)):
-        assert editor.node(*path) is None
-
-
 def test_comments_stand_above_the_first_edit_about_their_subject() -> None:
     editor = Editor(TEXT)
-    editor.set_key(editor.node("links", 0), "mass", "2", ["mass"])
-    editor.set_key(editor.node("links", 1), "mass", "3", ["mass", "tip"])
+    editor.set_key(at(editor, "links", 0), "mass", "2", ["mass"])
+    editor.set_key(at(editor, "links", 1), "mass", "3", ["mass", "tip"])
     editor.change_list(editor.root, "effects", ["load"], add=["x"])
     new = editor.render([(frozenset(["mass"]), ["one", "tab\there"]), (frozenset(["load"]), ["two"])])
     assert "  - joint: revolute\n    # one\n    # tab here\n    mass: 2   # kg" in new
@@ -135,7 +104,7 @@ def test_comments_stand_above_the_first_edit_about_their_subject() -> None:
 
 def test_what_cannot_be_edited_in_place_is_refused() -> None:
     with pytest.raises(NotInPlaceError, match="line 2 is used by an alias too"):
-        _edited("a: 1\nb: &x {c: 2}\nd: *x\n", lambda e: e.replace(e.node("b", "c"), "3", []))
+        _edited("a: 1\nb: &x {c: 2}\nd: *x\n", lambda e: e.replace(at(e, "b", "c"), "3", []))
 
     def twice(e: Editor) -> None:
         for text in ("2", "3"):
@@ -144,7 +113,7 @@ def test_what_cannot_be_edited_in_place_is_refused() -> None:
     with pytest.raises(NotInPlaceError, match="line 1 is changed in two ways"):
         _edited("a: 1\n", twice)
     with pytest.raises(NotInPlaceError, match="would be empty"):
-        _edited("a:\n  - b: 1\n", lambda e: e.remove_key(e.node("a", 0), "b"))
+        _edited("a:\n  - b: 1\n", lambda e: e.remove_key(at(e, "a", 0), "b"))
 
 
 def _heavier(robot: Robot) -> Robot:

@@ -11,7 +11,7 @@ import pytest
 
 from robodyn import resources
 from robodyn.errors import InputError, ToolError
-from robodyn.robot import bundled_names, bundled_text, load, read_text
+from robodyn.robot import bundled_text, load, read_text
 from robodyn_testing.clocks import calls_of
 
 ARM = "name: arm\nlinks: [{joint: revolute, mass: 1}]\n"
@@ -22,27 +22,19 @@ def _in_a_folder_of_its_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> 
     monkeypatch.chdir(tmp_path)
 
 
-def test_bundled_by_name_with_and_without_suffix() -> None:
-    assert load("ur5") == load("ur5.yaml") == read_text(bundled_text("ur5"))
-    assert bundled_text("ur5") == bundled_text("ur5.yaml")
-    assert "ur5" in bundled_names()
-
-
-def test_a_path_as_text_or_as_path(tmp_path: Path) -> None:
+def test_by_path_or_by_name(tmp_path: Path) -> None:
+    """An existing file wins over a bundled name, a folder does not hide it."""
     file = tmp_path / "my arm.yaml"
     file.write_text(ARM)
     assert load(file) == load(str(file)) == load("my arm.yaml") == read_text(ARM)
-
-
-@pytest.mark.parametrize("name", ["ur5", "ur5.yaml"])
-def test_an_existing_file_wins_over_a_bundled_name(name: str, tmp_path: Path) -> None:
-    (tmp_path / name).write_text(ARM)
-    assert load(name).name == "arm"
-
-
-def test_a_folder_does_not_hide_a_bundled_robot(tmp_path: Path) -> None:
     (tmp_path / "ur5").mkdir()
-    assert load("ur5").name == "ur5"
+    assert load("ur5") == load("ur5.yaml") == read_text(bundled_text("ur5"))
+    assert bundled_text("ur5") == bundled_text("ur5.yaml")
+    (tmp_path / "ur5.yaml").write_text(ARM)
+    assert load("ur5.yaml").name == "arm"
+    for name in ("nobody", "../robots/ur5", ""):
+        with pytest.raises(InputError, match="there is neither"):
+            bundled_text(name)
 
 
 def test_messages_call_a_bundled_robot_by_its_file() -> None:
@@ -116,12 +108,6 @@ def test_a_file_that_only_calls_itself_regular(tmp_path: Path, monkeypatch: pyte
         os.close(held)
     with pytest.raises(InputError, match="/dev/zero: the file is too large"):
         load("/dev/zero")  # an endless file ends
-
-
-def test_names_that_are_not_bundled() -> None:
-    for name in ("nobody", "../robots/ur5", ""):
-        with pytest.raises(InputError, match="there is neither"):
-            bundled_text(name)
 
 
 def test_data_of_a_wheel_comes_first_and_none_is_an_error(
