@@ -2,25 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-from fractions import Fraction
-from typing import Any
-
 import numpy as np
 import pytest
 
-from ir.programs import Point, exactly
 from peers.numbers import Array, number
 from robodyn import Options, load, program
 from robodyn.counts import count
-from robodyn.dynamics.functions import FUNCTIONS as RECORDS
-from robodyn.ir import Graph, Input, Program
-from robodyn.ir.derivative import jacobian
+from robodyn.ir import Input, Program
 from robodyn.ir.evaluate import evaluate
-from robodyn.ir.lowering import lower
 from robodyn.kernels.generate import NoForwardDynamics, generate
-from robodyn.kernels.proof import Unequal
-from robodyn.robot import Robot, bundled_names, read_text
+from robodyn.robot import Robot, bundled_names
 from robodyn_testing import require_module, sampled
 from robodyn_testing.random_robots import random_robot, random_states
 
@@ -29,32 +20,6 @@ FAST = Options(optimize="fast")
 BUNDLED = sampled([load(name, warn=lambda _: None) for name in bundled_names()], every=5)
 #: Some of them thorough.
 SEEDS = sampled(range(200), every=50)
-
-DRIVES = """\
-name: driven
-friction_at_rest: {smooth: {velocity: 0.05}}
-links:
-  - joint: revolute
-    mass: 3
-    com: [0.1, 0.02, 0.1]
-    inertia: {xx: 0.1, yy: 0.1, zz: 0.12}
-    motor_inertia: 0.3
-    friction: {viscous: 1.2, coulomb: 3}
-    effects:
-      - {effect: spring, stiffness: 20, rest: 0.3}
-      - {effect: motor_coupling, with: 2, ratio: 0.5, inertia: 0.2}
-  - joint: revolute
-    alpha: pi/2
-    a: 0.3
-    mass: 2
-    com: [0.1, 0.02, 0.1]
-    inertia: {xx: 0.1, yy: 0.1, zz: 0.12}
-    effects:
-      - {effect: stribeck_friction, level: 1.0, static: 2.0, velocity: 0.1}
-  - joint: prismatic
-    alpha: pi/2
-    mass: 2
-"""
 
 
 @pytest.mark.parametrize("function", FUNCTIONS)
@@ -136,67 +101,6 @@ def friction_slopes(robot: Robot, qd: Array) -> list[float]:
             slope += number(link.joint.coulomb) / rest * (1 - np.tanh(rate / rest) ** 2)
         slopes.append(slope)
     return slopes
-
-
-@pytest.mark.parametrize("name", ["puma560", "stanford"])
-def test_the_change_of_the_mass_matrix_less_twice_the_coriolis_matrix_is_skew(name: str) -> None:
-    """Exactly: ``dM/dt = C + C^T``, by the graph's own derivatives of the mass matrix."""
-    robot = load(name, warn=lambda _: None)
-    n, at = robot.n, Point(3)
-    graph = Graph()
-    entries = graph.replay(program(robot, "mass_matrix", FAST))
-    slopes = jacobian(graph, entries, [Input("q", k) for k in range(n)])
-    rates = [sum(x * graph.input("qd", k) for k, x in enumerate(row)) for row in slopes]
-    change = exactly(lower(graph, [("M", rates)]), at)["M"]
-    C = exactly(program(robot, "coriolis_matrix", FAST), at)["C"]
-    assert change == [C[n * i + j] + C[n * j + i] for i in range(n) for j in range(n)]
-    assert any(change)
-
-
-def test_drives_are_differentiated_with_all_they_do() -> None:
-    """Springs, motors that drive two joints, Stribeck's curve: beside differences of 40 digits."""
-    import mpmath
-
-    robot = read_text(DRIVES)
-    made = program(robot, "inverse_dynamics_derivatives", FAST)
-    torques = program(robot, "inverse_dynamics", FAST)
-    functions = {name: getattr(mpmath, name) for name in ("sin", "cos", "tanh", "exp", "sign", "sqrt")}
-    functions |= {"abs": abs, "pow": mpmath.power}
-    state = {
-        Input(a, i): mpmath.mpf(0.3 + 0.17 * i + 0.1 * len(a)) for a in ("q", "qd", "qdd") for i in range(3)
-    }
-
-    def run(one: Program, at: dict[Input, Any]) -> dict[str, list[Any]]:
-        return evaluate(
-            one, at, constant=lambda x: mpmath.mpf(x.numerator) / x.denominator, functions=functions
-        )
-
-    with mpmath.workdps(60):
-        ours, step = run(made, state), mpmath.mpf(10) ** -20
-        for array, result in (("q", "dtau_dq"), ("qd", "dtau_dqd")):
-            for j in range(3):
-                ends = [
-                    run(torques, {**state, Input(array, j): state[Input(array, j)] + s * step})
-                    for s in (1, -1)
-                ]
-                for i in range(3):
-                    slope = (ends[0]["tau"][i] - ends[1]["tau"][i]) / (2 * step)
-                    assert abs(slope - ours[result][3 * i + j]) < mpmath.mpf(10) ** -30
-
-
-@pytest.mark.parametrize("function", FUNCTIONS)
-def test_a_wrong_formula_is_noticed(function: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Nothing leaves whose friction, gravity or momenta are not those of the recursion."""
-    right = RECORDS[function]
-
-    def wrong(at: Any) -> list[Any]:
-        elements = list(right.outputs(at))
-        elements[7] = elements[7] * Fraction(999, 1000)
-        return elements
-
-    monkeypatch.setitem(RECORDS, function, replace(right, outputs=wrong))
-    with pytest.raises(Unequal):
-        program(load("puma560_3dof"), function, FAST)
 
 
 def test_what_is_always_zero_is_listed() -> None:

@@ -13,7 +13,6 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from robodyn.dynamics.functions import NoSuchFunction
 from robodyn.dynamics.inverse import Numerical
 from robodyn.dynamics.inverse.descent import rotation_between
 from robodyn.errors import InputError
@@ -22,7 +21,7 @@ from robodyn.ir.evaluate import REAL_FUNCTIONS, evaluate
 from robodyn.ir.program import Operation
 from robodyn.kernels.generate import Options, generate
 from robodyn.kernels.proof import closes
-from robodyn.optimize.programs import Choice, build, inverse_kinematics_of, signature
+from robodyn.optimize.programs import Choice, build, inverse_kinematics_of
 from robodyn.robot import read_text
 from robodyn.robot.model import Robot
 from robodyn.simulate.kinematics import Kinematics, rotation_vector
@@ -192,22 +191,6 @@ def test_proof_refuses_steps_that_lead_nowhere() -> None:
     wrong = dataclasses.replace(step, operations=tuple(operations), origin=None)
     broken = dataclasses.replace(program, iteration=dataclasses.replace(program.iteration, step=wrong))
     assert not closes(robot, "nearest_inverse_kinematics", broken)
-
-
-def test_it_says_why_and_how_many_steps() -> None:
-    solver = inverse_kinematics_of(arm(6))
-    assert isinstance(solver, Numerical)
-    assert solver.branches == 1
-    assert "no class" in solver.conditions[0]
-    assert nearest(arm(6)).iteration.most == solver.most  # type: ignore[union-attr]
-    assert signature(arm(6), "inverse_kinematics").outputs[0] == ("solutions", 6)
-    assert solver.size == Fraction(solver.size)
-
-
-def test_run_time_lengths_have_none() -> None:
-    text = "name: lengthy\nlinks:\n" + "  - {joint: revolute, alpha: 1, a: reach, mass: 1}\n" * 5
-    with pytest.raises(NoSuchFunction, match="run-time parameters"):
-        inverse_kinematics_of(read_text(text, "lengthy.yaml"))
 
 
 @pytest.mark.thorough

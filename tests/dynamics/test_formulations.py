@@ -25,10 +25,9 @@ from robodyn.ir.evaluate import angle_form, evaluate_exact
 from robodyn.optimize.programs import Choice, build, signature
 from robodyn.optimize.slide import slid
 from robodyn.passes import FRESH, run, units
-from robodyn.robot import Robot, bundled_names
+from robodyn.robot import Robot
 from robodyn.robot.values import circle_point
 from robodyn.verify.exact import exact_torque
-from robodyn_testing import sampled
 from robodyn_testing.functions import SAMPLED
 
 ARMS = [exact_arm(seed, joints=1 + seed % 9) for seed in range(14)]
@@ -50,13 +49,6 @@ WAYS = [
 
 def ids(robot: Robot) -> str:
     return robot.name
-
-
-def test_the_arms_have_both_kinds_of_joints_and_every_number_of_them() -> None:
-    assert {robot.n for robot in ARMS} == set(range(1, 10))
-    kinds = [link.joint.kind for robot in ARMS for link in robot.links]
-    assert min(kinds.count("revolute"), kinds.count("prismatic")) > 10
-    assert any(link.joint.theta.quarter is None for robot in ARMS for link in robot.links)
 
 
 # --- on fractions -----------------------------------------------------------------------------------------
@@ -166,17 +158,6 @@ def test_programs_give_what_the_recursion_gives(robot: Robot) -> None:
     expected = newton_euler(state.arm, state.motion())
     for options in WAYS:
         assert exactly(program(robot, "inverse_dynamics", options), state.at)["tau"] == expected, options
-
-
-@pytest.mark.parametrize("name", sampled(bundled_names(), every=4))
-def test_programs_of_the_bundled_robots_give_what_the_recursion_gives(name: str) -> None:
-    robot = bundled(name)
-    state = State(robot, Point(1))
-    expected = newton_euler(state.arm, state.motion())
-    for options in (Options(), Options(regroup=False), Options(formulation="newton_euler")):
-        assert exactly(program(robot, "inverse_dynamics", options), state.at)["tau"] == expected, options
-    for choice in CHOICES.values():
-        assert exactly(build(robot, "inverse_dynamics", choice), state.at)["tau"] == expected, choice
 
 
 @pytest.mark.parametrize("function", SAMPLED)

@@ -1,94 +1,154 @@
-"""The five kernels of an arm hang together exactly: M is symmetric, holds ID's columns, and FD undoes ID."""
+"""Functions are records: nothing but their own folder asks which function it has by a name, and no program of
+one leaves that is something else; and what arms have of them."""
 
 from __future__ import annotations
 
-from dataclasses import replace
+import ast
+from collections.abc import Iterator
 from fractions import Fraction
-from operator import mul
+from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from dynamics.direct import exact_arm
-from ir.programs import Point, exactly
-from robodyn import InputError, Options, load, program
+from robodyn import InputError, Options, compile, load, program
 from robodyn.counts import count
-from robodyn.dynamics.functions import function_named
+from robodyn.dynamics.equality import same_in_field
+from robodyn.dynamics.functions import FUNCTIONS, INPUTS, array_named, function_named, torques_at
+from robodyn.dynamics.functions.record import Array
 from robodyn.dynamics.mass_matrix import solve_symmetric
-from robodyn.ir import Graph, Input, Program
+from robodyn.ir import Graph, Program
 from robodyn.kernels import rigid_programs
 from robodyn.kernels.generate import SingularArm, generate
 from robodyn.optimize.programs import Choice, build
-from robodyn.passes import FRESH, run
 from robodyn.robot import Robot, read_text
-from robodyn_testing import sampled
 
-ARMS = [
-    replace(exact_arm(seed, joints=1 + seed % 7, motors=1), torque_side="motor") for seed in range(20, 32)
-]
-BUNDLED = ("puma560", "stanford", "ur5", "tx40", "panda", "stanford_3dof")
-OPTIONS = (
-    Options(),
-    Options(regroup=False, optimize="none"),
-    Options(formulation="newton_euler"),
-)  # fmt: skip
-
-
-def bundled(name: str) -> Robot:
-    return load(name, warn=lambda _: None)
+ROOT = Path(__file__).parents[2]
+OWN = ROOT / "codegen" / "robodyn" / "dynamics" / "functions"
+#: But for the rooms in which gravity is a key of YAML.
+FILES = sorted(
+    path
+    for place in ("codegen", "cli")
+    for path in (ROOT / place).rglob("*.py")
+    if OWN not in path.parents and not {"robot", "diagnose"} & set(path.parts)
+)
 
 
-def values(
-    robot: Robot, function: str, at: Point, options: Options | None = None, **given: list[Fraction]
-) -> list[Fraction]:
-    """The results of one kernel; arrays that are not ``given`` are the point's own."""
-    made = program(robot, function, options)
-    numbers = {Input(name, i): Fraction(x) for name, array in given.items() for i, x in enumerate(array)}
-    ((_, found),) = exactly(made, at, numbers).items()
-    return found
+def names_asked_for(tree: ast.AST) -> Iterator[tuple[int, str]]:
+    """Names of functions that something is compared with, by line."""
+    for node in ast.walk(tree):
+        compared: list[ast.AST] = []
+        if isinstance(node, ast.Compare):
+            compared = [node.left, *node.comparators]
+        elif isinstance(node, ast.match_case):
+            compared = [node.pattern]
+        for inner in (part for side in compared for part in ast.walk(side)):
+            if isinstance(inner, ast.Constant) and inner.value in FUNCTIONS:
+                yield inner.lineno, inner.value
+
+
+@pytest.mark.thorough
+def test_nobody_asks_for_a_name() -> None:
+    places = [
+        f"{file.relative_to(ROOT)}:{line}: {name}: ask its record (robodyn.dynamics.functions) instead"
+        for file in FILES
+        for line, name in names_asked_for(ast.parse(file.read_text(encoding="utf-8")))
+    ]
+    assert not places, "\n".join(places)
+    assert len(FILES) > 600
+
+
+def test_such_a_question_is_found() -> None:
+    tree = ast.parse('if f == "gravity":\n    pass\nmatch f:\n    case "bias" | "tau":\n        pass\n')
+    assert sorted(names_asked_for(tree)) == [(1, "gravity"), (4, "bias")]
+
+
+def test_what_is_unknown_is_an_error_that_says_what_there_is() -> None:
+    with pytest.raises(InputError, match=r"unknown function 'bais'; expected one of .*mean 'bias'\?"):
+        function_named("bais")
+    with pytest.raises(InputError, match="unknown array 'Z'; expected one of q, qd, qdd, tau, w, pi"):
+        array_named("Z")
+
+
+def test_torques_by_what_is_zero() -> None:
+    rest, moving = [0, 0], [0, 1]
+    assert torques_at(moving, moving).name == "inverse_dynamics"
+    assert torques_at(moving, rest).name == "bias"
+    assert torques_at(rest, rest).name == "gravity"
+    assert torques_at(rest, moving).name == "inverse_dynamics"
+
+
+@pytest.mark.parametrize("array", [*INPUTS, *(a for f in FUNCTIONS.values() for a in f.results)], ids=str)
+def test_shapes_come_back_from_sizes(array: Array) -> None:
+    for n in (1, 2, 6, 30):
+        assert array.shape_of(array.size_at(n, 7, 8), n) == array.shape_at(n, 7, 8)
+        if not {"p", "b"} & set(array.shape):
+            assert array.shape_of(array.size_at(n)) == array.shape_at(n)
+
+
+def test_shapes_of_other_kinds() -> None:
+    assert Array("J", "Jacobian", "m, 1", shape=(6, "n")).shape_of(42) == (6, 7)
+    assert Array("T", "tool frame", "m", shape=(3, 4)).shape_of(12) == (3, 4)
+    assert Array("E", "energy", "J", shape=()).shape_of(1) == ()
+    with pytest.raises(ValueError, match=r"M is \['n', 'n'\], and not of 5 numbers"):
+        array_named("M").shape_of(5)
+
+
+# --- what is right ----------------------------------------------------------------------------------------
+
+GEARED = """
+name: geared
+torque_side: {side}
+links:
+  - {{joint: revolute, alpha: pi/2, mass: 3, com: [0.1, 0.2, 0.3], inertia: {{xx: 1, yy: 1}},
+      motor_inertia: 0.5, friction: {{viscous: 1.2}}, gear: {{ratio: 100, torque_constant: 0.12}}}}
+  - {{joint: revolute, alpha: pi/2, a: 0.3, mass: 2, com: [0.2, 0.1, 0.3], inertia: {{zz: 0.1}},
+      gear: {{ratio: 80, torque_constant: 0.1}}}}
+  - {{joint: prismatic, alpha: pi/2, a: 0.2, mass: 2, com: [0.1, 0.2, 0.3], gear: {{ratio: 250{constant}}}}}
+"""
+WHOLE = read_text(GEARED.format(side="motor", constant=", torque_constant: 0.05"), warn=lambda _: None)
+
+
+@pytest.mark.parametrize("name", [name for name, function in FUNCTIONS.items() if not function.of_pose])
+def test_a_wrong_element_is_no_program(name: str) -> None:
+    """One element a little off: the comparison that every program goes through before it leaves."""
+    right = build(WHOLE, name, Choice())
+    assert same_in_field(WHOLE, name, right)
+    for k in {0, len(right.results()) // 2, len(right.results()) - 1}:
+
+        def wrong(at: Any, k: int = k) -> Any:
+            elements = list(FUNCTIONS[name].outputs(at))
+            elements[k] = elements[k] + Fraction(1, 10**9) * at.inputs["q"][1]
+            return elements
+
+        assert not same_in_field(WHOLE, name, build(WHOLE, name, Choice(), wrong))
+
+
+def test_torques_and_currents_of_the_motors() -> None:
+    kernel = compile(WHOLE, functions=["inverse_dynamics", "motor_torque", "motor_current"])
+    states = np.random.default_rng(2).uniform(-1, 1, (3, 20, 3))
+    tau, ratios = kernel.inverse_dynamics(*states), np.array([100, 80, 250])
+    np.testing.assert_allclose(kernel.motor_torque(*states), tau / ratios, rtol=1e-13)
+    np.testing.assert_allclose(kernel.motor_current(*states), tau / (ratios * [0.12, 0.1, 0.05]), rtol=1e-13)
 
 
 @pytest.mark.parametrize(
-    "robot", sampled([*ARMS, *map(bundled, BUNDLED)], every=4), ids=lambda robot: robot.name
+    ("side", "function", "message"),
+    [
+        ("motor", "motor_current", "no torque constant at joint 3; "),
+        ("link", "motor_torque", r"no gear at joint 1, 2, 3; .* torque_side: mo"),
+    ],
 )
-def test_kernels_hang_together(robot: Robot) -> None:
-    n, at, zero = robot.n, Point(7), [Fraction(0)] * robot.n
-    gravity = values(robot, "gravity", at)
-    assert values(robot, "inverse_dynamics", at, qd=zero, qdd=zero) == gravity
-    bias = values(robot, "bias", at)
-    assert values(robot, "inverse_dynamics", at, qdd=zero) == bias
-    matrix = values(robot, "mass_matrix", at)
-    assert [matrix[j * n + i] for i in range(n) for j in range(n)] == matrix
-    for j in range(n):
-        unit = [Fraction(i == j) for i in range(n)]
-        torque = values(robot, "inverse_dynamics", at, qd=zero, qdd=unit)
-        assert [t - g for t, g in zip(torque, gravity, strict=True)] == matrix[j::n]
-
-
-@pytest.mark.parametrize(
-    "robot", sampled([*ARMS, *map(bundled, BUNDLED)], every=3), ids=lambda robot: robot.name
-)
-def test_forward_dynamics_undoes_inverse_dynamics(robot: Robot) -> None:
-    at = Point(8)
-    qdd = [at.number(Input("qdd", i)) for i in range(robot.n)]
-    for options in OPTIONS:
-        if robot.name == "tx40":
-            with pytest.raises(SingularArm):
-                program(robot, "forward_dynamics", options)
-            continue
-        tau = values(robot, "inverse_dynamics", at, options)
-        assert values(robot, "forward_dynamics", at, options, tau=tau) == qdd
-
-
-@pytest.mark.parametrize("function", ["mass_matrix", "gravity", "bias"])
-def test_every_way_of_writing_gives_the_same(function: str) -> None:
-    for robot in ARMS:
-        one, *others = (values(robot, function, Point(9), options) for options in OPTIONS)
-        assert all(other == one for other in others)
+def test_what_is_not_known_of_motors(side: str, function: str, message: str) -> None:
+    robot = read_text(GEARED.format(side=side, constant=""), warn=lambda _: None)
+    with pytest.raises(InputError, match=message):
+        program(robot, function, Options(optimize="fast"))
 
 
 def test_an_arm_with_a_joint_without_inertia_has_no_forward_dynamics() -> None:
-    robot = bundled("tx40")
+    robot = load("tx40", warn=lambda _: None)
     made = generate(robot)
     assert tuple(made.left_out) == ("forward_dynamics",)
     assert set(made.counts) == {"inverse_dynamics", "gravity", "bias", "mass_matrix"}
@@ -106,8 +166,7 @@ def test_an_arm_of_nothing(joints: int, engine: str) -> None:
     made = generate(robot, Options(engine=engine))  # type: ignore[arg-type]
     assert tuple(made.left_out) == ("forward_dynamics",)
     assert all(found.total == 0 for found in made.counts.values())
-    assert values(robot, "inverse_dynamics", Point(1)) == [0] * joints
-    assert values(robot, "mass_matrix", Point(1)) == [0] * joints**2
+    assert not any(program(robot, "inverse_dynamics").results())
 
 
 def test_solving_takes_as_many_divisions_as_there_are_joints() -> None:
@@ -124,37 +183,6 @@ def test_solving_takes_as_many_divisions_as_there_are_joints() -> None:
     solve_symmetric(matrix, [graph.input("b", i) for i in range(n)])
     assert [key[0] for key in graph.keys].count("div") == n
     assert "sqrt" not in {key[0] for key in graph.keys}
-
-
-@pytest.mark.parametrize(
-    "robot", sampled([*ARMS, *map(bundled, BUNDLED)], every=4), ids=lambda robot: robot.name
-)
-def test_the_inverse_mass_matrix_is_one(robot: Robot) -> None:
-    """Exactly: the mass matrix times it is the identity, and it is symmetric."""
-    if robot.name == "tx40":
-        with pytest.raises(SingularArm, match="tx40 has no inverse mass matrix"):
-            program(robot, "inverse_mass_matrix")
-        return
-    n, at = robot.n, Point(10)
-    matrix, inverse = (values(robot, name, at) for name in ("mass_matrix", "inverse_mass_matrix"))
-    assert [inverse[j * n + i] for i in range(n) for j in range(n)] == inverse
-    rows = [matrix[n * i : n * (i + 1)] for i in range(n)]
-    assert [[sum(map(mul, row, inverse[j::n])) for j in range(n)] for row in rows] == [
-        [int(i == j) for j in range(n)] for i in range(n)
-    ]
-
-
-@pytest.mark.thorough
-def test_long_arms_have_forward_dynamics_by_articulated_bodies() -> None:
-    """Operations grow with the joints and not with their cube."""
-    arm = exact_arm(3, joints=24, prismatic=0.2, parallel=0.3)
-    record = function_named("forward_dynamics")
-    by_matrix, by_bodies = (
-        count(run(build(arm, "forward_dynamics", Choice(), writing), FRESH)).total
-        for writing in (record.outputs, *record.of_rigid_arms)
-    )
-    assert by_bodies < 0.7 * by_matrix
-    assert count(program(arm, "forward_dynamics", Options(optimize="fast"))).total <= by_bodies
 
 
 @pytest.mark.parametrize("slides", [False, True])
@@ -175,18 +203,3 @@ def test_of_a_long_arm_what_cannot_win_is_not_built(slides: bool, monkeypatch: p
     assert (record.outputs in built) == slides
     assert set(record.of_rigid_arms) <= set(built)
     assert count(best).total <= count(build(arm, record.name, Choice(), record.outputs)).total
-
-
-@pytest.mark.parametrize("robot", [*ARMS[:4], bundled("stanford"), bundled("puma560")], ids=lambda r: r.name)
-def test_articulated_bodies_undo_inverse_dynamics(robot: Robot) -> None:
-    """Exactly, on the links as described and regrouped."""
-    record = function_named("forward_dynamics")
-    at = Point(9)
-    for choice in (Choice(), Choice(regroup=False, chains=False)):
-        try:
-            written = build(robot, "forward_dynamics", choice, record.of_rigid_arms[0])
-        except ZeroDivisionError:  # a joint moves without inertia
-            continue
-        qdd = exactly(written, at)["qdd"]
-        tau = values(robot, "inverse_dynamics", at, qdd=qdd)
-        assert tau == [at.number(Input("tau", i)) for i in range(robot.n)]

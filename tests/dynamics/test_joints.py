@@ -7,8 +7,6 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-import pytest
-
 from dynamics.direct import exact_arm
 from ir.programs import Point, exactly
 from robodyn import Options, program
@@ -19,11 +17,9 @@ from robodyn.ir.evaluate import evaluate
 from robodyn.ir.fingerprint import fingerprint
 from robodyn.robot import Robot, fold_rotor, read_text
 from robodyn.robot.values import circle_point
-from robodyn_testing import covering
-from robodyn_testing.functions import SAMPLED
 
 ARMS = [exact_arm(seed, joints=3, motors=0, friction=0) for seed in range(40, 44)]
-MOTOR, VISCOUS, COULOMB = (Fraction(x) for x in ("1.7", "0.9", "2.3"))
+MOTOR, COULOMB = Fraction("1.7"), Fraction("2.3")
 SIGN = Program((Operation("sign", (Input("x", None),)),), (("t", (0,)),))
 #: Functions that drives have no part in.
 WITHOUT_DRIVES = (
@@ -33,7 +29,6 @@ WITHOUT_DRIVES = (
     "momentum_observer_term",
     "christoffel_symbols",
 )
-WAYS = (Options(), Options(regroup=False, optimize="none"), Options(formulation="newton_euler"))
 
 
 def driven(robot: Robot, joint: int, **numbers: Any) -> Robot:
@@ -55,27 +50,6 @@ def same_program(one: Robot, other: Robot, function: str = "inverse_dynamics") -
     return prints[0] == prints[1]
 
 
-@pytest.mark.parametrize(("joint", "options"), covering([0, 1, 2], WAYS))
-def test_rotor_and_friction_add_to_their_own_joint_only(joint: int, options: Options) -> None:
-    for robot in ARMS:
-        at = Point(joint)
-        qd, qdd = (at.number(Input(name, joint)) for name in ("qd", "qdd"))
-        bare = torque(replace(robot, torque_side="motor"), at, options)
-        for numbers, added in (
-            ({"motor_inertia": MOTOR}, MOTOR * qdd),
-            ({"viscous": VISCOUS}, VISCOUS * qd),
-            ({"coulomb": COULOMB}, COULOMB * (1 if qd > 0 else -1)),
-            (
-                {"motor_inertia": MOTOR, "viscous": VISCOUS, "coulomb": COULOMB},
-                MOTOR * qdd + VISCOUS * qd + COULOMB * (1 if qd > 0 else -1),
-            ),
-        ):
-            found = torque(driven(robot, joint, **numbers), at, options)
-            assert [x - y for x, y in zip(found, bare, strict=True)] == [
-                added if i == joint else 0 for i in range(robot.n)
-            ]
-
-
 def test_friction_at_rest_is_nothing_and_changes_sign_with_the_velocity() -> None:
     robot = driven(ARMS[0], 1, coulomb=COULOMB)
     bare = replace(ARMS[0], torque_side="motor")
@@ -85,20 +59,6 @@ def test_friction_at_rest_is_nothing_and_changes_sign_with_the_velocity() -> Non
         qd = [Fraction(0), speed, Fraction(0)]
         found, without = (torque(arm, Point(1), qd=qd) for arm in (robot, bare))
         assert found[1] - without[1] == way * COULOMB
-
-
-@pytest.mark.parametrize("function", SAMPLED)
-def test_torques_of_the_links_side_have_neither_rotor_nor_friction(function: str) -> None:
-    for bare in ARMS:
-        robot = bare
-        for joint in range(3):
-            robot = driven(robot, joint, motor_inertia=MOTOR, viscous=VISCOUS, coulomb=COULOMB)
-        behind = replace(robot, torque_side="link")
-        if function == "forward_dynamics":
-            bare, behind = (driven(driven(arm, 0), 0) for arm in (bare, bare))
-        assert same_program(replace(bare, torque_side=behind.torque_side), behind, function)
-        front = program(robot, "inverse_dynamics")
-        assert {op.op for op in front.operations} >= {"sign"}
 
 
 def test_the_links_side_in_full() -> None:
@@ -119,16 +79,6 @@ links:
         assert same_program(behind, front, function) is (function in WITHOUT_DRIVES), function
 
 
-def test_a_rotor_is_on_the_diagonal_of_the_mass_matrix() -> None:
-    for robot in ARMS:
-        with_rotor, without = (
-            exactly(program(arm, "mass_matrix"), Point(3))["M"]
-            for arm in (driven(robot, 2, motor_inertia=MOTOR), replace(robot, torque_side="motor"))
-        )
-        difference = [x - y for x, y in zip(with_rotor, without, strict=True)]
-        assert difference == [0] * 8 + [MOTOR]
-
-
 def test_a_rotor_folded_into_the_link_is_another_model() -> None:
     robot = driven(exact_arm(6, joints=3, prismatic=0, parallel=0, degenerate=0), 2, motor_inertia=MOTOR)
     folded = fold_rotor(robot)
@@ -146,35 +96,3 @@ def test_a_sign_over_plain_numbers() -> None:
         assert smoothed_sign(float(velocity), None) == way
         assert evaluate(SIGN, {Input("x", None): velocity})["t"] == [way]
     assert smoothed_sign(0.3, 0.1) == math.tanh(0.3 / 0.1)
-
-
-# --- smooth at rest ---------------------------------------------------------------------------------------
-
-
-def test_smooth_friction_is_a_tanh_of_the_velocity() -> None:
-    rest = Fraction(1, 50)
-    exact = driven(ARMS[1], 0, coulomb=COULOMB, viscous=VISCOUS)
-    smooth = replace(exact, rest_velocity=rest)
-    made = program(smooth, "inverse_dynamics")
-    ops = [op.op for op in made.operations]
-    assert (ops.count("tanh"), ops.count("sign")) == (1, 0)
-    bare = program(replace(ARMS[1], torque_side="motor"), "inverse_dynamics")
-    for speed in (0.0, 1e-3, -0.02, 0.3, -5.0):
-        inputs = {x: 0.37 * (k + 1) for k, x in enumerate(made.inputs())}
-        inputs[Input("qd", 0)] = speed
-        inputs |= {x: 0.1 for x in bare.inputs() if x not in inputs}
-        found, without = (evaluate(arm, inputs)["tau"] for arm in (made, bare))
-        added = float(COULOMB) * math.tanh(speed / float(rest)) + float(VISCOUS) * speed
-        assert math.isclose(found[0] - without[0], added, rel_tol=1e-9, abs_tol=1e-9)
-        assert found[1:] == without[1:] or [
-            round(a - b, 12) for a, b in zip(found[1:], without[1:], strict=True)
-        ] == [0, 0]
-
-
-def test_smooth_friction_where_nothing_moves() -> None:
-    """Gravity torques and the mass matrix have no friction in them, smooth or not."""
-    robot = replace(driven(ARMS[1], 0, coulomb=COULOMB, viscous=VISCOUS), rest_velocity=Fraction(1, 10))
-    bare = replace(ARMS[1], torque_side="motor")
-    for function in ("gravity", "mass_matrix"):
-        assert same_program(robot, bare, function)
-    assert not same_program(robot, bare, "bias")

@@ -2,20 +2,13 @@
 
 from __future__ import annotations
 
-import random
 from collections.abc import Sequence
-from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-import pytest
-
-from robodyn.dynamics import functions as registry
-from robodyn.dynamics.functions import FUNCTIONS, Dynamics
 from robodyn.ir.evaluate import evaluate_exact
 from robodyn.ir.program import Input, Program
 from robodyn.kernels.generate import Options, generate
-from robodyn.kernels.proof import Unequal
 from robodyn.robot import read_text
 from robodyn.robot.bundled import load
 from robodyn.robot.model import Robot
@@ -42,47 +35,6 @@ def programs(robot: Robot, names: Sequence[str] = NAMES) -> dict[str, Program]:
     return {interface.function: program for interface, program in unit.functions}
 
 
-def at_a_point(robot: Robot, seed: int) -> dict[str, list[Fraction]]:
-    """Every result, exactly."""
-    rng = random.Random(seed)
-
-    def number() -> Fraction:
-        return Fraction(rng.randint(-99, 99), rng.randint(1, 9))
-
-    inputs = {Input(name, i): number() for name in ("q", "qd") for i in range(robot.n)}
-    inputs |= {Input(name, None): number() for name in robot.parameters}
-    points = {Input("q", i): circle_point(number()) for i in range(robot.n)}
-    results = {"qd": [inputs[Input("qd", i)] for i in range(robot.n)]}
-    for program in programs(robot).values():
-        results |= evaluate_exact(program, inputs, points, circle_point)
-    return results
-
-
-@pytest.mark.parametrize("text", ["panda", "stanford", ARM], ids=lambda text: text[:8].strip())
-def test_the_tools_jacobian_is_the_other_along_its_axes(text: str) -> None:
-    robot = load(text, warn=lambda _: None) if "\n" not in text else read_text(text)
-    at = at_a_point(robot, 3)
-    n, R = robot.n, [x for k in range(3) for x in at["T"][4 * k : 4 * k + 3]]
-    for half in (0, 3):
-        for j in range(n):
-            column = [at["jac"][n * (half + k) + j] for k in range(3)]
-            along = [sum(R[3 * k + i] * column[k] for k in range(3)) for i in range(3)]
-            assert along == [at["jac_tool"][n * (half + i) + j] for i in range(3)]
-    assert [sum(R[3 * k + i] * R[3 * k + j] for k in range(3)) for i in range(3) for j in range(3)] == [
-        int(i == j) for i in range(3) for j in range(3)
-    ]
-
-
-def test_where_the_last_link_and_the_tool_are() -> None:
-    """The tool's frame stands in the last link's."""
-    robot = read_text(ARM)
-    assert robot.tool is not None
-    at = at_a_point(robot, 5)
-    R, p = at["link_rotations"][-9:], at["link_positions"][-3:]
-    place = [p[i] + sum(R[3 * i + k] * x for k, x in enumerate(robot.tool.xyz)) for i in range(3)]
-    assert place == at["T"][3::4]
-
-
 def test_numbers_of_a_flat_arm() -> None:
     """Craig, example 3.3 and 5.3: a planar arm of two links; and what its tool is accelerated by."""
     flat = read_text("""\
@@ -106,23 +58,6 @@ links:
     assert at["jac"] == [-y, -2 * c, x, -2 * s, 0, 0, 0, 0, 0, 0, 1, 1]
     assert at["drift"][:2] == [-(25 * 3 * c - 144 * 2 * s), -(25 * 3 * s + 144 * 2 * c)]
     assert at["jac_tool"][:4] == [3, 0, 2, 2]  # r1 (s2, c2) + r2 (0, 1)
-
-
-@pytest.mark.parametrize("name", NAMES)
-@pytest.mark.parametrize("place", [0, -1])
-def test_a_wrong_element_is_no_program(name: str, place: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    """One element a little off, and nothing is written."""
-    right = FUNCTIONS[name].outputs
-
-    def wrong(at: Dynamics) -> Sequence[Any]:
-        elements = list(right(at))
-        k = next(k for k in range(len(elements))[:: 1 if place == 0 else -1] if elements[k] != 0)
-        elements[k] = elements[k] + Fraction(1, 10**9)
-        return elements
-
-    monkeypatch.setitem(registry.FUNCTIONS, name, replace(FUNCTIONS[name], outputs=wrong, others=()))
-    with pytest.raises(Unequal):
-        programs(load("stanford", warn=lambda _: None), [name])
 
 
 def test_nothing_of_drives_is_in_it() -> None:

@@ -3,24 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from fractions import Fraction
 from typing import Any
 
 import numpy as np
 import pytest
 
 import robodyn
-from dynamics.direct import State
 from dynamics.evaluated import BUNDLED, RANDOM, by_program, robot_named
-from ir.programs import Point
 from peers import pinocchio_peer
-from robodyn.dynamics.base_parameter import DRIVE, BaseParameter, numbers_of
-from robodyn.dynamics.equality import same_in_field
-from robodyn.dynamics.functions import FUNCTIONS
-from robodyn.dynamics.regroup import lumps_of
+from robodyn.dynamics.base_parameter import DRIVE, BaseParameter
 from robodyn.errors import InputError
-from robodyn.ir import Input
-from robodyn.optimize.programs import Choice, base_set_of, build
+from robodyn.optimize.programs import base_set_of
 from robodyn.robot import Robot, read_text
 from robodyn.robot.values import parameter
 from robodyn_testing import require_module, sampled
@@ -84,53 +77,6 @@ def test_it_is_pinocchios_columns_combined(name: str) -> None:
     assert len(inertial(columns)) == rank
 
 
-@pytest.mark.parametrize("name", sampled([*BUNDLED, *RANDOM], every=10))
-def test_times_the_robots_parameters_it_is_inverse_dynamics(name: str) -> None:
-    """Exactly, rotors and friction included."""
-    robot = robot_named(name)
-    state = State(robot, Point(21))
-    columns = base_set_of(robot)
-    values = [column.value(numbers_of(state.arm, lumps_of(state.arm))) for column in columns]
-    entries = state.outputs("regressor", Choice())
-    p = len(columns)
-    rows = [entries[k : k + p] for k in range(0, len(entries), p)]
-    assert len(rows) == robot.n
-    torques = [sum(x * value for x, value in zip(row, values, strict=True)) for row in rows]
-    if robot.rest_velocity is None:
-        assert torques == state.outputs("inverse_dynamics", Choice())
-    else:  # tanh is rounded
-        np.testing.assert_allclose(
-            np.array(torques, float), np.array(state.outputs("inverse_dynamics", Choice()), float), rtol=1e-12
-        )
-
-
-def test_an_error_is_caught() -> None:
-    """In one column, and in what a column is said to be made of."""
-    robot = robot_named("stanford_3dof")
-    right = FUNCTIONS["regressor"]
-    assert same_in_field(robot, "regressor", build(robot, "regressor", Choice()))
-
-    def wrong(at: Any) -> Any:
-        entries = list(right.outputs(at))
-        entries[6] = entries[6] + Fraction(1, 10**9) * at.inputs["qd"][1]
-        return entries
-
-    FUNCTIONS["regressor"] = replace(right, outputs=wrong)
-    try:
-        assert not same_in_field(robot, "regressor", build(robot, "regressor", Choice()))
-    finally:
-        FUNCTIONS["regressor"] = right
-    program = build(robot, "regressor", Choice())
-    longer = replace(
-        robot,
-        links=(
-            *robot.links[:2],
-            replace(robot.links[2], joint=replace(robot.links[2].joint, a=Fraction(1, 10))),
-        ),
-    )
-    assert not same_in_field(longer, "regressor", program)
-
-
 def test_known_sets() -> None:
     """As many as the literature counts: a 7-joint arm 43, a 6-joint one 36 (Khalil and Dombre, ch. 9)."""
     counts = {
@@ -173,40 +119,6 @@ def test_what_has_none_says_so() -> None:
     assert robodyn.program(loose, "regressor") == robodyn.program(masses, "regressor")
     values = robodyn.base_parameters(loose, {"m": 4.25}).values
     np.testing.assert_allclose(values, robodyn.base_parameters(masses).values)
-
-
-@pytest.mark.parametrize("name", sampled([*BUNDLED, *RANDOM], every=10))
-def test_torques_by_parameters_are_the_regressor_times_them(name: str) -> None:
-    """Exactly, for any parameters."""
-    robot = robot_named(name)
-    state = State(robot, Point(22))
-    p = len(base_set_of(robot))
-    pi = [state.at.number(Input("pi", k)) for k in range(p)]
-    entries = state.outputs("regressor", Choice())
-    rows = [entries[k : k + p] for k in range(0, len(entries), p)]
-    torques = [sum(x * value for x, value in zip(row, pi, strict=True)) for row in rows]
-    state.given["pi"] = pi
-    actual = state.outputs("inverse_dynamics_from_parameters", Choice())
-    if robot.rest_velocity is None:
-        assert actual == torques
-    else:  # tanh is rounded
-        np.testing.assert_allclose(np.array(actual, float), np.array(torques, float), rtol=1e-11)
-
-
-def test_an_error_in_torques_by_parameters_is_caught() -> None:
-    robot, name = robot_named("stanford_3dof"), "inverse_dynamics_from_parameters"
-    right = FUNCTIONS[name]
-    assert same_in_field(robot, name, build(robot, name, Choice()))
-
-    def wrong(at: Any) -> Any:
-        first, *others = right.outputs(at)
-        return [first + Fraction(1, 10**9) * at.inputs["pi"][4], *others]
-
-    FUNCTIONS[name] = replace(right, outputs=wrong)
-    try:
-        assert not same_in_field(robot, name, build(robot, name, Choice()))
-    finally:
-        FUNCTIONS[name] = right
 
 
 def test_compiled_they_take_and_give_arrays_of_their_own_length() -> None:

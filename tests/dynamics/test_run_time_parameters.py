@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from dynamics.direct import NO_SHRINKING, exact_arm, values_of, with_named_numbers
 from ir.programs import Point, exactly
-from robodyn import Options, load, program
+from robodyn import Options, program
 from robodyn.ir import Input
 from robodyn.robot import Robot, read_text
 from robodyn_testing.functions import OF_ANY_ARM, SAMPLED
@@ -89,15 +89,3 @@ def hash_of(name: str) -> int:
     import zlib
 
     return zlib.crc32(name.encode())
-
-
-def test_a_name_used_twice_is_one_parameter() -> None:
-    robot = filled(NAMES)
-    assert robot.parameters.count("xx_tool") == 1
-    assert program(robot, "inverse_dynamics").inputs().count(Input("xx_tool", None)) == 1
-
-
-def test_bundled_robots_have_no_parameters() -> None:
-    assert program(load("stanford"), "bias").inputs() == tuple(
-        x for x in program(load("stanford"), "bias").inputs() if x.index is not None
-    )
