@@ -131,11 +131,15 @@ _ALL_DRIVES: Final = (
     _coupling,
     _of_robot(effect="payload", **_PAYLOAD),
 )
-_TEETH: Final[dict[str, Any]] = {
-    "gap": (0.002, 0.01),
-    "stiffness": (300, 600),
-    "damping": (10, 15),
-    "transition": (1, 3),
+_STRIBECK: Final[dict[str, Any]] = {"level": (1, 2), "static": (3, 5), "velocity": (0.4, 1)}
+_JOURNAL: Final[dict[str, Any]] = {"mu": (0.05, 0.2), "radius": (0.03, 0.1), "span": (0.1, 0.4)}
+_ELASTIC: Final[dict[str, Any]] = {"stiffness": (300, 600), "damping": (10, 15)}
+_TEETH: Final[dict[str, Any]] = {**_ELASTIC, "gap": (0.002, 0.01), "transition": (1, 3)}
+_ERRORS: Final[dict[str, Any]] = {
+    "delta_mass": (0.1, 0.5),
+    **{f"delta_com_{axis}": (-0.05, 0.05) for axis in "xyz"},
+    **{f"delta_{axes}": (0.01, 0.02) for axes in ("xx", "yy", "zz")},
+    **{f"delta_{axes}": (-0.002, 0.002) for axes in ("xy", "xz", "yz")},
 }
 _SMOOTH: Final = {"smooth": {"velocity": 0.4}}
 _DEAD: Final = {"dead_band": {"velocity": 0.05}}
@@ -146,10 +150,8 @@ CASES: Final[dict[str, Put]] = {
     "coulomb_friction": _entry("coulomb_friction", level=(0.3, 3)),
     "friction (shorthand)": _friction,
     "asymmetric_friction": _entry("asymmetric_friction", positive=(1, 3), negative=(0.3, 2)),
-    "stribeck_friction": _entry("stribeck_friction", level=(1, 2), static=(3, 5), velocity=(0.4, 1)),
-    "stribeck_friction, exponent": _entry(
-        "stribeck_friction", level=(1, 2), static=(3, 5), velocity=(0.4, 1), exponent=1.3
-    ),
+    "stribeck_friction": _entry("stribeck_friction", **_STRIBECK),
+    "stribeck_friction, exponent": _entry("stribeck_friction", exponent=1.3, **_STRIBECK),
     "power_law_friction": _entry("power_law_friction", level=(1, 3)),
     "power_law_friction, exponent": _entry(
         "power_law_friction", level=(1, 3), exponent=(1.2, 1.9), velocity=(0.5, 2)
@@ -157,12 +159,8 @@ CASES: Final[dict[str, Put]] = {
     "presliding_hysteresis": _entry(
         "presliding_hysteresis", stiffness=(200, 400), level=(1, 3), damping=(0.1, 1)
     ),
-    "load_dependent_friction, journal": _bearing(
-        "journal", "R", mu=(0.05, 0.2), radius=(0.03, 0.1), span=(0.1, 0.4)
-    ),
-    "load_dependent_friction, printed": _bearing(
-        "journal", "R", mu=(0.05, 0.2), radius=(0.03, 0.1), span=(0.1, 0.4), variant="printed"
-    ),
+    "load_dependent_friction, journal": _bearing("journal", "R", **_JOURNAL),
+    "load_dependent_friction, printed": _bearing("journal", "R", variant="printed", **_JOURNAL),
     "load_dependent_friction, short": _bearing("journal", "R", mu=(0.05, 0.2), radius=(0.03, 0.1)),
     "load_dependent_friction, linear": _bearing("linear", "P", mu=(0.05, 0.2), span=(0.1, 0.4)),
     "load_dependent_friction, thrust": _bearing("thrust", "R", mu=(0.05, 0.2), radius=(0.03, 0.1)),
@@ -174,10 +172,8 @@ CASES: Final[dict[str, Put]] = {
     "transmission_loss, cubic": _loss(efficiency=KNOTS, rated_torque=(40, 90), interpolation="cubic"),
     "spring": _entry("spring", stiffness=(-5, 30), rest=(-1, 1)),
     "spring, cubic": _entry("spring", stiffness=(5, 30), rest=(-1, 1), cubic=(1, 5)),
-    "joint_elasticity": _entry("joint_elasticity", stiffness=(300, 600), damping=(10, 15)),
-    "joint_elasticity, link": _entry(
-        "joint_elasticity", stiffness=(300, 600), damping=(10, 15), encoder="link"
-    ),
+    "joint_elasticity": _entry("joint_elasticity", **_ELASTIC),
+    "joint_elasticity, link": _entry("joint_elasticity", encoder="link", **_ELASTIC),
     "backlash": _entry("backlash", **_TEETH),
     "backlash, link": _entry("backlash", encoder="link", **_TEETH),
     "gas_spring": _entry("gas_spring", "R", torque=(20, 60), dead_center=(-1, 1), rise=(0.1, 0.5)),
@@ -186,19 +182,7 @@ CASES: Final[dict[str, Put]] = {
     "torque_ripple": _entry("torque_ripple", amplitude=(0.5, 2), cycles_per_rev=(3, 12), phase=(-1, 1)),
     "motor_coupling": _coupling,
     "payload": _of_robot(effect="payload", **_PAYLOAD),
-    "inertial_error": _entry(
-        "inertial_error",
-        delta_mass=(0.1, 0.5),
-        delta_com_x=(-0.05, 0.05),
-        delta_com_y=(-0.05, 0.05),
-        delta_com_z=(-0.05, 0.05),
-        delta_xx=(0.01, 0.02),
-        delta_yy=(0.01, 0.02),
-        delta_zz=(0.01, 0.02),
-        delta_xy=(-0.002, 0.002),
-        delta_xz=(-0.002, 0.002),
-        delta_yz=(-0.002, 0.002),
-    ),
+    "inertial_error": _entry("inertial_error", **_ERRORS),
     "base_tilt": _of_robot(effect="base_tilt", tilt_x=0.21, tilt_y=-0.34),
     "external_contact": _of_robot(effect="external_contact", start=0, end=1, link=1, force_x=30),
     "torque_bias": _entry("torque_bias", bias=(1, 3)),
@@ -216,7 +200,7 @@ CASES: Final[dict[str, Put]] = {
         _entry("asymmetric_friction", positive=(1, 3), negative=(0.3, 2)), friction_at_rest=_SMOOTH
     ),
     "stribeck_friction, smooth": _together(
-        _entry("stribeck_friction", level=(1, 2), static=(3, 5), velocity=(0.4, 1)), friction_at_rest=_SMOOTH
+        _entry("stribeck_friction", **_STRIBECK), friction_at_rest=_SMOOTH
     ),
     "bearing and loss": _together(
         _entry("spring", stiffness=(5, 30), rest=(-1, 1)),
@@ -229,7 +213,7 @@ CASES: Final[dict[str, Put]] = {
     "names": _together(_friction, _named(_INERTIAL)),
     "names, lengths": _together(_friction, _named({**_INERTIAL, "a": (), "d": ()})),
     "names, drives together": _together(
-        _entry("stribeck_friction", level=(1, 2), static=(3, 5), velocity=(0.4, 1)),
+        _entry("stribeck_friction", **_STRIBECK),
         *_ALL_DRIVES,
         _named(_INERTIAL),
     ),

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import tempfile
-import traceback
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,9 +13,11 @@ import numpy as np
 import robodyn
 from independent import memory, refusals
 from independent.answers import ANSWERS
-from independent.arms import Arm, text
+from independent.arms import Arm, placed, text
+from independent.cases import with_case
 from independent.checks import CHECKS
 from independent.reference import Array, Reference
+from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.errors import InputError
 from robodyn.ir.evaluate import evaluate
 from robodyn.ir.program import Program
@@ -24,6 +25,8 @@ from robodyn.kernels.generate import maker
 from robodyn.kernels.options import Level, Options
 
 TOLERANCE: Final = 1e-10
+FUSED: Final = ("bias_and_mass_matrix", "forward_kinematics_and_jacobian_and_inverse_dynamics_derivatives")
+EVERY: Final = (*FUNCTIONS, *FUSED)
 
 
 @dataclass(frozen=True)
@@ -36,8 +39,6 @@ class Outcome:
     error: float = 0.0
     tolerance: float = TOLERANCE
     refused: str = ""
-    broken: str = ""
-
     allowed: bool = False
 
     @property
@@ -45,12 +46,12 @@ class Outcome:
         """Wrong, or refused without need or reason."""
         if self.refused:
             return not (self.allowed and refusals.gives_a_reason(self.refused))
-        return bool(self.broken) or not self.error <= self.tolerance
+        return not self.error <= self.tolerance
 
     @property
     def text(self) -> str:
         """For a person."""
-        said = self.broken or (f"refused: {self.refused}" if self.refused else f"off by {self.error:.2g}")
+        said = f"refused: {self.refused}" if self.refused else f"off by {self.error:.2g}"
         return f"{self.function} of {self.arm} with {self.case}: {said}"
 
 
@@ -106,8 +107,14 @@ def compare(
         except InputError as refusal:
             may = refusals.allowed(name, arm)
             yield Outcome(name, case, arm["name"], refused=str(refusal), allowed=may)
-        except Exception as broken:
-            yield Outcome(name, case, arm["name"], broken=f"{broken!r} {traceback.format_exc()[-600:]}")
+
+
+def outcomes(
+    case: str, joints: str, convention: str, functions: Sequence[str] = EVERY, level: Level = "none"
+) -> list[Outcome]:
+    """Of every function of an arm with an effect; nothing where the effect does not fit its joints."""
+    arm = with_case(placed(joints, convention, len(joints)), case)
+    return [] if arm is None else list(compare(arm, case, functions, level=level))
 
 
 def _error(

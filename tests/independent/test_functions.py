@@ -1,7 +1,6 @@
 """Every function of the registry, of every effect of the catalogue: as in the reference, or refused.
 
 What each function is compared with stands in :mod:`independent.answers` and :mod:`independent.checks`.
-``PYTHONPATH=tests python -m independent`` prints the figures of more arms.
 """
 
 from __future__ import annotations
@@ -17,8 +16,7 @@ from independent.answers import ANSWERS
 from independent.arms import CONVENTIONS, RIGHT, Arm, arm, placed
 from independent.cases import CASES, with_case
 from independent.checks import CHECKS
-from independent.figures import EVERY, figures, outcomes
-from independent.matrix import TOLERANCE, Outcome, compare, errors, read, states
+from independent.matrix import EVERY, TOLERANCE, Outcome, compare, errors, outcomes, read, states
 from independent.reference import Reference
 from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.effects.catalogue import CATALOGUE
@@ -43,7 +41,6 @@ QUICK = {
 
 def holds(found: list[Outcome]) -> None:
     assert not [outcome.text for outcome in found if outcome.fails]
-    print(figures(found))
 
 
 def test_no_function_and_no_effect_is_left_out() -> None:
@@ -90,13 +87,6 @@ def test_a_joint_with(case: str) -> None:
 def test_a_rigid_arm(joints: str, convention: str, put: Callable[..., Arm]) -> None:
     """Also where the last link's frame is the tool, and where the base frame is the world."""
     holds(list(compare(put(joints, convention, 2), "rigid", EVERY, level="none")))
-
-
-@pytest.mark.thorough
-@pytest.mark.parametrize("case", CASES)
-def test_mixed_arms_with(case: str) -> None:
-    """Revolute and prismatic joints, in one convention and the other."""
-    holds(outcomes(case, "RP", "mdh") + outcomes(case, "PR", "sdh"))
 
 
 @pytest.mark.slow
@@ -157,9 +147,3 @@ def test_six_joints(convention: str) -> None:
         "regressor",
     )
     holds(list(compare(six_joints(convention), "rigid", names, level="none")))
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("convention", CONVENTIONS)
-def test_seven_joints(convention: str) -> None:
-    holds(list(compare(placed("RRPRRRR", convention, 7), "rigid", LONG, level="none")))

@@ -12,9 +12,8 @@ from hypothesis import given, reject, settings
 from hypothesis import strategies as st
 
 from ir.programs import ARITHMETIC, EXACT, Point, interpreted, points, programs, results
-from robodyn.ir import Graph, Input, Label, Node, Operation, Program
-from robodyn.ir.key import children
-from robodyn.ir.lowering import lower, needed
+from robodyn.ir import Graph, Input, Label, Node, Program
+from robodyn.ir.lowering import lower
 from robodyn.passes.negate import negate
 
 SIGNED = {"add", "scale", "mul", "div", "atan2", "select"}
@@ -224,23 +223,6 @@ def test_identities_fold() -> None:
         assert isinstance(found, Node) is isinstance(expected, Node)
 
 
-def test_constants_stay_outside_the_graph() -> None:
-    graph = Graph()
-    x = graph.input("x")
-    before = len(graph.keys)
-    assert (x * 0 + Fraction(1, 3)) * 6 - 2 == 0
-    assert len(graph.keys) == before
-
-
-def test_nothing_folds_where_it_is_not_asked_for() -> None:
-    graph = Graph(fold=False)
-    x = graph.input("x")
-    for value, op in [(x + x, "add"), (2 * (3 * x), "scale"), ((x + 1) + 2, "add"), (x / x, "div")]:
-        assert isinstance(value, Node)
-        assert graph.keys[value.position][0] == op
-    assert [op.op for op in lower(graph, [("t", [2 * (3 * x) + 2 * x])]).operations] == ["mul"] * 3 + ["add"]
-
-
 @pytest.mark.parametrize("argument", ["q + q", "2 (q + q)", "-q - q", "3 q - q"])
 def test_a_multiple_of_an_angle_is_an_angle(argument: str) -> None:
     """``q + q`` folds to ``2 q``: its sine must still be one that can be evaluated and checked."""
@@ -273,35 +255,6 @@ def test_the_first_label_stays_and_leaves_have_none() -> None:
     graph.label(graph.constant(2), Label(1, "n", "x"))
     program = lower(graph, [("t", [value, x * y])])
     assert [op.label for op in program.operations] == [Label(1, "w", "x"), Label(3, "n", "z", negative=True)]
-
-
-@settings(deadline=None, max_examples=70)
-@given(programs(EXACT))
-def test_only_what_is_needed_is_written_out(program: Program) -> None:
-    graph = Graph()
-    values = built(program, graph)
-    assert not any(0 in [use] for use in lower(graph, [("all", values)]).uses())
-    wanted = needed(graph, [("all", values)])
-    assert wanted == sorted(set(wanted))
-    assert all(child in wanted for p in wanted for child in children(graph.keys[p]))
-
-
-def test_apply_knows_every_operation_of_a_program() -> None:
-    graph = Graph()
-    x, y = graph.input("x"), graph.input("y")
-    assert graph.apply("sub", [x, y]) == x - y
-    assert graph.apply("neg", [x]) == -x
-    for op in ("add", "mul", "div"):
-        assert graph.apply(op, [x, y]) == getattr(graph, op)(x, y)
-    for op in ("sin", "cos", "sqrt", "tanh", "sign"):
-        assert graph.apply(op, [x]) == getattr(graph, op)(x)
-
-
-def test_a_value_may_stand_in_for_an_operation() -> None:
-    x = Input("x", None)
-    program = Program((Operation("sin", (x,)), Operation("mul", (0, x))), (("t", (1, 0)),))
-    graph = Graph()
-    assert graph.replay(program, {0: 3}) == [3 * graph.input("x"), 3]
 
 
 # --- angles of points, choices ----------------------------------------------------------------------------

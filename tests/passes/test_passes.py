@@ -159,8 +159,8 @@ def test_a_pass_that_changes_the_meaning_is_caught(change: Any) -> None:
 
 def test_a_swapped_result_is_caught() -> None:
     def swapped(made: Program) -> Program:
-        first, second, *rest = made.results()
-        return made.with_results((second, first, *rest))
+        (name, (first, second, *rest)), *others = made.outputs
+        return Program(made.operations, ((name, (second, first, *rest)), *others))
 
     with pytest.raises(PassError):
         run(REAL[0], (swapped,))

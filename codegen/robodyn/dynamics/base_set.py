@@ -28,9 +28,8 @@ from robodyn.dynamics.parallel import Turns, single_turns
 from robodyn.dynamics.regressor import Accelerated, accelerated, unit_torques_at
 from robodyn.dynamics.regroup import about_axis_z, in_parent
 from robodyn.errors import InputError
-from robodyn.ir.field import Field
+from robodyn.ir.field import Field, Residue
 from robodyn.ir.fingerprint import in_drawn_field
-from robodyn.ir.residue import Residue
 
 #: What may make a difference of its own at a revolute joint, and at a prismatic one; cheap columns first.
 _OWN = {True: ("Kxx", "Kyy", "Kxy", "Kxz", "Kyz", "mx", "my"), False: ("m", "mx", "my", "mz")}

@@ -18,11 +18,10 @@ from robodyn.dynamics.base_parameter import BaseParameter
 from robodyn.dynamics.functions import INPUTS, function_named
 from robodyn.dynamics.reference import PlainDynamics
 from robodyn.ir.evaluate import Circle, evaluate_exact, turn
-from robodyn.ir.field import FINAL_BITS, Field
+from robodyn.ir.field import FINAL_BITS, Field, Residue
 from robodyn.ir.fingerprint import digest, fingerprint, in_drawn_field
 from robodyn.ir.graph import Graph
 from robodyn.ir.program import Input, Program
-from robodyn.ir.residue import Residue
 from robodyn.robot.identity import identity
 from robodyn.robot.model import Robot
 from robodyn.robot.values import circle_point

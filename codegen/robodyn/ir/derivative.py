@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -49,26 +49,19 @@ def _tangents(graph: Graph, order: Sequence[int], seeds: Mapping[Input, Scalar])
     """The derivatives of positions that depend on inputs with ``seeds``; others are left out."""
     tangents: dict[int, Any] = {}
     for position in order:
-        key = graph.keys[position]
-        tangent = _tangent(graph, position, key, seeds, tangents)
-        if not isinstance(tangent, Node) and tangent == 0:
-            continue
-        tangents[position] = tangent
+        tangent = _tangent(graph, position, seeds, tangents)
+        if not _is_zero(tangent):
+            tangents[position] = tangent
     return tangents
 
 
-def _tangent(
-    graph: Graph,
-    position: int,
-    key: tuple[Any, ...],
-    seeds: Mapping[Input, Scalar],
-    known: dict[int, Any],
-) -> Any:
+def _is_zero(value: Any) -> bool:
+    return not isinstance(value, Node) and value == 0
+
+
+def _tangent(graph: Graph, position: int, seeds: Mapping[Input, Scalar], known: dict[int, Any]) -> Any:
+    key = graph.keys[position]
     op = key[0]
-    if op == "input":
-        return seeds.get(key[1], 0)
-    if op == "const":
-        return 0
 
     def at(p: int) -> Node:
         return Node(graph, p, 1)
@@ -76,13 +69,18 @@ def _tangent(
     def slope(p: int) -> Any:
         return known.get(p, 0)
 
-    value = at(position)
+    if op == "input":
+        return seeds.get(key[1], 0)
+    if op == "const":
+        return 0
     if op == "add":
         return slope(key[1]) + key[2] * slope(key[3])
     if op == "scale":
         return key[1] * slope(key[2])
     if op == "mul":
         return slope(key[1]) * at(key[2]) + at(key[1]) * slope(key[2])
+    if op == "div":
+        return graph.div(slope(key[1]) - at(position) * slope(key[2]), at(key[2]))
     if op == "atan2":
         _, y, _, x, sign = key
         above = sign * (at(x) * slope(y) - at(y) * slope(x))
@@ -90,36 +88,24 @@ def _tangent(
     if op == "select":
         _, condition, sign, a, _, b, relative = key
         return graph.select(sign * at(condition), slope(a), relative * slope(b))
-    inner = slope(key[1])
-    if op == "div":
-        below = slope(key[2])
-        above = inner - value * below
-        return graph.div(above, at(key[2]))
+    if op == "pow" and key[3] in known:
+        raise ValueError("an exponent depends on an input")
+    inner, value = slope(key[1]), at(position)
+    if _is_zero(inner) or op == "sign":
+        return 0
     if op == "pow":
-        if key[3] in known:
-            raise ValueError("an exponent depends on an input")
-        if not isinstance(inner, Node) and inner == 0:
-            return 0
         base, exponent = key[2] * at(key[1]), _number(graph, key[3], key[4])
         return exponent * graph.pow(base, exponent - 1) * (key[2] * inner)
-    if not isinstance(inner, Node) and inner == 0:
-        return 0
-    outer: Any
-    if op == "sin":
-        outer = graph.cos(at(key[1]))
-    elif op == "cos":
-        outer = -graph.sin(at(key[1]))
-    elif op == "sqrt":
+    if op == "sqrt":
         return graph.div(key[2] * inner, 2 * value + _TINY)
-    elif op == "tanh":
-        outer = 1 - value * value
-    elif op == "abs":
-        outer = graph.sign(at(key[1]))
-    elif op == "exp":
-        outer = key[2] * value
-    else:
-        return 0  # sgn
-    return outer * inner
+    outer: dict[str, Callable[[], Any]] = {
+        "sin": lambda: graph.cos(at(key[1])),
+        "cos": lambda: -graph.sin(at(key[1])),
+        "tanh": lambda: 1 - value * value,
+        "abs": lambda: graph.sign(at(key[1])),
+        "exp": lambda: key[2] * value,
+    }
+    return outer[op]() * inner
 
 
 def _number(graph: Graph, position: int, sign: int) -> Any:

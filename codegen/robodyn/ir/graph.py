@@ -231,33 +231,17 @@ class Graph:
         result: Scalar = getattr(self, op)(*args)
         return result
 
-    def replay(
-        self,
-        program: Program,
-        replacement: dict[int, Scalar] | None = None,
-        inputs: Mapping[Input, Scalar] | None = None,
-    ) -> list[Scalar]:
-        """Build ``program`` in this graph; the values of its outputs, one after another.
-
-        ``replacement`` gives values that stand in for operations (by position), ``inputs`` for inputs.
-        """
-        values = self.replay_all(program, replacement, inputs)
-        value = self._reader(values, inputs or {})
+    def replay(self, program: Program, inputs: Mapping[Input, Scalar] | None = None) -> list[Scalar]:
+        """Build ``program`` in this graph; the values of its outputs, one after another, with
+        ``inputs`` in the place of inputs."""
+        value = self._reader(self.replay_all(program, inputs), inputs or {})
         return [value(operand) for operand in program.results()]
 
-    def replay_all(
-        self,
-        program: Program,
-        replacement: dict[int, Scalar] | None = None,
-        inputs: Mapping[Input, Scalar] | None = None,
-    ) -> list[Scalar]:
-        """Build ``program`` in this graph; the values of its operations."""
+    def replay_all(self, program: Program, inputs: Mapping[Input, Scalar] | None = None) -> list[Scalar]:
+        """The same; the values of its operations."""
         values: list[Scalar] = []
         value = self._reader(values, inputs or {})
-        for i, (op, args, label) in enumerate(program.operations):
-            if replacement is not None and i in replacement:
-                values.append(replacement[i])
-                continue
+        for op, args, label in program.operations:
             node = self.apply(op, [value(arg) for arg in args])
             if label is not None:
                 self.label(node, label)

@@ -160,28 +160,17 @@ class Program:
         }
         return {name: zeros for name, zeros in places.items() if zeros}
 
-    def with_results(self, results: tuple[Operand, ...]) -> Program:
-        """The same operations with other outputs, given one after another."""
-        position = 0
-        outputs = []
-        for name, elements in self.outputs:
-            outputs.append((name, results[position : position + len(elements)]))
-            position += len(elements)
-        return replace(self, outputs=tuple(outputs), origin=None)
-
     def dump(self) -> str:
         """A readable listing, one operation a line."""
-        return "\n".join(self._lines())
 
-    def _lines(self) -> Iterator[str]:
-        def show(operand: Operand) -> str:
-            return f"%{operand}" if isinstance(operand, int) else str(operand)
+        def listed(operands: tuple[Operand, ...]) -> str:
+            return ", ".join(f"%{x}" if isinstance(x, int) else str(x) for x in operands)
 
-        for i, (op, args, label) in enumerate(self.operations):
-            note = f"   # {label}" if label else ""
-            yield f"%{i} = {op} {', '.join(map(show, args))}{note}"
-        for name, elements in self.outputs:
-            yield f"{name} = [{', '.join(map(show, elements))}]"
+        lines = [
+            f"%{i} = {op} {listed(args)}" + (f"   # {label}" if label else "")
+            for i, (op, args, label) in enumerate(self.operations)
+        ]
+        return "\n".join([*lines, *(f"{name} = [{listed(elements)}]" for name, elements in self.outputs)])
 
 
 @dataclass(frozen=True, slots=True)
