@@ -99,7 +99,7 @@ def _widest(imported: Imported) -> float:
 
 def _tell_angles(imported: Imported, snapped: Imported) -> None:
     """Say which angles are nearly multiples of pi/2, and what snapping them saves."""
-    from robodyn.kernels.base_parameters import count
+    from robodyn.kernels.robot_kernel import count
 
     before, after = count(imported.robot).total, count(snapped.robot).total
     if after < before:

@@ -31,9 +31,8 @@ if TYPE_CHECKING:
     from robodyn.errors import CheckError, InputError, RobodynError, ToolError
     from robodyn.formats.loading import load
     from robodyn.identify.run import identify
-    from robodyn.kernels.base_parameters import base_parameters, count
     from robodyn.kernels.generate import Generated, Options, generate, program
-    from robodyn.kernels.robot_kernel import compile
+    from robodyn.kernels.robot_kernel import base_parameters, compile, count
     from robodyn.kernels.through_sympy import symbolic
     from robodyn.robot import Robot
     from robodyn.simulate.simulation import simulate
@@ -46,9 +45,9 @@ _HOMES = {
     "RobodynError": "robodyn.errors",
     "Robot": "robodyn.robot",
     "ToolError": "robodyn.errors",
-    "base_parameters": "robodyn.kernels.base_parameters",
+    "base_parameters": "robodyn.kernels.robot_kernel",
     "compile": "robodyn.kernels.robot_kernel",
-    "count": "robodyn.kernels.base_parameters",
+    "count": "robodyn.kernels.robot_kernel",
     "excite": "robodyn.diagnose.excite",
     "generate": "robodyn.kernels.generate",
     "load": "robodyn.formats.loading",

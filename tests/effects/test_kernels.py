@@ -12,13 +12,14 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from robodyn.dynamics.functions import function_named
 from robodyn.ir.evaluate import evaluate
 from robodyn.ir.program import Input, Program
 from robodyn.kernels.generate import NoForwardDynamics, generate, maker
 from robodyn.kernels.kernel import Kernel
 from robodyn.kernels.options import Options
 from robodyn.kernels.robot_kernel import compile as compile_kernel
-from robodyn.kernels.with_effects import with_effects
+from robodyn.kernels.with_effects import layered
 from robodyn.robot import Robot
 from robodyn.robot.values import ZERO
 from robodyn.simulate.control import Control
@@ -87,7 +88,7 @@ def test_emitted_c_is_the_definition_and_the_reference(name: str) -> None:
         close(compiled, expected, scale)
         if function == "mass_matrix":
             continue
-        plain = with_effects(robot, function, None, "newton_euler")
+        plain = layered(robot, function_named(function), lambda _: None, "newton_euler")
         for k in range(0, STATES, 8):
             inputs = dict(zip(("q", "qd", "qdd"), (a[k] for a in arrays), strict=False))
             close(compiled[k], run(plain, values, **inputs)["tau"], scale)
@@ -120,7 +121,7 @@ def test_effects_that_remember_step_as_the_definition_steps() -> None:
         "z1", "twist2", "twist_rate2", "twist_acceleration2",
         "twist3", "twist_rate3", "twist_acceleration3", "z3",
     )  # fmt: skip
-    plain = with_effects(robot, "inverse_dynamics", None, "newton_euler")
+    plain = layered(robot, function_named("inverse_dynamics"), lambda _: None, "newton_euler")
     rng = np.random.default_rng(3)
     for k in range(STATES):
         state = rng.uniform(-1, 1, len(names)) * 1e-3

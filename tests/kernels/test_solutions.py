@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import robodyn
+from robodyn.kernels.function import NearestSolution, Solutions
 from robodyn.kernels.kernel import Kernel
-from robodyn.kernels.solutions import NearestSolution, Solutions
 from robodyn.robot import load
 from robodyn.simulate.poses import PoseSolver
 

@@ -11,9 +11,10 @@ import pytest
 
 from effects.cases import CASES, draw, entry
 from robodyn.drives.drive import rigid_part
+from robodyn.dynamics.functions import function_named
 from robodyn.ir import Input
 from robodyn.ir.evaluate import evaluate
-from robodyn.kernels.with_effects import with_effects
+from robodyn.kernels.with_effects import layered
 from robodyn.optimize.programs import Choice, build
 from robodyn.robot.model import Inertia, Robot
 from robodyn.verify import Reference
@@ -59,10 +60,9 @@ def test_programs_are_the_reference(seed: int) -> None:
         ("bias", reference.bias(q, qd)),
         ("mass_matrix", reference.mass_matrix(q)),
     ):
-        rigid = None
-        if function == "mass_matrix":
-            rigid = build(rigid_part(robot), function, Choice())
-        program = with_effects(forgets if function == "inverse_dynamics" else robot, function, rigid)
+        rigid = {"mass_matrix": build(rigid_part(robot), "mass_matrix", Choice())}
+        arm = forgets if function == "inverse_dynamics" else robot
+        program = layered(arm, function_named(function), rigid.get, "modified_newton_euler")
         result = "M" if function == "mass_matrix" else "tau"
         for k in range(len(q)):
             inputs = {

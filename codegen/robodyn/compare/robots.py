@@ -17,7 +17,7 @@ from robodyn.compare import SEED, STATES, TOLERANCE
 from robodyn.errors import InputError
 from robodyn.formats.chain import Pose
 from robodyn.formats.writers.parts import Frame, PartJoint, Parts, parts_of
-from robodyn.kernels.base_parameters import count
+from robodyn.kernels.robot_kernel import count
 from robodyn.robot.masses import unknown_masses
 from robodyn.robot.model import EffectEntry, Robot
 from robodyn.robot.names import shown

@@ -129,19 +129,16 @@ class Model:
     @property
     def couplers(self) -> dict[int, Acting]:
         """What lies between motor and link where the encoder is on the motor, by joint (from 0)."""
-        couplers = {}
-        for j, drive in enumerate(self._layer.joints):
-            if drive.coupler is not None and drive.coupler.values["encoder"] == "motor":
-                couplers[j] = drive.coupler
-        return couplers
+        return {
+            j: drive.coupler
+            for j, drive in enumerate(self._layer.joints)
+            if drive.coupler is not None and drive.coupler.values["encoder"] == "motor"
+        }
 
     def motion(self, q: Floats, qd: Floats, qdd: Floats) -> Motion:
         """The rigid arm's motion, over arrays of states."""
-        columns = q.T
-
-        return build_motion(
-            self.arm, list(columns), list(qd.T), list(qdd.T), trigonometry_at(list(columns)), float
-        )
+        columns = list(q.T)
+        return build_motion(self.arm, columns, list(qd.T), list(qdd.T), trigonometry_at(columns), float)
 
     def direction(self, qd: Floats) -> Floats:
         """Directions of motion as the robot has them near rest."""
@@ -251,8 +248,8 @@ class Model:
         unit = np.eye(3)
         for k, at in enumerate(links):
             w, alpha, a = vector(at.w), vector(at.alpha), vector(at.a)
-            skew = _skew(w)
-            lam = _skew(alpha) + skew @ skew
+            skew, lam = (-np.cross(u[:, None, :], unit) for u in (w, alpha))
+            lam = lam + skew @ skew
             force = np.zeros((count, 10, 3))
             moment = np.zeros((count, 10, 3))
             force[:, 0] = a
@@ -298,20 +295,9 @@ def _shift(m: float, c: Floats) -> Floats:
     return np.array([tensor["xyz".index(axes[0]), "xyz".index(axes[1])] for axes in AXES])
 
 
-def _skew(u: Floats) -> Floats:
-    matrices = np.zeros((len(u), 3, 3))
-    matrices[:, 0, 1], matrices[:, 0, 2] = -u[:, 2], u[:, 1]
-    matrices[:, 1, 0], matrices[:, 1, 2] = u[:, 2], -u[:, 0]
-    matrices[:, 2, 0], matrices[:, 2, 1] = -u[:, 1], u[:, 0]
-    return matrices
-
-
 def _inertia(j: int, u: Floats) -> Floats:
     """A tensor whose entry j (xx yy zz xy xz yz) is 1, times ``u``."""
     rotated = np.zeros_like(u)
-    if j < 3:
-        rotated[:, j] = u[:, j]
-    else:
-        a, b = ((0, 1), (0, 2), (1, 2))[j - 3]
-        rotated[:, a], rotated[:, b] = u[:, b], u[:, a]
+    a, b = ("xyz".index(axis) for axis in AXES[j])
+    rotated[:, a], rotated[:, b] = u[:, b], u[:, a]
     return rotated

@@ -43,10 +43,7 @@ def read_input(where: str, name: str, shape: Shape, value: object, dtype: np.dty
     length = math.prod(shape)
     if not 1 <= array.ndim <= 2 or array.shape[-1] != length:
         array = _flattened(where, name, shape, array)
-    if array.dtype == dtype and array.flags.c_contiguous and array.flags.aligned:
-        return array
-    with np.errstate(over="ignore"):
-        return np.array(array, dtype=dtype, order="C", copy=True, subok=False)
+    return laid_out(array, dtype, columns=False)
 
 
 def read_states(where: str, name: str, shape: Shape, value: object, dtype: np.dtype[Any]) -> Array:
@@ -74,12 +71,8 @@ def read_states(where: str, name: str, shape: Shape, value: object, dtype: np.dt
 
 def _shapes_of_one(shape: Shape) -> list[Shape]:
     """The shapes that one state's array may have."""
-    shapes: list[Shape] = [(math.prod(shape),)]
-    if len(shape) > 1:
-        shapes.append(shape)
-    if shape == _FRAME:
-        shapes.append(_WITH_LAST_ROW)
-    return shapes
+    shapes = [(math.prod(shape),), shape, *([_WITH_LAST_ROW] if shape == _FRAME else [])]
+    return shapes if len(shape) > 1 else shapes[:1]
 
 
 def _flattened(where: str, name: str, shape: Shape, array: Array) -> Array:
@@ -113,7 +106,14 @@ def laid_out(array: Array, dtype: np.dtype[Any], *, columns: bool) -> Array:
 
 
 def _real_array(where: str, name: str, shape: Shape, value: object, dtype: np.dtype[Any]) -> Array:
-    array = value if type(value) is np.ndarray else _as_array(where, name, shape, value)
+    if isinstance(value, np.ma.MaskedArray):
+        raise InputError(f"{where}: {name} is a masked array", remedy="fill or drop what is masked")
+    try:
+        array = np.asarray(value)
+    except (ValueError, TypeError, OverflowError) as error:
+        raise InputError(
+            f"{where}: {name} is not an array of numbers", found=str(error), expected=_either(shape)
+        ) from None
     if array.dtype.kind not in _REAL:
         kind = _KINDS.get(array.dtype.kind, f"{array.dtype}")
         raise InputError(
@@ -122,17 +122,6 @@ def _real_array(where: str, name: str, shape: Shape, value: object, dtype: np.dt
             expected=f"{dtype}, or real numbers that can be converted to it",
         )
     return array
-
-
-def _as_array(where: str, name: str, shape: Shape, value: object) -> Array:
-    if isinstance(value, np.ma.MaskedArray):
-        raise InputError(f"{where}: {name} is a masked array", remedy="fill or drop what is masked")
-    try:
-        return np.asarray(value)
-    except (ValueError, TypeError, OverflowError) as error:
-        raise InputError(
-            f"{where}: {name} is not an array of numbers", found=str(error), expected=_either(shape)
-        ) from None
 
 
 def _either(shape: Shape) -> str:
@@ -174,36 +163,24 @@ def check_output(
     ------
     InputError: another shape or type, not contiguous, read-only, or in memory that an input lies in.
     """
-    problem = _output_problem(shape, value, dtype, inputs, columns=columns)
-    if problem is None:
-        assert isinstance(value, np.ndarray)
-        return value
-    actual, expected = problem
-    raise InputError(
-        f"{where}: out cannot take {name}",
-        found=actual,
-        expected=expected or f"{dtype} {shape_text(shape)}, contiguous and writable",
-    )
-
-
-def _output_problem(
-    shape: Shape, value: object, dtype: np.dtype[Any], inputs: Mapping[str, object], *, columns: bool
-) -> tuple[str, str | None] | None:
-    """What is wrong with an array to write to: what was found, and what was expected if that is special."""
+    expected = f"{dtype} {shape_text(shape)}, contiguous and writable"
     if not isinstance(value, np.ndarray):
-        return type(value).__name__, f"an array, {dtype} {shape_text(shape)}, contiguous and writable"
-    if value.shape != shape or value.dtype != dtype:
-        return f"{value.dtype} {shape_text(value.shape)}", None
-    flags = value.flags
-    whole = flags.c_contiguous or (columns and states_last(value).flags.c_contiguous)
-    if not whole or not flags.aligned:
-        return "an array with gaps or out of line (a slice?)", None
-    if not flags.writeable:
-        return "a read-only array", None
-    for other, array in inputs.items():
-        if isinstance(array, np.ndarray) and np.shares_memory(value, array):
-            return f"memory that {other} lies in", "memory of its own"
-    return None
+        found, expected = type(value).__name__, f"an array, {expected}"
+    elif value.shape != shape or value.dtype != dtype:
+        found = f"{value.dtype} {shape_text(value.shape)}"
+    elif not value.flags.aligned or not (
+        value.flags.c_contiguous or (columns and states_last(value).flags.c_contiguous)
+    ):
+        found = "an array with gaps or out of line (a slice?)"
+    elif not value.flags.writeable:
+        found = "a read-only array"
+    else:
+        given = ((name, x) for name, x in inputs.items() if isinstance(x, np.ndarray))
+        other = next((name for name, x in given if np.shares_memory(value, x)), None)
+        if other is None:
+            return value
+        found, expected = f"memory that {other} lies in", "memory of its own"
+    raise InputError(f"{where}: out cannot take {name}", found=found, expected=expected)
 
 
 def states_last(array: Array) -> Array:

@@ -9,67 +9,28 @@
 from __future__ import annotations
 
 import os
-import threading
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from functools import partial
+from functools import cache, partial
 from typing import Any
 
 import numpy as np
 
 from robodyn.errors import InputError
 from robodyn.ir.signature import Signature
-from robodyn.kernels.arrays import (
-    Array,
-    common_lead,
-    laid_out,
-    read_parameters,
-    read_states,
-    states_last,
-)
-from robodyn.kernels.function import Function
-from robodyn.kernels.solutions import handed_back
+from robodyn.kernels.arrays import Array, common_lead, laid_out, read_parameters, read_states, states_last
+from robodyn.kernels.function import Function, handed_back
 from robodyn.toolchain.library import Calls, Library
 
-_lock = threading.Lock()
-_pool: ThreadPoolExecutor | None = None
-_size = 0
+
+@cache
+def _pool() -> ThreadPoolExecutor:
+    """Threads beside the caller's, which start as they are needed."""
+    return ThreadPoolExecutor(os.cpu_count(), thread_name_prefix="robodyn")
 
 
-def run_all(jobs: Sequence[Callable[[], object]]) -> None:
-    """Run all ``jobs``, the first in this thread and the others in threads of the pool, and wait for them.
-
-    They run in parallel as far as they release Python's lock.
-    """
-    if len(jobs) > 1:
-        pool = _pool_of(len(jobs) - 1)
-        waiting = [pool.submit(job) for job in jobs[1:]]
-        jobs[0]()
-        for future in waiting:
-            future.result()
-    elif jobs:
-        jobs[0]()
-
-
-def _pool_of(size: int) -> ThreadPoolExecutor:
-    """The pool, with ``size`` threads at least. A smaller one ends when its work is done."""
-    global _pool, _size
-    with _lock:
-        if _pool is None or _size < size:
-            if _pool is not None:
-                _pool.shutdown(wait=False)
-            _pool, _size = ThreadPoolExecutor(size, thread_name_prefix="robodyn"), size
-        return _pool
-
-
-def _forget() -> None:
-    """In a forked child there are no threads: the next batch makes new ones."""
-    global _pool, _size, _lock
-    _pool, _size, _lock = None, 0, threading.Lock()
-
-
-if hasattr(os, "register_at_fork"):
-    os.register_at_fork(after_in_child=_forget)
+if hasattr(os, "register_at_fork"):  # in a forked child there are no threads
+    os.register_at_fork(after_in_child=_pool.cache_clear)
 
 
 #: Fewer states than this are not worth another thread: it takes longer to wake it.
@@ -83,11 +44,11 @@ class Batch:
     """A batch kernel, to be called on arrays; see :meth:`robodyn.kernels.kernel.Kernel.batch`."""
 
     def __init__(self, function: Function, library: Library) -> None:
-        self.function, self.library = function, library
-        name = function.name
+        self.function = function
+        name, pointer = function.name, f"{function.signature.scalar}[]"
         self._columns = getattr(library.lib, f"{name}_robodyn_columns")
         self._rows = getattr(library.lib, f"{name}_robodyn_rows")
-        self._pointer = f"{function.signature.scalar}[]"
+        self._view, self._null = partial(library.ffi.from_buffer, pointer), library.ffi.NULL
 
     def __call__(
         self,
@@ -103,12 +64,11 @@ class Batch:
             raise InputError(
                 f"{where}: threads is not a number of threads", found=repr(value), expected="1 or more"
             )
-        names = [name for name, _ in function.inputs]
         passed = function.read(arrays, read_states)
-        (count,) = common_lead(where, names, passed)
+        (count,) = common_lead(where, [name for name, _ in function.inputs], passed)
         results, columns = self._results(count, out, passed, arrays)
         inputs = [laid_out(array, dtype, columns=columns) for array in passed]
-        values: Any = self.library.ffi.NULL
+        values: Any = self._null
         if function.parameters or params:
             values = self._view(read_parameters(where, function.parameters, params, dtype))
         if count:
@@ -138,40 +98,26 @@ class Batch:
             )
         return results, columns
 
-    def _run(
-        self,
-        count: int,
-        threads: int,
-        arrays: Sequence[Array],
-        values: Any,
-        *,
-        columns: bool,
-    ) -> None:
-        if columns:
-            pointers = [self._view(states_last(array)) for array in arrays]
-            call, steps = partial(self._columns_of, count), [1] * len(arrays)
-        else:
-            pointers = [self._view(array) for array in arrays]
-            call, steps = self._rows, [array[0].size for array in arrays]
+    def _run(self, count: int, threads: int, arrays: Sequence[Array], values: Any, *, columns: bool) -> None:
+        """In parts, the first in this thread and the others in threads of the pool. They run in parallel
+        because Python's lock is released."""
+        pointers = [self._view(states_last(array) if columns else array) for array in arrays]
+        steps = [1 if columns else array[0].size for array in arrays]
         parts = max(1, min(threads, count // LEAST_FOR_A_THREAD))
         size = -(-count // (parts * _GRAIN)) * _GRAIN
-        run_all(
-            [
-                partial(
-                    call,
-                    min(size, count - first),
-                    *(pointer + step * first for pointer, step in zip(pointers, steps, strict=True)),
-                    values,
-                )
-                for first in range(0, count, size)
-            ]
-        )
 
-    def _columns_of(self, stride: int, count: int, *arguments: Any) -> None:
-        self._columns(count, stride, *arguments)
+        def run(first: int) -> None:
+            part = [pointer + step * first for pointer, step in zip(pointers, steps, strict=True)]
+            states = min(size, count - first)
+            if columns:
+                self._columns(states, count, *part, values)
+            else:
+                self._rows(states, *part, values)
 
-    def _view(self, array: Array) -> Any:
-        return self.library.ffi.from_buffer(self._pointer, array)
+        waiting = [_pool().submit(run, first) for first in range(size, count, size)]
+        run(0)
+        for future in waiting:
+            future.result()
 
 
 def batch_calls(signature: Signature, parameters: Sequence[str]) -> Calls:

@@ -1,10 +1,10 @@
-"""One compiled function on arrays: one state or a batch, checked."""
+"""One compiled function on arrays: one state or a batch, checked; and what functions of poses hand back."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -21,7 +21,6 @@ from robodyn.kernels.arrays import (
     read_parameters,
     shape_text,
 )
-from robodyn.kernels.solutions import handed_back
 from robodyn.toolchain.library import Library
 
 #: What checks an input: ``(where, name, shape, value, dtype)``.
@@ -54,17 +53,14 @@ class Function:
         self.block_parameters = tuple(parameters)
         self.dtype: np.dtype[Any] = np.dtype(np.float64 if signature.scalar == "double" else np.float32)
         self.library = library
-        self._inputs = tuple(name for name, _ in signature.inputs)
-        self.inputs = tuple(
-            (name, _array(name, length).shape_of(length, signature.joints))
-            for name, length in signature.inputs
+        self._inputs, self._names = (
+            tuple(name for name, _ in arrays) for arrays in (signature.inputs, signature.outputs)
+        )
+        self.inputs, self.results = (
+            tuple((name, _array(name, size).shape_of(size, signature.joints)) for name, size in arrays)
+            for arrays in (signature.inputs, signature.outputs)
         )
         self.optional = frozenset(name for name, length in signature.inputs if _array(name, length).optional)
-        self.results = tuple(
-            (name, _array(name, length).shape_of(length, signature.joints))
-            for name, length in signature.outputs
-        )
-        self._names = tuple(name for name, _ in signature.outputs)
         self.where = f"{signature.robot}.{signature.function}"
         self._call = getattr(library.lib, f"{signature.function}_robodyn_batch")
         self._pointer = f"{signature.scalar}[]"
@@ -109,11 +105,6 @@ class Function:
         """The inputs, checked by ``read``; vectors that are optional, and come last, are zero where they are
         left out (None), and that of one state goes with all."""
         where, dtype = self.where, self.dtype
-        if not self.optional:
-            return [
-                read(where, name, shape, value, dtype)
-                for (name, shape), value in zip(self.inputs, arrays, strict=True)
-            ]
         lead: Shape = ()
         inputs: list[Array] = []
         for (name, shape), value in zip(self.inputs, arrays, strict=True):
@@ -219,3 +210,59 @@ def _document(function: Function) -> str:
     lines += ["out: array to write to, of the shape and type of the result", "", "Returns", "-------"]
     lines += [line(name, shape) for name, shape in function.results]
     return "\n".join(lines)
+
+
+class Solutions(NamedTuple):
+    """All branches of a pose, or of N poses: then every array has N in front.
+
+    ``solutions`` [b, n] (rad or m), a row for each branch; ``exists``, ``within``, ``singular`` [b], 1 or 0
+    in the kernel's type: whether a row reaches the pose, is within the joints' limits, is where branches meet
+    or a joint is free. A row that does not exist is the nearest that its branch comes. ``solution_count`` [],
+    how many exist.
+    """
+
+    solutions: Array
+    exists: Array
+    within: Array
+    singular: Array
+    solution_count: Array
+
+    @property
+    def reached(self) -> Array | list[Array]:
+        """The rows that reach the pose, [k, n]; of N poses a list of N such arrays."""
+        return _rows(self.solutions, self.exists > 0)
+
+    @property
+    def allowed(self) -> Array | list[Array]:
+        """The same within the joints' limits."""
+        return _rows(self.solutions, (self.exists > 0) & (self.within > 0))
+
+
+class NearestSolution(NamedTuple):
+    """The branch nearest to the reference of a pose, or of N poses: then every array has N in front.
+
+    ``solution`` [n] (rad or m); ``solution_exists``, ``solution_within``, ``solution_singular`` [], 1 or 0 as
+    in :class:`Solutions`; ``branch`` [], its place among all branches, from 0.
+    """
+
+    solution: Array
+    solution_exists: Array
+    solution_within: Array
+    solution_singular: Array
+    branch: Array
+
+
+def handed_back(names: tuple[str, ...], results: Sequence[Array]) -> Array | tuple[Array, ...]:
+    """The results called ``names``: one array as it is, several as a tuple, with names where it has such."""
+    if len(results) == 1:
+        return results[0]
+    for kind in (Solutions, NearestSolution):
+        if names == kind._fields:
+            return kind(*results)
+    return tuple(results)
+
+
+def _rows(solutions: Array, chosen: Array) -> Array | list[Array]:
+    if solutions.ndim == 2:
+        return solutions[chosen]
+    return [rows[which] for rows, which in zip(solutions, chosen, strict=True)]

@@ -20,18 +20,7 @@ from robodyn.emit.languages import languages_named, require
 from robodyn.formats.loading import robot_of
 from robodyn.ir.program import Program, rarely_collected
 from robodyn.ir.signature import Signature
-from robodyn.kernels.options import (
-    CHOSEN,
-    ENGINES,
-    LEVELS,
-    ORDERS,
-    TRIGONOMETRY,
-    Engine,
-    Level,
-    Options,
-    Order,
-    Trigonometry,
-)
+from robodyn.kernels.options import CHOSEN, TRIGONOMETRY, Engine, Level, Options
 from robodyn.kernels.rigid_programs import RigidPrograms, SingularArm
 from robodyn.optimize.programs import FORMULATIONS, Choice, NoForwardDynamics, base_set_of, signature
 from robodyn.passes.angles import angles_first
@@ -45,24 +34,9 @@ if TYPE_CHECKING:
     from robodyn.optimize.prune import Pruning
 
 __all__ = [
-    "CHOSEN",
-    "ENGINES",
-    "LEVELS",
-    "ORDERS",
-    "TRIGONOMETRY",
-    "Engine",
-    "Generated",
-    "Level",
-    "NoForwardDynamics",
-    "Options",
-    "Order",
-    "RigidPrograms",
-    "SingularArm",
-    "Trigonometry",
-    "generate",
-    "maker",
-    "program",
-]
+    "CHOSEN", "TRIGONOMETRY", "Engine", "Generated", "Level", "NoForwardDynamics", "Options", "SingularArm",
+    "generate", "maker", "program",
+]  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -165,26 +139,37 @@ def generate(
         no_angle = not layout  # C has no array of no elements: sc has one then
         described = tuple(describe(angle) for angle in layout)
         programs = {f: trig_given(p, layout) for f, p in programs.items()}
-        interfaces = {f: _with_sc(interface, max(1, len(layout))) for f, interface in interfaces.items()}
+        size = max(1, len(layout))
+        for f, interface in interfaces.items():
+            inputs = tuple(("sc", size) if array[0] == "q" else array for array in interface.inputs)
+            interfaces[f] = replace(interface, inputs=inputs)
     if options.trig == "builtin":
         programs = {f: p.changed(angles_first) for f, p in programs.items()}
     if options.by_registers:
-        allocate = registers
-        if options.profile is not None:
-            allocate = partial(registers, available=options.profile.registers)
+        allocate = partial(registers, available=options.profile.registers) if options.profile else registers
         programs = {f: p.changed(allocate) for f, p in programs.items()}
     if options.trig == "builtin":
         programs = {f: p.changed(arctangents_together) for f, p in programs.items()}
+    pruned: tuple[str, ...] = ()
+    if drafts.prunings:
+        from robodyn.optimize.prune import notes_of
+
+        pruned = notes_of(tuple(drafts.prunings.values()))
+    target = options.profile
+    target_note = None
+    if target is not None:
+        flags = target.compiled(options.contraction or "off")
+        target_note = f"Target: {target.name} ({target.why}); compile C with {flags}."
     unit = Unit(
         robot=robot,
         functions=tuple((interfaces[f], programs[f]) for f in programs),
         sc=described,
         notes=_notes(drafts, programs)
         + (() if isinstance(builder, RigidPrograms) else builder.notes)
-        + _pruned(drafts)
+        + pruned
         + (("sc is not read: there is no angle.",) if no_angle else ())
         + _columns(tuple(interfaces.values())),
-        target=_target_note(options),
+        target=target_note,
         options=options.text,
         misra=options.misra,
         readable=options.readable,
@@ -193,12 +178,12 @@ def generate(
         contraction=options.contraction or ("off" if options.trig == "builtin" else None),
         lanes=4 if options.profile is None else options.profile.lanes,
     )
-    counts = {f: count(p) for f, p in programs.items()}
     alone = {
         f: tuple(count(builder.program(part.name)) for part in function_named(f).fuses)
         for f in programs
         if function_named(f).fuses
     }
+    counts = {f: count(p) for f, p in programs.items()}
     rigid = {f: builder.rigid_count(f) for f in programs}
     return Generated(unit, options, counts, drafts.prunings, alone, left_out, rigid)
 
@@ -218,13 +203,6 @@ def maker(
     return RigidPrograms(robot, options, pruning)
 
 
-def _with_sc(interface: Signature, size: int) -> Signature:
-    import dataclasses
-
-    inputs = tuple(("sc", size) if name == "q" else (name, length) for name, length in interface.inputs)
-    return dataclasses.replace(interface, inputs=inputs)
-
-
 @rarely_collected()
 def program(robot: Robot | str | PathLike[str], function: str, options: Options | None = None) -> Program:
     """The optimised program of one function of ``robot`` (or of that path or name), with its effects.
@@ -235,15 +213,6 @@ def program(robot: Robot | str | PathLike[str], function: str, options: Options 
     NoForwardDynamics: there is none.
     """
     return maker(robot_of(robot), options or Options()).program(function)
-
-
-def _pruned(drafts: RigidPrograms) -> tuple[str, ...]:
-    """What the head of a file says of pruning."""
-    if not drafts.prunings:
-        return ()
-    from robodyn.optimize.prune import notes_of
-
-    return notes_of(tuple(drafts.prunings.values()))
 
 
 def _notes(drafts: RigidPrograms, functions: Iterable[str]) -> tuple[str, ...]:
@@ -272,15 +241,6 @@ def _columns(interfaces: Sequence[Signature]) -> tuple[str, ...]:
         "about the origins of their frames (inertia: xx = Kyy + Kzz, xy = -Kxy ...), rotors and friction:",
         *(f"  {k}: {text}" for k, text in enumerate(columns, 1)),
     )
-
-
-def _target_note(options: Options) -> str | None:
-    """What the head of the files says of the target."""
-    target = options.profile
-    if target is None:
-        return None
-    flags = target.compiled(options.contraction or "off")
-    return f"Target: {target.name} ({target.why}); compile C with {flags}."
 
 
 def _method(choice: Choice) -> tuple[str, ...]:

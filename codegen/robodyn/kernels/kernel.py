@@ -82,16 +82,11 @@ def load(
         flags=flags,
         cache=None if cache is None else Path(cache),
     )
-    again = {
-        "cc": cc,
-        "fc": fc,
-        "flags": flags,
-        "language": language,
-        "mode": mode,
-        "cache": cache,
-        "batch": batch,
-    }
-    return Kernel(signatures, library, language, (signatures, dict(files), again))
+    again = functools.partial(
+        load, signatures, dict(files), cc=cc, fc=fc, flags=flags, language=language, mode=mode, cache=cache,
+        batch=batch,
+    )  # fmt: skip
+    return Kernel(signatures, library, language, again)
 
 
 def _check(signatures: Sequence[Signature]) -> None:
@@ -121,7 +116,11 @@ class Kernel:
     """
 
     def __init__(
-        self, signatures: Sequence[Signature], library: Library, language: str, recipe: tuple[Any, ...]
+        self,
+        signatures: Sequence[Signature],
+        library: Library,
+        language: str,
+        again: functools.partial[Kernel],
     ) -> None:
         self.robot = signatures[0].robot
         self.scalar = signatures[0].scalar
@@ -133,7 +132,7 @@ class Kernel:
         self.base_parameters = next((s.columns for s in signatures if s.columns), ())
         self.mode, self.path = library.mode, library.path
         self.compiler, self.flags = library.compiler, library.flags
-        self._recipe = recipe
+        self._again = again
         self._functions = {s.function: Function(s, library, self.parameters) for s in signatures}
         self.__dict__.update(self._functions)
         self._batches: dict[str, Batch] = {}
@@ -189,15 +188,10 @@ class Kernel:
         entry = self._function(function)
         if named or len(arrays) != len(entry.signature.inputs):
             arrays = entry.bind(arrays, named)
-        return self._batch(entry)(arrays, params=params, out=out, threads=threads)
-
-    def _batch(self, function: Function) -> Batch:
-        """The batch of ``function``, compiled at the first time."""
         with self._lock:
-            batch = self._batches.get(function.name)
-            if batch is None:
-                batch = self._batches[function.name] = self._make_batch(function)
-            return batch
+            batch = self._batches.get(function) or self._make_batch(entry)
+            self._batches[function] = batch
+        return batch(arrays, params=params, out=out, threads=threads)
 
     def _make_batch(self, function: Function) -> Batch:
         if function.signature.states:
@@ -206,23 +200,20 @@ class Kernel:
                 expected="a function without memory",
                 remedy=f"call kernel.{function.name} with dt",
             )
-        _, _, options = self._recipe
+        options = self._again.keywords
         files = options["batch"]
         if files is None:
             raise InputError(
                 f"{self.robot}: this kernel was loaded from files that hold no batch",
                 remedy="make it with robodyn.compile",
             )
-        kept = {name: options[name] for name in ("cc", "fc", "mode")}
-        cache = None if options["cache"] is None else Path(options["cache"])
-        flags = options["flags"] if self.language == "c" else None
         library = open_library(
             batch_calls(function.signature, function.parameters),
             files(function.name),
             language="c",
-            flags=flags,
-            cache=cache,
-            **kept,
+            flags=options["flags"] if self.language == "c" else None,
+            cache=None if options["cache"] is None else Path(options["cache"]),
+            **{name: options[name] for name in ("cc", "fc", "mode")},
         )
         return Batch(function, library)
 
@@ -235,17 +226,12 @@ class Kernel:
         return entry
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _load_again, self._recipe
+        return self._again, ()  # in another process: found in the cache there, as a rule
 
     def __repr__(self) -> str:
         return (
             f"<Kernel {self.robot}: {', '.join(self.functions)}; {self.scalar}, {self.language}, {self.mode}>"
         )
-
-
-def _load_again(signatures: Sequence[Signature], files: Mapping[str, str], options: dict[str, Any]) -> Kernel:
-    """A kernel that travelled to another process: found in the cache there, as a rule."""
-    return load(signatures, files, **options)
 
 
 class Workspace(functools.partial[None]):

@@ -20,12 +20,7 @@ from robodyn.kernels.drafts import least
 from robodyn.kernels.options import Options
 from robodyn.kernels.proof import Unequal
 from robodyn.kernels.rigid_programs import RigidPrograms
-from robodyn.kernels.with_effects import (
-    check_solvable,
-    is_affine,
-    layered,
-    needs_reactions,
-)
+from robodyn.kernels.with_effects import as_is, check_solvable, is_affine, layered
 from robodyn.optimize.programs import Choice, Recursion, recursion_in
 from robodyn.passes import FRESH_SAVING
 from robodyn.robot.identity import identity
@@ -59,7 +54,9 @@ class Layered:
             raise InputError("effects go with the engine graph only", found=options.engine)
         self.robot, self.options = robot, options
         self.rigid = RigidPrograms(rigid_part(robot), options)
-        self._reactions = needs_reactions(robot)
+        layer = layer_of(robot, as_is, lambda _: 1)
+        #: Whether bearings feel forces, which regrouped links do not show; whether effects remember.
+        self._reactions, self._has_states = bool(layer.needs_reactions), bool(layer.state_names)
         self._programs: dict[str, Program] = {}
         #: Nothing is pruned.
         self.prunings: dict[str, Pruning] = {}
@@ -96,21 +93,18 @@ class Layered:
         # Friction that depends on the load feels a wrench: nothing can be taken from torques afterwards.
         felt = WRENCH in record.inputs and not is_affine(self.robot)
         if record.parts and not remembers and not felt:
+
+            def beneath(graph: Graph, inputs: Mapping[str, Sequence[Any]]) -> Recursion:
+                return recursion_in(graph, rigid_part(self.robot), Choice(), inputs)
+
             parts = {part: self.program(part) for part in record.parts}
-            drafts = composed(record, parts, self.robot.n, self._beneath)
+            drafts = composed(record, parts, self.robot.n, beneath)
             if record.by_parts is None:
                 return drafts
         straight = (
             layered(self.robot, record, self._rigid, self.options.formulation, writing=k) for k in writings
         )
         return [*drafts, *straight]
-
-    @property
-    def _has_states(self) -> bool:
-        return bool(layer_of(self.robot, lambda x: x, lambda _: 1).state_names)
-
-    def _beneath(self, graph: Graph, inputs: Mapping[str, Sequence[Any]]) -> Recursion:
-        return recursion_in(graph, rigid_part(self.robot), Choice(), inputs)
 
     def _rigid(self, function: str) -> Program | None:
         """The rigid arm's best program, unless bearings feel what moves."""

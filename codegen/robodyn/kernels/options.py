@@ -32,10 +32,10 @@ ORDERS: tuple[Order, ...] = ("auto", "recursion", "registers")
 CHOSEN = ("scalar", "trig", "order", "contraction", "objective")
 
 
-#: Options that the head of a file names where they are not as usual.
 #: In place of a function's name: all that the robot has.
 ALL = "all"
 
+#: Options that the head of a file names where they are not as usual.
 _SHOWN = ("functions", "formulation", "engine", "order", "objective", "target", "contraction", "prune")
 
 
@@ -177,16 +177,7 @@ class Options:
         is not as usual. Records and their folders are not named: the head says which program was taken."""
         usual = Options()
         words = [f"--optimize {self.optimize}", f"--scalar {self.scalar}", f"--trig {self.trig}"]
-        for name in (
-            "functions",
-            "formulation",
-            "engine",
-            "order",
-            "objective",
-            "target",
-            "contraction",
-            "prune",
-        ):
+        for name in _SHOWN:
             value = getattr(self, name)
             if value != getattr(usual, name):
                 text = f"{float(value)!r}" if isinstance(value, Fraction) else value

@@ -25,26 +25,23 @@ def prove(robot: Robot, function: str, program: Program, scalar: ScalarType = "d
     Unequal: they differ.
     NoSuchFunction: ``program`` repeats a step, and no pose that it was tried at is reached.
     """
+    wrong: str | None = "from plain Newton-Euler"
     if function_named(function).of_pose:
         from robodyn.dynamics.closing import UNREACHED
 
-        wrong = _flaw(robot, function, program, scalar)
-        if wrong == UNREACHED and program.iteration is not None:
+        flaw = _flaw(robot, function, program, scalar)
+        if flaw == UNREACHED and program.iteration is not None:
+            why = "; ".join(inverse_kinematics_of(robot).conditions)
             raise NoSuchFunction(
                 f"{robot.name} has no {function} that could be checked",
-                found=f"steps that lead to none of the poses they were tried at: {_why(robot)}",
+                found=f"steps that lead to none of the poses they were tried at: {why}",
                 expected="axes that move the tool in all directions, not only by how they miss each other",
             )
-        if wrong is not None:
-            raise Unequal(
-                f"{function} of {robot.name} differs from plain forward kinematics {wrong}; "
-                "please report the robot file"
-            )
-        return
-    if not same_in_field(robot, function, program):
-        raise Unequal(
-            f"{function} of {robot.name} differs from plain Newton-Euler; please report the robot file"
-        )
+        wrong = None if flaw is None else f"from plain forward kinematics {flaw}"
+    elif same_in_field(robot, function, program):
+        wrong = None
+    if wrong is not None:
+        raise Unequal(f"{function} of {robot.name} differs {wrong}; please report the robot file")
 
 
 def closes(robot: Robot, function: str, program: Program, scalar: ScalarType = "double") -> bool:
@@ -60,7 +57,3 @@ def _flaw(robot: Robot, function: str, program: Program, scalar: ScalarType) -> 
     solver = inverse_kinematics_of(robot)
     beside = WEAK_NEAR if isinstance(solver, Numerical) and solver.weak else BESIDE
     return flaw(robot, function, program, scalar, place_only=solver.place_only, beside=beside)
-
-
-def _why(robot: Robot) -> str:
-    return "; ".join(inverse_kinematics_of(robot).conditions)

@@ -24,7 +24,7 @@ from robodyn.optimize.records import Record, best_record
 from robodyn.optimize.records.adoption import adopted
 from robodyn.optimize.records.rounding import Rounding
 from robodyn.optimize.records.validation import at_rest_of, check_length, check_reading, validated
-from robodyn.passes import FAST, FRESH_SAVING, SAVING, SPELLING, Pass
+from robodyn.passes import FAST, FRESH_SAVING, SAVING, SPELLING
 from robodyn.robot.masses import unknown_masses
 from robodyn.robot.model import Robot
 
@@ -47,7 +47,10 @@ class RigidPrograms:
         if unknown_masses(robot):
             choices = choices[:1]  # no torques to compare them by
         #: What a program costs by the objective asked for.
-        self._cost = total if options.objective == "total" else _by(options.objective)
+        self._cost: Callable[[Program], float] = total
+        if options.objective != "total":
+            cost = parse_objective(options.objective).cost
+            self._cost = lambda program: cost(operations_of(program))
         self._drafts: dict[str, Program] = {}
         self._after_passes: dict[str, Program] = {}
         self.choice = choices[0] if len(choices) == 1 else self._cheapest(choices)
@@ -76,26 +79,21 @@ class RigidPrograms:
         ------
         SingularArm: forward dynamics of an arm in which a joint moves without inertia.
         """
-        return self.pruned(function, self.best(function))
-
-    def rigid_count(self, function: str) -> Count | None:
-        """There is nothing on top of the rigid arm."""
-        return None
-
-    def pruned(self, function: str, program: Program) -> Program:
-        """``program`` without terms that cannot matter, if that is asked for; or what the passes alone give
-        without them, where that comes to less than a record."""
-        if self.options.prune is None:
+        program = self.best(function)
+        if self.options.prune is None or not function_named(function).gives_torques:
             return program
         from robodyn.optimize.prune import prune
 
-        if not function_named(function).gives_torques:
-            return program
+        # Without terms that cannot matter; or what the passes alone give without them, where that is less.
         plain = self._passed(function)
         smaller, self.prunings[function] = prune(
             self.robot, function, program, self.options.prune, beside=(plain,), progress=self._pruning
         )
         return smaller
+
+    def rigid_count(self, function: str) -> Count | None:
+        """There is nothing on top of the rigid arm."""
+        return None
 
     def best(self, function: str) -> Program:
         """The optimised program of ``function``, exact: from the passes, or what a record has for it if that
@@ -134,11 +132,8 @@ class RigidPrograms:
 
     def _least(self, drafts: Sequence[Program]) -> tuple[int, Program]:
         """Which of ``drafts`` costs the least after the passes of the level, and what they make of it."""
-        if self.options.optimize == "none":
-            saving: Sequence[Pass] = ()
-        else:
-            saving = SAVING if self.options.engine == "sympy" else FRESH_SAVING
-        return least(drafts, saving, self._cost)
+        saving = SAVING if self.options.engine == "sympy" else FRESH_SAVING
+        return least(drafts, () if self.options.optimize == "none" else saving, self._cost)
 
     def _clearly_better(self, function: str, program: Program) -> bool:
         """Whether no pass will bring the recursion down to what a record has."""
@@ -189,10 +184,10 @@ class RigidPrograms:
         if all(self._record(source) is None for source in sources):
             return None
         ways = self._of_parts(function)
-        known = [self.taken[part] for part in function.parts if part in self.taken]
-        if not known:
+        origin = next((self.taken[part] for part in function.parts if part in self.taken), None)
+        if origin is None:
             return None
-        self.taken[function.name] = known[0]
+        self.taken[function.name] = origin
         return self._least(ways)[1]
 
     def _of_parts(self, function: Function) -> list[Program]:
@@ -206,13 +201,9 @@ class RigidPrograms:
 
     def _record(self, function: str) -> Record | None:
         if function not in self._records:
-            matching = [r for r in self.options.records if r.function == function]
             folders = self.options.record_folders
-            record = (
-                matching[0]
-                if matching
-                else best_record(self.robot, function, self.options.objective, folders)
-            )
+            given = (record for record in self.options.records if record.function == function)
+            record = next(given, None) or best_record(self.robot, function, self.options.objective, folders)
             if record is None and self.options.target is not None:
                 record = best_record(self.robot, function, folders=folders)  # fewest operations: close enough
             if record is not None:
@@ -284,7 +275,6 @@ class RigidPrograms:
         return drafts[k]
 
     def _built(self, function: str, writing: Writing) -> Program:
-        """The program of ``function``, written so, no pass run yet."""
         return build(self.robot, function, self.choice, writing, scalar=self.options.scalar)
 
     def _written(self, function: Function) -> tuple[list[Writing], list[Program]]:
@@ -314,12 +304,6 @@ class RigidPrograms:
         values = sum(type(x) is not Fraction for x in results)
         dense = values >= DENSE * len(results) and self._cost is total
         return sum(map(self._cost, parts)) + (function.beside_parts(self.robot.n) if parts and dense else 0)
-
-
-def _by(objective: str) -> Callable[[Program], float]:
-    """The cost of a program by ``objective``."""
-    cost = parse_objective(objective).cost
-    return lambda program: cost(operations_of(program))
 
 
 def _sources(function: Function) -> tuple[str, ...]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from robodyn.drives.coupling import TwistState, link_rates, memory_of, motor_rates, next_twist
@@ -19,8 +18,8 @@ from robodyn.drives.drive import (
     rigid_part,
 )
 from robodyn.dynamics.arm import JointAngle, build_arm, build_motion
-from robodyn.dynamics.compose import DynamicsOnTop, Rows, torque_derivatives
-from robodyn.dynamics.functions import Function, Rotor, function_named, torques_at
+from robodyn.dynamics.compose import Rows, torque_derivatives
+from robodyn.dynamics.functions import Function, Rotor, torques_at
 from robodyn.dynamics.kinematics import frames
 from robodyn.dynamics.modified_newton_euler import modified_newton_euler
 from robodyn.dynamics.newton_euler import newton_euler
@@ -48,33 +47,6 @@ def as_is(x: Any) -> Any:
 
 class ImplicitDynamics(NoForwardDynamics):
     """Friction depends on the load, the load on the accelerations: forward dynamics has no formula."""
-
-
-@dataclass(frozen=True, slots=True)
-class _Motion:
-    """Inputs of a function; rates that it does not have are 0."""
-
-    q: list[Any]
-    qd: list[Any]
-    qdd: list[Any]
-
-
-def needs_reactions(robot: Robot) -> bool:
-    """Whether bearings of ``robot`` feel force and moment, which regrouped links do not show."""
-    return bool(layer_of(robot, as_is, lambda _: 1).needs_reactions)
-
-
-def with_effects(
-    robot: Robot, function: str, rigid: Program | None, formulation: str = "modified_newton_euler"
-) -> Program:
-    """The program of ``function`` of ``robot``; ``rigid`` is that of :func:`.drive.rigid_part`, or None: then
-    the recursion ``formulation`` runs here, with the forces in the joints.
-
-    Raises
-    ------
-    InputError: ``rigid`` is None, and ``formulation`` has no forces in joints.
-    """
-    return layered(robot, function_named(function), lambda _: rigid, formulation)
 
 
 def layered(
@@ -165,7 +137,7 @@ class _Layered(DynamicsOnTop):
         return self._torques(qd, qdd, Loads(wrench_torques, f, n))
 
     def _torques(self, qd: Sequence[Any], qdd: Sequence[Any], relief: Loads | None) -> list[Any]:
-        motion = _Motion(self.inputs["q"], list(qd), list(qdd))
+        motion = (self.inputs["q"], list(qd), list(qdd))
         tau, self.states = outputs(
             self._robot,
             self._layer,
@@ -190,17 +162,17 @@ def outputs(
     robot: Robot,
     layer: Layer,
     graph: Graph,
-    motion: _Motion,
+    motion: tuple[list[Any], list[Any], list[Any]],
     rigid: Program | None,
     formulation: str,
     *,
     remembers: bool,
     relief: Loads | None = None,
 ) -> tuple[list[Any], list[Any]]:
-    """Motor torques [n] and the states after the step, if what has memory ``remembers``. ``relief`` is what a
-    wrench on the tool takes from the joints."""
+    """Motor torques [n] at positions, rates and accelerations, and the states after the step, if what has
+    memory ``remembers``. ``relief`` is what a wrench on the tool takes from the joints."""
     twists, memories = _given_states(layer, graph) if remembers else ({}, {})
-    measured = Rates(motion.q, motion.qd, motion.qdd, directions(robot, motion.qd, as_is))
+    measured = Rates(*motion, directions(robot, motion[1], as_is))
     link, moved = measured, measured
     if twists:
         link = link_rates(layer, measured, twists)
@@ -244,7 +216,7 @@ def steady_torques(robot: Robot) -> Program:
     graph = Graph()
     q, qd, qdd = ([graph.input(name, i) for i in range(robot.n)] for name in ("q", "qd", "qdd"))
     layer = layer_of(robot, as_is, graph.input)
-    tau, _ = outputs(robot, layer, graph, _Motion(q, qd, qdd), None, "newton_euler", remembers=False)
+    tau, _ = outputs(robot, layer, graph, (q, qd, qdd), None, "newton_euler", remembers=False)
     return lower(graph, [("tau", tau)])
 
 

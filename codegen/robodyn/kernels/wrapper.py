@@ -12,9 +12,10 @@ Parameters come as an array in the order of :func:`parameters_of` and are put in
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import PurePosixPath
+from typing import NamedTuple
 
 from robodyn.emit.language import Compiled
 from robodyn.emit.languages import compiled_language
@@ -22,30 +23,25 @@ from robodyn.errors import InputError
 from robodyn.ir.signature import Signature
 
 
-@dataclass(frozen=True, slots=True)
-class Layout:
-    """Where the arrays of a function stand in its block, in numbers (not bytes)."""
+class Layout(NamedTuple):
+    """Where the arrays of a function stand in its block, in numbers (not bytes): ``(name, offset, length)``
+    of inputs and outputs; offsets of the parameters and of the states, after which comes the time step; and
+    the block's length."""
 
     places: tuple[tuple[str, int, int], ...]
-    """``(name, offset, length)`` of inputs and outputs."""
     parameters: int
-    """Offset of the parameters."""
     states: int
-    """Offset of the states; the time step comes after them."""
     length: int
-    """Length of the block."""
 
 
 def layout(signature: Signature, parameters: Sequence[str]) -> Layout:
     """The block of ``signature``: inputs, outputs, parameters, states and time step one after another."""
-    places, offset = [], 0
-    for name, length in (*signature.inputs, *signature.outputs):
-        places.append((name, offset, length))
-        offset += length
-    states = offset + len(parameters)
-    return Layout(
-        tuple(places), offset, states, states + (len(signature.states) + 1 if signature.states else 0)
-    )
+    arrays = (*signature.inputs, *signature.outputs)
+    offsets = [0, *itertools.accumulate(length for _, length in arrays)]
+    places = tuple((name, offset, length) for (name, length), offset in zip(arrays, offsets, strict=False))
+    states = offsets[-1] + len(parameters)
+    memory = len(signature.states) + 1 if signature.states else 0
+    return Layout(places, offsets[-1], states, states + memory)
 
 
 def parameters_of(signatures: Sequence[Signature]) -> tuple[str, ...]:
@@ -66,36 +62,30 @@ def wrapper(signatures: Sequence[Signature], files: Mapping[str, str], language:
 
     Where there is an emitted header it is included, so that the compiler checks the two against each other;
     else the functions are declared here.
+
+    Raises
+    ------
+    InputError: the language has headers, and there is none among ``files``.
     """
     robot = signatures[0].robot
     tools = compiled_language(language)[1]
     parameters = parameters_of(signatures)
     lines = [f"/* Calls from Python into the kernels of {robot}. */", "#include <stddef.h>"]
     if tools.header:
-        lines.append(f'#include "{header(robot, files)}"')
+        header = next((path for path in files if PurePosixPath(path).name == f"{robot}.h"), None)
+        if header is None:
+            raise InputError(
+                f"the emitted files of {robot} have no header",
+                found=", ".join(files) or "no file at all",
+                expected=f"{robot}.h among them",
+            )
+        lines.append(f'#include "{header}"')
     else:
         lines += _declarations(signatures, parameters, tools)
     lines.append(prototypes(signatures))
     for signature in signatures:
         lines += _definitions(signature, parameters, tools)
     return "\n".join(lines) + "\n"
-
-
-def header(robot: str, files: Mapping[str, str]) -> str:
-    """The path of the emitted header ``ROBOT.h`` among ``files``.
-
-    Raises
-    ------
-    InputError: it is not among them.
-    """
-    for path in files:
-        if PurePosixPath(path).name == f"{robot}.h":
-            return path
-    raise InputError(
-        f"the emitted files of {robot} have no header",
-        found=", ".join(files) or "no file at all",
-        expected=f"{robot}.h among them",
-    )
 
 
 def _batch(s: Signature) -> str:
