@@ -19,7 +19,7 @@ from robodyn.kernels.kernel import Kernel
 from robodyn.kernels.options import Options
 from robodyn.kernels.robot_kernel import compile as compile_kernel
 from robodyn.robot import Robot, read_text
-from robodyn.verify.stepping import Stepping
+from robodyn.verify.stateful import Stepping
 from robodyn_testing import representative, require_tool
 from robodyn_testing.effect_arms import arm
 

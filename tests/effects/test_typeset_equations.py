@@ -23,8 +23,8 @@ from robodyn.ir.evaluate import evaluate
 from robodyn.kernels.generate import maker
 from robodyn.kernels.options import Options
 from robodyn.robot import read_text
+from robodyn.verify.declared import value
 from robodyn.verify.effects import added_torque, direction
-from robodyn.verify.typeset import value
 
 REST = {"exact": (None, None), "smooth": (0.25, None), "dead band": (None, 0.25)}
 FRICTION = [

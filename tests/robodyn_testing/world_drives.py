@@ -20,7 +20,7 @@ from effects.typeset_effects import definitions, typeset
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.robot.model import EffectEntry, Robot
 from robodyn.robot.values import Affine
-from robodyn.verify.typeset import value
+from robodyn.verify.declared import value
 from robodyn_testing.world_dynamics import Loads, direction, loads, number
 
 COUPLERS: Final = ("joint_elasticity", "backlash")

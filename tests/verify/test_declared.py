@@ -69,7 +69,7 @@ def test_another_twist_needs_a_reference() -> None:
 
 
 def test_cases_over_arrays() -> None:
-    from robodyn.verify.typeset import ARRAYS, value
+    from robodyn.verify.declared import ARRAYS, value
 
     latex = r"\begin{cases} 2 a & a > 1 \\ -a & a \le 1 \end{cases}"
     assert value(latex, {"a": np.array([0.5, 1.0, 3.0])}, ARRAYS).tolist() == [-0.5, -1.0, 6.0]

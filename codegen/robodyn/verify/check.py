@@ -42,7 +42,7 @@ from robodyn.verify.poses import pose_errors, references
 from robodyn.verify.reference import Floats, Reference
 from robodyn.verify.report import Comparison, VerifyReport
 from robodyn.verify.sample import draw, draw_parameters, drawn_besides, poses_of
-from robodyn.verify.stepping import Stepping
+from robodyn.verify.stateful import Stepping
 
 if TYPE_CHECKING:
     from robodyn.kernels.kernel import Kernel

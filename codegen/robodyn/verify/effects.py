@@ -233,25 +233,15 @@ def _slopes_at_knots(x: Floats, y: Floats) -> Floats:
 
 #: Where in the drive an effect acts; of others the definition says it.
 _PLACES = {
-    "spring": "link",
-    "gas_spring": "link",
-    "load_dependent_friction": "bearing",
-    "joint_elasticity": "coupler",
-    "backlash": "coupler",
-    "transmission_loss": "gear",
-    "viscous_friction": "motor",
-    "coulomb_friction": "motor",
-    "asymmetric_friction": "motor",
-    "stribeck_friction": "motor",
-    "power_law_friction": "motor",
-    "presliding_hysteresis": "motor",
-    "torque_ripple": "motor",
-    "motor_coupling": "pair",
-    "payload": "rigid",
-    "rotor_inertia": "rigid",
-    "inertial_error": "rigid",
-    "base_tilt": "rigid",
-}
+    "load_dependent_friction": "bearing", "transmission_loss": "gear", "motor_coupling": "pair",
+    **dict.fromkeys(("spring", "gas_spring"), "link"),
+    **dict.fromkeys(("joint_elasticity", "backlash"), "coupler"),
+    **dict.fromkeys(("payload", "rotor_inertia", "inertial_error", "base_tilt"), "rigid"),
+    **dict.fromkeys(
+        ("viscous_friction", "coulomb_friction", "asymmetric_friction", "stribeck_friction",
+         "power_law_friction", "presliding_hysteresis", "torque_ripple"), "motor",
+    ),
+}  # fmt: skip
 
 
 def place_of(effect: str) -> str:
