@@ -22,15 +22,15 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.robot import Robot, load
-from robodyn.robot.model import EffectEntry, Limits
+from robodyn.robot.model import EffectEntry
 from robodyn.simulate.engine import Engine
+from robodyn.simulate.limits import with_limits
 from robodyn.simulate.plant import build_plant
 from robodyn.simulate.simulation import Follow, simulate
 from robodyn.simulate.trajectories import fourier
 
 WANTED = 100.0
 SHARE = 0.5
-_LIMITS = Limits((Fraction(-2), Fraction(2)), Fraction(2), Fraction(8))
 
 
 @dataclass(frozen=True)
@@ -106,7 +106,7 @@ class Clock:
 def ours(what: str, robot: Robot, seconds: float, runs: int) -> Row:
     """Our simulation of ``robot``."""
     plant = build_plant(robot)
-    motion = fourier(robot, 10 / seconds / 10, 5, seed=1, default=_LIMITS, period=1e-3)
+    motion = fourier(with_limits(robot)[0], 10 / seconds / 10, 5, seed=1, period=1e-3)
     totals, insides = [], []
     for k in range(runs + 1):
         clock = Clock(plant.engine.library)

@@ -152,7 +152,7 @@ def bench(
     for p, waiting in itertools.product(processors, get_args(Waiting)):
         tell(f"{p} threads, {waiting}")
         table = solve(cut.graph, Machine(p), "critical-path").timetable
-        files = schedule_files(robot, signature, cut, table, waiting=waiting, lanes=_LANES)
+        files = schedule_files(robot, signature, cut, table, waiting=waiting, vector=_LANES)
         is_crowded = p > cores()
         flags = (*THREADED_FLAGS, *([f"-D{signature.robot}_spins=1u"] if is_crowded else []))
         code, output = run_program(files, [str(states or (CROWDED if is_crowded else STATES))], flags=flags)

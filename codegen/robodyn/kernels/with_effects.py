@@ -18,7 +18,7 @@ from robodyn.drives.drive import (
     rigid_part,
 )
 from robodyn.dynamics.arm import JointAngle, build_arm, build_motion
-from robodyn.dynamics.compose import Rows, torque_derivatives
+from robodyn.dynamics.compose import DynamicsOnTop, Rows, torque_derivatives
 from robodyn.dynamics.functions import Function, Rotor, torques_at
 from robodyn.dynamics.kinematics import frames
 from robodyn.dynamics.modified_newton_euler import modified_newton_euler
