@@ -11,7 +11,7 @@ from pathlib import Path
 from benchmarks.marked import with_part
 
 from robodyn.thesis.tables import Table, make
-from robodyn.thesis.tables.picture_robots import robots_svg
+from robodyn.thesis.tables.pictures import robots_svg
 
 DOCS = Path(__file__).parents[1] / "docs"
 PAGE = DOCS / "operation-counts.md"

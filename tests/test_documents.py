@@ -22,7 +22,7 @@ from robodyn.effects.catalogue import CATALOGUE
 from robodyn.kernels.generate import Options, generate
 from robodyn.robot import load
 from robodyn.thesis.tables import make
-from robodyn.thesis.tables.picture_robots import robots_svg
+from robodyn.thesis.tables.pictures import robots_svg
 from robodyn_testing import require_machine, require_tool
 
 ROOT = Path(__file__).parents[1]

@@ -52,11 +52,11 @@ def command(table_id: str | None, picture: str | None) -> None:
 
 def _picture(ids: tuple[str, ...]) -> str:
     """The picture of one table; with all of them that of 2.9."""
-    from robodyn.thesis.tables import picture, picture_2_9, picture_robots
+    from robodyn.thesis.tables import pictures
 
     if ids == ("2.10",):
-        return picture_2_9.figure_2_9_svg()
-    return picture_robots.robots_svg() if ids == ("robots",) else picture.operations_svg()
+        return pictures.figure_2_9_svg()
+    return pictures.robots_svg() if ids == ("robots",) else pictures.operations_svg()
 
 
 def _picture_file(text: str, ids: tuple[str, ...]) -> Path:

@@ -16,7 +16,7 @@ from robodyn.report.benchmarks import time_text
 from robodyn.robot import bundled_text, load
 from robodyn.schedule.tasks import FLOPS_PER_TASK
 from robodyn.targets import TARGETS, planned_targets
-from robodyn.thesis.printed_tasks import LEVELS_STANFORD, TIMES_STANFORD
+from robodyn.thesis.printed import LEVELS_STANFORD, TIMES_STANFORD
 from robodyn_cli.main import main
 from robodyn_testing import require_tool
 

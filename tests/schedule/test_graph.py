@@ -10,7 +10,7 @@ from robodyn.robot import Robot, load
 from robodyn.schedule import TASKS, Sparsity, TaskGraph, arm_graph, general_graph, robot_graph, sparsity
 from robodyn.schedule.elimination import eliminated, left_out, sparse_tasks
 from robodyn.schedule.graph import task_id
-from robodyn.thesis.printed_tasks import TABLE_4_4
+from robodyn.thesis.printed import TABLE_4_4
 
 #: What the rules of Tables 4.2, 4.4 (as printed) and 4.5 leave of the Stanford arm's tasks, transcribed.
 STANFORD = {

@@ -23,12 +23,11 @@ from robodyn_testing import representative
 
 
 @pytest.mark.parametrize("n", [1, 2, 5])
-@pytest.mark.parametrize("right_angled", [True, False])
-def test_all_forms_compute_the_same(n: int, right_angled: bool) -> None:
+def test_all_forms_compute_the_same(n: int) -> None:
     at = Point(3)
     circle = [at.circle(Input("q", i)) for i in range(n)]
     given = {Input("cs"[k], i): circle[i][k] for i in range(n) for k in (0, 1)}
-    found = [exactly(general_program(form, n, right_angled=right_angled), at, given) for form in FORMS]
+    found = [exactly(general_program(form, n), at, given) for form in FORMS]
     assert all(torques == found[0] for torques in found)
 
 
@@ -48,13 +47,25 @@ def test_linear_chains_grow_with_n(form: str) -> None:
 
 @pytest.mark.parametrize("form", representative(LOGARITHMIC, "lathrop"))
 def test_from_three_joints_on_the_chain_is_shorter_at_twice_the_work(form: str) -> None:
-    for linear in LINEAR:
-        assert first_shorter(form, lambda n, linear=linear: cost(linear, n).chain, most=12) == 3  # type: ignore[misc]
-    assert first_shorter(form, thesis_chain, most=12) == 2
+    sizes = range(2, 13)
+    chains = {name: {n: cost(name, n).chain for n in sizes} for name in (form, *LINEAR)}
+    assert [first_shorter(chains[form], chains[linear]) for linear in LINEAR] == [3, 3]
+    assert first_shorter(chains[form], {n: thesis_chain(n) for n in sizes}) == 2
     for n in (3, 6, 12):
         own, other = cost(form, n), cost("modified newton-euler", n)
         assert own.chain < other.chain
         assert 1.7 * other.work < own.work < 3 * other.work
+
+
+def test_never_shorter_is_told() -> None:
+    assert first_shorter({3: 5, 4: 6}, {3: 9, 4: 6}) is None
+
+
+def test_few_processors_undo_it() -> None:
+    """At six joints and four processors the linear form with less work is done sooner."""
+    machine = Machine(4)
+    linear, quick = (solve(form_graph(form, 6), machine) for form in ("modified newton-euler", "lee-chang"))
+    assert linear.timetable.span < quick.timetable.span
 
 
 def test_at_six_joints_trees_are_done_sooner_from_35_processors_on() -> None:

@@ -4,26 +4,28 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import cache
 from typing import Any
 
 import pytest
 
-from robodyn.robot import Robot, load
-from robodyn.thesis.tables import (
-    TABLE_IDS,
-    Table,
-)
+from robodyn.robot import Robot
+from robodyn.thesis.printed import bundled
+from robodyn.thesis.tables import TABLE_IDS, Table, make
 
 IDS = tuple(name for name in TABLE_IDS if name != "robots")
 Patch = pytest.MonkeyPatch
 
 
-def verdicts(table: Table) -> dict[str, str | None]:
-    return {row.name: row.verdict for row in table.rows}
+@cache
+def table(name: str) -> Table:
+    """A table, made once: to be asked for before anything is patched."""
+    return make(name)
 
 
-def bundled(name: str) -> Robot:
-    return load(name, warn=lambda _: None)
+def named(found: Table, verdict: str | None = "differs") -> set[str]:
+    """The rows of a verdict."""
+    return {row.name for row in found.rows if row.verdict == verdict}
 
 
 def changed(name: str, link: int, **numbers: Any) -> Callable[[str], Robot]:

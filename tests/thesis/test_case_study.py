@@ -31,7 +31,7 @@ from robodyn.thesis.case_study import (
     torques_along,
 )
 from robodyn.thesis.case_text import to_csv, to_dict, to_text
-from robodyn.thesis.printed_counts import TABLE_3_4
+from robodyn.thesis.printed import TABLE_3_4
 from robodyn.verify.reference import Reference
 from robodyn_cli.main import main
 from robodyn_testing import constant

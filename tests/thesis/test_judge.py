@@ -6,11 +6,19 @@ import pytest
 
 from robodyn import InputError
 from robodyn.schedule import Machine, general_graph, solve
-from robodyn.thesis.judge import PrintedSchedule, judge, printed_graph, printed_schedule, rule_graph
-from robodyn.thesis.printed_tasks import TIMES_OTHERS
-from robodyn.thesis.rival_tasks import rival_graph
-from robodyn.thesis.tables import Table, make, to_text
-from robodyn.thesis.tables.schedules import SCHEDULES, THESIS, one_table
+from robodyn.thesis.judge import (
+    SCHEDULES,
+    PrintedSchedule,
+    judge,
+    printed_graph,
+    printed_schedule,
+    rival_graph,
+    rule_graph,
+)
+from robodyn.thesis.printed import TIMES_OTHERS
+from robodyn.thesis.tables import to_text
+from robodyn.thesis.tables.schedules import THESIS, one_table
+from thesis.recomputed import table as recomputed
 
 #: Table: processors, levels, entries, distinct tasks, as counted on paper.
 SIZES = {
@@ -44,19 +52,16 @@ MISSING = {
 
 
 @pytest.mark.parametrize("table", SIZES)
-def test_the_printed_tables_are_read_whole(table: str) -> None:
-    found = printed_schedule(table)
-    size = (found.processors, len(found.levels), found.entries, len(found.tasks))
-    assert size == SIZES[table]
-    assert set(SIZES) == set(SCHEDULES)
-
-
-@pytest.mark.parametrize("table", [name for name in SIZES if name != "C.1"])
 def test_the_validator_finds_what_the_review_found(table: str) -> None:
-    found = judge(printed_schedule(table))
+    printed = printed_schedule(table)
+    size = (printed.processors, len(printed.levels), printed.entries, len(printed.tasks))
+    assert size == SIZES[table]
+    if table == "C.1":  # see the copied column
+        return
+    found = judge(printed)
     assert {(fault.task, fault.other) for fault in found.of("precedence")} == NOT_KEPT.get(table, set())
     assert {fault.task for fault in found.of("twice")} == TWICE.get(table, set())
-    six = {119, 128} if found.printed.arm == "six-link" else {119, 128, 129}
+    six = {119, 128} if printed.arm == "six-link" else {119, 128, 129}
     assert {fault.task for fault in found.of("missing")} == MISSING.get(table, six)
     assert found.of("crowded") == ()
     assert {fault.task for fault in found.shared} <= {120, 121, 122}
@@ -71,12 +76,15 @@ def test_the_copied_column_of_c_1() -> None:
     assert {fault.task for fault in restored.of("twice")} == {226}
 
 
-def test_misprints_are_told() -> None:
-    assert 245 in {fault.task for fault in judge(printed_schedule("C.15")).of("unknown")}
-    unknown = {fault.task for fault in judge(printed_schedule("4.3")).of("unknown")}
-    assert unknown == {126, 127, *range(630, 636), 639, 640}
-    stanford = {fault.task for fault in judge(printed_schedule("4.7")).of("unknown")}
-    assert stanford == {120, 121, 126, 127, 233}
+def test_tasks_that_are_none_by_rule_are_told() -> None:
+    assert set(SIZES) == set(SCHEDULES)
+    unknown = {
+        name: {fault.task for fault in judge(printed_schedule(name)).of("unknown")}
+        for name in ("C.15", "4.3", "4.7")
+    }
+    assert 245 in unknown["C.15"]
+    assert unknown["4.3"] == {126, 127, *range(630, 636), 639, 640}
+    assert unknown["4.7"] == {120, 121, 126, 127, 233}
 
 
 def test_single_digits_are_guessed_where_nothing_else_would_do() -> None:
@@ -103,13 +111,8 @@ def test_tasks_by_rule_and_as_printed() -> None:
     assert (len(printed_graph("stanford")), printed_graph("stanford").critical_path) == (156, 25)
 
 
-@pytest.fixture(scope="module")
-def table_4_8() -> Table:
-    return make("4.8")
-
-
-def test_table_4_8_from_levels(table_4_8: Table) -> None:
-    rows = [row for row in table_4_8.rows if "," not in row.name]
+def test_table_4_8_from_levels() -> None:
+    rows = [row for row in recomputed("4.8").rows if "," not in row.name]
     assert [row.ours["ms"] for row in rows] == [21.06, 10.665, 7.02, 5.265, 4.32, 3.915, 3.645, 3.645]
     assert [row.printed["ms"] for row in rows] == [21.06, 10.67, 7.02, 5.26, 4.32, 3.92, 3.65, 3.65]
     assert {row.verdict for row in rows} == {"reproduced"}
@@ -124,9 +127,9 @@ def test_the_tasks_of_the_other_columns() -> None:
     assert (graph.work, graph.critical_time) == (2483, 569)
 
 
-def test_the_other_columns_of_table_4_8(table_4_8: Table) -> None:
+def test_the_other_columns_of_table_4_8() -> None:
     """Recomputed on their tasks; p = 7 is printed shorter than the longest chain; Luh and Lin's is quoted."""
-    found = {row.name: row for row in table_4_8.rows if "," in row.name}
+    found = {row.name: row for row in recomputed("4.8").rows if "," in row.name}
     assert len(found) == sum(map(len, TIMES_OTHERS.values()))
     kasahara = {p: found[f"p = {p}, Kasahara"] for p in range(1, 8)}
     assert [p for p, row in kasahara.items() if row.verdict == "reproduced"] == [1, 2, 3]
@@ -148,14 +151,12 @@ def test_each_table_alone(table: str) -> None:
     if table != "4.8":
         printed = SIZES[table]
         assert [found.row(name).printed["figure"] for name in ("levels", "tasks")] == [printed[1], printed[3]]
+    if table == "C.4":
+        violations = {"203 in level 2", "401 in level 6", "501 in level 11", "601 in level 16"}
+        assert violations <= {row.name for row in found.rows}
 
 
-def test_c_4_tells_its_violations_one_by_one() -> None:
-    names = {row.name for row in one_table("C.4").rows}
-    assert {"203 in level 2", "401 in level 6", "501 in level 11", "601 in level 16"} <= names
-
-
-@pytest.mark.parametrize("name", ["C.16", "", "4.4", "C1"])
+@pytest.mark.parametrize("name", ["C.16", ""])
 def test_an_unknown_table(name: str) -> None:
     with pytest.raises(InputError, match="no printed schedule"):
         one_table(name)

@@ -47,6 +47,12 @@ def applied(A: Matrix, u: tuple[Any, ...]) -> tuple[Any, ...]:
     return tuple(inner(row, u) for row in A)
 
 
+def turned(R: Matrix, u: Vector) -> Vector:
+    """``R u``."""
+    x, y, z = applied(R, u)
+    return x, y, z
+
+
 def outer(u: tuple[Any, ...], v: tuple[Any, ...]) -> Matrix:
     """``u v^T``."""
     return tuple(tuple(x * y for y in v) for x in u)

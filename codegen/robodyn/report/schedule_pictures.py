@@ -18,7 +18,7 @@ from robodyn.draw.panels import Curve, Panel, figure
 from robodyn.report.schedules import Source
 from robodyn.schedule import Solved
 from robodyn.schedule.graph import TaskGraph
-from robodyn.thesis.printed_tasks import TIMES_OTHERS, TIMES_STANFORD
+from robodyn.thesis.printed import TIMES_OTHERS, TIMES_STANFORD
 
 #: A unit of time, a row, what is left of the rows and above them, a colour of the key, in px.
 _CELL, _ROW, _LEFT, _TOP, _SWATCH = 34, 26, 50, 92, 70

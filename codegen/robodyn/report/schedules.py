@@ -18,7 +18,7 @@ from robodyn.schedule.graph import link_and_number, task_id
 from robodyn.schedule.methods import TITLES
 from robodyn.schedule.task_counts import operations_of_tasks
 from robodyn.thesis.judge import graph_of, printed_schedule, rule_graph
-from robodyn.thesis.printed_tasks import LEVELS_SIX_LINK, LEVELS_STANFORD, TABLE_4_4
+from robodyn.thesis.printed import LEVELS_SIX_LINK, LEVELS_STANFORD, TABLE_4_4
 
 #: The printed levels by processors, and the tables that have them.
 _SIX_LINK: Final = {p: (LEVELS_SIX_LINK[p], "4.3" if p == 13 else f"C.{p - 1}") for p in (13, *range(2, 10))}

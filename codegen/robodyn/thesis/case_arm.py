@@ -17,9 +17,8 @@ from typing import TYPE_CHECKING, Final, Literal
 from robodyn.effects.bearings import LOAD, TRANSMISSION
 from robodyn.effects.rigid import PAYLOAD
 from robodyn.errors import InputError
-from robodyn.robot import load
 from robodyn.robot.model import EffectEntry, Robot
-from robodyn.thesis.printed_counts import TABLE_3_4, TABLE_3_5, PrintedDrive, PrintedTorques
+from robodyn.thesis.printed import TABLE_3_4, TABLE_3_5, PrintedDrive, PrintedTorques, bundled
 
 if TYPE_CHECKING:
     from robodyn.simulate.kinematics import Kinematics
@@ -56,9 +55,8 @@ class EfficiencyPoint:
 
 def efficiency_point(row: PrintedTorques, drive: PrintedDrive) -> EfficiencyPoint:
     """Table 3.2 solved for the efficiency; the motion goes where joint friction points."""
-    direction = 1 if row.joint_friction > 0 else -1
-    passed = row.input - direction * drive.breakaway
-    drives = row.joint_total * direction > 0
+    passed = row.input - row.direction * drive.breakaway
+    drives = row.joint_total * row.direction > 0
     efficiency = row.joint_total / passed if drives else passed / row.joint_total
     return EfficiencyPoint(abs(row.joint_total) / drive.largest, efficiency, drives)
 
@@ -134,7 +132,7 @@ def robots(payload: float, span: float) -> Robots:
         raise InputError("the payload is not a mass", found=f"{payload}", expected="0 kg or more")
     if not (math.isfinite(span) and span > 0):
         raise InputError("the span of the bearings is not a length", found=f"{span}", expected="above 0 m")
-    bare = load(ROBOT, warn=lambda _: None)
+    bare = bundled(ROBOT)
     carried: tuple[EffectEntry, ...] = ()
     if payload:
         com = (Fraction(0), -FOREARM, Fraction(0))
@@ -159,8 +157,8 @@ class Led:
 def led(arm: Arm) -> Led:
     """The arm of D.1.3 (``programs``), or D.1.2's up to its load (``consistent``)."""
     if arm == "consistent":
-        return led_at(load(ROBOT, warn=lambda _: None), -FOREARM)
-    return led_at(load(LED_ROBOT), FOREARM)
+        return led_at(bundled(ROBOT), -FOREARM)
+    return led_at(bundled(LED_ROBOT), FOREARM)
 
 
 def led_at(robot: Robot, along: Fraction) -> Led:

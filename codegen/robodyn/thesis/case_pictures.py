@@ -7,7 +7,7 @@ from robodyn.effects import thesis_friction as friction
 from robodyn.effects.efficiency import efficiency_at
 from robodyn.thesis.case_arm import efficiency_curve, efficiency_points
 from robodyn.thesis.case_study import LABEL, Floats, Study
-from robodyn.thesis.printed_counts import TABLE_3_4
+from robodyn.thesis.printed import TABLE_3_4
 
 _JOINTS = (1, 2, 3)
 _TIME = "t [s]"

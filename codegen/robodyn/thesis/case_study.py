@@ -21,7 +21,7 @@ from robodyn.kernels.robot_kernel import compile as compile_kernel
 from robodyn.simulate.simulation import Follow, Simulation, simulate
 from robodyn.simulate.trajectories import ProfileName, Trajectory, line
 from robodyn.thesis.case_arm import ARMS, D4_BRANCH, D4_START, Arm, Led, Robots, efficiency_curve, led, robots
-from robodyn.thesis.printed_counts import TABLE_3_4
+from robodyn.thesis.printed import TABLE_3_4
 
 Floats = NDArray[np.float64]
 

@@ -22,7 +22,7 @@ from robodyn.thesis.case_study import (
     X,
     shares,
 )
-from robodyn.thesis.printed_counts import TABLE_3_4, TABLE_3_5
+from robodyn.thesis.printed import TABLE_3_4, TABLE_3_5
 
 _COLUMNS = ("rigid", "bearing", "joint", "transmission", "input")
 _HEADS = ("dynamic", "joint friction", "joint total", "transmission", "input")

@@ -1,24 +1,27 @@
-"""The printed schedules judged: by the validator, against the tasks of the rules and what each task reads."""
+"""The printed schedules, and what the validator finds in them against the tasks of the rules and what each
+task reads; and the tasks of the others in Table 4.8."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from typing import Final, Literal
+from typing import Any, Final, Literal
 
 from robodyn.errors import InputError
 from robodyn.schedule.elimination import eliminated
 from robodyn.schedule.graph import TaskGraph, TaskId, arm_graph, link_and_number, task_id
 from robodyn.schedule.tasks import TASKS
 from robodyn.schedule.validate import Fault, faults_of_levels
-from robodyn.thesis.printed_schedules import TEXTS
-from robodyn.thesis.printed_tasks import TABLE_4_4
+from robodyn.thesis.printed import RIVAL_TASKS, TABLE_4_4, data
 
 ArmName = Literal["six-link", "stanford"]
 
 JOINTS: Final = 6
 #: The Stanford arm's prismatic joint.
 _PRISMATIC: Final[dict[ArmName, frozenset[int]]] = {"six-link": frozenset(), "stanford": frozenset({3})}
+_SCHEDULES: Final[dict[str, dict[str, Any]]] = data("schedules")
+#: The printed tables by name.
+SCHEDULES: Final = tuple(_SCHEDULES)
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,20 +51,18 @@ def printed_schedule(table: str) -> PrintedSchedule:
     ------
     InputError: there is no such table.
     """
-    name = next((name for name in TEXTS if name.casefold() == table.strip().casefold()), None)
+    name = next((name for name in SCHEDULES if name.casefold() == table.strip().casefold()), None)
     if name is None:
-        raise InputError(f"no printed schedule {table!r}", expected=f"one of {', '.join(TEXTS)}")
-    arm, processors, text = TEXTS[name]
-    assert arm in _PRISMATIC
-    levels = tuple(tuple(map(int, level.split())) for level in text.split(";"))
-    return PrintedSchedule(name, arm, processors, levels)
+        raise InputError(f"no printed schedule {table!r}", expected=f"one of {', '.join(SCHEDULES)}")
+    found = _SCHEDULES[name]
+    levels = tuple(tuple(map(int, level.split())) for level in found["levels"].split(";"))
+    return PrintedSchedule(name, found["arm"], found["processors"], levels)
 
 
 def rule_graph(arm: ArmName) -> TaskGraph:
     """The graph that the rules of Tables 4.2, 4.4 and 4.5 give for ``arm``, zeros as printed."""
     pattern = None if arm == "six-link" else TABLE_4_4
-    out = eliminated(JOINTS, _PRISMATIC[arm], pattern, "own")
-    return arm_graph(JOINTS, out, _PRISMATIC[arm])
+    return arm_graph(JOINTS, eliminated(JOINTS, _PRISMATIC[arm], pattern, "own"), _PRISMATIC[arm])
 
 
 def printed_graph(arm: ArmName) -> TaskGraph:
@@ -74,6 +75,21 @@ def graph_of(arm: ArmName, tasks: Iterable[TaskId], *, own_products: bool = Fals
     """The graph of just these ``tasks`` of ``arm``, those between them passing their inputs through."""
     every = {task_id(link, task.row) for link in range(1, JOINTS + 1) for task in TASKS}
     return arm_graph(JOINTS, every - set(tasks), _PRISMATIC[arm], own_products=own_products)
+
+
+#: Milliseconds a unit of the lengths of :func:`rival_graph`.
+UNIT_MS: Final = 0.01
+
+
+def rival_graph() -> TaskGraph:
+    """The graph of the tasks that the other columns of Table 4.8 are of; all of them belong to link 1, as far
+    as is known."""
+    after, lengths = {}, {}
+    for task, entry in enumerate(RIVAL_TASKS.split(), 1):
+        length, _, needed = entry.partition(":")
+        lengths[task] = int(length)
+        after[task] = frozenset(map(int, filter(None, needed.split(","))))
+    return TaskGraph(after, dict.fromkeys(after, 1), lengths, dict.fromkeys(after, 1))
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,7 +118,7 @@ class Judgement:
     printed: PrintedSchedule
     faults: tuple[Fault, ...]
     shared: tuple[Fault, ...]
-    misprints: tuple[Misprint, ...] = ()
+    misprints: tuple[Misprint, ...]
 
     def of(self, kind: str) -> tuple[Fault, ...]:
         """The faults of a kind."""
@@ -115,24 +131,31 @@ def judge(printed: PrintedSchedule) -> Judgement:
     Precedence is that of the tasks which are printed, misprints that name no task of the arm left out, and
     only by what a task reads: a sum of products waits for those of its own component.
     """
-    by_rule = rule_graph(printed.arm)
-    in_set = faults_of_levels(dict.fromkeys(by_rule.tasks, ()), printed.processors, printed.levels)
-    known = graph_of(printed.arm, filter(_is_task, printed.tasks), own_products=True)
-    in_order = [
-        fault
-        for fault in faults_of_levels(known.after, printed.processors, printed.levels)
-        if fault.kind == "precedence"
+    tasks = dict.fromkeys(rule_graph(printed.arm).tasks, ())
+    in_set = faults_of_levels(tasks, printed.processors, printed.levels)
+    own: list[Fault] = []
+    shared: list[Fault] = []
+    for fault in _out_of_order(printed, printed.levels):
+        every_table = fault.other == task_id(1, 10) and fault.task in {task_id(1, k) for k in (20, 21, 22)}
+        (shared if every_table else own).append(fault)
+    return Judgement(printed, (*in_set, *own), tuple(shared), tuple(_misprints(printed, in_set)))
+
+
+def _out_of_order(printed: PrintedSchedule, levels: Iterable[Iterable[TaskId]]) -> list[Fault]:
+    """Tasks of ``levels`` beside or before what they read."""
+    rows = [tuple(level) for level in levels]
+    tasks = {task for level in rows for task in level if _is_task(task)}
+    after = graph_of(printed.arm, tasks, own_products=True).after
+    return [
+        fault for fault in faults_of_levels(after, printed.processors, rows) if fault.kind == "precedence"
     ]
-    shared = tuple(fault for fault in in_order if _shared(fault))
-    faults = (*in_set, *(fault for fault in in_order if not _shared(fault)))
-    return Judgement(printed, faults, shared, tuple(_misprints(printed, in_set)))
 
 
 #: Tasks done twice beyond which no single digits are looked for.
 _HANDFUL: Final = 6
 
 
-def _misprints(printed: PrintedSchedule, faults: Sequence[Fault]) -> Iterator[Misprint]:
+def _misprints(printed: PrintedSchedule, faults: Iterable[Fault]) -> Iterator[Misprint]:
     missing = [fault.task for fault in faults if fault.kind == "missing"]
     twice = {fault.task for fault in faults if fault.kind == "twice"}
     if len(twice) > _HANDFUL:  # a column is set wrongly, and not a digit
@@ -151,12 +174,12 @@ def _misprints(printed: PrintedSchedule, faults: Sequence[Fault]) -> Iterator[Mi
     reported: set[tuple[TaskId, TaskId]] = set()
     for place in places:
         pair = (place.printed, place.meant)
-        rivals = {
-            (other.printed, other.meant)
+        alone = all(
+            (other.printed, other.meant) == pair
             for other in places
             if place.meant == other.meant or place.printed == other.printed
-        }
-        if rivals == {pair} and pair not in reported:
+        )
+        if alone and pair not in reported:
             reported.add(pair)
             yield place
 
@@ -175,20 +198,9 @@ def _fits(printed: PrintedSchedule, task: TaskId, meant: TaskId, where: int) -> 
         tuple(meant if k == where and one == task else one for one in level)
         for k, level in enumerate(printed.levels, 1)
     ]
-    tasks = {one for level in levels for one in level if _is_task(one)}
-    graph = graph_of(printed.arm, tasks, own_products=True)
-    return not any(
-        fault.kind == "precedence" and meant in (fault.task, fault.other)
-        for fault in faults_of_levels(graph.after, printed.processors, levels)
-    )
+    return not any(meant in (fault.task, fault.other) for fault in _out_of_order(printed, levels))
 
 
 def _is_task(task: TaskId) -> bool:
     link, task_number = link_and_number(task)
     return 1 <= link <= JOINTS and 1 <= task_number <= len(TASKS)
-
-
-def _shared(fault: Fault) -> bool:
-    return fault.other == task_id(1, 10) and fault.task in {
-        task_id(1, task_number) for task_number in (20, 21, 22)
-    }

@@ -7,14 +7,13 @@ formed beforehand, and sines and cosines are given.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
 from fractions import Fraction
 from functools import partial
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 from robodyn.counts.general import general_arm
-from robodyn.dynamics.arm import Arm
 from robodyn.dynamics.modified_newton_euler import modified_newton_euler
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.errors import InputError
@@ -24,16 +23,14 @@ from robodyn.ir.program import Program
 from robodyn.schedule.cutting import cut
 from robodyn.schedule.graph import TaskGraph
 from robodyn.schedule.tasks import FLOPS_PER_TASK
-from robodyn.thesis.formulations.logarithmic import logarithmic
-
-Form = Callable[..., list[Any]]
+from robodyn.thesis.formulations.logarithmic import doubling, logarithmic, tree
 
 #: The forms by name: the recursions from link to link, and those by running totals.
-FORMS: Final[dict[str, Form]] = {
+FORMS: Final[dict[str, Callable[..., list[Any]]]] = {
     "newton-euler": newton_euler,
     "modified newton-euler": modified_newton_euler,
-    "lee-chang": partial(logarithmic, running="doubling"),
-    "lathrop": partial(logarithmic, running="tree"),
+    "lee-chang": partial(logarithmic, run=doubling),
+    "lathrop": partial(logarithmic, run=tree),
 }
 LINEAR: Final = ("newton-euler", "modified newton-euler")
 LOGARITHMIC: Final = ("lee-chang", "lathrop")
@@ -46,9 +43,10 @@ TITLES: Final = {
 }
 
 
-def general_program(form: str, n: int, *, right_angled: bool = True) -> Program:
-    """The program of ``form`` for a revolute arm of ``n`` joints; with ``right_angled`` all angles alpha are
-    90 degrees and tensors of inertia diagonal, which is what the thesis's tasks are cut for.
+def general_program(form: str, n: int) -> Program:
+    """The program of ``form`` for a revolute arm of ``n`` joints whose angles alpha are 90 degrees and whose
+    tensors of inertia are diagonal, gravity along z of the base, the first axis upright: what the thesis's
+    tasks are cut for.
 
     Inputs are ``c``, ``s``, ``qd`` and ``qdd`` [n].
     """
@@ -60,9 +58,17 @@ def general_program(form: str, n: int, *, right_angled: bool = True) -> Program:
         return next(constants) if fixed else next(variables)
 
     arm, motion = general_arm(n, (), number)
-    arm = _right_angled(arm) if right_angled else _turned(arm)
-    torques = FORMS[form](arm, motion, graph.label)
-    return lower(graph, [("tau", torques)])
+    bodies = tuple(
+        replace(
+            body,
+            cos_alpha=int(i == 0),
+            sin_alpha=int(i > 0),
+            inertia=replace(body.inertia, xy=0, xz=0, yz=0),
+        )
+        for i, body in enumerate(arm.bodies)
+    )
+    arm = replace(arm, bodies=bodies, gravity=(0, 0, arm.gravity[2]))
+    return lower(graph, [("tau", FORMS[form](arm, motion, graph.label))])
 
 
 def _constants() -> Iterator[Fraction]:
@@ -73,62 +79,27 @@ def _constants() -> Iterator[Fraction]:
         yield Fraction(value, 65537)
 
 
-def _right_angled(arm: Arm) -> Arm:
-    """``arm`` with right angles and diagonal tensors, gravity along z of the base, its first axis upright."""
-    bodies = tuple(
-        replace(
-            body,
-            cos_alpha=1 if i == 0 else 0,
-            sin_alpha=0 if i == 0 else 1,
-            inertia=replace(body.inertia, xy=0, xz=0, yz=0),
-        )
-        for i, body in enumerate(arm.bodies)
-    )
-    return replace(arm, bodies=bodies, gravity=(0, 0, arm.gravity[2]))
-
-
-def form_graph(form: str, n: int, *, k: int = 1, right_angled: bool = True) -> TaskGraph:
+def form_graph(form: str, n: int, k: int = 1) -> TaskGraph:
     """The task graph of ``form`` for ``n`` joints, ``k`` operations a task."""
-    return cut(general_program(form, n, right_angled=right_angled), k).graph
+    return cut(general_program(form, n), k).graph
 
 
-def _turned(arm: Arm) -> Arm:
-    """``arm`` with angles alpha that have a cosine and a sine."""
-    bodies = tuple(
-        replace(body, cos_alpha=(1 - t * t) / (1 + t * t), sin_alpha=2 * t / (1 + t * t))
-        for body, t in ((body, Fraction(i + 2, 7)) for i, body in enumerate(arm.bodies))
-    )
-    return replace(arm, bodies=bodies)
-
-
-@dataclass(frozen=True, slots=True)
-class Cost:
+class Cost(NamedTuple):
     """``work`` operations, of which ``chain`` one after another."""
 
-    work: int
     chain: int
+    work: int
 
 
 def cost(form: str, n: int) -> Cost:
     """Operations and longest chain of ``form`` for ``n`` joints."""
     graph = form_graph(form, n)
-    return Cost(len(graph), graph.critical_path)
+    return Cost(graph.critical_path, len(graph))
 
 
 def thesis_chain(n: int) -> int:
     """Operations one after another in the thesis's tasks of three: ``3 (4 n + 3)``."""
     return FLOPS_PER_TASK * (4 * n + 3)
-
-
-def first_shorter(form: str, than: Callable[[int], int], most: int = 64) -> int | None:
-    """The number of joints from which on (up to ``most``) the chain of ``form`` is shorter than ``than``;
-    None if it is not at ``most``."""
-    shorter = None
-    for n in range(most, 1, -1):
-        if form_graph(form, n).critical_path >= than(n):
-            break
-        shorter = n
-    return shorter
 
 
 def compared(most: int, tell: Callable[[str], None] = lambda _: None) -> dict[str, Any]:
@@ -142,36 +113,30 @@ def compared(most: int, tell: Callable[[str], None] = lambda _: None) -> dict[st
     if not 2 <= most <= MOST_JOINTS:
         raise InputError("forms need joints", found=f"--links {most}", expected=f"2 to {MOST_JOINTS}")
     rows: list[dict[str, Any]] = []
-    costs: dict[str, dict[int, Cost]] = {form: {} for form in FORMS}
+    chains: dict[str, dict[int, int]] = {name: {} for name in (*FORMS, "thesis_tasks")}
     for n in range(2, most + 1):
         tell(f"{n} joints")
-        for form in FORMS:
-            costs[form][n] = cost(form, n)
-        rows.append(
-            {
-                "joints": n,
-                "thesis_tasks_chain": thesis_chain(n),
-                **{form: {"chain": costs[form][n].chain, "work": costs[form][n].work} for form in FORMS},
-            }
-        )
-    chains = {form: {n: one.chain for n, one in costs[form].items()} for form in FORMS}
-    thesis = {n: thesis_chain(n) for n in range(2, most + 1)}
-    against = {**{form: chains[form] for form in LINEAR}, "thesis_tasks": thesis}
+        costs = {form: cost(form, n) for form in FORMS}
+        chains["thesis_tasks"][n] = thesis_chain(n)
+        for form, found in costs.items():
+            chains[form][n] = found.chain
+        each = {form: found._asdict() for form, found in costs.items()}
+        rows.append({"joints": n, "thesis_tasks_chain": thesis_chain(n), **each})
     return {
         "titles": dict(TITLES),
         "rows": rows,
         "shorter_from": {
-            form: {other: _first(chains[form], than) for other, than in against.items()}
+            form: {other: first_shorter(chains[form], chains[other]) for other in (*LINEAR, "thesis_tasks")}
             for form in LOGARITHMIC
         },
     }
 
 
-def _first(own: dict[int, int], other: dict[int, int]) -> int | None:
-    """From which number of joints on ``own`` is shorter, up to the last one."""
+def first_shorter(chain: Mapping[int, int], than: Mapping[int, int]) -> int | None:
+    """From which number of joints on a chain is shorter, up to the last one; None if it is not there."""
     first = None
-    for n in sorted(own, reverse=True):
-        if own[n] >= other[n]:
+    for n in sorted(chain, reverse=True):
+        if chain[n] >= than[n]:
             break
         first = n
     return first
@@ -179,31 +144,28 @@ def _first(own: dict[int, int], other: dict[int, int]) -> int | None:
 
 def forms_text(comparison: dict[str, Any]) -> str:
     """The comparison for a person."""
-    forms = list(FORMS)
     lines = [
         "Operations one after another (chain) and in all (work), revolute arms with right angles, single "
         "operations,",
         "processors being plenty; sines and cosines given. Thesis: its tasks of three, 12 n + 9.",
         "",
-        "joints  thesis  " + "  ".join(form.rjust(22) for form in forms),
-        "                " + "  ".join("chain / work".rjust(22) for _ in forms),
+        "joints  thesis  " + "  ".join(form.rjust(22) for form in FORMS),
+        "                " + "  ".join("chain / work".rjust(22) for _ in FORMS),
     ]
     for row in comparison["rows"]:
-        cells = "  ".join(f"{row[form]['chain']:>13} / {row[form]['work']:<6}" for form in forms)
+        cells = "  ".join(f"{row[form]['chain']:>13} / {row[form]['work']:<6}" for form in FORMS)
         lines.append(f"{row['joints']:>6}  {row['thesis_tasks_chain']:>6}  {cells}".rstrip())
     lines.append("")
     for form, against in comparison["shorter_from"].items():
-        crossings = ", ".join(
-            f"{other} from {n} joints on" if n else f"{other} at no number here"
-            for other, n in against.items()
+        crossings = (
+            f"{other} {f'from {n} joints on' if n else 'at no number here'}" for other, n in against.items()
         )
-        lines.append(f"{form}: a shorter chain than {crossings}")
+        lines.append(f"{form}: a shorter chain than {', '.join(crossings)}")
     last = comparison["rows"][-1]
-    base = last["modified newton-euler"]["work"]
     for form in LOGARITHMIC:
+        times = last[form]["work"] / last["modified newton-euler"]["work"]
         lines.append(
-            f"{form}: {last[form]['work'] / base:.2f} times the work of modified newton-euler at "
-            f"{last['joints']} joints"
+            f"{form}: {times:.2f} times the work of modified newton-euler at {last['joints']} joints"
         )
     lines += ["", *(f"{name}: {title}" for name, title in comparison["titles"].items())]
     return "\n".join(lines) + "\n"

@@ -203,10 +203,3 @@ class PumaArm:
                 found=f"{distance[k]:.6g} m {place}",
                 expected=within,
             )
-
-
-def puma_positions(
-    point: ArrayLike, offset: float, upper: float, forearm: float, elbow: float = 0.0
-) -> Floats:
-    """:meth:`PumaArm.positions` of an arm of these lengths [m]."""
-    return PumaArm(offset, upper, forearm, elbow).positions(point)

@@ -7,12 +7,14 @@ from fractions import Fraction
 from statistics import median
 from typing import Any, Final
 
+import numpy as np
+
 from robodyn.counts.thesis import TABLE_2_10
 from robodyn.robot import Inertia, Robot
-from robodyn.thesis.claims.arms import PUMA, Arms
-from robodyn.thesis.claims.claim import Outcome
-from robodyn.thesis.claims.formulations import SMALL_PUMA
-from robodyn.thesis.printed_counts import LISTINGS, TABLE_2_10_QUOTED, table_2_10
+from robodyn.thesis.case_arm import D4_START
+from robodyn.thesis.claims.arms import PUMA, SMALL_PUMA, Arms, Outcome
+from robodyn.thesis.printed import LISTINGS, TABLE_2_10_QUOTED, bundled, table_2_10
+from robodyn.verify.reference import Reference
 
 #: Numbers of program D.1.1: diagonals of the pseudo-inertias of its three links about the frames' origins
 #: [kg m^2]; masses and centres of mass are those of D.1.2.
@@ -31,152 +33,110 @@ _ROWS: Final = 201
 _SPACING: Final = 0.01
 
 
-def _pairs_of_table_2_10() -> dict[str, dict[str, tuple[int, int]]]:
-    """By row and method: the total of the thesis and that of the other."""
+def _pairs() -> dict[tuple[str, str], tuple[int, int]]:
+    """Table 2.10 by row and method: the total of the thesis and that of the other."""
     totals = {row: sum(figures["I"]) for row, figures in table_2_10().items()}
     return {
-        row: {method: (totals[row], sum(pair)) for method, pair in figures.items()}
+        (row, method): (totals[row], sum(pair))
         for row, figures in TABLE_2_10_QUOTED.items()
+        for method, pair in figures.items()
     }
-
-
-def _fewer(pair: tuple[int, int]) -> float:
-    return round(100 * (1 - pair[0] / pair[1]), 1)
 
 
 def customised_counts(_: Arms) -> Outcome:
     """In how many pairs of Table 2.10 the thesis has fewer operations, and by how much [%]."""
-    shares = {
-        f"{row}, {method}": _fewer(pair)
-        for row, methods in _pairs_of_table_2_10().items()
-        for method, pair in methods.items()
-    }
-    fewer = {name: share for name, share in shares.items() if share > 0}
-    figures: dict[str, Any] = {
-        "pairs": len(shares),
-        "fewer": len(fewer),
-        "least_pct": min(fewer.values()),
-        "most_pct": max(fewer.values()),
-        "median_pct": median(fewer.values()),
-        "by_pair": shares,
-    }
-    return figures, None
+    pairs = _pairs().values()
+    fewer = [round(100 * (1 - own / other), 1) for own, other in pairs if own < other]
+    figures: dict[str, Any] = {"pairs": len(pairs), "fewer": len(fewer), "median_pct": median(fewer)}
+    return {**figures, "least_pct": min(fewer), "most_pct": max(fewer)}, None
 
 
 def more_than_three_joints(_: Arms) -> Outcome:
     """The same by the number of joints, and the margin of the Stanford arm's listing."""
-    pairs = _pairs_of_table_2_10()
-    fewer = {
-        joints: [
-            _fewer(pair) > 0
-            for row, methods in pairs.items()
-            if row[-1] == joints
-            for pair in methods.values()
-        ]
-        for joints in "36"
-    }
-    counted = sum(LISTINGS["stanford_6"][1])
-    quoted = pairs["stanford_6"]["II"][1]
-    figures = {
-        "six": sum(fewer["6"]),
-        "six_of": len(fewer["6"]),
-        "three": sum(fewer["3"]),
-        "three_of": len(fewer["3"]),
-        "listing": counted,
-        "quoted": quoted,
-    }
-    return figures, all(fewer["6"]) and not all(fewer["3"])
+    pairs = _pairs()
+    six, three = (
+        [own < other for (row, _), (own, other) in pairs.items() if row[-1] == joints] for joints in "63"
+    )
+    listing, quoted = sum(LISTINGS["stanford_6"][1]), pairs["stanford_6", "II"][1]
+    counts = {"six": sum(six), "six_of": len(six), "three": sum(three), "three_of": len(three)}
+    return {**counts, "listing": listing, "quoted": quoted}, all(six) and not all(three)
 
 
 def arm_at_three_joints(_: Arms) -> Outcome:
     """ARM's totals (method II) beside the thesis's for three joints."""
-    pairs = _pairs_of_table_2_10()
-    totals = {row: list(pairs[row]["II"]) for row in ("puma_3", "stanford_3")}
+    pairs = _pairs()
+    totals = {row: list(pairs[row, "II"]) for row in ("puma_3", "stanford_3")}
     return totals, all(other < own for own, other in totals.values())
 
 
 def arm_at_six_joints(_: Arms) -> Outcome:
     """ARM's total beside the thesis's for the PUMA of six joints."""
-    own, other = _pairs_of_table_2_10()["puma_6"]["II"]
+    own, other = _pairs()["puma_6", "II"]
     more = round(100 * (other / own - 1), 1)
     return {"own": own, "arm": other, "more_pct": more, "needed": round(1.3 * own)}, abs(more - 30) < 5
 
 
 def incomplete_listings(_: Arms) -> Outcome:
     """Operations of definitions that the listings lack."""
-    lacking = {
-        name: sum(complete) - sum(printed)
-        for name, (printed, complete) in LISTINGS.items()
-        if complete != printed
-    }
-    return {"lacking": lacking, "listings": len(LISTINGS)}, None
+    lacking = {name: sum(complete) - sum(printed) for name, (printed, complete) in LISTINGS.items()}
+    return {"lacking": {name: n for name, n in lacking.items() if n}, "listings": len(LISTINGS)}, None
 
 
-def _stated(row: str) -> tuple[int, int]:
-    mul, add, _ = TABLE_2_10[row]
-    return mul, add
+def _counts_of(name: str) -> tuple[dict[str, list[int]], bool]:
+    """A listing as printed and completed, and whether its count is stated right."""
+    printed, complete = LISTINGS[name]
+    return {"printed": list(printed), "complete": list(complete)}, printed == TABLE_2_10[name][:2]
 
 
 def listing_counts(_: Arms) -> Outcome:
     """The three listings whose count is stated right, as printed and completed."""
-    names = ("stanford_3", "puma_3", "puma_6")
-    figures = {
-        name: {"printed": list(LISTINGS[name][0]), "complete": list(LISTINGS[name][1])} for name in names
-    }
-    return figures, all(LISTINGS[name][0] == _stated(name) for name in names)
+    counts = {name: _counts_of(name) for name in ("stanford_3", "puma_3", "puma_6")}
+    return {name: found for name, (found, _) in counts.items()}, all(right for _, right in counts.values())
 
 
 def listing_of_stanford(_: Arms) -> Outcome:
     """The listing of the Stanford arm's six joints."""
-    printed, complete = LISTINGS["stanford_6"]
-    return {"printed": list(printed), "complete": list(complete)}, printed == _stated("stanford_6")
+    return _counts_of("stanford_6")
 
 
-def parameters(arms: Arms) -> Outcome:
+def parameters(_: Arms) -> Outcome:
     """Numbers in which the arm of program D.2 is another than that of the tables, links by kind of number."""
-    tables, used = (arms.load_robot(name) for name in (PUMA, "puma560_d2"))
-    pairs = list(zip(tables.links, used.links, strict=True))
+    arms = [bundled(name).links for name in (PUMA, "puma560_d2")]
     links = {
-        "centres_of_mass": [i for i, (a, b) in enumerate(pairs, 1) if a.com != b.com],
-        "tensors": [i for i, (a, b) in enumerate(pairs, 1) if a.inertia != b.inertia],
-        "masses": [i for i, (a, b) in enumerate(pairs, 1) if a.mass != b.mass],
+        name: [i for i, (a, b) in enumerate(zip(*arms, strict=True), 1) if getattr(a, of) != getattr(b, of)]
+        for name, of in (("centres_of_mass", "com"), ("tensors", "inertia"), ("masses", "mass"))
     }
-    x = [float(robot.links[1].com[0]) for robot in (tables, used)]  # type: ignore[arg-type]  # numbers here
+    x = [float(robot[1].com[0]) for robot in arms]  # type: ignore[arg-type]  # numbers here
     return {**links, "x_of_link_2": x}, not any(links.values())
 
 
-def two_programs(arms: Arms) -> Outcome:
+def two_programs(_: Arms) -> Outcome:
     """How far the torques of D.1.1's and D.1.2's arms are apart [N m], joint by joint, at random states."""
-    import numpy as np
-
-    from robodyn.verify.reference import Reference
-
-    newton_euler = arms.load_robot(SMALL_PUMA)
+    newton_euler = bundled(SMALL_PUMA)
     chance = np.random.default_rng(_SEED)
     states = [chance.uniform(-limit, limit, (_STATES, newton_euler.n)) for limit in _RANGES]
     first, second = (
         Reference(robot).inverse_dynamics(*states) for robot in (newton_euler, _lagrange_arm(newton_euler))
     )
     apart = abs(first - second).max(axis=0)
-    figures = {
-        "most": [round(float(x), 1) for x in apart],
-        "rms": [round(float(x), 1) for x in np.sqrt(((first - second) ** 2).mean(axis=0))],
-        "of_rms": [round(float(x), 1) for x in np.sqrt((first**2).mean(axis=0))],
-        "states": _STATES,
+    figures: dict[str, Any] = {
+        name: np.round(numbers, 1).tolist()
+        for name, numbers in (
+            ("most", apart),
+            ("rms", np.sqrt(((first - second) ** 2).mean(axis=0))),
+            ("of_rms", np.sqrt((first**2).mean(axis=0))),
+        )
     }
-    return figures, bool((apart < 1e-3).all())
+    return {**figures, "states": _STATES}, bool((apart < 1e-3).all())
 
 
 def _lagrange_arm(newton_euler: Robot) -> Robot:
     """The arm of D.1.1: tensors about the centres of mass by its pseudo-inertias about the origins."""
     links = []
     for link, (x, y, z) in zip(newton_euler.links, D_1_1, strict=True):
-        cx, cy, cz = (Fraction(c) * Fraction(c) for c in link.com)  # type: ignore[arg-type]  # numbers here
-        mass = Fraction(link.mass)  # type: ignore[arg-type]
-        zero = Fraction(0)
-        inertia = Inertia(
-            y + z - mass * (cy + cz), x + z - mass * (cx + cz), x + y - mass * (cx + cy), zero, zero, zero
-        )
+        cx, cy, cz = (link.mass * c * c for c in link.com)  # type: ignore[operator]  # numbers here
+        none = Fraction(0)
+        inertia = Inertia(y + z - (cy + cz), x + z - (cx + cz), x + y - (cx + cy), none, none, none)
         links.append(replace(link, inertia=inertia))
     return replace(newton_euler, links=tuple(links))
 
@@ -188,38 +148,24 @@ def rows_of_torques(_: Arms) -> Outcome:
     A step of 0.02 s evaluates at its beginning, twice in its middle and at its end; time is added up in
     0.01 s. The first row is that of time 0.
     """
-    import numpy as np
-
     single = np.float32
     spacing, t = single(_SPACING), single(0)
-    short, evaluations, last = 0, 0, []
+    cut, exact = [], []
     for step in range((_ROWS - 1) // 2 + 1):
-        stages = [(t, 0)]
-        for half in (1, 2):
-            t = single(t + spacing)
-            stages += [(t, half)] * (2 if half == 1 else 1)
-        for time, halves in stages:
-            exact = 2 * step + halves
-            short += int(time / spacing) < exact
-            evaluations += 1
-            last.append(exact + 1)
-    figures: dict[str, Any] = {
-        "short": short,
-        "evaluations": evaluations,
-        "rows": _ROWS,
-        "beyond": sorted({row for row in last if row > _ROWS}),
-    }
-    return figures, not short and not figures["beyond"]
+        middle = single(t + spacing)
+        end = single(middle + spacing)
+        cut += [int(time / spacing) for time in (t, middle, middle, end)]
+        exact += [2 * step + halves for halves in (0, 1, 1, 2)]
+        t = end
+    short = sum(a < b for a, b in zip(cut, exact, strict=True))
+    beyond = sorted({row + 1 for row in exact if row + 1 > _ROWS})
+    figures = {"short": short, "evaluations": len(exact), "rows": _ROWS, "beyond": beyond}
+    return figures, not short and not beyond
 
 
-def columns_of_the_inertia_matrix(arms: Arms) -> Outcome:
+def columns_of_the_inertia_matrix(_: Arms) -> Outcome:
     """What gravity adds to a "column of D" at D.4's start, if it is not left out [N m]; and link 3's mass."""
-    import numpy as np
-
-    from robodyn.thesis.case_arm import D4_START
-    from robodyn.verify.reference import Reference
-
-    robot = arms.load_robot("puma560_3dof_d4")
+    robot = bundled("puma560_3dof_d4")
     reference = Reference(robot)
     unit, rest = np.eye(robot.n), np.zeros((robot.n, robot.n))
     torques = reference.inverse_dynamics(np.tile(D4_START, (robot.n, 1)), rest, unit)

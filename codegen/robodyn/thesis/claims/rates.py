@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
+from math import pi
 from typing import Final
 
 from robodyn.schedule import FLOPS_PER_TASK, general_graph
 from robodyn.targets import target_named
-from robodyn.thesis.claims.arms import FLOP_US, LINKS, PUMA, TASK_MS, Arms
-from robodyn.thesis.claims.claim import Outcome
+from robodyn.thesis.claims.arms import FLOP_US, LINKS, PUMA, Arms, Outcome
 from robodyn.thesis.polynomial import value
-from robodyn.thesis.printed_counts import TABLE_1_1
-from robodyn.thesis.tables.table_2_10 import plain
+from robodyn.thesis.printed import TABLE_1_1, TASK_MS, bundled
+from robodyn.thesis.tables.customised import plain
 
 #: Samples a period of the natural frequency that section 1.1 asks for, the frequencies of industrial arms
 #: [Hz], and the factor by which those of smaller arms may be higher.
@@ -29,16 +29,10 @@ CLOCKS_MHZ: Final = (5, 8, 10)
 
 def high_sampling_rates(arms: Arms) -> Outcome:
     """Rates of the longest chains, of any six joints and of the Stanford arm."""
-    operations = FLOPS_PER_TASK * arms.six.critical_path
-    ms, best_ms = operations * FLOP_US / 1e3, arms.stanford_by_rule.critical_path * TASK_MS
-    figures = {
-        "operations": operations,
-        "ms": round(ms, 3),
-        "hz": round(1e3 / ms),
-        "stanford_levels": arms.stanford_by_rule.critical_path,
-        "stanford_ms": round(best_ms, 3),
-        "stanford_hz": round(1e3 / best_ms),
-    }
+    operations, levels = FLOPS_PER_TASK * arms.six.critical_path, arms.stanford_by_rule.critical_path
+    ms, best_ms = operations * FLOP_US / 1e3, levels * TASK_MS
+    figures = {"operations": operations, "ms": round(ms, 3), "hz": round(1e3 / ms), "stanford_levels": levels}
+    figures |= {"stanford_ms": round(best_ms, 3), "stanford_hz": round(1e3 / best_ms)}
     return figures, ms <= 1e3 / WANTED_HZ
 
 
@@ -52,15 +46,11 @@ def joints_within_a_millisecond(_: Arms) -> Outcome:
 
 def bandwidth(_: Arms) -> Outcome:
     """Twenty times the natural frequencies, in hertz and, as a slip might have it, in radians a second."""
-    from math import pi
-
     rates = [SAMPLES * frequency for frequency in RESONANCES]
-    figures = {
-        "hz": rates,
-        "small_arms_hz": SMALL_ARMS * rates[1],
-        "without_2_pi": [round(2 * pi * rate) for rate in (*rates, SMALL_ARMS * rates[1])],
-        "times_less": [BANDWIDTH_HZ[1] // (SMALL_ARMS * rates[1]), BANDWIDTH_HZ[1] // rates[1]],
-    }
+    small = SMALL_ARMS * rates[1]
+    without_2_pi = [round(2 * pi * rate) for rate in (*rates, small)]
+    times_less = [BANDWIDTH_HZ[1] // rate for rate in (small, rates[1])]
+    figures = {"hz": rates, "small_arms_hz": small, "without_2_pi": without_2_pi, "times_less": times_less}
     return figures, tuple(rates) == BANDWIDTH_HZ
 
 
@@ -80,15 +70,12 @@ def on_an_8086(_: Arms) -> Outcome:
     return figures, any(abs(time / ON_AN_8086_MS - 1) < _SAME for time in ms.values())
 
 
-def operations_of_the_puma(arms: Arms) -> Outcome:
+def operations_of_the_puma(_: Arms) -> Outcome:
     """The printed polynomial at six joints, and the Lagrangian of the PUMA itself."""
     printed = TABLE_1_1["uicker_kahn"]
-    polynomial = value(printed.mul, LINKS)
-    puma = plain(arms.load_robot(PUMA), "lagrange").total
-    return {
-        "polynomial": int(polynomial),
-        "puma": puma,
-    }, polynomial == printed.mul_6 and puma == printed.total_6
+    polynomial, puma = value(printed.mul, LINKS), plain(bundled(PUMA), "lagrange").total
+    same = polynomial == printed.mul_6 and puma == printed.total_6
+    return {"polynomial": int(polynomial), "puma": puma}, same
 
 
 def rate_of_the_vax(_: Arms) -> Outcome:
@@ -98,10 +85,9 @@ def rate_of_the_vax(_: Arms) -> Outcome:
 
 def equal_times(_: Arms) -> Outcome:
     """What an addition costs in multiplications on processors of today, with and without a unit."""
-    costs = {name: target_named(name).single for name in ("cortex-m4f", "rv32imafc", "cortex-m3")}
-    ratios = {name: round(cost.add / cost.mul, 2) for name, cost in costs.items()}
-    with_unit = [ratios[name] for name in ("cortex-m4f", "rv32imafc")]
-    return {"ratios": ratios, "in_software": ratios["cortex-m3"]}, set(with_unit) == {1.0}
+    costs = (target_named(name).single for name in ("cortex-m4f", "rv32imafc", "cortex-m3"))
+    *with_unit, in_software = (round(cost.add / cost.mul, 2) for cost in costs)
+    return {"in_software": in_software}, set(with_unit) == {1.0}
 
 
 def on_the_8086_of_table_4_8(_: Arms) -> Outcome:

@@ -29,7 +29,6 @@ from robodyn.dynamics.transforms import (
     TURN_3,
     ZERO_3,
     Matrix,
-    applied,
     first_moment,
     inner,
     marked,
@@ -41,6 +40,7 @@ from robodyn.dynamics.transforms import (
     times,
     trace,
     transposed,
+    turned,
 )
 from robodyn.dynamics.vectors import ZERO, Mark, Vector, named, plus, scaled, unmarked
 
@@ -56,7 +56,7 @@ def lagrange_3x3(arm: Arm, motion: Motion, mark: Mark = unmarked) -> list[Any]:
         qd, qdd = motion.qd[i], motion.qdd[i]
         R = marked(mark, rotation(body, motion.c[i], motion.s[i]), i + 1, "R")
         p = origin(body, motion.d[i])
-        pdd = plus(pdd, along(Wdd, p))
+        pdd = plus(pdd, turned(Wdd, p))
         if body.revolute:
             dR = marked(mark, product(R, TURN_3), i + 1, "dR")
             ddR = marked(mark, product(dR, TURN_3), i + 1, "ddR")
@@ -70,8 +70,8 @@ def lagrange_3x3(arm: Arm, motion: Motion, mark: Mark = unmarked) -> list[Any]:
             slope = product(W, dR)
         else:
             axis: Vector = (0, -body.sin_alpha, body.cos_alpha)  # dp/dq
-            slope = (along(W, axis),)
-            pdd = plus(pdd, scaled(2 * qd, along(Wd, axis)), scaled(qdd, along(W, axis)))
+            slope = (turned(W, axis),)
+            pdd = plus(pdd, scaled(2 * qd, turned(Wd, axis)), scaled(qdd, turned(W, axis)))
             Wd, Wdd = product(Wd, R), product(Wdd, R)
         W = marked(mark, product(W, R), i + 1, "W")
         Wd = marked(mark, Wd, i + 1, "Wd")
@@ -93,21 +93,15 @@ def lagrange_3x3(arm: Arm, motion: Motion, mark: Mark = unmarked) -> list[Any]:
         if i + 1 < n:
             R, p = rotations[i + 1], origins[i + 1]
             D_i = summed(product(R, D), outer(p, e), D_i)
-            h_i = plus(h_i, along(R, h), scaled(mass, p))
+            h_i = plus(h_i, turned(R, h), scaled(mass, p))
         D = marked(mark, D_i, i + 1, "D")
-        e = named(mark, plus(e, scaled(body.mass, pdd), along(Wdd, moment)), i + 1, "e")
+        e = named(mark, plus(e, scaled(body.mass, pdd), turned(Wdd, moment)), i + 1, "e")
         h = named(mark, h_i, i + 1, "h")
         mass = mass + body.mass
         if body.revolute:
-            torque = trace(product(slopes[i], D)) - inner(arm.gravity, along(slopes[i], h))
+            torque = trace(product(slopes[i], D)) - inner(arm.gravity, turned(slopes[i], h))
         else:
             (axis,) = slopes[i]
             torque = inner(axis, plus(e, scaled(-mass, arm.gravity)))
         torques[i] = joint_torque(arm, i, motion, torque, mark)
     return torques
-
-
-def along(A: Matrix, u: Vector) -> Vector:
-    """``A u``."""
-    x, y, z = applied(A, u)
-    return x, y, z

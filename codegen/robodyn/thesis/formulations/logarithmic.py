@@ -10,17 +10,18 @@ hand: the two ways of running are theirs, how the recursion between is written i
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any, Literal, TypeVar
+from typing import Any, TypeVar
 
 from robodyn.dynamics.arm import Arm, Motion, origin
 from robodyn.dynamics.joints import joint_torque
-from robodyn.dynamics.transforms import Matrix, applied, product, rotation, transposed
+from robodyn.dynamics.transforms import Matrix, product, rotation, transposed, turned
 from robodyn.dynamics.vectors import ZERO, Mark, Vector, cross, dot, named, plus, scaled, unmarked
 
 Item = TypeVar("Item")
 #: Joins two neighbours, the earlier first.
 Join = Callable[[Item, Item], Item]
-Running = Literal["doubling", "tree"]
+#: Makes all running totals of a row.
+Running = Callable[[Sequence[Any], Join[Any]], list[Any]]
 
 
 def doubling(items: Sequence[Item], join: Join[Item]) -> list[Item]:
@@ -49,14 +50,8 @@ def tree(items: Sequence[Item], join: Join[Item]) -> list[Item]:
     return prefixes
 
 
-_RUN: dict[Running, Callable[[Sequence[Any], Join[Any]], list[Any]]] = {"doubling": doubling, "tree": tree}
-
-
-def logarithmic(
-    arm: Arm, motion: Motion, mark: Mark = unmarked, *, running: Running = "doubling"
-) -> list[Any]:
+def logarithmic(arm: Arm, motion: Motion, mark: Mark = unmarked, *, run: Running = doubling) -> list[Any]:
     """Joint torques [n] (N m; N at prismatic joints) of ``arm`` in ``motion``."""
-    run = _RUN[running]
     bodies, n = arm.bodies, len(arm.bodies)
 
     def forward(vectors: Sequence[Vector]) -> list[Vector]:
@@ -79,11 +74,12 @@ def logarithmic(
             for i, body in enumerate(bodies)
         ]
     )
-    p = [_turned(R[i - 1] if i else None, origin(body, motion.d[i])) for i, body in enumerate(bodies)]
+    origins = [origin(body, motion.d[i]) for i, body in enumerate(bodies)]
+    p = [turned(R[i - 1], u) if i else u for i, u in enumerate(origins)]
     gx, gy, gz = arm.gravity
     steps: list[Vector] = []
     for i, body in enumerate(bodies):
-        step = _carried(before[i], alpha[i - 1] if i else ZERO, p[i])
+        step = _relative(before[i], alpha[i - 1] if i else ZERO, p[i])
         if not body.revolute:
             qd, qdd = motion.qd[i], motion.qdd[i]
             step = plus(step, plus(scaled(qdd, z[i]), scaled(2 * qd, cross(before[i], z[i]))))
@@ -92,31 +88,22 @@ def logarithmic(
 
     forces, moments = [], []
     for i, body in enumerate(bodies):
-        s = _turned(R[i], body.com)
-        force = scaled(body.mass, plus(a[i], _carried(w[i], alpha[i], s)))
+        s = turned(R[i], body.com)
+        force = scaled(body.mass, plus(a[i], _relative(w[i], alpha[i], s)))
         back = transposed(R[i])
-        own_w, own_alpha = _vector(applied(back, w[i])), _vector(applied(back, alpha[i]))
+        own_w, own_alpha = turned(back, w[i]), turned(back, alpha[i])
         own = plus(body.inertia.times(own_alpha), cross(own_w, body.inertia.times(own_w)))
         forces.append(named(mark, force, i + 1, "fc"))
-        moments.append(plus(_turned(R[i], own), cross(s, force)))
+        moments.append(plus(turned(R[i], own), cross(s, force)))
     f = backward(forces)
-    carried = [plus(moments[i], cross(p[i + 1], f[i + 1])) if i + 1 < n else moments[i] for i in range(n)]
-    moment = backward(carried)
+    passed_on = [plus(moments[i], cross(p[i + 1], f[i + 1])) if i + 1 < n else moments[i] for i in range(n)]
+    moment = backward(passed_on)
     return [
         joint_torque(arm, i, motion, dot(z[i], moment[i] if body.revolute else f[i]), mark)
         for i, body in enumerate(bodies)
     ]
 
 
-def _turned(R: Matrix | None, u: Vector) -> Vector:
-    return u if R is None else _vector(applied(R, u))
-
-
-def _vector(u: tuple[Any, ...]) -> Vector:
-    x, y, z = u
-    return x, y, z
-
-
-def _carried(w: Vector, alpha: Vector, r: Vector) -> Vector:
+def _relative(w: Vector, alpha: Vector, r: Vector) -> Vector:
     """``alpha x r + w x (w x r)``."""
     return plus(cross(alpha, r), cross(w, cross(w, r)))

@@ -16,9 +16,9 @@ from typing import Any
 
 from robodyn.dynamics.arm import Arm, Motion, into_parent, origin
 from robodyn.dynamics.joints import joint_torque
-from robodyn.dynamics.transforms import transposed
+from robodyn.dynamics.transforms import transposed, turned
 from robodyn.dynamics.vectors import ZERO, Mark, Vector, cross, named, plus, scaled, unmarked
-from robodyn.thesis.formulations.base_frame import motion_in_base, turned
+from robodyn.thesis.formulations.newton_euler_base import motion_in_base
 
 
 def orin(arm: Arm, motion: Motion, mark: Mark = unmarked) -> list[Any]:

@@ -5,7 +5,6 @@ Source: Dhanaraj 1990, Eqs 3.1 to 3.11, Tables 3.1 to 3.5.
 
 from __future__ import annotations
 
-from fractions import Fraction
 from typing import Any, Final
 
 import numpy as np
@@ -13,8 +12,8 @@ from numpy.typing import NDArray
 
 from robodyn.effects import thesis_friction as friction
 from robodyn.thesis.case_arm import efficiency_point
-from robodyn.thesis.printed_counts import TABLE_3_4, TABLE_3_5
-from robodyn.thesis.slips.comparison import Comparison, compared
+from robodyn.thesis.printed import TABLE_3_4, TABLE_3_5
+from robodyn.thesis.slips import Comparison, compared
 
 Floats = NDArray[np.float64]
 
@@ -52,10 +51,8 @@ def journal_bearing() -> Comparison:
     mu, r, d, f, n, direction = _loads()
     truth = mu * r * np.linalg.norm(_journal_loads(d, f, n), axis=2).sum(axis=1) * direction
     by_print, mended = (
-        _each(lambda k, x=x: friction.journal_bearing(
-            mu[k], r[k], d[k], tuple(f[:, k]), tuple(n[:, k]), direction[k], as_printed=x))
-        for x in (True, False)
-    )  # fmt: skip
+        _each(friction.journal_bearing, mu, r, d, f, n, direction, as_printed=way) for way in (True, False)
+    )
     return compared(by_print, mended, truth, "N m", _STATICS)
 
 
@@ -71,24 +68,25 @@ def linear_bearing() -> Comparison:
     """3.4: sliding bearings, right as printed but for the names."""
     mu, _, d, f, n, direction = _loads()
     truth = mu * np.abs(_journal_loads(d, f, n)).sum(axis=(1, 2)) * direction
-    ours = _each(lambda k: friction.linear_bearing(mu[k], d[k], tuple(f[:, k]), tuple(n[:, k]), direction[k]))
+    ours = _each(friction.linear_bearing, mu, d, f, n, direction)
     return compared(ours, ours, truth, "N", _STATICS)
 
 
 def thrust_bearing(along: int = 0) -> Comparison:
     """3.5: ``f_x`` for ``f_z``; ``along`` is the component that is printed, 2 in Table 3.1."""
     mu, r, _, f, _, direction = _loads()
-    axis = np.array([0.0, 0.0, 1.0])
-    truth = mu * r * np.abs(axis @ f) * direction
+    truth = mu * r * np.abs(np.array([0.0, 0.0, 1.0]) @ f) * direction
     printed, right = (
-        _each(lambda k, order=order: friction.thrust_bearing(mu[k], r[k], tuple(f[order, k]), direction[k]))
-        for order in ([0, 1, along], [0, 1, 2])
+        _each(friction.thrust_bearing, mu, r, f[order], direction) for order in ([0, 1, along], [0, 1, 2])
     )
     return compared(printed, right, truth, "N m", "the load along the axis, 1000 loads")
 
 
-def _each(run: Any) -> Floats:
-    return np.array([run(k) for k in range(_COUNT)])
+def _each(law: Any, *given: Floats, **way: bool) -> Floats:
+    """``law`` load by load: numbers [K] and vectors [3, K]."""
+    return np.array(
+        [law(*(x[k] if x.ndim == 1 else tuple(x[:, k]) for x in given), **way) for k in range(_COUNT)]
+    )
 
 
 # --- sign rules and ratios --------------------------------------------------------------------------------
@@ -96,35 +94,29 @@ def _each(run: Any) -> Floats:
 
 def sign_rule() -> Comparison:
     """3.7 where the joint brakes, with a friction that has its sign, against the totals of Table 3.5."""
-    printed, right = [], []
-    for row in TABLE_3_5:
-        brakes = row.dynamic * row.joint_friction < 0
-        signed = friction.with_friction(row.dynamic, row.joint_friction)
-        printed.append(row.dynamic - row.joint_friction if brakes else signed)
-        right.append(signed)
-    totals = [row.joint_total for row in TABLE_3_5]
-    return compared(
-        _floats(printed), _floats(right), _floats(totals), "N m", "joint totals of Table 3.5", _ROUNDED
+    right = [friction.with_friction(row.dynamic, row.joint_friction) for row in TABLE_3_5]
+    printed = [
+        row.dynamic - row.joint_friction if row.dynamic * row.joint_friction < 0 else signed
+        for row, signed in zip(TABLE_3_5, right, strict=True)
+    ]
+    by_print, mended, truth = (
+        list(map(float, x)) for x in (printed, right, (row.joint_total for row in TABLE_3_5))
     )
+    return compared(by_print, mended, truth, "N m", "joint totals of Table 3.5", _ROUNDED)
 
 
 def ratio() -> Comparison:
     """3.11: ``tau_in = tau_out / eta`` without the ratio m of 3.8 and 3.10: the share of the power that comes
     out, against eta, exactly, at the points of Table 3.5."""
-    printed: list[Fraction] = []
-    right: list[Fraction] = []
-    truth = []
+    shares = []
     for row, drive in zip(TABLE_3_5, TABLE_3_4, strict=True):
         eta = efficiency_point(row, drive).efficiency
-        for m in RATIOS:
-            speed = Fraction(1, 7)  # of the joint; any will do
-            at_joint = row.joint_total / eta
-            for torques, torque in ((printed, at_joint), (right, at_joint / m)):
-                torques.append(row.joint_total * speed / (torque * m * speed))
-            truth.append(eta)
-    return compared(
-        _floats(printed), _floats(right), _floats(truth), "efficiency", f"eta, gears of {RATIOS} to 1"
-    )
+        at_joint = row.joint_total / eta
+        shares += [
+            (row.joint_total / (at_joint * m), row.joint_total / (at_joint / m * m), eta) for m in RATIOS
+        ]
+    printed, right, truth = (list(map(float, column)) for column in zip(*shares, strict=True))
+    return compared(printed, right, truth, "efficiency", f"eta, gears of {RATIOS} to 1")
 
 
 def efficiency_and_breakaway() -> Comparison:
@@ -133,9 +125,5 @@ def efficiency_and_breakaway() -> Comparison:
     row, drive = TABLE_3_5[0], TABLE_3_4[0]
     eta = efficiency_point(row, drive).efficiency
     whole = row.joint_total / row.input
-    beside = row.joint_total / friction.braking(row.input, 1, drive.breakaway, -1)
-    return compared([float(whole)], [float(beside)], [float(eta)], "efficiency", "eta of link 1 by Table 3.2")
-
-
-def _floats(values: list[Fraction]) -> list[float]:
-    return [float(x) for x in values]
+    apart = row.joint_total / friction.braking(row.input, 1, drive.breakaway, -1)
+    return compared(float(whole), float(apart), float(eta), "efficiency", "eta of link 1 by Table 3.2")

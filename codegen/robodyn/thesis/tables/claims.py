@@ -2,14 +2,52 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import importlib
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from robodyn.thesis.claims.arms import Arms
-from robodyn.thesis.claims.claim import Claim, read_claims
-from robodyn.thesis.tables.table import Column, Progress, Row, Table, judged
-from robodyn.thesis.tables.table_2_10 import Load, load_quietly
+from robodyn.thesis import claims
+from robodyn.thesis.claims.arms import Arms, Outcome
+from robodyn.thesis.printed import data
+from robodyn.thesis.tables.table import Row, Verdict, judged
+
+
+@dataclass(frozen=True, slots=True)
+class Claim:
+    """A claim of the text: its ``claim_number`` in the list, which both halves of a claim that is split
+    share, a ``name`` of its own, and the ``section`` where it stands.
+
+    ``printed`` are figures as printed, ``derived`` what follows from printed figures by arithmetic alone.
+    ``by`` is the function that recomputes it, ``module.function`` of :mod:`robodyn.thesis.claims`. ``ours``
+    and ``reason`` are texts with the names of its figures in braces. ``verdict`` stands in the file only
+    where no figure decides: where the source lacks what is needed, or a reading is all there is, as of words
+    without a bound (much, marginally, drastically).
+    """
+
+    claim_number: int
+    name: str
+    section: str
+    claim: str
+    ours: str
+    reason: str
+    printed: Mapping[str, Any] = field(default_factory=dict)
+    derived: Mapping[str, Any] = field(default_factory=dict)
+    by: str | None = None
+    verdict: Verdict | None = None
+
+    def recompute(self, arms: Arms) -> Outcome:
+        """Its figures, and whether it holds by them."""
+        if self.by is None:
+            return {}, None
+        module, _, function = self.by.partition(".")
+        outcome: Outcome = getattr(importlib.import_module(f"{claims.__name__}.{module}"), function)(arms)
+        return outcome
+
+
+def read_claims() -> tuple[Claim, ...]:
+    """All of them, in the order of the text."""
+    return tuple(Claim(**entry) for entry in data("claims"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,50 +60,22 @@ class ClaimRow(Row):
 
     def to_dict(self) -> dict[str, Any]:
         """As ``tables --json`` prints it."""
-        return {
-            "number": self.claim_number,
-            "section": self.section,
-            **Row.to_dict(self),
-            "derived_from_printed": dict(self.derived),
-        }
+        place = {"number": self.claim_number, "section": self.section}
+        return {**place, **Row.to_dict(self), "derived_from_printed": dict(self.derived)}
 
 
-def table(progress: Progress = lambda _: None, load_robot: Load = load_quietly) -> Table:
+def table_of_claims() -> Iterator[Row]:
     """Every claim beside what our task graphs, schedules and counts say."""
-    arms = Arms(load_robot)
-    rows = []
+    arms = Arms()
     for claim in read_claims():
-        progress(claim.name)
-        rows.append(_row(claim, arms))
-    return Table(
-        "claims",
-        "what the thesis claims in its text",
-        (
-            Column("no.", "row", "claim_number"),
-            Column("section", "row", "section"),
-            Column("printed", "printed", "claim", below=True),
-            Column("ours", "ours", "found", below=True),
-        ),
-        tuple(rows),
-        (
-            "Claims are paraphrased, figures as printed; a claim whose parts come out differently has a row "
-            "for each. Ours: the graph of the tasks of Table 4.1, corrected, schedules by section "
-            "4.3.3 or critical path first, counts of Tables 2.9 and 3.3, the case study. A level is a task "
-            "long, three operations; M and A are multiplications and additions.",
-        ),
-    )
-
-
-def _row(claim: Claim, arms: Arms) -> ClaimRow:
-    figures, holds = claim.recompute(arms)
-    verdict = claim.verdict or judged(bool(holds))
-    return ClaimRow(
-        claim.name,
-        {"claim": claim.claim, **claim.printed},
-        {"found": claim.ours.format_map(figures), **figures},
-        verdict,
-        claim.reason.format_map(figures),
-        claim_number=claim.claim_number,
-        section=claim.section,
-        derived=claim.derived,
-    )
+        figures, holds = claim.recompute(arms)
+        yield ClaimRow(
+            claim.name,
+            {"claim": claim.claim, **claim.printed},
+            {"found": claim.ours.format_map(figures), **figures},
+            claim.verdict or judged(bool(holds)),
+            claim.reason.format_map(figures),
+            claim_number=claim.claim_number,
+            section=claim.section,
+            derived=claim.derived,
+        )

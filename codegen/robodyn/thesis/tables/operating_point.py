@@ -19,10 +19,9 @@ from numpy.typing import NDArray
 from robodyn.dynamics.arm import build_arm, build_motion, trigonometry_at
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.ir.program import Label
-from robodyn.robot import load
 from robodyn.robot.model import Robot
 from robodyn.thesis.case_arm import D4_BRANCH, FOREARM, Led, led, led_at
-from robodyn.thesis.printed_counts import TABLE_3_4, TABLE_3_5
+from robodyn.thesis.printed import TABLE_3_4, TABLE_3_5, bundled
 from robodyn.thesis.puma_inverse import BRANCHES
 from robodyn.verify.numbers import real
 
@@ -32,7 +31,9 @@ Floats = NDArray[np.float64]
 SETS: Final = ("puma560_3dof", "puma560_3dof_d3", "puma560_3dof_d12", "puma560_3dof_d4")
 #: x of the line as D.4's start has it, and as the thesis prints it; y = z within reach [m].
 LINES: Final = ((0.4, 0.548), (0.3, 0.579))
+#: Spacing of places [m], and of those from which the nearest is taken.
 _STEP: Final = 0.01
+_FINE: Final = 0.0025
 _A: Final = np.linspace(-6.0, 6.0, 49)
 _W: Final = np.linspace(0.0, 4.0, 33)
 
@@ -40,11 +41,6 @@ _W: Final = np.linspace(0.0, 4.0, 33)
 def printed_torques() -> Floats:
     """The column "dynamic" [3] (N m)."""
     return np.array([float(row.dynamic) for row in TABLE_3_5])
-
-
-def printed_directions() -> Floats:
-    """Signs [3] of the joints' velocities: those of joint friction."""
-    return np.sign([float(row.joint_friction) for row in TABLE_3_5])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -64,48 +60,34 @@ class Places:
     @property
     def fitting(self) -> NDArray[np.bool_]:
         """Whether the joints can turn as in Table 3.5, up or down the line [K]."""
-        signs = np.sign(self.qd) * printed_directions()
+        signs = np.sign(self.qd) * [row.direction for row in TABLE_3_5]
         fits: NDArray[np.bool_] = (signs == signs[:, :1]).all(axis=1)
         return fits
 
 
-def places(arm: Led, x: float, reach: float, branch: tuple[int, int], step: float = _STEP) -> Places:
+def places(arm: Led, x: float, reach: float, branch: tuple[int, int], step: float) -> Places:
     """Places every ``step`` [m] along the line at ``x`` [m], as far as ``reach`` [m]."""
     z = np.arange(-reach, reach, step)
     q = arm.inverse.positions(np.stack([np.full_like(z, x), z, z], axis=1))[:, BRANCHES.index(branch)]
     J = arm.kinematics.jacobian(q)[:, :3]
-    ahead = np.tile([[0.0], [1.0], [1.0]], (len(z), 1, 1))
-    qd = np.linalg.solve(J, ahead)[..., 0]
+    qd = np.linalg.solve(J, np.tile([[0.0], [1.0], [1.0]], (len(z), 1, 1)))[..., 0]
     Jd = arm.kinematics.jacobian_rate(q, qd)[:, :3]
     qdd = np.asarray(-np.linalg.solve(J, Jd @ qd[..., None])[..., 0], dtype=np.float64)
     return Places(z, q, qd, qdd)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Affine:
-    """Torques [K, 3] and reactions [K, 3, 3] as ``still + a ahead + w fast``."""
-
-    tau: tuple[Floats, Floats, Floats]
-    f: tuple[Floats, Floats, Floats]
-
-
-def affine(robot: str, at: Places) -> Affine:
-    """Those of the bundled ``robot``."""
-    described = load(robot, warn=lambda _: None)
+def affine(robot: str, at: Places) -> list[tuple[Floats, Floats, Floats]]:
+    """Torques [K, 3] and reactions [K, 3, 3] of the bundled ``robot`` as ``still + a ahead + w fast``."""
     none = np.zeros_like(at.q)
     states = ((none, none), (none, at.qd), (at.qd, at.qdd))
-    still, ahead, fast = (reactions(described, at.q, *rates) for rates in states)
-    return Affine(
-        (still[0], ahead[0] - still[0], fast[0] - still[0]),
-        (still[1], ahead[1] - still[1], fast[1] - still[1]),
-    )
+    runs = (reactions(bundled(robot), at.q, *rates) for rates in states)
+    return [(still, ahead - still, fast - still) for still, ahead, fast in zip(*runs, strict=True)]
 
 
 def reactions(robot: Robot, q: Floats, qd: Floats, qdd: Floats) -> tuple[Floats, Floats]:
     """Torques [K, n] and forces in the joints [K, n, 3], along the links' axes, of the rigid arm."""
     none: dict[str, float] = {}
     arm = build_arm(robot, real, none.__getitem__)
-
     f = np.zeros((*q.shape, 3))
 
     def mark(value: Any, label: Label) -> Any:
@@ -120,11 +102,10 @@ def reactions(robot: Robot, q: Floats, qd: Floats, qdd: Floats) -> tuple[Floats,
 
 def closest(robot: str, at: Places) -> tuple[float, float]:
     """How near the torques of ``at`` come to Table 3.5's, root of a sum of squares [N m], and at which z."""
-    still, ahead, fast = affine(robot, at).tau
+    still, ahead, fast = affine(robot, at)[0]
     wanted = printed_torques() - still
     both = np.linalg.pinv(np.stack([ahead, fast], axis=2)) @ wanted[..., None]
-    w = np.maximum(both[:, 1], 0.0)
-    rest = wanted - w * fast
+    rest = wanted - np.maximum(both[:, 1], 0.0) * fast
     a = (rest * ahead).sum(axis=1, keepdims=True) / (ahead**2).sum(axis=1, keepdims=True)
     size = np.linalg.norm(rest - a * ahead, axis=1)
     k = int(size.argmin())
@@ -136,23 +117,22 @@ def least_friction(robot: str, at: Places, tolerance: float) -> tuple[float, flo
     ``tolerance`` [N m] of Table 3.5; None where they nowhere are."""
     if not len(at.z):
         return None
-    terms = affine(robot, at)
-    still, ahead, fast = (part[:, None, None] for part in terms.tau)
-    a, w = _A[:, None, None], _W[:, None]
-    near = (np.abs(still + a * ahead + w * fast - printed_torques()) <= tolerance).all(axis=-1)
-    if not near.any():
+    torques, forces = affine(robot, at)
+    still, ahead, fast = (part[:, None, None] for part in torques)
+    tau = still + _A[:, None, None] * ahead + _W[:, None] * fast
+    k, i, j = np.nonzero((np.abs(tau - printed_torques()) <= tolerance).all(axis=-1))
+    if not len(k):
         return None
-    k, i, j = np.nonzero(near)
-    least = []
-    for joint in (1, 2):
-        f0, fa, fw = (part[k, joint, :2] for part in terms.f)
-        force = f0 + _A[i, None] * fa + _W[j, None] * fw
-        drive = TABLE_3_4[joint]
-        least.append(float(drive.mu * drive.radius) * float(np.linalg.norm(force, axis=1).min()))
-    return least[0], least[1]
+    f0, fa, fw = (part[k, 1:, :2] for part in forces)
+    force = f0 + _A[i, None, None] * fa + _W[j, None, None] * fw
+    least = np.linalg.norm(force, axis=2).min(axis=0)
+    second, third = (
+        float(drive.mu * drive.radius) * float(size) for drive, size in zip(TABLE_3_4[1:], least, strict=True)
+    )
+    return second, third
 
 
-def everywhere(step: float = _STEP) -> Iterator[Places]:
+def everywhere(step: float) -> Iterator[Places]:
     """All places where the joints can turn as in Table 3.5: both lines, all branches, the point along +y of
     frame 3 as in D.1.3 and along -y."""
     first = led("programs")
@@ -166,8 +146,8 @@ def everywhere(step: float = _STEP) -> Iterator[Places]:
 @cache
 def bounds(tolerance: float) -> dict[str, tuple[float, float]]:
     """:func:`least_friction` of every set over all places."""
-    result: dict[str, Any] = {}
-    for at in everywhere():
+    result: dict[str, tuple[float, float]] = {}
+    for at in everywhere(_STEP):
         for name in SETS:
             least = least_friction(name, at, tolerance)
             if least is not None:
@@ -179,15 +159,12 @@ def bounds(tolerance: float) -> dict[str, tuple[float, float]]:
 @cache
 def nearest() -> dict[str, float]:
     """How near the torques of every set come to Table 3.5's [N m], of all places every 2.5 mm."""
-    distances: dict[str, float] = dict.fromkeys(SETS, np.inf)
-    for at in everywhere(0.0025):
-        for name in SETS if len(at.z) else ():
-            distances[name] = min(distances[name], closest(name, at)[0])
-    return distances
+    found = [at for at in everywhere(_FINE) if len(at.z)]
+    return {name: min(closest(name, at)[0] for at in found) for name in SETS}
 
 
 @cache
 def on_the_path_of_d4() -> Places:
     """Places of the line at x = 0.4 on the branch on which D.4 begins, every 2.5 mm."""
     x, reach = LINES[0]
-    return places(led("programs"), x, reach, D4_BRANCH, 0.0025)
+    return places(led("programs"), x, reach, D4_BRANCH, _FINE)

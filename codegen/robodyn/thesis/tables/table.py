@@ -1,17 +1,18 @@
-"""A table that stands beside a printed one: for every row the printed figure, ours, a verdict, a reason."""
+"""A table that stands beside a printed one: for every row the printed figure, ours, a verdict, a reason; and
+its text, aligned, reasons as numbered remarks beneath."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import textwrap
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
 from robodyn.counts import Count
+from robodyn.thesis.printed import data
 
 Verdict = Literal["reproduced", "differs", "not recoverable"]
-Part = Literal["printed", "ours", "row"]
-#: Told what is being worked on.
-Progress = Callable[[str], None]
+WIDTH = 110
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,24 +44,30 @@ class Row:
 
 @dataclass(frozen=True, slots=True)
 class Column:
-    """A column of the text: a heading, and where its figure is, among printed ones, ours, or the row's own
-    fields. ``below``: on a line of its own, being long."""
+    """A column of the text: a heading, and ``place`` of its figure: ``printed.``, ``ours.`` or ``row.`` and a
+    name."""
 
     head: str
-    part: Part
-    key: str
-    below: bool = False
+    place: str
+
+    def figure(self, row: Row) -> Any:
+        """Its figure in ``row``."""
+        part, _, key = self.place.partition(".")
+        if part == "row":
+            return getattr(row, key)
+        return (row.printed if part == "printed" else row.ours).get(key)
 
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """A table with its rows; ``notes`` hold for all of it."""
+    """A table with its rows; columns ``below`` stand on lines of their own, ``notes`` hold for all of it."""
 
     id: str
     title: str
     columns: tuple[Column, ...]
+    below: tuple[Column, ...]
     rows: tuple[Row, ...]
-    notes: tuple[str, ...] = ()
+    notes: tuple[str, ...]
 
     def row(self, name: str) -> Row:
         """The row of that name; :class:`KeyError` if there is none."""
@@ -71,12 +78,27 @@ class Table:
 
     def to_dict(self) -> dict[str, Any]:
         """As ``tables --json`` prints it."""
-        return {
-            "id": self.id,
-            "title": self.title,
-            "rows": [row.to_dict() for row in self.rows],
-            "notes": list(self.notes),
-        }
+        rows = [row.to_dict() for row in self.rows]
+        return {"id": self.id, "title": self.title, "rows": rows, "notes": list(self.notes)}
+
+
+def words_of(table: str) -> dict[str, Any]:
+    """What ``data/tables.yaml`` has of a table."""
+    words: dict[str, Any] = data("tables")[table]
+    return words
+
+
+def table_of(rows: Iterable[Row], words: Mapping[str, Any], table_id: str, **figures: Any) -> Table:
+    """The table of those rows and words, ``figures`` put into its title and notes."""
+    columns, below = (
+        tuple(Column(*pair) for column in words.get(key, ()) for pair in column.items())
+        for key in ("columns", "below")
+    )
+    notes = tuple(note.format_map(figures) for note in words["notes"])
+    return Table(table_id, words["title"].format_map(figures), columns, below, tuple(rows), notes)
+
+
+# --- figures ----------------------------------------------------------------------------------------------
 
 
 def pair(mul: int, add: int) -> dict[str, int]:
@@ -90,21 +112,35 @@ def counted(count: Count) -> dict[str, int]:
     return {**pair(count.mul, count.add), **{kind: amount for kind, amount in extra.items() if amount}}
 
 
-def summed(*counts: Count) -> Count:
+def summed(counts: Iterable[Count]) -> Count:
     """The sum of counts, their operations kind by kind."""
-    return Count(
-        mul=sum(c.mul for c in counts),
-        add=sum(c.add for c in counts),
-        div=sum(c.div for c in counts),
-        sqrt=sum(c.sqrt for c in counts),
-    )
+    kinds = [(count.mul, count.add, count.div, count.sqrt) for count in counts]
+    return Count(*map(sum, zip(*kinds, strict=True)))
 
 
-def apart(printed: tuple[int, int], ours: tuple[int, int]) -> str:
+def compared_count(
+    name: str,
+    printed: tuple[int, int],
+    ours: Count,
+    reasons: Mapping[str, str],
+    same: str,
+    beside: tuple[Mapping[str, Any], ...] = (),
+) -> Row:
+    """A row of operations: ``same`` is the reason where ours are the printed ones, else the one that
+    ``reasons`` has for this difference."""
+    mul, add = ours.mul - printed[0], ours.add - printed[1]
+    reason = reasons.get(f"{name}: {mul} {add}", "not explained" if mul or add else same)
+    if mul or add:
+        reason = f"{apart(printed, ours)}: {reason}"
+    operations = {"operations": pair(*printed)}, {"operations": counted(ours)}
+    return Row(name, *operations, judged(not (mul or add)), reason, beside)
+
+
+def apart(printed: tuple[int, int], ours: Count) -> str:
     """How ours stands to a printed pair, in words."""
     words = [
         f"{abs(x)} {'more' if x > 0 else 'fewer'} {what}"
-        for x, what in ((ours[0] - printed[0], "multiplications"), (ours[1] - printed[1], "additions"))
+        for x, what in ((ours.mul - printed[0], "multiplications"), (ours.add - printed[1], "additions"))
         if x
     ]
     return "ours has " + " and ".join(words) if words else "the same operations"
@@ -113,3 +149,69 @@ def apart(printed: tuple[int, int], ours: tuple[int, int]) -> str:
 def judged(same: bool) -> Verdict:
     """``reproduced`` or ``differs``."""
     return "reproduced" if same else "differs"
+
+
+# --- text -------------------------------------------------------------------------------------------------
+
+
+def to_text(table: Table) -> str:
+    """``table`` for a person, no line beyond 110 columns if words allow it."""
+    remarks: dict[str, int] = {}
+    for row in table.rows:
+        if row.reason:
+            remarks.setdefault(row.reason, len(remarks) + 1)
+    cells = [("", *(column.head for column in table.columns), "verdict", "")]
+    for row in table.rows:
+        figures = (shown(column.figure(row)) for column in table.columns)
+        mark = f"[{remarks[row.reason]}]" if row.reason else ""
+        cells.append((row.name, *figures, row.verdict or "-", mark))
+    widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
+    head, *lines = (_aligned(line, widths) for line in cells)
+    text = [f"{'Table ' if table.id[0].isdigit() else ''}{table.id}: {table.title}", "", head]
+    for row, line in zip(table.rows, lines, strict=True):
+        text.append(line)
+        for column in table.below:
+            figure = column.figure(row)
+            if figure is not None:
+                text += _wrapped(f"{column.head}: ", shown(figure), "    ")
+        if row.beside:
+            text += _wrapped("beside: ", "; ".join(map(_beside, row.beside)), "    ")
+    text.append("")
+    for reason, reference in remarks.items():
+        text += _wrapped(f"[{reference}] ", reason)
+    for note in table.notes:
+        text += _wrapped("", note)
+    return "\n".join(text).rstrip() + "\n"
+
+
+def _aligned(cells: Sequence[str], widths: Sequence[int]) -> str:
+    return "  ".join(cell.ljust(width) for cell, width in zip(cells, widths, strict=True)).rstrip()
+
+
+def _wrapped(head: str, text: str, indent: str = "") -> list[str]:
+    beneath = indent + " " * (len(head) or 2)
+    return textwrap.wrap(
+        text, WIDTH, initial_indent=indent + head, subsequent_indent=beneath,
+        break_on_hyphens=False, break_long_words=False,
+    )  # fmt: skip
+
+
+def shown(figure: Any) -> str:
+    """A figure for a person: ``92/76 = 168`` for operations, ``-`` for none."""
+    if figure is None:
+        return "-"
+    if isinstance(figure, Mapping) and figure.keys() >= {"mul", "add", "total"}:
+        operations = "" if figure["mul"] is None else f"{figure['mul']}/{figure['add']} = "
+        others = (f", {figure[kind]} {kind}" for kind in ("div", "sqrt") if figure.get(kind))
+        return f"{operations}{figure['total']}{''.join(others)}"
+    if isinstance(figure, Mapping):
+        return ", ".join(f"{key}: {shown(value)}" for key, value in figure.items())
+    if isinstance(figure, list | tuple):
+        return " ".join(shown(x) for x in figure) if figure else "none"
+    return f"{figure:.6g}" if isinstance(figure, float) else str(figure)
+
+
+def _beside(other: Mapping[str, Any]) -> str:
+    figures = {key: value for key, value in other.items() if key not in ("tool", "what", "source")}
+    gap = " " if figures.keys() >= {"mul", "add", "total"} else ": "
+    return f"{other.get('tool') or other.get('what')}{gap}{shown(figures)}"

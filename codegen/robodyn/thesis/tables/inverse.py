@@ -1,0 +1,85 @@
+"""Program D.1.3, the inverse kinematics of the PUMA's first three joints, beside the generated one."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from typing import Any, Final
+
+from robodyn.counts import count
+from robodyn.dynamics.arm import build_arm
+from robodyn.dynamics.inverse import inverse_of
+from robodyn.kernels.generate import Options, program
+from robodyn.robot.model import Robot
+from robodyn.thesis.case_arm import D4_BRANCH, FOREARM, LED_ROBOT, OFFSET, led
+from robodyn.thesis.printed import bundled
+from robodyn.thesis.puma_inverse import BRANCHES
+from robodyn.thesis.tables.table import Row, judged
+
+#: Where simulation D.4 begins as the thesis prints it [rad], and where the printed positions put the point
+#: [m].
+D4_PRINTED: Final = (3.6997, 2.3083, 0.5951)
+POINT: Final = (Fraction(4, 10), Fraction(1, 10), Fraction(1, 10))
+
+
+def generated(robot: Robot, point: Sequence[Fraction]) -> list[list[float]]:
+    """Joint positions [4][3] (rad) of all branches by the generated inverse kinematics, in floats."""
+    inverse = inverse_of(build_arm(robot, lambda x: x, lambda name: name), [None] * robot.n)
+    x, y, z = map(float, point)
+    pose: list[Any] = [1.0, 0.0, 0.0, x, 0.0, 1.0, 0.0, y, 0.0, 0.0, 1.0, z]
+    solved = inverse.solve(pose, [0.0] * robot.n, Fraction(1, 1 << 52))
+    assert all(solved.exists)
+    return [[float(x) for x in q] for q in solved.solutions]
+
+
+def table_of_branches() -> Iterator[Row]:
+    """The four branches at the beginning of simulation D.4, and the numbers of D.1.3 that do not fit."""
+    robot = bundled(LED_ROBOT)
+    ours = generated(robot, POINT)
+    by_formulas = led("programs").inverse.positions([float(x) for x in POINT]).tolist()
+    for signs, q in zip(BRANCHES, by_formulas, strict=True):
+        name = "q1 by {} root, q3 by {} root".format(*("plus" if sign > 0 else "minus" for sign in signs))
+        nearest = min(ours, key=lambda other, q=q: _apart(other, q))  # type: ignore[misc]
+        beside = ({"what": "off the formulas of D.1.3 [rad]", "largest": f"{_apart(nearest, q):.1e}"},)
+        if signs != D4_BRANCH:
+            yield Row(name, {}, {"value": _positions(nearest)}, None, "not printed", beside)
+            continue
+        turned = [nearest[0] % (2 * math.pi), *nearest[1:]]
+        same = max(abs(x - y) for x, y in zip(turned, D4_PRINTED, strict=True)) <= 5.1e-5
+        printed, found = {"value": _positions(D4_PRINTED)}, {"value": _positions(turned)}
+        reason = "where D.4 begins, q1 one turn on; not the branch that D.1.3 takes first"
+        yield Row(name, printed, found, judged(same), reason, beside)
+    kernel = count(program(robot, "inverse_kinematics", Options(("inverse_kinematics",))))
+    yield Row(
+        "operations",
+        {},
+        {"value": str(kernel.total), "operations": kernel.to_dict()},
+        None,
+        f"not printed; multiplications, additions, divisions and square roots of {robot.name}'s generated "
+        "inverse kinematics, all four branches together",
+    )
+    for name, given, right, reason in (
+        (
+            "x of the line [m]", 0.3, POINT[0],
+            "the printed positions of D.4 put the point at x = 0.4; at 0.3 they are 0.2 rad off at best",
+        ),
+        (
+            "forearm [m]", 0.4521, FOREARM,
+            "the comment of D.1.3 has the first, its formulas the second; the six-joint arm has 0.4331 and "
+            "an elbow of -0.0203",
+        ),
+        (
+            "shoulder's offset [m]", float(OFFSET), 0.1501,
+            "D.1.3 leads the point with the first, D.1.2, which computes the torques, has the second",
+        ),
+    ):  # fmt: skip
+        yield Row(name, {"value": f"{given:g}"}, {"value": f"{float(right):g}"}, "differs", reason)
+
+
+def _apart(one: Sequence[float], other: Sequence[float]) -> float:
+    return max(abs(math.remainder(x - y, math.tau)) for x, y in zip(one, other, strict=True))
+
+
+def _positions(q: Sequence[float]) -> str:
+    return ", ".join(f"{x:.4f}" for x in q)

@@ -1,0 +1,281 @@
+"""Formulations of earlier papers: exactly the torques of Newton-Euler, whatever the scalars are."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from dynamics.direct import NO_SHRINKING, Recorder, State, exact_arm, values_of, with_named_numbers
+from ir.programs import Point, every_value, exactly
+from robodyn import Options, program
+from robodyn.counts import count
+from robodyn.dynamics import transforms
+from robodyn.dynamics.arm import Arm, Motion, build_arm, build_motion
+from robodyn.dynamics.newton_euler import newton_euler
+from robodyn.dynamics.regroup import lumps_of
+from robodyn.dynamics.vectors import Mark, plus, scaled, unmarked
+from robodyn.ir import Graph, Input, Program
+from robodyn.ir.evaluate import evaluate_exact
+from robodyn.ir.fingerprint import fingerprint
+from robodyn.ir.lowering import lower
+from robodyn.optimize.programs import exact, turned
+from robodyn.passes import FRESH, run, units
+from robodyn.robot import Robot, bundled_names
+from robodyn.robot.values import circle_point
+from robodyn.thesis.formulations import (
+    TITLES,
+    balafoutis,
+    kane,
+    lagrange,
+    lagrange_3x3,
+    lagrange_4x4,
+    newton_euler_base,
+    orin,
+)
+from robodyn.thesis.formulations.logarithmic import doubling, logarithmic, tree
+from robodyn.thesis.printed import bundled
+from robodyn.verify import Reference
+from robodyn.verify.exact import exact_torque
+from robodyn_testing import representative
+from robodyn_testing.random_robots import random_states
+
+Formulation = Callable[[Arm, Motion, Mark], list[Any]]
+MODULES: tuple[ModuleType, ...] = (
+    newton_euler_base, orin, balafoutis, kane, lagrange_3x3, lagrange_4x4, lagrange
+)  # fmt: skip
+FORMULATIONS: dict[str, Formulation] = {
+    module.__name__.rpartition(".")[2]: getattr(module, module.__name__.rpartition(".")[2])
+    for module in MODULES
+}
+ARMS = [exact_arm(seed, joints=1 + seed % 5, generic_angles=0.6, prismatic=0.35) for seed in range(100, 120)]
+
+each = pytest.mark.parametrize("name", FORMULATIONS)
+
+
+def draft(robot: Robot, name: str) -> Program:
+    """The program of a formulation, no pass run yet."""
+    graph = Graph()
+    q, qd, qdd = ([graph.input(array, i) for i in range(robot.n)] for array in ("q", "qd", "qdd"))
+    arm = build_arm(robot, exact, graph.input)
+    motion = build_motion(arm, q, qd, qdd, lambda angle: turned(graph, q, angle), exact)
+    return lower(graph, [("tau", FORMULATIONS[name](arm, motion, graph.label))])
+
+
+def test_the_arms_have_both_kinds_of_joints_full_inertias_and_links_without_mass() -> None:
+    assert set(FORMULATIONS) == set(TITLES)
+    links = [link for robot in ARMS for link in robot.links]
+    kinds = [link.joint.kind for link in links]
+    assert min(kinds.count("revolute"), kinds.count("prismatic")) > 15
+    assert sum(bool(link.inertia.xy and link.inertia.xz and link.inertia.yz) for link in links) > 15
+    assert any(not link.mass for link in links)
+    assert any(link.joint.motor_inertia and link.joint.viscous for link in links)
+    assert {robot.n for robot in ARMS} == {1, 2, 3, 4, 5}
+    assert any(all(robot.gravity) for robot in ARMS)
+
+
+@each
+def test_torques_are_newton_eulers_fractions(name: str) -> None:
+    for robot in ARMS if "lagrange" not in name else [arm for arm in ARMS if arm.n < 5]:
+        state = State(robot, Point(3))
+        motion = state.motion()
+        assert FORMULATIONS[name](state.arm, motion, unmarked) == newton_euler(state.arm, motion), robot.name
+
+
+@pytest.mark.parametrize("name", ["newton_euler_base", "orin", "kane", "balafoutis"])
+@settings(deadline=None, max_examples=15, phases=NO_SHRINKING)
+@given(st.integers(0, 10**6), st.integers(1, 6), st.integers(0, 10**6))
+def test_torques_are_newton_eulers_fractions_on_any_arm(name: str, seed: int, n: int, point: int) -> None:
+    state = State(exact_arm(seed, joints=n, generic_angles=0.4, prismatic=0.35), Point(point))
+    motion = state.motion()
+    assert FORMULATIONS[name](state.arm, motion, unmarked) == newton_euler(state.arm, motion)
+
+
+@each
+@pytest.mark.parametrize(
+    "robot",
+    representative(bundled_names(), "puma560_3dof", "stanford_3dof", "puma560_full", "rx90", rest="slow"),
+)
+def test_torques_in_double_precision_are_the_references(robot: str, name: str) -> None:
+    arm = build_arm(bundled(robot), float, lambda _: 0.0)
+    states = random_states(bundled(robot), 6, 1)
+    expected = Reference(bundled(robot)).inverse_dynamics(*states)
+    found = []
+    for q, qd, qdd in zip(*(x.tolist() for x in states), strict=True):
+
+        def trigonometry(angle: Any, q: Sequence[float] = q) -> tuple[float, float]:
+            total = angle.offset.radians + sum(sign * q[joint] for joint, sign in angle.terms)
+            return math.cos(total), math.sin(total)
+
+        motion = build_motion(arm, q, qd, qdd, trigonometry, float)
+        found.append(FORMULATIONS[name](arm, motion, unmarked))
+    assert np.abs(np.array(found) - expected).max() <= 1e-10 * max(1.0, np.abs(expected).max())
+
+
+@each
+@pytest.mark.parametrize("robot", representative(["puma560_3dof", "stanford_3dof", "tx40"], "stanford_3dof"))
+def test_customised_programs_mean_what_the_kernel_means(robot: str, name: str) -> None:
+    arm = bundled(robot)
+    kernel = fingerprint(program(arm, "inverse_dynamics"), 5, circle_point)
+    assert fingerprint(run(draft(arm, name), FRESH), 5, circle_point) == kernel
+    heavier = replace(arm.links[-1], mass=arm.links[-1].mass + Fraction(1, 1000))
+    other = draft(replace(arm, links=(*arm.links[:-1], heavier)), name)
+    assert fingerprint(other, 5, circle_point) != kernel
+
+
+@pytest.mark.parametrize(
+    ("name", "own"),
+    [
+        ("kane", {"pw", "pv", "ao", "w"}),
+        ("balafoutis", {"lam", "nc", "fw", "w"}),
+        ("newton_euler_base", {"fb", "nb", "ncb", "E", "wb", "ab"}),
+        ("orin", {"f", "n", "nc", "E", "wb", "ab"}),
+    ],
+)
+def test_every_named_value_is_the_quantity_of_that_name(name: str, own: set[str]) -> None:
+    state = State(bundled("stanford"), Point(4))
+    recorder = Recorder()
+    FORMULATIONS[name](state.arm, state.motion(), recorder.mark)
+    made = run(draft(state.robot, name), FRESH)
+    seen = set()
+    for (_, _, label), value in zip(made.operations, every_value(made, state.at), strict=True):
+        if label is not None and label.quantity not in ("c", "s"):
+            values = recorder.values[label._replace(negative=False)]
+            assert (-value if label.negative else value) in values, str(label)
+            seen.add(label.quantity)
+    # Sums in other units lose their names: those of the formulation are counted without that pass.
+    plain = run(draft(state.robot, name), [one for one in FRESH if one is not units])
+    seen |= {label.quantity for _, _, label in plain.operations if label is not None}
+    assert seen >= own | {"tau"}
+
+
+@each
+def test_every_number_of_the_arm_may_be_given_at_run_time(name: str) -> None:
+    robot = next(arm for arm in ARMS if arm.n == 2 and "prismatic" in {x.joint.kind for x in arm.links})
+    described = with_named_numbers(robot)
+    state = State(robot, Point(3))
+    numbers = {**values_of(described, robot), **state.numbers()}
+    found = exactly(draft(described, name), Point(3), numbers)["tau"]
+    assert found == newton_euler(state.arm, state.motion())
+
+
+@each
+def test_torques_over_sympy(name: str) -> None:
+    """A polynomial in symbols for sines, cosines and rates, put to rational numbers."""
+    state = State(next(arm for arm in ARMS if arm.n == 2), Point(5))
+    numbers, joints = state.motion(), range(state.robot.n)
+    fields = {
+        field: tuple(sympy.Symbol(f"{field}{i}") for i in joints) for field in ("c", "s", "d", "qd", "qdd")
+    }
+    arm = build_arm(state.robot, lambda x: sympy.Rational(x.numerator, x.denominator), sympy.Symbol)
+    values = {symbols[i]: getattr(numbers, field)[i] for field, symbols in fields.items() for i in joints}
+    torques = FORMULATIONS[name](arm, Motion(**fields), unmarked)
+    found = [sympy.sympify(torque).subs(values) for torque in torques]
+    assert [Fraction(int(x.p), int(x.q)) for x in found] == newton_euler(state.arm, numbers)
+
+
+@pytest.mark.parametrize("name", ["newton_euler_base", "orin"])
+def test_torques_are_those_of_virtual_work(name: str) -> None:
+    """The oracle shares no equation with the recursions."""
+    robot = ARMS[3]
+    state = State(robot, Point(2))
+    q = [Fraction(k, 7) for k in range(1, robot.n + 1)]
+    numbers = state.numbers() | {Input("q", i): x for i, x in enumerate(q)}
+    points = {Input("q", i): circle_point(x) for i, x in enumerate(q)}
+    made = program(robot, "inverse_dynamics", Options(formulation=name))
+    found = evaluate_exact(made, numbers, points, circle_point)["tau"]
+    expected = exact_torque(robot, q, state.given["qd"], state.given["qdd"])
+    largest = max(map(abs, expected))
+    assert all(abs(x - y) < Fraction(1, 10**24) * largest for x, y in zip(found, expected, strict=True))
+
+
+def test_customised_counts_of_the_bundled_arms_do_not_grow() -> None:
+    names = ("lagrange", "lagrange_4x4", "lagrange_3x3")
+    most = {"puma560_3dof": (491, 339, 339), "stanford_3dof": (334, 154, 154)}
+    for robot, limits in most.items():
+        found = [count(run(draft(bundled(robot), name), FRESH)).total for name in names]
+        assert all(x <= limit for x, limit in zip(found, limits, strict=True)), (robot, found)
+
+
+# --- that slips are noticed ---------------------------------------------------------------------------------
+
+
+def with_corner(body: Any) -> transforms.Matrix:
+    J = transforms.pseudo_inertia(body)
+    return (*J[:3], (*J[3][:3], 2 * body.mass))
+
+
+MUTATIONS: list[tuple[ModuleType, str, Any]] = [
+    (lagrange, "joint_operator", lambda body: transforms.TURN_4),
+    (lagrange, "pseudo_inertia", with_corner),
+    (lagrange_4x4, "pseudo_inertia", with_corner),
+    (lagrange_4x4, "homogeneous", lambda r: (*r, 0)),
+    (lagrange_3x3, "second_moment", lambda body: transforms.times(2, transforms.second_moment(body))),
+    (lagrange_3x3, "outer", lambda u, v: transforms.transposed(transforms.outer(u, v))),
+    (lagrange_3x3, "TURN_3", transforms.transposed(transforms.TURN_3)),
+    (newton_euler_base, "inertia_in_base", lambda E, inertia: inertia),
+    (newton_euler_base, "turned", lambda E, u: transforms.turned(transforms.transposed(E), u)),
+    (orin, "origin", lambda body, d: (body.a, body.sin_alpha * d, d)),
+    (
+        kane,
+        "propagated",
+        lambda at, body, c, s, p, genuine=kane.propagated: genuine(at, body, c, s, (0,) * 3),
+    ),
+    (kane, "minus", plus),
+    (balafoutis, "dual_moment", lambda at, k, genuine=balafoutis.dual_moment: scaled(-1, genuine(at, k))),
+    (balafoutis, "augmented_links", lambda arm, origins: lumps_of(arm)),
+]
+
+
+@pytest.mark.parametrize(("module", "attribute", "wrong"), MUTATIONS)
+def test_a_slip_in_the_equations_is_noticed(
+    module: ModuleType, attribute: str, wrong: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    both = {"prismatic", "revolute"}
+    slide = next(arm for arm in ARMS if arm.n == 3 and both == {link.joint.kind for link in arm.links[:2]})
+    formulation = FORMULATIONS[module.__name__.rpartition(".")[2]]
+    states = [State(robot, Point(7)) for robot in (slide, bundled("puma560_3dof"))]
+    expected = [newton_euler(state.arm, state.motion()) for state in states]
+    monkeypatch.setattr(module, attribute, wrong)
+    assert [formulation(state.arm, state.motion(), unmarked) for state in states] != expected
+
+
+# --- running totals -----------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("totals", [doubling, tree], ids=["doubling", "tree"])
+def test_the_logarithmic_forms_are_newton_euler(totals: Any) -> None:
+    """Any angles, full tensors, rotors and friction, revolute and prismatic joints."""
+    for robot in ARMS:
+        state = State(robot, Point(4))
+        found = logarithmic(state.arm, state.motion(), run=totals)
+        assert found == newton_euler(state.arm, state.motion()), robot.name
+
+
+@pytest.mark.parametrize("totals", [doubling, tree], ids=["doubling", "tree"])
+@pytest.mark.parametrize("n", range(18))
+def test_running_totals_join_neighbours_in_order(totals: Any, n: int) -> None:
+    joins = 0
+
+    def join(a: tuple[str, int], b: tuple[str, int]) -> tuple[str, int]:
+        nonlocal joins
+        joins += 1
+        return a[0] + b[0], 1 + max(a[1], b[1])
+
+    text = "abcdefghijklmnopqrstuvwxyz"[:n]
+    found = totals([(letter, 0) for letter in text], join)
+    assert [total for total, _ in found] == [text[: i + 1] for i in range(n)]
+    stages = max((stage for _, stage in found), default=0)
+    if n > 1:
+        least = math.ceil(math.log2(n))
+        assert stages == least if totals is doubling else least <= stages <= 2 * least
+        assert totals is doubling or joins < 2 * n
