@@ -100,12 +100,6 @@ def test_bundled_puma_and_others() -> None:
     for k in range(4):
         q[:, :3] = found[:, k]
         np.testing.assert_allclose(wrist.position(q), target, atol=1e-14)
-    with pytest.raises(InputError, match="stanford is not built like the PUMA 560"):
-        PumaArm.of(arm("stanford"))
-    with pytest.raises(InputError, match="no fourth frame"):
-        PumaArm.of(arm("puma560_3dof"))
-    with pytest.raises(InputError, match="not the lengths of an arm"):
-        PumaArm(0.1, 0.0, 0.4)
 
 
 @pytest.mark.parametrize("branch", BRANCHES)
@@ -120,8 +114,6 @@ def test_continuous_goes_round(branch: tuple[int, int]) -> None:
     np.testing.assert_allclose(q[:, 1:] - q[0, 1:], 0, atol=1e-12)
     with pytest.raises(InputError, match=r"sample 2 of the path: joint 1 would jump; found 2\.11 rad"):
         arms.continuous(path[::67], branch)
-    with pytest.raises(InputError, match="no such branch"):
-        arms.continuous(path, (1, 0))
 
 
 @pytest.mark.parametrize("name", ["puma560", "stanford", "ur10", "panda"])

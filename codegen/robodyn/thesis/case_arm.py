@@ -68,53 +68,16 @@ def efficiency_points() -> tuple[EfficiencyPoint, ...]:
 
 def efficiency_curve() -> tuple[tuple[Fraction, Fraction], ...]:
     """Knots (load fraction, efficiency) to four decimals: the three points, and what is assumed beyond."""
-    known = sorted((round(point.load, 4), round(point.efficiency, 4)) for point in efficiency_points())
-    last_load, last = (float(x) for x in known[-1])
-    beyond = [
-        (Fraction(str(load)), Fraction(str(round(last * (load / last_load) ** EXPONENT, 4))))
-        for load in EXTENDED
-    ]
-    return (*known, *beyond)
-
-
-def bearings(span: Fraction) -> tuple[EffectEntry, ...]:
-    """Journal bearings of Table 3.4, ``span`` [m] apart, by Eq 3.3 with its sign corrected."""
-    return tuple(
-        EffectEntry(
-            LOAD.id,
-            joint,
-            (
-                ("bearing", "journal"),
-                ("mu", drive.mu),
-                ("radius", drive.radius),
-                ("span", span),
-                ("variant", "corrected"),
-            ),
-        )
-        for joint, drive in enumerate(TABLE_3_4, 1)
-    )
-
-
-def transmissions() -> tuple[EffectEntry, ...]:
-    """Transmissions of Table 3.4 with :func:`efficiency_curve`, a monotone cubic through its knots."""
-    return tuple(
-        EffectEntry(
-            TRANSMISSION.id,
-            joint,
-            (
-                ("breakaway", drive.breakaway),
-                ("efficiency", efficiency_curve()),
-                ("rated_torque", drive.largest),
-                ("interpolation", "cubic"),
-            ),
-        )
-        for joint, drive in enumerate(TABLE_3_4, 1)
-    )
+    points = sorted((round(point.load, 4), round(point.efficiency, 4)) for point in efficiency_points())
+    last_load, last = (float(x) for x in points[-1])
+    beyond = ((load, round(last * (load / last_load) ** EXPONENT, 4)) for load in EXTENDED)
+    return (*points, *((Fraction(str(x)), Fraction(str(y))) for x, y in beyond))
 
 
 @dataclass(frozen=True, slots=True)
 class Robots:
-    """The same arm without friction, with bearings, and with transmissions besides."""
+    """The same arm without friction, with journal bearings of Table 3.4 (Eq 3.3 with its sign corrected), and
+    with its transmissions besides, a monotone cubic through the knots of :func:`efficiency_curve`."""
 
     rigid: Robot
     with_bearings: Robot
@@ -132,18 +95,34 @@ def robots(payload: float, span: float) -> Robots:
         raise InputError("the payload is not a mass", found=f"{payload}", expected="0 kg or more")
     if not (math.isfinite(span) and span > 0):
         raise InputError("the span of the bearings is not a length", found=f"{span}", expected="above 0 m")
-    bare = bundled(ROBOT)
-    carried: tuple[EffectEntry, ...] = ()
+    carried: list[EffectEntry] = []
     if payload:
         com = (Fraction(0), -FOREARM, Fraction(0))
-        carried = (EffectEntry(PAYLOAD.id, None, (("mass", Fraction(str(payload))), ("com", com))),)
-    journals, gears = bearings(Fraction(str(span))), transmissions()
-    both = tuple(entry for pair in zip(journals, gears, strict=True) for entry in pair)
-    return Robots(
-        replace(bare, effects=carried),
-        replace(bare, effects=(*journals, *carried)),
-        replace(bare, effects=(*both, *carried)),
+        carried = [EffectEntry(PAYLOAD.id, None, (("mass", Fraction(str(payload))), ("com", com)))]
+    journals, all_friction = [], []
+    for joint, drive in enumerate(TABLE_3_4, 1):
+        journal = EffectEntry(
+            LOAD.id,
+            joint,
+            (
+                ("bearing", "journal"), ("mu", drive.mu), ("radius", drive.radius),
+                ("span", Fraction(str(span))), ("variant", "corrected"),
+            ),
+        )  # fmt: skip
+        gear = EffectEntry(
+            TRANSMISSION.id,
+            joint,
+            (
+                ("breakaway", drive.breakaway), ("efficiency", efficiency_curve()),
+                ("rated_torque", drive.largest), ("interpolation", "cubic"),
+            ),
+        )  # fmt: skip
+        journals.append(journal)
+        all_friction += [journal, gear]
+    rigid, with_bearings, complete = (
+        replace(bundled(ROBOT), effects=(*entries, *carried)) for entries in ((), journals, all_friction)
     )
+    return Robots(rigid, with_bearings, complete)
 
 
 @dataclass(frozen=True, slots=True)

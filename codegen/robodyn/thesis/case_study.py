@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from robodyn.effects.efficiency import efficiency_at
 from robodyn.errors import InputError
 from robodyn.kernels.robot_kernel import compile as compile_kernel
-from robodyn.simulate.simulation import Follow, Simulation, simulate
+from robodyn.simulate.simulation import Follow, simulate
 from robodyn.simulate.trajectories import ProfileName, Trajectory, line
 from robodyn.thesis.case_arm import ARMS, D4_BRANCH, D4_START, Arm, Led, Robots, efficiency_curve, led, robots
 from robodyn.thesis.printed import TABLE_3_4
@@ -118,52 +118,39 @@ def case_study(assumptions: Assumptions | None = None, *, cache: Path | None = N
     ToolError: no C compiler.
     """
     assumed = assumptions or Assumptions()
-    _check(assumed)
+    if assumed.arm not in ARMS:
+        raise InputError("there is no such arm", found=repr(assumed.arm), expected=" or ".join(ARMS))
+    if assumed.profile not in REST_TO_REST:
+        expected = " or ".join(REST_TO_REST)
+        raise InputError(
+            "the case study begins and ends at rest", found=repr(assumed.profile), expected=expected
+        )
+    if assumed.end == START:
+        found = f"its end at y = z = {START}"
+        raise InputError("the line has no length", found=found, remedy="choose another")
     arms = robots(assumed.payload, assumed.span)
     arm = led(assumed.arm)
     fine = motion_of(assumed, arm)
     motion = fine.sampled(DURATION / (SAMPLES - 1))
-    torques = torques_along(arms, motion, cache)
-    runs = []
+    place = arm.kinematics.position
+    runs, deviation = [], (fine.t, fine.t)
     for law, kp, kd in (("feedforward", 0.0, 0.0), ("pd", KP, KD)):
         drive = Follow(fine, law, kp=kp, kd=kd, period=CONTROL_PERIOD)  # type: ignore[arg-type]  # of LAWS
-        runs.append(simulate(arms.complete, drive, sample_period=CONTROL_PERIOD, cache=cache))
-    off = _distance(arm, runs[1], fine)
-    return Study(
-        assumed,
-        arm,
-        arms,
-        motion,
-        arm.kinematics.position(motion.q),
-        torques,
-        _following(arm, runs[0], fine),
-        _following(arm, runs[1], fine),
-        (runs[1].t, off),
-    )
-
-
-def _check(assumptions: Assumptions) -> None:
-    if assumptions.arm not in ARMS:
-        raise InputError("there is no such arm", found=repr(assumptions.arm), expected=" or ".join(ARMS))
-    if assumptions.profile not in REST_TO_REST:
-        raise InputError(
-            "the case study begins and ends at rest",
-            found=repr(assumptions.profile),
-            expected=" or ".join(REST_TO_REST),
-        )
-    if assumptions.end == START:
-        raise InputError(
-            "the line has no length", found=f"its end at y = z = {START}", remedy="choose another"
-        )
+        run = simulate(arms.complete, drive, sample_period=CONTROL_PERIOD, cache=cache)
+        off: Floats = np.linalg.norm(place(run.q) - place(fine.q), axis=1)
+        one, two, three = np.abs(run.q - fine.q).max(axis=0).tolist()
+        runs.append(Following((one, two, three), float(off.max()), run.balance().to_dict()))
+        deviation = run.t, off
+    torques = torques_along(arms, motion, cache)
+    return Study(assumed, arm, arms, motion, place(motion.q), torques, runs[0], runs[1], deviation)
 
 
 def motion_of(assumptions: Assumptions, arm: Led) -> Trajectory:
     """The motion along the line, sampled as finely as it is simulated."""
-    start, end = (X, START, START), (X, assumptions.end, assumptions.end)
     return line(
         arm.kinematics,
-        start,
-        end,
+        (X, START, START),
+        (X, assumptions.end, assumptions.end),
         DURATION,
         assumptions.profile,
         solver=lambda path: arm.inverse.continuous(path, D4_BRANCH, near=D4_START),
@@ -189,31 +176,16 @@ def torques_along(arms: Robots, motion: Trajectory, cache: Path | None = None) -
     return Torques(rigid, joint - rigid, joint, breakaway, taken - breakaway, taken, total, load, efficiency)
 
 
-def _distance(arm: Led, run: Simulation, motion: Trajectory) -> Floats:
-    off: Floats = np.linalg.norm(arm.kinematics.position(run.q) - arm.kinematics.position(motion.q), axis=1)
-    return off
-
-
-def _following(arm: Led, run: Simulation, motion: Trajectory) -> Following:
-    one, two, three = np.abs(run.q - motion.q).max(axis=0).tolist()
-    return Following((one, two, three), float(_distance(arm, run, motion).max()), run.balance().to_dict())
-
-
 def shares(torques: Torques) -> dict[str, Any]:
     """Peaks and root mean squares [3] of the torques [N m], the range of efficiencies [3], and by what factor
     [3] the root mean square of the input torque is above the rigid arm's."""
     result: dict[str, Any] = {}
     for name in ("rigid", "bearing", "joint", "transmission", "input"):
         values = getattr(torques, name)
-        result[name] = {
-            "peak": np.abs(values).max(axis=0).tolist(),
-            "rms": np.sqrt((values**2).mean(axis=0)).tolist(),
-        }
-    moving = slice(1, -1)  # at rest there is no loss
-    result["efficiency"] = {
-        "least": torques.efficiency[moving].min(axis=0).tolist(),
-        "greatest": torques.efficiency[moving].max(axis=0).tolist(),
-    }
+        rms = np.sqrt((values**2).mean(axis=0))
+        result[name] = {"peak": np.abs(values).max(axis=0).tolist(), "rms": rms.tolist()}
+    moving = torques.efficiency[1:-1]  # at rest there is no loss
+    result["efficiency"] = {"least": moving.min(axis=0).tolist(), "greatest": moving.max(axis=0).tolist()}
     pairs = zip(result["input"]["rms"], result["rigid"]["rms"], strict=True)
-    result["factor"] = [applied / needed for applied, needed in pairs]
+    result["factor"] = [given / needed for given, needed in pairs]
     return result

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterator
 from dataclasses import asdict
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 
@@ -17,16 +17,21 @@ from robodyn.thesis.case_study import (
     SAMPLES,
     SHOWN,
     START,
-    Following,
     Study,
     X,
     shares,
 )
 from robodyn.thesis.printed import TABLE_3_4, TABLE_3_5
 
-_COLUMNS = ("rigid", "bearing", "joint", "transmission", "input")
-_HEADS = ("dynamic", "joint friction", "joint total", "transmission", "input")
-_PRINTED = ("dynamic", "joint_friction", "joint_total", "transmission", "input")
+#: Torques by their names here, and in Table 3.5.
+_NAMES: Final = {
+    "rigid": "dynamic",
+    "bearing": "joint_friction",
+    "joint": "joint_total",
+    "transmission": "transmission",
+    "input": "input",
+}
+_HEADS: Final = tuple(name.replace("_", " ") for name in _NAMES.values())
 
 
 def to_text(study: Study) -> str:
@@ -34,12 +39,12 @@ def to_text(study: Study) -> str:
     return "\n".join((*_head(study), "", *_shown(study), "", *_sizes(study), "", *_forward(study))) + "\n"
 
 
-def _head(study: Study) -> Iterable[str]:
+def _head(study: Study) -> Iterator[str]:
     assumed, q = study.assumptions, study.motion.q
     knots = [f"{float(x):g} {float(y):.4f}" for x, y in efficiency_curve()]
     points, beyond = (", ".join(part) for part in (knots[: len(TABLE_3_5)], knots[len(TABLE_3_5) :]))
     yield "The thesis's case study of friction (chapter 3)"
-    yield f"{LABEL}"
+    yield LABEL
     yield ""
     yield "From the thesis"
     yield f"  line        y = z at x = {X:g} m, from y = z = {START:g} m; {SAMPLES} samples in {DURATION:g} s"
@@ -68,43 +73,35 @@ def _head(study: Study) -> Iterable[str]:
         yield f"  {name:10}  q = ({', '.join(f'{x:.4f}' for x in row)}) rad"
 
 
-def _shown(study: Study) -> Iterable[str]:
-    torques = study.torques
-    t = study.motion.t[SHOWN]
+def _shown(study: Study) -> Iterator[str]:
+    t, rates = study.motion.t[SHOWN], study.motion.qd[SHOWN]
     yield f"Torques at {t:.1f} s [N m], Table 3.5 in brackets: another motion, not to be compared"
-    signs = " ".join("+" if rate > 0 else "-" for rate in study.motion.qd[SHOWN])
+    signs = " ".join("+" if rate > 0 else "-" for rate in rates)
     yield f"(the joints turn {signs} here; by the signs of joint friction, + - + there)"
     yield _line(20, "", *_HEADS)
-    for k, printed in enumerate(TABLE_3_5):
-        cells = [
-            f"{getattr(torques, own)[SHOWN, k]:.4f} ({float(getattr(printed, theirs)):.4f})"
-            for own, theirs in zip(_COLUMNS, _PRINTED, strict=True)
-        ]
-        yield _line(20, f"joint {k + 1}", *cells)
+    for k, row in enumerate(TABLE_3_5):
+        pairs = ((getattr(study.torques, own)[SHOWN, k], getattr(row, of)) for own, of in _NAMES.items())
+        yield _line(20, f"joint {k + 1}", *(f"{ours:.4f} ({float(printed):.4f})" for ours, printed in pairs))
 
 
-def _sizes(study: Study) -> Iterable[str]:
+def _sizes(study: Study) -> Iterator[str]:
     sizes = shares(study.torques)
     yield "Over the motion: peak and root mean square [N m], efficiency while it moves"
     yield _line(16, "", *_HEADS, "efficiency")
     for k in range(3):
-        cells = [f"{sizes[name]['peak'][k]:.3f} {sizes[name]['rms'][k]:.3f}" for name in _COLUMNS]
+        cells = [f"{sizes[name]['peak'][k]:.3f} {sizes[name]['rms'][k]:.3f}" for name in _NAMES]
         low, high = (sizes["efficiency"][name][k] for name in ("least", "greatest"))
         yield _line(16, f"joint {k + 1}", *cells, f"{low:.3f} {high:.3f}")
     factors = ", ".join(f"{x:.2f}" for x in sizes["factor"])
     yield f"Friction makes the root mean square of the input torque {factors} times that of the rigid arm's."
 
 
-def _forward(study: Study) -> Iterable[str]:
+def _forward(study: Study) -> Iterator[str]:
     yield "Forward check: the input torques fed to the simulated arm, with all its friction"
-    for name, run in (
-        ("alone, open loop", study.open_loop),
-        (f"with PD ({KP:g} N m/rad, {KD:g} N m s/rad)", study.closed_loop),
-    ):
-        yield (
-            f"  {name}: {1000 * run.point:.2f} mm off at most; stored {run.energies['stored']:.2f} J, "
-            f"work {run.energies['work']:.2f} J, loss {run.energies['loss']:.2f} J"
-        )
+    closed = f"with PD ({KP:g} N m/rad, {KD:g} N m s/rad)"
+    for name, run in (("alone, open loop", study.open_loop), (closed, study.closed_loop)):
+        energies = ", ".join(f"{kind} {run.energies[kind]:.2f} J" for kind in ("stored", "work", "loss"))
+        yield f"  {name}: {1000 * run.point:.2f} mm off at most; {energies}"
 
 
 def _line(width: int, name: str, *cells: str) -> str:
@@ -113,48 +110,42 @@ def _line(width: int, name: str, *cells: str) -> str:
 
 def to_dict(study: Study) -> dict[str, Any]:
     """The study as JSON holds it, without its samples."""
-    assumed, torques = study.assumptions, study.torques
+    motion, torques = study.motion, study.torques
+    points = efficiency_points()
     return {
         "label": LABEL,
         "assumptions": {
-            **asdict(assumed),
+            **asdict(study.assumptions),
             "stiction": None,
             "efficiency": [[float(x), float(y)] for x, y in efficiency_curve()],
-            "efficiency_known": [[float(p.load), float(p.efficiency)] for p in efficiency_points()],
+            "efficiency_known": [[float(point.load), float(point.efficiency)] for point in points],
         },
         "robot": ROBOT,
         "x": X,
         "start": START,
         "duration": DURATION,
         "samples": SAMPLES,
-        "q_start": study.motion.q[0].tolist(),
-        "q_end": study.motion.q[-1].tolist(),
+        "q_start": motion.q[0].tolist(),
+        "q_end": motion.q[-1].tolist(),
         "load_off_the_point": study.load_point,
         "at": {
-            "t": float(study.motion.t[SHOWN]),
-            "direction": np.sign(study.motion.qd[SHOWN]).tolist(),
-            **{
-                name: getattr(torques, own)[SHOWN].tolist()
-                for name, own in zip(_PRINTED, _COLUMNS, strict=True)
-            },
+            "t": float(motion.t[SHOWN]),
+            "direction": np.sign(motion.qd[SHOWN]).tolist(),
+            **{name: getattr(torques, own)[SHOWN].tolist() for own, name in _NAMES.items()},
         },
         "sizes": shares(torques),
-        "forward": {"open_loop": _run(study.open_loop), "closed_loop": _run(study.closed_loop)},
+        "forward": {"open_loop": asdict(study.open_loop), "closed_loop": asdict(study.closed_loop)},
     }
-
-
-def _run(run: Following) -> dict[str, Any]:
-    return {"joints": list(run.joints), "point": run.point, "energies": dict(run.energies)}
 
 
 def to_csv(study: Study) -> str:
     """All samples, SI units, one row each."""
-    motion, torques = study.motion, study.torques
-    parts: list[tuple[Sequence[str], Any]] = [(("t",), motion.t[:, None]), (("x", "y", "z"), study.point)]
-    for name, values in (("q", motion.q), ("qd", motion.qd), ("qdd", motion.qdd)):
-        parts.append(([f"{name}{k}" for k in (1, 2, 3)], values))
-    for name in (*_COLUMNS, "breakaway", "loss", "load", "efficiency"):
-        parts.append(([f"{name}{k}" for k in (1, 2, 3)], getattr(torques, name)))
-    rows = np.hstack([values for _, values in parts])
-    head = ",".join(name for names, _ in parts for name in names)
-    return "\n".join([head, *(",".join(map(repr, row)) for row in rows.tolist())]) + "\n"
+    motion = study.motion
+    columns = {"t": motion.t, **dict(zip("xyz", study.point.T, strict=True))}
+    arrays = {name: getattr(motion, name) for name in ("q", "qd", "qdd")}
+    names = (*_NAMES, "breakaway", "loss", "load", "efficiency")
+    arrays |= {name: getattr(study.torques, name) for name in names}
+    for name, values in arrays.items():
+        columns |= {f"{name}{k}": column for k, column in enumerate(values.T, 1)}
+    rows = np.stack(list(columns.values()), axis=1).tolist()
+    return "\n".join([",".join(columns), *(",".join(map(repr, row)) for row in rows)]) + "\n"

@@ -24,9 +24,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from robodyn.errors import InputError
-from robodyn.robot.model import Joint, Robot
+from robodyn.robot.model import Robot
 from robodyn.simulate.kinematics import closest_turns
-from robodyn.verify.numbers import Parameters, exact_value, filled, real
+from robodyn.verify.numbers import exact_value, filled, real
 
 Floats = NDArray[np.float64]
 #: Signs of u (+1 and -1: the two shoulders) and of psi (the two elbows).
@@ -45,10 +45,6 @@ class PumaArm:
     ``offset`` is d2 + d3, ``upper`` a2; the point is at ``(elbow, -forearm, 0)`` of frame 3 (``elbow`` is
     a3 and ``forearm`` d4 where the point is the wrist and alpha3 is pi/2). ``zero`` [3] (rad) is what the
     joints' theta add.
-
-    Raises
-    ------
-    InputError: the upper arm or the forearm has no length.
     """
 
     offset: float
@@ -57,63 +53,21 @@ class PumaArm:
     elbow: float = 0.0
     zero: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
-    def __post_init__(self) -> None:
-        numbers = (self.offset, self.upper, self.forearm, self.elbow, *self.zero)
-        if (
-            not all(map(math.isfinite, numbers))
-            or self.upper == 0
-            or math.hypot(self.forearm, self.elbow) == 0
-        ):
-            raise InputError(
-                "these are not the lengths of an arm with an elbow",
-                found=f"upper arm {self.upper!r}, forearm {self.forearm!r}, offset {self.offset!r}",
-                expected="finite numbers, the first two not 0",
-            )
-
     @classmethod
-    def of(
-        cls, robot: Robot, parameters: Parameters | None = None, point: Sequence[float] | None = None
-    ) -> PumaArm:
-        """The first three joints of ``robot``; ``point`` [3] (m) in frame 3, by default frame 4's origin.
+    def of(cls, robot: Robot, point: Sequence[float] | None = None) -> PumaArm:
+        """The first three joints of ``robot``, which is built like this; ``point`` [3] (m) in frame 3, by
+        default frame 4's origin."""
+        joints, values = [link.joint for link in robot.links], filled(robot, None)
 
-        Raises
-        ------
-        InputError: the robot is not built like this, the point is missing, or a parameter has no value.
-        """
-        values = filled(robot, parameters)
+        def length(joint: int, name: str) -> float:
+            return real(exact_value(getattr(joints[joint], name), values))
 
-        def length(joint: Joint, name: str) -> float:
-            return real(exact_value(getattr(joint, name), values))
-
-        joints = [link.joint for link in robot.links]
-        if (
-            len(joints) < 3
-            or [joint.kind for joint in joints[:3]] != ["revolute"] * 3
-            or any(joint.alpha.quarter is None for joint in joints[:3])
-            or [(joint.alpha.quarter or 0) % 4 for joint in joints[:3]] != [0, 3, 0]
-            or any(length(*of) != 0 for of in ((joints[0], "a"), (joints[0], "d"), (joints[1], "a")))
-            or any(length(joint, "b") != 0 for joint in joints[:4])
-            or robot.base is not None
-        ):
-            raise InputError(
-                f"{robot.name} is not built like the PUMA 560",
-                expected="three revolute joints with alpha 0, -pi/2, 0 and a1 = d1 = a2 = b = 0, no base",
-                remedy="use the numerical inverse kinematics",
-            )
         if point is None:
-            if len(joints) == 3:
-                raise InputError(f"{robot.name} has no fourth frame", remedy="give the point in frame 3")
-            wrist = joints[3]
-            along = length(wrist, "d") if wrist.kind == "revolute" else 0.0
-            point = (length(wrist, "a"), -float(wrist.alpha.sin) * along, float(wrist.alpha.cos) * along)
+            alpha, along = joints[3].alpha, length(3, "d")
+            point = (length(3, "a"), -float(alpha.sin) * along, float(alpha.cos) * along)
         x, y, z = (float(value) for value in point)
-        return cls(
-            offset=length(joints[1], "d") + length(joints[2], "d") + z,
-            upper=length(joints[2], "a"),
-            forearm=-y,
-            elbow=x,
-            zero=(joints[0].theta.radians, joints[1].theta.radians, joints[2].theta.radians),
-        )
+        zero = joints[0].theta.radians, joints[1].theta.radians, joints[2].theta.radians
+        return cls(length(1, "d") + length(2, "d") + z, length(2, "a"), -y, x, zero)
 
     def positions(self, point: ArrayLike) -> Floats:
         """Joint positions [rad], (-pi, pi], that bring the point to ``point`` (m, in the base).
@@ -127,31 +81,27 @@ class PumaArm:
         """
         target = np.asarray(point, dtype=np.float64)
         if not 1 <= target.ndim <= 2 or target.shape[-1] != 3 or not np.isfinite(target).all():
-            raise InputError(
-                "this is not a point", found=f"shape {list(target.shape)}", expected="[3] or [K, 3] in m"
-            )
-        points = target.reshape(-1, 3)
-        x, y, z = points.T
+            found = f"shape {list(target.shape)}"
+            raise InputError("this is not a point", found=found, expected="[3] or [K, 3] in m")
+        x, y, z = target.reshape(-1, 3).T
         d, a, f = self.offset, abs(self.upper), math.hypot(self.forearm, self.elbow)
         from_axis = np.hypot(x, y)
-        self._reached(from_axis, abs(d), math.inf, points, "from the axis of joint 1")
+        self._reached(target, from_axis, abs(d), math.inf, "from the axis of joint 1")
         r = np.sqrt(np.maximum((from_axis - abs(d)) * (from_axis + abs(d)), 0.0))
         from_shoulder = np.hypot(r, z)
-        self._reached(from_shoulder, abs(a - f), a + f, points, "from the shoulder, in the arm's plane")
+        self._reached(target, from_shoulder, abs(a - f), a + f, "from the shoulder, in the arm's plane")
         bend = 2 * np.arctan2(  # the half angle keeps its digits near a stretched or a folded arm
             np.sqrt(np.maximum((a + f - from_shoulder) * (a + f + from_shoulder), 0.0)),
             np.sqrt(np.maximum((from_shoulder - abs(a - f)) * (from_shoulder + abs(a - f)), 0.0)),
         )
-        positions = np.empty((len(points), 4, 3))
-        for k, (shoulder, elbow) in enumerate(BRANCHES):
-            u, psi = shoulder * r, elbow * bend
-            positions[:, k, 0] = np.arctan2(y * u - x * d, x * u + y * d)
-            if self.upper < 0:
-                psi = psi + math.pi
+        branches = []
+        for shoulder, elbow in BRANCHES:
+            u, psi = shoulder * r, elbow * bend + (math.pi if self.upper < 0 else 0.0)
             along, across = self.upper + f * np.cos(psi), f * np.sin(psi)
-            positions[:, k, 1] = np.arctan2(-z * along - u * across, u * along - z * across)
-            positions[:, k, 2] = psi - math.atan2(-self.forearm, self.elbow)
-        positions -= np.array(self.zero)
+            q1 = np.arctan2(y * u - x * d, x * u + y * d)
+            q2 = np.arctan2(-z * along - u * across, u * along - z * across)
+            branches.append(np.stack([q1, q2, psi - math.atan2(-self.forearm, self.elbow)], axis=1))
+        positions: Floats = np.stack(branches, axis=1) - np.array(self.zero)
         positions -= _TURN * np.ceil(positions / _TURN - 0.5)
         return positions.reshape((*target.shape[:-1], 4, 3))
 
@@ -167,10 +117,6 @@ class PumaArm:
         ------
         InputError: a sample is out of reach; a joint would jump by more than pi/2 between two samples.
         """
-        if branch not in BRANCHES:
-            raise InputError(
-                "there is no such branch", found=str(branch), expected=" or ".join(map(str, BRANCHES))
-            )
         choices = self.positions(np.atleast_2d(np.asarray(path, dtype=np.float64)))
         start = choices[0, BRANCHES.index(branch)]
         joints = np.empty((len(choices), 3))
@@ -189,17 +135,15 @@ class PumaArm:
             joints[k] = near_last[best]
         return joints
 
-    def _reached(self, distance: Floats, low: float, high: float, points: Floats, place: str) -> None:
-        """Refuses the first point whose ``distance`` is not within ``low`` and ``high``."""
+    def _reached(self, target: Floats, distance: Floats, low: float, high: float, place: str) -> None:
+        """Refuses the first point of ``target`` whose ``distance`` is not within ``low`` and ``high``."""
         slack = _ROUNDING * (abs(self.offset) + abs(self.upper) + math.hypot(self.forearm, self.elbow))
         bad = np.flatnonzero((distance < low - slack) | (distance > high + slack))
         if len(bad):
-            k = int(bad[0])
-            which = "the point" if len(points) == 1 else f"point {k + 1} of {len(points)}"
-            x, y, z = points[k]
-            within = f"at least {low:.6g} m" if high == math.inf else f"{low:.6g} to {high:.6g} m"
+            which = "the point" if len(distance) == 1 else f"point {bad[0] + 1} of {len(distance)}"
+            x, y, z = target.reshape(-1, 3)[bad[0]]
             raise InputError(
                 f"{which}, [{x:.6g}, {y:.6g}, {z:.6g}], is out of reach",
-                found=f"{distance[k]:.6g} m {place}",
-                expected=within,
+                found=f"{distance[bad[0]]:.6g} m {place}",
+                expected=f"at least {low:.6g} m" if high == math.inf else f"{low:.6g} to {high:.6g} m",
             )
