@@ -14,8 +14,7 @@ from robodyn.errors import InputError
 from robodyn.formats import xacro, xacro_process
 from robodyn.formats.xacro_expressions import evaluate
 from robodyn.formats.xacro_files import load_yaml
-from robodyn.formats.xacro_functions import MATH, METHODS, PYTHON
-from robodyn.formats.xacro_values import Names, Refused
+from robodyn.formats.xacro_values import MATH, PYTHON, Names, Refused
 from robodyn_testing import require_module
 from robodyn_testing.xacro_arms import HEAD, PACKAGE, write
 
@@ -195,7 +194,7 @@ GLOBAL = {**PYTHON, **MATH, "python": Names(PYTHON.__getitem__)}
 
 
 def value(expression: str) -> object:
-    return evaluate(expression, Names((GLOBAL | BOUND).__getitem__), METHODS)
+    return evaluate(expression, Names((GLOBAL | BOUND).__getitem__))
 
 
 @pytest.mark.parametrize(
@@ -231,10 +230,10 @@ def test_no_expression_takes_long_or_grows(expression: str) -> None:
 def test_a_mapping_gives_its_keys_and_nothing_else() -> None:
     entries = {"__class__": 1, "pop": 2, "a": 3}
     names = Names({"d": entries}.__getitem__)
-    assert [evaluate(f"d.{name}", names, METHODS) for name in entries] == [1, 2, 3]
+    assert [evaluate(f"d.{name}", names) for name in entries] == [1, 2, 3]
     for name in ("update", "__init__", "clear"):
         with pytest.raises(Refused, match="no attribute"):
-            evaluate(f"d.{name}", names, METHODS)
+            evaluate(f"d.{name}", names)
 
 
 def test_variables_of_a_comprehension_are_its_own() -> None:

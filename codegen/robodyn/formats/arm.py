@@ -41,7 +41,7 @@ class _Reading:
     massless: bool = False
 
 
-_READING: Final[ContextVar[_Reading]] = ContextVar("reading")
+_READING: Final[ContextVar[_Reading]] = ContextVar("reading", default=_Reading())  # noqa: B039 (frozen)
 
 
 @contextmanager
@@ -62,7 +62,7 @@ def taken_as_massless(robot: Robot, on_purpose: bool) -> Robot:
     """``robot`` with masses of 0 where nobody knows them, if that is ``on_purpose`` here or by the command
     line, which its account says; else as it is."""
     joints = unknown_masses(robot)
-    if not joints or not (on_purpose or _READING.get(_Reading()).massless):
+    if not joints or not (on_purpose or _READING.get().massless):
         return robot
     account = robot.account
     if account is not None:
@@ -103,7 +103,7 @@ def read_tree(
     """
     file = Path(path)
     name = label(path)
-    context = _READING.get(_Reading())
+    context = _READING.get()
     stated = {**context.arguments, **(arguments or {})}
     if name.lower().endswith(".xacro"):
         from robodyn.formats.xacro import expanded
@@ -161,7 +161,7 @@ def _folders(arguments: Mapping[str, str]) -> list[str]:
 
 def stated_arguments() -> Mapping[str, str]:
     """The arguments of xacro files in this context."""
-    return _READING.get(_Reading()).arguments
+    return _READING.get().arguments
 
 
 def no_model_to_choose(name: str) -> InputError:

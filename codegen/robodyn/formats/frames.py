@@ -65,13 +65,8 @@ def rows(rotation: Rotation) -> Rows:
     """The entries of ``rotation``, whole where it turns axes into axes."""
     if rotation == IDENTITY:
         return SAME
-    near = [[min((-1, 0, 1), key=lambda n: abs(entry - n)) for entry in row] for row in rotation]
-    squared = all(
-        abs(entry - whole) <= QUARTER_TURN
-        for row, nearest in zip(rotation, near, strict=True)
-        for entry, whole in zip(row, nearest, strict=True)
-    )
-    x, y, z = (tuple(map(Fraction, row)) for row in (near if squared else rotation))
+    squared = all(abs(entry - round(entry)) <= QUARTER_TURN for row in rotation for entry in row)
+    x, y, z = (tuple(Fraction(round(entry) if squared else entry) for entry in row) for row in rotation)
     return x, y, z  # type: ignore[return-value]
 
 
@@ -90,7 +85,7 @@ class Step:
 
     def seen(self, point: Exact) -> Exact:
         """A point of the joint's own frame in the aligned one [m]."""
-        return minus(applied(self.into, point), self.shift)
+        return _plus(applied(self.into, point), self.shift, -1)
 
 
 def aligned(joints: Iterable[ChainJoint]) -> list[Step]:
@@ -126,16 +121,14 @@ def with_free_lines(steps: Sequence[Step], kinds: Sequence[JointKind]) -> list[S
 def _shift(steps: list[Step], i: int, by: Exact) -> None:
     """Move the origin of frame ``i`` by a vector in it."""
     step = steps[i]
-    x, y, z = applied(step.rotation, by)
-    offset = (step.offset[0] + x, step.offset[1] + y, step.offset[2] + z)
-    steps[i] = replace(step, offset=offset, shift=by)
+    steps[i] = replace(step, offset=_plus(step.offset, applied(step.rotation, by)), shift=by)
     if i + 1 < len(steps):
-        steps[i + 1] = replace(steps[i + 1], offset=minus(steps[i + 1].offset, by))
+        steps[i + 1] = replace(steps[i + 1], offset=_plus(steps[i + 1].offset, by, -1))
 
 
-def minus(u: Exact, v: Exact) -> Exact:
-    """``u - v``."""
-    return u[0] - v[0], u[1] - v[1], u[2] - v[2]
+def _plus(u: Exact, v: Exact, sign: int = 1) -> Exact:
+    """``u + v``, or with ``sign`` -1 their difference."""
+    return u[0] + sign * v[0], u[1] + sign * v[1], u[2] + sign * v[2]
 
 
 def _onto(axis: Vector) -> Rotation:
@@ -300,7 +293,3 @@ def _link(joint: ChainJoint, step: Step, row: _Row, end: Angle, size: float) -> 
 def _undone(turn: Angle) -> Angle:
     """What takes a turn by quarters back; nothing where it is another, since it would cost digits."""
     return -turn if turn.quarter is not None else _NONE
-
-
-def _plus(u: Exact, v: Exact) -> Exact:
-    return u[0] + v[0], u[1] + v[1], u[2] + v[2]

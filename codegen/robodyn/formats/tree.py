@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Final
 
 from robodyn.errors import InputError, Place
@@ -132,32 +133,11 @@ class Unused:
         return f"{self.what} ({place})" if place else self.what
 
 
+_PHYSICS: Final = (Path(__file__).parent / "elements_of" / "physics.txt").read_text(encoding="utf-8")
 #: What of a file changes torques and is not modelled: names by which the command line leaves it out.
 PHYSICS: Final = {
-    "auto": "inertia that is computed from the shapes of collisions",
-    "composite": "bodies that <composite> and <flexcomp> make (mj_saveLastXML writes them as bodies)",
-    "damping": "damping that is not linear in the speed",
-    "dcmotor": "electrical motors, whose inertia and damping act on the joint",
-    "deformable": "deformable bodies",
-    "density": "the density of a fluid around the arm",
-    "drake": "joints, springs and constraints that Drake simulates",
-    "enable_wind": "wind",
-    "equality": "equations between tendons",
-    "fluid_added_mass": "the mass of a fluid that moves along",
-    "gazebo": "springs and links without weight that Gazebo simulates",
-    "gravcomp": "forces that take weight off bodies",
-    "gravity": "links without weight",
-    "include": "models of other files (gz sdf -p FILE puts them in)",
-    "kinematic": "links that no force moves",
-    "mujoco": "settings of MuJoCo in a URDF",
-    "plugin": "forces that plugins compute",
-    "springdamper": "springs and damping for masses and inertias of meshes, which are not opened",
-    "stiffness": "springs that are not linear",
-    "tendon": "springs, damping, friction and inertia of tendons",
-    "transmission": "gears and rotors of several joints or motors, or of a joint that is not there",
-    "velocity_decay": "damping by the air",
-    "viscosity": "the viscosity of a fluid around the arm",
-    "world_joint": "joints between models",
+    name: words
+    for name, _, words in (line.partition(": ") for line in _PHYSICS.splitlines() if not line.startswith("#"))
 }
 
 

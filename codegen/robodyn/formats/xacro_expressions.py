@@ -1,10 +1,9 @@
 """Expressions of xacro files, evaluated as data over a whitelist of syntax.
 
 Nothing is compiled. A name is what the file bound it to, or a function of the tables in
-:mod:`robodyn.formats.xacro_functions`; an attribute is a key of a mapping, a name in a namespace, or a method
+:mod:`robodyn.formats.xacro_values`; an attribute is a key of a mapping, a name in a namespace, or a method
 of those tables. No attribute of a Python object is read, so that no expression reaches the interpreter.
-Values are of Python's own plain types (:mod:`robodyn.formats.xacro_values`), and their size, and the work on
-them, is bounded.
+Values are of Python's own plain types, and their size, and the work on them, is bounded.
 """
 
 from __future__ import annotations
@@ -17,25 +16,25 @@ from robodyn.formats.xacro_values import (
     BINARY,
     COMPARISONS,
     DATA,
-    LARGEST,
+    METHODS,
     UNARY,
+    Budget,
     Function,
     Names,
     Refused,
+    bounded,
     checked_data,
     shown,
-    size_of,
+    spend,
 )
 
-STEPS: Final = 3 * LARGEST
-"""[steps] Work for one expression: nodes evaluated, and values and characters produced."""
 LONGEST: Final = 10_000
 """[characters] Longest expression."""
 Local = Mapping[str, Any]
 
 
-def evaluate(expression: str, names: Names, methods: Mapping[type, Mapping[str, Function]]) -> Any:
-    """The value of ``expression``, one of :data:`DATA`; ``methods`` are those of values, by type.
+def evaluate(expression: str, names: Names) -> Any:
+    """The value of ``expression``, one of :data:`DATA`.
 
     Raises
     ------
@@ -44,9 +43,10 @@ def evaluate(expression: str, names: Names, methods: Mapping[type, Mapping[str, 
     text = expression.strip()
     if len(text) > LONGEST:
         raise Refused(f"an expression of more than {LONGEST} characters: {shown(text)}")
+    work, Budget.steps = Budget.steps, 0
     try:
         tree = ast.parse(text, mode="eval")
-        return checked_data(Evaluator(names, methods).value(tree.body, {}))
+        return checked_data(Evaluator(names).value(tree.body, {}))
     except (SyntaxError, UnicodeError):
         raise Refused(f"not an expression: {shown(text)}") from None
     except RecursionError:
@@ -56,22 +56,24 @@ def evaluate(expression: str, names: Names, methods: Mapping[type, Mapping[str, 
     except Exception as error:
         reason = str(error) if isinstance(error, Refused) else str(error)[:150] or type(error).__name__
         raise Refused(f"{reason}, in the expression {shown(text)}") from None
+    finally:
+        Budget.steps = work
 
 
 class Evaluator:
     """Evaluates the nodes of one expression; ``local`` has the variables of its comprehensions."""
 
-    def __init__(self, names: Names, methods: Mapping[type, Mapping[str, Function]]) -> None:
-        self.names, self.methods, self.steps = names, methods, 0
+    def __init__(self, names: Names) -> None:
+        self.names = names
 
     def value(self, node: ast.AST, local: Local) -> Any:
         """The value of ``node``. All syntax that there is stands here; what is not a case is refused."""
-        self.spend(1)
+        spend(1)
         match node:
             case ast.Name():
                 return local[node.id] if node.id in local else _looked_up(self.names, node.id)
             case ast.Constant():
-                return self.result(node.value)
+                return bounded(node.value)
             case ast.Attribute():
                 return self._attribute(self.value(node.value, local), node.attr)
             case ast.Subscript():
@@ -83,7 +85,7 @@ class Evaluator:
                     checked_data(self.value(node.left, local)),
                     checked_data(self.value(node.right, local)),
                 )
-                return self.result(BINARY[type(node.op)](left, right))
+                return bounded(BINARY[type(node.op)](left, right))
             case ast.UnaryOp():
                 return UNARY[type(node.op)](checked_data(self.value(node.operand, local)))
             case ast.BoolOp():
@@ -105,54 +107,33 @@ class Evaluator:
             case ast.IfExp():
                 return self.value(node.body if self.value(node.test, local) else node.orelse, local)
             case ast.List():
-                return self.result(self._elements(node.elts, local))
+                return bounded(self._elements(node.elts, local))
             case ast.Tuple():
-                return self.result(tuple(self._elements(node.elts, local)))
+                return bounded(tuple(self._elements(node.elts, local)))
             case ast.Set():
-                return self.result(set(self._elements(node.elts, local)))
+                return bounded(set(self._elements(node.elts, local)))
             case ast.Dict():
                 entries: dict[Any, Any] = {}
                 for key, part in zip(node.keys, node.values, strict=True):
                     value = self.value(part, local)
                     entries.update(value if key is None else {self.value(key, local): value})
-                return self.result(entries)
+                return bounded(entries)
             case ast.ListComp() | ast.SetComp() | ast.GeneratorExp():
                 values = [self.value(node.elt, inner) for inner in self._scopes(node.generators, local)]
-                return self.result(set(values) if isinstance(node, ast.SetComp) else values)
+                return bounded(set(values) if isinstance(node, ast.SetComp) else values)
             case ast.DictComp():
                 scopes = self._scopes(node.generators, local)
-                return self.result({self.value(node.key, x): self.value(node.value, x) for x in scopes})
+                return bounded({self.value(node.key, x): self.value(node.value, x) for x in scopes})
             case ast.Lambda():
                 return self._lambda(node, local)
         raise Refused(f"{type(getattr(node, 'op', node)).__name__} is not evaluated here")
 
-    def spend(self, steps: int) -> None:
-        """Count ``steps`` of work."""
-        self.steps += steps
-        if self.steps > STEPS:
-            raise Refused(f"more than {STEPS} steps of work")
-
-    def result(self, value: Any) -> Any:
-        """``value``, a new one, once it is no larger than values may be."""
-        if type(value) not in DATA and not isinstance(value, Function | Names):
-            raise Refused(f"a value of the type {type(value).__name__}")
-        self.spend(size_of(value))
-        return value
-
-    def call(self, function: Any, *arguments: Any, **options: Any) -> Any:
-        """What ``function`` gives."""
-        if not isinstance(function, Function):
-            raise Refused(f"{type(function).__name__} is not a function")
-        self.spend(1)
-        first = (self,) if function.higher else ()
-        return self.result(function.call(*first, *arguments, **options))
-
     def _attribute(self, owner: Any, name: str) -> Any:
         if isinstance(owner, Names):
             return _looked_up(owner, name)
-        method = self.methods.get(type(owner), {}).get(name)
+        method = METHODS.get(type(owner), {}).get(name)
         if method is not None:
-            return Function(name, lambda *rest, **options: method.call(owner, *rest, **options))
+            return Function(name, lambda *rest, **options: method.body(owner, *rest, **options))
         if type(owner) is dict and name in owner:
             return owner[name]
         raise Refused(f"no attribute {name!r} of a {type(owner).__name__}")
@@ -164,7 +145,7 @@ class Evaluator:
         checked_data(owner)
         if isinstance(node.slice, ast.Slice):
             ends = (node.slice.lower, node.slice.upper, node.slice.step)
-            return self.result(owner[slice(*(end and self.value(end, local) for end in ends))])
+            return bounded(owner[slice(*(end and self.value(end, local) for end in ends))])
         key = self.value(node.slice, local)
         try:
             return owner[key]
@@ -178,13 +159,15 @@ class Evaluator:
         for keyword in node.keywords:
             value = self.value(keyword.value, local)
             options.update(value if keyword.arg is None else {keyword.arg: value})
-        return self.call(function, *arguments, **options)
+        if not isinstance(function, Function):
+            raise Refused(f"{type(function).__name__} is not a function")
+        return function(*arguments, **options)
 
     def _elements(self, nodes: list[ast.expr], local: Local) -> list[Any]:
         elements: list[Any] = []
         for node in nodes:
             if isinstance(node, ast.Starred):
-                elements.extend(self.result(list(self.value(node.value, local))))
+                elements.extend(bounded(list(self.value(node.value, local))))
             else:
                 elements.append(self.value(node, local))
         return elements
@@ -209,7 +192,7 @@ class Evaluator:
         if loop.is_async or type(source) not in DATA:
             raise Refused("a loop over what is no value")
         for item in source:
-            self.spend(1)
+            spend(1)
             inner = dict(local)
             self._bind(loop.target, item, inner)
             if all(self.value(condition, inner) for condition in loop.ifs):

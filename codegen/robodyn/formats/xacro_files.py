@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from robodyn.files import MIB, label, read_bytes
-from robodyn.formats.limits import DEPTH, FILE_MIB, FILES_INCLUDED
+from robodyn.formats.limits import FILE_MIB, FILES_INCLUDED
 from robodyn.formats.xacro_values import Refused, size_of
 
 LEVELS: Final = 5
@@ -146,12 +146,11 @@ class Files:
 def _subfolders(folder: Path) -> list[Path]:
     """The folders in ``folder``, in the order of their names; hidden ones and links are left out."""
     try:
-        with os.scandir(folder) as entries:
-            return sorted(
-                Path(entry.path)
-                for entry in entries
-                if entry.is_dir(follow_symlinks=False) and not entry.name.startswith(".")
-            )
+        return sorted(
+            each
+            for each in folder.iterdir()
+            if each.is_dir() and not each.is_symlink() and not each.name.startswith(".")
+        )
     except OSError:
         return []
 
@@ -184,37 +183,31 @@ def load_yaml(data: bytes, name: str, read_number: Callable[[str], float]) -> An
     class Loader(yaml.SafeLoader):
         """Its own class: constructors of the real one are for everybody."""
 
-        def fetch_flow_collection_start(self, token: Any) -> None:
-            if self.flow_level >= DEPTH:
-                raise Refused("nested too deeply")
-            super().fetch_flow_collection_start(token)
-
         def flatten_mapping(self, node: Any) -> None:
             super().flatten_mapping(node)
             if len(node.value) > KEYS:  # merges of merges double it each time
                 raise Refused(f"a mapping of more than {KEYS} keys")
 
-    def with_unit(factor: float) -> Callable[[Any, Any], float]:
-        return lambda loader, node: read_number(loader.construct_scalar(node)) * factor
-
     for unit, factor in UNITS.items():
-        Loader.add_constructor(f"!{unit}", with_unit(factor))
+
+        def with_unit(loader: Any, node: Any, factor: float = factor) -> float:
+            return read_number(loader.construct_scalar(node)) * factor
+
+        Loader.add_constructor(f"!{unit}", with_unit)
     if len(data) > MIB:
         raise Refused(f"{name}: more than 1 MiB of YAML")
     try:
-        loader = Loader(data)
-        value = loader.get_single_data()
+        value = Loader(data).get_single_data()
         size_of(value)
         return _plain(value)
     except yaml.MarkedYAMLError as error:  # without its words: they quote the file
         line = error.problem_mark.line + 1 if error.problem_mark else 1
         raise Refused(f"{name}:{line}: not plain YAML") from None
-    except Refused as error:
-        raise Refused(f"{name}: {error}") from None
     except RecursionError:
         raise Refused(f"{name}: nested too deeply") from None
-    except (yaml.YAMLError, ValueError, TypeError):
-        raise Refused(f"{name}: not plain YAML") from None
+    except (Refused, yaml.YAMLError, ValueError, TypeError) as error:
+        words = str(error) if isinstance(error, Refused) else "not plain YAML"
+        raise Refused(f"{name}: {words}") from None
 
 
 def _plain(value: Any) -> Any:

@@ -27,8 +27,17 @@ from robodyn.files import MIB, label
 from robodyn.formats.limits import FILE_MIB
 from robodyn.formats.xacro_expressions import evaluate
 from robodyn.formats.xacro_files import Files, load_yaml
-from robodyn.formats.xacro_functions import MATH, METHODS, PYTHON, tokenize
-from robodyn.formats.xacro_values import DATA, Function, Names, Refused, check_count, shown
+from robodyn.formats.xacro_values import (
+    DATA,
+    MATH,
+    PYTHON,
+    Function,
+    Names,
+    Refused,
+    check_count,
+    shown,
+    tokenize,
+)
 from robodyn.formats.xml_text import load_encodings, xml_text
 
 #: What is taken out of the package and replaced; a version without one of them is refused.
@@ -131,7 +140,7 @@ class Expansion:
 
     def value(self, expression: str, symbols: Any, _: Any = None) -> Any:
         """In place of ``safe_eval``."""
-        return evaluate(expression, Names(lambda name: self._bound(symbols, name)), METHODS)
+        return evaluate(expression, Names(lambda name: self._bound(symbols, name)))
 
     def _bound(self, symbols: Any, name: str) -> Any:
         value = symbols[name]
@@ -145,7 +154,7 @@ class Expansion:
         """In place of ``eval_extension``: what ``$(COMMAND ...)`` stands for."""
         inner = text[2:-1]
         if inner.startswith("eval "):
-            return str(evaluate(inner[5:], Names(self._name_of_eval), METHODS))
+            return str(evaluate(inner[5:], Names(self._name_of_eval)))
         match inner.split():
             case ["cwd"]:
                 return str(Path.cwd())
@@ -216,7 +225,7 @@ class Expansion:
         except FileNotFoundError as error:
             raise Refused(str(error)) from None
         return load_yaml(
-            data, label(path), lambda text: float(evaluate(text, Names(self.symbols.__getitem__), METHODS))
+            data, label(path), lambda text: float(evaluate(text, Names(self.symbols.__getitem__)))
         )
 
 

@@ -61,11 +61,10 @@ def xml_text(data: bytes, file: str) -> XmlText:
     InputError: the declared encoding is not one that is read, or the bytes are none of its text; with the
         place.
     """
-    text, warnings = _decoded(data, file)
-    text, warning = _with_declaration_first(_with_plain_ends(text), file)
-    warnings += warning
-    text, warning = _with_plain_comments(text, file)
-    return XmlText(text, (*warnings, *warning))
+    warnings: list[tuple[Place, str]] = []
+    text = _with_declaration_first(_with_plain_ends(_decoded(data, file, warnings)), file, warnings)
+    text = _with_plain_comments(text, file, warnings)
+    return XmlText(text, tuple(warnings))
 
 
 def load_encodings() -> None:
@@ -74,7 +73,7 @@ def load_encodings() -> None:
         codecs.lookup(name)
 
 
-def _decoded(data: bytes, file: str) -> tuple[str, list[tuple[Place, str]]]:
+def _decoded(data: bytes, file: str, warnings: list[tuple[Place, str]]) -> str:
     mark = next((mark for mark in _MARKS if data.startswith(mark)), b"")
     wide = _WIDE.match(data)
     by_bytes = _MARKS.get(mark) or (wide.lastgroup if wide else None) or ""
@@ -84,7 +83,7 @@ def _decoded(data: bytes, file: str) -> tuple[str, list[tuple[Place, str]]]:
     declaration = _DECLARATION.match(head)
     stated = declaration and declaration[2] and _ENCODING.search(declaration[2])
     if not stated:
-        return _decode(data, by_bytes or "utf_8", "", file), []
+        return _decode(data, by_bytes or "utf_8", "", file)
     assert declaration is not None
     name, where = stated[1], _place(head, declaration.start(2) + stated.start(1), file)
     codec = normalize_encoding(name).lower()
@@ -99,7 +98,8 @@ def _decoded(data: bytes, file: str) -> tuple[str, list[tuple[Place, str]]]:
         )
     if by_bytes == "utf_8" and codec != "utf_8":
         words = f"the file declares {shown(name)} and begins with the byte order mark of UTF-8: read as UTF-8"
-        return _decode(data, by_bytes, "", file), [(where, words)]
+        warnings.append((where, words))
+        return _decode(data, by_bytes, "", file)
     if by_bytes.startswith("utf_16") != codec.startswith("utf_16") or (
         by_bytes and codec not in (by_bytes, "utf_16", "utf_8")
     ):
@@ -109,10 +109,9 @@ def _decoded(data: bytes, file: str) -> tuple[str, list[tuple[Place, str]]]:
             found=f"{shown(name)}, and text in {'UTF-16' if by_bytes else 'characters of one byte'}",
             remedy="correct the declaration, or save the file as UTF-8",
         )
-    text = _decode(data, by_bytes or codec, name, file)
     if codec == "utf_16" and not mark:
-        return text, [(where, "a file in UTF-16 has no byte order mark, which is not XML by the letter")]
-    return text, []
+        warnings.append((where, "a file in UTF-16 has no byte order mark, which is not XML by the letter"))
+    return _decode(data, by_bytes or codec, name, file)
 
 
 def _decode(data: bytes, codec: str, declared: str, file: str) -> str:
@@ -142,26 +141,22 @@ def _place(text: str, offset: int, file: str) -> Place:
     return Place(file, text.count("\n", 0, offset) + 1, offset - text.rfind("\n", 0, offset))
 
 
-def _with_declaration_first(text: str, file: str) -> tuple[str, list[tuple[Place, str]]]:
+def _with_declaration_first(text: str, file: str, warnings: list[tuple[Place, str]]) -> str:
     """``text`` with blanks in place of a declaration that is not at its beginning."""
     match = _DECLARATION.match(text)
     if match is None or not match[1] or not (match[2] or "\ufeff" in match[1]):
-        return text, []
-    blank = re.sub(r"[^\n]", " ", match[0])
+        return text
+    start = match.start(2) if match[2] else text.index("\ufeff")
+    words = "a byte order mark that is not at the beginning is not XML by the letter"
     if match[2]:
-        where = _place(text, match.start(2), file)
         words = "something stands before <?xml, which is not XML by the letter: other readers refuse the file"
-    else:
-        where = _place(text, text.index("\ufeff"), file)
-        words = "a byte order mark that is not at the beginning is not XML by the letter"
-    return blank + text[match.end() :], [(where, words)]
+    warnings.append((_place(text, start, file), words))
+    return re.sub(r"[^\n]", " ", match[0]) + text[match.end() :]
 
 
-def _with_plain_comments(text: str, file: str) -> tuple[str, list[tuple[Place, str]]]:
+def _with_plain_comments(text: str, file: str, warnings: list[tuple[Place, str]]) -> str:
     """``text`` with ``=`` in place of the hyphens in comments that have two in a row, or one at the end."""
-    parts, end = [], 0
-    wrong = []
-    position = 0
+    parts, wrong, end, position = [], [], 0, 0
     while opening := _OPENING.search(text, position):
         begin = opening.end()
         close = text.find(_CLOSING[opening[0]], begin)
@@ -175,7 +170,8 @@ def _with_plain_comments(text: str, file: str) -> tuple[str, list[tuple[Place, s
             parts += [text[end:begin], comment.replace("-", "=")]
             end = close
     if not wrong:
-        return text, []
+        return text
     others = f", here and in {len(wrong) - 1} more" if len(wrong) > 1 else ""
     words = f"hyphens in a row in a comment{others} are not XML by the letter: other readers refuse the file"
-    return "".join((*parts, text[end:])), [(_place(text, wrong[0], file), words)]
+    warnings.append((_place(text, wrong[0], file), words))
+    return "".join((*parts, text[end:]))
