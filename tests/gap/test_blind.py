@@ -6,7 +6,6 @@ import json
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -20,7 +19,7 @@ require_module("mujoco")
 
 from benchmarks.blind_arms.logs import effect  # noqa: E402
 from benchmarks.gap.blind import __main__ as blind  # noqa: E402
-from benchmarks.gap.blind.grade import contact, status, values  # noqa: E402
+from benchmarks.gap.blind.grade import status, values  # noqa: E402
 from benchmarks.gap.blind.identification import (  # noqa: E402
     _truth,
     described,
@@ -28,7 +27,7 @@ from benchmarks.gap.blind.identification import (  # noqa: E402
     numbers,
 )
 from benchmarks.gap.blind.published import intervals_table, names_table, published, renewed  # noqa: E402
-from benchmarks.gap.blind.summary import coverage, intervals, names  # noqa: E402
+from benchmarks.gap.blind.summary import names  # noqa: E402
 from benchmarks.gap.blind.trials import ALL_ARMS, KINDS, Trial, arm_of, model_of, trials  # noqa: E402
 
 
@@ -82,26 +81,6 @@ def test_values_beside_the_true_ones() -> None:
     tool = effect("payload", None, mass=2.0, com=(0.01, 0.02, 0.03))
     (row,) = values(finding("payload", None, com_y=(0.02, 0.001)), tool)
     assert row[3] == 0.02
-
-
-def test_coverage() -> None:
-    row = {
-        "values": [["a", 1.0, 0.1, 1.1], ["a", 1.0, 0.1, 1.5], ["a", 1.0, 0.0, 1.1], ["a", 1.0, None, 1.1]]
-    }
-    assert coverage([row])["a"] == pytest.approx([1.0, 5.0, np.inf])
-    assert "a: 3, 33 %, 5.0, inf" in intervals([row])
-    exact = {"values": [["a", 1.0, 0.0, 1.0]]}
-    assert coverage([exact])["a"] == [0.0]
-
-
-def test_contacts() -> None:
-    push = effect("external_contact", None, start=1.0, end=1.5, link=6, force_x=3.0, force_y=0.0, force_z=4.0)
-    seen = finding(
-        "external_contact", None, start=(1.1, 0.1), end=(1.5, 0.1),
-        force_x=(-3.0, 1.0), force_y=(0.0, 1.0), force_z=(-4.0, 1.0),
-    )  # fmt: skip
-    off = contact(seen, push)
-    assert off == pytest.approx({"start": 0.1, "end": 0.0, "angle": 180.0, "ratio": 1.0})
 
 
 def test_a_push_counts_once_in_each_log_and_at_its_time() -> None:
@@ -174,25 +153,6 @@ def test_a_run_goes_on_where_it_stopped(tmp_path: Path, monkeypatch: pytest.Monk
     assert len(ran) == len(set(ran)) == 5
     rows = [json.loads(line) for line in file.read_text().splitlines()]
     assert names(rows) == "null: 5: silent 5 (100 %); 1 s (median), 1 s"
-
-
-def test_numbers_of_what_is_named_are_no_trials_of_names(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    asked = []
-
-    def diagnosed(*logs: Any, only: Any) -> None:
-        asked.append(only)
-
-    monkeypatch.setattr(blind, "logs_of", lambda trial, cache: SimpleNamespace(given=0, train=0, validate=0))
-    monkeypatch.setattr(blind, "diagnose", diagnosed)
-    monkeypatch.setattr(blind, "graded", lambda hidden, diagnosis: {"status": "right", "values": []})
-    file = tmp_path / "rows.jsonl"
-    for more in (["--named"], ["--named"], []):
-        blind.main(["near", "--effects", "spring", "--arms", "ur5", "-o", str(file), *more])
-    assert asked == [("spring",), ()]
-    rows = [json.loads(line) for line in file.read_text().splitlines()]
-    assert published(rows)["names"] == {"near": {"right": 1}}
 
 
 def test_identified_numbers_stand_beside_the_true_ones() -> None:

@@ -17,7 +17,7 @@ require_module("pinocchio")
 from benchmarks.gap import __main__ as gap  # noqa: E402
 from benchmarks.gap.robots import ARMS  # noqa: E402
 from benchmarks.gap.tables import markdown, table  # noqa: E402
-from benchmarks.gap.tools import TOOLS, Tool, _inside, measured  # noqa: E402
+from benchmarks.gap.tools import Tool, _inside, measured  # noqa: E402
 
 
 def test_a_run_measures_what_is_asked_for_and_keeps_the_rest(tmp_path: Path) -> None:
@@ -68,8 +68,3 @@ def test_time_and_memory_are_those_of_the_command() -> None:
     with pytest.raises(RuntimeError, match="exit code 2: wrong"):
         measured([sys.executable, "-c", "import sys; print('wrong', file=sys.stderr); sys.exit(2)"])
     measured([sys.executable, "-c", "import sys; sys.exit(4)"])
-
-
-def test_tools_are_told_apart() -> None:
-    assert len({tool.key for tool in TOOLS}) == len(TOOLS)
-    assert {tool.key for tool in TOOLS if tool.ours} == {"identify", "diagnose"}

@@ -1,4 +1,4 @@
-"""The tool that scores pushes: what it draws, and what it says of windows that are right, wrong or none."""
+"""The tools that score pushes, and joints flipped and exchanged: what they draw, what they say of answers."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from benchmarks.blind_arms.pushed import Push, Pushed
+from benchmarks.gap.flips import answer, wrong
 from benchmarks.gap.pushes import angle, graded, overlap, pushed_by, run, summary, untouched
 
 from robodyn.identify.contact.contact import Contact
@@ -64,3 +65,22 @@ def test_effects_are_hidden_where_nobody_pushes() -> None:
     assert hidden.startswith("viscous_friction@")
     assert log.pushes == ()
     assert log.given.links[1].mass != load("puma560_3dof", warn=lambda _: None).links[1].mass
+
+
+def test_each_joint_is_flipped_and_exchanged_with_the_next() -> None:
+    log = pushed_by("puma560_3dof", "calm", 1).log
+    changed = list(wrong(log))
+    assert [what for what, _, _ in changed].count("tau flipped") == 3
+    assert [what for what, _, _ in changed].count("q exchanged") == 2
+    _, remedy, other = changed[1]
+    assert remedy == "change the sign of tau1"
+    np.testing.assert_array_equal(other.tau[:, 0], -log.tau[:, 0])
+    np.testing.assert_array_equal(other.q, log.q)
+
+
+def test_answers_are_scored_by_their_remedy() -> None:
+    pushed = pushed_by("puma560_3dof", "calm", 1)
+    _, remedy, other = next(x for x in wrong(pushed.log) if x[0] == "tau flipped")
+    assert answer(other, pushed.given, remedy) == "right"
+    assert answer(other, pushed.given, "change the sign of tau9") == "wrong"
+    assert answer(pushed.log, pushed.given, remedy) == "missed"

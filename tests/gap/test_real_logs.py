@@ -69,23 +69,6 @@ def test_the_regressor_is_that_of_the_described_arm() -> None:
     assert len(base_columns(model)) < 10 * robot.n - 9
 
 
-def test_blocks_divide_a_log() -> None:
-    fitted, held_out = blocks(1000)
-    assert not (fitted & held_out).any()
-    assert (fitted.sum(), held_out.sum()) == (690, 290)
-    assert not (fitted | held_out)[[*range(10), *range(990, 1000)]].any()
-    assert (np.diff(held_out.astype(int)) == 1).sum() == 10
-
-
-def test_a_filter_that_looks_both_ways_delays_nothing() -> None:
-    t = np.arange(2000) / 500
-    q = np.column_stack([np.sin(4 * t), np.cos(3 * t)])
-    m = motion(Recording("", t, q, q), 20.0)
-    inner = slice(200, -200)
-    assert np.abs(m.q - q)[inner].max() < 1e-6
-    assert np.abs(m.qdd + q * [16, 9])[inner].max() < 1e-2
-
-
 def test_uneven_samples_need_a_raster() -> None:
     log = read(REAL / "servo" / "xl330_kp400_lift_and_drop.csv")
     with pytest.raises(ValueError, match="need a raster"):

@@ -75,25 +75,6 @@ def test_words_may_stand_in_columns_that_are_not_read(tmp_path: Path) -> None:
     assert log.q[:, 0].tolist() == [1.5, 2.5]
 
 
-@pytest.mark.parametrize(
-    ("content", "message"),
-    [
-        ("t;q1;tau1\n0;1;2\n1;2;x\n", "log.csv:3:5: the cell is not a number; found 'x'"),
-        ("t;q1;tau1\n0;1;2\n1;2,000.5;3\n", "log.csv:3:3: the cell is not a number"),
-        ("# c\nt;q1;tau1\n0;1;2\n1;2;3\n# d\n1;2\n", "log.csv:6: the line has another number of cells"),
-        ("t;q1;q1;tau1\n0;1;2;3\n1;2;3;4\n", "two columns with the same name; found q1"),
-    ],
-)
-def test_places_are_those_of_the_file(
-    content: str, message: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    Path("log.csv").write_text(content)
-    with pytest.raises(InputError) as caught:
-        read_log("log.csv")
-    assert message in str(caught.value)
-
-
 def test_dialects_hold_beyond_the_first_block(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(text_format, "BLOCK", 64)
     path = tmp_path / "log.csv"

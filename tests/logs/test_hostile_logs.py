@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import io
-import itertools
 import os
 import random
 import sys
@@ -15,9 +14,8 @@ import numpy as np
 import pytest
 
 from logs.test_log import complaint, made, same
-from robodyn.errors import InputError, Place, ToolError
+from robodyn.errors import InputError, ToolError
 from robodyn.logs import recording
-from robodyn.logs.columns import layout_of
 from robodyn.logs.formats import text as text_format
 from robodyn.logs.log import read_log
 from robodyn.simulate.trajectories import from_file
@@ -53,26 +51,6 @@ def test_whatever_is_changed_in_a_file_it_is_read_or_refused(tmp_path: Path) -> 
         path.write_bytes(data)
         with contextlib.suppress(InputError):
             assert read_log(path).samples == ROWS
-
-
-def test_all_that_pyarrow_writes_is_read(tmp_path: Path) -> None:
-    pyarrow, parquet = require_module("pyarrow"), require_module("pyarrow.parquet")
-    path = tmp_path / "log.parquet"
-    steps = np.arange(ROWS)
-    columns = {"t": TIMES, "q1": np.zeros(ROWS), "tau1": steps.astype("i1"), "on": ["x"] * ROWS}
-    for compression, version, dictionary, page, group in itertools.product(
-        ("none", "snappy", "zstd"), ("1.0", "2.0"), (True, False), (None, 64), (None, 7)
-    ):
-        parquet.write_table(
-            pyarrow.table(columns), path, compression=compression, data_page_version=version,
-            use_dictionary=dictionary, data_page_size=page, row_group_size=group,
-        )  # fmt: skip
-        assert read_log(path).tau[:, 0].tolist() == steps.tolist()
-    for encoding in ("DELTA_BINARY_PACKED", "BYTE_STREAM_SPLIT", "PLAIN"):
-        for rows in (1, 2, 33, ROWS):
-            table = pyarrow.table(dict.fromkeys(("t", "q1", "tau1"), steps[:rows]))
-            parquet.write_table(table, path, use_dictionary=False, column_encoding=encoding)
-            assert read_log(path).samples == rows
 
 
 def test_parquet_is_the_same_log(tmp_path: Path) -> None:
@@ -115,20 +93,6 @@ def test_parquet_without_pyarrow(monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 
 
 # --- text -------------------------------------------------------------------------------------------------
-
-
-class Names(list[str]):
-    """Names of columns that do not let themselves be searched once for each of them."""
-
-    def count(self, _: object) -> int:
-        pytest.fail("every name is counted in all others")
-
-
-def test_names_of_columns_are_gone_through_once() -> None:
-    layout = layout_of(Names(["t", "q1", "tau1", *["x"] * 1000]), None, Place("log.csv"))
-    assert len(layout.ignored) == 1000
-    with pytest.raises(InputError, match="columns with the same name; found q1"):
-        layout_of(Names(["t", "q1", "tau1", "q1", "x", "x"]), None, Place("log.csv"))
 
 
 def test_half_a_million_columns(tmp_path: Path) -> None:

@@ -8,8 +8,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
 
 from logs.files_of_logs import bag, read_in_this_process, write
 from robodyn.errors import InputError
@@ -77,24 +75,6 @@ def test_every_format(kind: str, tmp_path: Path) -> None:
     whole = read_log(path, 3, mapping=mapping)
     for most in (1, 100, K, 10**9):
         same(whole, list(pieces(path, 3, mapping=mapping, most=most)), most)
-
-
-@pytest.mark.thorough
-@settings(deadline=None, max_examples=40, suppress_health_check=[HealthCheck.function_scoped_fixture])
-@given(most=st.integers(1, 500), block=st.integers(1, 4000), linked=st.booleans(), units=st.booleans())
-def test_every_length_of_a_piece(
-    most: int, block: int, linked: bool, units: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(text_format, "BLOCK", block)
-    log = a_log(120, linked)
-    path = tmp_path / "log.csv"
-    lines = log.csv().splitlines()
-    if units:
-        lines.insert(1, ",".join(["s", *3 * ["deg"], *3 * ["deg/s"], *3 * ["N m"], *["deg"] * linked]))
-    path.write_text("\n".join([*lines, ""]), encoding="utf-8")
-    whole = read_log(path)
-    assert whole.q[0, 0] == pytest.approx(np.deg2rad(log.q[0, 0]) if units else log.q[0, 0], rel=1e-15)
-    same(whole, list(pieces(path, most=most)), most)
 
 
 def test_two_files_of_the_same_samples(tmp_path: Path) -> None:
@@ -187,26 +167,6 @@ def test_dates_count_from_the_first_sample(unit: str, tmp_path: Path) -> None:
     same(whole, list(pieces(path, 1, mapping=mapping, most=70)), 70)
     path.write_text(path.read_text(encoding="utf-8").replace("when", "t"), encoding="utf-8")
     assert read_log(path, 1).date == (1777809600.0 if unit == "s" else None)
-
-
-def test_what_is_wrong_is_said_as_of_the_whole(tmp_path: Path) -> None:
-    path = tmp_path / "log.csv"
-    lines = a_log().csv().splitlines()
-    for text in (
-        "\n".join([*lines[:300], lines[300].replace(",", ",x", 1), *lines[301:]]),
-        "\n".join([*lines[:300], "1,2", *lines[301:]]),
-        lines[0] + "\n",
-        "t,q1\n",
-        "",
-    ):
-        path.write_text(text, encoding="utf-8")
-        with pytest.raises(InputError) as of_whole:
-            read_log(path, 3)
-        with pytest.raises(InputError) as of_pieces:
-            list(pieces(path, 3, most=40))
-        assert str(of_pieces.value) == str(of_whole.value)
-    with pytest.raises(InputError, match="one sample or more"):
-        list(pieces(path, 3, most=0))
 
 
 @pytest.mark.thorough

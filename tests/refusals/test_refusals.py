@@ -1,4 +1,4 @@
-"""What the readers of descriptions, projects, fleets, maps and numbers refuse: each text with its message."""
+"""What readers of descriptions, projects, fleets, maps, logs, motions and numbers refuse, text by text."""
 
 from __future__ import annotations
 
@@ -11,10 +11,12 @@ import pytest
 
 from robodyn.errors import InputError
 from robodyn.fleet.sources.reading import read_fleet
+from robodyn.logs.log import read_log
 from robodyn.logs.mapping import map_of_columns, map_of_text
 from robodyn.project.lock import read_lock
 from robodyn.project.reading import read_project
 from robodyn.robot import numbers, read_text
+from robodyn.simulate.trajectories import from_file
 from robodyn_cli.project_keys import project_keys
 from robodyn_testing.clocks import calls_of
 from robodyn_testing.refusals import Reader, differences, refusals, write
@@ -58,14 +60,26 @@ def _manifest(text: str, folder: Path) -> None:
     read_fleet(folder)
 
 
+def _log(text: str, folder: Path) -> None:
+    (folder / "log.csv").write_text(text, encoding="utf-8", newline="")
+    read_log(folder / "log.csv")
+
+
+def _motion(text: str, folder: Path) -> None:
+    (folder / "m.csv").write_text(text, encoding="utf-8")
+    from_file(folder / "m.csv")
+
+
 READERS: dict[str, Reader] = {
     "columns": lambda text, _: map_of_columns(text),
     "description": _description,
     "effects": _description,
     "fleet": _fleet,
     "lock": _lock,
+    "log": _log,
     "manifest": _manifest,
     "map": lambda text, _: map_of_text(text, "map.yaml"),
+    "motion": _motion,
     "name": lambda text, _: numbers.parse(text, names=True),
     "number": _number,
     "project": _project,

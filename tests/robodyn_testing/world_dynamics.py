@@ -13,11 +13,14 @@ from fractions import Fraction
 from typing import Any
 
 import mpmath
+import numpy as np
+from numpy.typing import NDArray
 
 from robodyn.robot.model import EffectEntry, Inertia, Link, Robot
 from robodyn.robot.values import Affine, Angle, Value
 
-Vector = list[Any]
+#: Of numbers in many digits.
+Vector = NDArray[Any]
 
 
 def number(value: Value, parameters: Mapping[str, Any]) -> Any:
@@ -26,26 +29,6 @@ def number(value: Value, parameters: Mapping[str, Any]) -> Any:
         terms = [number(factor, {}) * parameters[name] for name, factor in value.terms]
         return sum(terms, number(value.constant, {}))
     return mpmath.mpf(value.numerator) / value.denominator
-
-
-def cross(u: Vector, v: Vector) -> Vector:
-    return [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
-
-
-def plus(*vectors: Vector) -> Vector:
-    return [sum(parts) for parts in zip(*vectors, strict=True)]
-
-
-def times(k: Any, u: Vector) -> Vector:
-    return [k * x for x in u]
-
-
-def dot(u: Vector, v: Vector) -> Any:
-    return sum(x * y for x, y in zip(u, v, strict=True))
-
-
-def matrix_vector(R: list[Vector], u: Vector) -> Vector:
-    return [dot(row, u) for row in R]
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,82 +72,76 @@ def loads(
     def scalar(value: Value) -> Any:
         return number(value, named)
 
-    R = [[mpmath.mpf(r == c) for c in range(3)] for r in range(3)]
-    p: Vector = [mpmath.mpf(0)] * 3
-    w, alpha, a = ([mpmath.mpf(0)] * 3 for _ in range(3))
+    R, p = np.array([[mpmath.mpf(r == c) for c in range(3)] for r in range(3)]), _vector(0, 0, 0)
+    w, alpha, a = _vector(0, 0, 0), _vector(0, 0, 0), _vector(0, 0, 0)
+    gravity = _vector(*map(scalar, robot.base_gravity))
     axes, origins, frames, turning, bodies = [], [], [], [], []
     for i, link in enumerate(robot.links):
         joint = link.joint
         turns = joint.kind == "revolute"
-        R_x = _turned(R, *_fixed(joint.alpha), about_x=True)
+        x = R[:, 0]
+        R = R @ _about_x(*_fixed(joint.alpha))
+        z = R[:, 2]
         d = scalar(joint.d) + (0 if turns else q[i])
-        z = [row[2] for row in R_x]
-        x, y = [row[0] for row in R], [row[1] for row in R_x]
-        step = plus(times(scalar(joint.a), x), times(scalar(joint.b), y), times(d, z))
+        step = scalar(joint.a) * x + scalar(joint.b) * R[:, 1] + d * z
         # A frame's origin moves with the frame before it, and along its own axis where it slides.
-        a = plus(a, cross(alpha, step), cross(w, cross(w, step)))
-        p = plus(p, step)
+        a = a + np.cross(alpha, step) + np.cross(w, np.cross(w, step))
+        p = p + step
         if turns:
-            alpha = plus(alpha, times(qdd[i], z), cross(w, times(qd[i], z)))
-            w = plus(w, times(qd[i], z))
+            alpha = alpha + qdd[i] * z + np.cross(w, qd[i] * z)
+            w = w + qd[i] * z
         else:
-            a = plus(a, times(qdd[i], z), times(2 * qd[i], cross(w, z)))
-        R = _turned(R_x, *(_sum(joint.theta, q[i]) if turns else _fixed(joint.theta)), about_x=False)
+            a = a + qdd[i] * z + 2 * qd[i] * np.cross(w, z)
+        R = R @ _about_z(*(_sum(joint.theta, q[i]) if turns else _fixed(joint.theta)))
         axes.append(z)
         origins.append(p)
-        frames.append([list(column) for column in zip(*R, strict=True)])
+        frames.append(R.T)
         turning.append(turns)
         solids = [_body(link, robot.effects_at(i + 1), scalar)]
         if i == robot.n - 1:
             solids += [_payload(e, scalar) for e in robot.effects if e.effect == "payload"]
-        for mass, com, rows in solids:
-            r = matrix_vector(R, com)
-            gravity = [scalar(x) for x in robot.base_gravity]
-            a_com = plus(a, cross(alpha, r), cross(w, cross(w, r)))
-            force = times(mass, plus(a_com, times(-1, gravity)))
-            own = frames[-1]  # R transposed
-
-            def inertia(u: Vector, R: Any = R, rows: Any = rows, own: Any = own) -> Vector:
-                return matrix_vector(R, matrix_vector(rows, matrix_vector(own, u)))
-
-            moment = plus(inertia(alpha), cross(w, inertia(w)))
-            bodies.append((i, plus(p, r), force, moment))
+        for mass, com, tensor in solids:
+            r, inertia = R @ com, R @ tensor @ R.T
+            force = mass * (a + np.cross(alpha, r) + np.cross(w, np.cross(w, r)) - gravity)
+            bodies.append((p + r, force, inertia @ alpha + np.cross(w, inertia @ w)))
     loads = Loads([], [], [])
     for j in range(robot.n):
-        total, about = [mpmath.mpf(0)] * 3, [mpmath.mpf(0)] * 3
-        for i, where, force, moment in bodies:
-            if i >= j:
-                total = plus(total, force)
-                about = plus(about, moment, cross(plus(where, times(-1, origins[j])), force))
-        loads.tau.append(dot(axes[j], about if turning[j] else total))
-        loads.f.append(matrix_vector(frames[j], total))
-        loads.n.append(matrix_vector(frames[j], about))
+        beyond = bodies[j:]  # of the last link also its payloads
+        total = sum((force for _, force, _ in beyond), _vector(0, 0, 0))
+        moment = sum((m + np.cross(at - origins[j], f) for at, f, m in beyond), _vector(0, 0, 0))
+        loads.tau.append(axes[j] @ (moment if turning[j] else total))
+        loads.f.append(frames[j] @ total)
+        loads.n.append(frames[j] @ moment)
     return loads
 
 
-Solid = tuple[Any, Vector, list[Vector]]
+Solid = tuple[Any, Vector, Vector]
+
+
+def _vector(*numbers: Any) -> Vector:
+    return np.array([x + mpmath.mpf(0) for x in numbers])
 
 
 def _body(link: Link, effects: Sequence[EffectEntry], scalar: Callable[[Value], Any]) -> Solid:
     """Mass, centre of mass and tensor of a link, with what its description says they are off by."""
-    mass, com, tensor = scalar(link.mass), [scalar(x) for x in link.com], _rows(link.inertia, scalar)
+    mass, com, tensor = scalar(link.mass), _vector(*map(scalar, link.com)), _tensor(link.inertia, scalar)
     for e in effects:
         if e.effect == "inertial_error":
             mass += scalar(e["delta_mass"])
-            com = [x + scalar(e[f"delta_com_{axis}"]) for x, axis in zip(com, "xyz", strict=True)]
+            com = com + _vector(*(scalar(e[f"delta_com_{axis}"]) for axis in "xyz"))
             error = Inertia(*(e[f"delta_{axes}"] for axes in ("xx", "yy", "zz", "xy", "xz", "yz")))
-            tensor = [plus(u, v) for u, v in zip(tensor, _rows(error, scalar), strict=True)]
+            tensor = tensor + _tensor(error, scalar)
     return mass, com, tensor
 
 
 def _payload(e: EffectEntry, scalar: Callable[[Value], Any]) -> Solid:
-    tensor = _rows(e["inertia"] if "inertia" in e else Inertia(), scalar)
-    return scalar(e["mass"]), [scalar(x) for x in e["com"]], tensor
+    tensor = _tensor(e["inertia"] if "inertia" in e else Inertia(), scalar)
+    return scalar(e["mass"]), _vector(*map(scalar, e["com"])), tensor
 
 
-def _rows(tensor: Inertia, scalar: Callable[[Value], Any]) -> list[Vector]:
-    rows = (tensor.xx, tensor.xy, tensor.xz), (tensor.xy, tensor.yy, tensor.yz)
-    return [[scalar(x) for x in row] for row in (*rows, (tensor.xz, tensor.yz, tensor.zz))]
+def _tensor(i: Inertia, scalar: Callable[[Value], Any]) -> Vector:
+    rows = (i.xx, i.xy, i.xz), (i.xy, i.yy, i.yz), (i.xz, i.yz, i.zz)
+    return np.array([_vector(*map(scalar, row)) for row in rows])
 
 
 def _fixed(angle: Angle) -> tuple[Any, Any]:
@@ -181,10 +158,12 @@ def _sum(offset: Angle, variable: Any) -> tuple[Any, Any]:
     return c * e - s * f, s * e + c * f
 
 
-def _turned(R: list[Vector], c: Any, s: Any, *, about_x: bool) -> list[Vector]:
-    if about_x:
-        return [[x, c * y + s * z, c * z - s * y] for x, y, z in R]
-    return [[c * x + s * y, c * y - s * x, z] for x, y, z in R]
+def _about_x(c: Any, s: Any) -> Vector:
+    return np.array([_vector(1, 0, 0), _vector(0, c, -s), _vector(0, s, c)])
+
+
+def _about_z(c: Any, s: Any) -> Vector:
+    return np.array([_vector(c, -s, 0), _vector(s, c, 0), _vector(0, 0, 1)])
 
 
 def direction(robot: Robot, speed: Any) -> Any:

@@ -98,37 +98,6 @@ def test_a_halt_within_a_long_step_is_not_missed() -> None:
     assert made.counters["events"] == 2
 
 
-def belt(cycles: int) -> list[float]:
-    """When a block on a belt lets go and sticks again, by another integrator."""
-    integrate = require_module("scipy.integrate")
-
-    def still(t: float, x: Floats) -> float:
-        return float(x[1])
-
-    still.terminal, still.direction = True, -1  # type: ignore[attr-defined]
-    t, y, times = 0.75, 0.0, []
-    for _ in range(cycles):
-        slip = integrate.solve_ivp(
-            lambda t, x: [x[1], 10 * (0.2 * t - x[0]) - 0.8 - 0.7 * np.exp(-((x[1] / 0.1) ** 2))],
-            (t, t + 5), [y, 1e-12], events=still, rtol=1e-12, atol=1e-14, method="DOP853",
-        )  # fmt: skip
-        y = slip.y[0, -1]
-        times += [t, slip.t[-1]]
-        t = (0.15 + y) / 0.2
-    return times
-
-
-@pytest.mark.parametrize(
-    ("options", "most"), [(METHODS[0], 5e-3), (METHODS[1], 1e-3)], ids=["rk4", "adaptive"]
-)
-def test_stick_slip_on_a_belt(options: dict[str, Any], most: float) -> None:
-    """Friction falls with the speed, so each slip ends in sticking and begins at the level at rest."""
-    made = block(0.0, 10.0, [0.2, 10, 1.5, 0.8, 0.1, 0, 0], **{**options, "sample_period": 1e-3})
-    changes = made.t[np.nonzero(np.diff(made.s[:, 0]))[0] + 1]
-    np.testing.assert_allclose(changes, belt(4), atol=1e-3 + most)
-    assert len(changes) == 8
-
-
 def accelerations(M: Floats, levels: Floats, load: Floats, v: Floats, most: float) -> Floats:
     """By least squares within bounds: at rest the multipliers take off as much acceleration as they can."""
     optimize = require_module("scipy.optimize")

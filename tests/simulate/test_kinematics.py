@@ -9,8 +9,6 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from robodyn.dynamics.arm import Motion, build_arm
-from robodyn.dynamics.kinematics import frames, jacobian, jacobian_rate
 from robodyn.errors import InputError
 from robodyn.robot import load
 from robodyn.robot.model import Placement, Robot
@@ -97,27 +95,6 @@ def test_one_state_is_a_row_of_many() -> None:
             strict=True,
         ):
             np.testing.assert_array_equal(one, other)
-
-
-def test_exact_over_rationals() -> None:
-    """The recursion takes any scalar: a pose of 3-4-5 triangles keeps rotations orthogonal exactly."""
-    robot = arm("puma560")
-    exact = build_arm(robot, lambda x: x, lambda _: Fraction(0))
-    c, s = (Fraction(3, 5),) * 6, (Fraction(4, 5),) * 6
-    rates = tuple(Fraction(k, 7) for k in range(6))
-    motion = Motion(c, s, tuple(body.d for body in exact.bodies), rates, rates)
-    placed = frames(exact, motion)
-    for frame in placed:
-        R = frame.rotation()
-        for i in range(3):
-            for j in range(3):
-                assert sum(R[i][k] * R[j][k] for k in range(3)) == (i == j)
-    point = (Fraction(1), Fraction(2), Fraction(3))
-    q, qd = np.full(6, np.arctan2(4, 3)), np.array([float(x) for x in rates])
-    kinematics = Kinematics(robot, point=(1, 2, 3))
-    J, Jd = jacobian(exact, placed, point), jacobian_rate(exact, placed, rates, point)
-    np.testing.assert_allclose(np.array(J, dtype=float), kinematics.jacobian(q), atol=1e-14)
-    np.testing.assert_allclose(np.array(Jd, dtype=float), kinematics.jacobian_rate(q, qd), atol=1e-14)
 
 
 @pytest.mark.parametrize(

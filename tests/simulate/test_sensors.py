@@ -214,9 +214,3 @@ def test_other_numbers_that_are_refused() -> None:
     for bits in (0, 65):
         with pytest.raises(InputError, match="resolution of an encoder"):
             resolution_of(bits)
-
-
-def test_they_describe_themselves() -> None:
-    described = Sensors(position_noise=(0.1, 0.2), velocity="filtered", cutoff=10.0).describe()
-    assert described["position_noise"] == (0.1, 0.2)
-    assert (described["velocity"], described["cutoff"], described["order"]) == ("filtered", 10.0, 2)

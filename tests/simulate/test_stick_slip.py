@@ -6,7 +6,6 @@ import itertools
 from typing import Any
 
 import numpy as np
-import pytest
 
 from robodyn.robot.model import Robot
 from robodyn.simulate.simulation import Simulation, simulate
@@ -66,57 +65,23 @@ def test_each_pose_sticks_or_slides_as_its_weight_has_it() -> None:
     assert len(seen) >= 5
 
 
-@pytest.mark.parametrize("options", METHODS, ids=["rk4", "adaptive"])
-def test_what_its_friction_holds_is_still_for_five_seconds(options: dict[str, Any]) -> None:
+def test_what_its_friction_holds_is_still_for_five_seconds() -> None:
     """To the last bit."""
     Q = poses(300)
     _, gravity = peer(ROBOT, Q)
     part = (np.abs(gravity) / LEVELS).max(axis=1)
     held = Q[part < 1]
     assert len(held) > 5
-    for q in held[:12]:
+    for q, options in zip(held[:6], 3 * METHODS, strict=True):
         run = let_go(q, 5.0, **options)
         assert (run.q == q).all()
-        assert (run.qd == 0).all()
-        assert (run.qdd == 0).all()
-        assert (run.record.s == 0).all()
-        assert (run.record.loss == 0).all()
+        assert not any(x.any() for x in (run.qd, run.qdd, run.record.s, run.record.loss))
 
 
-@pytest.mark.parametrize("options", METHODS, ids=["rk4", "adaptive"])
-def test_a_millionth_of_the_level_decides(options: dict[str, Any]) -> None:
-    """A millionth below, joint 2 is still; a millionth above, it sags by half a period of the swing that the
-    change of its weight makes, and is still there."""
-
-    def weight(pose: Floats) -> float:
-        return float(peer(ROBOT, pose[None])[1][0, 1])
-
-    def weighing(size: float) -> Floats:
-        low, high = 0.3, 1.5  # the arm is lowered, its forearm level
-        for _ in range(60):
-            middle = (low + high) / 2
-            low, high = (middle, high) if -weight(np.array([0.3, middle, -middle])) > size else (low, middle)
-        return np.array([0.3, high, -high])
-
-    level = LEVELS[1]
-    below, above = weighing(level * (1 - 1e-6)), weighing(level * (1 + 1e-6))
-    assert (let_go(below, 5.0, **options).q == below).all()
-    run = let_go(above, 5.0, **options)
-    little = np.array([0, 1e-5, 0])
-    slope = (weight(above + little) - weight(above - little)) / 2e-5
-    sag = 2e-6 * level / abs(slope)
-    print(f"sagged by {abs(run.q[-1, 1] - above[1]):.6e} of {sag:.6e} rad")
-    assert slope > 0
-    assert abs(run.q[-1, 1] - above[1]) == pytest.approx(sag, rel=1e-3)
-    assert (run.q[:, [0, 2]] == above[[0, 2]]).all()
-    assert (run.qd[-1] == 0).all()
-
-
-@pytest.mark.parametrize("pose", [(2.7838, 0.0712, 2.9923), (0.0743, 2.8303, -2.2358)])
-def test_an_arm_that_falls_comes_to_rest_and_both_methods_say_where(pose: tuple[float, ...]) -> None:
+def test_an_arm_that_falls_comes_to_rest_and_both_methods_say_where() -> None:
     """Joints stop, are torn loose and stop again. Fixed steps let go a part of a step late, and what that
     moves the arm goes by the square of the delay."""
-    q = np.array(pose)
+    q = np.array([2.7838, 0.0712, 2.9923])
     exact = let_go(q, 5.0, sample_period=8e-3, **TIGHT)
     changes = (np.diff(exact.record.s, axis=0) != 0).sum(axis=0)
     assert (changes >= 2).all()

@@ -139,7 +139,7 @@ def test_trapezoid_keeps_limits_and_wastes_nothing(
     assert motion.describe()["time"] == pytest.approx(shortest)
 
 
-@pytest.mark.parametrize("knots", [3, 4, 5, 6, 9, 16, 17, 100])
+@pytest.mark.parametrize("knots", [3, 6, 100])
 def test_spline_of_any_number_of_knots(knots: int) -> None:
     """A polynomial of degree five is its own spline, on uneven knots too."""
     t = np.sort(np.random.default_rng(knots).random(knots)) * 3

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
 
 import numpy as np
@@ -53,30 +52,6 @@ def test_file_without_the_frills(tmp_path: Path) -> None:
     assert (motion.n, motion.t[0], motion.describe()["first"]) == (1, 0.0, 5.0)
     np.testing.assert_allclose(motion.qd[:, 0], 20 * np.arange(8), atol=1e-9)
     np.testing.assert_allclose(motion.qdd, 200, atol=1e-7)
-
-
-@pytest.mark.parametrize(
-    ("text", "message"),
-    [
-        ("", "m.csv:1: the file is empty"),
-        ("t;q1\n0;1\n", "m.csv:1: there is no column t, q1; found t;q1"),
-        ("t;q1\n0;1\n", "separate the columns by commas"),
-        ("t,q1,q3\n0,1,2\n", "m.csv:1: there is no column q2"),
-        ("t,q1,q1\n0,1,2\n", "m.csv:1: a column stands twice; found q1"),
-        ("t,q1,q2,qd1\n0,1,2,3\n", "m.csv:1: some columns of qd are missing"),
-        ("t,q1\n0,1\n", "m.csv:2: a motion needs samples; found 1"),
-        ("t,q1\n0,1\n\n1,x\n", "m.csv:4: q1 is not a finite number; found 'x'"),
-        ("t,q1\n0,1\n1,nan\n", "m.csv:3: q1 is not a finite number; found 'nan'"),
-        ("t,q1\n0,1\n1\n", "m.csv:3: a line of the wrong length; found 1 cells; expected 2"),
-        ("t,q1\n0,1\n1,1\n2.1,1\n3,1\n", "m.csv:4: the times are not even; found t = 2.1; expected 2:"),
-        ("t,q1\n0,1\n0,1\n", "m.csv:3: the times are not even; found t = 0; expected rising times"),
-        ("t,q1\n0,1\n1,1\n", "m.csv:3: too few samples to find the rates from; found 2"),
-    ],
-)
-def test_file_refused(tmp_path: Path, text: str, message: str) -> None:
-    (tmp_path / "m.csv").write_text(text, encoding="utf-8")
-    with pytest.raises(InputError, match=re.escape(message)):
-        from_file(tmp_path / "m.csv")
 
 
 def test_file_of_another_arm(tmp_path: Path) -> None:
