@@ -10,8 +10,8 @@ from robodyn import InputError, load
 from robodyn.counts import count
 from robodyn.counts.objective import Objective, operations_of
 from robodyn.ir import Input, Operation, Program
+from robodyn.optimize.fast import suited_variant
 from robodyn.optimize.programs import Choice, build
-from robodyn.optimize.slide import suited_variant
 from robodyn.search.space import Candidates, Space
 from robodyn.targets import TARGETS
 

@@ -22,8 +22,8 @@ from robodyn.dynamics.regroup import about_axis_x, lumps_of, moved_into, regroup
 from robodyn.errors import InputError
 from robodyn.ir import Input
 from robodyn.ir.evaluate import angle_form, evaluate_exact
+from robodyn.optimize.fast import slid
 from robodyn.optimize.programs import Choice, build, signature
-from robodyn.optimize.slide import slid
 from robodyn.passes import FRESH, run, units
 from robodyn.robot import Robot
 from robodyn.robot.values import circle_point

@@ -16,8 +16,8 @@ from robodyn.dynamics.functions import FUNCTIONS, Function
 from robodyn.dynamics.limits import FEW_JOINTS, MANY_JOINTS
 from robodyn.dynamics.weights import weighed
 from robodyn.ir import Graph, Program
+from robodyn.optimize.fast import centred
 from robodyn.optimize.programs import Choice, build, recursion_in
-from robodyn.optimize.slide import centred
 from robodyn.passes import FRESH, unchecked
 from robodyn.robot import Robot, load, read_text
 

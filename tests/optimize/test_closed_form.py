@@ -20,8 +20,8 @@ from robodyn.ir.fingerprint import fingerprint
 from robodyn.ir.lowering import lower
 from robodyn.optimize.closed_form import closed_forms, seeds
 from robodyn.optimize.closed_form.extraction import Extraction, Memory, Numbers, System, Taste
-from robodyn.optimize.closed_form.polynomial import Polynomial, Ring
 from robodyn.optimize.closed_form.scales import Scaling
+from robodyn.optimize.polynomial import Polynomial, Ring
 from robodyn.optimize.programs import exact, turned
 from robodyn.passes import FRESH, run
 from robodyn.robot import Robot

@@ -9,8 +9,8 @@ from robodyn.dynamics.arm import build_arm
 from robodyn.dynamics.equality import same_in_field
 from robodyn.ir.graph import Graph
 from robodyn.optimize import programs
+from robodyn.optimize.fast import centred
 from robodyn.optimize.programs import Choice, build
-from robodyn.optimize.slide import centred
 from robodyn.robot import read_text
 
 #: A slide with a parallel joint behind it, upside down, and an axis across before it.

@@ -15,11 +15,10 @@ from prune.limited import bundled, damaged, limited, random_limited
 from robodyn.ir import Graph, Input, Program
 from robodyn.ir.evaluate import evaluate_exact
 from robodyn.kernels.generate import Options, program
+from robodyn.optimize.polynomial import MOST, Bounded, constant
 from robodyn.optimize.programs import Choice, build
 from robodyn.optimize.prune.bounds import Expansions, proven_errors
-from robodyn.optimize.prune.box import Box, box_of
-from robodyn.optimize.prune.polynomial import MOST, Polynomial, constant
-from robodyn.optimize.prune.sampling import draw, largest, values
+from robodyn.optimize.prune.box import Box, box_of, draw, largest, values
 from robodyn.optimize.prune.supremum import Terms, _share, lower_estimate, proven, waves_of
 from robodyn.robot import Robot
 from robodyn.robot.values import circle_point
@@ -135,14 +134,14 @@ def test_rounding_is_counted() -> None:
         exact = (exact + Fraction(1, 3)) / 3
     assert abs(Fraction(total.terms[0].real) - exact) <= Fraction(total.rest)
     assert total.rest < 1e-14
-    large, small = (Polynomial({0: complex(x)}, 0.0, 0) for x in (1e16, 1.25))
+    large, small = (Bounded({0: complex(x)}, 0.0, 0) for x in (1e16, 1.25))
     back = large.plus(small).plus(large, -1)
     assert back.terms[0].real != 1.25  # it is gone
     assert abs(back.terms[0].real - 1.25) <= back.rest
 
 
 def test_a_key_never_runs_over() -> None:
-    x = Polynomial({1: 1 + 0j}, 0.0, 1)
+    x = Bounded({1: 1 + 0j}, 0.0, 1)
     power = x
     for _ in range(MOST - 1):
         power = power.times(x)

@@ -20,8 +20,7 @@ from robodyn.errors import InputError
 from robodyn.kernels.generate import Generated, Options, generate, program
 from robodyn.optimize.prune import PRUNED, PruneError, parse_tolerance, peaks_of, prune
 from robodyn.optimize.prune.bounds import proven_errors
-from robodyn.optimize.prune.box import box_of
-from robodyn.optimize.prune.sampling import draw, values
+from robodyn.optimize.prune.box import box_of, draw, values
 from robodyn.robot import Robot
 from robodyn.robot.model import Limits
 from robodyn_cli.main import main

@@ -20,7 +20,7 @@ from robodyn.ir import Input, Operation, Program
 from robodyn.ir.field import Field
 from robodyn.optimize.records import FOLDER, Record, best_record, identity
 from robodyn.optimize.records.adoption import adopted
-from robodyn.optimize.records.labels import function_key
+from robodyn.optimize.records.record import function_key
 from robodyn.optimize.records.rounding import Rounding
 from robodyn.robot import Robot
 from robodyn.robot.model import EffectEntry

@@ -11,8 +11,7 @@ import pytest
 
 from records.made import TOOL, arm, bundled
 from robodyn.optimize.records import bundled_records, identity, parse_record
-from robodyn.optimize.records.labels import function_key
-from robodyn.optimize.records.record import header
+from robodyn.optimize.records.record import function_key, header
 from robodyn.robot import Robot
 from robodyn.robot.model import Comparison, EffectEntry, Gear, Inertia, Joint, Limits, Link, Placement
 from robodyn.robot.values import Affine, angle, parameter, quarter_turns

@@ -17,7 +17,7 @@ from robodyn.dynamics.equality import equals_recursion
 from robodyn.ir import Input, Label, Program
 from robodyn.ir.field import Field
 from robodyn.ir.fingerprint import fingerprint
-from robodyn.optimize.records.labels import labelled
+from robodyn.optimize.records.record import labelled
 from robodyn.robot.values import circle_point
 from robodyn.search import climb as climbing
 from robodyn.search.climb import Climbed, climb

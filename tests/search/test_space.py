@@ -20,9 +20,9 @@ from robodyn.dynamics.equality import equals_recursion
 from robodyn.dynamics.lump import Lump
 from robodyn.ir import Program
 from robodyn.optimize.costing import Costing
+from robodyn.optimize.fast import suited_variant
 from robodyn.optimize.gauge import Unsuited, regrouped_as
 from robodyn.optimize.programs import Choice, build
-from robodyn.optimize.slide import suited_variant
 from robodyn.optimize.variant import LINK_VALUES, LinkVariant, Variant
 from robodyn.robot import Robot, read_text
 from robodyn.search.space import Candidates, Space

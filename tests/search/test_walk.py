@@ -24,7 +24,7 @@ from robodyn.ir import Input, Operation, Program
 from robodyn.ir.evaluate import evaluate
 from robodyn.ir.fingerprint import fingerprint
 from robodyn.optimize.records import parse_record
-from robodyn.optimize.records.labels import labelled
+from robodyn.optimize.records.record import labelled
 from robodyn.passes import SPELLING, run
 from robodyn.robot import Robot
 from robodyn.robot.values import circle_point

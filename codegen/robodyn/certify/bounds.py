@@ -19,8 +19,7 @@ from robodyn.ir.evaluate import evaluate
 from robodyn.ir.program import Input, Program
 from robodyn.ir.signature import Signature
 from robodyn.kernels.kernel import load
-from robodyn.optimize.prune.box import Box, box_of
-from robodyn.optimize.prune.sampling import largest
+from robodyn.optimize.prune.box import Box, box_of, largest
 from robodyn.tools.programs import GAPPA
 
 if TYPE_CHECKING:

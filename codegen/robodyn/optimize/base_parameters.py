@@ -32,8 +32,18 @@ from robodyn.optimize.lazy import (
     turned_x,
     turned_z,
 )
-from robodyn.optimize.link_rates import angular_acceleration, rates_along
-from robodyn.optimize.moments import Rates, Wrench, lumped, row_times, spin, spin_about, with_point, wrist
+from robodyn.optimize.moments import (
+    Rates,
+    Wrench,
+    angular_acceleration,
+    lumped,
+    rates_along,
+    row_times,
+    spin,
+    spin_about,
+    with_point,
+    wrist,
+)
 from robodyn.optimize.variant import LinkVariant, Variant
 
 

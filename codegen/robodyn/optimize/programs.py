@@ -41,9 +41,9 @@ from robodyn.optimize.choice import Choice as Choice
 from robodyn.optimize.choice import Inputs, Split, formulation_named, in_reading_order, iterated
 from robodyn.optimize.choice import choice_from as choice_from
 from robodyn.optimize.costing import exact as exact
+from robodyn.optimize.fast import centred, slid, suited_variant
 from robodyn.optimize.gauge import regrouped_as, with_displacements
 from robodyn.optimize.merging import MergingGraph
-from robodyn.optimize.slide import centred, slid, suited_variant
 from robodyn.robot.identity import identity
 from robodyn.robot.masses import require_masses
 from robodyn.robot.model import Robot

@@ -15,8 +15,7 @@ from robodyn.counts.objective import Objective, Operations
 from robodyn.dynamics.arm import Arm, build_arm
 from robodyn.dynamics.parallel import chained
 from robodyn.effects.scalars import is_zero
-from robodyn.optimize.costing import Costing, exact, operations
-from robodyn.optimize.factoring import saved
+from robodyn.optimize.costing import Costing, exact, operations, saved
 from robodyn.optimize.gauge import Unsuited
 from robodyn.optimize.tally import ADD, CALL, COS, INPUT, MUL, NUMBER, OFFSET, PRIME, SCALE, SIN, Tally, Value
 from robodyn.optimize.variant import LINK_VALUES, Variant

@@ -15,8 +15,8 @@ from dataclasses import dataclass
 
 from robodyn.counts.objective import Objective, operations_of
 from robodyn.ir.program import Program
+from robodyn.optimize.fast import suited_variant
 from robodyn.optimize.programs import Choice, build
-from robodyn.optimize.slide import suited_variant
 from robodyn.optimize.variant import Variant
 from robodyn.passes import FRESH, run
 from robodyn.robot.model import Robot

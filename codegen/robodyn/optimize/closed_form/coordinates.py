@@ -16,7 +16,7 @@ from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.effects.scalars import is_zero
 from robodyn.ir.evaluate import turn
 from robodyn.ir.graph import Graph
-from robodyn.optimize.closed_form.polynomial import Polynomial, Ring, Terms, terms_of
+from robodyn.optimize.polynomial import Polynomial, Ring, Terms, terms_of
 from robodyn.optimize.programs import exact, turned
 from robodyn.robot.model import Robot
 from robodyn.robot.values import Angle, quarter_turns

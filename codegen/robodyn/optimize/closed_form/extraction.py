@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 
-from robodyn.optimize.closed_form.polynomial import Monomial
+from robodyn.optimize.polynomial import Monomial
 from robodyn.optimize.tally import residue
 
 

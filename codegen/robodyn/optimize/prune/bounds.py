@@ -11,8 +11,8 @@ from robodyn.errors import InputError
 from robodyn.ir.graph import Graph, Node, Scalar
 from robodyn.ir.key import children
 from robodyn.ir.program import Input, Program
+from robodyn.optimize.polynomial import BITS, MOST, Bounded, constant
 from robodyn.optimize.prune.box import Box
-from robodyn.optimize.prune.polynomial import BITS, MOST, Polynomial, constant
 from robodyn.optimize.prune.supremum import Terms, proven, waves_of
 from robodyn.robot.values import circle_point
 
@@ -37,18 +37,18 @@ class Expansions:
     def __init__(self, graph: Graph, box: Box) -> None:
         self.graph, self.box = graph, box
         self._field: dict[Any, int] = {x: BITS * i for i, x in enumerate(box.inputs)}
-        self._polynomials: dict[int, Polynomial] = {}
+        self._polynomials: dict[int, Bounded] = {}
         self._first = len(graph.keys)
         self._terms = 0
 
-    def of(self, value: Scalar) -> Polynomial:
+    def of(self, value: Scalar) -> Bounded:
         """``value`` expanded."""
         if not isinstance(value, Node):
             return constant(Fraction(value))
         expansion = self.at(value.position)
         return expansion if value.sign > 0 else expansion.scaled(Fraction(-1))
 
-    def at(self, root: int) -> Polynomial:
+    def at(self, root: int) -> Bounded:
         """The value at position ``root`` expanded."""
         if self._terms > _REMEMBERED:
             self._forget()
@@ -81,13 +81,13 @@ class Expansions:
         self._polynomials = {p: value for p, value in self._polynomials.items() if p < self._first}
         self._terms = sum(len(value.terms) for value in self._polynomials.values())
 
-    def difference(self, one: Scalar, other: Scalar) -> Polynomial:
+    def difference(self, one: Scalar, other: Scalar) -> Bounded:
         """``one - other``."""
         if one == other:
             return constant(Fraction(0))
         return self.of(one).plus(self.of(other), -1)
 
-    def waves(self, error: Polynomial) -> tuple[Terms, float]:
+    def waves(self, error: Bounded) -> tuple[Terms, float]:
         """``error`` as waves of the angles, by (k, monomial of the other inputs), and what bounds the rest.
 
         Of squares half is a wave and the other half stays: x^2 is 1/2 give or take 1/2.
@@ -113,7 +113,7 @@ class Expansions:
         return terms, error.rest + _LOST * error.size
 
     def bound(
-        self, error: Polynomial, threshold: float, *, close: float = 1.01, hopeless: float = math.inf
+        self, error: Bounded, threshold: float, *, close: float = 1.01, hopeless: float = math.inf
     ) -> float:
         """A bound of ``error`` on the whole box, ``close`` times what it need be.
 
@@ -130,14 +130,14 @@ class Expansions:
                 break
         return best
 
-    def share(self, error: Polynomial, budget: float) -> float:
+    def share(self, error: Bounded, budget: float) -> float:
         """A bound of ``error`` as a share of ``budget``, for a search: close where it is near 1."""
         best = error.bound
         if best > 0.3 * budget:
             best = min(best, self.bound(error, budget, close=1.05, hopeless=1.35 * budget))
         return best / budget
 
-    def _operation(self, p: int, key: tuple[Any, ...]) -> Polynomial:
+    def _operation(self, p: int, key: tuple[Any, ...]) -> Bounded:
         cache, op = self._polynomials, key[0]
         if op == "input":
             return self._input(key[1])
@@ -153,30 +153,30 @@ class Expansions:
             return self._circle(op, key[1])
         if op in ("sign", "tanh"):
             field = self._field.setdefault(p, BITS * len(self._field))
-            return Polynomial({1 << field: 1 + 0j}, 0.0, 1)
+            return Bounded({1 << field: 1 + 0j}, 0.0, 1)
         raise InputError(
             "a program with divisions or roots cannot be pruned",
             found=op,
             remedy="choose another formulation",
         )
 
-    def _input(self, x: Input) -> Polynomial:
+    def _input(self, x: Input) -> Bounded:
         low, high = self.box.ranges[x]
         middle = float((low + high) / 2)
         half = math.nextafter(float(max(high - Fraction(middle), Fraction(middle) - low)), math.inf)
         terms = {1 << self._field[x]: complex(half)}
         if middle:
             terms[0] = complex(middle)
-        return Polynomial(terms, 0.0, 1)
+        return Bounded(terms, 0.0, 1)
 
-    def _circle(self, op: str, argument: int) -> Polynomial:
+    def _circle(self, op: str, argument: int) -> Bounded:
         turns, offset = self._angle(argument)
         degree = max(map(abs, turns.values()), default=0)
         if degree > MOST:
             raise OverflowError("an angle of more turns than a key can tell apart")
         key = sum(m * (1 << self._field[x]) for x, m in turns.items())
-        cosine = Polynomial({key: 0.5 + 0j, -key: 0.5 + 0j} if key else {0: 1 + 0j}, 0.0, degree)
-        sine = Polynomial({key: -0.5j, -key: 0.5j} if key else {}, 0.0, degree)
+        cosine = Bounded({key: 0.5 + 0j, -key: 0.5 + 0j} if key else {0: 1 + 0j}, 0.0, degree)
+        sine = Bounded({key: -0.5j, -key: 0.5j} if key else {}, 0.0, degree)
         if not offset:
             return cosine if op == "cos" else sine
         c, s = circle_point(offset)

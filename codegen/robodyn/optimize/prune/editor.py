@@ -10,8 +10,7 @@ from robodyn.ir.key import children
 from robodyn.ir.lowering import lower, needed
 from robodyn.ir.program import Program
 from robodyn.optimize.prune.bounds import Expansions
-from robodyn.optimize.prune.box import Box
-from robodyn.optimize.prune.sampling import draw, functions
+from robodyn.optimize.prune.box import Box, draw, functions
 from robodyn.passes.replay import grouped
 
 if TYPE_CHECKING:

@@ -15,10 +15,9 @@ from robodyn.errors import InputError
 from robodyn.ir.program import Program
 from robodyn.optimize.programs import Choice, build
 from robodyn.optimize.prune.bounds import proven_errors
-from robodyn.optimize.prune.box import Box, box_of
+from robodyn.optimize.prune.box import Box, box_of, draw, largest, values
 from robodyn.optimize.prune.editor import Editor
 from robodyn.optimize.prune.greedy import pruned
-from robodyn.optimize.prune.sampling import draw, largest, values
 from robodyn.passes import FAST, SPELLING, run
 from robodyn.robot.model import Robot
 

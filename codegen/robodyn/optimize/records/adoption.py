@@ -17,8 +17,7 @@ from robodyn.ir.lowering import lower
 from robodyn.ir.program import Program
 from robodyn.optimize.programs import Choice, build
 from robodyn.optimize.records.find import record_at, records_with_keys
-from robodyn.optimize.records.labels import function_key, labelled
-from robodyn.optimize.records.record import Record
+from robodyn.optimize.records.record import Record, function_key, labelled
 from robodyn.optimize.records.rounding import Rounding
 from robodyn.optimize.records.validation import check_length, check_reading, validated
 from robodyn.robot.identity import identity
