@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable
+from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 from typing import Any
@@ -32,22 +33,6 @@ def expression(build_: Callable[..., list[Any]], names: str = "abcxy", fold_: bo
 
 
 # --- what each is for -------------------------------------------------------------------------------------
-
-
-def test_dead_code_goes() -> None:
-    made = Program(
-        (
-            Operation("sin", (X,), Label(1, "s", "")),
-            Operation("mul", (0, Y)),
-            Operation("add", (X, Y)),
-            Operation("neg", (1,)),
-            Operation("mul", (2, Fraction(3))),
-        ),
-        (("t", (4, X)),),
-    )
-    after = dce(made)
-    assert after.operations == (Operation("add", (X, Y)), Operation("mul", (0, Fraction(3))))
-    assert after.outputs == (("t", (1, X)),)
 
 
 @settings(deadline=None, max_examples=60)
@@ -90,22 +75,6 @@ def test_merging_does_no_algebra() -> None:
     assert fold(made).operations == (Operation("mul", (Fraction(14), X)),)
 
 
-def test_constants_fold() -> None:
-    made = Program(
-        (
-            Operation("mul", (Fraction(2), Fraction(3))),
-            Operation("sub", (0, Fraction(6))),
-            Operation("mul", (X, 1)),
-            Operation("add", (Y, 2)),
-            Operation("mul", (3, Fraction(1))),
-            Operation("add", (4, Fraction(1, 2))),
-            Operation("add", (5, Fraction(1, 2))),
-        ),
-        (("t", (6, 2)),),
-    )
-    assert fold(made) == Program((Operation("add", (Y, Fraction(1))),), (("t", (0, Fraction(0))),))
-
-
 FACTORED: dict[str, tuple[Callable[..., list[Any]], dict[str, int]]] = {
     "a x + b x": (lambda a, b, c, x, y: [a * x + b * x], {"mul": 1, "add": 1}),
     "a x - b x": (lambda a, b, c, x, y: [a * x - b * x], {"mul": 1, "sub": 1}),
@@ -137,29 +106,11 @@ def test_sums_of_products_are_factored(pattern: str) -> None:
     assert results(after, Point(1)) == results(expression(build_), Point(1))
 
 
-@settings(deadline=None, max_examples=60)
-@given(programs(EXACT))
-def test_factoring_never_costs(made: Program) -> None:
-    try:
-        before = count(fold(made)).total
-        after = factor(made)
-    except ZeroDivisionError:
-        reject()
-    assert count(after).total <= before or count(after).total <= count(made).total
-    assert count(factor(after)).total == count(after).total
-
-
 @pytest.mark.parametrize("step", [negate, order], ids=name_of)
 def test_spelling_changes_no_count(step: Callable[[Program], Program]) -> None:
     for made in REAL:
         before, after = count(made), count(step(made))
-        assert (after.mul, after.add, after.div, after.sincos, after.other) == (
-            before.mul,
-            before.add,
-            before.div,
-            before.sincos,
-            before.other,
-        )
+        assert replace(after, neg=0) == replace(before, neg=0)
 
 
 @settings(deadline=None, max_examples=80)

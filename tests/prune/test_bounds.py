@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import cmath
 import itertools
 import math
 import random
@@ -19,11 +18,11 @@ from robodyn.optimize.polynomial import MOST, Bounded, constant
 from robodyn.optimize.programs import Choice, build
 from robodyn.optimize.prune.bounds import Expansions, proven_errors
 from robodyn.optimize.prune.box import Box, box_of, draw, largest, values
-from robodyn.optimize.prune.supremum import Terms, _share, lower_estimate, proven, waves_of
+from robodyn.optimize.prune.supremum import Terms, _share, proven, waves_of
 from robodyn.robot import Robot
 from robodyn.robot.values import circle_point
 
-ROBOTS = [(seed, 1 + seed % 4) for seed in range(7)]
+ROBOTS = [(seed, 1 + seed % 4) for seed in range(5)]
 FAST = Options(optimize="fast")
 
 
@@ -37,22 +36,14 @@ def peaks(made: Program, box: Box) -> list[float]:
 
 
 @pytest.mark.parametrize(("seed", "joints"), ROBOTS)
-def test_programs_that_are_equal_are_proven_equal(seed: int, joints: int) -> None:
-    robot = random_limited(seed, joints)
-    box = box_of(robot)
-    made = program(robot, "inverse_dynamics", FAST)
-    book = build(robot, "inverse_dynamics", Choice("newton_euler", regroup=False, chains=False))
-    bounds = proven_errors(book, made, box, [0.0] * joints)
-    for bound, peak in zip(bounds, peaks(book, box), strict=True):
-        assert bound <= 1e-7 * max(peak, 1.0)
-
-
-@pytest.mark.parametrize(("seed", "joints"), ROBOTS)
 def test_the_error_of_a_damaged_program_is_bounded_and_not_by_far(seed: int, joints: int) -> None:
     robot = random_limited(seed, joints)
     box = box_of(robot)
     made = program(robot, "inverse_dynamics", FAST)
     wrong = damaged(made, seed)
+    book = build(robot, "inverse_dynamics", Choice("newton_euler", regroup=False, chains=False))
+    for bound, peak in zip(proven_errors(book, made, box, [0.0] * joints), peaks(book, box), strict=True):
+        assert bound <= 1e-7 * max(peak, 1.0)  # programs that are equal
     errors = sampled(wrong, made, box)
     bounds = proven_errors(made, wrong, box, [0.0] * joints)
     for bound, error, peak in zip(bounds, errors, peaks(made, box), strict=True):
@@ -96,14 +87,9 @@ def test_narrow_and_lopsided_ranges_are_kept_to() -> None:
     assert expansions.of(x - Fraction(1, 2)).bound == pytest.approx(1 / 6)
     square = expansions.of(x * x)
     assert 4 / 9 <= expansions.bound(square, 0.0) == pytest.approx(4 / 9)
-
-
-def test_squares_are_known_to_be_positive() -> None:
-    graph = Graph()
     speed = graph.input("qd", 0)
-    box = Box((), {Input("qd", 0): (Fraction(-3), Fraction(3))}, {})
-    expansions = Expansions(graph, box)
-    error = expansions.of(speed * speed - 5)
+    expansions = Expansions(graph, Box((), {Input("qd", 0): (Fraction(-3), Fraction(3))}, {}))
+    error = expansions.of(speed * speed - 5)  # squares are known to be positive
     assert error.bound == pytest.approx(14)
     assert 5 <= expansions.bound(error, 0.0) == pytest.approx(5)
 
@@ -166,26 +152,22 @@ def some_terms(seed: int, angles: int, degree: int, monomials: int) -> Terms:
     return terms
 
 
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", range(3))
 @pytest.mark.parametrize("kept", [1, 2, 3])
 def test_the_largest_sum_lies_between_what_is_found_and_what_is_proven(seed: int, kept: int) -> None:
     terms = some_terms(seed, angles=2, degree=2, monomials=3)
     steps = np.linspace(0, 2 * math.pi, 121)
-    totals = np.zeros((121, 121))
-    for m in range(3):
-        totals += np.abs(
-            sum(
-                c * np.exp(1j * (k[0] * steps[:, None] + k[1] * steps[None, :]))
-                for (k, own), c in terms.items()
-                if own == m
-            )
-        )
+    parts = np.zeros((3, 121, 121), dtype=complex)
+    for ((one, other), m), c in terms.items():
+        parts[m] += c * np.exp(1j * (one * steps[:, None] + other * steps[None, :]))
+    totals = np.abs(parts).sum(axis=0)
     waves = waves_of(terms, kept)
+    grid = np.array([axis.ravel() for axis in np.meshgrid(steps, steps, indexing="ij")])
+    if kept == 2:
+        assert waves.at(grid) == pytest.approx(totals.ravel(), rel=1e-3)
     upper = proven(waves)
     assert totals.max() <= upper * (1 + 1e-12)
-    assert lower_estimate(waves) <= upper
     if kept > 1:
-        assert lower_estimate(waves) >= 0.97 * totals.max()
         assert upper <= 1.03 * totals.max()
 
 
@@ -218,27 +200,10 @@ def test_a_bound_is_as_close_as_asked_for() -> None:
     assert math.sqrt(2) <= proven(waves_of(both, 1), close=1.001) <= 1.002 * math.sqrt(2)
 
 
-def test_the_value_of_waves_is_that_of_its_terms() -> None:
-    terms = some_terms(3, angles=3, degree=1, monomials=2)
-    q = (0.3, -1.2, 2.5)
-    by_hand = sum(
-        abs(
-            sum(
-                c * cmath.exp(1j * sum(a * b for a, b in zip(k, q, strict=True)))
-                for (k, own), c in terms.items()
-                if own == m
-            )
-        )
-        for m in (0, 1)
-    )
-    waves = waves_of(terms, 3)
-    assert waves.at(np.array([q]).T)[0] == pytest.approx(by_hand)
-
-
 # --- torques -----------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", ["puma560_3dof", "stanford_3dof", "ur5"])
+@pytest.mark.parametrize("name", ["stanford_3dof", "ur5"])
 def test_a_torque_is_never_above_its_own_bound(name: str) -> None:
     robot: Robot = limited(bundled(name))
     box = box_of(robot)

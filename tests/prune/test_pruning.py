@@ -72,15 +72,11 @@ def worst(robot: Robot, function: str, one: Any, other: Any, states: int, seed: 
 # --- the PUMA 560 -------------------------------------------------------------------------------------------
 
 
-def test_the_puma_takes_fewer_operations_than_ever(puma: Generated) -> None:
-    without = count(program(bundled("puma560"), "inverse_dynamics")).total
-    pruning = puma.prunings["inverse_dynamics"]
-    assert (pruning.before, pruning.after) == (without, puma.counts["inverse_dynamics"].total)
-    assert pruning.after < min(without, 305)  # 305: Armstrong's
-
-
 def test_the_pumas_errors_stay_within_what_is_proven_and_asked_for(puma: Generated) -> None:
     pruning = puma.prunings["inverse_dynamics"]
+    without = count(program(bundled("puma560"), "inverse_dynamics")).total
+    assert (pruning.before, pruning.after) == (without, puma.counts["inverse_dynamics"].total)
+    assert pruning.after < min(without, 305)  # 305: Armstrong's
     for peak, proven, sampled in zip(pruning.peaks, pruning.proven, pruning.sampled, strict=True):
         assert sampled <= proven <= peak / 100
         assert proven <= 3 * sampled
@@ -107,15 +103,8 @@ def test_header_and_fortran_say_what_was_done(puma: Generated) -> None:
     for name, mark in (("puma560.h", r"\n \*"), ("puma560.f90", "\n!")):
         text = re.sub(r"\s+", " ", re.sub(mark, " ", files[name]))
         assert "Pruned to 1 % of each joint's peak torque" in text
-        assert (
-            "joints 1, 2, 3, 4, 5, 6: q -3.14159 .. 3.14159 rad, |qd| <= 3 rad/s, |qdd| <= 10 rad/s^2" in text
-        )
-        assert f"{pruning.before} operations without, {pruning.after} with" in text
-        for j in range(6):
-            assert (
-                f"joint {j + 1}: peak {pruning.peaks[j]:g}, error proven below {pruning.proven[j]:g}" in text
-            )
-            assert f"sampled up to {pruning.sampled[j]:g}" in text
+        assert "joints 1, 2, 3, 4, 5, 6: q -3.14159 .. 3.14159 rad, |qd| <= 3 rad/s, |qdd| <= 10" in text
+        assert all(re.sub(r"\s+", " ", line).strip() in text for line in pruning.notes())
 
 
 def test_limits_alone_change_nothing() -> None:
@@ -168,30 +157,19 @@ def test_more_is_dropped_where_more_may_be_wrong() -> None:
     assert totals[0] > totals[1] > totals[2]
 
 
-@pytest.mark.parametrize("shrunk", [0.0, 0.5])
-def test_a_bound_that_does_not_hold_is_noticed(shrunk: float, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize(("factor", "words"), [(0.0, "above the proven"), (2.0, "above the tolerance")])
+def test_a_bound_that_does_not_hold_is_noticed(
+    factor: float, words: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
     robot = limited(bundled("puma560_3dof"))
     original = program(robot, "inverse_dynamics", FAST)
     honest = proven_errors
     monkeypatch.setattr(
         robodyn.optimize.prune.pruning,
         "proven_errors",
-        lambda *given: [shrunk * bound for bound in honest(*given)],
+        lambda *given: [factor * bound for bound in honest(*given)],
     )
-    with pytest.raises(PruneError, match="above the proven"):
-        prune(robot, "inverse_dynamics", original, PERCENT)
-
-
-def test_a_bound_above_the_tolerance_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
-    robot = limited(bundled("puma560_3dof"))
-    original = program(robot, "inverse_dynamics", FAST)
-    honest = proven_errors
-    monkeypatch.setattr(
-        robodyn.optimize.prune.pruning,
-        "proven_errors",
-        lambda *given: [2 * bound for bound in honest(*given)],
-    )
-    with pytest.raises(PruneError, match="above the tolerance"):
+    with pytest.raises(PruneError, match=words):
         prune(robot, "inverse_dynamics", original, PERCENT)
 
 
@@ -236,12 +214,8 @@ def test_a_share_may_be_written_in_two_ways(text: str) -> None:
 def test_what_is_no_share_is_refused(text: str) -> None:
     with pytest.raises(InputError, match="1%"):
         parse_tolerance(text)
-
-
-@pytest.mark.parametrize("share", [Fraction(0), Fraction(1), Fraction(-1, 2)])
-def test_options_refuse_what_is_no_share(share: Fraction) -> None:
     with pytest.raises(InputError, match="no share"):
-        Options(prune=share)
+        Options(prune=Fraction(1))
 
 
 def run(capsys: Capture, *arguments: str, code: int = 0) -> tuple[str, str]:
@@ -251,7 +225,7 @@ def run(capsys: Capture, *arguments: str, code: int = 0) -> tuple[str, str]:
     return out, err
 
 
-def test_missing_limits_are_named(capsys: Capture, arm: Path, tmp_path: Path) -> None:
+def test_what_cannot_be_pruned_is_refused(capsys: Capture, arm: Path, tmp_path: Path) -> None:
     out, err = run(capsys, "gen", "puma560_d2", "--prune", "1%", "-o", str(tmp_path / "out"), code=2)
     assert not out
     assert "no position, velocity, acceleration of joints 1, 2, 3, 4, 5, 6" in err
@@ -261,20 +235,12 @@ def test_missing_limits_are_named(capsys: Capture, arm: Path, tmp_path: Path) ->
     lacking.write_text(ARM.replace("velocity: 2, ", ""), encoding="utf-8")
     _, err = run(capsys, "flops", str(lacking), "--prune", "1%", code=2)
     assert "found no velocity of joint 2;" in err
-
-
-def test_run_time_parameters_are_refused(capsys: Capture, tmp_path: Path) -> None:
-    path = tmp_path / "tool.yaml"
-    path.write_text(ARM.replace("mass: 1,", "mass: m_tool,"), encoding="utf-8")
-    _, err = run(capsys, "flops", str(path), "--prune", "1%", code=2)
+    lacking.write_text(ARM.replace("mass: 1,", "mass: m_tool,"), encoding="utf-8")
+    _, err = run(capsys, "flops", str(lacking), "--prune", "1%", code=2)
     assert "m_tool" in err
     assert "cannot be pruned" in err
-
-
-def test_a_function_that_is_never_pruned_is_refused(capsys: Capture, arm: Path) -> None:
     _, err = run(capsys, "flops", str(arm), "--functions", "mass_matrix", "--prune", "1%", code=2)
     assert "mass_matrix cannot be pruned" in err
-    run(capsys, "flops", str(arm), "--prune", "one", code=2)
 
 
 # --- the command line ---------------------------------------------------------------------------------------

@@ -3,6 +3,7 @@ sine and cosine, or the cost on a named machine."""
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -30,10 +31,7 @@ class Operations:
     @cached_property
     def counts(self) -> Mapping[str, int]:
         """How many of each kind."""
-        counts: dict[str, int] = {}
-        for kind in self.kinds:
-            counts[kind] = counts.get(kind, 0) + 1
-        return counts
+        return Counter(self.kinds)
 
     @property
     def total(self) -> int:
@@ -43,43 +41,26 @@ class Operations:
     @cached_property
     def fused(self) -> int:
         """How many products fuse with an addition: a product used once, by an addition; one an addition."""
-        return len(self._fused_products)
-
-    @cached_property
-    def _fused_products(self) -> set[int]:
         uses = [0] * len(self.kinds)
         for read in self.reads:
             for k in read:
                 uses[k] += 1
         for k in self.results:
             uses[k] += 1
-        fused: set[int] = set()
-        for kind, read in zip(self.kinds, self.reads, strict=True):
-            if kind == "add":
-                for k in read:
-                    if self.kinds[k] == "mul" and uses[k] == 1:
-                        fused.add(k)
-                        break
-        return fused
+        return sum(
+            kind == "add" and any(self.kinds[k] == "mul" and uses[k] == 1 for k in read)
+            for kind, read in zip(self.kinds, self.reads, strict=True)
+        )
 
     @cached_property
     def depth(self) -> int:
         """Operations on the longest chain; sines and cosines are inputs."""
-        return self._longest(set())
-
-    @cached_property
-    def fused_depth(self) -> int:
-        """The same with fused multiply-adds as one."""
-        return self._longest(self._fused_products)
-
-    def _longest(self, free: set[int]) -> int:
         length: list[int] = []
-        for k, (kind, read) in enumerate(zip(self.kinds, self.reads, strict=True)):
+        for kind, read in zip(self.kinds, self.reads, strict=True):
             if kind in ("sin", "cos"):
                 length.append(0)
             else:
-                own = 0 if k in free or kind == "neg" else 1
-                length.append(own + max((length[j] for j in read), default=0))
+                length.append(1 + max((length[j] for j in read), default=0))
         return max((length[k] for k in self.results), default=0)
 
 

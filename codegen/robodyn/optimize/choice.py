@@ -79,33 +79,26 @@ class Choice:
     @staticmethod
     def from_dict(data: Any) -> Choice:
         """The choice of :meth:`to_dict`; :class:`InputError` where that is none."""
-        return choice_from(data)
-
-
-def choice_from(data: Any) -> Choice:
-    """The choice that :meth:`Choice.to_dict` wrote; :class:`InputError` where that is none."""
-    allowed = {field.name: field for field in fields(Choice)}
-    if not isinstance(data, Mapping) or not set(data) <= set(allowed):
-        raise InputError(
-            "no choice of a formulation variant", found=repr(data), expected=f"some of {', '.join(allowed)}"
-        )
-    settings = dict(data)
-    for name in ("regroup", "chains"):
-        if not isinstance(settings.get(name, True), bool):
-            raise InputError(f"{name} must be true or false", found=repr(settings[name]))
-    if settings.get("formulation", "newton_euler") not in FORMULATIONS:
-        raise InputError(
-            "unknown formulation",
-            found=repr(settings["formulation"]),
-            expected=f"one of {', '.join(FORMULATIONS)}",
-        )
-    forms = settings.get("forms", [])
-    if not isinstance(forms, list) or not set(forms) <= {"inertia", "second_moment"}:
-        raise InputError("forms of moments", found=repr(forms), expected="a list of inertia, second_moment")
-    settings["forms"] = tuple(forms)
-    if "variant" in settings:
-        settings["variant"] = Variant.from_dict(settings["variant"])
-    return Choice(**settings)
+        allowed = [field.name for field in fields(Choice)]
+        if not isinstance(data, Mapping) or not set(data) <= set(allowed):
+            expected = f"some of {', '.join(allowed)}"
+            raise InputError("no choice of a formulation variant", found=repr(data), expected=expected)
+        settings = dict(data)
+        for name in ("regroup", "chains"):
+            if not isinstance(settings.get(name, True), bool):
+                raise InputError(f"{name} must be true or false", found=repr(settings[name]))
+        name, known = settings.get("formulation", "newton_euler"), f"one of {', '.join(FORMULATIONS)}"
+        if name not in FORMULATIONS:
+            raise InputError("unknown formulation", found=repr(name), expected=known)
+        forms = settings.get("forms", [])
+        if not isinstance(forms, list) or not set(forms) <= {"inertia", "second_moment"}:
+            raise InputError(
+                "forms of moments", found=repr(forms), expected="a list of inertia, second_moment"
+            )
+        settings["forms"] = tuple(forms)
+        if "variant" in settings:
+            settings["variant"] = Variant.from_dict(settings["variant"])
+        return Choice(**settings)
 
 
 #: Arrays of nodes by name.

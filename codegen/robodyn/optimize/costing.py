@@ -9,7 +9,7 @@ from collections.abc import Collection
 from fractions import Fraction
 from typing import Any
 
-from robodyn.dynamics.arm import Arm, build_arm, build_motion
+from robodyn.dynamics.arm import Arm, Motion, build_arm, build_motion
 from robodyn.dynamics.modified_newton_euler import modified_newton_euler
 from robodyn.dynamics.parallel import chain_turns
 from robodyn.dynamics.regroup import lumps_of
@@ -17,17 +17,17 @@ from robodyn.optimize.base_parameters import base_newton_euler
 from robodyn.optimize.gauge import (
     AT_TIP,
     Handed,
-    Regrouped,
     Unsuited,
     assembled,
     check_size,
     give,
     in_scalars,
     point_of,
+    regrouped_as,
     with_displacements,
-)
+)  # fmt: skip
 from robodyn.optimize.tally import ADD, MUL, OFFSET, PRIME, SCALE, Circle, Entry, Tally, in_field
-from robodyn.optimize.variant import LinkVariant, Variant
+from robodyn.optimize.variant import Variant
 from robodyn.robot.model import Robot
 
 
@@ -130,41 +130,36 @@ class Costing:
 
     def factored_total(self, variant: Variant | None) -> int:
         """About as many as are left after the passes; None is the recursion as in the book."""
-        tally, outputs = self._book() if variant is None else self.run(variant)
+        if variant is not None:
+            tally, outputs = self.run(variant)
+        else:
+            tally = Tally(self.circle)
+            arm = build_arm(self.robot, in_field, tally.input)
+            outputs = modified_newton_euler(arm, self._motion(tally, arm))
         wanted = tally.needed(outputs)
         return operations(tally, wanted) - saved(tally.entries, wanted)
-
-    def _book(self) -> tuple[Tally, list[Any]]:
-        tally = Tally(self.circle)
-        arm = build_arm(self.robot, in_field, tally.input)
-        q, qd, qdd = ([tally.input(array, i) for i in range(self.robot.n)] for array in ("q", "qd", "qdd"))
-        motion = build_motion(arm, q, qd, qdd, tally.trigonometry, in_field)
-        return tally, modified_newton_euler(arm, motion)
 
     def run(self, variant: Variant) -> tuple[Tally, list[Any]]:
         """The tally of ``variant``, and its outputs; :class:`Unsuited` where it does not suit the robot."""
         check_size(self.arm, variant)
         tally = Tally(self.circle)
         if self._plain:
-            field, lumps = self._field, self._all_handed(variant)
-            links, unit = assembled(self.arm, variant, lumps)
+            field = self._field
+            links, unit = assembled(self.arm, variant, self._all_handed(variant))
         else:
             # Parameters are values of the tally that they are counted in.
-            arm = build_arm(self.robot, exact, tally.input)
             field = build_arm(self.robot, in_field, tally.input)
-            links, unit = assembled(arm, variant, _all_handed(arm, variant))
+            links, unit = regrouped_as(build_arm(self.robot, exact, tally.input), variant)
         numbers = [in_scalars(link, in_field) for link in links]
-        return tally, self._outputs(tally, field, numbers, unit, variant)
-
-    def _outputs(
-        self, tally: Tally, field: Arm, numbers: list[Regrouped], unit: Any, variant: Variant
-    ) -> list[Any]:
         arm = with_displacements(field, numbers, in_field(unit))
-        q, qd, qdd = ([tally.input(array, i) for i in range(self.robot.n)] for array in ("q", "qd", "qdd"))
-        motion = build_motion(arm, q, qd, qdd, tally.trigonometry, in_field)
+        motion = self._motion(tally, arm)
         turns = chain_turns(arm, motion, tally.trigonometry, [link.chained for link in variant.links])
         per_unit = 1 if unit == 1 else in_field(1 / Fraction(unit))
-        return base_newton_euler(arm, motion, turns, numbers, variant, per_unit)
+        return tally, base_newton_euler(arm, motion, turns, numbers, variant, per_unit)
+
+    def _motion(self, tally: Tally, arm: Arm) -> Motion:
+        q, qd, qdd = ([tally.input(array, i) for i in range(self.robot.n)] for array in ("q", "qd", "qdd"))
+        return build_motion(arm, q, qd, qdd, tally.trigonometry, in_field)
 
     def _all_handed(self, variant: Variant) -> list[Handed]:
         n = self.robot.n
@@ -177,29 +172,19 @@ class Costing:
             if cached is None:
                 if len(self._handed) > _MANY:
                     self._handed.clear()
-                cached = self._handed[tail] = self._give(i, how, lumps[i + 1])
+                try:
+                    cached = give(self.arm, self._lumps, i, how, lumps[i + 1])
+                except Unsuited as error:
+                    cached = error
+                self._handed[tail] = cached
             if isinstance(cached, Unsuited):
                 raise cached
             point_of(i, cached.own, how)  # a form that does not suit says so before the links below are made
             lumps[i] = cached
         return lumps
 
-    def _give(self, i: int, how: LinkVariant, child: Handed) -> Handed | Unsuited:
-        try:
-            return give(self.arm, self._lumps, i, how, child)
-        except Unsuited as error:
-            return error
-
 
 def operations(tally: Tally, wanted: Collection[int]) -> int:
     """How many of ``wanted`` are multiplications and additions."""
     entries = tally.entries
     return sum([entries[position][0] <= SCALE for position in wanted])
-
-
-def _all_handed(arm: Arm, variant: Variant) -> list[Handed]:
-    lumps = lumps_of(arm)
-    gauges = [AT_TIP] * (len(lumps) + 1)
-    for i in reversed(range(len(lumps))):
-        gauges[i] = give(arm, lumps, i, variant.links[i], gauges[i + 1])
-    return gauges

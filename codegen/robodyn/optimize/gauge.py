@@ -15,14 +15,7 @@ from typing import Any
 
 from robodyn.dynamics.arm import Arm, Body, Symmetric, origin
 from robodyn.dynamics.lump import NO_LUMP, Lump
-from robodyn.dynamics.regroup import (
-    about_axis_z,
-    lumps_of,
-    merged,
-    moved_into,
-    shifted,
-)
-from robodyn.dynamics.vectors import Vector
+from robodyn.dynamics.regroup import about_axis_z, lumps_of, merged, moved_into, shifted
 from robodyn.errors import InputError
 from robodyn.optimize.variant import LinkVariant, Variant
 
@@ -98,14 +91,9 @@ def in_scalars(link: Regrouped, constant: Callable[[Any], Any]) -> Regrouped:
     if point is not None:
         point = Point(*map(constant, (point.second, point.mass, point.distance, point.rest)))
     second = Symmetric(*map(constant, lump.second.entries()))
-    return Regrouped(
-        Lump(constant(lump.mass), (x, y, z), second),
-        constant(link.x),
-        constant(link.lift),
-        constant(link.d),
-        point,
-        constant(link.side),
-    )
+    lump = Lump(constant(lump.mass), (x, y, z), second)
+    x, lift, d, side = map(constant, (link.x, link.lift, link.d, link.side))
+    return Regrouped(lump, x, lift, d, point, side)
 
 
 def with_displacements(arm: Arm, links: Sequence[Regrouped], unit: Any) -> Arm:
@@ -180,9 +168,8 @@ def _slide(arm: Arm, i: int, rules: LinkVariant, lump: Lump, child: Handed) -> A
             raise Unsuited(i + 1, "no next origin to slide to")
         return arm.bodies[i + 1].cos_alpha * child.d
     if rules.slide in ("xz", "yz"):
-        h, product = (
-            (lump.first[0], lump.second.xz) if rules.slide == "xz" else (lump.first[1], lump.second.yz)
-        )
+        k = lump.second
+        h, product = (lump.first[0], k.xz) if rules.slide == "xz" else (lump.first[1], k.yz)
         if not _known(h) or not h:
             raise Unsuited(i + 1, "no first moment across the axis and so no product to slide away")
         return _ratio(product, h)
@@ -221,9 +208,8 @@ def _moved(i: int, body: Body, d: Any, lump: Lump, rules: LinkVariant, parent: L
     if rules.mass == "keep":
         mass = 0
     elif rules.mass in ("point_x", "point_y"):
-        h, along, across = (
-            (lump.first[0], k.xx, k.yy) if rules.mass == "point_x" else (lump.first[1], k.yy, k.xx)
-        )
+        on_x = rules.mass == "point_x"
+        h, along, across = (lump.first[0], k.xx, k.yy) if on_x else (lump.first[1], k.yy, k.xx)
         if not _known(h, along, across) or along == across:
             raise Unsuited(i + 1, "no point mass to be seen")
         mass = lump.mass - _ratio(h * h, along - across)
@@ -260,11 +246,6 @@ def _less(lump: Lump, moved: Lump) -> Lump:
     return Lump(lump.mass - moved.mass, (hx - x, hy - y, hz - z), Symmetric(*entries))
 
 
-def diagonal(k: Symmetric) -> Vector:
-    """``xx yy zz``."""
-    return k.xx, k.yy, k.zz
-
-
 def point_of(i: int, lump: Lump, rules: LinkVariant) -> Point | None:
     """The point mass that the form of link ``i`` asks for."""
     form = rules.form
@@ -278,7 +259,7 @@ def point_of(i: int, lump: Lump, rules: LinkVariant) -> Point | None:
         return None
     axis = 1 if form == "wrist" else "xyz".index(form[-1])
     k, h = lump.second, lump.first
-    along, one, other = (diagonal(k)[(axis + j) % 3] for j in range(3))
+    along, one, other = ((k.xx, k.yy, k.zz)[(axis + j) % 3] for j in range(3))
     nothing = (k.xy, k.xz, k.yz, one - other, h[(axis + 1) % 3], h[(axis + 2) % 3])
     if not _known(*nothing, along, h[axis]) or any(nothing) or not h[axis] or along == one:
         raise Unsuited(i + 1, "more than an isotropic body and a point mass on the axis")
@@ -294,11 +275,6 @@ def _in_unit(link: Regrouped, length: Any) -> Regrouped:
     if point is not None:
         square = length * length
         point = Point(point.second, point.mass * square, _ratio(point.distance, length), point.rest * square)
-    return Regrouped(
-        Lump(lump.mass * length * length, (x * length, y * length, z * length), lump.second),
-        _ratio(link.x, length),
-        _ratio(link.lift, length),
-        _ratio(link.d, length),
-        point,
-        _ratio(link.side, length),
-    )
+    lump = Lump(lump.mass * length * length, (x * length, y * length, z * length), lump.second)
+    x, lift, d, side = (_ratio(u, length) for u in (link.x, link.lift, link.d, link.side))
+    return Regrouped(lump, x, lift, d, point, side)

@@ -9,15 +9,7 @@ from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-from robodyn.dynamics.arm import (
-    Arm,
-    JointAngle,
-    Motion,
-    Trigonometry,
-    build_arm,
-    build_motion,
-    inertial,
-)
+from robodyn.dynamics.arm import Arm, JointAngle, Motion, Trigonometry, build_arm, build_motion, inertial
 from robodyn.dynamics.functions import Moving, NoSuchFunction, Rotor, function_named
 from robodyn.dynamics.functions.record import Writing
 from robodyn.dynamics.joints import rotors_of
@@ -39,7 +31,6 @@ from robodyn.optimize.cheapest import Cheapest
 from robodyn.optimize.choice import FORMULATIONS as FORMULATIONS
 from robodyn.optimize.choice import Choice as Choice
 from robodyn.optimize.choice import Inputs, Split, formulation_named, in_reading_order, iterated
-from robodyn.optimize.choice import choice_from as choice_from
 from robodyn.optimize.costing import exact as exact
 from robodyn.optimize.fast import centred, slid, suited_variant
 from robodyn.optimize.gauge import regrouped_as, with_displacements

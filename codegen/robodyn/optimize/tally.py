@@ -121,23 +121,10 @@ class Value:
     __radd__ = __add__
 
     def __sub__(self, other: Any) -> Any:
-        graph = self.graph
-        if other.__class__ is Value:
-            value = self.value - other.value
-            if value < 0:
-                value += PRIME
-            position = value if value <= _HALF else PRIME - value
-            if position in graph.entries:
-                return Value(graph, value) if position > 1 else graph.number(value)
-            return graph.summed(self.value, PRIME - other.value, value)
-        if not other:
-            return self
-        return graph.offset(self.value, -other)
+        return self + -other
 
     def __rsub__(self, other: Any) -> Any:
-        if not other:
-            return Value(self.graph, PRIME - self.value)
-        return self.graph.offset(PRIME - self.value, other)
+        return -self + other
 
     def __mul__(self, other: Any) -> Any:
         graph = self.graph
@@ -272,11 +259,8 @@ class Tally:
 
     def divided(self, u: int, v: int) -> Value:
         """``u / v``; what it costs is the same in every variant, and is not counted."""
-        return self._at(
-            u * pow(v, -1, PRIME) % PRIME,
-            CALL,
-            tuple(_position(x) for x in (u, v) if _position(x) in self.entries),
-        )
+        reads = tuple(p for p in map(_position, (u, v)) if p in self.entries)
+        return self._at(u * pow(v, -1, PRIME) % PRIME, CALL, reads)
 
     def _at(self, value: int, kind: int, reads: tuple[int, ...]) -> Value:
         self.entries.setdefault(_position(value), (kind, reads, None))

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
-from typing import Any, Literal, get_args
+from typing import Any, Literal, get_args, get_type_hints
 
 from robodyn.dynamics.lump import MomentForm
 from robodyn.errors import InputError
@@ -71,18 +71,7 @@ class LinkVariant:
 
 #: The names that each field of a link may have.
 LINK_VALUES: dict[str, tuple[Any, ...]] = {
-    "mass": get_args(MassRule),
-    "first": get_args(FirstRule),
-    "second": get_args(SecondRule),
-    "form": get_args(MomentForm),
-    "frame": get_args(Frame),
-    "row": get_args(Row),
-    "column": get_args(Column),
-    "alpha": get_args(Alpha),
-    "carry": get_args(Carry),
-    "lever": get_args(Carry),
-    "slide": get_args(Slide),
-    "chained": (True, False),
+    name: get_args(kind) or (True, False) for name, kind in get_type_hints(LinkVariant).items()
 }
 
 _PLAIN = LinkVariant()

@@ -29,8 +29,6 @@ _WEAK = 2e-4
 _WORK = 60_000_000
 #: Size of a product of matrices: larger ones OpenBLAS gives to all processors, at a loss.
 _AT_ONCE = 250_000
-#: Cells followed where the value is only to be found.
-_BEAM = 32
 #: Rounding of a sum of waves, as a share of the sum of their sizes: far above what it is.
 _ROUND = 1e-11
 
@@ -155,23 +153,6 @@ def _halved(centres: Floats, half: list[float], degree: tuple[int, ...]) -> tupl
             step[i] = half[i] / 2
             centres = np.concatenate([centres - step, centres + step], axis=1)
     return centres, [h / 2 if d else h for h, d in zip(half, degree, strict=True)]
-
-
-def lower_estimate(waves: Waves, levels: int = 2) -> float:
-    """A lower bound of the largest F, mostly within a few per cent."""
-    import numpy as np
-
-    if waves.constant:
-        return waves.rest
-    centres, half = _cells(waves)
-    best = 0.0
-    for level in range(levels + 1):
-        values = waves.at(centres)
-        best = max(best, float(values.max()))
-        if level < levels:
-            top = np.argsort(-values, kind="stable")[:_BEAM]
-            centres, half = _halved(centres[:, top], half, waves.degree)
-    return best
 
 
 def proven(waves: Waves, threshold: float = 0.0, work: int = _WORK, close: float = 1.01) -> float:
