@@ -7,6 +7,7 @@ events, results of functions. The states' order is that of the engine.
 
 from __future__ import annotations
 
+import itertools
 import platform
 import re
 import sys
@@ -121,21 +122,18 @@ def results_of(package: Package) -> tuple[Result, ...]:
     results = []
     for signature, routine in zip(package.generated.signatures, package.routines, strict=True):
         missing = [array.name for array in routine.inputs if array.name not in KNOWN]
-        unfit = bool(missing) or routine.stateful
-        if unfit and not package.generated.options.insists_on(signature.function):
-            continue
-        if unfit:
+        if not missing and not routine.stateful:
+            for array in routine.outputs:
+                if array.name not in begin:
+                    begin[array.name], total = total, total + array.size
+            results.append(Result(routine, tuple(begin[array.name] for array in routine.outputs)))
+        elif package.generated.options.insists_on(signature.function):
             raise InputError(
                 f"{package.format.title} has no place for the function {routine.name}",
                 found=f"it needs {', '.join(missing) or 'memory from call to call'}",
                 expected=f"functions of {', '.join(KNOWN)}",
                 remedy="name others with --functions",
             )
-        for array in routine.outputs:
-            if array.name not in begin:
-                begin[array.name] = total
-                total += array.size
-        results.append(Result(routine, tuple(begin[array.name] for array in routine.outputs)))
     return tuple(results)
 
 
@@ -177,60 +175,52 @@ def _programs(package: Package) -> dict[Routine, Program]:
 
 def describe(package: Package, system: System, results: Sequence[Result]) -> Description:
     """What the unit of ``package`` has, that simulates ``system`` and computes ``results``."""
-    robot, size = package.robot, system.coordinates
-    kinds = [robot.links[i].joint.kind for i in (*range(robot.n), *system.coupled)]
-    names = [f"[{i + 1}]" for i in range(robot.n)], [f"[{i + 1}]" for i in system.coupled]
-    torque, state = 1, 1 + robot.n
-    slope = state + 2 * size + len(system.states)
-    parameter = slope + size + len(system.states)
+    robot, n, size, memories = package.robot, package.robot.n, system.coordinates, system.states
+    kinds = [robot.links[i].joint.kind for i in (*range(n), *system.coupled)]
+    torque, position, speed = 1, 1 + n, 1 + n + size
+    memory = speed + size
+    acceleration = memory + len(memories)
+    rate = acceleration + size
+    parameter = rate + len(memories)
     indicator = parameter + len(package.parameters)
-    accelerating = _accelerating(system, torque, state)
+    accelerating = _accelerating(system, torque, position)
 
-    def moving(
-        array: str, first: int, initial: str, derivative: int | None, depends: tuple[int, ...] | None
-    ) -> Iterator[Variable]:
-        """A block of coordinates, velocities or accelerations."""
+    def unit(array: str, k: int) -> str:
         record = array_named(array)
-        for k, kind in enumerate(kinds):
-            at_motor = k >= robot.n
-            of = names[1][k - robot.n] if at_motor else names[0][k]
-            known = initial if not at_motor else "calculated"
+        return record.unit if kinds[k] == "revolute" else record.prismatic
+
+    def moving(array: str, first: int, derivative: int | None = None) -> Iterator[Variable]:
+        """A block of coordinates, velocities or accelerations."""
+        holds, is_state = array_named(array).holds, array != "qdd"
+        for k in range(size):
+            i, is_exact = k if k < n else system.coupled[k - n], is_state and k < n
             yield Variable(
-                first + k,
-                f"motor_{array}{of}" if at_motor else f"{array}{of}",
-                "output", "continuous", known,
-                record.unit if kind == "revolute" else record.prismatic,
-                f"{record.holds}: {'motor' if at_motor else 'joint'} {of[1:-1]}",
-                "0" if known == "exact" else None,
-                None if derivative is None else derivative + k,
-                (first + k,) if initial == "exact" else depends,
+                first + k, f"{'' if k < n else 'motor_'}{array}[{i + 1}]",
+                "output", "continuous", "exact" if is_exact else "calculated", unit(array, k),
+                f"{holds}: {'joint' if k < n else 'motor'} {i + 1}", "0" if is_exact else None,
+                None if derivative is None else derivative + k, (first + k,) if is_state else accelerating,
             )  # fmt: skip
 
-    tau = array_named("tau")
     inputs = [
         Variable(
-            torque + i, f"tau{names[0][i]}", "input", "continuous", None,
-            tau.unit if kinds[i] == "revolute" else tau.prismatic,
+            torque + i, f"tau[{i + 1}]", "input", "continuous", None, unit("tau", i),
             f"torque or force of motor {i + 1}", "0",
         )
-        for i in range(robot.n)
+        for i in range(n)
     ]  # fmt: skip
-    places = tuple(moving("q", state, "exact", None, ()))
-    speeds = tuple(moving("qd", state + size, "exact", state, ()))
-    accelerations = tuple(moving("qdd", slope, "calculated", state + size, accelerating))
-    memories = tuple(
-        Variable(
-            state + 2 * size + k, name, "local", "continuous", "exact", "", "internal state of an effect", "0"
-        )
-        for k, name in enumerate(system.states)
-    )
+    speeds = tuple(moving("qd", speed, position))
+    accelerations = tuple(moving("qdd", acceleration, speed))
     rates = tuple(
         Variable(
-            slope + size + k, f"der({name})", "local", "continuous", "calculated", "", f"rate of {name}",
-            None, state + 2 * size + k,
+            rate + k, f"der({name})", "local", "continuous", "calculated", "", f"rate of {name}",
+            None, memory + k,
         )
-        for k, name in enumerate(system.states)
+        for k, name in enumerate(memories)
     )  # fmt: skip
+    states = [
+        Variable(memory + k, name, "local", "continuous", "exact", "", "internal state of an effect", "0")
+        for k, name in enumerate(memories)
+    ]
     uses = parameter_uses(robot)
     parameters = [
         Variable(
@@ -245,17 +235,19 @@ def describe(package: Package, system: System, results: Sequence[Result]) -> Des
         )
         for k, e in enumerate(system.elements)
     )
-    first = indicator + len(indicators)
-    known = _known_of(torque, state, size, robot.n, accelerating)
-    time = Variable(0, "time", "independent", "continuous", None, "s", "time")
-    return Description(
-        (
-            time, *inputs, *places, *speeds, *memories, *accelerations, *rates, *parameters, *indicators,
-            *_outputs(package, results, first, known),
-        ),
-        (*speeds, *accelerations, *rates),
-        indicators,
+    variables = (
+        Variable(0, "time", "independent", "continuous", None, "s", "time"),
+        *inputs, *moving("q", position), *speeds,
+        *states,
+        *accelerations, *rates, *parameters, *indicators,
     )  # fmt: skip
+    places = {"tau": torque, "q": position, "qd": speed}
+    known: dict[Input, tuple[int, ...] | None] = {
+        Input(name, i): (place + i,) for name, place in places.items() for i in range(n)
+    }
+    known |= {Input("qdd", i): accelerating for i in range(n)}
+    outputs = _outputs(package, results, indicator + len(indicators), known)
+    return Description((*variables, *outputs), (*speeds, *accelerations, *rates), indicators)
 
 
 def _accelerating(system: System, torque: int, state: int) -> tuple[int, ...] | None:
@@ -272,17 +264,6 @@ def _accelerating(system: System, torque: int, state: int) -> tuple[int, ...] | 
     return (*range(torque, torque + system.robot.n), *sorted(states | speeds))
 
 
-def _known_of(
-    torque: int, state: int, size: int, n: int, accelerating: tuple[int, ...] | None
-) -> dict[Input, tuple[int, ...] | None]:
-    """The inputs and states behind each argument of a function."""
-    first = {"tau": torque, "q": state, "qd": state + size}
-    known: dict[Input, tuple[int, ...] | None] = {
-        Input(name, i): (place + i,) for name, place in first.items() for i in range(n)
-    }
-    return known | {Input("qdd", i): accelerating for i in range(n)}
-
-
 def _outputs(
     package: Package, results: Sequence[Result], first: int, known: Mapping[Input, tuple[int, ...] | None]
 ) -> Iterator[Variable]:
@@ -296,23 +277,13 @@ def _outputs(
             name = names.pop(array.name, None)
             if name is None:
                 continue  # another function has it, too
-            for k, index in enumerate(_indices(array.shape)):
+            for k, indices in enumerate(itertools.product(*map(range, array.shape))):
+                text = ",".join(str(i + 1) for i in indices)
                 yield Variable(
-                    first + place + k,
-                    f"{name}{index}",
+                    first + place + k, f"{name}[{text}]" if text else name,
                     "output", "continuous", "calculated", _unit_of(array, k, package), array.holds,
                     None, None, depends,
                 )  # fmt: skip
-
-
-def _indices(shape: tuple[int, ...]) -> Iterable[str]:
-    """The indices of all elements, row by row, counted from 1."""
-    if not shape:
-        return [""]
-    texts = [""]
-    for length in shape:
-        texts = [f"{text}{',' if text else ''}{i + 1}" for text in texts for i in range(length)]
-    return [f"[{text}]" for text in texts]
 
 
 def _unit_of(array: Argument, k: int, package: Package) -> str:
@@ -321,8 +292,8 @@ def _unit_of(array: Argument, k: int, package: Package) -> str:
     kinds = [link.joint.kind for link in package.robot.links]
     unit = record.unit
     if record.prismatic and "prismatic" in kinds:
-        unit = (record.unit if kinds[k] == "revolute" else record.prismatic) if record.shape == ("n",) else ""
-    return unit if base_units(unit) is not None else ""
+        unit = "" if record.shape != ("n",) else record.prismatic if kinds[k] == "prismatic" else unit
+    return "" if base_units(unit) is None else unit
 
 
 def _common_unit(uses: Iterable[tuple[str, str]]) -> str:

@@ -136,6 +136,17 @@ class Package:
         return needs_libm(self.generated.unit)
 
     @property
+    def traits(self) -> dict[Trait, str]:
+        """What the kernels have and not every format has a place for, in words."""
+        given = bool(self.generated.unit.sc) or self.generated.options.trig == "given"
+        traits: dict[Trait, tuple[str, bool]] = {
+            "parameters": ("run-time parameters", bool(self.parameters)),
+            "memory": ("memory from call to call", bool(self.states)),
+            "given sines": ("sines and cosines that are given (--trig given)", given),
+        }
+        return {trait: phrase for trait, (phrase, is_there) in traits.items() if is_there}
+
+    @property
     def routines(self) -> tuple[Routine, ...]:
         """The functions, in the order of the header."""
         return tuple(map(_routine, self.generated.signatures))

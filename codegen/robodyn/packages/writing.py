@@ -25,34 +25,26 @@ def rendered(package: Package, templates: Mapping[str, str], **more: Any) -> dic
     makes; in a path ``NAME`` is the robot's name. They are told :func:`context`, and ``more``."""
     values = {**context(package), **more}
     folder = f"package/{package.format.name}"
-    return {
-        path.replace("NAME", package.robot.name): environment()
-        .get_template(f"{folder}/{name}")
-        .render(values)
-        for path, name in templates.items()
-    }
+    name = package.robot.name
+    texts = {path: environment().get_template(f"{folder}/{file}") for path, file in templates.items()}
+    return {path.replace("NAME", name): template.render(values) for path, template in texts.items()}
 
 
 def context(package: Package) -> dict[str, Any]:
     """What all templates of packages are told."""
-    robot = package.robot
+    robot, title = package.robot, package.format.title
+    names = (
+        "version", "license", "maintainer", "scalar", "libm", "routines", "arrays", "parameters", "states",
+    )  # fmt: skip
     return {
+        **{name: getattr(package, name) for name in names},
         "name": robot.name,
         "package": package.name,
         "prefix": package.name.upper(),
-        "version": package.version,
-        "license": package.license,
-        "maintainer": package.maintainer,
         "contact": package.maintainer or NOT_STATED,
         "n": robot.n,
-        "scalar": package.scalar,
-        "libm": package.libm,
-        "routines": package.routines,
-        "arrays": package.arrays,
-        "parameters": package.parameters,
-        "states": package.states,
         "account": list(account_lines(robot)),
-        "head": head_of(robot, [f"{package.format.title[:1].upper()}{package.format.title[1:]}."]),
+        "head": head_of(robot, [f"{title[:1].upper()}{title[1:]}."]),
     }
 
 

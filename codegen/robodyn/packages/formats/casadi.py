@@ -78,24 +78,18 @@ def _externals(package: Package) -> Iterator[External]:
             yield _jacobian(package, routine, routines)
 
 
-def _symbol(package: Package, routine: Routine) -> str:
-    return f"{package.robot.name}_casadi_{routine.name}"
-
-
 def _function(package: Package, routine: Routine) -> External:
     body, work = _call(routine, routine, [f"res[{k}]" for k in range(len(routine.outputs))])
     for k, array in enumerate(routine.outputs):
         if _is_matrix(array):
-            places = _by_columns(*_plane(array))
-            body += _taken(f"res[{k}]", array.name, places)
-    return External(
-        _symbol(package, routine),
-        routine.purpose,
-        tuple(Slot(array.name, _dense(*_plane(array))) for array in routine.inputs),
-        tuple(Slot(array.name, _dense(*_plane(array))) for array in routine.outputs),
-        work,
-        tuple(body),
-    )
+            body += _taken(f"res[{k}]", array.name, _by_columns(*_plane(array)))
+    symbol = f"{package.robot.name}_casadi_{routine.name}"
+    inputs, outputs = (tuple(map(_slot, arrays)) for arrays in (routine.inputs, routine.outputs))
+    return External(symbol, routine.purpose, inputs, outputs, work, tuple(body))
+
+
+def _slot(array: Argument) -> Slot:
+    return Slot(array.name, (*_plane(array), 1))
 
 
 def _jacobian(package: Package, routine: Routine, routines: dict[str, Routine]) -> External:
@@ -117,7 +111,7 @@ def _jacobian(package: Package, routine: Routine, routines: dict[str, Routine]) 
                 more, extra = _call(routine, routine, start=size)
                 lines += [*more, f"if (res[{k}]) frame(res[{k}], {result.name}, {array.name}, {columns});"]
                 size += extra
-                outputs.append(Slot(title, _dense(rows, columns)))
+                outputs.append(Slot(title, (rows, columns, 1)))
             else:
                 zeros = package.generated.zeros[name].get(array.name, ())
                 places = _by_columns(rows, columns, zeros)
@@ -126,17 +120,10 @@ def _jacobian(package: Package, routine: Routine, routines: dict[str, Routine]) 
         condition = " || ".join(f"res[{k}]" for k in wanted)
         body += [f"if ({condition}) {{", *(f"    {line}" for line in lines), "}"]
         work = max(work, size)
-    inputs = [Slot(array.name, _dense(*_plane(array))) for array in routine.inputs]
     rows, columns = _plane(result)
-    inputs.append(Slot(f"out_{result.name}", (rows, columns, *(0,) * (columns + 1))))
-    return External(
-        f"jac_{_symbol(package, routine)}",
-        f"derivatives of {routine.name}",
-        tuple(inputs),
-        tuple(outputs),
-        work,
-        tuple(body),
-    )
+    inputs = (*map(_slot, routine.inputs), Slot(f"out_{result.name}", (rows, columns, *(0,) * (columns + 1))))
+    symbol = f"jac_{package.robot.name}_casadi_{routine.name}"
+    return External(symbol, f"derivatives of {routine.name}", inputs, tuple(outputs), work, tuple(body))
 
 
 def _call(
@@ -195,14 +182,10 @@ def _by_rows(rows: int, columns: int) -> list[int]:
     return [column * rows + row for row in range(rows) for column in range(columns)]
 
 
-def _dense(rows: int, columns: int) -> tuple[int, ...]:
-    return (rows, columns, 1)
-
-
 def _pattern(rows: int, columns: int, places: Sequence[int]) -> tuple[int, ...]:
     """The pattern with these elements, in CasADi's order."""
     if len(places) == rows * columns:
-        return _dense(rows, columns)
+        return (rows, columns, 1)
     before = [sum(place % columns < column for place in places) for column in range(columns + 1)]
     return (rows, columns, *before, *(place // columns for place in places))
 

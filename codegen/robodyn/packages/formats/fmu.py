@@ -8,7 +8,7 @@ kernel are further outputs.
 from __future__ import annotations
 
 import uuid
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from hashlib import sha256
 from typing import TYPE_CHECKING, Any, Final
 
@@ -94,21 +94,14 @@ def _texts(
             {*(path for path in fixed if path.endswith(".c")), "unit.c", "absent.c", "results.c"}
         ),
     }
-    written = rendered(package, _DESCRIPTIONS, token="", **values)
-    own = rendered(package, _SOURCES, token="", **values)
-    token = _token({**written, **own, **fixed})
-    written = rendered(package, _DESCRIPTIONS, token=token, **values)
-    own = rendered(package, _SOURCES, token=token, **values)
-    sources = {f"sources/{path}": text for path, text in sorted({**own, **fixed}.items())}
-    return {**written, **sources}
-
-
-def _token(texts: Mapping[str, str]) -> str:
-    """What tells this unit from another: a hash of what it consists of, in the form of a UUID."""
-    state = sha256()
-    for path, text in sorted(texts.items()):
+    templates = _DESCRIPTIONS | _SOURCES
+    state = sha256()  # what tells this unit from another, in the form of a UUID
+    for path, text in sorted((rendered(package, templates, token="", **values) | fixed).items()):
         state.update(f"{path}\0{text}\0".encode())
-    return f"{{{uuid.UUID(bytes=state.digest()[:16])}}}"
+    token = f"{{{uuid.UUID(bytes=state.digest()[:16])}}}"
+    texts = rendered(package, templates, token=token, **values)
+    written = {path: texts.pop(path) for path in _DESCRIPTIONS}
+    return written | {f"sources/{path}": text for path, text in sorted((texts | fixed).items())}
 
 
 def _values(package: Package, system: System, results: tuple[Result, ...]) -> dict[str, Any]:

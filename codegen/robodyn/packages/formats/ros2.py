@@ -94,16 +94,9 @@ def _friction(
     return friction, max(abs(float(torque)) for torque in (*bias, *rest, *still))
 
 
-_TEMPLATES: Final = {
-    "package.xml": "package.xml.j2",
-    "CMakeLists.txt": "CMakeLists.txt.j2",
-    "plugins.xml": "plugins.xml.j2",
-    "src/solver.cpp": "solver.cpp.j2",
-    "src/settings.hpp": "settings.hpp.j2",
-    "src/settings.cpp": "settings.cpp.j2",
-    "src/axes.hpp": "axes.hpp.j2",
-    "src/axes.cpp": "axes.cpp.j2",
-}
+_TEXTS: Final = ("package.xml", "CMakeLists.txt", "plugins.xml")
+_SOURCES: Final = ("solver.cpp", "settings.hpp", "settings.cpp", "axes.hpp", "axes.cpp")
+_TEMPLATES: Final = {name: f"{name}.j2" for name in _TEXTS} | {f"src/{x}": f"{x}.j2" for x in _SOURCES}
 #: What the methods of the interface call.
 _NEEDS: Final = tuple(dict.fromkeys(("inverse_dynamics", "mass_matrix", *FUNCTIONS)))
 
@@ -111,24 +104,14 @@ _NEEDS: Final = tuple(dict.fromkeys(("inverse_dynamics", "mass_matrix", *FUNCTIO
 def _files(package: Package) -> Files:
     robot = package.robot
     about = {"friction": friction_of(package), "gravity": [repr(float(g)) for g in robot.gravity]}
-    joints = [(_quoted(link.name), link.joint.kind) for link in robot.links]
+    names = [link.name.replace("\\", "\\\\").replace('"', '\\"') for link in robot.links]  # as C++ has them
+    joints = [(f'"{name}"', link.joint.kind) for name, link in zip(names, robot.links, strict=True)]
     model = {"joints": joints, "axes": axes_of(robot), "same": SAME_AXES}
     return {
         **readme(package, **about),
         **rendered(package, _TEMPLATES, flags=arithmetic_flags(package), **model, **about),
         **sources(package, headers=f"include/{package.name}"),
     }
-
-
-def _called(robot: str) -> str:
-    """In lower case, as ROS has it (REP 144)."""
-    return f"{robot}_dynamics".lower()
-
-
-def _quoted(text: str) -> str:
-    """``text``, which has no control characters, as a literal of C++."""
-    escaped = text.replace("\\", "\\\\").replace('"', '\\"')
-    return f'"{escaped}"'
 
 
 FORMAT = Format(
@@ -141,5 +124,5 @@ FORMAT = Format(
     functions=_NEEDS,
     needs=_NEEDS,
     lacks=frozenset({"memory", "given sines"}),
-    called=_called,
+    called=lambda robot: f"{robot}_dynamics".lower(),  # as ROS has it (REP 144)
 )

@@ -57,12 +57,10 @@ def _files(package: Package) -> Files:
     project = re.sub(r"[-_.]+", "_", package.name).strip("_").lower()
     name = f"{project}-{package.version}"
     wheel = f"{name}-{tag}.whl"
-    notes = readme(
-        package,
-        wheel=Markdown(wheel),
-        machine=Markdown(tag.rpartition("-")[2]),
-        example=Markdown(_example(package)),
-    )
+    first = package.routines[0]
+    rest = ", ".join(f"[0.0] * {array.size}" for array in first.inputs if not array.optional)
+    words = {"wheel": wheel, "machine": tag.rpartition("-")[2], "example": f"{first.name}({rest})"}
+    notes = readme(package, **{key: Markdown(text) for key, text in words.items()})
     templates = {
         f"{package.name}/__init__.py": "init.py.j2",
         f"{package.name}/__init__.pyi": "init.pyi.j2",
@@ -122,16 +120,12 @@ def _functions(package: Package) -> Iterator[PythonFunction]:
         )
 
 
-def _arguments(signature: Signature, routine: Routine, result: str) -> Iterator[str]:
+def _arguments(signature: Signature, routine: Routine, result: str) -> list[str]:
     """The arguments of a function as its stub has them."""
-    for array in routine.inputs:
-        yield f"{array.name}: ArrayLike{' | None = None' if array.optional else ''}"
-    yield "*"
-    if signature.parameters:
-        yield "params: Params"
-    if signature.states:
-        yield from ("dt: float", "state: Array | None = None")
-    yield f"out: {result} | None = None"
+    inputs = [f"{x.name}: ArrayLike{' | None = None' if x.optional else ''}" for x in routine.inputs]
+    parameters = ["params: Params"] if signature.parameters else []
+    memory = ["dt: float", "state: Array | None = None"] if signature.states else []
+    return [*inputs, "*", *parameters, *memory, f"out: {result} | None = None"]
 
 
 def _text(routine: Routine) -> str:
@@ -139,21 +133,15 @@ def _text(routine: Routine) -> str:
 
     def line(array: Argument) -> str:
         shape = ", ".join(["...", *map(str, array.shape)])
-        if array.optional:
-            return f"{array.name}: [{shape}], {array.holds} ({array.unit}); zeros if left out"
-        return f"{array.name}: [{shape}], {array.holds}" + (f" ({array.unit})" if array.unit else "")
+        unit = f" ({array.unit})" if array.unit or array.optional else ""
+        return (
+            f"{array.name}: [{shape}], {array.holds}{unit}{'; zeros if left out' if array.optional else ''}"
+        )
 
     purpose = f"{routine.purpose[:1].upper()}{routine.purpose[1:]}."
     inputs = ["Parameters", "----------", *map(line, routine.inputs)]
     outputs = ["Returns", "-------", *map(line, routine.outputs)]
     return "\n".join([purpose, "", *inputs, "", *outputs])
-
-
-def _example(package: Package) -> str:
-    """A call of the first function at rest."""
-    routine = package.routines[0]
-    zeros = ", ".join(f"[0.0] * {array.size}" for array in routine.inputs if not array.optional)
-    return f"{routine.name}({zeros})"
 
 
 FORMAT = Format(
