@@ -10,8 +10,8 @@ import pytest
 
 from robodyn.errors import InputError
 from robodyn.project.lock import Locked, lock_text, read_lock
-from robodyn.project.places import Places
 from robodyn.project.reading import Project, read_project
+from robodyn.project.tables import Places
 from robodyn.resources import bundled_robot
 from robodyn_cli.project_keys import project_keys
 

@@ -12,7 +12,7 @@ from robodyn.errors import InputError, did_you_mean
 from robodyn.files import label, read_start
 from robodyn.project.lock import Lock, Locked
 from robodyn.project.product import Product
-from robodyn.project.reading import OF, Budgets, Entry, Project
+from robodyn.project.reading import OF, Entry, Project
 from robodyn.toolchain.sources import digest
 
 Kinds = Mapping[str, int]
@@ -139,15 +139,14 @@ def compare(
 ) -> Comparison:
     """The project's files and ``lock`` beside ``products``, and their counts beside those of ``base``, which
     is the lock as well or that of another branch. ``texts`` has what should stand in the files of a robot."""
+    before = {name: each.counts for name, each in sorted((base or {}).items())}
     robots = tuple(
-        _state(project, entry, products[entry.name], _counts_of(base, entry.name), texts)
+        _state(project, entry, products[entry.name], before.get(entry.name, {}), texts)
         for entry in project.entries
     )
     gone = tuple(
-        RobotState(
-            name, {}, tuple(Counted(f, None, kinds, {}) for f, kinds in each.counts.items()), None, gone=True
-        )
-        for name, each in sorted((base or {}).items())
+        RobotState(name, {}, tuple(Counted(f, None, x, {}) for f, x in counts.items()), None, gone=True)
+        for name, counts in before.items()
         if name not in products
     )
     faults = [fault for robot in robots for fault in _faults(robot)]
@@ -182,17 +181,11 @@ def _state(
     files: dict[str, str | None] = {label(folder / name): None for name in product.files}
     for name in different:
         files[label(folder / name)] = _difference(_contents(folder / name), wanted[name])
-    names = dict.fromkeys((*product.counts, *before))
-    functions = tuple(_counted(f, product, before, entry.budgets) for f in names)
+    functions = tuple(
+        Counted(f, product.counts.get(f), before.get(f), entry.budgets.get(f, {}))
+        for f in dict.fromkeys((*product.counts, *before))
+    )
     return RobotState(entry.name, files, functions, product.account)
-
-
-def _counted(function: str, product: Product, before: Mapping[str, Kinds], budgets: Budgets) -> Counted:
-    return Counted(function, product.counts.get(function), before.get(function), budgets.get(function, {}))
-
-
-def _counts_of(lock: Lock | None, name: str) -> Mapping[str, Kinds]:
-    return {} if lock is None or name not in lock else lock[name].counts
 
 
 def _difference(there: bytes | None, wanted: bytes) -> str:

@@ -11,8 +11,7 @@ from typing import Any, Final
 from robodyn.errors import InputError, Place
 from robodyn.files import label, read_text
 from robodyn.project.keys import KERNELS, LARGEST_BUDGET, PACKAGE, Key, Keys
-from robodyn.project.places import Places
-from robodyn.project.tables import LARGEST_FILE, Tables, shown
+from robodyn.project.tables import LARGEST_FILE, Places, Tables, shown
 
 #: What the file is called where nothing else is said.
 FILE: Final = "robodyn.toml"
@@ -148,11 +147,14 @@ class _Reader:
         of the robot that packages have."""
         at = ("robots", entry.name, "packages")
         formats = self.tables.table("robots", entry.name).get("packages", {})
-        if isinstance(formats, list):
-            if not all(isinstance(form, str) for form in formats) or len(set(formats)) < len(formats):
-                raise self._no_packages(at, formats)
-        elif not isinstance(formats, dict):
-            raise self._no_packages(at, formats)
+        is_list = isinstance(formats, list) and all(isinstance(form, str) for form in formats)
+        if not isinstance(formats, dict) and not (is_list and len(set(formats)) == len(formats)):
+            raise InputError(
+                "these are no formats of packages",
+                where=self.places.of(*at),
+                found=shown(formats),
+                expected="a list of formats, each once, or a table for each",
+            )
         keys = self.keys.packages
         inherited = {name: value for name, value in entry.settings.items() if name in keys}
         for form in formats:
@@ -191,14 +193,6 @@ class _Reader:
                     remedy="choose another output, or put the project file further up",
                 )
         return text
-
-    def _no_packages(self, at: tuple[str, ...], formats: Any) -> InputError:
-        return InputError(
-            "these are no formats of packages",
-            where=self.places.of(*at),
-            found=shown(formats),
-            expected="a list of formats, each once, or a table for each",
-        )
 
     def _options(self, at: tuple[str, ...], own: tuple[str, ...], keys: Mapping[str, Key]) -> dict[str, Any]:
         """The options in the table ``at``, each of the right type; the table has keys of its ``own``, too."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import asdict
 from typing import Any, Final
 
 from robodyn.errors import RobodynError, escaped
@@ -23,10 +24,7 @@ def report(comparison: Comparison, written: Sequence[str] = ()) -> Report:
         "passed": not comparison.faults,
         "robots": [_robot(robot) for robot in comparison.robots],
         "written": list(written),
-        "faults": [
-            {"kind": fault.kind, "robot": fault.robot, "subject": fault.subject, "text": fault.text}
-            for fault in comparison.faults
-        ],
+        "faults": [asdict(fault) for fault in comparison.faults],
     }
 
 
@@ -42,20 +40,15 @@ def _robot(robot: RobotState) -> Report:
 
 
 def _function(counted: Counted) -> Report:
-    same = counted.now == counted.before
+    now, before = counted.now, counted.before
+    change = "new" if before is None else "gone" if now is None else "worse" if counted.grown else "better"
     return {
         "function": counted.function,
-        "count": counted.now,
-        "locked": counted.before,
-        "status": "same" if same else "worse" if counted.grown else _change(counted),
+        "count": now,
+        "locked": before,
+        "status": "same" if now == before else change,
         "budget": dict(counted.budget) or None,
     }
-
-
-def _change(counted: Counted) -> str:
-    if counted.before is None:
-        return "new"
-    return "gone" if counted.now is None else "better"
 
 
 def as_json(shown: Report) -> str:
@@ -66,15 +59,13 @@ def as_json(shown: Report) -> str:
 def as_text(shown: Report) -> str:
     """The counts that changed as a table, and how many did not; lines of a terminal."""
     rows = [_HEADS, *_rows(shown)]
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     lines = []
-    if len(rows) > 1:
-        widths = [max(len(row[k]) for row in rows) for k in range(len(_HEADS))]
-        for row in rows:
-            cells = (
-                cell.ljust(width) if k < 2 or k > 6 else cell.rjust(width)
-                for k, (cell, width) in enumerate(zip(row, widths, strict=True))
-            )
-            lines.append("  ".join(cells).rstrip())
+    for row in rows if len(rows) > 1 else ():
+        cells = [cell.rjust(width) for cell, width in zip(row, widths, strict=True)]
+        for k in (0, 1, 7, 8):  # texts stand to the left
+            cells[k] = row[k].ljust(widths[k])
+        lines.append("  ".join(cells).rstrip())
     lines += [f"wrote {path}" for path in shown["written"]]
     return "".join(f"{line}\n" for line in (*lines, _summary(shown)))
 
@@ -100,35 +91,18 @@ def as_junit(shown: Report) -> str:
     lock = [fault for fault in shown["faults"] if fault["kind"] == "lock"]
     suites = [(robot["robot"], list(_cases(robot, shown["faults"]))) for robot in shown["robots"]]
     suites.append(("robodyn.lock", [("up to date", [fault["text"] for fault in lock])]))
-    lines = [
-        _XML,
-        f"<testsuites {_totals([c for _, s in suites for c in s])}>",
-    ]
+    lines = [_XML, f"<testsuites {_totals([case for _, cases in suites for case in cases])}>"]
     for name, cases in suites:
         lines.append(f"  <testsuite name={quoteattr(name)} {_totals(cases)}>")
         for case, faults in cases:
             head = f"    <testcase classname={quoteattr(name)} name={quoteattr(case)}"
-            if not faults:
-                lines.append(f"{head}/>")
-                continue
-            lines.append(f"{head}>")
-            lines.append(f"      <failure message={quoteattr('; '.join(faults))}/>")
-            lines.append("    </testcase>")
+            failure = f"      <failure message={quoteattr('; '.join(faults))}/>"
+            lines += [f"{head}>", failure, "    </testcase>"] if faults else [f"{head}/>"]
         lines.append("  </testsuite>")
     return "\n".join([*lines, "</testsuites>"]) + "\n"
 
 
 _XML: Final = '<?xml version="1.0" encoding="UTF-8"?>'
-
-
-def error_as_json(error: RobodynError) -> str:
-    """``{"error": ...}``, as every command prints it with ``--json``."""
-    return json.dumps({"error": error.to_dict()}, indent=2, ensure_ascii=False) + "\n"
-
-
-def error_as_markdown(error: RobodynError) -> str:
-    """A verdict and the message."""
-    return f"### robodyn: nothing was compared\n\n- {_escaped(error.message())}\n"
 
 
 def error_as_junit(error: RobodynError) -> str:
@@ -167,21 +141,12 @@ def _rows(shown: Report) -> Iterator[tuple[str, ...]]:
             name, function = robot["robot"], each["function"]
             if each["status"] == "same" and (name, function) not in over:
                 continue
-            counts = [_cell(each["count"], each["locked"], kind) for kind in _KINDS]
-            budget = ", ".join(f"{kind} {most}" for kind, most in (each["budget"] or {}).items())
-            yield (
-                name,
-                function,
-                *counts,
-                each["status"],
-                f"{budget or '-'}{' over' * ((name, function) in over)}",
+            pairs = [counts for counts in (each["locked"], each["count"]) if counts is not None]
+            cells = (  # 262, or 260 -> 262 where it was another
+                " -> ".join(dict.fromkeys(str(counts.get(kind, 0)) for counts in pairs)) for kind in _KINDS
             )
-
-
-def _cell(now: Mapping[str, int] | None, before: Mapping[str, int] | None, kind: str) -> str:
-    """``262``, or ``260 -> 262`` where it was another."""
-    texts = [str(counts.get(kind, 0)) for counts in (before, now) if counts is not None]
-    return " -> ".join(dict.fromkeys(texts))
+            budget = ", ".join(f"{kind} {most}" for kind, most in (each["budget"] or {}).items()) or "-"
+            yield name, function, *cells, each["status"], budget + " over" * ((name, function) in over)
 
 
 def _summary(shown: Report) -> str:
@@ -190,19 +155,14 @@ def _summary(shown: Report) -> str:
     total = sum(each["count"]["total"] for each in functions)
     changed = sum(each["status"] != "same" for robot in shown["robots"] for each in robot["functions"])
     packages = sum(robot["package"] is not None for robot in robots)
-    words = ", ".join(
-        (
-            _many(len(robots) - packages, "robot"),
-            *([_many(packages, "package")] if packages else []),
-            _many(len(functions), "function"),
-            _many(total, "operation"),
-        )
-    )
-    return f"{words}; {changed} changed" if changed else f"{words}; no count changed"
-
-
-def _many(amount: int, noun: str) -> str:
-    return f"{amount} {noun}{'s' * (amount != 1)}"
+    amounts = {"robot": len(robots) - packages, "package": packages, "function": len(functions)}
+    amounts["operation"] = total
+    texts = [
+        f"{amount} {noun}{'s' * (amount != 1)}"
+        for noun, amount in amounts.items()
+        if amount or noun != "package"
+    ]
+    return f"{', '.join(texts)}; {f'{changed} changed' if changed else 'no count changed'}"
 
 
 def _escaped(text: str) -> str:
@@ -220,7 +180,7 @@ FORMATS: Final[Mapping[str, Callable[[Report], str]]] = {
 #: The same of an error that left nothing to compare.
 ERRORS: Final[Mapping[str, Callable[[RobodynError], str]]] = {
     "text": lambda error: f"error: {error}\n",
-    "json": error_as_json,
+    "json": lambda error: as_json({"error": error.to_dict()}),
     "junit": error_as_junit,
-    "markdown": error_as_markdown,
+    "markdown": lambda error: f"### robodyn: nothing was compared\n\n- {_escaped(error.message())}\n",
 }

@@ -1,15 +1,18 @@
-"""The tables of a TOML file, read with the place of whatever is wrong in them."""
+"""The tables of a TOML file, read with the place of whatever is wrong in them.
+
+tomllib reads values only: where a key stands, it is asked what the first lines say.
+"""
 
 from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
 from robodyn.errors import InputError, Place, did_you_mean
-from robodyn.project.places import Key, Places
 from robodyn.resources import bundled_robot
 
 #: A robodyn.toml or robodyn.lock with more bytes is refused [bytes]: thousands of robots need less.
@@ -135,3 +138,68 @@ class Tables:
             expected=f"one of {', '.join(words)}",
             remedy=did_you_mean(name, words),
         )
+
+
+# --- places -----------------------------------------------------------------------------------------------
+
+#: What leads to a value: the names of tables and keys, and places (from 0) in lists of tables.
+Key = str | int
+#: What a line looks like that may begin a table or a key; lines inside of a long value mostly do not.
+_BEGINS: Final = re.compile(r"\s*\[|.*=")
+
+#: So many lines that look so are tried.
+_TRIES: Final = 200
+
+
+@dataclass(frozen=True, slots=True)
+class Places:
+    """The places of what ``text`` says, which messages call ``file``. The text is valid TOML."""
+
+    file: str
+    text: str
+
+    def of(self, *path: Key) -> Place:
+        """The line where the key ``path`` is stated, or the table that has it, and the column where that
+        line begins to say something; the file alone if the key is nowhere."""
+        lines = [f"{line}\n" for line in self.text.split("\n")]  # where tomllib and editors break them
+        first, last = 0, len(lines)
+        try:
+            if not path or not _has(self._before(lines, last)[1], path):
+                return Place(self.file)
+            while last - first > 1:  # the beginning of ``last`` lines has it, that of ``first`` does not
+                middle = (first + last) // 2
+                whole, data = self._before(lines, middle)
+                first, last = (first, whole) if _has(data, path) else (middle, last)
+            begun, _ = self._before(lines, last - 1)
+        except _TooIntricate:
+            return Place(self.file)
+        while begun < last - 1 and (not lines[begun].strip() or lines[begun].lstrip().startswith("#")):
+            begun += 1
+        line = lines[begun]
+        return Place(self.file, begun + 1, len(line) - len(line.lstrip()) + 1)
+
+    @staticmethod
+    def _before(lines: Sequence[str], most: int) -> tuple[int, dict[str, Any]]:
+        """The longest beginning of at most ``most`` lines that ends no value in its middle: how many lines
+        it has, and what it says."""
+        for _ in range(_TRIES):
+            while 0 < most < len(lines) and not _BEGINS.match(lines[most]):
+                most -= 1
+            try:
+                return most, tomllib.loads("".join(lines[:most]))
+            except tomllib.TOMLDecodeError:
+                most -= 1
+        raise _TooIntricate
+
+
+class _TooIntricate(ValueError):
+    """The text has long values in which too many lines look as if they began another."""
+
+
+def _has(data: Any, path: Sequence[Key]) -> bool:
+    for key in path:
+        inside = range(len(data)) if isinstance(data, list) else data if isinstance(data, dict) else ()
+        if key not in inside:
+            return False
+        data = data[key]
+    return True

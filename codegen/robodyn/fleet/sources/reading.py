@@ -19,8 +19,7 @@ from robodyn.fleet.sources.folder import fleet_of_folder
 from robodyn.fleet.sources.gathering import Facts, Gathering, check_name
 from robodyn.fleet.sources.manifest import COLUMNS, Manifest, read_manifest
 from robodyn.fleet.sources.pattern import DATE, TEXTS, Match, Pattern, matches, pattern_of
-from robodyn.project.places import Key
-from robodyn.project.tables import Tables, shown
+from robodyn.project.tables import Key, Tables, shown
 
 #: What the file is called in a folder, in small letters or large ones.
 FILE: Final = "fleet.toml"
