@@ -10,8 +10,6 @@ from typing import Any, Final, Literal, Protocol
 from robodyn.errors import Place
 
 Origin = Literal["stated", "measured", "assumed", "synthetic", "absent"]
-#: What a description may say of numbers that it states; of inertial ones also that those left out are absent.
-STATEABLE: Final[tuple[Origin, ...]] = ("stated", "measured", "assumed", "synthetic")
 #: Groups of numbers that a description gives one origin: what of :class:`Origins` each of them is.
 GROUPS: Final[Mapping[str, tuple[str, ...]]] = {
     "geometry": ("geometry",),
@@ -146,18 +144,14 @@ def _ranges(joints: tuple[int, ...]) -> str:
 # --- files in other formats ---------------------------------------------------------------------------------
 
 #: The parts of an :class:`Account` that are lines of text.
-PARTS: Final = {
-    "warnings": "What the format does not allow and was read all the same, with the places.",
-    "left_out": "What changes torques, and was left out as --without said.",
-    "decided": "How the arm was taken out of the file: joints that are locked, limits left out.",
-    "not_used": "What the file says beyond, with the places.",
-}
+PARTS: Final = ("warnings", "left_out", "decided", "not_used")
 
 
 @dataclass(frozen=True, slots=True)
 class Account:
-    """What the reading of ``file``, in that ``format``, came upon; :data:`PARTS` says what each of the others
-    holds, in lines of text."""
+    """What the reading of ``file``, in that ``format``, came upon, in lines of text: ``warnings``, what the
+    format does not allow and was read all the same; what was ``left_out`` and changes torques; how the arm
+    was taken out of the file (``decided``); what the file says beyond (``not_used``)."""
 
     file: str
     format: str
