@@ -49,7 +49,7 @@ def test_no_import_runs_upwards() -> None:
 
 @pytest.mark.parametrize(
     "text",
-    ["from robodyn.dynamics.functions import record", "def f(): import robodyn.dynamics.closing"],
+    ["from robodyn.dynamics.functions import record", "def f(): import robodyn.dynamics.closure"],
 )
 def test_an_import_that_runs_upwards_is_noticed(text: str) -> None:
     assert [*upward_imports("arm", text)]

@@ -8,7 +8,7 @@ from functools import cache
 
 import pytest
 
-from robodyn.dynamics.closing import is_simple
+from robodyn.dynamics.closure import is_simple
 from robodyn.dynamics.functions import FUNCTIONS, NoSuchFunction
 from robodyn.ir.program import Operation, Program
 from robodyn.kernels.proof import Unequal, closes, prove

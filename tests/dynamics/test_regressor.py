@@ -11,7 +11,7 @@ import pytest
 import robodyn
 from dynamics.evaluated import BUNDLED, RANDOM, by_program, robot_named
 from peers import pinocchio_peer
-from robodyn.dynamics.base_parameter import DRIVE, BaseParameter
+from robodyn.dynamics.base_set import DRIVE, BaseParameter
 from robodyn.errors import InputError
 from robodyn.optimize.programs import base_set_of
 from robodyn.robot import Robot, read_text

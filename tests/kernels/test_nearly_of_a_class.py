@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from robodyn.dynamics import closing
+from robodyn.dynamics import closure
 from robodyn.dynamics.inverse import Numerical
 from robodyn.dynamics.state import NoSuchFunction
 from robodyn.kernels import proof
@@ -50,7 +50,7 @@ def test_so_has_an_arm_of_few_joints(shape: str) -> None:
 
 
 def test_a_program_that_reaches_nothing_is_refused_with_a_reason(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(closing, "flaw", lambda *_, **__: "no pose is reached")
+    monkeypatch.setattr(closure, "flaw", lambda *_, **__: "no pose is reached")
     robot = nearly("slide_across_place", 0)
     with pytest.raises(NoSuchFunction, match="none of the poses they were tried at") as refused:
         proof.prove(robot, FUNCTION, build(robot, FUNCTION, Choice()))

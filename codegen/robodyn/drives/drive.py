@@ -11,6 +11,7 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any
 
+from robodyn.dynamics.arm import scalar_of
 from robodyn.dynamics.joints import smoothed_sign
 from robodyn.dynamics.state import Rotor
 from robodyn.effects.catalogue import CATALOGUE
@@ -176,13 +177,8 @@ def layer_of(
     """The drives that :func:`rigid_part` leaves out, ``constant`` applied to constants."""
 
     def scalar(value: Any) -> Any:
-        if isinstance(value, Affine):
-            total = constant(value.constant) if value.constant else 0
-            for name, factor in value.terms:
-                total = total + (parameter(name) if factor == 1 else constant(factor) * parameter(name))
-            return total
-        if isinstance(value, Fraction):
-            return constant(value)
+        if isinstance(value, Affine | Fraction):
+            return scalar_of(value, constant, parameter)
         if isinstance(value, Inertia):
             return value
         return tuple(scalar(x) for x in value) if isinstance(value, tuple) else value

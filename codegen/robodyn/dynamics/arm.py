@@ -163,6 +163,16 @@ class Motion:
     qdd: tuple[Any, ...]
 
 
+def scalar_of(value: Value, constant: Callable[[Fraction], Any], parameter: Callable[[str], Any]) -> Any:
+    """A number of a description with ``constant`` applied to constants and ``parameter`` to names."""
+    if not isinstance(value, Affine):
+        return constant(value)
+    total = constant(value.constant) if value.constant else 0
+    for name, factor in value.terms:
+        total = total + (parameter(name) if factor == 1 else constant(factor) * parameter(name))
+    return total
+
+
 def build_arm(robot: Robot, constant: Callable[[Fraction], Any], parameter: Callable[[str], Any]) -> Arm:
     """``robot`` with ``constant`` applied to its constants and ``parameter`` to its run-time names.
 
@@ -171,20 +181,30 @@ def build_arm(robot: Robot, constant: Callable[[Fraction], Any], parameter: Call
     """
 
     def scalar(value: Value) -> Any:
-        if isinstance(value, Affine):
-            total = constant(value.constant) if value.constant else 0
-            for name, factor in value.terms:
-                total = total + (parameter(name) if factor == 1 else constant(factor) * parameter(name))
-            return total
-        return constant(value)
+        return scalar_of(value, constant, parameter)
 
-    none = constant(Fraction(0))
+    def vector(values: Sequence[Value]) -> Vector:
+        x, y, z = map(scalar, values)
+        return x, y, z
+
+    def tensor(i: Inertia) -> Symmetric:
+        return Symmetric(*map(scalar, (i.xx, i.yy, i.zz, i.xy, i.xz, i.yz)))
+
+    def frame(place: Placement | None) -> Frame:
+        if place is None:
+            return BASE
+        x, y, z = map(vector, zip(*place.rotation, strict=True))
+        return Frame(vector(place.xyz), x, y, z)
+
+    def optional(value: Fraction | None) -> Any:
+        return None if value is None else constant(value)
+
     motor = robot.torque_side == "motor"
     bodies = []
     for link in robot.links:
-        joint, i, gear = link.joint, link.inertia, link.joint.gear
-        span = joint.limits.position
-        x, y, z = link.com
+        joint, gear, span = link.joint, link.joint.gear if motor else None, link.joint.limits.position
+        drive = (joint.motor_inertia, joint.viscous, joint.coulomb)
+        rotor, viscous, coulomb = (scalar(x if motor else Fraction(0)) for x in drive)
         bodies.append(
             Body(
                 revolute=joint.kind == "revolute",
@@ -194,42 +214,39 @@ def build_arm(robot: Robot, constant: Callable[[Fraction], Any], parameter: Call
                 d=scalar(joint.d),
                 theta=joint.theta,
                 mass=scalar(link.mass),
-                com=(scalar(x), scalar(y), scalar(z)),
-                inertia=Symmetric(*(scalar(v) for v in (i.xx, i.yy, i.zz, i.xy, i.xz, i.yz))),
-                motor_inertia=scalar(joint.motor_inertia) if motor else none,
-                viscous=scalar(joint.viscous) if motor else none,
-                coulomb=scalar(joint.coulomb) if motor else none,
+                com=vector(link.com),
+                inertia=tensor(link.inertia),
+                motor_inertia=rotor,
+                viscous=viscous,
+                coulomb=coulomb,
                 b=scalar(joint.b) if joint.b else 0,
-                ratio=None if gear is None or not motor else constant(gear.ratio),
-                torque_constant=None
-                if gear is None or gear.torque_constant is None or not motor
-                else constant(gear.torque_constant),
-                limits=None if span is None else (constant(span[0]), constant(span[1])),
+                ratio=optional(gear.ratio if gear else None),
+                torque_constant=optional(gear.torque_constant if gear else None),
+                limits=span and (constant(span[0]), constant(span[1])),
             )
         )
     loads = [
-        (
-            scalar(entry["mass"]),
-            _vector(scalar, entry["com"]),
-            Symmetric(*(scalar(getattr(tensor, axes)) for axes in ("xx", "yy", "zz", "xy", "xz", "yz"))),
-        )
-        for entry in robot.effects
-        if entry.definition.traits.body
-        for tensor in (entry["inertia"] if "inertia" in entry else Inertia(),)
+        (scalar(x["mass"]), vector(x["com"]), tensor(x["inertia"] if "inertia" in x else Inertia()))
+        for x in robot.effects
+        if x.definition.traits.body
     ]
-    gx, gy, gz = robot.base_gravity
-    rest = None if robot.rest_velocity is None else constant(robot.rest_velocity)
-    band = None if robot.dead_band is None else constant(robot.dead_band)
     if loads:
         bodies[-1] = _loaded(bodies[-1], loads)
-    base, tool = (BASE if place is None else _frame(constant, place) for place in (robot.base, robot.tool))
     stated: list[Vector] = []
     if robot.standard_end is not None:  # each row moves up by one, see robodyn.robot.frames
         end, roll = robot.standard_end.xyz[0], robot.standard_end.rpy[0]
         stated = [(body.a, body.cos_alpha, body.sin_alpha) for body in bodies[1:]]
         stated.append((constant(end), constant(roll.cos), constant(roll.sin)))
-    along = (constant(gx), constant(gy), constant(gz))
-    return Arm(tuple(bodies), along, rest, band, base, tool, motor, tuple(stated))
+    return Arm(
+        tuple(bodies),
+        vector(robot.base_gravity),
+        optional(robot.rest_velocity),
+        optional(robot.dead_band),
+        frame(robot.base),
+        frame(robot.tool),
+        motor,
+        tuple(stated),
+    )
 
 
 def inertial(arm: Arm) -> Arm:
@@ -248,17 +265,6 @@ def in_stated_frame(arm: Arm, link: int, x: Vector, y: Vector, z: Vector) -> tup
 
 def _sum_of(p: Any, u: Vector, q: Any, v: Vector) -> Vector:
     return (p * u[0] + q * v[0], p * u[1] + q * v[1], p * u[2] + q * v[2])
-
-
-def _frame(constant: Callable[[Fraction], Any], place: Placement) -> Frame:
-    x, y, z = ((constant(u), constant(v), constant(w)) for u, v, w in zip(*place.rotation, strict=True))
-    px, py, pz = map(constant, place.xyz)
-    return Frame((px, py, pz), x, y, z)
-
-
-def _vector(scalar: Callable[[Value], Any], values: Sequence[Value]) -> Vector:
-    x, y, z = values
-    return scalar(x), scalar(y), scalar(z)
 
 
 def _loaded(body: Body, loads: Sequence[tuple[Any, Vector, Symmetric]]) -> Body:

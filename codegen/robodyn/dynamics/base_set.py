@@ -15,15 +15,14 @@ from __future__ import annotations
 import functools
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from numbers import Rational
-from typing import Any
+from typing import Any, NamedTuple
 
-from robodyn.dynamics.arm import Arm, Motion, Symmetric
-from robodyn.dynamics.base_parameter import DRIVE, MOMENTS, BaseParameter, Standard
+from robodyn.dynamics.arm import Arm, JointAngle, Motion, Symmetric, build_motion
 from robodyn.dynamics.limits import MOST_FIELDS
-from robodyn.dynamics.lump import NO_LUMP, Lump
+from robodyn.dynamics.lump import Lump
 from robodyn.dynamics.parallel import Turns, single_turns
 from robodyn.dynamics.regressor import Accelerated, accelerated, unit_torques_at
 from robodyn.dynamics.regroup import about_axis_z, in_parent
@@ -31,8 +30,76 @@ from robodyn.errors import InputError
 from robodyn.ir.field import Field, Residue
 from robodyn.ir.fingerprint import in_drawn_field
 
+#: Mass, first and second moments of a link about the origin of its frame.
+MOMENTS = ("m", "mx", "my", "mz", "Kxx", "Kyy", "Kzz", "Kxy", "Kxz", "Kyz")
+#: What the drives add, where torques are the motors'.
+DRIVE = ("rotor", "viscous", "coulomb")
+
+
+class Standard(NamedTuple):
+    """A number of a link (from 1) as it is described."""
+
+    quantity: str
+    link: int
+
+    def __str__(self) -> str:
+        return f"{self.quantity}{self.link}"
+
+
+@dataclass(frozen=True, slots=True)
+class BaseParameter:
+    """A combination of numbers of links. Its column is the torques that a unit of ``own`` alone takes."""
+
+    own: Standard
+    terms: tuple[tuple[Standard, Fraction], ...]
+
+    def value(self, numbers: Mapping[Standard, Any]) -> Any:
+        """Its value where the links' ``numbers`` are these; those that are missing are 0."""
+        total: Any = 0
+        for standard, factor in self.terms:
+            if standard in numbers:
+                total = total + factor * numbers[standard]
+        return total
+
+    def to_dict(self) -> dict[str, Any]:
+        """As JSON has it: its own number, and all that it is made of with factors."""
+        return {"own": str(self.own), "terms": {str(x): float(factor) for x, factor in self.terms}}
+
+    def __str__(self) -> str:
+        text = ""
+        for standard, factor in self.terms:
+            size = "" if abs(factor) == 1 else f"{_decimal(abs(factor))} "
+            sign = "-" if factor < 0 else "+" if text else ""
+            text += f" {sign} {size}{standard}" if text else f"{sign}{size}{standard}"
+        return text
+
+
+def numbers_of(arm: Arm, lumps: Sequence[Lump]) -> dict[Standard, Any]:
+    """The numbers of the links of ``arm``, whose moments of mass are ``lumps``, and of their drives."""
+    numbers: dict[Standard, Any] = {}
+    for i, (body, lump) in enumerate(zip(arm.bodies, lumps, strict=True), 1):
+        moments = (lump.mass, *lump.first, *lump.second.entries())
+        drive = (body.motor_inertia, body.viscous, body.coulomb)
+        values = zip((*MOMENTS, *DRIVE), (*moments, *drive), strict=True)
+        numbers.update({Standard(quantity, i): value for quantity, value in values})
+    return numbers
+
+
+def _decimal(x: Fraction) -> str:
+    """The shortest decimal that is ``x``, else the nearest of 12 digits."""
+    below = x.denominator
+    for prime in (2, 5):
+        while below % prime == 0:
+            below //= prime
+    exact = below == 1 and x.denominator < 10**15
+    return f"{float(x):.15g}" if exact else f"{float(x):.12g}"
+
+
 #: What may make a difference of its own at a revolute joint, and at a prismatic one; cheap columns first.
 _OWN = {True: ("Kxx", "Kyy", "Kxy", "Kxz", "Kyz", "mx", "my"), False: ("m", "mx", "my", "mz")}
+_ORDER = {quantity: k for k, quantity in enumerate((*MOMENTS, *DRIVE))}
+#: Numbers of links with factors.
+_Form = dict[Standard, Fraction]
 
 
 def base_set(arm: Arm) -> tuple[BaseParameter, ...]:
@@ -48,25 +115,17 @@ def base_set(arm: Arm) -> tuple[BaseParameter, ...]:
             found="a length that is a run-time parameter",
             remedy="state it as a number; masses may stay run-time parameters",
         )
+    zero: dict[str, Any] = {"mass": 0, "com": (0, 0, 0), "inertia": Symmetric(0, 0, 0, 0, 0, 0)}
+    zero |= {"motor_inertia": 0, "viscous": 0, "coulomb": 0}
     bodies = tuple(
-        replace(
-            body,
-            cos_alpha=_fraction(body.cos_alpha),
-            sin_alpha=_fraction(body.sin_alpha),
-            a=_fraction(body.a),
-            b=_fraction(body.b),
-            d=_fraction(body.d),
-            mass=0,
-            com=(0, 0, 0),
-            inertia=NO_LUMP.second,
-            motor_inertia=0,
-            viscous=0,
-            coulomb=0,
-        )
+        replace(body, **{name: _fraction(getattr(body, name)) for name in _GEOMETRY}, **zero)
         for body in arm.bodies
     )
-    gravity = (_fraction(arm.gravity[0]), _fraction(arm.gravity[1]), _fraction(arm.gravity[2]))
-    return _base_set(Arm(bodies, gravity, arm.rest_velocity, arm.dead_band, motors=arm.motors))
+    gx, gy, gz = map(_fraction, arm.gravity)
+    return _base_set(Arm(bodies, (gx, gy, gz), arm.rest_velocity, arm.dead_band, motors=arm.motors))
+
+
+_GEOMETRY = ("cos_alpha", "sin_alpha", "a", "b", "d")
 
 
 def _fraction(x: Any) -> Any:
@@ -77,37 +136,24 @@ def _fraction(x: Any) -> Any:
 @functools.lru_cache(maxsize=64)
 def _base_set(arm: Arm) -> tuple[BaseParameter, ...]:
     forms = _regrouped(arm)
-    candidates = [
-        Standard(quantity, i) for i, body in enumerate(arm.bodies, 1) for quantity in _OWN[body.revolute]
-    ]
-    joints = range(1, len(arm.bodies) + 1)
-    if arm.motors:
-        rotors = [Standard(DRIVE[0], i) for i in joints]
-        candidates += rotors
-        forms.update({x: {x: Fraction(1)} for x in rotors})
-    independent, relations = _independent(arm, candidates)
-    if arm.motors:  # friction is odd in the rates, all else is even
-        friction = [Standard(quantity, i) for quantity in DRIVE[1:] for i in joints]
-        forms.update({x: {x: Fraction(1)} for x in friction})
-        independent += friction
+    links = list(enumerate(arm.bodies, 1))
+    candidates = [Standard(quantity, i) for i, body in links for quantity in _OWN[body.revolute]]
+    drives = [Standard(quantity, i) for quantity in DRIVE for i, _ in links] if arm.motors else []
+    rotors, friction = (
+        drives[: len(links)],
+        drives[len(links) :],
+    )  # friction is odd in the rates, all else even
+    forms |= {x: {x: Fraction(1)} for x in drives}
+    independent, relations = _independent(arm, candidates + rotors)
     parameters = []
-    for own in independent:
+    for own in independent + friction:
         form = dict(forms[own])
         for other, factors in relations.items():
             if own in factors:
                 _add(form, forms[other], factors[own])
-        terms = tuple(
-            (x, form[x])
-            for x in sorted(form, key=lambda x: (x != own, x.link, _ORDER[x.quantity]))
-            if form[x]
-        )
-        parameters.append(BaseParameter(own, terms))
+        order = sorted(form, key=lambda x: (x != own, x.link, _ORDER[x.quantity]))
+        parameters.append(BaseParameter(own, tuple((x, form[x]) for x in order if form[x])))
     return tuple(sorted(parameters, key=lambda x: (x.own.link, _ORDER[x.own.quantity])))
-
-
-_ORDER = {quantity: k for k, quantity in enumerate((*MOMENTS, *DRIVE))}
-#: Numbers of links with factors.
-_Form = dict[Standard, Fraction]
 
 
 def _add(form: _Form, other: _Form, factor: Fraction) -> None:
@@ -117,30 +163,24 @@ def _add(form: _Form, other: _Form, factor: Fraction) -> None:
 
 def _regrouped(arm: Arm) -> dict[Standard, _Form]:
     """What each link's moments stand for after all that makes no difference moved to its parent."""
-    forms: dict[Standard, _Form] = {
-        Standard(quantity, i): {Standard(quantity, i): Fraction(1)}
-        for i in range(1, len(arm.bodies) + 1)
-        for quantity in MOMENTS
-    }
-    for i in reversed(range(1, len(arm.bodies))):
+    links = range(1, len(arm.bodies) + 1)
+    own = [Standard(quantity, i) for i in links for quantity in MOMENTS]
+    forms: dict[Standard, _Form] = {x: {x: Fraction(1)} for x in own}
+    for i in reversed(links[:-1]):
         body = arm.bodies[i]
         for quantity in MOMENTS:
             if quantity in _OWN[body.revolute]:
                 continue
-            lump = _unit(quantity)
+            mass, x, y, z, *second = (int(quantity == other) for other in MOMENTS)
+            lump = Lump(mass, (x, y, z), Symmetric(*second))
             if not body.revolute:
                 lump = about_axis_z(lump, body.theta.cos, body.theta.sin)
             moved = in_parent(lump, arm, i, body.d)
-            numbers = zip(MOMENTS, (moved.mass, *moved.first, *moved.second.entries()), strict=True)
-            for other, factor in numbers:
+            numbers = (moved.mass, *moved.first, *moved.second.entries())
+            for other, factor in zip(MOMENTS, numbers, strict=True):
                 if factor:
                     _add(forms[Standard(other, i)], forms[Standard(quantity, i + 1)], Fraction(factor))
     return forms
-
-
-def _unit(quantity: str) -> Lump:
-    mass, x, y, z, *second = (int(quantity == other) for other in MOMENTS)
-    return Lump(mass, (x, y, z), Symmetric(*second))
 
 
 # --- what is special to an arm ------------------------------------------------------------------------------
@@ -264,29 +304,22 @@ def _somewhere(field: Field, arm: Arm, k: int) -> tuple[Arm, Motion, Turns, list
     """``arm`` in the field, at a random point, and the motion of its links there."""
 
     def number(x: Any) -> Any:
-        return x if x in (0, 1, -1) else Residue(field, field.number(x))
+        return x if x is None or x in (0, 1, -1) else Residue(field, field.number(x))
 
-    def drawn(name: str, i: int) -> Residue:
-        return Residue(field, field.random(f"{name} {i} {k}"))
+    def circle(angle: JointAngle) -> tuple[Residue, Residue]:
+        cosine, sine = field.circle(f"q {angle.terms[0][0]} {k}")
+        return Residue(field, cosine), Residue(field, sine)
 
-    bodies, c, s, d = [], [], [], []
-    for i, body in enumerate(arm.bodies):
-        names = ("cos_alpha", "sin_alpha", "a", "b", "d")
-        bodies.append(replace(body, **{name: number(getattr(body, name)) for name in names}))
-        if body.revolute:
-            cosine, sine = field.circle(f"q {i} {k}")
-            c.append(Residue(field, cosine))
-            s.append(Residue(field, sine))
-            d.append(bodies[i].d)
-        else:
-            c.append(number(body.theta.cos))
-            s.append(number(body.theta.sin))
-            d.append(drawn("q", i))
-    qd, qdd = (tuple(drawn(name, i) for i in range(len(c))) for name in ("qd", "qdd"))
+    bodies = tuple(
+        replace(body, **{name: number(getattr(body, name)) for name in _GEOMETRY}) for body in arm.bodies
+    )
+    q, qd, qdd = (
+        [Residue(field, field.random(f"{name} {i} {k}")) for i in range(len(bodies))]
+        for name in ("q", "qd", "qdd")
+    )
     x, y, z = map(number, arm.gravity)
-    rest, band = (None if speed is None else number(speed) for speed in (arm.rest_velocity, arm.dead_band))
-    moved = Arm(tuple(bodies), (x, y, z), rest, band)
-    motion = Motion(tuple(c), tuple(s), tuple(d), qd, qdd)
+    moved = Arm(bodies, (x, y, z), number(arm.rest_velocity), number(arm.dead_band))
+    motion = build_motion(moved, q, qd, qdd, circle, number)
     turns = single_turns(motion)
     return moved, motion, turns, accelerated(moved, motion, turns)
 

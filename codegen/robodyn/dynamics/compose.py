@@ -13,7 +13,7 @@ from robodyn.ir.lowering import lower
 from robodyn.ir.program import Input, Label, Program
 
 if TYPE_CHECKING:
-    from robodyn.dynamics.base_parameter import BaseParameter
+    from robodyn.dynamics.base_set import BaseParameter
 
 #: The dynamics in a graph, at inputs ``[n]`` by name.
 Beneath = Callable[[Graph, Mapping[str, Vector]], Dynamics]

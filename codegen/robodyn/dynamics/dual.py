@@ -11,24 +11,13 @@ from dataclasses import replace
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, Motion
-from robodyn.effects.scalars import (
-    arctangent,
-    choose,
-    cosine,
-    exponential,
-    magnitude,
-    quotient,
-    root,
-    sign,
-    sine,
-    tangent,
-)
+from robodyn.effects.scalars import quotient, sign, tangent
 
 
 class Dual:
     """``value + slope e`` with ``e * e = 0``: ``+ - * /`` with others of its kind and with plain scalars.
 
-    Where ``|x|`` has no derivative it is 0, and that of ``sgn x`` is 0 everywhere.
+    The derivative of ``sgn x`` is 0 everywhere.
     """
 
     __slots__ = ("slope", "value")
@@ -71,50 +60,14 @@ class Dual:
         value = other / self.value
         return Dual(value, -(value * self.slope) / self.value)
 
-    def __abs__(self) -> Dual:
-        return Dual(magnitude(self.value), sign(self.value) * self.slope)
-
     def sign(self) -> Dual:
         """-1, 0 or 1."""
         return Dual(sign(self.value), 0 * self.slope)
-
-    def sqrt(self) -> Dual:
-        """Square root."""
-        value = root(self.value)
-        return Dual(value, self.slope / (2 * value))
 
     def tanh(self) -> Dual:
         """Hyperbolic tangent."""
         value = tangent(self.value)
         return Dual(value, (1 - value * value) * self.slope)
-
-    def exp(self) -> Dual:
-        """``e^x``."""
-        value = exponential(self.value)
-        return Dual(value, value * self.slope)
-
-    def sin(self) -> Dual:
-        """Sine."""
-        return Dual(sine(self.value), cosine(self.value) * self.slope)
-
-    def cos(self) -> Dual:
-        """Cosine."""
-        return Dual(cosine(self.value), -(sine(self.value) * self.slope))
-
-    def atan2(self, x: Any) -> Dual:
-        """The angle of the point (``x``, this)."""
-        x = _dual(x)
-        above = x.value * self.slope - self.value * x.slope
-        return Dual(arctangent(self.value, x.value), above / (x.value * x.value + self.value * self.value))
-
-    def select(self, a: Any, b: Any) -> Dual:
-        """``a`` where this is more than 0, else ``b``."""
-        a, b = _dual(a), _dual(b)
-        return Dual(choose(self.value, a.value, b.value), choose(self.value, a.slope, b.slope))
-
-
-def _dual(x: Any) -> Dual:
-    return x if isinstance(x, Dual) else Dual(x, 0)
 
 
 def slopes(values: Sequence[Any]) -> list[Any]:

@@ -11,10 +11,9 @@ from __future__ import annotations
 import random
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robodyn.dynamics.arm import JointAngle, Motion, build_arm, build_motion
-from robodyn.dynamics.base_parameter import BaseParameter
 from robodyn.dynamics.functions import INPUTS, function_named
 from robodyn.dynamics.reference import PlainDynamics
 from robodyn.ir.evaluate import Circle, evaluate_exact, turn
@@ -25,6 +24,9 @@ from robodyn.ir.program import Input, Program
 from robodyn.robot.identity import identity
 from robodyn.robot.model import Robot
 from robodyn.robot.values import circle_point
+
+if TYPE_CHECKING:
+    from robodyn.dynamics.base_set import BaseParameter
 
 #: Numbers that stay integers: a recursion over them asks which are 0.
 _FEW = (0, 1, -1)

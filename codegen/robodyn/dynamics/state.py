@@ -13,7 +13,6 @@ from robodyn.errors import InputError
 
 if TYPE_CHECKING:
     from robodyn.dynamics.arm import Arm, Motion
-    from robodyn.dynamics.base_parameter import BaseParameter
     from robodyn.dynamics.lump import Lump, MomentForm
     from robodyn.dynamics.parallel import Turns
 
@@ -128,8 +127,8 @@ class Dynamics(Protocol):
         whose derivatives are written out."""
         ...
 
-    def base_set(self) -> Sequence[BaseParameter]:
-        """The combinations of the links' numbers that the torques depend on.
+    def base_set(self) -> Sequence[Any]:
+        """The base parameters (:class:`~robodyn.dynamics.base_set.BaseParameter`).
 
         Raises
         ------

@@ -17,7 +17,7 @@ from typing import Any
 
 from robodyn.drives.drive import Layer, layer_of, rigid_part
 from robodyn.dynamics.arm import JointAngle, Motion, build_arm, build_motion
-from robodyn.dynamics.base_parameter import BaseParameter
+from robodyn.dynamics.base_set import BaseParameter
 from robodyn.dynamics.functions import INPUTS, Rotor, function_named
 from robodyn.dynamics.limits import PROVEN_DIGITS
 from robodyn.dynamics.reference import PlainDynamics

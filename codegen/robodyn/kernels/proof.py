@@ -27,7 +27,7 @@ def prove(robot: Robot, function: str, program: Program, scalar: ScalarType = "d
     """
     wrong: str | None = "from plain Newton-Euler"
     if function_named(function).of_pose:
-        from robodyn.dynamics.closing import UNREACHED
+        from robodyn.dynamics.closure import UNREACHED
 
         flaw = _flaw(robot, function, program, scalar)
         if flaw == UNREACHED and program.iteration is not None:
@@ -50,7 +50,7 @@ def closes(robot: Robot, function: str, program: Program, scalar: ScalarType = "
 
 
 def _flaw(robot: Robot, function: str, program: Program, scalar: ScalarType) -> str | None:
-    from robodyn.dynamics.closing import BESIDE, flaw
+    from robodyn.dynamics.closure import BESIDE, flaw
     from robodyn.dynamics.inverse import Numerical
     from robodyn.dynamics.inverse.limits import WEAK_NEAR
 

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from robodyn.counts import Count
 from robodyn.counts import count as count_of
 from robodyn.dynamics.arm import build_arm
-from robodyn.dynamics.base_parameter import BaseParameter, numbers_of
+from robodyn.dynamics.base_set import BaseParameter, numbers_of
 from robodyn.dynamics.regroup import lumps_of
 from robodyn.emit import render
 from robodyn.emit.batch import batch_files

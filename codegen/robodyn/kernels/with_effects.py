@@ -34,7 +34,7 @@ from robodyn.optimize.programs import Choice, NoForwardDynamics, base_set_of, ex
 from robodyn.robot.model import Robot
 
 if TYPE_CHECKING:
-    from robodyn.dynamics.base_parameter import BaseParameter
+    from robodyn.dynamics.base_set import BaseParameter
 
 #: Recursions that pass by the force and the moment in every joint.
 REACTIONS = {"modified_newton_euler": modified_newton_euler, "newton_euler": newton_euler}

@@ -40,7 +40,7 @@ from robodyn.robot.masses import require_masses
 from robodyn.robot.model import Robot
 
 if TYPE_CHECKING:
-    from robodyn.dynamics.base_parameter import BaseParameter
+    from robodyn.dynamics.base_set import BaseParameter
     from robodyn.dynamics.inverse import Inverse as ClosedForm
     from robodyn.dynamics.inverse import Numerical
 

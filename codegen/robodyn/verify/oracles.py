@@ -38,7 +38,7 @@ from robodyn.verify.numbers import Parameters, filled, real
 from robodyn.verify.reference import Floats, Reference
 
 if TYPE_CHECKING:
-    from robodyn.dynamics.base_parameter import BaseParameter
+    from robodyn.dynamics.base_set import BaseParameter
     from robodyn.verify.against.arm import PeerArm
 
 #: float64, or Fractions in an array of objects.

@@ -165,7 +165,7 @@ class Function:
     derivatives: of its only result by each of its inputs; none: no function has them.
     iterative: how its results are approached, of an arm of which it cannot be written straight; else None.
     answers: of a function of a pose, and of no state, its results. What is right is that the poses of its
-        solutions are the one that it was given (:mod:`robodyn.dynamics.closing`).
+        solutions are the one that it was given (:mod:`robodyn.dynamics.closure`).
     emitted: what it is called in emitted code, where another function, written around it, has its name; else
         nothing.
     """

@@ -16,7 +16,7 @@ from robodyn.dynamics.vectors import flat, products
 from robodyn.effects.scalars import quotient
 
 if TYPE_CHECKING:
-    from robodyn.dynamics.base_parameter import Standard
+    from robodyn.dynamics.base_set import Standard
 
 Y = Array("Y", "torques by base parameters, a column each", "SI units", shape=("n", "p"))
 
@@ -60,7 +60,7 @@ def _with_masses(arm: Arm, x: Vector) -> Arm:
 
 def _numbers_of(arm: Arm) -> dict[Standard, Any]:
     """The numbers of the links of ``arm`` by name."""
-    from robodyn.dynamics.base_parameter import numbers_of
+    from robodyn.dynamics.base_set import numbers_of
 
     return numbers_of(arm, lumps_of(arm))
 
@@ -90,7 +90,7 @@ def _of_an_arm_with_them(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair
 
 def _with_numbers(body: Body, numbers: Mapping[Standard, Any], link: int) -> Body:
     """``body`` with these moments of mass about its frame's origin, rotor and friction."""
-    from robodyn.dynamics.base_parameter import DRIVE, MOMENTS, Standard
+    from robodyn.dynamics.base_set import DRIVE, MOMENTS, Standard
 
     m, x, y, z, *second = (numbers[Standard(quantity, link)] for quantity in MOMENTS)
     com = cx, cy, cz = quotient(x, m), quotient(y, m), quotient(z, m)

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import partial
 from typing import NamedTuple
 
 from robodyn.dynamics.inverse.limits import TOLERANCE
@@ -30,6 +31,8 @@ from robodyn.effects.scalars import choose
 
 #: Points of axes by joint.
 Points = dict[int, Vector]
+#: Branches in which the first of some axes bring a point that they move to a place.
+Placing = Callable[[Sequence[Axis], Vector, Vector, Setting], Iterator[Branch]]
 
 
 class Class(NamedTuple):
@@ -83,23 +86,19 @@ def _wrists(arm: Joints) -> Iterator[Class]:
             return
     marker = _marker_of(six)
     meeting = "axes {}, {} and {} meet in a point".format(*_numbers(arm.axes[3:]))
-    for structure, mirrored, points, words in _structures(arm):
+    for place, points, words in _structures(arm):
+        yield Class((meeting, words), points, partial(_by_wrist, place, centre, marker))
 
-        def solve(
-            axes: Sequence[Axis],
-            target: Target,
-            at: Setting,
-            structure: Structure = structure,
-            mirrored: bool = mirrored,
-        ) -> Iterator[Branch]:
-            for branch in _placed(structure, mirrored, axes, centre, target.placed(centre), at):
 
-                def rotation(v: Vector, branch: Branch = branch) -> Vector:
-                    return branch.inward_of(axes[:3], target.turned(v))
+def _by_wrist(
+    place: Placing, centre: Vector, marker: Vector, axes: Sequence[Axis], target: Target, at: Setting
+) -> Iterator[Branch]:
+    for branch in place(axes, centre, target.placed(centre), at):
 
-                yield from _oriented(_three(axes[3:]), rotation, marker, branch, at)
+        def rotation(v: Vector, branch: Branch = branch) -> Vector:
+            return branch.inward_of(axes[:3], target.turned(v))
 
-        yield Class((meeting, words), points, solve)
+        yield from _oriented(_three(axes[3:]), rotation, marker, branch, at)
 
 
 def _three_parallel(arm: Joints) -> Iterator[Class]:
@@ -154,18 +153,8 @@ def _three_parallel(arm: Joints) -> Iterator[Class]:
 
 def _places(arm: Joints) -> Iterator[Class]:
     """Three joints that bring the tool's origin to a point, however it is turned."""
-    for structure, mirrored, points, words in _structures(arm):
-
-        def solve(
-            axes: Sequence[Axis],
-            target: Target,
-            at: Setting,
-            structure: Structure = structure,
-            mirrored: bool = mirrored,
-        ) -> Iterator[Branch]:
-            return _placed(structure, mirrored, axes, arm.tip, target.placed(arm.tip), at)
-
-        yield Class((words,), points, solve)
+    for place, points, words in _structures(arm):
+        yield Class((words,), points, partial(_at_the_tip, place, arm.tip))
 
 
 def _few(arm: Joints) -> Class:
@@ -174,23 +163,29 @@ def _few(arm: Joints) -> Class:
     if len(arm.axes) == 2:
         one, two = arm.axes
         points = dict(zip((one.joint, two.joint), feet(one, two), strict=True))
-
-    def solve(axes: Sequence[Axis], target: Target, at: Setting) -> Iterator[Branch]:
-        return _placed_by_few(axes, arm.tip, target.placed(arm.tip), at)
-
+    solve = partial(_at_the_tip, _placed_by_few, arm.tip)
     return Class(("there are fewer than three joints",), points, solve)
+
+
+def _at_the_tip(
+    place: Placing, tip: Vector, axes: Sequence[Axis], target: Target, at: Setting
+) -> Iterator[Branch]:
+    return place(axes, tip, target.placed(tip), at)
 
 
 def _placed(
     structure: Structure, mirrored: bool, axes: Sequence[Axis], tip: Vector, place: Vector, at: Setting
 ) -> Iterator[Branch]:
-    """Branches of the first three joints that bring ``tip`` to ``place``."""
-    reach = Reach(_mirror(axes), place, tip) if mirrored else Reach(_three(axes), tip, place)
-    return structure.solve(reach, Branch(), at)
+    one, two, three = ordered = _mirror(axes) if mirrored else _three(axes)
+    if mirrored:
+        tip, place = place, tip
+    p, a = minus(place, one.point), minus(two.point, one.point)
+    b, c = minus(three.point, two.point), minus(tip, three.point)
+    return structure.solve(Reach(ordered, p, a, b, c), Branch(), at)
 
 
-def _structures(arm: Joints) -> Iterator[tuple[Structure, bool, Points, str]]:
-    """Ways to place a point by the first three axes; whether these are taken from the last to the first; the
+def _structures(arm: Joints) -> Iterator[tuple[Placing, Points, str]]:
+    """Ways to place a point by the first three axes, which are taken from the first to the last or back; the
     points (where the first two are nearest to each other, and on the third what is nearest to that); and what
     is needed, in words."""
     for mirrored in (False, True):
@@ -203,7 +198,8 @@ def _structures(arm: Joints) -> Iterator[tuple[Structure, bool, Points, str]]:
             if structure.kinds == kinds and all(
                 structure.applies(*ordered(stance)) for stance in arm.stances(points)
             ):
-                yield structure, mirrored, points, structure.words.format(*_numbers(axes))
+                words = structure.words.format(*_numbers(axes))
+                yield partial(_placed, structure, mirrored), points, words
 
 
 def _meet(axes: Sequence[Axis], point: Vector, size: Fraction) -> bool:

@@ -8,8 +8,7 @@ the second to the third, ``c`` from there to the tip at rest.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 from robodyn.dynamics.inverse.limits import TOLERANCE
 from robodyn.dynamics.inverse.screws import Axis, across, opposite, turned
@@ -27,33 +26,14 @@ from robodyn.effects.scalars import choose
 Axes = tuple[Axis, Axis, Axis]
 
 
-@dataclass(frozen=True, slots=True)
-class Reach:
-    """Three axes, the tip that they move at rest, and where it is to be [m]; ``p a b c``: see above."""
+class Reach(NamedTuple):
+    """Three axes, and ``p a b c`` of them, see above [m]."""
 
     axes: Axes
-    tip: Vector
-    place: Vector
-
-    @property
-    def p(self) -> Vector:
-        """From the first axis to the place."""
-        return minus(self.place, self.axes[0].point)
-
-    @property
-    def a(self) -> Vector:
-        """From the first axis to the second."""
-        return minus(self.axes[1].point, self.axes[0].point)
-
-    @property
-    def b(self) -> Vector:
-        """From the second axis to the third."""
-        return minus(self.axes[2].point, self.axes[1].point)
-
-    @property
-    def c(self) -> Vector:
-        """From the third axis to the tip."""
-        return minus(self.tip, self.axes[2].point)
+    p: Vector
+    a: Vector
+    b: Vector
+    c: Vector
 
 
 #: A way to place a point, with all its branches, of the branch that it starts from.
@@ -62,8 +42,7 @@ Solver = Callable[[Reach, Branch, Setting], Iterator[Branch]]
 Fit = Callable[[Axis, Axis, Axis], bool]
 
 
-@dataclass(frozen=True, slots=True)
-class Structure:
+class Structure(NamedTuple):
     """A way to place a point by three joints.
 
     ``kinds``: ``R`` and ``P`` by joint. ``words``: what is needed, with ``{0} {1} {2}`` for the joints.
@@ -298,7 +277,7 @@ def _a_turn_along_a_slide(arm: Reach, branch: Branch, at: Setting) -> Iterator[B
     lambda u, v, w: abs(float(dot(u.direction, cross(v.direction, w.direction)))) > TOLERANCE,
 )
 def _three_slides(arm: Reach, branch: Branch, at: Setting) -> Iterator[Branch]:
-    p = minus(arm.place, arm.tip)
+    p = minus(arm.p, plus(arm.a, arm.b, arm.c))
     u, v, w = (axis.direction for axis in arm.axes)
     volume = dot(u, cross(v, w))
     for axis, side in zip(arm.axes, (cross(v, w), cross(w, u), cross(u, v)), strict=True):

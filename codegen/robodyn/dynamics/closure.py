@@ -13,7 +13,7 @@ import random
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import Any, NamedTuple
 
 from robodyn.dynamics.arm import Arm, JointAngle, build_arm, build_motion
 from robodyn.dynamics.functions import function_named
@@ -40,10 +40,11 @@ from robodyn.robot.model import Robot
 _RANGE = 1 << 32
 #: How far from them the reference of a program is that repeats a step [rad or m]: a few steps.
 BESIDE = Fraction(1, 64)
+#: What :func:`flaw` says of a program that is right wherever it says that it reaches a pose, and never does.
+UNREACHED = "no pose is reached"
 
 
-@dataclass(frozen=True, slots=True)
-class Drawn:
+class Drawn(NamedTuple):
     """A pose [12] and the reference [n] (rad or m) that go with it, and ``words`` for them. ``q`` [n]: the
     positions that the pose is of; None: any pose, ``far`` beyond reach."""
 
@@ -52,10 +53,6 @@ class Drawn:
     near: Sequence[Any]
     q: Sequence[Any] | None = None
     far: bool = False
-
-
-#: What :func:`flaw` says of a program that is right wherever it says that it reaches a pose, and never does.
-UNREACHED = "no pose is reached"
 
 
 def flaw(
@@ -81,14 +78,12 @@ def flaw(
     with mpmath.workdps(PROVEN_DIGITS):
         arm = build_arm(robot, to_digits, lambda name: mpmath.mpf(1))
         size = mpmath.mpf(1) + sum(abs(x) for body in arm.bodies for x in (body.a, body.b, body.d))
-        share = to_digits(PROVEN_SHARE * ROUNDING[scalar] ** 2)
-        if not is_simple(robot):
-            share = max(share, to_digits(NEGLECTED_SHARE))
         steps = program.iteration is not None
-        if steps:
-            share = to_digits(EDGE * ROUNDING[scalar])
+        share = EDGE * ROUNDING[scalar] if steps else PROVEN_SHARE * ROUNDING[scalar] ** 2
+        if not steps and not is_simple(robot):
+            share = max(share, NEGLECTED_SHARE)
         same = SAME_POSITION * mpmath.sqrt(to_digits(ROUNDING[scalar]))
-        goal = _Goal(arm, size, share, same, place_only, sure=not steps)
+        goal = _Goal(arm, size, to_digits(share), same, place_only, sure=not steps)
         reached = False
         for drawn in _draws(arm, size, chance, beside if steps else Fraction(0)):
             inputs = {Input("T", k): x for k, x in enumerate(drawn.T)}
@@ -99,7 +94,7 @@ def flaw(
                 return f"at {drawn.words}: a divisor is 0"
             for part in function_named(function).fuses or (function_named(function),):
                 assert part.answers is not None
-                wrong = _wrong(goal, part.answers, results, drawn)
+                wrong = goal.flaw(part.answers, results, drawn)
                 if wrong is not None:
                     return f"at {drawn.words}: {wrong}"
                 reached |= 1 in results[part.answers.exists]
@@ -109,52 +104,48 @@ def flaw(
 def is_simple(robot: Robot) -> bool:
     """Whether no two axes are almost parallel, or almost meet: between them are quarter turns and whole
     nanometres."""
-    place = robot.tool
-    lengths = [x for link in robot.links for x in (link.joint.a, link.joint.b, link.joint.d)]
+    joints, place = [link.joint for link in robot.links], robot.tool
+    lengths = [x for joint in joints for x in (joint.a, joint.b, joint.d)]
     lengths += [] if place is None else list(place.xyz)
-    angles = [angle for link in robot.links for angle in (link.joint.alpha, link.joint.theta)]
     turns = [] if place is None else [x for row in place.rotation for x in row]
     return (
-        all(angle.quarter is not None for angle in angles)
+        all(angle.quarter is not None for joint in joints for angle in (joint.alpha, joint.theta))
         and all(x in (-1, 0, 1) for x in turns)
         and all(isinstance(x, Fraction) and (x * 10**9).denominator == 1 for x in lengths)
     )
 
 
 def _draws(arm: Arm, size: Any, chance: random.Random, beside: Fraction) -> Iterator[Drawn]:
-    """Positions within the limits, the reference so much ``beside`` them [rad or m]; poses that the arm may
-    reach or not, nearer and nearer to its base; and where all joints are revolute one beyond reach."""
+    """Positions within the limits (of a revolute joint half a turn about their middle at most, which is as
+    far as its answers go), the reference so much ``beside`` them [rad or m]; poses that the arm may reach or
+    not, nearer and nearer to its base; and where all joints are revolute one beyond reach."""
+    import mpmath
 
     def between(low: Any, high: Any) -> Any:
         return low + (high - low) * chance.randint(0, _RANGE) / _RANGE
 
+    def position(limits: tuple[Any, Any] | None, revolute: bool) -> Any:
+        reach = mpmath.pi if revolute else mpmath.mpf(1) / 2
+        low, high = limits or (-reach, reach)
+        if limits and revolute:
+            middle = (low + high) / 2
+            low, high = max(low, middle - reach), min(high, middle + reach)
+        return between(low, high)
+
     def positions() -> list[Any]:
-        return [between(*_span(body.limits, revolute=body.revolute)) for body in arm.bodies]
+        return [position(body.limits, body.revolute) for body in arm.bodies]
 
     for _ in range(DRAWN_POSES):
         q = positions()
         yield Drawn(f"q = {_words(q)}", pose(arm, q), [x + to_digits(beside) for x in q], q)
-    scales = [size / 4**k for k in range(DRAWN_POSES)]
+    scales = [(size / 4**k, False) for k in range(DRAWN_POSES)]
     far = [(3 * size, True)] if all(body.revolute for body in arm.bodies) else []
-    for scale, beyond in (*((scale, False) for scale in scales), *far):
+    for scale, beyond in scales + far:
         q = positions()
         T = pose(arm, q)
         for k, base in zip((3, 7, 11), arm.base.origin, strict=True):
             T[k] = base + scale * between(1, 2) * chance.choice((-1, 1))
         yield Drawn(f"p = {_words(T[3::4])}", T, q, far=beyond)
-
-
-def _span(limits: tuple[Any, Any] | None, *, revolute: bool) -> tuple[Any, Any]:
-    """Between which positions a joint is drawn: its limits, of a revolute joint half a turn about their
-    middle at most, which is as far as its answers go."""
-    import mpmath
-
-    reach = mpmath.pi if revolute else mpmath.mpf(1) / 2
-    if limits is None:
-        return -reach, reach
-    low, high = limits
-    middle = (low + high) / 2
-    return (max(low, middle - reach), min(high, middle + reach)) if revolute else (low, high)
 
 
 def pose(arm: Arm, q: Sequence[Any]) -> list[Any]:
@@ -191,53 +182,40 @@ class _Goal:
     place_only: bool
     sure: bool
 
-    def missed(self, q: Sequence[Any], T: Sequence[Any]) -> Any:
-        """By how much positions miss a pose."""
+    def flaw(self, names: Answers, results: Mapping[str, Sequence[Any]], drawn: Drawn) -> str | None:
+        """What is wrong with results at one pose."""
+        import mpmath
+
+        n = len(self.arm.bodies)
+        flat = results[names.solutions]
+        if not all(mpmath.isfinite(x) for row in results.values() for x in row):
+            return "a result is no number"
+        solutions = [flat[k : k + n] for k in range(0, len(flat), n)]
+        flags = list(zip(results[names.exists], results[names.within], results[names.singular], strict=True))
+        if any(x not in (0, 1) for row in flags for x in row):
+            return "a flag is neither 0 nor 1"
+        existing = [k for k, (exists, _, _) in enumerate(flags) if exists]
+        if drawn.far:
+            return f"branch {existing[0]} is said to reach it" if existing else None
         counted = (3, 7, 11) if self.place_only else range(12)
-        reached = pose(self.arm, q)
-        return max(abs(reached[j] - T[j]) for j in counted)
-
-    def allowed(self, *, singular: bool) -> Any:
-        """By how much they may."""
-        return self.size * (to_digits(EDGE_SHARE) if singular else self.share)
-
-
-def _wrong(goal: _Goal, names: Answers, results: Mapping[str, Sequence[Any]], drawn: Drawn) -> str | None:
-    """What is wrong with results at one pose."""
-    import mpmath
-
-    n = len(goal.arm.bodies)
-    flat = results[names.solutions]
-    if not all(mpmath.isfinite(x) for row in results.values() for x in row):
-        return "a result is no number"
-    solutions = [flat[k : k + n] for k in range(0, len(flat), n)]
-    flags = list(zip(results[names.exists], results[names.within], results[names.singular], strict=True))
-    if any(x not in (0, 1) for row in flags for x in row):
-        return "a flag is neither 0 nor 1"
-    existing = [k for k, (exists, _, _) in enumerate(flags) if exists]
-    if drawn.far:
-        return f"branch {existing[0]} is said to reach it" if existing else None
-    for k in existing:
-        missed = goal.missed(solutions[k], drawn.T)
-        if missed > goal.allowed(singular=flags[k][2] == 1):
-            return f"branch {k} misses the pose by {mpmath.nstr(missed, 3)}"
-    if drawn.q is None or not goal.sure:
-        return None
-    for k in existing:
-        if flags[k][1] and _apart(goal.arm, solutions[k], drawn.q) < goal.same:
+        for k in existing:
+            reached = pose(self.arm, solutions[k])
+            missed = max(abs(reached[j] - drawn.T[j]) for j in counted)
+            if missed > self.size * (to_digits(EDGE_SHARE) if flags[k][2] == 1 else self.share):
+                return f"branch {k} misses the pose by {mpmath.nstr(missed, 3)}"
+        if drawn.q is None or not self.sure:
             return None
-    return "no branch within the limits is the positions that were drawn"
+        within = [solutions[k] for k in existing if flags[k][1]]
+        if any(self._apart(q, drawn.q) < self.same for q in within):
+            return None
+        return "no branch within the limits is the positions that were drawn"
 
+    def _apart(self, one: Sequence[Any], other: Sequence[Any]) -> Any:
+        """How far positions are apart [rad, m], whole turns aside."""
+        import mpmath
 
-def _apart(arm: Arm, one: Sequence[Any], other: Sequence[Any]) -> Any:
-    """How far positions are apart [rad, m], whole turns aside."""
-    import mpmath
-
-    gaps = (
-        2 * abs(mpmath.sin((x - y) / 2)) if body.revolute else abs(x - y)
-        for body, x, y in zip(arm.bodies, one, other, strict=True)
-    )
-    return max(gaps)
+        gaps = zip(self.arm.bodies, one, other, strict=True)
+        return max(2 * abs(mpmath.sin((x - y) / 2)) if b.revolute else abs(x - y) for b, x, y in gaps)
 
 
 def _words(numbers: Sequence[Any]) -> str:
