@@ -15,7 +15,7 @@ HOME = ROOT / "codegen" / "robodyn" / "effects"
 #: (tests/verify/test_declared.py).
 BY_HAND = tuple(
     ROOT / "codegen" / "robodyn" / "verify" / name
-    for name in ("effects.py", "free_bodies.py", "reference.py", "stateful.py", "stepping.py")
+    for name in ("effects.py", "free_bodies.py", "reference.py", "stateful.py")
 )
 SOURCES = sorted(
     path
