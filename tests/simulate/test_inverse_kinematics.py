@@ -12,7 +12,6 @@ from hypothesis import strategies as st
 from robodyn.errors import InputError
 from robodyn.robot import load, read_text
 from robodyn.robot.model import Robot
-from robodyn.simulate.inverse_kinematics import InverseKinematics
 from robodyn.simulate.kinematics import Kinematics, rotation_vector
 from robodyn.thesis.puma_inverse import BRANCHES, PumaArm
 
@@ -114,92 +113,6 @@ def test_continuous_goes_round(branch: tuple[int, int]) -> None:
     np.testing.assert_allclose(q[:, 1:] - q[0, 1:], 0, atol=1e-12)
     with pytest.raises(InputError, match=r"sample 2 of the path: joint 1 would jump; found 2\.11 rad"):
         arms.continuous(path[::67], branch)
-
-
-@pytest.mark.parametrize("name", ["puma560", "stanford", "ur10", "panda"])
-@pytest.mark.parametrize("turned", [False, True])
-def test_numerical_finds_what_can_be_reached(name: str, turned: bool) -> None:
-    robot = arm(name)
-    kinematics = Kinematics(robot, point=(0.1, -0.05, 0.2))
-    search = InverseKinematics(kinematics)
-    for q in np.random.default_rng(2).uniform(-1.5, 1.5, (5, robot.n)):
-        point, rotation = kinematics.pose(q)
-        found = search.solve(point, rotation if turned else None)
-        place, turn = kinematics.pose(found)
-        assert np.abs(place - point).max() < 1e-10
-        assert not turned or np.abs(turn - rotation).max() < 1e-10
-        np.testing.assert_array_equal(found, search.solve(point, rotation if turned else None))
-
-
-def test_numerical_is_the_closed_form() -> None:
-    robot = three_joints(OFFSET, UPPER)
-    search = InverseKinematics(Kinematics(robot, point=(0, -FOREARM, 0)))
-    for choice in PumaArm(OFFSET, UPPER, FOREARM).positions([0.3, 0.2, 0.4]):
-        turns = np.array([2 * math.pi, 0, -4 * math.pi])
-        found = search.solve([0.3, 0.2, 0.4], start=choice + 0.05 + turns)
-        np.testing.assert_allclose(found, choice + turns, atol=1e-9)
-
-
-def test_limits_hold() -> None:
-    """The elbow may only bend one way: of the four branches those are found that do."""
-    robot = three_joints(OFFSET, UPPER)
-    kinematics = Kinematics(robot, point=(0, -FOREARM, 0))
-    choices = PumaArm(OFFSET, UPPER, FOREARM).positions([0.3, 0.2, 0.4])
-    room = np.array([9, 9, 0.3])
-    for choice in choices:
-        limits = np.stack([choice - room, choice + room], axis=1)
-        search = InverseKinematics(kinematics, limits)
-        found = search.solve([0.3, 0.2, 0.4], start=choices.mean(axis=0))
-        assert (found >= limits[:, 0]).all()
-        assert (found <= limits[:, 1]).all()
-        assert np.abs(kinematics.position(found) - [0.3, 0.2, 0.4]).max() < 1e-10
-    low, high = choices[:, 2].min() + 0.2, choices[:, 2].max() - 0.2
-    search = InverseKinematics(kinematics, [[-9, 9], [-9, 9], [low, high]])
-    with pytest.raises(InputError, match="cannot be reached; found an error of"):
-        search.solve([0.3, 0.2, 0.4])
-    with pytest.raises(InputError, match="no limits of joint positions"):
-        InverseKinematics(kinematics, [[0, 1], [1, 0], [0, 1]])
-
-
-def test_a_joint_at_its_limit_leaves_the_way_to_others() -> None:
-    """Four joints in a plane, of which the first would do most of the way, and may not."""
-    rows = "  - {joint: revolute, mass: 1}\n" + "  - {joint: revolute, a: 0.4, mass: 1}\n" * 3
-    kinematics = Kinematics(read_text(f"name: plane\nlinks:\n{rows}", "plane.yaml"), point=(0.4, 0, 0))
-    flat = kinematics.pose([0.1, 1.2, 0.5, -0.3])
-    limits: list[list[float]] = [[-0.1, 0.1], *[[-3.0, 3.0]] * 3]
-    search = InverseKinematics(kinematics, limits, starts=1)
-    for point, rotation in (flat, (flat[0], None)):
-        found = search.solve(point, rotation, start=[0.1, 0.1, 0.1, 0.1])
-        assert -0.1 <= found[0] <= 0.1
-        assert np.abs(kinematics.position(found) - point).max() < 1e-10
-
-
-def test_answer_is_in_the_turn_of_the_start() -> None:
-    """From a start where nothing pulls, another one finds it; the answer is put near the first."""
-    robot = read_text("name: rod\nlinks:\n  - {joint: revolute, mass: 1}\n", "rod.yaml")
-    search = InverseKinematics(Kinematics(robot, point=(0.5, 0, 0)))
-    found = search.solve([0.5, 0, 0], start=[20 * math.pi + math.pi])
-    assert abs(found[0] - 21 * math.pi) == pytest.approx(math.pi, abs=1e-8)
-
-
-def test_best_error_is_the_distance() -> None:
-    """Out of reach by 0.1 m: the best that can be done is to point there."""
-    robot = read_text("name: rod\nlinks:\n  - {joint: revolute, mass: 1}\n", "rod.yaml")
-    search = InverseKinematics(Kinematics(robot, point=(0.5, 0, 0)), starts=3)
-    with pytest.raises(InputError, match=re.escape("found an error of 0.1 at best, from 3 starts")):
-        search.solve([0, 0.6, 0])
-    np.testing.assert_allclose(search.solve([0, 0.5, 0]), [math.pi / 2], atol=1e-9)
-
-
-def test_along_follows_the_branch() -> None:
-    arms = PumaArm(OFFSET, UPPER, FOREARM)
-    search = InverseKinematics(Kinematics(three_joints(OFFSET, UPPER), point=(0, -FOREARM, 0)))
-    path = np.linspace([0.4, 0.1, 0.1], [-0.2, 0.5, 0.2], 60)
-    for branch in BRANCHES:
-        q = arms.continuous(path, branch)
-        np.testing.assert_allclose(search.along(path, start=q[0]), q, atol=1e-8)
-    with pytest.raises(InputError, match=r"sample 57 of the path, .* cannot be reached"):
-        search.along(np.linspace([0.4, 0.1, 0.1], [0.9, 0, 0], 60), start=arms.continuous(path)[0])
 
 
 @example((0.3, -0.5, 0.2), math.pi)
