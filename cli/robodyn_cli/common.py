@@ -269,6 +269,15 @@ def new_file(text: str, *, force: bool) -> Path:
     return path
 
 
+def write_or_echo(text: str, path: Path | None, *, force: bool, joints: int) -> None:
+    """Write ``text`` to the file of ``-o`` and say so; without one it is the result on stdout."""
+    if path is not None:
+        write_file(path, text, force=force)
+        talk(f"robodyn: wrote {printable(path)}: {joints} joints")
+    elif not as_json():
+        click.echo(text, nl=False)
+
+
 def check_files(folder: Path, files: Mapping[str, str | bytes]) -> None:
     """Compare ``folder`` with what would be written there, for ``--check``.
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -11,12 +12,12 @@ from robodyn_cli import progress
 from robodyn_cli.choices import FILE, SEVERAL_EFFECTS
 from robodyn_cli.common import (
     as_json,
-    echo_json,
     load_robot,
     option,
     output_folder,
     printable,
     robot_argument,
+    show,
     talk,
     write_file,
 )
@@ -62,28 +63,26 @@ def command(robot: str, tell: str | None, output: str, rate: float, **options: A
             found=f"{options['duration']:g} s at {rate:g} Hz",
             expected=f"20 to {_LARGEST // described.n}",
         )
+    head = f"robodyn: {described.name}:"
     with progress.line() as shown:
-        best = design(
-            described,
-            _effects_at(tell),
-            period=1 / rate,
-            progress=lambda k: shown.tell(f"robodyn: {described.name}: {k} of {options['tries']} motions"),
-            **options,
-        )
+
+        def count(done: int) -> None:
+            shown.tell(f"{head} {done} of {options['tries']} motions")
+
+        best = design(described, _effects_at(tell), period=1 / rate, progress=count, **options)
     text = _csv(best.trajectory)
-    files: list[str] = []
     if output == "-":
         click.echo(text, nl=False)
+        for line in _lines(best):
+            talk(line)
     else:
-        path = output_folder(output)
-        write_file(path, text)
-        files = [str(path)]
-    if as_json():
-        echo_json(_summary(best, files))
-        return
-    for line in _lines(best, files):
-        click.echo(line, err=output == "-")
-    if best.tell and best.separation < _NONE:
+        write_file(output_folder(output), text)
+        size = f"{best.trajectory.duration:g} s, {len(best.trajectory)} samples"
+        show(
+            lambda: _summary(best, [str(output_folder(output))]),
+            lambda: (f"{printable(output)}: {size}", *_lines(best)),
+        )
+    if best.tell and best.separation < _NONE and not as_json():
         talk(f"robodyn: warning: no motion distinguishes {best.pair}; see which other data to record")
 
 
@@ -111,29 +110,18 @@ def _csv(motion: Trajectory) -> str:
 
 
 def _summary(design: Design, files: list[str]) -> dict[str, Any]:
-    return {
-        "files": files,
-        "tell": [{"effect": id, "joint": joint} for id, joint in design.tell],
-        "separation": design.separation,
-        "typical": design.typical,
-        "worst": design.pair,
-        "tries": design.tries,
-        "experiments": design.experiments,
-        "motion": design.trajectory.describe(),
-    }
+    numbers = {name: getattr(design, name) for name in ("separation", "typical")}
+    more = {"worst": design.pair, "tries": design.tries, "experiments": design.experiments}
+    effects = [{"effect": id, "joint": joint} for id, joint in design.tell]
+    return {"files": files, "tell": effects, **numbers, **more, "motion": design.trajectory.describe()}
 
 
-def _lines(design: Design, files: list[str]) -> list[str]:
+def _lines(design: Design) -> Iterator[str]:
     from math import asin, degrees
 
-    motion = design.trajectory
-    lines = [f"{printable(file)}: {motion.duration:g} s, {len(motion)} samples" for file in files]
     if not design.tell:
-        lines.append(
-            f"independence of the catalogue: {design.separation:.3g}, typically {design.typical:.3g}"
-        )
-        return lines
+        yield f"independence of the catalogue: {design.separation:.3g}, typically {design.typical:.3g}"
+        return
     best, typical = (degrees(asin(min(x, 1.0))) for x in (design.separation, design.typical))
-    lines.append(f"{design.pair}: {best:.1f} degrees apart, on a typical motion {typical:.1f}")
-    lines += [f"to identify {id}: {text}" for id, text in design.experiments.items()]
-    return lines
+    yield f"{design.pair}: {best:.1f} degrees apart, on a typical motion {typical:.1f}"
+    yield from (f"to identify {id}: {text}" for id, text in design.experiments.items())

@@ -16,10 +16,9 @@ from robodyn_cli.common import (
     new_file,
     option,
     parameter_values,
-    printable,
     robot_argument,
     talk,
-    write_file,
+    write_or_echo,
 )
 from robodyn_cli.values import parameter_option
 
@@ -43,19 +42,12 @@ def command(robot: str, to: str, param: Sequence[tuple[str, float]], output: str
     if param:
         arm = arm.at(parameter_values(arm, param))
     exported = export_arm(arm, to)
-    if path is not None:
-        write_file(path, exported.text, force=force)
     for remark in exported.remarks:
         talk(f"robodyn: note: {remark}")
     for what in exported.missing:
         talk(f"robodyn: not in the file: {what}")
+    write_or_echo(exported.text, path, force=force, joints=arm.n)
     if as_json():
-        lists = {
-            "joints": list(exported.names), "path": str(path) if path else None,
-            "remarks": list(exported.remarks), "missing": list(exported.missing),
-        }  # fmt: skip
-        echo_json({"name": arm.name, "format": to, **lists, "text": exported.text})
-    elif path is None:
-        click.echo(exported.text, nl=False)
-    if path is not None:
-        talk(f"robodyn: wrote {printable(path)}: {arm.n} joints")
+        lists = {"remarks": list(exported.remarks), "missing": list(exported.missing)}
+        file = {"joints": list(exported.names), "path": str(path) if path else None}
+        echo_json({"name": arm.name, "format": to, **file, **lists, "text": exported.text})

@@ -19,7 +19,7 @@ from robodyn_cli.common import (
     option,
     printable,
     talk,
-    write_file,
+    write_or_echo,
 )
 from robodyn_cli.file_options import file_options
 from robodyn_cli.values import Parameter, Point, unique
@@ -64,17 +64,14 @@ def command(file: str, snap: float, output: str | None, force: bool, **options: 
 
     path = None if output in (None, "-") else new_file(str(output), force=force)
     if path is not None and path.exists() and Path(file).exists() and path.samefile(file):
-        raise InputError(
-            f"{printable(path)} is the input and would be overwritten", remedy="choose another -o"
-        )
+        what = f"{printable(path)} is the input and would be overwritten"
+        raise InputError(what, remedy="choose another -o")
     options |= {
         "locks": unique(options.pop("lock"), "--lock"), "arguments": unique(options.pop("arg"), "--arg"),
         "model": options.pop("file_model"), "without": options.pop("left_out"),
     }  # fmt: skip
     imported = import_arm(file, snap=snap, **options)
     text = description_text(imported)
-    if path is not None:
-        write_file(path, text, force=force)
     for where, words in imported.implausible:
         talk(f"robodyn: warning: {where}: {words}")
     assert imported.robot.account is not None
@@ -82,12 +79,9 @@ def command(file: str, snap: float, output: str | None, force: bool, **options: 
         talk(f"robodyn: note: {imported.file}: {line}")
     if imported.near and not unknown_masses(imported.robot):
         _tell_angles(imported, import_arm(file, snap=_widest(imported), **options))
+    write_or_echo(text, path, force=force, joints=imported.robot.n)
     if as_json():
         echo_json(_data(imported, str(path) if path else None, text))
-    elif path is None:
-        click.echo(text, nl=False)
-    if path is not None:
-        talk(f"robodyn: wrote {printable(path)}: {imported.robot.n} joints")
 
 
 def _widest(imported: Imported) -> float:

@@ -39,33 +39,24 @@ class Search:
         ------
         InputError: options that cannot be combined.
         """
-        objective = self.objective
-        if objective != "total":
+        if self.objective != "total":
             from robodyn.counts.objective import parse_objective
 
-            objective = parse_objective(objective).key
-        options = replace(options, objective=objective)
+            options = replace(options, objective=parse_objective(self.objective).key)
         if options.optimize not in ("search", "full"):
-            for value, name in (
-                (self.budget_seconds, "--budget-seconds"),
-                (self.keep or None, "--keep"),
-                (self.on, "--on"),
-                (self.seeds, "--seeds"),
-            ):
-                if value is not None:
-                    raise InputError(
-                        f"{name} requires a search",
-                        found=f"--optimize {options.optimize}",
-                        expected="--optimize search or full",
-                    )
+            for name in ("budget_seconds", "keep", "on", "seeds"):
+                if getattr(self, name) not in (None, False):
+                    found, expected = f"--optimize {options.optimize}", "--optimize search or full"
+                    option = f"--{name.replace('_', '-')}"
+                    raise InputError(f"{option} requires a search", found=found, expected=expected)
             return options
         if self.seeds is not None and self.on is None:
             raise InputError("--seeds says nothing without --on", remedy="add --on local")
         if not options.takes_records:
+            regroup = "" if options.regroup else " --no-regroup"
             raise InputError(
                 "a search supports only modified_newton_euler with regrouping and the graph engine",
-                found=f"--formulation {options.formulation} --engine {options.engine}"
-                + ("" if options.regroup else " --no-regroup"),
+                found=f"--formulation {options.formulation} --engine {options.engine}{regroup}",
                 remedy="remove these options, or use --optimize fast",
             )
         return self._searched(robot, options, functions)
@@ -103,29 +94,25 @@ class Search:
         from robodyn.search.improve import improved
         from robodyn.search.seeds import best_of_seeds
 
-        level: Any = options.optimize
-        objective = parse_objective(self.objective)
+        work: dict[str, Any] = {
+            "level": options.optimize, "function": function, "seconds": seconds,
+            "objective": parse_objective(self.objective),
+        }  # fmt: skip
         head = f"robodyn: {robot.name} {function}"
         if self.on is None:
 
             def tell(at: Progress) -> None:
-                shown.tell(
-                    f"{head}: {at.stage}, {at.seconds:.0f} of {at.of:.0f} s, {self.objective} {at.best:.6g}"
-                )
+                time = f"{at.seconds:.0f} of {at.of:.0f} s"
+                shown.tell(f"{head}: {at.stage}, {time}, {self.objective} {at.best:.6g}")
 
-            return improved(
-                rigid_part(robot), level=level, function=function, seconds=seconds, seed=self.seed,
-                objective=objective, progress=tell,
-            )  # fmt: skip
+            return improved(rigid_part(robot), seed=self.seed, progress=tell, **work)
         count = self.seeds or SEEDS
 
         def tell_seeds(done: int, best: float) -> None:
             shown.tell(f"{head}: {done} of {count} searches, {self.objective} {best:.6g}", at_once=True)
 
-        return best_of_seeds(
-            rigid_part(robot), self.on, range(self.seed, self.seed + count), level=level, function=function,
-            seconds=seconds, objective=objective, progress=tell_seeds,
-        )  # fmt: skip
+        seeds = range(self.seed, self.seed + count)
+        return best_of_seeds(rigid_part(robot), self.on, seeds, progress=tell_seeds, **work)
 
 
 def _searchable(functions: Sequence[str], level: str) -> list[str]:
