@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 
 import robodyn
-from emit.crates import rustc, write_crate
 from emit.kernels import STRICT, write
 from robodyn.kernels.generate import Options, generate
 from robodyn.robot import load
@@ -48,30 +47,3 @@ def test_solutions_that_exist_stand_in_front(name: str, tmp_path: Path) -> None:
         np.testing.assert_array_equal(flags & 7, bits[order])
         np.testing.assert_allclose(Q, expected.solutions[order], atol=1e-6)
     assert len(lengths) > 2
-
-
-def test_rust_lists_them_as_well(tmp_path: Path) -> None:
-    generated = generate(load("puma560", warn=lambda _: None), OPTIONS)
-    text = next(iter(write_crate(generated, tmp_path).glob("src/*.rs"))).read_text(encoding="utf-8")
-    assert (
-        "pub fn inverse_kinematics(T: &[Real; 12], Q: &mut [Real; 48], flags: &mut [i32; 8]) -> i32 {" in text
-    )
-    (tmp_path / "libm.rs").write_text("pub fn sqrt(x: f64) -> f64 { x.sqrt() }\n", encoding="utf-8")
-    rustc("--crate-type", "rlib", "--crate-name", "libm", "-o", "liblibm.rlib", "libm.rs", folder=tmp_path)
-    main = """
-fn main() {
-    let mut T = [0.0; 12];
-    puma560::forward_kinematics(&[0.1, -0.5, 0.4, 0.2, 0.9, 0.3], &mut T);
-    let (mut Q, mut flags) = ([0.0; 48], [0; 8]);
-    assert_eq!(puma560::inverse_kinematics(&T, &mut Q, &mut flags), 8);
-    assert_eq!(flags, [3, 11, 19, 27, 35, 43, 51, 59]);
-    T[3] += 5.0;
-    assert_eq!(puma560::puma560_inverse_kinematics(&T, &mut Q, &mut flags), 0);
-    assert!(flags.iter().all(|bits| bits % 2 == 0));
-}
-"""
-    (tmp_path / "main.rs").write_text("#![allow(non_snake_case)]" + main, encoding="utf-8")
-    known = ("--extern", "libm=liblibm.rlib", "-L", ".")
-    rustc("--crate-type", "rlib", "--crate-name", "puma560", *known, "src/lib.rs", folder=tmp_path)
-    rustc("--extern", "puma560=libpuma560.rlib", *known, "main.rs", "-o", "main", folder=tmp_path)
-    subprocess.run([str(tmp_path / "main")], check=True)

@@ -1,7 +1,8 @@
-"""The crate of Rust: the bits of the C, no warning, no unsafe, nothing to format."""
+"""The crate of Rust: no warning, no unsafe, nothing to format, and lists of solutions."""
 
 from __future__ import annotations
 
+import os
 import subprocess
 from pathlib import Path
 
@@ -9,40 +10,17 @@ import numpy as np
 import pytest
 
 from emit.crates import Crate, rustc, write_crate
-from emit.kernels import ODD, in_single, made, robots
-from emit.test_bits import DT, arrays, own_cache, parameters, run, same_bits
-from robodyn import compile as compile_robot
+from emit.kernels import ODD, in_single, made
 from robodyn.emit.languages.rust import uses_libm
+from robodyn.errors import InputError
 from robodyn.kernels.generate import Generated, Options, generate
-from robodyn.robot import read_text
-from robodyn_testing import covering, representative, require_tool, sampled
-
-__all__ = ["own_cache"]
+from robodyn.robot import load, read_text
+from robodyn_testing import covering, require_tool, sampled
 
 
 def crate_of(name: str, scalar: str = "double", trig: str = "builtin") -> Generated:
     generated = made(name, trig)
     return in_single(generated) if scalar == "float" else generated
-
-
-@pytest.mark.parametrize(
-    ("name", "scalar"),
-    covering(
-        representative(["puma560", "stanford", "tool", "rubbing"], "tool", "rubbing"),
-        ["double", "float"],
-    ),
-)
-def test_rust_gives_the_bits_of_the_c(name: str, scalar: str, tmp_path: Path) -> None:
-    """1,000 states a function, run-time parameters and the sign of a velocity included."""
-    crate = Crate(crate_of(name, scalar), tmp_path)
-    c = compile_robot(robots()[name], scalar=scalar, trig="builtin", cc=require_tool("gcc"), mode="abi")
-    inputs = arrays(name)
-    assert len(inputs["q"]) == 1000
-    for function in c.functions:
-        expected = run(c, function, inputs, name)
-        found = crate.run(function, inputs, parameters(name) or {}, DT)
-        assert np.isfinite(found).all()
-        assert same_bits(found.reshape(expected.shape).astype(expected.dtype), expected), function
 
 
 @pytest.mark.parametrize(
@@ -80,7 +58,7 @@ def test_names_that_rust_has_itself(name: str, tmp_path: Path) -> None:
     generated = generate(read_text(f"name: {name}\nlinks: [{link}]"), Options(trig="builtin"))
     crate = Crate(generated, tmp_path)
     parameters = dict.fromkeys(generated.signatures[0].parameters, 0.5)
-    torques = crate.run("inverse_dynamics", {a: np.ones((1, 1)) for a in ("q", "qd", "qdd")}, parameters, DT)
+    torques = crate.run("inverse_dynamics", {a: np.ones((1, 1)) for a in ("q", "qd", "qdd")}, parameters, 0.0)
     friction, inertia = 0.5, 0.5 * (0.5**2 + 0.5**2)
     np.testing.assert_allclose(torques, [[friction + inertia]])
 
@@ -89,3 +67,82 @@ def test_no_std_and_no_unsafe() -> None:
     text = made("puma560", "builtin").files(("rust",))["src/lib.rs"]
     assert "#![no_std]\n#![forbid(unsafe_code)]\n" in text
     assert "std::" not in text.replace("no_std", "")
+
+
+def test_a_parameter_that_rust_keeps_for_itself_is_refused() -> None:
+    robot = read_text("name: arm\nlinks: [{joint: revolute, mass: super, com: [1, 0, 0]}]")
+    with pytest.raises(InputError, match="super cannot be a name in Rust"):
+        generate(robot, Options(trig="builtin")).files(("rust",))
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("scalar", ["double", "float"])
+def test_a_crate_is_compiled_for_a_cortex_m(scalar: str, cortex_m: Path, tmp_path: Path) -> None:
+    """With the core library for it, compiled from Debian's source: nothing but arithmetic is called."""
+    generated = made("puma560", "builtin")
+    generated = in_single(generated) if scalar == "float" else generated
+    folder = write_crate(generated, tmp_path)
+    options = ("--crate-type", "rlib", "--crate-name", "puma560", "-C", "opt-level=2", "-C", "panic=abort")
+    found = ("--extern", f"core={cortex_m / 'libcore.rlib'}", "-L", str(cortex_m))
+    arguments = ("--target", TARGET, *options, *found, "--emit", "obj", "-o", "arm.o", "src/lib.rs")
+    rustc(*arguments, folder=folder, compiler=DEBIANS)
+    command = [require_tool("arm-none-eabi-nm"), "arm.o"]
+    symbols = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=True).stdout
+    for function in generated.counts:
+        assert function in symbols
+    called = {line.split()[-1] for line in symbols.splitlines() if " U " in line}
+    assert all(name.startswith("__aeabi_") for name in called), called
+    assert bool(called) == (scalar == "double")  # this processor computes in float by itself
+
+
+TARGET = "thumbv7em-none-eabihf"
+#: The compiler whose source rust-src is; another may come before it on the PATH.
+DEBIANS = "/usr/bin/rustc"
+
+
+@pytest.fixture(scope="module")
+def cortex_m(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The core library for a Cortex-M4F, compiled from rust-src, whose version must be the compiler's."""
+    core = sorted(Path("/usr/src").glob("rustc-*/library/core/src/lib.rs"))
+    if not core or not Path(DEBIANS).exists():
+        require_tool("rust-src")
+    folder = tmp_path_factory.mktemp("core")
+    (folder / "none.rs").write_text(
+        "#![feature(compiler_builtins, no_core)]\n#![compiler_builtins]\n#![no_core]\n"
+    )
+    environment = {**os.environ, "RUSTC_BOOTSTRAP": "1"}
+    for name, source in (("compiler_builtins", folder / "none.rs"), ("core", core[-1])):
+        command = [DEBIANS, "--edition", "2021", "--crate-type", "rlib", "--crate-name", name]
+        command += ["--target", TARGET, "-O", "-A", "warnings", str(source)]
+        subprocess.run(command, cwd=folder, env=environment, check=True, capture_output=True, timeout=600)
+    return folder
+
+
+def test_rust_lists_them_as_well(tmp_path: Path) -> None:
+    generated = generate(
+        load("puma560", warn=lambda _: None),
+        Options(("forward_kinematics", "inverse_kinematics"), trig="builtin"),
+    )
+    text = next(iter(write_crate(generated, tmp_path).glob("src/*.rs"))).read_text(encoding="utf-8")
+    assert (
+        "pub fn inverse_kinematics(T: &[Real; 12], Q: &mut [Real; 48], flags: &mut [i32; 8]) -> i32 {" in text
+    )
+    (tmp_path / "libm.rs").write_text("pub fn sqrt(x: f64) -> f64 { x.sqrt() }\n", encoding="utf-8")
+    rustc("--crate-type", "rlib", "--crate-name", "libm", "-o", "liblibm.rlib", "libm.rs", folder=tmp_path)
+    main = """
+fn main() {
+    let mut T = [0.0; 12];
+    puma560::forward_kinematics(&[0.1, -0.5, 0.4, 0.2, 0.9, 0.3], &mut T);
+    let (mut Q, mut flags) = ([0.0; 48], [0; 8]);
+    assert_eq!(puma560::inverse_kinematics(&T, &mut Q, &mut flags), 8);
+    assert_eq!(flags, [3, 11, 19, 27, 35, 43, 51, 59]);
+    T[3] += 5.0;
+    assert_eq!(puma560::puma560_inverse_kinematics(&T, &mut Q, &mut flags), 0);
+    assert!(flags.iter().all(|bits| bits % 2 == 0));
+}
+"""
+    (tmp_path / "main.rs").write_text("#![allow(non_snake_case)]" + main, encoding="utf-8")
+    known = ("--extern", "libm=liblibm.rlib", "-L", ".")
+    rustc("--crate-type", "rlib", "--crate-name", "puma560", *known, "src/lib.rs", folder=tmp_path)
+    rustc("--extern", "puma560=libpuma560.rlib", *known, "main.rs", "-o", "main", folder=tmp_path)
+    subprocess.run([str(tmp_path / "main")], check=True)
