@@ -11,7 +11,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-import robodyn
 from robodyn import Options, load, program
 from robodyn.counts import count
 from robodyn.formats.arm import near_right_angles
@@ -90,13 +89,6 @@ def test_random_chains_are_what_pinocchio_makes_of_them(count: int) -> None:
         assert longest(robot) <= 2 * reach
         check_beside(chain, Reference(robot), robot, seed)
         assert read_text(to_yaml(robot), warn=lambda _: None) == robot
-
-
-@pytest.mark.parametrize("seed", [3, pytest.param(8, marks=pytest.mark.thorough)])
-def test_kernels_of_chains(seed: int) -> None:
-    chain = random_chain(seed, 6)
-    robot = description_of(chain)
-    check_beside(chain, robodyn.compile(robot, optimize="fast"), robot, seed)
 
 
 # --- the same arm in other frames -------------------------------------------------------------------------
@@ -229,20 +221,6 @@ def test_no_frame_of_a_calibrated_arm_is_far_away(seed: int) -> None:
     assert longest(robot) < 0.5
     assert any(link.joint.b for link in robot.links)
     check_beside(chain, Reference(robot), robot)
-
-
-def test_float_kernels_of_a_calibrated_arm() -> None:
-    pin = require_module("pinocchio")
-    chain = calibrated(0)
-    robot = description_of(chain)
-    kernel = robodyn.compile(robot, functions=["inverse_dynamics"], scalar="float", optimize="fast")
-    q, qd, qdd = (x.astype(np.float32).astype(float) for x in states(6, 1))
-    model = pinocchio_model(chain)
-    data = model.createData()
-    tau = np.array([pin.rnea(model, data, *x) for x in zip(q, qd, qdd, strict=True)])
-    np.testing.assert_allclose(
-        kernel.inverse_dynamics(q, qd, qdd), tau, rtol=0, atol=1e-5 * np.abs(tau).max()
-    )
 
 
 # --- frames where numbers vanish ------------------------------------------------------------------------

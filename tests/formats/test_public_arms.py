@@ -3,23 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 import pytest
 
-from robodyn import Options, program
 from robodyn.errors import InputError
 from robodyn.formats.arm import read_tree
 from robodyn.formats.frames import description_of
 from robodyn.formats.serial import Serial, serial_chain
 from robodyn.formats.topology import Topology
 from robodyn.formats.tree import PHYSICS, Tree
-from robodyn.ir.evaluate import evaluate
-from robodyn.robot import Robot, read_text, to_yaml
+from robodyn.robot import read_text, to_yaml
 from robodyn.robot.masses import massless
 from robodyn.verify import Reference
-from robodyn.verify.against import PeerArm, comparable, compare, read_original
+from robodyn.verify.against import comparable, compare, read_original
 from robodyn_testing import representative, require_module
 from robodyn_testing.public_arms import ARMS, arm_file
 
@@ -59,18 +56,8 @@ def test_every_chain_is_what_pinocchio_reads(package: str, file: str) -> None:
         assert [row for row in compare(alike, arm, states=3) if not row.passed] == []
         q = np.random.default_rng(robot.n).uniform(-2, 2, (3, robot.n))
         assert Reference(robot).tool_pose(q) == pytest.approx(arm.frames(q).tips[tip], rel=0, abs=1e-10)
-        if not count:
-            check_program(alike, arm, q)
         count += 1
     assert count
-
-
-def check_program(robot: Robot, arm: PeerArm, q: Any) -> None:
-    kernel = program(robot, "inverse_dynamics", Options(optimize="fast"))
-    inputs = {x: float({"q": q[0], "qd": q[1], "qdd": q[2]}[x.array][x.index]) for x in kernel.inputs()}
-    (values,) = evaluate(kernel, inputs).values()
-    torques = arm.torques(q[:1], q[1:2], q[2:])[0]
-    assert np.array(values) == pytest.approx(torques, rel=0, abs=1e-10 * abs(torques).max() + 1e-14)
 
 
 def test_there_are_arms_enough() -> None:

@@ -70,10 +70,6 @@ def world(inside: str) -> str:
 
 #: Files by what is in them, with the model that is read and the link at its tip.
 ARMS: Final[dict[str, tuple[str, str, str]]] = {
-    "placement of a link": (
-        sdf(model(f"<pose>0.1 0.2 0.3 1.2 0.3 0.4</pose>{ARM}", 'placement_frame="l1"')),
-        "", "l2",
-    ),
     "placement of a frame": (
         sdf(
             model(
@@ -108,16 +104,6 @@ ARMS: Final[dict[str, tuple[str, str, str]]] = {
             )
         ),
         "", "l2",
-    ),
-    "a model in a model": (
-        sdf(
-            model(
-                "<pose>0 0 0.4 0 0.3 0</pose>" + ARM
-                + model(HAND.format(pose='<pose relative_to="l2">0.1 0.05 0.2 0.2 0 0.3</pose>'), "", "hand")
-                + '<joint name="grip" type="fixed"><parent>l2</parent><child>hand::palm</child></joint>'
-            )
-        ),
-        "", "hand::finger",
     ),
     "a model in a model, placed by a frame, moved by its frame": (
         sdf(
@@ -197,7 +183,6 @@ STATE: Final = ([0.3, -0.2, 0.5, 0.7], [0.4, 0.9, -0.6, 0.3], [1.1, -0.7, 0.2, 0
 
 
 JOINTS: Final = {
-    "a model in a model": ("j1", "j2", "hand::k"),
     "a model in a model, placed by a frame, moved by its frame": ("j1", "j2", "turn", "hand::k"),
     "models in models": ("j1", "j2", "extension::slide", "extension::hand::k"),
 }
