@@ -40,7 +40,6 @@ def command(
     first robot. Exits 1 if anything differs.
     """
     from robodyn.compare import TOLERANCE
-    from robodyn.compare.as_json import to_dict
     from robodyn.compare.robots import compare
 
     comparison = compare(

@@ -57,10 +57,9 @@ def command(robot: str, other: str | None, out: str | None, param: Parameters, s
     arms = [arm_of(_filled(load_robot(spec, strict=strict), param)) for spec in specs]
     comparison = None
     if len(arms) == 2:
-        from robodyn.compare.as_json import to_dict
         from robodyn.compare.robots import compare
 
-        comparison = to_dict(compare(arms[0].robot, arms[1].robot))
+        comparison = compare(arms[0].robot, arms[1].robot).to_dict()
     path = _path(out, [arm.robot.name for arm in arms])
     if not as_json() or out is not None:
         from robodyn.report.arm_page import page

@@ -10,7 +10,6 @@ import pytest
 
 from report.test_arm_data import RUBBING
 from robodyn import compile as compile_robot
-from robodyn.compare.as_json import to_dict
 from robodyn.compare.robots import compare
 from robodyn.report.arm_data import arm_of
 from robodyn.report.arm_page import page
@@ -55,7 +54,7 @@ class Pages(dict[str, Path]):
 
     def __missing__(self, name: str) -> Path:
         arms = [arm_of(robot(one)) for one in (PAIR if name == "two" else (name,))]
-        comparison = to_dict(compare(arms[0].robot, arms[1].robot)) if name == "two" else None
+        comparison = compare(arms[0].robot, arms[1].robot).to_dict() if name == "two" else None
         self[name] = self.folder / f"{name}.html"
         self[name].write_text(page(arms, comparison), encoding="utf-8")
         return self[name]

@@ -7,7 +7,7 @@ are compared where they are in the world when all joints are at zero, and axes a
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any, Final
 
 import numpy as np
@@ -19,7 +19,7 @@ from robodyn.formats.chain import Pose
 from robodyn.formats.writers.parts import Frame, PartJoint, Parts, parts_of
 from robodyn.kernels.robot_kernel import count
 from robodyn.robot.masses import unknown_masses
-from robodyn.robot.model import EffectEntry, Robot
+from robodyn.robot.model import Robot
 from robodyn.robot.names import shown
 from robodyn.robot.values import Affine
 from robodyn.verify.numbers import Parameters
@@ -29,19 +29,9 @@ from robodyn.verify.sample import Sample, draw, draw_parameters
 Array = NDArray[np.float64]
 #: Kinds of differences, in the order in which they are listed.
 GROUPS: Final = (
-    "joints",
-    "names",
-    "parameters",
-    "gravity",
-    "axes",
-    "links",
-    "rotors",
-    "friction",
-    "effects",
-    "limits",
-    "tool",
-    "torques",
-)
+    "joints", "names", "parameters", "gravity", "axes", "links", "rotors", "friction", "effects", "limits",
+    "tool", "torques",
+)  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,6 +79,22 @@ class Comparison:
             return None
         worst = max(self.torques)
         return worst / self.largest if self.largest else float(worst > 0)
+
+    def to_dict(self) -> dict[str, Any]:
+        """As ``robodyn diff --json`` prints it."""
+        tool = None if self.tool is None else dict(zip(("distance", "angle"), self.tool, strict=True))
+        torques = None
+        if self.torques is not None:
+            torques = {"share": self.share, "largest": self.largest, "joints": list(self.torques)}
+        return {
+            "robots": list(self.names),
+            "same": self.same,
+            "differences": [{**asdict(each), "where": each.where or None} for each in self.differences],
+            "torques": torques,
+            "tool": tool,
+            "operations": None if self.operations is None else list(self.operations),
+            "not_compared": list(self.not_compared),
+        }
 
 
 def compare(
@@ -172,7 +178,7 @@ class _Pair:
     def differences(self) -> Iterator[Difference]:
         """What differs in the numbers of the descriptions."""
         one, other = self._parts
-        yield from self._vectors("gravity", "", "gravity", (one.gravity, other.gravity), "m/s^2")
+        yield from self._numbers("gravity", "", "gravity", (one.gravity, other.gravity), "m/s^2")
         rest = np.zeros(len(self._names))
         frames = [_frames(parts, rest) for parts in self._parts]
         mass = max(joint.body.mass for parts in self._parts for joint in parts.joints)
@@ -185,8 +191,8 @@ class _Pair:
             com, tensor = _in_world(joint, frame)
             centre, moments = _in_world(twin, counterpart)
             if all(masses):
-                yield from self._vectors("links", name, "centre of mass", (com, centre), "m", self._size)
-            yield from self._vectors("links", name, "inertia", (tensor, moments), "kg m^2", moment)
+                yield from self._numbers("links", name, "centre of mass", (com, centre), "m", self._size)
+            yield from self._numbers("links", name, "inertia", (tensor, moments), "kg m^2", moment)
             yield from self._drive(name, joint, twin)
             yield from self._limits(name, joint, twin)
         yield from self._effects()
@@ -202,33 +208,31 @@ class _Pair:
             yield Difference("axes", name, "place of the axis", here, there, apart, "m")
 
     def _drive(self, name: str, joint: PartJoint, twin: PartJoint) -> Iterator[Difference]:
-        turning = joint.kind == "revolute"
-        rotors = (joint.motor_inertia, twin.motor_inertia)
-        yield from self._numbers("rotors", name, "motor inertia", rotors, "kg m^2" if turning else "kg")
+        mass, rate, force = (
+            ("kg m^2", "N m s/rad", "N m") if joint.kind == "revolute" else ("kg", "N s/m", "N")
+        )
         one, other = (None if each.gear is None else float(each.gear.ratio) for each in (joint, twin))
+        rotors = (joint.motor_inertia, twin.motor_inertia)
+        yield from self._numbers("rotors", name, "motor inertia", rotors, mass)
         yield from self._numbers("rotors", name, "gear ratio", (one, other), "")
-        unit = "N m s/rad" if turning else "N s/m"
-        yield from self._numbers("friction", name, "viscous", (joint.viscous, twin.viscous), unit)
-        unit = "N m" if turning else "N"
-        yield from self._numbers("friction", name, "coulomb", (joint.coulomb, twin.coulomb), unit)
+        yield from self._numbers("friction", name, "viscous", (joint.viscous, twin.viscous), rate)
+        yield from self._numbers("friction", name, "coulomb", (joint.coulomb, twin.coulomb), force)
 
     def _limits(self, name: str, joint: PartJoint, twin: PartJoint) -> Iterator[Difference]:
         unit, force = ("rad", "N m") if joint.kind == "revolute" else ("m", "N")
-        one, other = ([float(end) for end in each.limits.position or ()] for each in (joint, twin))
-        if one and other:
-            yield from self._vectors("limits", name, "position", (one, other), unit)
-        elif one or other:
-            yield Difference("limits", name, "position", one or None, other or None, unit=unit)
-        units = {"velocity": f"{unit}/s", "acceleration": f"{unit}/s^2", "torque": force}
+        units = {"position": unit, "velocity": f"{unit}/s", "acceleration": f"{unit}/s^2", "torque": force}
         for what, of in units.items():
-            stated, meant = (getattr(each.limits, what) for each in (joint, twin))
-            ends = None if stated is None else float(stated), None if meant is None else float(meant)
+            ends = tuple(_plain(getattr(each.limits, what)) for each in (joint, twin))
             yield from self._numbers("limits", name, what, ends, of)
 
     def _effects(self) -> Iterator[Difference]:
         """Effects beside those that are bodies in a link, entry by entry; and how friction is at rest."""
         left, right = (
-            {(entry.effect, entry.joint): _settings(entry) for entry in robot.effects if _beside(entry)}
+            {
+                (entry.effect, entry.joint): {name: _plain(setting) for name, setting in entry.settings}
+                for entry in robot.effects
+                if not entry.definition.traits.body
+            }
             for robot in self._robots
         )
         for effect, joint in dict.fromkeys([*left, *right]):
@@ -271,42 +275,18 @@ class _Pair:
         return (distance, angle), differences
 
     def _numbers(
-        self,
-        group: str,
-        where: str,
-        what: str,
-        pair: tuple[float | None, float | None],
-        unit: str,
-        scale: float = 0.0,
+        self, group: str, where: str, what: str, pair: tuple[Any, Any], unit: str, scale: float = 0.0
     ) -> Iterator[Difference]:
-        one, other = pair
+        """Numbers, or as many on either side; None where one says nothing."""
+        one, other = (list(x) if isinstance(x, Sequence) else x for x in pair)
         if one is None or other is None:
             if one is not other:
                 yield Difference(group, where, what, one, other, unit=unit)
-        elif abs(one - other) > self._tolerance * max(abs(one), abs(other), scale):
-            yield Difference(group, where, what, one, other, abs(one - other), unit)
-
-    def _vectors(
-        self,
-        group: str,
-        where: str,
-        what: str,
-        pair: tuple[Sequence[float], Sequence[float]],
-        unit: str,
-        scale: float = 0.0,
-    ) -> Iterator[Difference]:
-        one, other = pair
-        apart = max(abs(a - b) for a, b in zip(one, other, strict=True))
-        if apart > self._tolerance * max(*map(abs, one), *map(abs, other), scale):
-            yield Difference(group, where, what, list(one), list(other), apart, unit)
-
-
-def _beside(entry: EffectEntry) -> bool:
-    return not entry.definition.traits.body
-
-
-def _settings(entry: EffectEntry) -> dict[str, Any]:
-    return {name: _plain(setting) for name, setting in entry.settings}
+            return
+        a, b = np.atleast_1d(one), np.atleast_1d(other)
+        apart = float(abs(a - b).max())
+        if apart > self._tolerance * max(abs(a).max(), abs(b).max(), scale):
+            yield Difference(group, where, what, one, other, apart, unit)
 
 
 def _plain(setting: Any) -> Any:

@@ -48,7 +48,7 @@ class _Reader:
 
     def __init__(self, text: str) -> None:
         self.text = text
-        self.tokens = _TOKEN.findall(text)
+        self.tokens: list[str] = _TOKEN.findall(text)
         self.place = 0
 
     def row(self, ends: tuple[str, ...]) -> str:
@@ -57,8 +57,8 @@ class _Reader:
         while self.place < len(self.tokens) and self.tokens[self.place] not in ends:
             if self.tokens[self.place].isspace():
                 self.place += 1
-                continue
-            parts.append(self._with_scripts())
+            else:
+                parts.append(self._with_scripts())
         if ends and self.place == len(self.tokens):
             raise ValueError(f"no {' or '.join(ends)} in the equation {self.text!r}")
         return _row(parts)
@@ -67,25 +67,20 @@ class _Reader:
         base = self._atom()
         scripts: dict[str, str] = {}
         while self.place < len(self.tokens) and self.tokens[self.place] in "_^":
-            mark = self.tokens[self.place]
-            self.place += 1
-            scripts[mark] = self._argument()
-        if len(scripts) == 2:
-            return f"<msubsup>{base}{scripts['_']}{scripts['^']}</msubsup>"
-        for mark, script in scripts.items():
-            kind = "msub" if mark == "_" else "msup"
-            return f"<{kind}>{base}{script}</{kind}>"
-        return base
+            mark = self._take()
+            scripts[mark] = self._atom()
+        return _scripted(base, scripts.get("_", ""), scripts.get("^", ""))
 
-    def _argument(self) -> str:
-        """A group in braces, or the next atom."""
+    def _take(self) -> str:
+        """The next token that is no space."""
         while self.tokens[self.place].isspace():
             self.place += 1
-        return self._atom()
+        self.place += 1
+        return self.tokens[self.place - 1]
 
     def _atom(self) -> str:
-        token = self.tokens[self.place]
-        self.place += 1
+        """A group in braces, a command or a sign."""
+        token = self._take()
         if token == "{":
             body = self.row(("}",))
             self.place += 1
@@ -110,18 +105,19 @@ class _Reader:
         if name in _SPACES:
             return f'<mspace width="{_SPACES[name]}"></mspace>'
         if name in _ACCENTS:
-            return _accented(self._argument(), _ACCENTS[name])
+            return _accented(self._atom(), _ACCENTS[name])
         if name in ("frac", "tfrac"):
-            return f"<mfrac>{self._argument()}{self._argument()}</mfrac>"
+            return f"<mfrac>{self._atom()}{self._atom()}</mfrac>"
         if name == "sqrt":
-            return f"<msqrt>{self._argument()}</msqrt>"
-        if name in ("text", "operatorname"):
-            return self._words(name)
+            return f"<msqrt>{self._atom()}</msqrt>"
+        if name == "text":
+            return f"<mtext>{self._name().replace(' ', chr(160))}</mtext>"
+        if name == "operatorname":
+            return _APPLIED.format(self._name())
         if name == "mathrel":
-            return self._argument()
+            return self._atom()
         if name in _SIZES:
-            token = self.tokens[self.place]
-            self.place += 1
+            token = self._take()
             sign = "" if token == "." else token.removeprefix("\\")
             return f"<mo>{sign}</mo>" if sign else ""
         if name == "begin":
@@ -137,19 +133,12 @@ class _Reader:
         self.place = end + 1
         return text
 
-    def _words(self, command: str) -> str:
-        words = self._name()
-        if command == "text":
-            return f"<mtext>{words.replace(' ', chr(160))}</mtext>"
-        return _APPLIED.format(words)
-
     def _rows(self, kind: str) -> str:
         """``cases`` or ``aligned``: rows of cells."""
         rows: list[list[str]] = [[]]
         while True:
             rows[-1].append(self.row(("&", "\\\\", "\\end")))
-            token = self.tokens[self.place]
-            self.place += 1
+            token = self._take()
             if token == "\\\\":
                 rows.append([])
             elif token == "\\end":
@@ -160,6 +149,12 @@ class _Reader:
         lines = "".join(f"<mtr>{line}</mtr>" for line in cells)
         table = f'<mtable class="{kind}">{lines}</mtable>'
         return f"<mrow><mo>{{</mo>{table}</mrow>" if kind == "cases" else table
+
+
+def _scripted(base: str, below: str, above: str) -> str:
+    """``base`` with what stands below and above it, if anything does."""
+    kind = f"m{'sub' * bool(below)}{'sup' * bool(above)}"
+    return f"<{kind}>{base}{below}{above}</{kind}>" if below or above else base
 
 
 def _row(parts: list[str]) -> str:
@@ -199,23 +194,14 @@ def of_name(name: str) -> str:
     if match is None:
         return f"<mi>{name}</mi>"
     opposite, letters, index, axis, again = match.groups()
-    symbol = _symbol(letters)
+    symbol = _QUANTITIES.get(letters, letters)
     marks = [f"<mn>{mark}</mn>" for mark in (index or "").split("to") if mark]
     if axis:
         marks += [f"<mi>{axis}</mi>"] if axis.isalpha() else ["<mo>,</mo>", f"<mn>{axis}</mn>"]
     marks += ["<mo>′</mo>"] * (int(again) - 1 if again else 0)
-    text, below = f"<mi>{symbol}</mi>", f"<mrow>{''.join(marks)}</mrow>"
-    if marks and above:
-        text = f"<msubsup>{text}{below}{above}</msubsup>"
-    elif marks:
-        text = f"<msub>{text}{below}</msub>"
-    elif above:
-        text = f"<msup>{text}{above}</msup>"
+    below = f"<mrow>{''.join(marks)}</mrow>" if marks else ""
+    text = _scripted(f"<mi>{symbol}</mi>", below, above)
     return f"<mrow><mo>−</mo>{text}</mrow>" if opposite else text
-
-
-def _symbol(letters: str) -> str:
-    return _QUANTITIES.get(letters, letters)
 
 
 def of_input(array: str, place: int | None) -> str:
@@ -223,9 +209,8 @@ def of_input(array: str, place: int | None) -> str:
     letter, accent = _ACCENTED.get(array, (array, ""))
     if place is None:
         return f"<mi>{array}</mi>"
-    symbol = f"<mi>{_symbol(letter)}</mi>"
-    if accent:
-        symbol = _accented(symbol, accent)
+    symbol = f"<mi>{_QUANTITIES.get(letter, letter)}</mi>"
+    symbol = _accented(symbol, accent) if accent else symbol
     return f"<msub>{symbol}<mn>{place + 1}</mn></msub>"
 
 

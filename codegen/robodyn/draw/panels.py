@@ -230,16 +230,12 @@ def _ends(curves: Sequence[Curve], axes: _Axes) -> list[tuple[float, float]]:
     """Where the name of each curve is joined to it: at its end, or a little before where the ends meet."""
 
     def at(part: float) -> list[tuple[float, float]]:
-        places = []
-        for curve in curves:
-            order = sorted(range(len(curve.x)), key=curve.x.__getitem__)
-            k = order[-1 - int(part * (len(order) - 1))]
-            places.append((axes.x(curve.x[k]), axes.y(curve.y[k])))
-        return places
+        ordered = [sorted(zip(curve.x, curve.y, strict=True), key=lambda point: point[0]) for curve in curves]
+        ends = [points[-1 - int(part * (len(points) - 1))] for points in ordered]
+        return [(axes.x(x), axes.y(y)) for x, y in ends]
 
     def apart(places: list[tuple[float, float]]) -> float:
-        heights = sorted(y for _, y in places)
-        return min((b - a for a, b in pairwise(heights)), default=math.inf)
+        return min((b - a for a, b in pairwise(sorted(y for _, y in places))), default=math.inf)
 
     last = at(0.0)
     if apart(last) >= _APART:

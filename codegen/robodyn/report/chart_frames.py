@@ -8,8 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,8 +25,7 @@ _ROOM: Final = 0.04
 _LABEL: Final = 6
 
 
-@dataclass(frozen=True, slots=True)
-class Mark:
+class Mark(NamedTuple):
     """A path; ``css`` names its looks, ``title`` what it is."""
 
     css: str
@@ -35,16 +33,14 @@ class Mark:
     title: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class Tick:
+class Tick(NamedTuple):
     """A place on an axis, in percent from the left or the top."""
 
     at: str
     label: str
 
 
-@dataclass(frozen=True, slots=True)
-class Shade:
+class Shade(NamedTuple):
     """A stretch of the horizontal axis, in percent."""
 
     at: str
@@ -52,8 +48,7 @@ class Shade:
     what: str
 
 
-@dataclass(frozen=True, slots=True)
-class Chart:
+class Chart(NamedTuple):
     """A frame with its marks; ``text`` is for those who do not see it; ``zero`` is where the horizontal line
     of zero is, None outside the frame."""
 
@@ -68,8 +63,7 @@ class Chart:
     shades: tuple[Shade, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class Frame:
+class Frame(NamedTuple):
     """The lowest and highest value of each axis."""
 
     left: float
