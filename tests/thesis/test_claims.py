@@ -18,15 +18,14 @@ from robodyn.counts import Count
 from robodyn.effects import thesis_friction
 from robodyn.robot import Robot
 from robodyn.schedule import TASKS, elimination, friction_tasks, general_graph, graph
-from robodyn.thesis import steps
-from robodyn.thesis.claims import arms, formulations, friction, processors, tasks
-from robodyn.thesis.claims.arms import Arms
+from robodyn.thesis import claims, steps
+from robodyn.thesis.claims import Arms, formulations, friction, processors, tasks
 from robodyn.thesis.tables import customised, make
 from robodyn.thesis.tables.claims import read_claims
 from thesis.recomputed import Patch, changed, table
 
 REVIEW = yaml.safe_load(Path(__file__).with_name("claims.yaml").read_text(encoding="utf-8"))
-MODULES = ("rates", "formulations", "listings", "friction", "tasks", "processors")
+MODULES = ("formulations", "listings", "friction", "tasks", "processors")
 
 
 def ours(row: str) -> dict[str, Any]:
@@ -133,7 +132,7 @@ def test_they_follow_the_steps_the_robot_and_friction(monkeypatch: Patch) -> Non
     form, load = formulations.lambda_form(Arms())[0], tasks.stanford_load(Arms())[0]
     monkeypatch.setattr(steps, "moment", lambda N, s, F, p_next, f_next, n_next: n_next)
     monkeypatch.setattr(thesis_friction, "driving", lambda tau, e, b, sign: tau / e)
-    for module in (arms, tasks):
+    for module in (claims, tasks):
         monkeypatch.setattr(module, "bundled", changed("stanford", 2, com=(Fraction(1),) * 3))
     assert formulations.lambda_form(Arms())[0]["revolute"] > form["revolute"]
     assert tasks.stanford_load(Arms())[0][corrected] == load[corrected] + 6

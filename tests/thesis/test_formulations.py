@@ -42,7 +42,7 @@ from robodyn.thesis.formulations import (
     newton_euler_base,
     orin,
 )
-from robodyn.thesis.formulations.logarithmic import doubling, logarithmic, tree
+from robodyn.thesis.logarithmic import doubling, logarithmic, tree
 from robodyn.thesis.printed import bundled
 from robodyn.verify import Reference
 from robodyn.verify.exact import exact_torque

@@ -18,7 +18,7 @@ from robodyn.optimize.programs import FORMULATIONS
 from robodyn.thesis import printed, steps
 from robodyn.thesis.formulations import lagrange, lagrange_4x4
 from robodyn.thesis.printed import PEERS, TABLE_1_1, TABLE_2_9, bundled
-from robodyn.thesis.tables import TABLE_IDS, customised, formulations, make, recursion, to_text
+from robodyn.thesis.tables import TABLE_IDS, customised, formulations, make, operations, programs, to_text
 from thesis.recomputed import IDS, Patch, changed, named, table
 
 # Tables 2.5, 2.6 and program D.2, once more, link by link: mass x y z | Ixx Iyy Izz motor | D.2.
@@ -184,7 +184,7 @@ def test_table_2_6_follows_the_printed_figures(monkeypatch: Patch) -> None:
     links = list(printed.PUMA)
     links[1] = replace(links[1], moments=(Fraction("0.2"), Fraction("0.3"), Fraction("0.539")))
     links[4] = replace(links[4], moments=(Fraction("3e-4"), Fraction("3e-4"), Fraction("4e-4")))
-    monkeypatch.setattr(recursion, "PUMA", tuple(links))
+    monkeypatch.setattr(programs, "PUMA", tuple(links))
     found = make("2.6")
     assert {"link 2, Ixx", "link 2, triangle"} <= named(found)
     assert {"link 5, Izz", "link 5, rotor"} <= named(found, "reproduced")
@@ -214,7 +214,7 @@ def test_table_2_9() -> None:
 def test_table_2_9_follows_the_steps_and_the_recursion(monkeypatch: Patch) -> None:
     assert table("2.9").row("revolute II, total").beside[0]["total"] == 207
     monkeypatch.setattr(steps, "alpha_I", lambda R, alpha, w, qd, qdd: steps.turned_back(R, alpha))
-    monkeypatch.setattr(recursion, "newton_euler", lambda *given: [x + x for x in newton_euler(*given)])
+    monkeypatch.setattr(operations, "newton_euler", lambda *given: [x + x for x in newton_euler(*given)])
     found = make("2.9")
     assert found.row("revolute I, alpha").ours["operations"] == {"mul": 9, "add": 6, "total": 15}
     assert found.row("revolute I, alpha").verdict == "differs"

@@ -16,7 +16,7 @@ from robodyn.schedule import arithmetic, task_counts
 from robodyn.schedule.tasks import TASKS
 from robodyn.thesis.case_arm import D4_START, led
 from robodyn.thesis.printed import TABLE_3_3, TABLE_3_4, TABLE_3_5, TABLE_4_1_MISPRINTS, bundled
-from robodyn.thesis.tables import case_study, inverse, make, operating_point, tasks
+from robodyn.thesis.tables import case_study, make, operating_point, programs, tasks
 from robodyn.verify.reference import Reference
 from thesis.recomputed import Patch, changed, named, table
 
@@ -215,7 +215,7 @@ def test_the_table_of_branches() -> None:
 @pytest.mark.parametrize("point", [("0.4", "0.1", "0.1"), ("-0.3", "0.2", "0.5"), ("0.2", "-0.6", "-0.1")])
 def test_the_bundled_arm_has_the_four_branches_of_the_program(point: tuple[str, str, str]) -> None:
     robot = bundled("puma560_3dof_d13")
-    solutions = inverse.generated(robot, list(map(Fraction, point)))
+    solutions = programs.generated(robot, list(map(Fraction, point)))
     place = list(map(float, point))
     np.testing.assert_allclose(
         Reference(robot).tool_pose(np.array(solutions))[:, :, 3], [place] * 4, atol=1e-14

@@ -16,13 +16,13 @@ from robodyn.robot.bundled import bundled_names
 from robodyn.schedule import Machine, Sparsity, solve, sparsity
 from robodyn.schedule.cutting import cut
 from robodyn.thesis import steps
-from robodyn.thesis.claims.arms import LINKS, PUMA, SMALL_PUMA, STANFORD, Arms, Outcome
+from robodyn.thesis.claims import LINKS, PUMA, SMALL_PUMA, STANFORD, Arms, Outcome
 from robodyn.thesis.polynomial import fitted, value
 from robodyn.thesis.printed import TABLE_1_1, TABLE_2_9, TABLE_4_4, TABLE_4_4_ZEROS, bundled
 from robodyn.thesis.steps import Method, step_counts
 from robodyn.thesis.tables.customised import plain
 from robodyn.thesis.tables.formulations import formulation
-from robodyn.thesis.tables.recursion import joint_count
+from robodyn.thesis.tables.operations import joint_count
 
 _FUNCTIONS: Final = ("inverse_dynamics", "gravity", "bias", "mass_matrix", "forward_dynamics")
 _METHODS: Final[tuple[Method, ...]] = ("I", "II")

@@ -14,9 +14,9 @@ from robodyn.schedule.friction_tasks import Friction, friction_tasks
 from robodyn.schedule.graph import link_and_number
 from robodyn.schedule.tasks import TASKS
 from robodyn.thesis.case_arm import D4_START, efficiency_points, led
-from robodyn.thesis.claims.arms import LINKS, Arms, CaseTorques, Outcome, case_torques
+from robodyn.thesis.claims import LINKS, Arms, CaseTorques, Outcome, case_torques
 from robodyn.thesis.printed import TABLE_3_3, TABLE_3_4, TABLE_3_5
-from robodyn.thesis.tables import friction
+from robodyn.thesis.tables import operations
 from robodyn.thesis.tables.case_study import EXACT
 
 _GEAR: Final = Friction(None, "linear")
@@ -77,7 +77,7 @@ def _total(count: Count) -> int:
 
 def load_with_friction(_: Arms) -> Outcome:
     """More operations a joint, tasks and levels with friction [%]."""
-    counts = {row: _total(count) for row, count in friction.friction_counts().items()}
+    counts = {row: _total(count) for row, count in operations.friction_counts().items()}
     rigid, gear = sum(TABLE_3_3["frictionless"]["revolute"]), sum(TABLE_3_3["transmission"]["linear"])
     plain, graph = general_graph(LINKS), general_graph(LINKS, _BOTH)
 
@@ -98,7 +98,7 @@ def load_with_friction(_: Arms) -> Outcome:
 
 def operations_of_friction(_: Arms) -> Outcome:
     """Operations of friction at a revolute and a prismatic joint, efficiency on a straight line."""
-    counts = friction.friction_counts()
+    counts = operations.friction_counts()
     gear = _total(counts["transmission, linear"])
     flops, prismatic = (_total(counts[f"joint, {kind}"]) + gear for kind in ("revolute", "prismatic"))
     printed = sum(TABLE_3_3["joint"]["revolute"]) + sum(TABLE_3_3["transmission"]["linear"])
@@ -108,7 +108,7 @@ def operations_of_friction(_: Arms) -> Outcome:
 
 def transmissions_alone(_: Arms) -> Outcome:
     """Operations of a transmission whose efficiency is on a straight line."""
-    flops = _total(friction.friction_counts()["transmission, linear"])
+    flops = _total(operations.friction_counts()["transmission, linear"])
     return {"without_joint_friction": flops}, flops == sum(TABLE_3_3["transmission"]["linear"])
 
 

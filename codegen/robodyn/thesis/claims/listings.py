@@ -12,7 +12,7 @@ import numpy as np
 from robodyn.counts.thesis import TABLE_2_10
 from robodyn.robot import Inertia, Robot
 from robodyn.thesis.case_arm import D4_START
-from robodyn.thesis.claims.arms import PUMA, SMALL_PUMA, Arms, Outcome
+from robodyn.thesis.claims import PUMA, SMALL_PUMA, Arms, Outcome
 from robodyn.thesis.printed import LISTINGS, TABLE_2_10_QUOTED, bundled, table_2_10
 from robodyn.verify.reference import Reference
 

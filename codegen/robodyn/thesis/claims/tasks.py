@@ -18,7 +18,7 @@ from robodyn.schedule import (
 from robodyn.schedule.elimination import robot_graph
 from robodyn.schedule.graph import link_and_number, task_id
 from robodyn.schedule.task_counts import operations_of_tasks
-from robodyn.thesis.claims.arms import LINKS, STANFORD, Arms, Outcome
+from robodyn.thesis.claims import LINKS, STANFORD, Arms, Outcome
 from robodyn.thesis.judge import SCHEDULES, UNIT_MS, printed_schedule, rival_graph
 from robodyn.thesis.printed import TABLE_4_2, TABLE_4_4, bundled
 from robodyn.thesis.slips.frames import component_cost

@@ -1,8 +1,7 @@
 """Inverse dynamics of earlier papers, with which the thesis compares its recursion: one formulation a module.
 
-Kernels for users are written from none of them unless ``--formulation`` asks for it. Each module of
-:data:`TITLES` has a function of its name, from an arm and a motion to joint torques; ``logarithmic`` has
-running totals, which only task graphs are made of.
+Kernels for users are written from none of them unless ``--formulation`` asks for it. Each module has a
+function of its name, from an arm and a motion to joint torques.
 """
 
 from __future__ import annotations

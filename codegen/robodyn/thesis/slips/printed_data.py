@@ -44,8 +44,8 @@ from robodyn.thesis.slips.recursion import (
     states,
     torques_of,
 )
-from robodyn.thesis.tables.friction import journal
-from robodyn.thesis.tables.inverse import D4_PRINTED
+from robodyn.thesis.tables.operations import journal
+from robodyn.thesis.tables.programs import D4_PRINTED
 from robodyn.thesis.tables.tasks import flops
 from robodyn.verify.reference import Reference
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from robodyn.thesis import claims
-from robodyn.thesis.claims.arms import Arms, Outcome
+from robodyn.thesis.claims import Arms, Outcome
 from robodyn.thesis.printed import data
 from robodyn.thesis.tables.table import Row, Verdict, judged
 

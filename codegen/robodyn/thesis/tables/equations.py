@@ -1,11 +1,24 @@
-"""Slips in the thesis's equations and printed data: each as printed and right, against a reference."""
+"""Equations as printed and right, against a reference: the steps of the recursion (Table 2.4), friction of
+the kinds of joints (Table 3.1), and slips in the thesis's equations and printed data."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from robodyn.thesis.slips import Slip, slips
+from robodyn.thesis.slips import Slip, slips, slips_of
 from robodyn.thesis.tables.table import Row, judged
+
+
+def table_2_4() -> Iterator[Row]:
+    """The steps in their order, a prismatic joint's after a revolute one's; those with a slip as ``tables
+    equations`` has them."""
+    rows = [slip_row(step) for step in (*slips("table_2_4"), *slips_of("Table 2.4, "))]
+    yield from sorted(rows, key=lambda row: (row.name.partition(",")[0], row.name.endswith("prismatic")))
+
+
+def table_3_1() -> Iterator[Row]:
+    """The kinds of bearings, each tried on random loads."""
+    yield from map(slip_row, slips("table_3_1"))
 
 
 def table_of_equations() -> Iterator[Row]:

@@ -13,7 +13,7 @@ from robodyn.thesis.printed import METHODS, TABLE_1_1, TABLE_2_9
 from robodyn.thesis.steps import Method
 from robodyn.thesis.tables import Table, make
 from robodyn.thesis.tables.formulations import formulation
-from robodyn.thesis.tables.recursion import joint_count
+from robodyn.thesis.tables.operations import joint_count
 
 _METHODS: Final[tuple[tuple[Method, str], ...]] = (("I", BLUE), ("II", VERMILION))
 _NAMES: Final = {

@@ -1,4 +1,5 @@
-"""Program D.1.3, the inverse kinematics of the PUMA's first three joints, beside the generated one."""
+"""What programs have: D.1.3, the inverse kinematics of the PUMA's first three joints, beside the generated
+one; and inertias of the PUMA (Table 2.6) beside what D.2's tensors make of them."""
 
 from __future__ import annotations
 
@@ -13,7 +14,7 @@ from robodyn.dynamics.inverse import inverse_of
 from robodyn.kernels.generate import Options, program
 from robodyn.robot.model import Robot
 from robodyn.thesis.case_arm import D4_BRANCH, FOREARM, LED_ROBOT, OFFSET, led
-from robodyn.thesis.printed import bundled
+from robodyn.thesis.printed import D_2, D_2_LAST_DIGIT, PUMA, bundled
 from robodyn.thesis.puma_inverse import BRANCHES
 from robodyn.thesis.tables.table import Row, judged
 
@@ -83,3 +84,50 @@ def _apart(one: Sequence[float], other: Sequence[float]) -> float:
 
 def _positions(q: Sequence[float]) -> str:
     return ", ".join(f"{x:.4f}" for x in q)
+
+
+# --- 2.6 --------------------------------------------------------------------------------------------------
+
+
+def table_2_6() -> Iterator[Row]:
+    """A row for each printed figure, and one for the tensor that no body has."""
+    half = D_2_LAST_DIGIT / 2
+    for k, (link, tensor) in enumerate(zip(PUMA, D_2, strict=True), 1):
+        for name, moment, whole, shift, rotor in zip(
+            ("Ixx", "Iyy", "Izz"), link.moments, tensor, link.shifts, link.rotors, strict=True
+        ):
+            if moment is not None and whole is not None:
+                yield _inertia(f"link {k}, {name}", moment, whole - shift - rotor, whole)
+        (_, iyy, izz), (_, around_y, around_z) = link.moments, tensor
+        if izz is not None and around_z is not None:
+            tenfold = iyy and around_y and abs(around_y - link.shifts[1] - iyy / 10) <= half
+            moment = izz / 10 if tenfold else izz
+            yield _inertia(f"link {k}, rotor", link.motor, around_z - link.shifts[2] - moment, around_z)
+    for k, link in enumerate(PUMA, 1):
+        xx, yy, zz = link.moments
+        if xx is None or yy is None or zz is None:
+            continue
+        spare = min(xx + yy - zz, yy + zz - xx, xx + zz - yy)
+        yield Row(
+            f"link {k}, triangle",
+            {"value": f"{float(xx)} {float(yy)} {float(zz)}"},
+            {"value": float(spare)},
+            judged(spare >= 0),
+            "the least of the sums of two moments less the third, which no body has below 0"
+            + ("" if spare >= 0 else ": these moments are no body's"),
+        )
+
+
+def _inertia(name: str, printed: Fraction, ours: Fraction, whole: Fraction) -> Row:
+    """A printed figure beside ours, which is D.2's ``whole`` one less what belongs to others."""
+    half = D_2_LAST_DIGIT / 2
+    same = abs(ours - printed) <= half
+    if same:
+        reason = "program D.2 has it, moved to the link's origin"
+    elif abs(ours - printed / 10) <= half:
+        reason = "ten times what program D.2 has"
+    elif whole == printed:
+        reason = "program D.2 has the printed one about the link's origin: it was not moved there"
+    else:
+        reason = "program D.2 has another one"
+    return Row(name, {"value": float(printed)}, {"value": float(round(ours, 6))}, judged(same), reason)
