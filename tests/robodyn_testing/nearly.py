@@ -47,10 +47,10 @@ SHAPES: Final[dict[str, str]] = {
 }
 
 
-def nearly(shape: str, seed: int) -> Robot:
-    """An arm of that ``shape``, all its numbers off by 1e-7 to 1e-3 rad or m."""
+def nearly(shape: str, seed: int, *, exactly: bool = False) -> Robot:
+    """An arm of that ``shape``, all its numbers off by 1e-7 to 1e-3 rad or m, or ``exactly`` of it."""
     chance = random.Random(f"{shape} {seed}")
-    size = 10 ** chance.uniform(-7, -3)
+    size = 10 ** chance.uniform(-7, -3) * (not exactly)
 
     def off() -> Fraction:
         return Fraction(round(chance.gauss(0, 0.4) * size, 12)) if chance.random() < 0.8 else Fraction(0)
