@@ -195,6 +195,21 @@ def about_axis(axis: Vector, angle: float) -> Rotation:
     )
 
 
+def onto(axis: Vector) -> Rotation:
+    """A rotation that takes z to the unit vector ``axis``, as few axes turned as can be."""
+    largest = max(range(3), key=lambda k: abs(axis[k]))
+    way = math.copysign(1.0, axis[largest])
+    z: Vector = (way * (largest == 0), way * (largest == 1), way * (largest == 2))
+    x: Vector = (1.0, 0.0, 0.0) if largest else (0.0, 0.0, -way)
+    if math.hypot(*(axis[k] for k in range(3) if k != largest)) > QUARTER_TURN:
+        z = scaled(1 / math.hypot(*axis), axis)
+        least = min(range(3), key=lambda k: abs(axis[k]))
+        beside: Vector = (float(least == 0), float(least == 1), float(least == 2))
+        a, b, c = (u - dot(beside, z) * v for u, v in zip(beside, z, strict=True))
+        x = scaled(1 / math.hypot(a, b, c), (a, b, c))
+    return transposed((x, cross(z, x), z))
+
+
 def unit(numbers: Vector) -> Vector:
     """``numbers`` at length 1. One along x, y or z has its exact entries."""
     x, y, z = numbers

@@ -20,17 +20,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from robodyn.formats.chain import (
-    IDENTITY,
-    Chain,
-    ChainJoint,
-    Rotation,
-    Vector,
-    cross,
-    dot,
-    scaled,
-    transposed,
-)
+from robodyn.formats.chain import IDENTITY, Chain, ChainJoint, Rotation, onto
 from robodyn.formats.conversion import effects_of_springs
 from robodyn.formats.limits import SLIDE, STEEP
 from robodyn.robot.model import Inertia, Joint, Link, Robot
@@ -93,7 +83,7 @@ def aligned(joints: Iterable[ChainJoint]) -> list[Step]:
     steps = []
     before = SAME
     for joint in joints:
-        into = exact_transposed(rows(_onto(joint.axis)))
+        into = exact_transposed(rows(onto(joint.axis)))
         turn = product(product(before, rows(joint.pose.rotation)), exact_transposed(into))
         steps.append(Step(turn, applied(before, vector(joint.pose.xyz)), into))
         before = into
@@ -129,22 +119,6 @@ def _shift(steps: list[Step], i: int, by: Exact) -> None:
 def _plus(u: Exact, v: Exact, sign: int = 1) -> Exact:
     """``u + v``, or with ``sign`` -1 their difference."""
     return u[0] + sign * v[0], u[1] + sign * v[1], u[2] + sign * v[2]
-
-
-def _onto(axis: Vector) -> Rotation:
-    """A rotation that takes z to the unit vector ``axis``, as few axes turned as can be."""
-    largest = max(range(3), key=lambda k: abs(axis[k]))
-    way = math.copysign(1.0, axis[largest])
-    if math.hypot(*(axis[k] for k in range(3) if k != largest)) <= QUARTER_TURN:
-        z = tuple(way if k == largest else 0.0 for k in range(3))
-        x = (1.0, 0.0, 0.0) if largest else (0.0, 0.0, -way)
-    else:
-        z = scaled(1 / math.hypot(*axis), axis)
-        least = min(range(3), key=lambda k: abs(axis[k]))
-        unit: Vector = (float(least == 0), float(least == 1), float(least == 2))
-        across = tuple(u - dot(unit, z) * v for u, v in zip(unit, z, strict=True))
-        x = scaled(1 / math.hypot(*across), across)  # type: ignore[arg-type]
-    return transposed((x, cross(z, x), z))  # type: ignore[arg-type]
 
 
 _NONE, _HALF = quarter_turns(0), quarter_turns(2)

@@ -41,22 +41,9 @@ def read_tree(document: Document, path: Path | None, folders: Iterable[str] = ()
     InputError: MuJoCo refuses the file, or a file that it includes cannot be read.
     ToolError: the package is not installed.
     """
-    mujoco = MUJOCO.load(where=Place(document.file))
-    leftovers = Leftovers(document.file)
-    text = model_text(document, path, leftovers, folders)
-    try:
-        with quiet_mujoco(mujoco):
-            files = {name: model.encode() for name, model in text.models.items()}
-            spec = mujoco.MjSpec.from_string(text.text, include=files)
-            bare = _without_meshes(spec, text)
-            model = spec.compile()
-    except (ValueError, mujoco.FatalError) as error:
-        message = " ".join(str(error).split())
-        where = text.place(message, document.file)
-        raise InputError("MuJoCo refuses the file", where=where, found=message[:300]) from None
-    name = document.root.attributes.get("model", "")
-    tree = _Model(mujoco, spec, model, text, bare, document.file, leftovers).tree(name)
-    return checked(replace(tree, unused=leftovers.unused(), physics=tuple(leftovers.physics)))
+    model = _Model(document, path, folders)
+    tree = model.tree(document.root.attributes.get("model", ""))
+    return checked(replace(tree, unused=model.leftovers.unused(), physics=tuple(model.leftovers.physics)))
 
 
 def _without_meshes(spec: Any, text: ModelText) -> set[str]:
@@ -89,20 +76,27 @@ def _scales(spec: Any) -> bool:
 
 
 class _Model:
-    """A compiled model and what it was made of."""
+    """A compiled model and what it was made of.
 
-    def __init__(
-        self,
-        mujoco: Any,
-        spec: Any,
-        model: Any,
-        text: ModelText,
-        bare: set[str],
-        file: str,
-        leftovers: Leftovers,
-    ) -> None:
-        self.mujoco, self.spec, self.model, self.text = mujoco, spec, model, text
-        self.bare, self.file, self.leftovers = bare, file, leftovers
+    Raises
+    ------
+    InputError: MuJoCo refuses the file.
+    """
+
+    def __init__(self, document: Document, path: Path | None, folders: Iterable[str]) -> None:
+        self.mujoco = mujoco = MUJOCO.load(where=Place(document.file))
+        self.file, self.leftovers = document.file, Leftovers(document.file)
+        self.text = model_text(document, path, self.leftovers, folders)
+        try:
+            with quiet_mujoco(mujoco):
+                files = {name: model.encode() for name, model in self.text.models.items()}
+                self.spec = mujoco.MjSpec.from_string(self.text.text, include=files)
+                self.bare = _without_meshes(self.spec, self.text)
+                self.model = self.spec.compile()
+        except (ValueError, mujoco.FatalError) as error:
+            message = " ".join(str(error).split())
+            where = self.text.place(message, document.file)
+            raise InputError("MuJoCo refuses the file", where=where, found=message[:300]) from None
 
     def tree(self, model_name: str) -> Tree:
         links, joints = [], []

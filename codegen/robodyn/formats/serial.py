@@ -116,11 +116,8 @@ class Positions:
         if joint is None:
             what, where = "there is no joint of the name after --lock", Place(self._topology.tree.file)
             raise no_such("joint", what, name, self._joints, where)
-        lower, upper, unit = (
-            joint.limits.lower,
-            joint.limits.upper,
-            " rad" if joint.kind != "prismatic" else " m",
-        )
+        lower, upper = joint.limits.lower, joint.limits.upper
+        unit = " m" if joint.kind == "prismatic" else " rad"
         if joint.kind not in MOVING:
             lower, upper, unit = 0.0, 0.0, ""
         if (lower is not None and value < lower) or (upper is not None and value > upper):
@@ -249,13 +246,8 @@ class _Frames:
         unknown = any(link.is_point for link in bodies)
         if not bodies:
             origin, unknown = "absent", index == len(self._moving) or any(link.shape for link in links)
-        origins = replace(
-            joint.origins,
-            mass=origin,
-            com=origin,
-            inertia="absent" if unknown else origin,
-            unknown=unknown,
-        )
+        inertia: Origin = "absent" if unknown else origin
+        origins = replace(joint.origins, mass=origin, com=origin, inertia=inertia, unknown=unknown)
         body = lumped(moved(self.pose[link.name], link.body) for link in bodies if link.body)
         return replace(joint, body=body, origins=origins)
 
