@@ -21,12 +21,13 @@ from robodyn.ir.evaluate import REAL_FUNCTIONS, evaluate
 from robodyn.ir.lowering import lower
 from robodyn.verify.effects import added_torque, efficiency
 
-IDS = """
-    viscous_friction coulomb_friction asymmetric_friction stribeck_friction power_law_friction
-    load_dependent_friction transmission_loss rotor_inertia motor_coupling payload inertial_error
-    base_tilt spring gas_spring torque_ripple joint_elasticity backlash presliding_hysteresis torque_bias
-    torque_gain time_delay encoder_offset torque_saturation external_contact
-""".split()  # noqa: SIM905 (it reads as the list that it is)
+IDS = (
+    "viscous_friction", "coulomb_friction", "asymmetric_friction", "stribeck_friction", "power_law_friction",
+    "load_dependent_friction", "transmission_loss", "rotor_inertia", "motor_coupling", "payload",
+    "inertial_error", "base_tilt", "spring", "gas_spring", "torque_ripple", "joint_elasticity", "backlash",
+    "presliding_hysteresis", "torque_bias", "torque_gain", "time_delay", "encoder_offset",
+    "torque_saturation", "external_contact",
+)  # fmt: skip
 
 
 def torque(case: Case, values: Any, at: Site) -> Any:
@@ -64,11 +65,8 @@ def test_every_effect_is_described(id: str) -> None:
         dimensional = parameter.kind in ("number", "vector", "inertia", "efficiency")
         assert bool(parameter.unit) == dimensional, parameter.name
         assert (parameter.kind == "choice") == bool(parameter.choices)
-        assert (
-            parameter.kind != "choice"
-            or parameter.optional
-            or parameter.default in (*parameter.choices, None)
-        )
+        if parameter.kind == "choice" and not parameter.optional:
+            assert parameter.default in (*parameter.choices, None)
     tested = {case.id for case in (*CASES.values(), *COUPLERS.values())}
     assert found.equation is None or id in tested or found.kind == "sensor"
 
@@ -80,9 +78,7 @@ def test_every_effect_is_described(id: str) -> None:
 def test_equations_are_the_references(name: str) -> None:
     """Over floats and over arrays."""
     case, rng = CASES[name], random.Random(name)
-    for revolute in (True, False):
-        if not (case.revolute if revolute else case.prismatic):
-            continue
+    for revolute in (joint for joint in (True, False) if (case.revolute if joint else case.prismatic)):
         for _ in range(3):
             values, places = floats(draw(case, rng)), sites(rng, 40, revolute=revolute)
             together, state = stacked(places)
@@ -134,13 +130,9 @@ def test_equations_over_programs_expressions_and_rationals(name: str) -> None:
             over = torque(case, values, exact)
             assert isinstance(over, Fraction | int)
             assert float(over) == near
-            found = evaluate(
-                program,
-                {Input("x", i): v for i, v in enumerate(numbers)},
-                constant=lambda x: x,
-                functions={"abs": abs, "sign": REAL_FUNCTIONS["sign"]},
-            )
-            assert found["t"][0] == over
+            exactly: Any = {Input("x", i): v for i, v in enumerate(numbers)}
+            functions = {"abs": abs, "sign": REAL_FUNCTIONS["sign"]}
+            assert evaluate(program, exactly, constant=lambda x: x, functions=functions)["t"][0] == over
 
 
 def flat(at: Site) -> list[Fraction]:

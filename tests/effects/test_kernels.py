@@ -56,13 +56,8 @@ def plant(name: str) -> Plant:
 
 def run(program: Program, values: Mapping[str, float], **arrays: Any) -> dict[str, list[float]]:
     """``program`` on floats, operation by operation."""
-    inputs: dict[Input, float] = {Input(name, None): value for name, value in values.items()}
-    for name, array in arrays.items():
-        if np.ndim(array):
-            inputs.update({Input(name, i): float(x) for i, x in enumerate(array)})
-        else:
-            inputs[Input(name, None)] = float(array)
-    return evaluate(program, inputs)
+    inputs = {Input(name, i): float(x) for name, array in arrays.items() for i, x in enumerate(array)}
+    return evaluate(program, inputs | {Input(name, None): value for name, value in values.items()})
 
 
 def close(found: Any, expected: Any, scale: float) -> None:
@@ -201,15 +196,13 @@ def test_effects_that_do_not_feel_the_load_have_forward_dynamics() -> None:
     np.testing.assert_allclose(made.forward_dynamics(q, qd, tau, params=values), qdd, rtol=0, atol=1e-10)
 
 
-def test_counts_of_the_rigid_arm_stand_apart() -> None:
-    made = generate(arm("sliding"))
-    rigid = made.rigid_counts["inverse_dynamics"]
+def test_what_of_the_counts_is_of_the_rigid_arm() -> None:
+    """A payload alone is part of it."""
+    counted = generate(arm("sliding"))
+    rigid = counted.rigid_counts["inverse_dynamics"]
     assert rigid is not None
-    assert 0 < rigid.total < made.counts["inverse_dynamics"].total
+    assert 0 < rigid.total < counted.counts["inverse_dynamics"].total
     assert (rigid.sqrt, rigid.other) == (0, 1)  # sgn of the first joint
-
-
-def test_a_payload_alone_is_part_of_the_rigid_arm() -> None:
     robot = arm("rubbing")
     loaded = replace(robot, effects=robot.effects_at(None))
     made = generate(loaded, Options(functions=("inverse_dynamics",)))

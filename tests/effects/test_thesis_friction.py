@@ -1,20 +1,15 @@
-"""The thesis's friction: statics of two supports, limits, all scalars."""
+"""The thesis's friction: statics of two supports, limits, points of its tables."""
 
 from __future__ import annotations
 
 import math
 import random
-from fractions import Fraction
 from typing import Any
 
 import pytest
 import sympy
 
 from robodyn.effects import thesis_friction as friction
-from robodyn.effects.scalars import magnitude, root
-from robodyn.ir import Graph, Input
-from robodyn.ir.evaluate import evaluate
-from robodyn.ir.lowering import lower
 
 MU, R, D = 0.1, 0.08, 0.25
 
@@ -35,8 +30,8 @@ def supports(f: Any, n: Any) -> tuple[tuple[float, float], tuple[float, float]]:
     return (float(x[0]), float(x[1])), (float(x[2]), float(x[3]))
 
 
-@pytest.mark.parametrize("seed", range(5))
-def test_journals_are_two_supports_in_balance(seed: int) -> None:
+@pytest.mark.parametrize("seed", range(3))
+def test_bearings_are_two_supports_in_balance(seed: int) -> None:
     f, n = loads(seed)
     one, other = supports(f, n)
     expected = MU * R * (math.hypot(*one) + math.hypot(*other))
@@ -44,6 +39,8 @@ def test_journals_are_two_supports_in_balance(seed: int) -> None:
     assert friction.journal_bearing(MU, R, D, f, n, -1) == pytest.approx(-expected)
     printed = friction.journal_bearing(MU, R, D, f, n, 1, as_printed=True)
     assert abs(printed - expected) > 1e-3 * expected
+    sliding = MU * sum(map(abs, (*one, *other)))
+    assert friction.linear_bearing(MU, D, f, n, 1) == pytest.approx(sliding)
 
 
 def test_the_printed_sign_does_not_matter_where_a_product_vanishes() -> None:
@@ -61,13 +58,6 @@ def test_without_a_moment_the_span_cancels(seed: int) -> None:
         none = (0.0, 0.0, 0.0)
         assert friction.journal_bearing(MU, R, d, f, none, 1) == pytest.approx(MU * R * load)
         assert friction.linear_bearing(MU, d, f, none, 1) == pytest.approx(MU * (abs(f[0]) + abs(f[1])))
-
-
-@pytest.mark.parametrize("seed", range(3))
-def test_sliding_bearings_are_two_supports_in_balance(seed: int) -> None:
-    f, n = loads(seed)
-    expected = MU * sum(abs(x) for support in supports(f, n) for x in support)
-    assert friction.linear_bearing(MU, D, f, n, 1) == pytest.approx(expected)
 
 
 def test_thrust_and_sum() -> None:
@@ -93,30 +83,3 @@ def test_cubics_are_one_cubic() -> None:
         assert friction.cubic_efficiency(load, e) == pytest.approx(expected)
         assert friction.cubic_efficiency_in_pairs(load, e) == pytest.approx(expected)
     assert friction.linear_efficiency(0.5, (0.25, 0.5)) == 0.5
-
-
-def test_nodes_and_expressions_give_the_same_numbers() -> None:
-    f, n = loads(3)
-    graph = Graph()
-    nodes = [graph.input("f", i) for i in range(3)], [graph.input("n", i) for i in range(3)]
-    mu, r, d = (Fraction(str(x)) for x in (MU, R, D))
-    values = [
-        friction.journal_bearing(mu, r, d, nodes[0], nodes[1], graph.input("s")),
-        friction.linear_bearing(mu, d, nodes[0], nodes[1], graph.input("s")),
-    ]
-    program = lower(graph, [("t", values)])
-    given = {Input(name, i): x for name, u in (("f", f), ("n", n)) for i, x in enumerate(u)}
-    found = evaluate(program, {**given, Input("s", None): -1.0})["t"]
-    expected = [
-        friction.journal_bearing(MU, R, D, f, n, -1.0),
-        friction.linear_bearing(MU, D, f, n, -1.0),
-    ]
-    assert list(found) == pytest.approx(expected)
-    x = sympy.symbols("x:6")
-    expression = friction.journal_bearing(MU, R, D, x[:3], x[3:], -1)
-    assert float(expression.subs(dict(zip(x, (*f, *n), strict=True)))) == pytest.approx(expected[0])
-
-
-def test_roots_and_magnitudes() -> None:
-    assert (root(9.0), magnitude(-2)) == (3.0, 2)
-    assert root(sympy.Integer(16)) == 4

@@ -1,18 +1,23 @@
-"""Traits name effects and parameters that there are, and say what the equations say."""
+"""Traits name effects and parameters that there are, and say what the equations say; what holds a joint at
+rest is known from the equation, not from the name."""
 
 from __future__ import annotations
 
 import random
 from collections.abc import Iterator
+from dataclasses import replace
+from fractions import Fraction
 
 import numpy as np
 import pytest
 
-from effects.cases import CASES, sites, stacked
+from effects.cases import CASES, draw, sites, stacked
+from robodyn.drives.drive import Acting, JointDrive, Layer
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Effect
 from robodyn.effects.traits import Dahl, Form, Law, Twist, Usual
 from robodyn.robot.model import Joint
+from robodyn.simulate.shape import elements_of, without_losses
 
 JOINTS = (
     Usual(2, 3, True, 4.0, 10.0, 20.0, 45.0, 1.0, 3.0, 0.1, 0.8, 0.2),
@@ -106,3 +111,51 @@ def test_columns_are_the_equation(name: str, law: Law) -> None:
         torque = effect.equation({**defaults, **law.read(x, given)}, at)
         expected = sum(k * np.asarray(column, float) for k, column in zip(x, columns, strict=True))
         np.testing.assert_allclose(np.asarray(torque, float), expected, rtol=1e-12, atol=1e-12)
+
+
+# --- what holds a joint at rest ---------------------------------------------------------------------------
+
+_NOT_DRY = (
+    "viscous_friction", "power_law_friction", "presliding_hysteresis", "spring", "torque_ripple",
+    "gas_spring",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("name", [name for name in CASES if CASES[name].id != "rotor_inertia"])
+def test_dry_or_not(name: str) -> None:
+    case = CASES[name]
+    values = draw(case, random.Random(name))
+    expected = case.id not in _NOT_DRY
+    assert case.effect.is_dry(values, revolute=case.revolute) is expected
+
+
+def test_a_motor_of_two_joints_is_dry_by_its_level() -> None:
+    effect = CATALOGUE["motor_coupling"]
+    values = {"inertia": Fraction(1), "viscous": Fraction(1), "coulomb": Fraction(0)}
+    assert not effect.is_dry(values, revolute=True)
+    assert effect.is_dry({**values, "coulomb": Fraction(1, 100)}, revolute=True)
+
+
+@pytest.mark.parametrize("id", ["coulomb_friction", "asymmetric_friction", "stribeck_friction"])
+def test_a_copy_under_another_name_sticks(id: str) -> None:
+    copy: Effect = replace(CATALOGUE[id], id="another")
+    values = {p.name: Fraction(2) for p in copy.parameters}
+    for place in ("link", "bearing", "gear", "motor"):
+        side = (Acting(copy, values),)
+        drive = JointDrive(True, **{place: side})
+        assert [element.what for element in elements_of(Layer((drive,)), (), 1)] == ["joint 1"]
+        end = "link 1" if place in ("link", "bearing") else "motor 1"
+        assert [element.what for element in elements_of(Layer((drive,)), (0,), 2)] == [end]
+
+
+def test_what_is_kept_without_losses_has_a_potential() -> None:
+    acting = {id: Acting(CATALOGUE[id], {}) for id in ("spring", "viscous_friction", "torque_ripple")}
+    drive = JointDrive(
+        True,
+        link=(acting["spring"], acting["viscous_friction"]),
+        motor=(acting["viscous_friction"], acting["torque_ripple"]),
+        viscous=1,
+    )
+    (kept,) = without_losses(Layer((drive,))).joints
+    assert [one.effect.id for one in kept.link + kept.motor] == ["spring", "torque_ripple"]
+    assert kept.viscous == 0

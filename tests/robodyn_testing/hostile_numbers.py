@@ -7,7 +7,7 @@ from __future__ import annotations
 import random
 from dataclasses import replace
 from fractions import Fraction
-from typing import Final
+from typing import Any, Final
 
 from robodyn.ir.field import drawn_prime
 from robodyn.robot.model import Inertia, Link, Robot, Vector
@@ -45,7 +45,7 @@ class Numbers:
         """``value`` or another number; names stay."""
         if self.rng.random() > self.share or not isinstance(value, Fraction):
             return value
-        new = _swapped(self.rng, self.prime, self.chosen, value, positive=positive)
+        new = self._other(value, positive=positive)
         if self.mild:  # a multiple of the prime stays one
             while abs(new) > 10:
                 new /= 10
@@ -53,33 +53,33 @@ class Numbers:
                 new *= 10
         return new
 
+    def _other(self, value: Fraction, *, positive: bool = False) -> Fraction:
+        rng, how = self.rng, self.rng.randrange(4)
+        if how == 0:  # equal to the old one modulo the prime
+            new = value + Fraction(self.prime * rng.randint(1, 3), 1 << rng.randint(0, 70))
+        else:  # with Fraction(prime) - x a sum with another chosen one cancels there
+            chosen = rng.choice(self.chosen)
+            new = {1: Fraction(self.prime) - chosen, 2: -chosen, 3: chosen}[how]
+        return abs(new) if positive else new
+
     def arm(self, robot: Robot) -> Robot:
         """``robot`` with other links and gravity."""
         rng, (gx, gy, gz) = self.rng, robot.gravity
         links = tuple(map(self._link, robot.links))
         if rng.random() < self.share / 3 and not self.mild:
-            gz = _swapped(rng, self.prime, self.chosen, gz, positive=False)
+            gz = self._other(gz)
         return replace(robot, links=links, gravity=(gx, gy, gz))
 
     def _link(self, old: Link) -> Link:
-        joint, swapped = old.joint, self.swapped
+        j, swapped = old.joint, self.swapped
         x, y, z = old.com
         com: Vector = (swapped(x), swapped(y), swapped(z))
-        return replace(
-            old,
-            mass=swapped(old.mass, positive=True),
-            com=com,
-            inertia=self.tensor(old.inertia),
-            joint=replace(
-                joint,
-                a=swapped(joint.a),
-                d=swapped(joint.d),
-                b=swapped(joint.b) if joint.b else joint.b,
-                motor_inertia=swapped(joint.motor_inertia, positive=True),
-                viscous=swapped(joint.viscous, positive=True),
-                coulomb=swapped(joint.coulomb, positive=True),
-            ),
-        )
+        mass, inertia = swapped(old.mass, positive=True), self.tensor(old.inertia)
+        numbers: dict[str, Any] = {"a": swapped(j.a), "d": swapped(j.d), "b": swapped(j.b) if j.b else j.b}
+        numbers |= {
+            name: swapped(getattr(j, name), positive=True) for name in ("motor_inertia", "viscous", "coulomb")
+        }
+        return replace(old, mass=mass, com=com, inertia=inertia, joint=replace(j, **numbers))
 
     def tensor(self, old: Inertia) -> Inertia:
         """A tensor with other entries."""
@@ -101,18 +101,3 @@ def _number(rng: random.Random, prime: int) -> Fraction:
             Fraction(k) + Fraction(prime, 1 << (prime.bit_length() + 3)),
         )
     )
-
-
-def _swapped(
-    rng: random.Random, prime: int, chosen: list[Fraction], value: Fraction, *, positive: bool
-) -> Fraction:
-    how = rng.randrange(4)
-    if how == 0:  # equal to the old one modulo the prime
-        new = value + Fraction(prime * rng.randint(1, 3), 1 << rng.randint(0, 70))
-    elif how == 1:  # a sum with another chosen one cancels there
-        new = Fraction(prime) - rng.choice(chosen)
-    elif how == 2:
-        new = -rng.choice(chosen)
-    else:
-        new = rng.choice(chosen)
-    return abs(new) if positive else new

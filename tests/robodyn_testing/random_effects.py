@@ -14,8 +14,9 @@ from typing import Any, Final
 
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Effect, Parameter
+from robodyn.robot.effects import default_of
 from robodyn.robot.model import EffectEntry, Inertia, Robot
-from robodyn.robot.values import ZERO, Value, parameter
+from robodyn.robot.values import Value, parameter
 
 __all__ = ["FOLDED", "with_random_effects"]
 
@@ -38,18 +39,15 @@ def with_random_effects(
 
     ``names`` is the probability that a number which may be a run-time parameter is one.
     """
-    rng = random.Random(seed)
-    effects = []
-    for joint in range(1, robot.n + 1):
-        for id in CATALOGUE:
-            if id in ids and id not in FOLDED and CATALOGUE[id].level != "robot" and rng.random() < share:
-                effects.append(_entry(rng, robot, CATALOGUE[id], joint, names))
-    elastic = {entry.joint for entry in effects if entry and entry.effect == "joint_elasticity"}
-    effects = [one for one in effects if one and not (one.effect == "backlash" and one.joint in elastic)]
-    for id in CATALOGUE:
-        if id in ids and id not in FOLDED and CATALOGUE[id].level == "robot" and rng.random() < share:
-            effects.append(_entry(rng, robot, CATALOGUE[id], None, names))
-    return replace(robot, effects=tuple(entry for entry in effects if entry))
+    rng, effects = random.Random(seed), list[EffectEntry]()
+    for joint in (*range(1, robot.n + 1), None):
+        for id, effect in CATALOGUE.items():
+            fits = id in ids and id not in FOLDED and (effect.level == "robot") == (joint is None)
+            if fits and rng.random() < share and (entry := _entry(rng, robot, effect, joint, names)):
+                effects.append(entry)
+    elastic = {entry.joint for entry in effects if entry.effect == "joint_elasticity"}
+    both = [entry for entry in effects if entry.effect == "backlash" and entry.joint in elastic]
+    return replace(robot, effects=tuple(entry for entry in effects if entry not in both))
 
 
 def _entry(
@@ -66,17 +64,13 @@ def _entry(
             if p.optional and rng.random() < 0.5:
                 continue
             keep = p.default is not None and rng.random() < 0.3
-            values[p.name] = _default(p) if keep else _value(rng, p, revolute, others, names)
+            values[p.name] = default_of(p) if keep else _value(rng, p, revolute, others, names)
         ordered = effect.id != "external_contact" or values["start"] < values["end"]
         if ordered and effect.check(values, revolute) is None:
             return EffectEntry(effect.id, joint, tuple(values.items()))
     if effect.id == "gas_spring" and not revolute:
         return None
     raise AssertionError(f"no valid values found for {effect.id}")
-
-
-def _default(p: Parameter) -> Any:
-    return (ZERO, ZERO, ZERO) if p.kind == "vector" else p.default
 
 
 def _value(rng: random.Random, p: Parameter, revolute: bool, others: list[int], names: float) -> Any:

@@ -4,20 +4,19 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterator
+from functools import partial
 
 import yaml
 
 Link = dict[str, object]
-_QUARTER = "pi/2"
 _BODY: Link = {"mass": 2, "com": [0.1, 0.02, 0.05], "inertia": {"xx": 0.02, "yy": 0.03, "zz": 0.04}}
 
 
-def _turn(**numbers: object) -> Link:
-    return {"joint": "revolute", **_BODY, **numbers}
+def _turn(joint: object = "revolute", **numbers: object) -> Link:
+    return {"joint": joint, **_BODY, **numbers}
 
 
-def _slide(**numbers: object) -> Link:
-    return {"joint": "prismatic", **_BODY, **numbers}
+_slide = partial(_turn, "prismatic")
 
 
 def _without_mass(*links: Link) -> list[Link]:

@@ -1,5 +1,6 @@
-"""The keys of the robot description: one table, ``templates/description_keys.yaml``, for the reader and the
-JSON Schema. It has bounds of numbers, and the words that messages have for them."""
+"""The keys of the robot description, one table (``templates/description_keys.yaml``), from which the reader
+and the JSON Schema are made. What may stand at a key: bounds of numbers, and the words that messages have for
+it."""
 
 from __future__ import annotations
 

@@ -27,10 +27,12 @@ _TOKEN = re.compile(
     r"|(?P<number>(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
     r"|(?P<word>[A-Za-z_][A-Za-z0-9_]*)"
     r"|(?P<sign>[-+*/()])"
+    r"|(?P<other>.)",  # the grammar meets it in its turn, so that the first fault is the one named
+    re.DOTALL,
 )
 _NOT_FINITE = re.compile(r"[-+]?\s*\.?(nan|inf|infinity)\Z", re.IGNORECASE)
 _EXPECTED = "a number, or arithmetic of numbers and pi with + - * / ( )"
-_EXPECTED_OR_NAME = _EXPECTED + ", or a name"
+_DEGREES = ("deg", "degree", "degrees")
 # What people write instead, and what to write.
 _HINTS = {
     ",": "write the decimal point as '.'",
@@ -108,17 +110,22 @@ def parse(text: str, *, names: bool = False) -> Number:
     NumberError: the text is anything else than a number, too long, or its value is not a double.
     """
     if len(text) > LENGTH:
-        raise NumberError(
-            f"a number of {len(text)} characters is too long",
-            0,
-            found=shown(text),
-            expected=f"at most {LENGTH} characters",
-        )
+        what, most = f"a number of {len(text)} characters is too long", f"at most {LENGTH} characters"
+        raise NumberError(what, 0, found=shown(text), expected=most)
     if _NOT_FINITE.match(text.strip()):
         raise NumberError("not a finite number", 0, found=shown(text), expected="a finite number")
-    value = _Parser(text, names).number()
-    _check_double(value.value, text)
-    return value
+    read = _Parser(text, names).number()
+    value = read.value
+    parts = [value] if isinstance(value, Fraction) else [value.constant, *(c for _, c in value.terms)]
+    for part in parts:
+        try:
+            lost = part != 0 and float(part) == 0.0
+        except OverflowError:
+            raise NumberError("the number is too large for a double", 0, found=shown(text)) from None
+        if lost:
+            what, remedy = "the number is too small for a double", "write 0 if 0 is meant"
+            raise NumberError(what, 0, found=shown(text), remedy=remedy)
+    return read
 
 
 def parse_number(text: str) -> Fraction:
@@ -133,19 +140,6 @@ def parse_number(text: str) -> Fraction:
     return shortest(float(read.value)) if read.has_pi else read.value
 
 
-def _check_double(value: Value, text: str) -> None:
-    parts = [value] if isinstance(value, Fraction) else [value.constant, *(c for _, c in value.terms)]
-    for part in parts:
-        try:
-            lost = part != 0 and float(part) == 0.0
-        except OverflowError:
-            raise NumberError("the number is too large for a double", 0, found=shown(text)) from None
-        if lost:
-            raise NumberError(
-                "the number is too small for a double", 0, found=shown(text), remedy="write 0 if 0 is meant"
-            )
-
-
 class _Parser:
     """Recursive descent over the tokens of one text, one method a rule of the grammar.
 
@@ -156,55 +150,40 @@ class _Parser:
     def __init__(self, text: str, names: bool) -> None:
         self.text = text
         self.names = names
-        self.expected = _EXPECTED_OR_NAME if names else _EXPECTED
+        self.expected = _EXPECTED + ", or a name" * names
         self.has_pi = False
         self.seen: list[tuple[str, int]] = []
         self.depth = 0
-        self.tokens = self._split()
+        found = ((match.lastgroup or "", match.group(), match.start()) for match in _TOKEN.finditer(text))
+        end = ("end", "", len(text.rstrip()))
+        self.tokens = [*(token for token in found if token[0] != "space"), end]
         self.next = 0
 
-    def _split(self) -> list[tuple[str, str, int]]:
-        tokens = []
-        position = 0
-        while position < len(self.text):
-            match = _TOKEN.match(self.text, position)
-            if match is None:  # the grammar meets it in its turn, so that the first fault is the one named
-                tokens.append(("other", self.text[position], position))
-                position += 1
-                continue
-            if match.lastgroup != "space":
-                tokens.append((match.lastgroup or "", match.group(), position))
-            position = match.end()
-        tokens.append(("end", "", len(self.text.rstrip())))
-        return tokens
+    def _error(self, what: str, position: int, *more: str | None, found: str = "") -> NumberError:
+        """``more``: what is expected, and the remedy."""
+        expected, remedy = (*more, None, None)[:2]
+        return NumberError(what, position, found=found or shown(self.text), expected=expected, remedy=remedy)
 
     def _unexpected(self, token: str, position: int) -> NumberError:
         before = self.text[:position].rstrip()
+        if token == "" and before:
+            return self._error("the number breaks off", position, self.expected)
         if token == "":
-            what = "the number breaks off" if before else "there is no number"
-            return NumberError(
-                what, position, found=shown(self.text) if before else "nothing", expected=self.expected
-            )
+            return self._error("there is no number", position, self.expected, found="nothing")
         remedy = _HINTS.get(token)
         if token == "*" and before.endswith("*"):
             remedy = "powers are not supported: write the product"
         elif token == "(" and before[-1:].isalnum():
             remedy = "functions are not supported, and a product needs its *"
-        elif token.lower() in ("deg", "degree", "degrees"):
-            remedy = "angles are in rad: write 30*pi/180 for 30 degrees"
+        elif token.lower() in _DEGREES:
+            remedy = _HINTS["°"]
         elif token.startswith("_"):
             remedy = "write the digits without underscores"
         elif token[0] in "xXbBoO" and before.endswith("0"):
             remedy = "write the number in decimal"
         elif token[0].isalnum() and before:
             remedy = "units are not written, and a product needs its *"
-        return NumberError(
-            f"unexpected {shown(token)} in a number",
-            position,
-            found=shown(self.text),
-            expected=self.expected,
-            remedy=remedy,
-        )
+        return self._error(f"unexpected {shown(token)} in a number", position, self.expected, remedy)
 
     def number(self) -> Number:
         value = self._sum()
@@ -233,31 +212,19 @@ class _Parser:
         while sign := self._take("*", "/"):
             position = self.tokens[self.next][2]
             factor = self._factor()
-            if sign == "*":
-                product = self._times(product, factor, position)
-            elif isinstance(factor, Affine):
-                raise self._not_affine("division by a name", position)
-            elif factor == 0:
-                raise NumberError("division by zero", position, found=shown(self.text))
+            if isinstance(factor, Affine) and (sign == "/" or isinstance(product, Affine)):
+                what = "division by a name" if sign == "/" else "a product of names"
+                affine = "a name, or sums of numbers and numbers times names"
+                remedy = "give the result a name of its own and compute it at run time"
+                raise self._error(f"{what} is not supported", position, affine, remedy)
+            if sign == "/" and factor == 0:
+                raise self._error("division by zero", position)
+            if isinstance(factor, Affine):
+                assert isinstance(product, Fraction)
+                product = factor * product
             else:
-                product = product * (1 / factor)
+                product = product * (factor if sign == "*" else 1 / factor)
         return product
-
-    def _times(self, left: Value, right: Value, position: int) -> Value:
-        if isinstance(right, Fraction):
-            return left * right
-        if isinstance(left, Fraction):
-            return right * left
-        raise self._not_affine("a product of names", position)
-
-    def _not_affine(self, what: str, position: int) -> NumberError:
-        return NumberError(
-            f"{what} is not supported",
-            position,
-            found=shown(self.text),
-            expected="a name, or sums of numbers and numbers times names",
-            remedy="give the result a name of its own and compute it at run time",
-        )
 
     def _factor(self) -> Value:
         negative = False
@@ -278,12 +245,7 @@ class _Parser:
 
     def _bracket(self, position: int) -> Value:
         if self.depth == NESTING:
-            raise NumberError(
-                "brackets are nested too deep",
-                position,
-                found=shown(self.text),
-                expected=f"at most {NESTING} levels",
-            )
+            raise self._error("brackets are nested too deep", position, f"at most {NESTING} levels")
         self.depth += 1
         value = self._sum()
         self.depth -= 1
@@ -291,7 +253,7 @@ class _Parser:
             _, token, position = self.tokens[self.next]
             if token:
                 raise self._unexpected(token, position)
-            raise NumberError("a closing ')' is missing", position, found=shown(self.text))
+            raise self._error("a closing ')' is missing", position)
         return value
 
     def _literal(self, token: str, position: int) -> Fraction:
@@ -300,44 +262,28 @@ class _Parser:
         # The length of the text bounds the digits of the exponent: int() is cheap.
         power = int(exponent) if exponent else 0
         if abs(power) > _EXPONENT:
-            raise NumberError(
-                "the exponent is out of range",
-                position,
-                found=shown(token),
-                expected="a number between 1e-308 and 1e308, or 0",
-            )
+            expected = "a number between 1e-308 and 1e308, or 0"
+            raise self._error("the exponent is out of range", position, expected, found=shown(token))
         power -= len(decimals)
         digits = int(whole + decimals)
         return Fraction(digits * 10**power) if power >= 0 else Fraction(digits, 10**-power)
 
     def _word(self, token: str, position: int) -> Value:
         if self.tokens[self.next + 1][1] == "(":
-            raise NumberError(
-                "functions are not supported",
-                position,
-                found=shown(self.text),
-                expected=self.expected,
-                remedy="write the value of it",
-            )
+            remedy = "write the value of it"
+            raise self._error("functions are not supported", position, self.expected, remedy)
         if token == "pi":
             self.next += 1
             self.has_pi = True
             return PI
         if not self.names or token.lower() == "pi":
-            remedy = "write pi" if token.lower() == "pi" else None
-            raise NumberError(
-                "a name cannot stand here", position, found=shown(token), expected=_EXPECTED, remedy=remedy
-            )
-        if token.lower() in ("deg", "degree", "degrees") and position:
+            hint = "write pi" if token.lower() == "pi" else None
+            raise self._error("a name cannot stand here", position, _EXPECTED, hint, found=shown(token))
+        if token.lower() in _DEGREES and position:
             raise self._unexpected(token, position)
         fault = parameter_name_fault(token)
         if fault:
-            raise NumberError(
-                f"{shown(token)} {fault}",
-                position,
-                found=shown(self.text),
-                expected=PARAMETER_NAME_EXPECTED,
-            )
+            raise self._error(f"{shown(token)} {fault}", position, PARAMETER_NAME_EXPECTED)
         self.next += 1
         self.seen.append((token, position))
         return parameter(token)
