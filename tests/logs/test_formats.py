@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 from pathlib import Path
 
@@ -186,18 +185,6 @@ def test_arrays_longer_than_any_is_wide(tmp_path: Path, monkeypatch: pytest.Monk
 
 
 # --- several streams --------------------------------------------------------------------------------------
-
-
-def test_a_second_file_by_the_map(tmp_path: Path) -> None:
-    log = motion(100)
-    (tmp_path / "a.csv").write_text(log.csv(), encoding="utf-8")
-    rows = [f"{float(1e3 * t)!r};{float(math.degrees(x))!r}" for t, x in zip(log.t, log.q[:, 1], strict=True)]
-    (tmp_path / "a_links.csv").write_text("t [ms];enc2 [deg]\n" + "\n".join(rows) + "\n", encoding="utf-8")
-    text = 't: t\nql: {file: "%s_links.csv", columns: [enc2], joints: [2]}\n'
-    read = read_log(tmp_path / "a.csv", mapping=map_of_text(text))
-    assert read.ql is not None
-    assert read.linked == (1,)
-    np.testing.assert_allclose(read.ql[:, 1], log.q[:, 1], rtol=1e-14, atol=1e-15)
 
 
 def test_streams_of_other_times_are_interpolated_at_those_of_q(tmp_path: Path) -> None:

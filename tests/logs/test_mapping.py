@@ -203,29 +203,6 @@ def test_what_the_description_says_of_a_gear(tmp_path: Path) -> None:
 # --- what is wrong with one -------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(
-    ("text", "message"),
-    [
-        ("q=joint_%d", "the file has no such column; found 'joint_1'"),
-        ("q=q%d,tau=nothing", "found 'nothing'"),
-        ("q=q%d", "which columns of the file are tau is not known; found 't', 'q1', 'x', 'y'; expected tau1"),
-        ("t=when,q=q1,tau=x", "the file has no such column; found 'when'"),
-        ("q=q1[parsec],tau=x", "q: the unit is unknown here; found 'parsec'"),
-        ("q=q1[deg/s],tau=x", "q: the unit is unknown here; found 'deg/s'; expected deg"),
-        ("q=q1[ticks],tau=x", "q in ticks needs a number; found no counts_per_turn"),
-        ("q=q1,tau=x[rated]", "tau in rated needs a number; found no rated"),
-        ("q=q1,tau=x[raw]", "tau in raw needs a number; found no factor"),
-        ("t=t[ticks],q=q1,tau=x", "t in ticks needs a number; found no factor"),
-        ("t=t[deg],q=q1,tau=x", "t: the unit is unknown here"),
-        ("q=%s,tau=x", "%s stands for the name of a joint, and the joints have no names"),
-    ],
-)  # fmt: skip
-def test_what_does_not_fit_the_file(text: str, message: str, tmp_path: Path) -> None:
-    with pytest.raises(InputError) as caught:
-        read(tmp_path, text, x=1, y=2)
-    assert message in str(caught.value)
-
-
 def test_numbers_from_0_with_one_too_many_are_asked_for(tmp_path: Path) -> None:
     with pytest.raises(InputError, match=r"numbered from 0, and there is one too many.*x0\.\.x1"):
         read(tmp_path, "q=x%d,tau=x%d", 2, x0=1, x1=2, x2=3)

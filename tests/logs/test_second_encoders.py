@@ -77,26 +77,6 @@ def test_the_columns_may_be_in_both_files_for_other_joints(tmp_path: Path) -> No
     np.testing.assert_array_equal(read.ql, np.array([[1.0, 3.0], [2.0, 4.0]]))
 
 
-@pytest.mark.parametrize(
-    ("second", "words"),
-    [
-        ("t,ql1\n0,1\n", "found 1 rows; expected 2"),
-        ("t,ql1\n0,1\n9,2\n", "found t = 9 s in row 2; expected 1 s"),
-        ("t,ql1\n0,1\nnan,2\n", "found t = nan s in row 2"),
-        ("t,q1\n0,1\n1,2\n", "no ql1..ql1"),
-        ("t,ql2\n0,1\n1,2\n", "no ql1..ql1"),
-        ("time,ql1\n0,1\n1,2\n", "call the time t"),
-        ("t,ql1\n0,1\n1,x\n", "b.csv:3:3: the cell is not a number"),
-    ],
-)
-def test_what_does_not_fit_is_refused(second: str, words: str, tmp_path: Path) -> None:
-    (tmp_path / "a.csv").write_text("t,q1,tau1\n0,1,2\n1,2,3\n", encoding="utf-8")
-    (tmp_path / "b.csv").write_text(second, encoding="utf-8")
-    with pytest.raises(InputError) as caught:
-        read_log(f"{tmp_path / 'a.csv'}+{tmp_path / 'b.csv'}")
-    assert words in str(caught.value)
-
-
 def test_a_joint_with_two_columns_is_refused(tmp_path: Path) -> None:
     (tmp_path / "a.csv").write_text("t,q1,tau1,ql1\n0,1,2,1\n1,2,3,2\n", encoding="utf-8")
     (tmp_path / "b.csv").write_text("t,ql1\n0,1\n1,2\n", encoding="utf-8")

@@ -65,6 +65,17 @@ def _log(text: str, folder: Path) -> None:
     read_log(folder / "log.csv")
 
 
+def _mapped(text: str, folder: Path) -> None:
+    (folder / "log.csv").write_text("t,q1,x,y\n0,0,1,2\n1,0.1,1,2\n", encoding="utf-8")
+    read_log(folder / "log.csv", mapping=map_of_columns(text))
+
+
+def _second(text: str, folder: Path) -> None:
+    (folder / "a.csv").write_text("t,q1,tau1\n0,1,2\n1,2,3\n", encoding="utf-8")
+    (folder / "b.csv").write_text(text, encoding="utf-8")
+    read_log(f"{folder / 'a.csv'}+{folder / 'b.csv'}")
+
+
 def _motion(text: str, folder: Path) -> None:
     (folder / "m.csv").write_text(text, encoding="utf-8")
     from_file(folder / "m.csv")
@@ -79,10 +90,12 @@ READERS: dict[str, Reader] = {
     "log": _log,
     "manifest": _manifest,
     "map": lambda text, _: map_of_text(text, "map.yaml"),
+    "mapped": _mapped,
     "motion": _motion,
     "name": lambda text, _: numbers.parse(text, names=True),
     "number": _number,
     "project": _project,
+    "second": _second,
 }
 
 
