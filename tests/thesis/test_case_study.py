@@ -10,13 +10,12 @@ import re
 import xml.etree.ElementTree as ET
 from itertools import pairwise
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from benchmarks.marked import part
 
-from robodyn import InputError
-from robodyn.draw.panels import HEIGHT, WIDTH
 from robodyn.outputs import LIST
 from robodyn.thesis.case_arm import D4_START, FOREARM, efficiency_curve, led, led_at, robots
 from robodyn.thesis.case_pictures import pictures
@@ -35,8 +34,8 @@ from robodyn.thesis.printed import TABLE_3_4
 from robodyn.verify.reference import Reference
 from robodyn_cli.main import main
 from robodyn_testing import constant
+from thesis.recomputed import SVG, check_frames
 
-SVG = "{http://www.w3.org/2000/svg}"
 DOCUMENT = Path(__file__).parents[2] / "docs" / "case-study.md"
 Capture = pytest.CaptureFixture[str]
 
@@ -46,29 +45,29 @@ def study() -> Study:
     return case_study()
 
 
+def close(found: Any, expected: Any, within: float = 1e-12) -> None:
+    np.testing.assert_allclose(found, expected, rtol=1e-11, atol=within)
+
+
 def test_the_motion_is_the_line_from_the_start_of_d4(study: Study) -> None:
     motion, point = study.motion, study.point
     assert (len(motion), motion.duration) == (201, 2.0)
-    np.testing.assert_allclose(motion.q[0], D4_START, atol=5e-6)
-    np.testing.assert_allclose(point[:, 0], 0.4, atol=1e-12)
-    np.testing.assert_allclose(point[:, 1], point[:, 2], atol=1e-12)
-    np.testing.assert_allclose(point[[0, -1], 1], [0.1, 0.5], atol=1e-12)
-    np.testing.assert_allclose(motion.qd[[0, -1]], 0, atol=1e-12)
+    close(motion.q[0], D4_START, 5e-6)
+    close(point[:, 0], 0.4)
+    close(point[:, 1], point[:, 2])
+    close(point[[0, -1], 1], [0.1, 0.5])
+    close(motion.qd[[0, -1]], 0)
     h = motion.period
-    np.testing.assert_allclose((motion.q[2:] - motion.q[:-2]) / (2 * h), motion.qd[1:-1], atol=2e-3)
-    np.testing.assert_allclose((motion.qd[2:] - motion.qd[:-2]) / (2 * h), motion.qdd[1:-1], atol=2e-2)
+    close((motion.q[2:] - motion.q[:-2]) / (2 * h), motion.qd[1:-1], 2e-3)
+    close((motion.qd[2:] - motion.qd[:-2]) / (2 * h), motion.qdd[1:-1], 2e-2)
 
 
 def test_torques_are_those_of_the_plain_recursion(study: Study) -> None:
     """The reference shares neither code nor formulas with the kernels, effects included."""
-    motion, found = study.motion, study.torques
-    for robot, torque in (
-        (study.robots.rigid, found.rigid),
-        (study.robots.with_bearings, found.joint),
-        (study.robots.complete, found.input),
-    ):
-        expected = Reference(robot).inverse_dynamics(motion.q, motion.qd, motion.qdd)
-        np.testing.assert_allclose(torque, expected, rtol=1e-11, atol=1e-11)
+    motion, found, arms = study.motion, study.torques, study.robots
+    pairs = ((arms.rigid, found.rigid), (arms.with_bearings, found.joint), (arms.complete, found.input))
+    for robot, torque in pairs:
+        close(torque, Reference(robot).inverse_dynamics(motion.q, motion.qd, motion.qdd), 1e-11)
 
 
 @pytest.mark.parametrize("span", [0.2, 0.4])
@@ -76,20 +75,20 @@ def test_the_parts_add_up_to_table_3_2(span: float, study: Study) -> None:
     """Table 3.2 written out case by case, with the curve's efficiency at the load of the moment."""
     way = np.sign(study.motion.qd)
     found = torques_along(robots(0.0, span), study.motion)
-    np.testing.assert_allclose(found.rigid + found.bearing, found.joint, atol=1e-12)
-    np.testing.assert_allclose(found.joint + found.transmission, found.input, atol=1e-12)
-    np.testing.assert_allclose(found.breakaway + found.loss, found.transmission, atol=1e-12)
+    close(found.rigid + found.bearing, found.joint)
+    close(found.joint + found.transmission, found.input)
+    close(found.breakaway + found.loss, found.transmission)
     largest, breakaway = (
         np.array([float(getattr(drive, name)) for drive in TABLE_3_4]) for name in ("largest", "breakaway")
     )
-    np.testing.assert_allclose(found.breakaway, breakaway * way)
-    np.testing.assert_allclose(found.load, np.abs(found.joint) / largest)
+    close(found.breakaway, breakaway * way)
+    close(found.load, np.abs(found.joint) / largest)
     drives = found.joint * way > 0
     passed = np.where(drives, found.joint / found.efficiency, found.joint * found.efficiency)
     moving = slice(1, -1)
-    np.testing.assert_allclose((passed + breakaway * way)[moving], found.input[moving], atol=1e-10)
+    close((passed + breakaway * way)[moving], found.input[moving], 1e-10)
     assert (way[[0, -1]] == 0).all()
-    np.testing.assert_allclose(found.input[[0, -1]], found.rigid[[0, -1]], atol=1e-12)  # no friction at rest
+    close(found.input[[0, -1]], found.rigid[[0, -1]])  # no friction at rest
     assert (found.bearing * way >= 0).all()
     assert drives[moving].all() == (span == 0.2)  # narrow bearings alone outweigh what the arm gives back
 
@@ -120,23 +119,19 @@ def test_the_simulated_arm_follows_the_line(study: Study) -> None:
 
 
 def test_the_stored_energy_is_that_of_the_raised_masses(study: Study) -> None:
-    """At rest at both ends: weight times height, from the frames alone."""
+    """At rest at both ends: weight times height, from the frames alone. Beside it: D.1.3 has the forearm
+    along +y, D.1.2 its load along -y, which is twice the forearm off, and the offsets' gap."""
+    assert study.load_point == pytest.approx(math.hypot(2 * 0.4318, 0.1501 - 0.127), abs=1e-5)
     kinematics = led_at(study.robots.rigid, -FOREARM).kinematics
     masses = [constant(link.mass) for link in study.robots.rigid.links]
     energy = []
     for q in study.motion.q[[0, -1]]:
-        origins, turns = kinematics.frames(q)
         heights = [
-            (origins[k] + turns[k] @ np.array([constant(x) for x in link.com]))[2]
-            for k, link in enumerate(study.robots.rigid.links)
+            (origin + turn @ np.array([constant(x) for x in link.com]))[2]
+            for origin, turn, link in zip(*kinematics.frames(q), study.robots.rigid.links, strict=True)
         ]
-        energy.append(9.8 * sum(mass * z for mass, z in zip(masses, heights, strict=True)))
+        energy.append(9.8 * float(np.dot(masses, heights)))
     assert study.closed_loop.energies["stored"] == pytest.approx(energy[1] - energy[0], rel=1e-2)
-
-
-def test_the_load_is_not_where_the_programs_lead_the_point(study: Study) -> None:
-    """D.1.3 has the forearm along +y, D.1.2 its load along -y: twice the forearm, and the offsets' gap."""
-    assert study.load_point == pytest.approx(math.hypot(2 * 0.4318, 0.1501 - 0.127), abs=1e-5)
 
 
 def test_assumptions_change_what_they_should() -> None:
@@ -147,13 +142,13 @@ def test_assumptions_change_what_they_should() -> None:
         assert [entry.effect for entry in robot.effects].count("payload") == 1
     consistent = led("consistent")
     motion = motion_of(Assumptions(arm="consistent", profile="trapezoid", end=0.3), consistent).sampled(0.01)
-    np.testing.assert_allclose(consistent.kinematics.position(motion.q)[-1], [0.4, 0.3, 0.3], atol=1e-12)
+    close(consistent.kinematics.position(motion.q)[-1], [0.4, 0.3, 0.3])
     loaded = led_at(usual.rigid, -FOREARM).kinematics.position(motion.q[0])
-    np.testing.assert_allclose(loaded, [0.4, 0.1, 0.1], atol=1e-12)
+    close(loaded, [0.4, 0.1, 0.1])
     q, none = motion.q, np.zeros_like(motion.q)
     weight = Reference(heavy.rigid).gravity(q) - Reference(usual.rigid).gravity(q)
     lift = consistent.kinematics.jacobian(q)[:, 2] * 10 * 9.8  # J^T F of the load
-    np.testing.assert_allclose(weight, lift, atol=1e-9)
+    close(weight, lift, 1e-9)
     wide = robots(0.0, 0.4)
     narrow, broad = (Reference(r.with_bearings).inverse_dynamics(q, motion.qd, none) for r in (usual, wide))
     assert np.abs(narrow - broad)[1:-1].max() > 0.1
@@ -179,11 +174,6 @@ def test_what_is_refused(arguments: tuple[str, ...], words: str, capsys: Capture
     assert words in err
 
 
-def test_an_arm_that_is_neither() -> None:
-    with pytest.raises(InputError, match="expected programs or consistent"):
-        case_study(Assumptions(arm="left"))  # type: ignore[arg-type]
-
-
 # --- what is printed ----------------------------------------------------------------------------------------
 
 
@@ -192,6 +182,8 @@ def test_the_command(study: Study, tmp_path: Path, capsys: Capture) -> None:
     assert main(["case-study", "-o", str(folder)]) == 0
     out, err = capsys.readouterr()
     assert out == to_text(study)
+    text = DOCUMENT.read_text(encoding="utf-8")
+    assert f"<!-- case-study -->\n```text\n{out}```\n<!-- end -->" in text
     assert max(map(len, out.splitlines())) <= 110
     assert LABEL in out
     assert "wrote 9 files" in err
@@ -214,12 +206,6 @@ def test_the_data(study: Study) -> None:
     assert len(rows[0]) == 1 + 3 + 9 + 27
 
 
-def test_the_document_shows_what_the_command_prints(study: Study) -> None:
-    text = DOCUMENT.read_text(encoding="utf-8")
-    (shown,) = re.findall(r"<!-- case-study -->\n```text\n(.*?)```\n<!-- end -->", text, flags=re.DOTALL)
-    assert shown == to_text(study)
-
-
 @pytest.mark.parametrize(
     ("name", "given"),
     [
@@ -238,24 +224,10 @@ def test_the_document_shows_other_assumptions(name: str, given: Assumptions) -> 
     assert row.split(" | ") == parts
 
 
-# --- pictures -----------------------------------------------------------------------------------------------
-
-
 def test_pictures_are_labelled_and_stay_in_their_frames(study: Study) -> None:
     found = pictures(study)
     assert len(found) == 8
-    for name, text in found.items():
-        root = ET.fromstring(text)
-        assert text.isascii()
-        assert LABEL in [element.text for element in root.iter(f"{SVG}text")], name
-        lines = list(root.iter(f"{SVG}polyline"))
-        assert lines
-        for line in lines:
-            points = [tuple(map(float, pair.split(","))) for pair in line.attrib["points"].split()]
-            assert all(-0.1 <= x <= WIDTH + 0.1 and -0.1 <= y <= HEIGHT + 0.1 for x, y in points), name
-        width, height = (float(root.attrib[side]) for side in ("width", "height"))
-        for panel in root.iter(f"{SVG}g"):
-            x, y = map(float, panel.attrib["transform"][len("translate(") : -1].split())
-            assert x + WIDTH < width
-            assert y + max(float(e.attrib["y"]) for e in panel.iter(f"{SVG}text")) < height
+    for text in found.values():
+        assert LABEL in [element.text for element in ET.fromstring(text).iter(f"{SVG}text")]
+        check_frames(text)
     assert pictures(study) == found

@@ -111,6 +111,7 @@ def test_tasks_by_rule_and_as_printed() -> None:
     assert (len(printed_graph("stanford")), printed_graph("stanford").critical_path) == (156, 25)
 
 
+@pytest.mark.thorough
 def test_table_4_8_from_levels() -> None:
     rows = [row for row in recomputed("4.8").rows if "," not in row.name]
     assert [row.ours["ms"] for row in rows] == [21.06, 10.665, 7.02, 5.265, 4.32, 3.915, 3.645, 3.645]
@@ -127,6 +128,7 @@ def test_the_tasks_of_the_other_columns() -> None:
     assert (graph.work, graph.critical_time) == (2483, 569)
 
 
+@pytest.mark.thorough
 def test_the_other_columns_of_table_4_8() -> None:
     """Recomputed on their tasks; p = 7 is printed shorter than the longest chain; Luh and Lin's is quoted."""
     found = {row.name: row for row in recomputed("4.8").rows if "," in row.name}
