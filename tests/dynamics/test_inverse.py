@@ -22,20 +22,10 @@ from robodyn_testing.nearly import SHAPES, nearly
 
 UNIT = Fraction(1, 1 << 52)
 #: Shapes that do not move the tool all ways as they are drawn, or are of no class.
-REFUSED = [
-    "slide_across",
-    "gantry_and_wrist",
-    "two_spheres",
-    "elbow",
-    "slide_across_place",
-    "slides",
-    "two_turns",
-    "scara",
-    "palletizer",
-    "five",
-    "planar",
-    "eight",
-]
+REFUSED = {
+    "slide_across", "gantry_and_wrist", "two_spheres", "elbow", "slide_across_place", "slides", "two_turns",
+    "scara", "palletizer", "five", "planar", "eight",
+}  # fmt: skip
 
 
 def _inverse(robot: Robot) -> Inverse:

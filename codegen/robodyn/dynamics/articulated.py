@@ -47,7 +47,9 @@ def yielding(at: Moving, origins: Sequence[Vector], mark: Mark) -> list[Yielding
     for i in reversed(range(len(at.arm.bodies))):
         body = inertia_of(at.lumps[i])
         if joints:
-            body = body.with_(_in_parent(at, i + 1, joints[-1].felt).moved(origins[i + 1]))
+            child, c, s = at.arm.bodies[i + 1], at.motion.c[i + 1], at.motion.s[i + 1]
+            felt = joints[-1].felt.about_z(c, s).about_x(child.cos_alpha, child.sin_alpha)
+            body = body.with_(felt.moved(origins[i + 1]))
         joints.append(_joint(at, i, body.named(i + 1, "i", mark), mark))
     return joints[::-1]
 
@@ -58,7 +60,21 @@ def articulated_bodies(at: Moving, tau: Sequence[Any], mark: Mark = unmarked) ->
     origins = origins_of(at)
     rates, carried = _rates(at, origins, mark)
     joints = yielding(at, origins, mark)
-    left = _left(at, tau, joints, origins, rates, carried, mark)
+    # What of the torques is left for acceleration, tip to base.
+    n, f = ZERO, ZERO
+    left: list[Any] = []
+    for i in reversed(range(len(joints))):
+        link, joint, w = arm.bodies[i], joints[i], rates[i]
+        n = named(mark, plus(cross(w, at.lumps[i].inertia().times(w)), n), i + 1, "n")
+        f = named(mark, plus(cross(w, cross(w, at.lumps[i].first)), f), i + 1, "f")
+        friction = joint_torque(arm, i, motion, 0, unmarked)
+        left.append(tau[i] - friction - (n[2] if link.revolute else f[2]))
+        moment, force = joint.felt.times(*carried[i])
+        sn, sf = joint.share
+        n, f = plus(n, moment, scaled(left[-1], sn)), plus(f, force, scaled(left[-1], sf))
+        c, s, ca, sa = motion.c[i], motion.s[i], link.cos_alpha, link.sin_alpha
+        n, f = (about_x(ca, sa, about_z(c, s, u)) for u in (n, f))
+        n = plus(n, cross(origins[i], f))
     gx, gy, gz = arm.gravity
     alpha, a = ZERO, (-gx, -gy, -gz)
     accelerations = []
@@ -67,7 +83,7 @@ def articulated_bodies(at: Moving, tau: Sequence[Any], mark: Mark = unmarked) ->
         a = plus(into_child(link, c, s, plus(a, cross(alpha, origins[i]))), carried[i][1])
         alpha = plus(into_child(link, c, s, alpha), carried[i][0])
         taken = dot(joint.along[0], alpha) + dot(joint.along[1], a)
-        qdd = mark((left[i] - taken) * joint.inverse, Label(i + 1, "qdd", ""))
+        qdd = mark((left[-1 - i] - taken) * joint.inverse, Label(i + 1, "qdd", ""))
         accelerations.append(qdd)
         if link.revolute:
             alpha = plus(alpha, (0, 0, qdd))
@@ -98,34 +114,6 @@ def _rates(
     return rates, carried
 
 
-def _left(
-    at: Moving,
-    tau: Sequence[Any],
-    joints: Sequence[Yielding],
-    origins: Sequence[Vector],
-    rates: Sequence[Vector],
-    carried: Sequence[Pair],
-    mark: Mark,
-) -> list[Any]:
-    """What of the torques ``tau`` [n] is left for acceleration, where velocities are ``rates`` and add what
-    is ``carried``."""
-    n, f = ZERO, ZERO
-    left: list[Any] = []
-    for i in reversed(range(len(joints))):
-        link, joint, w = at.arm.bodies[i], joints[i], rates[i]
-        n = named(mark, plus(cross(w, at.lumps[i].inertia().times(w)), n), i + 1, "n")
-        f = named(mark, plus(cross(w, cross(w, at.lumps[i].first)), f), i + 1, "f")
-        friction = joint_torque(at.arm, i, at.motion, 0, unmarked)
-        left.append(tau[i] - friction - (n[2] if link.revolute else f[2]))
-        moment, force = joint.felt.times(*carried[i])
-        sn, sf = joint.share
-        n, f = plus(n, moment, scaled(left[-1], sn)), plus(f, force, scaled(left[-1], sf))
-        c, s, ca, sa = at.motion.c[i], at.motion.s[i], link.cos_alpha, link.sin_alpha
-        n, f = (about_x(ca, sa, about_z(c, s, u)) for u in (n, f))
-        n = plus(n, cross(origins[i], f))
-    return left[::-1]
-
-
 def _joint(at: Moving, i: int, body: Spatial, mark: Mark) -> Yielding:
     link = at.arm.bodies[i]
     A, B, M = body.A, body.B, body.M
@@ -148,9 +136,3 @@ def _joint(at: Moving, i: int, body: Spatial, mark: Mark) -> Yielding:
             M = Symmetric(M.xx, M.yy, 0, M.xy, 0, 0)
             one, two, three = ((row[0], row[1], 0) for row in (one, two, three))
     return Yielding((n, f), inverse, (sn, sf), Spatial(A, (one, two, three), M))
-
-
-def _in_parent(at: Moving, i: int, body: Spatial) -> Spatial:
-    """``body`` along the axes of the link before, about its own origin."""
-    link = at.arm.bodies[i]
-    return body.about_z(at.motion.c[i], at.motion.s[i]).about_x(link.cos_alpha, link.sin_alpha)

@@ -32,15 +32,6 @@ Matrix = list[list[Any]]
 
 
 @dataclass(frozen=True, slots=True)
-class Torque:
-    """Derivatives of the torques [n][n], row i of joint i: by positions, by velocities, by accelerations."""
-
-    by_q: Matrix
-    by_qd: Matrix
-    by_qdd: Matrix
-
-
-@dataclass(frozen=True, slots=True)
 class _Link:
     """A link in motion, along the axes in which its joint (or its chain) begins to turn: angular velocity
     ``w``, its lambda matrix ``lam``, acceleration ``a`` of its origin less gravity;
@@ -56,25 +47,26 @@ class _Link:
 def coriolis_matrix(at: Moving, mark: Mark = unmarked) -> Matrix:
     """The Coriolis matrix ``C`` [n][n] of Christoffel's symbols: ``C qd`` are the torques of the velocities,
     and ``dM/dt - 2 C`` is skew. Half the derivative of the torques by the velocities."""
-    return _derivatives(at, ZERO, 1, mark).by_qd
+    return _derivatives(at, ZERO, 1, mark)[1]
 
 
-def torque_derivatives(at: Moving, mark: Mark = unmarked) -> Torque:
-    """Derivatives of the rigid arm's torques, rotors and friction not in them.
+def torque_derivatives(at: Moving, mark: Mark = unmarked) -> tuple[Matrix, Matrix]:
+    """Derivatives [n][n] of the rigid arm's torques by positions and by velocities, row i of joint i, without
+    rotors and friction.
 
-    Units: N m by rad, rad/s, rad/s^2; at prismatic joints N, and by m.
+    Units: N m by rad, rad/s; at prismatic joints N, and by m.
     """
     return _derivatives(at, at.arm.gravity, 2, mark)
 
 
-def _derivatives(at: Moving, gravity: Vector, times: int, mark: Mark) -> Torque:
+def _derivatives(at: Moving, gravity: Vector, times: int, mark: Mark) -> tuple[Matrix, Matrix]:
     """Momenta and rates are taken ``times``, so that the derivatives by velocities come ``times`` half, and
     those by positions right for 2."""
     arm, turns, n = at.arm, at.turns, len(at.arm.bodies)
     reach = reaches(arm, at.motion, turns)
     links = _forward(at, gravity, mark)
-    by_q, by_qd, by_qdd = ([[0] * n for _ in range(n)] for _ in range(3))
-    derivatives = Torque(by_q, by_qd, by_qdd)
+    by_q: Matrix = [[0] * n for _ in range(n)]
+    by_qd: Matrix = [[0] * n for _ in range(n)]
     beyond = NO_COMPOSITE
     for i in reversed(range(n)):
         c, s = turns.c[i], turns.s[i]
@@ -86,9 +78,9 @@ def _derivatives(at: Moving, gravity: Vector, times: int, mark: Mark) -> Torque:
                 here, further = here.with_(further), NO_COMPOSITE
         composite = here.turned_z(c, s).with_(further).named(i + 1, mark)
         wrenches = _wrenches(arm, i, composite, links[i], times)
-        _carry_down(at, i, wrenches, links, reach, derivatives, times)
+        _carry_down(at, i, wrenches, links, reach, (by_q, by_qd), times)
         beyond = composite.moving(arm, i, times * at.motion.qd[i])
-    return derivatives
+    return by_q, by_qd
 
 
 def _forward(at: Moving, gravity: Vector, mark: Mark) -> list[_Link]:
@@ -214,12 +206,12 @@ def _carry_down(
     of: _Wrenches,
     links: Sequence[_Link],
     reach: Sequence[Vector],
-    into: Torque,
+    into: tuple[Matrix, Matrix],
     times: int,
 ) -> None:
     """Column and row ``i`` of the matrices, from the wrenches of joint ``i``."""
     arm, turns = at.arm, at.turns
-    by_q, by_qd, by_qdd = into.by_q, into.by_qd, into.by_qdd
+    by_q, by_qd = into
 
     def component(j: int, wrench: tuple[Vector, Vector]) -> Any:
         return wrench[1][2] if arm.bodies[j].revolute else wrench[0][2]
@@ -237,7 +229,6 @@ def _carry_down(
             return by_position, twice[2] + (moment[0] * y - moment[1] * x)
         return dot(force, (lam[0][2], lam[1][2], lam[2][2])), force[0] * y - force[1] * x
 
-    by_qdd[i][i] = component(i, of.inertia)
     by_qd[i][i] = component(i, of.velocity)
     by_q[i][i] = component(i, of.position)
     wrenches, twice = [of.inertia, of.velocity, of.position], of.twice
@@ -256,7 +247,6 @@ def _carry_down(
             c, s = turns.c[j], turns.s[j]
             twice = about_z(c, s, twice)
             wrenches = [(about_z(c, s, f), about_z(c, s, n)) for f, n in wrenches]
-        by_qdd[i][j] = by_qdd[j][i] = component(j, wrenches[0])
         by_qd[j][i] = component(j, wrenches[1])
         by_q[j][i] = component(j, wrenches[2])
         by_q[i][j], by_qd[i][j] = felt(j, wrenches[0], twice)

@@ -115,15 +115,15 @@ class Factored:
         """``D^-1 half``."""
         return [x * inverse for x, inverse in zip(half, self._inverse, strict=True)]
 
-    def solve(self, right: Sequence[Any], quantity: str = "qdd") -> list[Any]:
-        """The solution [n] of ``matrix x = right``; emitted code calls it ``quantity``."""
+    def solve(self, right: Sequence[Any]) -> list[Any]:
+        """The solution [n] of ``matrix x = right``."""
         mark, order, n = self._mark, self._order, len(right)
         half = self._halved(right, lambda total, row: mark(total, Label(row + 1, "y", "")))
         x = self.divided(half)
         for i in reversed(range(n)):
             for k in range(i + 1, n):
                 x[i] = x[i] - self._factor[k][i] * x[k]
-            x[i] = mark(x[i], Label(order[i] + 1, quantity, ""))
+            x[i] = mark(x[i], Label(order[i] + 1, "qdd", ""))
         return [x[order[i]] for i in range(n)]
 
     def inverse(self) -> list[list[Any]]:

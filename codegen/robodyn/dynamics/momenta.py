@@ -67,9 +67,11 @@ def kinetic_energy(at: Moving, rotors: Sequence[Rotor], mark: Mark = unmarked) -
     """Kinetic energy [J] of the links and ``rotors``."""
     total: Any = 0
     for rotor in rotors:
-        rate = _rate(rotor, at.motion.qd)
+        rate = rotor.rate(at.motion.qd)
         total = total + HALF * rotor.inertia * (rate * rate)
-    for i, (lump, twist) in enumerate(zip(at.lumps, _twists(at, mark), strict=True), 1):
+    for i, (lump, twist) in enumerate(
+        zip(at.lumps, twists(at.arm, at.motion, at.turns, mark), strict=True), 1
+    ):
         (x, y, z), v, (hx, hy, hz), j = twist.w, twist.v, lump.first, lump.inertia()
         # w . (J w / 2 + h x v) + m v . v / 2
         total = total + HALF * j.zz * (z * z)
@@ -89,7 +91,7 @@ def momenta(at: Moving, rotors: Sequence[Rotor], mark: Mark = unmarked) -> tuple
     momentum.
     """
     arm = at.arm
-    links = _twists(at, mark)
+    links = twists(arm, at.motion, at.turns, mark)
     own = [_momentum(lump, twist) for lump, twist in zip(at.lumps, links, strict=True)]
     carried = gathered(arm, at.motion, at.turns, own, mark, ("pl", "pa"))
     momentum: list[Any] = []
@@ -104,7 +106,7 @@ def momenta(at: Moving, rotors: Sequence[Rotor], mark: Mark = unmarked) -> tuple
             slope.append(linear[0] * wy - linear[1] * wx)
     for rotor in rotors:
         for joint, ratio in rotor.rates:
-            momentum[joint] = momentum[joint] + ratio * (rotor.inertia * _rate(rotor, at.motion.qd))
+            momentum[joint] = momentum[joint] + ratio * (rotor.inertia * rotor.rate(at.motion.qd))
     return momentum, slope
 
 
@@ -139,16 +141,7 @@ def gathered(
     return sums
 
 
-def _twists(at: Moving, mark: Mark) -> list[Twist]:
-    return twists(at.arm, at.motion, at.turns, mark)
-
-
 def _momentum(lump: Lump, twist: Twist) -> tuple[Vector, Vector]:
     """Linear momentum of a link [kg m/s], and angular about its frame's origin [kg m^2/s]."""
     linear = plus(scaled(lump.mass, twist.v), cross(twist.w, lump.first))
     return linear, plus(lump.inertia().times(twist.w), cross(lump.first, twist.v))
-
-
-def _rate(rotor: Rotor, qd: Sequence[Any]) -> Any:
-    """How fast a rotor turns [rad/s, m/s]."""
-    return sum(ratio * qd[joint] for joint, ratio in rotor.rates)

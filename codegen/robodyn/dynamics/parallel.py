@@ -67,7 +67,8 @@ def chain_turns(
         if follows[i] and before is not None:
             way = int(body.cos_alpha)  # +1, or -1 where the axes point against each other
             terms = tuple((joint, way * sign) for joint, sign in before.terms)
-            angle[i] = JointAngle((*terms, (i, 1)), _summed(before, way, body.theta.quarter))
+            quarters = way * (before.offset.quarter or 0) + (body.theta.quarter or 0)
+            angle[i] = JointAngle((*terms, (i, 1)), quarter_turns(quarters))
             c[i], s[i] = trigonometry(angle[i])  # type: ignore[arg-type]
             rate[i] = way * rate[i - 1] + rate[i]
             acceleration[i] = way * acceleration[i - 1] + acceleration[i]
@@ -81,7 +82,3 @@ def reaches(arm: Arm, motion: Motion, turns: Turns) -> list[Vector]:
         p = origin(arm.bodies[i], motion.d[i])
         reach.append(about_z(turns.c[i - 1], turns.s[i - 1], p) if turns.follows[i] else p)
     return reach
-
-
-def _summed(before: JointAngle, way: int, quarter: int | None) -> Any:
-    return quarter_turns(way * (before.offset.quarter or 0) + (quarter or 0))

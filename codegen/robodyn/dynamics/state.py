@@ -70,12 +70,16 @@ class Rotor(NamedTuple):
     inertia: Any
     rates: tuple[tuple[int, Any], ...]
 
+    def rate(self, qd: Sequence[Any]) -> Any:
+        """How fast it turns at the joints' rates, or accelerations."""
+        return sum(ratio * qd[joint] for joint, ratio in self.rates)
+
 
 def with_rotors(torques: Sequence[Any], rotors: Iterable[Rotor], qdd: Sequence[Any]) -> list[Any]:
     """Joint ``torques`` [n] and what accelerates ``rotors`` at the joints' accelerations ``qdd`` [n]."""
     total = list(torques)
     for rotor in rotors:
-        acceleration = sum(ratio * qdd[joint] for joint, ratio in rotor.rates)
+        acceleration = rotor.rate(qdd)
         for joint, ratio in rotor.rates:
             total[joint] = total[joint] + ratio * (rotor.inertia * acceleration)
     return total

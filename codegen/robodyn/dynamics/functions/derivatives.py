@@ -35,10 +35,10 @@ def _by_q_and_qd(at: Dynamics, qdd: Vector) -> tuple[Sequence[Vector], Sequence[
     differentiated = at.torque_derivatives(qdd)
     if differentiated is not None:
         return differentiated
-    derivatives = torque_derivatives(at.links(qd, qdd), at.mark)
-    for i, row in enumerate(derivatives.by_qd):
+    by_q, by_qd = torque_derivatives(at.links(qd, qdd), at.mark)
+    for i, row in enumerate(by_qd):
         row[i] = row[i] + friction_slope(at.arm, i, qd[i])
-    return derivatives.by_q, derivatives.by_qd
+    return by_q, by_qd
 
 
 def _of_torques(at: Dynamics) -> Sequence[Any]:

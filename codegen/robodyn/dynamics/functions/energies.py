@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from robodyn.dynamics.functions.record import QD, Array, Function, Pair, Q
+from robodyn.dynamics.functions.standard import torques_from_rest
 from robodyn.dynamics.joints import joint_torque
 from robodyn.dynamics.state import Dynamics, Vector
 from robodyn.dynamics.vectors import HALF, inner
@@ -85,9 +86,7 @@ def _matrix_times_rates(at: Dynamics) -> Sequence[Any]:
 
 
 def _momentum_by_torques(at: Dynamics) -> list[Any]:
-    """The torques of the accelerations ``qd`` at rest, less those that hold the arm."""
-    moving, still = at.torques(at.rest, at.inputs["qd"]), at.torques(at.rest, at.rest)
-    return [x - y for x, y in zip(moving, still, strict=True)]
+    return torques_from_rest(at, at.inputs["qd"])
 
 
 # --- Coriolis ---------------------------------------------------------------------------------------------

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from robodyn.dynamics.functions.record import QD, QDD, TAU, Array, Derivative, Function, Pair, Q
+from robodyn.dynamics.functions.record import QD, QDD, TAU, Array, Derivative, Function, Pair, Q, Writing
 from robodyn.dynamics.mass_matrix import Factored, factoring, solve_symmetric
 from robodyn.dynamics.state import Dynamics, Vector
 from robodyn.dynamics.vectors import flat, products
@@ -14,12 +14,14 @@ M = Array("M", "mass matrix", "kg m^2, kg m, kg", shape=("n", "n"))
 M_INVERSE = Array("M_inverse", "inverse mass matrix", "1/(kg m^2), 1/(kg m), 1/kg", shape=("n", "n"))
 
 
-def _inverse_dynamics(at: Dynamics) -> Sequence[Any]:
-    return at.torques(at.inputs["qd"], at.inputs["qdd"])
+def _torques(*zeros: str) -> Writing:
+    def written(at: Dynamics) -> Sequence[Any]:
+        return at.torques(*(at.rest if name in zeros else at.inputs[name] for name in ("qd", "qdd")))
+
+    return written
 
 
-def _gravity(at: Dynamics) -> Sequence[Any]:
-    return at.torques(at.rest, at.rest)
+_INVERSE_DYNAMICS, _BIAS, _GRAVITY = _torques(), _torques("qdd"), _torques("qd", "qdd")
 
 
 def _gravity_by_weights(at: Dynamics) -> Sequence[Any]:
@@ -29,20 +31,16 @@ def _gravity_by_weights(at: Dynamics) -> Sequence[Any]:
     return holding_torques(at, weighed(at.links(at.rest, at.rest)))
 
 
-def _bias(at: Dynamics) -> Sequence[Any]:
-    return at.torques(at.inputs["qd"], at.rest)
-
-
 def _mass_matrix(at: Dynamics) -> Sequence[Any]:
     return flat(at.mass_matrix())
 
 
 def _accelerates(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
     """``M x`` for a random ``x``: as telling as all columns of ``M``, at a fraction of the cost."""
-    return products(result, x), _torques_from_rest(at, x)
+    return products(result, x), torques_from_rest(at, x)
 
 
-def _torques_from_rest(at: Dynamics, x: Vector) -> list[Any]:
+def torques_from_rest(at: Dynamics, x: Vector) -> list[Any]:
     """The torques of the accelerations ``x`` less those at rest."""
     torques = zip(at.torques(at.rest, x), at.torques(at.rest, at.rest), strict=True)
     return [moving - still for moving, still in torques]
@@ -81,7 +79,7 @@ def _inverse_by_responses(at: Dynamics) -> Sequence[Any]:
 
 def _undoes_the_matrix(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
     """The torques of the accelerations that the inverse makes of ``x``, less those at rest, are ``x``."""
-    return _torques_from_rest(at, products(result, x)), x
+    return torques_from_rest(at, products(result, x)), x
 
 
 _BY_Q = Derivative("q", "inverse_dynamics_derivatives", "dtau_dq")
@@ -94,8 +92,8 @@ FUNCTIONS = (
         "torques that give the accelerations qdd",
         (Q, QD, QDD),
         (TAU,),
-        _inverse_dynamics,
-        expected=_inverse_dynamics,
+        _INVERSE_DYNAMICS,
+        expected=_INVERSE_DYNAMICS,
         by_default=True,
         zeros=(),
         derivatives=(_BY_Q, _BY_QD, Derivative("qdd", "mass_matrix", "M", affine=True)),
@@ -105,8 +103,8 @@ FUNCTIONS = (
         "torques that hold the arm at rest",
         (Q,),
         (TAU,),
-        _gravity,
-        expected=_gravity,
+        _GRAVITY,
+        expected=_GRAVITY,
         by_default=True,
         zeros=("qd", "qdd"),
         derivatives=(_BY_Q,),
@@ -117,8 +115,8 @@ FUNCTIONS = (
         "torques at zero acceleration: Coriolis, centrifugal, gravity, friction",
         (Q, QD),
         (TAU,),
-        _bias,
-        expected=_bias,
+        _BIAS,
+        expected=_BIAS,
         by_default=True,
         zeros=("qdd",),
         derivatives=(_BY_Q, _BY_QD),
