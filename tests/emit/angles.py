@@ -13,7 +13,7 @@ from robodyn.effects.scalars import arctangent, choose, magnitude, root, sine
 from robodyn.ir import Graph, Program
 from robodyn.ir.lowering import lower
 from robodyn.kernels.generate import Generated, Options, generate
-from robodyn.passes.arctangents import arctangents_together
+from robodyn.passes.order import arctangents_together
 from robodyn.robot import load
 
 SCALARS: Final = ("double", "float")

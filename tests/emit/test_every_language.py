@@ -29,7 +29,7 @@ from robodyn.ir.fingerprint import digest
 from robodyn.ir.lowering import lower
 from robodyn.ir.program import STATE, Iteration
 from robodyn.kernels.generate import Generated, Options, generate
-from robodyn.passes.arctangents import arctangents_together
+from robodyn.passes.order import arctangents_together
 from robodyn.robot import load
 from robodyn_testing import require_tool
 

@@ -20,6 +20,7 @@ from robodyn.ir import Graph, Input, Label, Operation, Program
 from robodyn.ir.lowering import lower
 from robodyn.optimize.programs import Choice, build
 from robodyn.passes import FRESH, cse, dce, factor, fold, negate, order, run
+from robodyn_testing.by_hand import by_hand
 from robodyn_testing.functions import SAMPLED
 
 A, B, C, X, Y = (Input(name, None) for name in "abcxy")
@@ -45,32 +46,12 @@ def test_nothing_dead_is_left_and_nothing_else_gone(made: Program) -> None:
 
 
 def test_equal_operations_merge_up_to_order_and_sign() -> None:
-    made = Program(
-        (
-            Operation("mul", (X, Y)),
-            Operation("mul", (Y, X)),
-            Operation("sub", (X, Y)),
-            Operation("sub", (Y, X)),
-            Operation("neg", (3,)),
-            Operation("add", (0, 2)),
-            Operation("add", (4, 1)),
-            Operation("mul", (5, 6)),
-        ),
-        (("t", (7,)),),
-    )
+    made = by_hand("mul x y, mul y x, sub x y, sub y x, neg %3, add %0 %2, add %4 %1, mul %5 %6")
     assert ops(cse(made)) == {"mul": 2, "sub": 1, "add": 1}
 
 
 def test_merging_does_no_algebra() -> None:
-    made = Program(
-        (
-            Operation("add", (X, X)),
-            Operation("mul", (Fraction(2), 0)),
-            Operation("mul", (Fraction(3), 1)),
-            Operation("add", (2, 0)),
-        ),
-        (("t", (3,)),),
-    )
+    made = by_hand("add x x, mul 2 %0, mul 3 %1, add %2 %0")
     assert ops(cse(made)) == {"add": 2, "mul": 2}
     assert fold(made).operations == (Operation("mul", (Fraction(14), X)),)
 

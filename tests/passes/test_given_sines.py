@@ -22,6 +22,7 @@ from robodyn.robot import read_text
 from robodyn.robot.values import circle_point
 
 # --- given sines ------------------------------------------------------------------------------------------
+from robodyn_testing.by_hand import by_hand
 
 
 def with_given(made: Program, at: Point) -> list[Fraction]:
@@ -65,18 +66,8 @@ def test_given_sines_of_any_program(made: Program, at: Point) -> None:
 
 
 def test_the_layout_is_by_joint_and_told_in_words() -> None:
-    q1, q2, q3 = (Input("q", i) for i in range(3))
-    made = Program(
-        (
-            Operation("sin", (q2,)),
-            Operation("cos", (q2,)),
-            Operation("add", (q1, q2)),
-            Operation("cos", (2,)),
-            Operation("sub", (q1, Fraction(1, 4))),
-            Operation("sin", (4,)),
-            Operation("mul", (q3, 0)),
-        ),
-        (("t", (1, 3, 5, 6)),),
+    made = by_hand(
+        "sin q[1], cos q[1], add q[0] q[1], cos %2, sub q[0] 1/4, sin %4, mul q[2] %0", "%1 %3 %5 %6"
     )
     told = [describe(given_) for given_ in given_layout([made, made])]
     assert sorted(told) == sorted(["sin(q1 - 0.25)", "cos(q1 + q2)", "cos(q2)", "sin(q2)", "q3"])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 from fractions import Fraction
+from functools import partial
 
 import pytest
 
@@ -12,7 +13,7 @@ from robodyn import InputError
 from robodyn.counts.objective import operations_of
 from robodyn.dynamics.equality import equals_recursion
 from robodyn.dynamics.functions import function_named
-from robodyn.ir import Input, Operand, Operation, Program
+from robodyn.ir import Input, Program
 from robodyn.ir.fingerprint import fingerprint
 from robodyn.robot import Robot, bundled_names
 from robodyn.robot.values import circle_point
@@ -30,6 +31,7 @@ from robodyn.search.network import (
     network,
 )
 from robodyn.search.walk import rebuilt
+from robodyn_testing import by_hand as programs
 from robodyn_testing import representative, sampled
 from robodyn_testing.functions import OF_ANY_ARM
 from search.arms import SPECIAL, bundled, random_arms
@@ -66,16 +68,7 @@ def check(robot: Robot, function: str) -> None:
         assert equals_recursion(robot, function, found, points=1)
 
 
-def by_hand(operations: str, outputs: str) -> Program:
-    """The program of operations one after another, ``mul x %0``, and outputs."""
-    names = {"x": X, "y": Y, "q": Q, "r": R, "m": Input("m", None)}
-
-    def operands(words: list[str]) -> tuple[Operand, ...]:
-        return tuple(names.get(w) or (int(w[1:]) if w.startswith("%") else Fraction(w)) for w in words)
-
-    parts = [text.split() for text in operations.split(",") if text]
-    lines = tuple(Operation(op, operands(words)) for op, *words in parts)
-    return Program(lines, (("tau", operands(outputs.split())),))
+by_hand = partial(programs.by_hand, names={"x": X, "y": Y, "q": Q, "r": R})
 
 
 def check_by_hand(made: Program) -> Network:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from robodyn.emit.statements import Apply, Body, Expression, Statement, inputs_of
 from robodyn.ir.program import Input
-from robodyn.passes.angles import SUMS, is_position
+from robodyn.passes.order import SUMS, is_position
 
 #: Names of the local arrays, as arrays of inputs; no value of a program is called so.
 ANGLES, SINES, COSINES = "angles", "sines", "cosines"

@@ -23,8 +23,7 @@ from robodyn.ir.signature import Signature
 from robodyn.kernels.options import CHOSEN, TRIGONOMETRY, Engine, Level, Options
 from robodyn.kernels.rigid_programs import RigidPrograms, SingularArm
 from robodyn.optimize.programs import FORMULATIONS, Choice, NoForwardDynamics, base_set_of, signature
-from robodyn.passes.angles import angles_first
-from robodyn.passes.arctangents import arctangents_together
+from robodyn.passes.order import angles_first, arctangents_together
 from robodyn.passes.registers import registers
 from robodyn.passes.trig_given import describe, given_layout, trig_given
 from robodyn.robot.model import Robot

@@ -11,7 +11,7 @@ follows, begins to turn (``start``): these differ by the turn about z, whose cos
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, Body, Motion, behind_twist
@@ -22,16 +22,7 @@ from robodyn.dynamics.regroup import about_axis_z
 from robodyn.dynamics.vectors import Mark, unmarked
 from robodyn.effects.scalars import is_zero
 from robodyn.optimize.gauge import Regrouped, Unsuited
-from robodyn.optimize.lazy import (
-    NOTHING,
-    Components,
-    Lazy,
-    added,
-    lever,
-    named,
-    turned_x,
-    turned_z,
-)
+from robodyn.optimize.lazy import NOTHING, Components, Lazy, added, lever, named, turned_x, turned_z
 from robodyn.optimize.moments import (
     Rates,
     Wrench,
@@ -61,46 +52,27 @@ class Moving:
     p: Components
 
 
-def base_newton_euler(
-    arm: Arm,
-    motion: Motion,
-    turns: Turns,
-    links: Sequence[Regrouped],
-    variant: Variant,
-    per_unit: Any = 1,
-    mark: Mark = unmarked,
-) -> list[Any]:
-    """Joint torques [n] (N m; N at prismatic joints) from moments of mass about the frames' origins.
+@dataclass(slots=True)
+class BaseNewtonEuler:
+    """Forward and backward pass from moments of mass about the frames' origins, each quantity on demand.
 
     Lengths of ``links`` are multiples of a unit, ``per_unit`` [1/m] is its inverse; the displacements ``d``
     of ``arm`` and ``motion`` [m] are those of the origins that ``links`` have.
     """
-    return _Recursion(arm, motion, turns, links, variant, per_unit, mark).torques()
 
+    arm: Arm
+    motion: Motion
+    turns: Turns
+    links: Sequence[Regrouped]
+    variant: Variant
+    per_unit: Any = 1
+    mark: Mark = unmarked
+    moving: list[Moving] = field(default_factory=list)
 
-class _Recursion:
-    """Forward and backward pass, each quantity on demand."""
-
-    def __init__(
-        self,
-        arm: Arm,
-        motion: Motion,
-        turns: Turns,
-        links: Sequence[Regrouped],
-        variant: Variant,
-        per_unit: Any,
-        mark: Mark,
-    ) -> None:
-        self.arm, self.turns, self.links, self.variant = arm, turns, links, variant
-        self.mark = mark
-        # Accelerations and forces in another unit of length are not what their names say.
-        self.per_unit = per_unit
-        self.mark_lengths = mark if variant.unit == "metre" else unmarked
-        self.motion = motion
-        self.n = len(arm.bodies)
-        self.moving: list[Moving] = []
-        for i in range(self.n):
-            self.moving.append(self._moving(i))
+    @property
+    def mark_lengths(self) -> Mark:
+        """Accelerations and forces in another unit of length are not what their names say."""
+        return self.mark if self.variant.unit == "metre" else unmarked
 
     # -- forward ----------------------------------------------------------------------------------
     def _moving(self, i: int) -> Moving:
@@ -108,22 +80,15 @@ class _Recursion:
         c, s, rate, acceleration = turns.c[i], turns.s[i], turns.rate[i], turns.acceleration[i]
         p = self._origin(i)
         before = self.moving[i - 1] if i else None
-        w: Components
-        alpha: Components
-        a: Components
-        nothing: Components = NOTHING
+        carrier: tuple[Components, Components, Components]
         if before is None:
-            gx, gy, gz = self.arm.gravity
-            u = self.per_unit
-            w = alpha = nothing
-            a = (-gx * u, -gy * u, -gz * u)
+            u, (gx, gy, gz) = self.per_unit, self.arm.gravity
+            carrier = NOTHING, NOTHING, (-gx * u, -gy * u, -gz * u)
         elif turns.follows[i]:
-            w, alpha = before.w0, before.alpha0
-            a = self._next_origin(i, before, p)
+            carrier = before.w0, before.alpha0, self._next_origin(i, before, p)
         else:
-            w, alpha = before.own.w, before.own.alpha
-            a = self._next_origin(i, before, p)
-        w0, alpha0, a0 = (turned_x(body.cos_alpha, -body.sin_alpha, u) for u in (w, alpha, a))
+            carrier = before.own.w, before.own.alpha, self._next_origin(i, before, p)
+        w0, alpha0, a0 = (turned_x(body.cos_alpha, -body.sin_alpha, u) for u in carrier)
         turned_w, carried = turned_z(c, -s, w0), turned_z(c, -s, alpha0)
         if not body.revolute:
             rate = acceleration = 0
@@ -197,8 +162,8 @@ class _Recursion:
     def _wrenches(self) -> tuple[list[Wrench | None], list[Wrench | None], dict[int, Components]]:
         """For each link its force and moment along its own axes, and what is evaluated along those in which
         it begins to turn; and moments whose index 3 is a joint's torque."""
-        own: list[Wrench | None] = [None] * self.n
-        start: list[Wrench | None] = [None] * self.n
+        own: list[Wrench | None] = [None] * len(self.links)
+        start: list[Wrench | None] = [None] * len(self.links)
         torques: dict[int, Components] = {}
         for i, (link, how) in enumerate(zip(self.links, self.variant.links, strict=True)):
             if how.form == "wrist":
@@ -237,7 +202,8 @@ class _Recursion:
     def _spin_before(self, i: int) -> Wrench:
         """A last link that is a spin, along the axes in which the joint before begins to turn."""
         body, carrier = self.arm.bodies[i], self.arm.bodies[i - 1]
-        legal = i == self.n - 1 and i and body.revolute and carrier.revolute and not self.turns.follows[i]
+        legal = i and i == len(self.links) - 1 and body.revolute and carrier.revolute
+        legal = legal and not self.turns.follows[i]
         if not legal or self.variant.links[i].form != "spin":
             raise Unsuited(i + 1, "no spin at the tip to be written along the axes of the joint before")
         at = self.moving[i - 1].start
@@ -248,7 +214,7 @@ class _Recursion:
     def _wrist(self, i: int) -> Wrench:
         """The last two links, along the axes in which the last joint but one begins to turn."""
         how, link = self.variant.links[i], self.links[i]
-        legal = i == self.n - 2 and how.frame == "start" and self.variant.links[i + 1].form == "spin"
+        legal = i == len(self.links) - 2 and how.frame == "start" and self.variant.links[i + 1].form == "spin"
         body = self.arm.bodies[i + 1]
         legal = legal and body.revolute and self.arm.bodies[i].revolute and not self.turns.follows[i + 1]
         if not legal or link.point is None or body.sin_alpha not in (1, -1):
@@ -261,15 +227,18 @@ class _Recursion:
 
     # -- backward ---------------------------------------------------------------------------------
     def torques(self) -> list[Any]:
-        """Forces and moments from tip to base; the torques [n].
+        """Joint torques [n] (N m; N at prismatic joints): motion from base to tip, forces and moments back.
 
         ``f0, n0`` act through the joint, along the axes in which its chain begins to turn.
         """
+        n = len(self.arm.bodies)
+        for i in range(n):
+            self.moving.append(self._moving(i))
         own, start, known = self._wrenches()
-        torques: list[Any] = [None] * self.n
+        torques: list[Any] = [None] * n
         f0: Components | None = None
         n0: Components | None = None
-        for i in reversed(range(self.n)):
+        for i in reversed(range(n)):
             c, s = self.turns.c[i], self.turns.s[i]
             mine, turned = own[i], start[i]
             inside: list[Wrench] = [mine] if mine is not None else []

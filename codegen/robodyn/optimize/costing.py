@@ -13,7 +13,7 @@ from robodyn.dynamics.arm import Arm, Motion, build_arm, build_motion
 from robodyn.dynamics.modified_newton_euler import modified_newton_euler
 from robodyn.dynamics.parallel import chain_turns
 from robodyn.dynamics.regroup import lumps_of
-from robodyn.optimize.base_parameters import base_newton_euler
+from robodyn.optimize.base_parameters import BaseNewtonEuler
 from robodyn.optimize.gauge import (
     AT_TIP,
     Handed,
@@ -155,7 +155,7 @@ class Costing:
         motion = self._motion(tally, arm)
         turns = chain_turns(arm, motion, tally.trigonometry, [link.chained for link in variant.links])
         per_unit = 1 if unit == 1 else in_field(1 / Fraction(unit))
-        return tally, base_newton_euler(arm, motion, turns, numbers, variant, per_unit)
+        return tally, BaseNewtonEuler(arm, motion, turns, numbers, variant, per_unit).torques()
 
     def _motion(self, tally: Tally, arm: Arm) -> Motion:
         q, qd, qdd = ([tally.input(array, i) for i in range(self.robot.n)] for array in ("q", "qd", "qdd"))

@@ -26,7 +26,7 @@ from robodyn.ir import Graph, Label, Node, Program, Signature
 from robodyn.ir.fingerprint import in_drawn_field
 from robodyn.ir.lowering import lower
 from robodyn.ir.signature import ScalarType
-from robodyn.optimize.base_parameters import base_newton_euler
+from robodyn.optimize.base_parameters import BaseNewtonEuler
 from robodyn.optimize.cheapest import Cheapest
 from robodyn.optimize.choice import FORMULATIONS as FORMULATIONS
 from robodyn.optimize.choice import Choice as Choice
@@ -315,6 +315,7 @@ def _inverse_dynamics(
     def recursion(qd: Sequence[Any], qdd: Sequence[Any], mark: Mark) -> list[Any]:
         motion = build_motion(placed, q, qd, qdd, trigonometry, constant)
         turns = chain_turns(placed, motion, trigonometry, [link.chained for link in variant.links])
-        return base_newton_euler(placed, motion, turns, links, variant, 1 if unit == 1 else 1 / unit, mark)
+        per_unit = 1 if unit == 1 else 1 / unit
+        return BaseNewtonEuler(placed, motion, turns, links, variant, per_unit, mark).torques()
 
     return recursion

@@ -1,9 +1,8 @@
 """Passes from program to program, one file each; what a level of optimisation runs."""
 
-from robodyn.passes.dce import dce
 from robodyn.passes.factor import factor
 from robodyn.passes.negate import negate
-from robodyn.passes.order import order
+from robodyn.passes.order import dce, order
 from robodyn.passes.pipeline import Pass, PassError, run, unchecked
 from robodyn.passes.replay import cse, fold
 from robodyn.passes.units import units
@@ -19,20 +18,6 @@ FAST: tuple[Pass, ...] = (*SAVING, *SPELLING)
 FRESH: tuple[Pass, ...] = (*FRESH_SAVING, *SPELLING)
 
 __all__ = [
-    "FAST",
-    "FRESH",
-    "FRESH_SAVING",
-    "SAVING",
-    "SPELLING",
-    "Pass",
-    "PassError",
-    "cse",
-    "dce",
-    "factor",
-    "fold",
-    "negate",
-    "order",
-    "run",
-    "unchecked",
-    "units",
-]
+    "FAST", "FRESH", "FRESH_SAVING", "SAVING", "SPELLING", "Pass", "PassError", "cse", "dce", "factor",
+    "fold", "negate", "order", "run", "unchecked", "units",
+]  # fmt: skip

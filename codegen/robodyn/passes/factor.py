@@ -76,15 +76,15 @@ class _Factoring:
     def factored(self) -> tuple[Graph, Outputs] | None:
         """The graph with every factorable sum factored, and its outputs; None if there is none."""
         sums: dict[int, tuple[list[Term], Any]] = {}
+        dissolved: set[int] = set()
         for p in self.roots:
             if self._shares_a_factor(p):
-                terms = self._terms(p)
+                terms = self._terms(p, dissolved)
                 sums[p] = (terms, self._common(terms))
         if not sums:
             return None
         target = Graph()
         copies = Copies(self.graph, target)
-        dissolved = {p for root in sums for p in self._inside(root)}
         unchanged: list[int] = []  # so far
         for p in self.positions:
             if p in sums:
@@ -113,32 +113,22 @@ class _Factoring:
                 factors += set(_factors(keys[p]))
         return len(set(factors)) < len(factors)
 
-    def _terms(self, root: int) -> list[Term]:
-        """The terms of the sum at ``root``, left to right."""
+    def _terms(self, root: int, inside: set[int]) -> list[Term]:
+        """The terms of the sum at ``root``, left to right; additions inside it are put into ``inside``."""
         keys, inner = self.graph.keys, self.inner
         terms: list[Term] = []
         stack: list[Term] = [(root, 1)]
         while stack:
             p, sign = stack.pop()
             if p == root or inner[p]:
+                if p != root:
+                    inside.add(p)
                 _, i, relative, j = keys[p]
                 stack.append((j, sign * relative))
                 stack.append((i, sign))
             else:
                 terms.append((p, sign))
         return terms
-
-    def _inside(self, root: int) -> list[int]:
-        """The additions inside the sum at ``root``, itself left out."""
-        inside: list[int] = []
-        stack = [root]
-        while stack:
-            key = self.graph.keys[stack.pop()]
-            for child in (key[1], key[3]):
-                if self.inner[child]:
-                    inside.append(child)
-                    stack.append(child)
-        return inside
 
     def _common(self, terms: list[Term]) -> Any:
         """The factor that most products of ``terms`` share."""
@@ -150,16 +140,19 @@ class _Factoring:
         return max(counts, key=counts.__getitem__)
 
     def _factored(self, terms: list[Term], common: Any, copies: Copies) -> Any:
+        def value(factor: Any) -> Any:
+            return copies[factor] if isinstance(factor, int) else Fraction(*factor)
+
         group: Scalar = 0
         rest: Scalar = 0
         for p, sign in terms:
             factors = _factors(self.graph.keys[p])
             if self.single[p] and common in factors:
                 cofactor = factors[1] if factors[0] == common else factors[0]
-                group = group + sign * _value(cofactor, copies)
+                group = group + sign * value(cofactor)
             else:
                 rest = rest + sign * copies[p]
-        return _value(common, copies) * group + rest
+        return value(common) * group + rest
 
 
 def _factors(key: tuple[Any, ...]) -> tuple[Any, ...]:
@@ -169,7 +162,3 @@ def _factors(key: tuple[Any, ...]) -> tuple[Any, ...]:
     if key[0] == "scale":
         return key[1].as_integer_ratio(), key[2]
     return ()
-
-
-def _value(factor: Any, copies: Copies) -> Any:
-    return copies[factor] if isinstance(factor, int) else Fraction(*factor)

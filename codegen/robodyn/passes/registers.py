@@ -13,10 +13,8 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import combinations
 
-from robodyn.ir.program import Input, Operation, Program
-from robodyn.passes.angles import of_positions
-from robodyn.passes.dce import kept
-from robodyn.passes.order import before_use
+from robodyn.ir.program import Input, Operand, Program
+from robodyn.passes.order import before_use, kept, needed, of_positions
 
 #: How many operations all estimates of one program may look at, so that long arms stay fast.
 _EFFORT = 16_000
@@ -61,8 +59,12 @@ class _Orders:
     """Orders of a program's operations, and what they cost."""
 
     def __init__(self, program: Program, available: int) -> None:
-        self.positions = of_positions(program)
-        self.operations = [self._reading(operation) for operation in program.operations]
+        self.program, self.positions = program, of_positions(program)
+
+        def reading(x: Operand) -> Operand:  # sines and cosines of positions are there before all else
+            return Input("sc", x) if isinstance(x, int) and x in self.positions else x
+
+        self.operations = [op._replace(args=tuple(map(reading, op.args))) for op in program.operations]
         self.results = program.results()
         self.available = available
         self.uses = program.uses()
@@ -77,26 +79,13 @@ class _Orders:
         for read in self._read:
             read.sort(key=self.rank.__getitem__, reverse=True)
 
-    def _reading(self, operation: Operation) -> Operation:
-        """``operation`` with the sines and cosines of positions as inputs: they are there before all else."""
-        args = tuple(
-            Input("sc", x) if isinstance(x, int) and x in self.positions else x for x in operation.args
-        )
-        return operation._replace(args=args)
-
     def order(self, results: Sequence[int]) -> list[int]:
         """The operations, result by result."""
         return before_use(results, self._read)
 
     def whole(self, results: Sequence[int]) -> list[int]:
         """:meth:`order` after the sines and cosines of positions, and what these need."""
-        first: set[int] = set()
-        stack = list(self.positions)
-        while stack:
-            i = stack.pop()
-            if i not in first:
-                first.add(i)
-                stack.extend(x for x in self.operations[i].args if isinstance(x, int))
+        first = needed(self.program, self.positions)
         return [*sorted(first), *(i for i in self.order(results) if i not in first)]
 
     def cost(self, order: Sequence[int]) -> int:

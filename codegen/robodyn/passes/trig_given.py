@@ -10,7 +10,7 @@ from fractions import Fraction
 
 from robodyn.ir.evaluate import angle_form, is_angle
 from robodyn.ir.program import Input, Operand, Operation, Program
-from robodyn.passes.dce import dce
+from robodyn.passes.order import dce
 
 #: One element of ``sc``: "cos" or "sin" of multiples of joint angles plus a constant [rad], or
 #: "q", a prismatic joint's displacement.
