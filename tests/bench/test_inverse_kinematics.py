@@ -58,18 +58,6 @@ def test_poses_are_those_of_the_kernels(name: str) -> None:
     assert np.abs(chain.poses(q)[:, :3].reshape(3, -1) - theirs).max() < 1e-14
 
 
-def test_the_jacobian_is_the_rate_of_the_pose() -> None:
-    chain = _chain("stanford")
-    q, step = positions.drawn(chain, 2), 1e-6
-    for joint in range(chain.n):
-        aside = np.zeros(chain.n)
-        aside[joint] = step
-        rate = (chain.poses(q + aside) - chain.poses(q - aside)) / (2 * step)
-        turning = rate[:, :3, :3] @ chain.poses(q)[:, :3, :3].transpose(0, 2, 1)
-        column = np.concatenate([rate[:, :3, 3], turning[:, [2, 0, 1], [1, 2, 0]]], axis=1)
-        assert np.abs(chain.jacobians(q)[:, :, joint] - column).max() < 1e-8
-
-
 def test_sets_are_compared_modulo_turns_and_say_what_each_side_lacks() -> None:
     chain = _chain("puma560")
     q = positions.drawn(chain, 4)
@@ -88,22 +76,6 @@ def test_sets_are_compared_modulo_turns_and_say_what_each_side_lacks() -> None:
     none = Answers(double.q, np.zeros((4, 2), dtype=bool))
     assert compared(chain, poses, none, _row(q)).missing == 4
     assert compared(chain, poses, _row(q), none).only_ours == 4
-
-
-def test_singular_positions_are_singular() -> None:
-    for name, redundant in (("ur5", None), ("panda", 6)):
-        chain = _chain(name)
-        q = positions.singular(chain, 100, redundant)
-        beside = np.abs(positions.determinants(chain, q, redundant))
-        anywhere = np.abs(positions.determinants(chain, positions.drawn(chain, 100), redundant))
-        assert np.median(beside) < 1e-9 < 1e-5 < np.median(anywhere)
-        assert np.sum(beside < 1e-15) > 10
-
-
-def test_positions_belong_to_the_arm() -> None:
-    one, other = _chain("ur5"), _chain("ur10")
-    assert (positions.drawn(one, 2) == positions.drawn(one, 3)[:2]).all()
-    assert not (positions.drawn(one, 2) == positions.drawn(other, 2)).any()
 
 
 def test_a_search_leads_to_all_eight_solutions_of_the_puma() -> None:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from robodyn.bench.peers.calls import PEERS, checked, raced
+from robodyn.bench.peers.calls import PEERS, checked
 from robodyn.bench.peers.numbers import Disagreement, NumbersLacking, hold_against, numbers_of
 from robodyn.bench.peers.textbook import inverse_dynamics
 from robodyn.robot import Robot, load
@@ -92,19 +92,3 @@ def test_numbers_survive_their_text() -> None:
     assert rows[0] == [6, *numbers.gravity]
     assert {len(row) for row in rows[1:]} == {35}
     assert [row[9] for row in rows[1:]] == [link.mass for link in numbers.links]
-
-
-def test_calls_are_timed_in_turn() -> None:
-    asked: list[str] = []
-    from robodyn.bench.peers.calls import Call
-
-    def ask(name: str) -> int:
-        asked.append(name)
-        return sum(range(3000))
-
-    slow = Call("slow", "slow", lambda: ask("slow"), 1, lambda k: k)
-    batch = Call("batch", "batch", lambda: ask("batch"), 100, lambda k: k)
-    times = raced([slow, batch], 6, 1e-4)
-    assert times.shape == (6, 2)
-    assert (times > 0).all()
-    assert set(asked[-4:]) == {"slow", "batch"} or asked.count("slow") > 6

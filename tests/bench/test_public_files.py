@@ -13,7 +13,6 @@ from robodyn.verify.against import by_mujoco
 from robodyn_testing import require_module
 from robodyn_testing.original_arms import MJCF, URDF
 from robodyn_testing.urdf_text import GRIPPER, joint, link, robot
-from robodyn_testing.xacro_arms import FAMILY
 
 FIGURES = json.loads(RESULTS.read_text(encoding="utf-8"))
 RECORDS = FIGURES["files"]
@@ -54,13 +53,6 @@ def test_every_kind_of_verdict(tmp_path: Path) -> None:
         "thing.urdf": "no arm",
         "strange.xml": "refused",
     }
-
-
-def test_robots_of_the_structure_of_the_ur_description_are_read(tmp_path: Path) -> None:
-    verdicts = judged(tmp_path, {f"share/{name}": text for name, text in FAMILY.items()})
-    assert verdicts["share/Series_Description-main/urdf/series.urdf.xacro"] == "right"
-    others = {verdict for file, verdict in verdicts.items() if not file.endswith("series.urdf.xacro")}
-    assert others <= {"no arm", "refused"}  # macros alone
 
 
 def test_what_is_wrong_is_noticed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -15,7 +15,6 @@ from benchmarks.optimal_control import expression, least_torque
 from documents.blocks import blocks
 from packages.consumers import Consumer, consumer, run, write
 from robodyn.dynamics.functions import FUNCTIONS, function_named
-from robodyn.errors import InputError
 from robodyn.kernels.generate import Options, generate
 from robodyn.packages import package
 from robodyn.robot import load
@@ -176,12 +175,6 @@ def test_in_c_that_casadi_generates(built: Callable[[str], tuple[Consumer, Path]
     state = [np.linspace(-1, 1, robot.n), np.linspace(0, 1, robot.n), np.linspace(2, 3, robot.n)]
     for one, other in zip(compiled(*state), step(*state), strict=True):
         assert near(one, other, 1e-13)
-
-
-def test_numbers_are_double() -> None:
-    packed = package(generate(load("stanford_3dof"), Options(("gravity",), scalar="float")), "casadi")
-    with pytest.raises(InputError, match="CasADi computes in double"):
-        packed.files()
 
 
 def test_the_example_of_the_documents(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

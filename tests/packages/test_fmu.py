@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import csv
 import ctypes
 import re
-import sys
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
@@ -210,20 +208,6 @@ def test_what_is_refused_is_said(units: Units, capsys: pytest.CaptureFixture[str
 
 
 @pytest.mark.thorough
-def test_the_commands_of_fmpy(units: Units, tmp_path: Path) -> None:
-    """Those of docs/packages.md."""
-    unit = units("puma560")
-    fmpy = (sys.executable, "-m", "fmpy")
-    assert run(*fmpy, "validate", unit.path, cwd=tmp_path) == "No problems found.\n"
-    fall = ("--start-values", "q[2]", "-0.5", "--stop-time", "1", "--output-file", "fall.csv")
-    run(*fmpy, "simulate", unit.path, *fall, cwd=tmp_path)
-    with (tmp_path / "fall.csv").open(newline="") as file:
-        rows = list(csv.DictReader(file))
-    assert float(rows[0]["q[2]"]) == -0.5
-    assert float(rows[-1]["time"]) == 1
-
-
-@pytest.mark.thorough
 @pytest.mark.parametrize("name", ["puma560", "elastic", "friction by load, limited drive", "contact"])
 def test_its_sources_compile_without_a_warning(name: str, units: Units, tmp_path: Path) -> None:
     """Every one by itself, with the functions' prefix that static linking needs."""
@@ -248,16 +232,6 @@ def test_its_sources_compile_without_a_warning(name: str, units: Units, tmp_path
 def test_what_has_no_place(options: Options, complaint: str) -> None:
     with pytest.raises(InputError, match=complaint):
         package(generate(load("stanford_3dof"), options), "fmu").files()
-
-
-@pytest.mark.thorough
-def test_of_all_functions_those_that_fit_are_outputs() -> None:
-    packed = package(generate(load("stanford_3dof"), Options(("all",))), "fmu")
-    names = {routine.name for routine in packed.routines}
-    outputs = {result.routine.name for result in results_of(packed)}
-    assert {"jacobian", "mass_matrix", "forward_dynamics_derivatives"} < outputs
-    assert {"regressor", "inverse_dynamics_from_parameters"} & outputs == {"regressor"}
-    assert {name for name in names if name.endswith("_with_wrench")}.isdisjoint(outputs)
 
 
 @pytest.mark.parametrize(

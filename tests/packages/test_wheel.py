@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from packages.consumers import MAINTAINER, Consumer, consumer, run, write
+from packages.consumers import MAINTAINER, Consumer, consumer, loaded_arm, run, write
 from robodyn.kernels.generate import Options, generate
 from robodyn.packages import package
 from robodyn.packages.formats.wheel import tag_of
@@ -43,11 +43,6 @@ for name, sizes in {routines}:
         for x, y in zip(one if isinstance(one, tuple) else [one], many):
             assert np.array_equal(x, y) and x.dtype == np.{dtype}, name
             print(*x.ravel())
-"""
-LOADED = """name: crane
-links:
-- {joint: prismatic, alpha: 1, mass: 2, com: [0.1, 0, 0.2], motor_inertia: 1}
-- {joint: revolute, alpha: pi/2, mass: m_tool, com: [0.1, 0.2, 0]}
 """
 
 
@@ -97,23 +92,16 @@ def program(user: Consumer) -> str:
     )
 
 
-@pytest.mark.parametrize(
-    ("robot", "options", "parameters"),
-    [
-        ("puma560", Options(FUNCTIONS), {}),
-        (
-            "crane",
-            Options(("inverse_dynamics", "forward_dynamics"), scalar="float", trig="builtin"),
-            {"m_tool": 1.5},
-        ),
-    ],
-)
-def test_pip_installs_it_and_it_computes(
-    robot: str, options: Options, parameters: Mapping[str, float], tmp_path: Path
-) -> None:
-    described = tmp_path / "crane.yaml"
-    described.write_text(LOADED)
-    user = consumer(str(described) if robot == "crane" else robot, "wheel", options, parameters=parameters)
+IN_FLOAT = Options(("inverse_dynamics", "forward_dynamics"), scalar="float", trig="builtin")
+
+
+@pytest.mark.parametrize("robot", ["puma560", "crane"])
+def test_pip_installs_it_and_it_computes(robot: str, tmp_path: Path) -> None:
+    if robot == "crane":
+        path = str(loaded_arm(tmp_path, robot))
+        user = consumer(path, "wheel", IN_FLOAT, parameters={"m_tool": 1.5})
+    else:
+        user = consumer(robot, "wheel", Options(FUNCTIONS))
     there = environment(tmp_path / "environment", written(tmp_path, user))
     user.check(there.run("-c", program(user), folder=tmp_path, stdin=user.stdin))
 

@@ -18,25 +18,6 @@ from packages.consumers import UPPER_CASE, packaged, run, write
 from robodyn_testing import require_module, require_tool
 
 ZEPHYR = Path(__file__).parent / "zephyr"
-#: What Zephyr's schemas have of what is written here: of ``module.yml``, and of ``sample.yaml`` (twister's).
-SCHEMAS = {
-    "zephyr/module.yml": {
-        "name": str,
-        "build": {"cmake": str, "kconfig": str},
-        "samples": [str],
-    },
-    "samples/selftest/sample.yaml": {
-        "sample": {"name": str, "description": str},
-        "tests": {
-            "stanford_3dof_dynamics.selftest": {
-                "tags": str,
-                "integration_platforms": [str],
-                "harness": str,
-                "harness_config": {"type": str, "regex": [str]},
-            }
-        },
-    },
-}
 LIBM = ("--scalar", "double", "--trig", "libm")
 
 
@@ -73,23 +54,6 @@ def test_the_sample(robot: str, options: tuple[str, ...], cmake: str, tmp_path: 
     source.write_text(re.sub(r"(\btau\[\d\] = )", r"\g<1>1e-2f + ", source.read_text()))
     built(cmake, module, tmp_path)
     assert subprocess.run([tmp_path / "build" / "app"], capture_output=True).returncode == 1
-
-
-def shape(value: object) -> object:
-    """The types of a document, as :data:`SCHEMAS` has them."""
-    if isinstance(value, dict):
-        return {key: shape(entry) for key, entry in value.items()}
-    if isinstance(value, list):
-        (kind,) = {type(entry) for entry in value}
-        return [kind]
-    return type(value)
-
-
-@pytest.mark.thorough
-def test_the_descriptions(tmp_path: Path) -> None:
-    module = packaged(tmp_path, "stanford_3dof", "zephyr")
-    for path, schema in SCHEMAS.items():
-        assert shape(yaml.safe_load((module / path).read_text())) == schema
 
 
 @pytest.mark.thorough

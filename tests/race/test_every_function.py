@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 import pytest
 from benchmarks.peers import every_function, limits, ours
-from benchmarks.peers.building import Lacking
 from benchmarks.peers.candidates import Candidate
 from benchmarks.peers.race import Race, harness
 
@@ -50,28 +49,6 @@ def test_all_results_of_a_function_are_checked(tmp_path: Path, monkeypatch: pyte
         list(every_function.measured("stanford_3dof", tmp_path, harness(tmp_path), 4))
 
 
-LISTING = """
-0000 <arm_f_given_>:
-	vmulpd %ymm0,%ymm1,%ymm2        # 2010 <_fini+0x10>
-	ret
-
-<arm_f>:
-	push   %rbp
-	vaddpd %ymm0,%ymm1,%ymm2
-	call   <arm_f_given_>
-	ret
-
-"""
-
-
-def test_instructions_without_beginnings_and_ends() -> None:
-    listing = LISTING.replace("0000 ", "")
-    both = limits.instructions_of(listing, ("arm_f", "arm_f_given_"))
-    assert both == ["vaddpd %ymm0,%ymm1,%ymm2", "vmulpd %ymm0,%ymm1,%ymm2"]
-    with pytest.raises(Lacking, match="arm_g"):
-        limits.instructions_of(listing, ("arm_g",))
-
-
 def test_a_chain_is_longer_than_its_units() -> None:
     require_tool("llvm-mca")
     chain = limits.bound_of(["vaddsd %xmm0,%xmm1,%xmm1"] * 20)
@@ -80,12 +57,6 @@ def test_a_chain_is_longer_than_its_units() -> None:
     assert chain.latency >= 80  # four cycles each
     assert chain.units <= 20
     assert apart.steady < 14 < chain.steady
-
-
-def test_what_limits() -> None:
-    assert limits.verdict(100, 110, 90, 80) == "reached"
-    assert limits.verdict(100, 70, 90, 80).startswith("the units")
-    assert limits.verdict(100, 85, 90, 80) == "latency"
 
 
 def test_the_committed_table_is_made_of_the_committed_figures() -> None:

@@ -3,7 +3,6 @@ Markdown is made of the figures."""
 
 from __future__ import annotations
 
-import copy
 import json
 from collections.abc import Iterator
 from pathlib import Path
@@ -15,7 +14,7 @@ from benchmarks.peers import __main__ as race_main
 from benchmarks.peers import candidates, ours
 from benchmarks.peers.building import STRICT, Lacking, Source, library
 from benchmarks.peers.candidates import Candidate, Missing
-from benchmarks.peers.race import Race, harness, paired, random_states
+from benchmarks.peers.race import Race, harness, paired
 from benchmarks.peers.tables import markdown
 
 from robodyn.bench.peers.numbers import numbers_of
@@ -88,14 +87,6 @@ def test_ratios_are_taken_round_by_round() -> None:
     assert 180 <= inside <= 199  # 95 of 100 intervals have the true median
 
 
-def test_states_are_the_same_every_time(tmp_path: Path) -> None:
-    one, other = tmp_path / "a", tmp_path / "b"
-    random_states(6).write(one)
-    random_states(6).write(other)
-    assert one.read_bytes() == other.read_bytes()
-    assert len(one.read_bytes()) == 16 + 256 * 18 * 8
-
-
 RESULTS = Path(__file__).parents[2] / "benchmarks" / "results"
 
 
@@ -106,20 +97,6 @@ def figures() -> Any:
 
 def test_the_committed_markdown_is_made_of_the_committed_figures(figures: Any) -> None:
     assert (RESULTS / "peers.md").read_text(encoding="utf-8") == markdown(figures)
-
-
-def test_markdown_follows_the_figures(figures: Any) -> None:
-    changed = copy.deepcopy(figures)
-    row = next(row for row in changed["native"]["rows"] if row["key"] == "robodyn-builtin")
-    row["ns"], row["instructions"] = 12345.6, 7890
-    changed["native"]["missing"] = [{"title": "SomePeer", "why": "it is not there"}]
-    demand = changed["native"]["demands"][0]
-    demand["wanted"], demand["ratio"] = 99, [98.0, 97.0, 99.5]
-    text = markdown(changed)
-    assert "| 12345.6 | 1 | 7890 |" in text
-    assert "- SomePeer: it is not there" in text
-    assert "| 99 | 98 [97, 99.5], **missed** |" in text
-    assert "SomePeer" not in markdown(figures)
 
 
 def test_every_peer_of_the_list_raced_or_is_named(figures: Any) -> None:

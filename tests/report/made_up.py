@@ -7,7 +7,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Gap, Rival, Series
+from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Gap, Rival, Series, Tried, Window
 from robodyn.draw.scales import DAY
 from robodyn.fleet.result import Claim, Feature, FleetResult, Look, Reading, TypeResult, UnitResult, Unused
 from robodyn.robot import Robot
@@ -67,6 +67,25 @@ def many(n: int) -> tuple[Finding, ...]:
         one("payload", None, "kg", mass=2.0),
         one("spring", 4, "N m/rad", 0.3, stiffness=0.1),
     )
+
+
+#: A text that would do harm where it is not escaped.
+HOSTILE: Final = (
+    '<script>alert("1")</script>&amp;\'</title></svg></style>{{ 7 * 7 }}<img src=x onerror="alert(2)">'
+)
+
+
+def hostile(robot: Robot) -> Diagnosis:
+    """A diagnosis whose every text is an attack."""
+    finding = Finding(
+        HOSTILE, None, {HOSTILE: Estimate(HOSTILE, None, HOSTILE)}, 0.9, (HOSTILE,), HOSTILE, HOSTILE,
+        1.0, 1.0, (Rival(HOSTILE, 1, 0.5),),
+    )  # fmt: skip
+    return made(
+        replace(robot, title=HOSTILE), findings=(finding,), diff=f"+{HOSTILE}\n-{HOSTILE}\n",
+        words=(HOSTILE,), flags=(HOSTILE,), logs=({"name": f"{HOSTILE}.csv", "sha256": HOSTILE},),
+        windows=(Window("train", 1.0, 2.0, HOSTILE),), tried=(Tried(HOSTILE, 1, 1.0, 1.0, HOSTILE),),
+    )  # fmt: skip
 
 
 START: Final = 1_735_689_600.0  # 2025-01-01

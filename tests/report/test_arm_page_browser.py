@@ -164,12 +164,3 @@ def test_it_is_used_by_keys(browser: Browser, files: Pages) -> None:
         browser.driver.switch_to.active_element.send_keys(keys.TAB)
         stops.add(browser.run("const e = document.activeElement; return e.id || e.dataset.view || e.tagName"))
     assert {"q0", "q5", "reset", "nearer", "SUMMARY"} <= stops
-
-
-def test_it_prints(browser: Browser, files: Pages) -> None:
-    """On paper nothing is wider than the sheet, and there are no controls."""
-    browser.open(files["puma560"], width=760, media="print", scheme="dark")
-    assert browser.run("return document.documentElement.scrollWidth") <= 760
-    assert browser.run("return getComputedStyle(document.body).backgroundColor") == "rgb(255, 255, 255)"
-    assert not browser.one("[data-play]").is_displayed()
-    browser.screenshot("arm-puma560-print")

@@ -10,18 +10,17 @@ from typing import Any
 import numpy as np
 import pytest
 
-from report.made_up import made, many, series
+from report.made_up import hostile, made, many, series
 from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Rival, Tried, Window
 from robodyn.report.diagnosis import page
 from robodyn.robot import Robot, load
 from robodyn_testing import require_module
 from robodyn_testing.browser import PHONE, SCHEMES, Browser
+from robodyn_testing.cases import representative
 
 pytestmark = pytest.mark.thorough
 
-HOSTILE = "<script>alert(1)</script>\"><img src=x onerror='alert(2)'>"
 NAMES = ("missing_effect", "consistent", "unexplained", "hostile", "many")
-WIDTHS = (1280, 700, PHONE, 320)
 
 #: Boxes of what was drawn: text of charts, by chart, and whether each is seen.
 LABELS = """
@@ -75,28 +74,10 @@ def whole() -> Diagnosis:
     )  # fmt: skip
 
 
-def hostile() -> Diagnosis:
-    """A diagnosis whose every text is an attack."""
-    finding = Finding(
-        HOSTILE, None, {HOSTILE: Estimate(HOSTILE, None, HOSTILE)}, 0.9, (HOSTILE,), HOSTILE, HOSTILE, 1.0,
-        1.0, (Rival(HOSTILE, 1, 0.5),),
-    )  # fmt: skip
-    return made(
-        replace(robot(), title=HOSTILE), findings=(finding,), diff=f"+{HOSTILE}\n-{HOSTILE}\n",
-        words=(HOSTILE,), flags=(HOSTILE,), logs=({"name": f"{HOSTILE}.csv", "sha256": HOSTILE},),
-        windows=(Window("train", 1.0, 2.0, HOSTILE),), tried=(Tried(HOSTILE, 1, 1.0, 1.0, HOSTILE),),
-    )  # fmt: skip
-
-
-def unchanged(name: str) -> Any:
-    """A log that the findings change nothing of."""
-    one = series(name, 6)
-    return replace(one, after=one.before)
-
-
 def pages() -> dict[str, str]:
     arm = robot()
-    same = {"series": (unchanged("train"), unchanged("validate")), "diff": "", "operations": (80, 80)}
+    unchanged = [replace(one, after=one.before) for one in (series("train", 6), series("validate", 6))]
+    same: dict[str, Any] = {"series": tuple(unchanged), "diff": "", "operations": (80, 80)}
     return {
         "missing_effect": page(whole(), validated=True),
         "consistent": page(made(arm, verdict="consistent", findings=(), **same), validated=True),
@@ -104,7 +85,7 @@ def pages() -> dict[str, str]:
             made(arm, verdict="unexplained", findings=findings()[3:], left=np.arange(6.0), **same),
             validated=False,
         ),
-        "hostile": page(hostile(), validated=True),
+        "hostile": page(hostile(robot()), validated=True),
         "many": page(made(arm, findings=many(6), extra={"one_body": "a remark"}), validated=True),
     }
 
@@ -112,11 +93,9 @@ def pages() -> dict[str, str]:
 @pytest.fixture(scope="module")
 def files(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     folder = tmp_path_factory.mktemp("pages")
-    written = {}
     for name, text in pages().items():
-        written[name] = folder / f"{name}.html"
-        written[name].write_text(text, encoding="utf-8")
-    return written
+        (folder / f"{name}.html").write_text(text, encoding="utf-8")
+    return {name: folder / f"{name}.html" for name in NAMES}
 
 
 @pytest.mark.parametrize("name", ["missing_effect", "consistent", "unexplained"])
@@ -140,8 +119,13 @@ def test_every_section_is_there_and_seen(browser: Browser, files: dict[str, Path
         assert curve.size["height"] > 1
 
 
-@pytest.mark.parametrize("width", WIDTHS)
-@pytest.mark.parametrize("name", ["missing_effect", "unexplained"])
+@pytest.mark.parametrize(
+    ("name", "width"),
+    representative(
+        itertools.product(("missing_effect", "unexplained"), (1280, 700, PHONE, 320)),
+        ("missing_effect", 320), ("unexplained", 1280), rest="slow",
+    ),
+)  # fmt: skip
 def test_labels_of_charts_do_not_overlap(
     browser: Browser, files: dict[str, Path], name: str, width: int
 ) -> None:
@@ -181,7 +165,7 @@ return [...document.querySelectorAll("body *")].filter(e => e.checkVisibility()
 
 
 @pytest.mark.parametrize("scheme", SCHEMES)
-@pytest.mark.parametrize("name", ["missing_effect", "consistent", "unexplained"])
+@pytest.mark.parametrize("name", representative(NAMES[:3], "missing_effect", rest="slow"))
 def test_text_stands_out_by_day_and_by_night(
     browser: Browser, files: dict[str, Path], name: str, scheme: str
 ) -> None:
@@ -222,22 +206,6 @@ def test_what_is_drawn_is_chosen_by_click_and_by_key(browser: Browser, files: di
     assert browser.one(".card .ink path.mean.before").is_displayed()
 
 
-def test_what_is_folded_opens_by_click_and_by_key(browser: Browser, files: dict[str, Path]) -> None:
-    keys = require_module("selenium.webdriver.common.keys").Keys
-    browser.open(files["missing_effect"])
-    folded = [d for d in browser.all("details") if d.get_attribute("open") is None]
-    assert len(folded) == 3, "tables, a suspicion, the other log"
-    for k, details in enumerate(folded):
-        summary = details.find_element("tag name", "summary")
-        inner = details.find_element("css selector", "table, dl, .strip")
-        assert not inner.is_displayed()
-        if k % 2:
-            summary.click()
-        else:
-            summary.send_keys(keys.ENTER)
-        assert inner.is_displayed()
-
-
 def test_keys_reach_everything_in_order(browser: Browser, files: dict[str, Path]) -> None:
     keys = require_module("selenium.webdriver.common.keys").Keys
     browser.open(files["missing_effect"])
@@ -256,21 +224,6 @@ def test_keys_reach_everything_in_order(browser: Browser, files: dict[str, Path]
     assert sum(tag == "a" for tag, _ in reached) == 9
     assert sum(tag == "summary" for tag, _ in reached) == 4
     assert sum(tag == "pre" for tag, _ in reached) == 1
-
-
-def test_on_paper_it_is_light_and_whole(browser: Browser, files: dict[str, Path]) -> None:
-    browser.open(files["missing_effect"], scheme="dark", media="print")
-    paper = browser.run("return getComputedStyle(document.body).backgroundColor")
-    assert paper == "rgb(255, 255, 255)"
-    assert not browser.one("nav").is_displayed()
-    printed = browser.command("Page.printToPDF", printBackground=True)
-    assert len(printed["data"]) > 20_000
-
-
-def test_attacks_are_shown_as_the_text_that_they_are(browser: Browser, files: dict[str, Path]) -> None:
-    browser.open(files["hostile"])
-    script = "return document.body.innerText.split(arguments[0]).length - 1"
-    assert browser.run(script, HOSTILE) >= 12
 
 
 @pytest.mark.parametrize("name", NAMES)

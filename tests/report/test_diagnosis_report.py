@@ -11,18 +11,14 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from report.made_up import made, series
-from robodyn.diagnose.evidence import log_facts
-from robodyn.diagnose.result import Estimate, Finding, Gap, Rival
-from robodyn.gate.gate import inspect
-from robodyn.logs.log import Log
+from report.made_up import HOSTILE, hostile, made, series
+from robodyn.diagnose.result import Gap
 from robodyn.report.diagnosis import MOST_JOINTS, page
 from robodyn.report.diagnosis_summary import summary
 from robodyn.robot import Robot, load, read_text
 
 Floats = NDArray[np.float64]
 
-HOSTILE = '<script>alert("1")</script>&amp;\'</title></svg></style>{{ 7 * 7 }}'
 VOID = {"meta", "link", "br", "input", "col", "img"}
 #: Places of a document that something could be fetched or run from.
 ACTIVE = {"script", "iframe", "img", "object", "embed", "form", "base", "audio", "video", "use", "image"}
@@ -196,21 +192,13 @@ def test_the_residual_is_drawn_where_it_is(robot: Robot) -> None:
 
 
 def test_hostile_names_are_text(robot: Robot) -> None:
-    finding = Finding(
-        HOSTILE, None, {HOSTILE: Estimate(HOSTILE, None, HOSTILE)}, 0.9, (HOSTILE,), HOSTILE, HOSTILE,
-        1.0, 1.0, (Rival(HOSTILE, 1, 0.5),),
-    )  # fmt: skip
-    found = made(
-        replace(robot, title=HOSTILE),
-        findings=(finding,), diff=f"+{HOSTILE}\n", flags=(HOSTILE,), words=(HOSTILE,),
-        logs=({"name": HOSTILE, "sha256": HOSTILE},),
-    )  # fmt: skip
-    text = page(found, validated=False)
+    diagnosis = hostile(robot)
+    text = page(diagnosis, validated=False)
     seen = Page(text)
     assert not {tag for tag, _ in seen.elements} & ACTIVE
     assert "<script" not in text
     assert seen.text.count(HOSTILE) >= 12
-    assert all(line.isprintable() for line in summary(found, "report.html", validated=False))
+    assert all(line.isprintable() for line in summary(diagnosis, "report.html", validated=False))
 
 
 def test_nothing_found_and_nothing_known(robot: Robot) -> None:
@@ -252,16 +240,3 @@ def test_long_arms_and_logs_stay_small() -> None:
 
 def test_the_same_bytes_again(robot: Robot, text: str) -> None:
     assert page(made(robot), validated=True) == text
-
-
-def test_a_log_has_its_units_once() -> None:
-    """As :func:`robodyn.diagnose.evidence.log_facts` has them: with their units."""
-    t = np.linspace(0, 10, 10001)
-    q = np.sin(t)[:, None]
-    arm = read_text("name: arm\nlinks: [{joint: revolute, mass: 1, com: [0.2, 0, 0]}]\n")
-    gate = inspect(Log(t, q, None, None, q), arm)
-    facts = {"name": "one.csv", "sha256": "ab" * 32, **log_facts(gate)}
-    diagnosis = made(load("puma560_3dof", warn=lambda _: None), logs=(facts,))
-    text = " ".join(Page(page(diagnosis, validated=False)).text.split())
-    assert "10 s, 1000 Hz, 10001 samples" in text
-    assert not re.search(r"\bs s\b|Hz Hz", text)

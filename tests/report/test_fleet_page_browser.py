@@ -189,11 +189,3 @@ def test_without_scripts_everything_is_there(
         assert browser.one("details.more-rows summary").is_displayed()
     finally:
         browser.command("Emulation.setScriptExecutionDisabled", value=False)
-
-
-def test_it_prints(browser: Browser, files: dict[str, Path]) -> None:
-    browser.open(files[BIG], width=760, media="print", scheme="dark")
-    assert browser.run("return document.documentElement.scrollWidth") <= 760
-    assert browser.run("return getComputedStyle(document.body).backgroundColor") == "rgb(255, 255, 255)"
-    assert not browser.one("#tools").is_displayed()
-    browser.screenshot("fleet-print")

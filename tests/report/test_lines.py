@@ -102,7 +102,9 @@ def diagnoses() -> Iterator[tuple[str, Diagnosis]]:
 def diagnosis_lines(diagnosis: Diagnosis, *, validated: bool) -> Iterator[str]:
     yield headline(diagnosis, validated=validated)
     yield from in_a_line(diagnosis, validated=validated)
-    yield from diagnosis_summary.summary(diagnosis, "r.html", validated=validated)
+    lines = diagnosis_summary.summary(diagnosis, "r.html", validated=validated)
+    assert len(lines) <= diagnosis_summary.LINES
+    yield from lines
     places = localised(diagnosis)
     for question, answer, remark in diagnosis_summary.tiles(diagnosis, validated, places):
         yield f"{question}: {answer}: {remark}"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from typing import Final
 
 import pytest
@@ -11,6 +12,7 @@ from report import test_diagnosis_page_browser as diagnoses
 from report import test_fleet_page_browser as fleets
 from robodyn_testing import require_module
 from robodyn_testing.browser import PHONE, SCHEMES, Browser
+from robodyn_testing.cases import representative
 
 pytestmark = pytest.mark.thorough
 
@@ -62,8 +64,14 @@ def test_it_asks_for_nothing_and_nothing_goes_wrong(browser: Browser, files: arm
         browser.driver.switch_to.alert.dismiss()
 
 
-@pytest.mark.parametrize("width", [1280, 700, PHONE, 320])
-@pytest.mark.parametrize("name", PAGES)
+@pytest.mark.parametrize(
+    ("name", "width"),
+    representative(
+        itertools.product(PAGES, (1280, 700, PHONE, 320)),
+        *((name, width) for name, width in zip(PAGES, itertools.cycle((PHONE, 320, 700)), strict=False)),
+        rest="slow",
+    ),
+)
 def test_nothing_is_wider_than_the_window(browser: Browser, files: arms.Pages, name: str, width: int) -> None:
     browser.open(files[name], width=width)
     if kind_of(name) != "fleet":
@@ -72,9 +80,14 @@ def test_nothing_is_wider_than_the_window(browser: Browser, files: arms.Pages, n
     assert browser.run(OUTSIDE, APART[kind_of(name)]) == []
 
 
-@pytest.mark.parametrize("scheme", SCHEMES)
-@pytest.mark.parametrize("width", [1280, PHONE])
-@pytest.mark.parametrize("name", PAGES)
+@pytest.mark.parametrize(
+    ("name", "width", "scheme"),
+    representative(
+        itertools.product(PAGES, (1280, PHONE), SCHEMES),
+        *((name, PHONE if k % 2 else 1280, SCHEMES[k // 2 % 2]) for k, name in enumerate(PAGES)),
+        rest="slow",
+    ),
+)
 def test_it_is_accessible(browser: Browser, files: arms.Pages, name: str, width: int, scheme: str) -> None:
     browser.open(files[name], width=width, scheme=scheme)
     browser.screenshot(f"{files[name].stem}-{width}-{scheme}")
@@ -82,3 +95,14 @@ def test_it_is_accessible(browser: Browser, files: arms.Pages, name: str, width:
     if kind_of(name) != "fleet":
         browser.unfold()
         assert browser.violations() == []
+
+
+@pytest.mark.parametrize("name", ["diagnosis missing_effect", "fleet fewer", "panda"])
+def test_on_paper_it_is_light_and_no_wider_than_the_sheet(
+    browser: Browser, files: arms.Pages, name: str
+) -> None:
+    browser.open(files[name], width=760, media="print", scheme="dark")
+    assert browser.run("return document.documentElement.scrollWidth") <= 760
+    assert browser.run("return getComputedStyle(document.body).backgroundColor") == "rgb(255, 255, 255)"
+    for controls in browser.all("nav, #tools, [data-play]"):
+        assert not controls.is_displayed()
