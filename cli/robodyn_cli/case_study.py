@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import sys
-
 import click
 
 from robodyn.outputs import write_files
@@ -39,8 +37,6 @@ def command(output: str | None, profile: str, end: float, payload: float, span: 
     from robodyn.thesis.case_study import Assumptions, case_study
     from robodyn.thesis.case_text import to_csv, to_dict, to_text
 
-    if sys.stderr is not None and sys.stderr.isatty():
-        talk("robodyn: compiling and simulating")
     assumed = Assumptions(profile, end, span, payload, arm)  # type: ignore[arg-type]  # checked by case_study
     study = case_study(assumed)
     show(lambda: to_dict(study), lambda: to_text(study).splitlines())

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable
 from pathlib import Path
 
 import click
@@ -75,10 +73,3 @@ def _picture_file(text: str, ids: tuple[str, ...]) -> Path:
     if not text.endswith(".svg") or text == ".svg":
         raise InputError("pictures are written as SVG", found=repr(text), expected="a name that ends in .svg")
     return Path(text)
-
-
-def _progress(table: str) -> Callable[[str], None]:
-    """Progress messages on a terminal; nothing in a pipe."""
-    if sys.stderr is None or not sys.stderr.isatty():
-        return lambda _: None
-    return lambda what: talk(f"robodyn: {table}: {what}")
