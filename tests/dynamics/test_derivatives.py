@@ -10,27 +10,15 @@ from robodyn import Options, load, program
 from robodyn.counts import count
 from robodyn.ir import Input, Program
 from robodyn.ir.evaluate import evaluate
-from robodyn.kernels.generate import NoForwardDynamics, generate
-from robodyn.robot import Robot, bundled_names
+from robodyn.kernels.generate import generate
+from robodyn.robot import Robot
 from robodyn_testing import require_module, sampled
 from robodyn_testing.random_robots import random_robot, random_states
 
 FUNCTIONS = ("inverse_dynamics_derivatives", "forward_dynamics_derivatives", "coriolis_matrix")
 FAST = Options(optimize="fast")
-BUNDLED = sampled([load(name, warn=lambda _: None) for name in bundled_names()], every=5)
 #: Some of them thorough.
 SEEDS = sampled(range(200), every=50)
-
-
-@pytest.mark.parametrize("function", FUNCTIONS)
-@pytest.mark.parametrize("robot", BUNDLED, ids=lambda robot: robot.name)
-def test_every_bundled_robot_has_them(robot: Robot, function: str) -> None:
-    """No program leaves that is not equal to the plain recursion, differentiated by dual numbers."""
-    if function == "forward_dynamics_derivatives" and robot.name in ("tx40", "puma560_3dof_d13"):
-        with pytest.raises(NoForwardDynamics, match=f"{robot.name} has no forward dynamics derivatives"):
-            program(robot, function, FAST)
-    else:
-        assert program(robot, function, FAST).results()
 
 
 @pytest.mark.parametrize("seed", SEEDS)

@@ -198,9 +198,3 @@ def test_given_sines_are_of_other_functions() -> None:
     options = Options(trig="given", functions=("nearest_inverse_kinematics",))
     with pytest.raises(InputError, match=r"given sines and cosines .* only of straight-line code"):
         generate(arm(5), options)
-
-
-@pytest.mark.slow
-def test_among_all_functions_it_is_left_out_where_sines_are_given() -> None:
-    generated = generate(arm(5), Options(trig="given", functions=("all",)))
-    assert "repeats a step" in generated.left_out["nearest_inverse_kinematics"]

@@ -11,8 +11,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from dynamics.direct import NO_SHRINKING, Recorder, State, exact_arm
-from ir.programs import Point, every_value, exactly
-from robodyn import Options, load, program
+from ir.programs import Point, every_value
+from robodyn import load, program
 from robodyn.dynamics.arm import Symmetric
 from robodyn.dynamics.functions import by_default, function_named
 from robodyn.dynamics.lump import Lump, MomentForm
@@ -38,13 +38,6 @@ CHOICES = {
     "base": Choice(chains=False),
     "base-chains": Choice(),
 }
-WAYS = [
-    Options(formulation="newton_euler", optimize="none"),
-    Options(formulation="newton_euler"),
-    Options(optimize="none"),
-    Options(regroup=False),
-    Options(),
-]
 
 
 def ids(robot: Robot) -> str:
@@ -150,14 +143,6 @@ def test_parallel_axes_need_one_offset() -> None:
 
 def bundled(name: str) -> Robot:
     return load(name, warn=lambda _: None)
-
-
-@pytest.mark.parametrize("robot", ARMS, ids=ids)
-def test_programs_give_what_the_recursion_gives(robot: Robot) -> None:
-    state = State(robot, Point(1))
-    expected = newton_euler(state.arm, state.motion())
-    for options in WAYS:
-        assert exactly(program(robot, "inverse_dynamics", options), state.at)["tau"] == expected, options
 
 
 @pytest.mark.parametrize("function", SAMPLED)

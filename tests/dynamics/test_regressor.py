@@ -96,16 +96,6 @@ def test_known_sets() -> None:
     assert names == ["Kxx1 + Kyy1 + 0.25 m2", "mx2", "my2", "Kxx2 + Kyy2"]
 
 
-def test_python_has_names_and_values() -> None:
-    columns, values = robodyn.base_parameters("tx40")
-    assert values.shape == (len(columns),)
-    robot = robot_named("tx40")
-    q, qd, qdd = random_states(robot, 4, 1)
-    Y = by_program(robot, "regressor", q=q, qd=qd, qdd=qdd).reshape(4, robot.n, -1)
-    tau = by_program(robot, "inverse_dynamics", q=q, qd=qd, qdd=qdd)
-    np.testing.assert_allclose(Y @ values, tau, rtol=0, atol=1e-11)
-
-
 def test_what_has_none_says_so() -> None:
     text = "name: {0}\nlinks:\n  - {{joint: revolute, mass: 2, com: [0.1, 0, 0], a: {1}{2}}}\n"
     named = read_text(text.format("named", "length", ""))

@@ -32,22 +32,6 @@ def test_primes_are_primes_and_each_seed_has_its_own() -> None:
     assert fixed == [0, 1, 119]
 
 
-def test_primes_of_another_length_are_drawn_as_well() -> None:
-    for seed in range(3):
-        p = Field(f"{seed}", bits=240).prime
-        assert sympy.isprime(p)
-        assert (p.bit_length(), p % 4) == (240, 3)
-    lengths: list[int] = []
-
-    def decide(field: Field) -> None:
-        lengths.append(field.prime.bit_length())
-        raise Vanishes
-
-    with pytest.raises(Vanishes):
-        in_drawn_field(decide, b"seed", bits=240)
-    assert lengths == [240] * len(lengths)
-
-
 def test_the_test_of_primes_refuses_composites() -> None:
     """Carmichael numbers, squares, products of two primes that are close; all 3 modulo 4 or made so."""
     p = FIELD.prime

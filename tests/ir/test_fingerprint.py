@@ -162,13 +162,6 @@ def test_a_choice_is_looked_at_on_both_sides() -> None:
         assert (a == b) == same
 
 
-def test_a_parameter_is_not_the_joint_variable_that_is_called_like_it() -> None:
-    by_parameter, by_joint = (
-        Program((Operation("neg", (x,)),), (("t", (0,)),)) for x in (Input("q1", None), Q1)
-    )
-    assert fingerprint(by_parameter, 1, circle_point) != fingerprint(by_joint, 1, circle_point)
-
-
 def test_division_by_what_is_zero_as_a_function() -> None:
     graph = Graph(fold=False)
     q = graph.input("q", 0)

@@ -223,23 +223,6 @@ def test_identities_fold() -> None:
         assert isinstance(found, Node) is isinstance(expected, Node)
 
 
-@pytest.mark.parametrize("argument", ["q + q", "2 (q + q)", "-q - q", "3 q - q"])
-def test_a_multiple_of_an_angle_is_an_angle(argument: str) -> None:
-    """``q + q`` folds to ``2 q``: its sine must still be one that can be evaluated and checked."""
-    graph = Graph()
-    q = graph.input("q", 0)
-    angle: Any = {"q + q": q + q, "2 (q + q)": (q + q) + (q + q), "-q - q": -q - q, "3 q - q": q + q + q - q}[
-        argument
-    ]
-    multiple = {"q + q": 2, "2 (q + q)": 4, "-q - q": -2, "3 q - q": 2}[argument]
-    cosine, sine = Point(3).circle(Input("q", 0))
-    c, s = Fraction(1), Fraction(0)
-    for _ in range(abs(multiple)):
-        c, s = c * cosine - s * sine, s * cosine + c * sine
-    program = lower(graph, [("t", [graph.cos(angle), graph.sin(angle)])])
-    assert results(program, Point(3)) == [c, s if multiple > 0 else -s]
-
-
 # --- labels, order, what is needed ------------------------------------------------------------------------
 
 
@@ -258,16 +241,6 @@ def test_the_first_label_stays_and_leaves_have_none() -> None:
 
 
 # --- angles of points, choices ----------------------------------------------------------------------------
-
-
-def test_the_angle_of_a_point_is_odd_in_its_second_coordinate() -> None:
-    graph = Graph()
-    x, y = graph.input("x"), graph.input("y")
-    assert graph.atan2(-y, x) == -graph.atan2(y, x)
-    assert graph.atan2(y, -x) not in (graph.atan2(y, x), -graph.atan2(y, x))
-    assert graph.atan2(Fraction(0), Fraction(3)) == 0 == graph.atan2(0, 0)
-    (operation,) = lower(graph, [("t", [graph.atan2(Fraction(0), Fraction(-3))])]).operations
-    assert (operation.op, operation.args) == ("atan2", (0, -3))  # pi
 
 
 def test_choices_that_are_none() -> None:

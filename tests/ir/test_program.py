@@ -119,51 +119,32 @@ def test_the_argument_of_a_sine_must_be_an_angle() -> None:
 # --- sines of sums ----------------------------------------------------------------------------------------
 
 
-Build = Callable[[Graph, Any, Any], list[Any]]
-
-
-def trigonometric(build: Build) -> Program:
-    graph = Graph(fold=False)
-    return lower(graph, [("t", build(graph, graph.input("q", 0), graph.input("q", 1)))])
-
-
-THEOREMS: dict[str, tuple[Build, Build]] = {
-    "sum": (
-        lambda g, a, b: [g.sin(a + b), g.cos(a + b)],
-        lambda g, a, b: [
-            g.sin(a) * g.cos(b) + g.cos(a) * g.sin(b),
-            g.cos(a) * g.cos(b) - g.sin(a) * g.sin(b),
-        ],
-    ),
-    "difference": (
-        lambda g, a, b: [g.sin(a - b), g.cos(b - a)],
-        lambda g, a, b: [
-            g.sin(a) * g.cos(b) - g.cos(a) * g.sin(b),
-            g.cos(a) * g.cos(b) + g.sin(a) * g.sin(b),
-        ],
-    ),
-    "double angle": (
-        lambda g, a, b: [g.sin(a + a), g.cos(a + a)],
-        lambda g, a, b: [2 * (g.sin(a) * g.cos(a)), 1 - 2 * (g.sin(a) * g.sin(a))],
-    ),
-    "constant": (
-        lambda g, a, b: [g.sin(a + Fraction(1, 3)), g.cos(Fraction(1, 3) - a)],
-        lambda g, a, b: [
-            g.sin(a) * circle_point(Fraction(1, 3))[0] + g.cos(a) * circle_point(Fraction(1, 3))[1],
-            g.cos(a) * circle_point(Fraction(1, 3))[0] + g.sin(a) * circle_point(Fraction(1, 3))[1],
-        ],
-    ),
-    "circle": (lambda g, a, b: [g.sin(a) * g.sin(a) + g.cos(a) * g.cos(a)], lambda g, a, b: [Fraction(1)]),
-    "parity": (lambda g, a, b: [g.sin(b - a), g.cos(b - a)], lambda g, a, b: [-g.sin(a - b), g.cos(a - b)]),
-}  # fmt: skip
+THIRD = circle_point(Fraction(1, 3))
+#: Of the angles a and b: what is, and is not, equal.
+THEOREMS: dict[str, Callable[[Graph, Any, Any], tuple[Any, Any]]] = {
+    "sine of a sum": lambda g, a, b: (g.sin(a + b), g.sin(a) * g.cos(b) + g.cos(a) * g.sin(b)),
+    "cosine of a sum": lambda g, a, b: (g.cos(a + b), g.cos(a) * g.cos(b) - g.sin(a) * g.sin(b)),
+    "difference": lambda g, a, b: (g.cos(b - a), g.cos(a) * g.cos(b) + g.sin(a) * g.sin(b)),
+    "double angle": lambda g, a, b: (g.cos(a + a), 1 - 2 * (g.sin(a) * g.sin(a))),
+    "constant": lambda g, a, b: (g.sin(a + Fraction(1, 3)), g.sin(a) * THIRD[0] + g.cos(a) * THIRD[1]),
+    "circle": lambda g, a, b: (g.sin(a) * g.sin(a) + g.cos(a) * g.cos(a), Fraction(1)),
+    "not of a sum": lambda g, a, b: (g.sin(a + b), g.sin(a) + g.sin(b)),
+    "not even": lambda g, a, b: (g.sin(a + b), g.sin(a - b)),
+    "not of another angle": lambda g, a, b: (g.cos(a), g.cos(b)),
+    "not of another function": lambda g, a, b: (g.cos(a), g.sin(a)),
+}
 
 
 @pytest.mark.parametrize("theorem", THEOREMS)
 def test_addition_theorems(theorem: str) -> None:
-    left, right = (trigonometric(side) for side in THEOREMS[theorem])
+    graph = Graph(fold=False)
+    sides = THEOREMS[theorem](graph, graph.input("q", 0), graph.input("q", 1))
+    left, right = (lower(graph, [("t", [side])]) for side in sides)
     for seed in range(5):
-        assert results(left, Point(seed)) == results(right, Point(seed))
-        assert fingerprint(left, seed, circle_point) == fingerprint(right, seed, circle_point)
+        holds = not theorem.startswith("not")
+        assert (results(left, Point(seed)) == results(right, Point(seed))) is holds
+        prints = [fingerprint(side, seed, circle_point) for side in (left, right)]
+        assert (prints[0] == prints[1]) is holds
 
 
 def test_a_constant_angle_has_its_own_point() -> None:

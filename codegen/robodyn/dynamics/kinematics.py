@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, Motion
-from robodyn.dynamics.vectors import BASE, ZERO, Frame, Vector, cross, plus, scaled
+from robodyn.dynamics.vectors import BASE, ZERO, Frame, Vector, cross, minus, plus, scaled
 from robodyn.effects.scalars import is_zero
 
 #: Rows of scalars.
@@ -25,11 +25,11 @@ def frames(arm: Arm, motion: Motion, base: Frame = BASE) -> list[Frame]:
     for body, c, s, d in zip(arm.bodies, motion.c, motion.s, motion.d, strict=True):
         x = last.x
         y = plus(scaled(body.cos_alpha, last.y), scaled(body.sin_alpha, last.z))
-        z = _minus(scaled(body.cos_alpha, last.z), scaled(body.sin_alpha, last.y))
+        z = minus(scaled(body.cos_alpha, last.z), scaled(body.sin_alpha, last.y))
         origin = plus(last.origin, scaled(body.a, x), scaled(d, z))
         if not is_zero(body.b):
             origin = plus(origin, scaled(body.b, y))
-        last = Frame(origin, plus(scaled(c, x), scaled(s, y)), _minus(scaled(c, y), scaled(s, x)), z)
+        last = Frame(origin, plus(scaled(c, x), scaled(s, y)), minus(scaled(c, y), scaled(s, x)), z)
         poses.append(last)
     return poses
 
@@ -45,7 +45,7 @@ def jacobian(arm: Arm, placed: Sequence[Frame], point: Vector = ZERO, link: int 
     linear: list[Vector] = []
     angular: list[Vector] = []
     for body, frame in zip(arm.bodies[:last], placed, strict=False):
-        linear.append(cross(frame.z, _minus(tip, frame.origin)) if body.revolute else frame.z)
+        linear.append(cross(frame.z, minus(tip, frame.origin)) if body.revolute else frame.z)
         angular.append(frame.z if body.revolute else ZERO)
     return _matrix(linear, angular, len(placed))
 
@@ -61,7 +61,7 @@ def jacobian_rate(
     before = BASE
     carriers = []  # angular velocity of the link before joint j, velocity of the origin of frame j
     for body, frame, rate in zip(arm.bodies[:last], placed, qd, strict=False):
-        v = plus(v, cross(w, _minus(frame.origin, before.origin)))
+        v = plus(v, cross(w, minus(frame.origin, before.origin)))
         around = w
         if body.revolute:
             w = plus(w, scaled(rate, frame.z))
@@ -69,13 +69,13 @@ def jacobian_rate(
             v = plus(v, scaled(rate, frame.z))
         carriers.append((around, v))
         before = frame
-    tip_velocity = plus(v, cross(w, _minus(tip, before.origin)))
+    tip_velocity = plus(v, cross(w, minus(tip, before.origin)))
     linear: list[Vector] = []
     angular: list[Vector] = []
     for body, frame, (around, velocity) in zip(arm.bodies[:last], placed, carriers, strict=False):
         axis_rate = cross(around, frame.z)
         if body.revolute:
-            lever, lever_rate = _minus(tip, frame.origin), _minus(tip_velocity, velocity)
+            lever, lever_rate = minus(tip, frame.origin), minus(tip_velocity, velocity)
             linear.append(plus(cross(axis_rate, lever), cross(frame.z, lever_rate)))
             angular.append(axis_rate)
         else:
@@ -88,7 +88,3 @@ def _matrix(linear: Sequence[Vector], angular: Sequence[Vector], n: int) -> Matr
     """Columns as rows [6, n]; joints beyond the link do not move it."""
     still = [0] * (n - len(linear))
     return [[u[axis] for u in half] + still for half in (linear, angular) for axis in range(3)]
-
-
-def _minus(u: Vector, v: Vector) -> Vector:
-    return u[0] - v[0], u[1] - v[1], u[2] - v[2]
