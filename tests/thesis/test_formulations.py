@@ -12,20 +12,16 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
-from dynamics.direct import NO_SHRINKING, Recorder, State, exact_arm, values_of, with_named_numbers
+from dynamics.direct import Recorder, State, exact_arm, values_of, with_named_numbers
 from ir.programs import Point, every_value, exactly
-from robodyn import Options, program
-from robodyn.counts import count
+from robodyn import program
 from robodyn.dynamics import transforms
 from robodyn.dynamics.arm import Arm, Motion, build_arm, build_motion
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.dynamics.regroup import lumps_of
 from robodyn.dynamics.vectors import Mark, plus, scaled, unmarked
-from robodyn.ir import Graph, Input, Program
-from robodyn.ir.evaluate import evaluate_exact
+from robodyn.ir import Graph, Program
 from robodyn.ir.fingerprint import fingerprint
 from robodyn.ir.lowering import lower
 from robodyn.optimize.programs import exact, turned
@@ -45,7 +41,6 @@ from robodyn.thesis.formulations import (
 from robodyn.thesis.logarithmic import doubling, logarithmic, tree
 from robodyn.thesis.printed import bundled
 from robodyn.verify import Reference
-from robodyn.verify.exact import exact_torque
 from robodyn_testing import representative
 from robodyn_testing.random_robots import random_states
 
@@ -57,7 +52,7 @@ FORMULATIONS: dict[str, Formulation] = {
     module.__name__.rpartition(".")[2]: getattr(module, module.__name__.rpartition(".")[2])
     for module in MODULES
 }
-ARMS = [exact_arm(seed, joints=1 + seed % 5, generic_angles=0.6, prismatic=0.35) for seed in range(100, 120)]
+ARMS = [exact_arm(seed, joints=1 + seed % 5, generic_angles=0.6, prismatic=0.35) for seed in range(100, 130)]
 
 each = pytest.mark.parametrize("name", FORMULATIONS)
 
@@ -89,15 +84,6 @@ def test_torques_are_newton_eulers_fractions(name: str) -> None:
         state = State(robot, Point(3))
         motion = state.motion()
         assert FORMULATIONS[name](state.arm, motion, unmarked) == newton_euler(state.arm, motion), robot.name
-
-
-@pytest.mark.parametrize("name", ["newton_euler_base", "orin", "kane", "balafoutis"])
-@settings(deadline=None, max_examples=15, phases=NO_SHRINKING)
-@given(st.integers(0, 10**6), st.integers(1, 6), st.integers(0, 10**6))
-def test_torques_are_newton_eulers_fractions_on_any_arm(name: str, seed: int, n: int, point: int) -> None:
-    state = State(exact_arm(seed, joints=n, generic_angles=0.4, prismatic=0.35), Point(point))
-    motion = state.motion()
-    assert FORMULATIONS[name](state.arm, motion, unmarked) == newton_euler(state.arm, motion)
 
 
 @each
@@ -181,29 +167,6 @@ def test_torques_over_sympy(name: str) -> None:
     torques = FORMULATIONS[name](arm, Motion(**fields), unmarked)
     found = [sympy.sympify(torque).subs(values) for torque in torques]
     assert [Fraction(int(x.p), int(x.q)) for x in found] == newton_euler(state.arm, numbers)
-
-
-@pytest.mark.parametrize("name", ["newton_euler_base", "orin"])
-def test_torques_are_those_of_virtual_work(name: str) -> None:
-    """The oracle shares no equation with the recursions."""
-    robot = ARMS[3]
-    state = State(robot, Point(2))
-    q = [Fraction(k, 7) for k in range(1, robot.n + 1)]
-    numbers = state.numbers() | {Input("q", i): x for i, x in enumerate(q)}
-    points = {Input("q", i): circle_point(x) for i, x in enumerate(q)}
-    made = program(robot, "inverse_dynamics", Options(formulation=name))
-    found = evaluate_exact(made, numbers, points, circle_point)["tau"]
-    expected = exact_torque(robot, q, state.given["qd"], state.given["qdd"])
-    largest = max(map(abs, expected))
-    assert all(abs(x - y) < Fraction(1, 10**24) * largest for x, y in zip(found, expected, strict=True))
-
-
-def test_customised_counts_of_the_bundled_arms_do_not_grow() -> None:
-    names = ("lagrange", "lagrange_4x4", "lagrange_3x3")
-    most = {"puma560_3dof": (491, 339, 339), "stanford_3dof": (334, 154, 154)}
-    for robot, limits in most.items():
-        found = [count(run(draft(bundled(robot), name), FRESH)).total for name in names]
-        assert all(x <= limit for x, limit in zip(found, limits, strict=True)), (robot, found)
 
 
 # --- that slips are noticed ---------------------------------------------------------------------------------

@@ -22,16 +22,6 @@ from robodyn.thesis.tables import TABLE_IDS, customised, formulations, make, ope
 from robodyn_testing import representative
 from thesis.recomputed import IDS, Patch, changed, named, table
 
-# Tables 2.5, 2.6 and program D.2, once more, link by link: mass x y z | Ixx Iyy Izz motor | D.2.
-PUMA = (
-    ("0 0 0 0", "- - 0.35 1.14", "- - 1.490"),
-    ("17.40 0.0680 0.0060 -0.0160", "0.130 0.524 0.539 4.71", "0.1351 0.6089 5.3301"),
-    ("4.80 0 -0.0700 0.0140", "0.066 0.0125 0.086 0.83", "0.066 0.0134 0.9395"),
-    ("0.82 0 0 -0.0190", "0.0018 0.0018 0.0013 0.20", "0.0021 0.0021 0.2013"),
-    ("0.34 0 0 0", "0.0030 0.0030 0.0040 0.179", "0.0003 0.0003 0.1794"),
-    ("0.09 0 0 0.032", "0.0015 0.0015 0.0004 0.193", "0.0002422 0.0002422 0.1930"),
-)
-
 # --- all of them ------------------------------------------------------------------------------------------
 
 
@@ -140,27 +130,21 @@ def test_table_2_4_follows_the_steps(monkeypatch: Patch) -> None:
     assert found.row("step 3, revolute").verdict == "reproduced"
 
 
-def numbers(text: str) -> list[float]:
-    return [float(x) for x in text.split() if x != "-"]
-
-
 def test_table_2_6_by_hand() -> None:
     found = table("2.6")
-    transcribed: dict[str, float] = {}
-    for link, (body, moments, tensor) in enumerate(PUMA, 1):
-        names = [f"link {link}, {name}" for name in ("Ixx", "Iyy", "Izz", "rotor")]
-        transcribed |= {name: float(x) for name, x in zip(names, moments.split(), strict=True) if x != "-"}
-        if link == 1:
-            continue
-        m, x, y, z = numbers(body)
-        squares, rotors = (y * y + z * z, x * x + z * z, x * x + y * y), (0.0, 0.0, numbers(moments)[3])
-        for name, whole, square, rotor in zip(names, numbers(tensor), squares, rotors, strict=False):
-            row = found.row(name)
-            ours = whole - m * square - rotor
-            assert row.ours["value"] == pytest.approx(ours, abs=1e-6)
-            assert (row.verdict == "reproduced") == (abs(ours - row.printed["value"]) < 0.51e-4)
-    rows = {row.name: row.printed["value"] for row in found.rows if "triangle" not in row.name}
-    assert rows == transcribed
+    rows: dict[str, float] = {}
+    for k, (link, tensor) in enumerate(zip(printed.PUMA, printed.D_2, strict=True), 1):
+        names = [f"link {k}, {name}" for name in ("Ixx", "Iyy", "Izz", "rotor")]
+        figures = zip(names, (*link.moments, link.motor), strict=True)
+        rows |= {name: float(x) for name, x in figures if x is not None}
+        m, (x, y, z) = float(link.mass), map(float, link.com)
+        squares, rotors = (y * y + z * z, x * x + z * z, x * x + y * y), (0.0, 0.0, float(link.motor))
+        for name, whole, square, rotor in zip(names, tensor, squares, rotors, strict=False):
+            if whole is not None and k > 1:
+                row, ours = found.row(name), float(whole) - m * square - rotor
+                assert row.ours["value"] == pytest.approx(ours, abs=1e-6)
+                assert (row.verdict == "reproduced") == (abs(ours - row.printed["value"]) < 0.51e-4)
+    assert {row.name: row.printed["value"] for row in found.rows if "triangle" not in row.name} == rows
     assert named(found) == {
         "link 3, Ixx", "link 5, Ixx", "link 5, Iyy", "link 5, Izz", "link 6, Ixx", "link 6, Iyy",
         "link 6, Izz", "link 3, triangle",
