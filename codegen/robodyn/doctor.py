@@ -43,10 +43,7 @@ class ToolState:
             "kind": "library" if isinstance(self.tool, Library) else "program",
             "use": str(self.tool.use),
             "enables": self.tool.enables,
-            "works": self.works,
-            "version": self.version,
-            "where": self.where,
-            "fault": self.fault,
+            **{key: getattr(self, key) for key in ("works", "version", "where", "fault")},
             "install": self.tool.install,
         }
 
@@ -109,36 +106,30 @@ def examine(tools: Iterable[Tool | Library]) -> tuple[ToolState, ...]:
 
 
 def _state(tool: Tool | Library) -> ToolState:
-    return _library(tool) if isinstance(tool, Library) else _program(tool)
-
-
-def _library(library: Library) -> ToolState:
-    if not library.present():
-        return ToolState(library)
+    if isinstance(tool, Tool):
+        return _program(tool)
+    if not tool.present():
+        return ToolState(tool)
     try:
-        version = importlib.metadata.version(library.distribution)
+        return ToolState(tool, tool.module, importlib.metadata.version(tool.distribution))
     except importlib.metadata.PackageNotFoundError:  # a folder on PYTHONPATH
-        version = None
-    return ToolState(library, library.module, version)
+        return ToolState(tool, tool.module)
 
 
 def _program(tool: Tool) -> ToolState:
     command = tool.command()
-    if command is None:
-        return ToolState(tool)
+    if command is None or not tool.version_arguments:
+        return ToolState(tool, None if command is None else command[0])
     where = command[0]
-    if not tool.version_arguments:
-        return ToolState(tool, where)
     try:
         done = run([*command, *tool.version_arguments], seconds=SECONDS)
     except OSError as error:
         return ToolState(tool, where, fault=error.strerror or str(error))
-    if done.code is None:
-        return ToolState(tool, where, fault=f"no answer within {SECONDS:g} s")
     lines = done.output.strip().splitlines()
-    if done.code != 0:
-        return ToolState(tool, where, fault=lines[0].strip() if lines else f"exit status {done.code}")
-    return ToolState(tool, where, next(filter(None, map(version_in, lines)), None))
+    if done.code == 0:
+        return ToolState(tool, where, next(filter(None, map(version_in, lines)), None))
+    fault = lines[0].strip() if lines else f"exit status {done.code}"
+    return ToolState(tool, where, fault=f"no answer within {SECONDS:g} s" if done.code is None else fault)
 
 
 def version_in(line: str) -> str | None:

@@ -124,11 +124,7 @@ def test_doubts_ranges_and_effects(rubbing: Arm) -> None:
 
 @pytest.mark.parametrize(
     "wrong",
-    [
-        "limits: {position: [-180, 180]}",
-        "inertia: {xx: -1, yy: 1, zz: 1}",
-        "inertia: {xx: 1, yy: 1, zz: 3}",
-    ],
+    ["limits: {position: [-180, 180]}", "inertia: {xx: -1, yy: 1, zz: 1}", "inertia: {xx: 1, yy: 1, zz: 3}"],
 )
 def test_what_strict_refuses_is_a_doubt_of_the_page(wrong: str) -> None:
     text = f"name: arm\nlinks: [{{joint: revolute, mass: 1}}, {{joint: revolute, mass: 1, {wrong}}}]"

@@ -15,11 +15,7 @@ from robodyn.draw.scales import DAY
 from robodyn.fleet.result import FleetResult, Look, UnitResult
 from robodyn.report.fleet import page, unit_pages
 from robodyn.report.fleet_charts import SHADES, SHOWN, ordered, script_data, shade_css, type_maps
-from robodyn.report.fleet_text import (
-    most_unusual,
-    summary,
-    unusual_text,
-)
+from robodyn.report.fleet_text import most_unusual, summary, unusual_text
 
 HOSTILE = "</script><script>alert(1)</script>\"><img src=x onerror='alert(2)'>"
 

@@ -182,14 +182,12 @@ class Package:
 
 def _routine(signature: Signature) -> Routine:
     function = function_named(signature.function)
-    return Routine(
-        signature.function if function.emitted else signature.called,
-        signature.symbol,
-        function.purpose,
-        tuple(_argument(name, size, signature) for name, size in signature.inputs),
-        tuple(_argument(name, size, signature) for name, size in signature.outputs),
-        bool(signature.states),
+    inputs, outputs = (
+        tuple(_argument(name, size, signature) for name, size in arrays)
+        for arrays in (signature.inputs, signature.outputs)
     )
+    name = signature.function if function.emitted else signature.called
+    return Routine(name, signature.symbol, function.purpose, inputs, outputs, bool(signature.states))
 
 
 def _argument(name: str, size: int, signature: Signature) -> Argument:
@@ -232,11 +230,8 @@ def read_maintainer(text: str) -> Maintainer:
     """
     match = re.fullmatch(r"\s*([^<>]*?)\s*<([^<>]*)>\s*", text)
     if match is None:
-        raise InputError(
-            "this is no maintainer of a package",
-            found=repr(text[:_LONGEST]),
-            expected=f"a name and an address, such as {_EXAMPLE!r}",
-        )
+        expected = f"a name and an address, such as {_EXAMPLE!r}"
+        raise InputError("this is no maintainer of a package", found=repr(text[:_LONGEST]), expected=expected)
     name, email = " ".join(match[1].split()), match[2]
     other = sorted({c for c in name if c not in _IN_NAMES and unicodedata.category(c)[0] not in "LMN"})
     if other or not re.search(r"[^\W\d_]", name) or len(name) > _LONGEST:
@@ -246,9 +241,8 @@ def read_maintainer(text: str) -> Maintainer:
             expected=f"letters, digits, spaces and any of {_IN_NAMES.strip()}, such as {_EXAMPLE!r}",
         )
     if not _EMAIL.fullmatch(email) or len(email) > _LONGEST:
+        expected = f"one such as in {_EXAMPLE!r}"
         raise InputError(
-            "this is no address of a maintainer",
-            found=repr(email[:_LONGEST]),
-            expected=f"one such as in {_EXAMPLE!r}",
+            "this is no address of a maintainer", found=repr(email[:_LONGEST]), expected=expected
         )
     return Maintainer(name, email)

@@ -7,22 +7,11 @@ from typing import Any, Final
 
 from robodyn.diagnose.result import Diagnosis, Series, Window
 from robodyn.draw.markup import markup_template
+from robodyn.report import diagnosis_residual as residual
 from robodyn.report import diagnosis_text as words
 from robodyn.report.diagnosis_findings import MOST_CARDS, across, cards, looks, next_of, part
 from robodyn.report.diagnosis_headline import in_a_line
 from robodyn.report.diagnosis_joints import by_joint, change, ladder, table_of_kinds
-from robodyn.report.diagnosis_residual import (
-    COLUMNS,
-    DOTS,
-    QUANTITIES,
-    Travel,
-    localised,
-    over,
-    over_time,
-    range_text,
-    torques,
-    travelled,
-)
 from robodyn.report.diagnosis_summary import advice, main_joint, tiles
 from robodyn.report.figures import formatted
 from robodyn.version import VERSION
@@ -47,8 +36,8 @@ def page(diagnosis: Diagnosis, *, validated: bool) -> str:
 
     Text of files and of the diagnosis is escaped; nothing in it depends on the time or the place.
     """
-    places = localised(diagnosis)
-    travels = travelled(diagnosis.robot, diagnosis.series[0]) if diagnosis.series else []
+    places = residual.localised(diagnosis)
+    travels = residual.travelled(diagnosis.robot, diagnosis.series[0]) if diagnosis.series else []
     windows = _windows(diagnosis)
     trained = [window for window in windows if window.name == "train"]
     finding_cards = cards(diagnosis, places, trained)
@@ -78,7 +67,7 @@ def page(diagnosis: Diagnosis, *, validated: bool) -> str:
         floor=diagnosis.gap.noise_floor,
         unit=words.units_of(diagnosis),
         places=places if any(place.shown for place in places) else [],
-        quantities=QUANTITIES,
+        quantities=residual.QUANTITIES,
         logs_drawn=_drawn(diagnosis, drawn, windows),
         tried=diagnosis.tried[:_TRIED],
         diff=_diff(diagnosis.diff),
@@ -123,33 +112,31 @@ def _torques(diagnosis: Diagnosis, series: Series, windows: Sequence[Window]) ->
     """Torques as logged and of the models, of the log that proves most."""
     joints = _shown_joints(diagnosis)
     own = [window for window in windows if window.name == series.name]
-    columns = max(60, min(COLUMNS, _COLUMNS // len(joints)))
-    panels = [
-        torques(series, j, words.units_at(diagnosis, j)["torque"], own, columns=columns) for j in joints
-    ]
-    log = _LOGS.get(series.name, _LOGS["train"]).lower()
-    return {"log": log, "panels": [(j + 1, panel) for j, panel in zip(joints, panels, strict=True)]}
+    columns = max(60, min(residual.COLUMNS, _COLUMNS // len(joints)))
+    units = {j: words.units_at(diagnosis, j)["torque"] for j in joints}
+    panels = [(j + 1, residual.torques(series, j, unit, own, columns=columns)) for j, unit in units.items()]
+    return {"log": _LOGS.get(series.name, _LOGS["train"]).lower(), "panels": panels}
 
 
 def _drawn(diagnosis: Diagnosis, drawn: Sequence[Series], windows: Sequence[Window]) -> list[dict[str, Any]]:
     """The logs as charts, the one that was not fitted first."""
     joints = _shown_joints(diagnosis)
     panels = max(1, 2 * len(joints) * len(drawn))
-    dots = max(30, min(DOTS, _DOTS // (panels * len(_OVER))))
-    columns = max(60, min(COLUMNS, _COLUMNS // panels))
+    dots = max(30, min(residual.DOTS, _DOTS // (panels * len(_OVER))))
+    columns = max(60, min(residual.COLUMNS, _COLUMNS // panels))
     logs = []
     for series in drawn:
         own = [window for window in windows if window.name == series.name]
         rows = []
         for j in joints:
             units, floor = words.units_at(diagnosis, j), float(diagnosis.gap.noise_floor[j])
-            abscissas = [across(series, j, name, units) for name in _OVER]
+            unit, abscissas = units["torque"], [across(series, j, name, units) for name in _OVER]
             rows.append(
                 {
                     "joint": j + 1,
-                    "told": range_text(series, j, units["torque"]),
-                    "time": over_time(series, j, units["torque"], floor, own, columns=columns),
-                    "over": [over(series, j, x, units["torque"], floor, dots=dots) for x in abscissas],
+                    "told": residual.range_text(series, j, unit),
+                    "time": residual.over_time(series, j, unit, floor, own, columns=columns),
+                    "over": [residual.over(series, j, x, unit, floor, dots=dots) for x in abscissas],
                 }
             )
         logs.append(
@@ -175,7 +162,7 @@ def _diff(text: str) -> list[tuple[str, str]]:
     return shown
 
 
-def _travel(diagnosis: Diagnosis, travel: Travel) -> dict[str, Any]:
+def _travel(diagnosis: Diagnosis, travel: residual.Travel) -> dict[str, Any]:
     units = words.units_at(diagnosis, travel.joint - 1)
     low, high = travel.limits or (travel.low, travel.high)
     low, high = min(low, travel.low), max(high, travel.high)

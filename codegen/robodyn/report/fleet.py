@@ -94,7 +94,7 @@ def _looks(result: FleetResult) -> list[dict[str, Any]]:
         name = claim.feature if claim else strangest
         looks.append(
             {
-                "unit": unit.unit, "type": unit.type, "page": charts.page_of(unit),
+                "unit": unit.unit, "type": unit.type, "page": words.page_of(unit),
                 "diagnosis": address(unit.diagnosis) if unit.diagnosis else None,
                 "why": capital(look.why), "record": capital(look.record),
                 "logs": several(unit.logs, "log"),
@@ -134,7 +134,7 @@ def _timeline(result: FleetResult) -> dict[str, Any]:
                 **_claim_words(claim),
                 "unit": unit.unit,
                 "type": unit.type,
-                "page": charts.page_of(unit),
+                "page": words.page_of(unit),
                 "first": percent(at(unit.first)),
                 "days": percent(at(unit.last) - at(unit.first)),
                 "low": percent(at(low)),

@@ -9,16 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.draw.scales import DAY
-from robodyn.fleet.result import (
-    Claim,
-    Feature,
-    FleetResult,
-    Reading,
-    TypeResult,
-    UnitResult,
-    address,
-    unit_folder,
-)
+from robodyn.fleet.result import Claim, Feature, FleetResult, Reading, TypeResult, UnitResult
 from robodyn.report import fleet_text as words
 from robodyn.report.chart_frames import Chart, Frame, Mark, Shade, percent, span
 from robodyn.report.figures import capital
@@ -169,7 +160,7 @@ def _row(unit: UnitResult, index: int, kind: TypeResult, places: Sequence[int | 
         css = " ".join([*shade_css(value).split(), *(["named"] if place in named else [])])
         cells.append({"text": words.unusual_text(value), "css": css})
     text = capital("; ".join(words.brief(claim) for claim in unit.claims))
-    return {"unit": unit.unit, "page": page_of(unit), "index": index, "cells": cells, "named": text}
+    return {"unit": unit.unit, "page": words.page_of(unit), "index": index, "cells": cells, "named": text}
 
 
 def script_data(result: FleetResult) -> dict[str, Any]:
@@ -214,11 +205,6 @@ def shade_css(value: float | None) -> str:
     """The name of the looks of a cell; empty for what is usual."""
     steps = sum(abs(value) >= bound for bound in SHADES) if words.is_known(value) else 0
     return f"{'p' if value and value > 0 else 'm'}{steps}" if steps else ""
-
-
-def page_of(unit: UnitResult) -> str:
-    """The address of the page of a unit."""
-    return address(f"{unit_folder(unit.type, unit.unit)}/index.html")
 
 
 def _places(kind: TypeResult) -> tuple[int | None, ...]:

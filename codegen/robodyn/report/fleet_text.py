@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from typing import Final, TypeGuard
 
 from robodyn.draw.scales import DAY, day_text, range_text
-from robodyn.fleet.result import Claim, Feature, FleetResult, UnitResult
+from robodyn.fleet.result import Claim, Feature, FleetResult, UnitResult, address, unit_folder
 from robodyn.report import figures
 from robodyn.report.diagnosis_text import listed, named, place_of
 from robodyn.report.figures import capital, formatted, printable, several
@@ -184,6 +184,11 @@ def counted(names: Sequence[str]) -> str:
     """How often each of ``names`` is there, the most frequent first."""
     counts = sorted(Counter(names).items(), key=lambda item: (-item[1], item[0]))
     return listed([f"{name} ({count})" for name, count in counts])
+
+
+def page_of(unit: UnitResult) -> str:
+    """The address of the page of a unit."""
+    return address(f"{unit_folder(unit.type, unit.unit)}/index.html")
 
 
 #: Columns of a line; units and reasons that have a line; lines of an advice.

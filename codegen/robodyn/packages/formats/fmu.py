@@ -15,16 +15,7 @@ from typing import TYPE_CHECKING, Any, Final
 from robodyn.emit.languages.c import LANGUAGE as C
 from robodyn.emit.markdown import Markdown
 from robodyn.errors import InputError
-from robodyn.packages.fmi import (
-    KNOWN,
-    Result,
-    arrays_of,
-    describe,
-    platform_name,
-    results_of,
-    results_tangent,
-    size_of,
-)
+from robodyn.packages import fmi
 from robodyn.packages.format import Files, Format, Package
 from robodyn.packages.writing import arithmetic_flags, readme, rendered, zipped
 from robodyn.resources import data_dir
@@ -57,25 +48,25 @@ def _files(package: Package) -> Files:
             found=f"--scalar {package.scalar}",
             expected="double",
         )
-    results = results_of(package)
+    results = fmi.results_of(package)
     system = system_of(package.robot, package.generated.options)
     flags = ("-std=c99", "-O2", *arithmetic_flags(package))
     texts = _texts(package, system, results, flags)
     sources = {
         path.removeprefix("sources/"): text for path, text in texts.items() if path.endswith((".c", ".h"))
     }
-    machine = platform_name()
+    machine = fmi.platform_name()
     library = f"{package.name}{library_suffix()}"
     binary = shared_library(sources, library, flags=(*flags, "-fvisibility=hidden"))
     archive: Files = {**texts, f"binaries/{machine}/{library}": binary}
     notes = readme(
-        package, machine=Markdown(machine), elastic=bool(system.coupled), outputs=arrays_of(results)
+        package, machine=Markdown(machine), elastic=bool(system.coupled), outputs=fmi.arrays_of(results)
     )
     return {f"{package.name}.fmu": zipped(archive), **notes}
 
 
 def _texts(
-    package: Package, system: System, results: tuple[Result, ...], flags: tuple[str, ...]
+    package: Package, system: System, results: tuple[fmi.Result, ...], flags: tuple[str, ...]
 ) -> dict[str, str]:
     """All of the unit but its binary, which is compiled with ``flags``."""
     from robodyn.simulate.engine import engine_files
@@ -88,7 +79,7 @@ def _texts(
     fixed |= {f"fmi/{name}": (folder / name).read_text(encoding="utf-8") for name in _HEADERS}
     values = {
         **_values(package, system, results),
-        "description": describe(package, system, results),
+        "description": fmi.describe(package, system, results),
         "flags": flags,
         "compiled": sorted(
             {*(path for path in fixed if path.endswith(".c")), "unit.c", "absent.c", "results.c"}
@@ -104,7 +95,7 @@ def _texts(
     return written | {f"sources/{path}": text for path, text in sorted((texts | fixed).items())}
 
 
-def _values(package: Package, system: System, results: tuple[Result, ...]) -> dict[str, Any]:
+def _values(package: Package, system: System, results: tuple[fmi.Result, ...]) -> dict[str, Any]:
     """What the templates of the sources are told."""
     from robodyn.emit.c_syntax import static_function
     from robodyn.simulate.engine import ATOL, RTOL
@@ -134,11 +125,11 @@ def _values(package: Package, system: System, results: tuple[Result, ...]) -> di
         "tangents": "" if system.contacts else _tangents(package, system, results),
         "members": [f"p[{k}]" for k in range(len(package.parameters))],
         "calls": list(_calls(package, results)),
-        "results": size_of(results),
+        "results": fmi.size_of(results),
     }
 
 
-def _tangents(package: Package, system: System, results: tuple[Result, ...]) -> str:
+def _tangents(package: Package, system: System, results: tuple[fmi.Result, ...]) -> str:
     """The C functions of directional derivatives: of forces, of rates of internal states, of results."""
     from robodyn.emit.c_syntax import static_function
     from robodyn.simulate.system import tangents_of
@@ -153,15 +144,15 @@ def _tangents(package: Package, system: System, results: tuple[Result, ...]) -> 
         )
         for name, program in programs.items()
     ]  # fmt: skip
-    changes = (*KNOWN, *(f"d{name}" for name in KNOWN))
-    program = results_tangent(package, results)
+    changes = (*fmi.KNOWN, *(f"d{name}" for name in fmi.KNOWN))
+    program = fmi.results_tangent(package, results)
     texts.append(
         static_function("unit_results_tangent", changes, {"results": "results"}, program, system.parameters)
     )
     return "\n".join(texts)
 
 
-def _calls(package: Package, results: tuple[Result, ...]) -> Iterator[str]:
+def _calls(package: Package, results: tuple[fmi.Result, ...]) -> Iterator[str]:
     """The calls of the functions of the kernel, in C."""
     for result in results:
         arguments = [array.name for array in result.routine.inputs]

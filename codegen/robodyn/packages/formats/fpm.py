@@ -8,11 +8,7 @@ from robodyn.packages.writing import readme, rendered, sources
 
 
 def _files(package: Package) -> Files:
-    return {
-        **readme(package),
-        **rendered(package, {"fpm.toml": "fpm.toml.j2"}),
-        **sources(package),
-    }
+    return {**readme(package), **rendered(package, {"fpm.toml": "fpm.toml.j2"}), **sources(package)}
 
 
 FORMAT = Format(

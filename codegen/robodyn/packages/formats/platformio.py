@@ -9,10 +9,7 @@ from robodyn.packages.format import Files, Format, Package
 from robodyn.packages.writing import MARK, arithmetic_flags, readme, rendered
 
 _SKETCH = "examples/selftest"
-_TEMPLATES = {
-    "library.properties": "library.properties.j2",
-    f"{_SKETCH}/selftest.ino": "selftest.ino.j2",
-}
+_TEMPLATES = {"library.properties": "library.properties.j2", f"{_SKETCH}/selftest.ino": "selftest.ino.j2"}
 
 
 def _files(package: Package) -> Files:
