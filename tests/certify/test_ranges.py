@@ -21,17 +21,10 @@ def limits(robot: Robot) -> list[tuple[Any, Any, Any]]:
     return [(limit.position, limit.velocity, limit.acceleration) for limit in joints]
 
 
-def test_the_limits_of_the_file_are_the_default() -> None:
-    assert limits(with_ranges(PUMA, None)) == limits(PUMA)
-
-
-def test_text_sets_all_joints_or_one() -> None:
+def test_text_sets_all_joints_or_one_and_the_file_has_the_default() -> None:
+    assert with_ranges(PUMA, None) == PUMA
     found = limits(with_ranges(BARE, "q=1, qd=3,qdd=10,q2=-1/4:1/3,qd3=0"))
-    assert found == [
-        ((-1, 1), 3, 10),
-        ((Fraction(-1, 4), Fraction(1, 3)), 3, 10),
-        ((-1, 1), 0, 10),
-    ]
+    assert found == [((-1, 1), 3, 10), ((Fraction(-1, 4), Fraction(1, 3)), 3, 10), ((-1, 1), 0, 10)]
     low, high = limits(with_ranges(BARE, "q=pi,qd=3,qdd=10"))[0][0]
     assert low == -high
     assert abs(high - PI) < Fraction(1, 10**15)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from functools import cache
 from typing import Any
 
@@ -10,8 +9,6 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from robodyn.effects.effect import Site
-from robodyn.effects.presliding import PRESLIDING
 from robodyn.effects.scalars import is_duration, is_finite, is_positive, updated_if
 from robodyn.ir import Input
 from robodyn.ir.evaluate import evaluate
@@ -238,16 +235,3 @@ def test_what_tells_numbers_from_others(kind: Any) -> None:
         if finite:
             taken = float(np.squeeze(updated_if(kind(1.0), kind(x), kind(7.0))))
             assert taken == x
-
-
-def test_a_good_step_is_what_it_was() -> None:
-    """To the bit: the state of LuGre over a step at a constant velocity, by its closed form."""
-    p = {"stiffness": 1000.0, "level": 3.0, "damping": 2.0}
-    memory = PRESLIDING.memory
-    assert memory is not None
-    for qd in (0.02, -0.3, 1e-9):
-        for z in (0.0, 1e-3, -2.9e-3):
-            left = math.exp(-(1000.0 * abs(qd) / 3.0 * DT))
-            full = 3.0 / 1000.0 * (1 if qd > 0 else -1)
-            (moved,), _ = memory.step(p, Site(True, qd=qd), (z,), DT)
-            assert moved == full + (z - full) * left

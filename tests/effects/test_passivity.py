@@ -112,30 +112,6 @@ def test_the_four_quadrants(torque: Fraction, sense: int) -> None:
     )
 
 
-@pytest.mark.parametrize("name", ["efficiency", "efficiencies, linear", "efficiencies, cubic"])
-def test_the_loss_over_torque_and_over_direction(name: str) -> None:
-    """Continuous in the torque in motion; over rest a jump of twice the breakaway and the loss both ways."""
-    case = CASES[name]
-    p = floats(draw(case, random.Random(name)))
-    for sense in (1.0, -1.0):
-        at = Site(True, qd=sense, direction=sense)
-        below, above = (added(case, p, replace(at, tau=tau)) for tau in (-1e-9, 1e-9))
-        assert above == pytest.approx(below, abs=1e-8)
-        assert above == pytest.approx(sense * p["breakaway"], abs=1e-8)
-    for tau in (-6.0, -0.4, 0.2, 3.0):
-        up, rest, down = (added(case, p, Site(True, qd=s, direction=s, tau=tau)) for s in (1.0, 0.0, -1.0))
-        eta = p["efficiency"]
-        if isinstance(eta, tuple):
-            knots = {x * p["rated_torque"]: y for x, y in eta}
-            tau = np.copysign(sorted(knots)[2], tau)
-            eta = knots[abs(tau)]
-            up, rest, down = (
-                added(case, p, Site(True, qd=s, direction=s, tau=tau)) for s in (1.0, 0.0, -1.0)
-            )
-        assert rest == 0
-        assert up - down == pytest.approx(2 * p["breakaway"] + abs(tau) * (1 / eta - eta), rel=1e-12)
-
-
 # --- what remembers ---------------------------------------------------------------------------------------
 
 
@@ -165,16 +141,6 @@ def test_bristles_lose_energy() -> None:
         assert dissipated(p, v, z).min() >= 0
         # Both bounds are sharp: bent twice as far, and faster.
         assert dissipated(p, 0.99 * bound, 2 * slides) > 0 > dissipated(p, 1.01 * bound, 2 * slides)
-
-
-def test_bristles_bend_no_further_than_they_slide() -> None:
-    rng = np.random.default_rng(7)
-    p = {"stiffness": 300.0, "level": 2.0, "damping": 0.7}
-    z: Any = np.zeros(50)
-    for _ in range(300):
-        (z,), torque = bristles().step(p, Site(True, qd=rng.uniform(-2, 2, 50)), (z,), 1e-3)
-        assert np.abs(z).max() <= (1 + 1e-15) * p["level"] / p["stiffness"]
-        assert np.isfinite(torque).all()
 
 
 def test_a_loop_of_bristles() -> None:

@@ -6,7 +6,6 @@ import math
 import random
 from collections.abc import Iterator
 from dataclasses import replace
-from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -18,12 +17,6 @@ from robodyn.dynamics.joints import smoothed_sign
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Site
 from robodyn.effects.efficiency import efficiency_at
-from robodyn.ir import Input
-from robodyn.ir.evaluate import evaluate
-from robodyn.kernels.generate import maker
-from robodyn.kernels.options import Options
-from robodyn.robot import read_text
-from robodyn.verify.declared import value
 from robodyn.verify.effects import added_torque, direction
 
 REST = {"exact": (None, None), "smooth": (0.25, None), "dead band": (None, 0.25)}
@@ -99,27 +92,6 @@ def test_the_page_the_definition_and_the_reference(name: str, rest: str) -> None
             assert again == pytest.approx([expected] * 2, rel=1e-12, abs=1e-12)
 
 
-@pytest.mark.parametrize("rest", REST)
-@pytest.mark.parametrize("name", [n for n in FRICTION if CASES[n].effect.place == "motor"])
-def test_the_page_and_the_program(name: str, rest: str) -> None:
-    """What is emitted is a program; here of an arm whose torque is that friction alone."""
-    case, rng = CASES[name], random.Random(f"{name} {rest} emitted")
-    p = draw(case, rng)
-    given = ", ".join(f"{key}: {float(x) if isinstance(x, Fraction) else x}" for key, x in p.items())
-    near = "exact" if rest == "exact" else f"{{{rest.replace(' ', '_')}: {{velocity: 0.25}}}}"
-    text = (
-        f"name: lone\ngravity: [0, 0, 0]\nfriction_at_rest: {near}\n"
-        f"links: [{{joint: revolute, mass: 1, effects: [{{effect: {case.id}, {given}}}]}}]\n"
-    )
-    program = maker(read_text(text), Options()).program("bias")
-    for speed in speeds(rng):
-        at = Site(True, 0.5, speed, 0.0, sense(speed, rest))
-        latex = r"F_c \operatorname{sgn}\dot q" if case.effect.memory else typeset(case.id, floats(p))
-        expected = value(latex, spelled(case.id, floats(p), at))
-        (found,) = evaluate(program, {Input("q", 0): 0.5, Input("qd", 0): speed})["tau"]
-        assert found == pytest.approx(expected, rel=1e-12, abs=1e-12)
-
-
 def test_presliding_moves_as_typeset() -> None:
     effect = CATALOGUE["presliding_hysteresis"]
     assert effect.memory is not None
@@ -134,25 +106,6 @@ def test_presliding_moves_as_typeset() -> None:
         assert effect.memory.rates(p, at, (z,)) == (pytest.approx(moves, rel=1e-12, abs=1e-12),)
         expected = value(torque.removeprefix(r"\tau ="), {**symbols, r"\dot z": moves})
         assert effect.memory.torque(p, at, (z,)) == pytest.approx(expected, rel=1e-12, abs=1e-12)
-
-
-@pytest.mark.parametrize("rest", ["smooth", "dead band"])
-def test_levels_by_direction(rest: str) -> None:
-    """The positive level one way, the negative one the other; continuous, and 0 at rest or in the band."""
-    equation = CATALOGUE["asymmetric_friction"].equation
-    assert equation is not None
-    p = {"positive": 4.0, "negative": 1.0}
-
-    def torque(speed: float) -> float:
-        return float(equation(p, Site(True, qd=speed, direction=sense(speed, rest))))
-
-    assert (torque(5.0), torque(-5.0)) == (pytest.approx(4.0), pytest.approx(-1.0))
-    assert torque(0.0) == 0
-    for speed in (0.01, 0.1, 0.2, 0.3):
-        assert torque(speed) == pytest.approx(4 * sense(speed, rest))
-        assert torque(-speed) == pytest.approx(-sense(speed, rest))
-    if rest == "dead band":
-        assert torque(0.2) == torque(-0.2) == 0
 
 
 @pytest.mark.parametrize(

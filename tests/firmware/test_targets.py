@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 from pathlib import Path
 
 import pytest
@@ -106,27 +105,6 @@ def test_make_runs_the_image(target: str, tools: None, tmp_path: Path) -> None:
     code, said = run(["make", "run", "TARGET=avr"], tmp_path)
     assert code != 0
     assert f"expected {', '.join(TARGETS)}" in said
-
-
-def test_make_checks_on_this_computer(tmp_path: Path) -> None:
-    require_tool("gfortran")
-    write(tmp_path, folder("puma560", "double").files)
-    code, said = run([require_tool("make"), "check", f"CC={require_tool('gcc')}"], tmp_path)
-    assert code == 0, said
-    assert said.count("self-test passed") + said.count("Fortran kernel passed") == 2
-
-
-@pytest.mark.thorough
-def test_cmake_builds_and_tests_on_this_computer(tmp_path: Path) -> None:
-    write(tmp_path, folder("puma560", "double").files)
-    cmake = require_tool("cmake")
-    for command in ([cmake, "-B", "b"], [cmake, "--build", "b"]):
-        code, said = run(command, tmp_path)
-        assert code == 0, said
-        assert "warning" not in said.lower()
-    code, said = run(["ctest", "--test-dir", "b"], tmp_path)
-    assert code == 0, said
-    assert f"out of {1 + bool(shutil.which('gfortran'))}" in said
 
 
 @pytest.mark.parametrize("target", [pytest.param("cortex-m4f", marks=pytest.mark.thorough), "rv32imafc"])

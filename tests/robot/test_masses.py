@@ -9,7 +9,7 @@ import pytest
 import robodyn
 from robodyn import InputError, load
 from robodyn.formats.arm import description_text, import_arm
-from robodyn.robot import bundled_names, read_text
+from robodyn.robot import read_text
 from robodyn.robot.masses import massless, unknown_masses
 from robodyn_testing import require_module
 
@@ -126,10 +126,6 @@ def test_descriptions(text: str, unknown: tuple[int, ...]) -> None:
     robot = read_text(f"name: arm\n{text}\n", warn=lambda _: None)
     assert unknown_masses(robot) == unknown
     assert unknown_masses(massless(robot)) == ()
-
-
-def test_bundled_arms_know_their_masses() -> None:
-    assert not any(unknown_masses(load(name, warn=lambda _: None)) for name in bundled_names())
 
 
 def test_heads_do_not_say_that_what_is_unknown_is_0(tmp_path: Path) -> None:

@@ -155,13 +155,3 @@ def test_heads_of_committed_kernels_say_where_numbers_come_from(name: str) -> No
         doubts = " ".join(doubt["what"] for doubt in links(robot)[joint - 1]["doubts"])
         for origin in ("assumed", "synthetic"):
             assert (origin in doubts) == (origin in (link.origins.mass, link.origins.inertia)), doubts
-
-
-def test_a_urdf_without_inertias_has_none(tmp_path: Path) -> None:
-    (tmp_path / "arm.urdf").write_text(
-        '<robot name="arm"><link name="a"/><link name="b"/><joint name="j" type="revolute"><parent link="a"/>'
-        '<child link="b"/><axis xyz="0 0 1"/><limit lower="-1" upper="1" effort="1" velocity="1"/></joint>'
-        "</robot>"
-    )
-    (link,) = load(tmp_path / "arm.urdf", warn=lambda _: None).links
-    assert (link.origins.mass, link.origins.inertia, link.origins.limits) == ("absent", "absent", "stated")

@@ -10,7 +10,7 @@ import pytest
 from numpy.typing import NDArray
 
 from robodyn.robot import Inertia, Robot, read_text
-from robodyn.robot.values import Affine
+from robodyn.robot.values import parameter
 from robodyn.verify import Reference
 from robodyn_testing import exactly
 
@@ -177,27 +177,10 @@ def test_effects_of_a_standard_arm() -> None:
         "effects: [{effect: payload, mass: m, com: [0, y, 0], inertia: {yy: 1}}]\n"
     )
     spring, payload = robot.effects
-    one, zero = Fraction(1), Fraction(0)
-    assert robot.links[0].com == exactly(
-        1, -1, Affine(zero, (("dy", one),))
-    )  # an error is one of the standard row
+    assert robot.links[0].com == exactly(1, -1, parameter("dy"))  # an error is one of the standard row
     assert spring["stiffness"] == 2
-    assert payload["com"] == (1, 0, Affine(zero, (("y", one),)))
-    assert payload["inertia"] == Inertia(zz=one)
-
-
-def test_rows_move_up_by_one() -> None:
-    robot = read_text(
-        "name: arm\nconvention: sdh\nlinks:\n"
-        "  - {joint: revolute, alpha: pi/2, a: 0.1, d: 0.5, mass: 1, com: [0, 0, 0.2]}\n"
-        "  - {joint: prismatic, alpha: -pi/2, a: 0.3, d: 0.7, theta: pi}\n"
-    )
-    first, second = robot.links
-    assert (first.joint.a, first.joint.d, first.joint.alpha.quarter) == exactly(0, Fraction(1, 2), 0)
-    assert (second.joint.a, second.joint.d) == (Fraction(1, 10), Fraction(7, 10))
-    assert (second.joint.alpha.quarter, second.joint.theta.quarter) == (1, 2)
-    assert first.com == exactly(Fraction(1, 10), Fraction(-2, 10), 0)
-    assert second.com == exactly(0, 0, 0)  # no mass, no centre
+    assert payload["com"] == (1, 0, parameter("y"))
+    assert payload["inertia"] == Inertia(zz=Fraction(1))
 
 
 def test_names_go_through() -> None:
@@ -207,18 +190,12 @@ def test_names_go_through() -> None:
         "  - {joint: revolute, alpha: 0.3, mass: 1, com: [0, y, 1]}\n"
     )
     first, second = robot.links
-    one = Fraction(1)
-    assert second.joint.a == Affine(Fraction(0), (("reach", one),))
-    assert first.com == (
-        Affine(Fraction(0), (("reach", one), ("x", one))),
-        Affine(Fraction(0), (("z", -one),)),
-        Affine(Fraction(0), (("y", one),)),
-    )
-    assert first.inertia.zz == Affine(Fraction(0), (("j", one),))
-    assert first.inertia.yy == 0
-    assert second.com[1] == Affine(
-        Fraction(repr(-np.sin(0.3).item())), (("y", Fraction(repr(np.cos(0.3).item()))),)
-    )
+    reach, x, y, z, j = map(parameter, ("reach", "x", "y", "z", "j"))
+    assert second.joint.a == reach
+    assert first.com == (reach + x, -z, y)
+    assert first.inertia == Inertia(zz=j)
+    sine, cosine = (Fraction(repr(float(f(0.3)))) for f in (np.sin, np.cos))
+    assert second.com[1] == y * cosine - sine
     assert robot.parameters == ("m", "reach", "x", "z", "y", "j")
 
 

@@ -96,7 +96,6 @@ def _form(u: Usual, way: float, rng: Any) -> Form:
 GAS_SPRING = Effect(
     id="gas_spring",
     title="Gas spring or spring balancer",
-    level="joint",
     place="link",
     parameters=(
         Parameter(

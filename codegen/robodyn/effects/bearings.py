@@ -37,13 +37,8 @@ def _bearing(p: Values, at: Site) -> Any:
 
 
 #: What each bearing must have; of sets of names one.
-_NEEDS: dict[str, tuple[tuple[str, ...], ...]] = {
-    "journal": (("mu", "radius"), ("mu_r",)),
-    "radial": (("mu", "radius"), ("mu_r",)),
-    "thrust": (("mu", "radius"), ("mu_r",)),
-    "linear": (("mu", "span"),),
-    "torque": (("mu",),),
-}
+_ROUND: tuple[tuple[str, ...], ...] = (("mu", "radius"), ("mu_r",))
+_NEEDS = {**dict.fromkeys(BEARINGS, _ROUND), "linear": (("mu", "span"),), "torque": (("mu",),)}
 
 
 def _bearing_fault(p: Values, revolute: bool) -> Fault | None:
@@ -60,14 +55,11 @@ def _bearing_fault(p: Values, revolute: bool) -> Fault | None:
     allowed |= {"span", "variant"} if kind == "journal" else set()
     for name in p:
         if name not in allowed:
-            return Fault(
-                name, f"means nothing to a '{kind}' bearing", ", ".join(sorted(allowed)), "delete it"
-            )
-    if "mu_r" in p and ("mu" in p or "radius" in p):
-        return Fault(
-            "mu_r", "stands beside mu or radius, whose product it is", "one or the other", "delete one"
-        )
-    return None
+            what = f"means nothing to a '{kind}' bearing"
+            return Fault(name, what, ", ".join(sorted(allowed)), "delete it")
+    twice = "mu_r" in p and ("mu" in p or "radius" in p)
+    what = "stands beside mu or radius, whose product it is"
+    return Fault("mu_r", what, "one or the other", "delete one") if twice else None
 
 
 #: Distances of two bearings that are tried [m], and efficiencies of a gear.
@@ -95,7 +87,6 @@ def _bearing_form(u: Usual, way: float, rng: Any) -> Form:
 LOAD = Effect(
     id="load_dependent_friction",
     title="Load-dependent friction in bearings",
-    level="joint",
     place="bearing",
     parameters=(
         Parameter("bearing", "Kind of the bearing.", kind="choice", choices=BEARINGS),
@@ -169,13 +160,10 @@ def _loss(p: Values, at: Site) -> Any:
     energy in; at rest there is no loss.
     """
     total = p["breakaway"] * at.direction
-    curve = p["efficiency"]
-    if isinstance(curve, tuple):
-        load = magnitude(at.tau) / p["rated_torque"]
-        share = efficiency_at(load, curve, p["interpolation"])
-    else:
-        share = curve
-    if not isinstance(curve, tuple) and curve == 1:
+    share = p["efficiency"]
+    if isinstance(share, tuple):
+        share = efficiency_at(magnitude(at.tau) / p["rated_torque"], share, p["interpolation"])
+    elif share == 1:
         return total
     inverse = 1 / share
     even = (inverse + share) / 2 - 1
@@ -187,12 +175,11 @@ def _loss(p: Values, at: Site) -> Any:
 def _loss_fault(p: Values, revolute: bool) -> Fault | None:
     table = isinstance(p["efficiency"], tuple)
     if table and "rated_torque" not in p:
-        return Fault(
-            "efficiency",
+        what, expected = (
             "is a table, and rated_torque is missing",
             "rated_torque: the torque of load fraction 1",
-            "give rated_torque",
         )
+        return Fault("efficiency", what, expected, "give rated_torque")
     if not table and "rated_torque" in p:
         return Fault("rated_torque", "means nothing to a constant efficiency", "a table", "delete it")
     return None
@@ -216,7 +203,6 @@ def _loss_form(u: Usual, way: float, rng: Any) -> Form:
 TRANSMISSION = Effect(
     id="transmission_loss",
     title="Transmission loss",
-    level="joint",
     place="gear",
     parameters=(
         level("breakaway", "Breakaway torque, referred to the joint's side.", r"\tau_B", default=Fraction(0)),

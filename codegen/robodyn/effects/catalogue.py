@@ -5,7 +5,6 @@ from __future__ import annotations
 import difflib
 import importlib
 import pkgutil
-from collections.abc import Iterator
 from types import MappingProxyType
 from typing import Final
 
@@ -17,21 +16,17 @@ from robodyn.errors import InputError
 _LAST = 1000
 
 
-def _discovered() -> Iterator[Effect]:
+def _by_id() -> dict[str, Effect]:
     """The effects of each module of this folder that lists some in ``EFFECTS``, in the order of ``ORDER`` and
     then of names."""
     names = [entry.name for entry in pkgutil.iter_modules(effects.__path__) if entry.name != "catalogue"]
     modules = [importlib.import_module(f"{effects.__name__}.{name}") for name in names]
-    for module in sorted(modules, key=lambda each: (getattr(each, "ORDER", _LAST), each.__name__)):
-        yield from getattr(module, "EFFECTS", ())
-
-
-def _by_id() -> dict[str, Effect]:
     catalogue: dict[str, Effect] = {}
-    for one in _discovered():
-        if one.id in catalogue:
-            raise ValueError(f"two effects are called {one.id!r}: one of them must have another id")
-        catalogue[one.id] = one
+    for module in sorted(modules, key=lambda each: (getattr(each, "ORDER", _LAST), each.__name__)):
+        for one in getattr(module, "EFFECTS", ()):
+            if one.id in catalogue:
+                raise ValueError(f"two effects are called {one.id!r}: one of them must have another id")
+            catalogue[one.id] = one
     return catalogue
 
 

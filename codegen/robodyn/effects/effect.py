@@ -122,7 +122,6 @@ class Effect:
 
     id: str
     title: str
-    level: Level
     place: Place
     parameters: tuple[Parameter, ...]
     latex: str
@@ -131,6 +130,7 @@ class Effect:
     rivals: tuple[str, ...]
     separates: str
     source: str
+    level: Level = "joint"
     equation: Equation | None = None
     memory: Memory | None = None
     coupler: Coupler | None = None

@@ -27,16 +27,10 @@ _COEFFICIENT = Law(lambda values, at: (at.qd,), (1,), lambda x, values: {"coeffi
 VISCOUS = Effect(
     id="viscous_friction",
     title="Viscous friction",
-    level="joint",
     place="motor",
     parameters=(
         Parameter(
-            "coefficient",
-            "Torque by speed.",
-            "N m s/rad",
-            "N s/m",
-            sign="nonnegative",
-            names=True,
+            "coefficient", "Torque by speed.", "N m s/rad", "N s/m", sign="nonnegative", names=True,
             symbol="F_v",
         ),
     ),
@@ -107,7 +101,6 @@ _POWER = Law(
 POWER_LAW = Effect(
     id="power_law_friction",
     title="Friction by a power of the speed",
-    level="joint",
     place="motor",
     parameters=(
         level("level", "Torque at the speed `velocity`.", "F_a"),
@@ -153,7 +146,6 @@ POWER_LAW = Effect(
 COULOMB = Effect(
     id="coulomb_friction",
     title="Coulomb friction",
-    level="joint",
     place="motor",
     parameters=(level("level", "Torque that opposes motion, whatever the speed.", "F_c"),),
     latex=r"\tau = F_c \operatorname{sgn}\dot q",
@@ -192,7 +184,6 @@ def _asymmetric_form(u: Usual, way: float, rng: Any) -> Form:
 ASYMMETRIC = Effect(
     id="asymmetric_friction",
     title="Coulomb friction that differs by direction",
-    level="joint",
     place="motor",
     parameters=(
         level("positive", "Level in the positive direction.", "F_c^+"),
@@ -237,21 +228,15 @@ def _stribeck(p: Values, at: Site) -> Any:
 def _stribeck_fault(p: Values, revolute: bool) -> Fault | None:
     low, high = p["level"], p["static"]
     if isinstance(low, Fraction) and isinstance(high, Fraction) and high < low:
-        return Fault(
-            "static",
-            "is below the Coulomb level",
-            f"level = {float(low)!r} or more",
-            "exchange the two, or use coulomb_friction",
-        )
+        expected, remedy = f"level = {float(low)!r} or more", "exchange the two, or use coulomb_friction"
+        return Fault("static", "is below the Coulomb level", expected, remedy)
     return None
 
 
 def _stribeck_columns(values: Values, at: Site) -> tuple[Any, Any]:
     """Torques by the level, and by the rise above it."""
-    shape = {"exponent": 2, **values}
-    return _stribeck({"level": 1.0, "static": 1.0, **shape}, at), _stribeck(
-        {"level": 0.0, "static": 1.0, **shape}, at
-    )
+    flat, rise = ({"exponent": 2, "level": level, "static": 1.0, **values} for level in (1.0, 0.0))
+    return _stribeck(flat, at), _stribeck(rise, at)
 
 
 def _stribeck_form(u: Usual, way: float, rng: Any) -> Form:
@@ -262,7 +247,6 @@ def _stribeck_form(u: Usual, way: float, rng: Any) -> Form:
 STRIBECK = Effect(
     id="stribeck_friction",
     title="Stribeck friction",
-    level="joint",
     place="motor",
     parameters=(
         level("level", "Coulomb level, reached at high speed.", "F_c"),

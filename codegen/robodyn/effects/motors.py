@@ -18,7 +18,6 @@ ORDER = 50
 ROTOR = Effect(
     id="rotor_inertia",
     title="Rotor inertia",
-    level="joint",
     place="rigid",
     parameters=(
         Parameter(
@@ -49,14 +48,9 @@ _LARGEST_PHASE = 10_000
 
 
 def _ripple_fault(p: Values, revolute: bool) -> Fault | None:
-    if abs(p["phase"]) <= _LARGEST_PHASE:
-        return None
-    return Fault(
-        "phase",
-        "is so many turns that a position added to it loses its digits",
-        f"-{_LARGEST_PHASE} to {_LARGEST_PHASE} rad",
-        "take whole turns off",
-    )
+    what = "is so many turns that a position added to it loses its digits"
+    fault = Fault("phase", what, f"-{_LARGEST_PHASE} to {_LARGEST_PHASE} rad", "take whole turns off")
+    return fault if abs(p["phase"]) > _LARGEST_PHASE else None
 
 
 def _ripple_energy(p: Values, q: Any) -> Any:
@@ -64,11 +58,8 @@ def _ripple_energy(p: Values, q: Any) -> Any:
 
 
 def _wave_read(x: Sequence[float], values: Mapping[str, float]) -> dict[str, float | str]:
-    return {
-        "amplitude": float(math.hypot(x[0], x[1])),
-        "cycles_per_rev": values["cycles"],
-        "phase": float(math.atan2(x[1], x[0])),
-    }
+    amplitude, phase = float(math.hypot(x[0], x[1])), float(math.atan2(x[1], x[0]))
+    return {"amplitude": amplitude, "cycles_per_rev": values["cycles"], "phase": phase}
 
 
 def _ripple_form(u: Usual, way: float, rng: Any) -> Form:
@@ -79,7 +70,6 @@ def _ripple_form(u: Usual, way: float, rng: Any) -> Form:
 RIPPLE = Effect(
     id="torque_ripple",
     title="Torque ripple",
-    level="joint",
     place="motor",
     parameters=(
         Parameter(

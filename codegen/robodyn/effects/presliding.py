@@ -57,7 +57,6 @@ def _bristle_read(x: Sequence[float], values: Mapping[str, float]) -> dict[str, 
 PRESLIDING = Effect(
     id="presliding_hysteresis",
     title="Presliding hysteresis (LuGre)",
-    level="joint",
     place="motor",
     parameters=(
         Parameter(

@@ -63,7 +63,6 @@ def _numbers_form(u: Usual, way: float, rng: Any) -> Form:
 INERTIAL = Effect(
     id="inertial_error",
     title="Error of a link's inertial parameters",
-    level="joint",
     place="rigid",
     parameters=(
         _delta("delta_mass", "the mass", "kg"),
@@ -119,11 +118,9 @@ TILT = Effect(
 
 
 def _window(p: Values, revolute: bool) -> Fault | None:
-    if p["end"] <= p["start"]:
-        return Fault(
-            "end", "is not after the start", f"more than {float(p['start'])!r} s", "exchange the two"
-        )
-    return None
+    expected = f"more than {float(p['start'])!r} s"
+    fault = Fault("end", "is not after the start", expected, "exchange the two")
+    return fault if p["end"] <= p["start"] else None
 
 
 def _push_form(u: Usual, way: float, rng: Any) -> Form:

@@ -19,7 +19,6 @@ ORDER = 70
 BIAS = Effect(
     id="torque_bias",
     title="Bias of the torque channel",
-    level="joint",
     place="sensor",
     parameters=(Parameter("bias", "Measured less true.", TORQUE, FORCE, symbol="b"),),
     latex=r"\tau_m = \tau + b",
@@ -43,7 +42,6 @@ BIAS = Effect(
 GAIN = Effect(
     id="torque_gain",
     title="Gain error of the torque channel",
-    level="joint",
     place="sensor",
     parameters=(Parameter("gain", "Measured = (1 + gain) times true.", "1", symbol="g"),),
     latex=r"\tau_m = (1 + g)\,\tau",
@@ -72,7 +70,6 @@ GAIN = Effect(
 DELAY = Effect(
     id="time_delay",
     title="Delay of the torque channel",
-    level="joint",
     place="sensor",
     parameters=(Parameter("delay", "How late the torque is.", "s", sign="nonnegative", symbol="T"),),
     latex=r"\tau_m(t) = \tau(t - T)",
@@ -96,7 +93,6 @@ DELAY = Effect(
 OFFSET = Effect(
     id="encoder_offset",
     title="Encoder offset",
-    level="joint",
     place="sensor",
     parameters=(Parameter("offset", "Measured less true.", "rad", "m", symbol=r"\delta"),),
     latex=r"q_m = q + \delta",
@@ -132,7 +128,6 @@ def _limit_form(u: Usual, way: float, rng: Any) -> Form:
 SATURATION = Effect(
     id="torque_saturation",
     title="Saturation of the torque",
-    level="joint",
     place="sensor",
     parameters=(
         Parameter("limit", "Largest torque, as a size.", TORQUE, FORCE, sign="positive", symbol=r"\tau_s"),

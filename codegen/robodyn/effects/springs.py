@@ -42,7 +42,6 @@ def _spring_form(u: Usual, way: float, rng: Any) -> Form:
 SPRING = Effect(
     id="spring",
     title="Spring, cable or hose at the joint",
-    level="joint",
     place="link",
     parameters=(
         Parameter(
@@ -113,7 +112,6 @@ def _soft_form(u: Usual, way: float, rng: Any) -> Form:
 ELASTICITY = Effect(
     id="joint_elasticity",
     title="Joint elasticity",
-    level="joint",
     place="coupler",
     parameters=(
         Parameter("stiffness", "Torque by twist.", "N m/rad", "N/m", sign="positive", names=True, symbol="K"),
@@ -188,7 +186,6 @@ def _play_form(u: Usual, way: float, rng: Any) -> Form:
 BACKLASH = Effect(
     id="backlash",
     title="Backlash",
-    level="joint",
     place="coupler",
     parameters=(
         Parameter("gap", "Full width of the backlash.", "rad", "m", sign="positive", names=True, symbol="g"),

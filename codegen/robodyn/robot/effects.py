@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache
@@ -40,24 +40,19 @@ class EntrySection(Section):
         for i, knot in enumerate(node.items, 1):
             of = f"{path}: knot {i}"
             if not isinstance(knot, Sequence) or len(knot.items) != 2:
-                self.source.fail(
-                    knot, f"{of} must be a pair", found=describe(knot), expected="[load fraction, efficiency]"
-                )
+                pair = "[load fraction, efficiency]"
+                self.source.fail(knot, f"{of} must be a pair", found=describe(knot), expected=pair)
             load = self._constant(knot.items[0], replace(key, sign="nonnegative"), f"{of}: load fraction")
-            if knots and load <= knots[-1][0]:
-                self.source.fail(
-                    knot.items[0],
-                    f"{path} is an unsorted table: load fractions must rise",
-                    found=f"{numbers.brief(load)} after {numbers.brief(knots[-1][0])}",
-                    remedy="sort the knots by load",
-                )
             if knots and load < knots[-1][0] + _APART:
+                sorted_ = load > knots[-1][0]
                 self.source.fail(
                     knot.items[0],
-                    f"{path}: two knots are too close",
+                    f"{path}: two knots are too close"
+                    if sorted_
+                    else f"{path} is an unsorted table: load fractions must rise",
                     found=f"{numbers.brief(load)} after {numbers.brief(knots[-1][0])}",
-                    expected=f"load fractions at least {float(_APART)!r} apart",
-                    remedy="leave one of them out",
+                    expected=f"load fractions at least {float(_APART)!r} apart" if sorted_ else None,
+                    remedy="leave one of them out" if sorted_ else "sort the knots by load",
                 )
             knots.append((load, self._constant(knot.items[1], key, f"{of}: efficiency")))
         return tuple(knots)
@@ -204,24 +199,17 @@ def _setting(part: EntrySection, parameter: Parameter, joints: int) -> Setting |
     name = parameter.name
     if name not in part.values:
         return default_of(parameter)
-    if parameter.kind == "number":
-        return part.number(name)
-    if parameter.kind == "vector":
-        return part.vector(name)
-    if parameter.kind == "efficiency":
-        return part.share(name)
     if parameter.kind == "joint":
         return part.joint(name, joints)
-    if parameter.kind == "choice":
-        return part.choice(name)
     if parameter.kind == "inertia":
         tensor = part.section(name)
         assert tensor is not None
         return Inertia(*(tensor.number(axes) for axes in AXES))
-    text = part.text(name)
-    if not text:
-        part.source.fail(part.values[name], f"{part.path(name)} is empty", expected="text, or no such key")
-    return text
+    readers: dict[str, Callable[[str], Setting | None]] = {
+        "number": part.number, "vector": part.vector, "efficiency": part.share, "choice": part.choice,
+        "text": part.full_text,
+    }  # fmt: skip
+    return readers[parameter.kind](name)
 
 
 def default_of(parameter: Parameter) -> Setting | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from fractions import Fraction
 from typing import NoReturn, cast
 
@@ -11,7 +11,7 @@ from robodyn.errors import InputError, Place
 from robodyn.robot import numbers
 from robodyn.robot.account import Origin
 from robodyn.robot.document import Mapping, Node, Scalar, Sequence, describe
-from robodyn.robot.keys import OTHER_NAMES, SIGNS, Key, allowed, expectation
+from robodyn.robot.keys import SIGNS, Key, allowed, expectation
 from robodyn.robot.names import shown, text_fault, unprintable_fault
 from robodyn.robot.parts import UNKNOWN, Confidence, Vector
 from robodyn.robot.rotations import ONE_TURN
@@ -101,7 +101,8 @@ class Section:
         if key.text == "<<":
             remedy = "merge keys are not supported: write the keys out"
         else:
-            near = [w for w in (word, OTHER_NAMES.get(word), _folded(word)) if w in self.keys]
+            near = [name for name, one in self.keys.items() if word in (name, *one.others)]
+            near = near or [name for name in [_folded(word)] if name in self.keys]
             near = near or difflib.get_close_matches(word, known, 1)
             remedy = f"did you mean '{near[0]}'?" if near else "delete it, or put it where it belongs"
         self.source.fail(
@@ -141,6 +142,14 @@ class Section:
         """Free text on one line; "" where the key is left out. Line breaks become spaces."""
         node = self.scalar(name)
         return "" if node is None else self._line(node, self.path(name), text_fault)
+
+    def full_text(self, name: str) -> str:
+        """As :meth:`text`, where it is stated it is not empty."""
+        text = self.text(name)
+        if not text and name in self.values:
+            what = f"{self.path(name)} is empty"
+            self.source.fail(self.values[name], what, expected="text, or no such key")
+        return text
 
     def texts(self, name: str) -> tuple[str, ...]:
         """Lines of text, as long as they may be; none where the key is left out."""
@@ -227,14 +236,9 @@ class Section:
 
     def vector(self, name: str) -> Vector | None:
         """Three numbers; None where the key is left out."""
-        items = self.items(name, 3)
-        if items is None:
+        if name not in self.values:
             return None
-        key = self.keys[name]
-        x, y, z = (
-            self._number(node, key, f"{self.path(name)} {axis}")
-            for node, axis in zip(items, "xyz", strict=True)
-        )
+        x, y, z = (self._number(*entry) for entry in self._entries(name, "xyz"))
         return x, y, z
 
     def range(self, name: str) -> tuple[Fraction, Fraction] | None:
@@ -244,52 +248,39 @@ class Section:
             return None
         low, high = (self._constant(node, self.keys[name], self.path(name)) for node in items)
         if low >= high:
-            self.source.fail(
-                self.values[name],
-                f"{self.path(name)} is empty",
-                found=f"[{numbers.brief(low)}, {numbers.brief(high)}]",
-                expected="[lowest, highest] with lowest < highest",
-            )
+            found = f"[{numbers.brief(low)}, {numbers.brief(high)}]"
+            order = "[lowest, highest] with lowest < highest"
+            self.source.fail(self.values[name], f"{self.path(name)} is empty", found=found, expected=order)
         return low, high
 
     def angle(self, name: str) -> Angle:
         """A constant angle [rad]; 0 where the key is left out. More than one turn is doubted."""
         node = self.values.get(name)
-        if node is None:
-            return angle(ZERO)
-        return self._angle(node, self.keys[name], self.path(name))
+        return angle(ZERO) if node is None else self._angle(node, self.keys[name], self.path(name))
 
     def angles(self, name: str) -> tuple[Angle, Angle, Angle]:
         """Three constant angles [rad]; 0 where the key is left out."""
-        items = self.items(name, 3)
-        if items is None:
+        if name not in self.values:
             return angle(ZERO), angle(ZERO), angle(ZERO)
-        key = self.keys[name]
-        roll, pitch, yaw = (
-            self._angle(node, key, f"{self.path(name)} {word}")
-            for node, word in zip(items, ("roll", "pitch", "yaw"), strict=True)
-        )
+        roll, pitch, yaw = (self._angle(*entry) for entry in self._entries(name, ("roll", "pitch", "yaw")))
         return roll, pitch, yaw
+
+    def _entries(self, name: str, words: Iterable[str]) -> list[tuple[Node, Key, str]]:
+        """The three entries at ``name`` with the key and a path for messages; ``words`` call them."""
+        items = zip(self.items(name, 3) or (), words, strict=True)
+        return [(node, self.keys[name], f"{self.path(name)} {word}") for node, word in items]
 
     def _angle(self, node: Node, key: Key, path: str) -> Angle:
         value = self._parse(node, key, path).value
         assert isinstance(value, Fraction)
         text = numbers.brief(value)
         if abs(value) > 1_000_000:
-            self.source.fail(
-                node,
-                f"{path} is no angle",
-                found=f"{text} rad",
-                expected="an angle in rad, such as -pi/2",
-            )
-        read = angle(value)
+            example = "an angle in rad, such as -pi/2"
+            self.source.fail(node, f"{path} is no angle", found=f"{text} rad", expected=example)
         if abs(value) > ONE_TURN:
-            self.doubt(
-                node,
-                f"{path} = {text} rad is more than one turn",
-                f"angles are in rad: write {text}*pi/180 if degrees are meant",
-            )
-        return read
+            remedy = f"angles are in rad: write {text}*pi/180 if degrees are meant"
+            self.doubt(node, f"{path} = {text} rad is more than one turn", remedy)
+        return angle(value)
 
     def _parse(self, node: Node, key: Key, path: str) -> numbers.Number:
         scalar = self._word(node, key, path)

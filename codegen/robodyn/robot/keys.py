@@ -11,7 +11,6 @@ from typing import Any, Literal
 
 from robodyn.resources import data_dir
 from robodyn.robot.names import ROBOT_NAME_LENGTH, TEXT_LENGTH
-from robodyn.robot.parts import AXES
 
 Kind = Literal[
     "name", "text", "texts", "choice", "number", "angle", "vector", "angles", "range", "group", "list",
@@ -26,7 +25,8 @@ class Key:
 
     ``names``: a run-time parameter may stand for the number. ``default`` is the text of the assumed
     value, for people; ``members`` are the keys of a group or of each entry of a list. ``choices`` are the
-    words that may stand there, of a number those that may stand in its place.
+    words that may stand there, of a number those that may stand in its place. ``others``: what other formats
+    call it.
     """
 
     name: str
@@ -39,6 +39,7 @@ class Key:
     default: str = ""
     choices: tuple[str, ...] = ()
     members: tuple[Key, ...] = ()
+    others: tuple[str, ...] = ()
 
 
 #: Most links a robot may have.
@@ -59,28 +60,6 @@ SIGNS = {
     "positive": ("is not positive", "more than 0{unit}"),
     "share": ("is not a share", "more than 0 and at most 1"),
 }
-#: What other formats call our keys.
-OTHER_NAMES = {
-    other: name
-    for name, others in {
-        "joint": "type kind joint_type",
-        "mass": "m weight",
-        "com": "r cog center_of_mass centre_of_mass",
-        "theta": "offset",
-        "motor_inertia": "armature jm imotor",
-        **{axes: f"i{axes} {axes[::-1]}" for axes in AXES},
-        "links": "joints",
-        "gravity": "g",
-        "torque": "effort",
-        "viscous": "damping",
-        "convention": "dh",
-        "base": "mount",
-        "tool": "tcp flange",
-        "xyz": "translation position_xyz",
-        "rpy": "rotation",
-    }.items()
-    for other in others.split()
-}
 
 
 def _tables() -> dict[str, tuple[Key, ...]]:
@@ -96,8 +75,11 @@ def _tables() -> dict[str, tuple[Key, ...]]:
     groups = yaml.load(Template(text).substitute(numbers), Loader=loader)
 
     def key(fields: dict[str, Any]) -> Key:
+        lists: dict[str, Any] = {
+            name: tuple(fields[name]) for name in ("choices", "others") if name in fields
+        }
         members = tuple(map(key, groups[fields["members"]])) if "members" in fields else ()
-        return Key(**{**fields, "choices": tuple(fields.get("choices", ())), "members": members})
+        return Key(**{**fields, **lists, "members": members})
 
     return {name: tuple(map(key, group)) for name, group in groups.items() if name != "shared"}
 

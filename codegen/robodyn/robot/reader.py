@@ -218,7 +218,7 @@ def _refuse_twins(sections: list[Section], links: tuple[Link, ...]) -> None:
 
 def _link(section: Section, i: int, joints: int, common: _Common) -> tuple[Link, tuple[Written, ...]]:
     kind: JointKind = "prismatic" if section.choice("joint") == "prismatic" else "revolute"
-    name, acknowledged = _stated(section, "name"), _stated(section, "acknowledged")
+    name, acknowledged = section.full_text("name"), section.full_text("acknowledged")
     friction = section.section("friction")
     # Read in the order of the table, so that the first fault named is the first in a well-kept file.
     alpha, a, b = section.angle("alpha"), section.number("a"), section.number("b")
@@ -273,16 +273,6 @@ def _origins(section: Section, common: dict[str, Origin], confidence: Confidence
             for name in names
         },
     )
-
-
-def _stated(section: Section, key: str) -> str:
-    """The text at ``key``, which is not empty; "" where the key is left out."""
-    text = section.text(key)
-    if not text and key in section.values:
-        section.source.fail(
-            section.values[key], f"{section.path(key)} is empty", expected="text, or no such key"
-        )
-    return text
 
 
 def _gear(section: Section) -> Gear | None:
