@@ -4,7 +4,8 @@ map; second encoders may be in a file of their own, ``arm.csv+arm_secondary.csv`
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -13,17 +14,21 @@ from numpy.typing import NDArray
 from robodyn.errors import InputError, Place
 from robodyn.files import label
 from robodyn.logs.assemble import Block, assemble
-from robodyn.logs.columns import GROUPS, LINKS, Layout, layout_of
 from robodyn.logs.content import split_pair
+from robodyn.logs.dialect import is_known, joint_of, number_of
 from robodyn.logs.formats import format_of, open_recording, readable
 from robodyn.logs.limits import EARLIEST, LATEST, SAME_TIME
-from robodyn.logs.mapping import JOINTS, Channel, LogMap
+from robodyn.logs.mapping import GROUPS, JOINTS, Channel, LogMap
 from robodyn.logs.recording import Recording
-from robodyn.logs.usual import usual_map
+from robodyn.logs.resolve import usual_map
 from robodyn.logs.windows import Rows, cut, joined_rows, length_of
 from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]
+
+#: The groups of columns of a file with second encoders only.
+LINKS = ("t", "ql")
+_NO_NAMES = "write a first line with the names of the columns"
 
 
 def log_blocks(
@@ -60,6 +65,18 @@ def log_blocks(
             for block in rows if links is None else _joined(rows, links, whole):
                 is_dated = length_of(block) > 0 and EARLIEST <= float(block["t"][0]) < LATEST
                 yield Block(block, began=0.0 if is_dated else None, ignored=first.layout.ignored)
+
+
+@dataclass(frozen=True, slots=True)
+class Layout:
+    """Which columns of a file are what: ``groups`` has ``t``, ``q``, ``tau`` and perhaps ``qd``, ``qdd`` and
+    ``ql``, each with the positions of its columns, from 0; ``ignored`` are the names of all others.
+    ``linked`` are the joints (from 0) that have a column of ``ql``, in its order."""
+
+    n: int
+    groups: Mapping[str, tuple[int, ...]]
+    ignored: tuple[str, ...]
+    linked: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -189,3 +206,79 @@ def _not_as_many(file: str, rows: int, beside: int) -> InputError:
         expected=f"{beside}, as in the first file",
         remedy="write both at the same times",
     )
+
+
+# --- usual names ------------------------------------------------------------------------------------------
+
+
+def layout_of(
+    names: Sequence[str], n: int | None, where: Place, wanted: Sequence[str] = GROUPS, *, named: bool = True
+) -> Layout:
+    """The layout of a file whose columns are called ``names``; ``n`` joints, None: as many as it numbers.
+
+    ``wanted``: the groups that are looked for; ``named``: whether the file names its columns itself.
+
+    Raises
+    ------
+    InputError: columns are missing, or there twice.
+    """
+
+    def listed(names: Sequence[str]) -> str:
+        more = f" and {len(names) - 8} more" if len(names) > 8 else ""
+        return ", ".join(names[:8]) + more
+
+    twice = sorted(name for name, count in Counter(names).items() if count > 1 and is_known(name))
+    if twice:
+        what, remedy = "the log has two columns with the same name", "delete or rename all but one"
+        raise InputError(what, where=where, found=listed(twice), remedy=remedy)
+    known = [each for each in map(joint_of, names) if each is not None]
+    joints = max((number for group, number in known if group != "ql"), default=1) if n is None else n
+    at = {name: position for position, name in enumerate(names)}
+    groups: dict[str, tuple[int, ...]] = {}
+    for group in (each for each in wanted if each != "ql"):
+        is_optional = group in ("qd", "qdd")
+        columns = ["t"] if group == "t" else [f"{group}{i}" for i in range(1, joints + 1)]
+        missing = [name for name in columns if name not in at]
+        if is_optional and len(missing) == len(columns):
+            continue
+        if missing:
+            all_of = "t,q1,tau1" if joints == 1 else f"t,q1..q{joints},tau1..tau{joints}"
+            raise InputError(
+                "the log lacks columns",
+                where=where,
+                found=f"no {listed(missing)}",
+                expected=f"all of {columns[0]}..{columns[-1]}, or none" if is_optional else all_of,
+                remedy=_header_remedy(names, at) if named else _NO_NAMES,
+            )
+        groups[group] = tuple(at[name] for name in columns)
+    linked = tuple(i for i in range(joints) if f"ql{i + 1}" in at)
+    if "q" not in wanted and not linked:
+        raise InputError(
+            "the file lacks columns of second encoders",
+            where=where,
+            found=f"no ql1..ql{joints}",
+            expected="t and one of them or more",
+            remedy="name the columns so: ql1 is the encoder at the link of joint 1 [rad or m]",
+        )
+    if linked:
+        groups["ql"] = tuple(at[f"ql{i + 1}"] for i in linked)
+    read = {position for group in groups.values() for position in group}
+    return Layout(joints, groups, tuple(x for k, x in enumerate(names) if k not in read), linked)
+
+
+def _header_remedy(names: Sequence[str], known: Mapping[str, int]) -> str | None:
+    if len(names) == 1 and not names[0].startswith("#"):
+        for mark, word in ((";", "semicolons"), ("\t", "tabs"), (" ", "spaces")):
+            if mark in names[0]:
+                return f"separate the columns by commas, not {word} (and write decimals with a point)"
+    if names and all(number_of(name.encode()) is not None for name in names):
+        return _NO_NAMES
+    if names and names[0].startswith("#"):
+        return "delete the lines above the names of the columns, and the #"
+    if "q0" in known:
+        return "number the joints from 1"
+    if any(not is_known(name) and is_known(name.lower()) for name in names):
+        return "write the names in small letters"
+    if "t" not in known and any(is_known(name) for name in names):
+        return "call the time t [s]"
+    return "name the columns so, in any order, in SI units"

@@ -12,10 +12,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Final
 
+from robodyn.logs.units import is_unit
+
 #: So much of a file is looked at [bytes], and so many lines above the numbers are passed over.
 HEAD: Final = 1 << 16
 ABOVE: Final = 200
 
+_INDEXED: Final = re.compile(r"(q|qd|qdd|tau|ql)([1-9][0-9]{0,2})\Z")
 _COMMENTS: Final = ("#", "%", "//")
 _MARKS: Final = (",", ";", "\t", "|", " ")
 _POINT: Final = re.compile(
@@ -157,7 +160,24 @@ def _dialect(lines: Sequence[str], first: int, mark: str, comma: bool) -> Dialec
 
 def are_units(cells: Sequence[str]) -> bool:
     """Whether a row of cells has units: brackets, or short words that are units."""
-    from robodyn.logs.units import is_unit
-
     stated = [cell for cell in cells if cell.strip("-")]
     return bool(stated) and all(is_unit(cell.strip("[]() ")) or cell.startswith("[") for cell in stated)
+
+
+def joint_of(name: str) -> tuple[str, int] | None:
+    """The group of a column of a log, and the number of its joint; None where ``name`` is none."""
+    match = _INDEXED.match(name)
+    return (match[1], int(match[2])) if match else None
+
+
+def is_known(name: str) -> bool:
+    """Whether ``name`` is one that a column of a log has."""
+    return name == "t" or joint_of(name) is not None
+
+
+def number_of(cell: bytes) -> float | None:
+    """The double nearest to what the cell says, or None."""
+    try:
+        return None if b"_" in cell else float(cell)
+    except ValueError:
+        return None

@@ -22,9 +22,9 @@ from robodyn.logs.limits import (
 )
 from robodyn.logs.mapping import Channel, LogMap
 from robodyn.logs.recording import Recording
+from robodyn.logs.resolve import JOINT_STATE, base_to_tip, joints_in
 from robodyn.logs.survey import ColumnFacts, StreamFacts
 from robodyn.logs.units import UnknownUnit, unit_of
-from robodyn.logs.usual import JOINT_STATE, base_to_tip, joints_in
 from robodyn.robot.model import Robot
 
 _INTEGER: Final = re.compile(r"[0-9]+")

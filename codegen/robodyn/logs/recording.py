@@ -12,12 +12,13 @@ from numpy.typing import NDArray
 
 from robodyn.errors import InputError, Place
 from robodyn.logs import windows
-from robodyn.logs.columns import LARGEST
 from robodyn.logs.windows import Rows, length_of
 from robodyn.robot.names import shown
 
 Floats = NDArray[np.float64]
 
+#: Largest log [numbers in the columns that are read]: 2 GiB of doubles, more than any simulation writes.
+LARGEST = 1 << 28
 #: The column of a stream that has the times at which its rows were recorded.
 RECEIVED = "received"
 #: Beside groups of columns: the stamps of their rows.

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from robodyn.errors import InputError, Place
 from robodyn.logs.mapping import Channel, LogMap
 from robodyn.logs.recording import RECEIVED, Recording, Stream, candidates, find
+from robodyn.robot.model import Robot
 from robodyn.robot.names import shown
 
 #: Number of the joint in a pattern, with leading zeros or without.
@@ -17,6 +18,12 @@ _NUMBER = re.compile(r"%(0[1-9])?d")
 _RANGE = re.compile(r"(?P<head>.*?)(?P<first>[0-9]{1,4})\.\.(?P<again>.*?)(?P<last>[0-9]{1,4})\Z", re.DOTALL)
 #: How the columns of a group are called where a map says nothing of them.
 USUAL = {"t": ("t",), "q": ("q%d", "q"), "tau": ("tau%d", "tau")}
+
+#: Fields of sensor_msgs/JointState, and the groups that they are.
+JOINT_STATE = {"q": "position", "qd": "velocity", "tau": "effort"}
+#: Names of joints that many arms have, base to tip: where no numbers say their order.
+_USUAL_ORDER = ("pan", "lift", "elbow", "wrist_1", "wrist_2", "wrist_3")
+_LAST_NUMBER = re.compile(r".*?([0-9]+)(?=[^0-9]*\Z)", re.DOTALL)
 
 
 @dataclass(frozen=True, slots=True)
@@ -202,3 +209,86 @@ def stamp_of(channel: Channel | None, stream: Stream, where: Place) -> str | Non
     if name == RECEIVED:
         raise InputError("the stream has no times of recording", where=where, found=stream.name)
     return None
+
+
+# --- maps of files that need none -------------------------------------------------------------------------
+
+
+def usual_map(recording: Recording, robot: Robot | None) -> LogMap:
+    """The map of ``recording`` where its own names say all.
+
+    Raises
+    ------
+    InputError: several topics have joint states, or the order of their joints is not known.
+    """
+    states = [stream for stream in recording.streams if joints_in(stream)]
+    columns = {column for stream in recording.streams for column in stream.columns}
+    where = Place(recording.file)
+    groups: dict[str, Channel] = {}
+    if not states:
+        for group in ("qd", "qdd", "ql"):
+            numbered = [
+                int(c[len(group) :]) for c in columns if re.fullmatch(rf"{group}[1-9][0-9]{{0,2}}", c)
+            ]
+            if numbered and group == "ql":
+                names = tuple(f"ql{j}" for j in sorted(numbered))
+                groups[group] = Channel(names, where, joints=tuple(sorted(numbered)))
+            elif f"{group}1" in columns:
+                groups[group] = Channel((f"{group}%d",), where)
+            elif group in columns or f"{group}.0" in columns:
+                groups[group] = Channel((group,), where)
+        return LogMap(groups)
+    full = [s for s in states if any(column.startswith("effort.") for column in s.columns)] or states
+    if len(full) > 1:
+        raise InputError(
+            "several topics have joint states",
+            where=where,
+            found=", ".join(shown(stream.name) for stream in full[:6]),
+            expected="one",
+            remedy=f"say which in a map (topic: {full[0].name}); robodyn logs FILE -o map.yaml",
+        )
+    (stream,) = full
+    names = joints_in(stream)
+    order, _ = base_to_tip(names, robot)
+    if order is None or (robot is not None and len(order) != robot.n):
+        expected = "joint1, joint2, ..." if robot is None else f"{robot.n}, numbered, or called as its links"
+        raise InputError(
+            "which joints are the robot's, base to tip, is not known",
+            where=where,
+            found=", ".join(map(shown, names[:12])),
+            expected=expected,
+            remedy="write joints: [NAME, NAME, ...] in a map; robodyn logs FILE -o map.yaml proposes one",
+        )
+    groups = {
+        group: Channel((f"{field}.%s",), where)
+        for group, field in JOINT_STATE.items()
+        if all(f"{field}.{name}" in stream.columns for name in order)
+    }
+    return LogMap(groups, order, stream.name)
+
+
+def joints_in(stream: Stream) -> tuple[str, ...]:
+    """Names of the joints of a topic of joint states, in its order; none if it is something else."""
+    if not stream.kind.endswith("/JointState"):
+        return ()
+    return tuple(c.removeprefix("position.") for c in stream.columns if c.startswith("position."))
+
+
+def base_to_tip(names: Sequence[str], robot: Robot | None) -> tuple[tuple[str, ...] | None, str]:
+    """The joints ``names`` in the order of the robot's, and by what it is known; None if it is not."""
+    if robot is not None:
+        links = [link.name for link in robot.links]
+        if all(link in names for link in links):
+            return tuple(links), "named as the robot's links"
+    matches = [match for match in map(_LAST_NUMBER.match, names) if match]
+    around = {(match.string[: match.start(1)], match.string[match.end(1) :]) for match in matches}
+    if len(matches) == len(names) and len(around) == 1:
+        numbers = {int(match[1]): match.string for match in matches}
+        values = sorted(numbers)
+        if values == list(range(values[0], values[0] + len(names))):
+            return tuple(numbers[value] for value in values), "numbered"
+    if len(names) == len(_USUAL_ORDER):
+        fits = [[name for name in names if word in name] for word in _USUAL_ORDER]
+        if all(len(fit) == 1 for fit in fits):
+            return tuple(fit[0] for fit in fits), "pan, lift, elbow, wrists, as such arms have them"
+    return (tuple(names), "one joint") if len(names) == 1 else (None, "")

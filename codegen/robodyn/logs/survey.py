@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from robodyn.logs.limits import APART, STANDSTILL, STILL_TIME
 from robodyn.logs.log import Log
 from robodyn.logs.recording import Recording, Stream, Table
-from robodyn.logs.usual import joints_in
+from robodyn.logs.resolve import joints_in
 
 Floats = NDArray[np.float64]
 

@@ -8,9 +8,8 @@ from pathlib import Path
 from typing import Any
 
 from robodyn.logs.arrays import is_numeric, recording_of_arrays
-from robodyn.logs.columns import LARGEST
 from robodyn.logs.formats import LogFormat
-from robodyn.logs.recording import Recording
+from robodyn.logs.recording import LARGEST, Recording
 from robodyn.tools.libraries import H5PY
 
 #: Levels of groups that are looked into.

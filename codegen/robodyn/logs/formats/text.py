@@ -19,8 +19,17 @@ from numpy.typing import NDArray
 
 from robodyn.errors import InputError, Place
 from robodyn.files import open_regular
-from robodyn.logs.columns import Layout, is_known, number_of
-from robodyn.logs.dialect import HEAD, Dialect, are_units, canonical, cells_of, dialect_of, filled
+from robodyn.logs.dialect import (
+    HEAD,
+    Dialect,
+    are_units,
+    canonical,
+    cells_of,
+    dialect_of,
+    filled,
+    is_known,
+    number_of,
+)
 from robodyn.logs.formats import LogFormat
 from robodyn.logs.recording import Groups, Recording, Stream
 from robodyn.logs.windows import Rows
@@ -57,13 +66,21 @@ def open_text(path: Path, file: str, gaps: bool) -> Recording:
     InputError: it is not text.
     OSError: the file cannot be read.
     """
-    dialect = replace(read_dialect(path, file), empty=gaps)
-    names = dialect.names
-    line = max(1, dialect.line - 1)
+    with io.BufferedReader(open_regular(path, "a log, such as log.csv", file)) as source:
+        header = tuple(_header(source, file))
+        below = cells_of(source.readline(LINE + 1).decode("utf-8", "replace").rstrip("\r\n"), ",")
+        source.seek(0)
+        size, head = os.fstat(source.fileno()).st_size, source.read(HEAD)
+    dialect = Dialect(header)
+    if not any(map(is_known, header)) or are_units(below):
+        dialect = dialect_of(head.decode("utf-8", "replace").removeprefix("\ufeff")) or dialect
+    dialect = replace(dialect, empty=gaps)
+    names, line = dialect.names, max(1, dialect.line - 1)
 
     def parts(stream: Stream, groups: Groups, stamp: str | None) -> Iterator[Rows]:
-        wanted = {name for group in groups.values() for name in group}
-        twice = sorted(name for name in wanted if names.count(name) > 1)
+        """Rows block by block; blank lines are skipped, NaN and infinity are numbers."""
+        wanted = [name for group in groups.values() for name in group]
+        twice = sorted(name for name in set(wanted) if names.count(name) > 1)
         if twice:
             raise InputError(
                 "the log has two columns with the same name",
@@ -72,60 +89,25 @@ def open_text(path: Path, file: str, gaps: bool) -> Recording:
                 remedy="delete or rename all but one",
             )
         at = {name: k for k, name in enumerate(names)}
-        places = {group: tuple(at[name] for name in columns) for group, columns in groups.items()}
-        return row_blocks(path, file, Layout(0, len(names), places, ()), dialect)
+        places = [at[name] for name in wanted]
+        ends = np.cumsum([len(group) for group in groups.values()])[:-1]
+        with io.BufferedReader(open_regular(path, "a log, such as log.csv", file)) as source:
+            for number in range(1, dialect.line):
+                if len(source.readline(LINE + 1)) > LINE:
+                    raise _too_long(Place(file, number))
+            number, is_empty = dialect.line, True
+            for block in _blocks(source, file, number):
+                rows = _parse(block, places, Place(file, number), dialect)
+                number += block.count(b"\n")
+                is_empty = is_empty and not len(rows)
+                yield dict(zip(groups, np.split(rows, ends, axis=1), strict=True))
+        if is_empty:
+            what, found = "the log has no samples", "the header only"
+            raise InputError(what, where=Place(file), found=found, expected="a line a sample")
 
-    with io.BufferedReader(open_regular(path, "a log", file)) as source:
-        size, head = os.fstat(source.fileno()).st_size, source.read(1 << 16)
     stream = Stream("", "table", None, tuple(dict.fromkeys(names)), dialect.units)
-    return Recording(
-        file, "text", (stream,), parts, (), names, line, dialect.named,
-        round(size * head.count(b"\n") / len(head)) if head else None,
-    )  # fmt: skip
-
-
-def read_dialect(path: Path, file: str) -> Dialect:
-    """How the table at ``path`` is written.
-
-    Raises
-    ------
-    InputError: it is not text.
-    OSError: the file cannot be read.
-    """
-    with io.BufferedReader(open_regular(path, "a log, such as log.csv", file)) as source:
-        names = _header(source, file)
-        below = cells_of(source.readline(LINE + 1).decode("utf-8", "replace").rstrip("\r\n"), ",")
-        if any(map(is_known, names)) and not are_units(below):
-            return Dialect(tuple(names))
-        source.seek(0)
-        head = source.read(HEAD).decode("utf-8", "replace").removeprefix("\ufeff")
-        return dialect_of(head) or Dialect(tuple(names))
-
-
-def row_blocks(path: Path, file: str, layout: Layout, dialect: Dialect) -> Iterator[Rows]:
-    """The groups of ``layout`` [k, m] of a table, block by block, however long it is. Blank lines are
-    skipped; NaN and infinity are numbers.
-
-    Raises
-    ------
-    InputError: a row is not one, with the line and column of what is wrong; there are none.
-    OSError: the file cannot be read.
-    """
-    with io.BufferedReader(open_regular(path, "a log, such as log.csv", file)) as source:
-        for line in range(1, dialect.line):
-            if len(source.readline(LINE + 1)) > LINE:
-                raise _too_long(Place(file, line))
-        line, empty = dialect.line, True
-        for block in _blocks(source, file, line):
-            rows = _parse(block, layout, Place(file, line), dialect)
-            line += block.count(b"\n")
-            empty = empty and not len(rows)
-            ends = np.cumsum([len(at) for at in layout.groups.values()])
-            yield dict(zip(layout.groups, np.split(rows, ends[:-1], axis=1), strict=True))
-    if empty:
-        raise InputError(
-            "the log has no samples", where=Place(file), found="the header only", expected="a line a sample"
-        )
+    rough_rows = round(size * head.count(b"\n") / len(head)) if head else None
+    return Recording(file, "text", (stream,), parts, (), names, line, dialect.named, rough_rows)
 
 
 def _header(source: BinaryIO, file: str) -> list[str]:
@@ -184,8 +166,9 @@ def _blocks(source: BinaryIO, file: str, line: int) -> Iterator[bytes]:
         yield rest
 
 
-def _parse(block: bytes, layout: Layout, where: Place, dialect: Dialect) -> Floats:
-    """The wanted cells of the lines of ``block``, ``[rows, columns]``; ``where`` is its first line."""
+def _parse(block: bytes, places: list[int], where: Place, dialect: Dialect) -> Floats:
+    """The cells at ``places`` of the lines of ``block``, ``[rows, columns]``; ``where`` is its first line."""
+    width = len(dialect.names)
     block = block if dialect.plain else canonical(block, dialect)
     text = block.replace(b"\r\n", b"\n") if b"\r" in block else block
     text = text if text.endswith(b"\n") else text + b"\n"
@@ -194,29 +177,29 @@ def _parse(block: bytes, layout: Layout, where: Place, dialect: Dialect) -> Floa
     text = filled(text) if dialect.empty else text
     marks = np.frombuffer(text, np.uint8)
     marks = marks[(marks == _COMMA) | (marks == _NEWLINE)]
-    if marks.size and marks.size % layout.width == 0:
-        grid = marks.reshape(-1, layout.width)
+    if marks.size and marks.size % width == 0:
+        grid = marks.reshape(-1, width)
         if (grid[:, :-1] == _COMMA).all() and (grid[:, -1] == _NEWLINE).all():
-            columns = None if layout.wanted == tuple(range(layout.width)) else layout.wanted
+            columns = None if places == list(range(width)) else places
             stream = io.StringIO(text.decode("ascii", "replace"))
             try:
                 rows: Floats = np.loadtxt(stream, delimiter=",", comments=None, usecols=columns, ndmin=2)
                 return rows
             except ValueError:
                 pass  # the search below says where
-    return _search(block, layout, where, empty=dialect.empty)
+    return _search(block, places, where, dialect)
 
 
-def _search(block: bytes, layout: Layout, where: Place, *, empty: bool) -> Floats:
+def _search(block: bytes, places: list[int], where: Place, dialect: Dialect) -> Floats:
     """As :func:`_parse`, cell by cell; stops at the first that is wrong."""
     assert where.line is not None
-    lines = block.split(b"\n")
+    width, lines = len(dialect.names), block.split(b"\n")
     rows = []
     for line, data in enumerate(lines, where.line):
         if not data.strip():
             continue
         cells = data.split(b",")
-        if len(cells) != layout.width:
+        if len(cells) != width:
             remedies = [
                 (line == where.line + len(lines) - 1, "the file was cut off there: delete its last line"),
                 (
@@ -230,17 +213,17 @@ def _search(block: bytes, layout: Layout, where: Place, *, empty: bool) -> Float
                 "the line has another number of cells than the header",
                 where=Place(where.file, line),
                 found=str(len(cells)),
-                expected=str(layout.width),
+                expected=str(width),
                 remedy=next((text for holds, text in remedies if holds), "delete the line, or mend it"),
             )
         row = []
-        for position in layout.wanted:
-            value = math.nan if empty and not cells[position].strip() else number_of(cells[position])
+        for position in places:
+            value = math.nan if dialect.empty and not cells[position].strip() else number_of(cells[position])
             if value is None:
                 raise _wrong_cell(cells, position, Place(where.file, line))
             row.append(value)
         rows.append(row)
-    return np.array(rows, dtype=np.float64).reshape(len(rows), len(layout.wanted))
+    return np.array(rows, dtype=np.float64).reshape(len(rows), len(places))
 
 
 def _wrong_cell(cells: Sequence[bytes], position: int, line: Place) -> InputError:
