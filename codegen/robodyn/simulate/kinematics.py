@@ -80,17 +80,6 @@ class Kinematics:
         placed, lead, (rates,) = self._frames(q, qd)
         return _gathered(jacobian_rate(self._arm, placed, rates, self.point, self.link), lead)
 
-    def pose_and_jacobian(self, q: ArrayLike) -> tuple[Floats, Floats, Floats]:
-        """:meth:`pose` and :meth:`jacobian` from one pass along the arm."""
-        placed, lead, _ = self._frames(q)
-        frame = placed[self.link - 1]
-        columns = jacobian(self._arm, placed, self.point, self.link)
-        return (
-            _gathered(frame.place(self.point), lead),
-            _gathered(frame.rotation(), lead),
-            _gathered(columns, lead),
-        )
-
     def _frames(self, q: ArrayLike, *rest: ArrayLike) -> tuple[list[Frame], tuple[int, ...], list[Any]]:
         """Frames at ``q``, the shape that stands before a result's own, and ``rest`` joint by joint.
 
