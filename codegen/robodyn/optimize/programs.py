@@ -22,7 +22,7 @@ from robodyn.dynamics.regroup import lumps_of, regrouped_with_ground
 from robodyn.dynamics.state import RigidDrives
 from robodyn.dynamics.vectors import Mark, Vector
 from robodyn.errors import InputError
-from robodyn.ir import Graph, Label, Node, Program, Signature
+from robodyn.ir import Graph, Node, Program, Signature
 from robodyn.ir.fingerprint import in_drawn_field
 from robodyn.ir.lowering import lower
 from robodyn.ir.signature import ScalarType
@@ -43,6 +43,10 @@ if TYPE_CHECKING:
     from robodyn.dynamics.base_set import BaseParameter
     from robodyn.dynamics.inverse import Inverse as ClosedForm
     from robodyn.dynamics.inverse import Numerical
+
+
+#: Joint torques [n] from rates ``qd`` and accelerations ``qdd``.
+Inverse = Callable[[Sequence[Any], Sequence[Any]], list[Any]]
 
 
 class NoForwardDynamics(NoSuchFunction):
@@ -201,11 +205,11 @@ class Recursion(RigidDrives):
         """Joint torques [n]."""
         if self._inverse is None:
             self._inverse = self._inverse_of(self.arm)
-        return self._inverse(qd, qdd, self.mark)
+        return self._inverse(qd, qdd)
 
     def inertial_torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
         """Joint torques [n] without gravity and friction."""
-        return self._inverse_of(inertial(self.arm))(qd, qdd, self.mark)
+        return self._inverse_of(inertial(self.arm))(qd, qdd)
 
     def reactions(
         self, qd: Sequence[Any], qdd: Sequence[Any], w: Sequence[Any]
@@ -215,7 +219,25 @@ class Recursion(RigidDrives):
         return reactions(self.arm, self.motion(qd, qdd), self.mark, beyond)
 
     def _inverse_of(self, arm: Arm) -> Inverse:
-        return _inverse_dynamics(arm, self._choice, self.inputs["q"], self._trigonometry, self._number)
+        choice, trigonometry = self._choice, self._trigonometry
+
+        def moved(arm: Arm, qd: Sequence[Any], qdd: Sequence[Any]) -> Motion:
+            return build_motion(arm, self.inputs["q"], qd, qdd, trigonometry, self._number)
+
+        if choice.formulation != "modified_newton_euler" or not choice.regroup:
+            book = formulation_named(choice.formulation)
+            return lambda qd, qdd: list(book(arm, moved(arm, qd, qdd), self.mark))
+        variant = choice.variant or suited_variant(arm, choice.chains, choice.forms)
+        links, unit = regrouped_as(arm, variant)
+        placed = with_displacements(arm, links, unit)
+
+        def recursion(qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
+            motion = moved(placed, qd, qdd)
+            turns = chain_turns(placed, motion, trigonometry, [link.chained for link in variant.links])
+            per_unit = 1 if unit == 1 else 1 / unit
+            return BaseNewtonEuler(placed, motion, turns, links, variant, per_unit, self.mark).torques()
+
+        return recursion
 
     def mass_matrix(self) -> list[list[Any]]:
         """Mass matrix [n][n], by composite bodies."""
@@ -270,11 +292,8 @@ def recursion_in(
     def trigonometry(angle: JointAngle) -> tuple[Any, Any]:
         return turned(graph, inputs["q"], angle)
 
-    def mark(value: Any, label: Label) -> Any:
-        return graph.label(value, label)
-
     arm = build_arm(robot, exact, graph.input)
-    return Recursion(arm, choice, inputs, trigonometry, exact, mark, scalar)
+    return Recursion(arm, choice, inputs, trigonometry, exact, graph.label, scalar)
 
 
 def turned(graph: Graph, q: Sequence[Node], angle: JointAngle) -> tuple[Any, Any]:
@@ -290,32 +309,3 @@ def turned(graph: Graph, q: Sequence[Node], angle: JointAngle) -> tuple[Any, Any
     c = graph.label(graph.cos(total), angle.label("c"))
     s = graph.label(graph.sin(total), angle.label("s"))
     return cosine * c - sine * s, cosine * s + sine * c
-
-
-#: Joint torques from rates ``qd`` and accelerations ``qdd``.
-Inverse = Callable[[Sequence[Any], Sequence[Any], Mark], list[Any]]
-
-
-def _inverse_dynamics(
-    arm: Arm,
-    choice: Choice,
-    q: Sequence[Any],
-    trigonometry: Trigonometry,
-    constant: Callable[[Fraction], Any],
-) -> Inverse:
-    if choice.formulation != "modified_newton_euler" or not choice.regroup:
-        book = formulation_named(choice.formulation)
-        return lambda qd, qdd, mark: list(
-            book(arm, build_motion(arm, q, qd, qdd, trigonometry, constant), mark)
-        )
-    variant = choice.variant or suited_variant(arm, choice.chains, choice.forms)
-    links, unit = regrouped_as(arm, variant)
-    placed = with_displacements(arm, links, unit)
-
-    def recursion(qd: Sequence[Any], qdd: Sequence[Any], mark: Mark) -> list[Any]:
-        motion = build_motion(placed, q, qd, qdd, trigonometry, constant)
-        turns = chain_turns(placed, motion, trigonometry, [link.chained for link in variant.links])
-        per_unit = 1 if unit == 1 else 1 / unit
-        return BaseNewtonEuler(placed, motion, turns, links, variant, per_unit, mark).torques()
-
-    return recursion

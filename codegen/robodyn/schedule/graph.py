@@ -83,10 +83,6 @@ class TaskGraph:
         """The earliest level (from 1) of each task, processors being plenty."""
         return _depths(self.after)
 
-    def tails(self) -> dict[TaskId, int]:
-        """The tasks on the longest chain from each task on, itself included."""
-        return _depths(self.before())
-
     def earliest(self) -> dict[TaskId, int]:
         """The earliest time at which each task can be done, processors being plenty."""
         return _depths(self.after, self.length)

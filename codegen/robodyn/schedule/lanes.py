@@ -3,8 +3,8 @@ between processors, and where they have to wait for each other."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from robodyn.errors import InputError
@@ -58,22 +58,24 @@ def lanes(cut: Cut, timetable: Timetable, waiting: Waiting = "barrier") -> Lanes
         level = {one.task: one.start + 1 for one in timetable.placements}
     before = _spread(cut, by_task[0], p)
     processor_of = tuple(before[i] if task == 0 else place[task] for i, task in enumerate(cut.task_of))
-    drafts: list[list[tuple[TaskId, int, tuple[int, ...]]]] = []
+    steps: list[tuple[Step, ...]] = []
     for k in range(p):
-        own = [i for i in by_task[0] if before[i] == k]
+        own = tuple(i for i in by_task[0] if before[i] == k)
         todo = sorted((task for task in place if place[task] == k), key=lambda task: (level[task], task))
-        drafts.append(
-            ([(0, 0, tuple(own))] if own else [])
-            + [(task, level[task], tuple(by_task[task])) for task in todo]
-        )
-    passing = _passing(cut, processor_of)
+        lane = [Step(task, level[task], tuple(by_task[task])) for task in todo]
+        steps.append((*([Step(0, 0, own)] if own else []), *lane))
+    passing = [
+        (arg, i)
+        for i, operation in enumerate(cut.program.operations)
+        for arg in operation.args
+        if isinstance(arg, int) and processor_of[arg] != processor_of[i]
+    ]
     shared = tuple(sorted({producer for producer, _ in passing}))
     if waiting == "barrier":
         of_level = [0 if task == 0 else level[task] for task in cut.task_of]
         barriers = _barriers([(of_level[producer], of_level[used]) for producer, used in passing])
-        steps = tuple(tuple(Step(*draft) for draft in lane) for lane in drafts)
-        return Lanes(steps, shared, barriers, processor_of)
-    return Lanes(_counted(drafts, passing, processor_of), shared, (), processor_of)
+        return Lanes(tuple(steps), shared, barriers, processor_of)
+    return Lanes(_counted(steps, passing, processor_of), shared, (), processor_of)
 
 
 def _near(cut: Cut, timetable: Timetable) -> tuple[dict[TaskId, int], dict[TaskId, int]]:
@@ -83,17 +85,13 @@ def _near(cut: Cut, timetable: Timetable) -> tuple[dict[TaskId, int], dict[TaskI
     p = timetable.machine.processors
     for level_index, row in enumerate(timetable.slots, 1):
         tasks = [task for task in row if task is not None]
-        wish = sorted(
-            (
-                (-sum(place[other] == k for other in cut.graph.after[task]), row.index(task), k)
-                for task in tasks
-                for k in range(p)
-            ),
+        wishes = sorted(
+            (-sum(place[other] == k for other in cut.graph.after[task]), row.index(task), k, task)
+            for task in tasks
+            for k in range(p)
         )
         taken: set[int] = set()
-        for _, where, k in wish:
-            task = row[where]
-            assert task is not None
+        for _, _, k, task in wishes:
             if task not in place and k not in taken:
                 place[task], level[task] = k, level_index
                 taken.add(k)
@@ -123,16 +121,6 @@ def _spread(cut: Cut, operations: Sequence[int], p: int) -> dict[int, int]:
     return {i: chosen[top(i)] for i in operations}
 
 
-def _passing(cut: Cut, processor_of: Sequence[int]) -> list[tuple[int, int]]:
-    """``(operation, operation that reads it on another processor)``."""
-    return [
-        (arg, i)
-        for i, operation in enumerate(cut.program.operations)
-        for arg in operation.args
-        if isinstance(arg, int) and processor_of[arg] != processor_of[i]
-    ]
-
-
 def _barriers(needs: Sequence[tuple[int, int]]) -> tuple[int, ...]:
     """Levels before which to meet, as few as there can be, so that each pair (made in, used in) has one
     between: in the order of use, as late as can be."""
@@ -144,38 +132,27 @@ def _barriers(needs: Sequence[tuple[int, int]]) -> tuple[int, ...]:
 
 
 def _counted(
-    drafts: Sequence[Sequence[tuple[TaskId, int, tuple[int, ...]]]],
-    passing: Sequence[tuple[int, int]],
-    processor_of: Sequence[int],
+    lanes: Sequence[Sequence[Step]], passing: Sequence[tuple[int, int]], processor_of: Sequence[int]
 ) -> tuple[tuple[Step, ...], ...]:
-    """Steps that wait for the counters of others: each counter tells how many steps are done there."""
-    order = {i: k for lane in drafts for k, (_, _, own) in enumerate(lane, 1) for i in own}
+    """Steps that wait for the counters of others, each of which tells how many steps are done there; waits
+    that an earlier one of the same processor has made needless are left out."""
+    order = {i: k for lane in lanes for k, step in enumerate(lane, 1) for i in step.operations}
     needed: dict[tuple[int, int], dict[int, int]] = {}
     for producer, used in passing:
         here = needed.setdefault((processor_of[used], order[used]), {})
         here[processor_of[producer]] = max(here.get(processor_of[producer], 0), order[producer])
-    waits, published = _only_new(drafts, needed)
+    waits: dict[tuple[int, int], tuple[tuple[int, int], ...]] = {}
+    for k, lane in enumerate(lanes):
+        seen: dict[int, int] = {}
+        for number in range(1, len(lane) + 1):
+            others = sorted(needed.get((k, number), {}).items())
+            waits[k, number] = tuple((j, s) for j, s in others if s > seen.get(j, 0))
+            seen.update(waits[k, number])
+    published = {wait for new in waits.values() for wait in new}
     return tuple(
         tuple(
-            Step(task, level, own, waits.get((k, step), ()), (k, step) in published)
-            for step, (task, level, own) in enumerate(lane, 1)
+            replace(step, waits=waits[k, number], publishes=(k, number) in published)
+            for number, step in enumerate(lane, 1)
         )
-        for k, lane in enumerate(drafts)
+        for k, lane in enumerate(lanes)
     )
-
-
-def _only_new(
-    drafts: Sequence[Sequence[object]], needed: Mapping[tuple[int, int], Mapping[int, int]]
-) -> tuple[dict[tuple[int, int], tuple[tuple[int, int], ...]], set[tuple[int, int]]]:
-    """Waits that an earlier one of the same processor has not made needless, and whom they wait for."""
-    waits: dict[tuple[int, int], tuple[tuple[int, int], ...]] = {}
-    published: set[tuple[int, int]] = set()
-    for k, lane in enumerate(drafts):
-        seen: dict[int, int] = {}
-        for step in range(1, len(lane) + 1):
-            new = [(j, s) for j, s in sorted(needed.get((k, step), {}).items()) if s > seen.get(j, 0)]
-            seen.update(new)
-            published.update(new)
-            if new:
-                waits[k, step] = tuple(new)
-    return waits, published

@@ -122,12 +122,12 @@ Part = tuple[int, int] | Fraction
 """A row and a sign, or a constant."""
 
 
-def network(programs: Sequence[Program], *, primes: int | None = None, seed: int = 1) -> Network:
+def network(programs: Sequence[Program], *, seed: int = 1) -> Network:
     """``programs``, all of which compute the same, as one network; the rows of the first come first.
 
     Only what the first needs is alive at the start; its outputs are the network's.
     """
-    building = _Building(programs[0], primes or _primes_for(programs), seed)
+    building = _Building(programs[0], _primes_for(programs), seed)
     with localcontext() as context:
         context.prec = _DIGITS
         outputs, *_ = [building.replay(program) for program in programs]
@@ -226,14 +226,12 @@ class _Building:
         if isinstance(y, Fraction):
             if y in (0, 1, -1):
                 return (i, s * int(y)) if y else Fraction(0)
-            residues = tuple(
-                s * u * _modulo(y, p) % p for u, p in zip(self.residues[i], self.moduli, strict=True)
-            )
+            own = zip(self.residues[i], self.moduli, strict=True)
+            residues = tuple(s * u * _modulo(y, p) % p for u, p in own)
             return self._row(Row(SCALE, i), residues, [s * u * _decimal(y) for u in self.truth[i]])
         j, t = y
-        residues = tuple(
-            u * v % p for u, v, p in zip(self.residues[i], self.residues[j], self.moduli, strict=True)
-        )
+        both = zip(self.residues[i], self.residues[j], self.moduli, strict=True)
+        residues = tuple(u * v % p for u, v, p in both)
         truth = [u * v for u, v in zip(self.truth[i], self.truth[j], strict=True)]
         at, sign = self._row(Row(MUL, i, j), residues, truth)
         return at, sign * s * t
@@ -247,15 +245,12 @@ class _Building:
         if isinstance(y, Fraction):
             if not y:
                 return x
-            residues = tuple(
-                (s * u + _modulo(y, p)) % p for u, p in zip(self.residues[i], self.moduli, strict=True)
-            )
+            own = zip(self.residues[i], self.moduli, strict=True)
+            residues = tuple((s * u + _modulo(y, p)) % p for u, p in own)
             return self._row(Row(OFFSET, i, 0, s), residues, [s * u + _decimal(y) for u in self.truth[i]])
         j, t = y
-        residues = tuple(
-            (s * u + t * v) % p
-            for u, v, p in zip(self.residues[i], self.residues[j], self.moduli, strict=True)
-        )
+        both = zip(self.residues[i], self.residues[j], self.moduli, strict=True)
+        residues = tuple((s * u + t * v) % p for u, v, p in both)
         if not residues[0]:
             return Fraction(0)
         if residues[0] == residues[1] == residues[2]:  # the same at every point, as sin^2 + cos^2 is
@@ -285,16 +280,10 @@ def _decimal(x: Fraction) -> Decimal:
 
 def _primes_for(programs: Sequence[Program]) -> int:
     """How many primes recover constants that are products of a few of the programs' own."""
-    bits = max(
-        (
-            arg.numerator.bit_length() + arg.denominator.bit_length()
-            for program in programs
-            for operation in program.operations
-            for arg in operation.args
-            if isinstance(arg, Fraction)
-        ),
-        default=1,
-    )
+    numbers = {
+        x for program in programs for op in program.operations for x in op.args if isinstance(x, Fraction)
+    }
+    bits = max((x.numerator.bit_length() + x.denominator.bit_length() for x in numbers), default=1)
     return min(max(16, (10 * bits + 600) // 61), len(BELOW))
 
 

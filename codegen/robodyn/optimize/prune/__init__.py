@@ -16,12 +16,5 @@ from robodyn.optimize.prune.pruning import (
 )
 
 __all__ = [
-    "PRUNED",
-    "PruneError",
-    "Pruning",
-    "check_asked",
-    "notes_of",
-    "parse_tolerance",
-    "peaks_of",
-    "prune",
-]
+    "PRUNED", "PruneError", "Pruning", "check_asked", "notes_of", "parse_tolerance", "peaks_of", "prune",
+]  # fmt: skip

@@ -78,14 +78,10 @@ def box_of(robot: Robot, arrays: Sequence[str] = ("q", "qd", "qdd")) -> Box:
             sampled[x] = position
         else:
             ranges[x] = position
-    for array, limits in (
-        ("qd", [link.joint.limits.velocity for link in robot.links]),
-        ("qdd", [link.joint.limits.acceleration for link in robot.links]),
-    ):
-        if array in arrays:
-            ranges.update(
-                {Input(array, i): (-(b or Fraction(0)), b or Fraction(0)) for i, b in enumerate(limits)}
-            )
+    for array, kind in (("qd", "velocity"), ("qdd", "acceleration")):
+        for i, link in enumerate(robot.links if array in arrays else ()):
+            most = getattr(link.joint.limits, kind)
+            ranges[Input(array, i)] = (-most, most)
     return Box(tuple(angles), ranges, sampled)
 
 
@@ -93,13 +89,8 @@ def _missing(robot: Robot) -> str:
     """Which limits which joints lack, in words; empty if none."""
     lacking: dict[str, list[str]] = {}
     for i, link in enumerate(robot.links, 1):
-        limits = link.joint.limits
-        stated = {
-            "position": limits.position,
-            "velocity": limits.velocity,
-            "acceleration": limits.acceleration,
-        }
-        keys = ", ".join(key for key, value in stated.items() if value is None)
+        kinds = ("position", "velocity", "acceleration")
+        keys = ", ".join(kind for kind in kinds if getattr(link.joint.limits, kind) is None)
         if keys:
             lacking.setdefault(keys, []).append(str(i))
     return "; ".join(

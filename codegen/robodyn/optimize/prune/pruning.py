@@ -64,24 +64,15 @@ class Pruning:
 
     def to_dict(self) -> dict[str, Any]:
         """As ``--json`` prints it."""
+        names = ("joint", "peak", "proven", "sampled", "share")
         joints = [
-            {
-                "joint": j,
-                "peak": peak,
-                "proven": proven,
-                "sampled": sampled,
-                "share": _rounded(proven / peak, 1) if peak else 0.0,
-            }
-            for j, peak, proven, sampled in self._rows()
+            dict(zip(names, (*row, _rounded(row[2] / row[1], 1) if row[1] else 0.0), strict=True))
+            for row in self._rows()
         ]
         return {
-            "tolerance": float(self.tolerance),
-            "limits": list(self.limits),
-            "before": self.before,
-            "after": self.after,
-            "states": self.states,
-            "joints": joints,
-        }
+            "tolerance": float(self.tolerance), "limits": list(self.limits), "before": self.before,
+            "after": self.after, "states": self.states, "joints": joints,
+        }  # fmt: skip
 
     def _rows(self) -> list[tuple[int, float, float, float]]:
         joints = range(1, len(self.peaks) + 1)
@@ -206,34 +197,30 @@ def prune(
             raise PruneError(f"a proven error of {bound} is above the tolerance of {most}{_REPORT}")
         if not sample <= bound + _ROUNDING * peak:
             raise PruneError(f"an error of {sample} is above the proven {bound}{_REPORT}")
-    return smaller, Pruning(
-        function=function,
-        tolerance=tolerance,
-        limits=limits_of(robot, box),
-        peaks=tuple(_rounded(peak, -1) for peak in peaks),
-        proven=tuple(_rounded(bound, 1) for bound in proven),
-        sampled=tuple(
-            _rounded(min(sample, bound), 1) if sample > _ROUNDING * peak else 0.0
-            for sample, bound, peak in zip(sampled, proven, peaks, strict=True)
-        ),
-        states=STATES,
-        before=before,
-        after=count(smaller).total,
+    shown = tuple(
+        _rounded(min(sample, bound), 1) if sample > _ROUNDING * peak else 0.0
+        for sample, bound, peak in zip(sampled, proven, peaks, strict=True)
     )
+    rounded_peaks = tuple(_rounded(peak, -1) for peak in peaks)
+    rounded_bounds = tuple(_rounded(bound, 1) for bound in proven)
+    return smaller, Pruning(
+        function, tolerance, limits_of(robot, box), rounded_peaks, rounded_bounds, shown, STATES, before,
+        count(smaller).total,
+    )  # fmt: skip
 
 
-def sampled_errors(
-    program: Program, smaller: Program, box: Box, states: int = STATES, seed: int = 2
-) -> list[float]:
+def sampled_errors(program: Program, smaller: Program, box: Box) -> list[float]:
     """The largest difference [m] of two programs found at random states, half of them corners, and by ascent
     from the worst."""
     import numpy as np
 
-    worst = largest(lambda at: values(smaller, box, at) - values(program, box, at), box, seed)
-    chunk = 20_000
-    for k in range(0, states, chunk):
-        at = draw(box, min(chunk, states - k), seed + 1 + k)
-        worst = np.maximum(worst, np.abs(values(smaller, box, at) - values(program, box, at)).max(axis=1))
+    def difference(at: Any) -> Any:
+        return values(smaller, box, at) - values(program, box, at)
+
+    seed, chunk = 2, 20_000
+    worst = largest(difference, box, seed)
+    for k in range(0, STATES, chunk):
+        worst = np.maximum(worst, np.abs(difference(draw(box, chunk, seed + 1 + k))).max(axis=1))
     return [float(error) for error in worst]
 
 

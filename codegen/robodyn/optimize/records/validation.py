@@ -51,14 +51,15 @@ def validated(
     ------
     InputError: it does not, or cannot be compared.
     """
-    known = {*recursion.inputs(), *inputs}
+    # A sine of what is no angle would only be a random function here.
+    comparable = all(is_angle(program, op.args[0]) for op in program.operations if op.op in ("sin", "cos"))
+    comparable = comparable and {*recursion.inputs(), *inputs}.issuperset(program.inputs())
+    ours, theirs = ([(name, len(elements)) for name, elements in p.outputs] for p in (program, recursion))
     try:
-        if _angles_only(program) and _comparable(program, recursion, known):
-            rebuilt = unchecked(program, passes)
-            prime = digest(record.program)
-            if agree(rebuilt, recursion, circle_point, prime_of=prime) and _same_arguments(
-                rebuilt, recursion
-            ):
+        if comparable and ours == theirs:
+            rebuilt, prime = unchecked(program, passes), digest(record.program)
+            equal = agree(rebuilt, recursion, circle_point, prime_of=prime)
+            if equal and _same_arguments(rebuilt, recursion):
                 if (rounding or Rounding(recursion)).allows(rebuilt):
                     return rebuilt
                 raise _refused(record, "a program that loses too many digits to rounding")
@@ -115,18 +116,6 @@ def _refused(record: Record, reason: str) -> InputError:
         found=reason,
         remedy="delete the record, or make it anew: robodyn gen --optimize full",
     )
-
-
-def _angles_only(program: Program) -> bool:
-    """Whether every sine is of an angle: of anything else it would only be a random function here."""
-    return all(is_angle(program, op.args[0]) for op in program.operations if op.op in ("sin", "cos"))
-
-
-def _comparable(program: Program, recursion: Program, known: set[Input]) -> bool:
-    def interface(p: Program) -> list[tuple[str, int]]:
-        return [(name, len(elements)) for name, elements in p.outputs]
-
-    return interface(program) == interface(recursion) and known.issuperset(program.inputs())
 
 
 def _same_arguments(program: Program, recursion: Program) -> bool:
