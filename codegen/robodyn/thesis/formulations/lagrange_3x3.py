@@ -37,12 +37,12 @@ from robodyn.dynamics.transforms import (
     rotation,
     second_moment,
     summed,
-    times,
     trace,
     transposed,
     turned,
 )
 from robodyn.dynamics.vectors import ZERO, Mark, Vector, named, plus, scaled, unmarked
+from robodyn.thesis.formulations.lagrange_4x4 import passed_on
 
 
 def lagrange_3x3(arm: Arm, motion: Motion, mark: Mark = unmarked) -> list[Any]:
@@ -60,14 +60,7 @@ def lagrange_3x3(arm: Arm, motion: Motion, mark: Mark = unmarked) -> list[Any]:
         if body.revolute:
             dR = marked(mark, product(R, TURN_3), i + 1, "dR")
             ddR = marked(mark, product(dR, TURN_3), i + 1, "ddR")
-            Wdd = summed(
-                product(Wdd, R),
-                times(2 * qd, product(Wd, dR)),
-                times(qd * qd, product(W, ddR)),
-                times(qdd, product(W, dR)),
-            )
-            Wd = summed(product(Wd, R), times(qd, product(W, dR)))
-            slope = product(W, dR)
+            slope, Wd, Wdd = passed_on((W, Wd, Wdd), (R, dR, ddR), qd, qdd)
         else:
             axis: Vector = (0, -body.sin_alpha, body.cos_alpha)  # dp/dq
             slope = (turned(W, axis),)

@@ -9,13 +9,11 @@ reading that can is taken; the table says which. Source: Dhanaraj 1990, A.1 to A
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, Final, NamedTuple
+from typing import Any, Final
 
 from robodyn.dynamics.arm import Arm, Motion, origin
 from robodyn.dynamics.joints import joint_torque
 from robodyn.dynamics.transforms import (
-    IDENTITY_4,
-    TURN_4,
     ZERO_3,
     ZERO_4,
     Matrix,
@@ -30,12 +28,12 @@ from robodyn.dynamics.transforms import (
     summed,
     times,
     trace,
-    transform,
     transposed,
     turned,
 )
 from robodyn.dynamics.vectors import ZERO, plus, scaled, unmarked
 from robodyn.thesis.formulations.lagrange import transform_slopes, weighed
+from robodyn.thesis.formulations.lagrange_4x4 import moving_links
 from robodyn.thesis.slips import Comparison
 from robodyn.thesis.slips.recursion import against_newton_euler
 
@@ -91,32 +89,6 @@ def closed_form(arm: Arm, motion: Motion, slip: str = "") -> list[Any]:
 # --- the recursions ---------------------------------------------------------------------------------------
 
 
-class _Moving(NamedTuple):
-    """The transform ``A`` of a link in the frame before, and ``W, Wd, Wdd`` in the base's, with ``dW/dq``."""
-
-    A: Matrix
-    W: Matrix
-    Wd: Matrix
-    Wdd: Matrix
-    slope: Matrix
-
-
-def _moving(arm: Arm, motion: Motion) -> list[_Moving]:
-    """The links of an arm of revolute joints."""
-    W, Wd, Wdd = IDENTITY_4, ZERO_4, ZERO_4
-    moving = []
-    for i, body in enumerate(arm.bodies):
-        qd, qdd = motion.qd[i], motion.qdd[i]
-        A = transform(body, motion.c[i], motion.s[i], motion.d[i])
-        dA = product(A, TURN_4)
-        slope = product(W, dA)
-        fast = times(qd * qd, product(W, product(dA, TURN_4)))
-        Wdd = summed(product(Wdd, A), times(2 * qd, product(Wd, dA)), fast, times(qdd, slope))
-        Wd, W = summed(product(Wd, A), times(qd, slope)), product(W, A)
-        moving.append(_Moving(A, W, Wd, Wdd, slope))
-    return moving
-
-
 def recursive_4x4(arm: Arm, motion: Motion, slip: str = "") -> list[Any]:
     """A.2: ``D_i = J_i T''_i^T + A_(i+1) D_(i+1)``, ``c_i = m_i r_i + A_(i+1) c_(i+1)``,
     ``tau_i = tr(dT_i/dq_i D_i) - g^T dT_i/dq_i c_i``.
@@ -125,7 +97,7 @@ def recursive_4x4(arm: Arm, motion: Motion, slip: str = "") -> list[Any]:
     from frame 0; ``turned``: c has ``T_i`` before ``r_i``; ``products``: the pseudo-inertia takes the
     tensor's entries ``I_xy`` for integrals of ``x y``.
     """
-    links = _moving(arm, motion)
+    links = moving_links(arm, motion, unmarked)
     g = (*arm.gravity, 0)
     D, c = ZERO_4, (0, 0, 0, 0)
     torques: list[Any] = [None] * len(links)
@@ -142,7 +114,7 @@ def recursive_4x4(arm: Arm, motion: Motion, slip: str = "") -> list[Any]:
             beyond = links[i + 1].W if slip == "from_base" else links[i + 1].A
             D, c = product(beyond, D), applied(beyond, c)
         D, c = summed(share, D), tuple(x + y for x, y in zip(r, c, strict=True))
-        torque = trace(product(at.slope, D)) - inner(g, applied(at.slope, c))
+        torque = trace(product(at.dW, D)) - inner(g, applied(at.dW, c))
         torques[i] = joint_torque(arm, i, motion, torque, unmarked)
     return torques
 
@@ -156,12 +128,12 @@ def recursive_3x3(arm: Arm, motion: Motion, slip: str = "") -> list[Any]:
     ``e_(i+1)`` is turned by R; ``last``: the last term of e is ``s / m`` times ``r''``, read entry by entry;
     ``at_joint``: c lacks the offset.
     """
-    links = _moving(arm, motion)
+    links = moving_links(arm, motion, unmarked)
     D, e, c, beyond_mass = ZERO_3, ZERO, ZERO, 0
     torques: list[Any] = [None] * len(links)
     for i in reversed(range(len(links))):
         body, at = arm.bodies[i], links[i]
-        Wdd, slope = _turn(at.Wdd), _turn(at.slope)
+        Wdd, slope = _turn(at.Wdd), _turn(at.dW)
         x, y, z = (row[3] for row in at.Wdd[:3])
         s = first_moment(body)
         light = tuple(u / body.mass if body.mass else 0 * u for u in body.com)
