@@ -24,12 +24,14 @@ from benchmarks.marked import with_part
 
 from robodyn import Options, load, program
 from robodyn.dynamics.arm import JointAngle, Motion, build_arm, build_motion, inertial
+from robodyn.dynamics.lump import NO_LUMP
 from robodyn.dynamics.mass_matrix import mass_matrix
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.dynamics.parallel import single_turns
 from robodyn.dynamics.reference import energies
 from robodyn.dynamics.regressor import torques_from
 from robodyn.dynamics.regroup import lumps_of
+from robodyn.dynamics.state import Moving, Posture
 from robodyn.ir.evaluate import evaluate
 from robodyn.ir.program import Input
 from robodyn.optimize.programs import base_set_of
@@ -94,7 +96,7 @@ def casadi_counts(robot: Robot) -> dict[str, int]:
     slope = ca.vertsplit(ca.gradient(kinetic, symbols["q"]))
     owns: list[tuple[str, int]] = [column.own for column in columns]
     numbers = {own: symbols["pi"][k] for k, own in enumerate(owns)}
-    torques = torques_from(arm, motion(qd, qdd), single_turns(motion(qd, qdd)), numbers)
+    torques = torques_from(Posture(arm, motion(qd, qdd), single_turns(motion(qd, qdd))), numbers)
     ways = {
         "kinetic_energy": [[kinetic]],
         "potential_energy": [[potential]],
@@ -108,7 +110,9 @@ def casadi_counts(robot: Robot) -> dict[str, int]:
         "inverse_dynamics_from_parameters": [torques],
     }
     if "inverse_mass_matrix" in ours(robot.name, ["inverse_mass_matrix"]):
-        matrix = mass_matrix(arm, motion(rest, rest), single_turns(motion(rest, rest)), lumps_of(arm))
+        matrix = mass_matrix(
+            Moving(arm, motion(rest, rest), single_turns(motion(rest, rest)), lumps_of(arm), NO_LUMP)
+        )
         whole = ca.vertcat(*(ca.horzcat(*row) for row in matrix))
         ways["inverse_mass_matrix"] = [
             ca.vertsplit(ca.vec(ca.inv(whole))),

@@ -25,9 +25,11 @@ from robodyn import Options, count, load, program
 from robodyn.dynamics.arm import Arm, JointAngle, Motion, build_arm, build_motion
 from robodyn.dynamics.functions import FUNCTIONS, NoSuchFunction
 from robodyn.dynamics.kinematics import frames, jacobian
+from robodyn.dynamics.lump import NO_LUMP
 from robodyn.dynamics.mass_matrix import mass_matrix
 from robodyn.dynamics.parallel import single_turns
 from robodyn.dynamics.regroup import lumps_of
+from robodyn.dynamics.state import Moving
 from robodyn.dynamics.transforms import IDENTITY_4, applied, product, rotation, transform, transposed
 from robodyn.dynamics.vectors import ZERO, Vector, cross, plus, scaled
 from robodyn.ir.evaluate import evaluate
@@ -229,7 +231,7 @@ def _relative(w: Vector, alpha: Vector, r: Vector) -> Vector:
 
 def _lambda(arm: Arm, motion: Motion, J: Sequence[Sequence[Any]]) -> list[Any]:
     """The mass matrix of composite bodies as ``L D L^T``, six solutions half way, and products."""
-    M = mass_matrix(arm, motion, single_turns(motion), lumps_of(arm))
+    M = mass_matrix(Moving(arm, motion, single_turns(motion), lumps_of(arm), NO_LUMP))
     n = len(M)
     L: list[list[Any]] = [[0] * n for _ in range(n)]
     LD: list[list[Any]] = [[0] * n for _ in range(n)]

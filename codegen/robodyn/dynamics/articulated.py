@@ -9,21 +9,19 @@ nothing but the velocity of turning is needed.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import Any, NamedTuple
 
 from robodyn.dynamics.arm import Symmetric, about_x, about_z, into_child, origin
 from robodyn.dynamics.joints import joint_torque
-from robodyn.dynamics.spatial import Pair, Spatial, inertia_of, less
+from robodyn.dynamics.spatial import Spatial, inertia_of, less
 from robodyn.dynamics.state import Moving
-from robodyn.dynamics.vectors import ZERO, Mark, Vector, cross, dot, named, plus, scaled, unmarked
+from robodyn.dynamics.vectors import ZERO, Mark, Pair, Vector, cross, dot, named, plus, scaled, unmarked
 from robodyn.effects.scalars import is_zero
 from robodyn.ir.program import Label
 
 
-@dataclass(frozen=True, slots=True)
-class Yielding:
+class Yielding(NamedTuple):
     """How a joint gives way, its axis being z: the moment and force ``along`` which the body that it carries
     resists a unit of its acceleration, the ``inverse`` of what that is along the joint itself, rotor
     included, their product, the ``share``, and what of the body is ``felt`` through the joint, about and at

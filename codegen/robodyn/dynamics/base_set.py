@@ -20,12 +20,13 @@ from fractions import Fraction
 from numbers import Rational
 from typing import Any, NamedTuple
 
-from robodyn.dynamics.arm import Arm, JointAngle, Motion, Symmetric, build_motion
+from robodyn.dynamics.arm import Arm, JointAngle, Symmetric, build_motion
 from robodyn.dynamics.limits import MOST_FIELDS
 from robodyn.dynamics.lump import Lump
-from robodyn.dynamics.parallel import Turns, single_turns
+from robodyn.dynamics.parallel import single_turns
 from robodyn.dynamics.regressor import Accelerated, accelerated, unit_torques_at
 from robodyn.dynamics.regroup import about_axis_z, in_parent
+from robodyn.dynamics.state import Posture
 from robodyn.errors import InputError
 from robodyn.ir.field import Field, Residue
 from robodyn.ir.fingerprint import in_drawn_field
@@ -300,7 +301,7 @@ def _less(one: _Combination, factor: int, other: _Combination, p: int) -> _Combi
     return result
 
 
-def _somewhere(field: Field, arm: Arm, k: int) -> tuple[Arm, Motion, Turns, list[Accelerated]]:
+def _somewhere(field: Field, arm: Arm, k: int) -> tuple[Posture, list[Accelerated]]:
     """``arm`` in the field, at a random point, and the motion of its links there."""
 
     def number(x: Any) -> Any:
@@ -320,8 +321,8 @@ def _somewhere(field: Field, arm: Arm, k: int) -> tuple[Arm, Motion, Turns, list
     x, y, z = map(number, arm.gravity)
     moved = Arm(bodies, (x, y, z), number(arm.rest_velocity), number(arm.dead_band))
     motion = build_motion(moved, q, qd, qdd, circle, number)
-    turns = single_turns(motion)
-    return moved, motion, turns, accelerated(moved, motion, turns)
+    posture = Posture(moved, motion, single_turns(motion))
+    return posture, accelerated(posture)
 
 
 def _rational(value: int, modulus: int) -> Fraction | None:

@@ -17,8 +17,7 @@ algebra"), who write them in spatial vectors. Written with moments and relative 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 from robodyn.dynamics.arm import Arm, about_x, about_z, origin
 from robodyn.dynamics.modified_newton_euler import Lambda, lambda_matrix
@@ -31,8 +30,7 @@ from robodyn.dynamics.vectors import ZERO, Mark, Vector, cross, dot, named, plus
 Matrix = list[list[Any]]
 
 
-@dataclass(frozen=True, slots=True)
-class _Link:
+class _Link(NamedTuple):
     """A link in motion, along the axes in which its joint (or its chain) begins to turn: angular velocity
     ``w``, its lambda matrix ``lam``, acceleration ``a`` of its origin less gravity;
     along its own axes the force ``f`` at and the moment ``n`` about its origin."""
@@ -141,8 +139,7 @@ def _own(at: Moving, links: Sequence[_Link], i: int) -> Composite:
     return Composite(at.lumps[i], ZERO, (ZERO, ZERO, ZERO), links[i].f, links[i].n)
 
 
-@dataclass(frozen=True, slots=True)
-class _Wrenches:
+class _Wrenches(NamedTuple):
     """Force and moment at and about the origin of joint i: what its unit acceleration needs (``inertia``),
     and derivatives by its ``velocity`` and its ``position``; and the vector ``twice`` whose product with
     what a joint before changes of the angular velocity is what joint i feels of that."""

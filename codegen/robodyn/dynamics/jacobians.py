@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any
+from typing import Any, NamedTuple
 
 from robodyn.dynamics.arm import about_z, into_child, origin
 from robodyn.dynamics.limits import SECTIONS_TRIED
@@ -33,8 +33,7 @@ _OF_LONG_ARMS: tuple[tuple[Row, int], ...] = ((None, 0), (0, 0))
 Column = tuple[Vector, Vector]
 
 
-@dataclass(frozen=True, slots=True)
-class Lever:
+class Lever(NamedTuple):
     """From a link's origin to the tool's [m], along the axes of its section and, where it is the last one of
     that, along its own."""
 

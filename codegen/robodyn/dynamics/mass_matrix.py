@@ -8,30 +8,29 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from robodyn.dynamics.arm import Arm, Motion, about_x, about_z
-from robodyn.dynamics.lump import NO_LUMP, Lump
-from robodyn.dynamics.parallel import Turns, reaches
+from robodyn.dynamics.arm import about_x, about_z
+from robodyn.dynamics.lump import NO_LUMP
+from robodyn.dynamics.parallel import reaches
 from robodyn.dynamics.regroup import about_axis_x, about_axis_z, merged, shifted
+from robodyn.dynamics.state import Moving
 from robodyn.dynamics.vectors import Mark, Vector, cross, named, plus, unmarked
 from robodyn.effects.scalars import is_zero, quotient
 from robodyn.ir.program import Label
 
 
-def mass_matrix(
-    arm: Arm, motion: Motion, turns: Turns, lumps: Sequence[Lump], mark: Mark = unmarked
-) -> list[list[Any]]:
+def mass_matrix(at: Moving, mark: Mark = unmarked) -> list[list[Any]]:
     """Mass matrix [n, n] (kg m^2, kg m, kg), rotor inertias on its diagonal.
 
     Composite bodies, forces and moments are along the axes in which a joint (or its chain) begins to
     turn: the turn leaves the joint's own axis where it is.
     """
-    n = len(arm.bodies)
+    arm, turns, n = at.arm, at.turns, len(at.arm.bodies)
     matrix: list[list[Any]] = [[0] * n for _ in range(n)]
-    reach = reaches(arm, motion, turns)
+    reach = reaches(arm, at.motion, turns)
     composite = NO_LUMP
     for j in reversed(range(n)):
         body, c, s = arm.bodies[j], turns.c[j], turns.s[j]
-        here, further = lumps[j], NO_LUMP
+        here, further = at.lumps[j], NO_LUMP
         if j + 1 < n:
             child = arm.bodies[j + 1]
             further = shifted(about_axis_x(composite, child.cos_alpha, child.sin_alpha), reach[j])

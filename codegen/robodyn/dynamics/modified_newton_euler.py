@@ -10,8 +10,7 @@ joint's force, and rotor inertia on the diagonal.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 from robodyn.dynamics.arm import Arm, Motion, into_child, into_parent, origin
 from robodyn.dynamics.joints import joint_torque
@@ -19,8 +18,7 @@ from robodyn.dynamics.vectors import ZERO, Mark, Vector, cross, named, plus, sca
 from robodyn.ir.program import Label
 
 
-@dataclass(frozen=True, slots=True)
-class Lambda:
+class Lambda(NamedTuple):
     """The lambda matrix of a link and the products ``k = (w_y w_z, w_z w_x, w_x w_y)``."""
 
     rows: tuple[Vector, Vector, Vector]
@@ -58,8 +56,7 @@ def lambda_matrix(w: Vector, alpha: Vector, link: int, mark: Mark) -> Lambda:
     )
 
 
-@dataclass(frozen=True, slots=True)
-class Kinematics:
+class Kinematics(NamedTuple):
     """One link of the forward pass: ``w``, ``alpha``, ``lambda``, acceleration ``a`` of the origin less
     gravity, and ``p``, the origin in the parent's frame."""
 

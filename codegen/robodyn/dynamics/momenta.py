@@ -11,23 +11,17 @@ positions De Luca, Albu-Schaeffer, Haddadin, Hirzinger 2006, whose observer need
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any, NamedTuple
 
-from robodyn.dynamics.arm import Arm, Motion, about_x, about_z, origin
+from robodyn.dynamics.arm import about_x, about_z, origin
 from robodyn.dynamics.lump import Lump
-from robodyn.dynamics.state import Rotor
-from robodyn.dynamics.vectors import HALF, ZERO, Mark, Vector, cross, dot, named, plus, scaled, unmarked
+from robodyn.dynamics.state import Moving, Posture, Rotor
+from robodyn.dynamics.vectors import HALF, ZERO, Mark, Pair, Vector, cross, dot, named, plus, scaled, unmarked
 from robodyn.effects.scalars import is_zero
 from robodyn.ir.program import Label
 
-if TYPE_CHECKING:
-    from robodyn.dynamics.parallel import Turns
-    from robodyn.dynamics.state import Moving
 
-
-@dataclass(frozen=True, slots=True)
-class Twist:
+class Twist(NamedTuple):
     """Velocities of a link [rad/s, m/s]: its own ``w`` and its origin's ``v`` along its own axes; along those
     in which it begins to turn ``start_w``, ``start_v`` and the angular velocity ``carrier`` of what carries
     the joint, or its chain."""
@@ -39,8 +33,9 @@ class Twist:
     carrier: Vector
 
 
-def twists(arm: Arm, motion: Motion, turns: Turns, mark: Mark = unmarked) -> list[Twist]:
+def twists(at: Posture, mark: Mark = unmarked) -> list[Twist]:
     """Velocities of the links [n]."""
+    arm, motion, turns = at.arm, at.motion, at.turns
     links: list[Twist] = []
     for i, body in enumerate(arm.bodies):
         c, s = turns.c[i], turns.s[i]
@@ -69,9 +64,7 @@ def kinetic_energy(at: Moving, rotors: Sequence[Rotor], mark: Mark = unmarked) -
     for rotor in rotors:
         rate = rotor.rate(at.motion.qd)
         total = total + HALF * rotor.inertia * (rate * rate)
-    for i, (lump, twist) in enumerate(
-        zip(at.lumps, twists(at.arm, at.motion, at.turns, mark), strict=True), 1
-    ):
+    for i, (lump, twist) in enumerate(zip(at.lumps, twists(at, mark), strict=True), 1):
         (x, y, z), v, (hx, hy, hz), j = twist.w, twist.v, lump.first, lump.inertia()
         # w . (J w / 2 + h x v) + m v . v / 2
         total = total + HALF * j.zz * (z * z)
@@ -91,9 +84,9 @@ def momenta(at: Moving, rotors: Sequence[Rotor], mark: Mark = unmarked) -> tuple
     momentum.
     """
     arm = at.arm
-    links = twists(arm, at.motion, at.turns, mark)
+    links = twists(at, mark)
     own = [_momentum(lump, twist) for lump, twist in zip(at.lumps, links, strict=True)]
-    carried = gathered(arm, at.motion, at.turns, own, mark, ("pl", "pa"))
+    carried = gathered(at, own, mark, ("pl", "pa"))
     momentum: list[Any] = []
     slope: list[Any] = []
     for body, twist, (linear, angular) in zip(arm.bodies, links, carried, strict=True):
@@ -111,18 +104,13 @@ def momenta(at: Moving, rotors: Sequence[Rotor], mark: Mark = unmarked) -> tuple
 
 
 def gathered(
-    arm: Arm,
-    motion: Motion,
-    turns: Turns,
-    own: Sequence[tuple[Vector, Vector]],
-    mark: Mark = unmarked,
-    names: tuple[str, str] = ("f0", "n0"),
-) -> list[tuple[Vector, Vector]]:
+    at: Posture, own: Sequence[Pair], mark: Mark = unmarked, names: tuple[str, str] = ("f0", "n0")
+) -> list[Pair]:
     """For each joint [n] the sum over all that it carries of a vector and its moment (of momentum, of force),
     along the axes in which the joint begins to turn. ``own`` are the links', along their own axes; emitted
     code calls the sums ``names``."""
-    n = len(arm.bodies)
-    sums: list[tuple[Vector, Vector]] = [(ZERO, ZERO)] * n
+    arm, motion, turns, n = at.arm, at.motion, at.turns, len(at.arm.bodies)
+    sums: list[Pair] = [(ZERO, ZERO)] * n
     for i in reversed(range(n)):
         c, s = turns.c[i], turns.s[i]
         inner, inner_n = own[i]
@@ -141,7 +129,7 @@ def gathered(
     return sums
 
 
-def _momentum(lump: Lump, twist: Twist) -> tuple[Vector, Vector]:
+def _momentum(lump: Lump, twist: Twist) -> Pair:
     """Linear momentum of a link [kg m/s], and angular about its frame's origin [kg m^2/s]."""
     linear = plus(scaled(lump.mass, twist.v), cross(twist.w, lump.first))
     return linear, plus(lump.inertia().times(twist.w), cross(lump.first, twist.v))

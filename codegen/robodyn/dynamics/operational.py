@@ -32,9 +32,9 @@ from robodyn.dynamics.lump import NO_LUMP
 from robodyn.dynamics.mass_matrix import Factored
 from robodyn.dynamics.poses import placed
 from robodyn.dynamics.sections import ROWS, Row
-from robodyn.dynamics.spatial import Pair, Spatial
+from robodyn.dynamics.spatial import Spatial
 from robodyn.dynamics.state import Dynamics, Moving
-from robodyn.dynamics.vectors import ZERO, Mark, Vector, cross, dot, flat, plus, scaled
+from robodyn.dynamics.vectors import ZERO, Mark, Pair, Vector, cross, dot, flat, plus, scaled
 from robodyn.effects.scalars import is_zero
 from robodyn.ir.program import Label
 

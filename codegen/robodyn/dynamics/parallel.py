@@ -8,8 +8,7 @@ ones before it, and the zeros of the carrier's velocity are not lost.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 from robodyn.dynamics.arm import Arm, JointAngle, Motion, Trigonometry, about_z, origin
 from robodyn.dynamics.vectors import Vector
@@ -17,8 +16,7 @@ from robodyn.effects.scalars import is_zero
 from robodyn.robot.values import quarter_turns
 
 
-@dataclass(frozen=True, slots=True)
-class Turns:
+class Turns(NamedTuple):
     """How each link stands to its chain's first joint: ``c, s`` [n] of the whole turn about z, its
     ``rate`` and ``acceleration`` [n], and whether the link ``follows`` [n] the one before in a chain."""
 

@@ -11,21 +11,21 @@ resists to turn (:mod:`~robodyn.dynamics.modified_newton_euler`).
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
-from typing import Any
+from dataclasses import replace
+from typing import Any, NamedTuple
 
-from robodyn.dynamics.arm import Arm, Motion, about_x, about_z, origin
+from robodyn.dynamics.arm import Motion, about_x, about_z, origin
 from robodyn.dynamics.joints import smoothed_sign
 from robodyn.dynamics.modified_newton_euler import NO_ROTATION, Lambda, lambda_matrix
 from robodyn.dynamics.momenta import Twist, gathered, twists
 from robodyn.dynamics.parallel import Turns
-from robodyn.dynamics.vectors import ZERO, Mark, Vector, cross, named, plus, scaled, unmarked
+from robodyn.dynamics.state import Posture
+from robodyn.dynamics.vectors import ZERO, Mark, Pair, Vector, cross, named, plus, scaled, unmarked
 from robodyn.effects.scalars import is_zero
 from robodyn.ir.program import Label
 
 
-@dataclass(frozen=True, slots=True)
-class Accelerated:
+class Accelerated(NamedTuple):
     """A link: ``lam`` and ``a``, the acceleration of its origin less gravity, along its own axes; along those
     in which it begins to turn ``start_a`` and the angular acceleration of what carries it."""
 
@@ -36,50 +36,37 @@ class Accelerated:
     carrier: Vector
 
 
-def unit_torques(
-    arm: Arm, motion: Motion, turns: Turns, columns: Sequence[tuple[str, int]], mark: Mark = unmarked
-) -> list[list[Any]]:
+def unit_torques(at: Posture, columns: Sequence[tuple[str, int]], mark: Mark = unmarked) -> list[list[Any]]:
     """Torques [n][columns] that a unit of each of ``columns`` takes: a quantity and its link (from 1)."""
-    links = accelerated(arm, motion, turns, mark)
-    return [unit_torques_at(i, arm, motion, turns, links, columns) for i in range(len(arm.bodies))]
+    links = accelerated(at, mark)
+    return [unit_torques_at(i, at, links, columns) for i in range(len(at.arm.bodies))]
 
 
 def unit_torques_at(
-    i: int,
-    arm: Arm,
-    motion: Motion,
-    turns: Turns,
-    links: Sequence[Accelerated],
-    columns: Sequence[tuple[str, int]],
+    i: int, at: Posture, links: Sequence[Accelerated], columns: Sequence[tuple[str, int]]
 ) -> list[Any]:
     """The row of joint ``i`` (from 0), from the motion of ``links``: as far out as ``columns`` go."""
-    units = _unit_motion(arm, motion, turns, i, max((link for _, link in columns), default=0))
+    units = _unit_motion(at, i, max((link for _, link in columns), default=0))
     row: list[Any] = []
     for quantity, link in columns:
         if quantity in _DRIVE:
-            row.append(_DRIVE[quantity](arm, motion, i) if link == i + 1 else 0)
+            row.append(_DRIVE[quantity](at, i) if link == i + 1 else 0)
         elif link <= i:
             row.append(0)
         else:
-            at, unit = links[link - 1], units[link - 1 - i]
-            row.append(_WORK[quantity](unit.w, unit.v, at.lam.rows, at.a))
+            far, unit = links[link - 1], units[link - 1 - i]
+            row.append(_WORK[quantity](unit.w, unit.v, far.lam.rows, far.a))
     return row
 
 
-def torques_from(
-    arm: Arm,
-    motion: Motion,
-    turns: Turns,
-    numbers: Mapping[tuple[str, int], Any],
-    mark: Mark = unmarked,
-) -> list[Any]:
+def torques_from(at: Posture, numbers: Mapping[tuple[str, int], Any], mark: Mark = unmarked) -> list[Any]:
     """Torques [n] of an arm whose links (from 1) and drives have these ``numbers`` by quantity and link; what
     is missing is 0."""
-    own: list[tuple[Vector, Vector]] = []
-    for i, at in enumerate(accelerated(arm, motion, turns, mark), 1):
+    own: list[Pair] = []
+    for i, link in enumerate(accelerated(at, mark), 1):
         m, x, y, z, xx, yy, zz, xy, xz, yz = (numbers.get((quantity, i), 0) for quantity in _MOMENTS)
-        L, h, a = at.lam.rows, (x, y, z), at.a
-        force = plus(scaled(m, a), at.lam.times(h))
+        L, h, a = link.lam.rows, (x, y, z), link.a
+        force = plus(scaled(m, a), link.lam.times(h))
         moment = (
             yy * L[2][1] - zz * L[1][2] + xy * L[2][0] - xz * L[1][0] + yz * (L[2][2] - L[1][1]),
             zz * L[0][2] - xx * L[2][0] + yz * L[0][1] - xy * L[2][1] + xz * (L[0][0] - L[2][2]),
@@ -87,21 +74,21 @@ def torques_from(
         )
         own.append((named(mark, force, i, "fc"), named(mark, plus(moment, cross(h, a)), i, "nc")))
     torques = []
-    for i, (f, n) in enumerate(gathered(arm, motion, turns, own, mark)):
-        torque = n[2] if arm.bodies[i].revolute else f[2]
+    for i, (f, n) in enumerate(gathered(at, own, mark)):
+        torque = n[2] if at.arm.bodies[i].revolute else f[2]
         for quantity, column in _DRIVE.items():
             value = numbers.get((quantity, i + 1), 0)
             if not is_zero(value):
-                torque = torque + value * column(arm, motion, i)
+                torque = torque + value * column(at, i)
         torques.append(mark(torque, Label(i + 1, "tau", "")))
     return torques
 
 
-def _unit_motion(arm: Arm, motion: Motion, turns: Turns, i: int, end: int) -> list[Twist]:
+def _unit_motion(at: Posture, i: int, end: int) -> list[Twist]:
     """Velocities of the links from ``i`` (from 0) to before ``end`` at a unit rate of joint ``i`` alone: all
     before it is at rest."""
-    some = slice(i, end)
-    bodies = arm.bodies[some]
+    some, motion, turns = slice(i, end), at.motion, at.turns
+    bodies = at.arm.bodies[some]
     qd = [int(j == 0) for j in range(len(bodies))]
     follows = turns.follows[some]
     rate: list[Any] = []
@@ -109,13 +96,14 @@ def _unit_motion(arm: Arm, motion: Motion, turns: Turns, i: int, end: int) -> li
         rate.append(body.cos_alpha * rate[-1] + qd[j] if rate and follows[j] else qd[j])
     moved = Motion(motion.c[some], motion.s[some], motion.d[some], tuple(qd), motion.qdd[some])
     turned = Turns(turns.c[some], turns.s[some], tuple(rate), turns.acceleration[some], follows)
-    return twists(replace(arm, bodies=bodies), moved, turned)
+    return twists(Posture(replace(at.arm, bodies=bodies), moved, turned))
 
 
-def accelerated(arm: Arm, motion: Motion, turns: Turns, mark: Mark = unmarked) -> list[Accelerated]:
+def accelerated(at: Posture, mark: Mark = unmarked) -> list[Accelerated]:
     """The links [n] in motion."""
+    arm, motion, turns = at.arm, at.motion, at.turns
     gx, gy, gz = arm.gravity
-    velocities = twists(arm, motion, turns, mark)
+    velocities = twists(at, mark)
     before = Accelerated(NO_ROTATION, (-gx, -gy, -gz), ZERO, ZERO, ZERO)
     links = []
     for i, (body, twist) in enumerate(zip(arm.bodies, velocities, strict=True)):
@@ -172,8 +160,8 @@ _WORK: dict[str, _Work] = {
     **{f"K{axes}": _product(k) for axes, k in (("xy", 2), ("xz", 1), ("yz", 0))},
 }
 _MOMENTS = tuple(_WORK)
-_DRIVE: dict[str, Callable[[Arm, Motion, int], Any]] = {
-    "rotor": lambda arm, motion, i: motion.qdd[i],
-    "viscous": lambda arm, motion, i: motion.qd[i],
-    "coulomb": lambda arm, motion, i: smoothed_sign(motion.qd[i], arm.rest_velocity, arm.dead_band),
+_DRIVE: dict[str, Callable[[Posture, int], Any]] = {
+    "rotor": lambda at, i: at.motion.qdd[i],
+    "viscous": lambda at, i: at.motion.qd[i],
+    "coulomb": lambda at, i: smoothed_sign(at.motion.qd[i], at.arm.rest_velocity, at.arm.dead_band),
 }

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 from robodyn.dynamics.arm import Arm, Motion, about_x, about_z, origin
 from robodyn.dynamics.limits import SECTIONS_TRIED
@@ -137,8 +137,7 @@ def grounded(base: Frame, sections: Sequence[Section]) -> tuple[Frame, list[Sect
     return replace(BASE, origin=base.origin), [turned, *others]
 
 
-@dataclass(frozen=True, slots=True)
-class Placed:
+class Placed(NamedTuple):
     """Sections with the ``axes`` of each, and those of ``links`` (from 0), along the axes of one frame."""
 
     sections: Sequence[Section]

@@ -7,21 +7,17 @@ order: moved to another origin, the two are alike, one outward and the other inw
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 from robodyn.dynamics.arm import Arm, Symmetric, about_x, about_z
 from robodyn.dynamics.lump import NO_LUMP, Lump
 from robodyn.dynamics.regroup import about_axis_x, about_axis_z, merged, shifted
-from robodyn.dynamics.vectors import AXES, ZERO, Mark, Vector, cross, dot, named, plus, scaled
+from robodyn.dynamics.vectors import AXES, ZERO, Mark, Pair, Vector, cross, dot, named, plus, scaled
 
 Rows = tuple[Vector, Vector, Vector]
-#: Two vectors, as a form takes and gives them.
-Pair = tuple[Vector, Vector]
 
 
-@dataclass(frozen=True, slots=True)
-class Spatial:
+class Spatial(NamedTuple):
     """``(u, v)`` to ``(A u + B v, B^T u + M v)``: ``A`` and ``M`` symmetric, ``B`` by rows."""
 
     A: Symmetric
@@ -90,8 +86,7 @@ def less(k: Symmetric, u: Vector, v: Vector) -> Symmetric:
     )  # fmt: skip
 
 
-@dataclass(frozen=True, slots=True)
-class Composite:
+class Composite(NamedTuple):
     """All that is carried by a joint, about an origin: the masses, momentum ``p`` and ``N`` (by rows)
     relative to the link, force ``f`` and moment ``n``."""
 

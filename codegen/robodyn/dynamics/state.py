@@ -49,15 +49,21 @@ class First:
 
 
 @dataclass(frozen=True, slots=True)
-class Moving:
-    """An arm in motion, its joints' ``turns``, and the mass, first and second moments of each link about its
-    frame's origin: those described, or others that move alike (then a mass may be 0 or less), what they lack
-    of mass and first moment being that of ``ground``, at rest, about the base's origin. Where they are
-    ``weighed``, masses are times the largest component of gravity, and the arm's gravity in units of that."""
+class Posture:
+    """An arm in motion, and how its joints turn."""
 
     arm: Arm
     motion: Motion
     turns: Turns
+
+
+@dataclass(frozen=True, slots=True)
+class Moving(Posture):
+    """The same with mass, first and second moments of each link about its frame's origin: those described,
+    or others that move alike (then a mass may be 0 or less), what they lack of mass and first moment being
+    that of ``ground``, at rest, about the base's origin. Where they are ``weighed``, masses are times the
+    largest component of gravity, and the arm's gravity in units of that."""
+
     lumps: Sequence[Lump]
     ground: Lump
     weighed: bool = False

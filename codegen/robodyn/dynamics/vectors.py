@@ -10,6 +10,8 @@ from typing import Any
 from robodyn.ir.program import Label
 
 Vector = tuple[Any, Any, Any]
+#: A vector of motion or force, and that of its turn or moment, in either order.
+Pair = tuple[Vector, Vector]
 #: Names a value of the recursion and hands it (or its name) back; the identity for plain numbers.
 Mark = Callable[[Any, Label], Any]
 

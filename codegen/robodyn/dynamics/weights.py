@@ -9,9 +9,9 @@ moment of what the joint carries.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
-from typing import Any
+from typing import Any, NamedTuple
 
 from robodyn.dynamics.arm import about_x, about_z, origin
 from robodyn.dynamics.lump import Lump
@@ -80,8 +80,7 @@ def potential_inward(at: Moving, mark: Mark = unmarked) -> Any:
 # --- torques at rest --------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
-class Moment:
+class Moment(NamedTuple):
     """The first moment [kg m] of all that a joint carries about the link's origin, along the axes that its
     turn starts from, and along the link's ``own``: None where a parallel joint follows. Their ``mass``."""
 

@@ -242,7 +242,7 @@ class Recursion(RigidDrives):
     def mass_matrix(self) -> list[list[Any]]:
         """Mass matrix [n][n], by composite bodies."""
         at = self.links(self.rest, self.rest)
-        return mass_matrix(at.arm, at.motion, at.turns, at.lumps, self.mark)
+        return mass_matrix(at, self.mark)
 
     def motion(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Motion:
         """The arm at ``q``, with these rates and accelerations."""

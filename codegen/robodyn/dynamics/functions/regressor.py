@@ -11,7 +11,7 @@ from robodyn.dynamics.functions.record import PI, QD, QDD, TAU, Array, Function,
 from robodyn.dynamics.lump import Lump
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.dynamics.regroup import lumps_of, shifted
-from robodyn.dynamics.state import Dynamics, Vector
+from robodyn.dynamics.state import Dynamics, Posture, Vector
 from robodyn.dynamics.vectors import flat, products
 from robodyn.effects.scalars import quotient
 
@@ -26,7 +26,8 @@ def _columns(at: Dynamics) -> Sequence[Any]:
 
     qd, qdd = at.inputs["qd"], at.inputs["qdd"]
     columns = [parameter.own for parameter in at.base_set()]
-    return flat(unit_torques(at.arm, at.motion(qd, qdd), at.turns(qd, qdd), columns, at.mark))
+    posture = Posture(at.arm, at.motion(qd, qdd), at.turns(qd, qdd))
+    return flat(unit_torques(posture, columns, at.mark))
 
 
 def _of_any_masses(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
@@ -71,7 +72,7 @@ def _from_parameters(at: Dynamics) -> Sequence[Any]:
     qd, qdd = at.inputs["qd"], at.inputs["qdd"]
     owns: list[tuple[str, int]] = [parameter.own for parameter in at.base_set()]
     numbers = dict(zip(owns, at.inputs["pi"], strict=True))
-    return torques_from(at.arm, at.motion(qd, qdd), at.turns(qd, qdd), numbers, at.mark)
+    return torques_from(Posture(at.arm, at.motion(qd, qdd), at.turns(qd, qdd)), numbers, at.mark)
 
 
 def _of_an_arm_with_them(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:

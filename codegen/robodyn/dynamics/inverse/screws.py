@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import pairwise
 from math import cos, sin, sqrt
-from typing import Any
+from typing import Any, NamedTuple
 
 from robodyn.dynamics.arm import Arm, into_parent, origin
 from robodyn.dynamics.inverse.limits import NEGLIGIBLE, TRIED
@@ -91,8 +91,7 @@ def feet(one: Axis, other: Axis) -> tuple[Vector, Vector]:
     return foot, other.nearest(foot)
 
 
-@dataclass(frozen=True, slots=True)
-class Target:
+class Target(NamedTuple):
     """The displacement that the joints have to add up to: it takes ``x`` to ``R (x - start) + end``."""
 
     rows: tuple[Vector, Vector, Vector]
