@@ -12,7 +12,6 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from benchmarks.peers.dots import Dot, dots
 
 from robodyn.draw import style
 from robodyn.draw.markup import markup_template
@@ -103,28 +102,6 @@ def test_scales_are_round_and_readable() -> None:
     assert decades([1.0, 1.0]) == [1, 10]
     assert [label(v) for v in (1e6, -2000.0, 0.05, 0.0)] == ["1 000 000", "-2 000", "0.05", "0"]
     assert share(2, [1, 2, 5]) == 0.25
-
-
-def test_dots_are_where_their_logarithms_are() -> None:
-    root = ET.fromstring(dots("t", "n", "x", [Dot("a", 0.1, ours=True), Dot("b", 1.0), Dot("c", 10.0)]))
-    places = [float(circle.attrib["cx"]) for circle in root.iter(f"{SVG}circle")]
-    assert places[0] == 0
-    assert places[1] == pytest.approx(places[2] / 2)
-    fills = [circle.attrib["fill"] for circle in root.iter(f"{SVG}circle")]
-    assert fills == [style.OURS, style.OTHERS, style.OTHERS]
-
-
-def luminance(colour: str) -> float:
-    parts = [int(colour[k : k + 2], 16) / 255 for k in (1, 3, 5)]
-    linear = [c / 12.92 if c <= 0.03928 else ((c + 0.055) / 1.055) ** 2.4 for c in parts]
-    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
-
-
-@pytest.mark.parametrize("colour", style.SERIES)
-def test_text_stands_out_from_boxes_of_every_colour(colour: str) -> None:
-    paper, ink = luminance(style.pale(colour)), luminance(style.INK)
-    assert (paper + 0.05) / (ink + 0.05) >= 7
-    assert (1.05) / (luminance(style.SOFT) + 0.05) >= 4.5
 
 
 MAY_3 = 1_746_230_400.0  # 2025-05-03T00:00:00Z

@@ -4,13 +4,14 @@ recursion; in an optimal control problem, and in C that CasADi generates."""
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 import casadi as ca
 import numpy as np
 import pytest
-from benchmarks.optimal_control import expression, least_torque
+from benchmarks.optimal_control import expression
 
 from documents.blocks import blocks
 from packages.consumers import Consumer, consumer, run, write
@@ -19,7 +20,7 @@ from robodyn.kernels.generate import Options, generate
 from robodyn.packages import package
 from robodyn.robot import load
 from robodyn.simulate.poses import PoseSolver
-from robodyn_testing import require_tool
+from robodyn_testing import representative, require_tool
 from robodyn_testing.wanted import ROOT
 
 pytestmark = pytest.mark.thorough
@@ -54,18 +55,15 @@ def near(one: Any, other: Any, tolerance: float = 1e-10) -> bool:
 
 @pytest.fixture(scope="module")
 def built(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], tuple[Consumer, Path]]:
-    made: dict[str, tuple[Consumer, Path]] = {}
-
+    @cache
     def of(robot: str) -> tuple[Consumer, Path]:
-        if robot not in made:
-            user = consumer(robot, "casadi", OPTIONS)
-            made[robot] = user, library(tmp_path_factory.mktemp("casadi"), user)
-        return made[robot]
+        user = consumer(robot, "casadi", OPTIONS)
+        return user, library(tmp_path_factory.mktemp("casadi"), user)
 
     return of
 
 
-@pytest.mark.parametrize("robot", ARMS)
+@pytest.mark.parametrize("robot", representative(ARMS, "puma560", "stanford", rest="slow"))
 def test_values_and_jacobians(robot: str, built: Callable[[str], tuple[Consumer, Path]]) -> None:
     user, file = built(robot)
     random = np.random.default_rng(0)
@@ -144,15 +142,6 @@ def test_what_is_always_zero_is_left_out(built: Callable[[str], tuple[Consumer, 
     pattern = external(user, file, "inverse_dynamics").jacobian().sparsity_out(0)
     assert pattern.shape == (6, 6)
     assert 0 not in pattern.get_triplet()[1]
-
-
-def test_an_optimal_control_problem(built: Callable[[str], tuple[Consumer, Path]]) -> None:
-    user, file = built("puma560_full")
-    robot = user.package.robot
-    ours, torques = least_torque(external(user, file, "forward_dynamics"), robot.n)
-    theirs, expected = least_torque(expression(robot, "forward_dynamics"), robot.n)
-    assert ours == pytest.approx(theirs, rel=1e-6)
-    assert near(torques, expected, 1e-4)
 
 
 def test_in_c_that_casadi_generates(built: Callable[[str], tuple[Consumer, Path]], tmp_path: Path) -> None:

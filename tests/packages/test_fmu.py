@@ -22,9 +22,13 @@ from robodyn.packages.fmi import base_units, describe, results_of
 from robodyn.robot import load
 from robodyn.simulate.simulation import Torques
 from robodyn.simulate.system import system_of
-from robodyn_testing import require_module, require_tool
+from robodyn_testing import representative, require_module, require_tool
 
+pytestmark = pytest.mark.thorough
 Units = Callable[[str], Unit]
+KINDS = representative(
+    ARMS, "dry friction, run-time parameter", "bristles", "elastic", "contact", rest="slow"
+)
 
 
 @pytest.fixture(scope="module")
@@ -39,7 +43,6 @@ def units(fmpy: Any, tmp_path_factory: pytest.TempPathFactory) -> Callable[[str]
     return cache(lambda name: unit_of(name, tmp_path_factory.mktemp("unit")))
 
 
-@pytest.mark.thorough
 @pytest.mark.parametrize("name", ARMS)
 def test_fmpy_has_no_complaint(name: str, units: Units) -> None:
     from fmpy.model_description import read_build_description
@@ -54,7 +57,6 @@ def test_fmpy_has_no_complaint(name: str, units: Units) -> None:
     assert unit.description.numberOfContinuousStates == 2 * coordinates + (name == "bristles")
 
 
-@pytest.mark.thorough
 def test_the_readme_names_every_output() -> None:
     """As the description does, also those that the arm has itself; nothing of functions that are left out."""
     require_tool("cc")
@@ -71,8 +73,7 @@ def test_the_readme_names_every_output() -> None:
         assert listed == list(dict.fromkeys(variable.name.partition("[")[0] for variable in outputs))
 
 
-@pytest.mark.thorough
-@pytest.mark.parametrize("name", ARMS)
+@pytest.mark.parametrize("name", KINDS)
 def test_co_simulation_is_our_simulator(name: str, units: Units) -> None:
     unit = units(name)
     tau = torques(unit.robot.n)
@@ -95,8 +96,7 @@ def kernel(unit: Unit, *functions: str) -> Any:
     return robodyn.compile(unit.robot.at(unit.values), functions=functions)
 
 
-@pytest.mark.thorough
-@pytest.mark.parametrize("name", ARMS)
+@pytest.mark.parametrize("name", KINDS)
 def test_model_exchange_is_our_simulator(name: str, fmpy: Any, units: Units) -> None:
     """By the integrator of fmpy (CVode), which finds the events by the indicators."""
     unit = units(name)
@@ -114,7 +114,6 @@ def test_model_exchange_is_our_simulator(name: str, fmpy: Any, units: Units) -> 
     assert (len(record["time"]) > len(last)) == (name not in without_events)
 
 
-@pytest.mark.thorough
 @pytest.mark.parametrize("name", ["elastic", "bristles"])
 def test_states_are_saved_and_instances_are_apart(name: str, units: Units) -> None:
     unit = units(name)
@@ -138,9 +137,13 @@ def test_states_are_saved_and_instances_are_apart(name: str, units: Units) -> No
         one.freeFMUState(state)
 
 
-@pytest.mark.thorough
-@pytest.mark.parametrize("speed", [0.0, 0.7])
-@pytest.mark.parametrize("name", [name for name in ARMS if name != "contact"])
+@pytest.mark.parametrize(
+    ("name", "speed"),
+    representative(
+        [(name, speed) for name in ARMS if name != "contact" for speed in (0.0, 0.7)],
+        ("elastic", 0.7), ("bristles", 0.7), ("a joint that sticks", 0.0), rest="slow",
+    ),
+)  # fmt: skip
 def test_directional_derivatives_are_those_of_differences(name: str, speed: float, units: Units) -> None:
     """Of slopes and outputs by all states and torques; at rest dry friction holds joints."""
     unit = units(name)
@@ -169,7 +172,6 @@ def test_directional_derivatives_are_those_of_differences(name: str, speed: floa
     assert slopes == pytest.approx(differences, rel=1e-5, abs=1e-5 * np.abs(differences).max())
 
 
-@pytest.mark.thorough
 def test_a_parameter_changes_between_steps(units: Units) -> None:
     unit = units("dry friction, run-time parameter")
     (parameter,) = unit.references(["parameters.m_tool"])
@@ -185,7 +187,6 @@ def test_a_parameter_changes_between_steps(units: Units) -> None:
     assert qdd == pytest.approx(heavier.forward_dynamics(q, qd, [8.0, 8.0]), rel=1e-9)
 
 
-@pytest.mark.thorough
 def test_what_is_refused_is_said(units: Units, capsys: pytest.CaptureFixture[str]) -> None:
     from fmpy.fmi1 import FMICallException
 
@@ -207,7 +208,6 @@ def test_what_is_refused_is_said(units: Units, capsys: pytest.CaptureFixture[str
         slave.doStep(0.0, PERIOD)
 
 
-@pytest.mark.thorough
 @pytest.mark.parametrize("name", ["puma560", "elastic", "friction by load, limited drive", "contact"])
 def test_its_sources_compile_without_a_warning(name: str, units: Units, tmp_path: Path) -> None:
     """Every one by itself, with the functions' prefix that static linking needs."""
@@ -221,7 +221,6 @@ def test_its_sources_compile_without_a_warning(name: str, units: Units, tmp_path
         run(require_tool("cc"), *options, prefix, "-c", path, "-o", f"{k}.o", cwd=tmp_path)
 
 
-@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("options", "complaint"),
     [

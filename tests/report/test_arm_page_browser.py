@@ -14,7 +14,7 @@ from robodyn.compare.robots import compare
 from robodyn.report.arm_data import arm_of
 from robodyn.report.arm_page import page
 from robodyn.robot import Robot, bundled_names, load, read_text
-from robodyn_testing import require_module, require_tool
+from robodyn_testing import representative, require_module, require_tool
 from robodyn_testing.browser import Browser
 
 pytestmark = pytest.mark.thorough
@@ -70,7 +70,7 @@ def moved(browser: Browser, *state: list[float]) -> list[dict[str, Any]]:
     return arms
 
 
-@pytest.mark.parametrize("name", bundled_names())
+@pytest.mark.parametrize("name", representative(bundled_names(), "stanford", "panda", "tx40", rest="slow"))
 def test_sliders_give_the_torques_of_the_c(browser: Browser, files: Pages, name: str) -> None:
     """Within 1e-12 of the largest; the same bits, in fact, with the same sine."""
     browser.open(files[name])

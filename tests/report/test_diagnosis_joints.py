@@ -12,7 +12,7 @@ import pytest
 from numpy.typing import NDArray
 
 from report.made_up import made, many, series
-from report.test_diagnosis_report import Page
+from report.test_diagnosis_report import Page, points
 from robodyn.diagnose.result import Gap, Series
 from robodyn.report.chart_frames import HIGH
 from robodyn.report.diagnosis import page
@@ -81,20 +81,13 @@ def test_many_findings_are_folded_and_linked(robot: Robot) -> None:
     assert seen.all("td", **{"data-label": "Torque ripple"})
 
 
-def heights(path: str) -> list[int]:
-    """Vertical places of the points of a line, in the box of a chart."""
-    start, _, steps = path.partition("l")
-    numbers = [int(x) for x in re.findall(r"-?\d+", start + " " + steps)]
-    return [int(y) for y in np.cumsum(np.reshape(numbers, (-1, 2)), axis=0)[:, 1]]
-
-
 def test_the_model_is_drawn_beside_what_was_logged() -> None:
     """Friction of 1 N m is missing: the model as given is off by it, with the findings it is not."""
     one = series("train", 1)
     chart = torques(one, 0, "N m")
     logged, before, after = chart.marks
     assert (logged.title, before.title, after.title) == ("logged", "before", "after")
-    off = np.abs(np.subtract(heights(before.path), heights(after.path)))
+    off = np.abs(np.subtract(points(before.path)[:, 1], points(after.path)[:, 1]))
     span = HIGH / 1.08 / np.ptp(one.tau)
     assert np.median(off) == pytest.approx(span, rel=0.15)
     assert re.fullmatch(r"off by [\d.]+ % of the torque before, [\d.]+ % after", chart.text)
@@ -159,15 +152,6 @@ def test_noise_is_shown_by_nothing() -> None:
     assert max(shown) < 0.05
     assert best_of(shown) is None
     assert best_of(()) is None
-
-
-def test_what_is_not_known_does_no_harm(small: Robot) -> None:
-    one = motion(lambda q, qd, qdd, load, t: np.sign(qd))
-    gone = replace(one, qdd=np.full_like(one.qdd, np.nan), before=np.full_like(one.before, np.inf))
-    assert set(shown_over(gone, 1)) == {0.0}
-    nan = np.full(3, np.nan)
-    rows = localised(made(small, series=(gone,), gap=Gap(nan, nan, nan, nan, nan), left=nan))
-    assert [row.share for row in rows] == [0, 0, 0]
 
 
 def test_what_the_motion_lacks(small: Robot) -> None:
