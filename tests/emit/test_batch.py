@@ -5,15 +5,12 @@ from __future__ import annotations
 import os
 import re
 import subprocess
-import sys
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from emit.kernels import STRICT, STRICT_CPP, complaints, in_single, made, robots, together, write
-from robodyn.emit.batch import batch_files
-from robodyn.errors import InputError
+from emit.kernels import STRICT, STRICT_CPP, complaints, in_single, made, together, write
 from robodyn_testing import covering, representative, require_machine, require_tool
 
 #: Inputs that nothing reads, parameters with the names of other things, every operation that is a call.
@@ -90,46 +87,11 @@ def test_nothing_but_code_is_in_the_object(tmp_path: Path) -> None:
     assert {name for kind, name in found if kind == "T"} == wanted
 
 
-@pytest.mark.thorough
-def test_the_same_bytes_in_another_process() -> None:
-    program = (
-        "import sys; sys.path.insert(0, 'tests')\n"
-        "from emit.kernels import made\n"
-        "from robodyn.emit.batch import batch_files\n"
-        "print(repr(batch_files(made('tool').unit)))"
-    )
-    env = {**os.environ, "PYTHONHASHSEED": "7", "PYTHONPATH": os.pathsep.join(sys.path)}
-    done = subprocess.run(
-        [sys.executable, "-c", program],
-        cwd=Path(__file__).parents[2],
-        env=env,
-        capture_output=True,
-        text=True,
-        check=True,
-    )
-    assert done.stdout.strip() == repr(batch_files(made("tool").unit))
-
-
 def test_what_remembers_is_left_out() -> None:
     generated = made("effects_remembering")
     files = generated.files(("c",), batch=True)
     assert "effects_remembering_gravity_batch(" in files["effects_remembering_batch.h"]
     assert "inverse_dynamics_batch" not in files["effects_remembering_batch.h"]
-
-
-def test_fortran_alone_has_no_batch() -> None:
-    with pytest.raises(InputError, match="batches are in C only; found fortran"):
-        made("puma560").files(("fortran",), batch=True)
-
-
-def test_the_files_say_nothing_of_this_machine() -> None:
-    assert robots()["puma560"].name == "puma560"
-    for text in batch_files(made("puma560").unit).values():
-        assert str(Path.home()) not in text
-        assert not re.search(r"[ \t]$", text, re.M)
-        assert "\n\n\n" not in text
-        assert text.endswith("\n")
-        assert not text.endswith("\n\n")
 
 
 MAIN = """#include "NAME_batch.h"

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 import subprocess
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -23,6 +22,7 @@ from emit.kernels import (
     together,
     write,
 )
+from robodyn.kernels.generate import Options, generate
 from robodyn_testing import covering, representative, require_tool
 
 #: A choice for what every robot need not be tried in.
@@ -30,94 +30,60 @@ SOME = (*ODD, "puma560", "stanford", *RANDOM[3:7])
 
 
 @pytest.fixture(scope="module")
-def double(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder with the files of every robot, in double."""
-    folder = tmp_path_factory.mktemp("double")
+def folders(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
+    """Folders with the files of every robot in ``double``, of some in float (``single``), of some that read
+    ``given`` sines or have sines of their own (``builtin``); every other one of these in float."""
+    folders = {kind: tmp_path_factory.mktemp(kind) for kind in ("double", "single", "given", "builtin")}
     for name in robots():
-        write(folder, made(name).files())
-    return folder
-
-
-@pytest.fixture(scope="module")
-def single(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder with the files of some robots, in float."""
-    folder = tmp_path_factory.mktemp("single")
-    for name in SOME:
-        if name != "huge_and_tiny":
-            write(folder, in_single(made(name)).files())
-    return folder
-
-
-@pytest.fixture(scope="module")
-def given(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder with the files of some robots, reading given sines; every other one in float."""
-    folder = tmp_path_factory.mktemp("given")
+        write(folders["double"], made(name).files())
     for k, name in enumerate(SOME):
-        generated = made(name, "given")
-        if not generated.unit.sc:
-            continue
-        write(folder, (in_single(generated) if k % 2 and name != "huge_and_tiny" else generated).files())
-    return folder
+        fits = name != "huge_and_tiny"
+        if fits:
+            write(folders["single"], in_single(made(name)).files())
+        for kind in ("given", "builtin"):
+            generated = made(name, kind)
+            if generated.unit.sc or kind == "builtin":
+                write(folders[kind], (in_single(generated) if k % 2 and fits else generated).files())
+    return folders
 
 
-def sources(folder: Path, suffix: str, names: tuple[str, ...] | None = None) -> list[str]:
-    found = sorted(path.name for path in folder.glob(f"*{suffix}"))
-    return [name for name in found if names is None or Path(name).stem in names]
+_IN_C = ("-x", "c", *STRICT, "-O0")
+#: There ``y1`` and ``linux`` mean something.
+_DIALECT = ("-x", "c", "-pedantic", "-Wall", "-Wextra", "-Wshadow", "-Werror", "-fsyntax-only")
+THOROUGH = pytest.mark.thorough
 
 
-def check(tool: str, flags: tuple[str, ...], names: list[str], folder: Path) -> None:
-    assert names
-    assert complaints(require_tool(tool), flags, names, folder) == ""
-
-
-def check_together(tool: str, flags: tuple[str, ...], names: list[str], folder: Path) -> None:
-    check(tool, flags, [together(names, folder, f"together_{tool}.h")], folder)
-
-
-@pytest.mark.thorough
-@pytest.mark.parametrize("compiler", ["gcc", "clang"])
-def test_c_is_clean(compiler: str, double: Path) -> None:
-    check(compiler, (*STRICT, "-O2"), sources(double, ".c"), double)
-
-
-@pytest.mark.parametrize("compiler", representative(["gcc", "clang"], "gcc"))
-def test_c_is_clean_without_optimisation(compiler: str, double: Path) -> None:
-    """Here, too, all robots in one program: no two kernels get in each other's way."""
-    check_together(compiler, ("-x", "c", *STRICT, "-O0"), sources(double, ".c"), double)
-
-
-@pytest.mark.thorough
-@pytest.mark.parametrize("compiler", ["gcc", "clang"])
-def test_c_is_clean_in_float_and_with_given_sines(compiler: str, single: Path, given: Path) -> None:
-    for folder in (single, given):
-        check_together(compiler, ("-x", "c", *STRICT, "-O0"), sources(folder, ".c"), folder)
-
-
-@pytest.mark.parametrize("dialect", representative(["-std=gnu99", "-std=gnu17"], "-std=gnu99"))
-def test_c_is_clean_in_the_dialects_of_others(dialect: str, double: Path) -> None:
-    """There ``y1`` and ``linux`` mean something."""
-    flags = ("-x", "c", dialect, "-pedantic", "-Wall", "-Wextra", "-Wshadow", "-Werror", "-fsyntax-only")
-    for compiler in ("gcc", "clang"):
-        check_together(compiler, flags, sources(double, ".c"), double)
-
-
-@pytest.mark.parametrize("compiler", representative(["g++", "clang++"], "clang++"))
-def test_c_is_clean_as_cpp(compiler: str, double: Path, single: Path) -> None:
-    for folder in (double, single):
-        check_together(compiler, (*STRICT_CPP, "-O0"), sources(folder, ".c"), folder)
-
-
-def test_fortran_is_clean(double: Path) -> None:
-    check("gfortran", STRICT_FORTRAN, sources(double, ".f90"), double)
-
-
-@pytest.mark.thorough
-def test_fortran_is_clean_optimised_in_float_and_with_given_sines(
-    double: Path, single: Path, given: Path
+@pytest.mark.parametrize(
+    ("tool", "flags", "kinds"),
+    [
+        ("gcc", _IN_C, "double builtin"),
+        ("clang++", (*STRICT_CPP, "-O0"), "double single"),
+        ("gcc", (*_DIALECT, "-std=gnu99"), "double"),
+        ("clang", (*_DIALECT, "-std=gnu99"), "double"),
+        ("gfortran", STRICT_FORTRAN, "double builtin"),
+        pytest.param("gcc", _IN_C, "single given", marks=THOROUGH),
+        pytest.param("clang", _IN_C, "double single given builtin", marks=THOROUGH),
+        pytest.param("gcc", (*STRICT, "-O2"), "double", marks=THOROUGH),
+        pytest.param("clang", (*STRICT, "-O2"), "double", marks=THOROUGH),
+        pytest.param("g++", (*STRICT_CPP, "-O0"), "double single builtin", marks=THOROUGH),
+        pytest.param("gcc", (*_DIALECT, "-std=gnu17"), "double", marks=THOROUGH),
+        pytest.param("clang", (*_DIALECT, "-std=gnu17"), "double", marks=THOROUGH),
+        pytest.param("gfortran", (*STRICT_FORTRAN, "-O2"), "double", marks=THOROUGH),
+        pytest.param("gfortran", (*STRICT_FORTRAN, "-fsyntax-only"), "single given", marks=THOROUGH),
+    ],
+)
+def test_compilers_are_content(
+    tool: str, flags: tuple[str, ...], kinds: str, folders: dict[str, Path]
 ) -> None:
-    check("gfortran", (*STRICT_FORTRAN, "-O2"), sources(double, ".f90", SOME), double)
-    for folder in (single, given):
-        check("gfortran", (*STRICT_FORTRAN, "-fsyntax-only"), sources(folder, ".f90"), folder)
+    """Without optimisation, all robots are in one program: no two kernels get in each other's way."""
+    for folder in map(folders.__getitem__, kinds.split()):
+        names = sorted(path.name for path in folder.glob("*.f90" if tool == "gfortran" else "*.c"))
+        if "-O2" in flags and tool == "gfortran":
+            names = [name for name in names if Path(name).stem in SOME]
+        assert names
+        if "-x" in flags:
+            names = [together(names, folder, f"together_{tool}.h")]
+        assert complaints(require_tool(tool), flags, names, folder) == ""
 
 
 def test_a_complaint_is_a_complaint(tmp_path: Path) -> None:
@@ -144,8 +110,25 @@ def test_given_sines_where_none_are_needed(name: str, tmp_path: Path) -> None:
     generated = made(name, "given")
     assert generated.unit.sc == ()
     write(tmp_path, generated.files())
-    check("gcc", STRICT, [f"{name}.c"], tmp_path)
-    check("gfortran", STRICT_FORTRAN, [f"{name}.f90"], tmp_path)
+    assert complaints(require_tool("gcc"), STRICT, [f"{name}.c"], tmp_path) == ""
+    assert complaints(require_tool("gfortran"), STRICT_FORTRAN, [f"{name}.f90"], tmp_path) == ""
+
+
+@pytest.mark.parametrize("flags", ["-mfma", "-march=x86-64-v3", "-march=x86-64-v4"])
+@pytest.mark.parametrize("compiler", ["gcc", pytest.param("clang", marks=THOROUGH)])
+@pytest.mark.parametrize("options", [{"trig": "builtin"}, {"contraction": "off"}], ids=str)
+def test_no_instruction_fuses_products_and_sums(
+    options: dict[str, str], compiler: str, flags: str, tmp_path: Path
+) -> None:
+    """On processors that this machine does not have, too."""
+    generated = generate(robots()["ur5"], Options(optimize="none", **options))  # type: ignore[arg-type]
+    write(tmp_path, generated.files(("c",), batch=True))
+    for file in ("ur5.c", "ur5_batch.c"):
+        command = [require_tool(compiler), "-O3", "-ffp-contract=off", flags, "-S", file, "-o", "-"]
+        done = subprocess.run(command, cwd=tmp_path, check=True, capture_output=True, text=True)
+        assert "vmul" in done.stdout
+        assert "vfm" not in done.stdout
+        assert "vfnm" not in done.stdout
 
 
 # --- what is left for the linker --------------------------------------------------------------------------
@@ -179,18 +162,19 @@ def expected(name: str, float_: bool) -> set[str]:
     ),
 )
 def test_nothing_is_missing_but_sine_and_cosine(
-    compiler: str, level: str, double: Path, single: Path, tmp_path: Path
+    compiler: str, level: str, folders: dict[str, Path], tmp_path: Path
 ) -> None:
     """At no level of optimisation: not sincos either, which not every libm has."""
     tool = require_tool(compiler)
-    for folder in (double, single):
+    for kind in ("double", "single"):
+        folder = folders[kind]
         names = [
             name for name in LINKED if (folder / f"{name}.c").exists() and (level == "-O2" or name != "ur5")
         ]
         files = [str(folder / f"{name}.c") for name in names]
         assert complaints(tool, ("-std=c99", level), files, tmp_path) == ""
         for name in names:
-            assert undefined(tmp_path / f"{name}.o") == expected(name, folder == single), name
+            assert undefined(tmp_path / f"{name}.o") == expected(name, kind == "single"), name
 
 
 def test_smooth_friction_alone_asks_for_tanh() -> None:
@@ -204,16 +188,16 @@ def test_smooth_friction_alone_asks_for_tanh() -> None:
 
 
 @pytest.mark.thorough
-def test_given_sines_need_no_library_at_all(given: Path, tmp_path: Path) -> None:
-    files = [str(given / f"{name}.c") for name in ("puma560", "stanford", "tool")]
+def test_given_sines_need_no_library_at_all(folders: dict[str, Path], tmp_path: Path) -> None:
+    files = [str(folders["given"] / f"{name}.c") for name in ("puma560", "stanford", "tool")]
     assert complaints(require_tool("gcc"), ("-std=c99", "-O2"), files, tmp_path) == ""
     for file in files:
         assert undefined(tmp_path / Path(file).with_suffix(".o").name) == set()
 
 
-def test_nothing_but_code_is_in_the_objects(double: Path, tmp_path: Path) -> None:
+def test_nothing_but_code_is_in_the_objects(folders: dict[str, Path], tmp_path: Path) -> None:
     """No globals: the symbols are the functions, and no section holds data that can be written."""
-    names = [str(double / f"{name}.c") for name in LINKED]
+    names = [str(folders["double"] / f"{name}.c") for name in LINKED]
     assert complaints(require_tool("gcc"), ("-std=c99", "-O2"), names, tmp_path) == ""
     for name in LINKED:
         done = subprocess.run(
@@ -228,57 +212,29 @@ def test_nothing_but_code_is_in_the_objects(double: Path, tmp_path: Path) -> Non
         assert {text for kind, text in symbols if kind == "T"} == {s.symbol for s in made(name).signatures}
 
 
-def test_c_and_fortran_of_one_robot_stand_in_one_program(double: Path, tmp_path: Path) -> None:
-    """And two robots, in float and double, beside them; from C++, too."""
-    gcc, gfortran = require_tool("gcc"), require_tool("gfortran")
-    other = made("stanford_3dof")
-    named = replace(robots()["stanford_3dof"], name="other")
-    functions = tuple((replace(s, robot="other"), p) for s, p in other.unit.functions)
-    write(
-        tmp_path,
-        in_single(replace(other, unit=replace(other.unit, robot=named, functions=functions))).files(("c",)),
-    )
-    write(
-        tmp_path,
-        {
-            "main.cpp": """
+def test_c_and_fortran_of_one_robot_stand_in_one_program(folders: dict[str, Path], tmp_path: Path) -> None:
+    """From C++, too."""
+    main = """
 #include "puma560.h"
-#include "other.h"
 extern "C" void puma560_gravity_f(const double *, double *);
 int main() {
     double q[6] = {}, a[6], b[6];
-    float s[3] = {}, t[3];
     puma560_gravity(q, a);
     puma560_gravity_f(q, b);
-    other_gravity(s, t);
     for (int i = 0; i < 6; ++i)
         if (a[i] != b[i]) return 1;
-    return a[1] == 0.0 || t[2] == 0.0f;
+    return a[1] == 0.0;
 }
 """
-        },
-    )
+    double = folders["double"]
+    write(tmp_path, {"main.cpp": main})
     for tool, flags, file in (
-        (gcc, ("-std=c99", "-O2", "-ffp-contract=off"), str(double / "puma560.c")),
-        (gcc, ("-std=c99", "-O2"), "other.c"),
-        (gfortran, ("-std=f2018", "-O2", "-ffp-contract=off"), str(double / "puma560.f90")),
-        (require_tool("g++"), ("-std=c++17", "-Wall", "-Werror", "-I", str(double)), "main.cpp"),
+        ("gcc", ("-std=c99", "-O2", "-ffp-contract=off"), str(double / "puma560.c")),
+        ("gfortran", ("-std=f2018", "-O2", "-ffp-contract=off"), str(double / "puma560.f90")),
+        ("g++", ("-std=c++17", "-Wall", "-Werror", "-I", str(double)), "main.cpp"),
     ):
-        target = f"{Path(file).suffix[1:]}_{Path(file).stem}.o"
-        done = subprocess.run(
-            [tool, *flags, "-c", file, "-o", target],
-            cwd=tmp_path,
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-        assert done.returncode == 0, done.stderr
-    objects = [path.name for path in tmp_path.glob("*.o")]
-    assert len(objects) == 4
-    subprocess.run(
-        [require_tool("g++"), *objects, "-lgfortran", "-lm", "-o", "main"],
-        cwd=tmp_path,
-        check=True,
-        capture_output=True,
-    )
+        command = [require_tool(tool), *flags, "-c", file, "-o", f"{Path(file).suffix[1:]}.o"]
+        subprocess.run(command, cwd=tmp_path, check=True)
+    link = [require_tool("g++"), "c.o", "f90.o", "cpp.o", "-lgfortran", "-lm", "-o", "main"]
+    subprocess.run(link, cwd=tmp_path, check=True)
     assert subprocess.run([tmp_path / "main"], check=False).returncode == 0

@@ -101,6 +101,11 @@ def test_options_and_numbers_show(arm: Robot) -> None:
     text = other.files(["c"])["bench_arm.h"]
     head = " ".join(text.replace("\n *", "\n").split())
     assert "--optimize none --scalar float --trig builtin --functions gravity" in head
+    assert "q joint positions [rad, prismatic m]" in head
+    assert "tau joint torques [N m, prismatic N]" in head
+    sines = generate(arm, Options(functions=("inverse_dynamics",), trig="given")).files()
+    assert "sc[0] = q2" in sines["bench_arm.h"]
+    assert "sc(1) = q2" in sines["bench_arm.f90"]
     heavier = dataclasses.replace(arm, gravity=(arm.gravity[0], arm.gravity[1], 2 * arm.gravity[2]))
     assert identity(heavier) in generate(heavier).files(["c"])["bench_arm.h"]
     assert identity(arm) not in generate(heavier).files(["c"])["bench_arm.h"]

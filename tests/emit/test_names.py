@@ -1,4 +1,5 @@
-"""Names of robots: what is emitted does not collide with what else is there, whatever the robot is called."""
+"""Names of run-time parameters and of robots: those that do not compile, or collide with what else is there,
+are refused, and those that are accepted do compile."""
 
 from __future__ import annotations
 
@@ -9,21 +10,176 @@ from pathlib import Path
 
 import pytest
 
-from emit.names import (
-    CLEAN,
-    INCLUDED,
-    STANDARD,
-    WAYS,
-    arm,
-    complaints,
-    including,
-    usable,
-    words,
-    written,
-)
+from emit.names import CLEAN, INCLUDED, STANDARD, WAYS, arm, complaints, including, usable, words, written
 from robodyn.errors import InputError
-from robodyn.robot.names import robot_name_fault
-from robodyn_testing import require_tool, sampled
+from robodyn.robot import read_text
+from robodyn.robot.names import parameter_clash, parameter_name_fault, robot_name_fault
+from robodyn_testing import representative, require_tool, sampled
+
+DIALECTS = [
+    ("gcc", "-std=c99"),
+    ("gcc", "-std=gnu17"),
+    ("gcc", "-std=gnu17", "-D_GNU_SOURCE"),  # as NAME_parallel.c is
+    ("clang", "-std=c99"),
+    ("clang", "-std=gnu17", "-D_GNU_SOURCE"),
+    ("g++", "-xc++", "-std=c++17"),
+    ("g++", "-xc++", "-std=gnu++20"),
+    ("clang++", "-xc++", "-std=gnu++17"),
+    ("arm-none-eabi-gcc", "-std=c99", "-mcpu=cortex-m3"),
+    ("arm-none-eabi-gcc", "-std=gnu17", "-mcpu=cortex-m4", "-mfloat-abi=hard"),
+    ("riscv64-unknown-elf-gcc", "-std=gnu17", "-march=rv32imafc", "-mabi=ilp32f", "-ffreestanding"),
+]
+#: What may be a name as far as its letters go.
+LEGAL = re.compile(r"[A-Za-z]\w{0,30}\Z", re.A)
+
+
+def macros(folder: Path, dialect: tuple[str, ...], headers: set[str]) -> dict[str, bool]:
+    """Every macro that could be a name: whether it is called like a function."""
+    tool, *flags = dialect
+    headers = usable(headers, folder, require_tool(tool), *flags)
+    (folder / "all.c").write_text(including(headers, cpp="-xc++" in flags), encoding="utf-8")
+    said = complaints(folder, require_tool(tool), *flags, "-dM", "-E", "all.c")
+    found = re.findall(r"^#define (\w+)(\(?)", said, re.M)
+    assert len(found) > 100, said
+    return {name: called == "(" for name, called in found if LEGAL.match(name)}
+
+
+@pytest.mark.parametrize("dialect", DIALECTS, ids="-".join)
+def test_macros_are_no_parameters(dialect: tuple[str, ...], tmp_path: Path) -> None:
+    """All of the headers that the emitted files include; of the standard's those that stand for themselves
+    (a parameter is never followed by a parenthesis)."""
+    ours = macros(tmp_path, dialect, INCLUDED)
+    others = {name for name, called in macros(tmp_path, dialect, {*STANDARD}).items() if not called}
+    assert "DBL_MAX" in ours
+    assert sorted(name for name in {*ours, *others} if parameter_name_fault(name) is None) == []
+
+
+def test_macros_of_frama_c_are_no_parameters(tmp_path: Path) -> None:
+    share = complaints(tmp_path, require_tool("frama-c"), "-print-share-path").strip()
+    flags = ("-std=c99", "-nostdinc", f"-I{share}/libc", "-D__FC_MACHDEP_X86_64")
+    found = macros(tmp_path, ("gcc", *flags), INCLUDED - {"stdatomic"})
+    assert "FRAMA_C_PTR" in found
+    assert sorted(name for name in found if parameter_name_fault(name) is None) == []
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_macros_of_our_own_are_no_parameters(way: str) -> None:
+    """What our files define, and what they ask for."""
+    found: set[str] = set()
+    for text in WAYS[way](arm("zq")).values():
+        found |= set(re.findall(r"^ *# *(?:define|undef|ifdef|ifndef) (\w+)", text, re.M))
+        for line in re.findall(r"^ *# *(?:if|elif) (.*)", text, re.M):
+            found |= set(re.findall(r"[A-Za-z_]\w*", line))
+        found |= set(re.findall(r"-D([A-Za-z]\w*)=", text))
+    assert "ZQ_H" in found
+    free = {name for name in found if not (parameter_name_fault(name) or parameter_clash(name, "zq"))}
+    assert sorted(name for name in free - {"defined"} if LEGAL.match(name)) == []
+
+
+#: Of other machines and other libraries, or with a meaning of another kind.
+BAD = """
+linux unix i386 arm sun mips near far WIN32 errno I NULL M_PI M_PIl M_TWOPI HUGE DOMAIN OVERFLOW E2BIG ENOTSUP
+EFTYPE INT8_C NAN INFINITY INT128_MAX DBL_MAX DBL_NORM_MAX FLT16_MAX DEC64_MAX PRIb32 isnan signbit assert
+complex bool LANES_BYTES WITH_AVX2 CHUNK stdin offsetof noreturn SIGINT
+""".split()  # noqa: SIM905 (they read as the lists that they are)
+#: Names that look as if they might collide and do not: functions, types, intrinsic procedures, our own local
+#: names, names that only begin like a macro.
+GOOD = """
+y0 y1 yn j0 j1 jn sin cos tan abs fabs exp pow sqrt tanh log gamma index time signal main malloc printf
+size_t int8_t uint32_t double_t float_t div remainder isalpha kernel p q qd qdd tau M_1 state dt sc rk ik
+team base again unused1 s_ c_ x s c turns odd half k count stride states vec bits name arguments any seed
+digest BATCH JOINTS expected tolerance failed worst MEASURED stack handler values i j e L R T S_1 M1 E1
+SIGMA SIGMA_0 MOD_1 m__1 a__b m_ override id self kind len size merge transfer c_double iso_c_binding huge
+lanes zq_dynamics zq_gravity zq_inverse_dynamics zq zq_lanes zq_team zq_sincos_ zq_bits_ zq_selftest
+zq_processor pi_2 t1 w1_x sines cosines angles x123456789012345678901234567890 ELBOW F_1 LANE nan_1 vector
+sc1 lanes_1 chunk
+""".split()  # noqa: SIM905
+
+
+def test_macros_from_elsewhere_are_refused_at_their_place() -> None:
+    for name in BAD:
+        text = f"name: zq\nlinks:\n  - joint: revolute\n    mass: 2*{name}\n"
+        with pytest.raises(InputError, match=r"\Aarm\.yaml:4:13: .*(a macro of|a keyword|nor free to)"):
+            read_text(text, "arm.yaml")
+
+
+@pytest.mark.parametrize("way", representative(WAYS, "schedule"))
+def test_names_that_are_accepted_compile(way: str, tmp_path: Path) -> None:
+    """With every header of the standard before the emitted ones."""
+    files = WAYS[way](arm("zq", GOOD))
+    assert all(f" {name};" in files["zq.h"] for name in GOOD)
+    elsewhere = ("_image.c", "_startup.c", "_eva.c")  # for another processor, for another C library
+    sources = [name for name in written(tmp_path, files) if not name.endswith(elsewhere)]
+    for name, cpp in (("before.h", False), ("before.hpp", True)):
+        (tmp_path / name).write_text(including(STANDARD, cpp=cpp), encoding="utf-8")
+    standard = "-std=c11" if way == "schedule" else "-std=c99"
+    for tool, *flags in (
+        ("gcc", standard),
+        ("gcc", "-std=gnu17", "-D_GNU_SOURCE", "-include", "before.h"),
+        ("clang", standard),
+        ("clang", "-std=gnu17", "-D_GNU_SOURCE", "-include", "before.h"),
+        ("g++", "-x", "c++", "-std=c++17", "-include", "before.hpp"),
+        ("clang++", "-x", "c++", "-std=gnu++20", "-include", "before.hpp"),
+    ):
+        if "++" not in tool:
+            assert complaints(tmp_path, require_tool(tool), *flags, *CLEAN, *sources) == ""
+        elif way != "schedule":  # C11's atomics are not C++, nor are Python's calls
+            some = [name for name in sources if not name.startswith("robodyn-")]
+            warnings = [flag for flag in CLEAN if flag != "-Wshadow"]
+            assert complaints(tmp_path, require_tool(tool), *flags, *warnings, *some) == ""
+    modules = [name for name in files if name.endswith(".f90")]
+    if modules:
+        flags = ["-std=f2018", "-Wall", "-Wextra", "-Werror", "-fsyntax-only"]
+        assert complaints(tmp_path, require_tool("gfortran"), *flags, *modules) == ""
+
+
+@pytest.mark.thorough
+def test_images_and_proofs_take_them_too(tmp_path: Path) -> None:
+    files = WAYS["firmware"](arm("zq", GOOD))
+    sources = [name for name in written(tmp_path, files) if not name.endswith("_main.c")]
+    flags: tuple[str, ...] = ("-mcpu=cortex-m4", "-mthumb", "-std=gnu17", *CLEAN)
+    assert complaints(tmp_path, require_tool("arm-none-eabi-gcc"), *flags, *sources) == ""
+    flags = ("-march=rv32imafc", "-mabi=ilp32f", "-std=gnu17", "-ffreestanding", *CLEAN)
+    assert complaints(tmp_path, require_tool("riscv64-unknown-elf-gcc"), *flags, *sources) == ""
+    proof = tmp_path / "proof"
+    sources = [str(proof / name) for name in written(proof, WAYS["libm"](arm("zq", GOOD)))]
+    said = complaints(proof, require_tool("frama-c"), "-typecheck", *sources)
+    assert "error" not in said.lower(), said
+
+
+def test_names_in_robots_that_a_program_made_are_looked_at_too() -> None:
+    """Those in a description were looked at when it was read."""
+    from robodyn import Options, generate
+    from robodyn.robot.values import parameter
+
+    robot = arm()
+    for name in ("two words", "math", "x" * 41, "double"):
+        made = generate(replace(robot, name=name), Options(("gravity",), optimize="none"))
+        with pytest.raises(InputError, match="the robot's name"):
+            made.files()
+    for name in ("M_PI", "arm_real", "ARM_H", "two words", "double"):
+        links = (replace(robot.links[0], mass=parameter(name)), *robot.links[1:])
+        made = generate(replace(robot, links=links), Options(("inverse_dynamics",), optimize="none"))
+        with pytest.raises(InputError, match="the run-time parameter"):
+            made.files()
+
+
+@pytest.mark.parametrize("name", ["q", "qd", "tau", "sc", "dt", "state"])
+def test_parameters_may_be_called_like_arrays_that_nothing_reads(name: str, tmp_path: Path) -> None:
+    from robodyn import Options, generate
+
+    link = f"{{joint: prismatic, alpha: 0.3, mass: {name}, com: [0.1, 0, 0]}}"
+    robot = read_text(f"name: lift\nlinks: [{link}, {link}]")
+    files = [generate(robot, Options()).files(), *(WAYS[way](robot) for way in ("kernels", "schedule"))]
+    if name != "q":
+        files.append(generate(robot, Options(trig="given")).files())
+    for k, some in enumerate(files):
+        sources = written(tmp_path / str(k), some)
+        standard = "-std=c11" if "lift_parallel.c" in some else "-std=c99"
+        assert complaints(tmp_path / str(k), require_tool("gcc"), standard, *CLEAN, *sources) == ""
+
+
+# --- names of robots ----------------------------------------------------------------------
 
 NAME = "zq"
 
@@ -73,16 +229,6 @@ def test_robots_of_any_name_compile(name: str, tmp_path: Path) -> None:
         if modules:
             flags = ("-std=f2018", "-Wall", "-Wextra", "-Werror", "-fsyntax-only")
             assert complaints(tmp_path / way, require_tool("gfortran"), *flags, *modules) == ""
-
-
-def test_robots_that_a_program_made_are_looked_at_too() -> None:
-    """A description was looked at when it was read."""
-    from robodyn import Options, generate
-
-    for name in ("two words", "math", "x" * 41, "double"):
-        made = generate(replace(arm(), name=name), Options(("gravity",), optimize="none"))
-        with pytest.raises(InputError, match="the robot's name"):
-            made.files()
 
 
 @pytest.mark.parametrize(

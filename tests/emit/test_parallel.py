@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 import subprocess
 from pathlib import Path
@@ -132,21 +133,19 @@ def test_a_race_would_be_found(tmp_path: Path) -> None:
     assert "data race" in done.stderr
 
 
-@pytest.mark.thorough
-def test_thread_sanitizer_has_nothing_to_say(tmp_path: Path) -> None:
-    said = ran(tmp_path, all_files("puma560", 4, 3, "barrier"), 1000, "-fsanitize=thread")
+@pytest.mark.parametrize(
+    ("name", "p", "waiting"),
+    representative(
+        representative(
+            itertools.product(["puma560", "stanford", "ur10"], [2, 3, 4], ["barrier", "counters"]),
+            ("puma560", 4, "barrier"),
+            rest="slow",
+        )
+    ),
+)
+def test_thread_sanitizer_has_nothing_to_say(name: str, p: int, waiting: Waiting, tmp_path: Path) -> None:
+    said = ran(tmp_path, all_files(name, p, 3, waiting), 1000, "-fsanitize=thread")
     assert said.startswith("states 1000 differing 0 ")
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", ["puma560", "stanford", "ur10"])
-@pytest.mark.parametrize("p", [2, 3, 4])
-@pytest.mark.parametrize("waiting", ["barrier", "counters"])
-def test_three_robots_on_2_3_and_4_processors_under_thread_sanitizer(
-    name: str, p: int, waiting: Waiting, tmp_path: Path
-) -> None:
-    said = ran(tmp_path, all_files(name, p, 3, waiting), 10_000, "-fsanitize=thread", "-g")
-    assert said.startswith("states 10000 differing 0 ")
 
 
 LONGEST = "the_longest_name_that_a_robot_may_have_x"
@@ -193,15 +192,6 @@ def test_barriers_stand_only_where_a_value_passes() -> None:
                 assert any(made < barrier <= used for barrier in plan.barriers)
     alone, table = scheduled(program, 1, 3, "barrier")
     assert lanes(alone, table).barriers == ()
-
-
-def test_every_operation_is_computed_once() -> None:
-    _, program = kernel("stanford")
-    for waiting in ("barrier", "counters"):
-        tasks, timetable = scheduled(program, 3, 3, waiting)
-        plan = lanes(tasks, timetable, waiting)
-        done = [i for lane in plan.steps for step in lane for i in step.operations]
-        assert sorted(done) == list(range(len(program.operations)))
 
 
 def test_counters_follow_a_schedule_without_levels() -> None:

@@ -9,7 +9,6 @@ import pytest
 
 from robodyn.counts import count
 from robodyn.emit.headings import QUANTITIES
-from robodyn.errors import InputError
 from robodyn.kernels.generate import Options, generate
 from robodyn.robot import bundled_names, load
 from robodyn_cli.main import main
@@ -82,11 +81,6 @@ def test_contradictions_are_refused(
     assert main(["gen", "stanford_3dof", "-o", str(tmp_path / "x"), "--readable", *options]) == 2
     assert "--readable writes the recursion as it stands in the book" in capsys.readouterr().err
     assert not (tmp_path / "x").exists()
-
-
-def test_options_refuse_them_too() -> None:
-    with pytest.raises(InputError, match="--optimize full, --order registers"):
-        Options(readable=True, optimize="full", order="registers")
 
 
 def test_the_command_writes_it_for_a_target(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

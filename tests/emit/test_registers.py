@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import importlib.util
 import itertools
-import subprocess
 import sys
 from pathlib import Path
 from typing import Any
@@ -12,14 +11,14 @@ from typing import Any
 import numpy as np
 import pytest
 
-from emit.kernels import ODD, STRICT, STRICT_CPP, STRICT_FORTRAN, robots, write
+from emit.kernels import ODD, robots
 from robodyn.ir.fingerprint import fingerprint
 from robodyn.kernels.generate import Generated, Options, generate
 from robodyn.kernels.kernel import load as compiled
 from robodyn.passes.registers import registers
 from robodyn.robot import load
 from robodyn.robot.values import circle_point
-from robodyn_testing import covering, representative, require_module, require_tool, sampled
+from robodyn_testing import covering, representative, require_module, require_tool
 
 ROBOTS = ("puma560", "stanford", "puma560_3dof")
 
@@ -34,24 +33,6 @@ def test_the_pass_changes_nothing_but_the_order(robot: str, available: int) -> N
         ordered = registers(program, available)
         assert sorted(op.op for op in ordered.operations) == sorted(op.op for op in program.operations)
         assert fingerprint(ordered, 1, circle_point) == fingerprint(program, 1, circle_point)
-
-
-@pytest.mark.parametrize(
-    ("robot", "language", "scalar"), covering(ROBOTS, ["c", "fortran"], ["float", "double"])
-)
-def test_both_orders_give_the_same_bits(robot: str, language: str, scalar: str) -> None:
-    require_tool("gfortran" if language == "fortran" else "cc")
-    kernels = [
-        compiled(g.signatures, g.files((language,)), language=language)
-        for g in (
-            made(robot, order=order, trig="builtin", scalar=scalar) for order in ("recursion", "registers")
-        )
-    ]
-    random = np.random.default_rng(0)
-    for name, interface in kernels[0].signatures.items():
-        arrays = [random.uniform(-3, 3, (200, size)) for _, size in interface.inputs]
-        one, other = (getattr(kernel, name)(*arrays) for kernel in kernels)
-        assert one.tobytes() == other.tobytes()
 
 
 @pytest.mark.parametrize("robot", ROBOTS)
@@ -103,27 +84,6 @@ def test_a_call_takes_no_more_instructions_than_allowed(trig: str, scalar: str) 
 
 def _strange(name: str, **options: Any) -> Generated:
     return generate(robots()[name], Options(trig="builtin", **options))
-
-
-@pytest.mark.parametrize(("name", "scalar"), covering(sampled(ODD, every=5), ["double", "float"]))
-def test_compilers_have_nothing_to_say(name: str, scalar: str, tmp_path: Path) -> None:
-    if (name, scalar) == ("huge_and_tiny", "float"):
-        return  # not for float
-    paths = write(tmp_path, _strange(name, scalar=scalar).files())
-    source = next(path for path in paths if path.endswith(".c"))
-    module = next(path for path in paths if path.endswith(".f90"))
-    for command in (
-        ["gcc", *STRICT, source],
-        ["clang", *STRICT, source],
-        ["g++", *STRICT_CPP, source],
-        ["gfortran", *STRICT_FORTRAN, module],
-    ):
-        require_tool(command[0])
-        done = subprocess.run(
-            [*command, "-O2", "-c", "-o", "x.o"], cwd=tmp_path, capture_output=True, text=True, check=False
-        )
-        assert done.returncode == 0, done.stderr
-        assert done.stderr == ""
 
 
 @pytest.mark.parametrize("name", representative(ODD, "tool", "pendulum"))

@@ -6,22 +6,20 @@ import re
 import struct
 from collections.abc import Sequence
 from fractions import Fraction
-from pathlib import Path
 
 import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from emit.kernels import complaints, in_single, made, write
+from emit.kernels import in_single, made
 from robodyn import InputError, Options
 from robodyn.emit.c_syntax import c_spelling
 from robodyn.emit.languages.fortran import LANGUAGE as FORTRAN
 from robodyn.emit.spelling import shortest
-from robodyn.emit.statements import Apply, statements
+from robodyn.emit.statements import LARGE, Apply, Body, statements
 from robodyn.ir import Input, Label, Operation, Program
 from robodyn.kernels.generate import generate
 from robodyn.robot import read_text
-from robodyn_testing import require_tool
 
 # --- statements -------------------------------------------------------------------------------------------
 
@@ -94,6 +92,67 @@ def test_a_line_is_not_made_of_everything() -> None:
     assert len(body.statements) > 3
 
 
+# --- large functions --------------------------------------------------------------------------------
+
+OFTEN, RARE, SHORT = Fraction("0.123456789012"), Fraction("0.987654321098"), Fraction("0.25")
+
+
+def _large(*more: Operation) -> Program:
+    """``more``, and a sum of products with numbers, long enough to be told shortly."""
+    n = len(more)
+    operations = [
+        *more,
+        Operation("mul", (RARE, Q)),
+        Operation("mul", (SHORT, Q)),
+        Operation("add", (n, n + 1)),
+    ]
+    while len(operations) <= LARGE:
+        last = len(operations) - 1
+        operations += [Operation("mul", (OFTEN, last)), Operation("mul", (SHORT, last))]
+        operations.append(Operation("add", (last + 1, last + 2), Label(1 + last % 2, "fc", "x")))
+    return Program(tuple(operations), (("tau", (len(operations) - 1,)),))
+
+
+def _text(body: Body) -> str:
+    spelling = c_spelling(single=False)
+    return "\n".join(f"{s.name} = {spelling.text(s.expression)}" for s in body.statements)
+
+
+def test_a_long_number_that_is_read_often_is_written_once() -> None:
+    program = _large()
+    body = statements(program, concise=True)
+    first, second = body.statements[:2]
+    assert (first.name, first.expression, first.heading) == ("k1", OFTEN, "numbers that are read often")
+    assert isinstance(second.expression, Apply)
+    text = _text(body)
+    assert text.count("0.123456789012") == 1
+    assert text.count("k1*") == sum(OFTEN in operation.args for operation in program.operations)
+    assert "0.987654321098*q[0]" in text, "what is read once stands where it is read"
+    assert "0.25*" in text, "a name would be no shorter"
+
+
+@pytest.mark.parametrize("way", ["asked for", "small"])
+def test_else_numbers_stand_where_they_are_read(way: str) -> None:
+    program = _large()
+    if way == "small":
+        program = Program(program.operations[: LARGE - 1], (("tau", (LARGE - 2,)),))
+    text = _text(statements(program, concise=way == "small"))
+    assert text.count("0.123456789012") > 4
+    assert "k1" not in text
+
+
+def test_arguments_of_sines_are_written_whole() -> None:
+    angle = [Operation("add", (Q, OFTEN)), Operation("cos", (0,))]
+    body = statements(_large(*angle), concise=True)
+    assert [s.expression for s in body.statements if s.angle] == [Apply("add", (Q, OFTEN))]
+
+
+def test_headings_explain_a_quantity_once() -> None:
+    headings = [s.heading for s in statements(_large(), concise=True).statements if s.heading]
+    assert headings[1] == "link 1: force that moves the link [N]"
+    assert set(headings[2:]) == {"link 1: force that moves the link", "link 2: force that moves the link"}
+
+
 # --- literals ---------------------------------------------------------------------------------------------
 
 
@@ -148,39 +207,6 @@ def test_what_a_literal_looks_like() -> None:
         assert c_spelling(single=False).number(value) == double
         assert c_spelling(single=True).number(value) == single
         assert FORTRAN.spelling(False).number(value) == f"{double}_rk"
-
-
-def test_literals_read_back_in_both_languages(tmp_path: Path) -> None:
-    """Compiled: what gcc and gfortran make of the digits is the number itself, in double and in float."""
-    values = [Fraction(2) ** k / 7 for k in range(-120, 120, 8)] + [Fraction(1, 3), Fraction(123456789, 1000)]
-    files = {}
-    for single in (False, True):
-        kind, real = ("float", "c_float") if single else ("double", "c_double")
-        c = ", ".join(c_spelling(single=single).number(x) for x in values)
-        files[f"c_{kind}.c"] = f"const {kind} c_{kind}[{len(values)}] = {{{c}}};\n"
-        fortran = "\n".join(f"x({k}) = {FORTRAN.spelling(single).number(x)}" for k, x in enumerate(values, 1))
-        files[f"f_{kind}.f90"] = (
-            f"subroutine f(x) bind(c, name='f_{kind}')\nuse iso_c_binding, only: rk => {real}\n"
-            f"real(rk), intent(out) :: x({len(values)})\n{fortran}\nend subroutine\n"
-        )
-    sources = write(tmp_path, files)
-    for tool, suffix in (("gcc", ".c"), ("gfortran", ".f90")):
-        names = [name for name in sources if name.endswith(suffix)]
-        assert complaints(require_tool(tool), ("-fPIC",), names, tmp_path) == ""
-    import ctypes
-    import subprocess
-
-    objects = [Path(name).with_suffix(".o").name for name in sources]
-    subprocess.run([require_tool("gfortran"), "-shared", *objects, "-o", "all.so"], cwd=tmp_path, check=True)
-    library = ctypes.CDLL(str(tmp_path / "all.so"))
-    for kind, number in (("double", ctypes.c_double), ("float", ctypes.c_float)):
-        array = number * len(values)
-        by_fortran = array()
-        getattr(library, f"f_{kind}")(by_fortran)
-        by_c = array.in_dll(library, f"c_{kind}")
-        expected = [number(float(x)).value for x in values]
-        assert list(by_c) == expected
-        assert list(by_fortran) == expected
 
 
 @pytest.mark.parametrize(("mass", "scalar"), [("1e39", "float"), ("-3.5e38", "float"), ("1e200", "double")])

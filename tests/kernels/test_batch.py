@@ -22,7 +22,7 @@ from robodyn.errors import InputError
 from robodyn.ir.signature import Signature
 from robodyn.kernels.kernel import Kernel, load
 from robodyn.toolchain.compiler import C_FLAGS
-from robodyn_testing import covering, representative, require_machine, require_module, require_tool
+from robodyn_testing import covering, representative, require_machine, require_tool
 from robodyn_testing.random_robots import random_states
 
 Array = NDArray[Any]
@@ -122,34 +122,6 @@ def test_given_sines() -> None:
     length = dict(made.signatures["mass_matrix"].inputs)["sc"]
     sc = np.random.default_rng(0).uniform(-1, 1, (37, length))
     assert_same_bits(made.batch(sc, function="mass_matrix"), made.mass_matrix(sc))
-
-
-@pytest.mark.thorough
-def test_openmp() -> None:
-    """With threads in the C itself; what they share is more than one chunk."""
-    made, flags = kernel("puma560"), (*C_FLAGS, "-fopenmp")
-    shared = robodyn.compile(robots()["puma560"], cc=require_tool("gcc"), flags=flags, mode="abi")
-    given = inputs(made, "inverse_dynamics", states("puma560", 5000))
-    assert_same_bits(shared.batch(*given), made.inverse_dynamics(*given))
-    assert_same_bits(shared.batch(*map(np.asfortranarray, given)), made.inverse_dynamics(*given))
-
-
-@pytest.mark.thorough
-def test_clang_too() -> None:
-    made = kernel("puma560")
-    other = robodyn.compile(robots()["puma560"], cc=require_tool("clang"), mode="abi")
-    given = inputs(made, "inverse_dynamics", states("puma560", 101))
-    assert_same_bits(other.batch(*given), made.inverse_dynamics(*given))
-
-
-def test_pinocchio_agrees() -> None:
-    require_module("pinocchio")
-    from peers.pinocchio_peer import pinocchio_model, torques
-
-    robot = robots()["puma560"]
-    q, qd, qdd = random_states(robot, 500, 8)
-    wanted = torques(pinocchio_model(robot), robot, q, qd, qdd)
-    np.testing.assert_allclose(kernel("puma560").batch(q, qd, qdd), wanted, rtol=1e-11, atol=1e-11)
 
 
 # --- arrays -------------------------------------------------------------------------------------------------

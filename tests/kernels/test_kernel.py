@@ -46,31 +46,6 @@ def test_values(
     assert kernel.mass_matrix(q[0], **options).shape == (2, 2)
 
 
-@pytest.mark.parametrize("scalar", ["double", "float"])
-@pytest.mark.parametrize("parameters", [False, True])
-def test_c_and_fortran_and_both_ways_to_load_give_the_same_bits(
-    scalar: Any, parameters: bool, toy: Callable[..., Any]
-) -> None:
-    require_tool("gfortran")
-    arm = toy(scalar=scalar, parameters=parameters)
-    options: dict[str, Any] = {"params": PARAMS} if parameters else {}
-    seen = set()
-    for language in ("c", "fortran"):
-        for mode in ("api", "abi"):
-            kernel = load(arm.signatures, arm.files, language=language, mode=mode)
-            q, qd, qdd = states(1000, kernel.dtype)
-            seen.add(kernel.inverse_dynamics(q, qd, qdd, **options).tobytes())
-    assert len(seen) == 1
-
-
-def test_both_precisions_in_one_process(toy: Callable[..., Any]) -> None:
-    double, single = (load(arm.signatures, arm.files) for arm in (toy(), toy(scalar="float")))
-    third = [1 / 3, 1 / 3]
-    assert double.gravity(third).dtype == np.float64
-    assert single.gravity(third).dtype == np.float32
-    assert double.gravity(third)[0] == 3 * np.sin(1 / 3)
-
-
 def test_what_a_kernel_says_of_itself(kernel: Kernel, tunable: Kernel) -> None:
     assert kernel.functions == ("inverse_dynamics", "gravity", "mass_matrix")
     assert (kernel.robot, kernel.scalar, kernel.language, kernel.parameters) == ("toy", "double", "c", ())

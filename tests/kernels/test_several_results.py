@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -20,7 +19,6 @@ from robodyn.optimize import merging
 from robodyn.robot import load
 from robodyn.schedule import Machine, solve
 from robodyn.schedule.cutting import cut
-from robodyn_testing import require_tool
 
 NAMES = ("forward_kinematics", "link_poses", "jacobian")
 N = 5
@@ -71,20 +69,6 @@ def test_workspaces_have_them_by_name(kernel: kernels.Kernel, q: NDArray[np.floa
     work.q[:] = q[1]
     work()
     assert same((work.link_positions, work.link_rotations), kernel.link_poses(q[1]))
-
-
-def test_a_batch_gives_the_same_bits(kernel: kernels.Kernel, q: NDArray[np.float64]) -> None:
-    for name in NAMES[1:2]:
-        assert same(kernel.batch(q, function=name), getattr(kernel, name)(q)), name
-
-
-def test_fortran_gives_the_same_bits(kernel: kernels.Kernel, q: NDArray[np.float64], tmp_path: Path) -> None:
-    require_tool("gfortran")
-    fortran = robodyn.compile(
-        "stanford_3dof", functions=NAMES, trig="builtin", mode="abi", cache=tmp_path, language="fortran"
-    )
-    for name in NAMES[:2]:
-        assert same(getattr(fortran, name)(q), getattr(kernel, name)(q)), name
 
 
 def test_batches_write_to_arrays_of_one_order(kernel: kernels.Kernel, q: NDArray[np.float64]) -> None:

@@ -50,15 +50,6 @@ def test_many_poses(kernel: Kernel) -> None:
 
 
 @pytest.mark.thorough
-def test_a_batch(kernel: Kernel) -> None:
-    answer = kernel.inverse_kinematics(T, Q[0])
-    batch = kernel.batch(T, Q[0], function="inverse_kinematics")
-    assert isinstance(batch, Solutions)
-    for one, other in zip(answer, batch, strict=True):
-        np.testing.assert_allclose(one, other, atol=1e-13)
-
-
-@pytest.mark.thorough
 def test_the_nearest(kernel: Kernel, nearest: Kernel) -> None:
     answer = nearest.nearest_inverse_kinematics(T, Q + 0.01)
     assert isinstance(answer, NearestSolution)
@@ -66,14 +57,6 @@ def test_the_nearest(kernel: Kernel, nearest: Kernel) -> None:
     every = kernel.inverse_kinematics(T, Q)
     rows = every.solutions[np.arange(7), answer.branch.astype(int)]
     np.testing.assert_allclose(rows, Q, atol=1e-9)
-
-
-def test_the_command_line_solves_alike(kernel: Kernel) -> None:
-    solver = PoseSolver(load("ur5"))
-    (posed,) = solver.solve(solver.pose(Q[:1]))
-    answer = kernel.inverse_kinematics(T[0])
-    np.testing.assert_allclose([x.q for x in posed.solutions], answer.solutions, atol=1e-12)
-    assert [x.exists for x in posed.solutions] == answer.exists.astype(bool).tolist()
 
 
 @pytest.mark.thorough

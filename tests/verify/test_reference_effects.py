@@ -89,34 +89,6 @@ def test_forces_in_the_joints_are_pinocchios(seed: int | None) -> None:
         close(found - plain, mu * expected * way, 1e-11)
 
 
-@pytest.mark.filterwarnings("ignore:Please update your 'hppfcl'")
-def test_functions_with_a_payload_are_pinocchios() -> None:
-    robot = arm(entry("payload", None, **LOAD), torque_side="link")
-    pin, model = pinocchio(robot)
-    data = model.createData()
-    q, qd, qdd = states(count=4)
-    reference = Reference(robot)
-    for k in range(len(q)):
-        M = pin.crba(model, data, q[k])
-        M = np.triu(M) + np.triu(M, 1).T
-        close(reference.mass_matrix(q)[k], M)
-        close(reference.gravity(q)[k], pin.computeGeneralizedGravity(model, data, q[k]))
-        close(reference.bias(q, qd)[k], pin.nonLinearEffects(model, data, q[k], qd[k]))
-        tau = M @ qdd[k] + reference.bias(q, qd)[k]
-        close(reference.forward_dynamics(q[k], qd[k], tau), qdd[k], 1e-10)
-
-
-def test_a_payload_without_inertia_is_a_point() -> None:
-    point = replace(
-        entry("payload", None, mass=F(3)), settings=(("mass", F(3)), ("com", (F(0), F(0), F(1, 5))))
-    )
-    q, qd, qdd = states()
-    with_it = Reference(arm(point)).inverse_dynamics(q, qd, qdd)
-    spread = entry("payload", None, mass=F(3), com=(F(0), F(0), F(1, 5)), inertia=Inertia())
-    np.testing.assert_array_equal(with_it, Reference(arm(spread)).inverse_dynamics(q, qd, qdd))
-    assert np.abs(with_it - Reference(PUMA).inverse_dynamics(q, qd, qdd)).max() > 1
-
-
 # --- the drive --------------------------------------------------------------------------------------------
 
 SECOND = (

@@ -8,6 +8,7 @@ import pytest
 import robodyn
 from robodyn.robot import read_text
 from robodyn.verify import verify
+from robodyn_testing import covering
 
 ARM = """
 name: arm
@@ -32,8 +33,7 @@ EFFECTS = (
 )
 
 
-@pytest.mark.parametrize("joint", ["revolute", "prismatic"])
-@pytest.mark.parametrize("effect", EFFECTS)
+@pytest.mark.parametrize(("effect", "joint"), covering(EFFECTS, ["revolute", "prismatic"]))
 def test_what_bears_the_wrench_rubs(effect: str, joint: str) -> None:
     """Beside Newton-Euler that begins with the wrench at the tool, every drive at the load that passes it."""
     robot = read_text(ARM.replace("EFFECT", effect).replace("JOINT", joint))
