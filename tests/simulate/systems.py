@@ -12,39 +12,22 @@ from robodyn.simulate.engine import Engine, build_engine
 
 #: Nothing in the engine is to be warned of.
 STRICT = (
-    "-std=c99",
-    "-O2",
-    "-ffp-contract=off",
-    "-Wall",
-    "-Wextra",
-    "-Wconversion",
-    "-Werror",
+    "-std=c99", "-O2", "-ffp-contract=off", "-Wall", "-Wextra", "-Wconversion", "-Werror",
     "-Wno-unused-parameter",
-)
+)  # fmt: skip
 
-_BIAS = (
-    "static void system_bias(const double *y, const double *v, const double *s, const double *z, double *h,"
-    " const double *p)"
-)
-_FORCE = (
-    "static void system_force(const double *y, const double *v, const double *a, const double *s,"
-    " const double *z, double *f, const double *p)"
-)
-_JACOBIAN = (
-    "static void system_jacobian(const double *y, const double *v, const double *a, const double *s,"
-    " const double *z, double *J, const double *p)"
-)
-_MASS = "static void system_mass(const double *y, double *M, const double *p)"
-_CONSERVED = "static void system_conserved(const double *y, const double *v, double *h, const double *p)"
+
+def _head(name: str, inputs: str, output: str) -> str:
+    """The head of a function of the glue: arrays that it reads, and the one that it fills."""
+    arrays = [f"const double *{each}" for each in inputs.split()]
+    return f"static void system_{name}({', '.join([*arrays, f'double *{output}', 'const double *p'])})"
+
+
+_BIAS, _FORCE = _head("bias", "y v s z", "h"), _head("force", "y v a s z", "f")
+_JACOBIAN, _MASS = _head("jacobian", "y v a s z", "J"), _head("mass", "y", "M")
+_CONSERVED, _RATES = _head("conserved", "y v", "h"), _head("rates", "y v z", "zdot")
+_MODEL = _head("model", "q qd qdd", "tau")
 _EXTERNAL = "static void system_external(double t, const double *y, double *f, const double *p)"
-_RATES = (
-    "static void system_rates(const double *y, const double *v, const double *z, double *zdot,"
-    " const double *p)"
-)
-_MODEL = (
-    "static void system_model(const double *q, const double *qd, const double *qdd, double *tau,"
-    " const double *p)"
-)
 
 #: Two unit masses on unit rods, both angles from the vertical; p: gravity, viscous friction.
 PENDULUM = f"""

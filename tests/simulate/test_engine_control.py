@@ -1,4 +1,4 @@
-"""What drives the motors: tables, PD, computed torque, a callback; limits; Ctrl-C."""
+"""What drives the motors: tables, PD, computed torque; limits; Ctrl-C."""
 
 from __future__ import annotations
 

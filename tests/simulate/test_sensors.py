@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -12,8 +11,7 @@ import pytest
 
 from robodyn.errors import InputError
 from robodyn.logs.log import Log
-from robodyn.robot.model import EffectEntry
-from robodyn.simulate.differences import difference, low_pass
+from robodyn.simulate.differences import low_pass
 from robodyn.simulate.sensors import (
     Sensors,
     measure,
@@ -108,14 +106,6 @@ def test_the_filter_looks_only_back_and_starts_settled() -> None:
     assert np.array_equal(low_pass(t, other, 10.0)[:60], low_pass(t, x, 10.0)[:60])
 
 
-def test_filtered_rates() -> None:
-    log = measure(TRUE, Sensors(velocity="filtered", acceleration="filtered", cutoff=40.0, order=1))
-    assert log.qd is not None
-    assert np.array_equal(log.qd, low_pass(TRUE.t, difference(TRUE.t, TRUE.q), 40.0, 1))
-    assert log.qdd is not None
-    assert np.array_equal(log.qdd, low_pass(TRUE.t, difference(TRUE.t, log.qd), 40.0, 1))
-
-
 # --- noise ------------------------------------------------------------------------------------------------
 
 
@@ -178,11 +168,7 @@ def test_options_that_make_no_sense(options: dict[str, Any], message: str) -> No
             TRUE.t,
             "torque_noise does not fit the joints; found 2; expected 1 or 3",
         ),
-        (
-            {"velocity": "filtered", "cutoff": 500.0},
-            TRUE.t,
-            "found 500 Hz; expected between 0 and half their rate",
-        ),
+        ({"velocity": "filtered", "cutoff": 500.0}, TRUE.t, "500 Hz; expected between 0 and half their rate"),
         ({"velocity": "filtered", "cutoff": 5.0}, TRUE.t**2, "needs evenly spaced samples"),
         ({"velocity": "difference"}, TRUE.t * 0, "at increasing times"),
     ],
@@ -192,23 +178,11 @@ def test_options_that_do_not_fit(options: dict[str, Any], times: Any, message: s
         measure(replace(TRUE, t=times), Sensors(**options))
 
 
-@pytest.mark.parametrize(
-    ("effects", "times", "message"),
-    [
-        (
-            [entry("torque_bias", 4, bias=1)],
-            TRUE.t,
-            "there is no such joint; found 4; expected a joint of 1 to 3",
-        ),
-        ([entry("time_delay", 1, delay=1)], -TRUE.t, "cannot be delayed where the times do not increase"),
-    ],
-)
-def test_effects_that_do_not_fit(effects: Sequence[EffectEntry], times: Any, message: str) -> None:
-    with pytest.raises(InputError, match=message):
-        measured_torque(TRUE.tau, times, effects)
-
-
 def test_other_numbers_that_are_refused() -> None:
+    with pytest.raises(InputError, match="there is no such joint; found 4; expected a joint of 1 to 3"):
+        measured_torque(TRUE.tau, TRUE.t, [entry("torque_bias", 4, bias=1)])
+    with pytest.raises(InputError, match="cannot be delayed where the times do not increase"):
+        measured_torque(TRUE.tau, -TRUE.t, [entry("time_delay", 1, delay=1)])
     with pytest.raises(InputError, match="a seed is a number of 0 or more"):
         measure(TRUE, Sensors(), seed=-1)
     for bits in (0, 65):

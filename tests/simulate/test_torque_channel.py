@@ -45,14 +45,6 @@ def test_a_delayed_line_is_a_shifted_line() -> None:
     assert np.array_equal(found[:, 1], tau[:, 1])
 
 
-@pytest.mark.parametrize("samples", [1, 7, 1000])
-def test_a_delay_of_whole_samples_shifts_them(samples: int) -> None:
-    found = measured_torque(TRUE.tau, TRUE.t, [entry("time_delay", delay=samples * STEP)])
-    kept = max(len(TRUE.t) - samples, 0)
-    np.testing.assert_allclose(found[len(TRUE.t) - kept :], TRUE.tau[:kept], rtol=0, atol=1e-12)
-    assert (found[: len(TRUE.t) - kept] == TRUE.tau[0]).all()
-
-
 def test_a_delay_between_samples_is_of_second_order() -> None:
     """The line between samples is off by at most step^2 / 8 times the curvature."""
     found = measured_torque(TRUE.tau, TRUE.t, [entry("time_delay", delay=2.5 * STEP)])
@@ -79,13 +71,6 @@ def test_the_order_of_the_channel() -> None:
         assert measured_torque(tau, t, order).tolist() == [[2.5], [4.3], [-4.3]]
     log = measure(Log(t, tau, tau, tau, tau), Sensors(torque_resolution=1.0), effects)
     assert log.tau.tolist() == [[2.0], [4.0], [-4.0]]
-
-
-def test_noise_comes_before_the_saturation() -> None:
-    limit = entry("torque_saturation", None, limit=2, clips="sensor")
-    log = measure(TRUE, Sensors(torque_noise=5.0), [limit])
-    assert np.abs(log.tau).max() == 2
-    assert np.abs(measure(TRUE, Sensors(torque_noise=5.0)).tau).max() > 10
 
 
 def test_entries_of_one_kind_add_up() -> None:

@@ -91,14 +91,6 @@ def test_samples_are_the_law(name: str) -> None:
         motion.q[0] = 0
 
 
-@pytest.mark.parametrize("name", ["quintic", "trapezoid", "fourier", "line", "trapezoidal line"])
-def test_rest_at_the_ends(name: str) -> None:
-    motion = MAKERS[name]()
-    np.testing.assert_allclose(motion.qd[[0, -1]], 0, atol=1e-12)
-    if "trapezoid" not in name:
-        np.testing.assert_allclose(motion.qdd[[0, -1]], 0, atol=1e-10)
-
-
 def test_quintic() -> None:
     motion = quintic([0, 1], [1, -2], 2.0)
     np.testing.assert_array_equal(motion.q[[0, -1]], [[0, 1], [1, -2]])
@@ -172,12 +164,6 @@ def test_line_is_straight(profile: str) -> None:
         np.testing.assert_allclose(acceleration, 0, atol=1e-11)
     numerical = line(kinematics, START, END, 2.0, profile, start=motion.q[0], period=1e-2)  # type: ignore[arg-type]
     np.testing.assert_allclose(numerical.q, motion.q, atol=1e-12)
-
-
-def test_line_keeps_the_rotation() -> None:
-    motion = led("quintic", 1e-2)
-    _, rotation = Kinematics(arm()).pose(motion.q)
-    np.testing.assert_allclose(rotation, np.broadcast_to(rotation[0], rotation.shape), atol=1e-13)
 
 
 def test_line_refuses() -> None:
@@ -255,15 +241,6 @@ def test_fourier_is_the_same_for_the_same_seed() -> None:
     np.testing.assert_allclose((one.q.max(0) + one.q.min(0)) / 2, 0, atol=0.01)
 
 
-def test_fourier_refuses() -> None:
-    with pytest.raises(InputError, match="ur10: link 1 states no limit of position, velocity, acceleration"):
-        fourier(arm("ur10"))
-    with pytest.raises(InputError, match="found 1 harmonics"):
-        fourier(arm(), harmonics=1)
-    with pytest.raises(InputError, match="no frequency"):
-        fourier(arm(), 0.0)
-
-
 def test_arrays_that_do_not_fit() -> None:
     t, q = np.arange(3.0), np.zeros((3, 2))
     between = Trajectory(t, q + t[:, None] ** 2, q + 2 * t[:, None], q + 2)  # without a law
@@ -288,6 +265,9 @@ def test_arrays_that_do_not_fit() -> None:
         (lambda: quintic([0], [1], 1e9), "too many samples"),
         (lambda: trapezoid([1], [1], 1, 1), "the motion has no length"),
         (lambda: trapezoid([0], [1], 0, 1), "velocity must be positive"),
+        (lambda: fourier(arm("ur10")), "ur10: link 1 states no limit of position, velocity, acceleration"),
+        (lambda: fourier(arm(), harmonics=1), "found 1 harmonics"),
+        (lambda: fourier(arm(), 0.0), "no frequency"),
     ],
 )
 def test_makers_refuse(make: Callable[[], Trajectory], message: str) -> None:
