@@ -60,7 +60,7 @@ def lagrange_3x3(arm: Arm, motion: Motion, mark: Mark = unmarked) -> list[Any]:
         if body.revolute:
             dR = marked(mark, product(R, TURN_3), i + 1, "dR")
             ddR = marked(mark, product(dR, TURN_3), i + 1, "ddR")
-            slope, Wd, Wdd = passed_on((W, Wd, Wdd), (R, dR, ddR), qd, qdd)
+            Wd, Wdd, slope = passed_on((W, Wd, Wdd), (R, dR, ddR), qd, qdd)
         else:
             axis: Vector = (0, -body.sin_alpha, body.cos_alpha)  # dp/dq
             slope = (turned(W, axis),)

@@ -56,12 +56,16 @@ class Moving(NamedTuple):
 def passed_on(
     parent: tuple[Matrix, Matrix, Matrix], own: tuple[Matrix, Matrix, Matrix], qd: Any, qdd: Any
 ) -> tuple[Matrix, Matrix, Matrix]:
-    """``dW/dq``, ``Wd`` and ``Wdd`` of a link by those of its parent (``W, Wd, Wdd``) and by its joint (``A``
+    """``Wd``, ``Wdd`` and ``dW/dq`` of a link by those of its parent (``W, Wd, Wdd``) and by its joint (``A``
     and two derivatives), of transforms or of rotations."""
     (W, Wd, Wdd), (A, dA, ddA) = parent, own
-    fast = times(2 * qd, product(Wd, dA)), times(qd * qd, product(W, ddA)), times(qdd, product(W, dA))
-    rates = summed(product(Wd, A), times(qd, product(W, dA)))
-    return product(W, dA), rates, summed(product(Wdd, A), *fast)
+    accelerations = summed(
+        product(Wdd, A),
+        times(2 * qd, product(Wd, dA)),
+        times(qd * qd, product(W, ddA)),
+        times(qdd, product(W, dA)),
+    )
+    return summed(product(Wd, A), times(qd, product(W, dA))), accelerations, product(W, dA)
 
 
 def moving_links(arm: Arm, motion: Motion, mark: Mark) -> list[Moving]:
@@ -73,7 +77,7 @@ def moving_links(arm: Arm, motion: Motion, mark: Mark) -> list[Moving]:
         A = marked(mark, transform(body, motion.c[i], motion.s[i], motion.d[i]), i + 1, "A")
         dA = marked(mark, product(A, joint_operator(body)), i + 1, "dA")
         ddA = marked(mark, product(dA, joint_operator(body)), i + 1, "ddA")
-        dW, Wd, Wdd = passed_on((W, Wd, Wdd), (A, dA, ddA), qd, qdd)
+        Wd, Wdd, dW = passed_on((W, Wd, Wdd), (A, dA, ddA), qd, qdd)
         W = marked(mark, product(W, A), i + 1, "W")
         Wd = marked(mark, Wd, i + 1, "Wd")
         Wdd = marked(mark, Wdd, i + 1, "Wdd")
