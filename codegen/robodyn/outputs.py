@@ -52,17 +52,17 @@ def write_files(
     InputError: as of :func:`check_outputs`, or the path cannot be written.
     OutputError: the disk is full, or the device fails.
     """
-    targets = [folder / name for name in files]
-    contents = [each.encode() if isinstance(each, str) else each for each in files.values()]
-    check_outputs(folder, dict(zip(files, contents, strict=True)), force=force, named=named, remedy=remedy)
-    if not named and (listing := _listing(folder, dict(zip(files, contents, strict=True)))) is not None:
-        targets, contents = [*targets, folder / LIST], [*contents, listing]
+    contents = {name: each.encode() if isinstance(each, str) else each for name, each in files.items()}
+    check_outputs(folder, contents, force=force, named=named, remedy=remedy)
+    if not named and (listing := _listing(folder, contents)) is not None:
+        contents[LIST] = listing
+    targets = {folder / name: content for name, content in contents.items()}
     path = folder
     new_folders: list[Path] = []
     temporary: list[Path] = []
     try:
         new_folders = _missing_folders(target.parent for target in targets)
-        for path, content in zip(targets, contents, strict=True):
+        for path, content in targets.items():
             path.parent.mkdir(parents=True, exist_ok=True)
             temporary.append(path.parent / _TEMPORARY.format(process=os.getpid(), file=len(temporary)))
             _create(temporary[-1], content)

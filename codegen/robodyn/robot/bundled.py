@@ -62,9 +62,8 @@ def load(spec: str | os.PathLike[str], *, strict: bool = False, warn: Warn | Non
         path, label = bundled, bundled.name
         data = _start_of(path, label)
     except OSError as error:
-        raise InputError(
-            "the file cannot be read", where=Place(label), found=(error.strerror or str(error)).lower()
-        ) from None
+        reason = (error.strerror or str(error)).lower()
+        raise InputError("the file cannot be read", where=Place(label), found=reason) from None
     return replace(read_bytes(data, label, strict=strict, warn=warn), file=path.absolute())
 
 

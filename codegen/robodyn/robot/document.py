@@ -79,12 +79,8 @@ def decode(data: bytes, file: str) -> str:
     InputError: the file is too large or not UTF-8; with the place of the first wrong byte.
     """
     if len(data) > FILE_SIZE:
-        raise InputError(
-            "the file is too large",
-            where=Place(file),
-            found="more than 1 MiB",
-            expected="a robot description of at most 1 MiB",
-        )
+        found, expected = "more than 1 MiB", "a robot description of at most 1 MiB"
+        raise InputError("the file is too large", where=Place(file), found=found, expected=expected)
     return decoded(data, file)
 
 
@@ -116,11 +112,9 @@ def compose(text: str, file: str) -> Node:
     except yaml.YAMLError as error:
         raise _not_yaml(error, text, file) from None
     if root is None:
+        remedy = "robodyn new writes a starter file"
         raise InputError(
-            "the file is empty",
-            where=Place(file, 1, 1),
-            expected="a robot description",
-            remedy="robodyn new writes a starter file",
+            "the file is empty", where=Place(file, 1, 1), expected="a robot description", remedy=remedy
         )
     return root
 
@@ -181,8 +175,8 @@ class _Builder:
             elif isinstance(event, (kinds.MappingStartEvent, kinds.SequenceStartEvent)):
                 self._refuse_tag(event)
                 if len(self.stack) == DEPTH:
-                    what, expected = "lists and mappings are nested too deep", f"at most {DEPTH} levels"
-                    raise self._error(mark, what, expected=expected)
+                    what = "lists and mappings are nested too deep"
+                    raise self._error(mark, what, expected=f"at most {DEPTH} levels")
                 self.stack.append(_Open(mark, event.anchor, isinstance(event, kinds.MappingStartEvent)))
             elif isinstance(event, (kinds.MappingEndEvent, kinds.SequenceEndEvent)):
                 self._close()
@@ -191,12 +185,8 @@ class _Builder:
             elif isinstance(event, kinds.DocumentStartEvent):
                 documents += 1
                 if documents > 1:
-                    raise self._error(
-                        mark,
-                        "a second YAML document begins here",
-                        expected="one robot a file",
-                        remedy="put each robot in a file of its own",
-                    )
+                    what, remedy = "a second YAML document begins here", "put each robot in a file of its own"
+                    raise self._error(mark, what, expected="one robot a file", remedy=remedy)
         return self.root
 
     def _error(self, mark: Any, what: str, **more: str | None) -> InputError:
@@ -206,12 +196,8 @@ class _Builder:
     def _refuse_tag(self, event: Any) -> None:
         tag = getattr(event, "tag", None)
         if tag is not None:
-            raise self._error(
-                event.start_mark,
-                "YAML tags are not used here",
-                found=shown(tag.replace("tag:yaml.org,2002:", "!!")),
-                remedy="delete the tag",
-            )
+            found, what = shown(tag.replace("tag:yaml.org,2002:", "!!")), "YAML tags are not used here"
+            raise self._error(event.start_mark, what, found=found, remedy="delete the tag")
 
     def _scalar(self, event: Any) -> Scalar:
         self._refuse_tag(event)
@@ -225,13 +211,10 @@ class _Builder:
         node = self.anchors.get(event.anchor)
         if node is None:
             inside = any(open_.anchor == event.anchor for open_ in self.stack)
-            raise self._error(
-                event.start_mark,
-                f"the alias *{event.anchor[:40]} "
-                + ("contains itself" if inside else "has no anchor before it"),
-                expected=f"an &{event.anchor[:40]} that ends before this line",
-                remedy="write the value out",
-            )
+            name, fault = event.anchor[:40], "contains itself" if inside else "has no anchor before it"
+            expected = f"an &{name} that ends before this line"
+            what = f"the alias *{name} {fault}"
+            raise self._error(event.start_mark, what, expected=expected, remedy="write the value out")
         self._finish(node, None, event.start_mark)
 
     def _finish(self, node: Node, anchor: str | None, mark: Any) -> None:
@@ -245,21 +228,15 @@ class _Builder:
             self.root = node
             return
         parent = self.stack[-1]
-        if parent.is_mapping and len(parent.children) == len(parent.keys):
-            self._key(parent, node, mark)
-        else:
+        if not parent.is_mapping or len(parent.children) < len(parent.keys):
             parent.children.append(node)
-
-    def _key(self, parent: _Open, node: Node, mark: Any) -> None:
+            return
         if not isinstance(node, Scalar):
             raise self._error(mark, "a key must be a word", found=describe(node))
         if node.text in parent.keys:
-            raise self._error(
-                mark,
-                f"the key {shown(node.text)} stands here a second time",
-                found=f"the first in line {parent.keys[node.text].line}",
-                remedy="delete one of the two",
-            )
+            what = f"the key {shown(node.text)} stands here a second time"
+            first = f"the first in line {parent.keys[node.text].line}"
+            raise self._error(mark, what, found=first, remedy="delete one of the two")
         parent.keys[node.text] = node
 
     def _close(self) -> None:
@@ -267,13 +244,10 @@ class _Builder:
         size = 1 + len(done.keys) + sum(child.size for child in done.children)
         if size > NODES:
             raise self._too_large(done.mark)
-        line, column = done.mark.line + 1, done.mark.column + 1
-        node: Node
+        place = (done.mark.line + 1, done.mark.column + 1, size)
+        node: Node = Sequence(tuple(done.children), *place)
         if done.is_mapping:
-            entries = tuple(zip(done.keys.values(), done.children, strict=True))
-            node = Mapping(entries, line, column, size)
-        else:
-            node = Sequence(tuple(done.children), line, column, size)
+            node = Mapping(tuple(zip(done.keys.values(), done.children, strict=True)), *place)
         self._finish(node, done.anchor, done.mark)
 
     def _too_large(self, mark: Any) -> InputError:

@@ -9,6 +9,7 @@ The text has been read as a description before: it is small and not nested deep.
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Hashable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -45,18 +46,17 @@ class Editor:
         self.root: Any = yaml.compose(text, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
         self.edits: list[Edit] = []
         self._line_end = "\r\n" if "\r\n" in text else "\n"
-        self._seen: dict[int, int] = {}
+        self._uses: Counter[int] = Counter()
         self._count(self.root)
 
     def _count(self, node: Any) -> None:
-        self._seen[id(node)] = self._seen.get(id(node), 0) + 1
-        if isinstance(node.value, list):
-            for child in node.value:
-                for part in child if isinstance(child, tuple) else (child,):
-                    self._count(part)
+        self._uses[id(node)] += 1
+        for child in node.value if isinstance(node.value, list) else ():
+            for part in child if isinstance(child, tuple) else (child,):
+                self._count(part)
 
-    def _own(self, node: Any) -> None:
-        if self._seen[id(node)] > 1:
+    def _refuse_alias(self, node: Any) -> None:
+        if self._uses[id(node)] > 1:
             raise NotInPlaceError(f"line {node.start_mark.line + 1} is used by an alias too")
 
     # --- the tree -----------------------------------------------------------------------------------------
@@ -66,32 +66,21 @@ class Editor:
         """The node of ``key``, or None."""
         return next((value for name, value in mapping.value if name.value == key), None)
 
-    def node(self, *path: str | int) -> Any:
-        """The node at ``path``, keys and indices from the root; None where it ends before."""
-        node = self.root
-        for step in path:
-            if node is None or not isinstance(node.value, list):
-                return None
-            if isinstance(step, str):
-                node = self.child(node, step) if node.id == "mapping" else None
-            else:
-                node = node.value[step] if node.id == "sequence" and step < len(node.value) else None
-        return node
-
     @staticmethod
     def index(mapping: Any, key: str) -> int:
         """Which child of ``mapping`` has the key."""
         return next(k for k, (name, _) in enumerate(mapping.value) if name.value == key)
 
-    @staticmethod
-    def behind(mapping: Any, key: str, order: Sequence[str]) -> int:
-        """Behind which child of ``mapping`` a new ``key`` belongs: the last one that comes before it in
-        ``order``; else behind the first; a key that is not in ``order`` behind all (-1)."""
-        if key not in order:
-            return -1
-        before = order[: order.index(key)]
-        known = [k for k, (name, _) in enumerate(mapping.value) if name.value in before]
-        return known[-1] if known else (0 if mapping.value else -1)
+    def _add_key(
+        self, mapping: Any, key: str, text: str, subjects: Iterable[Subject], order: Sequence[str]
+    ) -> None:
+        """``text``, which begins with a new ``key``, behind the last child of ``mapping`` that comes before
+        it in ``order``, else behind the first; a key that is not in ``order`` behind all."""
+        place = -1
+        if key in order and mapping.value:
+            before = order[: order.index(key)]
+            place = max((k for k, (name, _) in enumerate(mapping.value) if name.value in before), default=0)
+        self.change(mapping, subjects, add=[text], after=place)
 
     def end(self, node: Any) -> int:
         """Where the characters of ``node`` end, comments and blank lines after it left out."""
@@ -126,7 +115,7 @@ class Editor:
 
     def replace(self, node: Any, text: str, subjects: Iterable[Subject]) -> None:
         """``text`` in place of the scalar or list ``node``."""
-        self._own(node)
+        self._refuse_alias(node)
         start, end = node.start_mark.index, self.end(node)
         if isinstance(node.value, list) and node.flow_style:
             kept = self._comments(start, end, 0)
@@ -147,7 +136,7 @@ class Editor:
         that come before it in ``order``."""
         node = self.child(mapping, key)
         if node is None:
-            self.change(mapping, subjects, add=[f"{key}: {text}"], after=self.behind(mapping, key, order))
+            self._add_key(mapping, key, f"{key}: {text}", subjects, order)
         else:
             self.replace(node, text, subjects)
 
@@ -175,8 +164,7 @@ class Editor:
         elif add:
             flow = f"{key}: [{', '.join(add)}]"
             block = "\n".join([f"{key}:", *(f"  - {text}" for text in add)])
-            at = self.behind(mapping, key, order)
-            self.change(mapping, subjects, add=[flow if mapping.flow_style else block], after=at)
+            self._add_key(mapping, key, flow if mapping.flow_style else block, subjects, order)
 
     def change(
         self,
@@ -191,7 +179,7 @@ class Editor:
         list, in a mapping ``key: value``."""
         if not delete and not add:
             return
-        self._own(parent)
+        self._refuse_alias(parent)
         subjects = frozenset(subjects)
         if parent.flow_style:
             self._change_flow(parent, subjects, delete, add)

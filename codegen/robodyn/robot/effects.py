@@ -30,12 +30,8 @@ class EntrySection(Section):
             return self._constant(node, key, path)
         few, many = KNOTS
         if not few <= len(node.items) <= many:
-            self.source.fail(
-                node,
-                f"{path} must have {few} to {many} knots",
-                found=describe(node),
-                expected=expectation(key),
-            )
+            what = f"{path} must have {few} to {many} knots"
+            self.source.fail(node, what, found=describe(node), expected=expectation(key))
         knots: list[tuple[Fraction, Fraction]] = []
         for i, knot in enumerate(node.items, 1):
             of = f"{path}: knot {i}"
@@ -63,12 +59,9 @@ class EntrySection(Section):
         assert node is not None
         text = node.text
         if not (text.isascii() and text.isdecimal() and len(text) < 9 and 1 <= int(text) <= joints):
-            self.source.fail(
-                node,
-                f"{self.path(name)} is no joint of this robot",
-                found=describe(node),
-                expected=f"a whole number from 1 to {joints}",
-            )
+            expected = f"a whole number from 1 to {joints}"
+            what = f"{self.path(name)} is no joint of this robot"
+            self.source.fail(node, what, found=describe(node), expected=expected)
         return int(text)
 
 
@@ -156,12 +149,8 @@ def _entry(section: Section, i: int, node: Node, joint: int | None, kind: JointK
             remedy=fault.remedy,
         )
     if joint is not None and settings.get("with") == joint:
-        part.source.fail(
-            part.values["with"],
-            f"{part.path('with')} names the joint itself",
-            found=str(joint),
-            expected="the number of another joint",
-        )
+        what, expected = f"{part.path('with')} names the joint itself", "the number of another joint"
+        part.source.fail(part.values["with"], what, found=str(joint), expected=expected)
     return Written(EffectEntry(effect.id, joint, tuple(settings.items())), part)
 
 
@@ -176,22 +165,15 @@ def _effect(section: Section, label: str, node: Node, joint: int | None) -> Effe
     if named is None:
         section.source.fail(node, f"{label}: the key 'effect' is missing", expected=f"effect: {expected}")
     if not isinstance(named, Scalar) or named.text not in CATALOGUE:
-        section.source.fail(
-            named,
-            f"{label} is unknown",
-            found=describe(named),
-            expected=expected,
-            remedy=nearest(named.text) if isinstance(named, Scalar) else None,
-        )
+        remedy = nearest(named.text) if isinstance(named, Scalar) else None
+        what = f"{label} is unknown"
+        section.source.fail(named, what, found=describe(named), expected=expected, remedy=remedy)
     effect = CATALOGUE[named.text]
     if effect.id not in fit:
-        section.source.fail(
-            named,
-            f"{label}: {effect.id} is an effect of {'a joint' if of_robot else 'the whole robot'}",
-            remedy="move it to 'effects' of the link whose joint it is at"
-            if of_robot
-            else "move it to the list 'effects' beside 'links'",
-        )
+        place = "'effects' of the link whose joint it is at"
+        place = place if of_robot else "the list 'effects' beside 'links'"
+        what = f"{label}: {effect.id} is an effect of {'a joint' if of_robot else 'the whole robot'}"
+        section.source.fail(named, what, remedy=f"move it to {place}")
     return effect
 
 
@@ -224,18 +206,12 @@ def _refuse_pairs(entries: Iterable[Written]) -> None:
         id, other = written.effect, dict(written.entry.settings).get("with")
         source, place = written.section.source, written.section.node
         if first.setdefault((id, other), written) is not written and not CATALOGUE[id].traits.several:
-            source.fail(
-                place,
-                f"{written.section.label} stands here a second time",
-                found=f"the first in line {first[id, other].section.node.line}",
-                remedy="delete one of the two",
-            )
+            what = f"{written.section.label} stands here a second time"
+            before = f"the first in line {first[id, other].section.node.line}"
+            source.fail(place, what, found=before, remedy="delete one of the two")
         for whole, _ in first:
             part = next((one for one in CATALOGUE[whole].traits.absorbs if (one, None) in first), None)
             if part is not None:
-                source.fail(
-                    place,
-                    f"{written.section.label}: {part} and {whole} are at one joint",
-                    expected="one of the two",
-                    remedy=f"delete {part} and give {whole} its numbers",
-                )
+                what = f"{written.section.label}: {part} and {whole} are at one joint"
+                remedy = f"delete {part} and give {whole} its numbers"
+                source.fail(place, what, expected="one of the two", remedy=remedy)

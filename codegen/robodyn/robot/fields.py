@@ -56,12 +56,10 @@ class Source:
         """Note a run-time parameter; two names that Fortran cannot tell apart are refused."""
         first, before = self.names.setdefault(name.lower(), (name, place))
         if first != name:
-            raise InputError(
-                "two run-time parameters differ only by case, which Fortran does not see",
-                where=place,
-                found=f"{shown(name)} after {shown(first)} in line {before.line}",
-                remedy="write both alike, or choose another name",
-            )
+            what = "two run-time parameters differ only by case, which Fortran does not see"
+            found = f"{shown(name)} after {shown(first)} in line {before.line}"
+            remedy = "write both alike, or choose another name"
+            raise InputError(what, where=place, found=found, remedy=remedy)
 
 
 class Section:
@@ -105,13 +103,8 @@ class Section:
             near = near or [name for name in [_folded(word)] if name in self.keys]
             near = near or difflib.get_close_matches(word, known, 1)
             remedy = f"did you mean '{near[0]}'?" if near else "delete it, or put it where it belongs"
-        self.source.fail(
-            key,
-            self.path("unknown key"),
-            found=shown(key.text),
-            expected=f"one of {', '.join(known)}",
-            remedy=remedy,
-        )
+        expected, found = f"one of {', '.join(known)}", shown(key.text)
+        self.source.fail(key, self.path("unknown key"), found=found, expected=expected, remedy=remedy)
 
     def doubt(self, node: Node, what: str, remedy: str) -> None:
         """As :meth:`Source.doubt`; no warning where the section acknowledges its doubts."""
@@ -174,13 +167,9 @@ class Section:
             return None
         if node.text not in self.keys[name].choices:
             near = difflib.get_close_matches(node.text.lower(), self.keys[name].choices, 1)
-            self.source.fail(
-                node,
-                f"{self.path(name)} is unknown",
-                found=describe(node),
-                expected=" or ".join(self.keys[name].choices),
-                remedy=f"did you mean '{near[0]}'?" if near else None,
-            )
+            what, expected = f"{self.path(name)} is unknown", " or ".join(self.keys[name].choices)
+            remedy = f"did you mean '{near[0]}'?" if near else None
+            self.source.fail(node, what, found=describe(node), expected=expected, remedy=remedy)
         return node.text
 
     def section(self, name: str) -> Section | None:
@@ -195,15 +184,11 @@ class Section:
         node = self.values.get(name)
         if node is None:
             return None
-        expected = expectation(self.keys[name])
-        if not isinstance(node, Sequence):
-            self.source.fail(
-                node, f"{self.path(name)} must be a list", found=describe(node), expected=expected
-            )
-        if count is not None and len(node.items) != count:
-            self.source.fail(
-                node, f"{self.path(name)} must have {count} entries", found=describe(node), expected=expected
-            )
+        count_fits = isinstance(node, Sequence) and count in (None, len(node.items))
+        if not isinstance(node, Sequence) or not count_fits:
+            what = f"have {count} entries" if isinstance(node, Sequence) else "be a list"
+            expected = expectation(self.keys[name])
+            self.source.fail(node, f"{self.path(name)} must {what}", found=describe(node), expected=expected)
         return node.items
 
     def number(self, name: str) -> Value:

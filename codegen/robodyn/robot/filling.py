@@ -83,12 +83,9 @@ def without_values(robot: Arm, parameters: Iterable[str]) -> InputError | None:
 def _values(robot: Arm, parameters: Mapping[str, Number]) -> dict[str, Fraction]:
     unknown = [name for name in parameters if name not in robot.parameters]
     if unknown:
-        raise InputError(
-            f"{robot.name} has no such run-time parameter",
-            found=", ".join(unknown),
-            expected=", ".join(robot.parameters) or "none: it has no run-time parameters",
-            remedy="remove it",
-        )
+        known = ", ".join(robot.parameters) or "none: it has no run-time parameters"
+        what = f"{robot.name} has no such run-time parameter"
+        raise InputError(what, found=", ".join(unknown), expected=known, remedy="remove it")
     complaint = without_values(robot, parameters)
     if complaint is not None:
         raise complaint
@@ -119,18 +116,11 @@ class _Filling:
         def number(name: str, value: Value) -> Fraction:
             return self._number(f"link {i}: {name}", value, _LINK_KEYS[name])
 
-        j = link.joint
+        names = ("a", "d", "b", "motor_inertia", "viscous", "coulomb")
+        numbers_: dict[str, Any] = {name: number(name, getattr(link.joint, name)) for name in names}
         x, y, z = (number("com", value) for value in link.com)
-        joint = replace(
-            j,
-            a=number("a", j.a),
-            d=number("d", j.d),
-            b=number("b", j.b),
-            motor_inertia=number("motor_inertia", j.motor_inertia),
-            viscous=number("viscous", j.viscous),
-            coulomb=number("coulomb", j.coulomb),
-        )
-        inertia = Inertia(*(number(axes, getattr(link.inertia, axes)) for axes in AXES))
+        joint = replace(link.joint, **numbers_)
+        inertia = Inertia(*map(number, AXES, link.inertia.entries))
         return replace(link, joint=joint, mass=number("mass", link.mass), com=(x, y, z), inertia=inertia)
 
     def entry(self, entry: EffectEntry) -> EffectEntry:
@@ -157,7 +147,7 @@ class _Filling:
         if isinstance(value, Affine):
             return self._number(path, value, key)
         if isinstance(value, Inertia):
-            entries = ((axes, getattr(value, axes)) for axes in AXES)
+            entries = zip(AXES, value.entries, strict=True)
             return Inertia(*(self._number(f"{path} {axes}", entry, key) for axes, entry in entries))
         if isinstance(value, tuple):
             return tuple(self._setting(path, part, key) for part in value)
@@ -167,22 +157,21 @@ class _Filling:
         if isinstance(value, Fraction):
             return value
         total = value.constant + sum((c * self.values[name] for name, c in value.terms), Fraction(0))
-        by = ", ".join(f"{name} = {numbers.brief(self.values[name])}" for name, _ in value.terms)
+        what, expected = "is beyond double", "numbers well below 1e308"
         unit = f" {key.unit.partition(',')[0]}" if key.unit else ""
-        if not allowed(total, key.sign):
+        fits = allowed(total, key.sign)
+        if not fits:
             what, expected = SIGNS[key.sign]
-            raise InputError(
-                f"{self.robot.name}: {path} {what}",
-                found=f"{numbers.brief(total)}{unit} with {by}",
-                expected=expected.format(unit=unit),
-                remedy=f"another value of {', '.join(name for name, _ in value.terms)}",
-            )
         try:
             numbers.rounded(total)
         except OverflowError:
-            raise InputError(
-                f"{self.robot.name}: {path} is beyond double",
-                found=f"{numbers.brief(total)}{unit} with {by}",
-                expected="numbers well below 1e308",
-            ) from None
-        return total
+            fits = False
+        if fits:
+            return total
+        by = ", ".join(f"{name} = {numbers.brief(self.values[name])}" for name, _ in value.terms)
+        raise InputError(
+            f"{self.robot.name}: {path} {what}",
+            found=f"{numbers.brief(total)}{unit} with {by}",
+            expected=expected.format(unit=unit),
+            remedy=f"another value of {', '.join(name for name, _ in value.terms)}",
+        )

@@ -16,7 +16,7 @@ from robodyn.robot import numbers
 from robodyn.robot.effects import Written
 from robodyn.robot.fields import Section
 from robodyn.robot.model import AXES, EffectEntry, Inertia, Link, Robot
-from robodyn.robot.values import ZERO, Value, angle
+from robodyn.robot.values import ZERO, angle
 
 # What lies between the link and the motor's torque: not in a torque behind the gear.
 _BEFORE_THE_GEAR = frozenset({"gear", "motor", "pair", "coupler"})
@@ -42,21 +42,15 @@ def into_link(
                 link = replace(link, origins=link.origins.with_stated(["friction"]))
             continue
         if friction and fold.group and fold.key in friction.values:
-            part.source.fail(
-                part.node,
-                f"{part.label} stands beside '{fold.group}: {{{fold.key}: ...}}', which is the same",
-                remedy="delete one of the two",
-            )
+            what = f"{part.label} stands beside '{fold.group}: {{{fold.key}: ...}}', which is the same"
+            part.source.fail(part.node, what, remedy="delete one of the two")
         link = folded_link(link, [written.entry])
         if isinstance(link.mass, Fraction) and link.mass < 0:
-            part.source.fail(
-                part.values["delta_mass"],
-                f"{part.path('delta_mass')} makes the link's mass negative",
-                found=f"{numbers.brief(link.mass)} kg",
-                expected="0 kg or more in all",
-            )
+            what, found = "makes the link's mass negative", f"{numbers.brief(link.mass)} kg"
+            what, node = f"{part.path('delta_mass')} {what}", part.values["delta_mass"]
+            part.source.fail(node, what, found=found, expected="0 kg or more in all")
         try:
-            for value in (link.mass, *link.com, *_entries(link.inertia), link.joint.motor_inertia):
+            for value in (link.mass, *link.com, *link.inertia.entries, link.joint.motor_inertia):
                 numbers.rounded(value)
         except OverflowError:
             part.source.fail(
@@ -77,12 +71,8 @@ def into_robot(robot: Robot, entries: Iterable[Written]) -> Robot:
     for written in entries:
         part = written.section
         if written.entry.joint is None and written.effect in at_joints:
-            part.source.fail(
-                part.node,
-                f"{part.label} stands at a joint too",
-                expected="one for all joints, or one at each",
-                remedy="delete it here or there",
-            )
+            what, expected = f"{part.label} stands at a joint too", "one for all joints, or one at each"
+            part.source.fail(part.node, what, expected=expected, remedy="delete it here or there")
     behind = next((one for one in entries if CATALOGUE[one.effect].place in _BEFORE_THE_GEAR), None)
     if behind and robot.torque_side == "link":
         behind.section.source.note(
@@ -127,7 +117,7 @@ def folded_link(link: Link, entries: Iterable[EffectEntry]) -> Link:
             link = replace(link, joint=replace(joint, **{fold.key: value}))
         elif fold.into == "link":
             x, y, z = (c + entry[f"delta_com_{axis}"] for c, axis in zip(link.com, "xyz", strict=True))
-            sums = (c + entry[f"delta_{axes}"] for c, axes in zip(_entries(inertia), AXES, strict=True))
+            sums = (c + entry[f"delta_{axes}"] for c, axes in zip(inertia.entries, AXES, strict=True))
             link = replace(link, mass=link.mass + entry["delta_mass"], com=(x, y, z), inertia=Inertia(*sums))
     return link
 
@@ -135,10 +125,6 @@ def folded_link(link: Link, entries: Iterable[EffectEntry]) -> Link:
 def _turns_gravity(entry: EffectEntry) -> bool:
     fold = entry.definition.traits.fold
     return fold is not None and fold.into == "gravity"
-
-
-def _entries(inertia: Inertia) -> tuple[Value, ...]:
-    return tuple(getattr(inertia, axes) for axes in AXES)
 
 
 def _tilted(

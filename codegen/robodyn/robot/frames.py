@@ -39,7 +39,7 @@ from robodyn.robot.rotations import (
     turned_inertia,
     turned_vector,
     twist_of,
-)
+)  # fmt: skip
 from robodyn.robot.values import ZERO, Angle, Value, angle, quarter_turns
 
 
@@ -56,19 +56,12 @@ def standard_end_of(section: Section, sections: list[Section], last: Link) -> Pl
     """Where the frame of ``last``, the last standard row, stands in the modified frame."""
     for part in sections:
         if "b" in part.values:
-            part.source.fail(
-                part.values["b"],
-                f"{part.path('b')} is an offset of modified DH rows",
-                found="convention: sdh",
-                remedy="delete it, or state modified rows (convention: mdh)",
-            )
+            what = f"{part.path('b')} is an offset of modified DH rows"
+            remedy = "delete it, or state modified rows (convention: mdh)"
+            part.source.fail(part.values["b"], what, found="convention: sdh", remedy=remedy)
     if "standard_end" in section.values:
-        section.source.fail(
-            section.values["standard_end"],
-            "standard_end is of rows that were converted",
-            found="convention: sdh",
-            remedy="delete it: the last row says it",
-        )
+        what, remedy = "standard_end is of rows that were converted", "delete it: the last row says it"
+        section.source.fail(section.values["standard_end"], what, found="convention: sdh", remedy=remedy)
     if not isinstance(last.joint.a, Fraction):
         part = sections[-1]
         part.source.fail(

@@ -15,13 +15,8 @@ def identity(robot: Robot) -> str:
 
     Robots of one identity have the same programs; only the names of the emitted symbols differ.
     """
-    lines = [
-        "robodyn robot 1",
-        "gravity " + " ".join(map(str, robot.base_gravity)),
-        f"torque {robot.torque_side}",
-    ]
-    lines.append(f"rest {robot.rest_velocity}")
-    lines += [_link(link) for link in robot.links]
+    lines = ["robodyn robot 1", "gravity " + " ".join(map(str, robot.base_gravity))]
+    lines += [f"torque {robot.torque_side}", f"rest {robot.rest_velocity}", *map(_link, robot.links)]
     if robot.dead_band is not None:
         lines.append(f"dead band {robot.dead_band}")
     lines += [_effect(entry) for entry in robot.effects]
@@ -37,24 +32,22 @@ def _setting(setting: Setting | tuple[Any, ...]) -> str:
     if isinstance(setting, (Fraction, Affine)):
         return _value(setting)
     if isinstance(setting, Inertia):
-        return _setting((setting.xx, setting.yy, setting.zz, setting.xy, setting.xz, setting.yz))
+        return _setting(setting.entries)
     if isinstance(setting, tuple):
         return f"({','.join(map(_setting, setting))})"
     return str(setting)
 
 
 def _link(link: Link) -> str:
-    i = link.inertia
-    inertial = (link.mass, *link.com, i.xx, i.yy, i.zz, i.xy, i.xz, i.yz)
+    inertial = (link.mass, *link.com, *link.inertia.entries)
     return f"{_joint(link.joint)}; {' '.join(map(_value, inertial))}"
 
 
 def _joint(joint: Joint) -> str:
     numbers = (joint.a, joint.d, joint.motor_inertia, joint.viscous, joint.coulomb)
     beside = f" {_value(joint.b)}" if joint.b else ""
-    return (
-        f"{joint.kind} {_angle(joint.alpha)} {_angle(joint.theta)} {' '.join(map(_value, numbers))}{beside}"
-    )
+    row = f"{joint.kind} {_angle(joint.alpha)} {_angle(joint.theta)}"
+    return f"{row} {' '.join(map(_value, numbers))}{beside}"
 
 
 def _angle(angle: Angle) -> str:

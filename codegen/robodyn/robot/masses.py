@@ -11,10 +11,11 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from fractions import Fraction
+from typing import Any
 
 from robodyn.errors import InputError
 from robodyn.robot.account import Origin
-from robodyn.robot.model import AXES, Inertia, Joint, Robot
+from robodyn.robot.model import Inertia, Joint, Robot
 from robodyn.robot.numbers import brief
 
 # Rounding noise of converted tensors, as a share of the trace, is not worth a word.
@@ -29,8 +30,8 @@ def inertia_doubt(inertia: Inertia) -> str | None:
     """
     if not is_judged(inertia):
         return None
-    values = tuple(getattr(inertia, axes) for axes in AXES)
-    xx, yy, zz, xy, xz, yz = values
+    entries: Any = inertia.entries  # all known
+    xx, yy, zz, xy, xz, yz = entries
     half = (xx + yy + zz) / 2
     noise = _NOISE * abs(half)
     # Physical second moments are sufficient for positive principal moments too: one test in the usual case.
@@ -48,7 +49,7 @@ def inertia_doubt(inertia: Inertia) -> str | None:
             left, right = _distinct(one + two, three)
             return f"I{p}{p} + I{q}{q} = {left} < I{r}{r} = {right} kg m^2"
     # The diagonal is fine: the products of inertia are too large for it.
-    low, middle, high = _principal_moments((xx, yy, zz, xy, xz, yz))
+    low, middle, high = _principal_moments(entries)
     if not _has_no_negative_eigenvalue((xx + noise, yy + noise, zz + noise, xy, xz, yz)):
         return f"the principal moment {low:.6g} kg m^2 is negative"
     return f"of the principal moments {low:.6g} + {middle:.6g} < {high:.6g} kg m^2"
@@ -56,7 +57,7 @@ def inertia_doubt(inertia: Inertia) -> str | None:
 
 def is_judged(inertia: Inertia) -> bool:
     """Whether all entries are known now; a run-time parameter is not."""
-    return all(isinstance(getattr(inertia, axes), Fraction) for axes in AXES)
+    return all(isinstance(entry, Fraction) for entry in inertia.entries)
 
 
 def only_about_base_axis(joint: Joint, inertia: Inertia) -> bool:
@@ -64,7 +65,7 @@ def only_about_base_axis(joint: Joint, inertia: Inertia) -> bool:
 
     Then no other entry enters any torque, and tables (the thesis's too) leave them out: no doubt.
     """
-    return joint.kind == "revolute" and not any(getattr(inertia, axes) for axes in AXES if axes != "zz")
+    return joint.kind == "revolute" and inertia == Inertia(zz=inertia.zz)
 
 
 def _has_no_negative_eigenvalue(entries: _Entries) -> bool:

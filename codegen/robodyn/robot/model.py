@@ -115,9 +115,8 @@ class Robot:
     def values(self) -> Iterator[Value]:
         """Every number that may be a run-time parameter, base to tip."""
         for link in self.links:
-            i, j = link.inertia, link.joint
-            yield from (j.a, j.d, j.b, link.mass, *link.com)
-            yield from (i.xx, i.yy, i.zz, i.xy, i.xz, i.yz)
+            j = link.joint
+            yield from (j.a, j.d, j.b, link.mass, *link.com, *link.inertia.entries)
             yield from (j.motor_inertia, j.viscous, j.coulomb)
         for entry in self.effects:
             yield from entry.values()

@@ -48,6 +48,11 @@ class Inertia:
     xz: Value = ZERO
     yz: Value = ZERO
 
+    @property
+    def entries(self) -> tuple[Value, Value, Value, Value, Value, Value]:
+        """In the order of :data:`AXES`."""
+        return self.xx, self.yy, self.zz, self.xy, self.xz, self.yz
+
 
 @dataclass(frozen=True, slots=True)
 class Limits:
@@ -211,7 +216,7 @@ class EffectEntry:
             if isinstance(setting, (Fraction, Affine)):
                 yield setting
             elif isinstance(setting, Inertia):
-                yield from (setting.xx, setting.yy, setting.zz, setting.xy, setting.xz, setting.yz)
+                yield from setting.entries
             elif isinstance(setting, tuple):
                 yield from (x for x in setting if isinstance(x, (Fraction, Affine)))
 

@@ -21,13 +21,14 @@ from robodyn.robot.frames import (
     pose_at,
     standard_end_of,
     tool_from_standard,
-)
+)  # fmt: skip
 from robodyn.robot.keys import INERTIA, LINK, LINKS, REST_VELOCITY, ROBOT, ROW, expectation
 from robodyn.robot.masses import inertia_doubt, is_judged, only_about_base_axis
 from robodyn.robot.model import Comparison, Gear, Inertia, Joint, JointKind, Limits, Link, Placement, Robot
 from robodyn.robot.names import ROBOT_NAME_EXPECTED, parameter_clash, robot_name_fault, shown
 from robodyn.robot.parts import UNKNOWN, Confidence
 from robodyn.robot.rotations import limits_doubt
+from robodyn.robot.values import ZERO
 
 if TYPE_CHECKING:
     from robodyn.robot.effects import Written
@@ -79,17 +80,27 @@ def _robot(section: Section) -> Robot:
     name = _robot_name(section)
     title, from_ = section.text("title"), section.text("source")
     gravity = section.vector("gravity")
-    account = _account(section)
+    imported = section.section("imported")
+    account = None
+    if imported is not None:
+        texts = {part: imported.texts(part) for part in PARTS}
+        account = Account(imported.text("file"), imported.text("format"), **texts)
     common = _Common(section.confidence("confidence"), section.origins("origin"))
     compared = section.section("compare")
     comparison = Comparison(compared.text("table"), compared.text("row")) if compared else None
     convention = section.choice("convention") or "mdh"
     links, effects, base, end = _links(section, convention, common)
-    _refuse_clashes(section.source, name)
+    for parameter, place in section.source.names.values():
+        fault = parameter_clash(parameter, name)
+        if fault:
+            what, remedy = f"the run-time parameter {fault}", "choose another name"
+            raise InputError(what, where=place, found=shown(parameter), remedy=remedy)
     side = section.choice("torque_side")
     rest, band = _at_rest(section)
-    robot = Robot(name, links, title, from_, compare=comparison, rest_velocity=rest, dead_band=band)
-    robot = replace(robot, account=account)
+    robot = Robot(
+        name, links, title, from_, compare=comparison, torque_side="link" if side == "link" else "motor",
+        rest_velocity=rest, dead_band=band, base=base, standard_end=end, account=account,
+    )  # fmt: skip
     if gravity is not None:
         x, y, z = (value for value in gravity if isinstance(value, Fraction))  # no names there: all three
         robot = replace(robot, gravity=(x, y, z))
@@ -97,23 +108,12 @@ def _robot(section: Section) -> Robot:
     if convention == "sdh":
         assert end is not None
         tool = tool_from_standard(tool, end)
-    robot = replace(robot, base=base, tool=tool, standard_end=end)
-    if side == "link":
-        robot = replace(robot, torque_side="link")
+    robot = replace(robot, tool=tool)
     if effects:
         from robodyn.robot.folding import into_robot
 
         robot = into_robot(robot, effects)
     return robot
-
-
-def _account(section: Section) -> Account | None:
-    """What the file in another format was that the description comes from, as far as it says."""
-    imported = section.section("imported")
-    if imported is None:
-        return None
-    parts = {part: imported.texts(part) for part in PARTS}
-    return Account(imported.text("file"), imported.text("format"), **parts)
 
 
 def _robot_name(section: Section) -> str:
@@ -129,18 +129,6 @@ def _robot_name(section: Section) -> str:
             remedy="choose another name; 'title' takes any text",
         )
     return node.text
-
-
-def _refuse_clashes(source: Source, robot: str) -> None:
-    for name, place in source.names.values():
-        fault = parameter_clash(name, robot)
-        if fault:
-            raise InputError(
-                f"the run-time parameter {fault}",
-                where=place,
-                found=shown(name),
-                remedy="choose another name",
-            )
 
 
 def _written(section: Section, joint: int | None, kind: JointKind, joints: int) -> tuple[Written, ...]:
@@ -226,20 +214,20 @@ def _link(section: Section, i: int, joints: int, common: _Common) -> tuple[Link,
     mass, com = section.number("mass"), section.vector("com")
     tensor = section.section("inertia")
     motor_inertia = section.number("motor_inertia")
-    gear = _gear(section)
+    gear = None
+    if geared := section.section("gear"):
+        ratio = geared.constant("ratio")
+        assert ratio is not None  # the key is required
+        gear = Gear(ratio, geared.constant("torque_constant"))
     limits = _limits(section, kind)
     confidence = common.confidence if (share := section.confidence("confidence")) is None else share
-    joint = Joint(kind, alpha, a, d, theta, motor_inertia, limits=limits, gear=gear, b=b)
-    if friction:
-        joint = replace(joint, viscous=friction.number("viscous"), coulomb=friction.number("coulomb"))
+    viscous, coulomb = (friction.number(x) for x in ("viscous", "coulomb")) if friction else (ZERO, ZERO)
+    joint = Joint(kind, alpha, a, d, theta, motor_inertia, viscous, coulomb, limits, gear, b)
+    inertia = Inertia(*(tensor.number(key.name) for key in INERTIA)) if tensor else Inertia()
     origins = _origins(section, common.origins, confidence)
-    link = Link(name or f"link{i}", joint, mass, confidence=confidence, origins=origins)
-    if com is not None:
-        link = replace(link, com=com)
-    if tensor:
-        link = replace(link, inertia=Inertia(*(tensor.number(key.name) for key in INERTIA)))
-    if acknowledged:
-        link = replace(link, acknowledged=acknowledged)
+    link = Link(
+        name or f"link{i}", joint, mass, com or (ZERO, ZERO, ZERO), inertia, confidence, acknowledged, origins
+    )
     effects = _written(section, i, kind, joints)
     if effects:
         from robodyn.robot.folding import into_link
@@ -275,15 +263,6 @@ def _origins(section: Section, common: dict[str, Origin], confidence: Confidence
     )
 
 
-def _gear(section: Section) -> Gear | None:
-    gear = section.section("gear")
-    if gear is None:
-        return None
-    ratio = gear.constant("ratio")
-    assert ratio is not None  # the key is required
-    return Gear(ratio, gear.constant("torque_constant"))
-
-
 def _limits(section: Section, kind: JointKind) -> Limits:
     stated = section.section("limits")
     if stated is None:
@@ -317,12 +296,8 @@ def _at_rest(section: Section) -> tuple[Fraction | None, Fraction | None]:
     if isinstance(node, Mapping):
         rules = [name.text for name, _ in node.entries]
         if sorted(rules) == ["dead_band", "smooth"]:
-            section.source.fail(
-                node,
-                f"{path} is both smooth and a dead band",
-                expected="one rule",
-                remedy="delete one of the two",
-            )
+            what, remedy = f"{path} is both smooth and a dead band", "delete one of the two"
+            section.source.fail(node, what, expected="one rule", remedy=remedy)
         rule = rules[0] if len(rules) == 1 else ""
     if rule not in ("smooth", "dead_band"):
         section.source.fail(node, f"{path} is unknown", found=describe(node), expected=expectation(key))

@@ -281,7 +281,7 @@ def _turns_gravity(item: Any) -> bool:
 
 
 def _entries(inertia: Any) -> dict[str, Value]:
-    return {axes: getattr(inertia, axes) for axes in AXES}
+    return dict(zip(AXES, inertia.entries, strict=True))
 
 
 def _id(item: Any) -> str:

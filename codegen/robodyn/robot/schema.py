@@ -94,44 +94,36 @@ def _documented(key: Key) -> Schema:
 
 
 def _of_kind(key: Key) -> Schema:
-    if key.kind == "name":
-        return {"type": "string", "pattern": f"^[A-Za-z][A-Za-z0-9_]{{0,{ROBOT_NAME_LENGTH - 1}}}$"}
-    if key.kind == "text":
-        # YAML makes a number of a bare 2.10: the reader takes the text as it stands.
-        return {"type": ["string", "number"], "maxLength": TEXT_LENGTH}
-    if key.kind == "texts":
-        return {"type": "array", "items": {"type": ["string", "number"]}}
-    if key.kind == "choice":
-        return {"enum": list(key.choices)}
-    if key.kind in ("number", "angle"):
-        return {"anyOf": [*_number(key)["anyOf"], *({"const": word} for word in key.choices)]}
     if key.kind in ("vector", "angles", "range"):
         count = 2 if key.kind == "range" else 3
         return {"type": "array", "items": _number(key), "minItems": count, "maxItems": count}
-    if key.kind == "group":
-        return _object(key.members)
-    if key.kind == "rest":
-        with_velocity = [
-            {
-                "type": "object",
-                "properties": {rule: _object(key.members)},
-                "required": [rule],
-                "additionalProperties": False,
-            }
-            for rule in key.choices[1:]
-        ]
-        example = {"smooth": {"velocity": float(REST_VELOCITY)}}
-        return {"anyOf": [{"enum": list(key.choices)}, *with_velocity], "examples": ["exact", example]}
-    if key.kind == "origins":
-        return {"anyOf": [{"enum": list(key.choices)}, _object(key.members)]}
-    if key.kind == "efficiency":
-        return _share(key)
-    if key.kind == "joint":
-        return {"type": "integer", "minimum": 1, "maximum": LINKS}
     if key.kind in ("effects of a joint", "effects of the robot"):
         entry = "joint_effect" if key.kind == "effects of a joint" else "robot_effect"
         return {"type": "array", "items": {"$ref": f"#/$defs/{entry}"}, "maxItems": EFFECTS}
-    return {"type": "array", "items": _object(key.members), "minItems": 1, "maxItems": LINKS}
+    words = {"enum": list(key.choices)}
+    with_velocity = [
+        {"type": "object", "properties": {rule: _object(key.members)}, "required": [rule],
+         "additionalProperties": False}
+        for rule in key.choices[1:]
+    ]  # fmt: skip
+    examples = ["exact", {"smooth": {"velocity": float(REST_VELOCITY)}}]
+    numbers = {"anyOf": [*_number(key)["anyOf"], *({"const": word} for word in key.choices)]}
+    # YAML makes a number of a bare 2.10: the reader takes texts as they stand.
+    schemas: dict[str, Schema] = {
+        "name": {"type": "string", "pattern": f"^[A-Za-z][A-Za-z0-9_]{{0,{ROBOT_NAME_LENGTH - 1}}}$"},
+        "text": {"type": ["string", "number"], "maxLength": TEXT_LENGTH},
+        "texts": {"type": "array", "items": {"type": ["string", "number"]}},
+        "choice": words,
+        "number": numbers,
+        "angle": numbers,
+        "group": _object(key.members),
+        "rest": {"anyOf": [words, *with_velocity], "examples": examples},
+        "origins": {"anyOf": [words, _object(key.members)]},
+        "efficiency": _share(key),
+        "joint": {"type": "integer", "minimum": 1, "maximum": LINKS},
+        "list": {"type": "array", "items": _object(key.members), "minItems": 1, "maxItems": LINKS},
+    }
+    return schemas[key.kind]
 
 
 def _share(key: Key) -> Schema:

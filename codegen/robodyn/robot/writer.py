@@ -106,7 +106,7 @@ def _link_lines(link: Link, i: int, common: Confidence, origins: Mapping[str, Or
     inertial = {
         "mass": number_text(link.mass),
         "com": _list(link.com),
-        "inertia": group_text({axes: getattr(inertia, axes) for axes in AXES}),
+        "inertia": group_text(dict(zip(AXES, inertia.entries, strict=True))),
     }
     lines = [] if link.name == f"link{i}" else [f"name: {_quoted(link.name)}"]
     lines += [
@@ -169,8 +169,8 @@ def setting_text(value: Setting, *, plain: bool) -> str:
     if isinstance(value, (Fraction, Affine)):
         return number_text(value)
     if isinstance(value, Inertia):
-        entries = {axes: getattr(value, axes) for axes in AXES}
-        return group_text({axes: entry for axes, entry in entries.items() if entry != ZERO})
+        entries = zip(AXES, value.entries, strict=True)
+        return group_text({axes: entry for axes, entry in entries if entry != ZERO})
     if isinstance(value, tuple):
         parts = [_list(part) if isinstance(part, tuple) else number_text(part) for part in value]
         return f"[{', '.join(parts)}]"
