@@ -185,21 +185,11 @@ def simulate(
     y, v, z = start_state(plant.system, q0, v0, values)
     control = _control(plant, drive, values)
     record = plant.engine.run(
-        y,
-        v,
-        z,
-        duration=total,
-        sample_period=sample_period,
-        control=control,
-        method=method,
-        step=step,
-        rtol=rtol,
-        atol=atol,
-        breaks=plant.system.breaks,
-        parameters=[values[name] for name in robot.parameters],
-        progress=progress,
+        y, v, z, duration=total, sample_period=sample_period, control=control, method=method, step=step,
+        rtol=rtol, atol=atol, breaks=plant.system.breaks,
+        parameters=[values[name] for name in robot.parameters], progress=progress,
         max_steps=_STEPS + int(_STEPS * total),
-    )
+    )  # fmt: skip
     if record.status == "interrupted":
         raise KeyboardInterrupt
     if record.status != "done":

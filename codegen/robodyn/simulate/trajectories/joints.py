@@ -33,10 +33,8 @@ def quintic(start: ArrayLike, end: ArrayLike, duration: float, *, period: float 
     ------
     InputError: numbers that are not finite, lists of different lengths, a duration that is not positive.
     """
-    ends = _ends(start, end)
-    t = sample_times(duration, period, beyond=True)
-    provenance = {**_named("quintic", ends), "time": float(duration)}
-    return _straight(ends, partial(quintic_profile, float(duration)), t, provenance)
+    time = float(duration)
+    return _straight("quintic", start, end, partial(quintic_profile, time), period, {"time": time})
 
 
 def trapezoid(
@@ -52,9 +50,8 @@ def trapezoid(
     ------
     InputError: no joint moves, a limit is not positive, or lists of different lengths.
     """
-    ends = _ends(start, end)
-    n = len(ends[0])
-    way = np.abs(ends[1] - ends[0])
+    way = np.abs(np.subtract(*_ends(start, end)))
+    n = len(way)
     if way.max() < _NO_WAY:
         raise InputError("the motion has no length", found="the end is the start", expected="two positions")
     fastest = _limit("velocity", velocity, n)
@@ -63,39 +60,34 @@ def trapezoid(
     speed = float((fastest[moved] / way[moved]).min())
     rate = float((hardest[moved] / way[moved]).min())
     ramp = min(speed / rate, 1 / np.sqrt(rate))
-    duration = ramp + 1 / (rate * ramp)
-    t = sample_times(duration, period, beyond=True)
-    provenance = {
-        **_named("trapezoid", ends),
-        "velocity": fastest.tolist(),
-        "acceleration": hardest.tolist(),
-        "time": float(duration),
-    }
-    return _straight(ends, partial(trapezoid_profile, float(ramp), float(duration)), t, provenance)
+    duration = float(ramp + 1 / (rate * ramp))
+    limits = {"velocity": fastest.tolist(), "acceleration": hardest.tolist(), "time": duration}
+    return _straight(
+        "trapezoid", start, end, partial(trapezoid_profile, float(ramp), duration), period, limits
+    )
 
 
-def _along(ends: tuple[Floats, Floats], profile: Profile, t: Floats) -> tuple[Floats, Floats, Floats]:
-    start, end = ends
+def _straight(
+    kind: str, start: ArrayLike, end: ArrayLike, profile: Profile, period: float, more: dict[str, Any]
+) -> Trajectory:
+    """The motion from ``start`` to ``end`` by a ``profile``; what ``more`` there is to say of it."""
+    first, last = _ends(start, end)
+    law = partial(_along, first, last, profile)
+    t = sample_times(more["time"], period, beyond=True)
+    provenance = {"kind": kind, "start": first.tolist(), "end": last.tolist(), **more}
+    return Trajectory(t, *law(t), provenance, law)
+
+
+def _along(start: Floats, end: Floats, profile: Profile, t: Floats) -> tuple[Floats, Floats, Floats]:
     s, rate, rate_rate = (x[:, None] for x in profile(t))
     way = end - start
     q = np.where(s < 0.5, start + s * way, end - (1 - s) * way)  # exactly the start and the end
     return q, rate * way, rate_rate * way
 
 
-def _straight(
-    ends: tuple[Floats, Floats], profile: Profile, t: Floats, provenance: dict[str, Any]
-) -> Trajectory:
-    law = partial(_along, ends, profile)
-    return Trajectory(t, *law(t), provenance, law)
-
-
 def _ends(start: ArrayLike, end: ArrayLike) -> tuple[Floats, Floats]:
     first = joint_vector("the start", start)
     return first, joint_vector("the end", end, len(first))
-
-
-def _named(kind: str, ends: tuple[Floats, Floats]) -> dict[str, Any]:
-    return {"kind": kind, "start": ends[0].tolist(), "end": ends[1].tolist()}
 
 
 def _limit(what: str, value: ArrayLike, n: int) -> Floats:
