@@ -56,11 +56,8 @@ def _list() -> int:
 
 
 def _close(page: str) -> int:
-    from documents.figures import (
-        CLOSED,
-        digest_of,
-        faults,
-    )  # imports robodyn; runs of an installed one do not
+    # imports robodyn; runs of an installed one do not
+    from documents.figures import CLOSED, digest_of, faults
 
     path = ROOT / page
     text = CLOSED.sub("", path.read_text(encoding="utf-8")).rstrip()

@@ -41,6 +41,8 @@ FENCE = re.compile(
     r"^(?P<indent>[ ]*)```(?P<language>\w*)\n(?P<text>.*?)^(?P=indent)```[ ]*$",
     re.DOTALL | re.MULTILINE,
 )
+#: A command, continued after a backslash, and the lines beneath it.
+_COMMAND = re.compile(r"^\$ ((?:[^\n]*\\\n)*[^\n]*)\n?((?:(?!\$ )[^\n]*\n)*)", re.MULTILINE)
 _MARK = re.compile(r"(not run:|run by|needs|file) (.+)")
 
 
@@ -96,22 +98,11 @@ def commands(block: Block) -> Iterator[Command]:
     ------
     ValueError: the block does not begin with a command.
     """
-    lines = block.text.splitlines()
-    if not lines or not lines[0].startswith("$ "):
+    if not block.text.startswith("$ "):
         raise ValueError(f"line {block.line}: a console block begins with a command after '$ '")
-    k = 0
-    while k < len(lines):
-        start = k
-        text = lines[k].removeprefix("$ ")
-        while text.endswith("\\") and k + 1 < len(lines):
-            k += 1
-            text += "\n" + lines[k]
-        k += 1
-        output = []
-        while k < len(lines) and not lines[k].startswith("$ "):
-            output.append(lines[k])
-            k += 1
-        yield Command(text, "\n".join(output).rstrip("\n"), block.line + 1 + start)
+    for match in _COMMAND.finditer(block.text):
+        line = block.line + 1 + block.text.count("\n", 0, match.start())
+        yield Command(match[1], match[2].rstrip("\n"), line)
 
 
 def matches(expected: str, output: str) -> bool:

@@ -27,10 +27,9 @@ import pkgutil
 import re
 import shlex
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from decimal import Decimal
 from signal import Signals
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 from click.testing import CliRunner
 
@@ -45,9 +44,7 @@ REMEDY: Final = "show it in an example, leave it out, or say what it is: <!-- FI
 CLOSED: Final = re.compile(r"\n*<!-- closed \w+ -->\n*")
 _CODE: Final = re.compile(r"(`+)[^`]+?\1")
 _COMMENT: Final = re.compile(r"<!--\s+(.*?)\s+-->", re.DOTALL)
-WRITTEN: Final = re.compile(
-    r"^<!-- ([\w. -]+) -->\n(?:(?!^#|^<!--).)*?<!-- end -->", re.MULTILINE | re.DOTALL
-)
+WRITTEN: Final = re.compile(r"(?ms)^<!-- ([\w. -]+) -->\n(?:(?!^#|^<!--).)*?<!-- end -->")
 #: What is no text: blocks, what benchmarks write, comments, equations, code, addresses, numbers of a list.
 _OTHER: Final = (
     FENCE,
@@ -62,11 +59,11 @@ _HEADING: Final = re.compile(r"^(#+) ", re.MULTILINE)
 _NAMED: Final = re.compile(r"[A-Z]\S*|axis|axes|(?:chapter|decision|rule|section|step|version)s?")
 _BEFORE: Final = re.compile(r"([^\s(\[*\"']+)\s+(?:\d[\d.]*(?:,| and| or| to|, and)\s+)*$")
 _AFTER: Final = re.compile(r"[\s*\"'`|]*([A-Za-zµ°]+|%)")
+_CODED: Final = (".py", ".yaml", ".j2")
 _IN_CODE: Final = re.compile(r"([A-Za-z]+)[^\w\n]{1,4}(\d+(?:\.\d+)*)")
 
 
-@dataclass(frozen=True, slots=True)
-class Figure:
+class Figure(NamedTuple):
     """A number in the text, its place, and the words before and after it."""
 
     text: str
@@ -75,8 +72,7 @@ class Figure:
     after: str
 
 
-@dataclass(frozen=True, slots=True)
-class Equation:
+class Equation(NamedTuple):
     """What a comment says that the figures of a section are, from one place of the page to another."""
 
     left: str
@@ -100,16 +96,13 @@ class Page:
         """Those of its ``figures`` that are nothing, and equations that are wrong or of no figure."""
         wrong, used = [], set()
         for figure in self.figures if figures is None else figures:
-            equal = {
-                one for one in self.equations if one.start <= figure.start < one.end and _same(figure, one)
-            }
+            said = (one for one in self.equations if one.start <= figure.start < one.end)
+            equal = {one for one in said if _text(figure.text) == _text(one.left)}
             used |= equal
             if not equal and not _is_among(figure, self.numbers):
                 line = self.text.count("\n", 0, figure.start) + 1
-                wrong.append(
-                    f"line {line}: {figure.before} {figure.text} {figure.after}: comes from nowhere; "
-                    + REMEDY
-                )
+                words = f"{figure.before} {figure.text} {figure.after}"
+                wrong.append(f"line {line}: {words}: comes from nowhere; {REMEDY}")
         return wrong + [f"no figure is {one.left} = {one.right}" for one in self.equations if one not in used]
 
     def untrue(self) -> list[str]:
@@ -119,7 +112,9 @@ class Page:
 
     def _value(self, expression: str) -> str:
         """The value of an expression of a comment, with the modules that it names imported."""
-        names: dict[str, Any] = {"after": self._after, "math": math, "results": _results, "signal": _signal}
+        names: dict[str, Any] = {
+            "after": self._after, "math": math, "results": _results, "signal": lambda name: int(Signals[name])
+        }  # fmt: skip
         modules = re.findall(r"(?:robodyn(?:_\w+)?|benchmarks)(?:\.\w+)+", expression)
         named = sorted(set(modules), key=len, reverse=True)
         for k, name in enumerate(named):
@@ -168,9 +163,8 @@ def _figures(text: str) -> Iterator[Figure]:
         text = pattern.sub(_blank, text)
     for figure in _in_context(text):
         named = _NAMED.fullmatch(figure.before) and (_noun(figure.before), figure.text) in _names()
-        if not named or text.startswith(
-            " or newer", figure.start + len(figure.text)
-        ):  # a requirement is no name
+        required = text.startswith(" or newer", figure.start + len(figure.text))
+        if not named or required:  # a requirement is no name
             yield figure
 
 
@@ -220,10 +214,6 @@ def _text(number: str) -> str:
     return number.lstrip("-+").replace(",", "")
 
 
-def _same(figure: Figure, equation: Equation) -> bool:
-    return _text(figure.text) == _text(equation.left)
-
-
 def _is_among(figure: Figure, numbers: frozenset[tuple[str, str]]) -> bool:
     text = _text(figure.text)
     words = (figure.after, f"{_noun(figure.before)} ") if len(text) == 1 else ("any",)
@@ -263,22 +253,12 @@ def _printed(command: str) -> str:
 @functools.cache
 def _names() -> frozenset[tuple[str, str]]:
     """Words and the numbers after them in the code: Table 4.6, joint 3, Python 3.11."""
-    files = (
-        path
-        for top in ("codegen", "cli", "robots", "templates", "benchmarks")
-        for path in (ROOT / top).rglob("*")
-    )
-    texts = [path.read_text(encoding="utf-8") for path in files if path.suffix in (".py", ".yaml", ".j2")]
-    texts.append((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
-    decisions = (f"decision {path.name}" for path in (ROOT / "docs" / "decisions").iterdir())
-    return frozenset(
-        (word.lower().rstrip("s"), number)
-        for word, number in _IN_CODE.findall("\n".join([*texts, *decisions]))
-    )
-
-
-def _signal(name: str) -> int:
-    return int(Signals[name])
+    tops = ("codegen", "cli", "robots", "templates", "benchmarks")
+    files = [path for top in tops for path in (ROOT / top).rglob("*") if path.suffix in _CODED]
+    texts = [path.read_text(encoding="utf-8") for path in (*files, ROOT / "pyproject.toml")]
+    texts += [f"decision {path.name}" for path in (ROOT / "docs" / "decisions").iterdir()]
+    pairs = _IN_CODE.findall("\n".join(texts))
+    return frozenset((word.lower().rstrip("s"), number) for word, number in pairs)
 
 
 def _results(name: str) -> Any:

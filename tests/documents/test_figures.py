@@ -49,21 +49,16 @@ def test_no_wrong_digit_passes() -> None:
         page: [bool(faults(wrong)) for wrong in planted(text, "0123456789")] for page, text in TEXTS.items()
     }
     figures = sum(len(Page(text).figures) for text in TEXTS.values())
-    print(
-        f"{sum(map(all, noticed.values()))} of {len(noticed)} pages, {figures} figures: of wrong ones",
-        end=" ",
-    )
-    print(f"{sum(map(sum, noticed.values()))} of {sum(map(len, noticed.values()))} are noticed")
+    pages = f"{sum(map(all, noticed.values()))} of {len(noticed)} pages, {figures} figures"
+    found = f"{sum(map(sum, noticed.values()))} of {sum(map(len, noticed.values()))}"
+    print(f"{pages}: of wrong ones {found} are noticed")
     assert all(map(all, noticed.values()))
 
 
 def test_what_a_benchmark_writes_is_compared() -> None:
     """A table between marks is no text: another test has its mark."""
-    code = "\n".join(
-        path.read_text(encoding="utf-8")
-        for top in ("tests", "benchmarks")
-        for path in ROOT.glob(f"{top}/**/*.py")
-    )
+    files = (path for top in ("tests", "benchmarks") for path in ROOT.glob(f"{top}/**/*.py"))
+    code = "\n".join(path.read_text(encoding="utf-8") for path in files)
     for page, text in TEXTS.items():
         for written in WRITTEN.finditer(text):
             assert f'"{written[1]}"' in code or f"<!-- {written[1]} -->" in code, page

@@ -39,12 +39,5 @@ def test_a_newcomer_gets_what_the_tutorial_shows(page: str, environment: Path, t
         "PYTHONPATH": str(ROOT / "tests"),  # only for the runner, which imports nothing of robodyn
         "LANG": "C.UTF-8",
     }
-    run(
-        environment / "bin" / "python",
-        "-m",
-        "documents",
-        "--installed",
-        page,
-        cwd=tmp_path,
-        variables=variables,
-    )
+    python = environment / "bin" / "python"
+    run(python, "-m", "documents", "--installed", page, cwd=tmp_path, variables=variables)

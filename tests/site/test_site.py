@@ -16,24 +16,14 @@ from robodyn_testing.wanted import ROOT
 pytestmark = pytest.mark.thorough
 
 #: Pages of every kind: prose, tables wider than a phone, code, equations, curves, pictures, options.
-PAGES = (
-    "index.html",
-    "diagnose.html",
-    "functions.html",
-    "operation-counts.html",
-    "glossary.html",
-    "description.html",
-    "contributing.html",
-    "commands/index.html",
-    "commands/gen.html",
-    "effects/load_dependent_friction.html",
-    "functions/inverse_dynamics.html",
-    "targets/cortex-m4f.html",
-    "languages/rust.html",
-    "python/kernels.html",
-    "benchmarks/peers.html",
-    "decisions/index.html",
-)
+PAGES = tuple(
+    f"{page}.html"
+    for page in (
+        "index", "diagnose", "functions", "operation-counts", "glossary", "description", "contributing",
+        "commands/index", "commands/gen", "effects/load_dependent_friction", "functions/inverse_dynamics",
+        "targets/cortex-m4f", "languages/rust", "python/kernels", "benchmarks/peers", "decisions/index",
+    )
+)  # fmt: skip
 #: Each on a desk by day and on a phone by night; some also the other way round.
 VIEWS = [(page, width, scheme) for page in PAGES for width, scheme in ((1280, "light"), (PHONE, "dark"))]
 VIEWS += [
@@ -90,9 +80,8 @@ def test_the_search_answers_without_a_server(browser: Browser, site: Path) -> No
     field.click()
     field.send_keys("stribeck")
     links = wait.until(lambda _: browser.all(".md-search-result__item a.md-search-result__link"))
-    assert (
-        links[0].get_attribute("href").partition("?")[0] == (site / "effects/stribeck_friction.html").as_uri()
-    )
+    address = links[0].get_attribute("href").partition("?")[0]
+    assert address == (site / "effects/stribeck_friction.html").as_uri()
 
 
 def test_equations_are_typeset(site: Path) -> None:
