@@ -24,6 +24,7 @@ from robodyn.ir import Input
 from robodyn.ir.evaluate import angle_form, evaluate_exact
 from robodyn.optimize.fast import slid
 from robodyn.optimize.programs import Choice, build, signature
+from robodyn.optimize.variant import LinkVariant, Variant
 from robodyn.passes import FRESH, run, units
 from robodyn.robot import Robot
 from robodyn.robot.values import circle_point
@@ -64,7 +65,8 @@ def test_three_recursions_give_the_same_fractions(
     forms = tuple(data.draw(st.lists(st.sampled_from(FORMS), min_size=n, max_size=n)))
     for chains in (False, True):
         for arm in (state.arm, other):
-            found = state.outputs("inverse_dynamics", Choice(chains=chains, forms=forms), arm=arm)
+            links = [LinkVariant(form=form, column="carried", chained=chains) for form in forms]
+            found = state.outputs("inverse_dynamics", Choice(variant=Variant(tuple(links))), arm=arm)
             assert found == expected
 
 

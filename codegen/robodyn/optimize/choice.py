@@ -9,12 +9,11 @@ from __future__ import annotations
 
 import importlib
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from robodyn.dynamics.functions import Function
-from robodyn.dynamics.functions.record import Writing
-from robodyn.dynamics.lump import MomentForm
+from robodyn.dynamics.functions.fusing import Writing
 from robodyn.dynamics.state import Iterative
 from robodyn.errors import InputError
 from robodyn.ir.copying import rearranged
@@ -55,50 +54,13 @@ def formulation_named(name: str) -> Callable[[Arm, Motion, Mark], Sequence[Any]]
 @dataclass(frozen=True, slots=True)
 class Choice:
     """How the recursion is written: the formulation, and whether base parameters are regrouped (in the
-    modified Newton-Euler recursion); then ``chains`` says whether parallel joints turn as one, and
-    ``forms`` picks the form of each link's moment (empty: the forms that suit the arm), unless ``variant``
-    says everything."""
+    modified Newton-Euler recursion); then ``chains`` says whether parallel joints turn as one, unless
+    ``variant`` says everything."""
 
     formulation: str = "modified_newton_euler"
     regroup: bool = True
     chains: bool = True
-    forms: tuple[MomentForm, ...] = ()
     variant: Variant | None = None
-
-    def to_dict(self) -> dict[str, Any]:
-        """As JSON has it: what is as usual is left out."""
-        data: dict[str, Any] = {}
-        for field in fields(self):
-            value = getattr(self, field.name)
-            if value != field.default:
-                data[field.name] = list(value) if field.name == "forms" else value
-        if self.variant is not None:
-            data["variant"] = self.variant.to_dict()
-        return data
-
-    @staticmethod
-    def from_dict(data: Any) -> Choice:
-        """The choice of :meth:`to_dict`; :class:`InputError` where that is none."""
-        allowed = [field.name for field in fields(Choice)]
-        if not isinstance(data, Mapping) or not set(data) <= set(allowed):
-            expected = f"some of {', '.join(allowed)}"
-            raise InputError("no choice of a formulation variant", found=repr(data), expected=expected)
-        settings = dict(data)
-        for name in ("regroup", "chains"):
-            if not isinstance(settings.get(name, True), bool):
-                raise InputError(f"{name} must be true or false", found=repr(settings[name]))
-        name, known = settings.get("formulation", "newton_euler"), f"one of {', '.join(FORMULATIONS)}"
-        if name not in FORMULATIONS:
-            raise InputError("unknown formulation", found=repr(name), expected=known)
-        forms = settings.get("forms", [])
-        if not isinstance(forms, list) or not set(forms) <= {"inertia", "second_moment"}:
-            raise InputError(
-                "forms of moments", found=repr(forms), expected="a list of inertia, second_moment"
-            )
-        settings["forms"] = tuple(forms)
-        if "variant" in settings:
-            settings["variant"] = Variant.from_dict(settings["variant"])
-        return Choice(**settings)
 
 
 #: Arrays of nodes by name.

@@ -9,13 +9,12 @@ link that slides may stand anywhere along its way: beside the centre of mass not
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.arm import Arm
-from robodyn.dynamics.lump import MomentForm
 from robodyn.dynamics.parallel import chained
 from robodyn.dynamics.regroup import regrouped, suited_forms
 from robodyn.effects.scalars import is_zero
@@ -80,11 +79,11 @@ def centred(arm: Arm) -> Arm:
     return replace(arm, bodies=tuple(bodies), tool=replace(arm.tool, origin=(x, y, z - shift)))
 
 
-def suited_variant(arm: Arm, chains: bool = True, forms: Sequence[MomentForm] = ()) -> Variant:
+def suited_variant(arm: Arm, chains: bool = True) -> Variant:
     """The textbook's gauge with the form of moments that costs less, and origins slid along parallel axes."""
     links: list[LinkVariant] = []
     slid = slides(arm)
-    for body, form, slide in zip(arm.bodies, forms or suited_forms(arm), slid, strict=True):
+    for body, form, slide in zip(arm.bodies, suited_forms(arm), slid, strict=True):
         # The choice of the literature: Iyy zero where the moment is written with inertias.
         second: SecondRule = "-xx" if form == "inertia" and links and body.revolute else "zero"
         place: Slide = "next" if slide else "none"

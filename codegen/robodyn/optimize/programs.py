@@ -227,7 +227,7 @@ class Recursion(RigidDrives):
         if choice.formulation != "modified_newton_euler" or not choice.regroup:
             book = formulation_named(choice.formulation)
             return lambda qd, qdd: list(book(arm, moved(arm, qd, qdd), self.mark))
-        variant = choice.variant or suited_variant(arm, choice.chains, choice.forms)
+        variant = choice.variant or suited_variant(arm, choice.chains)
         links, unit = regrouped_as(arm, variant)
         placed = with_displacements(arm, links, unit)
 

@@ -4,18 +4,14 @@ A revolute link's mass, its first moment along the joint's axis and its second m
 to the parent (:mod:`robodyn.dynamics.regroup`): three numbers a link are free, a *gauge*, and zero is only
 the textbook's choice. The moment of a link can be written in several forms, in several frames; lambda's
 third row and column and the accelerations of origins in several ways; origins may slide along their axes.
-
-All are names and numbers, so that a variant can be kept in a file.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from typing import Any, Literal, get_args, get_type_hints
 
 from robodyn.dynamics.lump import MomentForm
-from robodyn.errors import InputError
 
 #: What a revolute link keeps of its mass: nothing; all; what makes it, with its moments, isotropic and one
 #: point mass on an axis and nothing else; what makes the parent's first moment (or second) along x zero.
@@ -74,8 +70,6 @@ LINK_VALUES: dict[str, tuple[Any, ...]] = {
     name: get_args(kind) or (True, False) for name, kind in get_type_hints(LinkVariant).items()
 }
 
-_PLAIN = LinkVariant()
-
 
 @dataclass(frozen=True, slots=True)
 class Variant:
@@ -91,51 +85,3 @@ class Variant:
         links = list(self.links)
         links[i] = replace(links[i], **changes)
         return replace(self, links=tuple(links))
-
-    def to_dict(self) -> dict[str, Any]:
-        """As JSON has it: what is as usual is left out."""
-        links = [
-            {f.name: getattr(link, f.name) for f in fields(link) if getattr(link, f.name) != f.default}
-            for link in self.links
-        ]
-        data: dict[str, Any] = {"links": links}
-        if self.unit != "metre":
-            data["unit"] = self.unit
-            data["unit_link"] = self.unit_link
-        return data
-
-    @staticmethod
-    def from_dict(data: Any) -> Variant:
-        """The variant of :meth:`to_dict`; :class:`InputError` where that is none."""
-        _only(data, ("links", "unit", "unit_link"), "a variant")
-        links = data.get("links")
-        if not isinstance(links, list):
-            raise InputError("a variant without links", found=repr(links), expected="a list of links")
-        parts = []
-        for i, link in enumerate(links, 1):
-            _only(link, tuple(LINK_VALUES), f"link {i} of a variant")
-            for name, value in link.items():
-                _known(f"link {i}: {name}", value, LINK_VALUES[name])
-            parts.append(replace(_PLAIN, **link))
-        unit, unit_link = data.get("unit", "metre"), data.get("unit_link", 0)
-        _known("unit", unit, get_args(UnitRule))
-        _known("unit_link", unit_link, range(1, len(parts) + 1) if unit != "metre" else (0,))
-        return Variant(tuple(parts), unit, unit_link)
-
-
-def _only(data: Any, allowed: tuple[str, ...], what: str) -> None:
-    if not isinstance(data, Mapping):
-        raise InputError(f"{what} must be a mapping", found=repr(data))
-    for key in data:
-        if key not in allowed:
-            raise InputError(
-                f"{what}: unknown key {key!r}",
-                expected=f"some of {', '.join(allowed)}",
-                remedy="a variant of another version of robodyn? search again",
-            )
-
-
-def _known(what: str, value: Any, allowed: Any) -> None:
-    if not any(value is name or (type(value) is type(name) and value == name) for name in allowed):
-        expected = ", ".join(map(str, allowed))
-        raise InputError(f"{what}: unknown value", found=repr(value), expected=f"one of {expected}")
