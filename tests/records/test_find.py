@@ -114,16 +114,3 @@ def test_two_robots_of_one_name_keep_their_records(tmp_path: Path) -> None:
     assert len(list(tmp_path.iterdir())) == 2
     for robot in (ROBOT, heavier):
         assert look(robot, tmp_path) == recorded(robot, fast(robot)).text()
-
-
-def test_a_record_is_written_whole_or_not_at_all(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    path = write_record(recorded(ROBOT, fast(ROBOT)), tmp_path)
-    before = path.read_text()
-
-    def fails(self: Path, target: Path) -> Path:
-        raise OSError(28, "No space left on device")
-
-    monkeypatch.setattr(Path, "replace", fails)
-    with pytest.raises(OSError, match="No space"):
-        write_record(better(ROBOT), tmp_path)
-    assert [file.read_text() for file in tmp_path.iterdir()] == [before]

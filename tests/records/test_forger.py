@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from fractions import Fraction
 from typing import Final
 
@@ -289,20 +289,3 @@ def test_long_records_are_refused_before_anything_is_calculated(monkeypatch: pyt
 
 
 # --- chance ----------------------------------------------------------------------------------------------
-
-
-def attempts(count: int, seed: int) -> Iterator[Program]:
-    """Forgeries by chance."""
-    chance = random.Random(seed)
-    base = genuine()
-    for k in range(count):
-        forged = Forgery(base)
-        multiple = chance.choice(WALK_PRIMES) ** chance.randint(1, 3) * Field(f"{seed} {k}").prime
-        away = forged.add("sub", QDD, Fraction(Field(f"{k}").variable(QDD)))
-        yield forged.program(forged.add("mul", about(50, multiple), away))
-
-
-@pytest.mark.parametrize("count", [100, pytest.param(30_000, marks=pytest.mark.slow)])
-def test_chance_does_not_help(count: int) -> None:
-    for forgery in attempts(count, seed=count):
-        assert not same_in_field(ROBOT, "inverse_dynamics", forgery)

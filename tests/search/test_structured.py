@@ -19,7 +19,6 @@ from robodyn.passes import FRESH, run
 from robodyn.robot import Robot
 from robodyn.search import structured
 from robodyn.search.structured import Progress, search
-from robodyn.toolchain.workers import Workers
 from robodyn_testing import sampled
 from robodyn_testing.clocks import ticking
 
@@ -61,14 +60,6 @@ def test_the_same_seed_finds_the_same() -> None:
     one, other, third = (search(robot, **SHORT, seed=seed) for seed in (3, 3, 4))
     assert [choice for _, choice, _ in one] == [choice for _, choice, _ in other]
     assert [choice for _, choice, _ in one] != [choice for _, choice, _ in third]
-
-
-def test_workers_hand_on_results_and_errors() -> None:
-    with Workers(2) as workers:
-        assert workers.run(max, [(1, 2), (5, 4)]) == [2, 5]
-        with pytest.raises(TypeError):
-            workers.run(len, [(3,)])
-        assert workers.run(max, [(8, 7)]) == [8]
 
 
 def test_a_search_keeps_to_its_time(monkeypatch: pytest.MonkeyPatch) -> None:
