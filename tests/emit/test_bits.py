@@ -60,7 +60,7 @@ def test_c_and_fortran_give_the_same_bits(name: str, scalar: str) -> None:
     gcc, gfortran = require_tool("gcc"), require_tool("gfortran")
     robot, inputs = robots()[name], arrays(name)
     c = compile_robot(robot, scalar=scalar, cc=gcc, mode="abi")
-    fortran = compile_robot(robot, scalar=scalar, language="fortran", cc=gcc, fc=gfortran, mode="abi")
+    fortran = compile_robot(robot, scalar=scalar, language="fortran", cc=gcc, fc=gfortran)
     assert c.functions == fortran.functions == tuple(made(name).counts)
     for function in c.functions:
         one, other = (run(kernel, function, inputs, name) for kernel in (c, fortran))

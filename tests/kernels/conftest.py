@@ -1,4 +1,4 @@
-"""A small arm written by hand, as C and as Fortran, in place of emitted files.
+"""A small arm written by hand, as C, in place of emitted files.
 
 Two joints; ``tau = inertia * qdd + bend * sin(q) + q0 * qd1`` and a mass matrix that tells rows from columns.
 In the variant with run-time parameters inertia and bend are read from ``NAME_params``, else they are 2 and 3.
@@ -76,45 +76,7 @@ def make_toy(name: str = "toy", scalar: Scalar = "double", parameters: bool = Fa
         signature("gravity", ("q",), ("tau", 2)),
         signature("mass_matrix", ("q",), ("M", 4)),
     )
-    fortran = _fortran(name, scalar, parameters)
-    return Toy(signatures, {f"{name}.h": "\n".join(header), f"{name}.c": source, f"{name}.f90": fortran})
-
-
-def _fortran(name: str, scalar: Scalar, parameters: bool) -> str:
-    kind = "c_double" if scalar == "double" else "c_float"
-    last = ", p" if parameters else ""
-    declared = f"type({name}_params), intent(in) :: p" if parameters else ""
-    inertia, bend = ("p%inertia", "p%bend") if parameters else (f"2.0_{kind}", f"3.0_{kind}")
-    struct = (
-        f"type, bind(c) :: {name}_params\nreal({kind}) :: inertia, bend\nend type {name}_params"
-        if parameters
-        else ""
-    )
-
-    def one(function: str, inputs: str, output: str, size: int, body: str) -> str:
-        return f"""
-subroutine {function}({inputs}, {output}{last}) bind(c, name="{name}_{function}_f")
-real({kind}), intent(in), dimension(2) :: {inputs}
-real({kind}), intent(out) :: {output}({size})
-{declared}
-{body}
-end subroutine {function}
-"""
-
-    bodies = [
-        one(
-            "inverse_dynamics",
-            "q, qd, qdd",
-            "tau",
-            2,
-            f"tau(1) = {inertia} * qdd(1) + {bend} * sin(q(1)) + q(1) * qd(2)\n"
-            f"tau(2) = {inertia} * qdd(2) + {bend} * sin(q(2)) + q(1) * qd(2)",
-        ),
-        one("gravity", "q", "tau", 2, f"tau(1) = {bend} * sin(q(1))\ntau(2) = {bend} * sin(q(2))"),
-        one("mass_matrix", "q", "m", 4, f"m = [1.0_{kind}, q(1), q(2), 4.0_{kind}]"),
-    ]
-    head = f"module {name}\nuse, intrinsic :: iso_c_binding\nimplicit none\n{struct}\ncontains"
-    return "\n".join([head, *bodies, f"end module {name}", ""])
+    return Toy(signatures, {f"{name}.h": "\n".join(header), f"{name}.c": source})
 
 
 @dataclass(frozen=True)

@@ -173,7 +173,7 @@ def test_bad_flag(toy: Callable[..., Any]) -> None:
 def test_broken_fortran_is_reported_with_place_and_reason(toy: Callable[..., Any]) -> None:
     require_tool("gfortran")
     arm = toy()
-    arm.files["toy.f90"] = arm.files["toy.f90"].replace("tau(2) =", "tau(2) = =", 1)
+    arm.files["toy.f90"] = "subroutine gravity(q)\nreal :: q\nq = = 1\nend subroutine\n"
     with pytest.raises(ToolError, match=r"Fortran compiler failed at toy\.f90; found toy\.f90:\d+.*Error"):
         load(arm.signatures, arm.files, language="fortran")
 
@@ -181,6 +181,7 @@ def test_broken_fortran_is_reported_with_place_and_reason(toy: Callable[..., Any
 def test_fortran_needs_a_fortran_compiler(toy: Callable[..., Any], monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("FC", "/nonexistent/gfortran")
     arm = toy()
+    arm.files["toy.f90"] = "end\n"
     with pytest.raises(ToolError, match="Fortran compiler '/nonexistent/gfortran'"):
         load(arm.signatures, arm.files, language="fortran")
 

@@ -16,20 +16,15 @@ from robodyn.errors import InputError, ToolError
 from robodyn.ir.signature import Signature
 from robodyn.kernels.kernel import Kernel, load
 from robodyn.toolchain import library
-from robodyn_testing import require_tool
 
 
 @pytest.mark.parametrize("mode", ["api", "abi"])
-@pytest.mark.parametrize("language", ["c", "fortran"])
 @pytest.mark.parametrize("scalar", ["double", "float"])
 @pytest.mark.parametrize("parameters", [False, True])
-def test_values(
-    mode: Any, language: Any, scalar: Any, parameters: bool, toy: Callable[..., Any], expected: Any
-) -> None:
-    if language == "fortran":
-        require_tool("gfortran")
+def test_values(mode: Any, scalar: Any, parameters: bool, toy: Callable[..., Any], expected: Any) -> None:
+    """In C; Fortran's are compared with those of C in tests/emit/test_bits.py."""
     arm = toy(scalar=scalar, parameters=parameters)
-    kernel = load(arm.signatures, arm.files, language=language, mode=mode)
+    kernel = load(arm.signatures, arm.files, mode=mode)
     assert kernel.mode == mode
     options: dict[str, Any] = {"params": PARAMS} if parameters else {}
     want = expected(**PARAMS) if parameters else expected()

@@ -11,11 +11,10 @@ from typing import Any
 import numpy as np
 import pytest
 
+from kernels.toys import PARAMS
 from robodyn.errors import InputError
 from robodyn.ir.signature import Signature
 from robodyn.kernels.kernel import Kernel, load
-
-PARAMS = {"inertia": 0.5, "bend": -1.5}
 
 
 @pytest.fixture(params=["api", "abi"])
