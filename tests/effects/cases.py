@@ -47,11 +47,8 @@ def _case(
 
 def _bearing(kind: str, rational: bool = True, **more: Any) -> Case:
     joints = {"revolute": kind != "linear", "prismatic": kind in ("linear", "torque")}
-    given = {"mu": RANDOM} if "mu_r" in more else {"mu": RANDOM, "radius": RANDOM}
-    if kind in ("linear", "torque"):
-        given = {"mu": RANDOM}
-    if "mu_r" in more:
-        given = {}
+    names = () if "mu_r" in more else ("mu",) if kind in ("linear", "torque") else ("mu", "radius")
+    given = dict.fromkeys(names, RANDOM)
     return _case("load_dependent_friction", rational, **joints, bearing=kind, **given, **more)
 
 

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 from fractions import Fraction
-from pathlib import Path
 
 import pytest
 
 from robodyn import InputError, load
-from robodyn.report.arm_parts import links
 from robodyn.robot import Joint, Link, bundled_names, read_text, to_yaml
 from robodyn.robot.account import Origins, origins_in_words, origins_to_dicts
 from robodyn.robot.values import ZERO, angle
@@ -114,44 +111,3 @@ def test_bundled_arms_with_invented_numbers_say_so() -> None:
         if drawn:
             synthetic.add(name)
     assert synthetic == {"iiwa", "rx90", "puma560_full", "stanford_full"}
-
-
-COMMITTED = Path(__file__).parents[2] / "generated"
-#: What heads call the numbers whose origin JSON has under these names, and what they say of origins.
-CALLED = {"mass": "mass", "com": "centre of mass", "inertia": "inertia", "limits": "limits"}
-SAID = {
-    "measured": "measured on the arm",
-    "assumed": "assumed",
-    "synthetic": "synthetic (invented, not those of a real arm)",
-    "absent": "absent",
-}
-
-
-def origins_of_head(head: str) -> dict[tuple[int, str], str]:
-    """By joint and name what the head of a file says of the numbers' origins, read from its text alone."""
-    text = " ".join(head.partition("Written by")[0].replace("*", " ").split())
-    joints = range(1, 1 + len(re.findall(r"(?m)^ \*   \d+ ", head)))
-    said: dict[tuple[int, str], str] = {}
-    for line in text.split("Origin of numbers: ")[1:]:
-        what, _, origin = line.strip().rpartition(": ")
-        for group in what.split("; "):
-            names, _, places = group.rstrip(")").partition(" (")
-            numbers = [
-                joint
-                for low, high in re.findall(r"(\d+)(?: to (\d+))?", places)
-                for joint in range(int(low), int(high or low) + 1)
-            ]
-            said |= {(joint, name): origin for joint in numbers or joints for name in names.split(", ")}
-    return said
-
-
-@pytest.mark.parametrize("name", bundled_names())
-def test_heads_of_committed_kernels_say_where_numbers_come_from(name: str) -> None:
-    said = origins_of_head((COMMITTED / name / f"{name}.h").read_text())
-    robot = load(name, warn=lambda _: None)
-    for record, (joint, link) in zip(origins_to_dicts(robot.links), enumerate(robot.links, 1), strict=True):
-        for key, word in CALLED.items():
-            assert said[joint, word].startswith(SAID.get(record[key], "stated")), (joint, word)
-        doubts = " ".join(doubt["what"] for doubt in links(robot)[joint - 1]["doubts"])
-        for origin in ("assumed", "synthetic"):
-            assert (origin in doubts) == (origin in (link.origins.mass, link.origins.inertia)), doubts

@@ -20,7 +20,7 @@ from robodyn.targets import (
     firmware_targets,
     planned_targets,
     target_named,
-)
+)  # fmt: skip
 
 
 def test_every_file_is_a_target_of_its_name() -> None:
@@ -33,14 +33,11 @@ def test_every_file_is_a_target_of_its_name() -> None:
         TARGETS["pdp-11"]
 
 
-def test_no_spelling_means_two_targets() -> None:
+def test_no_spelling_means_two_targets_and_each_finds_its_own() -> None:
     spellings = Counter(name for target in all_targets() for name in (target.name, *target.aliases))
     assert max(spellings.values()) == 1
     for target in all_targets():
         assert all(target_named(name) is target for name in (target.name, *target.aliases))
-
-
-def test_the_cortex_m4f_has_one_name() -> None:
     assert target_named("cortex-m4") is TARGETS["cortex-m4f"]
     assert target_named("cortex-m4", firmware_targets()) is TARGETS["cortex-m4f"]
     with pytest.raises(InputError, match=r"unknown target 'cortex-m5'; expected one of .*did you mean"):

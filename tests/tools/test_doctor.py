@@ -111,15 +111,11 @@ class TestCommand:
         lines = capsys.readouterr().out.splitlines()
         assert lines[0].startswith("robodyn ")
         table = (  # lines break where the path of the folder makes them
-            "proofs",
-            "+ answers 1.2.3 proofs by answers",
-            "- not-there proofs by not-there",
-            "Debian, Ubuntu: apt install not-there",
-            "- fails proofs by fails",
-            f"{tmp_path}/fails does not work: no licence",
-            "Debian, Ubuntu: apt install fails",
+            "proofs + answers 1.2.3 proofs by answers - not-there proofs by not-there Debian, Ubuntu: apt "
+            f"install not-there - fails proofs by fails {tmp_path}/fails does not work: no licence Debian, "
+            "Ubuntu: apt install fails"
         )
-        assert " ".join(" ".join(lines[6:]).split()) == " ".join(table)
+        assert " ".join(" ".join(lines[6:]).split()) == table
         assert max(map(len, lines)) <= 100 + len(str(tmp_path))
 
     def test_json(self, few: None, tmp_path: Path, capsys: Capture) -> None:
@@ -127,16 +123,10 @@ class TestCommand:
         told = json.loads(capsys.readouterr().out)
         assert list(told) == ["robodyn", "python", "system", "cache", "tools"]
         assert told["tools"][1] == {
-            "name": "answers",
-            "kind": "program",
-            "use": "proofs",
-            "enables": "proofs by answers",
-            "works": True,
-            "version": "1.2.3",
-            "where": str(tmp_path / "answers"),
-            "fault": None,
+            "name": "answers", "kind": "program", "use": "proofs", "enables": "proofs by answers",
+            "works": True, "version": "1.2.3", "where": str(tmp_path / "answers"), "fault": None,
             "install": "Debian, Ubuntu: apt install answers",
-        }
+        }  # fmt: skip
         assert [each["works"] for each in told["tools"]] == [True, True, False, False]
 
     def test_what_is_needed_is_asked_for(self, few: None, capsys: Capture) -> None:

@@ -115,6 +115,8 @@ class TestLibrary:
         assert PYYAML.load().safe_load("1") == 1
         assert PYYAML.load("tokens").__name__ == "yaml.tokens"
         assert PYYAML.install == "pip install pyyaml"
+        library = Library("module", Use.LOGS, "logs", package="dist", title="Title")
+        assert (library.name, library.distribution) == ("Title", "dist")
 
     def test_one_that_is_missing(self, monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setitem(sys.modules, "h5py", None)
@@ -125,7 +127,3 @@ class TestLibrary:
             "log.mat: logs of MATLAB 7.3 and in HDF5 need h5py, which is not installed; "
             "pip install 'robodyn[mat]', or save it as CSV"
         )
-
-    def test_names(self) -> None:
-        library = Library("module", Use.LOGS, "logs", package="dist", title="Title")
-        assert (library.name, library.distribution) == ("Title", "dist")

@@ -40,25 +40,15 @@ PKG_CONFIG: Final = Tool(("pkg-config",), Use.PACKAGES, "builds that ask pkg-con
 FPM: Final = Tool(("fpm",), Use.PACKAGES, "builds of robodyn package --as fpm", None, "pip install fpm")
 
 
-def _development(name: str, package: str) -> Tool:
-    return Tool((name,), Use.DEVELOPMENT, "tests that are skipped without it", package)
-
-
-DEVELOPMENT: Final = (
-    _development("ament_xmllint", "python3-ament-xmllint"),
-    _development("clang", "clang"),
-    _development("clang++", "clang"),
-    _development("chromedriver", "chromium-driver"),
-    _development("chromium", "chromium"),
-    _development("fish", "fish"),
-    _development("g++", "g++"),
-    _development("make", "make"),
-    _development("nm", "binutils"),
-    _development("npm", "npm"),
-    _development("rustc", "rustc"),
-    _development("rustfmt", "rustfmt"),
-    _development("xmllint", "libxml2-utils"),
-    _development("zsh", "zsh"),
+_PACKAGES = {
+    "ament_xmllint": "python3-ament-xmllint", "clang": "clang", "clang++": "clang",
+    "chromedriver": "chromium-driver", "chromium": "chromium", "fish": "fish", "g++": "g++", "make": "make",
+    "nm": "binutils", "npm": "npm", "rustc": "rustc", "rustfmt": "rustfmt", "xmllint": "libxml2-utils",
+    "zsh": "zsh",
+}  # fmt: skip
+DEVELOPMENT: Final = tuple(
+    Tool((name,), Use.DEVELOPMENT, "tests that are skipped without it", package)
+    for name, package in _PACKAGES.items()
 )
 """What only robodyn's own tests use."""
 
