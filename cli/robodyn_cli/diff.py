@@ -50,7 +50,7 @@ def command(
         parameters=dict(param) or None,
     )
     show(
-        lambda: to_dict(comparison),
+        comparison.to_dict,
         lambda: (*(line for text in _lines(comparison) for line in wrapped(text)), *_summary(comparison)),
     )
     if not comparison.same:

@@ -9,6 +9,7 @@ import click
 from robodyn.errors import InputError
 from robodyn_cli.choices import FILE, TABLES
 from robodyn_cli.common import as_json, echo_json, option, printable, talk, write_file
+from robodyn_cli.progress import Line, line
 
 
 @click.command()
@@ -34,13 +35,15 @@ def command(table_id: str | None, picture: str | None) -> None:
     target = None if picture is None else _picture_file(picture, ids)
     tables = []
     for one in ids:
-        table = make(one, _progress(one))
-        if as_json():
-            tables.append(table.to_dict())
-            continue
-        if one != ids[0]:
-            click.echo()
-        click.echo(to_text(table), nl=False)
+        with line() as shown:
+
+            def tell(row: str, head: str = f"robodyn: {one}: ", shown: Line = shown) -> None:
+                shown.tell(head + row)
+
+            table = make(one, tell)
+        tables.append(table.to_dict())
+        if not as_json():
+            click.echo(("" if one == ids[0] else "\n") + to_text(table), nl=False)
     if as_json():
         echo_json(tables if table_id is None else tables[0])
     if target is not None:

@@ -17,6 +17,7 @@ from robodyn.dynamics.joints import smoothed_sign
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Site
 from robodyn.effects.efficiency import efficiency_at
+from robodyn.verify.declared import value
 from robodyn.verify.effects import added_torque, direction
 
 REST = {"exact": (None, None), "smooth": (0.25, None), "dead band": (None, 0.25)}

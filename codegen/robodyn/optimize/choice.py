@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from robodyn.dynamics.functions import Function
-from robodyn.dynamics.functions.fusing import Writing
+from robodyn.dynamics.functions.record import Writing
 from robodyn.dynamics.state import Iterative
 from robodyn.errors import InputError
 from robodyn.ir.copying import rearranged
