@@ -226,8 +226,8 @@ def import_arm(
     described = replace(description_of(serial.chain, snap), account=_account(tree, serial, assumed))
     robot = replace(taken_as_massless(described, massless), file=Path(path).absolute())
     implausible = []
-    for index, (link, where) in enumerate(zip(robot.links, serial.places, strict=True)):
-        reason = inertia_doubt(link.inertia)
+    for index, link in enumerate(robot.links):
+        reason, where = inertia_doubt(link.inertia), link.origins.where or Place(tree.file)
         if reason and not (index == 0 and only_about_base_axis(link.joint, link.inertia)):
             implausible.append((where, f"joint {link.name}: the inertia behind it is not physical: {reason}"))
     if strict and implausible:

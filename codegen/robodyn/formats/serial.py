@@ -132,10 +132,9 @@ class Positions:
 
 @dataclass(frozen=True, slots=True)
 class Serial:
-    """A chain, the places of the links behind its joints, and what was decided on the way to it."""
+    """A chain, and what was decided on the way to it."""
 
     chain: Chain
-    places: tuple[Place, ...]
     remarks: tuple[str, ...]
 
 
@@ -197,8 +196,7 @@ def serial_chain(
     title, source = f"{tree.name or 'robot'}, {start} to {end}", f"{PurePath(tree.file).name} ({tree.format})"
     title, source = (printable(text)[:TEXT_LENGTH] for text in (title, source))
     chain = Chain(name, tuple(joints), title, source, tree.gravity, pose, frames.pose[end])
-    places = tuple(topology.links[joint.child].where for joint in moving)
-    return Serial(chain, places, tuple(dict.fromkeys(remarks)))
+    return Serial(chain, tuple(dict.fromkeys(remarks)))
 
 
 class _Frames:

@@ -8,7 +8,7 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from robodyn.formats.chain import Chain, ChainJoint, Pose
+from robodyn.formats.chain import Chain, Pose
 from robodyn.formats.frames import description_of
 from robodyn.formats.writers.parts import parts_of
 from robodyn.ir.program import Program
@@ -18,7 +18,7 @@ from robodyn.optimize.records.adoption import frictionless, joints_of, summed
 from robodyn.passes import FAST, unchecked
 from robodyn.robot.bundled import bundled_names, load
 from robodyn.robot.model import Inertia, Link, Robot
-from robodyn.robot.parts import AXES
+from robodyn.robot.parts import AXES, Limits
 from robodyn.robot.values import Value
 from robodyn.search.refit import refitted
 
@@ -62,16 +62,7 @@ def _in_own_frames(robot: Robot) -> Robot:
     plain = replace(robot, gravity=robot.base_gravity, base=None, tool=None)
     parts = parts_of(plain)
     joints = [
-        ChainJoint(
-            joint.name,
-            joint.link,
-            joint.kind,
-            Pose.from_rpy(joint.frame.xyz, joint.frame.rpy),
-            body=joint.body,
-            viscous=joint.viscous,
-            coulomb=joint.coulomb,
-            motor_inertia=joint.motor_inertia,
-        )
+        replace(joint, pose=Pose.from_rpy(joint.frame.xyz, joint.frame.rpy), limits=Limits(), gear=None)
         for joint in parts.joints
     ]
     chain = Chain(robot.name, tuple(joints), gravity=parts.gravity)

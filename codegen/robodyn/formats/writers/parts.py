@@ -12,19 +12,19 @@ import itertools
 import math
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Final
 
 from robodyn.errors import InputError
-from robodyn.formats.chain import Body, Spring, Vector, lumped
+from robodyn.formats.chain import Body, ChainJoint, Vector, lumped
 from robodyn.formats.conversion import spring_of
 from robodyn.formats.limits import PICTURE_HUB, PICTURE_RADIUS
 from robodyn.formats.writers import legal
 from robodyn.robot.account import account_lines
 from robodyn.robot.masses import unknown_masses
 from robodyn.robot.model import AXES, EffectEntry, Inertia, Link, Robot
-from robodyn.robot.parts import Gear, JointKind, Limits, Placement
+from robodyn.robot.parts import Placement
 from robodyn.robot.rotations import about_x, about_z, placement, product
 from robodyn.robot.values import Value
 
@@ -75,22 +75,11 @@ class Frame:
 
 
 @dataclass(frozen=True, slots=True)
-class PartJoint:
-    """A joint, about or along z of its ``frame``, and the link behind it; as in a
-    :class:`~robodyn.formats.chain.ChainJoint`. ``mass_is_known``: whether a mass of 0 is one."""
+class PartJoint(ChainJoint):
+    """A joint, about or along z of its ``frame``; ``mass_is_known``: whether a mass of 0 is one."""
 
-    name: str
-    link: str
-    kind: JointKind
-    frame: Frame
-    body: Body
-    limits: Limits
-    viscous: float
-    coulomb: float
-    motor_inertia: float
-    gear: Gear | None
-    spring: Spring | None
-    mass_is_known: bool
+    frame: Frame = field(default_factory=Frame)
+    mass_is_known: bool = True
 
     @property
     def word(self) -> str:
@@ -143,15 +132,15 @@ def parts_of(robot: Robot) -> Parts:
             names[i],
             links[i],
             link.joint.kind,
-            _frame_of(link),
-            bodies[i],
-            link.joint.limits,
-            _float(link.joint.viscous),
-            _float(link.joint.coulomb),
-            _float(link.joint.motor_inertia),
-            link.joint.gear,
-            springs.get(i + 1),
-            i + 1 not in unknown,
+            body=bodies[i],
+            limits=link.joint.limits,
+            viscous=_float(link.joint.viscous),
+            coulomb=_float(link.joint.coulomb),
+            motor_inertia=_float(link.joint.motor_inertia),
+            gear=link.joint.gear,
+            spring=springs.get(i + 1),
+            frame=_frame_of(link),
+            mass_is_known=i + 1 not in unknown,
         )
         for i, link in enumerate(robot.links)
     ]
