@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 from robodyn.drives.drive import Acting, JointDrive, Layer, Rates
 from robodyn.effects.effect import Coupler, Memory
 from robodyn.effects.scalars import exponential, is_duration, is_finite, is_zero, magnitude, sign, updated_if
 
 
-@dataclass(frozen=True, slots=True)
-class TwistState:
+class TwistState(NamedTuple):
     """How far a motor is ahead of its link [rad or m], and the first and second rates of that."""
 
     twist: Any

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from typing import Any
+from typing import Any, NamedTuple
 
 from robodyn.dynamics.arm import scalar_of
 from robodyn.dynamics.joints import smoothed_sign
@@ -126,8 +126,7 @@ class Loads:
     n: Mapping[int, Vector] = field(default_factory=dict)
 
 
-@dataclass(frozen=True, slots=True)
-class Rates:
+class Rates(NamedTuple):
     """Positions, velocities and accelerations [n] of one side of the drives, and directions of motion."""
 
     q: Sequence[Any]
@@ -152,7 +151,11 @@ def rigid_part(robot: Robot, *, bare: bool = False) -> Robot:
     Rotor, viscous and Coulomb friction stay where nothing comes between them and the link; with ``bare``
     nowhere.
     """
-    between = {entry.joint for entry in robot.effects if _comes_between(entry)}
+    between = {
+        entry.joint
+        for entry in robot.effects
+        if CATALOGUE[entry.effect].place in ("bearing", "coupler", "gear")
+    }
     links = tuple(
         replace(link, joint=replace(link.joint, motor_inertia=ZERO, viscous=ZERO, coulomb=ZERO))
         if bare or i in between
@@ -161,10 +164,6 @@ def rigid_part(robot: Robot, *, bare: bool = False) -> Robot:
     )
     kept = tuple(entry for entry in robot.effects if entry.definition.traits.body)
     return replace(robot, links=links, effects=kept)
-
-
-def _comes_between(entry: EffectEntry) -> bool:
-    return CATALOGUE[entry.effect].place in ("bearing", "coupler", "gear")
 
 
 def layer_of(
@@ -197,22 +196,19 @@ def layer_of(
             if _acts(robot, entry):
                 by_place[CATALOGUE[entry.effect].place].append(acting(entry))
         joint, rest = link.joint, kept.joint
-        drive = JointDrive(
-            joint.kind == "revolute",
-            link=tuple(by_place["link"]),
-            bearing=tuple(by_place["bearing"]),
-            coupler=by_place["coupler"][0] if by_place["coupler"] else None,
-            gear=tuple(by_place["gear"]),
-            motor=tuple(by_place["motor"]),
-        )
-        if motor and joint != rest:
-            drive = replace(
-                drive,
-                rotor=scalar(joint.motor_inertia),
-                viscous=scalar(joint.viscous),
-                coulomb=scalar(joint.coulomb),
+        here = motor and joint != rest
+        numbers = (joint.motor_inertia, joint.viscous, joint.coulomb) if here else (0, 0, 0)
+        joints.append(
+            JointDrive(
+                joint.kind == "revolute",
+                tuple(by_place["link"]),
+                tuple(by_place["bearing"]),
+                by_place["coupler"][0] if by_place["coupler"] else None,
+                tuple(by_place["gear"]),
+                tuple(by_place["motor"]),
+                *map(scalar, numbers),
             )
-        joints.append(drive)
+        )
         for pair in by_place["pair"]:
             pairs.append(Pair(i - 1, pair.values["with"] - 1, pair.values["ratio"], pair))
     return Layer(tuple(joints), tuple(pairs))

@@ -7,7 +7,6 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, Motion, inertial, into_child, origin
-from robodyn.dynamics.dual import moving_along, slopes, values
 from robodyn.dynamics.joints import rotors_of
 from robodyn.dynamics.limits import ROUNDING
 from robodyn.dynamics.lump import NO_LUMP, MomentForm
@@ -15,7 +14,6 @@ from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.dynamics.parallel import Turns, single_turns
 from robodyn.dynamics.regroup import lumps_of
 from robodyn.dynamics.state import First, Moving, RigidDrives, Rotor
-from robodyn.dynamics.transforms import Matrix, applied, axial, poses, product, transposed
 from robodyn.dynamics.vectors import ZERO, Vector, cross, dot, minus, plus, scaled, unmarked
 from robodyn.effects.scalars import quotient
 
@@ -56,42 +54,42 @@ def reactions(arm: Arm, motion: Motion, w: Sequence[Any]) -> list[tuple[Vector, 
     rates are derivatives of poses, so that no recursion of velocities, accelerations or forces is in it:
     recursions are checked by it.
     """
+    from robodyn.dynamics.dual import moving_along, slopes, values
+    from robodyn.dynamics.transforms import Matrix, applied, axial, poses, product, transposed
+
+    def vector(x: Sequence[Any]) -> Vector:
+        return x[0], x[1], x[2]
+
+    def turned(A: Matrix, u: tuple[Any, ...]) -> Vector:
+        return vector(applied(A, u))
+
+    def place(T: Matrix) -> Vector:
+        """The origin of a frame, without derivatives."""
+        return vector(values(values([row[3] for row in T[:3]])))
+
     in_time = moving_along(arm, motion, motion.qd, motion.qdd, [0] * len(motion.qd))
     moving = moving_along(arm, in_time, in_time.qd, in_time.qdd, [0] * len(motion.qd))
     *links, tool = poses(arm, moving)
-    g = _applied(arm.base.rotation(), arm.gravity)
+    g = turned(arm.base.rotation(), arm.gravity)
     push, twist = (w[0], w[1], w[2]), (w[3], w[4], w[5])
     f = scaled(-1, push)  # about the world's origin from here on
-    n = scaled(-1, plus(twist, cross(_place(tool), push)))
+    n = scaled(-1, plus(twist, cross(place(tool), push)))
     joints: list[tuple[Vector, Vector]] = []
     for body, T in zip(reversed(arm.bodies), reversed(links), strict=True):
         now = tuple(tuple(values(row)) for row in T[:3])  # with its derivative in time
         rate = tuple(tuple(slopes(row)) for row in T[:3])
         R, R_rate = (tuple(row[:3] for row in rows) for rows in (now, rate))
-        com, velocity = (_applied(rows, (*body.com, 1)) for rows in (now, rate))
-        spin = _vector(axial(product(R_rate, transposed(R))))
+        com, velocity = (turned(rows, (*body.com, 1)) for rows in (now, rate))
+        spin = vector(axial(product(R_rate, transposed(R))))
         momentum = scaled(body.mass, velocity)
-        inner = body.inertia.times(_applied(transposed(R), spin))
-        angular = plus(_applied(R, inner), cross(com, momentum))
+        inner = body.inertia.times(turned(transposed(R), spin))
+        angular = plus(turned(R, inner), cross(com, momentum))
         weight = scaled(body.mass, g)
-        f = minus(plus(f, _vector(slopes(momentum))), weight)
-        n = minus(plus(n, _vector(slopes(angular))), cross(_vector(values(com)), weight))
+        f = minus(plus(f, vector(slopes(momentum))), weight)
+        n = minus(plus(n, vector(slopes(angular))), cross(vector(values(com)), weight))
         back = transposed(tuple(tuple(values(row)) for row in R))
-        joints.append((_applied(back, f), _applied(back, minus(n, cross(_place(T), f)))))
+        joints.append((turned(back, f), turned(back, minus(n, cross(place(T), f)))))
     return joints[::-1]
-
-
-def _place(T: Matrix) -> Vector:
-    """The origin of a frame, without derivatives."""
-    return _vector(values(values([row[3] for row in T[:3]])))
-
-
-def _vector(x: Sequence[Any]) -> Vector:
-    return x[0], x[1], x[2]
-
-
-def _applied(A: Matrix, u: tuple[Any, ...]) -> Vector:
-    return _vector(applied(A, u))
 
 
 class PlainDynamics(RigidDrives, ABC):
@@ -151,5 +149,7 @@ class PlainDynamics(RigidDrives, ABC):
 
     def torque_slopes(self, qdd: Sequence[Any], dq: Sequence[Any], dqd: Sequence[Any]) -> list[Any]:
         """The plain recursion of the rigid arm, differentiated along ``dq, dqd`` by dual numbers."""
+        from robodyn.dynamics.dual import moving_along, slopes
+
         motion = self.motion(self.inputs["qd"], qdd)
         return slopes(newton_euler(self.arm, moving_along(self.arm, motion, dq, dqd, [0] * len(dq))))

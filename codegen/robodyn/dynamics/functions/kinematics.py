@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
-from robodyn.dynamics.arm import Motion, in_stated_frame, inertial
+from robodyn.dynamics.arm import in_stated_frame, inertial
 from robodyn.dynamics.functions.record import POSE, QD, Array, Derivative, Function, Pair, Q, Writing
 from robodyn.dynamics.mass_matrix import factoring
 from robodyn.dynamics.state import Dynamics, Vector
-from robodyn.dynamics.transforms import Matrix, applied, axial, poses, product, transposed
 from robodyn.dynamics.vectors import flat, inner, plus, products, scaled
 
 LINK_POSITIONS = Array("link_positions", "origins of the links in the world", "m", shape=("n", 3))
@@ -64,7 +64,7 @@ def _jacobian(*, of_tool: bool = False, nested_only: bool = False) -> Writing:
         from robodyn.dynamics.poses import placed, seen_from_tool
 
         both = columns(at, seen_from_tool if of_tool else placed, nested_only=nested_only)
-        return flat(transposed(tuple((*v, *w) for v, w in both)))
+        return flat(list(zip(*((*v, *w) for v, w in both), strict=True)))
 
     return written
 
@@ -90,12 +90,25 @@ def _lambda_by_responses(at: Dynamics) -> Sequence[Any]:
 # --- by other ways: transforms, and poses differentiated ----------------------------------------------------
 
 
+def _poses(at: Dynamics, *rates: Vector) -> list[Any]:
+    """Transforms of the links and of the tool, as duals of duals that move at the ``rates``."""
+    from robodyn.dynamics.dual import moving_along
+    from robodyn.dynamics.transforms import poses
+
+    motion = at.motion(at.rest, at.rest)
+    for rate in rates:
+        motion = moving_along(at.arm, motion, rate, at.rest, at.rest)
+    return poses(at.arm, motion)
+
+
 def _tool_pose(at: Dynamics) -> Sequence[Any]:
-    return flat(poses(at.arm, at.motion(at.rest, at.rest))[-1][:3])
+    return flat(_poses(at)[-1][:3])
 
 
 def _all_poses(at: Dynamics) -> Sequence[Any]:
-    links = poses(at.arm, at.motion(at.rest, at.rest))[:-1]
+    from robodyn.dynamics.transforms import product
+
+    links = _poses(at)[:-1]
     if at.arm.stated_frames:
         ends = (((1, 0, 0, a), (0, c, -s, 0), (0, s, c, 0), (0, 0, 0, 1)) for a, c, s in at.arm.stated_frames)
         links = [product(T, end) for T, end in zip(links, ends, strict=True)]
@@ -103,39 +116,28 @@ def _all_poses(at: Dynamics) -> Sequence[Any]:
     return [*(row[3] for row in rows), *(x for row in rows for x in row[:3])]
 
 
-def _along(at: Dynamics, motion: Motion, rates: Sequence[Any]) -> Motion:
-    """``motion`` as duals that move at ``rates``."""
-    from robodyn.dynamics.dual import moving_along
-
-    return moving_along(at.arm, motion, rates, at.rest, at.rest)
-
-
-def _velocity(at: Dynamics, rates: Sequence[Any]) -> tuple[list[Any], list[Any], Matrix]:
-    """Velocity, angular velocity and rotation of the tool at the rates, by differentiating its pose."""
-    from robodyn.dynamics.dual import slopes, values
-
-    T = poses(at.arm, _along(at, at.motion(at.rest, at.rest), rates))[-1]
-    R, R_rate = (tuple(tuple(part(row[:3])) for row in T[:3]) for part in (values, slopes))
-    return slopes([row[3] for row in T[:3]]), axial(product(R_rate, transposed(R))), R
-
-
-def _moves_the_tool(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
+def _moves_the_tool(at: Dynamics, result: Sequence[Any], x: Vector, *, along_its_axes: bool = False) -> Pair:
     """Velocities at random rates: as telling as all columns, at a fraction of the cost."""
-    velocity, spin, _ = _velocity(at, x)
-    return products(result, x), [*velocity, *spin]
+    from robodyn.dynamics.dual import slopes, values
+    from robodyn.dynamics.transforms import applied, axial, product, transposed
 
-
-def _moves_the_tool_along_its_axes(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
-    velocity, spin, R = _velocity(at, x)
-    return products(result, x), [y for u in (velocity, spin) for y in applied(transposed(R), tuple(u))]
+    T = _poses(at, x)[-1]
+    R, R_rate = (tuple(tuple(part(row[:3])) for row in T[:3]) for part in (values, slopes))
+    velocities: list[Sequence[Any]] = [
+        slopes([row[3] for row in T[:3]]),
+        axial(product(R_rate, transposed(R))),
+    ]
+    if along_its_axes:
+        velocities = [applied(transposed(R), tuple(u)) for u in velocities]
+    return products(result, x), flat(velocities)
 
 
 def _second_derivative(at: Dynamics) -> Sequence[Any]:
     """The tool's pose differentiated twice at constant rates."""
     from robodyn.dynamics.dual import slopes, values
+    from robodyn.dynamics.transforms import axial, product, transposed
 
-    qd = at.inputs["qd"]
-    T = poses(at.arm, _along(at, _along(at, at.motion(at.rest, at.rest), qd), qd))[-1]
+    T = _poses(at, at.inputs["qd"], at.inputs["qd"])[-1]
     R = tuple(tuple(values(values(row[:3]))) for row in T[:3])
     rate, again = (tuple(tuple(slopes(part(row[:3]))) for row in T[:3]) for part in (values, slopes))
     spun = zip(axial(product(again, transposed(R))), axial(product(rate, transposed(rate))), strict=True)
@@ -211,7 +213,7 @@ FUNCTIONS = (
         (Q,),
         (JAC_TOOL,),
         _jacobian(of_tool=True),
-        condition=_moves_the_tool_along_its_axes,
+        condition=partial(_moves_the_tool, along_its_axes=True),
         others=(_jacobian(of_tool=True, nested_only=True),),
         geometric=True,
     ),
