@@ -15,11 +15,11 @@ from robodyn.bench.peers.calls import (
     States,
     buffered,
     casadi_call,
+    casadi_function,
     mujoco_call,
     own_calls,
     pinocchio_call,
 )
-from robodyn.bench.peers.models import casadi_function
 from robodyn.bench.peers.numbers import Numbers, check_rows
 from robodyn.robot import Robot
 

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from robodyn.bench.peers.models import casadi_function, mujoco_model
+from robodyn.bench.peers.calls import casadi_function, mujoco_model
 from robodyn.bench.peers.numbers import LinkNumbers, Numbers
 from robodyn.bench.peers.textbook import inverse_dynamics
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -28,7 +27,7 @@ from robodyn_cli.common import (
 )
 
 if TYPE_CHECKING:
-    from robodyn.project.compare import Comparison
+    from robodyn.project.compare import Report
     from robodyn.project.lock import Lock
     from robodyn.project.reading import Project
     from robodyn_cli.building import Products
@@ -69,7 +68,7 @@ def command(path: str, check: bool, format_: str, output: str | None, **options:
     except RobodynError as error:
         _show_error(error, form, output)
         raise
-    _show(comparison, written, form, output)
+    _show(comparison, form, output)
     _fail(comparison)
 
 
@@ -100,7 +99,7 @@ def _built(
             _name_leftovers(project, before or {}, locked(project, products.by_name))
         lock = before if check else locked(project, products.by_name)
         comparison = compare(project, products.by_name, lock, base, products.texts)
-    return comparison if check else _worse_is_noted(comparison), written
+    return comparison if check else _worse_is_noted({**comparison, "written": written})
 
 
 def _format(name: str) -> str:
@@ -192,24 +191,24 @@ def _name_leftovers(project: Project, before: Lock, now: Lock) -> None:
         talk(f"robodyn: note: no longer written: {', '.join(gone)}")
 
 
-def _worse_is_noted(comparison: Comparison) -> Comparison:
+def _worse_is_noted(comparison: Report) -> Report:
     """``comparison`` for a build that writes: a count may grow, with a note, and the lock file says it."""
-    for fault in comparison.faults:
-        if fault.kind == "count":
-            talk(f"robodyn: note: {fault.text}")
-    return replace(comparison, faults=tuple(f for f in comparison.faults if f.kind != "count"))
+    for fault in comparison["faults"]:
+        if fault["kind"] == "count":
+            talk(f"robodyn: note: {fault['text']}")
+    faults = [fault for fault in comparison["faults"] if fault["kind"] != "count"]
+    return {**comparison, "passed": not faults, "faults": faults}
 
 
-def _show(comparison: Comparison, written: list[str], form: str, output: str | None) -> None:
+def _show(comparison: Report, form: str, output: str | None) -> None:
     """Print the report and, or, write it."""
-    from robodyn.project.reports import FORMATS, report
+    from robodyn.project.reports import FORMATS
 
-    shown = report(comparison, written)
-    text = FORMATS[form](shown)
+    text = FORMATS[form](comparison)
     if output is not None:
         path = output_folder(output)
         write_file(path, text)
-        text = FORMATS["text"](shown)
+        text = FORMATS["text"](comparison)
         form = "text"
     if form == "json":
         echo_document(text)
@@ -235,21 +234,20 @@ def _show_error(error: RobodynError, form: str, output: str | None) -> None:
         click.echo(text, nl=False)
 
 
-def _fail(comparison: Comparison) -> None:
+def _fail(comparison: Report) -> None:
     """Say on stderr why the check fails, a line each.
 
     Raises
     ------
     CheckError: there is a fault.
     """
-    if not comparison.faults:
-        return
-    for fault in comparison.faults:
-        talk(f"robodyn: error: {fault.text}")
-    kinds = {fault.kind for fault in comparison.faults}
-    raise CheckError(
-        f"{comparison.project}: {len(comparison.faults)} fault{'s' * (len(comparison.faults) != 1)}",
-        remedy="raise the budget or simplify the model"
-        if kinds == {"budget"}
-        else "run robodyn build, and commit what it writes if it should be so",
-    )
+    faults = comparison["faults"]
+    for fault in faults:
+        talk(f"robodyn: error: {fault['text']}")
+    if faults:
+        raise CheckError(
+            f"{comparison['project']}: {len(faults)} fault{'s' * (len(faults) != 1)}",
+            remedy="raise the budget or simplify the model"
+            if {fault["kind"] for fault in faults} == {"budget"}
+            else "run robodyn build, and commit what it writes if it should be so",
+        )

@@ -14,8 +14,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from robodyn.bench.peers.calls import PEERS, Call, States, checked, own_calls, raced
-from robodyn.bench.peers.models import casadi_function
+from robodyn.bench.peers.calls import PEERS, Call, States, casadi_function, checked, own_calls, raced
 from robodyn.bench.peers.numbers import (
     Disagreement,
     Floats,

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import Any, Final, Literal
+from typing import Any, Final
 
 from robodyn.errors import InputError, did_you_mean
 from robodyn.files import label, read_start
@@ -16,66 +15,18 @@ from robodyn.project.reading import OF, Entry, Project
 from robodyn.toolchain.sources import digest
 
 Kinds = Mapping[str, int]
+#: What is shown, as JSON has it.
+Report = dict[str, Any]
 #: Of a committed file no more is compared [bytes]; kernels of a hundred joints have a tenth of it.
 LARGEST_OUTPUT: Final = 64 << 20
 #: Before the place where two lines differ so much is shown, and twice as much behind it [characters].
 _AROUND: Final = 20
 
 
-@dataclass(frozen=True, slots=True)
-class Fault:
-    """Something that a check does not let pass: of which ``robot``, at which ``subject`` (a function or a
-    file), and the line that says why."""
-
-    kind: Literal["file", "budget", "count", "lock"]
-    robot: str | None
-    subject: str
-    text: str
-
-
-@dataclass(frozen=True, slots=True)
-class Counted:
-    """The operations of a function, ``now`` and ``before`` (None: it is new, or gone); its budget."""
-
-    function: str
-    now: Kinds | None
-    before: Kinds | None
-    budget: Kinds
-
-    @property
-    def grown(self) -> dict[str, tuple[int, int]]:
-        """The kinds of which there are more than before: how many before, and now."""
-        if self.now is None or self.before is None:
-            return {}
-        before = {kind: self.before.get(kind, count) for kind, count in self.now.items()}
-        return {kind: (before[kind], count) for kind, count in self.now.items() if count > before[kind]}
-
-
-@dataclass(frozen=True, slots=True)
-class RobotState:
-    """A robot of the project, or a package of one: the paths of its files with what is wrong with them (None:
-    nothing), and the counts of its functions; what is known of it, None if it is ``gone``: in the lock file
-    alone."""
-
-    name: str
-    files: Mapping[str, str | None]
-    functions: tuple[Counted, ...]
-    account: Mapping[str, Any] | None
-    gone: bool = False
-
-    @property
-    def package(self) -> str | None:
-        """The format of a package, if it is one."""
-        return self.name.partition(OF)[2] or None
-
-
-@dataclass(frozen=True, slots=True)
-class Comparison:
-    """A project beside what is committed of it: its file, the robots, and all faults in their order."""
-
-    project: str
-    robots: tuple[RobotState, ...]
-    faults: tuple[Fault, ...]
+def _fault(kind: str, robot: str | None, subject: str, text: str) -> Report:
+    """Something that a check does not let pass, a file, budget, count or lock: of which ``robot``, at which
+    ``subject`` (a function or a file), and the line that says why."""
+    return {"kind": kind, "robot": robot, "subject": subject, "text": text}
 
 
 def locked(project: Project, products: Mapping[str, Product]) -> Lock:
@@ -136,56 +87,82 @@ def compare(
     lock: Lock | None,
     base: Lock | None,
     texts: Callable[[Entry], Mapping[str, bytes]],
-) -> Comparison:
+) -> Report:
     """The project's files and ``lock`` beside ``products``, and their counts beside those of ``base``, which
     is the lock as well or that of another branch. ``texts`` has what should stand in the files of a robot."""
     before = {name: each.counts for name, each in sorted((base or {}).items())}
-    robots = tuple(
-        _state(project, entry, products[entry.name], before.get(entry.name, {}), texts)
+    robots = [
+        _robot(project, entry, products[entry.name], before.get(entry.name, {}), texts)
         for entry in project.entries
-    )
-    gone = tuple(
-        RobotState(name, {}, tuple(Counted(f, None, x, {}) for f, x in counts.items()), None, gone=True)
-        for name, counts in before.items()
-        if name not in products
-    )
+    ]
     faults = [fault for robot in robots for fault in _faults(robot)]
-    faults += _of_lock(project, lock, locked(project, products), robots if base is lock else ())
-    return Comparison(label(project.path), robots + gone, tuple(faults))
+    grown = {(f["robot"], f["subject"]) for f in faults if f["kind"] == "count"} if base is lock else set()
+    faults += _lock_faults(project, lock, locked(project, products), grown)
+    for name, counts in before.items():
+        if name not in products:  # in the lock file alone
+            functions = [_function(f, None, kinds, {}) for f, kinds in counts.items()]
+            robots.append(_record(name, True, [], functions, []))
+    head = {"project": label(project.path), "passed": not faults}
+    return {**head, "robots": robots, "written": [], "faults": faults}
 
 
-def exceeded(functions: tuple[Counted, ...]) -> list[tuple[str, str]]:
-    """Functions over their budgets, and by how much."""
-    over = []
-    for counted in functions:
-        if counted.budget and counted.now is not None:
-            from robodyn.counts.budget import Budget
-            from robodyn.counts.count import Count
+def _record(
+    name: str, gone: bool, files: list[Report], functions: list[Report], account: list[Any]
+) -> Report:
+    """A robot of the project, or a package of one."""
+    return {
+        "robot": name,
+        "package": name.partition(OF)[2] or None,
+        "gone": gone,
+        "files": files,
+        "functions": functions,
+        "account": account,
+    }
 
-            count = Count(**{kind: amount for kind, amount in counted.now.items() if kind != "total"})
-            texts = Budget(tuple(counted.budget.items())).exceeded(count)
-            over += [(counted.function, text) for text in texts]
-    return over
 
-
-def _state(
+def _robot(
     project: Project,
     entry: Entry,
     product: Product,
     before: Mapping[str, Kinds],
     texts: Callable[[Entry], Mapping[str, bytes]],
-) -> RobotState:
+) -> Report:
     folder = project.output(entry)
     different = outdated(folder, product)
     wanted = texts(entry) if different else {}
-    files: dict[str, str | None] = {label(folder / name): None for name in product.files}
-    for name in different:
-        files[label(folder / name)] = _difference(_contents(folder / name), wanted[name])
-    functions = tuple(
-        Counted(f, product.counts.get(f), before.get(f), entry.budgets.get(f, {}))
+    files = [
+        {
+            "path": label(folder / name),
+            "fault": _difference(_contents(folder / name), wanted[name]) if name in different else None,
+        }
+        for name in product.files
+    ]
+    functions = [
+        _function(f, product.counts.get(f), before.get(f), entry.budgets.get(f, {}))
         for f in dict.fromkeys((*product.counts, *before))
-    )
-    return RobotState(entry.name, files, functions, product.account)
+    ]
+    return _record(entry.name, False, files, functions, [product.account])
+
+
+def _function(function: str, now: Kinds | None, before: Kinds | None, budget: Kinds) -> Report:
+    """The operations of a function, ``now`` and ``before`` (None: it is new, or gone); its budget."""
+    changed = "worse" if _grown(now, before) else "better"
+    changed = "new" if before is None else "gone" if now is None else changed
+    return {
+        "function": function,
+        "count": now,
+        "locked": before,
+        "status": "same" if now == before else changed,
+        "budget": dict(budget) or None,
+    }
+
+
+def _grown(now: Kinds | None, before: Kinds | None) -> list[str]:
+    """The kinds of which there are more than before, in words."""
+    if now is None or before is None:
+        return []
+    pairs = {kind: (before.get(kind, count), count) for kind, count in now.items()}
+    return [f"{kind} {new}, locked {old} ({new - old:+})" for kind, (old, new) in pairs.items() if new > old]
 
 
 def _difference(there: bytes | None, wanted: bytes) -> str:
@@ -209,28 +186,40 @@ def _quoted(line: bytes, at: int) -> str:
     return f"{'...' * (begin > 0)}{text!r}{'...' * (end < len(line))}"
 
 
-def _faults(robot: RobotState) -> list[Fault]:
-    faults = [Fault("file", robot.name, path, f"{path} {why}") for path, why in robot.files.items() if why]
-    for function, text in exceeded(robot.functions):
-        faults.append(Fault("budget", robot.name, function, f"{robot.name}: {function}: {text}"))
-    for counted in robot.functions:
-        grown = [
-            f"{kind} {now}, locked {before} ({now - before:+})"
-            for kind, (before, now) in counted.grown.items()
-        ]
+def _faults(robot: Report) -> Iterator[Report]:
+    name = robot["robot"]
+    for file in robot["files"]:
+        if file["fault"]:
+            yield _fault("file", name, file["path"], f"{file['path']} {file['fault']}")
+    for each in robot["functions"]:
+        for text in _exceeded(each):
+            yield _fault("budget", name, each["function"], f"{name}: {each['function']}: {text}")
+    for each in robot["functions"]:
+        grown = _grown(each["count"], each["locked"])
         if grown:
-            text = f"{robot.name}: {counted.function} got worse: {', '.join(grown)}"
-            faults.append(Fault("count", robot.name, counted.function, text))
-    return faults
+            text = f"{name}: {each['function']} got worse: {', '.join(grown)}"
+            yield _fault("count", name, each["function"], text)
 
 
-def _of_lock(project: Project, lock: Lock | None, now: Lock, compared: tuple[RobotState, ...]) -> list[Fault]:
-    """What is not up to date in the lock file, besides counts that grew, which are ``compared`` apart."""
+def _exceeded(each: Report) -> Sequence[str]:
+    """By how much a function is over its budget."""
+    if not each["budget"] or each["count"] is None:
+        return ()
+    from robodyn.counts.budget import Budget
+    from robodyn.counts.count import Count
+
+    count = Count(**{kind: amount for kind, amount in each["count"].items() if kind != "total"})
+    return Budget(tuple(each["budget"].items())).exceeded(count)
+
+
+def _lock_faults(
+    project: Project, lock: Lock | None, now: Lock, grown: set[tuple[str, str]]
+) -> Iterator[Report]:
+    """What is not up to date in the lock file, besides counts that have ``grown``."""
     path = label(project.lock)
     if lock is None:
-        return [Fault("lock", None, path, f"{path} is missing")]
-    grown = {(robot.name, c.function) for robot in compared for c in robot.functions if c.grown}
-    faults = []
+        yield _fault("lock", None, path, f"{path} is missing")
+        return
     for name in sorted({*lock, *now}):
         if name not in lock or name not in now:
             why = "is not in it" if name in now else "is not in the project any more"
@@ -238,8 +227,7 @@ def _of_lock(project: Project, lock: Lock | None, now: Lock, compared: tuple[Rob
             why = f"has other {' and '.join(parts)} now"
         else:
             continue
-        faults.append(Fault("lock", name, path, f"{path} is not up to date: {name} {why}"))
-    return faults
+        yield _fault("lock", name, path, f"{path} is not up to date: {name} {why}")
 
 
 def _stale(name: str, old: Locked, new: Locked, grown: set[tuple[str, str]]) -> list[str]:

@@ -1,54 +1,17 @@
-"""A comparison shown: for programs as JSON, and from that as text, as JUnit's XML and as Markdown; and an
+"""A comparison shown: as JSON, text, JUnit's XML and Markdown; and an
 error that left nothing to compare, in the same formats."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import asdict
-from typing import Any, Final
+from collections.abc import Callable, Iterator, Mapping
+from typing import Final
 
 from robodyn.errors import RobodynError, escaped
-from robodyn.project.compare import Comparison, Counted, RobotState
-
-Report = dict[str, Any]
+from robodyn.project.compare import Report
 
 _KINDS: Final = ("mul", "add", "div", "total", "sincos")
 _HEADS: Final = ("robot", "function", *_KINDS, "change", "budget")
-
-
-def report(comparison: Comparison, written: Sequence[str] = ()) -> Report:
-    """All that is shown of ``comparison``, as JSON has it, and the paths of files that were ``written``."""
-    return {
-        "project": comparison.project,
-        "passed": not comparison.faults,
-        "robots": [_robot(robot) for robot in comparison.robots],
-        "written": list(written),
-        "faults": [asdict(fault) for fault in comparison.faults],
-    }
-
-
-def _robot(robot: RobotState) -> Report:
-    return {
-        "robot": robot.name,
-        "package": robot.package,
-        "gone": robot.gone,
-        "files": [{"path": path, "fault": why} for path, why in robot.files.items()],
-        "functions": [_function(counted) for counted in robot.functions],
-        "account": [] if robot.account is None else [robot.account],
-    }
-
-
-def _function(counted: Counted) -> Report:
-    now, before = counted.now, counted.before
-    change = "new" if before is None else "gone" if now is None else "worse" if counted.grown else "better"
-    return {
-        "function": counted.function,
-        "count": now,
-        "locked": before,
-        "status": "same" if now == before else change,
-        "budget": dict(counted.budget) or None,
-    }
 
 
 def as_json(shown: Report) -> str:
