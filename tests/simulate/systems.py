@@ -156,7 +156,7 @@ BRISTLE = f"""
 @functools.cache
 def engine(glue: str) -> Engine:
     """``glue`` compiled, once."""
-    return build_engine({}, glue, flags=STRICT)
+    return build_engine(glue, flags=STRICT)
 
 
 def energy(y: Any, v: Any, gravity: float) -> Any:

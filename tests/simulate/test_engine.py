@@ -188,26 +188,15 @@ def test_input_is_checked() -> None:
     control = Control.computed([[0.0]], [[0.0]], [[0.0]], 1.0, 1.0, 1.0)
     with pytest.raises(InputError, match="without a model"):
         engine(BLOCK).run([0], [0], duration=1, sample_period=1, parameters=[0] * 7, control=control)
-    with pytest.raises(InputError, match="impossible path"):
-        build_engine({"../x.c": ""}, PENDULUM)
 
 
-def test_other_files_are_compiled_along(tmp_path: Path) -> None:
-    glue = '#include "spring.h"\n' + BRISTLE.replace("4 * y[0] + z[0]", "spring(y[0]) + z[0]")
-    files = {
-        "spring.h": "double spring(double y);\n",
-        "spring.c": '#include "spring.h"\ndouble spring(double y) { return 9 * y; }\n',
-    }
-    made = build_engine(files, glue, flags=STRICT, cache=tmp_path)
-    result = made.run([1.0], [0.0], [0.0], duration=0.0, sample_period=1.0, parameters=[0, 1])
-    assert result.a[0, 0] == -9.0
-    assert made.path.is_relative_to(tmp_path)
+def test_a_glue_that_is_no_c_is_refused(tmp_path: Path) -> None:
     with pytest.raises(ToolError, match="engine"):
-        build_engine({}, "#error nothing", cache=tmp_path)
+        build_engine("#error nothing", cache=tmp_path)
 
 
 @pytest.mark.parametrize("name", ["gcc", pytest.param("clang", marks=pytest.mark.thorough)])
 def test_compilers_have_nothing_to_say(name: str) -> None:
     require_tool(name)
     for glue in (BLOCK, LIFT):
-        assert build_engine({}, glue, cc=name, flags=STRICT).n > 0
+        assert build_engine(glue, cc=name, flags=STRICT).n > 0

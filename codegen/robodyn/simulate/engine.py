@@ -2,14 +2,13 @@
 
 ::
 
-    engine = build_engine({"arm.h": ..., "arm.c": ...}, glue)
+    engine = build_engine(glue)
     record = engine.run(y, v, z, control=Control.pd(...), duration=2.0, sample_period=1e-3)
     record.y, record.v, record.a, record.applied, record.status
 
 ``glue`` is C text: macros for the sizes, and the static functions by which the engine calls the system; see
-``c/system.h``. It may include the headers among the files. :class:`~robodyn.simulate.control.Control` says
-what drives the motors, :class:`Record` what comes back. A run of no duration gives the
-acceleration and the directions of the dry friction at its start.
+``c/system.h``. :class:`~robodyn.simulate.control.Control` says what drives the motors, :class:`Record` what
+comes back. A run of no duration gives the acceleration and the directions of the dry friction at its start.
 
 Two methods: ``rk4`` of fixed steps ends a step where an element of dry friction comes to rest, and lets go of
 one that sticks where a step starts; ``adaptive`` (Dormand and Prince 5(4)) ends its steps on both.
@@ -22,7 +21,7 @@ import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from importlib.resources import files as resources
-from pathlib import Path, PurePosixPath
+from pathlib import Path
 from typing import Any, Final, Literal
 
 import numpy as np
@@ -239,42 +238,26 @@ def engine_files() -> dict[str, str]:
 
 
 def build_engine(
-    files: Mapping[str, str],
-    glue: str,
-    *,
-    cc: str | None = None,
-    flags: Sequence[str] = C_FLAGS,
-    cache: Path | None = None,
+    glue: str, *, cc: str | None = None, flags: Sequence[str] = C_FLAGS, cache: Path | None = None
 ) -> Engine:
-    """Compile the engine with ``glue``, C text, and with the C sources among ``files`` (path: text).
-
-    The glue may include the headers among ``files`` by their paths. Found in the cache if it is there.
+    """Compile the engine with ``glue``, C text. Found in the cache if it is there.
 
     Raises
     ------
-    InputError: a file has an impossible path.
     ToolError: no C compiler, or it refuses.
     """
     import cffi
 
-    own = engine_files()
-    texts = {**files, **own, "engine_glue.h": glue}
-    for name in files:
-        pure = PurePosixPath(name)
-        if pure.is_absolute() or ".." in pure.parts or name in own or name == "engine_glue.h":
-            raise InputError(
-                "a file of the system has an impossible path", found=repr(name), expected="one of its own"
-            )
+    texts = {**engine_files(), "engine_glue.h": glue}
     compiler = find_c(cc)
-    sources = ["engine/engine.c", *(path for path in files if path.endswith(".c"))]
 
     def build(folder: Path) -> str:
         for path, text in texts.items():
             target = folder / path
             target.parent.mkdir(parents=True, exist_ok=True)
             target.write_text(text, encoding="utf-8", newline="\n")
-        objects = [compiler.compile(path, flags=(*flags, "-I."), folder=folder) for path in sources]
-        compiler.link(objects, "engine.so", flags=tuple(flags), folder=folder, extension=False)
+        compiled = compiler.compile("engine/engine.c", flags=(*flags, "-I."), folder=folder)
+        compiler.link([compiled], "engine.so", flags=tuple(flags), folder=folder, extension=False)
         return "engine.so"
 
     key = content_key(["engine", texts, compiler.command, compiler.identity, *flags])
@@ -287,7 +270,7 @@ def build_engine(
             remedy="set ROBODYN_CACHE to a folder that can be written",
         ) from None
     ffi = cffi.FFI()
-    declared = own["engine/settings.h"].partition("start here */")[2].partition("/* declarations")[0]
+    declared = texts["engine/settings.h"].partition("start here */")[2].partition("/* declarations")[0]
     ffi.cdef(declared)
     library: Any = ffi.dlopen(str(path))
     n, elements, states, parameters, conserved, model = (int(library.engine_size(k)) for k in range(6))

@@ -42,9 +42,7 @@ def build_plant(
     robot: Robot,
     *,
     model: Robot | None = None,
-    options: Options | None = None,
     energy: bool = True,
-    cc: str | None = None,
     cache: Path | None = None,
 ) -> Plant:
     """``robot`` compiled with the engine.
@@ -57,12 +55,8 @@ def build_plant(
     InputError: the robot cannot be simulated, or ``model`` does not fit.
     ToolError: no C compiler.
     """
-    system = system_of(robot, options)
-    glue = system_glue(system, _model(model or robot, robot, options), energy=energy)
-    return Plant(robot, system, build_engine({}, glue, cc=cc, cache=cache), model or robot)
-
-
-def _model(model: Robot, robot: Robot, options: Options | None) -> Program:
+    system = system_of(robot)
+    model = model or robot
     if model.n != robot.n or not set(model.parameters) <= set(robot.parameters):
         raise InputError(
             "the controller's model does not fit the robot",
@@ -70,7 +64,9 @@ def _model(model: Robot, robot: Robot, options: Options | None) -> Program:
             f"{', '.join(model.parameters) or 'none'}",
             expected=f"{robot.n} joints, run-time parameters among {', '.join(robot.parameters) or 'none'}",
         )
-    return maker(steady(model), options or Options()).program("inverse_dynamics")
+    program = maker(steady(model), Options()).program("inverse_dynamics")
+    glue = system_glue(system, program, energy=energy)
+    return Plant(robot, system, build_engine(glue, cache=cache), model)
 
 
 def steady(model: Robot) -> Robot:

@@ -18,7 +18,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from robodyn.errors import InputError
 from robodyn.formats.loading import robot_of
-from robodyn.kernels.generate import Options
 from robodyn.logs.log import Log
 from robodyn.robot.filling import parameter_values
 from robodyn.robot.model import Robot
@@ -147,7 +146,6 @@ def simulate(
     rtol: float = RTOL,
     atol: float = ATOL,
     parameters: Mapping[str, float] | None = None,
-    options: Options | None = None,
     plant: Plant | None = None,
     progress: Callable[[float], object] | None = None,
     cache: Path | None = None,
@@ -173,7 +171,7 @@ def simulate(
     robot = robot_of(robot)
     values = parameter_values(robot, parameters)
     model = drive.model if isinstance(drive, Follow) else None
-    plant = plant or build_plant(robot, model=model, options=options, cache=cache)
+    plant = plant or build_plant(robot, model=model, cache=cache)
     total = _duration(drive, duration)
     if plant.robot != robot or plant.model != (model or robot):
         raise InputError(
