@@ -9,18 +9,7 @@ from typing import Any, Final
 import numpy as np
 
 from robodyn.thesis.case_arm import ROBOT, efficiency_curve, efficiency_points
-from robodyn.thesis.case_study import (
-    DURATION,
-    KD,
-    KP,
-    LABEL,
-    SAMPLES,
-    SHOWN,
-    START,
-    Study,
-    X,
-    shares,
-)
+from robodyn.thesis.case_study import DURATION, KD, KP, LABEL, SAMPLES, SHOWN, START, Study, X, shares
 from robodyn.thesis.printed import TABLE_3_4, TABLE_3_5
 
 #: Torques by their names here, and in Table 3.5.

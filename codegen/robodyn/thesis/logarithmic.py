@@ -164,10 +164,7 @@ def general_program(form: str, n: int) -> Program:
     arm, motion = general_arm(n, (), number)
     bodies = tuple(
         replace(
-            body,
-            cos_alpha=int(i == 0),
-            sin_alpha=int(i > 0),
-            inertia=replace(body.inertia, xy=0, xz=0, yz=0),
+            body, cos_alpha=int(i == 0), sin_alpha=int(i > 0), inertia=replace(body.inertia, xy=0, xz=0, yz=0)
         )
         for i, body in enumerate(arm.bodies)
     )

@@ -37,13 +37,7 @@ from robodyn.thesis.printed import (
 )
 from robodyn.thesis.puma_inverse import BRANCHES, PumaArm
 from robodyn.thesis.slips import Comparison, compared
-from robodyn.thesis.slips.recursion import (
-    STATES,
-    against_newton_euler,
-    scalars,
-    states,
-    torques_of,
-)
+from robodyn.thesis.slips.recursion import STATES, against_newton_euler, scalars, states, torques_of
 from robodyn.thesis.tables.operations import journal
 from robodyn.thesis.tables.programs import D4_PRINTED
 from robodyn.thesis.tables.tasks import flops

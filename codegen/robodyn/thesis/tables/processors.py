@@ -29,10 +29,7 @@ from robodyn.thesis.printed import LEVELS_STANFORD, TASK_MS, TIMES_OTHERS, TIMES
 from robodyn.thesis.tables.table import Row, judged
 
 #: Whose column is recomputed, and by which method; the others are quoted.
-_RIVALS: Final[dict[str, Method]] = {
-    "Kasahara and Narita 1985": "df-ihs",
-    "Chen, Lee and Hou 1988": "a-star",
-}
+_RIVALS: Final[dict[str, Method]] = {"Kasahara and Narita 1985": "df-ihs", "Chen, Lee and Hou 1988": "a-star"}
 #: Nodes of a search, so that the tables are the same on every machine.
 _NODES: Final = 20_000
 
