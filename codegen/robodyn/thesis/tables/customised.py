@@ -12,7 +12,7 @@ from robodyn.kernels.generate import Options, program
 from robodyn.kernels.options import Level
 from robodyn.robot import Robot, bundled_names
 from robodyn.thesis.printed import LISTINGS, METHODS, OPENSYMORO, PEERS, Pair, bundled, table_2_10
-from robodyn.thesis.tables.table import Row, Verdict, apart, counted, judged, pair
+from robodyn.thesis.tables.table import Row, Verdict, apart, counted, judged, pair, words_of
 
 #: The robot with the numbers that the thesis's program used, by row of the table.
 ROBOTS: Final = {
@@ -71,36 +71,18 @@ def _run(method: str, robot: Robot) -> Count | None:
 def _verdict(
     row: str, method: str, printed: Pair, run: Count | None, others: Mapping[str, Pair]
 ) -> tuple[Verdict, str]:
-    theirs = f"{METHODS[method]}'s program"
+    reasons = words_of("2.10")["reasons"]
+    figures: dict[str, Any] = {"theirs": METHODS[method]}
     if run is None:
         doubt = ""
         if (row, method) == ("puma_6", "II"):
-            total = sum(printed)
-            doubt = (
-                "DOUBTFUL as printed: 152 multiplications are the 152 additions of method I, the only place "
-                f"with fewer multiplications than additions, and {total} in all are the {others['V'][0]} "
-                "multiplications of method V; the text says some 30 % more than method I, this is "
-                f"{100 * (total / sum(others['I']) - 1):.0f} % more; "
-            )
-        return "not recoverable", (
-            f"{doubt}{theirs} is not in the thesis, which quotes its counts; ours for the same robot stands "
-            "beside it"
-        )
+            more = 100 * (sum(printed) / sum(others["I"]) - 1)
+            doubt = reasons["doubtful"].format(total=sum(printed), five=others["V"][0], more=more)
+        return "not recoverable", doubt + reasons["quoted"].format_map(figures)
     if (run.mul, run.add) == printed:
-        return "reproduced", "our program of this method takes as many"
-    if method == "I":
-        return "differs", (
-            f"{apart(printed, run)}: ours keeps the lambda_1 p_1 term and all of the joint variables, and "
-            f"has nothing that is not needed; of the printed figure: {TABLE_2_10[row][2]}"
-        )
-    like = {
-        "IV": "the Newton-Euler recursion on base parameters, and what else fast has",
-        "VI": "Balafoutis's recursion as robodyn has it, not optimised",
-    }
-    return "differs", (
-        f"{apart(printed, run)}: {theirs} and parameters are not in the thesis; ours is {like[method]}, on "
-        "the numbers of the thesis's own program"
-    )
+        return "reproduced", reasons["same"]
+    figures |= {"apart": apart(printed, run), "printed": TABLE_2_10[row][2]}
+    return "differs", reasons[method].format_map(figures)
 
 
 # --- all robots -------------------------------------------------------------------------------------------

@@ -26,7 +26,7 @@ from robodyn.schedule.methods import Method
 from robodyn.thesis.case_arm import robots
 from robodyn.thesis.judge import UNIT_MS, printed_graph, rival_graph, rule_graph
 from robodyn.thesis.printed import LEVELS_STANFORD, TASK_MS, TIMES_OTHERS, TIMES_STANFORD
-from robodyn.thesis.tables.table import Row, judged
+from robodyn.thesis.tables.table import Row, judged, words_of
 
 #: Whose column is recomputed, and by which method; the others are quoted.
 _RIVALS: Final[dict[str, Method]] = {"Kasahara and Narita 1985": "df-ihs", "Chen, Lee and Hou 1988": "a-star"}
@@ -53,15 +53,8 @@ def table_4_8() -> Iterator[Row]:
             if not name:
                 ours["list_levels"] = solve(printed, Machine(p), "thesis").timetable.levels
         less = levels[""] - levels["shorter_"]
-        reason = "critical path first takes as many levels"
-        if less > 0:
-            reason = f"{less} level{'s' if less > 1 else ''} fewer critical path first"
-        elif less < 0:
-            reason = (
-                "the printed schedule is a level shorter than critical path first, and not valid as printed "
-                "(robodyn schedule --thesis C.11); robodyn schedule stanford --as-printed --method optimal "
-                "finds one as short that is"
-            )
+        kind = "fewer" if less > 0 else "more" if less else "as many"
+        reason = words_of("4.8")["reasons"][kind].format(less=f"{less} level{'s' if less > 1 else ''}")
         others = tuple({"what": who, "ms": times[p]} for who, times in TIMES_OTHERS.items() if p in times)
         yield Row(f"p = {p}", {"ms": ms}, ours, judged(abs(ours["ms"] - ms) < 0.01), reason, others)
     yield from _rivals()

@@ -13,10 +13,10 @@ from robodyn.dynamics.arm import build_arm
 from robodyn.dynamics.inverse import inverse_of
 from robodyn.kernels.generate import Options, program
 from robodyn.robot.model import Robot
-from robodyn.thesis.case_arm import D4_BRANCH, FOREARM, LED_ROBOT, OFFSET, led
+from robodyn.thesis.case_arm import D4_BRANCH, LED_ROBOT, led
 from robodyn.thesis.printed import D_2, D_2_LAST_DIGIT, PUMA, bundled
 from robodyn.thesis.puma_inverse import BRANCHES
-from robodyn.thesis.tables.table import Row, judged
+from robodyn.thesis.tables.table import Row, judged, words_of
 
 #: Where simulation D.4 begins as the thesis prints it [rad], and where the printed positions put the point
 #: [m].
@@ -60,22 +60,8 @@ def table_of_branches() -> Iterator[Row]:
         f"not printed; multiplications, additions, divisions and square roots of {robot.name}'s generated "
         "inverse kinematics, all four branches together",
     )
-    for name, given, right, reason in (
-        (
-            "x of the line [m]", 0.3, POINT[0],
-            "the printed positions of D.4 put the point at x = 0.4; at 0.3 they are 0.2 rad off at best",
-        ),
-        (
-            "forearm [m]", 0.4521, FOREARM,
-            "the comment of D.1.3 has the first, its formulas the second; the six-joint arm has 0.4331 and "
-            "an elbow of -0.0203",
-        ),
-        (
-            "shoulder's offset [m]", float(OFFSET), 0.1501,
-            "D.1.3 leads the point with the first, D.1.2, which computes the torques, has the second",
-        ),
-    ):  # fmt: skip
-        yield Row(name, {"value": f"{given:g}"}, {"value": f"{float(right):g}"}, "differs", reason)
+    for row in words_of("inverse")["numbers"]:
+        yield Row(row["name"], {"value": row["printed"]}, {"value": row["ours"]}, "differs", row["reason"])
 
 
 def _apart(one: Sequence[float], other: Sequence[float]) -> float:
