@@ -7,10 +7,9 @@ from typing import Final
 
 from robodyn.errors import Place
 from robodyn.formats.chain import Body, Pose, Spring, Vector, body_of, composed, tidy, transposed, turned
-from robodyn.formats.elements import Document, Element
+from robodyn.formats.elements import Document, Element, Quantities
 from robodyn.formats.elements_of import Unread, table_of
 from robodyn.formats.limits import GREATEST
-from robodyn.formats.quantities import Quantities
 from robodyn.formats.sdf_frames import INSIDE, MODEL, WORLD, ChosenModel, Frames, Scope, choose_model
 from robodyn.formats.tree import JointLimits, Leftovers, Mimic, Tree, TreeJoint, TreeLink, checked, names
 from robodyn.robot.names import shown

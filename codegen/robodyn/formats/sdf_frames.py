@@ -15,8 +15,7 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 from robodyn.formats.chain import Pose, composed
-from robodyn.formats.elements import Element
-from robodyn.formats.quantities import Quantities
+from robodyn.formats.elements import Element, Quantities
 from robodyn.formats.tree import names, near
 from robodyn.robot.names import shown
 

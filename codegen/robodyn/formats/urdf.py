@@ -9,9 +9,8 @@ from dataclasses import replace
 from typing import Final
 
 from robodyn.formats.chain import Body, Pose, body_of
-from robodyn.formats.elements import Document, Element, tag_shown
+from robodyn.formats.elements import Document, Element, Quantities, tag_shown
 from robodyn.formats.elements_of import Unread, table_of
-from robodyn.formats.quantities import Quantities
 from robodyn.formats.tree import JointLimits, Leftovers, Mimic, Tree, TreeJoint, TreeLink, checked, near
 from robodyn.robot.names import shown
 
