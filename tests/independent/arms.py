@@ -7,14 +7,12 @@ seed and rounded, so that none is special; a right angle is one where it is aske
 from __future__ import annotations
 
 import json
-import math
 import random
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any, Final
 
 Arm = dict[str, Any]
 
-RIGHT: Final = math.pi / 2
 CONVENTIONS: Final = ("mdh", "sdh")
 
 
@@ -38,17 +36,15 @@ def _body(rng: random.Random) -> dict[str, Any]:
     return {"mass": round(mass, 3), "com": [round(x, 4) for x in com], "inertia": inertia}
 
 
-def arm(joints: str, convention: str, seed: int, alphas: Sequence[float] = (), **more: Any) -> Arm:
-    """An arm of ``joints`` (a letter each, R or P), with general numbers but for ``alphas``; ``more`` are
+def arm(joints: str, convention: str, seed: int, **more: Any) -> Arm:
+    """An arm of ``joints`` (a letter each, R or P), with general numbers; ``more`` are
     keys of the whole description (``base``, ``tool``, ``gravity``, ``torque_side`` ...)."""
     rng = random.Random(seed)
     links = []
-    for k, kind in enumerate(joints):
+    for kind in joints:
         row = {x: round(rng.uniform(0.1, 0.6) * rng.choice((-1, 1)), 3) for x in ("a", "d", "theta")}
         link: Arm = {"joint": "revolute" if kind == "R" else "prismatic", **row}
-        link["alpha"] = (
-            alphas[k] if k < len(alphas) else round(rng.uniform(0.4, 1.3) * rng.choice((-1, 1)), 3)
-        )
+        link["alpha"] = round(rng.uniform(0.4, 1.3) * rng.choice((-1, 1)), 3)
         link.update(_body(rng))
         link["motor_inertia"] = round(rng.uniform(0.05, 0.6), 3)
         link["gear"] = {
@@ -69,9 +65,9 @@ BASE: Final = {"xyz": [0.3, -0.2, 0.5], "rpy": [0.4, -0.7, 1.1]}
 TOOL: Final = {"xyz": [0.05, -0.12, 0.21], "rpy": [-0.6, 0.3, 0.8]}
 
 
-def placed(joints: str, convention: str, seed: int, alphas: Sequence[float] = (), **more: Any) -> Arm:
+def placed(joints: str, convention: str, seed: int) -> Arm:
     """The same, on a base and with a tool that are turned and moved."""
-    return arm(joints, convention, seed, alphas, base=BASE, tool=TOOL, **more)
+    return arm(joints, convention, seed, base=BASE, tool=TOOL)
 
 
 def text(arm: Mapping[str, Any]) -> str:

@@ -11,12 +11,11 @@ import casadi as ca
 import numpy as np
 import pytest
 
-import robodyn
 from independent.answers import ANSWERS
-from independent.arms import CONVENTIONS, RIGHT, Arm, arm, placed
+from independent.arms import CONVENTIONS, Arm, arm, placed
 from independent.cases import CASES, with_case
 from independent.checks import CHECKS
-from independent.matrix import EVERY, TOLERANCE, Outcome, compare, errors, outcomes, read, states
+from independent.matrix import EVERY, Outcome, compare, outcomes, states
 from independent.reference import Reference
 from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.effects.catalogue import CATALOGUE
@@ -96,54 +95,3 @@ def test_many_arms_with(joints: str, case: str) -> None:
     """With what makes programs shorter, and inverse kinematics where there is a closed form."""
     functions = EVERY if len(joints) <= 3 else LONG
     holds([x for way in CONVENTIONS for x in outcomes(case, joints, way, functions, "fast")])
-
-
-@pytest.mark.thorough
-@pytest.mark.parametrize("convention", CONVENTIONS)
-@pytest.mark.parametrize("case", ["rigid", "names, drives together"])
-def test_what_a_compiler_makes_of_it(convention: str, case: str) -> None:
-    """The same programs as C."""
-    described = with_case(placed("RPR", convention, 3), case)
-    assert described is not None
-    names = tuple(name for name in ANSWERS if name in FUNCTIONS)
-    kernel = robodyn.compile(read(described), functions=names, optimize="fast")
-    reference = Reference(described)
-    wrong = {}
-    for at in states(described, 3, 7):
-        for name in names:
-            function = getattr(kernel, name)
-            params = described.get("values") if function.parameters else None
-            results = function(*(at[x] for x, _ in function.inputs), params=params)
-            results = results if isinstance(results, tuple) else (results,)
-            expected = [np.ravel(x) for x in ANSWERS[name](reference, at)]
-            off = max(errors([np.ravel(x) for x in results], expected))
-            if not off <= TOLERANCE:
-                wrong[name] = off
-    assert not wrong
-
-
-#: Twists of an arm with a spherical wrist whose second and third axes are parallel.
-WRIST = {"mdh": (0.3, -RIGHT, 0, RIGHT, -RIGHT, RIGHT), "sdh": (-RIGHT, 0, RIGHT, -RIGHT, RIGHT, 0.3)}
-
-
-def six_joints(convention: str) -> Arm:
-    """The last three axes meet; where the first or the last row is free, it is general."""
-    described = placed("RRRRRR", convention, 6, WRIST[convention])
-    wrist = described["links"][4:] if convention == "mdh" else described["links"][3:5]
-    for link in wrist:
-        link["a"] = 0
-    described["links"][4]["d"] = 0
-    return described
-
-
-@pytest.mark.thorough
-@pytest.mark.parametrize("convention", CONVENTIONS)
-def test_six_joints(convention: str) -> None:
-    names = (
-        "inverse_kinematics",
-        "nearest_inverse_kinematics",
-        "forward_dynamics_derivatives",
-        "link_poses",
-        "regressor",
-    )
-    holds(list(compare(six_joints(convention), "rigid", names, level="none")))

@@ -102,25 +102,22 @@ class Section:
 
 def sections_of(arm: Arm, motion: Motion, turns: Turns) -> list[Section]:
     """The sections of ``arm``, base to tip; the last link's ``reach`` is to the tool."""
-    groups: list[list[int]] = []
-    for i, follows in enumerate(turns.follows):
-        if follows:
-            groups[-1].append(i)
-        else:
-            groups.append([i])
-    sections = []
-    for group in groups:
-        steps: list[Step] = []
-        for i in group:
-            way = steps[-1].way * int(arm.bodies[i].cos_alpha) if steps else 1
-            reach = origin(arm.bodies[i + 1], motion.d[i + 1]) if i != group[-1] else ZERO
-            steps.append(Step(i, turns.c[i], turns.s[i], way, reach))
-        first = arm.bodies[group[0]]
-        twist = (first.cos_alpha, first.sin_alpha)
-        sections.append(Section(tuple(steps), twist, (first.a, first.b, motion.d[group[0]])))
-    tip = sections[-1]
-    steps = [*tip.steps[:-1], replace(tip.last, reach=arm.tool.origin)]
-    return [*sections[:-1], replace(tip, steps=tuple(steps))]
+    sections: list[Section] = []
+    steps: list[Step] = []
+    for i, (body, follows) in enumerate(zip(arm.bodies, turns.follows, strict=True)):
+        way = steps[-1].way * int(body.cos_alpha) if follows else 1
+        steps = steps if follows else []
+        goes_on, reach = i + 1 < len(arm.bodies) and turns.follows[i + 1], ZERO
+        if goes_on:
+            reach = origin(arm.bodies[i + 1], motion.d[i + 1])
+        elif i + 1 == len(arm.bodies):
+            reach = arm.tool.origin
+        steps.append(Step(i, turns.c[i], turns.s[i], way, reach))
+        if not goes_on:
+            first = arm.bodies[k := steps[0].link]
+            twist = (first.cos_alpha, first.sin_alpha)
+            sections.append(Section(tuple(steps), twist, (first.a, first.b, motion.d[k])))
+    return sections
 
 
 def grounded(base: Frame, sections: Sequence[Section]) -> tuple[Frame, list[Section]]:
