@@ -39,8 +39,8 @@ from robodyn.formats.topology import Topology
 from robodyn.robot import Robot, read_text, to_yaml
 from robodyn.robot.masses import require_masses
 from robodyn.verify import Comparison, Reference
-from robodyn.verify.against import PeerArm, comparable, compare, read_original
-from robodyn.verify.against.compared import frame_comparisons
+from robodyn.verify.against import comparable, compare, frame_comparisons, read_original
+from robodyn.verify.against.arm import PeerArm
 from robodyn.verify.sample import draw
 
 RESULTS: Final = Path(__file__).parent / "results" / "public_files.json"

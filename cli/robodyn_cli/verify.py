@@ -17,7 +17,7 @@ from robodyn_cli.values import Parameter, unique
 if TYPE_CHECKING:
     from robodyn.kernels.generate import Generated
     from robodyn.robot import Robot
-    from robodyn.verify.against import PeerArm
+    from robodyn.verify.against.arm import PeerArm
     from robodyn.verify.report import VerifyReport
 
 

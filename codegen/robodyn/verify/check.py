@@ -15,7 +15,6 @@ to the kernel's precision are left out, and counted.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -217,8 +216,7 @@ class _Run:
         results = dict(zip((name for name, _ in outputs), rows, strict=True))
         record, dtype = function_named(function), self.kernel.dtype
         error = pose_errors(self.robot, self.reference, record, results, self.inputs, self.tolerance, dtype)
-        state = int(np.argmax(error))
-        return self._comparison_at(function, "reference", len(error), 0, float(error[state]), state)
+        return self._comparison(function, "reference", error)
 
     def _compare(
         self, function: str, record: Function, elements: list[int], oracle: Oracle, count: int
@@ -232,6 +230,9 @@ class _Run:
             count = min(count, 2)  # every column is a torque
         if count < len(places):
             places, left_out = places[np.linspace(0, len(places) - 1, count).astype(int)], 0
+        said = partial(
+            self._comparison, function, oracle.name, record=record, places=places, left_out=left_out
+        )
         actual = self._result(function)[places][:, elements]
         inputs = {array.name: self.inputs[array.name][places] for array in INPUTS}
         yardstick: float | Floats = self.largest
@@ -243,7 +244,7 @@ class _Run:
             error[~sound.all(axis=1)] = np.inf
             # What is compared may be no torque, and larger: of an arm without mass all torques are 0.
             yardstick = max(self.largest, max((real(abs(x)) for x in reference.flat), default=0.0))
-            return self._comparison(function, record, oracle, places, left_out, error, yardstick, None)
+            return said(relative_to(error, np.broadcast_to(yardstick, error.shape)))
         if self.kernel.signatures[function].states:
             expected, _ = self.stepping.step(
                 inputs["q"], inputs["qd"], inputs["qdd"], self.memory[places], _STEP
@@ -255,7 +256,7 @@ class _Run:
                 yardstick = self._largest_of(record)
         error = differences(actual, expected)
         ulps = ulps_of(record, error, expected, yardstick, self.kernel.dtype) if oracle.exact else None
-        return self._comparison(function, record, oracle, places, left_out, error, yardstick, ulps)
+        return said(relative_to(error, np.broadcast_to(yardstick, error.shape)), ulps=ulps)
 
     def _largest_of(self, record: Function) -> Floats:
         """For each element the largest of its result, by the reference, anywhere in the sample; see
@@ -297,41 +298,27 @@ class _Run:
     def _comparison(
         self,
         function: str,
-        record: Function,
-        oracle: Oracle,
-        places: NDArray[np.intp],
-        left_out: int,
+        against: str,
         error: Floats,
-        yardstick: float | Floats,
-        ulps: float | None,
+        *,
+        record: Function | None = None,
+        places: NDArray[np.intp] | None = None,
+        left_out: int = 0,
+        ulps: float | None = None,
     ) -> Comparison:
-        relative = relative_to(error, np.broadcast_to(yardstick, error.shape))
-        worst = np.unravel_index(int(np.argmax(relative)), error.shape)
-        state = int(places[worst[0]])
-        joint, column = self._place(record, int(worst[1]))
-        at = self._comparison_at(function, oracle.name, len(places), left_out, float(relative[worst]), state)
-        return replace(at, joint=joint, column=column, ulps=ulps)
-
-    def _comparison_at(
-        self, function: str, against: str, states: int, left_out: int, error: float, state: int
-    ) -> Comparison:
-        """A comparison whose worst state this is."""
+        """The worst of the relative ``error`` ``[N]`` or, of the elements of ``record``, ``[N, m]``; at the
+        states ``places``, or all."""
+        worst = np.unravel_index(int(np.argmax(error)), error.shape)
+        state = int(worst[0] if places is None else places[worst[0]])
+        joint, column = (None, None) if record is None else self._place(record, int(worst[1]))
+        inputs = {
+            name: tuple(self.inputs[name][state].tolist())
+            for name, _ in self.kernel.signatures[function].inputs
+        }
         return Comparison(
-            function=function,
-            against=against,
-            states=states,
-            left_out=left_out,
-            error=error,
-            tolerance=self.tolerance,
-            joint=None,
-            column=None,
-            state=state,
-            inputs={
-                name: tuple(self.inputs[name][state].tolist())
-                for name, _ in self.kernel.signatures[function].inputs
-            },
-            ulps=None,
-        )
+            function, against, len(error), left_out, float(error[worst]), self.tolerance, joint, column,
+            state, inputs, ulps,
+        )  # fmt: skip
 
     def _place(self, function: Function, element: int) -> tuple[int | None, int | None]:
         """Joint and column, from 1, of an element of the results, or of torques that tell of them; None where

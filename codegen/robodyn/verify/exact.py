@@ -49,7 +49,8 @@ def exact_torque(
     values = filled(robot, parameters)
     n = robot.n
     speeds, rates = [Fraction(x) for x in qd], [Fraction(x) for x in qdd]
-    T, Td, Tdd = _identity(), _zeros(4, 4), _zeros(4, 4)
+    T = [[Fraction(int(r == c)) for c in range(4)] for r in range(4)]
+    Td, Tdd = _zeros(), _zeros()
     steps: list[Matrix] = []  # A_i
     slopes: list[Matrix] = []  # T_{i-1} dA_i/dq_i
     seconds: list[Matrix] = []  # d2T_i/dt2
@@ -63,7 +64,7 @@ def exact_torque(
         steps.append(A)
         seconds.append(Tdd)
     gravity = [*robot.base_gravity, ZERO]
-    D = _zeros(4, 4)  # sum of A_{j+1..i} J_i Tdd_i^T over i >= j
+    D = _zeros()  # sum of A_{j+1..i} J_i Tdd_i^T over i >= j
     c = [ZERO] * 4  # sum of A_{j+1..i} m_i c_i
     tau = [ZERO] * n
     for j in reversed(range(n)):
@@ -71,23 +72,15 @@ def exact_torque(
         J, first = _pseudo_inertia(link, values)
         D = _add(D, _mul(J, _transpose(seconds[j])))
         c = [x + y for x, y in zip(c, first, strict=True)]
-        work = sum(
-            (
-                x * y
-                for row, column in zip(slopes[j], _transpose(D), strict=True)
-                for x, y in zip(row, column, strict=True)
-            ),
-            ZERO,
-        )
-        moved = [sum((x * y for x, y in zip(row, c, strict=True)), ZERO) for row in slopes[j]]
-        tau[j] = work - sum((g * x for g, x in zip(gravity, moved, strict=True)), ZERO)
+        work = sum((_dot(row, column) for row, column in zip(slopes[j], _transpose(D), strict=True)), ZERO)
+        tau[j] = work - _dot(gravity, [_dot(row, c) for row in slopes[j]])
         if robot.torque_side == "motor":
             joint = link.joint
             tau[j] += exact_value(joint.motor_inertia, values) * rates[j]
             tau[j] += exact_value(joint.viscous, values) * speeds[j]
             tau[j] += exact_value(joint.coulomb, values) * _way(speeds[j], robot.rest_velocity)
         D = _mul(steps[j], D)
-        c = [sum((x * y for x, y in zip(row, c, strict=True)), ZERO) for row in steps[j]]
+        c = [_dot(row, c) for row in steps[j]]
     return tau
 
 
@@ -150,7 +143,7 @@ def _step(link: Link, q: Fraction, values: Parameters) -> tuple[Matrix, Matrix, 
     if joint.kind == "prismatic":
         slide = [[ct, -st, ZERO, ZERO], [st, ct, ZERO, ZERO], [ZERO, ZERO, _ONE, d + q], [ZERO] * 3 + [_ONE]]
         slide1 = [[ZERO] * 4, [ZERO] * 4, [ZERO, ZERO, ZERO, _ONE], [ZERO] * 4]
-        return _mul(tilt, slide), _mul(tilt, slide1), _zeros(4, 4)
+        return _mul(tilt, slide), _mul(tilt, slide1), _zeros()
     cq, sq = (_grain(x) for x in circle_point(q)) if q else (_ONE, ZERO)
     c, s = cq * ct - sq * st, sq * ct + cq * st
     turn = [[c, -s, ZERO, ZERO], [s, c, ZERO, ZERO], [ZERO, ZERO, _ONE, d], [ZERO] * 3 + [_ONE]]
@@ -203,12 +196,8 @@ def _grain(x: Fraction, grain: int = _GRAIN) -> Fraction:
     return x if x.denominator == 1 else Fraction(round(x * grain), grain)
 
 
-def _identity() -> Matrix:
-    return [[Fraction(int(r == c)) for c in range(4)] for r in range(4)]
-
-
-def _zeros(rows: int, columns: int) -> Matrix:
-    return [[ZERO] * columns for _ in range(rows)]
+def _zeros() -> Matrix:
+    return [[ZERO] * 4 for _ in range(4)]
 
 
 def _transpose(A: Matrix) -> Matrix:
@@ -223,9 +212,10 @@ def _scale(A: Matrix, factor: Fraction) -> Matrix:
     return [[factor * x for x in row] for row in A]
 
 
+def _dot(a: Sequence[Fraction], b: Sequence[Fraction]) -> Fraction:
+    return sum((x * y for x, y in zip(a, b, strict=True) if x and y), ZERO)
+
+
 def _mul(A: Matrix, B: Matrix) -> Matrix:
     columns = _transpose(B)
-    return [
-        [sum((x * y for x, y in zip(row, column, strict=True) if x and y), ZERO) for column in columns]
-        for row in A
-    ]
+    return [[_dot(row, column) for column in columns] for row in A]

@@ -315,15 +315,9 @@ def _solve(matrix: Floats, vector: Floats) -> Floats:
 
 
 def _solid(mass: Any, com: Any, i: Inertia, parameters: Parameters) -> _Solid:
-    def real(value: Any) -> float:
-        return rounded(exact_value(value, parameters))
-
     tensor = [[i.xx, i.xy, i.xz], [i.xy, i.yy, i.yz], [i.xz, i.yz, i.zz]]
-    return _Solid(
-        mass=real(mass),
-        com=np.array([real(x) for x in com]),
-        inertia=np.array([[real(x) for x in row] for row in tensor]),
-    )
+    numbers = [[rounded(exact_value(x, parameters)) for x in row] for row in ([mass], com, *tensor)]
+    return _Solid(numbers[0][0], np.array(numbers[1]), np.array(numbers[2:]))
 
 
 def _load(entry: EffectEntry, parameters: Parameters) -> _Solid:
@@ -333,14 +327,7 @@ def _load(entry: EffectEntry, parameters: Parameters) -> _Solid:
 
 def _body(link: Link, loads: list[_Solid], parameters: Parameters) -> _Body:
     joint = link.joint
-    return _Body(
-        prismatic=joint.kind == "prismatic",
-        ca=float(joint.alpha.cos),
-        sa=float(joint.alpha.sin),
-        a=rounded(exact_value(joint.a, parameters)),
-        b=rounded(exact_value(joint.b, parameters)),
-        d=rounded(exact_value(joint.d, parameters)),
-        ct=float(joint.theta.cos),
-        st=float(joint.theta.sin),
-        solids=(_solid(link.mass, link.com, link.inertia, parameters), *loads),
-    )
+    a, b, d = (rounded(exact_value(x, parameters)) for x in (joint.a, joint.b, joint.d))
+    ca, sa, ct, st = map(float, (joint.alpha.cos, joint.alpha.sin, joint.theta.cos, joint.theta.sin))
+    solids = (_solid(link.mass, link.com, link.inertia, parameters), *loads)
+    return _Body(joint.kind == "prismatic", ca, sa, a, b, d, ct, st, solids)

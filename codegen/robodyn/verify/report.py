@@ -44,20 +44,11 @@ class Comparison:
 
     def to_dict(self) -> dict[str, Any]:
         """For JSON; an infinite error is null."""
-        return {
-            "function": self.function,
-            "against": self.against,
-            "passed": self.passed,
-            "error": _finite(self.error),
-            "tolerance": self.tolerance,
-            "states": self.states,
-            "left_out": self.left_out,
-            "joint": self.joint,
-            "column": self.column,
-            "state": self.state,
-            "inputs": {name: [_finite(x) for x in values] for name, values in self.inputs.items()},
-            "ulps": None if self.ulps is None else _finite(self.ulps),
-        }
+        names = (
+            "function", "against", "passed", "error", "tolerance", "states", "left_out", "joint", "column",
+            "state", "inputs", "ulps",
+        )  # fmt: skip
+        return {name: _for_json(getattr(self, name)) for name in names}
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,19 +88,11 @@ class VerifyReport:
 
     def to_dict(self) -> dict[str, Any]:
         """For JSON."""
-        return {
-            "robot": self.robot,
-            "scalar": self.scalar,
-            "language": self.language,
-            "passed": self.passed,
-            "states": self.states,
-            "seed": self.seed,
-            "largest_torque": _finite(self.largest_torque),
-            "parameters": dict(self.parameters),
-            "comparisons": [c.to_dict() for c in self.comparisons],
-            "uncompared": list(self.uncompared),
-            "skipped": dict(self.skipped),
-        }
+        names = (
+            "robot", "scalar", "language", "passed", "states", "seed", "largest_torque", "parameters",
+            "comparisons", "uncompared", "skipped",
+        )  # fmt: skip
+        return {name: _for_json(getattr(self, name)) for name in names}
 
     def to_text(self) -> str:
         """A table, and the state of the worst comparison if it failed."""
@@ -144,19 +127,15 @@ def _row(c: Comparison) -> tuple[str, ...]:
     joint = ",".join(str(x) for x in (c.joint, c.column) if x is not None) or "-"
     states = str(c.states) if not c.left_out else f"{c.states} (-{c.left_out})"
     ulps = "" if c.ulps is None else f"{c.ulps:{'.1f' if c.ulps < 1e6 else '.1e'}}"
-    verdict = "" if c.passed else "FAILED"
-    return (
-        c.function,
-        c.against,
-        states,
-        f"{c.error:.1e}",
-        f"{c.tolerance:.0e}",
-        joint,
-        str(c.state),
-        ulps,
-        verdict,
-    )
+    sizes = f"{c.error:.1e}", f"{c.tolerance:.0e}"
+    return (c.function, c.against, states, *sizes, joint, str(c.state), ulps, "" if c.passed else "FAILED")
 
 
-def _finite(x: float) -> float | None:
-    return x if math.isfinite(x) else None
+def _for_json(value: Any) -> Any:
+    if isinstance(value, float):
+        return value if math.isfinite(value) else None
+    if isinstance(value, Comparison):
+        return value.to_dict()
+    if isinstance(value, Mapping):
+        return {name: _for_json(x) for name, x in value.items()}
+    return [_for_json(x) for x in value] if isinstance(value, tuple) else value
