@@ -46,7 +46,7 @@ def page(diagnosis: Diagnosis, *, validated: bool) -> str:
     is_unexplained = diagnosis.verdict == "unexplained"
     series = diagnosis.series[::-1] if validated else diagnosis.series[:1]
     drawn = [one for one in series if len(one.times)]  # what proves most first
-    shown = ("verdict", "robot", "words", "operations", "counts", "flags", "logs")
+    shown = ("verdict", "robot", "words", "operations", "counts", "flags", "logs", "detectable")
     return markup_template("diagnosis.html.j2").render(
         **{name: getattr(diagnosis, name) for name in shown},
         verdict_words=diagnosis.verdict.replace("_", " "),
@@ -72,8 +72,9 @@ def page(diagnosis: Diagnosis, *, validated: bool) -> str:
         tried=diagnosis.tried[:_TRIED],
         diff=_diff(diagnosis.diff),
         kinds_of_operations=_KINDS,
-        travels=[_travel(diagnosis, travel) for travel in travels],
-        detectable=diagnosis.detectable is not None,
+        travels=travels,
+        units_at=lambda joint: words.units_at(diagnosis, joint - 1),
+        within_limits=_within_limits,
         most_flags=_FLAGS,
         version=VERSION,
         change=change,
@@ -162,22 +163,10 @@ def _diff(text: str) -> list[tuple[str, str]]:
     return shown
 
 
-def _travel(diagnosis: Diagnosis, travel: residual.Travel) -> dict[str, Any]:
-    units = words.units_at(diagnosis, travel.joint - 1)
-    low, high = travel.limits or (travel.low, travel.high)
-    low, high = min(low, travel.low), max(high, travel.high)
+def _within_limits(travel: residual.Travel) -> tuple[str, str] | None:
+    """Where in its limits a joint was: from what share on, and how much of them; None without any."""
+    if travel.limits is None:
+        return None
+    low, high = min(travel.limits[0], travel.low), max(travel.limits[1], travel.high)
     wide = (high - low) or 1.0
-    seen = "" if diagnosis.detectable is None else formatted(diagnosis.detectable[travel.joint - 1])
-    return {
-        "joint": travel.joint,
-        "q": f"{formatted(travel.low)} to {formatted(travel.high)} {units['position']}",
-        "has_limits": travel.limits is not None,
-        "at": part((travel.low - low) / wide),
-        "width": part((travel.high - travel.low) / wide),
-        "speed": f"{formatted(travel.speed)} {units['velocity']}",
-        "of_top": f"{100 * travel.speed / travel.top:.0f} %" if travel.top else "",
-        "reversals": travel.reversals,
-        "load": f"{formatted(travel.load[0])} to {formatted(travel.load[1])} {units['torque']}",
-        "wants": travel.wants,
-        "seen": f"{seen} {units['torque']}",
-    }
+    return part((travel.low - low) / wide), part((travel.high - travel.low) / wide)

@@ -50,20 +50,9 @@ def ladder(diagnosis: Diagnosis, validated: bool) -> dict[str, Any]:
                 )  # fmt: skip
         names = [words.named(f.effect) for f in words.claims(diagnosis) if f.joint == j + 1]
         more = f" and {len(names) - _NAMED} more" if len(names) > _NAMED else ""
-        rows.append(
-            {
-                "joint": j + 1,
-                "effects": ", ".join(names[:_NAMED]) + more,
-                "drawn": drawn,
-                "before": formatted(before[j]),
-                "after": formatted(after[j]),
-                "floor": formatted(floor[j]),
-                "times": formatted(after[j] / floor[j]) if floor[j] > 0 else "n/a",
-                "unit": words.units_at(diagnosis, j)["torque"],
-                "change": change(before[j], after[j]),
-                "is_same": bool(before[j] == after[j]),
-            }
-        )
+        figures = {"before": before[j], "after": after[j], "floor": floor[j]}
+        effects, unit = ", ".join(names[:_NAMED]) + more, words.units_at(diagnosis, j)["torque"]
+        rows.append({"effects": effects, "drawn": drawn, "unit": unit, **figures})
     wide = math.log10(top / _LOW)
     steps = (1, 2, 3, 4, 6) if wide < 1 else (1, 2, 5) if wide < 1.7 else (1,)
     marks = [m * 10.0**k for k in range(math.ceil(math.log10(top)) + 1) for m in steps]

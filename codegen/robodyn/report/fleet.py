@@ -168,7 +168,11 @@ def unit_pages(result: FleetResult) -> Iterator[tuple[str, str]]:
             claims=[_claim_words(claim) for claim in unit.claims],
             record=looks.get((unit.type, unit.unit), ""),
             charts=_charts(unit, kind),
-            rows=[_row(unit, feature) for feature in kind.features],
+            features=kind.features,
+            result=unit,
+            sparkline=charts.sparkline,
+            shade_css=charts.shade_css,
+            words=words,
             readings=_readings(unit, kind),
             version=VERSION,
         )
@@ -195,20 +199,6 @@ def _charts(unit: UnitResult, kind: TypeResult) -> list[dict[str, Any]]:
         for feature in sorted(kind.features, key=order)[: max(_DRAWN, len(claims))]
     ]
     return [{"title": capital(words.what_text(f)), "chart": chart} for f, chart in drawn if chart is not None]
-
-
-def _row(unit: UnitResult, feature: Any) -> dict[str, Any]:
-    value, error = unit.now.get(feature.name, (float("nan"), float("nan")))
-    unusual = unit.unusual.get(feature.name)
-    return {
-        "what": capital(words.effects_text(feature.effects)),
-        "place": words.place_text(feature.joint),
-        "now": words.with_error(value, error, feature.unit),
-        "usual": words.with_error(feature.mean, feature.between_units, feature.unit),
-        "unusual": words.unusual_text(unusual),
-        "css": charts.shade_css(round(unusual, 1) if words.is_known(unusual) else None),
-        "path": charts.sparkline(unit.readings.get(feature.name, ()), feature),
-    }
 
 
 def _readings(unit: UnitResult, kind: TypeResult) -> dict[str, Any]:

@@ -203,7 +203,7 @@ def kinds_of(result: FleetResult) -> list[str]:
 
 def shade_css(value: float | None) -> str:
     """The name of the looks of a cell; empty for what is usual."""
-    steps = sum(abs(value) >= bound for bound in SHADES) if words.is_known(value) else 0
+    steps = sum(abs(round(value, 1)) >= bound for bound in SHADES) if words.is_known(value) else 0
     return f"{'p' if value and value > 0 else 'm'}{steps}" if steps else ""
 
 
