@@ -16,9 +16,7 @@ from robodyn.counts.objective import operations_of, parse_objective
 from robodyn.dynamics.equality import equals_recursion
 from robodyn.ir import Input, Label, Program
 from robodyn.ir.field import Field
-from robodyn.ir.fingerprint import fingerprint
-from robodyn.optimize.records.record import labelled
-from robodyn.robot.values import circle_point
+from robodyn.optimize.records.record import labelled, values_in
 from robodyn.search import climb as climbing
 from robodyn.search.climb import Climbed, climb
 from robodyn.search.network import NoWalk
@@ -143,11 +141,9 @@ def test_labels_are_true() -> None:
     field = Field("here")
 
     def labels(made: Program) -> list[tuple[Label, int]]:
-        everything = replace(made, outputs=(("all", tuple(range(len(made.operations)))),), origin=None)
-        values = fingerprint(everything, field, circle_point)
         return [
             (op.label._replace(negative=False), (-value if op.label.negative else value) % field.prime)
-            for value, op in zip(values, made.operations, strict=True)
+            for value, op in zip(values_in(made, field), made.operations, strict=True)
             if op.label is not None
         ]
 

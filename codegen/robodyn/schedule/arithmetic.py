@@ -195,28 +195,16 @@ def _each(step: Callable[..., None], axes: Iterable[int] = range(3), **how: Any)
 _DO: Final[dict[int, Callable[[Place], None]]] = dict(
     enumerate(
         [
-            *_each(_turn, (0, 1), what="w"),
-            _joint_rate,
-            *_each(_turn, (0, 1), what="alpha"),
-            _add_joint,
-            *_each(_lambda, _ENTRIES),
-            *_each(_products, of_parent=True),
-            *_each(_accelerate, of_parent=True),
-            *_each(_turn, (0, 1), what="a"),
-            *_each(_products, of_parent=False),
-            *_each(_accelerate, of_parent=False),
-            _inertial,
-            *_each(_euler),
-            *_each(_turn_back, (0, 1), force=True),
-            _force,
-            *_each(_p_cross_f),
-            *_each(_s_cross_F),
-            *_each(_turn_back, (0, 1), force=False),
-            *_each(_moment),
+            *_each(_turn, (0, 1), what="w"), _joint_rate, *_each(_turn, (0, 1), what="alpha"), _add_joint,
+            *_each(_lambda, _ENTRIES), *_each(_products, of_parent=True), *_each(_accelerate, of_parent=True),
+            *_each(_turn, (0, 1), what="a"), *_each(_products, of_parent=False),
+            *_each(_accelerate, of_parent=False), _inertial, *_each(_euler),
+            *_each(_turn_back, (0, 1), force=True), _force, *_each(_p_cross_f), *_each(_s_cross_F),
+            *_each(_turn_back, (0, 1), force=False), *_each(_moment),
         ],
         start=1,
     )
-)
+)  # fmt: skip
 
 
 def run_tasks(

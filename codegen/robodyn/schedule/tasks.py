@@ -9,7 +9,9 @@ a turned vector take three flops each, and the third is there already. What each
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import count
 from typing import Final, Literal
 
 FLOPS_PER_TASK: Final = 3
@@ -34,59 +36,46 @@ class Task:
     after: tuple[tuple[Place, int], ...]
 
 
-#: Step, layer, words, and the tasks that are waited for, by their place.
-_Row = tuple[str, int, str, dict[Place, tuple[int, ...]]]
 _LAMBDA = (9, 10, 11)
 _MOMENT = (27, 28, 29, *range(33, 41))
+#: Step, layer and the tasks that are waited for, by their place; of each task that has these what it does.
+_ROWS: Final[tuple[tuple[str, int, dict[Place, tuple[int, ...]], list[str]], ...]] = (
+    ("1", 1, {-1: (1, 2, 3)}, ["w' = R^T w of the link before, x", "w', y"]),
+    ("1, 2", 2, {0: (1, 2)}, ["w_z = w'_z + qd; c = (qd w_y, -qd w_x, qdd)"]),
+    ("2", 2, {-1: (6,)}, ["alpha' = R^T alpha of the link before, x", "alpha', y"]),
+    ("2", 3, {0: (3, 4, 5)}, ["alpha = alpha' + c"]),
+    ("2A", 3, {0: (1, 2, 3)}, ["k = (w_y w_z, w_z w_x, w_x w_y)", "w_x^2, w_y^2, w_z^2"]),
+    ("2A", 4, {0: (8,)}, ["lambda_11, lambda_22, lambda_33 = -(sums of two squares)"]),
+    ("2A", 4, {0: (6, 7)}, [
+        "lambda_21, lambda_13, lambda_32 = k + alpha, z, y, x",
+        "lambda_12, lambda_31, lambda_23 = k - alpha, z, y, x",
+    ]),
+    ("3", 3, {-1: _LAMBDA}, [f"products of lambda p of the link before, {axis}" for axis in "xyz"]),
+    ("3", 4, {-1: (18, 19), 0: (12, 13, 14)}, [
+        "a'' = a of the link before + its lambda p, x", "a'', y", "a'', z",
+    ]),
+    ("3", 5, {0: (15, 16, 17)}, ["a = R^T a'', x", "a, y"]),
+    ("4", 5, {0: _LAMBDA}, [f"products of lambda s, {axis}" for axis in "xyz"]),
+    ("4", 6, {0: (18, 19, 20, 21, 22)}, ["a_c = a + lambda s, x", "a_c, y", "a_c, z"]),
+    ("5", 1, {0: (23, 24, 25)}, ["F = m a_c"]),
+    ("6", 1, {0: (6, 7)}, ["N = I alpha + D k, x", "N, y", "N, z"]),
+    ("7", 1, {1: (32,)}, ["f' = R f of the link beyond, one of two components", "f', the other"]),
+    ("7", 2, {0: (26, 30, 31)}, ["f = F + f'"]),
+    ("8", 2, {0: (30, 31)}, ["p x f', x", "p x f', y", "p x f', z"]),
+    ("8", 2, {0: (26,)}, ["s x F, x", "s x F, y", "s x F, z"]),
+    ("8", 2, {1: (41, 42, 43)}, ["n' = R n of the link beyond, one of two components", "n', the other"]),
+    ("8", 3, {0: _MOMENT}, ["n = N + p x f' + s x F + n', x", "n, y", "n, z"]),
+)  # fmt: skip
 
-_ROWS: Final[tuple[_Row, ...]] = (
-    ("1", 1, "w' = R^T w of the link before, x", {-1: (1, 2, 3)}),
-    ("1", 1, "w', y", {-1: (1, 2, 3)}),
-    ("1, 2", 2, "w_z = w'_z + qd; c = (qd w_y, -qd w_x, qdd)", {0: (1, 2)}),
-    ("2", 2, "alpha' = R^T alpha of the link before, x", {-1: (6,)}),
-    ("2", 2, "alpha', y", {-1: (6,)}),
-    ("2", 3, "alpha = alpha' + c", {0: (3, 4, 5)}),
-    ("2A", 3, "k = (w_y w_z, w_z w_x, w_x w_y)", {0: (1, 2, 3)}),
-    ("2A", 3, "w_x^2, w_y^2, w_z^2", {0: (1, 2, 3)}),
-    ("2A", 4, "lambda_11, lambda_22, lambda_33 = -(sums of two squares)", {0: (8,)}),
-    ("2A", 4, "lambda_21, lambda_13, lambda_32 = k + alpha, z, y, x", {0: (6, 7)}),
-    ("2A", 4, "lambda_12, lambda_31, lambda_23 = k - alpha, z, y, x", {0: (6, 7)}),
-    ("3", 3, "products of lambda p of the link before, x", {-1: _LAMBDA}),
-    ("3", 3, "products of lambda p of the link before, y", {-1: _LAMBDA}),
-    ("3", 3, "products of lambda p of the link before, z", {-1: _LAMBDA}),
-    ("3", 4, "a'' = a of the link before + its lambda p, x", {-1: (18, 19), 0: (12, 13, 14)}),
-    ("3", 4, "a'', y", {-1: (18, 19), 0: (12, 13, 14)}),
-    ("3", 4, "a'', z", {-1: (18, 19), 0: (12, 13, 14)}),
-    ("3", 5, "a = R^T a'', x", {0: (15, 16, 17)}),
-    ("3", 5, "a, y", {0: (15, 16, 17)}),
-    ("4", 5, "products of lambda s, x", {0: _LAMBDA}),
-    ("4", 5, "products of lambda s, y", {0: _LAMBDA}),
-    ("4", 5, "products of lambda s, z", {0: _LAMBDA}),
-    ("4", 6, "a_c = a + lambda s, x", {0: (18, 19, 20, 21, 22)}),
-    ("4", 6, "a_c, y", {0: (18, 19, 20, 21, 22)}),
-    ("4", 6, "a_c, z", {0: (18, 19, 20, 21, 22)}),
-    ("5", 1, "F = m a_c", {0: (23, 24, 25)}),
-    ("6", 1, "N = I alpha + D k, x", {0: (6, 7)}),
-    ("6", 1, "N, y", {0: (6, 7)}),
-    ("6", 1, "N, z", {0: (6, 7)}),
-    ("7", 1, "f' = R f of the link beyond, one of two components", {1: (32,)}),
-    ("7", 1, "f', the other", {1: (32,)}),
-    ("7", 2, "f = F + f'", {0: (26, 30, 31)}),
-    ("8", 2, "p x f', x", {0: (30, 31)}),
-    ("8", 2, "p x f', y", {0: (30, 31)}),
-    ("8", 2, "p x f', z", {0: (30, 31)}),
-    ("8", 2, "s x F, x", {0: (26,)}),
-    ("8", 2, "s x F, y", {0: (26,)}),
-    ("8", 2, "s x F, z", {0: (26,)}),
-    ("8", 2, "n' = R n of the link beyond, one of two components", {1: (41, 42, 43)}),
-    ("8", 2, "n', the other", {1: (41, 42, 43)}),
-    ("8", 3, "n = N + p x f' + s x F + n', x", {0: _MOMENT}),
-    ("8", 3, "n, y", {0: _MOMENT}),
-    ("8", 3, "n, z", {0: _MOMENT}),
-)
 
-TASKS: Final[tuple[Task, ...]] = tuple(
-    Task(row, step, row <= 25, layer, does, tuple((place, k) for place in after for k in after[place]))
-    for row, (step, layer, does, after) in enumerate(_ROWS, 1)
-)
+def _tasks() -> Iterator[Task]:
+    row = count(1)
+    for step, layer, after, words in _ROWS:
+        waits = tuple((place, k) for place in after for k in after[place])
+        for does in words:
+            k = next(row)
+            yield Task(k, step, k <= 25, layer, does, waits)
+
+
+TASKS: Final = tuple(_tasks())
 """Table 4.1, ``TASKS[row - 1]``: the forward pass, then from 26 on the backward pass."""

@@ -102,7 +102,20 @@ def improved(
     # Where a record is known already, most of the time goes to walking on from it.
     written = (_WRITINGS[level] if len(starts) == 1 else 0.5 * _WRITINGS[level]) * budget
     if function_named(function).is_recursion:
-        starts += _written(robot, written, seed, objective, processes, progress)
+
+        def told(at: Any) -> None:
+            if progress is not None:
+                progress(Progress("variants", at.seconds, written, at.best))
+
+        variants = search(
+            robot,
+            seconds=written,
+            seed=seed,
+            objective=objective,
+            processes=processes,
+            progress=told,
+        )
+        starts += [program for _, _, program in variants]
         if robot.n <= _SHORT and cost(recursion, objective) > 0:
             starts += closed_forms(robot, effort=min(1.0, max(_LEAST_EFFORT, budget * _EFFORT)))
     distinct = _distinct([*starts, *map(units, starts)], objective)
@@ -158,24 +171,6 @@ def check_search(level: str, function: str, seconds: float | None) -> None:
         raise InputError(f"no search for the function {function!r}", expected=f"one of {', '.join(allowed)}")
     if seconds is not None and not (math.isfinite(seconds) and 0 < seconds <= 1e6):
         raise InputError("no budget in seconds", found=str(seconds), expected="a number above 0, at most 1e6")
-
-
-def _written(
-    robot: Robot,
-    seconds: float,
-    seed: int,
-    objective: Objective,
-    processes: int,
-    progress: Callable[[Progress], None] | None,
-) -> list[Program]:
-    def tell(at: Any) -> None:
-        if progress is not None:
-            progress(Progress("variants", at.seconds, seconds, at.best))
-
-    results = search(
-        robot, seconds=seconds, seed=seed, objective=objective, processes=processes, progress=tell
-    )
-    return [program for _, _, program in results]
 
 
 def _distinct(programs: Sequence[Program], objective: Objective) -> list[Program]:

@@ -21,6 +21,7 @@ from typing import Final
 from robodyn.ir.field import Field
 from robodyn.ir.fingerprint import fingerprint
 from robodyn.ir.program import Input, Operand, Program
+from robodyn.optimize.records.record import values_in
 from robodyn.robot.values import circle_point
 from robodyn.search.modular import Elimination, fraction_of, value_at_one
 
@@ -143,8 +144,7 @@ class _Refit:
     def _another_point(self, program: Program, path: Sequence[Program], seed: str) -> bool:
         """Whether one point more says more of the constants."""
         field, steps = Field(seed, prime=self._prime), self._steps
-        everything = replace(program, outputs=(("all", tuple(range(len(program.operations)))),), origin=None)
-        first = fingerprint(everything, field, circle_point)
+        first = values_in(program, field)
         fixed = [field.variable(x) if isinstance(x, Input) else 0 for x in steps.leaves]
         point = [*([x] for x in first), *self._series, *([x] for x in fixed)]
         self._points.append(point)

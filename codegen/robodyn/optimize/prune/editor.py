@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+from robodyn.ir.copying import copied
 from robodyn.ir.graph import Graph, Node, Scalar
 from robodyn.ir.key import children
 from robodyn.ir.lowering import lower, needed
@@ -67,7 +68,7 @@ class Editor:
                 edit = edits[p]
                 copies[p] = 0 if edit is None else edit[0] * copies[edit[1]]
                 continue
-            copies[p] = _copied(keys[p], target, copies)
+            copies[p] = copied(target, keys[p], copies)
             if graph is not None and p in labels:
                 graph.label(copies[p], labels[p])
         return copies, [v.sign * copies[v.position] if isinstance(v, Node) else v for v in self.outputs]
@@ -146,21 +147,3 @@ class Editor:
                 by[key[1]] += own * values[key[2]]
                 by[key[2]] += own * values[key[1]]
         return by
-
-
-def _copied(key: tuple[Any, ...], target: Graph, copies: Mapping[int, Scalar]) -> Scalar:
-    """The operation ``key`` on values already made."""
-    op = key[0]
-    if op == "input":
-        return target.input(*key[1])
-    if op == "const":
-        constant: Scalar = key[1]
-        return constant
-    result: Scalar
-    if op == "scale":
-        result = copies[key[2]] * key[1]
-    elif op == "add":
-        result = copies[key[1]] + key[2] * copies[key[3]]
-    else:
-        result = target.apply(op, [copies[p] for p in key[1:]])
-    return result

@@ -267,12 +267,12 @@ def labelled(program: Program, recursion: Program) -> Program:
 
 def _labelled(program: Program, recursion: Program, field: Field) -> Program:
     names: dict[int, Label] = {}
-    for value, operation in zip(_values(recursion, field), recursion.operations, strict=True):
+    for value, operation in zip(values_in(recursion, field), recursion.operations, strict=True):
         if operation.label is not None:
             names.setdefault(value, operation.label)
     used: set[Label] = set()
     operations = []
-    for value, operation in zip(_values(program, field), program.operations, strict=True):
+    for value, operation in zip(values_in(program, field), program.operations, strict=True):
         label = names.get(value)
         if label is None and value and (opposite := names.get(field.prime - value)) is not None:
             label = opposite.flipped()
@@ -284,7 +284,7 @@ def _labelled(program: Program, recursion: Program, field: Field) -> Program:
     return replace(program, operations=tuple(operations), origin=None)
 
 
-def _values(program: Program, field: Field) -> tuple[int, ...]:
+def values_in(program: Program, field: Field) -> tuple[int, ...]:
     """The value of each operation at a random point of ``field``."""
     everything = replace(program, outputs=(("all", tuple(range(len(program.operations)))),), origin=None)
     return fingerprint(everything, field, circle_point)
