@@ -15,6 +15,7 @@ from robodyn.logs import formats
 from robodyn.logs.log import Log, read_log
 from robodyn.logs.mapping import map_of_columns, map_of_text
 from robodyn.registry import Registry
+from robodyn_testing import representative
 
 FORMATS = (".csv", ".parquet", ".npz", ".mat", ".h5", ".json", ".mcap", ".db3")
 #: Joint states have their own names, and no accelerations.
@@ -52,7 +53,7 @@ def test_every_format_gives_the_same_arrays(kind: str, log: Log, tmp_path: Path)
     assert_same(read_log(path, 3, mapping=mapping), log)
 
 
-@pytest.mark.parametrize("kind", FORMATS)
+@pytest.mark.parametrize("kind", representative(FORMATS, ".csv", ".npz", ".mcap", rest="slow"))
 def test_every_format_in_other_units_gives_nearly_the_same(kind: str, log: Log, tmp_path: Path) -> None:
     """Degrees of a motor behind a gear, amperes, milliseconds: after the map the same to 1e-12."""
     ratio, constant = np.array([100.0, -50.0, 31.5]), np.array([0.12, 0.12, 0.05])

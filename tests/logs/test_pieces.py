@@ -18,14 +18,10 @@ from robodyn.logs.log import Log, read_log
 from robodyn.logs.mapping import LogMap, map_of_text
 from robodyn.logs.pieces import pieces
 from robodyn.logs.streams import together
+from robodyn_testing import representative
 
 K = 403
-FORMATS = (
-    ".csv",
-    ".npz",
-    *(pytest.param(each, marks=pytest.mark.thorough) for each in (".parquet", ".mat", ".h5", ".json")),
-    *(pytest.param(each, marks=pytest.mark.thorough) for each in (".mcap", ".db3")),
-)
+FORMATS = (".csv", ".npz", ".parquet", ".mat", ".h5", ".json", ".mcap", ".db3")
 MAP = map_of_text("joints: [base_joint, upper_joint, fore_joint]\ntopic: /joint_states\n"
                   "q: position.%s\nqd: velocity.%s\ntau: effort.%s\n")  # fmt: skip
 
@@ -68,7 +64,7 @@ def same(whole: Log, parts: list[Log], most: int) -> None:
         assert means[name].value == pytest.approx(mean.value, rel=1e-12)
 
 
-@pytest.mark.parametrize("kind", FORMATS)
+@pytest.mark.parametrize("kind", representative(FORMATS, ".csv", ".npz"))
 def test_every_format(kind: str, tmp_path: Path) -> None:
     path = write(a_log(), tmp_path, kind)
     mapping = MAP if kind in (".mcap", ".db3") else None

@@ -60,9 +60,9 @@ class Signals:
         """Number of joints."""
         return int(self.q.shape[1])
 
-    def filtered(self, x: Floats, cutoff: float | None = None) -> Floats:
+    def filtered(self, x: Floats) -> Floats:
         """``x`` [K, ...] through the zero-phase low-pass."""
-        return low_pass(x, 1 / self.period, cutoff or self.cutoff)
+        return low_pass(x, 1 / self.period, self.cutoff)
 
     def thinned(self, x: Floats) -> Floats:
         """Of ``x`` [K, ...], filtered, as many samples as its band needs, without the filter's ends."""

@@ -208,10 +208,10 @@ def least_jerk(knots: Floats, x: Floats, first: Floats, last: Floats) -> tuple[F
     return v, a
 
 
-def end_rates(t: Floats, x: Floats, points: int = 7) -> tuple[Floats, Floats]:
-    """Derivative and second derivative [2, n] at both ends, of the polynomial through the ``points`` samples
-    there (fewer where there are fewer)."""
-    k = min(points, len(t))
+def end_rates(t: Floats, x: Floats) -> tuple[Floats, Floats]:
+    """Derivative and second derivative [2, n] at both ends, of the polynomial through the seven samples there
+    (fewer where there are fewer)."""
+    k = min(7, len(t))
     rates = []
     for times, values in ((t[:k], x[:k]), (t[::-1][:k], x[::-1][:k])):
         scale = abs(times[-1] - times[0])
