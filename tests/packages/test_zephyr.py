@@ -17,6 +17,8 @@ import yaml
 from packages.consumers import UPPER_CASE, packaged, run, write
 from robodyn_testing import require_module, require_tool
 
+pytestmark = pytest.mark.thorough
+
 ZEPHYR = Path(__file__).parent / "zephyr"
 LIBM = ("--scalar", "double", "--trig", "libm")
 
@@ -35,7 +37,6 @@ def built(cmake: str, module: Path, folder: Path) -> str:
     return run(cmake, "--build", "build", "--verbose", cwd=folder)
 
 
-@pytest.mark.thorough
 @pytest.mark.parametrize("options", [(), LIBM])
 @pytest.mark.parametrize("robot", ["stanford_3dof", UPPER_CASE])
 def test_the_sample(robot: str, options: tuple[str, ...], cmake: str, tmp_path: Path) -> None:
@@ -56,25 +57,18 @@ def test_the_sample(robot: str, options: tuple[str, ...], cmake: str, tmp_path: 
     assert subprocess.run([tmp_path / "build" / "app"], capture_output=True).returncode == 1
 
 
-@pytest.mark.thorough
 def test_what_needs_libm_is_not_built_without(cmake: str, tmp_path: Path) -> None:
     """Zephyr's minimal C library has no sine: the option is not to be had with it."""
     module = packaged(tmp_path / "module", "stanford_3dof", "zephyr", *LIBM)
     with (module / "samples" / "selftest" / "prj.conf").open("a") as file:
         file.write("CONFIG_MINIMAL_LIBC=y\n")
-    configure = (
-        sys.executable,
-        ZEPHYR / "configure.py",
-        module,
-        module / "samples" / "selftest" / "prj.conf",
-    )
+    configure = (sys.executable, ZEPHYR / "configure.py", module, module / "samples/selftest/prj.conf")
     done = subprocess.run(configure, capture_output=True, text=True)
     assert done.returncode == 1
     assert "STANFORD_3DOF_DYNAMICS" in done.stderr
     run(*configure[:2], packaged(tmp_path / "other", "stanford_3dof", "zephyr"), configure[3], cwd=tmp_path)
 
 
-@pytest.mark.thorough
 def test_the_option(cmake: str, tmp_path: Path) -> None:
     """It turns the FPU on where there is one, and is off unless it is asked for."""
     module = packaged(tmp_path / "module", "stanford_3dof", "zephyr")

@@ -21,7 +21,6 @@ from benchmarks.functions.tables import in_document, markdown
 from benchmarks.peers.ours import values_of
 
 from robodyn.bench.peers.numbers import numbers_of
-from robodyn.counts import count
 from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.kernels.generate import Options, program
 from robodyn.robot import load
@@ -119,12 +118,3 @@ def test_the_documents_are_made_of_the_committed_figures(figures: Any) -> None:
     document = DOCUMENT.read_text(encoding="utf-8")
     assert in_document(figures, document) == document
     assert PEERS.read_text(encoding="utf-8") == peers_text(figures)
-
-
-@pytest.mark.thorough
-def test_ours_have_not_become_more(figures: Any) -> None:
-    robot = load("stanford_3dof", warn=lambda _: None)
-    for function, row in figures["robots"]["stanford_3dof"].items():
-        for level in ("record", "fast"):
-            options = Options((function,), optimize=level)
-            assert count(program(robot, function, options)).total <= row[level]["total"], (function, level)

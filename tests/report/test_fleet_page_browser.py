@@ -167,16 +167,6 @@ def test_cells_are_walked_by_keys_and_say_what_they_show(
     assert browser.driver.current_url == address
 
 
-def test_a_named_cell_says_how_much_and_how_much_is_usual(browser: Browser, files: dict[str, Path]) -> None:
-    actions = require_module("selenium.webdriver").ActionChains(browser.driver)
-    browser.open(files[BIG])
-    actions.move_to_element(browser.one("table.map td.named")).perform()
-    text = browser.one("#detail").text
-    assert "AR-0000, arm<6>, joint 1" in text
-    assert "+9.5 Coulomb and viscous friction: 4." in text
-    assert "N m, usual 4.4 \u00b1 0.4 N m; named" in text
-
-
 def test_without_scripts_everything_is_there(
     browser: Browser, files: dict[str, Path], big: FleetResult
 ) -> None:
