@@ -63,9 +63,13 @@ HOSTILE = {
     "a number in YAML": (loaded("code.yaml"), "__import__"),
     "Python in YAML": (loaded("python.yaml"), "python.yaml:1: not plain YAML"),
     "environment": (link("$(env ROBODYN_CANARY)"), "ROBODYN_CANARY is not read"),
+    "environment, by default": (link("$(optenv ROBODYN_CANARY x)"), "ROBODYN_CANARY is not read"),
     "environment, in eval": (link("$(eval env)"), "no argument 'env'"),
     "outside by dots": (loaded("../outside.yaml"), "outside the file's folder"),
     "outside by an absolute path": (loaded("/etc/passwd"), "outside the file's folder"),
+    "outside by file": (loaded("file:///etc/passwd"), "outside the file's folder"),
+    "outside by a linked folder": (loaded("up/outside.yaml"), "outside the file's folder"),
+    "outside, if it is there": (include("/etc/passwd", ' optional="true"'), "outside the file's folder"),
     "outside by a link": (loaded("link.yaml"), "outside the file's folder"),
     "outside, included": (include("../outside.xacro"), "outside the file's folder"),
     "outside by a pattern": (include("../out*.xacro"), "outside the file's folder"),
@@ -113,6 +117,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     require_module("xacro")
     write(tmp_path, FILES)
     (tmp_path / "ws" / "link.yaml").symlink_to(tmp_path / "outside.yaml")
+    (tmp_path / "ws" / "up").symlink_to(tmp_path)
     (tmp_path / "linked").symlink_to(tmp_path / "deep" / "down" / "below" / "far" / "linked")
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("ROBODYN_CANARY", CANARY)

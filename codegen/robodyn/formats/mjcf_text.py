@@ -259,16 +259,17 @@ class _Writer:
             name: text for name, text in element.attributes.items() if name in row and row[name].is_read
         }
         for name, text in attributes.items():
-            what, limits = f"{name} of {tag_shown(element)}", {}
-            # MuJoCo reads them, and writes a file that says so
+            fault = expected = ""
             if not _NAMES.fullmatch(name) and any(word.strip("+-").lower() == "nan" for word in text.split()):
-                limits = {f"{what} is not a number": "a number"}
+                fault, expected = (
+                    "is not a number",
+                    "a number",
+                )  # MuJoCo reads it, and writes a file that says so
             elif name in ("sep", "prefix") and len(text) > TEXT_LENGTH:
-                limits = {f"{what} is long": f"at most {TEXT_LENGTH} characters"}
-            for fault, expected in limits.items():
-                raise InputError(
-                    fault, where=self._place(element, name), found=shown(text), expected=expected
-                )
+                fault, expected = "is long", f"at most {TEXT_LENGTH} characters"
+            if fault:
+                where, what = self._place(element, name), f"{name} of {tag_shown(element)} {fault}"
+                raise InputError(what, where=where, found=shown(text), expected=expected)
         return attributes
 
 
