@@ -17,7 +17,7 @@ from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.dynamics.vectors import cross, plus
 from robodyn.robot import Robot
 from robodyn.thesis import steps
-from robodyn.thesis.polynomial import difference, fitted, spelled, value
+from robodyn.thesis.polynomial import difference, fit, polynomial_text, value
 from robodyn.thesis.slips.recursion import Recursion
 from robodyn.thesis.steps import step_counts
 from robodyn.thesis.tables.formulations import part_costs, uicker_kahn_by_parts
@@ -108,18 +108,18 @@ def test_what_the_steps_take() -> None:
 
 def test_polynomials_are_fitted_exactly_and_checked() -> None:
     cubic = {n: 2 * n**3 - n + 5 for n in range(1, 7)}
-    assert fitted(cubic, 3) == fitted(cubic, 4) == exactly(2, 0, -1, 5)
-    assert fitted({**cubic, 6: 0}, 3) is None
-    assert fitted(cubic, 2) is None
-    assert fitted({n: Fraction(n, 3) for n in range(1, 5)}, 1) == exactly(Fraction(1, 3), 0)
+    assert fit(cubic, 3) == fit(cubic, 4) == exactly(2, 0, -1, 5)
+    assert fit({**cubic, 6: 0}, 3) is None
+    assert fit(cubic, 2) is None
+    assert fit({n: Fraction(n, 3) for n in range(1, 5)}, 1) == exactly(Fraction(1, 3), 0)
     with pytest.raises(ValueError, match="cannot check"):
-        fitted({1: 1, 2: 2}, 1)
+        fit({1: 1, 2: 2}, 1)
 
 
 def test_polynomials_are_spelled() -> None:
-    assert spelled((Fraction(65, 2), Fraction(0), Fraction(-1), Fraction(7))) == "65/2 n^3 - n + 7"
-    assert spelled((Fraction(-1), Fraction(0))) == "-n"
-    assert spelled((Fraction(0),)) == "0"
+    assert polynomial_text((Fraction(65, 2), Fraction(0), Fraction(-1), Fraction(7))) == "65/2 n^3 - n + 7"
+    assert polynomial_text((Fraction(-1), Fraction(0))) == "-n"
+    assert polynomial_text((Fraction(0),)) == "0"
     assert difference((Fraction(2), Fraction(1)), (Fraction(2), Fraction(3))) == exactly(-2)
     assert value((Fraction(2), Fraction(0), Fraction(1)), 3) == 19
 

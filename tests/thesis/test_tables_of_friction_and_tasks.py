@@ -215,7 +215,7 @@ def test_the_table_of_branches() -> None:
 @pytest.mark.parametrize("point", [("0.4", "0.1", "0.1"), ("-0.3", "0.2", "0.5"), ("0.2", "-0.6", "-0.1")])
 def test_the_bundled_arm_has_the_four_branches_of_the_program(point: tuple[str, str, str]) -> None:
     robot = bundled("puma560_3dof_d13")
-    solutions = programs.generated(robot, list(map(Fraction, point)))
+    solutions = programs.generated_branches(robot, list(map(Fraction, point)))
     place = list(map(float, point))
     np.testing.assert_allclose(
         Reference(robot).tool_pose(np.array(solutions))[:, :, 3], [place] * 4, atol=1e-14

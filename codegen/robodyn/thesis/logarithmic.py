@@ -203,7 +203,7 @@ def thesis_chain(n: int) -> int:
     return FLOPS_PER_TASK * (4 * n + 3)
 
 
-def compared(most: int, tell: Callable[[str], None] = lambda _: None) -> dict[str, Any]:
+def compare_forms(most: int, tell: Callable[[str], None] = lambda _: None) -> dict[str, Any]:
     """Chains and work of all forms for 2 to ``most`` joints, and from which number on a logarithmic form has
     the shorter chain.
 

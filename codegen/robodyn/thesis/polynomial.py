@@ -16,7 +16,7 @@ def value(coefficients: Sequence[Fraction], n: int) -> Fraction:
     return total
 
 
-def fitted(values: Mapping[int, int | Fraction], degree: int) -> Polynomial | None:
+def fit(values: Mapping[int, int | Fraction], degree: int) -> Polynomial | None:
     """The polynomial of at most ``degree`` through all ``values`` (n to value), or None if there is none.
 
     The first ``degree + 1`` values determine it; the others are checked, so there must be some.
@@ -51,7 +51,7 @@ def _plus(a: list[Fraction], b: list[Fraction]) -> list[Fraction]:
     return [x + y for x, y in zip(*padded, strict=True)]
 
 
-def spelled(coefficients: Sequence[Fraction]) -> str:
+def polynomial_text(coefficients: Sequence[Fraction]) -> str:
     """``25 n^4 + 199/3 n^3 - 96``."""
     degree = len(coefficients) - 1
     text = ""

@@ -17,7 +17,7 @@ from robodyn.schedule import Machine, Sparsity, solve, sparsity
 from robodyn.schedule.cutting import cut
 from robodyn.thesis import steps
 from robodyn.thesis.claims import LINKS, PUMA, SMALL_PUMA, STANFORD, Arms, Outcome
-from robodyn.thesis.polynomial import fitted, value
+from robodyn.thesis.polynomial import fit, value
 from robodyn.thesis.printed import TABLE_1_1, TABLE_2_9, TABLE_4_4, TABLE_4_4_ZEROS, bundled
 from robodyn.thesis.steps import Method, step_counts
 from robodyn.thesis.tables.customised import plain
@@ -37,7 +37,7 @@ def orders(_: Arms) -> Outcome:
     degrees = {}
     for name in ("lagrange", "lagrange_4x4", "lagrange_3x3", "newton_euler", "kane"):
         totals = {n: _general(name, n).total for n in range(2, 8)}
-        degrees[name] = next((k for k in range(1, 5) if fitted(totals, k) is not None), None)
+        degrees[name] = next((k for k in range(1, 5) if fit(totals, k) is not None), None)
     return degrees, list(degrees.values())[:4] == [4, 1, 1, 1]
 
 

@@ -37,7 +37,7 @@ class Comparison:
     tolerance: float
 
 
-def compared(
+def compare(
     printed: ArrayLike,
     right: ArrayLike,
     reference: ArrayLike,

@@ -20,7 +20,7 @@ from robodyn.robot import bundled_names
 from robodyn.robot.values import quarter_turns
 from robodyn.thesis import steps
 from robodyn.thesis.printed import bundled
-from robodyn.thesis.slips import Comparison, compared
+from robodyn.thesis.slips import Comparison, compare
 from robodyn.thesis.slips.recursion import SLIPS, STATES, Recursion, scalars, states
 
 Floats = NDArray[np.float64]
@@ -67,7 +67,7 @@ def axes_of_the_moves() -> Comparison:
     """2.1, 2.2: the moves about ``X_i`` and ``Z_(i-1)``, which are those of the other convention of
     Denavit and Hartenberg, against the transforms that robodyn's kinematics has."""
     ours, right, printed = _transforms(PUMA)
-    return compared(printed, right, ours, "entry", f"transforms of {PUMA}, 1000 states")
+    return compare(printed, right, ours, "entry", f"transforms of {PUMA}, 1000 states")
 
 
 def sign_of_a() -> Comparison:
@@ -75,7 +75,7 @@ def sign_of_a() -> Comparison:
     ours, right, _ = _transforms(PUMA)
     printed = ours.copy()
     printed[..., 0, 3] *= -1
-    return compared(printed, ours, right, "m", f"turns and shifts of {PUMA}, 1000 states")
+    return compare(printed, ours, right, "m", f"turns and shifts of {PUMA}, 1000 states")
 
 
 # --- lambda -----------------------------------------------------------------------------------------------
@@ -98,7 +98,7 @@ def entry_of_36() -> Comparison:
     truth = _skew(own_alpha) + _skew(own_w) @ _skew(own_w)
     slip = SLIPS["(2,1) of 2.36 is (1,3) of lambda_2"]
     printed, right = (_array(run.lambda_turned(R, before).rows) for run in (slip, Recursion()))
-    return compared(printed, right, truth, "1/s^2", "[alpha x] + [w x]^2 of the slide, 1000 states")
+    return compare(printed, right, truth, "1/s^2", "[alpha x] + [w x]^2 of the slide, 1000 states")
 
 
 def gyroscopic_moment() -> Comparison:
@@ -111,7 +111,7 @@ def gyroscopic_moment() -> Comparison:
     at = Kinematics(tuple(w), tuple(alpha), lam, ZERO, ZERO)
     ours = np.array(inertia_moment(Symmetric(xx, yy, zz, xy, xz, yz), at)).T
     truth = np.einsum("kij,jk->ki", I, alpha) + np.cross(w.T, np.einsum("kij,jk->ki", I, w))
-    return compared(ours, ours, truth, "N m", "I alpha + w x I w, 1000 random bodies")
+    return compare(ours, ours, truth, "N m", "I alpha + w x I w, 1000 random bodies")
 
 
 # --- angular acceleration ---------------------------------------------------------------------------------
@@ -138,7 +138,7 @@ def parent_of_alpha() -> Comparison:
         printed.append(_array([steps.alpha_I(R, own, rates, qd[:, i], qdd[:, i])]))
         truth.append(_array([own]))
         before = own
-    return compared(printed, right, truth, "rad/s^2", f"sums over the joints of {PUMA}, 1000 states")
+    return compare(printed, right, truth, "rad/s^2", f"sums over the joints of {PUMA}, 1000 states")
 
 
 # --- rotations --------------------------------------------------------------------------------------------
@@ -158,7 +158,7 @@ def sign_in_4_4() -> Comparison:
     theta, R, negated = _perpendicular()
     truth = (_moved(0, np.pi / 2, 0) @ _moved(2, theta, 0))[:, :3, :3].swapaxes(1, 2)
     forms = _array(negated), _array(transposed(R))
-    return compared(*forms, truth, "entry", "R^T of perpendicular axes, 1000 angles")
+    return compare(*forms, truth, "entry", "R^T of perpendicular axes, 1000 angles")
 
 
 def free_component() -> Comparison:
@@ -167,7 +167,7 @@ def free_component() -> Comparison:
     ledger: dict[str, int] = {}
     c, s = Tally(ledger), Tally(ledger)
     y, z = (component_cost(row, ledger) for row in transposed(((c, -s, 0), (0, 0, -1), (s, c, 0)))[1:])
-    return compared(y, z, 0, "operations", "a component for nothing")
+    return compare(y, z, 0, "operations", "a component for nothing")
 
 
 def component_cost(row: Any, ledger: dict[str, int]) -> int:
@@ -188,4 +188,4 @@ def determinant_in_4_19() -> Comparison:
             right.append(np.linalg.det(_array(rotation(body, motion.c[i], motion.s[i]))))
     printed = np.linalg.det(_array(_perpendicular()[2])).max()
     off = float(np.abs(np.concatenate(right) - 1).max())
-    return compared([printed, 1.0], [1 + off, 1.0], [1, 1], "determinant", "the determinant +1 of a turn")
+    return compare([printed, 1.0], [1 + off, 1.0], [1, 1], "determinant", "the determinant +1 of a turn")

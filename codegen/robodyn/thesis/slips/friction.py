@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from robodyn.effects import thesis_friction as friction
 from robodyn.thesis.case_arm import efficiency_point
 from robodyn.thesis.printed import TABLE_3_4, TABLE_3_5
-from robodyn.thesis.slips import Comparison, compared
+from robodyn.thesis.slips import Comparison, compare
 
 Floats = NDArray[np.float64]
 
@@ -53,7 +53,7 @@ def journal_bearing() -> Comparison:
     by_print, mended = (
         _each(friction.journal_bearing, mu, r, d, f, n, direction, as_printed=way) for way in (True, False)
     )
-    return compared(by_print, mended, truth, "N m", _STATICS)
+    return compare(by_print, mended, truth, "N m", _STATICS)
 
 
 def journal_bearing_without_moment() -> Comparison:
@@ -61,7 +61,7 @@ def journal_bearing_without_moment() -> Comparison:
     mu, r, d, f, n, direction = _loads()
     truth = mu * r * np.linalg.norm(_journal_loads(d, f, 0 * n), axis=2).sum(axis=1) * direction
     printed = mu * r * np.sqrt(f[0] ** 2 + f[1] ** 2) * direction
-    return compared(printed, printed, truth, "N m", _STATICS)
+    return compare(printed, printed, truth, "N m", _STATICS)
 
 
 def linear_bearing() -> Comparison:
@@ -69,7 +69,7 @@ def linear_bearing() -> Comparison:
     mu, _, d, f, n, direction = _loads()
     truth = mu * np.abs(_journal_loads(d, f, n)).sum(axis=(1, 2)) * direction
     ours = _each(friction.linear_bearing, mu, d, f, n, direction)
-    return compared(ours, ours, truth, "N", _STATICS)
+    return compare(ours, ours, truth, "N", _STATICS)
 
 
 def thrust_bearing(along: int = 0) -> Comparison:
@@ -79,7 +79,7 @@ def thrust_bearing(along: int = 0) -> Comparison:
     printed, right = (
         _each(friction.thrust_bearing, mu, r, f[order], direction) for order in ([0, 1, along], [0, 1, 2])
     )
-    return compared(printed, right, truth, "N m", "the load along the axis, 1000 loads")
+    return compare(printed, right, truth, "N m", "the load along the axis, 1000 loads")
 
 
 def _each(law: Any, *given: Floats, **way: bool) -> Floats:
@@ -102,7 +102,7 @@ def sign_rule() -> Comparison:
     by_print, mended, truth = (
         list(map(float, x)) for x in (printed, right, (row.joint_total for row in TABLE_3_5))
     )
-    return compared(by_print, mended, truth, "N m", "joint totals of Table 3.5", _ROUNDED)
+    return compare(by_print, mended, truth, "N m", "joint totals of Table 3.5", _ROUNDED)
 
 
 def ratio() -> Comparison:
@@ -116,7 +116,7 @@ def ratio() -> Comparison:
             (row.joint_total / (at_joint * m), row.joint_total / (at_joint / m * m), eta) for m in RATIOS
         ]
     printed, right, truth = (list(map(float, column)) for column in zip(*shares, strict=True))
-    return compared(printed, right, truth, "efficiency", f"eta, gears of {RATIOS} to 1")
+    return compare(printed, right, truth, "efficiency", f"eta, gears of {RATIOS} to 1")
 
 
 def efficiency_and_breakaway() -> Comparison:
@@ -126,4 +126,4 @@ def efficiency_and_breakaway() -> Comparison:
     eta = efficiency_point(row, drive).efficiency
     whole = row.joint_total / row.input
     apart = row.joint_total / friction.braking(row.input, 1, drive.breakaway, -1)
-    return compared(float(whole), float(apart), float(eta), "efficiency", "eta of link 1 by Table 3.2")
+    return compare(float(whole), float(apart), float(eta), "efficiency", "eta of link 1 by Table 3.2")

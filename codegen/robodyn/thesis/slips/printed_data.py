@@ -36,7 +36,7 @@ from robodyn.thesis.printed import (
     moved_to_origin,
 )
 from robodyn.thesis.puma_inverse import BRANCHES, PumaArm
-from robodyn.thesis.slips import Comparison, compared
+from robodyn.thesis.slips import Comparison, compare
 from robodyn.thesis.slips.recursion import STATES, against_newton_euler, scalars, states, torques_of
 from robodyn.thesis.tables.operations import journal
 from robodyn.thesis.tables.programs import D4_PRINTED
@@ -50,27 +50,27 @@ Floats = NDArray[np.float64]
 
 def sampling() -> Comparison:
     """Section 1.1: 20 times 5 to 10 Hz."""
-    return compared([1000, 2000], [100, 200], [20 * 5, 20 * 10], "Hz", "20 times 5 and 10 Hz")
+    return compare([1000, 2000], [100, 200], [20 * 5, 20 * 10], "Hz", "20 times 5 and 10 Hz")
 
 
 def polynomial() -> Comparison:
     """Table 1.1: Uicker and Kahn's multiplications for six joints against the printed polynomial."""
     row = TABLE_1_1["uicker_kahn"]
     truth = float(value(row.mul, 6))
-    return compared(row.mul_6, 67143, truth, "multiplications", "the printed polynomial at 6")
+    return compare(row.mul_6, 67143, truth, "multiplications", "the printed polynomial at 6")
 
 
 def additions_of_a_joint() -> Comparison:
     """Table 2.9: additions of a revolute joint, method II, against the column."""
     column = TABLE_2_9["revolute_II"]
     added = sum(pair[1] for step, pair in column.items() if step != "total")
-    return compared(column["total"][1], 113, added, "additions", "the sum of the printed column")
+    return compare(column["total"][1], 113, added, "additions", "the sum of the printed column")
 
 
 def additions_of_friction() -> Comparison:
     """Table 3.3: additions of Eq 3.3 against carrying it out on numbers that count."""
     printed = TABLE_3_3["joint"]["revolute"][1]
-    return compared(printed, 7, journal().add, "additions", "Eq 3.3 carried out")
+    return compare(printed, 7, journal().add, "additions", "Eq 3.3 carried out")
 
 
 def zeros_of_the_stanford_arm() -> Comparison:
@@ -81,7 +81,7 @@ def zeros_of_the_stanford_arm() -> Comparison:
     origins = [origin(body, d) for body, d in zip(arm.bodies[1:], motion.d[1:], strict=True)]
     vectors: list[Any] = [*(link.com for link in robot.links), *origins, (0, 0, 0)]
     zeros = sum(bool(np.all(np.asarray(x, dtype=float) == 0)) for vector in vectors for x in vector)
-    return compared(TABLE_4_4_ZEROS[0], 26, zeros, "zeros", "the numbers of stanford")
+    return compare(TABLE_4_4_ZEROS[0], 26, zeros, "zeros", "the numbers of stanford")
 
 
 def _alike(robot: Robot, *numbers: float) -> tuple[Floats, Floats, Floats]:
@@ -114,7 +114,7 @@ def moved_tasks(tasks: Sequence[int], anchor: int, place: int) -> Comparison:
 def tasks_of_link_2() -> Comparison:
     """Table 4.6: the number of eliminated tasks beside link 2 against its list."""
     *_, tasks, total = TABLE_4_6[1]
-    return compared(total, 12, len(tasks), "tasks", "the printed list of link 2")
+    return compare(total, 12, len(tasks), "tasks", "the printed list of link 2")
 
 
 def eliminated_or_executed() -> Comparison:
@@ -123,7 +123,7 @@ def eliminated_or_executed() -> Comparison:
     rules = [
         (rule.tasks, zeros, len(tasks)) for rule in TABLE_4_5 for zeros, tasks in enumerate(rule.executed, 1)
     ]
-    return compared(
+    return compare(
         [len(tasks) - listed for tasks, _, listed in rules],
         [listed for *_, listed in rules],
         [-(-flops(tasks, zeros) // FLOPS_PER_TASK) for tasks, zeros, _ in rules],
@@ -150,7 +150,7 @@ def origin_of_step_3() -> Comparison:
         other = products([(0.4, 0.5, 0.6) if k == moved else p for k, p in enumerate(rest)])
         reads |= {link: moved for link in links if not np.allclose(other[link - 1], before[link - 1])}
     right = [link - 1 for link in links]
-    return compared(links, right, list(reads.values()), "link", "origins moved one at a time")
+    return compare(links, right, list(reads.values()), "link", "origins moved one at a time")
 
 
 # --- parameters -------------------------------------------------------------------------------------------
@@ -166,7 +166,7 @@ def tenfold_inertias() -> Comparison:
     tensors = (map(moved_to_origin, PUMA[4:]), map(moved_to_origin, map(tenth, PUMA[4:])), D_2[4:])
     printed, right, truth = ([list(map(float, filter(None, one))) for one in form] for form in tensors)
     against = "the tensors of program D.2, four decimals"
-    return compared(printed, right, truth, "kg m^2", against, float(D_2_LAST_DIGIT) / 2)
+    return compare(printed, right, truth, "kg m^2", against, float(D_2_LAST_DIGIT) / 2)
 
 
 def two_arms(printed: str, right: str) -> Comparison:
@@ -177,7 +177,7 @@ def two_arms(printed: str, right: str) -> Comparison:
 def _of_arms(printed: Robot, right: Robot, what: str) -> Comparison:
     at = states(right)
     truth = Reference(right).inverse_dynamics(*at)
-    return compared(torques_of(printed, at), torques_of(right, at), truth, "N m", f"Newton-Euler of {what}")
+    return compare(torques_of(printed, at), torques_of(right, at), truth, "N m", f"Newton-Euler of {what}")
 
 
 def _changed(robot: Robot, link: int, **numbers: Any) -> Robot:
@@ -220,7 +220,7 @@ def wrist_as_a_point() -> Comparison:
     truth = Reference(six).inverse_dynamics(*at)[:, :3]
     printed = torques_of(three, (at[0][:, :3], at[1][:, :3], at[2][:, :3]))
     right = torques_of(six, (at[0], at[1], at[2]))[:, :3]
-    return compared(printed, right, truth, "N m", "Newton-Euler of stanford_d3, wrist still, 1000 states")
+    return compare(printed, right, truth, "N m", "Newton-Euler of stanford_d3, wrist still, 1000 states")
 
 
 # --- programs D.1.3 and D.4 -------------------------------------------------------------------------------
@@ -241,7 +241,7 @@ def start_of_d4(forearm: float, x: float) -> Comparison:
 
     printed, right = start(forearm, x), start(float(FOREARM), _POINT[0])
     against = "the start that D.4 prints, four decimals"
-    return compared(printed, right, D4_PRINTED, "rad", against, _HALF_DIGIT)
+    return compare(printed, right, D4_PRINTED, "rad", against, _HALF_DIGIT)
 
 
 def offset_of_the_shoulder() -> Comparison:
@@ -251,7 +251,7 @@ def offset_of_the_shoulder() -> Comparison:
     moved = replace(bundled("puma560_3dof_d12"), tool=led.tool)
     positions = PumaArm(float(OFFSET), float(FOREARM), -float(FOREARM)).positions(_POINT)
     printed, right = (Reference(robot).tool_pose(positions)[:, :, 3] for robot in (moved, led))
-    return compared(printed, right, np.tile(_POINT, (4, 1)), "m", "the point x = 0.4, y = z = 0.1 m")
+    return compare(printed, right, np.tile(_POINT, (4, 1)), "m", "the point x = 0.4, y = z = 0.1 m")
 
 
 def masses_of_link_3() -> Comparison:
@@ -280,7 +280,7 @@ def _columns(printed: Robot, right: Robot, against: str) -> Comparison:
     by_print, mended = (
         np.stack([torques_of(arm, (q, none, unit)) for unit in units], axis=2) for arm in (printed, right)
     )
-    return compared(by_print, mended, Reference(right).mass_matrix(q), "kg m^2", against)
+    return compare(by_print, mended, Reference(right).mass_matrix(q), "kg m^2", against)
 
 
 def rows_of_torques() -> Comparison:
@@ -295,11 +295,11 @@ def rows_of_torques() -> Comparison:
             cut += int(instant / step) != begin + late
             rounded += round(float(instant) / 0.01) != begin + late
         time = end
-    return compared(cut, rounded, 0, "evaluations of 404", "rows by counting steps")
+    return compare(cut, rounded, 0, "evaluations of 404", "rows by counting steps")
 
 
 def rows_beyond_the_table() -> Comparison:
     """D.4: the step that begins at 2.00 s asks for torques beyond 201 rows."""
     rows = [1 + 200 + late for late in (0, 1, 1, 2)]
     there = [min(row, 201) for row in rows]
-    return compared(rows, there, there, "rows", "a table of 201 rows")
+    return compare(rows, there, there, "rows", "a table of 201 rows")

@@ -23,7 +23,7 @@ from robodyn.dynamics.vectors import ZERO, Vector, cross, plus, scaled, unmarked
 from robodyn.robot.model import Robot
 from robodyn.thesis import steps
 from robodyn.thesis.printed import bundled
-from robodyn.thesis.slips import Comparison, compared
+from robodyn.thesis.slips import Comparison, compare
 from robodyn.verify.numbers import real
 from robodyn.verify.reference import Reference
 
@@ -125,7 +125,7 @@ class Recursion:
 # --- slips ------------------------------------------------------------------------------------------------
 
 
-def replaced(lam: Lambda, entries: Mapping[tuple[int, int], Any]) -> Lambda:
+def with_entries(lam: Lambda, entries: Mapping[tuple[int, int], Any]) -> Lambda:
     """``lam`` with ``entries`` by row and column from 1; ``k`` stays."""
     rows = [[entries.get((i, j), x) for j, x in enumerate(row, 1)] for i, row in enumerate(lam.rows, 1)]
     return steps.lambda_rows(tuple(map(tuple, rows)), lam.k)
@@ -133,7 +133,7 @@ def replaced(lam: Lambda, entries: Mapping[tuple[int, int], Any]) -> Lambda:
 
 def _formed(entries: Callable[[Vector, Vector], Mapping[tuple[int, int], Any]]) -> Recursion:
     """Some entries of lambda, formed of ``w`` and ``alpha``, as they are printed."""
-    return Recursion(lambda_of=lambda i, w, alpha: replaced(steps.lambda_I(w, alpha), entries(w, alpha)))
+    return Recursion(lambda_of=lambda i, w, alpha: with_entries(steps.lambda_I(w, alpha), entries(w, alpha)))
 
 
 def _other_way(R: Matrix, before: Lambda) -> Lambda:
@@ -144,13 +144,14 @@ def _other_way(R: Matrix, before: Lambda) -> Lambda:
 
 def _middle(R: Matrix, before: Lambda) -> Lambda:
     """``R^T lambda R`` with l33 for the l22 of lambda; its products ``k`` are formed from the rates."""
-    turned_back = steps.lambda_turned(R, replaced(before, {(2, 2): before.rows[2][2]}))
+    turned_back = steps.lambda_turned(R, with_entries(before, {(2, 2): before.rows[2][2]}))
     return Lambda(turned_back.rows, steps.lambda_turned(R, before).k)
 
 
 def _signs(R: Matrix, before: Lambda) -> Lambda:
     right = steps.lambda_turned(R, before)
-    return replaced(right, {(i, j): -right.rows[i - 1][j - 1] for i, j in ((1, 2), (1, 3), (2, 1), (3, 1))})
+    negated = ((1, 2), (1, 3), (2, 1), (3, 1))
+    return with_entries(right, {(i, j): -right.rows[i - 1][j - 1] for i, j in negated})
 
 
 def _other_dx(body: Body, alpha: Vector, lam: Lambda) -> Vector:
@@ -188,7 +189,9 @@ SLIPS: Final = {
     "R lambda R^T": Recursion(lambda_turned=_other_way),
     "signs of 2.37": Recursion(lambda_turned=_signs),
     "(2,1) of 2.36 is (1,3) of lambda_2": Recursion(
-        lambda_turned=lambda R, before: replaced(steps.lambda_turned(R, before), {(2, 1): before.rows[0][2]})
+        lambda_turned=lambda R, before: with_entries(
+            steps.lambda_turned(R, before), {(2, 1): before.rows[0][2]}
+        )
     ),
     "l33 for l22": Recursion(lambda_turned=_middle),
     "n_x": Recursion(torque=lambda body, f, n: n[0] if body.revolute else f[2]),
@@ -258,7 +261,7 @@ def against_newton_euler(
     robot = bundled(name)
     at = scalars(robot, states(robot))
     against = f"torques by Newton-Euler of {name}, {STATES} states"
-    return compared(stacked(run(at)), stacked(right(at)), newton_euler(name), "N m", against)
+    return compare(stacked(run(at)), stacked(right(at)), newton_euler(name), "N m", against)
 
 
 def of_recursion(slip: str, name: str) -> Comparison:

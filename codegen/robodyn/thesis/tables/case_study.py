@@ -11,7 +11,7 @@ from typing import Any, Final
 from robodyn.effects import thesis_friction as friction
 from robodyn.thesis.case_arm import efficiency_point, efficiency_points
 from robodyn.thesis.printed import TABLE_3_4, TABLE_3_5, PrintedTorques
-from robodyn.thesis.tables.table import Row, Verdict, judged, words_of
+from robodyn.thesis.tables.table import Row, Verdict, verdict_of, words_of
 
 #: Half of what the last digit of three rounded numbers can be off by.
 EXACT: Final = Fraction(1, 10000)
@@ -61,7 +61,7 @@ def table_3_4() -> Iterator[Row]:
 def _parameter(
     link: int, name: str, printed: Fraction, least: Fraction, most: Fraction | None, reason: str
 ) -> Row:
-    verdict: Verdict = judged(least <= printed and (most is None or printed <= most))
+    verdict: Verdict = verdict_of(least <= printed and (most is None or printed <= most))
     beside: tuple[Mapping[str, Any], ...] = ()
     if name in PUBLISHED:
         beside = ({"what": "public programs for the arm", "value": PUBLISHED[name][link - 1]},)
@@ -107,7 +107,7 @@ def _sum(name: str, printed: Fraction, total: Fraction, parts: str) -> Row:
     same = abs(total - printed) <= EXACT
     nearly = ", to the last digit but one" if total != printed and same else ""
     reason = f"{'' if same else 'not '}the sum of {parts}, each with its sign{nearly}"
-    return Row(name, {"torque": float(printed)}, {"torque": float(total)}, judged(same), reason)
+    return Row(name, {"torque": float(printed)}, {"torque": float(total)}, verdict_of(same), reason)
 
 
 def _sign_rule() -> Row:
@@ -118,7 +118,7 @@ def _sign_rule() -> Row:
         "link 2, sign rule",
         {"torque": float(row.joint_total)},
         {"torque": float(by_3_6), "by_eq_3_7": float(by_3_7)},
-        judged(abs(by_3_6 - row.joint_total) <= EXACT < abs(by_3_7 - row.joint_total)),
+        verdict_of(abs(by_3_6 - row.joint_total) <= EXACT < abs(by_3_7 - row.joint_total)),
         words_of("3.5")["reasons"]["sign rule"].format(by_3_7=float(by_3_7)),
     )
 
@@ -144,7 +144,7 @@ def _efficiencies() -> Iterator[Row]:
                 "load_fraction": float(load),
                 "case": drives,
             },
-            judged(possible and abs(torque - row.input) <= 20 * EXACT),
+            verdict_of(possible and abs(torque - row.input) <= 20 * EXACT),
             reason.format_map(figures) if possible else "no efficiency gives it",
         )
 

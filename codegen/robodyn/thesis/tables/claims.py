@@ -10,7 +10,7 @@ from typing import Any
 from robodyn.thesis import claims
 from robodyn.thesis.claims import Arms, Outcome
 from robodyn.thesis.printed import data
-from robodyn.thesis.tables.table import Row, Verdict, judged
+from robodyn.thesis.tables.table import Row, Verdict, verdict_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,7 +73,7 @@ def table_of_claims() -> Iterator[Row]:
             claim.name,
             {"claim": claim.claim, **claim.printed},
             {"found": claim.ours.format_map(figures), **figures},
-            claim.verdict or judged(bool(holds)),
+            claim.verdict or verdict_of(bool(holds)),
             claim.reason.format_map(figures),
             claim_number=claim.claim_number,
             section=claim.section,

@@ -12,7 +12,15 @@ from robodyn.kernels.generate import Options, program
 from robodyn.kernels.options import Level
 from robodyn.robot import Robot, bundled_names
 from robodyn.thesis.printed import LISTINGS, METHODS, OPENSYMORO, PEERS, Pair, bundled, table_2_10
-from robodyn.thesis.tables.table import Row, Verdict, apart, counted, judged, pair, words_of
+from robodyn.thesis.tables.table import (
+    Row,
+    Verdict,
+    count_data,
+    difference_in_words,
+    pair,
+    verdict_of,
+    words_of,
+)
 
 #: The robot with the numbers that the thesis's program used, by row of the table.
 ROBOTS: Final = {
@@ -41,7 +49,7 @@ def rows_of_table_2_10() -> Iterator[Row]:
     """Every printed figure beside ours for the same robot."""
     for row, printed in table_2_10().items():
         robot = bundled(ROBOTS[row])
-        ours = {"none": counted(plain(robot)), "default": counted(optimised(robot))}
+        ours = {"none": count_data(plain(robot)), "default": count_data(optimised(robot))}
         for method, figure in printed.items():
             run = _run(method, robot)
             verdict, reason = _verdict(row, method, figure, run, printed)
@@ -53,7 +61,7 @@ def rows_of_table_2_10() -> Iterator[Row]:
                     {"what": "the listing completed", **pair(*completed)},
                     *(peer.to_dict() for peer in PEERS[robot.name]),
                 )
-            method_count = {"method": None if run is None else counted(run)}
+            method_count = {"method": None if run is None else count_data(run)}
             yield Row(
                 f"{row}, {method}", {"operations": pair(*figure)}, {**method_count, **ours}, verdict, reason,
                 peers,
@@ -81,7 +89,7 @@ def _verdict(
         return "not recoverable", doubt + reasons["quoted"].format_map(figures)
     if (run.mul, run.add) == printed:
         return "reproduced", reasons["same"]
-    figures |= {"apart": apart(printed, run), "printed": TABLE_2_10[row][2]}
+    figures |= {"apart": difference_in_words(printed, run), "printed": TABLE_2_10[row][2]}
     return "differs", reasons[method].format_map(figures)
 
 
@@ -100,12 +108,12 @@ def table_of_robots() -> Iterator[Row]:
             {} if printed is None else pair(printed.mul, printed.add),
             {
                 "joints": "".join(link.joint.kind[0].upper() for link in robot.links),
-                "none": counted(plain(robot)),
-                "fast": counted(optimised(robot, "fast")),
-                "default": counted(record),
+                "none": count_data(plain(robot)),
+                "fast": count_data(optimised(robot, "fast")),
+                "default": count_data(record),
                 "opensymoro": None if peer is None else peer.total,
             },
-            None if printed is None else judged(printed.verdict == "reproduced"),
+            None if printed is None else verdict_of(printed.verdict == "reproduced"),
             "" if printed is None else f"Table {printed.table}, {printed.row}, of which: {printed.note}",
             tuple(one.to_dict() for one in peers if one is not peer or one.mul is not None),
         )

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from robodyn.thesis.slips import Slip, slips, slips_of
-from robodyn.thesis.tables.table import Row, judged
+from robodyn.thesis.tables.table import Row, verdict_of
 
 
 def table_2_4() -> Iterator[Row]:
@@ -46,4 +46,4 @@ def slip_row(slip: Slip) -> Row:
         "unit": found.unit,
         "against": found.against,
     }
-    return Row(slip.place, printed, {**right, **figures}, judged(same), f"{verdict}: {found.against}")
+    return Row(slip.place, printed, {**right, **figures}, verdict_of(same), f"{verdict}: {found.against}")

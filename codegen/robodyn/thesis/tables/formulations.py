@@ -19,10 +19,10 @@ from robodyn.counts.general import Formulation, Tally, general_count
 from robodyn.dynamics.transforms import Matrix, applied, inner, product
 from robodyn.optimize.choice import formulation_named
 from robodyn.thesis.formulations.lagrange import weighed
-from robodyn.thesis.polynomial import Polynomial, difference, fitted, spelled, value
+from robodyn.thesis.polynomial import Polynomial, difference, fit, polynomial_text, value
 from robodyn.thesis.printed import TABLE_1_1, PrintedCost
 from robodyn.thesis.steps import step_counts
-from robodyn.thesis.tables.table import Row, counted, judged, summed, words_of
+from robodyn.thesis.tables.table import Row, count_data, summed, verdict_of, words_of
 
 JOINTS: Final = 6
 #: The printed rows' formulations, and those that the table has no row for, with the degrees of their costs.
@@ -61,16 +61,16 @@ def _rows(name: str, printed: PrintedCost, reasons: Mapping[str, str]) -> Iterat
         ("mul", printed.mul, printed.mul_6), ("add", printed.add, printed.add_6)
     )  # fmt: skip
     for kind, coefficients, figure in kinds:
-        polynomial = fitted(ours[kind], degree)
+        polynomial = fit(ours[kind], degree)
         beside: tuple[Mapping[str, Any], ...] = ()
         if name == "newton_euler":
-            joint = counted(summed(step_counts("II", revolute=True).values()))
+            joint = count_data(summed(step_counts("II", revolute=True).values()))
             beside = ({"what": "the same recursion, a joint, R full, as Table 2.9 has it", **joint},)
         yield Row(
             f"{name}, {kind}",
             _printed(coefficients, figure),
-            {"polynomial": polynomial and spelled(polynomial), "n6": getattr(at_6, kind)},
-            judged(polynomial == coefficients and getattr(at_6, kind) == figure),
+            {"polynomial": polynomial and polynomial_text(polynomial), "n6": getattr(at_6, kind)},
+            verdict_of(polynomial == coefficients and getattr(at_6, kind) == figure),
             _reason(f"{name}, {kind}", coefficients, figure, polynomial, reasons),
             beside,
         )
@@ -83,7 +83,7 @@ def _rows(name: str, printed: PrintedCost, reasons: Mapping[str, str]) -> Iterat
         f"{name}, total",
         {"n6": printed.total_6, "polynomial_at_6": _number(at_polynomial)},
         {"n6": total},
-        judged(total == printed.total_6),
+        verdict_of(total == printed.total_6),
         f"the printed polynomials give {gives}, ours is {abs(total - at_polynomial)} "
         f"{'fewer' if total < at_polynomial else 'more'}: see the rows above",
     )
@@ -92,7 +92,7 @@ def _rows(name: str, printed: PrintedCost, reasons: Mapping[str, str]) -> Iterat
 def _unlisted(name: str, degree: int, words: str, newton_euler: Count) -> Row:
     """The row of a formulation of which nothing is printed."""
     at_6, ours = _counts(name, range(2, degree + 5))
-    polynomials = ((kind, fitted(figures, degree)) for kind, figures in ours.items())
+    polynomials = ((kind, fit(figures, degree)) for kind, figures in ours.items())
     share = 100 * (at_6.total - newton_euler.total) / newton_euler.total
     return Row(
         f"{name}, total",
@@ -101,7 +101,9 @@ def _unlisted(name: str, degree: int, words: str, newton_euler: Count) -> Row:
             "n6": at_6.total,
             "mul_6": at_6.mul,
             "add_6": at_6.add,
-            "polynomial": " and ".join(f"{spelled(found)} {kind}" for kind, found in polynomials if found),
+            "polynomial": " and ".join(
+                f"{polynomial_text(found)} {kind}" for kind, found in polynomials if found
+            ),
         },
         None,
         f"the table has no row of it: {words}; {abs(share):.0f} % {'more' if share > 0 else 'fewer'} "
@@ -111,7 +113,7 @@ def _unlisted(name: str, degree: int, words: str, newton_euler: Count) -> Row:
 
 def _printed(coefficients: Polynomial, at_6: int) -> dict[str, Any]:
     at_polynomial = _number(value(coefficients, JOINTS))
-    return {"polynomial": spelled(coefficients), "n6": at_6, "polynomial_at_6": at_polynomial}
+    return {"polynomial": polynomial_text(coefficients), "n6": at_6, "polynomial_at_6": at_polynomial}
 
 
 def _number(x: Fraction) -> int | str:
@@ -131,7 +133,7 @@ def _reason(
         return slip + "our counts are no polynomial of that degree"
     if polynomial == coefficients:
         return slip + "the same polynomial"
-    apart = spelled(difference(coefficients, polynomial))
+    apart = polynomial_text(difference(coefficients, polynomial))
     explained = reasons.get(f"{row}: {apart}", "this difference is not the one that is explained")
     return f"{slip}printed less ours is {apart}: {explained}"
 
@@ -188,7 +190,7 @@ def uicker_kahn_by_parts(n: int) -> dict[str, Fraction]:
 
 
 def _parts_row(kind: str, coefficients: Polynomial, at_6: int) -> Row:
-    polynomial = fitted({n: uicker_kahn_by_parts(n)[kind] for n in range(1, 8)}, 4)
+    polynomial = fit({n: uicker_kahn_by_parts(n)[kind] for n in range(1, 8)}, 4)
     same = polynomial == coefficients
     ours_at_6 = uicker_kahn_by_parts(JOINTS)[kind]
     reason = (
@@ -198,14 +200,14 @@ def _parts_row(kind: str, coefficients: Polynomial, at_6: int) -> Row:
     if same:
         reason += "; reproduces the printed polynomial exactly"
     elif polynomial is not None:
-        reason += f"; the printed polynomial has {spelled(difference(coefficients, polynomial))} more"
+        reason += f"; the printed polynomial has {polynomial_text(difference(coefficients, polynomial))} more"
         reason += ", where joining the three sums of a torque would take 2 n" if kind == "add" else ""
     if same and value(coefficients, JOINTS) != at_6:
         reason += f", and so {ours_at_6} for six joints, not the {at_6} printed"
     return Row(
         f"uicker_kahn, {kind}, by parts",
         _printed(coefficients, at_6),
-        {"polynomial": polynomial and spelled(polynomial), "n6": _number(ours_at_6)},
-        judged(same),
+        {"polynomial": polynomial and polynomial_text(polynomial), "n6": _number(ours_at_6)},
+        verdict_of(same),
         reason,
     )

@@ -14,7 +14,7 @@ from robodyn.dynamics.vectors import Vector
 from robodyn.effects import thesis_friction as friction
 from robodyn.thesis.printed import TABLE_2_9, TABLE_3_3
 from robodyn.thesis.steps import Method, Rotation, step_counts
-from robodyn.thesis.tables.table import Row, compared_count, counted, summed, words_of
+from robodyn.thesis.tables.table import Row, compared_count, count_data, summed, words_of
 
 #: The rows in which the table takes a prismatic joint's R for a full matrix; in the others it is free.
 FULL_R: Final[dict[Method, frozenset[str]]] = {
@@ -68,12 +68,13 @@ def _beside(method: Method, revolute: bool) -> tuple[Mapping[str, Any], ...]:
         run = modified_newton_euler if method == "I" else newton_euler
         fewer, more = (general_count(run, n) for n in (3, 4))
         joint = Count(mul=more.mul - fewer.mul, add=more.add - fewer.add)
-        return ({"what": "robodyn's recursion, a joint, DH's R in two turns, full tensor", **counted(joint)},)
+        what = "robodyn's recursion, a joint, DH's R in two turns, full tensor"
+        return ({"what": what, **count_data(joint)},)
     rotations: tuple[Rotation, ...] = ("full", "right-angled")
     return tuple(
         {
             "what": f"R {rotation} throughout",
-            **counted(summed(step_counts(method, revolute=False, rotation=rotation).values())),
+            **count_data(summed(step_counts(method, revolute=False, rotation=rotation).values())),
         }
         for rotation in rotations
     )
@@ -131,10 +132,10 @@ def table_3_3() -> Iterator[Row]:
     counts, reasons = friction_counts(), words_of("3.3")["reasons"]
     beside: dict[str, Mapping[str, Any]] = {
         "joint, revolute": {
-            "what": "Eq 3.3 as printed, a wrong sign in it", **counted(journal(as_printed=True)),
+            "what": "Eq 3.3 as printed, a wrong sign in it", **count_data(journal(as_printed=True)),
         },
         "transmission, cubic_spline": {
-            "what": "by Horner's rule", **counted(transmission(friction.cubic_efficiency)),
+            "what": "by Horner's rule", **count_data(transmission(friction.cubic_efficiency)),
         },
     }  # fmt: skip
     for name, figures in TABLE_3_3.items():

@@ -26,7 +26,7 @@ from robodyn.schedule.methods import Method
 from robodyn.thesis.case_arm import robots
 from robodyn.thesis.judge import UNIT_MS, printed_graph, rival_graph, rule_graph
 from robodyn.thesis.printed import LEVELS_STANFORD, TASK_MS, TIMES_OTHERS, TIMES_STANFORD
-from robodyn.thesis.tables.table import Row, judged, words_of
+from robodyn.thesis.tables.table import Row, verdict_of, words_of
 
 #: Whose column is recomputed, and by which method; the others are quoted.
 _RIVALS: Final[dict[str, Method]] = {"Kasahara and Narita 1985": "df-ihs", "Chen, Lee and Hou 1988": "a-star"}
@@ -56,7 +56,7 @@ def table_4_8() -> Iterator[Row]:
         kind = "fewer" if less > 0 else "more" if less else "as many"
         reason = words_of("4.8")["reasons"][kind].format(less=f"{less} level{'s' if less > 1 else ''}")
         others = tuple({"what": who, "ms": times[p]} for who, times in TIMES_OTHERS.items() if p in times)
-        yield Row(f"p = {p}", {"ms": ms}, ours, judged(abs(ours["ms"] - ms) < 0.01), reason, others)
+        yield Row(f"p = {p}", {"ms": ms}, ours, verdict_of(abs(ours["ms"] - ms) < 0.01), reason, others)
     yield from _rivals()
 
 
@@ -71,7 +71,7 @@ def _rival(who: str, p: int, ms: float) -> Row:
     graph = rival_graph()
     if who not in _RIVALS and p == 1:
         work, reason = graph.work * UNIT_MS, "all tasks one after another, to the printed digit"
-        return Row(name, {"ms": ms}, {"ms": round(work, 2)}, judged(abs(work - ms) < 0.05), reason)
+        return Row(name, {"ms": ms}, {"ms": round(work, 2)}, verdict_of(abs(work - ms) < 0.05), reason)
     if who not in _RIVALS:
         bound = round(lower_bound(graph, p) * UNIT_MS, 2)
         reason = "quoted: one processor a joint, and which joint a task belongs to is not known"
@@ -87,7 +87,7 @@ def _rival(who: str, p: int, ms: float) -> Row:
     else:
         reason = "the same length"
     reason += ", proven to be the shortest" if solved.optimal and ms >= bound else ""
-    return Row(name, {"ms": ms}, {"ms": time, "bound_ms": bound}, judged(time == ms), reason)
+    return Row(name, {"ms": ms}, {"ms": time, "bound_ms": bound}, verdict_of(time == ms), reason)
 
 
 # --- friction as tasks ------------------------------------------------------------------------------------
@@ -116,7 +116,7 @@ def table_of_friction() -> Iterator[Row]:
             f"tasks a joint, {kind}",
             {"flops": f"{flops} operations", "tasks": filled},
             {"tasks": tasks},
-            judged(tasks == filled),
+            verdict_of(tasks == filled),
             f"{flops} operations fill {filled} tasks of {FLOPS_PER_TASK}; ours are cut at what waits for "
             "what, with 0.5 d and mu r/d formed beforehand",
         )

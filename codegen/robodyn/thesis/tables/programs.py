@@ -16,7 +16,7 @@ from robodyn.robot.model import Robot
 from robodyn.thesis.case_arm import D4_BRANCH, LED_ROBOT, led
 from robodyn.thesis.printed import D_2, D_2_LAST_DIGIT, PUMA, bundled
 from robodyn.thesis.puma_inverse import BRANCHES
-from robodyn.thesis.tables.table import Row, judged, words_of
+from robodyn.thesis.tables.table import Row, verdict_of, words_of
 
 #: Where simulation D.4 begins as the thesis prints it [rad], and where the printed positions put the point
 #: [m].
@@ -24,7 +24,7 @@ D4_PRINTED: Final = (3.6997, 2.3083, 0.5951)
 POINT: Final = (Fraction(4, 10), Fraction(1, 10), Fraction(1, 10))
 
 
-def generated(robot: Robot, point: Sequence[Fraction]) -> list[list[float]]:
+def generated_branches(robot: Robot, point: Sequence[Fraction]) -> list[list[float]]:
     """Joint positions [4][3] (rad) of all branches by the generated inverse kinematics, in floats."""
     inverse = inverse_of(build_arm(robot, lambda x: x, lambda name: name), [None] * robot.n)
     x, y, z = map(float, point)
@@ -37,7 +37,7 @@ def generated(robot: Robot, point: Sequence[Fraction]) -> list[list[float]]:
 def table_of_branches() -> Iterator[Row]:
     """The four branches at the beginning of simulation D.4, and the numbers of D.1.3 that do not fit."""
     robot = bundled(LED_ROBOT)
-    ours = generated(robot, POINT)
+    ours = generated_branches(robot, POINT)
     by_formulas = led("programs").inverse.positions([float(x) for x in POINT]).tolist()
     for signs, q in zip(BRANCHES, by_formulas, strict=True):
         name = "q1 by {} root, q3 by {} root".format(*("plus" if sign > 0 else "minus" for sign in signs))
@@ -50,7 +50,7 @@ def table_of_branches() -> Iterator[Row]:
         same = max(abs(x - y) for x, y in zip(turned, D4_PRINTED, strict=True)) <= 5.1e-5
         printed, found = {"value": _positions(D4_PRINTED)}, {"value": _positions(turned)}
         reason = "where D.4 begins, q1 one turn on; not the branch that D.1.3 takes first"
-        yield Row(name, printed, found, judged(same), reason, beside)
+        yield Row(name, printed, found, verdict_of(same), reason, beside)
     kernel = count(program(robot, "inverse_kinematics", Options(("inverse_kinematics",))))
     yield Row(
         "operations",
@@ -98,7 +98,7 @@ def table_2_6() -> Iterator[Row]:
             f"link {k}, triangle",
             {"value": f"{float(xx)} {float(yy)} {float(zz)}"},
             {"value": float(spare)},
-            judged(spare >= 0),
+            verdict_of(spare >= 0),
             "the least of the sums of two moments less the third, which no body has below 0"
             + ("" if spare >= 0 else ": these moments are no body's"),
         )
@@ -116,4 +116,4 @@ def _inertia(name: str, printed: Fraction, ours: Fraction, whole: Fraction) -> R
         reason = "program D.2 has the printed one about the link's origin: it was not moved there"
     else:
         reason = "program D.2 has another one"
-    return Row(name, {"value": float(printed)}, {"value": float(round(ours, 6))}, judged(same), reason)
+    return Row(name, {"value": float(printed)}, {"value": float(round(ours, 6))}, verdict_of(same), reason)

@@ -10,7 +10,7 @@ from robodyn.errors import InputError
 from robodyn.schedule import Machine, solve
 from robodyn.schedule.validate import Fault
 from robodyn.thesis.judge import SCHEDULES, Judgement, judge, printed_graph, printed_schedule, rule_graph
-from robodyn.thesis.tables.table import Row, Table, judged, table_of, words_of
+from robodyn.thesis.tables.table import Row, Table, table_of, verdict_of, words_of
 
 #: The tables that can be asked for, Table 4.8 last.
 THESIS: Final = (*SCHEDULES, "4.8")
@@ -28,7 +28,7 @@ def table_of_schedules() -> Iterator[Row]:
     for name in SCHEDULES:
         judgement = judge(printed_schedule(name))
         reason = "; ".join(_words(judgement)) or "no fault found"
-        yield Row(name, *_figures(judgement), judged(not judgement.faults), reason)
+        yield Row(name, *_figures(judgement), verdict_of(not judgement.faults), reason)
 
 
 def one_table(name: str) -> Table:
@@ -62,7 +62,7 @@ def _rows_of_one(judgement: Judgement) -> Iterator[Row]:
         ("levels", printed["levels"], ours["thesis"], longer),
         ("tasks", printed["distinct"], ours["tasks"], ""),
     ):
-        yield Row(what, {"figure": figure}, {"figure": our_figure}, judged(figure == our_figure), reason)
+        yield Row(what, {"figure": figure}, {"figure": our_figure}, verdict_of(figure == our_figure), reason)
     for kind, (_, meaning) in _KINDS.items():
         tasks = [fault.task for fault in judgement.of(kind)]
         if tasks:

@@ -106,7 +106,7 @@ def pair(mul: int, add: int) -> dict[str, int]:
     return {"mul": mul, "add": add, "total": mul + add}
 
 
-def counted(count: Count) -> dict[str, int]:
+def count_data(count: Count) -> dict[str, int]:
     """A count as JSON holds it; divisions and square roots only where there are any."""
     extra = {"div": count.div, "sqrt": count.sqrt}
     return {**pair(count.mul, count.add), **{kind: amount for kind, amount in extra.items() if amount}}
@@ -131,12 +131,12 @@ def compared_count(
     mul, add = ours.mul - printed[0], ours.add - printed[1]
     reason = reasons.get(f"{name}: {mul} {add}", "not explained" if mul or add else same)
     if mul or add:
-        reason = f"{apart(printed, ours)}: {reason}"
-    operations = {"operations": pair(*printed)}, {"operations": counted(ours)}
-    return Row(name, *operations, judged(not (mul or add)), reason, beside)
+        reason = f"{difference_in_words(printed, ours)}: {reason}"
+    operations = {"operations": pair(*printed)}, {"operations": count_data(ours)}
+    return Row(name, *operations, verdict_of(not (mul or add)), reason, beside)
 
 
-def apart(printed: tuple[int, int], ours: Count) -> str:
+def difference_in_words(printed: tuple[int, int], ours: Count) -> str:
     """How ours stands to a printed pair, in words."""
     words = [
         f"{abs(x)} {'more' if x > 0 else 'fewer'} {what}"
@@ -146,7 +146,7 @@ def apart(printed: tuple[int, int], ours: Count) -> str:
     return "ours has " + " and ".join(words) if words else "the same operations"
 
 
-def judged(same: bool) -> Verdict:
+def verdict_of(same: bool) -> Verdict:
     """``reproduced`` or ``differs``."""
     return "reproduced" if same else "differs"
 
@@ -162,7 +162,7 @@ def to_text(table: Table) -> str:
             remarks.setdefault(row.reason, len(remarks) + 1)
     cells = [("", *(column.head for column in table.columns), "verdict", "")]
     for row in table.rows:
-        figures = (shown(column.figure(row)) for column in table.columns)
+        figures = (figure_text(column.figure(row)) for column in table.columns)
         mark = f"[{remarks[row.reason]}]" if row.reason else ""
         cells.append((row.name, *figures, row.verdict or "-", mark))
     widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
@@ -173,7 +173,7 @@ def to_text(table: Table) -> str:
         for column in table.below:
             figure = column.figure(row)
             if figure is not None:
-                text += _wrapped(f"{column.head}: ", shown(figure), "    ")
+                text += _wrapped(f"{column.head}: ", figure_text(figure), "    ")
         if row.beside:
             text += _wrapped("beside: ", "; ".join(map(_beside, row.beside)), "    ")
     text.append("")
@@ -196,7 +196,7 @@ def _wrapped(head: str, text: str, indent: str = "") -> list[str]:
     )  # fmt: skip
 
 
-def shown(figure: Any) -> str:
+def figure_text(figure: Any) -> str:
     """A figure for a person: ``92/76 = 168`` for operations, ``-`` for none."""
     if figure is None:
         return "-"
@@ -205,13 +205,13 @@ def shown(figure: Any) -> str:
         others = (f", {figure[kind]} {kind}" for kind in ("div", "sqrt") if figure.get(kind))
         return f"{operations}{figure['total']}{''.join(others)}"
     if isinstance(figure, Mapping):
-        return ", ".join(f"{key}: {shown(value)}" for key, value in figure.items())
+        return ", ".join(f"{key}: {figure_text(value)}" for key, value in figure.items())
     if isinstance(figure, list | tuple):
-        return " ".join(shown(x) for x in figure) if figure else "none"
+        return " ".join(figure_text(x) for x in figure) if figure else "none"
     return f"{figure:.6g}" if isinstance(figure, float) else str(figure)
 
 
 def _beside(other: Mapping[str, Any]) -> str:
     figures = {key: value for key, value in other.items() if key not in ("tool", "what", "source")}
     gap = " " if figures.keys() >= {"mul", "add", "total"} else ": "
-    return f"{other.get('tool') or other.get('what')}{gap}{shown(figures)}"
+    return f"{other.get('tool') or other.get('what')}{gap}{figure_text(figures)}"

@@ -19,7 +19,7 @@ from robodyn.thesis.printed import (
     TABLE_4_6,
     bundled,
 )
-from robodyn.thesis.tables.table import Row, judged, words_of
+from robodyn.thesis.tables.table import Row, verdict_of, words_of
 
 #: A link amid an arm, so that nothing is spared.
 LINK: Final = 3
@@ -99,7 +99,7 @@ def _idle_rows() -> Iterator[Row]:
             name,
             {"tasks": sorted(printed), "total": total},
             {"tasks": sorted(ours), "total": len(ours)},
-            judged(ours == printed and len(printed) == total),
+            verdict_of(ours == printed and len(printed) == total),
             reason,
         )
 
@@ -121,7 +121,7 @@ def table_4_4() -> Iterator[Row]:
             )
         if (link, wrong, ours["s"]) == (5, ["s"], ["y"]):
             reason += ": the thesis's own Table 2.7 has z = 0 there"
-        yield Row(f"link {link}", printed, ours, judged(not wrong), reason)
+        yield Row(f"link {link}", printed, ours, verdict_of(not wrong), reason)
     zeros, of = TABLE_4_4_ZEROS
     ours_zeros = {"zeros": sparse.zeros, "of": 6 * len(sparse.s)}
     reason = "the printed lists have as many" if TABLE_4_4.zeros == zeros else "not what the lists add up to"
@@ -129,7 +129,7 @@ def table_4_4() -> Iterator[Row]:
         more = "more" if sparse.zeros > zeros else "fewer"
         reason += f"; ours has {abs(sparse.zeros - zeros)} {more}, of the rows that differ"
     same = ours_zeros == {"zeros": zeros, "of": of}
-    yield Row("zeros", {"zeros": zeros, "of": of}, ours_zeros, judged(same), reason)
+    yield Row("zeros", {"zeros": zeros, "of": of}, ours_zeros, verdict_of(same), reason)
 
 
 def _vectors(pattern: Sparsity) -> list[dict[str, list[str]]]:
@@ -162,7 +162,7 @@ def table_4_5() -> Iterator[Row]:
                 f"step {rule.step}, {rule.what}, {zeros} zero{'s' if zeros > 1 else ''}",
                 {"executed": list(printed), "tasks": len(printed)},
                 {"tasks": ours, "flops": needed, "of": flops(rule.tasks, 0)},
-                judged(same),
+                verdict_of(same),
                 reason,
             )
 
@@ -189,7 +189,7 @@ def table_4_6() -> Iterator[Row]:
             tasks = [task_id(link, task) for task in sorted(physical)]
             beside = ({"what": "step 3 by p of the link before", "total": len(tasks), "tasks": tasks},)
         reason = _difference(link, printed, ours)
-        yield Row(f"link {link}", printed, ours, judged(printed == ours), reason, beside)
+        yield Row(f"link {link}", printed, ours, verdict_of(printed == ours), reason, beside)
         totals.append((total, len(numbers), len(by_rule)))
     printed_sum, listed, our_sum = map(sum, zip(*totals, strict=True))
     both = len(FIRST_LINK & set(TABLE_4_6[0][2])) + len(LAST_LINK & set(TABLE_4_6[-1][2]))
@@ -197,7 +197,7 @@ def table_4_6() -> Iterator[Row]:
         "sum",
         {"total": printed_sum},
         {"total": our_sum},
-        judged(our_sum == printed_sum),
+        verdict_of(our_sum == printed_sum),
         f"not printed as such: the printed totals add up to {printed_sum}, from which 156 tasks follow as "
         f"231 - 9 - ({printed_sum} - {both}); the printed lists have {listed}, and ours "
         f"{our_sum}",
