@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
+from itertools import dropwhile
 
 Polynomial = tuple[Fraction, ...]
 
@@ -24,44 +25,35 @@ def fit(values: Mapping[int, int | Fraction], degree: int) -> Polynomial | None:
     points = sorted(values.items())
     if len(points) < degree + 2:
         raise ValueError(f"{len(points)} values cannot check a polynomial of degree {degree}")
-    coefficients: list[Fraction] = [Fraction(0)]
-    basis: list[Fraction] = [Fraction(1)]  # Newton's form: the product of (n - n_k) so far
+    coefficients: Polynomial = (Fraction(0),)
+    basis = [Fraction(1)]  # Newton's form: the product of (n - n_k) so far
     for n, y in points[: degree + 1]:
         slope = (y - value(coefficients, n)) / value(basis, n)
-        coefficients = _plus(coefficients, [slope * b for b in basis])
-        basis = _plus([*basis, Fraction(0)], [-n * b for b in basis])
-    if any(value(coefficients, n) != y for n, y in points[degree + 1 :]):
-        return None
-    while len(coefficients) > 1 and not coefficients[0]:
-        coefficients.pop(0)
-    return tuple(coefficients)
+        coefficients = _sum(coefficients, [slope * b for b in basis])
+        basis = [*_sum([*basis, Fraction(0)], [-n * b for b in basis])]
+    return coefficients if all(value(coefficients, n) == y for n, y in points) else None
 
 
-def difference(a: Sequence[Fraction], b: Sequence[Fraction]) -> Polynomial:
+def difference(a: Sequence[Fraction], b: Iterable[Fraction]) -> Polynomial:
     """``a - b``."""
-    remainder = _plus(list(a), [-x for x in b])
-    while len(remainder) > 1 and not remainder[0]:
-        remainder.pop(0)
-    return tuple(remainder)
+    return _sum(a, [-x for x in b])
 
 
-def _plus(a: list[Fraction], b: list[Fraction]) -> list[Fraction]:
-    size = max(len(a), len(b))
-    padded = [[Fraction(0)] * (size - len(x)) + x for x in (a, b)]
-    return [x + y for x, y in zip(*padded, strict=True)]
+def _sum(a: Sequence[Fraction], b: Sequence[Fraction]) -> Polynomial:
+    size, none = max(len(a), len(b)), Fraction(0)
+    padded = ([none] * (size - len(x)) + [*x] for x in (a, b))
+    sums = (x + y for x, y in zip(*padded, strict=True))
+    return tuple(dropwhile(lambda x: not x, sums)) or (none,)
 
 
 def polynomial_text(coefficients: Sequence[Fraction]) -> str:
     """``25 n^4 + 199/3 n^3 - 96``."""
-    degree = len(coefficients) - 1
     text = ""
-    for power, coefficient in zip(range(degree, -1, -1), coefficients, strict=True):
-        if not coefficient:
-            continue
-        sign = "-" if coefficient < 0 else "+"
-        size = abs(coefficient)
-        factor = "" if size == 1 and power else str(size)
-        variable = "" if not power else "n" if power == 1 else f"n^{power}"
-        term = " ".join(part for part in (factor, variable) if part)
-        text += f" {sign} {term}" if text else (f"-{term}" if sign == "-" else term)
+    for power, coefficient in zip(reversed(range(len(coefficients))), coefficients, strict=True):
+        if coefficient:
+            size = "" if abs(coefficient) == 1 and power else str(abs(coefficient))
+            variable = {0: "", 1: "n"}.get(power, f"n^{power}")
+            sign = "-" if coefficient < 0 else "+"
+            text += f" {sign} " if text else sign.strip("+")
+            text += f"{size} {variable}".strip()
     return text or "0"
