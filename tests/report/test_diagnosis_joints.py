@@ -15,8 +15,7 @@ from report.made_up import made, many, series
 from report.test_diagnosis_report import Page, points
 from robodyn.diagnose.result import Gap, Series
 from robodyn.report.chart_frames import HIGH
-from robodyn.report.diagnosis import page
-from robodyn.report.diagnosis_joints import FEW, by_joint, table_of_kinds
+from robodyn.report.diagnosis import FEW, by_joint, page, table_of_kinds
 from robodyn.report.diagnosis_residual import best_of, localised, shown_over, torques, travelled
 from robodyn.report.diagnosis_summary import advice
 from robodyn.robot import Robot, load
