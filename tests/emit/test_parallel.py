@@ -18,9 +18,8 @@ from robodyn.kernels.generate import Options, generate
 from robodyn.robot import Robot, load, read_text
 from robodyn.schedule import Machine, solve
 from robodyn.schedule.cutting import Cut, cut
-from robodyn.schedule.lanes import Waiting, lanes
+from robodyn.schedule.lanes import Waiting, lanes, pack
 from robodyn.schedule.machine import Timetable
-from robodyn.schedule.packing import pack
 from robodyn.schedule.task_program import task_program
 from robodyn_testing import representative, require_tool
 from robodyn_testing.effect_arms import TEXTS

@@ -10,7 +10,8 @@ from fractions import Fraction
 import pytest
 
 from dynamics.direct import exact_arm, with_named_numbers
-from robodyn import Options, load, program
+from records.made import bundled
+from robodyn import Options, program
 from robodyn.counts import count
 from robodyn.dynamics.arm import build_arm, build_motion
 from robodyn.dynamics.equality import equals_recursion
@@ -31,10 +32,6 @@ from robodyn_testing import representative, sampled
 #: Enough for equality; the figures of the documentation take effort 1.
 LITTLE = 0.02
 ARMS = [exact_arm(seed, joints=2 + seed % 2, generic_angles=0.2, friction=0.7) for seed in range(300, 320)]
-
-
-def bundled(name: str) -> Robot:
-    return load(name, warn=lambda _: None)
 
 
 @functools.cache

@@ -7,7 +7,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from robodyn.ir import Program
-from robodyn.robot import Robot, load
+from robodyn.robot import Robot
 from robodyn.robot.model import Limits
 from robodyn_testing.random_robots import random_robot
 
@@ -31,11 +31,6 @@ def limited(robot: Robot) -> Robot:
 def random_limited(seed: int, joints: int) -> Robot:
     """A random arm with limits, of ``joints`` joints."""
     return limited(random_robot(seed, joints=joints))
-
-
-def bundled(name: str) -> Robot:
-    """A bundled robot as it is; doubts about its numbers are not told."""
-    return load(name, warn=lambda _: None)
 
 
 def damaged(program: Program, seed: int, places: int = 3) -> Program:

@@ -10,7 +10,8 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from prune.limited import bundled, damaged, limited, random_limited
+from prune.limited import damaged, limited, random_limited
+from records.made import bundled
 from robodyn.ir import Graph, Input, Program
 from robodyn.ir.evaluate import evaluate_exact
 from robodyn.kernels.generate import Options, program

@@ -13,7 +13,8 @@ import numpy as np
 import pytest
 
 import robodyn.optimize.prune.pruning
-from prune.limited import bundled, limited, random_limited
+from prune.limited import limited, random_limited
+from records.made import bundled
 from robodyn.counts import count
 from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.errors import InputError

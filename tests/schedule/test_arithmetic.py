@@ -11,9 +11,8 @@ from ir.programs import Point
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.robot import Robot
 from robodyn.schedule import FLOPS_PER_TASK, TASKS, arithmetic, arm_graph
-from robodyn.schedule.arithmetic import one_after_another, run_tasks
+from robodyn.schedule.arithmetic import flops_of_tasks, one_after_another, run_tasks
 from robodyn.schedule.graph import TaskGraph, TaskId, link_and_number
-from robodyn.schedule.task_counts import flops_of_tasks
 
 
 def right_angled(seed: int, prismatic: float, **more: float) -> Robot:

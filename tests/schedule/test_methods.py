@@ -12,8 +12,8 @@ import pytest
 from robodyn import InputError
 from robodyn.errors import ToolError
 from robodyn.schedule import METHODS, Machine, TaskGraph, faults_of_times, general_graph, lower_bound, solve
-from robodyn.schedule.bounds import fewest_processors
 from robodyn.schedule.branch_and_bound import one_processor_a_joint
+from robodyn.schedule.graph import fewest_processors
 from robodyn.schedule.methods import Method, check
 from robodyn.schedule.optimum import fewest_for_critical_path, optimum
 from robodyn.schedule.tree import Limits, Tree

@@ -13,7 +13,8 @@ from hypothesis import strategies as st
 
 from dynamics.direct import NO_SHRINKING, exact_arm, values_of, with_named_numbers
 from ir.programs import Point, exactly
-from robodyn import InputError, load
+from records.made import bundled
+from robodyn import InputError
 from robodyn.counts import count
 from robodyn.dynamics.equality import equals_recursion
 from robodyn.dynamics.lump import Lump
@@ -28,10 +29,6 @@ from robodyn.search.space import Candidates, Space
 from robodyn_testing.functions import SAMPLED
 
 pytestmark = pytest.mark.thorough  # whole searches: CI runs them
-
-
-def bundled(name: str) -> Robot:
-    return load(name, warn=lambda _: None)
 
 
 def suited(robot: Robot, seed: int, steps: int) -> Variant:

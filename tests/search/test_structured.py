@@ -8,7 +8,8 @@ from typing import Any, Final
 import pytest
 
 from dynamics.direct import exact_arm
-from robodyn import Options, load, program
+from records.made import bundled
+from robodyn import Options, program
 from robodyn.counts import count
 from robodyn.counts.objective import Objective, operations_of
 from robodyn.dynamics.equality import equals_recursion
@@ -25,10 +26,6 @@ from robodyn_testing.clocks import ticking
 pytestmark = pytest.mark.thorough  # whole searches: CI runs them
 
 SHORT: Final[dict[str, Any]] = {"steps": 60, "rounds": 1, "processes": 1}
-
-
-def bundled(name: str) -> Robot:
-    return load(name, warn=lambda _: None)
 
 
 def regrouped_alone(robot: Robot) -> int:

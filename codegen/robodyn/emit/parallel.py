@@ -25,9 +25,8 @@ from robodyn.ir.program import Input, Operand, Program
 from robodyn.ir.signature import Signature
 from robodyn.robot.model import Robot
 from robodyn.schedule.cutting import Cut
-from robodyn.schedule.lanes import Lanes, Step, Waiting, lanes
+from robodyn.schedule.lanes import Lanes, Packing, Step, Waiting, lanes, pack
 from robodyn.schedule.machine import Timetable
-from robodyn.schedule.packing import Packing, pack
 
 #: Looks at a counter before a thread lets others run; with a core a thread it hardly comes to that.
 SPINS = 200

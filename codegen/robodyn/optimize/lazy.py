@@ -7,6 +7,7 @@ leaves no trace in a program.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any, Final
 
 from robodyn.dynamics.vectors import AXES, Mark, unmarked
@@ -79,23 +80,22 @@ def lever(p: Components, f: Components) -> Lazy:
     return Lazy(component)
 
 
-def turned_x(c: Any, s: Any, u: Components) -> Components:
-    """``u`` turned about x by the angle of cosine ``c`` and sine ``s``."""
-    if not s:
-        if c == 1:
-            return u
-        return Lazy(lambda k: u[0] if k == 0 else c * u[k])
-    if not c:
-        return Lazy(lambda k: u[0] if k == 0 else (-s * u[2] if k == 1 else s * u[1]))
-    return Lazy(lambda k: u[0] if k == 0 else (c * u[1] - s * u[2] if k == 1 else s * u[1] + c * u[2]))
+def turned(axis: int, c: Any, s: Any, u: Components) -> Components:
+    """``u`` turned about an axis (0 to 2) by the angle of cosine ``c`` and sine ``s``."""
+    if not s and c == 1:
+        return u
+    a, b = (axis + 1) % 3, (axis + 2) % 3
+
+    def component(k: int) -> Any:
+        if k == axis:
+            return u[k]
+        if not s:
+            return c * u[k]
+        if not c:
+            return -s * u[b] if k == a else s * u[a]
+        return c * u[a] - s * u[b] if k == a else s * u[a] + c * u[b]
+
+    return Lazy(component)
 
 
-def turned_z(c: Any, s: Any, u: Components) -> Components:
-    """``u`` turned about z by the angle of cosine ``c`` and sine ``s``."""
-    if not s:
-        if c == 1:
-            return u
-        return Lazy(lambda k: u[2] if k == 2 else c * u[k])
-    if not c:
-        return Lazy(lambda k: u[2] if k == 2 else (-s * u[1] if k == 0 else s * u[0]))
-    return Lazy(lambda k: u[2] if k == 2 else (c * u[0] - s * u[1] if k == 0 else s * u[0] + c * u[1]))
+turned_x, turned_z = partial(turned, 0), partial(turned, 2)

@@ -78,11 +78,9 @@ def describe(angle: AngleInput) -> str:
     kind, terms, constant = angle
     if kind == "q":
         return str(terms[0][0])
-    text = " + ".join(str(x) if m == 1 else f"{_decimal(m)}*{x}" for x, m in terms).replace("+ -", "- ")
+    factors = [m if isinstance(m, int) else float(m) for _, m in terms]
+    words = [str(x) if m == 1 else f"{m!r}*{x}" for m, (x, _) in zip(factors, terms, strict=True)]
+    text = " + ".join(words).replace("+ -", "- ")
     if constant:
         text += f" {'-' if constant < 0 else '+'} {abs(float(constant))!r}"
     return f"{kind}({text})"
-
-
-def _decimal(multiple: int | Fraction) -> str:
-    return str(multiple) if isinstance(multiple, int) else repr(float(multiple))

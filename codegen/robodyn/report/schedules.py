@@ -12,11 +12,11 @@ from robodyn.report.figures import aligned
 from robodyn.robot.masses import require_masses
 from robodyn.robot.model import Robot
 from robodyn.schedule import FLOPS_PER_TASK, Solved, TaskGraph, general_graph, robot_graph
+from robodyn.schedule.arithmetic import operations_of_tasks
 from robodyn.schedule.cutting import Cut
 from robodyn.schedule.friction_tasks import Friction, friction_of, is_friction
 from robodyn.schedule.graph import link_and_number, task_id
 from robodyn.schedule.methods import TITLES
-from robodyn.schedule.task_counts import operations_of_tasks
 from robodyn.thesis.judge import graph_of, printed_schedule, rule_graph
 from robodyn.thesis.printed import LEVELS_SIX_LINK, LEVELS_STANFORD, TABLE_4_4
 

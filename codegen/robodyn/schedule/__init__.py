@@ -1,8 +1,7 @@
 """Parallel dynamics: tasks, what must be done before what, which tasks an arm spares, machines, schedules."""
 
-from robodyn.schedule.bounds import fewest_processors, lower_bound
 from robodyn.schedule.elimination import Sparsity, general_graph, robot_graph, sparsity
-from robodyn.schedule.graph import TaskGraph, arm_graph
+from robodyn.schedule.graph import TaskGraph, arm_graph, fewest_processors, lower_bound
 from robodyn.schedule.heuristics import critical_path_order, list_schedule, thesis_order
 from robodyn.schedule.machine import Machine, Placement, Schedule, Timetable
 from robodyn.schedule.methods import METHODS, Method, Solved, solve

@@ -10,9 +10,8 @@ from dataclasses import dataclass
 from typing import Final, Literal, get_args
 
 from robodyn.errors import InputError
-from robodyn.schedule.bounds import lower_bound
 from robodyn.schedule.branch_and_bound import one_processor_a_joint
-from robodyn.schedule.graph import TaskGraph
+from robodyn.schedule.graph import TaskGraph, lower_bound
 from robodyn.schedule.heuristics import critical_path_order, planned, thesis_order
 from robodyn.schedule.machine import Machine, Timetable, in_levels
 from robodyn.schedule.optimum import optimum, placed

@@ -12,8 +12,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from robodyn.errors import InputError
-from robodyn.schedule.bounds import fewest_processors, lower_bound
-from robodyn.schedule.graph import TaskGraph, TaskId
+from robodyn.schedule.graph import TaskGraph, TaskId, fewest_processors, lower_bound
 from robodyn.schedule.heuristics import critical_path_order, planned, thesis_order
 from robodyn.schedule.machine import Machine, Placement, Schedule, Timetable, in_levels, in_time
 from robodyn.tools.libraries import ORTOOLS

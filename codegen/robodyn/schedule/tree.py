@@ -37,8 +37,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Final, Literal, NamedTuple
 
-from robodyn.schedule.bounds import lower_bound
-from robodyn.schedule.graph import TaskGraph, TaskId
+from robodyn.schedule.graph import TaskGraph, TaskId, lower_bound
 from robodyn.schedule.heuristics import critical_path_order
 
 #: Nodes that a search looks at unless it is told otherwise: seconds, and at most some 100 MB.

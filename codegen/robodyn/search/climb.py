@@ -69,7 +69,7 @@ def climb(
         raise
     if race.error is not None:
         raise race.error
-    return [program for _, _, program in sorted(race.pool, key=lambda entry: entry[:2])]
+    return [program for _, _, program in race.pool]
 
 
 class _Race:
@@ -95,7 +95,7 @@ class _Race:
         self.pool: list[tuple[float, int, Program]] = []
         for program in programs:
             self.add(program)
-        self.waiting = [program for _, _, program in sorted(self.pool, key=lambda entry: entry[:2])]
+        self.waiting = [program for _, _, program in self.pool]
         # Half of the time goes to trying each start, and a walk is never so short that it shows nothing.
         self.first = max(2.0, 0.5 * seconds * threads / max(1, len(self.waiting)))
         self.later = max(5.0, seconds / 12)
@@ -164,15 +164,10 @@ class _Race:
 def _inner(objective: Objective) -> tuple[int, tuple[int, int], float]:
     """An objective as a walk has it: its kind, what an addition and a multiplication cost, and the cost that
     counts as one step of temperature."""
-    if objective.name == "fma":
-        return FUSED, (1, 1), 1.0
-    if objective.name == "depth":
-        return CHAIN, (1, 1), 1.0
-    if objective.name == "mul":
-        return SUM, (1, 3), 1.0
     if objective.name == "weighted":
         costs = objective.costs
         cheaper = min(costs.add, costs.mul)
         weights = (round(4 * costs.add / cheaper), round(4 * costs.mul / cheaper))
         return (SUM if costs.fma is None else FUSED), weights, 4.0
-    return SUM, (1, 1), 1.0
+    kind = {"fma": FUSED, "depth": CHAIN}.get(objective.name, SUM)
+    return kind, ((1, 3) if objective.name == "mul" else (1, 1)), 1.0

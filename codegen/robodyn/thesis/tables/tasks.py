@@ -6,9 +6,9 @@ from collections.abc import Iterator, Mapping
 from itertools import groupby
 from typing import Any, Final
 
+from robodyn.schedule.arithmetic import flops_of_tasks, operations_of_tasks
 from robodyn.schedule.elimination import FIRST_LINK, LAST_LINK, Sparsity, left_out, sparse_tasks, sparsity
 from robodyn.schedule.graph import link_and_number, task_id
-from robodyn.schedule.task_counts import flops_of_tasks, operations_of_tasks
 from robodyn.schedule.tasks import FLOPS_PER_TASK, TASKS, Task
 from robodyn.thesis.printed import (
     TABLE_4_1_MISPRINTS,
