@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
-from typing import Any, Literal, Protocol, TypeVar, cast
+from typing import Any, Literal, TypeVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,22 +33,8 @@ _POSITION, _TORQUE = 0, 1
 _AT_LIMIT = 1e-3
 
 
-class _Samples(Protocol):
-    """A dataclass of what sensors see, as a log is: times [K], and the others [K, n], rates perhaps None."""
-
-    @property
-    def t(self) -> Floats: ...
-    @property
-    def q(self) -> Floats: ...
-    @property
-    def qd(self) -> Floats | None: ...
-    @property
-    def qdd(self) -> Floats | None: ...
-    @property
-    def tau(self) -> Floats: ...
-
-
-_Log = TypeVar("_Log", bound=_Samples)
+#: A dataclass of what sensors see, as a log is: times t [K], and q, qd, qdd, tau [K, n], rates perhaps None.
+_Log = TypeVar("_Log")
 
 
 @dataclass(frozen=True, slots=True)
@@ -128,22 +114,21 @@ def measure(
     ------
     InputError: the options do not fit the log, or ``true`` lacks a rate that is to be shown as it is.
     """
-    n = true.q.shape[1]
-    position = measured_position(true.q, effects, parameters)
-    position = position + _noise(sensors.position_noise, "position_noise", true, seed, _POSITION)
+    log: Any = true
+    n = log.q.shape[1]
+    position = measured_position(log.q, effects, parameters)
+    position = position + _noise(sensors.position_noise, "position_noise", log.q, seed, _POSITION)
     position = _quantised(position, _sizes(sensors.position_resolution, "position_resolution", n))
-    rate = _rate("velocity", sensors.velocity, true.t, position, true.qd, sensors)
-    # Where the velocity is not in the log, the acceleration still comes of the position.
-    base = (
-        rate if rate is not None or sensors.acceleration in ("true", "none") else difference(true.t, position)
-    )
-    second = _rate("acceleration", sensors.acceleration, true.t, base, true.qdd, sensors)
-    torque = _amplified(true.tau, true.t, effects, parameters)
-    torque = torque + _noise(sensors.torque_noise, "torque_noise", true, seed, _TORQUE)
+    rate = _rate("velocity", sensors.velocity, log.t, position, log.qd, sensors)
+    base = rate
+    if rate is None and sensors.acceleration not in ("true", "none"):
+        base = difference(log.t, position)  # the acceleration still comes of the position
+    second = _rate("acceleration", sensors.acceleration, log.t, base, log.qdd, sensors)
+    torque = _amplified(log.tau, log.t, effects, parameters)
+    torque = torque + _noise(sensors.torque_noise, "torque_noise", log.q, seed, _TORQUE)
     torque = _clipped(torque, effects, parameters)
     torque = _quantised(torque, _sizes(sensors.torque_resolution, "torque_resolution", n))
-    measured: Any = true
-    return cast(_Log, replace(measured, q=position, qd=rate, qdd=second, tau=torque))
+    return cast(_Log, replace(log, q=position, qd=rate, qdd=second, tau=torque))
 
 
 def measured_torque(
@@ -322,15 +307,15 @@ def _sizes(value: PerJoint, name: str, n: int) -> Floats:
     return np.broadcast_to(sizes, (n,))
 
 
-def _noise(value: PerJoint, name: str, true: _Samples, seed: int, channel: int) -> Floats:
+def _noise(value: PerJoint, name: str, q: Floats, seed: int, channel: int) -> Floats:
     """Gaussian noise [K, n]; the numbers of a joint are those of no other, whatever noise these have."""
     if seed < 0:
         raise InputError("a seed is a number of 0 or more", found=str(seed))
-    noise = np.zeros_like(true.q)
-    for j, size in enumerate(_sizes(value, name, true.q.shape[1])):
+    noise = np.zeros_like(q)
+    for j, size in enumerate(_sizes(value, name, q.shape[1])):
         if size:
             stream = np.random.SeedSequence(seed, spawn_key=(channel, j))
-            noise[:, j] = size * np.random.default_rng(stream).standard_normal(len(true.t))
+            noise[:, j] = size * np.random.default_rng(stream).standard_normal(len(q))
     return noise
 
 
