@@ -8,7 +8,6 @@ from fractions import Fraction
 from functools import partial
 from typing import Any
 
-import numpy as np
 import pytest
 
 from robodyn.dynamics import transforms
@@ -16,11 +15,8 @@ from robodyn.dynamics.transforms import IDENTITY_4
 from robodyn.effects import thesis_friction
 from robodyn.schedule import arithmetic
 from robodyn.thesis import printed, steps
-from robodyn.thesis.printed import bundled
 from robodyn.thesis.puma_inverse import PumaArm
 from robodyn.thesis.slips import (
-    Comparison,
-    Slip,
     frames,
     friction,
     lagrangian,
@@ -176,41 +172,6 @@ def test_zeros_and_origins_follow_the_robot(monkeypatch: Patch) -> None:
         own_products = partial(arithmetic._products, axis, of_parent=False)
         monkeypatch.setitem(arithmetic._DO, 12 + axis, own_products)
     assert fails("Table 4.6, step 3")
-
-
-@pytest.mark.parametrize(("printed", "right", "words"), [
-    (0, 0, "as printed it agrees"), (1, 0, "slip confirmed"), (1, 1, "neither form"),
-])  # fmt: skip
-def test_the_words_of_the_three_verdicts(printed: float, right: float, words: str) -> None:
-    row = equations.slip_row(Slip("here", "", "", lambda: Comparison(printed, right, "m", "a rule", 1e-9)))
-    assert row.reason.startswith(words)
-    assert row.verdict == ("differs" if printed else "reproduced")
-
-
-# --- by other means ---------------------------------------------------------------------------------------
-
-
-def test_lambda_1_p_1_by_hand() -> None:
-    """D.2's LAM1 loses the acceleration of the shoulder's offset: of a point mass at the shoulder of an arm
-    that only turns about joint 1, m d^2 qdd is lost."""
-    robot, none = bundled("puma560_d2"), Fraction(0)
-    links = [
-        replace(
-            link,
-            mass=link.mass if i == 2 else none,
-            inertia=replace(link.inertia, xx=none, yy=none, zz=none),
-            com=(none,) * 3,
-        )
-        for i, link in enumerate(robot.links, 1)
-    ]
-    pointlike = replace(robot, links=tuple(links))
-    q = qd = np.zeros((recursion.STATES, 6))
-    qdd = np.tile([1.0, 0, 0, 0, 0, 0], (recursion.STATES, 1))
-    by_slip, by_right = (
-        recursion.torques_of(pointlike, (q, qd, qdd), recursion.SLIPS[slip])
-        for slip in ("lambda_1 diagonal", "none")
-    )
-    assert by_right[0, 0] - by_slip[0, 0] == pytest.approx(17.4 * 0.2435**2)
 
 
 def test_eq_3_7_would_subtract_twice_the_friction() -> None:
