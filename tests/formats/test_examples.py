@@ -19,6 +19,7 @@ from robodyn_testing.wanted import require_distribution
 
 README = (FOLDER / "README.md").read_text(encoding="utf-8")
 COMMANDS = [shlex.split(line)[1:] for line in re.findall(r"(?m)^robodyn import .*$", README)]
+ARMS = sorted(FOLDER.glob("*.yaml"))
 #: The folders of the commands, and the distributions that bring them.
 ROOTS = {
     "$ERD": ("example-robot-data", "cmeel.prefix/share/example-robot-data/robots"),
@@ -28,14 +29,14 @@ ROOTS = {
 
 
 def test_every_arm_is_listed_and_comes_from_a_command() -> None:
-    files = sorted(path.name for path in FOLDER.glob("*.yaml"))
+    files = [path.name for path in ARMS]
     assert len(files) > 10
     table = README.partition("```sh")[0]
     assert sorted(re.findall(r"`(\w+\.yaml)`", table)) == files
     assert sorted(command[command.index("-o") + 1] for command in COMMANDS) == files
 
 
-@pytest.mark.parametrize("path", sorted(FOLDER.glob("*.yaml")), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", ARMS, ids=lambda path: path.stem)
 def test_an_arm_reads_without_a_doubt(path: Path) -> None:
     arm = load(path, strict=True)
     assert arm.name == path.stem
@@ -44,18 +45,13 @@ def test_an_arm_reads_without_a_doubt(path: Path) -> None:
     assert "/tmp" not in path.read_text(encoding="utf-8")
 
 
-#: The arms of robosuite, which is too large to be installed in CI for this.
-SUITE = [command for command in COMMANDS if command[1].startswith("$SUITE")]
+#: Robosuite is too large to be installed in CI for its arms.
+MARKS = {True: pytest.mark.slow, False: pytest.mark.thorough}
 
 
 @pytest.mark.parametrize(
     "command",
-    [
-        pytest.param(
-            command, id=command[-1], marks=pytest.mark.slow if command in SUITE else pytest.mark.thorough
-        )
-        for command in COMMANDS
-    ],
+    [pytest.param(command, id=command[-1], marks=MARKS["$SUITE" in command[1]]) for command in COMMANDS],
 )
 def test_an_arm_is_what_its_command_writes(command: list[str], tmp_path: Path) -> None:
     root, _, file = command[1].partition("/")
@@ -69,9 +65,7 @@ def test_an_arm_is_what_its_command_writes(command: list[str], tmp_path: Path) -
 
 # The table of operations in examples/arms/README.md is what benchmarks/arms.py makes, row by row.
 
-TABLE = part((FOLDER / "README.md").read_text(encoding="utf-8"), MARK)
-ROWS = TABLE.splitlines()[2:]
-ARMS = sorted(FOLDER.glob("*.yaml"))
+ROWS = part(README, MARK).splitlines()[2:]
 
 
 def test_every_arm_has_a_row() -> None:
@@ -80,4 +74,4 @@ def test_every_arm_has_a_row() -> None:
 
 @pytest.mark.parametrize("name", representative([path.stem for path in ARMS], "ur3", "xarm7"))
 def test_a_row_is_what_is_counted(name: str) -> None:
-    assert row(Path(FOLDER / f"{name}.yaml")) in ROWS
+    assert row(FOLDER / f"{name}.yaml") in ROWS

@@ -14,7 +14,7 @@ for.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any, Final
 
 import pytest
@@ -50,7 +50,7 @@ FLOAT: Final = 1e-5
 def check(robot: Robot, refs: Sequence[Reference], functions: Sequence[str], **options: Any) -> list[str]:
     """Compile one kernel and hold it against every reference; complaints name robot and options."""
     wanted = [f for f in functions if all(f in ref.functions for ref in refs)]
-    kernel = kernel_of(robot, wanted, **options)
+    kernel = kernel_of(robot, wanted, **{"scalar": "double", "regroup": True, **options})
     tolerance = FLOAT if options.get("scalar") == "float" else DOUBLE
     return [
         f"{robot.name} ({robot.n} joints, {options}): {text}"
@@ -82,14 +82,21 @@ def test_peers_agree_with_each_other(chunk: int) -> None:
 def test_bundled_robot(name: str) -> None:
     robot = robodyn.robot.load(name, warn=print)
     refs = references(robot)
-    found = check(robot, refs, refs[0].functions, scalar="double", regroup=True)
-    found += check(robot, refs, refs[0].functions, scalar="double", regroup=False)
-    found += check(robot, refs, TORQUES[:1], scalar="double", regroup=True, optimize="none")
-    found += check(robot, refs, ALL_BUT_FORWARD, scalar="float", regroup=True)
+    found = check(robot, refs, refs[0].functions)
+    found += check(robot, refs, refs[0].functions, regroup=False)
+    found += check(robot, refs, TORQUES[:1], optimize="none")
+    found += check(robot, refs, ALL_BUT_FORWARD, scalar="float")
     if "mujoco" in peers():
         for i, reason in peer_module("mujoco").refusals(robot).items():
             print(f"{name} is not expressible in MJCF: link {i + 1}: {reason}")
     assert found == []
+
+
+def robots_of(chunk: int) -> Iterator[tuple[int, Robot, list[Reference]]]:
+    """Random robots by their numbers, with what the peers say of them."""
+    for seed in range(CHUNK * chunk, CHUNK * (chunk + 1)):
+        robot = random_robot(seed, aside=0.3)
+        yield seed, robot, references(robot, seed)
 
 
 @pytest.mark.parametrize("chunk", sampled(range(RANDOM_ROBOTS // CHUNK), every=20))
@@ -99,14 +106,12 @@ def test_random_robots(chunk: int) -> None:
     With little or no optimisation by the compiler, to be quick; ``test_random_robots_in_full`` tries all.
     """
     found = []
-    for seed in range(CHUNK * chunk, CHUNK * (chunk + 1)):
-        robot = random_robot(seed, aside=0.3)
-        refs = references(robot, seed)
+    for seed, robot, refs in robots_of(chunk):
         functions = refs[0].functions if seed % 4 == 0 else TORQUES[:1]
-        found += check(robot, refs, functions, scalar="double", regroup=True, flags=("-O1",))
-        found += check(robot, refs, TORQUES[:1], scalar="float", regroup=True, flags=("-O0",))
+        found += check(robot, refs, functions, flags=("-O1",))
+        found += check(robot, refs, TORQUES[:1], scalar="float", flags=("-O0",))
         if seed % 4 == 2:
-            found += check(robot, refs, TORQUES[:1], scalar="double", regroup=False, flags=("-O0",))
+            found += check(robot, refs, TORQUES[:1], regroup=False, flags=("-O0",))
     assert found == []
 
 
@@ -115,11 +120,9 @@ def test_random_robots(chunk: int) -> None:
 def test_random_robots_in_full(chunk: int) -> None:
     """Every function of every robot, regrouped and not, optimised as shipped; in float no accelerations."""
     found = []
-    for seed in range(CHUNK * chunk, CHUNK * (chunk + 1)):
-        robot = random_robot(seed, aside=0.3)
-        refs = references(robot, seed)
+    for _, robot, refs in robots_of(chunk):
         for regroup in (True, False):
-            found += check(robot, refs, refs[0].functions, scalar="double", regroup=regroup)
+            found += check(robot, refs, refs[0].functions, regroup=regroup)
             found += check(robot, refs, ALL_BUT_FORWARD, scalar="float", regroup=regroup)
     assert found == []
 
