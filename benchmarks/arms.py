@@ -19,8 +19,8 @@ from robodyn import Options, count, load, program
 from robodyn.counts.objective import Objective
 from robodyn.formats.writers.parts import parts_of
 from robodyn.optimize.records import Record
-from robodyn.optimize.records.adoption import frictionless
 from robodyn.optimize.records.find import records_of_arms
+from robodyn.optimize.records.validation import frictionless
 from robodyn.search.improve import cost, proved, write_record
 from robodyn.search.transfer import transferred
 

@@ -21,8 +21,8 @@ from robodyn.counts import count
 from robodyn.dynamics.equality import equals_recursion
 from robodyn.kernels.generate import Options, program
 from robodyn.optimize.records import Record, best_record, bundled_records, parse_record
-from robodyn.optimize.records.adoption import frictionless
 from robodyn.optimize.records.find import records_of_arms
+from robodyn.optimize.records.validation import frictionless
 from robodyn.robot import Robot, bundled_names, load
 from robodyn.robot.identity import identity
 

@@ -19,9 +19,9 @@ from robodyn.formats.exporting import export_arm
 from robodyn.ir import Input, Operation, Program
 from robodyn.ir.field import Field
 from robodyn.optimize.records import FOLDER, Record, best_record, identity
-from robodyn.optimize.records.adoption import adopted
 from robodyn.optimize.records.record import function_key
 from robodyn.optimize.records.rounding import Rounding
+from robodyn.optimize.records.validation import adopted
 from robodyn.robot import Robot
 from robodyn.robot.model import EffectEntry
 from robodyn.search.improve import improved, write_record

@@ -10,9 +10,9 @@ from robodyn import Options, count, load
 from robodyn.dynamics.equality import equals_recursion
 from robodyn.formats.arm import import_arm
 from robodyn.optimize.records import identity, parse_record
-from robodyn.optimize.records.adoption import frictionless
 from robodyn.optimize.records.find import records_of_arms
 from robodyn.optimize.records.record import function_key, header
+from robodyn.optimize.records.validation import frictionless
 from robodyn_testing.public_arms import arm_file
 
 EXAMPLES = Path(__file__).parents[2] / "examples" / "arms"

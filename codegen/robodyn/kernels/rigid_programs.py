@@ -21,9 +21,8 @@ from robodyn.kernels.proof import prove
 from robodyn.optimize.fast import fast_choices
 from robodyn.optimize.programs import Choice, NoForwardDynamics, Recursion, build, recursion_in, signature
 from robodyn.optimize.records import Record, best_record
-from robodyn.optimize.records.adoption import adopted
 from robodyn.optimize.records.rounding import Rounding
-from robodyn.optimize.records.validation import at_rest_of, check_length, check_reading, validated
+from robodyn.optimize.records.validation import adopted, at_rest_of, check_length, check_reading, validated
 from robodyn.passes import FAST, FRESH_SAVING, SAVING, SPELLING
 from robodyn.robot.masses import unknown_masses
 from robodyn.robot.model import Robot

@@ -23,11 +23,10 @@ from robodyn.kernels.generate import Options
 from robodyn.kernels.generate import program as generated
 from robodyn.optimize.closed_form import closed_forms
 from robodyn.optimize.records import Record, best_record, identity
-from robodyn.optimize.records.adoption import adopted
 from robodyn.optimize.records.find import file_name, identity_at
 from robodyn.optimize.records.record import labelled
 from robodyn.optimize.records.rounding import Rounding
-from robodyn.optimize.records.validation import check_reading, validated
+from robodyn.optimize.records.validation import adopted, check_reading, validated
 from robodyn.outputs import replace_file
 from robodyn.passes import SPELLING, run, units
 from robodyn.robot.model import Robot

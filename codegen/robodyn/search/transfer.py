@@ -14,7 +14,7 @@ from robodyn.formats.writers.parts import parts_of
 from robodyn.ir.program import Program
 from robodyn.optimize.programs import Choice, build
 from robodyn.optimize.records import best_record
-from robodyn.optimize.records.adoption import frictionless, joints_of, summed
+from robodyn.optimize.records.validation import frictionless, joints_of, summed
 from robodyn.passes import FAST, unchecked
 from robodyn.robot.bundled import bundled_names, load
 from robodyn.robot.model import Inertia, Link, Robot

@@ -50,7 +50,7 @@ def best_record(
 
     ``folders`` are looked through first, then the one beside the robot's file, then the bundled records; the
     first one found counts. A record is found by its parameters and not by its file's name, so a copy of a
-    robot has the same. The same arm in other frames has it too, by :mod:`robodyn.optimize.records.adoption`.
+    robot has the same. The same arm in other frames has it too (:func:`.validation.adopted`).
 
     Raises
     ------
