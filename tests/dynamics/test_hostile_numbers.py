@@ -14,6 +14,7 @@ import mpmath
 import pytest
 
 from robodyn import Options, generate
+from robodyn.dynamics.vectors import products
 from robodyn.errors import InputError
 from robodyn.ir import Input, Program
 from robodyn.ir.evaluate import evaluate
@@ -44,7 +45,7 @@ def check(robot: Robot, options: Options | None = None) -> int:
         for signature, program in made.unit.functions:
             values = run(program, inputs)
             if signature.function == "mass_matrix":
-                close([_dot(values[n * i : n * i + n], qdd) for i in range(n)], _less(still, gravity))
+                close(products(values, qdd), [x - y for x, y in zip(still, gravity, strict=True)])
             elif signature.function == "forward_dynamics":
                 close(torques(robot, q, qd, values), rows["tau"])
             else:
@@ -57,14 +58,6 @@ def check(robot: Robot, options: Options | None = None) -> int:
 def run(program: Program, inputs: dict[Input, Any]) -> list[Any]:
     found = evaluate(program, inputs, constant=lambda x: number(x, {}), functions=FUNCTIONS)
     return [x for row in found.values() for x in row]
-
-
-def _dot(u: Sequence[Any], v: Sequence[Any]) -> Any:
-    return sum(x * y for x, y in zip(u, v, strict=True))
-
-
-def _less(u: Sequence[Any], v: Sequence[Any]) -> list[Any]:
-    return [x - y for x, y in zip(u, v, strict=True)]
 
 
 def close(found: Sequence[Any], expected: Sequence[Any]) -> None:

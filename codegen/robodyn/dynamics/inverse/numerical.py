@@ -8,7 +8,7 @@ neglected is made up for by steps towards the pose.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
@@ -90,8 +90,15 @@ class Numerical:
             q_near, descent = at.inputs["q_near"], self._descent(at)
             if self.begins is None:
                 return descent.start(q_near).flat()
-            starts = self._starts(self.begins, at.inputs["T"], q_near, at.rounding)
-            return [x for q in starts for x in descent.start(q, within=BEGUN).flat()]
+            begun = self.begins.solve(at.inputs["T"], q_near, at.rounding)
+            states: list[Any] = []
+            for q, singular, signs in zip(begun.solutions, begun.singular, self.begins.signs, strict=True):
+                aside = list(q)  # a little, where a branch meets another: no step leads away from there
+                for k, sign in signs:
+                    length = 1 if self.joints[k].revolute else self.size
+                    aside[k] = q[k] + sign * ASIDE * length * singular
+                states += descent.start(aside, within=BEGUN).flat()
+            return states
 
         def step(at: Dynamics) -> Sequence[Any]:
             return self._descent(at).step(at, at.inputs["T"], State.of(at.inputs["x"])).flat()
@@ -107,18 +114,6 @@ class Numerical:
     def nearest(self, solved: Solved, q_near: Sequence[Any], unit: Fraction) -> Nearest:
         """Of what was reached the nearest to ``q_near`` [n]."""
         return nearest(solved, self.joints, q_near, EDGE * unit)
-
-    def _starts(
-        self, begins: Inverse, T: Sequence[Any], q_near: Sequence[Any], unit: Fraction
-    ) -> Iterator[list[Any]]:
-        """Where each branch begins; a little aside where it meets another: no step leads away from there."""
-        begun = begins.solve(T, q_near, unit)
-        for q, singular, signs in zip(begun.solutions, begun.singular, begins.signs, strict=True):
-            aside = list(q)
-            for k, sign in signs:
-                length = 1 if self.joints[k].revolute else self.size
-                aside[k] = q[k] + sign * ASIDE * length * singular
-            yield aside
 
     def _descent(self, at: Dynamics) -> Descent:
         if self.begins is None:
