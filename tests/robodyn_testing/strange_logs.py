@@ -59,13 +59,6 @@ def _some(value: float, share: float = 0.3) -> Callable[[Floats], Floats]:
     return change
 
 
-def _row(value: float) -> Callable[[Columns], Columns]:
-    def change(c: Columns) -> Columns:
-        return {k: _at(v, len(v) // 2, value) if k != "t" else v for k, v in c.items()}
-
-    return change
-
-
 def _at(v: Floats, place: int, value: float) -> Floats:
     v = v.copy()
     v[place] = value
@@ -86,18 +79,15 @@ def _duplicated(t: Floats) -> Floats:
 
 
 def _still(c: Columns) -> Columns:
-    return {
-        k: np.full(len(v), v[0] if k.startswith("q") and "d" not in k else 0.0)
-        if k != "t" and not k.startswith("tau")
-        else v
-        for k, v in c.items()
-    }
+    """Positions stay where they begin, and rates are 0."""
+    still = {k: np.full(len(v), 0.0 if "d" in k else v[0]) for k, v in c.items() if k.startswith("q")}
+    return {**c, **still}
 
 
 def _joint_still(c: Columns) -> Columns:
     last = max(int(k[1:]) for k in c if k[1:].isdigit())
     still = {f"q{last}": 0.3, f"qd{last}": 0.0, f"qdd{last}": 0.0}
-    return {k: np.full(len(v), still[k]) if k in still else v for k, v in c.items()}
+    return {**c, **{k: np.full(len(c["t"]), x) for k, x in still.items() if k in c}}
 
 
 def _bursts(c: Columns) -> Columns:
@@ -128,7 +118,7 @@ LOGS: Final[dict[str, Callable[[Columns], Columns]]] = {
     "nan_torques": _columns("tau", lambda v: v * np.nan),
     "nan_rates": _columns("qd", lambda v: v * np.nan),
     "nan_all": lambda c: _all(c, lambda v: v * np.nan),
-    "nan_row": _row(np.nan),
+    "nan_row": lambda c: _all(c, lambda v: _at(v, len(v) // 2, np.nan)),
     "nan_times": _columns("t", lambda v: v * np.nan),
     "nan_some_times": _columns("t", _some(np.nan)),
     "nan_some": _columns("q", _some(np.nan)),

@@ -12,13 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.effects.catalogue import CATALOGUE
+from robodyn.logs.log import Log
 from robodyn.robot import load
 from robodyn.robot.effects import default_of
 from robodyn.robot.folding import folded
 from robodyn.robot.model import EffectEntry, Robot
 from robodyn.simulate.plant import Plant, build_plant
-
-__all__ = ["TIGHT", "Effects", "Floats", "arm", "each", "effect", "hung", "plant_of", "rotors", "start_of"]
 
 Floats = NDArray[np.float64]
 Effects = list[EffectEntry]
@@ -77,3 +76,15 @@ def start_of(robot: Robot) -> Floats:
 def plant_of(robot: Robot) -> Plant:
     """``robot`` compiled, once."""
     return build_plant(robot)
+
+
+#: Time between the samples of :func:`smooth` [s].
+STEP = 1e-3
+
+
+def smooth(samples: int = 400, n: int = 3) -> Log:
+    """Smooth true signals, for tests of sensors."""
+    t = np.asarray(np.arange(samples) * STEP, dtype=np.float64)
+    w = np.arange(1.0, n + 1)
+    x = np.multiply.outer(t, w)
+    return Log(t, np.sin(x), w * np.cos(x), -w * w * np.sin(x), 10 * np.cos(x))

@@ -20,7 +20,8 @@ from robodyn.simulate.sensors import (
     resolution_of,
 )
 from robodyn_testing import require_module
-from simulate.signals import STEP, entry, smooth
+from simulate.arms import STEP, smooth
+from simulate.arms import effect as entry
 
 TRUE = smooth()
 

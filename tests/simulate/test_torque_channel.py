@@ -14,7 +14,8 @@ from robodyn.logs.log import Log
 from robodyn.robot.model import EffectEntry
 from robodyn.robot.values import Affine
 from robodyn.simulate.sensors import Sensors, measure, measured_slopes, measured_torque
-from simulate.signals import STEP, entry, smooth
+from simulate.arms import STEP, smooth
+from simulate.arms import effect as entry
 
 TRUE = smooth()
 
