@@ -16,7 +16,7 @@ import numpy as np
 
 from robodyn.draw.markup import json_text, markup_template, policy, script_template, script_text
 from robodyn.draw.scales import day_text, range_text
-from robodyn.fleet.result import Claim, FleetResult, TypeResult, UnitResult, address, unit_folder
+from robodyn.fleet.result import FleetResult, TypeResult, UnitResult, address, unit_folder
 from robodyn.report import fleet_charts as charts
 from robodyn.report import fleet_text as words
 from robodyn.report.chart_frames import Frame, percent
@@ -99,19 +99,10 @@ def _looks(result: FleetResult) -> list[dict[str, Any]]:
                 "why": capital(look.why), "record": capital(look.record),
                 "logs": several(unit.logs, "log"),
                 "chart": charts.readings_chart(unit, features[name], claim) if name else None,
-                "claims": [_claim_words(one) for one in unit.claims],
+                "claims": unit.claims,
             }
         )  # fmt: skip
     return looks
-
-
-def _claim_words(claim: Claim) -> dict[str, str]:
-    """What is peculiar, in parts."""
-    return {
-        "what": capital(words.what_text(claim)), "size": words.size_text(claim),
-        "since": words.since_text(claim), "interval": words.interval_text(claim),
-        "p": f"{claim.p:.1g}", "q": f"{claim.q:.1g}",
-    }  # fmt: skip
 
 
 def _timeline(result: FleetResult) -> dict[str, Any]:
@@ -131,7 +122,7 @@ def _timeline(result: FleetResult) -> dict[str, Any]:
         low, high = claim.since_interval or (unit.first, unit.last)
         drawn.append(
             {
-                **_claim_words(claim),
+                "claim": claim,
                 "unit": unit.unit,
                 "type": unit.type,
                 "page": words.page_of(unit),
@@ -140,7 +131,6 @@ def _timeline(result: FleetResult) -> dict[str, Any]:
                 "low": percent(at(low)),
                 "width": percent(max(at(high) - at(low), 0.3)),
                 "at": None if claim.since is None else percent(at(claim.since)),
-                "is_less": claim.size < 0,
             }
         )
     axis = frame.chart("", "", ("", ""), (), most=(_TICKS, 2), days=True)
@@ -165,7 +155,7 @@ def unit_pages(result: FleetResult) -> Iterator[tuple[str, str]]:
             headline=_headline(unit),
             extent=f"{several(unit.logs, 'log')}, {range_text(unit.first, unit.last)}",
             diagnosis=address(posixpath.relpath(unit.diagnosis, folder)) if unit.diagnosis else None,
-            claims=[_claim_words(claim) for claim in unit.claims],
+            claims=unit.claims,
             record=looks.get((unit.type, unit.unit), ""),
             charts=_charts(unit, kind),
             features=kind.features,
