@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from pathlib import Path
 
-from robodyn.certify.forward import Forward, as_scalar
+from robodyn.certify.forward import Forward, as_scalar, enclosed
 from robodyn.certify.plan import last_lines, run
 from robodyn.emit.spelling import Spelling
 from robodyn.emit.statements import Apply, Expression, Statement, statements
@@ -159,12 +159,9 @@ def _ratio(value: Fraction) -> str:
 def _outwards(value: Fraction, side: int) -> str:
     """A decimal of 20 digits at or beyond ``value``."""
     scale = 10**20
-    scaled = value * scale
-    whole = scaled.__floor__() if side < 0 else scaled.__ceil__()
-    if whole % scale == 0:
-        return str(whole // scale)
+    whole = math.floor(value * scale) if side < 0 else math.ceil(value * scale)
     sign = "-" if whole < 0 else ""
-    return f"{sign}{abs(whole) // scale}.{abs(whole) % scale:020d}".rstrip("0")
+    return f"{sign}{abs(whole) // scale}.{abs(whole) % scale:020d}".rstrip("0").rstrip(".")
 
 
 #: Gappa's enclosure: ``[low, high]``, each a dyadic number, and decimals in braces for people.
@@ -230,7 +227,7 @@ def read(done: Finished, seconds: float) -> Proven:
         return Proven(reason=f"no bound found: {last_lines(done.output)}")
     low, high = (_number(text) for text in value.groups())
     sizes = [abs(_number(text)) for text in error.groups()] if error else [Fraction(0)]
-    return Proven(_outward(low, -1), _outward(high, 1), _outward(max(sizes), 1))
+    return Proven(enclosed(low)[0], enclosed(high)[1], enclosed(max(sizes))[1])
 
 
 def _number(text: str) -> Fraction:
@@ -238,10 +235,3 @@ def _number(text: str) -> Fraction:
     if match is None:
         raise ToolError("Gappa's answer cannot be read", found=text, expected="a number such as 12b-3")
     return Fraction(match[1]) * Fraction(2) ** int(match[2] or 0)
-
-
-def _outward(value: Fraction, side: int) -> float:
-    near = float(value)
-    if (Fraction(near) < value) if side > 0 else (Fraction(near) > value):
-        return math.nextafter(near, side * math.inf)
-    return near

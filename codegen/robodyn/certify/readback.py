@@ -180,16 +180,8 @@ class _Reader:
         """``x > 0 ? 1 : (x < 0 ? -1 : 0)``, and nothing else."""
         inner = expression.iffalse
         x, again = expression.cond.left, inner.cond.left
-        numbers = [
-            self._value(part)
-            for part in (
-                expression.cond.right,
-                expression.iftrue,
-                inner.cond.right,
-                inner.iftrue,
-                inner.iffalse,
-            )
-        ]
+        parts = (expression.cond.right, expression.iftrue, inner.cond.right, inner.iftrue, inner.iffalse)
+        numbers = [self._value(part) for part in parts]
         wanted = [self.values.constant(Fraction(k)) for k in (0, 1, 0, -1, 0)]
         shape = (expression.cond.op, inner.cond.op)
         if shape != (">", "<") or numbers != wanted or self._value(x) != self._value(again):

@@ -62,15 +62,13 @@ class Proof:
         for finding in self.findings:
             files |= finding.files
         data = _without_times(self.to_dict())
-        files["PROOF.md"] = (
-            markdown_environment()
-            .get_template("prove/PROOF.md.j2")
-            .render(
-                {**data, "robot": Markdown(data["robot"])},  # an identifier
-                findings=self.findings,
-                title=self.subject.robot.title,
-            )
-        )
+        template = markdown_environment().get_template("prove/PROOF.md.j2")
+        context = {
+            **data,
+            "robot": Markdown(data["robot"]),
+            "title": self.subject.robot.title,
+        }  # an identifier
+        files["PROOF.md"] = template.render(context, findings=self.findings)
         files["proof.json"] = json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
         return files
 
@@ -79,15 +77,9 @@ class Proof:
         rows = []
         for i, link in enumerate(self.subject.robot.links, 1):
             limits = link.joint.limits
-            low, high = limits.position or (None, None)
-            rows.append(
-                {
-                    "joint": i,
-                    "q": [str(float(low or 0)), str(float(high or 0))],
-                    "qd": str(float(limits.velocity or 0)),
-                    "qdd": str(float(limits.acceleration or 0)),
-                }
-            )
+            q, qd, qdd = limits.position or (0, 0), limits.velocity or 0, limits.acceleration or 0
+            row = {"joint": i, "q": [str(float(x)) for x in q]}
+            rows.append({**row, "qd": str(float(qd)), "qdd": str(float(qdd))})
         return rows
 
 
