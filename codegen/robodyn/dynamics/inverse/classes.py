@@ -144,7 +144,7 @@ def _three_parallel(arm: Joints) -> Iterator[Class]:
                         for each in (two, three)
                     )
                     rest = Sum(branch.positions[four.joint], minus=tuple(senses))
-                    yield branch.at(four.joint, rest)
+                    yield branch.with_position(four.joint, rest)
 
     numbers = _numbers(arm.axes)
     words = "axes {1}, {2} and {3} are parallel, and axes {0} and {4} are not", "axes {4} and {5} meet"
@@ -245,9 +245,9 @@ def _nearest(axes: Sequence[Axis], tip: Vector, place: Vector, at: Setting) -> I
     one, two = axes[0], axes[-1]
     if len(axes) == 1 and one.revolute:
         onto = at.onto(one, minus(tip, one.point), minus(place, one.point), 2)
-        yield Branch().one(one.joint, onto)
+        yield Branch().with_answer(one.joint, onto)
     elif len(axes) == 1:
-        yield Branch().at(one.joint, dot(one.direction, minus(place, tip)))
+        yield Branch().with_position(one.joint, dot(one.direction, minus(place, tip)))
     elif one.revolute:
         yield from _turned(one, two, tip, place, at)
     elif two.revolute:  # from the tip to the base it is a turn, and then a slide
@@ -266,9 +266,9 @@ def _turned(one: Axis, two: Axis, tip: Vector, place: Vector, at: Setting) -> It
     else:
         b, v = minus(tip, one.point), two.direction
         ways = at.slide(dot(b, v), dot(b, b) - dot(p, p))
-    for out in Branch().each(two.joint, ways):
+    for out in Branch().with_each(two.joint, ways):
         moved = out.outward(two, v) if two.revolute else scaled(out.positions[two.joint], v)
-        yield out.one(one.joint, at.onto(one, plus(b, moved), p, 2))
+        yield out.with_answer(one.joint, at.onto(one, plus(b, moved), p, 2))
 
 
 # --- three axes that turn -----------------------------------------------------------------------------------
@@ -288,12 +288,12 @@ def _oriented(
     sideways = rotation(marker)
     along = dot(second.direction, third.direction)
     # along = second . (R1^T pointing) = pointing . (R1 second)
-    for one in branch.each(first.joint, at.reach(first, second.direction, pointing, along)):
+    for one in branch.with_each(first.joint, at.reach(first, second.direction, pointing, along)):
         rest = one.inward(first, pointing)
         lever = lever_of(second.direction, third.direction)
-        two = one.one(second.joint, at.onto(second, third.direction, rest, lever=lever))
+        two = one.with_answer(second.joint, at.onto(second, third.direction, rest, lever=lever))
         marked = two.inward(second, two.inward(first, sideways))
-        yield two.one(third.joint, at.onto(third, marker, marked, lever=1))
+        yield two.with_answer(third.joint, at.onto(third, marker, marked, lever=1))
 
 
 def _marker_of(axis: Axis) -> Vector:

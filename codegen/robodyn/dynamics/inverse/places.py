@@ -114,7 +114,7 @@ def _first_and_second_meet(arm: Reach, branch: Branch, at: Setting) -> Iterator[
     through a point."""
     one, two, three = arm.axes
     p, b, c = arm.p, arm.b, arm.c
-    for folded in branch.each(three.joint, at.fold(three, b, c, _norm(p))):
+    for folded in branch.with_each(three.joint, at.fold(three, b, c, _norm(p))):
         v = plus(b, folded.outward(three, c))
         yield from _through_a_point((one, two), v, p, folded, at)
 
@@ -126,7 +126,7 @@ def shoulders(
     ``p`` as it is seen from there."""
     ways = at.reach(one, along, p, distance, 1)
     cosine = dot(one.direction, along)
-    for sign, shoulder in zip((-1, 1), branch.each(one.joint, ways), strict=True):
+    for sign, shoulder in zip((-1, 1), branch.with_each(one.joint, ways), strict=True):
         if not is_number(cosine) or cosine:
             yield shoulder, shoulder.inward(one, p)
             continue
@@ -143,9 +143,9 @@ def in_a_plane(
     one, two = axes
     b, c, u = (across(one.direction, v) for v in (b, c, u))
     lever = lever_of(one.direction, b) - lever_of(one.direction, c)
-    for folded in branch.each(two.joint, at.fold(two, b, c, _norm(u))):
+    for folded in branch.with_each(two.joint, at.fold(two, b, c, _norm(u))):
         v = plus(b, folded.outward(two, c))
-        yield folded.one(one.joint, at.onto(one, v, u, 2, lever=lever))
+        yield folded.with_answer(one.joint, at.onto(one, v, u, 2, lever=lever))
 
 
 def _through_a_point(
@@ -169,8 +169,8 @@ def _through_a_point(
         before = at.onto(one, turned(k, other, v), onto, 2)
         meet = choose(longer, by_second.meet, by_first.meet)
         first = chosen(longer, start, before.answer)
-        sided = branch.sided(one.joint, sign, first, exist, meet)
-        yield sided.at(two.joint, chosen(longer, last.answer, other))
+        sided = branch.with_side(one.joint, sign, first, exist, meet)
+        yield sided.with_position(two.joint, chosen(longer, last.answer, other))
 
 
 # --- with prismatic joints ----------------------------------------------------------------------------------
@@ -181,7 +181,7 @@ def _two_turns_and_a_slide_that_meet(arm: Reach, branch: Branch, at: Setting) ->
     """As in the Stanford arm: the slide brings the tip as far from where the turns meet as the place is."""
     one, two, three = arm.axes
     p, b, h = arm.p, plus(arm.b, arm.c), three.direction
-    for out in branch.each(three.joint, at.slide(dot(b, h), _norm(b) - _norm(p))):
+    for out in branch.with_each(three.joint, at.slide(dot(b, h), _norm(b) - _norm(p))):
         v = plus(b, scaled(out.positions[three.joint], h))
         yield from _through_a_point((one, two), v, p, out, at)
 
@@ -197,7 +197,7 @@ def _two_parallel_turns_and_a_slide(arm: Reach, branch: Branch, at: Setting) -> 
     p, a, b, h = arm.p, arm.a, plus(arm.b, arm.c), one.direction
     d = dot(h, minus(p, plus(a, b))) / dot(h, three.direction)
     v = plus(b, scaled(d, three.direction))
-    yield from in_a_plane((one, two), a, v, p, branch.at(three.joint, d), at)
+    yield from in_a_plane((one, two), a, v, p, branch.with_position(three.joint, d), at)
 
 
 @_structure(
@@ -210,7 +210,7 @@ def _a_slide_between_parallel_turns(arm: Reach, branch: Branch, at: Setting) -> 
     p, a, c, h = arm.p, plus(arm.a, arm.b), arm.c, one.direction
     d = dot(h, minus(p, plus(a, c))) / dot(h, two.direction)
     out = plus(a, scaled(d, two.direction))
-    yield from in_a_plane((one, three), out, c, p, branch.at(two.joint, d), at)
+    yield from in_a_plane((one, three), out, c, p, branch.with_position(two.joint, d), at)
 
 
 @_structure(
@@ -222,13 +222,13 @@ def _a_slide_across_a_turn(arm: Reach, branch: Branch, at: Setting) -> Iterator[
     """The third joint alone moves the tip along the first axis."""
     one, two, three = arm.axes
     p, a, c, h = arm.p, plus(arm.a, arm.b), arm.c, one.direction
-    for folded in branch.each(three.joint, at.reach(three, c, h, dot(h, minus(p, a)), 1)):
+    for folded in branch.with_each(three.joint, at.reach(three, c, h, dot(h, minus(p, a)), 1)):
         w = plus(a, folded.outward(three, c))
         flat_w, flat_p = across(h, w), across(h, p)
         slide = at.slide(dot(flat_w, two.direction), _norm(flat_w) - _norm(flat_p))
-        for out in folded.each(two.joint, slide):
+        for out in folded.with_each(two.joint, slide):
             v = plus(flat_w, scaled(out.positions[two.joint], two.direction))
-            yield out.one(one.joint, at.onto(one, v, flat_p, 2))
+            yield out.with_answer(one.joint, at.onto(one, v, flat_p, 2))
 
 
 @_structure(
@@ -242,7 +242,7 @@ def _a_turn_and_two_slides(arm: Reach, branch: Branch, at: Setting) -> Iterator[
     p, a = arm.p, plus(arm.a, arm.b, arm.c)
     n = cross(two.direction, three.direction)
     n = scaled(1 / real_root(dot(n, n)), n)
-    for facing in branch.each(one.joint, at.reach(one, n, p, dot(n, a), 1)):
+    for facing in branch.with_each(one.joint, at.reach(one, n, p, dot(n, a), 1)):
         yield slid(facing, two, three, minus(facing.inward(one, p), a))
 
 
@@ -250,7 +250,8 @@ def slid(branch: Branch, one: Axis, two: Axis, w: Vector) -> Branch:
     """``branch`` with two slides that are not parallel, the sum of which is nearest to ``w``."""
     x, y, cosine = dot(w, one.direction), dot(w, two.direction), dot(one.direction, two.direction)
     share = 1 / (1 - cosine * cosine)
-    return branch.at(one.joint, share * (x - cosine * y)).at(two.joint, share * (y - cosine * x))
+    branch = branch.with_position(one.joint, share * (x - cosine * y))
+    return branch.with_position(two.joint, share * (y - cosine * x))
 
 
 @_structure(
@@ -265,10 +266,10 @@ def _a_turn_along_a_slide(arm: Reach, branch: Branch, at: Setting) -> Iterator[B
     flat_b, flat_k, flat_p = (across(h, v) for v in (b, three.direction, p))
     share = 1 / _norm(flat_k)
     slide = at.slide(share * dot(flat_b, flat_k), share * (_norm(flat_b) - _norm(flat_p)))
-    for out in branch.each(three.joint, slide):
+    for out in branch.with_each(three.joint, slide):
         v = plus(b, scaled(out.positions[three.joint], three.direction))
         d = dot(h, minus(p, v)) * dot(h, one.direction)
-        yield out.at(one.joint, d).one(two.joint, at.onto(two, across(h, v), flat_p, 2))
+        yield out.with_position(one.joint, d).with_answer(two.joint, at.onto(two, across(h, v), flat_p, 2))
 
 
 @_structure(
@@ -281,5 +282,5 @@ def _three_slides(arm: Reach, branch: Branch, at: Setting) -> Iterator[Branch]:
     u, v, w = (axis.direction for axis in arm.axes)
     volume = dot(u, cross(v, w))
     for axis, side in zip(arm.axes, (cross(v, w), cross(w, u), cross(u, v)), strict=True):
-        branch = branch.at(axis.joint, dot(scaled(1 / volume, side), p))
+        branch = branch.with_position(axis.joint, dot(scaled(1 / volume, side), p))
     yield branch

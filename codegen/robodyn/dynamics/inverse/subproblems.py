@@ -66,22 +66,22 @@ class Branch:
     singular: Any = 0
     signs: tuple[tuple[int, int], ...] = ()
 
-    def each(self, joint: int, two: Two) -> Iterator[Branch]:
+    def with_each(self, joint: int, two: Two) -> Iterator[Branch]:
         """With the two positions of ``joint``, one after the other."""
         for sign, answer in zip((1, -1), two.answers, strict=True):
-            yield self.sided(joint, sign, answer, two.exist, two.meet)
+            yield self.with_side(joint, sign, answer, two.exist, two.meet)
 
-    def sided(self, joint: int, sign: int, answer: Any, exist: Any, meet: Any) -> Branch:
+    def with_side(self, joint: int, sign: int, answer: Any, exist: Any, meet: Any) -> Branch:
         """With that of the two positions of ``joint``."""
         positions, signs = {**self.positions, joint: answer}, (*self.signs, (joint, sign))
         return Branch(positions, both(self.exists, exist), either(self.singular, meet), signs)
 
-    def one(self, joint: int, one: One) -> Branch:
+    def with_answer(self, joint: int, one: One) -> Branch:
         """With the position of ``joint``."""
         positions = {**self.positions, joint: one.answer}
         return Branch(positions, self.exists, either(self.singular, one.meet), self.signs)
 
-    def at(self, joint: int, position: Any) -> Branch:
+    def with_position(self, joint: int, position: Any) -> Branch:
         """With a ``position`` of ``joint`` that follows from the others."""
         return Branch({**self.positions, joint: position}, self.exists, self.singular, self.signs)
 
