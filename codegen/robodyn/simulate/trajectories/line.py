@@ -32,6 +32,7 @@ Solver = Callable[[Floats], Floats]
 SINGULAR = 1e-4
 _MISSED = 1e-8  # [m, rad] by which a solver's joints may be off
 _MET = 1e-8  # [m, rad] from where one more step of Newton's method is enough
+_FOLLOWED = 1e-10  # [m, rad] from where a sample is near enough to go on from
 _NEWTON = 10
 
 
@@ -150,18 +151,20 @@ class _Line:
     def followed(self, t: Floats, q: Floats) -> Floats:
         """``q`` [K, n], of which the first row is known, each other from those before it."""
         low, high = position_limits(self.kinematics.robot).T
-        for k in range(1, len(t)):
-            guess = 2 * q[k - 1] - q[k - 2] if k > 1 else q[0]
-            try:
-                q[k] = self.refined(t[k : k + 1], guess[None])[0]
-                missed = float(np.abs(self.missing(t[k : k + 1], q[k : k + 1])).max())
-            except np.linalg.LinAlgError:
-                missed = math.inf
-            jump = float(np.abs(q[k] - q[k - 1]).max())
-            if not (
-                missed <= _MISSED and jump <= _LARGEST_JUMP and (low <= q[k]).all() and (q[k] <= high).all()
-            ):
-                raise self.unreachable(self.path(t)[k], missed)
+        m = self.kinematics.link
+        for k, point in enumerate(self.path(t)[1:], 1):
+            q[k] = 2 * q[k - 1] - q[k - 2] if k > 1 else q[0]
+            missing = self.off(point, q[k])
+            for _ in range(_NEWTON):
+                if np.abs(missing).max() < _FOLLOWED:
+                    break
+                J = self.kinematics.jacobian(q[k])[:m, :m]
+                q[k, :m] += np.linalg.lstsq(J, missing, rcond=None)[0]
+                missing = self.off(point, q[k])
+            missed = float(np.abs(missing).max())
+            is_near = np.abs(q[k] - q[k - 1]).max() <= _LARGEST_JUMP
+            if not (missed <= _MISSED and is_near and (low <= q[k]).all() and (q[k] <= high).all()):
+                raise self.unreachable(point, missed)
         return q
 
     def unreachable(self, point: Floats, missed: float) -> InputError:
@@ -185,13 +188,17 @@ class _Line:
 
     def missing(self, t: Floats, q: Floats) -> Floats:
         """What is missing to the line: [K, 3] (m), with a rotation [K, 6] (and rad, if little)."""
+        return self.off(self.path(t), q)
+
+    def off(self, point: Floats, q: Floats) -> Floats:
+        """What is missing to a ``point`` [3], or to one for each state of ``q``."""
         position, rotation = self.kinematics.pose(q)
-        off: Floats = self.path(t) - position
+        off: Floats = point - position
         if self.rotation is None:
             return off
-        turn = self.rotation @ np.swapaxes(rotation, 1, 2)
-        sines = [turn[:, j, i] - turn[:, i, j] for i, j in ((1, 2), (2, 0), (0, 1))]
-        return np.hstack([off, np.stack(sines, axis=1) / 2])
+        turn = self.rotation @ np.swapaxes(rotation, -1, -2)
+        sines = [turn[..., j, i] - turn[..., i, j] for i, j in ((1, 2), (2, 0), (0, 1))]
+        return np.concatenate([off, np.stack(sines, axis=-1) / 2], axis=-1)
 
     def rates(self, t: Floats, q: Floats) -> tuple[Floats, Floats]:
         """Joint velocities and accelerations [K, n]."""
