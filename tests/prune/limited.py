@@ -19,10 +19,7 @@ STROKE = Limits((Fraction(-1, 5), Fraction(1, 2)), Fraction(1), Fraction(6))
 def limited(robot: Robot) -> Robot:
     """``robot`` with limits at every joint."""
     links = [
-        replace(
-            link,
-            joint=replace(link.joint, limits=TURN if link.joint.kind == "revolute" else STROKE),
-        )
+        replace(link, joint=replace(link.joint, limits=TURN if link.joint.kind == "revolute" else STROKE))
         for link in robot.links
     ]
     return replace(robot, links=tuple(links))

@@ -62,9 +62,7 @@ def test_the_first_folder_counts(folder: Path, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("old", "new"),
-    [(b"\ntau = ", b"\n\xfftau = "), (b"%3 = ", b"%4 = "), (b" mul ", b" m\x80l ")],
-    ids=str,
+    ("old", "new"), [(b"\ntau = ", b"\n\xfftau = "), (b"%3 = ", b"%4 = "), (b" mul ", b" m\x80l ")], ids=str
 )
 def test_damage_in_its_own_is(folder: Path, old: bytes, new: bytes) -> None:
     path = folder / NAME

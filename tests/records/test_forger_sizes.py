@@ -52,10 +52,7 @@ def finished(forged: Forgery, robot: Robot, function: str = "inverse_dynamics") 
 
 
 def check_refused(
-    record: Record,
-    robot: Robot,
-    functions: tuple[str, ...] = (),
-    scalar: ScalarType = "double",
+    record: Record, robot: Robot, functions: tuple[str, ...] = (), scalar: ScalarType = "double"
 ) -> None:
     for function in functions or (record.function,):
         with pytest.raises(InputError, match=f"does not compute its {record.function}"):

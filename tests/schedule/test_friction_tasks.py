@@ -88,9 +88,7 @@ def site(friction: Friction, seed: int) -> tuple[Site, float]:
 
 
 @pytest.mark.parametrize("friction", KINDS, ids=name)
-def test_the_tasks_compute_the_equations_in_every_order_that_the_graph_allows(
-    friction: Friction,
-) -> None:
+def test_the_tasks_compute_the_equations_in_every_order_that_the_graph_allows(friction: Friction) -> None:
     """A task that read what it does not wait for would fail, or give something else."""
     numbers = {task.row for task in friction_tasks(friction)}
     needs = {

@@ -47,7 +47,7 @@ TABLE_2_10_BALAFOUTIS: dict[str, tuple[int, int, str]] = {
         277,
         255,
         "method VI, Balafoutis 1988, quoted by the thesis; for which parameters, it does not say",
-    ),
+    )
 }
 #: The rows of the table by the formulation that they are of.
 _OWN_ROWS = {"modified_newton_euler": TABLE_2_10, "balafoutis": TABLE_2_10_BALAFOUTIS}

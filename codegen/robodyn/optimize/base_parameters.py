@@ -181,10 +181,7 @@ class BaseNewtonEuler:
                 start[i] = self._wrench(link, how, self.moving[i].start, c, s)
             elif _any(link.lump):
                 force, moment = self._wrench(link, how, self.moving[i].own, 1, 0)
-                own[i] = (
-                    named(force, self.mark_lengths, i + 1, "fc"),
-                    named(moment, self.mark, i + 1, "nc"),
-                )
+                own[i] = (named(force, self.mark_lengths, i + 1, "fc"), named(moment, self.mark, i + 1, "nc"))
         return own, start, torques
 
     def _wrench(self, link: Regrouped, how: LinkVariant, at: Rates, c: Any, s: Any) -> Wrench:

@@ -27,10 +27,7 @@ if TYPE_CHECKING:
     from robodyn.dynamics.arm import Arm, Motion
     from robodyn.dynamics.vectors import Mark
 
-_OWN = {
-    "modified_newton_euler": "modified Newton-Euler (lambda matrix)",
-    "newton_euler": "Newton-Euler",
-}
+_OWN = {"modified_newton_euler": "modified Newton-Euler (lambda matrix)", "newton_euler": "Newton-Euler"}
 #: The package that registers further formulations. Its name is all that the generator holds of it.
 _FURTHER = "robodyn.thesis.formulations"
 #: Formulations of the inverse dynamics, from the description as it stands, and their titles.

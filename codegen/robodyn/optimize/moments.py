@@ -95,11 +95,7 @@ def inertia_moment(inertia: Symmetric, at: Rates) -> Lazy:
     def component(j: int) -> Any:
         b, c = (j + 1) % 3, (j + 2) % 3
         total = weighted(rows[j], at.alpha)
-        for factor, one, other in (
-            (rows[c][c] - rows[b][b], b, c),
-            (rows[j][c], j, b),
-            (-rows[j][b], j, c),
-        ):
+        for factor, one, other in ((rows[c][c] - rows[b][b], b, c), (rows[j][c], j, b), (-rows[j][b], j, c)):
             if factor:
                 total = total + factor * at.product(one, other)
         if rows[b][c]:

@@ -145,12 +145,7 @@ def build(
 
 
 def _built(
-    graph: Graph,
-    robot: Robot,
-    function: str,
-    choice: Choice,
-    writing: Writing | None,
-    scalar: ScalarType,
+    graph: Graph, robot: Robot, function: str, choice: Choice, writing: Writing | None, scalar: ScalarType
 ) -> Program:
     interface, known = signature(robot, function), function_named(function)
 

@@ -107,12 +107,7 @@ def improved(
                 progress(Progress("variants", at.seconds, written, at.best))
 
         variants = search(
-            robot,
-            seconds=written,
-            seed=seed,
-            objective=objective,
-            processes=processes,
-            progress=told,
+            robot, seconds=written, seed=seed, objective=objective, processes=processes, progress=told
         )
         starts += [program for _, _, program in variants]
         if robot.n <= _SHORT and cost(recursion, objective) > 0:

@@ -13,16 +13,7 @@ from robodyn.kernels.generate import Options
 from robodyn.kernels.generate import program as generated
 from robodyn.optimize.records import Record, parse_record
 from robodyn.robot.model import Robot
-from robodyn.search.improve import (
-    BUDGET,
-    Stage,
-    check_search,
-    cost,
-    improved,
-    keep,
-    known_records,
-    proved,
-)
+from robodyn.search.improve import BUDGET, Stage, check_search, cost, improved, keep, known_records, proved
 
 _log = logging.getLogger("robodyn.search")
 

@@ -78,10 +78,7 @@ class Record:
 
     def text(self) -> str:
         """The record as it is kept in a file."""
-        lines = [
-            _TITLE,
-            *(f"{name} {getattr(self, attribute)}" for name, attribute in _FIELDS.items()),
-        ]
+        lines = [_TITLE, *(f"{name} {getattr(self, attribute)}" for name, attribute in _FIELDS.items())]
         if (key := function_key(self.program)) is not None:
             lines.append(f"{_KEY} {key}")
         lines.append("program")

@@ -150,12 +150,7 @@ _ARITHMETIC: Final[Mapping[ScalarType, _Arithmetic]] = {
 #: Magnitudes of positions (of prismatic joints [m]; an angle is at most a turn [rad]), rates and
 #: accelerations at which bounds are compared: nearly at rest, fast without acceleration, a jerk from rest,
 #: and far beyond any arm.
-_STATES = (
-    (0.01, 1e-3, 1e-3),
-    (1.0, 30.0, 1e-3),
-    (1.0, 1e-3, 1e3),
-    (100.0, 1e3, 1e6),
-)
+_STATES = ((0.01, 1e-3, 1e-3), (1.0, 30.0, 1e-3), (1.0, 1e-3, 1e3), (100.0, 1e3, 1e6))
 #: Long axes, for arms whose positions are read as such.
 _LONG = ((10.0, 1e-3, 1e-3), (100.0, 1e-3, 1e-3))
 _TURN = 2 * math.pi
