@@ -32,7 +32,6 @@ Solver = Callable[[Floats], Floats]
 SINGULAR = 1e-4
 _MISSED = 1e-8  # [m, rad] by which a solver's joints may be off
 _MET = 1e-8  # [m, rad] from where one more step of Newton's method is enough
-_FOLLOWED = 1e-10  # [m, rad] from where a sample is near enough to go on from
 _NEWTON = 10
 
 
@@ -156,7 +155,7 @@ class _Line:
             q[k] = 2 * q[k - 1] - q[k - 2] if k > 1 else q[0]
             missing = self.off(point, q[k])
             for _ in range(_NEWTON):
-                if np.abs(missing).max() < _FOLLOWED:
+                if np.abs(missing).max() < _MET:
                     break
                 J = self.kinematics.jacobian(q[k])[:m, :m]
                 q[k, :m] += np.linalg.lstsq(J, missing, rcond=None)[0]
