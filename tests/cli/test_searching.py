@@ -19,7 +19,7 @@ from robodyn.optimize.records import FOLDER, bundled_records, parse_record
 from robodyn.search.improve import write_record
 from robodyn_cli.main import main
 from robodyn_testing import representative
-from search.moment import search_for_a_moment
+from search.arms import search_for_a_moment
 
 pytestmark = pytest.mark.usefixtures("here")
 

@@ -2,10 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Final
+from typing import Any, Final
+
+import pytest
 
 from records.made import SMOOTH, TOOL, arm, bundled
+from robodyn.ir import Program
 from robodyn.robot import Robot
+from robodyn.search import climb as climbing
+from robodyn.search import improve as improving
+from robodyn.search.climb import climb
+from robodyn_testing.clocks import ticking
 from robodyn_testing.random_robots import random_robot
 
 __all__ = ["SPECIAL", "arm", "bundled", "random_arms"]
@@ -44,3 +51,16 @@ def random_arms(count: int, *, joints: int) -> list[Robot]:
         random_robot(seed, joints=1 + seed % joints, full=bool(seed % 2), friction=0.5, exotic=0.1, aside=0.3)
         for seed in range(count)
     ]
+
+
+def search_for_a_moment(patch: pytest.MonkeyPatch) -> None:
+    """Let walks be short, and a second of them ten thousand steps.
+
+    A search for any algebra takes a second of it otherwise, however short it is.
+    """
+    ticking(patch, {climbing: 0.1})
+
+    def climbs(programs: Any, *, seconds: float, **more: Any) -> list[Program]:
+        return climb(programs, seconds=min(seconds, 0.25), **more)
+
+    patch.setattr(improving, "climb", climbs)

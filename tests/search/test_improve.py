@@ -25,8 +25,7 @@ from robodyn.search.improve import Progress, cost, improved, write_record
 from robodyn.search.walk import library
 from robodyn_testing import representative, sampled
 from robodyn_testing.clocks import ticking
-from search.arms import SPECIAL
-from search.moment import search_for_a_moment
+from search.arms import SPECIAL, search_for_a_moment
 
 pytestmark = pytest.mark.thorough  # whole searches: CI runs them
 

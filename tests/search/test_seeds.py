@@ -18,7 +18,7 @@ from robodyn.errors import ToolError
 from robodyn.optimize.records import Record, parse_record
 from robodyn.search import seeds as seeds_module
 from robodyn.search.seeds import best_of_seeds, searched
-from search.moment import search_for_a_moment
+from search.arms import search_for_a_moment
 
 ROBOT = arm(ELBOW)
 GOOD, PLAIN = better(ROBOT), recorded(ROBOT, fast(ROBOT))

@@ -7,8 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from robodyn.counts.budget import Budget, parse_budget
-from robodyn.counts.count import Count, count
+from robodyn.counts.count import Budget, Count, count, parse_budget
 
 if TYPE_CHECKING:
     from robodyn.counts.thesis import Beside, beside

@@ -3,6 +3,8 @@
 The thesis's convention: every binary ``*`` is one multiplication (by constants, by 2, squares too),
 every binary ``+`` or ``-`` one addition. Unary minus and sine/cosine are free and shown apart. A worked
 line: ``fc3_x = 4.8*(a3_x - 0.07*lam3_12)`` is two multiplications and one addition.
+
+Budgets are the most operations that a kernel may have, for a CI job to hold.
 """
 
 from __future__ import annotations
@@ -11,6 +13,7 @@ from collections import Counter
 from dataclasses import asdict, dataclass
 from operator import itemgetter
 
+from robodyn.errors import InputError
 from robodyn.ir.program import Program
 
 
@@ -71,3 +74,45 @@ def repeated(program: Program) -> list[tuple[int, Program]]:
     if iteration is None:
         return [(1, program)]
     return list(zip((1, iteration.rows * iteration.most, 1), parts, strict=True))
+
+
+KINDS = ("mul", "add", "div", "sqrt", "neg", "sincos", "other", "total")
+
+
+@dataclass(frozen=True, slots=True)
+class Budget:
+    """Upper limits by kind, e.g. ``{"mul": 208, "total": 360}``."""
+
+    limits: tuple[tuple[str, int], ...]
+
+    def exceeded(self, count: Count) -> list[str]:
+        """What of ``count`` is over its limit, in words; empty where the budget holds."""
+        numbers = count.to_dict()
+        return [
+            f"{kind} {numbers[kind]} is {numbers[kind] - limit} over the budget of {limit}"
+            for kind, limit in self.limits
+            if numbers[kind] > limit
+        ]
+
+
+def parse_budget(text: str) -> Budget:
+    """A budget from ``mul=208,add=152,total=360``; :class:`InputError` if it is not one."""
+    limits: dict[str, int] = {}
+    for part in text.split(","):
+        kind, separator, digits = (piece.strip() for piece in part.partition("="))
+        if (
+            not separator
+            or kind not in KINDS
+            or not (digits.isascii() and digits.isdigit())
+            or len(digits) > 9
+        ):
+            raise InputError(
+                "not a budget",
+                found=repr(part),
+                expected=f"KIND=NUMBER with KIND one of {', '.join(KINDS)}",
+                remedy="write it like mul=208,add=152,total=360",
+            )
+        if kind in limits:
+            raise InputError(f"budget for {kind} given twice", found=repr(text), remedy="give each kind once")
+        limits[kind] = int(digits)
+    return Budget(tuple(limits.items()))

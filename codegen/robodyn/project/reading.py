@@ -212,7 +212,7 @@ class _Reader:
     def _budgets(self, *at: str) -> Budgets:
         budgets: dict[str, Any] = self.tables.table(*at)
         for function in budgets:
-            from robodyn.counts.budget import KINDS
+            from robodyn.counts.count import KINDS
 
             for kind, most in self.tables.table(*at, function).items():
                 if kind not in KINDS:

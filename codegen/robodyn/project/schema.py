@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from robodyn.counts.budget import KINDS
+from robodyn.counts.count import KINDS
 from robodyn.project.keys import LARGEST_BUDGET, Key, Keys
 
 Schema = dict[str, Any]
