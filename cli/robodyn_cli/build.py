@@ -64,7 +64,7 @@ def command(path: str, check: bool, format_: str, output: str | None, **options:
     """
     form = _format(format_)
     try:
-        comparison, written = _built(Path(path), check=check, report=output, **options)
+        comparison = _built(Path(path), check=check, report=output, **options)
     except RobodynError as error:
         _show_error(error, form, output)
         raise
@@ -74,7 +74,7 @@ def command(path: str, check: bool, format_: str, output: str | None, **options:
 
 def _built(
     path: Path, *, workers: int | None, check: bool, force: bool, against: str | None, report: str | None
-) -> tuple[Comparison, list[str]]:
+) -> Report:
     """Write or check what the project file asks for, once the file ``report`` can be written: how it
     compares, and the paths of what was written."""
     from robodyn.project.compare import check_products, compare, locked

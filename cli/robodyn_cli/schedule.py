@@ -56,11 +56,11 @@ def _thesis(table: str) -> None:
 
 
 def _forms(settings: ScheduleOptions) -> None:
-    from robodyn.thesis.logarithmic import compared, forms_text
+    from robodyn.thesis.logarithmic import compare_forms, forms_text
     from robodyn_cli.progress import line
 
     with line() as shown:
-        comparison = compared(settings.links or 16, lambda text: shown.tell(f"robodyn: {text}"))
+        comparison = compare_forms(settings.links or 16, lambda text: shown.tell(f"robodyn: {text}"))
     show(lambda: comparison, lambda: forms_text(comparison).splitlines())
 
 

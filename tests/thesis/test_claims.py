@@ -6,6 +6,7 @@ from __future__ import annotations
 import importlib
 import inspect
 from dataclasses import replace
+from fractions import Fraction
 from pathlib import Path
 from typing import Any, Literal
 
@@ -16,11 +17,12 @@ from robodyn import load
 from robodyn.counts import Count
 from robodyn.effects import thesis_friction
 from robodyn.robot import Robot
-from robodyn.schedule import TASKS, arithmetic, friction_tasks, general_graph
-from robodyn.thesis.claims import Arms, formulations, friction, processors
-from robodyn.thesis.tables import make
+from robodyn.schedule import TASKS, elimination, friction_tasks, general_graph, graph
+from robodyn.thesis import claims, steps
+from robodyn.thesis.claims import Arms, formulations, friction, processors, tasks
+from robodyn.thesis.tables import customised, make
 from robodyn.thesis.tables.claims import read_claims
-from robodyn.thesis.tables.tasks import table_4_1
+from thesis.recomputed import Patch, changed, table
 
 REVIEW = yaml.safe_load(Path(__file__).with_name("claims.yaml").read_text(encoding="utf-8"))
 MODULES = ("formulations", "listings", "friction", "tasks", "processors")
@@ -110,10 +112,31 @@ def test_they_follow_the_graphs_edges(monkeypatch: Patch) -> None:
     assert tight.row("least Stanford time").ours["levels"] > 25
 
 
-def test_table_4_1_counts_what_a_task_does(monkeypatch: Patch) -> None:
-    counts = arithmetic.operations_of_tasks(4)
-    monkeypatch.setattr(table_4_1, "operations_of_tasks", lambda n: {**counts, 326: {"mul": 5}})
-    assert table_4_1.table().row("T26").ours["operations"] == 5
+@pytest.mark.thorough
+def test_they_follow_the_rules_of_elimination(monkeypatch: Patch) -> None:
+    """Nothing spared for the first and the last link: more tasks, wider layers, another share saved."""
+    names = ("Stanford load", "six-link efficiency", "task reduction")
+    printed = "maximum concurrency"  # of the tasks of Table 4.7, which no rule gives
+    before = {name: ours(name) for name in (*names, printed)}
+    monkeypatch.setattr(elimination, "FIRST_LINK", frozenset())
+    monkeypatch.setattr(elimination, "LAST_LINK", frozenset())
+    found = make("claims")
+    assert found.row("six-link load").ours["subtasks"] == 43 * 6
+    assert found.row("six-link load").verdict == "differs"
+    assert all(found.row(name).ours != before[name] for name in names)
+    assert found.row(printed).ours == before[printed]
+
+
+def test_they_follow_the_steps_the_robot_and_friction(monkeypatch: Patch) -> None:
+    corrected = "subtasks_step_3_corrected"
+    form, load = formulations.lambda_form(Arms())[0], tasks.stanford_load(Arms())[0]
+    monkeypatch.setattr(steps, "moment", lambda N, s, F, p_next, f_next, n_next: n_next)
+    monkeypatch.setattr(thesis_friction, "driving", lambda tau, e, b, sign: tau / e)
+    for module in (claims, tasks):
+        monkeypatch.setattr(module, "bundled", changed("stanford", 2, com=(Fraction(1),) * 3))
+    assert formulations.lambda_form(Arms())[0]["revolute"] > form["revolute"]
+    assert tasks.stanford_load(Arms())[0][corrected] == load[corrected] + 6
+    assert friction.transmissions_alone(Arms()) == ({"without_joint_friction": 2}, False)
 
 
 def test_products_of_inertia_of_makers_arms() -> None:

@@ -11,7 +11,7 @@ import pytest
 
 from robodyn.effects import thesis_friction
 from robodyn.robot.model import EffectEntry
-from robodyn.schedule import arithmetic, task_counts
+from robodyn.schedule import arithmetic
 from robodyn.schedule.tasks import TASKS
 from robodyn.thesis.case_arm import D4_START, led
 from robodyn.thesis.printed import TABLE_3_3, TABLE_3_4, TABLE_3_5, TABLE_4_1_MISPRINTS, bundled
@@ -240,7 +240,7 @@ def test_table_4_2() -> None:
 
 
 def test_tables_4_1_and_4_2_follow_the_tasks(monkeypatch: Patch) -> None:
-    nine, counts = arithmetic._DO[9], task_counts.operations_of_tasks(4)
+    nine, counts = arithmetic._DO[9], arithmetic.operations_of_tasks(4)
 
     def heavier(at: arithmetic.Place) -> None:
         nine(at)

@@ -11,7 +11,7 @@ from robodyn.errors import InputError, did_you_mean
 from robodyn.files import label, read_start
 from robodyn.project.lock import Lock, Locked
 from robodyn.project.product import Product
-from robodyn.project.reading import Entry, Project
+from robodyn.project.reading import OF, Entry, Project
 from robodyn.toolchain.sources import digest
 
 Kinds = Mapping[str, int]
@@ -106,17 +106,18 @@ def compare(
     return {**head, "robots": robots, "written": [], "faults": faults}
 
 
-def exceeded(functions: tuple[Counted, ...]) -> list[tuple[str, str]]:
-    """Functions over their budgets, and by how much."""
-    over = []
-    for counted in functions:
-        if counted.budget and counted.now is not None:
-            from robodyn.counts.count import Budget, Count
-
-            count = Count(**{kind: amount for kind, amount in counted.now.items() if kind != "total"})
-            texts = Budget(tuple(counted.budget.items())).exceeded(count)
-            over += [(counted.function, text) for text in texts]
-    return over
+def _record(
+    name: str, gone: bool, files: list[Report], functions: list[Report], account: list[Any]
+) -> Report:
+    """A robot of the project, or a package of one."""
+    return {
+        "robot": name,
+        "package": name.partition(OF)[2] or None,
+        "gone": gone,
+        "files": files,
+        "functions": functions,
+        "account": account,
+    }
 
 
 def _robot(

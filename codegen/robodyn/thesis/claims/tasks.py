@@ -18,11 +18,11 @@ from robodyn.schedule import (
 from robodyn.schedule.arithmetic import operations_of_tasks
 from robodyn.schedule.elimination import robot_graph
 from robodyn.schedule.graph import link_and_number, task_id
-from robodyn.thesis.claims import LINKS, Arms, Outcome
-from robodyn.thesis.claims.arms import STANFORD
-from robodyn.thesis.judge import UNIT_MS, printed_schedule, rival_graph
-from robodyn.thesis.printed import TABLE_4_2, TABLE_4_4
-from robodyn.thesis.tables.tasks import flops, idle_tasks
+from robodyn.thesis.claims import LINKS, STANFORD, Arms, Outcome
+from robodyn.thesis.judge import SCHEDULES, UNIT_MS, printed_schedule, rival_graph
+from robodyn.thesis.printed import TABLE_4_2, TABLE_4_4, bundled
+from robodyn.thesis.slips.frames import component_cost
+from robodyn.thesis.tables.tasks import LINK, flops, idle_tasks
 
 SIZES: Final = range(2, 10)
 #: Processors of the thesis's layered graph of six joints, and tasks at once of the Stanford arm's.
