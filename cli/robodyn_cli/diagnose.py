@@ -65,8 +65,7 @@ def command(robot: str, no_kernels: bool, **options: Any) -> None:
     same input gives the same files. Exit code 4 means that a residual remains that no effect of the catalogue
     explains.
     """
-    from robodyn.diagnose.run import diagnose
-    from robodyn.diagnose.stages import stages
+    from robodyn.diagnose.run import diagnose, stages
 
     folder = outputs_for(robot, options, (DATA, MODEL, REPORT))
     scope = {

@@ -14,7 +14,7 @@ from benchmarks.blind_arms.arms import bare, perturbed, rubbing
 
 from identify.exact import log_of
 from robodyn.diagnose.run import diagnose
-from robodyn.diagnose.stages import stages as stages_of_diagnosis
+from robodyn.diagnose.run import stages as stages_of_diagnosis
 from robodyn.identify.run import identify, stages
 from robodyn.logs.log import Log
 from robodyn.robot import to_yaml

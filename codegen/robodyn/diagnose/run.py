@@ -20,7 +20,14 @@ from robodyn.diagnose.evidence import (
     windows,
 )
 from robodyn.diagnose.judgement import Lacking, words_of
-from robodyn.diagnose.limits import DRAWN_POINTS, FITTED_ROWS, FITTED_SAMPLES, FITTED_WINDOWS
+from robodyn.diagnose.limits import (
+    DRAWN_POINTS,
+    FITTED_ROWS,
+    FITTED_SAMPLES,
+    FITTED_WINDOWS,
+    LOOKING_COST,
+    STAGE_COSTS,
+)
 from robodyn.diagnose.one_body import one_body
 from robodyn.diagnose.refit import refitted_places, share_allowed
 from robodyn.diagnose.result import Diagnosis, Series
@@ -35,7 +42,9 @@ from robodyn.gate.gate import Gate, inspect
 from robodyn.identify.limits import LEAST_NOISE
 from robodyn.identify.predict import agreement, signals_seen
 from robodyn.kernels.array_dynamics import Model
-from robodyn.logs.log import LogSource, log_of
+from robodyn.logs.limits import FASTEST_RATE
+from robodyn.logs.log import Log, LogSource, log_of
+from robodyn.logs.signals import thinning
 from robodyn.robot.model import Robot
 from robodyn.robot.rewriting import rewritten
 
@@ -169,3 +178,23 @@ def _series(lacks: Lacking, name: str, robot: Robot, model: Robot, gate: Gate) -
     step = max(1, len(gate.log.t) // DRAWN_POINTS)
     parts = (gate.log.t, s.q, s.qd, s.qdd, load, gate.log.tau, before, after)
     return Series(name, *(x[::step] for x in parts))
+
+
+# --- how long it takes -----------------------------------------------------------------------------------
+
+
+def stages(n: int, logs: Sequence[Log]) -> dict[str, float]:
+    """The stages of a diagnosis of ``n`` joints by ``logs`` in their order, as ``progress`` is told of them,
+    and about how long each takes [s]; what is found decides how often some of them are done."""
+    rows = sum(log.samples / thinning(_rate(log)) for log in logs)
+    squares = n * n * min(rows, float(FITTED_ROWS))
+    base, each = LOOKING_COST
+    costs = {"looking at the logs": base + each * n * sum(log.samples for log in logs)}
+    return costs | {name: base + each * squares for name, (base, each) in STAGE_COSTS.items()}
+
+
+def _rate(log: Log) -> float:
+    """About how many samples a second ``log`` has, which nobody has looked at yet."""
+    steps = np.diff(log.t)
+    steps = steps[steps > 1 / FASTEST_RATE]
+    return 1 / float(np.median(steps)) if len(steps) else FASTEST_RATE
