@@ -36,7 +36,8 @@ def fitted_with(lacks: EffectEntry, start: Amendment, periods: int) -> tuple[Any
     links[1] = replace(links[1], mass=links[1].mass * Fraction(7, 5))
     truth = replace(DESCRIBED, links=tuple(links), effects=(lacks,))
     limits = Limits((Fraction(-2), Fraction(2)), Fraction(2), Fraction(8))
-    motion = fourier(DESCRIBED, 0.1, 5, default=limits, seed=4, periods=periods, period=5e-3)
+    limited = [replace(link, joint=replace(link.joint, limits=limits)) for link in DESCRIBED.links]
+    motion = fourier(replace(DESCRIBED, links=tuple(limited)), 0.1, 5, seed=4, periods=periods, period=5e-3)
     tau = Reference(truth).inverse_dynamics(motion.q, motion.qd, motion.qdd)
     tau = tau + 0.05 * np.random.default_rng(1).standard_normal(tau.shape)
     guess = tuple(replace(link, confidence=Fraction(1, 2)) for link in DESCRIBED.links)
