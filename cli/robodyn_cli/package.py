@@ -64,8 +64,9 @@ def command(robot: str, output: str | None, check: bool, force: bool, **options:
     """Write a package of a robot's kernels for somebody else's build.
 
     DIR gets everything that the tool needs, and a README on how to use it. The kernels are those of "robodyn
-    gen" with the same options; numbers and sines are as the format needs them, unless the command line says
-    otherwise. The same input gives the same bytes on any machine, except where a package has a binary.
+    gen" with the same options. Scalar type and trigonometry default to what the format needs; options on the
+    command line override them. The same input gives the same bytes on any machine, except where a package
+    has a binary.
     """
     folder = None if output is None else output_folder(output)
     package, product = packed(robot, **options)
@@ -103,7 +104,7 @@ def command(robot: str, output: str | None, check: bool, force: bool, **options:
 
 
 def packed(robot: str, format_: str, **options: Any) -> tuple[Package, Kernels]:
-    """The package that the command line in the current context of click asks for, and its kernels.
+    """The package for the options of the command line (click's current context), and its kernels.
 
     Raises
     ------
@@ -118,7 +119,7 @@ def packed(robot: str, format_: str, **options: Any) -> tuple[Package, Kernels]:
 
 
 def _kernels(robot: str, form: Format, options: dict[str, Any]) -> Kernels:
-    """The kernels that the command line asks for, and the format where that says nothing."""
+    """The kernels for the options of the command line; the format supplies defaults."""
     from click.core import ParameterSource
 
     context = click.get_current_context()
@@ -127,10 +128,10 @@ def _kernels(robot: str, form: Format, options: dict[str, Any]) -> Kernels:
         if default and options["target"] is None:  # a target chooses these itself
             options[name] = value
             context.set_parameter_source(name, ParameterSource.DEFAULT_MAP)
-    named = listed(options["functions"] or "")
-    if not named and not options["fuse"]:
-        named = form.functions
-    if named or options["fuse"]:
-        options["functions"] = ",".join(dict.fromkeys((*named, *form.needs))) or None
+    functions = listed(options["functions"] or "")
+    if not functions and not options["fuse"]:
+        functions = form.functions
+    if functions or options["fuse"]:
+        options["functions"] = ",".join(dict.fromkeys((*functions, *form.needs))) or None
     options |= {"lang": form.language.name, "batch": False, "latex": False, "derivatives": form.derivatives}
     return kernels(robot, **options)

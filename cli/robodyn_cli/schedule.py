@@ -30,7 +30,7 @@ def command(robot: str | None, **options: Any) -> None:
     """Split the dynamics into tasks and schedule them on processors.
 
     Without --cut the tasks are those of the thesis, three operations each, for ROBOT or for any revolute arm
-    of --links N. With --cut K they are the operations of a kernel of ROBOT, at most K per task. A separate
+    of --links N. With --cut K a kernel of ROBOT is cut into tasks of at most K operations. A separate
     validator checks every schedule. -p 2..13 sweeps over the number of processors. -o DIR writes parallel
     C (tasks of --cut 3 by default) and the serial kernel, which gives the same bits. --thesis TABLE compares
     a printed schedule (4.3, 4.7, C.1 to C.15, or all) or Table 4.8 with ours and lists every violation.
@@ -72,7 +72,7 @@ def _schedule(settings: ScheduleOptions) -> None:
     from robodyn.schedule.tree import MOST_NODES
     from robodyn_cli.progress import line
 
-    described, source, signature = _source(settings)
+    model, source, signature = _source(settings)
     picture, layers = picture_file(settings.picture), picture_file(settings.layers)
     if settings.fewest:
         _fewest(settings, source)
@@ -85,27 +85,27 @@ def _schedule(settings: ScheduleOptions) -> None:
         "seconds": settings.seconds, "seed": settings.seed, "nodes": settings.nodes or MOST_NODES,
     }  # fmt: skip
 
-    def solved(method: Any, graph: TaskGraph) -> list[Solved]:
+    def solve_all(method: Any, graph: TaskGraph) -> list[Solved]:
         return [solve(graph, machine, method, **limits) for machine in machines]
 
     with line() as shown:
         if settings.method in SEARCHES:
             shown.tell(f"robodyn: {source.name}: searching, {settings.seconds:g} s at most")
-        solutions = solved(settings.method, source.graph)
+        solutions = solve_all(settings.method, source.graph)
     pictures: dict[Path, str] = {}
     if picture is not None and len(solutions) == 1:
         pictures[picture] = gantt_svg(source, solutions[0])
     elif picture is not None and source.plain is not None:
-        pictures[picture] = sweep_svg(source, solutions, solved(settings.method, source.plain))
+        pictures[picture] = sweep_svg(source, solutions, solve_all(settings.method, source.plain))
     elif picture is not None:
         other = "thesis" if settings.method != "thesis" else "critical-path"
-        pictures[picture] = sweep_svg(source, solutions, solved(other, source.graph))
+        pictures[picture] = sweep_svg(source, solutions, solve_all(other, source.graph))
     if layers is not None:
         pictures[layers] = layers_svg(source)
-    folder, files = _emitted(settings, described, source, signature, solutions[0])
+    folder, files = _parallel_files(settings, model, source, signature, solutions[0])
     for file in pictures:
         check_outputs(file.parent, [file.name], named=True)
-    written = (*pictures, *write_files(folder, files))
+    paths = (*pictures, *write_files(folder, files))
     for file, text in pictures.items():
         write_file(file, text)
     if as_json():
@@ -115,7 +115,7 @@ def _schedule(settings: ScheduleOptions) -> None:
         click.echo(
             to_text(source, solutions[0]) if len(solutions) == 1 else sweep_text(source, solutions), nl=False
         )
-    for path in written:
+    for path in paths:
         talk(f"robodyn: wrote {printable(path)}")
 
 
@@ -136,28 +136,28 @@ def _source(settings: ScheduleOptions) -> tuple[Robot | None, Source, Signature 
         friction = None if settings.friction is None else chosen_friction(settings.friction)
         source = links_source(settings.links, as_printed=settings.as_printed, costs=costs, friction=friction)
         return None, source, None
-    described = load(settings.robot, strict=settings.strict)
+    model = load(settings.robot, strict=settings.strict)
     if settings.operations is None and settings.emit is None:
-        by_joint = _friction(settings.friction, described)
-        return described, robot_source(described, as_printed=settings.as_printed, friction=by_joint), None
+        by_joint = _friction(settings.friction, model)
+        return model, robot_source(model, as_printed=settings.as_printed, friction=by_joint), None
     if settings.operations is None:
         from robodyn.optimize.programs import signature
         from robodyn.schedule.task_program import task_program
 
-        tasks = task_program(described)
-        source = Source(described.name, "tasks of Table 4.1 that this arm needs", tasks.graph, cut=tasks)
-        return described, source, signature(described, "inverse_dynamics")
+        tasks = task_program(model)
+        source = Source(model.name, "tasks of Table 4.1 that this arm needs", tasks.graph, cut=tasks)
+        return model, source, signature(model, "inverse_dynamics")
     from robodyn.kernels.generate import generate
 
     options = options_of((settings.function,), vars(settings))
-    options = Search(None, settings.seed, "total", False).applied(described, options, (settings.function,))
-    ((interface, program),) = generate(described, options).unit.functions
+    options = Search(None, settings.seed, "total", False).applied(model, options, (settings.function,))
+    ((interface, program),) = generate(model, options).unit.functions
     tasks = cut(program, settings.operations, costs)
-    return described, cut_source(described.name, tasks, settings.operations), interface
+    return model, cut_source(model.name, tasks, settings.operations), interface
 
 
 def _friction(text: Any, robot: Robot) -> dict[int, Friction] | None:
-    """What is asked of friction, by joint; None for what the robot has."""
+    """The friction that --friction asks for, by joint; None to use the friction of the robot."""
     from robodyn.schedule.friction_tasks import chosen_friction
 
     if text is None:
@@ -183,25 +183,27 @@ def _fewest(settings: ScheduleOptions, source: Source) -> None:
         return
     least = "fewer" if fewest.proven else f"fewer than {fewest.at_least}"
     click.echo(f"{source.name}: {len(source.graph)} {source.tasks}, critical path {fewest.span}")
-    click.echo(f"{fewest.processors} processors reach it in {fewest.span} levels; {least} are proven not to")
+    click.echo(
+        f"{fewest.processors} processors suffice for {fewest.span} levels; {least} are proven to be too few"
+    )
 
 
-def _emitted(
+def _parallel_files(
     settings: ScheduleOptions,
-    described: Robot | None,
+    model: Robot | None,
     source: Source,
     signature: Signature | None,
-    solved: Solved,
+    solution: Solved,
 ) -> tuple[Path, dict[str, str]]:
     """The folder and the files of the parallel C; no files without ``-o``."""
     if settings.emit is None:
         return Path(), {}
     from robodyn.emit.parallel import schedule_files
 
-    assert described is not None
+    assert model is not None
     assert signature is not None
     assert source.cut is not None
     folder = output_folder(settings.emit)
     return folder, schedule_files(
-        described, signature, source.cut, solved.timetable, waiting=settings.sync, vector=settings.packed
+        model, signature, source.cut, solution.timetable, waiting=settings.sync, vector=settings.packed
     )

@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 )
 @option(
     "--lock=JOINT=VALUE",
-    "Of --against: where a joint stands that ROBOT does not have, as of robodyn import.",
+    "With --against: position of a joint of FILE that ROBOT does not have, as in robodyn import.",
     Parameter(),
     multiple=True,
 )
@@ -44,16 +44,16 @@ if TYPE_CHECKING:
 def command(robot: str, functions: str | None, **options: Any) -> None:
     """Compare the compiled kernels with independent references.
 
-    The programs must equal plain Newton-Euler on exact fractions; those of inverse kinematics must lead back
-    to the pose in plain forward kinematics, at 60 digits. The compiled kernels are compared with plain
-    Newton-Euler in double, with exact torques and, up to three joints, with the Lagrangian; solutions of
-    inverse kinematics with plain forward kinematics. Prints the largest error relative to the largest torque
-    (of poses to the arm's reach), and the state where it occurs. Exits with 1 if an error exceeds 1e-10
-    (float: 1e-5).
+    The programs must equal plain Newton-Euler in exact fractions. Programs of inverse kinematics must
+    reproduce the pose to 60 digits in plain forward kinematics. Compiled kernels are compared with plain
+    Newton-Euler in double, with exact torques and, for up to three joints, with the Lagrangian. Solutions of
+    inverse kinematics are compared with plain forward kinematics. Prints the largest error and the state
+    where it occurs. Errors are relative to the largest torque, those of poses to the arm's reach. Exits with
+    1 if an error exceeds 1e-10 (float: 1e-5).
 
-    With --against another library reads FILE itself, MuJoCo an MJCF and Pinocchio a URDF or what a xacro file
-    expands to, and its torques, mass matrix, motion of the links, tool frame and gear ratios are compared,
-    joint by joint of the same name. What the library has no model of is not compared, and listed.
+    With --against another library reads FILE: MuJoCo an MJCF, Pinocchio a URDF or an expanded xacro file. Its
+    torques, mass matrix, motion of the links, tool frame and gear ratios are compared; joints are matched by
+    name. What the library does not model is listed and not compared.
     """
     from robodyn.emit.languages import compiled_language
     from robodyn.kernels.generate import generate
@@ -66,44 +66,42 @@ def command(robot: str, functions: str | None, **options: Any) -> None:
     if options["trig"] == "given":
         raise InputError("a kernel with --trig given has no angles to verify", expected="libm or builtin")
     names = None if functions is None else listed(functions)
-    described = load(robot, strict=options["strict"])
-    original = _original(described, options["against"], unique(options["lock"], "--lock"))
+    model = load(robot, strict=options["strict"])
+    original = _original(model, options["against"], unique(options["lock"], "--lock"))
     left_out: dict[str, str] = {}
     if original is not None:
-        described, left_out = comparable(described, original)
-    generated = generate(
-        described, options_of(names, options, trig=options["trig"], scalar=options["scalar"])
-    )
+        model, left_out = comparable(model, original)
+    generated = generate(model, options_of(names, options, trig=options["trig"], scalar=options["scalar"]))
     kernel = load_kernel(generated.signatures, generated.files((lang,)), language=lang)
-    exact, closing = _exactly(generated), _closing(generated)
+    exact, poses = _equal_on_fractions(generated), _reproduce_poses(generated)
     sample = {name: options[name] for name in ("states", "seed")}
     with line() as shown:
 
         def tell(done: int, of: int) -> None:
-            shown.tell(f"robodyn: {described.name}: {done} of {of} comparisons")
+            shown.tell(f"robodyn: {model.name}: {done} of {of} comparisons")
 
-        report = verify(described, kernel, progress=tell, original=original, **sample)
+        report = verify(model, kernel, progress=tell, original=original, **sample)
     if original is not None:
-        report = with_original(report, described, original, left_out)
-    passed = report.passed and all(exact.values()) and all(closing.values())
-    exactly = {"equal_on_fractions": exact, "closing_to_60_digits": closing}
+        report = with_original(report, model, original, left_out)
+    passed = report.passed and all(exact.values()) and all(poses.values())
+    proofs = {"equal_on_fractions": exact, "closing_to_60_digits": poses}
     show(
-        lambda: {**report.to_dict(), **exactly, "passed": passed},
-        lambda: _lines(report, exact, closing),
+        lambda: {**report.to_dict(), **proofs, "passed": passed},
+        lambda: _lines(report, exact, poses),
     )
     if report.uncompared:
         raise CheckError(
-            f"{described.name}: not every function was compared with a reference",
+            f"{model.name}: not every function was compared with a reference",
             found=f"nothing to compare {', '.join(report.uncompared)} with",
         )
     if not passed:
         raise CheckError(
-            f"{described.name}: the kernel does not agree with the references",
-            found=_largest_difference(report, described),
+            f"{model.name}: the kernel does not agree with the references",
+            found=_largest_difference(report, model),
         )
 
 
-def _lines(report: VerifyReport, exact: dict[str, bool], closing: dict[str, bool]) -> Iterator[str]:
+def _lines(report: VerifyReport, exact: dict[str, bool], poses: dict[str, bool]) -> Iterator[str]:
     """The report for people."""
     from robodyn.dynamics.functions import function_named
 
@@ -114,13 +112,13 @@ def _lines(report: VerifyReport, exact: dict[str, bool], closing: dict[str, bool
     for function, equal in exact.items():
         plain = "products of transforms" if function_named(function).geometric else "plain Newton-Euler"
         yield f"{function}: {'equal to' if equal else 'NOT EQUAL to'} {plain} on fractions"
-    for function, right in closing.items():
+    for function, right in poses.items():
         verb = "leads" if right else "DOES NOT LEAD"
         yield f"{function}: {verb} back to the pose in plain forward kinematics, at 60 digits"
 
 
 def _original(robot: Robot, file: str | None, locks: dict[str, float]) -> PeerArm | None:
-    """What another library reads of the joints of ``robot`` in ``file``."""
+    """The joints of ``robot`` as another library reads them from ``file``; None without a file."""
     from pathlib import Path
 
     from robodyn.verify.against import read_original
@@ -133,16 +131,16 @@ def _original(robot: Robot, file: str | None, locks: dict[str, float]) -> PeerAr
 
 
 def _largest_difference(report: VerifyReport, robot: Robot) -> str | None:
-    """What differs most, at which joint, and how much else does."""
+    """The largest difference, its joint, and how many other comparisons fail."""
     row, count = report.worst, sum(not row.passed for row in report.comparisons)
     if row is None or not count:
         return None
     joint = "" if row.joint is None else f", most at joint {row.joint} ({robot.links[row.joint - 1].name})"
     more = f"; {count - 1} more rows differ" if count > 1 else ""
-    return f"{row.function} is off {row.against} by {row.error:.1e}{joint}{more}"
+    return f"{row.function} differs from {row.against} by {row.error:.1e}{joint}{more}"
 
 
-def _exactly(generated: Generated) -> dict[str, bool]:
+def _equal_on_fractions(generated: Generated) -> dict[str, bool]:
     from robodyn.dynamics.equality import equals_recursion
     from robodyn.dynamics.functions import function_named
 
@@ -157,7 +155,7 @@ def _exactly(generated: Generated) -> dict[str, bool]:
     }
 
 
-def _closing(generated: Generated) -> dict[str, bool]:
+def _reproduce_poses(generated: Generated) -> dict[str, bool]:
     from robodyn.dynamics.functions import function_named
     from robodyn.kernels.proof import closes
 

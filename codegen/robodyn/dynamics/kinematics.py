@@ -1,7 +1,7 @@
 """Forward kinematics, the geometric Jacobian and its time derivative, over any scalar.
 
-Source: Craig, Introduction to Robotics, 3.6 (frames), 5.6 to 5.8 (velocities, Jacobian); the rate of the
-Jacobian differentiates its columns, axes and lever arms turning with the links that carry them.
+Source: Craig, Introduction to Robotics, 3.6 (frames), 5.6 to 5.8 (velocities, Jacobian). The time
+derivative of a column of the Jacobian follows from the rates of its joint axis and of its lever arm.
 """
 
 from __future__ import annotations
@@ -18,8 +18,8 @@ Matrix = list[list[Any]]
 
 
 def frames(arm: Arm, motion: Motion, base: Frame = BASE) -> list[Frame]:
-    """Frames of the links [n] of ``arm`` where ``motion`` has it; ``base`` is its base frame, by default the
-    frame that results are in."""
+    """Frames of the links [n] of ``arm`` at the state ``motion``. ``base`` is the base frame of the arm in
+    the frame of the results (by default the same)."""
     poses = []
     last = base
     for body, c, s, d in zip(arm.bodies, motion.c, motion.s, motion.d, strict=True):
@@ -37,8 +37,8 @@ def frames(arm: Arm, motion: Motion, base: Frame = BASE) -> list[Frame]:
 def jacobian(arm: Arm, placed: Sequence[Frame], point: Vector = ZERO, link: int | None = None) -> Matrix:
     """Geometric Jacobian [6, n] of ``point`` [m] in the frame of ``link`` (1..n, by default the last).
 
-    Column j is, along the base's axes, the point's velocity and the link's angular velocity at a unit rate of
-    joint j: three linear rows, then three angular ones. ``placed`` are the links' :func:`frames`.
+    Column j is the velocity of the point (three rows) and the angular velocity of the link (three rows) at a
+    unit rate of joint j, in base axes. ``placed`` are the links' :func:`frames`.
     """
     last = len(placed) if link is None else link
     tip = placed[last - 1].place(point)
@@ -58,22 +58,22 @@ def jacobian_rate(
     tip = placed[last - 1].place(point)
     w: Vector = ZERO
     v: Vector = ZERO
-    before = BASE
+    parent = BASE
     carriers = []  # angular velocity of the link before joint j, velocity of the origin of frame j
     for body, frame, rate in zip(arm.bodies[:last], placed, qd, strict=False):
-        v = plus(v, cross(w, minus(frame.origin, before.origin)))
-        around = w
+        v = plus(v, cross(w, minus(frame.origin, parent.origin)))
+        carrier_w = w
         if body.revolute:
             w = plus(w, scaled(rate, frame.z))
         else:
             v = plus(v, scaled(rate, frame.z))
-        carriers.append((around, v))
-        before = frame
-    tip_velocity = plus(v, cross(w, minus(tip, before.origin)))
+        carriers.append((carrier_w, v))
+        parent = frame
+    tip_velocity = plus(v, cross(w, minus(tip, parent.origin)))
     linear: list[Vector] = []
     angular: list[Vector] = []
-    for body, frame, (around, velocity) in zip(arm.bodies[:last], placed, carriers, strict=False):
-        axis_rate = cross(around, frame.z)
+    for body, frame, (carrier_w, velocity) in zip(arm.bodies[:last], placed, carriers, strict=False):
+        axis_rate = cross(carrier_w, frame.z)
         if body.revolute:
             lever, lever_rate = minus(tip, frame.origin), minus(tip_velocity, velocity)
             linear.append(plus(cross(axis_rate, lever), cross(frame.z, lever_rate)))
@@ -85,6 +85,6 @@ def jacobian_rate(
 
 
 def _matrix(linear: Sequence[Vector], angular: Sequence[Vector], n: int) -> Matrix:
-    """Columns as rows [6, n]; joints beyond the link do not move it."""
-    still = [0] * (n - len(linear))
-    return [[u[axis] for u in half] + still for half in (linear, angular) for axis in range(3)]
+    """The Jacobian [6, n] from its columns; those of joints beyond the link are zero."""
+    zeros = [0] * (n - len(linear))
+    return [[u[axis] for u in half] + zeros for half in (linear, angular) for axis in range(3)]

@@ -1,8 +1,8 @@
-"""Composite bodies over any scalar: symmetric 6x6 forms of two vectors about an origin, bodies in motion.
+"""Symmetric 6x6 matrices (inertias and responses of links) and moving composite bodies, over any scalar.
 
-An inertia takes the accelerations ``(alpha, a)``, angular and of the frame's origin, to the moment and force
-that they take. What a link responds with takes the force and moment at its origin to ``(a, alpha)``, in this
-order: moved to another origin, the two are alike, one outward and the other inward.
+An inertia maps the accelerations ``(alpha, a)``, angular and of the frame's origin, to the moment and force
+that they need. The response of a link maps the force and moment at its origin to ``(a, alpha)``. With the
+vectors in these orders, :meth:`Spatial.moved` moves both to another origin by the same formula.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ Rows = tuple[Vector, Vector, Vector]
 
 
 class Spatial(NamedTuple):
-    """``(u, v)`` to ``(A u + B v, B^T u + M v)``: ``A`` and ``M`` symmetric, ``B`` by rows."""
+    """The symmetric 6x6 matrix ``[[A, B], [B^T, M]]``: ``A`` and ``M`` are symmetric, ``B`` is by rows."""
 
     A: Symmetric
     B: Rows
@@ -30,38 +30,37 @@ class Spatial(NamedTuple):
         return Spatial(self.A.plus(other.A), (one, two, three), self.M.plus(other.M))
 
     def times(self, u: Vector, v: Vector) -> Pair:
-        """What the form makes of two vectors."""
+        """The product with two vectors: ``(A u + B v, B^T u + M v)``."""
         columns = zip(*self.B, strict=True)
         bx, by, bz = (dot((x, y, z), u) for x, y, z in columns)
         mx, my, mz = (dot(row, v) for row in self.B)
         return plus(self.A.times(u), (mx, my, mz)), plus((bx, by, bz), self.M.times(v))
 
     def about_x(self, c: Any, s: Any) -> Spatial:
-        """The same along axes turned back about x."""
+        """The same rotated about x by the angle of cosine ``c`` and sine ``s``."""
         return Spatial(self.A.about_x(c, s), rows_about_x(c, s, self.B), self.M.about_x(c, s))
 
     def about_z(self, c: Any, s: Any) -> Spatial:
-        """The same along axes turned back about z."""
+        """The same rotated about z by the angle of cosine ``c`` and sine ``s``."""
         return Spatial(self.A.about_z(c, s), rows_about_z(c, s, self.B), self.M.about_z(c, s))
 
     def moved(self, r: Vector) -> Spatial:
-        """Of an inertia the same about a point from which its origin lies at ``r``; of an answer, at a point
-        that lies at ``-r`` from its own."""
-        # With R u = r x u: B + R M, and A - B R + R (B + R M)^T.
+        """The same, inertia or response, at a new origin. ``r`` points from the new origin to the old one."""
+        # With R u = r x u, the new blocks are B' = B + R M and A' = A - B R + R B'^T.
         A, B, M = self.A, self.B, self.M
         columns = [cross(r, u) for u in ((M.xx, M.xy, M.xz), (M.xy, M.yy, M.yz), (M.xz, M.yz, M.zz))]
-        moved = [plus(row, more) for row, more in zip(B, zip(*columns, strict=True), strict=True)]
-        right = [cross(row, r) for row in B]
-        left = list(zip(*(cross(r, row) for row in moved), strict=True))
+        new_B = [plus(row, increment) for row, increment in zip(B, zip(*columns, strict=True), strict=True)]
+        B_R = [cross(row, r) for row in B]
+        R_new_B = list(zip(*(cross(r, row) for row in new_B), strict=True))
 
-        def entry(own: Any, row: int, column: int) -> Any:
-            return own - right[row][column] + left[row][column]
+        def entry(old: Any, row: int, column: int) -> Any:
+            return old - B_R[row][column] + R_new_B[row][column]
 
-        shifted = Symmetric(
+        new_A = Symmetric(
             entry(A.xx, 0, 0), entry(A.yy, 1, 1), entry(A.zz, 2, 2),
             entry(A.xy, 0, 1), entry(A.xz, 0, 2), entry(A.yz, 1, 2),
         )  # fmt: skip
-        return Spatial(shifted, (moved[0], moved[1], moved[2]), M)
+        return Spatial(new_A, (new_B[0], new_B[1], new_B[2]), M)
 
     def named(self, link: int, quantity: str, mark: Mark) -> Spatial:
         """The same with each entry marked as ``quantity`` of ``link``."""
@@ -87,8 +86,9 @@ def less(k: Symmetric, u: Vector, v: Vector) -> Symmetric:
 
 
 class Composite(NamedTuple):
-    """All that is carried by a joint, about an origin: the masses, momentum ``p`` and ``N`` (by rows)
-    relative to the link, force ``f`` and moment ``n``."""
+    """All bodies that a joint carries, about an origin: mass moments ``lump``, force ``f`` and moment ``n``.
+    With ``u`` a velocity relative to the link, ``p = integral of u dm`` and ``N = integral of u r^T dm`` by
+    rows."""
 
     lump: Lump
     p: Vector
@@ -97,23 +97,23 @@ class Composite(NamedTuple):
     n: Vector
 
     def turned_x(self, c: Any, s: Any) -> Composite:
-        """The same along axes turned back about x."""
+        """The same rotated about x by the angle of cosine ``c`` and sine ``s``."""
         p, f, n = (about_x(c, s, u) for u in (self.p, self.f, self.n))
         return Composite(about_axis_x(self.lump, c, s), p, rows_about_x(c, s, self.N), f, n)
 
     def turned_z(self, c: Any, s: Any) -> Composite:
-        """The same along axes turned back about z."""
+        """The same rotated about z by the angle of cosine ``c`` and sine ``s``."""
         p, f, n = (about_z(c, s, u) for u in (self.p, self.f, self.n))
         return Composite(about_axis_z(self.lump, c, s), p, rows_about_z(c, s, self.N), f, n)
 
     def about(self, r: Vector) -> Composite:
-        """The same about a point from which the origin lies at ``r``."""
+        """The same about a new origin. ``r`` points from the new origin to the old one."""
         x, y, z = (plus(row, scaled(u, r)) for row, u in zip(self.N, self.p, strict=True))
         n = plus(self.n, cross(r, self.f))
         return Composite(shifted(self.lump, r), self.p, (x, y, z), self.f, n)
 
     def with_(self, other: Composite) -> Composite:
-        """Both."""
+        """Both bodies as one."""
         x, y, z = map(plus, self.N, other.N)
         lump, p = merged(self.lump, other.lump), plus(self.p, other.p)
         return Composite(lump, p, (x, y, z), plus(self.f, other.f), plus(self.n, other.n))
@@ -126,20 +126,20 @@ class Composite(NamedTuple):
         return Composite(lump, p, (x, y, z), f, n)
 
     def moving(self, arm: Arm, i: int, rate: Any) -> Composite:
-        """The same with momenta relative to what carries joint ``i``, which moves at ``rate``."""
+        """The same with momenta relative to the link before joint ``i``; the joint moves at ``rate``."""
         lump, k = self.lump, self.lump.second
         h = lump.first
         if arm.bodies[i].revolute:
             p = plus(self.p, (-(rate * h[1]), rate * h[0], 0))
-            more: Rows = (
+            increments: Rows = (
                 (-(rate * k.xy), -(rate * k.yy), -(rate * k.yz)),
                 (rate * k.xx, rate * k.xy, rate * k.xz),
                 ZERO,
             )
         else:
             p = plus(self.p, (0, 0, rate * lump.mass))
-            more = (ZERO, ZERO, scaled(rate, h))
-        x, y, z = (plus(row, added) for row, added in zip(self.N, more, strict=True))
+            increments = (ZERO, ZERO, scaled(rate, h))
+        x, y, z = (plus(row, increment) for row, increment in zip(self.N, increments, strict=True))
         return Composite(lump, p, (x, y, z), self.f, self.n)
 
 
@@ -147,20 +147,20 @@ NO_COMPOSITE = Composite(NO_LUMP, ZERO, (ZERO, ZERO, ZERO), ZERO, ZERO)
 
 
 def rows_about_x(c: Any, s: Any, N: Rows) -> Rows:
-    """``R N R^T``, R turning about x."""
+    """``R N R^T`` for a rotation ``R`` about x."""
     columns = [about_x(c, s, (N[0][k], N[1][k], N[2][k])) for k in range(3)]
     rows = [about_x(c, s, (columns[0][k], columns[1][k], columns[2][k])) for k in range(3)]
     return rows[0], rows[1], rows[2]
 
 
 def rows_about_z(c: Any, s: Any, N: Rows) -> Rows:
-    """``R N R^T``, R turning about z: what of the upper block changes with the angle is formed once."""
+    """``R N R^T`` for a rotation ``R`` about z. Entries of the upper 2x2 block share their products."""
     (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = N
     cc, cs = c * c, c * s
-    turned = cc * (xx - yy) - cs * (xy + yx)
-    across = cs * (xx - yy) + cc * (xy + yx)
+    diagonal = cc * (xx - yy) - cs * (xy + yx)
+    off_diagonal = cs * (xx - yy) + cc * (xy + yx)
     return (
-        (yy + turned, across - yx, c * xz - s * yz),
-        (across - xy, xx - turned, s * xz + c * yz),
+        (yy + diagonal, off_diagonal - yx, c * xz - s * yz),
+        (off_diagonal - xy, xx - diagonal, s * xz + c * yz),
         (c * zx - s * zy, s * zx + c * zy, zz),
     )

@@ -13,7 +13,7 @@ from robodyn.dynamics.arm import Arm, Body, Motion, origin
 from robodyn.dynamics.vectors import Mark, Vector
 from robodyn.ir.program import Label
 
-#: Rows; 3x3 or 4x4, or a vector as a column.
+#: A matrix by rows: 3x3, 4x4, or a column vector.
 Matrix = tuple[tuple[Any, ...], ...]
 
 IDENTITY_3: Matrix = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
@@ -21,10 +21,10 @@ IDENTITY_4: Matrix = ((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1))
 ZERO_3: Matrix = ((0, 0, 0),) * 3
 ZERO_4: Matrix = ((0, 0, 0, 0),) * 4
 
-#: ``dA/dq = A Q``: a turn about z, of a rotation and of a transform.
+#: ``Q`` of ``dA/dq = A Q`` for a revolute joint (about z): for rotations and for transforms.
 TURN_3: Matrix = ((0, -1, 0), (1, 0, 0), (0, 0, 0))
 TURN_4: Matrix = ((0, -1, 0, 0), (1, 0, 0, 0), (0, 0, 0, 0), (0, 0, 0, 0))
-#: ``dA/dq = A Q``: a slide along z.
+#: ``Q`` of ``dA/dq = A Q`` for a prismatic joint (along z).
 SLIDE_4: Matrix = ((0, 0, 0, 0), (0, 0, 0, 0), (0, 0, 0, 1), (0, 0, 0, 0))
 
 
@@ -63,8 +63,8 @@ def summed(*matrices: Matrix) -> Matrix:
     first, *rest = matrices
     for other in rest:
         first = tuple(
-            tuple(x + y for x, y in zip(row, added, strict=True))
-            for row, added in zip(first, other, strict=True)
+            tuple(x + y for x, y in zip(row, other_row, strict=True))
+            for row, other_row in zip(first, other, strict=True)
         )
     return first
 
@@ -88,7 +88,7 @@ def trace(A: Matrix) -> Any:
 
 
 def marked(mark: Mark, A: Matrix, link: int, quantity: str, prefix: str = "") -> Matrix:
-    """``A`` with each entry marked: ``quantity`` of ``link``, ``prefix`` and then row and column from 1."""
+    """``A`` with each entry marked as ``quantity`` of ``link``; the index is ``prefix`` + row + column."""
     return tuple(
         tuple(mark(x, Label(link, quantity, f"{prefix}{i}{j}")) for j, x in enumerate(row, 1))
         for i, row in enumerate(A, 1)
@@ -96,28 +96,28 @@ def marked(mark: Mark, A: Matrix, link: int, quantity: str, prefix: str = "") ->
 
 
 def rotation(body: Body, c: Any, s: Any) -> Matrix:
-    """``R`` [3, 3]: a vector of the link's frame along the axes of the parent's frame."""
+    """The rotation ``R`` [3, 3] from the link's axes to the parent's axes."""
     ca, sa = body.cos_alpha, body.sin_alpha
     return ((c, -s, 0), (ca * s, ca * c, -sa), (sa * s, sa * c, ca))
 
 
 def transform(body: Body, c: Any, s: Any, d: Any) -> Matrix:
-    """``A`` [4, 4]: a point ``(x, y, z, 1)`` [m] of the link's frame in the parent's frame."""
+    """The transform ``A`` [4, 4] of points ``(x, y, z, 1)`` [m] from the link's frame to the parent's."""
     rows = zip(rotation(body, c, s), origin(body, d), strict=True)
     return (*((*row, p) for row, p in rows), (0, 0, 0, 1))
 
 
 def poses(arm: Arm, motion: Motion) -> list[Matrix]:
-    """Transforms [4, 4] of the links, and of the tool, into the world: products of one a joint."""
+    """Transforms [4, 4] from the frames of the links and of the tool to the world."""
     base, tool = (
         (*((*row, p) for row, p in zip(frame.rotation(), frame.origin, strict=True)), (0, 0, 0, 1))
         for frame in (arm.base, arm.tool)
     )
-    placed, last = [], base
+    transforms, last = [], base
     for body, c, s, d in zip(arm.bodies, motion.c, motion.s, motion.d, strict=True):
         last = product(last, transform(body, c, s, d))
-        placed.append(last)
-    return [*placed, product(last, tool)]
+        transforms.append(last)
+    return [*transforms, product(last, tool)]
 
 
 def axial(W: Matrix) -> list[Any]:
@@ -126,8 +126,8 @@ def axial(W: Matrix) -> list[Any]:
 
 
 def joint_operator(body: Body) -> Matrix:
-    """``Q`` [4, 4] with ``dA/dq = A Q`` of the joint's own variable (Uicker's operator, for these frames at
-    the right: the joint's axis is the z axis of the link that it carries)."""
+    """``Q`` [4, 4] of ``dA/dq = A Q`` for the joint's own variable: Uicker's operator. ``Q`` is on the right
+    because in these frames the joint's axis is the z axis of the link that it carries."""
     return TURN_4 if body.revolute else SLIDE_4
 
 

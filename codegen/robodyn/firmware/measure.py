@@ -1,7 +1,7 @@
-"""What a kernel costs on a processor: built with the cross compiler, looked at, and run in qemu.
+"""The cost of a kernel on a processor: size and stack from the cross compiler, instructions from qemu.
 
-Where a tool is missing the figures say which, and how to get it; where the self-test fails on the processor
-this is an error, because then no figure means anything.
+If a tool is missing, the figures name it and say how to install it. If the self-test fails on the processor,
+that is an error, because no figure would mean anything.
 """
 
 from __future__ import annotations
@@ -21,15 +21,15 @@ from robodyn.toolchain.compiler import first_lines
 from robodyn.toolchain.running import run
 from robodyn.tools import Tool
 
-#: Flags of kernel, self-test and image. Nothing is contracted, so the bits are the same everywhere.
+#: Flags of kernel, self-test and image. No multiply-add is fused, so results are the same on every machine.
 FLAGS = (
     "-O2", "-ffp-contract=off", "-fno-math-errno", "-ffreestanding", "-ffunction-sections", "-fdata-sections",
 )  # fmt: skip
-#: States that the image measures each function at, and calls of each.
+#: Number of states at which the image measures each function, and of calls at each state.
 STATES, REPEATED = 32, 16
 
 _SECONDS = 120
-#: The compiler's own arithmetic, on machines that lack it: its stack comes on top.
+#: Arithmetic routines of libgcc, for processors without these instructions. gcc does not report their stack.
 _HELPER = re.compile(r"__(aeabi_|gnu_|[a-z]+[sd][fi][0-9]?$)")
 _NODE = re.compile(r'^node: \{ title: "([^"]+)" label: "([^"]*)"', re.M)
 _EDGE = re.compile(r'^edge: \{ sourcename: "([^"]+)" targetname: "([^"]+)"', re.M)
@@ -38,9 +38,9 @@ _BYTES = re.compile(r"\\n([0-9]+) bytes \(([a-z,]+)\)")
 
 @dataclass(frozen=True, slots=True)
 class Cost:
-    """What a call of one function costs: instructions, on average and at most; bytes of stack, as the
-    compiler says (with all that the kernel calls, without libgcc) and as they were used; the digest that was
-    found."""
+    """The cost of a call of one function: mean and largest (``most``) ``instructions``. ``stack`` [bytes] is
+    the compiler's figure for the function and its callees in the kernel, without libgcc. ``stack_used``
+    [bytes] was measured in qemu. ``digest`` is that of the results."""
 
     function: str
     stack: int | None
@@ -52,10 +52,10 @@ class Cost:
 
 @dataclass(frozen=True, slots=True)
 class Figures:
-    """What was measured of a kernel on ``target``, or what that ``missing`` tool it needs.
+    """Measurements of a kernel on ``target``, or the ``missing`` tool that they need.
 
-    ``sections`` are the bytes of the kernel's object by kind (text, rodata, data, bss); ``undefined`` the
-    symbols that it wants from elsewhere; ``not_run``: what the figures of a run need.
+    ``sections`` are the bytes of the kernel's object by kind (text, rodata, data, bss); ``undefined`` its
+    external symbols. ``not_run`` is the missing tool that a run needs.
     """
 
     target: Target
@@ -73,7 +73,7 @@ class Figures:
         return {**plain, "target": self.target.name}
 
     def lines(self) -> list[str]:
-        """For people: a line, and one a function."""
+        """Text lines: one for the kernel, and one for each function."""
         if self.missing:
             return [f"{self.target.name}: not measured: needs {self.missing}"]
         size = self.sections["text"] + self.sections["rodata"]
@@ -92,7 +92,7 @@ def measure(name: str, files: Mapping[str, str], functions: Sequence[str], targe
 
     Raises
     ------
-    ToolError: a tool is there and fails.
+    ToolError: an installed tool fails.
     CheckError: the self-test fails on the processor.
     """
     tools = _board(target).architecture
@@ -103,7 +103,7 @@ def measure(name: str, files: Mapping[str, str], functions: Sequence[str], targe
         folder = Path(temporary)
         for file, text in files.items():
             (folder / file).write_text(text, encoding="utf-8", newline="\n")
-        image = _built(name, target, folder)
+        image = _build_image(name, target, folder)
         graph = (folder / f"{name}.ci").read_text(encoding="utf-8")
         symbols = _run([tools.nm.name, "-u", f"{name}.o"], folder)
         figures = Figures(
@@ -116,7 +116,7 @@ def measure(name: str, files: Mapping[str, str], functions: Sequence[str], targe
             ),
             not_run=_missing(tools.emulator),
         )
-        return figures if figures.not_run else _with_run(figures, name, image, folder)
+        return figures if figures.not_run else _add_run(figures, name, image, folder)
 
 
 def _board(target: Target) -> Board:
@@ -126,28 +126,30 @@ def _board(target: Target) -> Board:
 
 
 def _missing(*tools: Tool) -> str | None:
-    """What to install, if one of ``tools`` is not there."""
+    """What to install if one of ``tools`` is missing."""
     return next((tool.remedy for tool in tools if tool.path() is None), None)
 
 
 def _run(command: Sequence[str], folder: Path, codes: Sequence[int] = (0,)) -> str:
-    """What ``command`` says; :class:`ToolError` where it does not leave with one of ``codes``."""
+    """The output of ``command``; :class:`ToolError` if its exit status is none of ``codes``."""
     try:
-        done = run(command, folder=folder, seconds=_SECONDS)
+        result = run(command, folder=folder, seconds=_SECONDS)
     except OSError as error:
         raise ToolError(f"{command[0]} did not run", found=str(error)) from None
-    if done.code not in codes:
-        ended = f"exit status {done.code}" if done.code is not None else f"no end after {_SECONDS:g} s"
+    if result.code not in codes:
+        outcome = (
+            f"exit status {result.code}" if result.code is not None else f"still running after {_SECONDS:g} s"
+        )
         raise ToolError(
             f"{command[0]} failed",
-            found=first_lines(done.output) or ended,
+            found=first_lines(result.output) or outcome,
             remedy=f"the command was: {' '.join(command)}",
         )
-    return done.output
+    return result.output
 
 
-def _built(name: str, target: Target, folder: Path) -> str:
-    """The image; gcc's call graph of the kernel lies beside it."""
+def _build_image(name: str, target: Target, folder: Path) -> str:
+    """Build the image. gcc writes the call graph of the kernel to the same folder."""
     linker = [_board(target).architecture.compiler.name, *(target.flags or ())]
     compiler = [*linker, "-std=c99", *FLAGS]
     objects = []
@@ -162,60 +164,60 @@ def _built(name: str, target: Target, folder: Path) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Depth:
-    """Stack of one function with all that it calls [bytes]; None: there is no bound, and ``reason``. No
-    ``function``: there was no compiler, or it refused."""
+    """Stack ``size`` [bytes] of a function and all that it calls. It is None if there is no bound; ``reason``
+    says why. ``function`` is None if there was no compiler, or if it failed."""
 
     function: str | None
     size: int | None
     chain: tuple[str, ...]
     reason: str = ""
-    #: Functions of other files on the way, whose own stack comes on top.
+    #: External functions that it calls. ``size`` does not contain their stack.
     beyond: tuple[str, ...] = ()
 
     @property
     def only_helpers(self) -> bool:
-        """Whether nothing of other files is called but the compiler's own arithmetic."""
+        """Whether all external functions are arithmetic routines of libgcc."""
         return all(_HELPER.match(name) for name in self.beyond)
 
 
 def deepest(graph: str, function: str) -> Depth:
-    """The most stack that ``function`` may need by ``graph``, gcc's call graph (a text in VCG)."""
+    """The largest stack of ``function`` according to ``graph``, gcc's call graph in VCG format."""
     sizes = {title: _BYTES.search(label) for title, label in _NODE.findall(graph)}
     calls: dict[str, set[str]] = {}
     for source, target in _EDGE.findall(graph):
         calls.setdefault(source, set()).add(target)
     if sizes.get(function) is None:
         return Depth(function, None, (), "it is not in the call graph")
-    beyond: set[str] = set()
-    known: dict[str, tuple[int, tuple[str, ...]]] = {}
+    external: set[str] = set()
+    depths: dict[str, tuple[int, tuple[str, ...]]] = {}
 
-    def depth(title: str, above: tuple[str, ...]) -> tuple[int, tuple[str, ...]]:
-        if title in above:
+    def depth(title: str, callers: tuple[str, ...]) -> tuple[int, tuple[str, ...]]:
+        if title in callers:
             raise _UnboundedError(f"{title} calls itself")
-        if title not in known:
+        if title not in depths:
             size = sizes.get(title)
             if title == "__indirect_call":
-                raise _UnboundedError("a call by a pointer")
+                raise _UnboundedError("a call through a pointer")
             if size is None:
-                beyond.add(title)
+                external.add(title)
                 return 0, ()
             if size[2] == "dynamic":
                 raise _UnboundedError(f"the stack of {title} depends on its arguments")
-            below = max((depth(t, (*above, title)) for t in sorted(calls.get(title, ()))), default=(0, ()))
-            known[title] = int(size[1]) + below[0], (title, *below[1])
-        return known[title]
+            callee = max((depth(t, (*callers, title)) for t in sorted(calls.get(title, ()))), default=(0, ()))
+            depths[title] = int(size[1]) + callee[0], (title, *callee[1])
+        return depths[title]
 
     try:
         size, chain = depth(function, ())
     except _UnboundedError as reason:
         return Depth(function, None, (), str(reason))
-    names = tuple(sorted(beyond))
-    on_top = f"and what {', '.join(names)} need on top, which gcc does not state" if names else ""
-    return Depth(function, size, chain, on_top, names)
+    names = tuple(sorted(external))
+    note = f"plus the stack of {', '.join(names)}, which gcc does not report" if names else ""
+    return Depth(function, size, chain, note, names)
 
 
 class _UnboundedError(Exception):
-    """There is no bound."""
+    """The stack of a function has no bound."""
 
 
 def _sections(output: str) -> dict[str, int]:
@@ -226,15 +228,15 @@ def _sections(output: str) -> dict[str, int]:
     return total
 
 
-def _with_run(figures: Figures, name: str, image: str, folder: Path) -> Figures:
-    """``figures`` with what the image says of itself in qemu."""
+def _add_run(figures: Figures, name: str, image: str, folder: Path) -> Figures:
+    """``figures`` with the measurements that the image prints in qemu."""
     board = _board(figures.target)
     command = [*board.command, image]
     output = _run(command, folder, range(256))
     if "self-test passed" not in output:
         raise CheckError(
             f"the self-test of {name} fails on {figures.target.name} in qemu",
-            found=" | ".join(output.split("\n")[:4]) or "no word from it",
+            found=" | ".join(output.split("\n")[:4]) or "no output",
             remedy="please report the robot file",
         )
     costs = []

@@ -1,6 +1,6 @@
-"""The neighbourhood of a variant: what may be changed at one go.
+"""The neighbourhood of a variant: the changes that one step of the search may make.
 
-Some changes pay only together: a link that is to be a spin needs its gauge, its form and its frame at once.
+Some changes pay off only together: the form ``spin`` of a link also needs a certain gauge and frame.
 """
 
 from __future__ import annotations
@@ -23,11 +23,11 @@ from robodyn.robot.model import Robot
 
 _KINDS = {ADD: "add", OFFSET: "add", MUL: "mul", SCALE: "mul", COS: "cos", SIN: "sin", CALL: "call"}
 
-#: So many of a variant's values are kept to tell variants apart.
-_SKETCH = 32
-_MANY = 200_000
+#: Number of values in a sketch.
+_SKETCH_SIZE = 32
+_MOST_COSTS = 200_000
 
-#: The smallest of the values that a variant computes: alike of two variants that share most values.
+#: The smallest values that a variant computes (MinHash): similar for two variants that share most values.
 Sketch = tuple[int, ...]
 
 
@@ -47,25 +47,25 @@ class Candidates:
     def judged(self, variant: Variant) -> tuple[float, Sketch] | None:
         """The cost of ``variant`` and its sketch; None where it does not suit the robot."""
         if variant not in self._costs:
-            if len(self._costs) > _MANY:
+            if len(self._costs) > _MOST_COSTS:
                 self._costs.clear()
-            self._costs[variant] = self._judged(variant)
+            self._costs[variant] = self._evaluate(variant)
         return self._costs[variant]
 
-    def _judged(self, variant: Variant) -> tuple[float, Sketch] | None:
+    def _evaluate(self, variant: Variant) -> tuple[float, Sketch] | None:
         try:
             tally, outputs = self._costing.run(variant)
         except Unsuited:
             return None
-        wanted = tally.needed(outputs)
-        sketch = tuple(nsmallest(_SKETCH, wanted))
+        positions = tally.needed(outputs)
+        sketch = tuple(nsmallest(_SKETCH_SIZE, positions))
         if self.objective.name == "total":
-            return float(operations(tally, wanted) - saved(tally.entries, wanted)), sketch
-        return self.objective.cost(operations_in(tally, wanted, outputs)), sketch
+            return float(operations(tally, positions) - saved(tally.entries, positions)), sketch
+        return self.objective.cost(operations_in(tally, positions, outputs)), sketch
 
 
 def operations_in(tally: Tally, wanted: set[int], outputs: list[Any]) -> Operations:
-    """What of ``tally`` is ``wanted``, in the order in which it was made."""
+    """The ``wanted`` operations of ``tally``, in an order of evaluation."""
     place: dict[int, int] = {}
     kinds: list[str] = []
     reads: list[tuple[int, ...]] = []
@@ -82,9 +82,9 @@ def operations_in(tally: Tally, wanted: set[int], outputs: list[Any]) -> Operati
 
 Changes = dict[str, Any]
 
-#: What belongs together in one link: its gauge and the way its moment is written.
+#: Fields of a link for its gauge and its moment: they often change together.
 BODY: Final = ("mass", "first", "second", "form", "frame")
-#: How it is carried.
+#: Fields of a link for how accelerations reach it, and for the place of its origin.
 PATH: Final = ("row", "column", "alpha", "carry", "lever", "slide", "chained")
 
 _SPIN: Final[tuple[Changes, ...]] = tuple(
@@ -92,12 +92,12 @@ _SPIN: Final[tuple[Changes, ...]] = tuple(
     for frame in ("own", "start", "before")
 )
 _POINT: Final[tuple[Changes, ...]] = tuple(
-    {"mass": mass, "first": "zero", "second": across, "form": f"point_{axis}", "frame": frame}
-    for axis, across in (("x", "yy"), ("y", "xx"))
+    {"mass": mass, "first": "zero", "second": second, "form": f"point_{axis}", "frame": frame}
+    for axis, second in (("x", "yy"), ("y", "xx"))
     for mass in ("zero", f"point_{axis}", "keep")
     for frame in ("own", "start")
 )
-_EVEN: Final[tuple[Changes, ...]] = tuple(
+_ISOTROPIC: Final[tuple[Changes, ...]] = tuple(
     {"second": second, "form": f"isotropic_{axis}", "frame": frame}
     for axis, second in (("x", "xx"), ("y", "yy"), ("x", "yy"), ("y", "xx"), ("z", "keep"))
     for frame in ("own", "start")
@@ -121,12 +121,12 @@ class Space:
         self.values = [self._values(i) for i in range(self.n)]
         units = [(rule, i + 1) for i in range(self.n) for rule in ("point", "a", "d")]
         sliding = any(not body.revolute for body in self.arm.bodies)
-        # With a prismatic joint the unit costs a multiplication at its variable, rates and force.
+        # Another unit of length would add multiplications at prismatic joints: position, rates, force.
         self.units: list[tuple[Any, int]] = [("metre", 0)] if sliding else [("metre", 0), *units]
         self.macros = [self._macros(i) for i in range(self.n)]
 
     def _values(self, i: int) -> dict[str, tuple[Any, ...]]:
-        """The values of each field that come into question for link ``i``."""
+        """The values of each field that are worth trying for link ``i``."""
         body, tip, parallel = self.arm.bodies[i], i + 1 == self.n, is_zero(self.arm.bodies[i].sin_alpha)
         values = dict(LINK_VALUES)
         if not body.revolute:
@@ -141,8 +141,8 @@ class Space:
             values["chained"] = (True,)
         if tip:
             values["lever"] = ("own",)
-        out = {"form": ["wrist"] * (i != self.n - 2), "slide": ["next"] * tip + ["own"] * is_zero(body.d)}
-        for name, rules in out.items():
+        bans = {"form": ["wrist"] * (i != self.n - 2), "slide": ["next"] * tip + ["own"] * is_zero(body.d)}
+        for name, rules in bans.items():
             values[name] = tuple(value for value in values[name] if value not in rules)
         for name, pointless in (
             ("mass", body.revolute and is_zero(body.a)), ("first", parallel), ("second", parallel)
@@ -152,10 +152,10 @@ class Space:
         return values
 
     def _macros(self, i: int) -> list[dict[int, Changes]]:
-        """Changes of link ``i``, and of the one before it, that pay only together."""
+        """Changes of link ``i``, some with changes of the link before it, that pay off only together."""
         if i == 0 or not self.arm.bodies[i].revolute:
             return []
-        macros: list[dict[int, Changes]] = [{i: change} for change in (*_POINT, *_EVEN)]
+        macros: list[dict[int, Changes]] = [{i: change} for change in (*_POINT, *_ISOTROPIC)]
         if i + 1 == self.n:
             macros += [{i: change} for change in _SPIN]
             if i > 1:
@@ -173,19 +173,19 @@ class Space:
         kind = rng.random()
         i = rng.randrange(self.n)
         if kind < 0.40:
-            return self._changed(variant, i, 1, rng, (*BODY, *PATH))
+            return self._change_fields(variant, i, 1, rng, (*BODY, *PATH))
         if kind < 0.62:
-            return self._changed(variant, i, rng.randint(2, 3), rng, BODY)
+            return self._change_fields(variant, i, rng.randint(2, 3), rng, BODY)
         if kind < 0.72:
             other = max(0, i - 1) if rng.random() < 0.5 else min(self.n - 1, i + 1)
-            variant = self._changed(variant, i, rng.randint(1, 2), rng, BODY)
-            return self._changed(variant, other, rng.randint(1, 2), rng, BODY)
+            variant = self._change_fields(variant, i, rng.randint(1, 2), rng, BODY)
+            return self._change_fields(variant, other, rng.randint(1, 2), rng, BODY)
         if kind < 0.84:
             if not self.macros[i]:
                 i = self.n - 1
             if not self.macros[i]:
-                return self._changed(variant, i, 1, rng, (*BODY, *PATH))
-            return self._applied(variant, rng.choice(self.macros[i]))
+                return self._change_fields(variant, i, 1, rng, (*BODY, *PATH))
+            return self._apply(variant, rng.choice(self.macros[i]))
         if kind < 0.92:
             unit, link = rng.choice(self.units)
             return replace(variant, unit=unit, unit_link=link)
@@ -196,7 +196,7 @@ class Space:
                 variant = variant.with_link(j, **{name: value})
         return variant
 
-    def _changed(
+    def _change_fields(
         self, variant: Variant, i: int, count: int, rng: random.Random, names: tuple[str, ...]
     ) -> Variant:
         free = [name for name in names if len(self.values[i][name]) > 1]
@@ -209,13 +209,13 @@ class Space:
         return variant.with_link(i, **changes)
 
     @staticmethod
-    def _applied(variant: Variant, change: dict[int, Changes]) -> Variant:
+    def _apply(variant: Variant, change: dict[int, Changes]) -> Variant:
         for j, fields in change.items():
             variant = variant.with_link(j, **fields)
         return variant
 
     def neighbours(self, variant: Variant) -> Iterator[Variant]:
-        """All that differ in one field, in two of those that belong together, or by a macro."""
+        """All variants that differ in one field, a pair of ``_PAIRS``, a macro or the unit of length."""
         for i in range(self.n):
             values, link = self.values[i], variant.links[i]
             for name, allowed in values.items():
@@ -223,7 +223,7 @@ class Space:
                     if value != getattr(link, name):
                         yield variant.with_link(i, **{name: value})
             for change in self.macros[i]:
-                yield self._applied(variant, change)
+                yield self._apply(variant, change)
             for one, other in _PAIRS:
                 for u in values[one]:
                     for v in values[other]:
@@ -234,7 +234,7 @@ class Space:
                 yield replace(variant, unit=unit, unit_link=unit_count)
 
     def fitted(self, variant: Variant) -> Variant:
-        """``variant`` with fields that have no effect at their plain value."""
+        """``variant`` with each field that has only one allowed value set to it."""
         links = []
         for values, link in zip(self.values, variant.links, strict=True):
             fixed = {name: allowed[0] for name, allowed in values.items() if len(allowed) == 1}

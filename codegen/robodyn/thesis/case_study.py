@@ -1,9 +1,8 @@
-"""The thesis's case study (chapter 3), run anew: what friction does to the torques along a straight line.
+"""The thesis's case study (chapter 3), repeated: how friction changes the torques along a straight line.
 
-The source's own curves cannot be recovered: it gives the line, its start, 201 samples in 2 s and the
-parameters of Table 3.4, but not how the motion goes along the line nor where it ends, nor the span of the
-bearings, nor the efficiency curve. :class:`Assumptions` fill the gaps; what comes out is a new study, and no
-reproduction.
+The thesis gives the line, its start, 201 samples in 2 s and the parameters of Table 3.4. It does not give the
+velocity profile, the end of the line, the span of the bearings or the efficiency curve, so its curves cannot
+be reproduced. :class:`Assumptions` fill these gaps: the result is a new study.
 """
 
 from __future__ import annotations
@@ -35,7 +34,7 @@ SAMPLES: Final = 201
 SHOWN: Final = 60
 #: Profiles that begin and end at rest.
 REST_TO_REST: Final[tuple[ProfileName, ...]] = ("quintic", "trapezoid")
-#: Gains of the forward check [N m/rad, N m s/rad] and its period [s].
+#: Gains [N m/rad, N m s/rad] and period [s] of the controller in the forward simulation.
 KP: Final = 200.0
 KD: Final = 20.0
 CONTROL_PERIOD: Final = 1e-3
@@ -43,8 +42,8 @@ CONTROL_PERIOD: Final = 1e-3
 
 @dataclass(frozen=True, slots=True)
 class Assumptions:
-    """What the source leaves open: profile along the line, y = z at its end [m], span of the bearings [m],
-    payload [kg], and which of its programs is right about the arm (:mod:`.case_arm`)."""
+    """Assumptions where the thesis is silent: velocity profile, y = z at the end of the line [m], span of the
+    bearings [m], payload [kg], and how its arms are reconciled (:mod:`.case_arm`)."""
 
     profile: ProfileName = "quintic"
     end: float = 0.5
@@ -57,10 +56,10 @@ class Assumptions:
 class Torques:
     """Torques [S, 3] (N m) at the samples.
 
-    ``rigid`` is the arm's, ``bearing`` the friction in the joints (Eq 3.3), ``joint`` their sum;
-    ``transmission`` is what the transmissions take (Table 3.2), of which ``breakaway`` is one part and
-    ``loss`` the other; ``input`` what goes in. ``load`` and ``efficiency`` [S, 3] are where the
-    transmissions are on their curve.
+    ``rigid`` is the torque without friction, ``bearing`` the bearing friction (Eq 3.3), ``joint`` their sum.
+    ``transmission`` is the friction of the transmission (Table 3.2), the sum of ``breakaway`` and ``loss``.
+    ``input`` is the torque at the input, ``joint`` plus ``transmission``. ``load`` (a fraction) and
+    ``efficiency`` [S, 3] are the operating points on the efficiency curve.
     """
 
     rigid: Floats
@@ -76,8 +75,8 @@ class Torques:
 
 @dataclass(frozen=True, slots=True)
 class Following:
-    """How the simulated arm follows the motion with the torques fed to it: largest deviations of the joints
-    [3] (rad) and of the point [m], and the energies of the run [J]."""
+    """Tracking of the motion in a forward simulation with the torques as feedforward: largest deviations of
+    the joints [3] (rad) and of the point [m], and the energies of the run [J]."""
 
     joints: tuple[float, float, float]
     point: float
@@ -86,8 +85,9 @@ class Following:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Study:
-    """The study: ``motion`` and ``point`` [S, 3] (m) at the samples, torques, the forward check open loop and
-    with a small PD controller, and the deviation of the point over its samples [s, m]."""
+    """The study: ``motion``, ``point`` [S, 3] (m) and ``torques`` at the samples; forward simulations in open
+    loop and with a PD controller. ``deviation`` is that of the point with the controller: times [s] and
+    distances [m]."""
 
     assumptions: Assumptions
     led: Led
@@ -101,7 +101,7 @@ class Study:
 
     @property
     def load_point(self) -> float:
-        """How far the point that D.1.2 loads is from the one that is led, at the start [m]."""
+        """Distance between the load of D.1.2 and the point that follows the line, at the start [m]."""
         from robodyn.thesis.case_arm import FOREARM, led_at
 
         loaded = led_at(self.robots.rigid, -FOREARM).kinematics.position(self.motion.q[0])
@@ -113,36 +113,36 @@ def case_study(assumptions: Assumptions | None = None, *, cache: Path | None = N
 
     Raises
     ------
-    InputError: a profile that is not at rest at both ends, an end out of reach, a payload or span that is
-        none.
+    InputError: a profile that is not at rest at both ends, an end out of reach, or an invalid
+        payload or span.
     ToolError: no C compiler.
     """
-    assumed = assumptions or Assumptions()
-    if assumed.arm not in ARMS:
-        raise InputError("there is no such arm", found=repr(assumed.arm), expected=" or ".join(ARMS))
-    if assumed.profile not in REST_TO_REST:
+    settings = assumptions or Assumptions()
+    if settings.arm not in ARMS:
+        raise InputError("there is no such arm", found=repr(settings.arm), expected=" or ".join(ARMS))
+    if settings.profile not in REST_TO_REST:
         expected = " or ".join(REST_TO_REST)
         raise InputError(
-            "the case study begins and ends at rest", found=repr(assumed.profile), expected=expected
+            "the case study begins and ends at rest", found=repr(settings.profile), expected=expected
         )
-    if assumed.end == START:
+    if settings.end == START:
         found = f"its end at y = z = {START}"
         raise InputError("the line has no length", found=found, remedy="choose another")
-    arms = robots(assumed.payload, assumed.span)
-    arm = led(assumed.arm)
-    fine = motion_of(assumed, arm)
+    arms = robots(settings.payload, settings.span)
+    arm = led(settings.arm)
+    fine = motion_of(settings, arm)
     motion = fine.sampled(DURATION / (SAMPLES - 1))
     place = arm.kinematics.position
     runs, deviation = [], (fine.t, fine.t)
     for law, kp, kd in (("feedforward", 0.0, 0.0), ("pd", KP, KD)):
         drive = Follow(fine, law, kp=kp, kd=kd, period=CONTROL_PERIOD)  # type: ignore[arg-type]  # of LAWS
         run = simulate(arms.complete, drive, sample_period=CONTROL_PERIOD, cache=cache)
-        off: Floats = np.linalg.norm(place(run.q) - place(fine.q), axis=1)
+        distances: Floats = np.linalg.norm(place(run.q) - place(fine.q), axis=1)
         one, two, three = np.abs(run.q - fine.q).max(axis=0).tolist()
-        runs.append(Following((one, two, three), float(off.max()), run.balance().to_dict()))
-        deviation = run.t, off
+        runs.append(Following((one, two, three), float(distances.max()), run.balance().to_dict()))
+        deviation = run.t, distances
     torques = torques_along(arms, motion, cache)
-    return Study(assumed, arm, arms, motion, place(motion.q), torques, runs[0], runs[1], deviation)
+    return Study(settings, arm, arms, motion, place(motion.q), torques, runs[0], runs[1], deviation)
 
 
 def motion_of(assumptions: Assumptions, arm: Led) -> Trajectory:
@@ -159,7 +159,7 @@ def motion_of(assumptions: Assumptions, arm: Led) -> Trajectory:
 
 
 def torques_along(arms: Robots, motion: Trajectory, cache: Path | None = None) -> Torques:
-    """All torques along ``motion``, each from the compiled kernel of a robot with as much friction."""
+    """The torques along ``motion``, from kernels without friction, with bearings and with all friction."""
     kernels = [
         compile_kernel(robot, functions=["inverse_dynamics"], cache=cache)
         for robot in (arms.rigid, arms.with_bearings, arms.complete)
@@ -172,13 +172,14 @@ def torques_along(arms: Robots, motion: Trajectory, cache: Path | None = None) -
     load = np.abs(joint) / np.array([float(drive.largest) for drive in TABLE_3_4])
     knots = [(float(x), float(y)) for x, y in efficiency_curve()]
     efficiency = np.array([[efficiency_at(x, knots, "cubic") for x in row] for row in load.tolist()])
-    taken = total - joint
-    return Torques(rigid, joint - rigid, joint, breakaway, taken - breakaway, taken, total, load, efficiency)
+    bearing, transmission = joint - rigid, total - joint
+    loss = transmission - breakaway
+    return Torques(rigid, bearing, joint, breakaway, loss, transmission, total, load, efficiency)
 
 
 def shares(torques: Torques) -> dict[str, Any]:
-    """Peaks and root mean squares [3] of the torques [N m], the range of efficiencies [3], and by what factor
-    [3] the root mean square of the input torque is above the rigid arm's."""
+    """Peaks and root mean squares [3] of the torques [N m], the range of efficiencies [3], and the ratio [3]
+    of the root mean squares of input torque and rigid torque."""
     result: dict[str, Any] = {}
     for name in ("rigid", "bearing", "joint", "transmission", "input"):
         values = getattr(torques, name)
@@ -187,5 +188,5 @@ def shares(torques: Torques) -> dict[str, Any]:
     moving = torques.efficiency[1:-1]  # at rest there is no loss
     result["efficiency"] = {"least": moving.min(axis=0).tolist(), "greatest": moving.max(axis=0).tolist()}
     pairs = zip(result["input"]["rms"], result["rigid"]["rms"], strict=True)
-    result["factor"] = [given / needed for given, needed in pairs]
+    result["factor"] = [input_rms / rigid_rms for input_rms, rigid_rms in pairs]
     return result
