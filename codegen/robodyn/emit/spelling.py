@@ -96,6 +96,10 @@ class Spelling:
             text, strength = self._text(args[0])
             return ("-" + (text if strength == _ATOM else f"({text})")), _UNARY
         if op not in _OPERATORS:
+            if op not in self.functions:
+                raise InputError(
+                    f"this language has no {op}", remedy=f"add {op} to the functions of its Spelling"
+                )
             return self.functions[op](*(self._text(arg)[0] for arg in args)), _ATOM
         symbol, own = _OPERATORS[op]
         (left, left_strength), (right, right_strength) = map(self._text, args)

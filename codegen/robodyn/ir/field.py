@@ -248,6 +248,14 @@ class Residue:
         """Hyperbolic tangent; odd."""
         return self._call("tanh")
 
+    def sqrt(self) -> Residue:
+        """Square root."""
+        return self._call("sqrt")
+
+    def exp(self) -> Residue:
+        """Exponential function."""
+        return self._call("exp")
+
     def atan2(self, x: Residue | Number) -> Residue:
         """The angle of the point (``x``, this)."""
         return self._call("atan2", x)

@@ -289,6 +289,8 @@ class Function:
     def split(self, elements: Sequence[Any], n: int) -> list[tuple[str, Sequence[Any]]]:
         """``elements``, one after another, as ``(name, elements)`` of each result."""
         lengths = lengths_of([self], len(elements), n)
+        if (size := self.size_at(n, *lengths)) != len(elements):
+            raise ValueError(f"{self.name} returns {len(elements)} numbers; its results have {size}")
         pieces = cut(elements, [array.size_at(n, *lengths) for array in self.results])
         return [(array.name, piece) for array, piece in zip(self.results, pieces, strict=True)]
 
