@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final
@@ -20,12 +20,20 @@ from robodyn.tools.libraries import MUJOCO, quiet_mujoco
 
 WORLD: Final = "world"
 _KINDS: Final = ("floating", "ball", "prismatic", "revolute")
-#: Parts of a joint that flags of the simulation switch off.
-_SWITCHED: Final[dict[str, tuple[str, tuple[str, str]]]] = {
-    "spring": ("springs of joints are", ("PASSIVE", "SPRING")),
-    "damping": ("damping of joints is", ("PASSIVE", "DAMPER")),
-    "friction": ("friction of joints is", ("FRICTIONLOSS", "CONSTRAINT")),
-}
+#: Parts of a joint that flags of the simulation switch off: words, the flags, the joint without the part.
+_SWITCHED: Final[tuple[tuple[str, tuple[str, str], Callable[[TreeJoint], TreeJoint]], ...]] = (
+    ("springs of joints are", ("PASSIVE", "SPRING"), lambda joint: replace(joint, spring=None)),
+    (
+        "damping of joints is",
+        ("PASSIVE", "DAMPER"),
+        lambda joint: replace(joint, damping=joint.damping and 0.0),
+    ),
+    (
+        "friction of joints is",
+        ("FRICTIONLOSS", "CONSTRAINT"),
+        lambda joint: replace(joint, friction=joint.friction and 0.0),
+    ),
+)
 
 
 def read_tree(document: Document, path: Path | None, folders: Iterable[str] = ()) -> Tree:
@@ -146,11 +154,10 @@ class _Model:
     def as_switched(self, joints: Sequence[TreeJoint]) -> tuple[list[TreeJoint], list[str]]:
         """The joints without what the file's flags switch off, and what was switched off."""
         remarks = ["gravity is switched off (flag)"] if self.is_off("GRAVITY") else []
-        for part, (words, flags) in _SWITCHED.items():
-            if self.is_off(*flags) and any(getattr(joint, part) for joint in joints):
+        for words, flags, without in _SWITCHED:
+            if self.is_off(*flags) and (others := [without(joint) for joint in joints]) != list(joints):
                 remarks.append(f"{words} switched off (flag)")
-                nothing: Any = None if part == "spring" else 0.0
-                joints = [replace(joint, **{part: nothing}) for joint in joints]
+                joints = others
         return list(joints), remarks
 
     def note_surroundings(self, weigh: bool) -> None:

@@ -196,7 +196,7 @@ class _Reader(Quantities):
         (parent, child), (before, behind) = ends, (scope.pose_of(end, element) for end in ends)
         axis = self.one(element, "axis", of)
         dynamics = None if axis is None else axis.first("dynamics")
-        rotor, ratio = (self.value(element, f"drake:{word}", of) for word in ("rotor_inertia", "gear_ratio"))
+        rotor, ratio = (self.value(element, tag, of) for tag in ("drake:rotor_inertia", "drake:gear_ratio"))
         stiffness, rest = self.values(dynamics, "spring_stiffness spring_reference", of)
         return TreeJoint(
             scope.name(name),
