@@ -11,18 +11,19 @@ from pathlib import Path
 from typing import Any
 from zipfile import ZipFile
 
+import click
 import pytest
 
+from cli.command import Capture, run
 from robodyn.errors import InputError
 from robodyn.formats.arm import import_arm
 from robodyn.formats.loading import load
-from robodyn.robot import DoubtfulRobot, read_text, to_yaml
-from robodyn.robot.account import account_lines, account_to_dict
+from robodyn.robot import DoubtfulRobot, Robot, read_text, to_yaml
+from robodyn.robot.account import Account, account_lines, account_to_dict
 from robodyn_cli.choices import ROBOTS
 from robodyn_cli.main import COMMANDS, cli, main
+from robodyn_testing import representative
 from robodyn_testing.urdf_text import joint, link, robot
-
-Capture = pytest.CaptureFixture[str]
 
 LIMIT = '<limit lower="-2" upper="2" velocity="2" effort="{}"/>'
 #: An arm of which something is left out, something is decided, and something is not used.
@@ -35,67 +36,59 @@ ARM = robot(
     '<transmission name="t"><type>transmission_interface/SimpleTransmission</type><joint name="other"/>'
     '<actuator name="m"><mechanicalReduction>50</mechanicalReduction></actuator></transmission>',
 )
-WITHOUT = ("--without", "transmission")
-#: A quick call of each command that takes a robot, without the robot and ``--json``.
+WITHOUT = " --without transmission"
+#: A quick call of each command that takes a robot, but for --json.
 CALLS = {
-    "gen": ("-o", "out"),
-    "package": ("--as", "cmake", "-o", "out"),
-    "flops": (),
-    "schedule": ("-p", "2"),
-    "plan": ("--deadline", "100us"),
-    "bench": (),
-    "ik": ("--of", "0.1,0.2"),
-    "simulate": ("-o", "log.csv", "--duration", "0.5"),
-    "diagnose": ("hidden/train.csv", "-o", "out", "--no-kernels", "--only", "payload", "--joints", "2"),
-    "logs": (),
-    "identify": ("hidden/train.csv", "-o", "out"),
-    "hide": ("-o", "out"),
-    "excite": ("-o", "out"),
-    "verify": (),
-    "prove": ("--only", "stack", "-o", "out"),
-    "export": ("--to", "urdf", "-o", "out.urdf"),
-    "diff": ("arm.urdf",),
-    "report": ("-o", "out.html"),
+    "gen": "arm.urdf -o out",
+    "package": "arm.urdf --as cmake -o out",
+    "flops": "arm.urdf",
+    "schedule": "arm.urdf -p 2",
+    "plan": "arm.urdf --deadline 100us",
+    "bench": "arm.urdf -p 1 --states 100",
+    "ik": "arm.urdf --of 0.1,0.2",
+    "simulate": "arm.urdf -o log.csv --duration 0.1",
+    "diagnose": "arm.urdf hidden/train.csv -o out --no-kernels --only payload --joints 2",
+    "logs": "log.csv --robot arm.urdf",
+    "identify": "arm.urdf hidden/train.csv -o out",
+    "hide": "arm.urdf -o out --duration 2 --rate 200",
+    "excite": "arm.urdf -o out --tries 1 --harmonics 2 --duration 2",
+    "verify": "arm.urdf --states 5",
+    "prove": "arm.urdf --only stack -o out",
+    "export": "arm.urdf --to urdf -o out.urdf",
+    "diff": "arm.urdf arm.urdf",
+    "report": "arm.urdf -o out.html",
 }
-#: Those that take seconds.
-SLOW = ("bench", "diagnose", "identify", "excite")
-
-#: What writes files that people read: without the robot and ``-o``.
+#: What is to be there before, for those that read logs.
+BEFORE = {"logs": "simulate", **dict.fromkeys(("diagnose", "identify"), "hide")}
+#: What writes files that people read: without the robot and ``-o``. The last two are compiled.
 WRITTEN = [
-    "gen --lang c,fortran,rust,javascript",
-    "gen --batch --latex",
-    "gen --firmware",
-    "schedule -p 2 --packed 4",
-    "export --to mjcf",
-    "report",
-    "package --as cmake",
-    pytest.param("package --as wheel", marks=pytest.mark.thorough),  # these two are compiled
-    pytest.param("package --as fmu", marks=pytest.mark.thorough),
-]
+    "gen --lang c,fortran,rust,javascript", "gen --batch --latex", "gen --firmware",
+    "schedule -p 2 --packed 4", "export --to mjcf", "report", "package --as cmake",
+    "package --as wheel", "package --as fmu",
+]  # fmt: skip
 #: The ends of files that have room for it; of those in archives others come from elsewhere.
 ROOM = (".c", ".h", ".f90", ".rs", ".mjs", ".tex", ".md", ".xml", ".html")
 ROOM_IN_ARCHIVES = ("/METADATA", "modelDescription.xml", ".py", ".pyi", "arm.h", "arm.c")
 
 
 @pytest.fixture
-def folder(elsewhere: Path) -> Path:
+def arm(elsewhere: Path) -> Robot:
     (elsewhere / "arm.urdf").write_text(ARM)
-    return elsewhere
+    return import_arm("arm.urdf", without=["transmission"]).robot
+
+
+def lines_of(arm: Robot) -> list[str]:
+    assert isinstance(arm.account, Account)
+    assert arm.account.left_out
+    assert arm.account.decided
+    assert arm.account.not_used
+    return list(arm.account.lines())
 
 
 def notes_of(err: str, file: str) -> list[str]:
     """What stderr says of the file."""
     head = f"robodyn: note: {file}: "
     return [line.removeprefix(head) for line in err.splitlines() if line.startswith(head)]
-
-
-def lines_of(file: str) -> list[str]:
-    account = import_arm(file, without=["transmission"]).robot.account
-    assert account is not None
-    assert account.left_out
-    assert account.decided
-    assert account.not_used
-    return list(account.lines())
 
 
 def texts_in(folder: Path) -> Iterator[tuple[str, str]]:
@@ -119,110 +112,84 @@ def accounts(data: Any) -> list[dict[str, Any]]:
 
 
 def test_the_calls_are_those_of_all_commands_that_take_a_robot() -> None:
-    commands = (cli.get_command(None, name) for name in COMMANDS)  # type: ignore[arg-type]
-    takes = [
-        name
-        for name, command in zip(COMMANDS, commands, strict=True)
-        if command is not None and any(parameter.type is ROBOTS for parameter in command.params)
+    context = click.Context(cli)
+    commands = {name: cli.get_command(context, name) for name in COMMANDS}
+    assert list(CALLS) == [
+        name for name, each in commands.items() if each and any(p.type is ROBOTS for p in each.params)
     ]
-    assert takes == list(CALLS)
 
 
 @pytest.mark.parametrize(
-    "name", [pytest.param(n, marks=pytest.mark.thorough) if n in SLOW else n for n in CALLS]
+    "name", representative(CALLS, *(set(CALLS) - {"bench", "diagnose", "identify", "excite"}))
 )
-def test_a_command_tells_what_is_left_out(name: str, folder: Path, capsys: Capture) -> None:
-    robot_words = ("log.csv", "--robot", "arm.urdf") if name == "logs" else ("arm.urdf",)
-    if name == "logs":
-        assert main(["simulate", "arm.urdf", *WITHOUT, *CALLS["simulate"]]) == 0
-    if name in ("diagnose", "identify"):
-        assert main(["hide", "arm.urdf", *WITHOUT, "-o", "hidden"]) == 0
+def test_a_command_tells_what_is_left_out(name: str, arm: Robot, capsys: Capture) -> None:
+    if name in BEFORE:
+        before = CALLS[BEFORE[name]].replace("-o out", "-o hidden")
+        run(capsys, f"{BEFORE[name]} {before}{WITHOUT}")
     capsys.readouterr()
-    assert main([name, *robot_words, *CALLS[name], *WITHOUT, "--json"]) in (0, 1, 4)
+    assert main(f"{name} {CALLS[name]}{WITHOUT} --json".split()) in (0, 1, 4)
     out, err = capsys.readouterr()
-    arms = 2 if name == "diff" else 1
-    assert notes_of(err, "arm.urdf") == lines_of("arm.urdf") * arms
-    wanted = account_to_dict(import_arm("arm.urdf", without=["transmission"]).robot)
-    assert {json.dumps(account) for account in accounts(json.loads(out))} == {json.dumps(wanted)}
-    assert main([name, *robot_words, *CALLS[name], "--json"]) == 2  # where nothing may be left out
+    assert notes_of(err, "arm.urdf") == lines_of(arm) * (2 if name == "diff" else 1)
+    wanted = json.dumps(account_to_dict(arm))
+    assert {json.dumps(account) for account in accounts(json.loads(out))} == {wanted}
+    run(capsys, f"{name} {CALLS[name]} --json", code=2)  # where nothing may be left out
 
 
-def test_a_description_that_was_imported_tells_it_again(folder: Path, capsys: Capture) -> None:
-    assert main(["import", "arm.urdf", *WITHOUT, "--json"]) == 0
-    out, err = capsys.readouterr()
-    assert notes_of(err, "arm.urdf") == lines_of("arm.urdf")
+def test_a_description_that_was_imported_tells_it_again(arm: Robot, capsys: Capture) -> None:
+    out, err = run(capsys, f"import arm.urdf{WITHOUT} --json")
+    assert notes_of(err, "arm.urdf") == lines_of(arm)
     assert accounts(json.loads(out))[0]["imported"]["left_out"]
-    assert main(["import", "arm.urdf", *WITHOUT, "-o", "arm.yaml"]) == 0
-    capsys.readouterr()
-    assert main(["flops", "arm.yaml", "--json"]) == 0
-    out, err = capsys.readouterr()
-    assert notes_of(err, "arm.yaml") == [line for line in lines_of("arm.urdf") if line.startswith("left out")]
-    assert accounts(json.loads(out)) == [
-        account_to_dict(import_arm("arm.urdf", without=["transmission"]).robot)
-    ]
+    run(capsys, f"import arm.urdf{WITHOUT} -o arm.yaml")
+    out, err = run(capsys, "flops arm.yaml --json")
+    assert notes_of(err, "arm.yaml") == [line for line in lines_of(arm) if line.startswith("left out")]
+    assert accounts(json.loads(out)) == [account_to_dict(arm)]
 
 
-@pytest.mark.parametrize("first", [True, False], ids=["generated", "in the store"])
-def test_a_build_tells_it_of_each_robot(first: bool, folder: Path, capsys: Capture) -> None:
+def test_a_build_tells_it_of_each_robot(arm: Robot, capsys: Capture) -> None:
+    """Whether it is generated or in the store."""
     Path("robodyn.toml").write_text('[robots.arm]\nrobot = "arm.urdf"\nwithout = ["transmission"]\n')
-    if not first:
-        assert main(["build"]) == 0
-        capsys.readouterr()
-    assert main(["build", "--json"]) == 0
-    out, err = capsys.readouterr()
-    assert notes_of(err, "arm.urdf") == lines_of("arm.urdf")
-    assert accounts(json.loads(out)) == [
-        account_to_dict(import_arm("arm.urdf", without=["transmission"]).robot)
-    ]
+    for _ in range(2):
+        out, err = run(capsys, "build --json")
+        assert notes_of(err, "arm.urdf") == lines_of(arm)
+        assert accounts(json.loads(out)) == [account_to_dict(arm)]
 
 
-@pytest.mark.parametrize("written", WRITTEN)
-def test_files_and_pages_say_it(written: str, folder: Path) -> None:
-    command, *options = written.split()
+@pytest.mark.parametrize("written", representative(WRITTEN, *WRITTEN[:-2]))
+def test_files_and_pages_say_it(written: str, arm: Robot, capsys: Capture) -> None:
+    command, _, options = written.partition(" ")
     file = {"export": "arm.xml", "report": "arm.html"}.get(command, "")
-    assert main([command, "arm.urdf", *WITHOUT, *options, "-o", f"out/{file}"]) == 0
+    run(capsys, f"{command} arm.urdf{WITHOUT} {options} -o out/{file}")
     texts = dict(texts_in(Path("out")))
     assert texts
     for name, text in texts.items():
         words = " ".join(re.sub(r"\\(?=\W)|\*|!|//|#|%", " ", html.unescape(text)).split())
-        for line in account_lines(import_arm("arm.urdf", without=["transmission"]).robot):
+        for line in account_lines(arm):
             assert line.split("(")[0].strip() in words, (name, line)
 
 
-def test_python_warns_of_what_may_change_numbers_and_has_all(folder: Path) -> None:
+def test_python_warns_of_what_may_change_numbers_and_has_all(arm: Robot) -> None:
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
-        account = load("arm.urdf", without=["transmission"]).account
-    (left_out,) = [line for line in lines_of("arm.urdf") if line.startswith("left out")]
+        assert load("arm.urdf", without=["transmission"]).account == arm.account
+    (left_out,) = [line for line in lines_of(arm) if line.startswith("left out")]
     assert [(str(one.message), one.category) for one in caught] == [(f"arm.urdf: {left_out}", DoubtfulRobot)]
-    assert account is not None
-    assert list(account.lines()) == lines_of("arm.urdf")
     notes: list[str] = []
     load("arm.urdf", without=["transmission"], note=notes.append)
-    assert notes == [f"arm.urdf: {line}" for line in lines_of("arm.urdf")]
+    assert notes == [f"arm.urdf: {line}" for line in lines_of(arm)]
 
 
-def test_robots_of_which_something_was_left_out_are_not_the_same(folder: Path, capsys: Capture) -> None:
-    assert main(["diff", "arm.urdf", "arm.urdf", *WITHOUT]) == 0
-    out = capsys.readouterr().out.splitlines()
-    assert [line.split(":")[0] for line in out[-3:]] == [
-        "not compared",
-        "not compared",
-        "nothing that was compared differs",
-    ]
+def test_robots_of_which_something_was_left_out_are_not_the_same(arm: Robot, capsys: Capture) -> None:
+    out = run(capsys, f"diff arm.urdf arm.urdf{WITHOUT}")[0].splitlines()
+    heads = ["not compared", "not compared", "nothing that was compared differs"]
+    assert [line.split(":")[0] for line in out[-3:]] == heads
 
 
-def test_an_account_reads_back(folder: Path) -> None:
-    arm = import_arm("arm.urdf", without=["transmission"]).robot
+def test_an_account_reads_back(arm: Robot) -> None:
     assert read_text(to_yaml(arm)).account == arm.account
-
-
-@pytest.mark.parametrize(
-    "imported",
-    ["{file: a.urdf}", "{file: a.urdf, format: URDF, left_out: gravity}", '{file: "\\u202e", format: URDF}',
-     "{file: a.urdf, format: URDF, decided: [[1]]}", "{file: a.urdf, format: URDF, unknown: [a]}",
-     '{file: a.urdf, format: URDF, not_used: ["a\\u0007"]}'],
-)  # fmt: skip
-def test_an_account_that_is_none_is_refused(imported: str) -> None:
-    with pytest.raises(InputError):
-        read_text(f"name: arm\nimported: {imported}\nlinks: [{{mass: 1}}]\n")
+    for imported in (
+        "{file: a.urdf}", "{file: a.urdf, format: URDF, left_out: gravity}",
+        '{file: "\\u202e", format: URDF}', "{file: a.urdf, format: URDF, decided: [[1]]}",
+        "{file: a.urdf, format: URDF, unknown: [a]}", '{file: a.urdf, format: URDF, not_used: ["a\\u0007"]}',
+    ):  # fmt: skip
+        with pytest.raises(InputError):
+            read_text(f"name: arm\nimported: {imported}\nlinks: [{{mass: 1}}]\n")
