@@ -1,19 +1,49 @@
-"""``robodyn build``: what is written, that nothing is done twice, and what is refused."""
+"""``robodyn build``: what is written, that nothing is done twice, and that nothing is half-written, whatever
+ends it."""
 
 from __future__ import annotations
 
-import json
 import re
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 import robodyn_cli.building
-from cli.built import FILES, PROJECT, build, outputs
-from cli.generated import Capture, tree
+from cli.command import Capture, environment, on_terminal, python, run, run_json, tree
 from records.made import ELBOW
-from robodyn_cli.main import main
+from robodyn_testing import representative, require_module
+
+PROJECT = """\
+[options]
+functions = ["inverse_dynamics", "gravity"]
+lang = "c"
+
+[robots.one]
+robot = "elbow.yaml"
+
+[robots.two]
+robot = "other.yaml"
+output = "firmware/two"
+scalar = "float"
+"""
+FILES = {
+    "generated/one/elbow.h", "generated/one/elbow.c", "firmware/two/other.h", "firmware/two/other.c",
+    "robodyn.lock",
+}  # fmt: skip
+BUILD = "build --workers 1"
+
+
+@pytest.fixture
+def project(elsewhere: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder with a project of two robots, and an empty store."""
+    (elsewhere / "elbow.yaml").write_text(ELBOW)
+    (elsewhere / "other.yaml").write_text(ELBOW.replace("elbow", "other"))
+    (elsewhere / "robodyn.toml").write_text(PROJECT)
+    monkeypatch.setenv("ROBODYN_CACHE", str(tmp_path / "cache"))
+    return elsewhere
 
 
 @pytest.fixture
@@ -30,30 +60,33 @@ def generated(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     return names
 
 
+def outputs(folder: Path) -> dict[str, str]:
+    """What was written, by path."""
+    return {name: text for name, text in tree(folder).items() if name in FILES}
+
+
 def test_it_writes_what_gen_writes(project: Path, capsys: Capture) -> None:
-    build()
-    out = capsys.readouterr().out
-    assert "wrote firmware/two/other.c\n" in out
+    assert "wrote firmware/two/other.c\n" in run(capsys, "build --workers 3")[0]
     assert set(tree(project)) == FILES | {"elbow.yaml", "other.yaml", "robodyn.toml"}
-    options = ["--functions", "inverse_dynamics,gravity", "--lang", "c"]
-    assert main(["gen", "elbow.yaml", *options, "-o", "gen/one"]) == 0
-    assert main(["gen", "other.yaml", *options, "--scalar", "float", "-o", "gen/two"]) == 0
+    options = "--functions inverse_dynamics,gravity --lang c"
+    run(capsys, f"gen elbow.yaml {options} -o gen/one")
+    run(capsys, f"gen other.yaml {options} --scalar float -o gen/two")
     assert tree(project / "generated" / "one") == tree(project / "gen" / "one")
     assert tree(project / "firmware" / "two") == tree(project / "gen" / "two")
 
 
 def test_nothing_is_done_twice(project: Path, generated: list[str], capsys: Capture) -> None:
-    build()
+    (project / "elbow.yaml").write_text(ELBOW.replace("xx: 0.2", "xx: 2"))
+    _, doubts = run(capsys, BUILD)
+    assert "robodyn: warning: elbow.yaml:6:" in doubts
     assert generated == ["one", "two"]
     times = {name: (project / name).stat().st_mtime_ns for name in FILES}
-    capsys.readouterr()
-    build()
-    build("--check")
+    for more in ("", " --check"):
+        out, err = run(capsys, BUILD + more)
+        assert re.fullmatch(r"2 robots, 4 functions, \d+ operations; no count changed\n", out)
+        assert err == doubts
     assert generated == ["one", "two"]
     assert times == {name: (project / name).stat().st_mtime_ns for name in FILES}
-    out, err = capsys.readouterr()
-    assert re.fullmatch(r"(2 robots, 4 functions, \d+ operations; no count changed\n){2}", out)
-    assert err == ""
 
 
 @pytest.mark.parametrize(
@@ -65,132 +98,173 @@ def test_nothing_is_done_twice(project: Path, generated: list[str], capsys: Capt
     ],
 )
 def test_what_changed_is_done_alone(
-    file: str, before: str, after: str, project: Path, generated: list[str]
+    file: str, before: str, after: str, project: Path, generated: list[str], capsys: Capture
 ) -> None:
     (project / "two").mkdir()
     (project / "other.yaml").rename(project / "two" / "other.yaml")
     text = PROJECT.replace("other.yaml", "two/other.yaml")
     (project / "robodyn.toml").write_text(text)
-    build()
+    run(capsys, BUILD)
     path = project / file if file == "robodyn.toml" else project / "two" / file
     path.parent.mkdir(exist_ok=True)
-    path.write_text((path.read_text() if path.exists() else "").replace(before, after) if before else after)
+    path.write_text(path.read_text().replace(before, after) if before else after)
     generated.clear()
-    build()
+    run(capsys, BUILD)
     assert generated == ["two"]
-    path.write_text(text if file == "robodyn.toml" else ELBOW.replace("elbow", "other"))
     if before:  # what was generated once is still known
-        generated.clear()
-        build()
-        assert generated == []
+        path.write_text(text if file == "robodyn.toml" else ELBOW.replace("elbow", "other"))
+        run(capsys, BUILD)
+        assert generated == ["two"]
 
 
 def test_another_robodyn_generates_anew(
-    project: Path, generated: list[str], monkeypatch: pytest.MonkeyPatch
+    project: Path, generated: list[str], monkeypatch: pytest.MonkeyPatch, capsys: Capture
 ) -> None:
-    from robodyn.project import fingerprint
-
-    build()
-    monkeypatch.setattr(fingerprint, "own_key", lambda: "other sources")
-    build()
+    run(capsys, BUILD)
+    monkeypatch.setattr("robodyn.project.fingerprint.own_key", lambda: "other sources")
+    run(capsys, BUILD)
     assert generated == ["one", "two"] * 2
 
 
-def test_a_file_that_somebody_changed_is_written_again_without_generating(
-    project: Path, generated: list[str], capsys: Capture
+def test_the_same_bytes_again(
+    project: Path, tmp_path: Path, generated: list[str], monkeypatch: pytest.MonkeyPatch, capsys: Capture
 ) -> None:
-    build()
+    """From the store where they were edited, anew where it is damaged, from elsewhere."""
+    run(capsys, BUILD)
     wanted = outputs(project)
     with (project / "generated/one/elbow.c").open("a") as file:  # its head says what becomes of that
         file.write("/* edited */\n")
     (project / "firmware/two/other.h").unlink()
-    generated.clear()
-    capsys.readouterr()
-    build("--json")
-    assert json.loads(capsys.readouterr().out)["written"] == ["generated/one/elbow.c", "firmware/two/other.h"]
+    assert run_json(capsys, BUILD)["written"] == ["generated/one/elbow.c", "firmware/two/other.h"]
     assert outputs(project) == wanted
-    assert generated == []
-
-
-def test_a_damaged_store_is_mended(project: Path, tmp_path: Path, generated: list[str]) -> None:
-    build()
-    wanted = outputs(project)
-    for path in (tmp_path / "cache").glob("*/texts/*.c"):
-        path.write_text("damaged")
+    assert generated == ["one", "two"]
     for name in FILES:
         (project / name).unlink()
-    build()
+    for path in (tmp_path / "cache").glob("*/texts/*.c"):
+        path.write_text("damaged")
+    (project / "elsewhere").mkdir()
+    monkeypatch.chdir(project / "elsewhere")
+    run(capsys, f"{BUILD} --file ../robodyn.toml")
     assert outputs(project) == wanted
     assert generated == ["one", "two"] * 2
 
 
-def test_the_same_bytes_with_many_processes(
-    project: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    build()
-    wanted = outputs(project)
-    monkeypatch.setenv("ROBODYN_CACHE", str(tmp_path / "other"))
-    for name in FILES:
-        (project / name).unlink()
-    assert main(["build", "--workers", "3"]) == 0
-    assert outputs(project) == wanted
-
-
-def test_from_another_folder(project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    build()
-    wanted = outputs(project)
-    (project / "elsewhere").mkdir()
-    for name in FILES:
-        (project / name).unlink()
-    monkeypatch.chdir(project / "elsewhere")
-    build("--file", "../robodyn.toml")
-    assert outputs(project) == wanted
-
-
-def test_notes_are_told_whether_kernels_are_generated_or_in_the_store(project: Path, capsys: Capture) -> None:
-    (project / "elbow.yaml").write_text(ELBOW.replace("xx: 0.2", "xx: 2"))
-    build()
-    notes = capsys.readouterr().err
-    assert "robodyn: warning: elbow.yaml:6:" in notes
-    build()
-    assert capsys.readouterr().err == notes
-
-
 def test_packages_are_written_with_the_kernels(project: Path, generated: list[str], capsys: Capture) -> None:
     """What robodyn package writes, with the robot's options; locked, checked and left alone like kernels."""
-    text = (project / "robodyn.toml").read_text()
     (project / "robodyn.toml").write_text(
-        f'{text}packages.cmake = {{ version = "1.2.0", functions = ["gravity"] }}\n'
+        f'{PROJECT}packages.cmake = {{ version = "1.2.0", functions = ["gravity"] }}\n'
         '[robots.one.packages.crate]\noutput = "crate"\n'
     )
-    build()
+    out, _ = run(capsys, BUILD)
     assert generated == ["one", "one/crate", "two", "two/cmake"]
-    out = capsys.readouterr().out
     assert "two/cmake  gravity " in out
     assert out.endswith("operations; 7 changed\n")
     assert "2 robots, 2 packages, 7 functions, " in out
-    options = ["--functions", "gravity", "--scalar", "float", "--version", "1.2.0"]
-    assert main(["package", "other.yaml", "--as", "cmake", *options, "-o", "packaged"]) == 0
+    run(
+        capsys, "package other.yaml --as cmake --functions gravity --scalar float --version 1.2.0 -o packaged"
+    )
     assert tree(project / "packages" / "two" / "cmake") == tree(project / "packaged")
     assert '[robots."two/cmake".counts]' in (project / "robodyn.lock").read_text()
-    generated.clear()
-    build("--check")
-    assert not generated
-    capsys.readouterr()
+    run(capsys, f"{BUILD} --check")
+    assert len(generated) == 4
     (project / "crate" / "src" / "lib.rs").write_text("// mine\n")
-    build("--check", code=1)
-    assert "crate/src/lib.rs differs from line 1 on: found '// mine'" in capsys.readouterr().err
+    _, err = run(capsys, f"{BUILD} --check", code=1)
+    assert "crate/src/lib.rs differs from line 1 on: found '// mine'" in err
 
 
 @pytest.mark.thorough
-def test_firmware_is_written_as_gen_writes_it(project: Path) -> None:
+def test_firmware_is_written_as_gen_writes_it(project: Path, capsys: Capture) -> None:
     """But for the README, which has what one machine measured."""
     text = PROJECT.replace('scalar = "float"', 'firmware = true\ntarget = "cortex-m4f"')
     (project / "robodyn.toml").write_text(text)
-    build()
-    options = ["--functions", "inverse_dynamics,gravity", "--lang", "c", "--target", "cortex-m4f"]
-    assert main(["gen", "other.yaml", "--firmware", *options, "-o", "gen"]) == 0
+    run(capsys, BUILD)
+    options = "--functions inverse_dynamics,gravity --lang c --target cortex-m4f"
+    run(capsys, f"gen other.yaml --firmware {options} -o gen")
     own = tree(project / "firmware" / "two")
     assert {**own, "firmware/README.md": ""} == {**tree(project / "gen"), "firmware/README.md": ""}
     assert "firmware/link.ld" in own
-    build("--check")
+    run(capsys, f"{BUILD} --check")
+
+
+# --- signals, other builds, terminals ---------------------------------------------------------------------
+
+#: A build that a signal meets when it does something for the NTH time: "replace" is the renaming of a file
+#: that it writes, "tell" the beginning of a robot.
+HIT = """
+import os, signal, sys
+from pathlib import Path
+from robodyn_cli.entry import main
+from robodyn_cli.progress import Line
+name, left, number = sys.argv[1], [int(sys.argv[2])], getattr(signal, sys.argv[3])
+kind = {"replace": Path, "tell": Line}[name]
+method = getattr(kind, name)
+def hit(self, *arguments):
+    if not left[0]:
+        os.kill(os.getpid(), number)
+    left[0] -= 1
+    return method(self, *arguments)
+setattr(kind, name, hit)
+sys.argv = ["robodyn", "build", "--workers", sys.argv[4]]
+sys.exit(main())
+"""
+
+
+@pytest.mark.parametrize("renamed", representative([0, 2, 4], 2))
+def test_a_killed_build_leaves_whole_files_old_or_new(renamed: int, project: Path, capsys: Capture) -> None:
+    require_module("fcntl")
+    run(capsys, BUILD)
+    old = outputs(project)
+    (project / "robodyn.toml").write_text(PROJECT.replace('"gravity"', '"bias"'))
+    assert python("-c", HIT, "replace", str(renamed), "SIGKILL", "1").returncode == -9
+    between = outputs(project)
+    run(capsys, BUILD)
+    new = outputs(project)
+    assert set(new) == set(old) == set(between) == FILES
+    assert all(text in (old[name], new[name]) for name, text in between.items())
+    assert sum(between[name] == new[name] != old[name] for name in FILES) == renamed
+    assert between["robodyn.lock"] == old["robodyn.lock"]
+    assert not list(project.rglob(".robodyn.*"))
+
+
+@pytest.mark.parametrize(
+    ("workers", "number", "code", "err"),
+    representative(
+        [("1", "SIGINT", 130, "robodyn: interrupted\n"), ("2", "SIGINT", 130, "robodyn: interrupted\n"),
+         ("2", "SIGTERM", 143, "robodyn: terminated\n"), ("2", "SIGKILL", -9, "")],
+        ("2", "SIGINT", 130, "robodyn: interrupted\n"),
+    ),
+)  # fmt: skip
+def test_a_build_that_ends_while_it_generates_has_written_nothing(
+    workers: str, number: str, code: int, err: str, project: Path, capsys: Capture
+) -> None:
+    require_module("fcntl")
+    before = tree(project)
+    done = python("-c", HIT, "tell", "1", number, workers)
+    assert (done.returncode, done.stdout, done.stderr) == (code, "", err)
+    assert tree(project) == before
+    run(capsys, BUILD)
+    assert set(tree(project)) >= FILES
+
+
+def test_progress_is_a_line_on_a_terminal(project: Path) -> None:
+    code, text = on_terminal(BUILD)
+    assert code == 0
+    assert b"\rrobodyn: 0 of 2 robots generated; one ..." in text
+    assert text.endswith(b"\r")
+
+
+@pytest.mark.thorough
+def test_two_builds_at_once_wait_for_each_other(project: Path, capsys: Capture) -> None:
+    fcntl = require_module("fcntl")
+    with (project / "robodyn.toml").open("rb") as file:
+        fcntl.flock(file, fcntl.LOCK_EX)
+        run(capsys, f"{BUILD} --check", code=1)  # writes nothing, and waits for nobody
+        words = [sys.executable, "-m", "robodyn", *BUILD.split()]
+        with subprocess.Popen(words, env=environment(), stderr=subprocess.PIPE, text=True) as other:
+            assert other.stderr is not None
+            assert "another build of robodyn.toml is running" in other.stderr.readline()
+            assert not set(tree(project)) & FILES
+            fcntl.flock(file, fcntl.LOCK_UN)
+            other.communicate()
+    assert other.returncode == 0
+    assert set(tree(project)) >= FILES

@@ -43,7 +43,7 @@ NAMES = {
     if language.name != "c"
 }
 #: What names another language than C: that of browsers.
-NAMED = {"codegen/robodyn/report/arm_kernel.py"}
+NAMED = {"codegen/robodyn/report/arm_page.py"}
 RUNNERS: Final = {"javascript": Module, "rust": Crate}
 
 
