@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import contextlib
-import os
-import subprocess
-import sys
 import threading
 from pathlib import Path
 
 import pytest
 from benchmarks.blind_arms.arms import bare, perturbed, rubbing
 
+from cli.command import on_terminal, python
 from identify.exact import log_of
 from robodyn.diagnose.run import diagnose
 from robodyn.diagnose.run import stages as stages_of_diagnosis
@@ -20,7 +17,6 @@ from robodyn.logs.log import Log
 from robodyn.robot import to_yaml
 from robodyn.robot.model import Robot
 from robodyn_cli.progress import Countdown, Line, Pace, countdown
-from robodyn_testing import require_module
 
 
 @pytest.fixture(scope="module")
@@ -89,25 +85,15 @@ def test_every_stage_is_known_and_comes_in_its_order(arm: tuple[Robot, Log]) -> 
 
 @pytest.mark.parametrize("command", ["identify", pytest.param("diagnose", marks=pytest.mark.thorough)])
 def test_a_terminal_is_told_how_long_it_takes_and_a_pipe_is_not(
-    command: str, arm: tuple[Robot, Log], tmp_path: Path
+    command: str, arm: tuple[Robot, Log], elsewhere: Path
 ) -> None:
-    pty = require_module("pty")
-    (tmp_path / "arm.yaml").write_text(to_yaml(arm[0]), encoding="utf-8")
-    (tmp_path / "log.csv").write_text(arm[1].csv(), encoding="utf-8")
-    words = [sys.executable, "-m", "robodyn", command, "arm.yaml", "log.csv", "-o", "out"]
-    words += ["--no-kernels"] if command == "diagnose" else []
-    master, terminal = pty.openpty()
-    with subprocess.Popen(words, cwd=tmp_path, stdout=subprocess.DEVNULL, stderr=terminal) as process:
-        os.close(terminal)
-        text = b""
-        with contextlib.suppress(OSError):  # the other end is closed
-            while part := os.read(master, 4096):
-                text += part
-    os.close(master)
-    assert process.returncode in (0, 4)
+    (elsewhere / "arm.yaml").write_text(to_yaml(arm[0]), encoding="utf-8")
+    (elsewhere / "log.csv").write_text(arm[1].csv(), encoding="utf-8")
+    line = f"{command} arm.yaml log.csv -o out" + " --no-kernels" * (command == "diagnose")
+    code, text = on_terminal(line)
+    assert code in (0, 4)
     assert b"puma560_3dof: looking at the logs; about " in text
     assert b" s left" in text
     if command == "identify":
-        done = subprocess.run(words, cwd=tmp_path, capture_output=True, check=True)
-        assert b" left" not in done.stderr
-        assert b"\r" not in done.stderr
+        done = python("-m", "robodyn", *line.split())
+        assert (done.returncode, " left" in done.stderr, "\r" in done.stderr) == (0, False, False)

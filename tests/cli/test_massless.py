@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from robodyn_cli.main import main
+from robodyn_testing import covering
 
 ARM = (
     "<robot name='arm'><link name='base'/><link name='upper'><inertial><mass value='2'/>"
@@ -55,18 +56,12 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     t = np.arange(2000) * 0.002
     q = np.stack([np.sin(3 * t), np.cos(4 * t)], axis=1)
     tau = np.stack([5 * np.cos(2 * t), 3 * np.sin(5 * t)], axis=1)
-    np.savetxt(
-        "log.csv",
-        np.column_stack([t, q, tau]),
-        delimiter=",",
-        header="t,q1,q2,tau1,tau2",
-        comments="",
-    )
+    rows = np.column_stack([t, q, tau])
+    np.savetxt("log.csv", rows, delimiter=",", header="t,q1,q2,tau1,tau2", comments="")
     return tmp_path
 
 
-@pytest.mark.parametrize("command", OF_TORQUES)
-@pytest.mark.parametrize("file", ["arm.urdf", "arm.yaml"])
+@pytest.mark.parametrize(("command", "file"), covering(OF_TORQUES, ["arm.urdf", "arm.yaml"], rest="slow"))
 def test_torques_are_refused(command: str, file: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["import", "arm.urdf", "-o", "arm.yaml"]) == 0
     there = set(Path().iterdir())
@@ -80,8 +75,7 @@ def test_torques_are_refused(command: str, file: str, capsys: pytest.CaptureFixt
     assert set(Path().iterdir()) == there, "nothing half-written"
 
 
-@pytest.mark.parametrize("command", OF_POSES)
-@pytest.mark.parametrize("file", ["arm.urdf", "arm.yaml"])
+@pytest.mark.parametrize(("command", "file"), covering(OF_POSES, ["arm.urdf", "arm.yaml"], rest="slow"))
 def test_poses_are_not(command: str, file: str) -> None:
     assert main(["import", "arm.urdf", "-o", "arm.yaml"]) == 0
     assert main(command.format(file, file).split()) == 0

@@ -10,8 +10,9 @@ import pytest
 
 from robodyn.errors import InputError
 from robodyn.kernels.generate import Options
-from robodyn.targets import TARGETS, compiled_targets, planned_targets
+from robodyn.targets import TARGETS, compiled_targets
 from robodyn_cli.main import main
+from robodyn_testing import sampled
 
 Capture = pytest.CaptureFixture[str]
 
@@ -22,7 +23,7 @@ def gen(capsys: Capture, folder: Path, *arguments: str) -> dict[str, Any]:
     return found
 
 
-@pytest.mark.parametrize("name", [target.name for target in compiled_targets()])
+@pytest.mark.parametrize("name", sampled([target.name for target in compiled_targets()], every=3))
 def test_a_target_chooses(name: str, tmp_path: Path, capsys: Capture) -> None:
     target = TARGETS[name]
     found = gen(capsys, tmp_path, "--target", name)
@@ -56,38 +57,6 @@ def test_no_target_chooses_nothing(tmp_path: Path, capsys: Capture) -> None:
     assert found["target"] is None
     assert found["flags"] is None
     assert found["contraction"] is None
-
-
-def test_the_help_lists_the_targets(capsys: Capture) -> None:
-    for command, names in (
-        ("gen", [target.name for target in compiled_targets()]),
-        ("plan", [target.name for target in planned_targets()]),
-        ("flops", list(TARGETS)),  # of --objective weighted:TARGET
-    ):
-        assert main([command, "--help"]) == 0
-        said = capsys.readouterr().out
-        assert not {"{compiled}", "{firmware}", "{planned}", "{all}"} & set(said.replace(",", " ").split())
-        assert [name for name in names if name not in said] == []
-
-
-def completions(words: str, monkeypatch: pytest.MonkeyPatch, capsys: Capture) -> list[str]:
-    for name, value in (("", "bash_complete"), ("COMP_WORDS", words), ("COMP_CWORD", str(words.count(" ")))):
-        monkeypatch.setenv(name or "_ROBODYN_COMPLETE", value)
-    main([])
-    return [line.partition(",")[2] for line in capsys.readouterr().out.splitlines()]
-
-
-def test_a_shell_completes_targets(monkeypatch: pytest.MonkeyPatch, capsys: Capture) -> None:
-    assert completions("robodyn gen puma560 --target cortex", monkeypatch, capsys) == [
-        "cortex-m3", "cortex-m4f", "cortex-m7",
-    ]  # fmt: skip
-    assert completions("robodyn gen puma560 --target cortex-m3,x", monkeypatch, capsys) == [
-        "cortex-m3,x86-64", "cortex-m3,x86-64-v3", "cortex-m3,x86-64-v4",
-    ]  # fmt: skip
-    assert completions("robodyn plan puma560 --target th", monkeypatch, capsys) == ["thesis-1990"]
-    assert completions("robodyn flops puma560 --objective weighted:a", monkeypatch, capsys) == [
-        "weighted:aarch64"
-    ]
 
 
 def test_the_older_name_of_a_target_is_the_same_target(tmp_path: Path, capsys: Capture) -> None:
