@@ -8,20 +8,17 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pytest
 
-from robodyn_cli.main import main
+from cli.command import Capture, run
 
 POSE = "0.4,0.1,0.5,0,3,0"
 
 
-def ik(capsys: pytest.CaptureFixture[str], *arguments: str, code: int = 0) -> tuple[str, str]:
-    assert main(["ik", *arguments]) == code
-    captured = capsys.readouterr()
-    return captured.out, captured.err
+def ik(capsys: Capture, *arguments: str, code: int = 0) -> tuple[str, str]:
+    return run(capsys, "ik", *arguments, code=code)
 
 
-def test_all_branches(capsys: pytest.CaptureFixture[str]) -> None:
+def test_all_branches(capsys: Capture) -> None:
     out, err = ik(capsys, "puma560", "--pose", POSE)
     assert err == ""
     lines = out.splitlines()
@@ -35,15 +32,12 @@ def test_all_branches(capsys: pytest.CaptureFixture[str]) -> None:
     )
 
 
-def test_numbers_may_stand_apart_with_blanks(capsys: pytest.CaptureFixture[str]) -> None:
+def test_numbers_may_stand_apart_with_blanks(capsys: Capture) -> None:
     wanted = ik(capsys, "puma560", "--pose", "0.4,-0.1,0.5,0,pi/2,0")[0]
     assert ik(capsys, "puma560", "--pose", "0.4 -0.1 0.2 + 0.3  0 pi / 2 0")[0] == wanted
-    for numbers in (("0.4", "0.1"), ("0.4", "-0.1")):  # the second is an option to click
-        _, err = ik(capsys, "puma560", "--pose", *numbers, code=2)
-        assert "with commas, as 0.1,0.2,0.3" in err
 
 
-def test_the_same_pose_in_three_ways_and_degrees(capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_same_pose_in_three_ways_and_degrees(capsys: Capture) -> None:
     of = "0.1,-0.5,0.4,0.2,0.9,0.3"
     data = json.loads(ik(capsys, "puma560", "--of", of, "--json")[0])
     (pose,) = data["poses"]
@@ -58,12 +52,12 @@ def test_the_same_pose_in_three_ways_and_degrees(capsys: pytest.CaptureFixture[s
     assert all(branch["off"]["place"] < 1e-14 for branch in pose["branches"])
 
 
-def test_what_is_missing_in_degrees(capsys: pytest.CaptureFixture[str]) -> None:
+def test_what_is_missing_in_degrees(capsys: Capture) -> None:
     out, _ = ik(capsys, "puma560", "--pose", "0.4,0.1,9,10,20,30", "--degrees", "--nearest", code=1)
     assert re.search(r"\nnot reached: 8\.\d+ m and \S+ deg are missing by least squares\n", out)
 
 
-def test_the_nearest_alone(capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_nearest_alone(capsys: Capture) -> None:
     near = "0.1,-0.5,0.4,0.2,0.9,0.3"
     data = json.loads(ik(capsys, "puma560", "--of", near, "--near", near, "--nearest", "--json")[0])
     (pose,) = data["poses"]
@@ -73,13 +67,13 @@ def test_the_nearest_alone(capsys: pytest.CaptureFixture[str]) -> None:
     assert out.splitlines()[-1] == "reached"
 
 
-def test_a_pose_out_of_reach(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_pose_out_of_reach(capsys: Capture) -> None:
     out, err = ik(capsys, "puma560", "--pose", "3,0,0,0,0,0", code=1)
     assert "not reached: 2." in out
     assert err == "robodyn: error: puma560 does not reach the pose; move it into the arm's reach\n"
 
 
-def test_by_least_squares_less_is_missing_than_of_any_branch(capsys: pytest.CaptureFixture[str]) -> None:
+def test_by_least_squares_less_is_missing_than_of_any_branch(capsys: Capture) -> None:
     out, _ = ik(capsys, "ur5", "--pose", "1.2,0,0.3,0,1,0", "--json", code=1)
     (pose,) = json.loads(out)["poses"]
     assert pose["reached"] == 0
@@ -92,7 +86,7 @@ def test_by_least_squares_less_is_missing_than_of_any_branch(capsys: pytest.Capt
     assert missing(pose["nearest"]) < min(map(missing, pose["branches"])) < 1
 
 
-def test_a_redundant_arm_reaches_a_pose_with_its_joint_elsewhere(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_redundant_arm_reaches_a_pose_with_its_joint_elsewhere(capsys: Capture) -> None:
     of, near = "-1.52,0.16,-0.75,-0.21,0.73,0.23,-2.82", "0,0,0,-0.5,0,1,-1.5"
     out, _ = ik(capsys, "panda", "--of", of, "--near", near)
     assert out.endswith(
@@ -100,7 +94,7 @@ def test_a_redundant_arm_reaches_a_pose_with_its_joint_elsewhere(capsys: pytest.
     )
 
 
-def test_a_file_of_poses_of_a_redundant_arm(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+def test_a_file_of_poses_of_a_redundant_arm(capsys: Capture, tmp_path: Path) -> None:
     file = tmp_path / "poses.csv"
     file.write_text("x,y,z,roll,pitch,yaw\n0.4,0.1,0.5,0,3,0\n0.4,0.1,9,0,3,0\n", encoding="utf-8")
     out, err = ik(capsys, "panda", "--poses", str(file), code=1)
