@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 
+from cli.command import Capture, run
 from robodyn.bench.parallel_bench import Measured
 from robodyn.bench.plan import chosen, parse_deadline, parse_target, plans
 from robodyn.report.benchmarks import time_text
@@ -17,18 +18,7 @@ from robodyn.robot import bundled_text, load
 from robodyn.schedule.tasks import FLOPS_PER_TASK
 from robodyn.targets import TARGETS, planned_targets
 from robodyn.thesis.printed import LEVELS_STANFORD, TIMES_STANFORD
-from robodyn_cli.main import main
 from robodyn_testing import require_tool
-
-Capture = pytest.CaptureFixture[str]
-
-
-def run(capsys: Capture, *arguments: str, code: int = 0) -> tuple[str, str]:
-    assert main(list(arguments)) == code
-    out, err = capsys.readouterr()
-    assert "Traceback" not in err
-    return out, err
-
 
 # --- bench --------------------------------------------------------------------------------------------------
 

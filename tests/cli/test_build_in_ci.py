@@ -14,6 +14,7 @@ from typing import Any
 import pytest
 import yaml
 
+from cli.command import environment
 from records.made import ELBOW
 from robodyn_cli.build import command
 from robodyn_cli.main import main
@@ -76,12 +77,11 @@ def test_the_script_of_the_action_compares_with_another_revision(
 
     def check(against: str = "", junit: str = "") -> int:
         summary.write_text("before\n")
-        imports = os.pathsep.join(path for path in sys.path if path)
-        path = os.pathsep.join([str(programs), os.environ["PATH"]])
-        own = {"FILE": "robodyn.toml", "AGAINST": against, "JUNIT": junit}
-        environment = {**os.environ, **own, "PATH": path, "PYTHONPATH": imports}
-        environment["GITHUB_STEP_SUMMARY"] = str(summary)
-        done = subprocess.run([shutil.which("bash") or "", str(SCRIPT)], env=environment, check=False)
+        variables = environment(
+            FILE="robodyn.toml", AGAINST=against, JUNIT=junit, GITHUB_STEP_SUMMARY=str(summary),
+            PATH=os.pathsep.join([str(programs), os.environ["PATH"]]),
+        )  # fmt: skip
+        done = subprocess.run([shutil.which("bash") or "", str(SCRIPT)], env=variables, check=False)
         return done.returncode
 
     git("init", "--quiet", "--initial-branch=trunk")

@@ -13,11 +13,10 @@ from time import monotonic
 
 import pytest
 
+from cli.command import Capture, run
+from cli.command import environment as processes_see
 from robodyn_cli.completion import SHELLS, script
-from robodyn_cli.main import main
 from robodyn_testing.wanted import require_module, require_tool
-
-Capture = pytest.CaptureFixture[str]
 
 PLACES = {
     "bash": ".local/share/bash-completion/completions/robodyn",
@@ -32,12 +31,6 @@ def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         monkeypatch.delenv(name, raising=False)
     monkeypatch.setenv("HOME", str(tmp_path))
     return tmp_path
-
-
-def run(capsys: Capture, line: str, code: int = 0) -> tuple[str, str]:
-    assert main(line.split()) == code, capsys.readouterr().err
-    captured = capsys.readouterr()
-    return captured.out, captured.err
 
 
 class TestInstalling:
@@ -76,22 +69,19 @@ class TestInstalling:
         path.parent.mkdir(parents=True)
         path.write_text("mine", encoding="utf-8")
         for option in ("--install", "--uninstall"):
-            _, err = run(capsys, f"completion fish {option}", 2)
+            _, err = run(capsys, f"completion fish {option}", code=2)
             assert f"{path} is not a script of robodyn" in err
         assert path.read_text(encoding="utf-8") == "mine"
 
     def test_the_shell_is_that_of_the_environment(
         self, home: Path, monkeypatch: pytest.MonkeyPatch, capsys: Capture
     ) -> None:
-        assert "no shell is named" in run(capsys, "completion", 2)[1]
+        assert "no shell is named" in run(capsys, "completion", code=2)[1]
         monkeypatch.setenv("SHELL", "/usr/bin/zsh")
         assert run(capsys, "completion")[0] == script("zsh")
         assert json.loads(run(capsys, "completion fish --json")[0])["script"] == script("fish")
         monkeypatch.setenv("SHELL", "/bin/tcsh")
-        assert "the shell 'tcsh'; expected one of bash, zsh, fish" in run(capsys, "completion", 2)[1]
-
-    def test_one_thing_at_a_time(self, home: Path, capsys: Capture) -> None:
-        assert "contradict" in run(capsys, "completion bash --install --uninstall", 2)[1]
+        assert "the shell 'tcsh'; expected one of bash, zsh, fish" in run(capsys, "completion", code=2)[1]
 
 
 class Terminal:
@@ -149,13 +139,8 @@ def environment(home: Path, capsys: Capture) -> dict[str, str]:
     (home / "results").mkdir()
     for shell in SHELLS:
         run(capsys, f"completion {shell} --install")
-    return {
-        **os.environ,
-        "HOME": str(home),
-        "PATH": f"{program.parent}:{os.environ['PATH']}",
-        "TERM": "dumb",
-        "PYTHONPATH": os.pathsep.join(sys.path),
-    }
+    path = f"{program.parent}:{os.environ['PATH']}"
+    return processes_see(HOME=str(home), PATH=path, TERM="dumb")
 
 
 @pytest.fixture
