@@ -41,8 +41,8 @@ _PICTURES: Final = (".svg", ".png")
 _LARGEST: Final = 50_000_000
 #: Runs longer than this [s] show their progress on a terminal.
 _LONG: Final = 1.0
-#: Relative energy error up to which there is no warning.
-_BALANCED: Final = 1e-3
+#: Relative energy error above which the command warns.
+_ENERGY_TOLERANCE: Final = 1e-3
 
 
 @click.command()
@@ -61,33 +61,37 @@ def command(robot: str, output: str | None, picture: str | None, strict: bool, *
     """
     settings = SimulationOptions(**options)
     settings.check()
-    described = load_robot(robot, strict=strict)
-    target = _target(described, output)
-    drawn = None if picture is None else _picture_file(picture)
+    robot_model = load_robot(robot, strict=strict)
+    target = _target(robot_model, output)
+    picture_path = None if picture is None else _picture_file(picture)
     if target is None and as_json():
         raise InputError("--json and -o - both write to stdout", remedy="remove one of them")
     inputs = (robot, settings.torque, settings.trajectory, settings.model)
-    spare_inputs((file for file in (target, drawn) if file is not None), [name for name in inputs if name])
-    exactly("--from", settings.start, described)
-    exactly("--speed", settings.speed, described)
+    spare_inputs(
+        (file for file in (target, picture_path) if file is not None), [name for name in inputs if name]
+    )
+    exactly("--from", settings.start, robot_model)
+    exactly("--speed", settings.speed, robot_model)
     for name_, positions in (("--from", settings.start), ("--to", settings.to)):
-        _check_turns(described, name_, positions, strict)
-    values = parameter_values(described, settings.param)
-    sensors = _sensors(described, settings)
-    run, what = _run(described, settings, values)
-    log = _log(run, sensors, settings, what, robot)
+        _check_turns(robot_model, name_, positions, strict)
+    values = parameter_values(robot_model, settings.param)
+    sensors = _sensors(robot_model, settings)
+    run, setup = _run(robot_model, settings, values)
+    log = _log(run, sensors, settings, setup, robot)
     from robodyn.report.run import to_text, warnings_of
 
     files: dict[str, str | bytes] = {} if target is None else log.files(str(target))
     pictures: dict[str, str | bytes] = {}
-    if drawn is not None:
+    if picture_path is not None:
         from robodyn.report.run import motion_picture
 
-        pictures[str(drawn)] = motion_picture(described, log, drawn.suffix[1:].lower(), what.reference)
+        pictures[str(picture_path)] = motion_picture(
+            robot_model, log, picture_path.suffix[1:].lower(), setup.reference
+        )
     check_outputs(Path(), pictures, named=True)
     write_files(Path(), files, named=output is not None)
     write_files(Path(), pictures, named=True)
-    summary = _summary(run, log, settings, what, [*files, *pictures])
+    summary = _summary(run, log, settings, setup, [*files, *pictures])
     if target is None:
         click.echo(log.csv(), nl=False)
     if as_json():
@@ -95,7 +99,7 @@ def command(robot: str, output: str | None, picture: str | None, strict: bool, *
     else:
         for line in to_text(summary):
             click.echo(line, err=target is None)
-    for text in warnings_of(run, _BALANCED, what.reference):
+    for text in warnings_of(run, _ENERGY_TOLERANCE, setup.reference):
         talk(f"robodyn: warning: {text}")
 
 
@@ -117,7 +121,7 @@ def _target(robot: Robot, output: str | None) -> Path | None:
 
 
 def _check_turns(robot: Robot, option: str, positions: tuple[float, ...] | None, strict: bool) -> None:
-    """Doubt positions in degrees; refuse them if ``strict``."""
+    """Warn about revolute positions beyond one turn, which may be degrees; refuse them if ``strict``."""
     from robodyn.simulate.limits import beyond_a_turn
 
     if positions is None or len(positions) != robot.n:
@@ -160,8 +164,8 @@ def _sensors(robot: Robot, settings: SimulationOptions) -> Sensors:
         if linear:
             talk(
                 "robodyn: note: --encoder-bits does not apply to prismatic joints "
-                f"({', '.join(str(i + 1) for i in linear)}), which are exact; "
-                "--position-resolution sets the step of each joint"
+                f"({', '.join(str(i + 1) for i in linear)}): their positions are logged without rounding; "
+                "use --position-resolution to set the resolution of each joint"
             )
     noise: dict[str, Any] = {
         name: spread(f"--{name.replace('_', '-')}", getattr(settings, name), robot)
@@ -178,11 +182,11 @@ def _run(robot: Robot, settings: SimulationOptions, values: Mapping[str, float])
     from robodyn.simulate.simulation import simulate
     from robodyn_cli.driving import driven
 
-    what = driven(robot, settings, values)
-    samples = what.duration * settings.rate
+    setup = driven(robot, settings, values)
+    samples = setup.duration * settings.rate
     for words, count, unit in (
         ("a log", samples, "samples"),
-        ("a run", what.duration / settings.fixed_step, "steps"),
+        ("a run", setup.duration / settings.fixed_step, "steps"),
     ):
         if count * robot.n > _LARGEST:
             raise InputError(
@@ -193,28 +197,28 @@ def _run(robot: Robot, settings: SimulationOptions, values: Mapping[str, float])
     if samples < 1 - 1e-9:
         raise InputError(
             "the log would have one sample",
-            found=f"{what.duration:g} s at {settings.rate:g} Hz",
+            found=f"{setup.duration:g} s at {settings.rate:g} Hz",
             remedy="a higher --rate",
         )
     rtol, atol = settings.tolerances
-    begun = time.monotonic()
-    with progress.line() as shown:
+    start_time = time.monotonic()
+    with progress.line() as progress_line:
 
-        def tell(reached: float) -> None:
-            if time.monotonic() - begun > _LONG:
-                shown.tell(f"robodyn: {robot.name}: {reached:.3f} of {what.duration:g} s")
+        def show_progress(reached: float) -> None:
+            if time.monotonic() - start_time > _LONG:
+                progress_line.tell(f"robodyn: {robot.name}: {reached:.3f} of {setup.duration:g} s")
 
         run = simulate(
-            robot, what.drive, duration=what.duration, sample_period=1 / settings.rate, plant=what.plant,
+            robot, setup.drive, duration=setup.duration, sample_period=1 / settings.rate, plant=setup.plant,
             start=settings.start if settings.drive != "line" else None, speed=settings.speed,
             method=settings.solver, step=settings.fixed_step, rtol=rtol, atol=atol, parameters=values,
-            progress=tell,
+            progress=show_progress,
         )  # fmt: skip
-    return run, what
+    return run, setup
 
 
-def _log(run: Simulation, sensors: Sensors, settings: SimulationOptions, what: Driven, spec: str) -> Log:
-    """The log of the sensors, with its provenance."""
+def _log(run: Simulation, sensors: Sensors, settings: SimulationOptions, setup: Driven, spec: str) -> Log:
+    """The log as the sensors measure the run, with its provenance."""
     from dataclasses import replace
 
     from robodyn.formats.loading import text_of
@@ -222,7 +226,7 @@ def _log(run: Simulation, sensors: Sensors, settings: SimulationOptions, what: D
 
     robot = run.plant.robot
     options = {
-        "drive": what.description, "from": run.q[0], "speed": run.qd[0], "duration": what.duration,
+        "drive": setup.description, "from": run.q[0], "speed": run.qd[0], "duration": setup.duration,
         "rate": settings.rate, "parameters": run.parameters,
     }  # fmt: skip
     if settings.solver == "adaptive":
@@ -238,7 +242,7 @@ def _log(run: Simulation, sensors: Sensors, settings: SimulationOptions, what: D
 
 
 def _summary(
-    run: Simulation, log: Log, settings: SimulationOptions, what: Driven, files: list[str]
+    run: Simulation, log: Log, settings: SimulationOptions, setup: Driven, files: list[str]
 ) -> dict[str, Any]:
     """The run as ``--json`` prints it."""
     from robodyn.report.run import joint_rows
@@ -246,11 +250,11 @@ def _summary(
     return {
         "robot": run.plant.robot.name,
         "files": files,
-        "duration": what.duration,
+        "duration": setup.duration,
         "samples": log.samples,
         "rate": settings.rate,
-        "drive": {key: value for key, value in what.description.items() if key != "trajectory"},
+        "drive": {key: value for key, value in setup.description.items() if key != "trajectory"},
         "solver": {"method": settings.solver, **run.record.counters},
         "energy": run.balance().to_dict(),
-        "joints": joint_rows(run, what.reference),
+        "joints": joint_rows(run, setup.reference),
     }

@@ -52,8 +52,8 @@ def test_it_holds_the_joint_at_its_dead_centre_and_whether_it_pulls_or_pushes() 
 @pytest.mark.parametrize(
     ("joint", "keys", "message"),
     [
-        ("prismatic", "torque: 1", "a crank, which a prismatic joint does not have"),
-        ("revolute", "torque: 1, ratio: 1", "ratio is that of pivots that nearly meet"),
+        ("prismatic", "torque: 1", "torque needs a crank, and a prismatic joint has none"),
+        ("revolute", "torque: 1, ratio: 1", "ratio is so large that pivots nearly meet"),
         ("revolute", "torque: 1, rise: -2", "rise is negative"),
         ("revolute", "torque: 1, dead_center: 2000", "dead_center is so many turns"),
         ("revolute", "torque: -1", "torque is negative"),

@@ -1,4 +1,4 @@
-"""Files that are not XML by the letter, or not in UTF-8: the arm that other readers see, and a warning."""
+"""Files that are not well-formed XML, or not in UTF-8: the arm that other readers see, and a warning."""
 
 from __future__ import annotations
 
@@ -105,15 +105,15 @@ REFUSED: dict[str, tuple[bytes, str]] = {
     ),
     "utf-16 that is none": (
         (DECLARED % "UTF-16" + ARM).encode(),
-        ":1:31: the file is not in the encoding that it declares; found 'UTF-16', and text in characters of",
+        ":1:31: the file is not in the encoding that it declares; found 'UTF-16', but the text is in a",
     ),
     "utf-8 that is utf-16": (
         (DECLARED % "utf-8" + ARM).encode("utf-16"),
-        ":1:31: the file is not in the encoding that it declares; found 'utf-8', and text in UTF-16",
+        ":1:31: the file is not in the encoding that it declares; found 'utf-8', but the text is UTF-16",
     ),
     "half a character": ((COMMENT + ARM).encode("utf-16") + b"<", "the file is not UTF-16 text"),
     "unknown": ((DECLARED % "klingon" + ARM).encode(), ":1:31: the encoding that the file declares is not"),
-    "no text": ((DECLARED % "zlib_codec" + ARM).encode(), "declares is not read; found 'zlib_codec'"),
+    "no text": ((DECLARED % "zlib_codec" + ARM).encode(), "declares is not supported; found 'zlib_codec'"),
     "words first": (b'words <?xml version="1.0"?>' + ARM.encode(), ":1:1: the file is not XML"),
     "comment first": (b'<!-- x --><?xml version="1.0"?>' + ARM.encode(), ":1:11: the file is not XML"),
     "after a mend": (f"\n<!-- -- -->\n{ARM[:-8]}</x>".encode(), "the file is not XML; found mismatched tag"),

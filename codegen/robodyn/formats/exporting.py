@@ -1,4 +1,4 @@
-"""A robot as the text of a URDF, MJCF or SDF file."""
+"""Export of a robot to URDF, MJCF or SDF."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ from robodyn.formats.writers.parts import Parts, parts_of
 from robodyn.robot.model import Robot
 from robodyn.robot.names import shown
 
-#: Formats that are written, and the ending of their files.
+#: The export formats and their file extensions.
 TARGETS: Final = {"urdf": ".urdf", "mjcf": ".xml", "sdf": ".sdf"}
 _WRITERS: Final[dict[str, Callable[[Parts], Tag]]] = {"urdf": urdf.root, "mjcf": mjcf.root, "sdf": sdf.root}
-_FEW: Final = ", which few readers know"
-#: What each format does not say, and in which words all the same.
+_RARE: Final = ", which few programs read"
+#: Quantities without a standard element in a format, and the non-standard attribute that has it, if any.
 _MISSING: Final = {
     "urdf": {
-        "rotor inertias": f", but for the attribute 'armature' of <dynamics>{_FEW}",
-        "limits of acceleration": f", but for an attribute 'acceleration' of <limit>{_FEW}",
+        "rotor inertias": f", except as the attribute 'armature' of <dynamics>{_RARE}",
+        "limits of acceleration": f", except as the attribute 'acceleration' of <limit>{_RARE}",
     },
     "mjcf": {"limits of velocity": "", "limits of acceleration": ""},
     "sdf": {"rotor inertias": "", "gear ratios": "", "limits of acceleration": ""},
@@ -29,8 +29,11 @@ _MISSING: Final = {
 
 @dataclass(frozen=True, slots=True)
 class Exported:
-    """The text of a file in another format; ``names``: those of the joints in it, base to tip; ``remarks``:
-    what it says in other numbers or words; ``missing``: what it does not say of the robot."""
+    """The ``text`` of a file in another ``format``.
+
+    ``names``: names of the joints in the file, base to tip. ``remarks``: names and values that differ from
+    those of the robot. ``missing``: properties of the robot that the file does not contain.
+    """
 
     format: str
     text: str
@@ -42,13 +45,13 @@ class Exported:
 def export_arm(robot: Robot, to: str) -> Exported:
     """``robot`` in the format ``to``: urdf, mjcf or sdf.
 
-    Torques, poses and joint coordinates are those of the robot; frames of links are those of the description,
-    with the z axis along the joint's. Geometry is for pictures only.
+    The exported model has the torques, poses and joint coordinates of the robot. Link frames are those of the
+    description: the z axis is the joint's axis. Geometry is for pictures only.
 
     Raises
     ------
-    InputError: the format is unknown, or the robot has run-time parameters (:meth:`Robot.at` gives them
-        values).
+    InputError: the format is unknown, or the robot has run-time parameters (set them with
+        :meth:`Robot.at`).
     """
     if to not in _WRITERS:
         raise InputError("the format is unknown", found=shown(to), expected=", ".join(_WRITERS))
@@ -60,7 +63,7 @@ def export_arm(robot: Robot, to: str) -> Exported:
     ]
     loads = [entry.effect for entry in robot.effects if entry.definition.traits.body]
     notes += [f"in the last link: {', '.join(loads)}"] if loads else []
-    if to != "urdf":  # readers of the others refuse links without mass
+    if to != "urdf":  # readers of MJCF and SDF refuse links without mass
         from robodyn.formats.writers.physical import physical
 
         joints, changed = physical(parts.joints)
@@ -72,7 +75,7 @@ def export_arm(robot: Robot, to: str) -> Exported:
 
 
 def _missing(parts: Parts, to: str) -> list[str]:
-    """What is in ``parts`` and not in a file of that format."""
+    """The properties of ``parts`` that a file of the format ``to`` does not contain."""
     missing = []
     if to == "urdf":
         springs = ", ".join(joint.name for joint in parts.joints if joint.spring)
@@ -80,10 +83,10 @@ def _missing(parts: Parts, to: str) -> list[str]:
         if parts.gravity != (0.0, 0.0, -9.81):
             gravity = f"gravity, {decimals(parts.gravity)} m/s^2"
             missing.append(f"{gravity}: set it in the program that reads the file")
-    stated = {
+    has_value = {
         "rotor inertias": any(joint.motor_inertia for joint in parts.joints),
         "gear ratios": any(joint.gear for joint in parts.joints),
         "limits of velocity": any(joint.limits.velocity is not None for joint in parts.joints),
         "limits of acceleration": any(joint.limits.acceleration is not None for joint in parts.joints),
     }
-    return missing + [what + words for what, words in _MISSING[to].items() if stated[what]]
+    return missing + [what + words for what, words in _MISSING[to].items() if has_value[what]]

@@ -1,4 +1,4 @@
-"""Second encoders, on the links: which can be used, and whether they follow their joints."""
+"""Link encoders (second encoders, behind the gear): are they usable, and do they follow their joints?"""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Mask = NDArray[np.bool_]
 
 
 def with_usable_links(log: Log, flags: list[Flag]) -> Log:
-    """``log`` without the second encoders that have no number in too many rows."""
+    """``log`` without the link encoders whose readings are invalid in too many rows."""
     if log.ql is None:
         return log
     drop = []
@@ -24,7 +24,7 @@ def with_usable_links(log: Log, flags: list[Flag]) -> Log:
         share = float(broken.mean())
         if share > GARBAGE_SHARE:
             drop.append(j)
-            text = f"no number, or one beyond {BOUNDS['ql']:g}, in {share:.0%} of the rows: not used"
+            text = f"missing or beyond {BOUNDS['ql']:g} in {share:.0%} of the rows: the encoder is not used"
             spans = spans_of(np.flatnonzero(broken), log.t)
             flags.append(Flag("link_encoder_unusable", f"ql{j + 1}", spans, text, (j + 1,)))
     if not drop:
@@ -35,13 +35,13 @@ def with_usable_links(log: Log, flags: list[Flag]) -> Log:
 
 
 def links_garbage(log: Log, flags: list[Flag]) -> Mask:
-    """Rows [K] in which a second encoder has no number, or an absurd one."""
+    """The rows [K] in which a reading of a link encoder is missing or absurdly large."""
     bad = np.zeros(log.samples, dtype=bool)
     for j in log.linked:
         broken = _broken(log, j)
         if broken.any():
             rows = count(int(broken.sum()))
-            text = f"no number, or one beyond {BOUNDS['ql']:g}, in {rows}, left out"
+            text = f"missing or beyond {BOUNDS['ql']:g} in {rows}, left out"
             spans = spans_of(np.flatnonzero(broken), log.t)
             flags.append(Flag("garbage", f"ql{j + 1}", spans, text, (j + 1,)))
             bad |= broken
@@ -49,11 +49,11 @@ def links_garbage(log: Log, flags: list[Flag]) -> Mask:
 
 
 def check_links(log: Log, source: str | None) -> None:
-    """Refuse second encoders that do not follow their joints.
+    """Refuse link encoders that do not follow their joints.
 
     Raises
     ------
-    InputError: one moves by another factor than its joint: another unit, sign or joint.
+    InputError: a link encoder does not move one to one with its joint (wrong unit, sign or joint).
     """
     if log.ql is None:
         return
@@ -68,7 +68,7 @@ def check_links(log: Log, source: str | None) -> None:
                 source,
                 f"ql{j + 1} does not follow q{j + 1}",
                 found=f"it moves {slope:.3g} times as far",
-                expected=f"the same joint behind its gear: 1, to {LINK_SLOPE:.0%}",
+                expected=f"1, within {LINK_SLOPE:.0%}: both measure the same joint",
                 remedy="correct its unit or sign, or give the column of the right joint",
             )
 

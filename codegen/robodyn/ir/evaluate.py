@@ -9,7 +9,7 @@ from typing import Any
 
 from robodyn.ir.program import STATE, Input, Iteration, Operand, Program
 
-#: Functions over float; give others for other scalars.
+#: Functions on floats. Other scalars need functions of their own (see :func:`evaluate`).
 REAL_FUNCTIONS: dict[str, Callable[..., Any]] = {
     "sin": math.sin,
     "cos": math.cos,
@@ -24,11 +24,11 @@ REAL_FUNCTIONS: dict[str, Callable[..., Any]] = {
 
 
 def selected(condition: Any, a: Any, b: Any) -> Any:
-    """``a`` where ``condition`` is more than 0, else ``b``; element by element where it is a numpy array."""
+    """``a`` if ``condition`` is positive, else ``b``; elementwise if ``condition`` is a numpy array."""
     if hasattr(condition, "dtype"):
         import numpy as np
 
-        return np.where(condition > 0, a, b)[()]  # of a single number a number
+        return np.where(condition > 0, a, b)[()]  # a scalar instead of a 0-d array
     return a if condition > 0 else b
 
 
@@ -39,20 +39,20 @@ def evaluate(
     constant: Callable[[Fraction], Any] = float,
     functions: Mapping[str, Callable[..., Any]] = REAL_FUNCTIONS,
 ) -> dict[str, list[Any]]:
-    """Run ``program`` on ``inputs``; the outputs by name.
+    """Run ``program`` on ``inputs`` and return its outputs by name.
 
     ``constant`` turns a constant into the scalar in use (``float``, ``Fraction``, ``sympy.Rational``...);
-    ``functions`` has ``sin cos sqrt tanh sign abs exp pow atan2`` over that scalar, those that the program
-    needs, and ``select`` where :func:`selected` does not do for it.
+    ``functions`` implements, for that scalar, those of ``sin cos sqrt tanh sign abs exp pow atan2`` that the
+    program uses. It also needs ``select`` if :func:`selected` does not work for the scalar.
     """
     values: list[Any] = []
-    of = {"select": selected, **functions}
+    implementations = {"select": selected, **functions}
     if program.iteration is not None:
 
         def run(part: Program, inputs: Mapping[Input, Any]) -> list[Any]:
             return evaluate(part, inputs, constant=constant, functions=functions)[STATE]
 
-        inputs = {**inputs, **_iterated(program.iteration, inputs, run, of["select"])}
+        inputs = {**inputs, **_run_iteration(program.iteration, inputs, run, implementations["select"])}
 
     def value(operand: Operand) -> Any:
         if isinstance(operand, int):
@@ -74,24 +74,27 @@ def evaluate(
         elif op == "neg":
             values.append(-x)
         else:
-            values.append(of[op](x, *[value(arg) for arg in args[1:]]))
+            values.append(implementations[op](x, *[value(arg) for arg in args[1:]]))
     return {name: [value(operand) for operand in elements] for name, elements in program.outputs}
 
 
-def _iterated(
+def _run_iteration(
     iteration: Iteration,
     inputs: Mapping[Input, Any],
     run: Callable[[Program, Mapping[Input, Any]], list[Any]],
     select: Callable[..., Any],
 ) -> dict[Input, Any]:
-    """What ``iteration`` leaves in its array; of arrays of numbers each stops where it is done."""
+    """Run ``iteration`` and return the final values of its array.
+
+    If the values are numpy arrays of samples, a sample keeps its values once it has converged.
+    """
     size = iteration.size
     numbers = run(iteration.start, inputs)
     for first in range(0, len(numbers), size):
         row = numbers[first : first + size]
         for _ in range(iteration.most):
-            done = row[-1] > 0
-            if done.all() if hasattr(done, "dtype") else done:
+            converged = row[-1] > 0
+            if converged.all() if hasattr(converged, "dtype") else converged:
                 break
             state = {Input(STATE, k): x for k, x in enumerate(row)}
             new = run(iteration.step, {**inputs, **state})
@@ -103,17 +106,17 @@ def _iterated(
 AngleForm = tuple[tuple[tuple[Input, int | Fraction], ...], Fraction]
 
 
-def angle_form(program: Program, operand: Operand, known: dict[int, AngleForm] | None = None) -> AngleForm:
+def angle_form(program: Program, operand: Operand, cache: dict[int, AngleForm] | None = None) -> AngleForm:
     """The argument of a sine or cosine as multiples of inputs plus a constant [rad].
 
-    ``known`` remembers the forms of operations from call to call.
+    ``cache`` keeps the forms of operations between calls.
     """
     if isinstance(operand, Fraction):
         return (), operand
     if isinstance(operand, Input):
         return ((operand, 1),), Fraction(0)
-    if known is not None and operand in known:
-        return known[operand]
+    if cache is not None and operand in cache:
+        return cache[operand]
     op, args, _ = program.operations[operand]
     factors: tuple[int | Fraction, ...]
     if op == "mul" and isinstance(args[0], Fraction):
@@ -125,20 +128,20 @@ def angle_form(program: Program, operand: Operand, known: dict[int, AngleForm] |
     total: dict[Input, int | Fraction] = {}
     constant = Fraction(0)
     for factor, arg in zip(factors, args, strict=True):
-        terms, rest = angle_form(program, arg, known)
+        terms, rest = angle_form(program, arg, cache)
         constant += factor * rest
         for name, multiple in terms:
             total[name] = _whole(total.get(name, 0) + factor * multiple)
     form = tuple(sorted((name, m) for name, m in total.items() if m)), constant
-    if known is not None:
-        known[operand] = form
+    if cache is not None:
+        cache[operand] = form
     return form
 
 
-def is_angle(program: Program, operand: Operand, known: dict[int, AngleForm] | None = None) -> bool:
+def is_angle(program: Program, operand: Operand, cache: dict[int, AngleForm] | None = None) -> bool:
     """Whether ``operand`` has an :func:`angle_form`."""
     try:
-        angle_form(program, operand, known)
+        angle_form(program, operand, cache)
     except ValueError:
         return False
     return True
@@ -153,7 +156,7 @@ Circle = tuple[Any, Any]
 
 
 def turn(first: Circle, second: Circle) -> Circle:
-    """The point of the circle whose angle is the sum of two angles, each as (cos, sin)."""
+    """The sum of two angles, all as points (cos, sin) of the unit circle."""
     (c, s), (e, f) = first, second
     return c * e - s * f, s * e + c * f
 
@@ -166,12 +169,12 @@ def evaluate_exact(
 ) -> dict[str, list[Fraction]]:
     """Run ``program`` on rationals, without rounding.
 
-    ``points`` gives for each joint angle a rational point (cos, sin) of the unit circle, and
-    ``constant_point`` the one for a constant angle; sines and cosines of sums follow exactly.
+    ``points`` has a rational point (cos, sin) of the unit circle for each joint angle. ``constant_point``
+    returns such a point for a constant angle. Sums of angles are then exact as well.
     """
-    known: dict[int, AngleForm] = {}
+    cache: dict[int, AngleForm] = {}
     arguments = [op.args[0] for op in program.operations if op.op in ("sin", "cos")]
-    forms = iter([angle_form(program, argument, known) for argument in arguments])
+    forms = iter([angle_form(program, argument, cache) for argument in arguments])
 
     def point() -> Circle:
         terms, constant = next(forms)

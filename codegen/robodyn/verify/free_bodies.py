@@ -1,13 +1,13 @@
-"""Force and moment in every joint by d'Alembert's principle, over many states, of floats or Fractions.
+"""Joint reaction forces and moments by d'Alembert's principle, at many states, in floats or exact Fractions.
 
-Nothing is shared with recursions of velocities, accelerations or forces, neither the reference's nor those
-that kernels are made of: frames are 4x4 transforms ``T_i`` in the base, differentiated twice in time, a body
-is its pseudo-inertia matrix ``J_i``, and
+The method is independent of the recursions over velocities, accelerations and forces that the reference and
+the kernels use. Link frames are 4x4 transforms ``T_i`` to the base, differentiated twice with respect to
+time. Each body is its pseudo-inertia matrix ``J_i``. Consider the matrix
 
     sum over i >= j of  (Tdd_i - G) J_i T_i^T,   G = [0 g; 0 0]
 
-has in its last column the force that joint j passes on, and in its skew part the moment about the base's
-origin (R. Paul, Robot Manipulators, chapter 6, has the matrices). Drives have no part in it.
+Its last column is the force that joint j transmits. Its skew part is the moment about the base's origin
+(R. Paul, Robot Manipulators, chapter 6, defines the matrices). Drives do not contribute.
 """
 
 from __future__ import annotations
@@ -35,34 +35,36 @@ def joint_reactions(
     *,
     exact: bool = False,
 ) -> Numbers:
-    """``[N, n, 6]``: force [N] and moment [N m] of the link before on each link, about the origin and along
-    the axes of the frame whose z is the joint's axis, at states ``[N, n]``, while ``w`` ``[N, 6]`` (along the
-    world's axes) pushes the tool; with ``exact`` of Fractions, right to 1e-28.
+    """Force [N] and moment [N m] that each link receives from the link before it: ``[N, n, 6]``.
+
+    Moments are about the origin of the joint's frame (z is the joint's axis), and components are along its
+    axes. States are ``[N, n]``. ``w`` ``[N, 6]`` is a wrench on the tool, along the world's axes. With
+    ``exact`` the results are Fractions with errors below 1e-28.
 
     Raises
     ------
     InputError: a run-time parameter has no value.
     """
     values, count = filled(robot, parameters), len(q)
-    kind: Any = object if exact else np.float64
+    dtype: Any = object if exact else np.float64
 
     def array(x: Any) -> Numbers:
-        """Exact numbers in the numbers in use."""
+        """Exact numbers, rounded to floats unless ``exact``."""
         entries = np.asarray(x, object)
         return entries if exact else entries.astype(np.float64)
 
     def as_numbers(x: Numbers) -> Numbers:
-        """Floats as exactly what they are."""
+        """Floats, converted to Fractions without rounding if ``exact``."""
         if not exact:
             return np.asarray(x, np.float64)
         return np.array([Fraction(float(e)) for e in x.flat], object).reshape(x.shape)
 
     base, tool = array(_frame(robot.base)), array(_frame(robot.tool))
     speeds, rates = as_numbers(qd), as_numbers(qdd)
-    g = np.zeros((4, 4), kind)
+    g = np.zeros((4, 4), dtype)
     g[:3, 3] = array(list(robot.base_gravity))
     T = np.broadcast_to(array(_frame(None)), (count, 4, 4))
-    Td, Tdd = np.zeros((2, count, 4, 4), kind)
+    Td, Tdd = np.zeros((2, count, 4, 4), dtype)
     frames, sums = [], []
     for k, link in enumerate(robot.links):
         joint = link.joint
@@ -71,7 +73,7 @@ def joint_reactions(
         )
         a, b, d = (array(exact_value(x, values)) for x in (joint.a, joint.b, joint.d))
         tilt = array([[1, 0, 0, a], [0, ca, -sa, ca * b], [0, sa, ca, sa * b], [0, 0, 0, 1]])
-        step, slope, second = np.zeros((3, count, 4, 4), kind)
+        step, slope, second = np.zeros((3, count, 4, 4), dtype)
         step[:, 2, 2] = step[:, 3, 3] = array(1)
         step[:, 2, 3] = d
         if joint.kind == "prismatic":
@@ -104,21 +106,21 @@ def joint_reactions(
         J = sum(array(_pseudo_inertia(*solid, values)) for solid in solids)
         frames.append(T)
         sums.append((Tdd - g) @ J @ np.swapaxes(T, 1, 2))
-    push, twist = np.zeros((2, count, 3), kind)
+    tool_force, tool_moment = np.zeros((2, count, 3), dtype)
     if w is not None:
-        acting = as_numbers(w)
-        push, twist = acting[:, :3] @ base[:3, :3], acting[:, 3:] @ base[:3, :3]
-        twist = twist + _cross((T @ tool)[:, :3, 3], push)
-    result = np.empty((count, robot.n, 6), kind)
-    total = np.zeros((count, 4, 4), kind)
+        wrench = as_numbers(w)
+        tool_force, tool_moment = wrench[:, :3] @ base[:3, :3], wrench[:, 3:] @ base[:3, :3]
+        tool_moment = tool_moment + _cross((T @ tool)[:, :3, 3], tool_force)
+    result = np.empty((count, robot.n, 6), dtype)
+    total = np.zeros((count, 4, 4), dtype)
     for k in reversed(range(robot.n)):
         total = total + sums[k]
-        force = total[:, :3, 3] - push
+        force = total[:, :3, 3] - tool_force
         S = total
         moment = np.stack(
             [S[:, 2, 1] - S[:, 1, 2], S[:, 0, 2] - S[:, 2, 0], S[:, 1, 0] - S[:, 0, 1]], axis=-1
         )
-        moment = moment - twist - _cross(frames[k][:, :3, 3], force)
+        moment = moment - tool_moment - _cross(frames[k][:, :3, 3], force)
         R = frames[k][:, :3, :3]
         for half, u in ((slice(0, 3), force), (slice(3, 6), moment)):
             result[:, k, half] = (u[:, None, :] @ R)[:, 0, :]
@@ -126,14 +128,14 @@ def joint_reactions(
 
 
 def _frame(place: Placement | None) -> list[list[Any]]:
-    """4x4, of exact numbers."""
+    """The 4x4 homogeneous transform of ``place``, exact."""
     rotation = place.rotation if place is not None else ((1, 0, 0), (0, 1, 0), (0, 0, 1))
     origin = place.xyz if place is not None else (0, 0, 0)
     return [*([*row, p] for row, p in zip(rotation, origin, strict=True)), [0, 0, 0, 1]]
 
 
 def _pseudo_inertia(mass: Any, com: Any, i: Inertia, values: Parameters) -> list[list[Any]]:
-    """The integral of ``[x; 1] [x; 1]^T dm``, exact."""
+    """The pseudo-inertia matrix: the integral of ``[x; 1] [x; 1]^T dm``, exact."""
     m, c = exact_value(mass, values), [exact_value(x, values) for x in com]
     xx, yy, zz, xy, xz, yz = (exact_value(x, values) for x in (i.xx, i.yy, i.zz, i.xy, i.xz, i.yz))
     half = (xx + yy + zz) / 2

@@ -1,9 +1,9 @@
-"""An arm as the axes of its joints: what inverse kinematics is written in terms of.
+"""Joint screw axes of an arm (product of exponentials), the model behind inverse kinematics.
 
-The pose that an arm gives the tool is a product of displacements, one a joint, about or along axes that stand
-where they are when all angles are 0: ``T = S1(theta1) ... Sn(thetan) T0`` (Brockett 1984; Murray, Li and
-Sastry, A Mathematical Introduction to Robotic Manipulation, 3.2). Angles are those of the Denavit-Hartenberg
-rows, the joints' own offsets included.
+The pose of the tool is a product of displacements, ``T = S1(theta1) ... Sn(thetan) T0`` (Brockett 1984;
+Murray, Li and Sastry, A Mathematical Introduction to Robotic Manipulation, 3.2). Each joint has one
+displacement, about or along its axis at rest, when all angles are 0. Angles are those of the
+Denavit-Hartenberg rows, including the joint offsets.
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ from robodyn.ir.evaluate import Circle
 
 
 def across(axis: Vector, v: Vector) -> Vector:
-    """What of ``v`` is perpendicular to the unit vector ``axis``."""
+    """The component of ``v`` perpendicular to the unit vector ``axis``."""
     return minus(v, scaled(dot(axis, v), axis))
 
 
 def turned(axis: Vector, angle: Circle, v: Vector) -> Vector:
-    """``v`` turned about the unit vector ``axis`` (Rodrigues)."""
+    """``v`` rotated about the unit vector ``axis`` (Rodrigues)."""
     along = scaled(dot(axis, v), axis)
     c, s = angle
     return plus(along, scaled(c, minus(v, along)), scaled(s, cross(axis, v)))
@@ -40,25 +40,25 @@ def opposite(angle: Circle) -> Circle:
 
 @dataclass(frozen=True, slots=True)
 class Axis:
-    """The axis of ``joint`` (from 0): its unit ``direction``, and a ``point`` [m] of it, any."""
+    """The axis of ``joint`` (from 0): its unit ``direction`` and any ``point`` [m] on it."""
 
     joint: int
     revolute: bool
     direction: Vector
     point: Vector
 
-    def undone(self, position: Any, v: Vector) -> Vector:
-        """A vector before the joint, at ``position`` (an angle, or a length), seen from behind it."""
+    def inverse_rotation(self, position: Any, v: Vector) -> Vector:
+        """Rotate a vector by the inverse of the joint's displacement ``position`` (an angle or a length)."""
         return turned(self.direction, opposite(position), v) if self.revolute else v
 
-    def point_behind(self, position: Any, point: Vector) -> Vector:
-        """A point before the joint, seen from behind it."""
+    def inverse_displacement(self, position: Any, point: Vector) -> Vector:
+        """Move a point by the inverse of the joint's displacement ``position``."""
         if not self.revolute:
             return minus(point, scaled(position, self.direction))
-        return plus(self.point, self.undone(position, minus(point, self.point)))
+        return plus(self.point, self.inverse_rotation(position, minus(point, self.point)))
 
     def reversed(self) -> Axis:
-        """The axis along which the same angles turn the other way."""
+        """The same axis with the opposite direction."""
         return replace(self, direction=scaled(-1, self.direction))
 
     def nearest(self, point: Vector) -> Vector:
@@ -67,12 +67,12 @@ class Axis:
         return plus(self.point, scaled(along, self.direction))
 
     def distance(self, point: Vector) -> float:
-        """From ``point`` to the axis [m], in floats."""
+        """The distance of ``point`` from the axis [m], in floats."""
         u = across(self.direction, minus(point, self.point))
         return sqrt(dot(u, u))
 
     def is_along(self, other: Axis) -> bool:
-        """Whether the directions of two axes are one line's, of exact numbers."""
+        """Whether two axes are parallel or antiparallel; their numbers must be exact."""
         return not any(cross(self.direction, other.direction))
 
     def slope(self, other: Axis) -> float:
@@ -82,7 +82,7 @@ class Axis:
 
 
 def feet(one: Axis, other: Axis) -> tuple[Vector, Vector]:
-    """The points of two axes that are nearest to each other; of parallel ones any such."""
+    """The end points of the common perpendicular of two axes; of one of them if the axes are parallel."""
     if one.is_along(other):
         return one.point, other.nearest(one.point)
     w, k = minus(other.point, one.point), dot(one.direction, other.direction)
@@ -92,31 +92,31 @@ def feet(one: Axis, other: Axis) -> tuple[Vector, Vector]:
 
 
 class Target(NamedTuple):
-    """The displacement that the joints have to add up to: it takes ``x`` to ``R (x - start) + end``."""
+    """The displacement that all joints together must produce: ``x`` moves to ``R (x - start) + end``."""
 
     rows: tuple[Vector, Vector, Vector]
     start: Vector
     end: Vector
 
     def placed(self, point: Vector) -> Vector:
-        """Where it takes ``point`` [m]."""
+        """``point`` [m] after the displacement."""
         return plus(self.turned(minus(point, self.start)), self.end)
 
     def turned(self, v: Vector) -> Vector:
-        """``R v``."""
+        """The rotated vector ``R v``."""
         x, y, z = self.rows
         return dot(x, v), dot(y, v), dot(z, v)
 
     def inverse(self) -> Target:
-        """The displacement back."""
+        """The inverse displacement."""
         x, y, z = zip(*self.rows, strict=True)
         return Target((x, y, z), self.end, self.start)
 
     def behind(self, axis: Axis, position: Any) -> Target:
-        """The displacement that is left behind ``axis``, its joint being at ``position``."""
-        columns = [axis.undone(position, column) for column in zip(*self.rows, strict=True)]
+        """The displacement left for the later joints once the first one, of ``axis``, is at ``position``."""
+        columns = [axis.inverse_rotation(position, column) for column in zip(*self.rows, strict=True)]
         x, y, z = zip(*columns, strict=True)
-        return Target((x, y, z), self.start, axis.point_behind(position, self.end))
+        return Target((x, y, z), self.start, axis.inverse_displacement(position, self.end))
 
 
 @dataclass(frozen=True, slots=True)
@@ -128,34 +128,39 @@ class Chain:
 
     @property
     def size(self) -> Fraction:
-        """No less than any lever of the arm at any position, and about its reach [m]."""
+        """Roughly the reach of the arm [m], and an upper bound of its lever arms at any position."""
         points = [*(axis.point for axis in self.axes), self.tool.origin]
         total = sum((abs(x) for one, other in pairwise(points) for x in minus(other, one)), Fraction(0))
         return total or Fraction(1)
 
     def reversed(self) -> Chain:
-        """The same joints from tip to base: they add up to the inverse displacement."""
+        """The same joints from tip to base; they produce the inverse displacement."""
         return replace(self, axes=tuple(axis.reversed() for axis in reversed(self.axes)))
 
     def without(self, place: int, position: Any) -> tuple[Axis, ...]:
-        """The other axes where the joint at ``place`` is at ``position``: those before it are seen from
-        behind it, so that all add up to the displacement that it leaves of a target."""
+        """The other axes, with the joint ``place`` fixed at ``position``.
+
+        The axes before it are moved by the inverse of its displacement. The product of the remaining
+        displacements is then the target with the fixed joint's displacement removed.
+        """
         fixed = self.axes[place]
 
-        def seen(axis: Axis) -> Axis:
-            direction = fixed.undone(position, axis.direction)
-            return replace(axis, direction=direction, point=fixed.point_behind(position, axis.point))
+        def move_behind(axis: Axis) -> Axis:
+            direction = fixed.inverse_rotation(position, axis.direction)
+            return replace(axis, direction=direction, point=fixed.inverse_displacement(position, axis.point))
 
-        return (*map(seen, self.axes[:place]), *self.axes[place + 1 :])
+        return (*map(move_behind, self.axes[:place]), *self.axes[place + 1 :])
 
     def through(self, points: dict[int, Vector]) -> Chain:
-        """The same axes, with these points of them by joint."""
+        """The same axes, each described by the point that ``points`` has for its joint."""
         axes = (replace(axis, point=points.get(axis.joint, axis.point)) for axis in self.axes)
         return replace(self, axes=tuple(axes))
 
     def target(self, pose: Sequence[Any], base: Frame) -> Target:
-        """What the joints have to add up to for the tool to be at ``pose`` [12], ``[R p]`` row by row, with
-        the frame of the arm at ``base``."""
+        """The displacement that brings the tool to ``pose`` [12], which is ``[R p]`` row by row.
+
+        ``base`` is the frame of the arm.
+        """
         columns = [(pose[k], pose[k + 4], pose[k + 8]) for k in range(4)]
         end = base.back(minus(columns.pop(), base.origin))
         x, y, z = map(base.back, columns)
@@ -165,17 +170,19 @@ class Chain:
 
 
 def chain_of(arm: Arm) -> Chain:
-    """The axes of ``arm`` at rest, of its description's exact numbers."""
+    """The axes of ``arm`` at rest, in the exact numbers of its description."""
     size = Fraction(max(1, *(abs(x) for body in arm.bodies for x in (body.a, body.b, body.d))))
 
     def clean(frame: Frame) -> Frame:
-        """``frame`` with what is nothing but the description's rounding taken for 0."""
+        """Set entries of ``frame`` to 0 that are within the rounding of the description."""
 
-        def of(u: Vector, size: Fraction | int = 1) -> Vector:
+        def drop_rounding(u: Vector, size: Fraction | int = 1) -> Vector:
             x, y, z = (Fraction(0) if abs(x) <= NEGLIGIBLE * size else Fraction(x) for x in u)
             return x, y, z
 
-        return Frame(of(frame.origin, size), of(frame.x), of(frame.y), of(frame.z))
+        return Frame(
+            drop_rounding(frame.origin, size), *(drop_rounding(u) for u in (frame.x, frame.y, frame.z))
+        )
 
     frame, axes = BASE, []
     for joint, body in enumerate(arm.bodies):
@@ -187,28 +194,32 @@ def chain_of(arm: Arm) -> Chain:
 
 
 def as_floats(chain: Chain, size: Fraction) -> Chain:
-    """The same in floats, lengths as shares of ``size``."""
+    """``chain`` in floats, with lengths divided by ``size``."""
 
-    def of(u: Vector, unit: Fraction | int = 1) -> Vector:
+    def to_floats(u: Vector, unit: Fraction | int = 1) -> Vector:
         return float(u[0] / unit), float(u[1] / unit), float(u[2] / unit)
 
-    axes = (replace(x, direction=of(x.direction), point=of(x.point, size)) for x in chain.axes)
+    axes = (replace(x, direction=to_floats(x.direction), point=to_floats(x.point, size)) for x in chain.axes)
     tool = chain.tool
-    return Chain(tuple(axes), Frame(of(tool.origin, size), of(tool.x), of(tool.y), of(tool.z)))
+    return Chain(
+        tuple(axes), Frame(to_floats(tool.origin, size), *(to_floats(u) for u in (tool.x, tool.y, tool.z)))
+    )
 
 
-# --- whether joints can move a tool in all directions -------------------------------------------------------
+# --- rank of the Jacobian -----------------------------------------------------------------------------------
 
 
 def least_motion(chain: Chain) -> float:
-    """Of ``chain``, in floats with lengths as shares of its size, the last pivot of its Jacobian (of the
-    tool's place for three joints or fewer, else of place and direction) in the best of some configurations:
-    more than rounding where it has full rank."""
+    """The last pivot of the Jacobian of ``chain``, the largest over several configurations.
+
+    It exceeds rounding if the Jacobian has full rank. ``chain`` is in floats, with lengths divided by its
+    size. For up to three joints the Jacobian is that of the tool's position alone.
+    """
     return max(_last_pivot(_jacobian_columns(chain, k)) for k in range(len(TRIED)))
 
 
 def _jacobian_columns(chain: Chain, start: int) -> list[list[float]]:
-    """What moves the tool, by joint, in one of several configurations."""
+    """The columns of the tool's Jacobian, from the last joint to the first, in configuration ``start``."""
     tip: Vector = chain.tool.origin
     columns: list[tuple[Vector, Vector]] = []
     for k in reversed(range(len(chain.axes))):
@@ -227,7 +238,7 @@ def _jacobian_columns(chain: Chain, start: int) -> list[list[float]]:
 
 
 def _last_pivot(rows: list[list[float]]) -> float:
-    """That of elimination with complete pivoting: 0 where the rows depend on each other."""
+    """The last pivot of Gaussian elimination with complete pivoting; 0 if the rows are linearly dependent."""
     pivot = 0.0
     for step in range(min(len(rows), len(rows[0]))):
         i, j = max(
