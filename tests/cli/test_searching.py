@@ -12,7 +12,6 @@ from fractions import Fraction
 from pathlib import Path
 
 import pytest
-from search.moment import search_for_a_moment
 
 from cli.command import Capture, environment, heed, run, run_json
 from records.made import ELBOW, arm, better, fast, recorded
@@ -26,6 +25,7 @@ from robodyn_cli import progress
 from robodyn_testing import representative
 from robodyn_testing.clocks import ticking
 from robodyn_testing.waiting import eventually
+from search.arms import search_for_a_moment
 
 pytestmark = pytest.mark.usefixtures("here")
 
