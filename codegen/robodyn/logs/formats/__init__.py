@@ -111,7 +111,7 @@ def readable(file: str) -> Iterator[None]:
     """
     try:
         yield
-    except (OSError, ValueError) as error:
+    except (OSError, ValueError, LookupError) as error:
         reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
         raise InputError("the log cannot be read", where=Place(file), found=reason.lower()) from None
     except MemoryError:
