@@ -108,7 +108,7 @@ class Workspace:
         write(self.folder / name, user.package.files())
         self.cmake(name, f"-DCMAKE_INSTALL_PREFIX={self.prefix}", "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Werror")
         tests = run("ctest", "--test-dir", f"build-{name}", cwd=self.folder)
-        assert "100% tests passed, 0 tests failed out of 1" in tests
+        assert "100% tests passed" in tests  # newer versions do not count those that failed
         run("cmake", "--install", f"build-{name}", cwd=self.folder)
         return name
 
