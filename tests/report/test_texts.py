@@ -14,7 +14,7 @@ from robodyn.effects.catalogue import CATALOGUE
 from robodyn.report import effects as report
 from robodyn.report.diagnosis_text import with_interval
 from robodyn.report.figures import with_error
-from robodyn_cli.effects import command
+from robodyn_cli.main import cli
 
 PAGE = Path(__file__).parents[2] / "docs" / "effects.md"
 
@@ -24,16 +24,17 @@ def test_the_committed_page_is_up_to_date() -> None:
 
 
 def test_one_effect_as_text_json_and_latex() -> None:
-    run = CliRunner()
-    one = run.invoke(command, ["spring"])
-    assert one.output == report.page(["spring"])
-    found = json.loads(run.invoke(command, ["spring", "--json"]).output)
+    def run(*words: str) -> str:
+        return CliRunner().invoke(cli, ["effects", *words]).output
+
+    assert run("spring") == report.page(["spring"])
+    found = json.loads(run("spring", "--json"))
     assert found["parameters"][0]["unit"] == "N m/rad"
     assert found["parameters"][0]["prismatic_unit"] == "N/m"
-    every = json.loads(run.invoke(command, ["--json"]).output)
+    every = json.loads(run("--json"))
     assert [each["effect"] for each in every] == list(CATALOGUE)
-    assert run.invoke(command, ["spring", "--latex"]).output.count("\\[") == 1
-    listed = run.invoke(command, []).output.splitlines()
+    assert run("spring", "--latex").count("\\[") == 1
+    listed = run().splitlines()
     assert [line.split()[0] for line in listed] == list(CATALOGUE)
 
 
