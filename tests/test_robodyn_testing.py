@@ -156,7 +156,7 @@ def test_what_nobody_offers_is_no_skip(small_suite: Path) -> None:
     assert "No module named 'hypothesys'" in run.stdout
 
 
-@pytest.mark.thorough
+@pytest.mark.slow
 def test_the_whole_suite_is_collected_without_optional_packages() -> None:
     run = collected([TESTS], wanted.OPTIONAL)
     assert run.returncode == 0, run.stdout[-3000:] + run.stderr[-3000:]

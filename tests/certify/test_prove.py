@@ -54,7 +54,9 @@ def with_c(made: Subject, old: str, new: str) -> Subject:
 
 @pytest.mark.parametrize(
     ("scalar", "trig"),
-    representative(itertools.product(["float", "double"], ["builtin", "given", "libm"]), ("double", "libm")),
+    representative(
+        itertools.product(["float", "double"], ["builtin", "given", "libm"]), ("double", "libm"), rest="slow"
+    ),
 )
 def test_eva_finds_no_alarm(tmp_path: Path, trig: str, scalar: str) -> None:
     require_tool("frama-c")
@@ -158,6 +160,7 @@ def test_a_kernel_that_does_not_compile_somewhere_has_no_proof(
     representative(
         itertools.product(["puma560", "stanford_full", "rubbing"], ["builtin", "given", "libm"]),
         ("puma560", "given"),
+        rest="slow",
     ),
 )
 def test_misra_findings_are_explained(tmp_path: Path, name: str, trig: str) -> None:

@@ -69,7 +69,7 @@ def test_a_pipe_has_no_thread_that_follows() -> None:
         assert threading.active_count() == before
 
 
-@pytest.mark.thorough
+@pytest.mark.slow
 def test_every_stage_is_known_and_comes_in_its_order(arm: tuple[Robot, Log]) -> None:
     robot, log = arm
     for work, known in ((identify, stages(robot.n, [log])), (diagnose, stages_of_diagnosis(robot.n, [log]))):
@@ -83,7 +83,7 @@ def test_every_stage_is_known_and_comes_in_its_order(arm: tuple[Robot, Log]) -> 
         assert all(seconds > 0 for seconds in known.values())
 
 
-@pytest.mark.parametrize("command", ["identify", pytest.param("diagnose", marks=pytest.mark.thorough)])
+@pytest.mark.parametrize("command", ["identify", pytest.param("diagnose", marks=pytest.mark.slow)])
 def test_a_terminal_is_told_how_long_it_takes_and_a_pipe_is_not(
     command: str, arm: tuple[Robot, Log], elsewhere: Path
 ) -> None:

@@ -148,7 +148,7 @@ def test_ends_where_a_motion_is_cut_off_do_not_count(gate: Gate) -> None:
     np.testing.assert_array_equal(rms(lambda *_: rest, ARM, [cut]), np.ones(ARM.n))  # type: ignore[arg-type]
 
 
-@pytest.mark.thorough
+@pytest.mark.slow
 def test_a_drive_at_its_limit_is_no_contact() -> None:
     """Held at its limit for two seconds, once, where a force on one link would explain nine tenths of it."""
     limit = effect("torque_saturation", 2, limit=152.4, clips="drive")
@@ -157,7 +157,7 @@ def test_a_drive_at_its_limit_is_no_contact() -> None:
     assert [(one.effect, one.joint) for one in result.findings] == [("torque_saturation", 2)]
 
 
-@pytest.mark.thorough
+@pytest.mark.slow
 def test_pushes_in_motion_stay_contacts() -> None:
     """Nothing is known of friction, and inertial numbers are 30 % off."""
     made = pushed_log("puma560_3dof", "full", 1)

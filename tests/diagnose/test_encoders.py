@@ -110,7 +110,7 @@ def test_without_second_encoders_nothing_is_said(arm: Robot) -> None:
     assert elastic_findings(described, elasticity(described, gates(arm, 1))) == ()
 
 
-@pytest.mark.thorough
+@pytest.mark.slow
 def test_diagnose_names_the_elastic_joint_beside_what_the_torques_lack(arm: Robot) -> None:
     full = read_text(to_yaml(load("puma560_3dof", warn=lambda _: None)), warn=lambda _: None)
     log = logged(arm, 1)

@@ -99,7 +99,7 @@ PAIRS = (
 
 
 @pytest.mark.parametrize(("hidden", "ratio"), one_in_ci(PAIRS), ids=lambda x: str(x))
-@pytest.mark.thorough
+@pytest.mark.slow
 def test_two_effects_are_both_named(hidden: tuple[tuple[str, int | None], ...], ratio: float) -> None:
     made = Case("puma560_3dof", hidden, 1, ratio).make()
     found = diagnose(made.given, [made.train], made.validate)
@@ -147,7 +147,7 @@ def test_ends_of_a_motion_keep_their_acceleration() -> None:
     assert np.abs(second - exact)[3:-3].max() < 0.15 * np.abs(exact).max()
 
 
-@pytest.mark.thorough
+@pytest.mark.slow
 def test_pieces_of_a_log_count() -> None:
     made = Case("puma560_3dof", (("viscous_friction", 2),), 1, 5.0).make()
     log = made.train
@@ -179,19 +179,19 @@ def test_friction_and_bias_are_rivals_where_a_joint_goes_one_way() -> None:
     assert "one direction" in str(found.record)
 
 
-@pytest.mark.thorough
+@pytest.mark.slow
 def test_noise_of_the_encoders_is_no_elastic_joint() -> None:
     found = diagnosed(Case("puma560_3dof", (("viscous_friction", 2),), 2, 3.485, motion="narrow"))
     assert {(f.effect, f.joint) for f in found.findings} == {("viscous_friction", 2)}
 
 
-@pytest.mark.thorough
+@pytest.mark.slow
 def test_a_joint_that_sets_out_is_not_touched() -> None:
     found = diagnosed(Case("puma560_3dof", (("coulomb_friction", 3),), 1, 6.0, motion="one_way"))
     assert "external_contact" not in {f.effect for f in found.findings}
 
 
-@pytest.mark.thorough
+@pytest.mark.slow
 def test_errors_within_the_stated_confidence_are_no_finding() -> None:
     made = Case("stanford", (), 23, 1.0, friction=True, inertia_error=0.03).make()
     assert select(made.given, made.train).findings == ()

@@ -23,7 +23,19 @@ RUN = [
 ]
 
 
-@pytest.mark.parametrize("page", representative(RUN, "docs/operation-counts.md", "docs/kernels.md"))
+#: Pages whose examples take more than 10 s of CPU: ``make prove-all`` follows them.
+LONG = {
+    f"docs/{name}.md"
+    for name in ("tour", "from-c-and-python", "fleet", "packages", "motions", "blind-tests", "thesis")
+}
+PAGES_IN_CI = representative(
+    [page for page in RUN if page not in LONG], "docs/operation-counts.md", "docs/kernels.md"
+)
+
+
+@pytest.mark.parametrize(
+    "page", [*PAGES_IN_CI, *(pytest.param(page, marks=pytest.mark.slow) for page in RUN if page in LONG)]
+)
 def test_the_examples_print_what_is_shown(page: str, tmp_path: Path) -> None:
     for block in EXAMPLES[page]:
         if block.mark == "needs":

@@ -11,7 +11,8 @@ from documents.blocks import ROOT, TUTORIALS, commands, read
 from robodyn_testing import require_tool
 from robodyn_testing.environments import clean_environment, pip_install, run
 
-pytestmark = pytest.mark.thorough
+#: Of the four tutorials these take seconds; ``make prove-all`` follows the others.
+QUICK = [page for page in TUTORIALS if "from-a-urdf" in page or "the-thesis" in page]
 
 
 @pytest.fixture(scope="module")
@@ -22,7 +23,13 @@ def environment(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-@pytest.mark.parametrize("page", TUTORIALS)
+@pytest.mark.parametrize(
+    "page",
+    [
+        pytest.param(page, marks=pytest.mark.thorough if page in QUICK else pytest.mark.slow)
+        for page in TUTORIALS
+    ],
+)
 def test_a_newcomer_gets_what_the_tutorial_shows(page: str, environment: Path, tmp_path: Path) -> None:
     """With a home of their own, copies of the inputs, and no Python but the environment's."""
     blocks = read(page)

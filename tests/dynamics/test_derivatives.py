@@ -18,7 +18,7 @@ from robodyn_testing.random_robots import random_robot, random_states
 FUNCTIONS = ("inverse_dynamics_derivatives", "forward_dynamics_derivatives", "coriolis_matrix")
 FAST = Options(optimize="fast")
 #: Some of them thorough.
-SEEDS = sampled(range(200), every=50)
+SEEDS = sampled(range(200), every=25, rest="slow")
 
 
 @pytest.mark.parametrize("seed", SEEDS)

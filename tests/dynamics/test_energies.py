@@ -41,7 +41,7 @@ def by_pinocchio(robot: Robot, q: Any, qd: Any) -> dict[str, Any]:
     }
 
 
-@pytest.mark.parametrize("name", sampled([*BUNDLED, *RANDOM], every=60))
+@pytest.mark.parametrize("name", sampled([*BUNDLED, *RANDOM], every=20, rest="slow"))
 def test_they_are_what_pinocchio_says(name: str) -> None:
     robot = robot_named(name)
     q, qd, _ = random_states(robot, STATES, 3)
@@ -69,7 +69,7 @@ def test_energies_are_what_mujoco_says(name: str) -> None:
         np.testing.assert_allclose((potential[k], kinetic[k]), data.energy, rtol=0, atol=1e-10 * scale)
 
 
-@pytest.mark.parametrize("name", sampled([*BUNDLED, *RANDOM], every=60))
+@pytest.mark.parametrize("name", sampled([*BUNDLED, *RANDOM], every=20, rest="slow"))
 def test_the_inverse_mass_matrix_is_what_pinocchio_says(name: str) -> None:
     pin = require_module("pinocchio")
     robot = robot_named(name)

@@ -80,7 +80,9 @@ def arms() -> list[Robot]:
     return [*found, replace(few, name="named"), bundled("stanford_3dof"), bundled("puma560_3dof")]
 
 
-@pytest.mark.parametrize("robot", representative(arms(), arms()[-2]), ids=lambda robot: robot.name)
+@pytest.mark.parametrize(
+    "robot", representative(arms(), arms()[-2], rest="slow"), ids=lambda robot: robot.name
+)
 def test_symbolic_models_are_the_graphs_programs(robot: Robot) -> None:
     at = Point(6)
     functions = [f for f in FUNCTIONS if f in generate(robot).counts]
@@ -122,7 +124,7 @@ def test_latex_names_every_step() -> None:
 # --- the engine -------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("function", representative(list(FUNCTIONS), "regressor"))
+@pytest.mark.parametrize("function", representative(list(FUNCTIONS), "regressor", rest="slow"))
 def test_every_function_comes_through_sympy(function: str) -> None:
     robot = bundled("stanford_3dof")
     try:

@@ -57,7 +57,7 @@ def results(robot: Robot, name: str, **at: Any) -> Any:
     return np.reshape(np.array(row, float), (robot.n, -1))
 
 
-@pytest.mark.parametrize("seed", sampled(range(40), every=20))
+@pytest.mark.parametrize("seed", sampled(range(40), every=10, rest="slow"))
 def test_as_pinocchio_has_external_forces(seed: int) -> None:
     pin = require_module("pinocchio")
     from peers.pinocchio_peer import pinocchio_model

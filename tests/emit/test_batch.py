@@ -17,7 +17,7 @@ from robodyn_testing import covering, representative, require_machine, require_t
 SOME = ("puma560", "ghosts", "lift", "tool", "confusing", "effects_rubbing", "effects_sliding", "smooth")
 
 
-@pytest.fixture(scope="module", params=representative(["builtin", "given", "float"], "float"))
+@pytest.fixture(scope="module", params=representative(["builtin", "given", "float"], "float", rest="slow"))
 def folder(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with the files of some robots, batches and kernels, in double or float."""
     path = tmp_path_factory.mktemp(request.param)

@@ -50,7 +50,7 @@ def folders(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
 _IN_C = ("-x", "c", *STRICT, "-O0")
 #: There ``y1`` and ``linux`` mean something.
 _DIALECT = ("-x", "c", "-pedantic", "-Wall", "-Wextra", "-Wshadow", "-Werror", "-fsyntax-only")
-THOROUGH = pytest.mark.thorough
+THOROUGH, SLOW = pytest.mark.thorough, pytest.mark.slow
 
 
 @pytest.mark.parametrize(
@@ -62,10 +62,10 @@ THOROUGH = pytest.mark.thorough
         ("clang", (*_DIALECT, "-std=gnu99"), "double"),
         ("gfortran", STRICT_FORTRAN, "double builtin"),
         pytest.param("gcc", _IN_C, "single given", marks=THOROUGH),
-        pytest.param("clang", _IN_C, "double single given builtin", marks=THOROUGH),
+        pytest.param("clang", _IN_C, "double single given builtin", marks=SLOW),
         pytest.param("gcc", (*STRICT, "-O2"), "double", marks=THOROUGH),
-        pytest.param("clang", (*STRICT, "-O2"), "double", marks=THOROUGH),
-        pytest.param("g++", (*STRICT_CPP, "-O0"), "double single builtin", marks=THOROUGH),
+        pytest.param("clang", (*STRICT, "-O2"), "double", marks=SLOW),
+        pytest.param("g++", (*STRICT_CPP, "-O0"), "double single builtin", marks=SLOW),
         pytest.param("gcc", (*_DIALECT, "-std=gnu17"), "double", marks=THOROUGH),
         pytest.param("clang", (*_DIALECT, "-std=gnu17"), "double", marks=THOROUGH),
         pytest.param("gfortran", (*STRICT_FORTRAN, "-O2"), "double", marks=THOROUGH),
@@ -115,7 +115,7 @@ def test_given_sines_where_none_are_needed(name: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("flags", ["-mfma", "-march=x86-64-v3", "-march=x86-64-v4"])
-@pytest.mark.parametrize("compiler", ["gcc", pytest.param("clang", marks=THOROUGH)])
+@pytest.mark.parametrize("compiler", ["gcc", pytest.param("clang", marks=SLOW)])
 @pytest.mark.parametrize("options", [{"trig": "builtin"}, {"contraction": "off"}], ids=str)
 def test_no_instruction_fuses_products_and_sums(
     options: dict[str, str], compiler: str, flags: str, tmp_path: Path
@@ -158,7 +158,8 @@ def expected(name: str, float_: bool) -> set[str]:
 @pytest.mark.parametrize(
     ("compiler", "level"),
     covering(
-        representative(["gcc", "clang"], "gcc"), representative(["-O0", "-O1", "-O2", "-Os", "-O3"], "-O2")
+        representative(["gcc", "clang"], "gcc"),
+        representative(["-O0", "-O1", "-O2", "-Os", "-O3"], "-O2", rest="slow"),
     ),
 )
 def test_nothing_is_missing_but_sine_and_cosine(

@@ -81,16 +81,16 @@ def case(name: str, scalar: str) -> tuple[Generated, dict[str, NDArray[Any]]]:
     return generate(robot, options), poses(robot.n)
 
 
-THOROUGH = pytest.mark.thorough
+THOROUGH, SLOW = pytest.mark.thorough, pytest.mark.slow
 CASES = [
     ("arctangents", "double"),
     ("roots", "double"),
-    pytest.param("arctangents", "float", marks=THOROUGH),
+    pytest.param("arctangents", "float", marks=SLOW),
     pytest.param("one root", "double", marks=THOROUGH),
-    pytest.param("roots", "float", marks=THOROUGH),
-    pytest.param("puma560", "double", marks=THOROUGH),
+    pytest.param("roots", "float", marks=SLOW),
+    pytest.param("puma560", "double", marks=SLOW),
     pytest.param("ur5", "float", marks=THOROUGH),
-    pytest.param("iiwa", "double", marks=THOROUGH),
+    pytest.param("iiwa", "double", marks=SLOW),
 ]
 
 

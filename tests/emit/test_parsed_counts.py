@@ -143,6 +143,7 @@ def structure(files: dict[str, str]) -> str:
             if not (name in RANDOM and trig == "given")
         ],
         every=11,
+        rest="slow",
     ),
 )
 def test_the_text_has_the_operations_that_are_counted(name: str, trig: str) -> None:

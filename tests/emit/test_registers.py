@@ -70,7 +70,9 @@ def _benchmark() -> Any:
 
 @pytest.mark.parametrize(
     ("trig", "scalar"),
-    representative(itertools.product(["builtin", "given"], ["double", "float"]), ("builtin", "double")),
+    representative(
+        itertools.product(["builtin", "given"], ["double", "float"]), ("builtin", "double"), rest="slow"
+    ),
 )
 def test_a_call_takes_no_more_instructions_than_allowed(trig: str, scalar: str) -> None:
     require_tool("valgrind")
@@ -86,7 +88,7 @@ def _strange(name: str, **options: Any) -> Generated:
     return generate(robots()[name], Options(trig="builtin", **options))
 
 
-@pytest.mark.parametrize("name", representative(ODD, "tool", "pendulum"))
+@pytest.mark.parametrize("name", representative(ODD, "tool", "pendulum", rest="slow"))
 def test_sines_of_what_is_remembered_and_of_positions_agree_with_libm(name: str) -> None:
     require_tool("gfortran")
     found = [_strange(name), _strange(name), generate(robots()[name])]

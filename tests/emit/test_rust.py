@@ -75,7 +75,7 @@ def test_a_parameter_that_rust_keeps_for_itself_is_refused() -> None:
         generate(robot, Options(trig="builtin")).files(("rust",))
 
 
-@pytest.mark.thorough
+@pytest.mark.slow
 @pytest.mark.parametrize("scalar", ["double", "float"])
 def test_a_crate_is_compiled_for_a_cortex_m(scalar: str, cortex_m: Path, tmp_path: Path) -> None:
     """With the core library for it, compiled from Debian's source: nothing but arithmetic is called."""

@@ -169,7 +169,7 @@ def named(of: Generated, rows: NDArray[Any]) -> dict[str, NDArray[Any]]:
     return dict(zip(names, np.split(rows, np.cumsum(sizes)[:-1], axis=1), strict=True))
 
 
-@pytest.mark.thorough
+@pytest.mark.slow
 @pytest.mark.parametrize("scalar", ["float", "double"])
 @pytest.mark.parametrize("name", ["puma560", "ur5", "panda"])
 def test_the_same_bits_where_branches_meet_and_beyond_reach(name: str, scalar: str, tmp_path: Path) -> None:

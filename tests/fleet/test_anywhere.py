@@ -50,7 +50,7 @@ def expected(fleet: Fleet, tmp_path_factory: pytest.TempPathFactory) -> str:
     return result
 
 
-@pytest.mark.parametrize("on", ["here", "local:2", "local:4"])
+@pytest.mark.parametrize("on", ["here", "local:2", pytest.param("local:4", marks=pytest.mark.slow)])
 def test_any_number_of_processes(on: str, fleet: Fleet, expected: str, tmp_path: Path) -> None:
     assert text(run_fleet(fleet, tmp_path, on)) == expected
 
@@ -70,7 +70,7 @@ def machines(tmp_path: Path) -> Iterator[Machines]:
         yield started
 
 
-@pytest.mark.parametrize("lost", ["worker", "scheduler"])
+@pytest.mark.parametrize("lost", ["worker", pytest.param("scheduler", marks=pytest.mark.slow)])
 def test_what_dies_in_the_middle(
     lost: str, machines: Machines, fleet: Fleet, expected: str, tmp_path: Path
 ) -> None:

@@ -222,6 +222,7 @@ def sound(name: str, seed: int) -> tuple[Robot, Log]:
     representative(
         [("puma560_3dof", 20), ("puma560", 12), ("stanford", 6), ("ur10", 10), ("tx40", 10), ("panda", 2)],
         "puma560_3dof",
+        rest="slow",
     ),
 )
 def test_sound_logs_pass_without_a_word(name: str, logs: int) -> None:

@@ -184,7 +184,7 @@ def test_a_diagnosis_of_an_arm_at_rest_names_contacts_and_no_friction() -> None:
     assert [window.what for window in result.windows] == ["contact"] * 3
 
 
-@pytest.mark.thorough
+@pytest.mark.slow
 def test_how_often_pushes_are_found() -> None:
     """Of 72 pushes with shares of the joints' torques nearly all, and forces as near as is said of them."""
     right: dict[str, list[bool]] = {}

@@ -35,7 +35,7 @@ def test_what_flies_off_is_not_finite() -> None:
     assert np.isnan(found[-1]).all()
 
 
-@pytest.mark.thorough
+@pytest.mark.slow
 def test_an_elastic_joint_is_named_and_its_spring_found() -> None:
     hidden = ELASTIC.make()
     found = diagnose(hidden.given, [hidden.train], hidden.validate)

@@ -69,7 +69,7 @@ def test_the_reference_agrees_with_itself(convention: str) -> None:
     )
 
 
-@pytest.mark.parametrize("case", representative(CASES, *QUICK))
+@pytest.mark.parametrize("case", representative(CASES, *QUICK, rest="slow"))
 def test_a_joint_with(case: str) -> None:
     """One joint, kinds and conventions by turns; what drives have no part in is in the next test."""
     turn = list(CASES).index(case)

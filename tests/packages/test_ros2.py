@@ -272,7 +272,7 @@ def ur10(workspace: Workspace) -> tuple[str, Consumer]:
     return workspace.install(user), user
 
 
-@pytest.mark.thorough
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("joint", "old", "new", "named"),
     [

@@ -136,12 +136,14 @@ def complaints(robot: Robot, seed: int) -> list[str]:
     return wrong
 
 
-@pytest.mark.parametrize("name", representative(bundled_names(), "puma560", "stanford", "panda", "ur10"))
+@pytest.mark.parametrize(
+    "name", representative(bundled_names(), "puma560", "stanford", "panda", "ur10", rest="slow")
+)
 def test_bundled_robots(name: str) -> None:
     assert complaints(load(name, warn=lambda _: None), 1) == []
 
 
-@pytest.mark.parametrize("chunk", sampled(range(RANDOM // CHUNK), every=20))
+@pytest.mark.parametrize("chunk", sampled(range(RANDOM // CHUNK), every=5, rest="slow"))
 def test_random_robots(chunk: int) -> None:
     wrong = []
     for seed in range(CHUNK * chunk, CHUNK * (chunk + 1)):

@@ -78,7 +78,7 @@ def test_peers_agree_with_each_other(chunk: int) -> None:
     assert [text for text in found if text is not None] == []
 
 
-@pytest.mark.parametrize("name", representative(robodyn.robot.bundled_names(), "stanford"))
+@pytest.mark.parametrize("name", representative(robodyn.robot.bundled_names(), "stanford", rest="slow"))
 def test_bundled_robot(name: str) -> None:
     robot = robodyn.robot.load(name, warn=print)
     refs = references(robot)
@@ -99,7 +99,7 @@ def robots_of(chunk: int) -> Iterator[tuple[int, Robot, list[Reference]]]:
         yield seed, robot, references(robot, seed)
 
 
-@pytest.mark.parametrize("chunk", sampled(range(RANDOM_ROBOTS // CHUNK), every=20))
+@pytest.mark.parametrize("chunk", sampled(range(RANDOM_ROBOTS // CHUNK), every=5, rest="slow"))
 def test_random_robots(chunk: int) -> None:
     """Torques of every robot in double and float; by turns the other functions, and without regrouping.
 

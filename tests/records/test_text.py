@@ -48,7 +48,7 @@ def check_round_trip(record: Record) -> None:
     assert not re.search(r"[ \t\r]$", text, re.M), "editors take space at the end of a line away"
 
 
-@pytest.mark.parametrize("name", representative(bundled_names(), "puma560_3dof", "stanford"))
+@pytest.mark.parametrize("name", representative(bundled_names(), "puma560_3dof", "stanford", rest="slow"))
 def test_programs_of_bundled_robots_are_read_as_they_were_written(name: str) -> None:
     robot = bundled(name)
     for function, made in programs_of(robot).items():

@@ -43,6 +43,7 @@ def test_what_bears_the_wrench_rubs(effect: str, joint: str) -> None:
     assert report.passed, report.to_text()
 
 
+@pytest.mark.thorough
 def test_a_gear_loses_by_the_wrench_as_well() -> None:
     """One joint that lifts: the motor's torque is the load's over the efficiency, whatever the load is."""
     text = "name: hoist\ngravity: [0, 0, 0]\nlinks: [{joint: prismatic, mass: 1, effects: [%s]}]"

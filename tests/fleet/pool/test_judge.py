@@ -94,7 +94,7 @@ def test_what_is_planted_is_named_and_nothing_else() -> None:
     assert load_.since_interval[0] - 5 * DAY < BEGINS < load_.since_interval[1] + 5 * DAY
 
 
-@pytest.mark.thorough
+@pytest.mark.slow
 def test_a_healthy_fleet_has_no_names() -> None:
     assert not [one for one in _result(False).units if one.claims]
 
@@ -106,7 +106,7 @@ def test_temperature_is_no_drift() -> None:
     assert friction.slopes["temperature"] == pytest.approx(-0.01 * friction.mean, rel=0.3)
 
 
-@pytest.mark.thorough
+@pytest.mark.slow
 def test_the_order_of_logs_is_no_matter() -> None:
     fleet, digests = _fleet()
     backwards = dict(reversed(digests.items()))
