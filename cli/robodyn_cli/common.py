@@ -212,6 +212,18 @@ def output_folder(text: str) -> Path:
     return Path(text)
 
 
+def picture_file(text: str) -> Path:
+    """The path of a picture.
+
+    Raises
+    ------
+    InputError: the name does not end in .svg.
+    """
+    if not text.endswith(".svg") or text == ".svg":
+        raise InputError("pictures are written as SVG", found=repr(text), expected="a name that ends in .svg")
+    return Path(text)
+
+
 def load_robot(robot: str, *, strict: bool = False) -> Robot:
     """Load ROBOT, a path or a bundled name. Warnings about implausible values, and what is to be known of the
     file, go to stderr, one line each; the JSON document of the command has it too.

@@ -65,39 +65,44 @@ def kernels(robot: str, **options: Any) -> Kernels:
     """
     from robodyn.kernels.generate import generate
 
-    given = SimpleNamespace(**{"derivatives": False, "on": None, "seeds": None, **options})
+    settings = SimpleNamespace(**{"derivatives": False, "on": None, "seeds": None, **options})
     compiled, firmware = options.get("compile_", False), options.get("firmware", False)
-    languages = chosen_languages(given.lang, compiled=compiled)
-    if given.readable:
-        _check_readable(given)
-        given.optimize, given.order = "none", "recursion"
-    given.trig = trig_for(languages, given.trig)
-    target = None if firmware else given.target
+    languages = chosen_languages(settings.lang, compiled=compiled)
+    if settings.readable:
+        _check_readable(settings)
+        settings.optimize, settings.order = "none", "recursion"
+    settings.trig = trig_for(languages, settings.trig)
+    target = None if firmware else settings.target
     chosen = {
-        name: getattr(given, name)
+        name: getattr(settings, name)
         for name in ("scalar", "trig", "order", "contraction", "objective")
-        if target is None or _is_on_command_line(name) or (name == "order" and given.readable)
+        if target is None or _is_on_command_line(name) or (name == "order" and settings.readable)
     }  # the others are the target's
-    functions = with_fused(given.functions and listed(given.functions), given.fuse, wrench=given.wrench)
-    plain = {name: getattr(given, name) for name in ("misra", "readable", "derivatives")}
-    asked = options_of(functions, vars(given), target=target, prune=tolerance(given.prune), **plain, **chosen)
+    functions = with_fused(
+        settings.functions and listed(settings.functions), settings.fuse, wrench=settings.wrench
+    )
+    plain = {name: getattr(settings, name) for name in ("misra", "readable", "derivatives")}
+    kernel_options = options_of(
+        functions, vars(settings), target=target, prune=tolerance(settings.prune), **plain, **chosen
+    )
     if firmware:
-        contracted = given.contraction == "on"
+        contracted = settings.contraction == "on"
         unfit = {
             "compile": compiled,
-            "latex": given.latex,
-            "batch": given.batch,
+            "latex": settings.latex,
+            "batch": settings.batch,
             "contraction on": contracted,
         }
-        asked = for_firmware(asked, given.target, **unfit)
-    described = load(robot, strict=given.strict)
-    search = Search(given.budget_seconds, given.seed, asked.objective, given.keep, given.on, given.seeds)
-    asked = search.applied(described, asked, asked.function_names)
+        kernel_options = for_firmware(kernel_options, settings.target, **unfit)
+    described = load(robot, strict=settings.strict)
+    limits = {name: getattr(settings, name) for name in ("budget_seconds", "seed", "keep", "on", "seeds")}
+    search = Search(objective=kernel_options.objective, **limits)
+    kernel_options = search.applied(described, kernel_options, kernel_options.function_names)
     with pruning_progress() as tell:
-        generated = generate(described, asked, progress=_progress(described), pruning=tell)
+        generated = generate(described, kernel_options, progress=_progress(described), pruning=tell)
     for function, reason in generated.left_out.items():
         talk(f"robodyn: note: {described.name} has no {function}: {reason}")
-    return Kernels(described, asked, languages, generated)
+    return Kernels(described, kernel_options, languages, generated)
 
 
 def _is_on_command_line(name: str) -> bool:
@@ -105,17 +110,17 @@ def _is_on_command_line(name: str) -> bool:
     return source is not click.core.ParameterSource.DEFAULT
 
 
-def _check_readable(given: SimpleNamespace) -> None:
+def _check_readable(settings: SimpleNamespace) -> None:
     """Refuse what contradicts --readable."""
     contradictions = [
-        f"--{name} {getattr(given, name)}"
+        f"--{name} {getattr(settings, name)}"
         for name, fitting in (("optimize", "none"), ("order", "recursion"))
-        if getattr(given, name) != fitting and _is_on_command_line(name)
+        if getattr(settings, name) != fitting and _is_on_command_line(name)
     ]
-    if contradictions or given.batch:
+    if contradictions or settings.batch:
         raise InputError(
             "--readable writes the recursion as it stands in the book, one state at a time",
-            found=", ".join([*contradictions, *["--batch"] * given.batch]),
+            found=", ".join([*contradictions, *["--batch"] * settings.batch]),
             expected="--optimize none and --order recursion, without --batch",
             remedy="remove --readable or what contradicts it",
         )

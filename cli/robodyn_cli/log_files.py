@@ -10,7 +10,7 @@ from robodyn.errors import InputError
 from robodyn.outputs import check_outputs
 from robodyn_cli import progress
 from robodyn_cli.choices import FILE
-from robodyn_cli.common import load_robot, option, parameter_values, printable, talk
+from robodyn_cli.common import load_robot, option, output_folder, parameter_values, printable, talk
 
 if TYPE_CHECKING:
     from robodyn.logs.log import Log
@@ -60,9 +60,7 @@ def result_folder(text: str) -> Path:
     ------
     InputError: the text is empty, or a file is there.
     """
-    if not text:
-        raise InputError("the path after -o is empty", remedy="use -o . for this folder")
-    folder = Path(text)
+    folder = output_folder(text)
     if folder.exists() and not folder.is_dir():
         raise InputError(
             f"cannot write to {printable(folder)}", found="a file", remedy="choose another path with -o"
@@ -146,9 +144,9 @@ def run_on_logs(
     given: Mapping[str, Any],
     **others: Any,
 ) -> Result:
-    """What ``work`` (:func:`robodyn.diagnose.diagnose` or its like) says of the description ``robot`` and the
-    logs of the options ``given`` (``logs``, ``validate``, ``map_file``, ``columns``, ``param``, ``strict``),
-    while a line shows its ``stages``."""
+    """What ``work`` (:func:`robodyn.diagnose.run.diagnose` or its like) says of the description ``robot`` and
+    the logs of the options ``given`` (``logs``, ``validate``, ``map_file``, ``columns``, ``param``,
+    ``strict``), while a line shows its ``stages``."""
     from robodyn.formats.loading import text_of
 
     described = load_robot(robot, strict=given["strict"])

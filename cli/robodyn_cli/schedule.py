@@ -9,9 +9,18 @@ import click
 
 from robodyn.outputs import check_outputs, write_files
 from robodyn_cli.choices import ROBOTS
-from robodyn_cli.common import as_json, echo_json, output_folder, printable, show, talk, write_file
+from robodyn_cli.common import (
+    as_json,
+    echo_json,
+    output_folder,
+    picture_file,
+    printable,
+    show,
+    talk,
+    write_file,
+)
 from robodyn_cli.options import load, model_options, options_of
-from robodyn_cli.schedule_options import ScheduleOptions, picture_file, schedule_options
+from robodyn_cli.schedule_options import ScheduleOptions, schedule_options
 from robodyn_cli.searching import Search
 
 if TYPE_CHECKING:
@@ -73,7 +82,8 @@ def _schedule(settings: ScheduleOptions) -> None:
     from robodyn_cli.progress import line
 
     model, source, signature = _source(settings)
-    picture, layers = picture_file(settings.picture), picture_file(settings.layers)
+    names = (settings.picture, settings.layers)
+    picture, layers = (None if name is None else picture_file(name) for name in names)
     if settings.fewest:
         _fewest(settings, source)
         return

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from pathlib import Path
 from types import SimpleNamespace
 from typing import Any, Final
 
@@ -142,9 +141,8 @@ class ScheduleOptions(SimpleNamespace):
             ),
         ):
             yield refused, InputError(what, remedy=remedy)
-        known = self.sync in (None, "barrier", "counters")
-        expected = "--sync barrier or --sync counters"
-        yield not known, InputError(f"unknown synchronisation {self.sync!r}", expected=expected)
+        is_known, expected = self.sync in (None, "barrier", "counters"), "--sync barrier or --sync counters"
+        yield not is_known, InputError(f"unknown synchronisation {self.sync!r}", expected=expected)
         yield self.sync is not None and not emits, InputError("--sync requires -o")
         yield self.packed is not None and not emits, InputError("--packed requires -o")
         yield (
@@ -187,17 +185,3 @@ def _operations(text: str) -> int:
         expected = "thesis, or a number of operations"
         raise InputError("--cut cannot be read", found=repr(text), expected=expected)
     return int(text)
-
-
-def picture_file(text: str | None) -> Path | None:
-    """The path of a picture.
-
-    Raises
-    ------
-    InputError: the name does not end in .svg.
-    """
-    if text is None:
-        return None
-    if not text.endswith(".svg") or text == ".svg":
-        raise InputError("pictures are written as SVG", found=repr(text), expected="a name that ends in .svg")
-    return Path(text)

@@ -8,7 +8,7 @@ import click
 
 from robodyn.errors import InputError
 from robodyn_cli.choices import FILE, TABLES
-from robodyn_cli.common import as_json, echo_json, option, printable, talk, write_file
+from robodyn_cli.common import as_json, echo_json, option, picture_file, printable, talk, write_file
 from robodyn_cli.progress import Line, line
 
 
@@ -73,6 +73,4 @@ def _picture_file(text: str, ids: tuple[str, ...]) -> Path:
             found=ids[0],
             remedy="use robodyn tables 2.9, 2.10 (for Figure 2.9) or robots",
         )
-    if not text.endswith(".svg") or text == ".svg":
-        raise InputError("pictures are written as SVG", found=repr(text), expected="a name that ends in .svg")
-    return Path(text)
+    return picture_file(text)

@@ -8,8 +8,8 @@ A kernel's bits are those of its program, run in numpy with the roundings of the
 sine, cosine and arctangent. numpy adds, multiplies, divides and takes roots of float32 and float64 as IEEE
 754 says, one rounding an operation, as the emitted C does where nothing is contracted and nothing reordered.
 The trigonometry is what ``templates/c/trig.c.j2`` and ``templates/c/atan2.c.j2`` say, once more: the numbers
-are those of :mod:`robodyn.emit.trig` and :mod:`robodyn.emit.arctangent`, the steps are written out here a
-second time, so that neither can change without the self-test noticing.
+are those of :mod:`robodyn.emit.trig`, the steps are written out here a second time, so that neither can
+change without the self-test noticing.
 """
 
 from __future__ import annotations

@@ -88,7 +88,7 @@ class Figures:
 
 
 def measure(name: str, files: Mapping[str, str], functions: Sequence[str], target: Target) -> Figures:
-    """The figures of the kernel in ``files`` (:func:`robodyn.firmware.firmware_files`) of the robot ``name``.
+    """The figures of the kernel in ``files`` (:func:`robodyn.firmware.firmware`) of the robot ``name``.
 
     Raises
     ------

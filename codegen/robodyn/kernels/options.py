@@ -47,10 +47,10 @@ class Options:
     has them, but ``without`` these: an arm with a joint that moves without inertia has no forward dynamics.
     ``optimize="none"`` is the recursion as it stands in the book, equal nodes merged and zeros gone;
     ``"fast"`` takes milliseconds; ``"record"`` is the committed best for exactly this arm, else
-    fast; ``"search"`` and ``"full"`` ask for a better one (:func:`robodyn.search.improved`) and take the one
-    in ``records``. ``regroup=False`` leaves out base-parameter regrouping only. ``engine="sympy"`` builds the
-    same model through sympy with named intermediates and ``sympy.cse``: a cross-check, slower and no smaller,
-    without records (``"record"`` becomes ``"fast"``).
+    fast; ``"search"`` and ``"full"`` ask for a better one (:func:`robodyn.search.improve.improved`) and take
+    the one in ``records``. ``regroup=False`` leaves out base-parameter regrouping only. ``engine="sympy"``
+    builds the same model through sympy with named intermediates and ``sympy.cse``: a cross-check, slower and
+    no smaller, without records (``"record"`` becomes ``"fast"``).
     ``order="recursion"`` is the order of the book, ``"registers"`` one in which few values wait in memory
     (:func:`robodyn.passes.registers.registers`); ``"auto"`` is the latter unless sine and cosine are libm's.
 
