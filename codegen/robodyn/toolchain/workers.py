@@ -76,14 +76,18 @@ class Workers:
             process.wait()
 
     def run(self, function: Callable[..., Any], tasks: Sequence[tuple[Any, ...]]) -> list[Any]:
-        """``function`` of each task's arguments, in their order.
+        """``function`` of each task's arguments; at most ``count`` tasks, one a process.
 
         Raises
         ------
         ToolError: a process has ended before its work was done.
         """
-        results = dict(self.each(function, tasks))
-        return [results[k] for k in range(len(tasks))]
+        if not self._processes:
+            return [function(*task) for task in tasks]
+        busy = [process for process, _ in zip(self._processes, tasks, strict=False)]
+        for process, task in zip(busy, tasks, strict=True):
+            _ask(process, function, task)
+        return [_answer(process) for process in busy]
 
     def each(
         self,
