@@ -58,12 +58,11 @@ UNEXPLAINED: Final = 4
 def command(robot: str, no_kernels: bool, **options: Any) -> None:
     """Find the effects that a model is missing, add them, and validate the amended model.
 
-    Logs (CSV, Parquet, npz, MATLAB, MCAP, rosbag2, JSON) have the columns t, q1.., tau1.., and optionally
-    qd1.., qdd1.. and ql1.. (second encoders, on the links), in SI units, unless --map or --columns says
-    otherwise; A.csv+B.csv is a log whose ql1.. stand in a second file. The command writes diagnosis.json,
-    model.yaml (the amended description), report.html (one page, no network access) and kernels/ to DIR. The
-    same input gives the same files. Exit code 4 means that a residual remains that no effect of the catalogue
-    explains.
+    Logs have the columns t, q1.., tau1.., and optionally qd1.., qdd1.. and ql1.. (second encoders, on the
+    links), in SI units, unless --map or --columns says otherwise; A.csv+B.csv is a log whose ql1.. stand in a
+    second file. The command writes diagnosis.json, model.yaml (the amended description), report.html (one
+    page, no network access) and kernels/ to DIR. The same input gives the same files. Exit code 4 means that
+    a residual remains that no effect of the catalogue explains.
     """
     from robodyn.diagnose.run import diagnose, stages
 

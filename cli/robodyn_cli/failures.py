@@ -8,11 +8,12 @@ import re
 import sys
 from collections.abc import Callable, Sequence
 from itertools import pairwise
+from pathlib import Path
 from typing import Final
 
 import click
 
-from robodyn.errors import InputError, OutputError, RobodynError, ToolError, escaped
+from robodyn.errors import InputError, OutputError, Place, RobodynError, ToolError, escaped
 from robodyn.process import exit_code, quiet, received
 from robodyn_cli.common import Document, drop, talk
 
@@ -110,9 +111,22 @@ def _failure(error: BaseException) -> RobodynError:
         return ToolError(f"a library cannot be loaded: {error}", remedy="reinstall robodyn or that library")
     return _InternalError(
         f"{type(error).__name__}: {error}",
-        remedy="this is a bug in robodyn: please report it with the command, the robot file and the output "
-        "of the command with ROBODYN_DEBUG=1",
+        where=_origin(error),
+        remedy="unless that file is yours, this is a bug in robodyn: please report it with the command, the "
+        "robot file and the output of the command with ROBODYN_DEBUG=1",
     )
+
+
+def _origin(error: Exception) -> Place | None:
+    """Where in the package `error` came up: whoever adds an effect, a language or a format writes a file
+    there, and a slip in it is no bug of robodyn."""
+    import traceback
+
+    import robodyn
+
+    package = str(Path(robodyn.__file__).parent)
+    frames = [x for x in traceback.extract_tb(error.__traceback__) if x.filename.startswith(package)]
+    return Place(frames[-1].filename, frames[-1].lineno) if frames else None
 
 
 def _few_files() -> int | None:

@@ -54,11 +54,11 @@ _UNKNOWN: Final = "unknown"
 def command(robot: str, gains: bool, offsets: str, load: tuple[str, ...], **options: Any) -> None:
     """Identify links, friction and rotors from logs, physically consistent, with intervals.
 
-    Logs (CSV, Parquet, npz, MATLAB, MCAP, rosbag2, JSON) have the columns t, q1.., tau1.. in SI units, unless
-    --map or --columns says otherwise. The command writes identified.yaml (the description
-    with its new numbers, physically consistent) and identify.json (all numbers with standard errors, what
-    the logs do not show, residuals) to DIR. Numbers stay as near to the description as its `confidence`
-    says. Without --validate the residual is that of 30 % of the samples, which a first fit leaves out.
+    Logs have the columns t, q1.., tau1.. in SI units, unless --map or --columns says otherwise. The command
+    writes identified.yaml (the description with its new numbers, physically consistent) and identify.json
+    (all numbers with standard errors, what the logs do not show, residuals) to DIR. Numbers stay as near to
+    the description as its `confidence` says. Without --validate the residual is that of 30 % of the samples,
+    which a first fit leaves out.
     """
     from robodyn.identify.fit import Options
     from robodyn.identify.run import identify, stages

@@ -27,9 +27,14 @@ def log_options(command: Command) -> Command:
     command = option(
         "--columns=TEXT", 'Which columns are what, in which unit: "q=joint_%d_pos[deg],tau=current_%d[A]".'
     )(command)
-    return option("--map=MAP.yaml map_file", "The same as a file (robodyn logs FILE -o MAP.yaml).", FILE)(
-        command
-    )
+    return option("--map=MAP.yaml map_file", _map_help, FILE)(command)
+
+
+def _map_help() -> str:
+    from robodyn.logs.formats import FORMATS
+
+    suffixes = {suffix for each in FORMATS.values() for suffix in each.suffixes}
+    return f"The same as a file (robodyn logs FILE -o MAP.yaml). Logs end in {', '.join(sorted(suffixes))}."
 
 
 def log_map(map_file: str | None, columns: str | None) -> LogMap | None:

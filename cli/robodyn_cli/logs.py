@@ -20,9 +20,9 @@ from robodyn_cli.log_files import log_map, log_options, spare_inputs
 def command(file: str, robot: str | None, map_file: str | None, columns: str | None, out: str | None) -> None:
     """Show what is in a log, and propose which columns are what.
 
-    FILE is CSV or other text, Parquet, npz, MATLAB, MCAP, rosbag2 (.db3 or its folder) or JSON. The command
-    lists its columns with their ranges, proposes a map by their names and numbers, says why, and shows the
-    log as the map reads it. Give the map to diagnose with --map.
+    FILE is a recording of any kind that --map lists, or a folder of rosbag2. The command lists its columns
+    with their ranges, proposes a map by their names and numbers, says why, and shows the log as the map reads
+    it. Give the map to diagnose with --map.
     """
     from robodyn.logs.content import input_files
     from robodyn.logs.map_text import map_text

@@ -8,12 +8,14 @@ import re
 import shlex
 import subprocess
 import sys
+from collections.abc import Callable
 from importlib import import_module
 from pathlib import Path
 
 import click
 import pytest
 
+import robodyn
 from cli.command import Capture, environment, python, run, run_json
 from robodyn.errors import CheckError, InputError, Place, ToolError, error_schema
 from robodyn_cli import main as frame
@@ -51,7 +53,7 @@ def raising(error: BaseException, document: Document | None = None) -> int:
         (
             ZeroDivisionError("of all things"),
             70,
-            "internal error: ZeroDivisionError: of all things; this is",
+            "internal error: ZeroDivisionError: of all things; unless that file is yours, this is",
         ),
         (OSError(28, "No space left"), 74, "error: the operating system refused: [Errno 28] No space left"),
         (MemoryError(), 74, "error: the operating system refused: out of memory\n"),
@@ -72,6 +74,16 @@ def test_all_that_can_end_a_command(error: BaseException, code: int, line: str, 
     assert document["error"]["what"] in err
     assert raising(error, Document(as_json=True, begun=True)) == code
     assert capsys.readouterr().out == ""
+
+
+def test_a_slip_in_an_added_file_names_that_file(capsys: Capture) -> None:
+    """An effect, a language or a format is a file in the package."""
+    file = Path(robodyn.__file__).parent / "effects" / "mine.py"
+    slip = compile("def evaluate():\n    return 1 / 0\n", str(file), "exec")
+    names: dict[str, Callable[[], None]] = {}
+    exec(slip, names)
+    assert guard(names["evaluate"]) == 70
+    assert f"internal error: {file}:2: ZeroDivisionError" in capsys.readouterr().err
 
 
 def test_no_document_where_nothing_failed(capsys: Capture, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -12,6 +12,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from robodyn.dynamics.functions import FUNCTIONS, function_named
+from robodyn.effects.scalars import root
 from robodyn.errors import InputError
 from robodyn.robot.model import Link, Robot
 from robodyn.robot.values import angle, parameter
@@ -41,6 +43,18 @@ def test_single_precision_has_its_own_tolerance(arm: Robot) -> None:
     assert report.passed
     assert 1e-10 < max(c.error for c in report.comparisons) < 1e-6
     assert {c.tolerance for c in report.comparisons} == {1e-5}
+
+
+def test_what_has_no_exact_value_is_not_compared_exactly(arm: Robot, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A function with a root, as somebody may add one."""
+    lengths = replace(
+        function_named("gravity"), expected=lambda at: [root(x * x) for x in at.torques(at.rest, at.rest)]
+    )
+    monkeypatch.setitem(FUNCTIONS, "gravity", lengths)
+    report = check(arm, Stand(arm))
+    reason = "roots, exponentials and the like have no exact values"
+    assert report.skipped == {"gravity with exact": reason}
+    assert {c.against for c in report.comparisons if c.function == "gravity"} == {"reference", "lagrangian"}
 
 
 def scaled(x: Any) -> Any:

@@ -93,9 +93,20 @@ class Oracle:
         return self.other(links, self.parameters)
 
     def expected(self, function: Function, inputs: Mapping[str, Floats]) -> Numbers:
-        """The elements ``[N, m]`` of the results of ``function``, of arrays ``[N, n]`` by name."""
+        """The elements ``[N, m]`` of the results of ``function``, of arrays ``[N, n]`` by name.
+
+        Raises
+        ------
+        TorquesAlone: exact numbers do not have what it takes.
+        """
         assert function.expected is not None
-        return self._rows(function.expected(_Columns(self, inputs)), len(inputs["q"]))
+        try:
+            elements = function.expected(_Columns(self, inputs))
+        except TypeError as error:  # numpy, of a Fraction
+            if not self.exact or "no callable" not in str(error):
+                raise
+            raise TorquesAlone("roots, exponentials and the like have no exact values") from error
+        return self._rows(elements, len(inputs["q"]))
 
     def compared(
         self, function: Function, inputs: Mapping[str, Floats], result: Numbers, anywhere: Floats
