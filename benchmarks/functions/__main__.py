@@ -24,6 +24,7 @@ from benchmarks.functions.tables import versions as versions_text
 from benchmarks.functions.tools import TOOLS
 from benchmarks.peers.building import Lacking, version
 from benchmarks.peers.candidates import pinocchio_traced
+from benchmarks.peers.numbers_in_c import text_of
 from benchmarks.peers.ours import values_of
 from numpy.typing import NDArray
 
@@ -115,7 +116,7 @@ def of_robot(
     random = np.random.default_rng(SEED)
     states = np.array([random.uniform(-reach, reach, (STATES, robot.n)) for reach in REACH])
     np.save(folder / "states.npy", states)
-    (folder / "arm.txt").write_text(numbers_of(robot).text(), encoding="utf-8")
+    (folder / "arm.txt").write_text(text_of(numbers_of(robot)), encoding="utf-8")
     table: dict[str, Any] = {}
     expected = {}
     toolless = set()  # functions that the others, who get the arm without its tool, cannot be asked for

@@ -6,9 +6,7 @@ from typing import Any
 
 from benchmarks.functions.kinematics import jacobian, poses
 from benchmarks.functions.state import Rows, State, Values, by_factors, dot, flat, in_rows, turned, unit
-
-from robodyn.bench.peers.numbers import LinkNumbers
-from robodyn.bench.peers.textbook import (
+from benchmarks.peers.textbook import (
     Vector,
     add,
     cross,
@@ -23,7 +21,9 @@ from robodyn.bench.peers.textbook import (
     up,
     vector,
 )
-from robodyn.bench.peers.textbook import joint_reactions as reactions
+from benchmarks.peers.textbook import joint_reactions as reactions
+
+from robodyn.bench.peers.numbers import LinkNumbers
 
 # --- dynamics ---------------------------------------------------------------------------------------------
 

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from benchmarks.functions.state import Rows, State, Values, dot, flat, turned
-
-from robodyn.bench.peers.textbook import Vector, add, cross, down, minus, origin, scaled, up
+from benchmarks.peers.textbook import Vector, add, cross, down, minus, origin, scaled, up
 
 # --- kinematics -------------------------------------------------------------------------------------------
 

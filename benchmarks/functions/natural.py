@@ -1,6 +1,6 @@
 """Every function as a user of a symbolic tool writes it, over the tool's scalars.
 
-The recursion is that of :mod:`robodyn.bench.peers.textbook`; the mass matrix is that of composite bodies,
+The recursion is that of :mod:`benchmarks.peers.textbook`; the mass matrix is that of composite bodies,
 accelerations come of its factors, derivatives of the tool's own differentiation. Of a function that can be
 written in several ways each is tried, and the one with the fewest operations counts.
 """

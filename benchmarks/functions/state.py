@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 from typing import Any, Protocol
 
 import numpy as np
+from benchmarks.peers.textbook import Vector, inverse_dynamics, known, minus, plain, plus, times
 
 from robodyn.bench.peers.numbers import Numbers
-from robodyn.bench.peers.textbook import Vector, inverse_dynamics, known, minus, plain, plus, times
 
 Values = list[Any]
 Rows = list[list[Any]]

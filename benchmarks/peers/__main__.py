@@ -21,6 +21,7 @@ import numpy as np
 from benchmarks.peers import every_function, from_python, growth
 from benchmarks.peers.building import compiler
 from benchmarks.peers.candidates import MAKERS, Candidate, Missing, peers
+from benchmarks.peers.numbers_in_c import text_of
 from benchmarks.peers.ours import BUILDS, batches, kernels, reference
 from benchmarks.peers.pictures import growth_picture, peers_picture
 from benchmarks.peers.race import Race, harness, paired, random_states
@@ -114,7 +115,7 @@ def native(
     arm, states = numbers_of(robot), random_states(robot.n)
     folder.mkdir(parents=True, exist_ok=True)
     states.write(folder / "states.bin")
-    (folder / "arm.txt").write_text(arm.text(), encoding="utf-8")
+    (folder / "arm.txt").write_text(text_of(arm), encoding="utf-8")
     race = Race(folder, race_harness)
     print("setting up our own kernels", file=sys.stderr)
     mine = kernels(robot, folder, states, tuple(BUILDS)) + batches(robot, folder)
@@ -190,9 +191,9 @@ def demands(times: Any, index: dict[str, int]) -> list[dict[str, Any]]:
 def python(name: str, rounds: int) -> dict[str, Any]:
     """The race from Python."""
     robot = load(name, warn=lambda _: None)
-    arm, states = numbers_of(robot), random_states(robot.n)
+    states = random_states(robot.n)
     wanted = reference(robot, states)
-    calls, missing = from_python.calls(robot, arm, (states.q, states.qd, states.qdd))
+    calls, missing = from_python.calls(robot, (states.q, states.qd, states.qdd))
     racing = []
     for call in calls:
         try:

@@ -20,6 +20,7 @@ from benchmarks.peers.building import (
     program,
     version,
 )
+from benchmarks.peers.numbers_in_c import text_of
 
 from robodyn.bench.peers.numbers import Numbers
 
@@ -247,7 +248,7 @@ def _written(arm: Numbers, folder: Path, tool: str, wanted: str) -> None:
     """Have ``tool`` write its code, in a process of its own: some cannot share one."""
     folder.mkdir(parents=True, exist_ok=True)
     path = folder / wanted
-    text = arm.text()
+    text = text_of(arm)
     stamp = path.with_suffix(".arm")
     if path.is_file() and stamp.is_file() and stamp.read_text() == text:
         return

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from benchmarks.peers.building import NATIVE, STRICT, Lacking, Source, library, version
 from benchmarks.peers.candidates import Candidate, Missing, both, pinocchio_headers, pinocchio_traced
+from benchmarks.peers.numbers_in_c import text_of
 from benchmarks.peers.ours import BUILDS, values_of, written
 from benchmarks.peers.race import Race, States, paired, random_states
 
@@ -49,7 +50,7 @@ def measured(name: str, work: Path, harness: Path, rounds: int) -> Iterator[dict
         folder = work / robot.name / function
         folder.mkdir(parents=True, exist_ok=True)
         states.write(folder / "states.bin")
-        (folder / "arm.txt").write_text(numbers_of(robot).text(), encoding="utf-8")
+        (folder / "arm.txt").write_text(text_of(numbers_of(robot)), encoding="utf-8")
         print(f"racing {function} of {robot.name}", file=sys.stderr, flush=True)
         yield _race(robot, function, Race(folder, harness), states, rounds)
 

@@ -9,6 +9,7 @@ from typing import Any
 
 from benchmarks.peers.building import NATIVE, Lacking, Source, library, version
 from benchmarks.peers.candidates import Missing
+from benchmarks.peers.numbers_in_c import check_rows
 
 from robodyn.bench.peers.calls import (
     Call,
@@ -20,28 +21,28 @@ from robodyn.bench.peers.calls import (
     own_calls,
     pinocchio_call,
 )
-from robodyn.bench.peers.numbers import Numbers, check_rows
+from robodyn.bench.peers.numbers import numbers_of
 from robodyn.robot import Robot
 
 
-def calls(robot: Robot, arm: Numbers, states: States) -> tuple[list[Call], list[Missing]]:
+def calls(robot: Robot, states: States) -> tuple[list[Call], list[Missing]]:
     """All that can be called here, each given the same states; and what cannot."""
     results = own_calls(robot, states, flags="-std=c99 " + " ".join(NATIVE))
     missing = []
     for title, package, make in _PEERS:
         try:
             version(package)
-            results.append(make(arm, states))
+            results.append(make(robot, states))
         except Lacking as lacking:
             missing.append(Missing(title, title, str(lacking)))
     return results, missing
 
 
-def _casadi_compiled(arm: Numbers, states: States) -> Call:
+def _casadi_compiled(robot: Robot, states: States) -> Call:
     """The C that CasADi writes, compiled with the flags of the native race."""
     import casadi
 
-    function = casadi_function(arm)
+    function = casadi_function(robot)
     with tempfile.TemporaryDirectory() as folder:
         text = casadi.CodeGenerator("casadi_sx.c")
         text.add(function)
@@ -52,12 +53,12 @@ def _casadi_compiled(arm: Numbers, states: States) -> Call:
         return buffered("casadi-c", "CasADi, FunctionBuffer, its C compiled", loaded, states)
 
 
-def _toolbox(arm: Numbers, states: States) -> Call:
+def _toolbox(arm: Robot, states: States) -> Call:
     import roboticstoolbox as rtb
 
-    links = []
-    for link in arm.links:
-        check_rows(arm)
+    numbers, links = numbers_of(arm), []
+    check_rows(numbers)
+    for link in numbers.links:
         kind = rtb.RevoluteMDH if link.revolute else rtb.PrismaticMDH
         place = (
             {"d": link.d, "offset": link.theta[0]}
@@ -70,12 +71,12 @@ def _toolbox(arm: Numbers, states: States) -> Call:
     q, qd, qdd = states
 
     def once(k: int = 0) -> Any:
-        return robot.rne(q[k], qd[k], qdd[k], gravity=arm.gravity)
+        return robot.rne(q[k], qd[k], qdd[k], gravity=numbers.gravity)
 
     return Call("toolbox", "Robotics Toolbox, DHRobot.rne", once, 1, once)
 
 
-_PEERS: tuple[tuple[str, str, Callable[[Numbers, States], Call]], ...] = (
+_PEERS: tuple[tuple[str, str, Callable[[Robot, States], Call]], ...] = (
     ("pin.rnea", "pin", pinocchio_call),
     ("CasADi, FunctionBuffer", "casadi", casadi_call),
     ("CasADi, FunctionBuffer, its C compiled", "casadi", _casadi_compiled),

@@ -10,14 +10,14 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
+from benchmarks.peers.textbook import casadi_function, inverse_dynamics
 
-from robodyn.bench.peers.calls import casadi_function, mujoco_model
+from robodyn.bench.peers.calls import mujoco_model
 from robodyn.bench.peers.numbers import LinkNumbers, Numbers
-from robodyn.bench.peers.textbook import inverse_dynamics
 
 
 def parsed(text: str) -> Numbers:
-    """The arm that :meth:`Numbers.text` spells."""
+    """The arm that :func:`benchmarks.peers.numbers_in_c.text_of` spells."""
     rows = [[float(x) for x in line.split()] for line in text.splitlines()]
     links = []
     for r in rows[1:]:

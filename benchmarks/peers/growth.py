@@ -12,6 +12,7 @@ import numpy as np
 from benchmarks.peers.building import Lacking
 from benchmarks.peers.candidates import Candidate
 from benchmarks.peers.family import family_text
+from benchmarks.peers.numbers_in_c import text_of
 from benchmarks.peers.ours import kernels, reference
 from benchmarks.peers.race import Race, random_states
 
@@ -41,7 +42,7 @@ def _row(
     robot = load(str(description), warn=lambda _: None)
     arm, states = numbers_of(robot), random_states(n, 64)
     states.write(folder / "states.bin")
-    (folder / "arm.txt").write_text(arm.text(), encoding="utf-8")
+    (folder / "arm.txt").write_text(text_of(arm), encoding="utf-8")
     race = Race(folder, harness)
     racing = kernels(robot, folder, states, ("native",), "fast")
     if theirs is not None:

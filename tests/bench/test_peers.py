@@ -9,10 +9,11 @@ from typing import Any
 
 import numpy as np
 import pytest
+from benchmarks.peers.numbers_in_c import text_of
+from benchmarks.peers.textbook import inverse_dynamics
 
 from robodyn.bench.peers.calls import PEERS, checked
 from robodyn.bench.peers.numbers import Disagreement, NumbersLacking, hold_against, numbers_of
-from robodyn.bench.peers.textbook import inverse_dynamics
 from robodyn.robot import Robot, load
 from robodyn.verify.reference import Reference
 from robodyn_testing import require_module
@@ -41,13 +42,13 @@ def test_the_textbook_gives_the_references_torques(name: str) -> None:
     assert hold_against("textbook", Reference(robot).inverse_dynamics(*at), np.array(found)) < 1e-13
 
 
-@pytest.mark.parametrize("module", ["pinocchio", "mujoco"])
+@pytest.mark.parametrize("module", ["pinocchio", "mujoco", "casadi"])
 @pytest.mark.parametrize("name", ROBOTS)
 def test_peers_give_the_references_torques(name: str, module: str) -> None:
     require_module(module)
     robot = arm(name)
     at = states(robot.n)
-    call = PEERS[module](numbers_of(robot), at)
+    call = PEERS[module](robot, at)
     assert checked(call, Reference(robot).inverse_dynamics(*at)) < 1e-12
 
 
@@ -55,9 +56,8 @@ def test_a_peer_with_another_arm_is_refused() -> None:
     require_module("pinocchio")
     robot = arm("puma560")
     at = states(robot.n)
-    numbers = numbers_of(robot)
-    heavier = dataclasses.replace(numbers.links[5], mass=numbers.links[5].mass + 1e-6)
-    other = dataclasses.replace(numbers, links=(*numbers.links[:5], heavier))
+    last = dataclasses.replace(robot.links[5], mass=robot.links[5].mass + Fraction(1, 10**6))
+    other = dataclasses.replace(robot, links=(*robot.links[:5], last))
     with pytest.raises(Disagreement, match=r"pin\.rnea gives another torque in state"):
         checked(PEERS["pinocchio"](other, at), Reference(robot).inverse_dynamics(*at))
 
@@ -88,7 +88,7 @@ def test_what_peers_do_not_know_is_said() -> None:
 
 def test_numbers_survive_their_text() -> None:
     numbers = numbers_of(arm("stanford"))
-    rows = [[float(x) for x in line.split()] for line in numbers.text().splitlines()]
+    rows = [[float(x) for x in line.split()] for line in text_of(numbers).splitlines()]
     assert rows[0] == [6, *numbers.gravity]
     assert {len(row) for row in rows[1:]} == {35}
     assert [row[9] for row in rows[1:]] == [link.mass for link in numbers.links]

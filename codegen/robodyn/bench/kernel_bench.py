@@ -18,7 +18,6 @@ from robodyn.bench.peers.calls import PEERS, Call, States, casadi_function, chec
 from robodyn.bench.peers.numbers import (
     Disagreement,
     Floats,
-    Numbers,
     NumbersLacking,
     hold_against,
     numbers_of,
@@ -87,9 +86,8 @@ def kernel_bench(
     if interface.parameters or interface.states:
         why = "run-time parameters" if interface.parameters else "effects with a state"
         return KernelBench(flags, (), (), {"calls beside peers": f"{robot.name} has {why}"})
-    arm: Numbers | None = None
     try:
-        arm = numbers_of(robot)
+        numbers_of(robot)
         absent = {
             peer.distribution: f"not installed ({peer.install})"
             for peer in _PEERS.values()
@@ -102,17 +100,16 @@ def kernel_bench(
     states = (q, qd, qdd)
     wanted = np.asarray(Reference(robot).inverse_dynamics(*states), dtype=np.float64)
     tell("kernels in C")
-    for_casadi = None if CASADI.distribution in absent else arm
-    native = _native(robot, options, for_casadi, states, wanted, cc, absent)
+    native = _native(robot, options, states, wanted, cc, absent)
     tell("calls from Python")
     calls = own_calls(robot, states, cc=cc)
     for call in calls:
         checked(call, wanted)
     for module, peer in _PEERS.items():
-        if arm is None or peer.distribution in absent:
+        if peer.distribution in absent:
             continue
         try:
-            call = PEERS[module](arm, states)
+            call = PEERS[module](robot, states)
             checked(call, wanted)
             calls.append(call)
         except (Disagreement, ImportError, RuntimeError, ValueError) as error:
@@ -146,7 +143,6 @@ class _Runner:
 def _native(
     robot: Robot,
     options: Options,
-    arm: Numbers | None,
     states: States,
     wanted: Floats,
     cc: str | None,
@@ -154,8 +150,8 @@ def _native(
 ) -> tuple[Timed, ...]:
     layout = given_layout([program(robot, "inverse_dynamics", options)])
     runners = [_own(robot, options, trig) for trig in _TITLES if trig != "given" or layout]
-    if arm is not None:
-        runners.append(_of_casadi(arm))
+    if CASADI.distribution not in absent:
+        runners.append(_of_casadi(robot))
     arrays = dict(zip(("q", "qd", "qdd"), states, strict=True))
     if layout:
         arrays["sc"] = _trig_inputs(layout, states[0])
@@ -182,11 +178,11 @@ def _own(robot: Robot, options: Options, trig: str) -> _Runner:
     )
 
 
-def _of_casadi(arm: Numbers) -> _Runner:
+def _of_casadi(robot: Robot) -> _Runner:
     import casadi
 
     writer = casadi.CodeGenerator("casadi_kernel.c")
-    writer.add(casadi_function(arm, "casadi_kernel"))
+    writer.add(casadi_function(robot, "casadi_kernel"))
     return _Runner(
         "casadi",
         f"CasADi {casadi.__version__}, C of the textbook",

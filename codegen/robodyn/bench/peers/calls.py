@@ -7,13 +7,15 @@ import itertools
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import partial
 from typing import Any, Final
 
 import numpy as np
 
-from robodyn.bench.peers.numbers import Floats, LinkNumbers, Numbers, hold_against
-from robodyn.bench.peers.textbook import inverse_dynamics
+from robodyn.bench.peers.numbers import Floats, LinkNumbers, Numbers, hold_against, numbers_of
+from robodyn.dynamics.arm import JointAngle, build_arm, build_motion
+from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.robot.model import Robot
 
 #: States of a batch.
@@ -72,11 +74,11 @@ def _of_batch(once: Callable[[], Any], k: int) -> Any:
     return once()[k].copy()
 
 
-def pinocchio_call(arm: Numbers, states: States) -> Call:
+def pinocchio_call(robot: Robot, states: States) -> Call:
     """``pin.rnea``."""
     import pinocchio as pin
 
-    model = pinocchio_model(arm)
+    model = pinocchio_model(numbers_of(robot))
     data = model.createData()
     rnea, (q, qd, qdd) = pin.rnea, (x[0].copy() for x in states)
     return Call(
@@ -88,10 +90,10 @@ def pinocchio_call(arm: Numbers, states: States) -> Call:
     )
 
 
-def casadi_call(arm: Numbers, states: States) -> Call:
+def casadi_call(robot: Robot, states: States) -> Call:
     """The textbook over SX, in CasADi's virtual machine."""
     title = "CasADi, FunctionBuffer, in its virtual machine"
-    return buffered("casadi", title, casadi_function(arm), states)
+    return buffered("casadi", title, casadi_function(robot), states)
 
 
 def buffered(key: str, title: str, function: Any, states: States) -> Call:
@@ -113,11 +115,11 @@ def buffered(key: str, title: str, function: Any, states: States) -> Call:
     return Call(key, title, run, 1, torque)
 
 
-def mujoco_call(arm: Numbers, states: States) -> Call:
+def mujoco_call(robot: Robot, states: States) -> Call:
     """``mujoco.mj_inverse``."""
     import mujoco
 
-    model = mujoco_model(arm)
+    model = mujoco_model(numbers_of(robot))
     data = mujoco.MjData(model)
     inverse = mujoco.mj_inverse
     mujoco.set_mju_user_warning(lambda _: None)  # of singular mass matrices, which it does not need
@@ -132,7 +134,7 @@ def mujoco_call(arm: Numbers, states: States) -> Call:
 
 
 #: The peers that can be called from Python, by the module that each needs.
-PEERS: Final[dict[str, Callable[[Numbers, States], Call]]] = {
+PEERS: Final[dict[str, Callable[[Robot, States], Call]]] = {
     "pinocchio": pinocchio_call,
     "mujoco": mujoco_call,
     "casadi": casadi_call,
@@ -246,11 +248,22 @@ def _spelled(numbers: Any) -> str:
     return " ".join(repr(float(x)) for x in numbers)
 
 
-def casadi_function(arm: Numbers, name: str = "inverse_dynamics") -> Any:
-    """The textbook's recursion as a function of ``casadi`` over SX, equal nodes merged (``casadi.cse``)."""
+def casadi_function(robot: Robot, name: str = "inverse_dynamics") -> Any:
+    """Plain Newton-Euler as a function of ``casadi`` over SX, equal nodes merged (``casadi.cse``)."""
     import casadi
 
-    q, qd, qdd = (casadi.SX.sym(array, arm.n) for array in ("q", "qd", "qdd"))
-    split = casadi.vertsplit
-    tau = inverse_dynamics(arm, split(q), split(qd), split(qdd), casadi.sin, casadi.cos)
-    return casadi.Function(name, [q, qd, qdd], [casadi.cse(casadi.vertcat(*tau))])
+    def trigonometry(angle: JointAngle) -> tuple[Any, Any]:
+        ((joint, _),) = angle.terms
+        whole = q[joint] + angle.offset.radians
+        return casadi.cos(whole), casadi.sin(whole)
+
+    symbols = [casadi.SX.sym(array, robot.n) for array in ("q", "qd", "qdd")]
+    q, qd, qdd = (casadi.vertsplit(symbol) for symbol in symbols)
+    arm = build_arm(robot, _plain, float)  # there are no run-time parameters
+    tau = newton_euler(arm, build_motion(arm, q, qd, qdd, trigonometry, _plain))
+    return casadi.Function(name, symbols, [casadi.cse(casadi.vertcat(*tau))])
+
+
+def _plain(x: Fraction) -> float:
+    """A number; 0, 1 and -1 as integers, which the recursion leaves out."""
+    return int(x) if x in (0, 1, -1) else float(x)

@@ -64,27 +64,6 @@ class Numbers:
         """Number of joints."""
         return len(self.links)
 
-    def text(self) -> str:
-        """All numbers to the last digit, for programs in C and C++ (``benchmarks/peers/native/peer.h``).
-
-        Raises
-        ------
-        NumbersLacking: a link has an offset that no row of DH numbers has.
-        """
-        check_rows(self)
-        rows = [[float(self.n), *self.gravity]]
-        for link in self.links:
-            rows.append([float(link.revolute), *link.alpha, link.a, link.d, *link.theta])
-            rows[-1] += [link.mass, *link.com, *link.inertia.ravel(), link.rotor]
-            rows[-1] += [*link.rotation.ravel(), *link.position]
-        return "".join(" ".join(repr(float(x)) for x in row) + "\n" for row in rows)
-
-
-def check_rows(arm: Numbers) -> None:
-    """:class:`NumbersLacking` where the frames of ``arm`` are no Denavit-Hartenberg rows."""
-    if any(link.b for link in arm.links):
-        raise NumbersLacking(f"{arm.name} has frames that four DH numbers a joint do not describe")
-
 
 def numbers_of(robot: Robot) -> Numbers:
     """``robot`` in plain numbers.

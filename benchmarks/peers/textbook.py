@@ -168,3 +168,13 @@ def cross(u: Vector, v: Vector) -> Vector:
         minus(times(u[2], v[0]), times(u[0], v[2])),
         minus(times(u[0], v[1]), times(u[1], v[0])),
     )
+
+
+def casadi_function(arm: Numbers, name: str = "inverse_dynamics") -> Any:
+    """The textbook's recursion as a function of ``casadi`` over SX, equal nodes merged (``casadi.cse``)."""
+    import casadi
+
+    q, qd, qdd = (casadi.SX.sym(array, arm.n) for array in ("q", "qd", "qdd"))
+    split = casadi.vertsplit
+    tau = inverse_dynamics(arm, split(q), split(qd), split(qdd), casadi.sin, casadi.cos)
+    return casadi.Function(name, [q, qd, qdd], [casadi.cse(casadi.vertcat(*tau))])
