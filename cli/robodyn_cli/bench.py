@@ -6,9 +6,9 @@ from typing import Any
 
 import click
 
-from robodyn.errors import InputError
-from robodyn_cli.common import as_json, echo_json, option, robot_argument
+from robodyn_cli.decorators import option, robot_argument
 from robodyn_cli.options import functions_option, load, model_options, one_function, options_of
+from robodyn_cli.output import as_json, echo_json
 from robodyn_cli.searching import Search
 
 
@@ -17,7 +17,7 @@ from robodyn_cli.searching import Search
 @option("-p --processors=N", "Number of threads: 2, 2,4 or 2..4. [default: 2 to the number of cores]")
 @option("--cut=K", "Operations per task.", int, default=3)
 @functions_option("inverse_dynamics", "Function to time.")
-@option("--states=N", "Number of states per measurement.", int)
+@option("--states=N", "Number of states per measurement.", click.IntRange(1))
 @model_options
 def command(
     robot: str,
@@ -42,24 +42,16 @@ def command(
     from robodyn.report.schedules import processors_of
     from robodyn.schedule.cutting import cut as cut_program
     from robodyn.toolchain.program import cores
-    from robodyn_cli.progress import line
+    from robodyn_cli.progress import messages
 
     function = one_function(functions)
     described = load(robot, strict=model["strict"])
-    if states is not None and states < 1:
-        raise InputError(
-            "a measurement needs at least one state", found=f"--states {states}", expected="1 or more"
-        )
     counts = processors_of(processors or f"2..{max(2, min(4, cores()))}")
     options = options_of((function,), model)
     options = Search(None, 0, "total", False).applied(described, options, (function,))
     ((interface, program),) = generate(described, options).unit.functions
     tasks = cut_program(program, cut)
-    with line() as shown:
-
-        def tell(text: str) -> None:
-            shown.tell(f"robodyn: {text}")
-
+    with messages() as tell:
         serial = None
         if function_named(function).is_recursion:
             serial = kernel_bench(described, options, tell=tell)

@@ -10,21 +10,12 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from robodyn.errors import CheckError, InputError, RobodynError, did_you_mean
+from robodyn.errors import CheckError, InputError, RobodynError
 from robodyn.outputs import check_outputs, remove_leftovers, write_files
-from robodyn_cli.choices import FILE, REPORTS
-from robodyn_cli.common import (
-    FORCE,
-    as_json,
-    echo_document,
-    flag,
-    force_option,
-    option,
-    output_folder,
-    printable,
-    talk,
-    write_file,
-)
+from robodyn_cli.choices import FILE
+from robodyn_cli.decorators import at_most_one, flag, option
+from robodyn_cli.output import as_json, echo_document, printable, talk
+from robodyn_cli.output_files import FORCE, output_folder, write_file
 
 if TYPE_CHECKING:
     from robodyn.project.compare import Report
@@ -50,11 +41,11 @@ if TYPE_CHECKING:
 @option(
     "--format=HOW format_",
     "Format of the report: text, json, junit (XML), or markdown (for a pull request).",
-    REPORTS,
+    ("text", "json", "junit", "markdown"),
     default="text",
 )
 @option("-o --output=FILE", "Write the report to FILE, and the text of it to stdout.", FILE)
-@force_option(FORCE)
+@flag("--force", FORCE)
 def command(path: str, check: bool, format_: str, output: str | None, **options: Any) -> None:
     """Write or check the kernels of all robots of a project.
 
@@ -62,7 +53,8 @@ def command(path: str, check: bool, format_: str, output: str | None, **options:
     changed is generated and written. The lock file, robodyn.lock, has the counts of every function and the
     hashes of all files: commit it, and let CI run "robodyn build --check".
     """
-    form = _format(format_)
+    at_most_one({"--json": as_json(), f"--format {format_}": format_ not in ("text", "json")})
+    form = "json" if as_json() else format_
     try:
         comparison = _built(Path(path), check=check, report=output, **options)
     except RobodynError as error:
@@ -100,26 +92,6 @@ def _built(
         lock = before if check else locked(project, products.by_name)
         comparison = compare(project, products.by_name, lock, base, products.texts)
     return comparison if check else _worse_is_noted({**comparison, "written": written})
-
-
-def _format(name: str) -> str:
-    """The format that is asked for.
-
-    Raises
-    ------
-    InputError: there is no such format, or --json contradicts it.
-    """
-    from robodyn.project.reports import FORMATS
-
-    if name not in FORMATS:
-        raise InputError(
-            f"unknown format {name!r}",
-            expected=f"one of {', '.join(FORMATS)}",
-            remedy=did_you_mean(name, FORMATS),
-        )
-    if as_json() and name not in ("text", "json"):
-        raise InputError("--json is --format json", found=f"--format {name}", remedy="remove one of them")
-    return "json" if as_json() else name
 
 
 @contextmanager

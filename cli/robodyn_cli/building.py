@@ -19,8 +19,8 @@ from robodyn.errors import CheckError, InputError, OutputError, RobodynError, To
 from robodyn.project.fingerprint import fingerprints
 from robodyn.project.keys import PACKAGE, Keys
 from robodyn.project.product import Product, Store
-from robodyn_cli.common import Document, talk
 from robodyn_cli.file_options import files_read_by, with_common_options
+from robodyn_cli.output import Document, talk
 from robodyn_cli.project_keys import check_settings
 
 if TYPE_CHECKING:
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from robodyn.project.reading import Entry, Project
 
 #: Options of the commands for what becomes of what is written.
-_OF_A_RUN = ("output", "compile_", "check", "force", "as_json")
+_OF_A_RUN = ("output", "compile_", "check", "force")
 _BY_EXIT_CODE = {kind.exit_code: kind for kind in (CheckError, InputError, ToolError, OutputError)}
 
 

@@ -6,7 +6,9 @@ import click
 
 from robodyn.outputs import write_files
 from robodyn_cli.choices import ARMS, FOLDER, PROFILES
-from robodyn_cli.common import option, output_folder, printable, show, talk
+from robodyn_cli.decorators import option
+from robodyn_cli.output import printable, show, talk
+from robodyn_cli.output_files import output_folder
 
 
 @click.command()

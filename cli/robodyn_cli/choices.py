@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import importlib
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, Final, Literal
+from typing import TYPE_CHECKING, Any, Final
 
 import click
 
@@ -77,25 +77,9 @@ class OneOf(_Word):
         return offered
 
 
-class Place(_Word):
-    """The path of a file, or of a folder: a shell completes it. Whoever opens it checks it."""
-
-    name = "text"
-
-    def __init__(self, kind: Literal["file", "dir"]) -> None:
-        self.kind = kind
-
-    def shell_complete(
-        self, ctx: click.Context, param: click.Parameter, incomplete: str
-    ) -> list[CompletionItem]:
-        """What the shell finds."""
-        from click.shell_completion import CompletionItem
-
-        return [CompletionItem(incomplete, type=self.kind)]
-
-
-FILE: Final = Place("file")
-FOLDER: Final = Place("dir")
+#: The path of a file or a folder, as a shell completes it. Whoever opens it checks it.
+FILE: Final = click.Path(readable=False)
+FOLDER: Final = click.Path(readable=False, file_okay=False)
 ROBOTS: Final = OneOf("robodyn.robot.bundled:bundled_names", files=True)
 FORMULATIONS: Final = OneOf("robodyn.optimize.programs:FORMULATIONS", more=("all",))
 LEVELS: Final = OneOf("robodyn.kernels.options:LEVELS")
@@ -120,5 +104,4 @@ TARGET_FORMATS: Final = OneOf("robodyn.formats.exporting:TARGETS")
 COMPARED: Final = OneOf("robodyn.compare.robots:GROUPS", many=True)
 SHELL_NAMES: Final = OneOf("robodyn_cli.completion:SHELLS")
 TOOLS: Final = OneOf("robodyn.doctor:names", many=True)
-REPORTS: Final = OneOf("robodyn.project.reports:FORMATS")
 PACKAGES: Final = OneOf("robodyn.packages.formats:FORMATS")

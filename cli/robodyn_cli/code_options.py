@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from fractions import Fraction
 from typing import Any, TypeVar
 
 from robodyn_cli.choices import CONTRACTIONS, ORDERS, TARGETS, TRIGONOMETRY
-from robodyn_cli.common import add_options, flag, option
+from robodyn_cli.decorators import add_options, flag, option
 from robodyn_cli.options import scalar_option
 
 Command = TypeVar("Command", bound=Callable[..., Any])
@@ -61,13 +60,12 @@ def code_options(*, firmware: bool = False) -> Callable[[Command], Command]:
     )
 
 
-def prune_option(command: Command) -> Command:
-    """Add ``--prune TOL``, passed to `command` as ``prune: str | None``."""
-    return option(
-        "--prune=TOL",
-        "Drop terms that cannot matter within the joint limits; the error of each torque stays below TOL "
-        "(1% or 0.01) of the joint's peak torque. Inverse dynamics, bias and gravity only.",
-    )(command)
+#: Adds ``--prune TOL``, passed as ``prune: str | None``.
+prune_option = option(
+    "--prune=TOL",
+    "Drop terms that cannot matter within the joint limits; the error of each torque stays below TOL "
+    "(1% or 0.01) of the joint's peak torque. Inverse dynamics, bias and gravity only.",
+)
 
 
 def tolerance(prune: str | None) -> Fraction | None:
@@ -77,12 +75,3 @@ def tolerance(prune: str | None) -> Fraction | None:
     from robodyn.optimize.prune import parse_tolerance
 
     return parse_tolerance(prune)
-
-
-@contextmanager
-def pruning_progress() -> Iterator[Callable[[str], None]]:
-    """Progress of the pruning: a line on a terminal, nothing in a pipe."""
-    from robodyn_cli.progress import line
-
-    with line() as shown:
-        yield lambda text: shown.tell(f"robodyn: {text}")

@@ -17,10 +17,11 @@ import click
 from click.shell_completion import CompletionItem, ShellComplete, add_completion_class, split_arg_string
 
 from robodyn.errors import InputError
+from robodyn.outputs import write_files
 from robodyn_cli.choices import SHELL_NAMES
-from robodyn_cli.common import as_json, echo_json, flag, printable, write_file
+from robodyn_cli.decorators import flag
+from robodyn_cli.output import printable, show
 
-MARK: Final = 'as "robodyn completion'
 _DATA: Final = ("XDG_DATA_HOME", ".local/share")
 
 
@@ -128,13 +129,12 @@ def script(shell: str) -> str:
 @click.command()
 @click.argument("shell", type=SHELL_NAMES, metavar="[SHELL]", required=False)
 @flag("--install", "Write the script to your folder of SHELL's completions.")
-@flag("--uninstall", "Remove it from there.")
-def command(shell: str | None, install: bool, uninstall: bool) -> None:
+def command(shell: str | None, install: bool) -> None:
     """Print or install the script with which a shell completes robodyn.
 
     SHELL is bash, zsh or fish; without it, the one that the environment variable SHELL names. Commands,
     options, robots, functions, effects, targets, languages and files are completed. --install writes one
-    file, and changes none of yours.
+    file, and changes none of yours: to undo it, remove that file.
     """
     name = shell if shell is not None else Path(os.environ.get("SHELL", "")).name
     if name not in SHELLS:
@@ -143,33 +143,14 @@ def command(shell: str | None, install: bool, uninstall: bool) -> None:
             expected=f"one of {', '.join(SHELLS)}",
             remedy="name it: robodyn completion bash" if shell is None else None,
         )
-    if install and uninstall:
-        raise InputError("--install and --uninstall contradict each other", remedy="remove one of them")
     text = script(name)
-    if not install and not uninstall:
-        if as_json():
-            echo_json({"shell": name, "script": text})
-        else:
-            click.echo(text, nl=False)
+    if not install:
+        show(lambda: {"shell": name, "script": text}, text.splitlines)
         return
     path = _path(name)
-    before = _installed(path)
-    changed = before != text if install else before is not None
-    if install and changed:
-        write_file(path, text, remedy="print it: robodyn completion SHELL")
-    elif changed:
-        _remove(path)
-    if as_json():
-        echo_json({"shell": name, "path": str(path), "installed": install, "changed": changed})
-        return
-    if uninstall:
-        click.echo(f"removed {printable(path)}" if changed else f"nothing to remove at {printable(path)}")
-        return
-    click.echo(f"wrote {printable(path)}" if changed else f"{printable(path)} is up to date")
-    needed = SHELLS[name].needed(path.parent)
-    if needed is not None:
-        click.echo(needed)
-    click.echo(f"new shells complete robodyn; to undo: robodyn completion {name} --uninstall")
+    write_files(path.parent, {path.name: text}, remedy="print it: robodyn completion SHELL")
+    wrote = (f"wrote {printable(path)}", SHELLS[name].needed(path.parent), "new shells complete robodyn")
+    show(lambda: {"shell": name, "path": str(path)}, lambda: (line for line in wrote if line is not None))
 
 
 def _path(shell: str) -> Path:
@@ -186,31 +167,3 @@ def _path(shell: str) -> Path:
             "there is no home folder to install into", remedy=f"robodyn completion {shell} > FILE"
         ) from None
     return SHELLS[shell].folder(os.environ, home) / SHELLS[shell].file
-
-
-def _installed(path: Path) -> str | None:
-    """The script of robodyn at `path`, None if nothing is there.
-
-    Raises
-    ------
-    InputError: something else is.
-    """
-    if not path.exists():
-        return None
-    text = path.read_text(encoding="utf-8", errors="replace") if path.is_file() else ""
-    if MARK not in text:
-        raise InputError(
-            f"{printable(path)} is not a script of robodyn",
-            expected="nothing there, or an earlier completion of robodyn",
-            remedy="move it away first",
-        )
-    return text
-
-
-def _remove(path: Path) -> None:
-    from robodyn.files import cannot_write
-
-    try:
-        path.unlink()
-    except OSError as error:
-        raise cannot_write(printable(path), error, "remove it by hand") from None

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from robodyn_cli.common import wrapped
+from robodyn_cli.output import wrapped
 
 if TYPE_CHECKING:
     from robodyn.counts import Count

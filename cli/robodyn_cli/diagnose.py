@@ -12,17 +12,10 @@ import click
 from robodyn.errors import InputError
 from robodyn.outputs import write_files
 from robodyn_cli.choices import FILE, FOLDER, SEVERAL_EFFECTS
-from robodyn_cli.common import (
-    as_json,
-    echo_document,
-    flag,
-    option,
-    printable,
-    robot_argument,
-    talk,
-)
+from robodyn_cli.decorators import flag, option, robot_argument
 from robodyn_cli.log_files import log_options, outputs_for, run_on_logs
 from robodyn_cli.options import listed
+from robodyn_cli.output import as_json, echo_document, printable, talk
 from robodyn_cli.values import parameter_option
 
 if TYPE_CHECKING:

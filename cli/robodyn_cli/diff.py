@@ -9,7 +9,9 @@ import click
 
 from robodyn.errors import CheckError
 from robodyn_cli.choices import COMPARED, ROBOTS
-from robodyn_cli.common import load_robot, option, printable, show, wrapped
+from robodyn_cli.decorators import option
+from robodyn_cli.output import printable, show, wrapped
+from robodyn_cli.robot_files import load_robot
 from robodyn_cli.values import parameter_option
 
 if TYPE_CHECKING:

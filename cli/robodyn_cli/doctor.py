@@ -9,8 +9,9 @@ import click
 
 from robodyn.errors import ToolError
 from robodyn_cli.choices import TOOLS
-from robodyn_cli.common import WIDTH, as_json, echo_json, flag, option, printable
+from robodyn_cli.decorators import flag, option
 from robodyn_cli.options import listed
+from robodyn_cli.output import WIDTH, as_json, echo_json, printable
 
 if TYPE_CHECKING:
     from robodyn.doctor import ToolState

@@ -10,7 +10,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from robodyn.errors import InputError
-from robodyn_cli.common import load_robot, talk
+from robodyn_cli.output import talk
+from robodyn_cli.robot_files import load_robot
 from robodyn_cli.simulate_options import SimulationOptions, exactly, spread
 
 if TYPE_CHECKING:
@@ -184,8 +185,6 @@ def _line(
     link = settings.link if settings.link is not None else min(robot.n, 6)
     tool = (0.0, 0.0, 0.0) if robot.tool is None or link != robot.n else tuple(map(float, robot.tool.xyz))
     point = settings.point if settings.point is not None else tool
-    if len(point) != 3:
-        raise InputError("--point is not a point", found=f"{len(point)} numbers", expected="x,y,z in m")
     kinematics = Kinematics(robot, values, point, link)
     place, rotation = kinematics.pose(start)
     begin, end = settings.line if len(settings.line) == 2 else (place, settings.line[0])

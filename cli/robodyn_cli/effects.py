@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import click
 
-from robodyn.errors import InputError
 from robodyn_cli.choices import EFFECTS
-from robodyn_cli.common import as_json, echo_json, flag
+from robodyn_cli.decorators import at_most_one, flag
+from robodyn_cli.output import as_json, echo_json
 
 
 @click.command()
@@ -18,8 +18,7 @@ def command(id: str | None, markdown: bool, latex: bool) -> None:
     from robodyn.effects.catalogue import CATALOGUE, effect
     from robodyn.report import effects as report
 
-    if markdown + latex + as_json() > 1:
-        raise InputError("more than one output format", expected="--markdown, --latex or --json")
+    at_most_one({"--markdown": markdown, "--latex": latex, "--json": as_json()})
     chosen = CATALOGUE if id is None else {id: effect(id)}
     if as_json():
         pages = [report.data(each) for each in chosen.values()]

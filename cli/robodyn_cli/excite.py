@@ -10,18 +10,11 @@ import click
 from robodyn.errors import InputError
 from robodyn_cli import progress
 from robodyn_cli.choices import FILE, SEVERAL_EFFECTS
-from robodyn_cli.common import (
-    as_json,
-    load_robot,
-    option,
-    output_folder,
-    printable,
-    robot_argument,
-    show,
-    talk,
-    write_file,
-)
+from robodyn_cli.decorators import at_most_one, option, robot_argument
 from robodyn_cli.hide import placed
+from robodyn_cli.output import as_json, printable, show, talk
+from robodyn_cli.output_files import output_folder, write_file
+from robodyn_cli.robot_files import load_robot
 from robodyn_cli.values import POSITIVE
 
 if TYPE_CHECKING:
@@ -54,8 +47,7 @@ def command(robot: str, tell: str | None, output: str, rate: float, **options: A
     from robodyn.diagnose.excite import design
 
     described = load_robot(robot)
-    if output == "-" and as_json():
-        raise InputError("--json and -o - both write to stdout", remedy="remove one of them")
+    at_most_one({"--json": as_json(), "-o -": output == "-"})
     samples = options["duration"] * rate
     if not 20 <= samples <= _LARGEST / described.n:
         raise InputError(

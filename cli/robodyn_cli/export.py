@@ -7,19 +7,10 @@ from collections.abc import Sequence
 import click
 
 from robodyn_cli.choices import FILE, TARGET_FORMATS
-from robodyn_cli.common import (
-    FORCE_FILE,
-    as_json,
-    echo_json,
-    force_option,
-    load_robot,
-    new_file,
-    option,
-    parameter_values,
-    robot_argument,
-    talk,
-    write_or_echo,
-)
+from robodyn_cli.decorators import flag, option, robot_argument
+from robodyn_cli.output import as_json, echo_json, talk
+from robodyn_cli.output_files import FORCE_FILE, new_file, write_or_echo
+from robodyn_cli.robot_files import load_robot, parameter_values
 from robodyn_cli.values import parameter_option
 
 
@@ -28,7 +19,7 @@ from robodyn_cli.values import parameter_option
 @option("--to=FORMAT", "Format of the file: urdf, mjcf or sdf.", TARGET_FORMATS, required=True)
 @parameter_option()
 @option("-o --output=FILE", "Output file; default: stdout.", FILE)
-@force_option(FORCE_FILE)
+@flag("--force", FORCE_FILE)
 def command(robot: str, to: str, param: Sequence[tuple[str, float]], output: str | None, force: bool) -> None:
     """Export a robot to URDF, MJCF or SDF.
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import errno
 import os
 import re
 import sys
@@ -15,7 +14,7 @@ import click
 
 from robodyn.errors import InputError, OutputError, Place, RobodynError, ToolError, escaped
 from robodyn.process import exit_code, quiet, received
-from robodyn_cli.common import Document, drop, talk
+from robodyn_cli.output import Document, drop, talk
 
 INTERNAL_ERROR: Final = 70  # EX_SOFTWARE: robodyn itself is at fault
 PIPE_CLOSED: Final = 141  # 128 + SIGPIPE
@@ -99,12 +98,9 @@ def _failure(error: BaseException) -> RobodynError:
         import traceback
 
         talk("".join(traceback.format_exception(error)).rstrip("\n"))
-    if (limit := _few_files()) is not None:  # whatever its symptom, even a module that is not found
-        return _SystemRefusedError(
-            f"the limit of open files is too low: {error}",
-            found=f"{limit}",
-            remedy="raise it with ulimit -n 256",
-        )
+    if "Too many open files" in str(error):  # of the system, or of a library that was to be imported
+        remedy = "raise it with ulimit -n 256"
+        return _SystemRefusedError(f"the limit of open files is too low: {error}", remedy=remedy)
     if isinstance(error, (OSError, MemoryError)):  # a full disk and its like
         return _SystemRefusedError(f"the operating system refused: {str(error) or 'out of memory'}")
     if isinstance(error, ImportError) and not (error.name or "").startswith("robodyn"):
@@ -127,27 +123,6 @@ def _origin(error: Exception) -> Place | None:
     package = str(Path(robodyn.__file__).parent)
     frames = [x for x in traceback.extract_tb(error.__traceback__) if x.filename.startswith(package)]
     return Place(frames[-1].filename, frames[-1].lineno) if frames else None
-
-
-def _few_files() -> int | None:
-    """The limit of open files, if it is nearly reached; else None."""
-    opened: list[int] = []
-    try:
-        while len(opened) < 16:
-            opened.append(os.open(os.devnull, os.O_RDONLY))
-    except OSError as error:
-        if error.errno not in (errno.EMFILE, errno.ENFILE):
-            return None
-    finally:
-        for descriptor in opened:
-            os.close(descriptor)
-    if len(opened) == 16:
-        return None
-    try:
-        import resource
-    except ImportError:
-        return len(opened)
-    return resource.getrlimit(resource.RLIMIT_NOFILE)[0]
 
 
 def _print(failure: RobodynError) -> None:

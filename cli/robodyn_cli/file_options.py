@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import copy
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager, nullcontext
 from functools import wraps
 from typing import Any
@@ -12,37 +12,37 @@ import click
 
 from robodyn.errors import InputError
 from robodyn_cli.choices import ROBOTS
-from robodyn_cli.common import JSON, flag, option
+from robodyn_cli.decorators import JSON, add_options, flag, option
 from robodyn_cli.values import Argument, unique
 
-
-def file_options(command: Callable[..., Any]) -> Callable[..., Any]:
-    """Add ``--arg`` (``arg``), ``--model`` (``file_model``), ``--without`` (``left_out``) and ``--massless``
-    (``massless``) to a command."""
-    command = flag(
-        "--massless",
-        "Take masses and inertias that the file does not state as 0; without it, torques that rest on them "
-        "are refused.",
-    )(command)
-    command = option(
-        "--without=NAME left_out",
-        "Leave out something that a file in another format states, that changes torques and that is not "
-        "modelled: gravcomp, density, ...; may be repeated.",
-        multiple=True,
-    )(command)
-    command = option(
-        "--model=NAME file_model",
-        "Model to read from an SDF file that has several; OUTER::INNER for one in another.",
-        default="",
-        show_default=False,
-    )(command)
-    return option(
+file_options = add_options(
+    option(
         "--arg=NAME=VALUE",
         "Set an argument of a xacro file, or ('find NAME') a folder that it or an MJCF file may read; may "
         "be repeated.",
         Argument(),
         multiple=True,
-    )(command)
+    ),
+    option(
+        "--model=NAME file_model",
+        "Model to read from an SDF file that has several; OUTER::INNER for one in another.",
+        default="",
+        show_default=False,
+    ),
+    option(
+        "--without=NAME left_out",
+        "Leave out something that a file in another format states, that changes torques and that is not "
+        "modelled: gravcomp, density, ...; may be repeated.",
+        multiple=True,
+    ),
+    flag(
+        "--massless",
+        "Take masses and inertias that the file does not state as 0; without it, torques that rest on them "
+        "are refused.",
+    ),
+)
+"""Adds ``--arg`` (``arg``), ``--model`` (``file_model``), ``--without`` (``left_out``) and ``--massless``
+(``massless``) to a command."""
 
 
 def with_common_options(command: click.Command) -> click.Command:
@@ -54,7 +54,6 @@ def with_common_options(command: click.Command) -> click.Command:
 
     @wraps(callback)
     def with_options(**parameters: Any) -> Any:
-        parameters.pop(JSON.name, None)
         with files_read_by(parameters) if takes_robot else nullcontext():
             return callback(**parameters)
 

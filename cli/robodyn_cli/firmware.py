@@ -4,31 +4,29 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING
 
 import click
 
-from robodyn.errors import InputError
-from robodyn_cli.common import as_json, echo_json, flag, printable, report_up_to_date, talk
+from robodyn_cli.decorators import at_most_one, flag
 from robodyn_cli.options import listed
+from robodyn_cli.output import as_json, echo_json, printable, talk
+from robodyn_cli.output_files import report_up_to_date
 
 if TYPE_CHECKING:
     from robodyn.firmware import Folder
     from robodyn.kernels.generate import Generated, Options
 
-Command = TypeVar("Command", bound=Callable[..., Any])
-
 #: The folder of the firmware, in that of the robot.
 FOLDER = "firmware"
 
 
-def firmware_option(command: Command) -> Command:
-    """Add ``--firmware``, passed to `command` as ``firmware: bool``."""
-    return flag(
-        "--firmware",
-        "Write DIR/firmware instead: kernel with built-in sine and cosine (inverse_dynamics, or "
-        "--functions), self-test, CMake, an image for qemu, a README with the measured cost.",
-    )(command)
+#: Adds ``--firmware``, passed as ``firmware: bool``.
+firmware_option = flag(
+    "--firmware",
+    "Write DIR/firmware instead: kernel with built-in sine and cosine (inverse_dynamics, or --functions), "
+    "self-test, CMake, an image for qemu, a README with the measured cost.",
+)
 
 
 def for_firmware(options: Options, target: str | None, **others: object) -> Options:
@@ -41,8 +39,7 @@ def for_firmware(options: Options, target: str | None, **others: object) -> Opti
     from robodyn.firmware import firmware_options
 
     for name, value in others.items():
-        if value:
-            raise InputError(f"--{name} cannot be combined with --firmware", remedy="remove one of them")
+        at_most_one({f"--{name}": value, "--firmware": True})
     source = click.get_current_context().get_parameter_source
     named = {
         name: getattr(options, name) if source(name) is click.core.ParameterSource.COMMANDLINE else None

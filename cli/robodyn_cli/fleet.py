@@ -13,8 +13,10 @@ from robodyn.errors import InputError
 from robodyn.outputs import check_outputs, write_files
 from robodyn_cli import progress
 from robodyn_cli.choices import FILE, FOLDER
-from robodyn_cli.common import as_json, echo_document, flag, option, printable, talk
-from robodyn_cli.log_files import result_folder, spare_inputs
+from robodyn_cli.decorators import flag, option
+from robodyn_cli.log_files import spare_inputs
+from robodyn_cli.output import as_json, echo_document, printable, talk
+from robodyn_cli.output_files import output_folder
 from robodyn_cli.values import POSITIVE
 
 if TYPE_CHECKING:
@@ -62,7 +64,7 @@ def command(fleet: str, out: str, on: str, no_parquet: bool, **options: Any) -> 
     from robodyn.formats.loading import load
 
     check_place(on)
-    folder = result_folder(out)
+    folder = output_folder(out)
     security = _security(options, on)
     if not no_parquet:
         from robodyn.fleet.table import check_parquet

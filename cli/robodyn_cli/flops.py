@@ -7,9 +7,9 @@ from typing import Any
 import click
 
 from robodyn.errors import CheckError
-from robodyn_cli.code_options import prune_option, pruning_progress, tolerance
-from robodyn_cli.common import as_json, echo_json, option, robot_argument
+from robodyn_cli.code_options import prune_option, tolerance
 from robodyn_cli.counted import effect_lines, lines, pruning_lines, record
+from robodyn_cli.decorators import option, robot_argument
 from robodyn_cli.options import (
     functions_option,
     fuse_option,
@@ -20,6 +20,8 @@ from robodyn_cli.options import (
     search_options,
     with_fused,
 )
+from robodyn_cli.output import as_json, echo_json
+from robodyn_cli.progress import messages
 from robodyn_cli.searching import Search
 
 
@@ -71,7 +73,7 @@ def command(
     counts: list[tuple[str, str, Count]] = []
     prunings: dict[tuple[str, str], Pruning] = {}
     rigid: dict[tuple[str, str], Count | None] = {}
-    with pruning_progress() as tell:
+    with messages() as tell:
         for f, form, one in choices:
             programs = maker(described, one, tell)
             try:

@@ -3,34 +3,23 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Mapping
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from robodyn.errors import CheckError, InputError, ToolError
-from robodyn.outputs import write_files
+from robodyn.errors import CheckError, ToolError
 from robodyn_cli.choices import FOLDER
 from robodyn_cli.code_options import code_options, prune_option
-from robodyn_cli.common import (
-    FORCE,
-    as_json,
-    echo_json,
-    flag,
-    force_option,
-    option,
-    output_folder,
-    printable,
-    report_up_to_date,
-    robot_argument,
-    wrapped,
-)
 from robodyn_cli.counted import effect_lines, fused_lines, lines, pruning_lines
+from robodyn_cli.decorators import at_most_one, flag, option, robot_argument
 from robodyn_cli.firmware import firmware_option, write_firmware
 from robodyn_cli.generating import kernels
 from robodyn_cli.languages import language_option
 from robodyn_cli.options import functions_option, fuse_option, model_options, search_options
+from robodyn_cli.output import as_json, echo_json, printable, wrapped
+from robodyn_cli.output_files import FORCE, output_folder, report_up_to_date, write_product
 
 if TYPE_CHECKING:
     from robodyn.kernels.generate import Generated, Options
@@ -61,7 +50,7 @@ if TYPE_CHECKING:
 @firmware_option
 @flag("--latex", "Also write NAME.tex, the typeset recursion (uses sympy).")
 @flag("--check", "Write nothing; exit with 1 if the files in DIR differ.")
-@force_option(FORCE)
+@flag("--force", FORCE)
 def command(robot: str, output: str | None, check: bool, force: bool, **options: Any) -> None:
     """Write the kernels of a robot, and print the operation counts.
 
@@ -69,18 +58,13 @@ def command(robot: str, output: str | None, check: bool, force: bool, **options:
     --lang rust, a module with --lang javascript) with the functions of --functions. The same input gives the
     same bytes on any machine.
     """
-    if check and options["keep"]:
-        raise InputError("--check writes nothing, but --keep writes a record", remedy="remove one of them")
+    at_most_one({"--check": check, "--keep": options["keep"]})
     folder = output_folder(output) if output is not None else None
     product = kernels(robot, **options)
     generated, name = product.generated, product.robot.name
     folder = Path("generated") / name if folder is None else folder
 
-    def write(folder: Path, files: Mapping[str, str | bytes]) -> None:
-        """Write ``files``; of the default folder no part may be a link, which nobody has named."""
-        base = Path() if output is None else folder
-        paths = {str((folder / file).relative_to(base)): content for file, content in files.items()}
-        write_files(base, paths, force=force)
+    write = partial(write_product, Path() if output is None else folder, force=force)
 
     if options["firmware"]:
         write_firmware(generated, folder, product.languages, options["target"], None if check else write)

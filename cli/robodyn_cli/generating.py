@@ -10,13 +10,14 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from robodyn.errors import InputError
-from robodyn_cli.code_options import pruning_progress, tolerance
-from robodyn_cli.common import talk
+from robodyn_cli.code_options import tolerance
 from robodyn_cli.counted import record
+from robodyn_cli.decorators import at_most_one
 from robodyn_cli.firmware import for_firmware
 from robodyn_cli.languages import chosen_languages, tests_of, trig_for
 from robodyn_cli.options import listed, load, options_of, with_fused
+from robodyn_cli.output import talk
+from robodyn_cli.progress import messages
 from robodyn_cli.searching import Search
 
 if TYPE_CHECKING:
@@ -98,7 +99,7 @@ def kernels(robot: str, **options: Any) -> Kernels:
     limits = {name: getattr(settings, name) for name in ("budget_seconds", "seed", "keep", "on", "seeds")}
     search = Search(objective=kernel_options.objective, **limits)
     kernel_options = search.applied(described, kernel_options, kernel_options.function_names)
-    with pruning_progress() as tell:
+    with messages() as tell:
         generated = generate(described, kernel_options, progress=_progress(described), pruning=tell)
     for function, reason in generated.left_out.items():
         talk(f"robodyn: note: {described.name} has no {function}: {reason}")
@@ -112,18 +113,10 @@ def _is_on_command_line(name: str) -> bool:
 
 def _check_readable(settings: SimpleNamespace) -> None:
     """Refuse what contradicts --readable."""
-    contradictions = [
-        f"--{name} {getattr(settings, name)}"
-        for name, fitting in (("optimize", "none"), ("order", "recursion"))
-        if getattr(settings, name) != fitting and _is_on_command_line(name)
-    ]
-    if contradictions or settings.batch:
-        raise InputError(
-            "--readable writes the recursion as it stands in the book, one state at a time",
-            found=", ".join([*contradictions, *["--batch"] * settings.batch]),
-            expected="--optimize none and --order recursion, without --batch",
-            remedy="remove --readable or what contradicts it",
-        )
+    for name, fitting in (("optimize", "none"), ("order", "recursion"), ("batch", False)):
+        value = getattr(settings, name)
+        spelled = f"--{name}" if value is True else f"--{name} {value}"
+        at_most_one({"--readable": True, spelled: value != fitting and _is_on_command_line(name)})
 
 
 #: From this number of joints on, the progress is shown.

@@ -13,16 +13,11 @@ from robodyn.errors import InputError, Place
 from robodyn.outputs import write_files
 from robodyn_cli import progress
 from robodyn_cli.choices import EFFECTS, FILE, FOLDER, ROBOTS
-from robodyn_cli.common import (
-    echo_document,
-    load_robot,
-    option,
-    output_folder,
-    printable,
-    show,
-    talk,
-)
+from robodyn_cli.decorators import at_most_one, option
 from robodyn_cli.log_files import spare_inputs
+from robodyn_cli.output import echo_document, printable, show, talk
+from robodyn_cli.output_files import output_folder
+from robodyn_cli.robot_files import load_robot
 from robodyn_cli.values import POSITIVE, SIZE
 
 if TYPE_CHECKING:
@@ -61,7 +56,7 @@ _LONGEST_ANSWER, _LONGEST_DIAGNOSIS = 1 << 24, 1 << 28  # bytes
 @option("--encoder-bits=B", "Encoder bits per turn; 0: exact.", SIZE, default="20")
 @option("-o --output=DIR", "Output folder.", FOLDER)
 @option(
-    "--open=DIR opened", "Print the sealed answer of the test in DIR (or that file itself) and exit.", FOLDER
+    "--open=DIR opened", "Print the sealed answer of the test in DIR (or that file itself) and exit.", FILE
 )
 @option(
     "--score",
@@ -81,14 +76,8 @@ def command(opened: str | None, score: tuple[str, str] | None, **options: Any) -
     """
     from robodyn.diagnose.blind.seal import checked
 
-    modes = [name for name, there in (("--open", opened), ("--score", score)) if there is not None]
     hiding = [name for name in _OF_HIDING if options[name] not in (None, ())]
-    if len(modes) == 2 or (modes and hiding):
-        raise InputError(
-            f"{modes[0]} cannot be combined with other options",
-            found=modes[1] if len(modes) == 2 else "ROBOT" if options["robot"] else "options of hiding",
-            remedy="remove one of them",
-        )
+    at_most_one({"--open": opened, "--score": score, "hiding effects": bool(hiding)})
     if opened is not None:
         echo_document(json.dumps(checked(_answer(Path(opened))), indent=2, ensure_ascii=False))
     elif score is not None:

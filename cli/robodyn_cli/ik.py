@@ -8,14 +8,9 @@ import click
 
 from robodyn.errors import CheckError, InputError
 from robodyn_cli.choices import FILE
-from robodyn_cli.common import (
-    flag,
-    load_robot,
-    option,
-    parameter_values,
-    robot_argument,
-    show,
-)
+from robodyn_cli.decorators import flag, option, robot_argument
+from robodyn_cli.output import show
+from robodyn_cli.robot_files import load_robot, parameter_values
 from robodyn_cli.values import SEVERAL, parameter_option
 
 if TYPE_CHECKING:

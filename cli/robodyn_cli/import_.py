@@ -2,26 +2,16 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from robodyn.errors import InputError
 from robodyn_cli.choices import FILE
-from robodyn_cli.common import (
-    FORCE_FILE,
-    as_json,
-    echo_json,
-    flag,
-    force_option,
-    new_file,
-    option,
-    printable,
-    talk,
-    write_or_echo,
-)
+from robodyn_cli.decorators import flag, option
 from robodyn_cli.file_options import file_options
+from robodyn_cli.log_files import spare_inputs
+from robodyn_cli.output import as_json, echo_json, talk
+from robodyn_cli.output_files import FORCE_FILE, new_file, write_or_echo
 from robodyn_cli.values import Parameter, Point, unique
 
 if TYPE_CHECKING:
@@ -51,7 +41,7 @@ if TYPE_CHECKING:
 @option("--name=NAME", "Name of the robot; default: the one in the file.", default="", show_default=False)
 @flag("--strict", "Refuse inertias that no body has.")
 @option("-o --output=ARM.yaml", "Output file; default: stdout.", FILE)
-@force_option(FORCE_FILE)
+@flag("--force", FORCE_FILE)
 def command(file: str, snap: float, output: str | None, force: bool, **options: Any) -> None:
     """Import a serial arm from URDF, MJCF, SDF or xacro as a description.
 
@@ -63,9 +53,8 @@ def command(file: str, snap: float, output: str | None, force: bool, **options: 
     from robodyn.robot.masses import unknown_masses
 
     path = None if output in (None, "-") else new_file(str(output), force=force)
-    if path is not None and path.exists() and Path(file).exists() and path.samefile(file):
-        what = f"{printable(path)} is the input and would be overwritten"
-        raise InputError(what, remedy="choose another -o")
+    if path is not None:
+        spare_inputs([path], [file])
     options |= {
         "locks": unique(options.pop("lock"), "--lock"), "arguments": unique(options.pop("arg"), "--arg"),
         "model": options.pop("file_model"), "without": options.pop("left_out"),

@@ -8,7 +8,7 @@ import click
 
 from robodyn.errors import InputError
 from robodyn_cli.choices import COMPILED_LANGUAGES, SEVERAL_LANGUAGES
-from robodyn_cli.common import option
+from robodyn_cli.decorators import option
 from robodyn_cli.options import listed
 
 if TYPE_CHECKING:

@@ -10,7 +10,10 @@ from robodyn.errors import InputError
 from robodyn.outputs import check_outputs
 from robodyn_cli import progress
 from robodyn_cli.choices import FILE
-from robodyn_cli.common import load_robot, option, output_folder, parameter_values, printable, talk
+from robodyn_cli.decorators import add_options, option
+from robodyn_cli.output import printable, talk
+from robodyn_cli.output_files import output_folder
+from robodyn_cli.robot_files import load_robot, parameter_values
 
 if TYPE_CHECKING:
     from robodyn.logs.log import Log
@@ -18,23 +21,25 @@ if TYPE_CHECKING:
     from robodyn.robot import Robot
 
 
-Command = TypeVar("Command", bound=Callable[..., Any])
 Result = TypeVar("Result")
-
-
-def log_options(command: Command) -> Command:
-    """Add ``--map`` and ``--columns``, passed to `command` as ``map_file`` and ``columns``, str or None."""
-    command = option(
-        "--columns=TEXT", 'Which columns are what, in which unit: "q=joint_%d_pos[deg],tau=current_%d[A]".'
-    )(command)
-    return option("--map=MAP.yaml map_file", _map_help, FILE)(command)
 
 
 def _map_help() -> str:
     from robodyn.logs.formats import FORMATS
 
     suffixes = {suffix for each in FORMATS.values() for suffix in each.suffixes}
-    return f"The same as a file (robodyn logs FILE -o MAP.yaml). Logs end in {', '.join(sorted(suffixes))}."
+    ends = ", ".join(sorted(suffixes))
+    return f"The same as --columns in a file (robodyn logs FILE -o MAP.yaml). Logs end in {ends}."
+
+
+log_options = add_options(
+    option("--map=MAP.yaml map_file", _map_help, FILE),
+    option(
+        "--columns=TEXT",
+        'Which columns are what, in which unit: "q=joint_%d_pos[deg],tau=current_%d[A]".',
+    ),
+)
+"""Adds ``--map`` and ``--columns``, passed as ``map_file`` and ``columns``, str or None."""
 
 
 def log_map(map_file: str | None, columns: str | None) -> LogMap | None:
@@ -56,21 +61,6 @@ def log_map(map_file: str | None, columns: str | None) -> LogMap | None:
     if columns is None:
         return mapping
     return replace(mapping, groups={**mapping.groups, **map_of_columns(columns).groups})
-
-
-def result_folder(text: str) -> Path:
-    """The folder of ``-o``, which need not exist yet.
-
-    Raises
-    ------
-    InputError: the text is empty, or a file is there.
-    """
-    folder = output_folder(text)
-    if folder.exists() and not folder.is_dir():
-        raise InputError(
-            f"cannot write to {printable(folder)}", found="a file", remedy="choose another path with -o"
-        )
-    return folder
 
 
 def spare_inputs(outputs: Iterable[Path], inputs: Sequence[str]) -> None:
@@ -135,7 +125,7 @@ def outputs_for(robot: str, options: Mapping[str, Any], names: Sequence[str]) ->
     """
     from robodyn.logs.content import input_files
 
-    folder = result_folder(options["out"])
+    folder = output_folder(options["out"])
     inputs = [robot, *(str(file) for path in _paths(options) for file in input_files(path))]
     spare_inputs([folder / name for name in names], inputs)
     check_outputs(folder, names)

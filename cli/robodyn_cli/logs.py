@@ -8,8 +8,11 @@ import click
 
 from robodyn.errors import InputError
 from robodyn_cli.choices import FILE, ROBOTS
-from robodyn_cli.common import load_robot, option, printable, show, talk, write_file
+from robodyn_cli.decorators import option
 from robodyn_cli.log_files import log_map, log_options, spare_inputs
+from robodyn_cli.output import printable, show, talk
+from robodyn_cli.output_files import write_file
+from robodyn_cli.robot_files import load_robot
 
 
 @click.command()

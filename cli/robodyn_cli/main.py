@@ -16,8 +16,9 @@ from typing import TYPE_CHECKING, Final
 import click
 
 from robodyn.errors import did_you_mean
-from robodyn_cli.common import Document
+from robodyn.version import VERSION
 from robodyn_cli.failures import asks_for_json, guard
+from robodyn_cli.output import Document
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
@@ -102,14 +103,6 @@ class LazyGroup(click.Group):
             formatter.write_dl(list(COMMANDS.items()))
 
 
-def _print_version(ctx: click.Context, _: click.Parameter, wanted: bool) -> None:
-    if wanted and not ctx.resilient_parsing:
-        import robodyn
-
-        click.echo(f"robodyn {robodyn.__version__}")
-        ctx.exit()
-
-
 EPILOG: Final = """\
 Exit codes: 0 done; 1 a check failed or was not met; 2 bad input; 3 a tool is missing (a compiler ...);
 4 diagnose reports unexplained. Results go to stdout, messages to stderr.
@@ -117,14 +110,7 @@ Exit codes: 0 done; 1 a check failed or was not met; 2 bad input; 3 a tool is mi
 
 
 @click.group(cls=LazyGroup, context_settings=HELP, epilog=EPILOG)
-@click.option(
-    "--version",
-    is_flag=True,
-    is_eager=True,
-    expose_value=False,
-    callback=_print_version,
-    help="Show the version and exit.",
-)
+@click.version_option(VERSION, prog_name="robodyn", message="%(prog)s %(version)s")
 def cli() -> None:
     """Generate small, counted and verified C and Fortran for the dynamics of a robot.
 

@@ -5,24 +5,16 @@ from __future__ import annotations
 import click
 
 from robodyn_cli.choices import FILE
-from robodyn_cli.common import (
-    FORCE_FILE,
-    as_json,
-    echo_json,
-    force_option,
-    new_file,
-    option,
-    printable,
-    talk,
-    write_file,
-)
+from robodyn_cli.decorators import flag, option
+from robodyn_cli.output import as_json, echo_json, printable, talk
+from robodyn_cli.output_files import FORCE_FILE, new_file, write_file
 
 
 @click.command()
 @click.argument("name", default="my_robot")
 @option("--joints=N", "Number of joints.", click.IntRange(min=1), default=6)
 @option("-o --output=FILE", "Output file, - for stdout.  [default: NAME.yaml]", FILE)
-@force_option(FORCE_FILE)
+@flag("--force", FORCE_FILE)
 def command(name: str, joints: int, output: str | None, force: bool) -> None:
     """Write a commented starter file to fill in.
 

@@ -9,7 +9,7 @@ import click
 
 from robodyn.errors import InputError
 from robodyn_cli.choices import ENGINES, FORMULATIONS, LEVELS, OBJECTIVES, SCALARS, SEVERAL_FUNCTIONS
-from robodyn_cli.common import add_options, flag, option
+from robodyn_cli.decorators import add_options, flag, option
 
 if TYPE_CHECKING:
     from robodyn.kernels.generate import Options
@@ -45,9 +45,8 @@ model_options = add_options(
 """Add the options that select the model and its optimisation."""
 
 
-def scalar_option(command: Command) -> Command:
-    """Add ``--scalar``, passed as ``scalar: str``."""
-    return option("--scalar=TYPE", "Scalar type: double or float.", SCALARS, default="double")(command)
+#: Adds ``--scalar``, passed as ``scalar: str``.
+scalar_option = option("--scalar=TYPE", "Scalar type: double or float.", SCALARS, default="double")
 
 
 def _objectives() -> str:
@@ -75,7 +74,7 @@ def load(robot: str, *, strict: bool) -> Robot:
     ------
     InputError: the robot cannot be read, or ``--engine sympy`` is to take records or to search.
     """
-    from robodyn_cli.common import load_robot
+    from robodyn_cli.robot_files import load_robot
 
     _check_engine()
     return load_robot(robot, strict=strict)
@@ -93,7 +92,7 @@ def _check_engine() -> None:
         return
     from click.core import ParameterSource
 
-    from robodyn_cli.common import talk
+    from robodyn_cli.output import talk
 
     if context.get_parameter_source("optimize") is not ParameterSource.DEFAULT:
         raise InputError(
@@ -136,21 +135,22 @@ def functions_option(default: str | None = None, text: str | None = None) -> Cal
     )
 
 
-def fuse_option(command: Command) -> Command:
-    """Add ``--fuse`` and ``--wrench``, passed as ``fuse: tuple[str, ...]`` and ``wrench: bool``,
-    see :func:`with_fused`."""
-    command = flag(
-        "--wrench",
-        "Torques, accelerations and forces in the joints with a wrench on the tool as a further input: the "
-        "functions ..._with_wrench in place of those without.",
-    )(command)
-    return option(
+fuse_option = add_options(
+    option(
         "--fuse=A,B",
         "Write A_and_B as well, which gives the results of both (or of more) and shares their work. "
         "Without --functions nothing else is written.",
         SEVERAL_FUNCTIONS,
         multiple=True,
-    )(command)
+    ),
+    flag(
+        "--wrench",
+        "Torques, accelerations and forces in the joints with a wrench on the tool as a further input: the "
+        "functions ..._with_wrench in place of those without.",
+    ),
+)
+"""Adds ``--fuse`` and ``--wrench``, passed as ``fuse: tuple[str, ...]`` and ``wrench: bool``, see
+:func:`with_fused`."""
 
 
 def with_fused(

@@ -8,25 +8,14 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from robodyn.outputs import write_files
 from robodyn_cli.choices import FOLDER, PACKAGES
 from robodyn_cli.code_options import code_options, prune_option
-from robodyn_cli.common import (
-    FORCE,
-    as_json,
-    check_files,
-    echo_json,
-    flag,
-    force_option,
-    option,
-    output_folder,
-    printable,
-    robot_argument,
-    wrapped,
-)
+from robodyn_cli.decorators import flag, option, robot_argument
 from robodyn_cli.generating import Kernels, kernels
 from robodyn_cli.options import functions_option, fuse_option, listed, model_options, search_options
-from robodyn_cli.progress import line
+from robodyn_cli.output import as_json, echo_json, printable, wrapped
+from robodyn_cli.output_files import FORCE, output_folder, report_up_to_date, write_product
+from robodyn_cli.progress import messages
 
 if TYPE_CHECKING:
     from robodyn.packages import Format, Package
@@ -59,7 +48,7 @@ def _formats() -> str:
 @search_options
 @prune_option
 @flag("--check", "Write nothing; exit with 1 if the files in DIR differ.")
-@force_option(FORCE)
+@flag("--force", FORCE)
 def command(robot: str, output: str | None, check: bool, force: bool, **options: Any) -> None:
     """Write a package of a robot's kernels for somebody else's build.
 
@@ -71,17 +60,14 @@ def command(robot: str, output: str | None, check: bool, force: bool, **options:
     folder = None if output is None else output_folder(output)
     package, product = packed(robot, **options)
     name = product.robot.name
-    with line() as shown:
-        shown.tell(f"robodyn: {name}: {package.format.title} ...")
+    with messages() as tell:
+        tell(f"{name}: {package.format.title} ...")
         files = package.files()
     folder = Path("packages") / name / package.format.name if folder is None else folder
     if check:
-        check_files(folder, files)
-    else:
-        base = Path() if output is None else folder
-        write_files(
-            base, {str((folder / file).relative_to(base)): each for file, each in files.items()}, force=force
-        )
+        report_up_to_date(name, folder, files)
+        return
+    write_product(Path() if output is None else folder, folder, files, force=force)
     take = package.format.take.format(folder=shlex.quote(str(folder)), name=package.name)
     counts = product.generated.counts
     if as_json():
@@ -89,13 +75,11 @@ def command(robot: str, output: str | None, check: bool, force: bool, **options:
             {
                 "robot": name, "format": package.format.name, "package": package.name,
                 "version": package.version,
-                "checked" if check else "files": [str(folder / path) for path in files],
+                "files": [str(folder / path) for path in files],
                 "functions": [product.record(function) for function in counts],
                 "take": take,
             }
         )  # fmt: skip
-    elif check:
-        click.echo(f"{name}: {len(files)} files in {printable(folder)} are up to date")
     else:
         click.echo(f"{name}: wrote {package.format.title} of {len(files)} files in {printable(folder)}")
         sizes = ", ".join(f"{function} ({count.total} operations)" for function, count in counts.items())

@@ -8,8 +8,10 @@ import click
 
 from robodyn.errors import CheckError
 from robodyn_cli.choices import PLANNED_TARGETS
-from robodyn_cli.common import flag, load_robot, option, robot_argument, show
+from robodyn_cli.decorators import flag, option, robot_argument
 from robodyn_cli.options import functions_option, one_function
+from robodyn_cli.output import show
+from robodyn_cli.robot_files import load_robot
 
 
 def _targets() -> str:
@@ -41,7 +43,7 @@ def command(robot: str, functions: str, strict: bool, **options: Any) -> None:
     from robodyn.dynamics.functions import function_named
     from robodyn.report.benchmarks import plan_text, time_text
     from robodyn.targets import Target, planned_targets
-    from robodyn_cli.progress import line
+    from robodyn_cli.progress import messages
 
     limit = parse_deadline(options["deadline"])
     function = one_function(functions)
@@ -50,11 +52,7 @@ def command(robot: str, functions: str, strict: bool, **options: Any) -> None:
         None if text == "here" else parse_target(text) for text in options["targets"]
     ]
     described = load_robot(robot, strict=strict)
-    with line() as shown:
-
-        def tell(text: str) -> None:
-            shown.tell(f"robodyn: {text}")
-
+    with messages() as tell:
         wanted = [target or here(described, tell) for target in requested] or list(planned_targets())
         candidates = plans(
             described, options["processors"], wanted, function=function, scalar=options["scalar"], tell=tell

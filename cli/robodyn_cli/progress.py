@@ -158,3 +158,10 @@ def line() -> Iterator[Line]:
         yield shown
     finally:
         shown.clear()
+
+
+@contextmanager
+def messages() -> Iterator[Callable[[str], None]]:
+    """What says on such a line what a command is at."""
+    with line() as shown:
+        yield lambda text: shown.tell(f"robodyn: {text}")

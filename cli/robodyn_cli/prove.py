@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from robodyn.errors import CheckError, InputError, ToolError
+from robodyn.errors import CheckError, ToolError
 from robodyn.outputs import write_files
 from robodyn_cli.choices import FOLDER, PROOFS, SCALARS, TRIGONOMETRY
-from robodyn_cli.common import option, output_folder, printable, robot_argument, show
+from robodyn_cli.code_options import tolerance
+from robodyn_cli.decorators import option, robot_argument
 from robodyn_cli.options import functions_option, listed, load, model_options, options_of
+from robodyn_cli.output import printable, show
+from robodyn_cli.output_files import output_folder
 
 if TYPE_CHECKING:
     from robodyn.certify import Proof
@@ -46,18 +48,18 @@ def command(robot: str, output: str | None, functions: str, **options: Any) -> N
     """
     from robodyn.certify import PROOFS, ProofOptions, prove, with_ranges
     from robodyn.toolchain.program import cores
-    from robodyn_cli.progress import line
+    from robodyn_cli.progress import messages
 
     kernel = options_of(listed(functions), options, scalar=options["scalar"], trig=options["trig"])
     names = PROOFS if options["only"] is None else listed(options["only"])
-    workers, share = options["workers"] or cores(), _share(options["tolerance"])
+    workers, share = options["workers"] or cores(), tolerance(options["tolerance"])
     proofs = ProofOptions(names, options["seconds"], workers, share)
     described, ranges = load(robot, strict=options["strict"]), options["ranges"]
     needed = ranges is not None or "gappa" in proofs.only
     ranged = with_ranges(described, ranges) if needed else described  # as the robot's limits
     folder = output_folder(output) if output is not None else Path("proof") / described.name
-    with line() as shown:
-        proof = prove(described, ranged, kernel, proofs, lambda text: shown.tell(f"robodyn: {text}"))
+    with messages() as tell:
+        proof = prove(described, ranged, kernel, proofs, tell)
     write_files(folder, proof.files())
     show(lambda: {**proof.to_dict(), "folder": str(folder)}, lambda: _lines(proof, folder))
     if proof.failed:
@@ -65,24 +67,6 @@ def command(robot: str, output: str | None, functions: str, **options: Any) -> N
     if proof.missing:
         remedies = "; ".join(f"{name} {remedy}" for name, remedy in proof.missing.items())
         raise ToolError(f"{described.name}: proofs not run because tools are missing", found=remedies)
-
-
-def _share(text: str | None) -> Fraction | None:
-    """``--tolerance`` as a share."""
-    from robodyn.robot.numbers import NumberError, parse_number
-
-    if text is None:
-        return None
-    plain = text.strip()
-    try:
-        share = parse_number(plain.removesuffix("%")) / (100 if plain.endswith("%") else 1)
-    except NumberError:
-        share = Fraction(0)
-    if not 0 < share < 1:
-        raise InputError(
-            "the tolerance is not a share", found=repr(text), expected="more than 0 and less than 100%"
-        )
-    return share
 
 
 def _lines(proof: Proof, folder: Path) -> Iterator[str]:

@@ -10,19 +10,10 @@ import click
 
 from robodyn.outputs import write_files
 from robodyn_cli.choices import FILE, ROBOTS
-from robodyn_cli.common import (
-    as_json,
-    echo_json,
-    flag,
-    load_robot,
-    option,
-    output_folder,
-    parameter_values,
-    printable,
-    robot_argument,
-    talk,
-    write_file,
-)
+from robodyn_cli.decorators import flag, option, robot_argument
+from robodyn_cli.output import as_json, echo_json, printable, talk
+from robodyn_cli.output_files import output_folder, write_file
+from robodyn_cli.robot_files import load_robot, parameter_values
 from robodyn_cli.values import parameter_option
 
 if TYPE_CHECKING:

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from robodyn_cli.common import WIDTH, as_json, echo_json, flag
+from robodyn_cli.decorators import flag
+from robodyn_cli.output import WIDTH, as_json, echo_json
 
 if TYPE_CHECKING:
     from robodyn.robot import Robot

@@ -9,17 +9,10 @@ import click
 
 from robodyn.outputs import check_outputs, write_files
 from robodyn_cli.choices import ROBOTS
-from robodyn_cli.common import (
-    as_json,
-    echo_json,
-    output_folder,
-    picture_file,
-    printable,
-    show,
-    talk,
-    write_file,
-)
 from robodyn_cli.options import load, model_options, options_of
+from robodyn_cli.output import as_json, echo_json, printable, show, talk
+from robodyn_cli.output_files import output_folder, picture_file, write_file
+from robodyn_cli.progress import messages
 from robodyn_cli.schedule_options import ScheduleOptions, schedule_options
 from robodyn_cli.searching import Search
 
@@ -66,10 +59,9 @@ def _thesis(table: str) -> None:
 
 def _forms(settings: ScheduleOptions) -> None:
     from robodyn.thesis.logarithmic import compare_forms, forms_text
-    from robodyn_cli.progress import line
 
-    with line() as shown:
-        comparison = compare_forms(settings.links or 16, lambda text: shown.tell(f"robodyn: {text}"))
+    with messages() as tell:
+        comparison = compare_forms(settings.links or 16, tell)
     show(lambda: comparison, lambda: forms_text(comparison).splitlines())
 
 
@@ -79,7 +71,6 @@ def _schedule(settings: ScheduleOptions) -> None:
     from robodyn.schedule import Machine, solve
     from robodyn.schedule.methods import SEARCHES
     from robodyn.schedule.tree import MOST_NODES
-    from robodyn_cli.progress import line
 
     model, source, signature = _source(settings)
     names = (settings.picture, settings.layers)
@@ -98,9 +89,9 @@ def _schedule(settings: ScheduleOptions) -> None:
     def solve_all(method: Any, graph: TaskGraph) -> list[Solved]:
         return [solve(graph, machine, method, **limits) for machine in machines]
 
-    with line() as shown:
+    with messages() as tell:
         if settings.method in SEARCHES:
-            shown.tell(f"robodyn: {source.name}: searching, {settings.seconds:g} s at most")
+            tell(f"{source.name}: searching, {settings.seconds:g} s at most")
         solutions = solve_all(settings.method, source.graph)
     pictures: dict[Path, str] = {}
     if picture is not None and len(solutions) == 1:
@@ -179,12 +170,9 @@ def _friction(text: Any, robot: Robot) -> dict[int, Friction] | None:
 
 def _fewest(settings: ScheduleOptions, source: Source) -> None:
     from robodyn.schedule.optimum import fewest_for_critical_path
-    from robodyn_cli.progress import line
 
-    with line() as shown:
-        fewest = fewest_for_critical_path(
-            source.graph, seconds=settings.seconds, tell=lambda text: shown.tell(f"robodyn: {text}")
-        )
+    with messages() as tell:
+        fewest = fewest_for_critical_path(source.graph, seconds=settings.seconds, tell=tell)
     if as_json():
         numbers = {name: getattr(fewest, name) for name in ("processors", "at_least", "proven")}
         slots = [list(row) for row in fewest.timetable.slots]

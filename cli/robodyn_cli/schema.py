@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import click
 
-from robodyn.errors import InputError, error_schema
-from robodyn_cli.common import echo_json, flag
+from robodyn.errors import error_schema
+from robodyn_cli.decorators import at_most_one, flag
+from robodyn_cli.output import echo_json
 
 
 @click.command()
@@ -19,10 +20,7 @@ def command(project: bool, fleet: bool, fleet_file: bool, error: bool) -> None:
     An editor can use it to complete keys and mark mistakes in the YAML file, in robodyn.toml or in
     fleet.toml. The output is JSON with and without --json.
     """
-    options = {"--project": project, "--fleet": fleet, "--fleet-file": fleet_file, "--error": error}
-    flags = [flag for flag, there in options.items() if there]
-    if len(flags) > 1:
-        raise InputError("one schema at a time", found=" and ".join(flags), remedy="remove one of them")
+    at_most_one({"--project": project, "--fleet": fleet, "--fleet-file": fleet_file, "--error": error})
     if error:
         echo_json(error_schema())
     elif fleet:

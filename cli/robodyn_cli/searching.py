@@ -66,7 +66,7 @@ class Search:
         from robodyn.optimize.records import folder_beside
         from robodyn.resources import from_here
         from robodyn.search.improve import BUDGET, write_record
-        from robodyn_cli.common import printable, talk
+        from robodyn_cli.output import printable, talk
         from robodyn_cli.progress import line
 
         folder = folder_beside(robot)

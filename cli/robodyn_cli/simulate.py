@@ -13,19 +13,11 @@ from robodyn.errors import InputError
 from robodyn.outputs import check_outputs, write_files
 from robodyn_cli import progress
 from robodyn_cli.choices import FILE
-from robodyn_cli.common import (
-    as_json,
-    echo_json,
-    flag,
-    load_robot,
-    option,
-    output_folder,
-    parameter_values,
-    printable,
-    robot_argument,
-    talk,
-)
+from robodyn_cli.decorators import at_most_one, flag, option, robot_argument
 from robodyn_cli.log_files import spare_inputs
+from robodyn_cli.output import as_json, echo_json, printable, talk
+from robodyn_cli.output_files import output_folder, picture_file
+from robodyn_cli.robot_files import load_robot, parameter_values
 from robodyn_cli.simulate_options import SimulationOptions, exactly, simulation_options, spread, whole
 
 if TYPE_CHECKING:
@@ -63,9 +55,8 @@ def command(robot: str, output: str | None, picture: str | None, strict: bool, *
     settings.check()
     robot_model = load_robot(robot, strict=strict)
     target = _target(robot_model, output)
-    picture_path = None if picture is None else _picture_file(picture)
-    if target is None and as_json():
-        raise InputError("--json and -o - both write to stdout", remedy="remove one of them")
+    picture_path = None if picture is None else picture_file(picture, _PICTURES)
+    at_most_one({"--json": as_json(), "-o -": target is None})
     inputs = (robot, settings.torque, settings.trajectory, settings.model)
     spare_inputs(
         (file for file in (target, picture_path) if file is not None), [name for name in inputs if name]
@@ -140,15 +131,6 @@ def _check_turns(robot: Robot, option: str, positions: tuple[float, ...] | None,
     talk(f"robodyn: warning: {error}")
 
 
-def _picture_file(text: str) -> Path:
-    path = Path(text)
-    if path.suffix.lower() not in _PICTURES:
-        raise InputError(
-            "pictures are written as SVG or PNG", found=repr(text), expected="the extension .svg or .png"
-        )
-    return path
-
-
 def _sensors(robot: Robot, settings: SimulationOptions) -> Sensors:
     from robodyn.simulate.sensors import Sensors, resolution_of
 
@@ -198,7 +180,7 @@ def _run(robot: Robot, settings: SimulationOptions, values: Mapping[str, float])
         raise InputError(
             "the log would have one sample",
             found=f"{setup.duration:g} s at {settings.rate:g} Hz",
-            remedy="a higher --rate",
+            remedy="use a longer --duration or a higher --rate",
         )
     rtol, atol = settings.tolerances
     start_time = time.monotonic()

@@ -10,8 +10,8 @@ import click
 
 from robodyn.errors import InputError
 from robodyn_cli.choices import FILE, ROBOTS
-from robodyn_cli.common import add_options, flag, option
-from robodyn_cli.values import POSITIVE, POSITIVES, SEVERAL, SIZES, Line, parameter_option
+from robodyn_cli.decorators import add_options, at_most_one, flag, option
+from robodyn_cli.values import POSITIVE, POSITIVES, SEVERAL, SIZES, Line, Point, parameter_option
 
 if TYPE_CHECKING:
     from robodyn.robot import Robot
@@ -55,13 +55,9 @@ class SimulationOptions(SimpleNamespace):
         ------
         InputError: names the two options.
         """
-        drives = self._present(DRIVES)
-        if len(drives) > 1:
-            raise InputError(
-                "only one input can drive the robot",
-                found=" and ".join(_spelled(name) for name in drives),
-                remedy="keep one of them",
-            )
+        at_most_one({_spelled(name): getattr(self, name) for name in DRIVES})
+        resolutions = ("encoder_bits", "position_resolution")
+        at_most_one({_spelled(name): getattr(self, name) for name in resolutions})
         follows = self.drive not in (None, "torque")
         for names, fits, partner in (
             (("linear",), self.drive == "torque", "--torque"),
@@ -84,16 +80,6 @@ class SimulationOptions(SimpleNamespace):
                     )
         if "filtered" in (self.velocity, self.acceleration) and self.cutoff is None:
             raise InputError("the low-pass filter has no cutoff frequency", remedy="add --cutoff HZ")
-        if self.encoder_bits is not None and self.position_resolution is not None:
-            raise InputError(
-                "--encoder-bits and --position-resolution set the same quantity", remedy="remove one of them"
-            )
-        if self.duration is not None and self.duration * self.rate < 1 - 1e-9:
-            raise InputError(
-                "the log would have only one sample",
-                found=f"{self.duration:g} s at {self.rate:g} Hz",
-                remedy="use a longer --duration or a higher --rate",
-            )
 
     def _present(self, names: tuple[str, ...]) -> list[str]:
         return [name for name in names if getattr(self, name) not in (None, False)]
@@ -114,7 +100,7 @@ simulation_options = add_options(
         "--profile", "Velocity profile (with --to, --line).  [default: quintic]", ["quintic", "trapezoid"]
     ),
     option(
-        "--point=X,Y,Z", "Point that follows --line, in its link's frame (m).  [default: the tool]", SEVERAL
+        "--point=X,Y,Z", "Point that follows --line, in its link's frame (m).  [default: the tool]", Point()
     ),
     option("--link=N", "Link of --point.  [default: 6, or the last]", click.IntRange(1)),
     option("--harmonics=K", "Number of harmonics (with --excite).  [default: 5]", click.IntRange(2, 1000)),

@@ -3,13 +3,19 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from robodyn.errors import InputError
 from robodyn_cli.choices import FILE, TABLES
-from robodyn_cli.common import as_json, echo_json, option, picture_file, printable, talk, write_file
-from robodyn_cli.progress import Line, line
+from robodyn_cli.decorators import option
+from robodyn_cli.output import as_json, echo_json, printable, talk
+from robodyn_cli.output_files import picture_file, write_file
+from robodyn_cli.progress import messages
+
+if TYPE_CHECKING:
+    from robodyn.thesis.tables import Table
 
 
 @click.command()
@@ -29,18 +35,13 @@ def command(table_id: str | None, picture: str | None) -> None:
     recoverable) and a reason. --json prints an object {"id", "title", "rows", "notes"}, or a list of them
     without ID.
     """
-    from robodyn.thesis.tables import TABLE_IDS, make, to_text
+    from robodyn.thesis.tables import TABLE_IDS, to_text
 
     ids = TABLE_IDS if table_id is None else (table_id,)
     target = None if picture is None else _picture_file(picture, ids)
     tables = []
     for one in ids:
-        with line() as shown:
-
-            def tell(row: str, head: str = f"robodyn: {one}: ", shown: Line = shown) -> None:
-                shown.tell(head + row)
-
-            table = make(one, tell)
+        table = _made(one)
         tables.append(table.to_dict())
         if not as_json():
             click.echo(("" if one == ids[0] else "\n") + to_text(table), nl=False)
@@ -49,6 +50,14 @@ def command(table_id: str | None, picture: str | None) -> None:
     if target is not None:
         write_file(target, _picture(ids))
         talk(f"robodyn: wrote {printable(target)}")
+
+
+def _made(id: str) -> Table:
+    """The table, while a line says which row it is at."""
+    from robodyn.thesis.tables import make
+
+    with messages() as tell:
+        return make(id, lambda row: tell(f"{id}: {row}"))
 
 
 def _picture(ids: tuple[str, ...]) -> str:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import click
 
 from robodyn.errors import InputError
-from robodyn_cli.common import option
+from robodyn_cli.decorators import option
 
 if TYPE_CHECKING:
     _Type = click.ParamType[Any]
@@ -88,13 +88,11 @@ class Parameter(Argument):
         return name, Numbers(single=True).convert(text, param, ctx)
 
 
-class Point(_Type):
+class Point(Numbers):
     """``x,y,z``."""
 
-    name = "point"
-
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        point = Numbers().convert(value, param, ctx)
+        point = super().convert(value, param, ctx)
         if len(point) != 3:
             self.fail(f"{value!r} is not x,y,z", param, ctx)
         return point

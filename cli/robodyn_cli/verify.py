@@ -9,9 +9,10 @@ import click
 
 from robodyn.errors import CheckError, InputError
 from robodyn_cli.choices import FILE, TRIGONOMETRY
-from robodyn_cli.common import option, robot_argument, show, wrapped
+from robodyn_cli.decorators import option, robot_argument
 from robodyn_cli.languages import compiled_language_option
 from robodyn_cli.options import functions_option, listed, load, model_options, options_of, scalar_option
+from robodyn_cli.output import show, wrapped
 from robodyn_cli.values import Parameter, unique
 
 if TYPE_CHECKING:

@@ -1,4 +1,5 @@
-# Completion of robodyn for fish, as "robodyn completion fish" prints it.
+# Completion of robodyn for fish: robodyn completion fish.
+# Written by robodyn; do not edit, generate again.
 
 function _robodyn_completion
     set -l response (env COMP_WORDS=(commandline -cp | string collect) \

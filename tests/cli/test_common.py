@@ -9,10 +9,12 @@ import pytest
 
 import robodyn_cli
 from cli.command import Capture
-from robodyn.errors import InputError
+from robodyn.errors import CheckError, InputError
 from robodyn.outputs import LIST, write_files
 from robodyn.resources import data_dir
-from robodyn_cli.common import compare_files, echo_json, load_robot, output_folder, printable
+from robodyn_cli.output import echo_json, printable
+from robodyn_cli.output_files import output_folder, report_up_to_date
+from robodyn_cli.robot_files import load_robot
 
 FILES = {"a.c": "int a;\n", "sub/b.h": "/* \u03c4 */\n"}
 
@@ -23,14 +25,16 @@ def everything(folder: Path) -> dict[str, bytes]:
 
 def test_writes_and_compares(tmp_path: Path) -> None:
     folder = tmp_path / "new" / "folder"
-    assert compare_files(folder, FILES) == ["a.c", "sub/b.h"]
+    with pytest.raises(CheckError, match=r"a\.c, .*b\.h: not up to date"):
+        report_up_to_date("arm", folder, FILES)
     assert write_files(folder, FILES) == [folder / "a.c", folder / "sub" / "b.h"]
     written = everything(folder)
     assert written.pop(LIST)
     assert written == {name: text.encode() for name, text in FILES.items()}
-    assert compare_files(folder, FILES) == []
+    report_up_to_date("arm", folder, FILES)
     (folder / "sub" / "b.h").write_bytes(b"/* \xcf\x84 */\r\n")
-    assert compare_files(folder, FILES) == ["sub/b.h"]
+    with pytest.raises(CheckError, match=r"folder/sub/b\.h: not up to date"):
+        report_up_to_date("arm", folder, FILES)
 
 
 def test_nothing_is_written_where_not_all_can_be(tmp_path: Path) -> None:

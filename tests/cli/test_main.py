@@ -19,9 +19,9 @@ import robodyn
 from cli.command import Capture, environment, python, run, run_json
 from robodyn.errors import CheckError, InputError, Place, ToolError, error_schema
 from robodyn_cli import main as frame
-from robodyn_cli.common import Document
 from robodyn_cli.failures import asks_for_json, guard
 from robodyn_cli.main import COMMANDS, main, module_of
+from robodyn_cli.output import Document
 from robodyn_testing import representative, require_module
 
 HEAVY = {"numpy", "sympy", "jinja2", "yaml", "cffi", "json", "scipy", "matplotlib"}

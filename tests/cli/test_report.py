@@ -12,7 +12,7 @@ from cli.command import Capture, run, run_json
 from robodyn.robot import bundled_names
 from robodyn.thesis import tables as rooms
 from robodyn.thesis.tables import TABLE_IDS, make, to_text
-from robodyn_cli.common import WIDTH
+from robodyn_cli.output import WIDTH
 from robodyn_testing import sampled
 
 pytestmark = pytest.mark.usefixtures("elsewhere")

@@ -12,6 +12,7 @@ import pytest
 
 from cli.command import Capture, run, run_json
 from robodyn.schedule import METHODS, faults_of_levels, general_graph
+from robodyn.thesis.logarithmic import FORMS
 from robodyn_cli import schedule_options
 from robodyn_testing import representative, require_module, require_tool
 
@@ -84,6 +85,7 @@ def test_friction_as_tasks(capsys: Capture) -> None:
 
 def test_the_optimum(capsys: Capture, monkeypatch: pytest.MonkeyPatch) -> None:
     assert schedule_options.METHODS == METHODS
+    assert set(schedule_options.FORMS) == set(FORMS)
     require_module("ortools")
     asked = "stanford -p 4 --as-printed --method optimal"
     found = made(capsys, asked)
@@ -134,7 +136,7 @@ def test_costs_of_the_thesis_s_tasks(capsys: Capture) -> None:
 
 def test_logarithmic_forms(capsys: Capture) -> None:
     found = made(capsys, "--forms --links 6")
-    shorter = {"newton-euler": 3, "modified newton-euler": 3, "thesis_tasks": 2}
+    shorter = {"newton-euler": 3, "modified-newton-euler": 3, "thesis_tasks": 2}
     assert found["shorter_from"]["lee-chang"] == shorter
     assert "lathrop" in text(capsys, "--forms --links 4")
     one = made(capsys, "--links 6 --form lathrop -p 64")

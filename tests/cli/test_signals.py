@@ -58,7 +58,7 @@ def send(name: str) -> str:
     representative(
         [(module, "-m robodyn") for module in (
             "robodyn.process", "robodyn.__main__", "robodyn_cli", "robodyn_cli.entry", "robodyn_cli.main",
-            "click", "click.core", "robodyn.errors", "robodyn_cli.common")]
+            "click", "click.core", "robodyn.errors", "robodyn_cli.output")]
         + [(module, line) for module in ("robodyn.process", "robodyn_cli.entry", "click")
            for line in ("-m robodyn_cli", "robodyn")],
         ("robodyn.process", "-m robodyn"), ("click", "-m robodyn"), ("robodyn_cli.entry", "robodyn"),

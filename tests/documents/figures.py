@@ -35,6 +35,7 @@ from click.testing import CliRunner
 
 from documents.blocks import FENCE, ROOT, Block, blocks, commands
 from robodyn_cli.main import cli
+from robodyn_cli.output import Document
 
 NUMBER: Final = re.compile(
     r"(?<![\w.,^/])(?<!\w[-/])[-+]?(?:\d{1,3}(?:,\d{3})+(?!\d)|\d+)(?:\.\d+)?(?:e[-+]?\d+)?"
@@ -247,7 +248,8 @@ def _numbers(text: str) -> frozenset[tuple[str, str]]:
 
 @functools.cache
 def _printed(command: str) -> str:
-    return CliRunner().invoke(cli, shlex.split(command), catch_exceptions=False).stdout
+    words = shlex.split(command)
+    return CliRunner().invoke(cli, words, obj=Document("--json" in words), catch_exceptions=False).stdout
 
 
 @functools.cache

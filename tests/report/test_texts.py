@@ -15,6 +15,7 @@ from robodyn.report import effects as report
 from robodyn.report.diagnosis_text import with_interval
 from robodyn.report.figures import with_error
 from robodyn_cli.main import cli
+from robodyn_cli.output import Document
 
 PAGE = Path(__file__).parents[2] / "docs" / "effects.md"
 
@@ -25,7 +26,7 @@ def test_the_committed_page_is_up_to_date() -> None:
 
 def test_one_effect_as_text_json_and_latex() -> None:
     def run(*words: str) -> str:
-        return CliRunner().invoke(cli, ["effects", *words]).output
+        return CliRunner().invoke(cli, ["effects", *words], obj=Document("--json" in words)).output
 
     assert run("spring") == report.page(["spring"])
     found = json.loads(run("spring", "--json"))

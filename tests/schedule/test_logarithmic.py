@@ -52,7 +52,7 @@ def test_from_three_joints_on_the_chain_is_shorter_at_twice_the_work(form: str) 
     assert [first_shorter(chains[form], chains[linear]) for linear in LINEAR] == [3, 3]
     assert first_shorter(chains[form], {n: thesis_chain(n) for n in sizes}) == 2
     for n in (3, 6, 12):
-        own, other = cost(form, n), cost("modified newton-euler", n)
+        own, other = cost(form, n), cost("modified-newton-euler", n)
         assert own.chain < other.chain
         assert 1.7 * other.work < own.work < 3 * other.work
 
@@ -64,15 +64,15 @@ def test_never_shorter_is_told() -> None:
 def test_few_processors_undo_it() -> None:
     """At six joints and four processors the linear form with less work is done sooner."""
     machine = Machine(4)
-    linear, quick = (solve(form_graph(form, 6), machine) for form in ("modified newton-euler", "lee-chang"))
+    linear, quick = (solve(form_graph(form, 6), machine) for form in ("modified-newton-euler", "lee-chang"))
     assert linear.timetable.span < quick.timetable.span
 
 
 def test_at_six_joints_trees_are_done_sooner_from_35_processors_on() -> None:
-    linear, quick = (form_graph(form, 6) for form in ("modified newton-euler", "lathrop"))
+    linear, quick = (form_graph(form, 6) for form in ("modified-newton-euler", "lathrop"))
     few = [
         solve(form_graph(form, 6), Machine(4)).timetable.span
-        for form in ("modified newton-euler", "lee-chang")
+        for form in ("modified-newton-euler", "lee-chang")
     ]
     assert few[0] < few[1]  # the linear form with less work
     spans = {p: [solve(graph, Machine(p)).timetable.span for graph in (linear, quick)] for p in (34, 35)}

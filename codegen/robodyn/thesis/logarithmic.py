@@ -132,16 +132,16 @@ def _relative(w: Vector, alpha: Vector, r: Vector) -> Vector:
 #: The forms by name: the recursions from link to link, and those by running totals.
 FORMS: Final[dict[str, Callable[..., list[Any]]]] = {
     "newton-euler": newton_euler,
-    "modified newton-euler": modified_newton_euler,
+    "modified-newton-euler": modified_newton_euler,
     "lee-chang": partial(logarithmic, run=doubling),
     "lathrop": partial(logarithmic, run=tree),
 }
-LINEAR: Final = ("newton-euler", "modified newton-euler")
+LINEAR: Final = ("newton-euler", "modified-newton-euler")
 LOGARITHMIC: Final = ("lee-chang", "lathrop")
 MOST_JOINTS: Final = 48
 TITLES: Final = {
     "newton-euler": "Newton-Euler, link by link (Luh, Walker and Paul 1980)",
-    "modified newton-euler": "modified Newton-Euler, link by link (the thesis)",
+    "modified-newton-euler": "modified Newton-Euler, link by link (the thesis)",
     "lee-chang": "recursive doubling (Lee and Chang 1986)",
     "lathrop": "trees (Lathrop 1985)",
 }
@@ -264,9 +264,9 @@ def forms_text(comparison: dict[str, Any]) -> str:
         lines.append(f"{form}: a shorter chain than {', '.join(crossings)}")
     last = comparison["rows"][-1]
     for form in LOGARITHMIC:
-        times = last[form]["work"] / last["modified newton-euler"]["work"]
+        times = last[form]["work"] / last["modified-newton-euler"]["work"]
         lines.append(
-            f"{form}: {times:.2f} times the work of modified newton-euler at {last['joints']} joints"
+            f"{form}: {times:.2f} times the work of modified-newton-euler at {last['joints']} joints"
         )
     lines += ["", *(f"{name}: {title}" for name, title in comparison["titles"].items())]
     return "\n".join(lines) + "\n"
