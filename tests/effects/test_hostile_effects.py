@@ -13,7 +13,6 @@ from fractions import Fraction
 from typing import Any
 
 import mpmath
-import numpy as np
 import pytest
 
 from robodyn import Options, generate
@@ -21,7 +20,6 @@ from robodyn.effects.catalogue import CATALOGUE
 from robodyn.ir import Input, Program
 from robodyn.ir.evaluate import evaluate
 from robodyn.kernels.generate import Generated, Level
-from robodyn.kernels.robot_kernel import compile as compile_kernel
 from robodyn.robot import Robot, read_text
 from robodyn.robot.folding import folded
 from robodyn.robot.values import parameter
@@ -200,40 +198,3 @@ def test_masses_that_are_equal_in_a_known_field(effects: bool) -> None:
     one, two = robot.links
     heavy = replace(one, mass=parameter("m") * Fraction(KNOWN, 10**36))
     assert not check(replace(robot, links=(heavy, two))).left_out
-
-
-@pytest.mark.parametrize(
-    "seed", [3, 4, 5, *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(6, 30))]
-)
-def test_emitted_c(seed: int) -> None:
-    """Hostile numbers of the sizes of an arm, in C."""
-    robot = hostile_drives(seed, joints=seed % 5 + 1, mild=True)
-    read = folded(robot)
-    made = compile_kernel(read)
-    rng = random.Random(seed)
-    with mpmath.workdps(50):
-        parameters = {name: mpmath.mpf(rng.uniform(0.1, 3)) for name in read.parameters}
-        world = WorldArm(replace(robot, gravity=read.gravity), parameters)
-        params = {name: float(x) for name, x in parameters.items()} or None
-        for k in range(3):
-            at = rows(rng, read, k)
-            zero = [mpmath.mpf(0)] * robot.n
-            for name, moved in MOVED.items():
-                given = [at["q"], *(at[a] for a in moved)]
-                rates = [at[a] if a in moved else zero for a in ("qd", "qdd")]
-                states = made.signatures[name].states
-                state = [x / 100 for x in (at["tau"] * 20)[: len(states)]] if states else None
-                expected, after = world.torques(at["q"], *rates, state, mpmath.mpf("0.05"))
-                more = {"state": np.array(list(map(float, state))), "dt": 0.05} if state else {}
-                tau = getattr(made, name)(
-                    *(np.array(list(map(float, x))) for x in given), params=params, **more
-                )
-                near(tau, expected)
-                if state:
-                    near(more["state"], after)
-
-
-def near(found: Any, expected: Sequence[Any]) -> None:
-    """Equal to nine digits of the largest."""
-    expected = np.array(list(map(float, expected)))
-    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-9 * np.abs(expected).max())

@@ -51,16 +51,3 @@ def test_no_code_knows_an_effect_by_name() -> None:
         for line, id in ids_in(path.read_text(encoding="utf-8"))
     ]
     assert not known, "\n".join(known)
-
-
-@pytest.mark.parametrize("path", BY_HAND, ids=lambda path: path.name)
-def test_what_may_still_needs_it(path: Path) -> None:
-    assert ids_in(path.read_text(encoding="utf-8")), f"{path.name} needs no exemption any more"
-
-
-def test_what_an_id_in_code_is() -> None:
-    id = next(iter(CATALOGUE))
-    assert ids_in(f'"""{id}"""\n\ndef f():\n    "{id}"\n    return 1\n') == []
-    assert ids_in(f'x = 1\nif x == "{id}":\n    y = {{"{id}": 2}}\n') == [(2, id), (3, id)]
-    assert ids_in(f'x = f"{{x}} {id}"\ny = "no {id}"\n') == []
-    assert len(SOURCES) > 300

@@ -12,14 +12,12 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from robodyn.dynamics.functions import function_named
 from robodyn.ir.evaluate import evaluate
 from robodyn.ir.program import Input, Program
 from robodyn.kernels.generate import NoForwardDynamics, generate, maker
 from robodyn.kernels.kernel import Kernel
 from robodyn.kernels.options import Options
 from robodyn.kernels.robot_kernel import compile as compile_kernel
-from robodyn.kernels.with_effects import layered
 from robodyn.robot import Robot
 from robodyn.robot.values import ZERO
 from robodyn.simulate.control import Control
@@ -64,31 +62,6 @@ def close(found: Any, expected: Any, scale: float) -> None:
     np.testing.assert_allclose(found, expected, rtol=0, atol=1e-12 * scale)
 
 
-@pytest.mark.parametrize("name", [name for name in TEXTS if name != "remembering"])
-def test_emitted_c_is_the_definition_and_the_reference(name: str) -> None:
-    robot = arm(name)
-    values, (q, qd, qdd) = parameters(robot), states(robot)
-    params = values or None
-    reference = Reference(robot, values)
-    made = kernel(name)
-    for function, arrays in (
-        ("inverse_dynamics", (q, qd, qdd)),
-        ("bias", (q, qd)),
-        ("gravity", (q,)),
-        ("mass_matrix", (q,)),
-    ):
-        compiled = getattr(made, function)(*arrays, params=params)
-        expected = getattr(reference, function)(*arrays)
-        scale = float(np.abs(expected).max())
-        close(compiled, expected, scale)
-        if function == "mass_matrix":
-            continue
-        plain = layered(robot, function_named(function), lambda _: None, "newton_euler")
-        for k in range(0, STATES, 8):
-            inputs = dict(zip(("q", "qd", "qdd"), (a[k] for a in arrays), strict=False))
-            close(compiled[k], run(plain, values, **inputs)["tau"], scale)
-
-
 @pytest.mark.parametrize("name", representative([name for name in TEXTS if name != "remembering"], "sliding"))
 def test_the_simulator_solves_for_the_accelerations_of_the_definition(name: str) -> None:
     robot = arm(name)
@@ -106,26 +79,6 @@ def test_the_simulator_solves_for_the_accelerations_of_the_definition(name: str)
         back = kernel(name).inverse_dynamics(q[k], qd[k], found.a[0], params=values or None)
         close(back, tau[k], scale)
         np.testing.assert_allclose(found.a[0], qdd[k], rtol=0, atol=1e-9)
-
-
-def test_effects_that_remember_step_as_the_definition_steps() -> None:
-    robot = arm("remembering")
-    values, (q, qd, qdd) = parameters(robot), states(robot)
-    made, names = kernel("remembering"), kernel("remembering").signatures["inverse_dynamics"].states
-    assert names == (
-        "z1", "twist2", "twist_rate2", "twist_acceleration2",
-        "twist3", "twist_rate3", "twist_acceleration3", "z3",
-    )  # fmt: skip
-    plain = layered(robot, function_named("inverse_dynamics"), lambda _: None, "newton_euler")
-    rng = np.random.default_rng(3)
-    for k in range(STATES):
-        state = rng.uniform(-1, 1, len(names)) * 1e-3
-        before, dt = state.copy(), float(rng.choice([0.0, 1e-3, 0.05]))
-        tau = made.inverse_dynamics(q[k], qd[k], qdd[k], params=values, state=state, dt=dt)
-        expected = run(plain, values, q=q[k], qd=qd[k], qdd=qdd[k], state=before, dt=[dt])
-        scale = max(1.0, float(np.abs(expected["tau"]).max()))
-        close(tau, expected["tau"], scale)
-        close(state, expected["state"], max(1.0, float(np.abs(expected["state"]).max())))
 
 
 @pytest.mark.thorough

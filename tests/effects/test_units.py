@@ -68,33 +68,6 @@ def test_units(name: str) -> None:
             assert all(units_fit(case, case.effect, revolute, rng) for _ in range(5))
 
 
-#: A level curve has no load, steady motion no bend, the motor of two joints turns as they told it, and
-#: nothing is nothing in any unit.
-_UNSEEN = {
-    ("efficiencies, one", "rated_torque"),
-    ("presliding", "stiffness"),
-    ("presliding", "damping"),
-    ("coupling", "ratio"),
-    ("spring balancer", "ratio"),
-}
-
-
-def test_a_wrong_unit_is_seen() -> None:
-    """Any unit but one of the equation's own, put in the place of it."""
-    rng = random.Random(5)
-    for name, case in CASES.items():
-        for i, parameter in enumerate(case.effect.parameters):
-            if parameter.kind != "number" or parameter.name not in draw(case, rng):
-                continue
-            if (name, parameter.name) in _UNSEEN:
-                continue
-            wrong = replace(parameter, unit=f"kg {parameter.unit}".replace("kg 1", "kg"), linear_unit=None)
-            parameters = (*case.effect.parameters[:i], wrong, *case.effect.parameters[i + 1 :])
-            changed = replace(case.effect, parameters=parameters)
-            tries = [units_fit(case, changed, case.revolute, rng) for _ in range(8)]
-            assert not all(tries), f"{name}: {parameter.name}"
-
-
 @pytest.mark.parametrize("name", COUPLERS)
 @pytest.mark.parametrize("revolute", [True, False])
 def test_units_of_couplers(name: str, revolute: bool) -> None:

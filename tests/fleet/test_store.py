@@ -12,9 +12,9 @@ from pathlib import Path
 
 import pytest
 
-from robodyn.errors import InputError, OutputError
+from robodyn.errors import InputError
 from robodyn.fleet import store as store_module
-from robodyn.fleet.store import Refused, Store, key_of, open_store
+from robodyn.fleet.store import Refused, key_of, open_store
 
 
 def test_what_is_kept_is_there_in_the_next_run(tmp_path: Path) -> None:
@@ -238,20 +238,3 @@ def test_a_disk_without_room_costs_nothing_that_was_kept(tmp_path: Path) -> None
     last = int(lines.split()[-1])
     assert last > 100
     check(path, last)
-
-
-def test_no_room_is_the_systems_fault_and_not_the_users(tmp_path: Path) -> None:
-    """SQLite's own limit of pages is what a full disk is to it."""
-    with open_store(tmp_path / "store") as store:
-        store._connection.execute("pragma max_page_count = 20")
-        with pytest.raises(
-            OutputError, match="results cannot be kept; found database or disk is full"
-        ) as error:
-            fill(store)
-        assert error.value.exit_code == 74
-        assert store.result("0") == b"x" * 9000
-
-
-def fill(store: Store) -> None:
-    for k in range(100):
-        store.keep(str(k), b"x" * 9000)

@@ -11,10 +11,11 @@ import pytest
 import robodyn
 from robodyn.errors import InputError
 from robodyn.formats.elements import parse
+from robodyn.formats.frames import description_of
 from robodyn.formats.sdf import read_tree
 from robodyn.formats.serial import serial_chain
 from robodyn_cli.main import main
-from robodyn_testing.chains import WorldDynamics
+from robodyn_testing.arms import RigidArm
 from robodyn_testing.sdf_arms import ARM, ARMS, FIGURES, STATE, joints_of, model, sdf, world
 
 DRAKE = json.loads(FIGURES.read_text())
@@ -26,7 +27,7 @@ def test_the_arm_is_what_drake_reads(name: str) -> None:
     tree = read_tree(parse(text.encode(), "arm.sdf"), chosen)
     chain = serial_chain(tree, "arm", tip=tip).chain
     assert tuple(joint.name for joint in chain.joints) == joints_of(name)
-    own = WorldDynamics(chain)
+    own = RigidArm(description_of(chain))
     q, qd, qdd = (np.array(values[: len(chain.joints)]) for values in STATE)
     assert own.torques(q, qd, qdd) == pytest.approx(DRAKE[name]["torques"], rel=0, abs=1e-9)
     assert own.mass_matrix(q) == pytest.approx(np.array(DRAKE[name]["mass_matrix"]), rel=0, abs=1e-9)

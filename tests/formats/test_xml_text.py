@@ -12,12 +12,13 @@ import robodyn
 from robodyn.errors import InputError
 from robodyn.formats.arm import import_arm, read_tree
 from robodyn.formats.elements import parse
+from robodyn.formats.frames import description_of
 from robodyn.formats.serial import serial_chain
 from robodyn.formats.xml_text import ENCODINGS, xml_text
 from robodyn.robot import to_yaml
 from robodyn_cli.main import main
 from robodyn_testing import require_module
-from robodyn_testing.chains import WorldDynamics
+from robodyn_testing.arms import RigidArm
 from robodyn_testing.urdf_text import joint, link, robot
 from robodyn_testing.xacro_arms import HEAD, arm, write
 
@@ -68,7 +69,7 @@ def test_pinocchio_reads_the_same_file(case: str, tmp_path: Path) -> None:
     before, encoding, _ = READ[case]
     path.write_bytes((before + ARM).encode(encoding))
     model = pinocchio.buildModelFromUrdf(str(path))
-    own = WorldDynamics(serial_chain(read_tree(path), "arm").chain)
+    own = RigidArm(description_of(serial_chain(read_tree(path), "arm").chain))
     q, qd, qdd = np.array([[0.3], [-0.4], [0.7]])
     assert own.torques(q, qd, qdd) == pytest.approx(
         pinocchio.rnea(model, model.createData(), q, qd, qdd), abs=1e-9

@@ -12,7 +12,7 @@ import pytest
 
 from robodyn.errors import ToolError
 from robodyn.kernels.kernel import load
-from robodyn.toolchain.compiler import find_c, find_compiler, first_lines, split_flags
+from robodyn.toolchain.compiler import find_c, find_compiler
 from robodyn_testing import require_tool
 
 
@@ -24,60 +24,30 @@ def script(folder: Path, name: str, text: str) -> Path:
     return path
 
 
-@pytest.fixture
-def nothing(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A machine without compilers."""
-    monkeypatch.delenv("CC", raising=False)
-    monkeypatch.delenv("FC", raising=False)
-    monkeypatch.setenv("PATH", "")
-
-
-@pytest.mark.usefixtures("nothing")
-def test_no_c_compiler() -> None:
-    with pytest.raises(
-        ToolError, match=r"no C compiler was found.*cc, gcc, clang.*CC is not set.*apt install gcc"
-    ):
-        find_c()
-
-
-@pytest.mark.usefixtures("nothing")
-def test_no_fortran_compiler() -> None:
-    with pytest.raises(
-        ToolError, match=r"no Fortran compiler.*gfortran.*FC is not set.*apt install gfortran"
-    ):
-        find_compiler("fortran")
-
-
-@pytest.mark.usefixtures("nothing")
-def test_no_compiler_stops_the_load(toy: Callable[..., Any]) -> None:
-    arm = toy()
-    with pytest.raises(ToolError, match="no C compiler") as caught:
-        load(arm.signatures, arm.files)
+@pytest.mark.parametrize(
+    ("language", "variables", "message"),
+    [
+        ("c", {"PATH": ""}, r"no C compiler was found.*cc, gcc, clang.*CC is not set.*apt install gcc"),
+        ("fortran", {"PATH": ""}, r"no Fortran compiler.*gfortran.*FC is not set.*apt install gfortran"),
+        (
+            "c",
+            {"CC": "/nonexistent/cc -m64"},
+            r"no C compiler '/nonexistent/cc' \(CC names it\); install one",
+        ),
+        ("fortran", {"FC": "f77-of-old"}, r"no Fortran compiler 'f77-of-old' \(FC names it\)"),
+        ("c", {"CC": 'gcc "'}, "cannot be read"),
+    ],
+)
+def test_a_compiler_that_is_not_there(
+    language: str, variables: dict[str, str], message: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("CC", "FC"):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in variables.items():
+        monkeypatch.setenv(name, value)
+    with pytest.raises(ToolError, match=message) as caught:
+        find_c() if language == "c" else find_compiler(language)
     assert caught.value.exit_code == 3
-
-
-def test_cc_that_is_not_there(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("CC", "/nonexistent/cc -m64")
-    with pytest.raises(ToolError, match=r"no C compiler '/nonexistent/cc' \(CC names it\); install one"):
-        find_c()
-
-
-def test_fc_that_is_not_there(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("FC", "f77-of-old")
-    with pytest.raises(ToolError, match=r"no Fortran compiler 'f77-of-old' \(FC names it\)"):
-        find_compiler("fortran")
-
-
-def test_cc_that_cannot_be_read(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("CC", 'gcc "')
-    with pytest.raises(ToolError, match="cannot be read"):
-        find_c()
-
-
-def test_argument_goes_before_the_environment(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("CC", "/nonexistent/cc")
-    gcc = require_tool("gcc")
-    assert find_c("gcc -m64").command == (gcc, "-m64")
 
 
 def test_empty_cc_is_no_cc(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -143,13 +113,6 @@ def test_broken_c_is_reported_with_place_and_reason(toy: Callable[..., Any]) -> 
     assert "\n" not in str(e.value)
 
 
-def test_header_that_does_not_fit_the_signature(toy: Callable[..., Any]) -> None:
-    arm = toy(scalar="float")
-    double = toy(scalar="double")
-    with pytest.raises(ToolError, match="robodyn-calls"):
-        load(double.signatures, arm.files)
-
-
 @pytest.mark.parametrize("name", ["robodyn_calls", "robodyn_batch", "robodyn_work", "Python", "entry"])
 def test_robots_with_names_of_the_files_and_calls_around_them(toy: Callable[..., Any], name: str) -> None:
     arm = toy(name=name, parameters=True)
@@ -157,25 +120,26 @@ def test_robots_with_names_of_the_files_and_calls_around_them(toy: Callable[...,
     assert list(kernel.gravity([0.0, 0.0], params={"inertia": 2.0, "bend": 3.0})) == [0.0, 0.0]
 
 
-def test_function_that_the_source_lacks(toy: Callable[..., Any]) -> None:
+@pytest.mark.parametrize(
+    ("files", "options", "message"),
+    [
+        ({"toy.c": ("void toy_gravity", "void toy_levity")}, {}, "toy_gravity"),
+        ({"toy.h": ("double", "float")}, {}, "robodyn-calls"),
+        ({}, {"flags": "-std=c99 -fno-such-thing"}, "-fno-such-thing"),
+        ({"toy.f90": ("", "subroutine gravity(q)\nreal :: q\nq = = 1\nend subroutine\n")},
+         {"language": "fortran"}, r"Fortran compiler failed at toy\.f90; found toy\.f90:\d+.*Error"),
+    ],
+)  # fmt: skip
+def test_what_does_not_compile_is_told(
+    files: dict[str, tuple[str, str]], options: dict[str, Any], message: str, toy: Callable[..., Any]
+) -> None:
+    if "language" in options:
+        require_tool("gfortran")
     arm = toy()
-    arm.files["toy.c"] = arm.files["toy.c"].replace("void toy_gravity", "void toy_levity")
-    with pytest.raises(ToolError, match="toy_gravity"):
-        load(arm.signatures, arm.files)
-
-
-def test_bad_flag(toy: Callable[..., Any]) -> None:
-    arm = toy()
-    with pytest.raises(ToolError, match="-fno-such-thing"):
-        load(arm.signatures, arm.files, flags="-std=c99 -fno-such-thing")
-
-
-def test_broken_fortran_is_reported_with_place_and_reason(toy: Callable[..., Any]) -> None:
-    require_tool("gfortran")
-    arm = toy()
-    arm.files["toy.f90"] = "subroutine gravity(q)\nreal :: q\nq = = 1\nend subroutine\n"
-    with pytest.raises(ToolError, match=r"Fortran compiler failed at toy\.f90; found toy\.f90:\d+.*Error"):
-        load(arm.signatures, arm.files, language="fortran")
+    for name, (old, new) in files.items():
+        arm.files[name] = arm.files[name].replace(old, new) if old else new
+    with pytest.raises(ToolError, match=message):
+        load(arm.signatures, arm.files, **options)
 
 
 def test_fortran_needs_a_fortran_compiler(toy: Callable[..., Any], monkeypatch: pytest.MonkeyPatch) -> None:
@@ -184,14 +148,3 @@ def test_fortran_needs_a_fortran_compiler(toy: Callable[..., Any], monkeypatch: 
     arm.files["toy.f90"] = "end\n"
     with pytest.raises(ToolError, match="Fortran compiler '/nonexistent/gfortran'"):
         load(arm.signatures, arm.files, language="fortran")
-
-
-def test_flags_as_text_and_as_list() -> None:
-    assert split_flags("-O3 '-DX=a b'") == ("-O3", "-DX=a b")
-    assert split_flags(["-O3", "-DX=a b"]) == ("-O3", "-DX=a b")
-
-
-def test_first_lines_prefers_errors() -> None:
-    said = "In file x:\nx.c:1:2: warning: w\nx.c:3:4: error: e\n more\n"
-    assert first_lines(said) == "x.c:3:4: error: e"
-    assert first_lines("one\n\ntwo\n") == "one | two"

@@ -1,4 +1,4 @@
-"""What test_peers and test_peers_notice share."""
+"""What test_peers compares with."""
 
 from __future__ import annotations
 

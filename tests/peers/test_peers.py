@@ -25,7 +25,6 @@ from peers.compared import (
     ALL_BUT_FORWARD,
     DOUBLE,
     PEERS,
-    STATES,
     TORQUES,
     Reference,
     complaint,
@@ -33,12 +32,11 @@ from peers.compared import (
     kernel_of,
     peer_module,
     peers,
-    reference,
     references,
 )
 from robodyn.robot.model import Robot
 from robodyn_testing import representative, require_module, sampled
-from robodyn_testing.random_robots import random_robot, random_states
+from robodyn_testing.random_robots import random_robot
 
 pytestmark = pytest.mark.filterwarnings("ignore:Please update your 'hppfcl'")  # Pinocchio 3.3, on import
 RANDOM_ROBOTS: Final = 200
@@ -125,12 +123,3 @@ def test_random_robots_in_full(chunk: int) -> None:
             found += check(robot, refs, refs[0].functions, regroup=regroup)
             found += check(robot, refs, ALL_BUT_FORWARD, scalar="float", regroup=regroup)
     assert found == []
-
-
-def test_forward_dynamics_is_asked_of_most_random_robots() -> None:
-    require_module("pinocchio")
-    regular = 0
-    for seed in range(RANDOM_ROBOTS):
-        robot = random_robot(seed, aside=0.3)
-        regular += reference("pinocchio", robot, random_states(robot, STATES, seed)).qdd is not None
-    assert regular >= 0.9 * RANDOM_ROBOTS

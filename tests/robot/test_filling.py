@@ -141,25 +141,3 @@ def test_values_that_contradict_each_other() -> None:
     assert robot.at({"peak": 3}).effects == read_text(text.replace("peak", "3")).effects
     with pytest.raises(InputError, match=r"stribeck_friction: static is .*; found peak = 1; "):
         robot.at({"peak": 1})
-
-
-@pytest.mark.thorough
-def test_a_diagnosis_of_a_robot_whose_parameter_is_called_mass() -> None:
-    """The same as of the robot with the number written in its place."""
-    from robodyn.diagnose.run import diagnose
-    from robodyn.simulate.sensors import Sensors
-    from robodyn.simulate.simulation import Follow, simulate
-    from robodyn.simulate.trajectories import fourier
-
-    text = (
-        "name: arm\nlinks:\n  - {joint: revolute, mass: MASS, com: [X, 0, 0], inertia: {zz: 0.05},"
-        " limits: {position: [-1, 1], velocity: 2, acceleration: 5}}\ngravity: [0, -9.81, 0]\n"
-    )
-    plain = read_text(text.replace("MASS", "2.5").replace("X", "0.25"))
-    named = read_text(text.replace("MASS", "mass").replace("X", "x"))
-    motion = fourier(plain, 0.25, seed=1)
-    log = simulate(plain, Follow(motion, "feedforward"), sample_period=4e-3).log(Sensors(torque_noise=0.01))
-    values = {"mass": 2.5, "x": 0.25}
-    found, expected = diagnose(named, [log], parameters=values), diagnose(plain, [log])
-    assert found.verdict == expected.verdict == "consistent"
-    assert found.gap.train_before.tolist() == expected.gap.train_before.tolist()

@@ -1,36 +1,22 @@
-"""The claims of the text: numbers, sections, verdicts and figures as a review has them, each verdict
-following what it is computed from."""
+"""The claims of the text: numbers, sections, verdicts and figures as a review has them."""
 
 from __future__ import annotations
 
 import importlib
 import inspect
-from dataclasses import replace
-from fractions import Fraction
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 import pytest
 import yaml
 
 from robodyn import load
-from robodyn.counts import Count
-from robodyn.effects import thesis_friction
-from robodyn.robot import Robot
-from robodyn.schedule import TASKS, elimination, friction_tasks, general_graph, graph
-from robodyn.thesis import claims, steps
-from robodyn.thesis.claims import Arms, formulations, friction, processors, tasks
-from robodyn.thesis.tables import customised, make
+from robodyn.thesis.claims import Arms
 from robodyn.thesis.tables.claims import read_claims
-from thesis.recomputed import Patch, changed, table
+from thesis.recomputed import table
 
 REVIEW = yaml.safe_load(Path(__file__).with_name("claims.yaml").read_text(encoding="utf-8"))
 MODULES = ("formulations", "listings", "friction", "tasks", "processors")
-
-
-def ours(row: str) -> dict[str, Any]:
-    """Its figures before anything was patched."""
-    return dict(table("claims").row(row).ours)
 
 
 def test_numbers_sections_verdicts_and_figures_are_the_reviews() -> None:
@@ -68,75 +54,6 @@ def test_what_follows_from_printed_figures_is_apart() -> None:
     row: dict[str, Any] = table("claims").row("lambda form").to_dict()
     assert row["printed"].keys() == {"claim", "range_pct"}
     assert row["derived_from_printed"] == {"revolute": 34.9, "prismatic": 43.5}
-
-
-def test_they_follow_the_counts(monkeypatch: Patch) -> None:
-    def dearer(robot: Robot, formulation: str) -> Count:
-        count = customised.plain(robot, formulation)
-        return replace(count, mul=count.mul + 40) if formulation == "balafoutis" else count
-
-    before, _ = formulations.no_advantage(Arms())
-    monkeypatch.setattr(formulations, "plain", dearer)
-    after, _ = formulations.no_advantage(Arms())
-    assert [each["apart"]["balafoutis"]["customised_pct"] for each in (before, after)] == [-9.4, -1.2]
-
-
-def test_they_follow_the_schedules_and_the_friction(monkeypatch: Patch) -> None:
-    monkeypatch.setattr(thesis_friction, "journal_bearing", lambda mu, r, d, f, n, sign, **_: mu * f[0])
-    bearings = {**friction_tasks._BEARINGS, "journal": friction_tasks._BEARINGS["torque"]}
-    monkeypatch.setattr(friction_tasks, "_BEARINGS", bearings)
-    load, _ = friction.load_with_friction(Arms())
-    assert load["percent"] == 2.9
-    assert load["tasks_percent"] < 10
-    loose = replace(general_graph(6), after={task: frozenset() for task in general_graph(6).tasks})
-    levels = processors.best_levels(loose, 7)
-    assert processors.efficiency_share(loose, levels, 7) == 100  # nothing waits: all of them are busy
-
-
-@pytest.mark.thorough
-def test_they_follow_the_graphs_edges(monkeypatch: Patch) -> None:
-    """Nothing handed back from the tip: the chain grows shorter. a besides waiting for lambda: longer."""
-    fewer = tuple(replace(task, after=()) if task.row in (30, 31, 39, 40) else task for task in TASKS)
-    monkeypatch.setattr(graph, "TASKS", fewer)
-    loose = make("claims").row("parallel cost")
-    waits: dict[int, tuple[Literal[-1, 0], int]] = {1 + 17: (0, 11), 4: (-1, 18)}
-    more = tuple(
-        replace(task, after=(*task.after, waits[task.row])) if task.row in waits else task for task in TASKS
-    )
-    monkeypatch.setattr(graph, "TASKS", more)
-    tight = make("claims")
-    assert loose.verdict == tight.row("parallel cost").verdict == "differs"
-    assert loose.ours["layers"] < 27 < tight.row("parallel cost").ours["layers"]
-    assert tight.row("speed-up").verdict == "differs"
-    assert tight.row("six-link load").verdict == "reproduced"
-    assert tight.row("least Stanford time").ours["levels"] > 25
-
-
-@pytest.mark.thorough
-def test_they_follow_the_rules_of_elimination(monkeypatch: Patch) -> None:
-    """Nothing spared for the first and the last link: more tasks, wider layers, another share saved."""
-    names = ("Stanford load", "six-link efficiency", "task reduction")
-    printed = "maximum concurrency"  # of the tasks of Table 4.7, which no rule gives
-    before = {name: ours(name) for name in (*names, printed)}
-    monkeypatch.setattr(elimination, "FIRST_LINK", frozenset())
-    monkeypatch.setattr(elimination, "LAST_LINK", frozenset())
-    found = make("claims")
-    assert found.row("six-link load").ours["subtasks"] == 43 * 6
-    assert found.row("six-link load").verdict == "differs"
-    assert all(found.row(name).ours != before[name] for name in names)
-    assert found.row(printed).ours == before[printed]
-
-
-def test_they_follow_the_steps_the_robot_and_friction(monkeypatch: Patch) -> None:
-    corrected = "subtasks_step_3_corrected"
-    form, load = formulations.lambda_form(Arms())[0], tasks.stanford_load(Arms())[0]
-    monkeypatch.setattr(steps, "moment", lambda N, s, F, p_next, f_next, n_next: n_next)
-    monkeypatch.setattr(thesis_friction, "driving", lambda tau, e, b, sign: tau / e)
-    for module in (claims, tasks):
-        monkeypatch.setattr(module, "bundled", changed("stanford", 2, com=(Fraction(1),) * 3))
-    assert formulations.lambda_form(Arms())[0]["revolute"] > form["revolute"]
-    assert tasks.stanford_load(Arms())[0][corrected] == load[corrected] + 6
-    assert friction.transmissions_alone(Arms()) == ({"without_joint_friction": 2}, False)
 
 
 def test_products_of_inertia_of_makers_arms() -> None:

@@ -3,7 +3,6 @@ difference by difference."""
 
 from __future__ import annotations
 
-from itertools import pairwise
 from typing import Any
 
 import pytest
@@ -24,7 +23,7 @@ from robodyn.thesis.formulations.kane import kane
 from robodyn.thesis.formulations.lagrange import lagrange
 from robodyn.thesis.formulations.lagrange_3x3 import lagrange_3x3
 from robodyn.thesis.formulations.lagrange_4x4 import lagrange_4x4
-from robodyn.thesis.formulations.newton_euler_base import inertia_in_base, motion_in_base, newton_euler_base
+from robodyn.thesis.formulations.newton_euler_base import inertia_in_base, motion_in_base
 from robodyn.thesis.formulations.orin import orin
 from robodyn.thesis.tables.formulations import pairs, triples
 
@@ -111,20 +110,6 @@ def test_augmented_links_are_constant_and_carry_what_lies_beyond() -> None:
 # --- what they cost ---------------------------------------------------------------------------------------
 
 
-def test_link_frames_save_what_turning_takes() -> None:
-    """For any arm: the base's frame costs most, mixed frames less, link frames least, tensors less than that;
-    all linear in n but Kane's equations, whose partial velocities grow with its square."""
-    totals = [
-        [general_count(formulation, n, dense=True).total for n in (3, 4, 5, 6)]
-        for formulation in (newton_euler_base, orin, newton_euler, balafoutis, kane)
-    ]
-    base, mixed, link, tensors, _ = (costs[-1] for costs in totals)
-    assert base > mixed > link > tensors
-    steps = [[b - a for a, b in pairwise(costs)] for costs in totals]
-    assert all(len(set(more)) == 1 for more in steps[:-1])
-    assert steps[-1][1] - steps[-1][0] == steps[-1][2] - steps[-1][1] > 0
-
-
 def test_a_revolute_joint_more_costs_the_tensor_recursion_93_and_81() -> None:
     """Balafoutis and Patel 1991, algorithm 5.7: 93 n - 108 and 81 n - 100."""
     five, six = (general_count(balafoutis, n) for n in (5, 6))
@@ -147,10 +132,3 @@ def test_general_counts_of_lagrange(n: int) -> None:
     )
     assert general_count(lagrange_4x4, n, dense=True) == Count(mul=810 * n - 608, add=643 * n - 512)
     assert general_count(lagrange_3x3, n, dense=True) == Count(mul=399 * n - 279, add=305 * n - 231)
-
-
-def test_zeros_and_ones_of_the_frames_need_no_operations() -> None:
-    for formulation in (lagrange, lagrange_4x4, lagrange_3x3):
-        for prismatic in ((), (2,), (1, 3)):
-            dense = general_count(formulation, 3, prismatic, dense=True)
-            assert general_count(formulation, 3, prismatic).total < 0.75 * dense.total

@@ -11,16 +11,13 @@ from typing import Any
 
 import numpy as np
 import pytest
-import sympy
 
 from dynamics.direct import Recorder, State, exact_arm, values_of, with_named_numbers
 from ir.programs import Point, every_value, exactly
 from robodyn import program
-from robodyn.dynamics import transforms
 from robodyn.dynamics.arm import Arm, Motion, build_arm, build_motion
 from robodyn.dynamics.newton_euler import newton_euler
-from robodyn.dynamics.regroup import lumps_of
-from robodyn.dynamics.vectors import Mark, plus, scaled, unmarked
+from robodyn.dynamics.vectors import Mark, unmarked
 from robodyn.ir import Graph, Program
 from robodyn.ir.fingerprint import fingerprint
 from robodyn.ir.lowering import lower
@@ -29,7 +26,6 @@ from robodyn.passes import FRESH, run, units
 from robodyn.robot import Robot, bundled_names
 from robodyn.robot.values import circle_point
 from robodyn.thesis.formulations import (
-    TITLES,
     balafoutis,
     kane,
     lagrange,
@@ -64,18 +60,6 @@ def draft(robot: Robot, name: str) -> Program:
     arm = build_arm(robot, exact, graph.input)
     motion = build_motion(arm, q, qd, qdd, lambda angle: turned(graph, q, angle), exact)
     return lower(graph, [("tau", FORMULATIONS[name](arm, motion, graph.label))])
-
-
-def test_the_arms_have_both_kinds_of_joints_full_inertias_and_links_without_mass() -> None:
-    assert set(FORMULATIONS) == set(TITLES)
-    links = [link for robot in ARMS for link in robot.links]
-    kinds = [link.joint.kind for link in links]
-    assert min(kinds.count("revolute"), kinds.count("prismatic")) > 15
-    assert sum(bool(link.inertia.xy and link.inertia.xz and link.inertia.yz) for link in links) > 15
-    assert any(not link.mass for link in links)
-    assert any(link.joint.motor_inertia and link.joint.viscous for link in links)
-    assert {robot.n for robot in ARMS} == {1, 2, 3, 4, 5}
-    assert any(all(robot.gravity) for robot in ARMS)
 
 
 @each
@@ -154,62 +138,7 @@ def test_every_number_of_the_arm_may_be_given_at_run_time(name: str) -> None:
     assert found == newton_euler(state.arm, state.motion())
 
 
-@each
-def test_torques_over_sympy(name: str) -> None:
-    """A polynomial in symbols for sines, cosines and rates, put to rational numbers."""
-    state = State(next(arm for arm in ARMS if arm.n == 2), Point(5))
-    numbers, joints = state.motion(), range(state.robot.n)
-    fields = {
-        field: tuple(sympy.Symbol(f"{field}{i}") for i in joints) for field in ("c", "s", "d", "qd", "qdd")
-    }
-    arm = build_arm(state.robot, lambda x: sympy.Rational(x.numerator, x.denominator), sympy.Symbol)
-    values = {symbols[i]: getattr(numbers, field)[i] for field, symbols in fields.items() for i in joints}
-    torques = FORMULATIONS[name](arm, Motion(**fields), unmarked)
-    found = [sympy.sympify(torque).subs(values) for torque in torques]
-    assert [Fraction(int(x.p), int(x.q)) for x in found] == newton_euler(state.arm, numbers)
-
-
 # --- that slips are noticed ---------------------------------------------------------------------------------
-
-
-def with_corner(body: Any) -> transforms.Matrix:
-    J = transforms.pseudo_inertia(body)
-    return (*J[:3], (*J[3][:3], 2 * body.mass))
-
-
-MUTATIONS: list[tuple[ModuleType, str, Any]] = [
-    (lagrange, "joint_operator", lambda body: transforms.TURN_4),
-    (lagrange, "pseudo_inertia", with_corner),
-    (lagrange_4x4, "pseudo_inertia", with_corner),
-    (lagrange_4x4, "homogeneous", lambda r: (*r, 0)),
-    (lagrange_3x3, "second_moment", lambda body: transforms.times(2, transforms.second_moment(body))),
-    (lagrange_3x3, "outer", lambda u, v: transforms.transposed(transforms.outer(u, v))),
-    (lagrange_3x3, "TURN_3", transforms.transposed(transforms.TURN_3)),
-    (newton_euler_base, "inertia_in_base", lambda E, inertia: inertia),
-    (newton_euler_base, "turned", lambda E, u: transforms.turned(transforms.transposed(E), u)),
-    (orin, "origin", lambda body, d: (body.a, body.sin_alpha * d, d)),
-    (
-        kane,
-        "propagated",
-        lambda at, body, c, s, p, genuine=kane.propagated: genuine(at, body, c, s, (0,) * 3),
-    ),
-    (kane, "minus", plus),
-    (balafoutis, "dual_moment", lambda at, k, genuine=balafoutis.dual_moment: scaled(-1, genuine(at, k))),
-    (balafoutis, "augmented_links", lambda arm, origins: lumps_of(arm)),
-]
-
-
-@pytest.mark.parametrize(("module", "attribute", "wrong"), MUTATIONS)
-def test_a_slip_in_the_equations_is_noticed(
-    module: ModuleType, attribute: str, wrong: Any, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    both = {"prismatic", "revolute"}
-    slide = next(arm for arm in ARMS if arm.n == 3 and both == {link.joint.kind for link in arm.links[:2]})
-    formulation = FORMULATIONS[module.__name__.rpartition(".")[2]]
-    states = [State(robot, Point(7)) for robot in (slide, bundled("puma560_3dof"))]
-    expected = [newton_euler(state.arm, state.motion()) for state in states]
-    monkeypatch.setattr(module, attribute, wrong)
-    assert [formulation(state.arm, state.motion(), unmarked) for state in states] != expected
 
 
 # --- running totals -----------------------------------------------------------------------------------------

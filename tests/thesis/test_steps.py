@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
@@ -14,7 +13,7 @@ from robodyn.counts import Count
 from robodyn.dynamics.arm import Symmetric
 from robodyn.dynamics.modified_newton_euler import Kinematics, inertia_moment
 from robodyn.dynamics.newton_euler import newton_euler
-from robodyn.dynamics.vectors import cross, plus
+from robodyn.dynamics.vectors import plus
 from robodyn.robot import Robot
 from robodyn.thesis import steps
 from robodyn.thesis.polynomial import difference, fit, polynomial_text, value
@@ -55,30 +54,6 @@ def test_the_steps_of_method_two_are_those_of_method_one(robot: Robot) -> None:
     full = Symmetric(*(next(numbers) for _ in range(6)))
     at = Kinematics(w, alpha, lam, a, p)
     assert steps.euler_II(full, w, alpha) == inertia_moment(full, at)
-
-
-@pytest.mark.parametrize(
-    ("name", "wrong"),
-    [
-        ("lambda_turned", lambda R, before: before),
-        ("slide_I", lambda w, qd, qdd, double=2: (qd * w[1], -(qd * w[0]), qdd)),
-        ("moment", lambda N, s, F, p_next, f_next, n_next: plus(N, cross(s, F), n_next)),
-    ],
-)
-def test_a_slip_in_a_step_is_noticed(
-    name: str, wrong: Callable[..., Any], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    kinds = ["revolute", "revolute", "prismatic", "revolute"]
-    arms = (
-        exact_arm(seed, joints=4, full=False, prismatic=0.3, generic_angles=1, zeros=0, degenerate=0)
-        for seed in range(500)
-    )
-    robot = next(arm for arm in arms if [link.joint.kind for link in arm.links] == kinds)
-    found, expected = torques(robot)
-    assert found == expected
-    monkeypatch.setattr(steps, name, wrong)
-    found, expected = torques(robot)
-    assert found != expected
 
 
 def pairs(counts: dict[str, Count]) -> dict[str, tuple[int, int]]:

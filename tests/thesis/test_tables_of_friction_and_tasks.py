@@ -1,4 +1,4 @@
-"""Tables of chapters 3 and 4 beside a transcription of the thesis, and that they follow their data."""
+"""Tables of chapters 3 and 4 beside a transcription of the thesis."""
 
 from __future__ import annotations
 
@@ -9,15 +9,13 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from robodyn.effects import thesis_friction
 from robodyn.robot.model import EffectEntry
-from robodyn.schedule import arithmetic
 from robodyn.schedule.tasks import TASKS
 from robodyn.thesis.case_arm import D4_START, led
-from robodyn.thesis.printed import TABLE_3_3, TABLE_3_4, TABLE_3_5, TABLE_4_1_MISPRINTS, bundled
-from robodyn.thesis.tables import case_study, make, operating_point, programs, tasks
+from robodyn.thesis.printed import TABLE_3_3, TABLE_3_4, TABLE_4_1_MISPRINTS, bundled
+from robodyn.thesis.tables import operating_point, programs
 from robodyn.verify.reference import Reference
-from thesis.recomputed import Patch, changed, named, table
+from thesis.recomputed import named, table
 
 # Table 3.4: mu, radius, breakaway, largest.
 FRICTION = ("0.1 0.10 6.3 97.6", "0.1 0.08 5.5 186.4", "0.1 0.07 2.6 89.4")
@@ -30,14 +28,6 @@ def test_table_3_1() -> None:
     assert table("3.1").row("revolute, two journals (Eq 3.3)").ours["printed_off"] > 1
 
 
-def test_table_3_1_follows_the_bearings(monkeypatch: Patch) -> None:
-    bearing = thesis_friction.linear_bearing
-    monkeypatch.setattr(thesis_friction, "linear_bearing", lambda *given: bearing(*given) / 2)
-    found = make("3.1").row("prismatic, two sliding bearings (Eq 3.4)")
-    assert found.verdict == "differs"
-    assert found.reason.startswith("neither form")
-
-
 def test_table_3_3() -> None:
     found = table("3.3")
     assert named(found) == {
@@ -46,15 +36,6 @@ def test_table_3_3() -> None:
     operations = {"mul": 15, "add": 7, "total": 22, "div": 1, "sqrt": 2}
     assert found.row("joint, revolute").ours["operations"] == operations
     assert len(found.rows) == sum(map(len, TABLE_3_3.values()))
-
-
-def test_table_3_3_follows_the_equations(monkeypatch: Patch) -> None:
-    monkeypatch.setattr(thesis_friction, "linear_bearing", lambda mu, d, f, n, direction: mu * f[0])
-    monkeypatch.setattr(thesis_friction, "driving", lambda tau, e, b, sign: tau / e)
-    found = make("3.3")
-    assert "joint, prismatic" in named(found)
-    totals = {"joint, prismatic": 1, "transmission, linear": 2, "total_linear, prismatic": 113 + 1 + 2}
-    assert {name: found.row(name).ours["operations"]["total"] for name in totals} == totals
 
 
 # --- 3.4 and 3.5 --------------------------------------------------------------------------------------------
@@ -83,18 +64,6 @@ def test_table_3_4() -> None:
     assert found.row("link 2, mu").ours["most"] == pytest.approx(0.1 * 0.3281 / bound, rel=0.01)
 
 
-def test_table_3_4_would_refuse_other_figures(monkeypatch: Patch) -> None:
-    first, second, third = TABLE_3_4
-    drives = (
-        replace(first, breakaway=Fraction(12)), replace(second, largest=Fraction(1000)),
-        replace(third, breakaway=Fraction(4)),
-    )  # fmt: skip
-    monkeypatch.setattr(case_study, "TABLE_3_4", drives)
-    found = make("3.4")
-    assert {f"link {k}, breakaway [N m]" for k in (1, 3)} | {"link 2, largest torque [N m]"} <= named(found)
-    assert found.row("link 2, breakaway [N m]").verdict == "reproduced"
-
-
 def test_table_3_5() -> None:
     found = table("3.5")
     assert named(found, "not recoverable") == {
@@ -113,15 +82,6 @@ def test_table_3_5() -> None:
         row = found.row(f"link {link}, joint friction")
         assert row.ours["bound"] == least > 2 * abs(row.printed["torque"])
         assert len(row.ours["bound_by_parameters"]) == 4
-
-
-def test_table_3_5_would_say_so_if_a_sum_were_wrong(monkeypatch: Patch) -> None:
-    first = replace(TABLE_3_5[0], joint_friction=Fraction("1.7805"), transmission=Fraction("8.9"))
-    monkeypatch.setattr(case_study, "TABLE_3_5", (first, *TABLE_3_5[1:]))
-    monkeypatch.setattr(thesis_friction, "driving", lambda tau, e, b, sign: tau * e + b * sign)
-    found = make("3.5")
-    assert {"link 1, joint total", "link 1, input", "link 2, efficiency"} <= named(found)
-    assert found.row("link 2, input").verdict == "reproduced"
 
 
 def test_the_bounds_of_table_3_5_rest_on_eq_3_3_and_newton_euler() -> None:
@@ -239,41 +199,15 @@ def test_table_4_2() -> None:
     assert "not idle: 8 26" in found.row("first_link").reason
 
 
-def test_tables_4_1_and_4_2_follow_the_tasks(monkeypatch: Patch) -> None:
-    nine, counts = arithmetic._DO[9], arithmetic.operations_of_tasks(4)
-
-    def heavier(at: arithmetic.Place) -> None:
-        nine(at)
-        at.now.lam[0][0] = at.now.lam[0][0] * at.joint.qd
-
-    monkeypatch.setitem(arithmetic._DO, 9, heavier)
-    found = make("4.2")
-    assert 9 not in found.row("prismatic_joint").ours["tasks"]
-    assert "42 of 43" in found.notes[0]
-    monkeypatch.setattr(tasks, "operations_of_tasks", lambda n: {**counts, 326: {"mul": 5}})
-    assert make("4.1").row("T26").ours["operations"] == 5
-
-
-def test_tables_4_4_and_4_6_follow_the_robot(monkeypatch: Patch) -> None:
+def test_tables_4_4_and_4_6() -> None:
     sparse, rule = table("4.4"), table("4.6")
     assert named(sparse) == {"link 5", "zeros"}
     assert sparse.row("zeros").ours == {"zeros": 26, "of": 36}
     assert named(rule) == {"link 2", "link 5", "sum"}
     assert "12 tasks and not 10" in rule.row("link 2").reason
     assert rule.row("link 3").beside[0]["total"] == 13
-    monkeypatch.setattr(tasks, "bundled", changed("stanford", 4, com=(Fraction(1),) * 3))
-    sparse, other = make("4.4"), make("4.6")
-    assert (sparse.row("link 4").ours["s"], sparse.row("link 4").verdict) == (["x", "y", "z"], "differs")
-    assert sparse.row("zeros").ours["zeros"] == 25
-    assert other.row("link 4").ours["total"] == rule.row("link 4").ours["total"] - 3
-    assert "s_4 has 0 zeros" in other.row("link 4").reason
 
 
-def test_table_4_5_follows_the_tasks(monkeypatch: Patch) -> None:
+def test_table_4_5() -> None:
     assert named(table("4.5"), "reproduced") == {row.name for row in table("4.5").rows}
     assert [row.ours["flops"] for row in table("4.5").rows] == [12, 6, 0, 12, 6, 0, 5, 2, 0, 5, 2, 0]
-    monkeypatch.setattr(arithmetic, "_cross", lambda axis, u, v: u[axis] * v[axis] + u[axis] * v[axis - 1])
-    found = make("4.5")
-    assert found.row("step 8, p x f, 1 zero").ours["flops"] == 6
-    assert found.row("step 8, p x f, 2 zeros").ours["tasks"] == 1
-    assert found.row("step 4, a + lambda s, 1 zero").verdict == "reproduced"
