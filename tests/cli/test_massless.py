@@ -61,7 +61,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
-@pytest.mark.parametrize(("command", "file"), covering(OF_TORQUES, ["arm.urdf", "arm.yaml"], rest="slow"))
+@pytest.mark.parametrize(("command", "file"), covering(OF_TORQUES, ["arm.urdf", "arm.yaml"]))
 def test_torques_are_refused(command: str, file: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["import", "arm.urdf", "-o", "arm.yaml"]) == 0
     there = set(Path().iterdir())
@@ -75,7 +75,7 @@ def test_torques_are_refused(command: str, file: str, capsys: pytest.CaptureFixt
     assert set(Path().iterdir()) == there, "nothing half-written"
 
 
-@pytest.mark.parametrize(("command", "file"), covering(OF_POSES, ["arm.urdf", "arm.yaml"], rest="slow"))
+@pytest.mark.parametrize(("command", "file"), covering(OF_POSES, ["arm.urdf", "arm.yaml"]))
 def test_poses_are_not(command: str, file: str) -> None:
     assert main(["import", "arm.urdf", "-o", "arm.yaml"]) == 0
     assert main(command.format(file, file).split()) == 0

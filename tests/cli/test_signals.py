@@ -75,7 +75,7 @@ def test_a_signal_while_it_begins(module: str, line: str) -> None:
 
 @pytest.mark.parametrize(
     ("module", "name", "code", "word"),
-    covering(["robodyn_cli.robots", "yaml", "robodyn.robot.values"], SIGNALS, rest="slow"),
+    covering(["robodyn_cli.robots", "yaml", "robodyn.robot.values"], SIGNALS),
 )
 def test_a_signal_while_it_works(module: str, name: str, code: int, word: str) -> None:
     """The first one counts."""

@@ -48,7 +48,7 @@ def ids(robot: Robot) -> str:
 # --- on fractions -----------------------------------------------------------------------------------------
 
 
-@settings(deadline=None, max_examples=40, phases=NO_SHRINKING)
+@settings(deadline=None, max_examples=20, phases=NO_SHRINKING)
 @given(st.integers(0, 10**6), st.integers(1, 6), st.integers(0, 10**6), st.booleans(), st.data())
 def test_three_recursions_give_the_same_fractions(
     seed: int, n: int, point: int, parallel: bool, data: st.DataObject

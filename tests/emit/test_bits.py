@@ -55,7 +55,9 @@ def same_bits(one: NDArray[Any], other: NDArray[Any]) -> bool:
     return one.dtype == other.dtype and one.shape == other.shape and one.tobytes() == other.tobytes()
 
 
-@pytest.mark.parametrize(("name", "scalar"), covering(sampled(NAMES, every=3), ["double", "float"]))
+@pytest.mark.parametrize(
+    ("name", "scalar"), covering(sampled(NAMES, every=3, rest="slow"), ["double", "float"])
+)
 def test_c_and_fortran_give_the_same_bits(name: str, scalar: str) -> None:
     gcc, gfortran = require_tool("gcc"), require_tool("gfortran")
     robot, inputs = robots()[name], arrays(name)
@@ -69,7 +71,7 @@ def test_c_and_fortran_give_the_same_bits(name: str, scalar: str) -> None:
         assert same_bits(one, other), function
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", sampled(NAMES, every=2, rest="slow"))
 def test_compiled_c_does_what_the_program_says_to_the_bit(name: str) -> None:
     """The program, run in Python: the same operations in the same order, so the same roundings."""
     kernel = compile_robot(robots()[name], cc=require_tool("gcc"), mode="abi")
@@ -121,7 +123,7 @@ def test_compilers_and_levels_give_the_same_bits(compiler: str, flags: str) -> N
         assert same_bits(one, two), function
 
 
-@pytest.mark.parametrize("name", representative(["stanford", "tool"], "tool"))
+@pytest.mark.parametrize("name", representative(["stanford", "tool"], "tool", rest="slow"))
 def test_given_sines_give_the_same_bits(name: str) -> None:
     """The caller computes what the header lists, and gets what the kernel would have computed."""
     cc = require_tool("gcc")

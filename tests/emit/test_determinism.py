@@ -17,6 +17,7 @@ import pytest
 
 from emit.kernels import in_single, made, robots
 from robodyn.robot import bundled_names, to_yaml
+from robodyn_testing import sampled
 
 ROOT = Path(__file__).parents[2]
 NAMES = ("puma560", "stanford_3dof", "tool", "smooth", "random_65")
@@ -108,7 +109,7 @@ def test_every_bundled_robot_is_committed() -> None:
     assert set(COMMITTED) == set(project["robots"]) == set(bundled_names())
 
 
-@pytest.mark.parametrize("name", COMMITTED)
+@pytest.mark.parametrize("name", sampled(COMMITTED, every=8, rest="slow"))  # make generated-check has all
 def test_the_committed_kernels_are_what_is_generated(name: str) -> None:
     folder = GENERATED / name
     files = made(name).files()

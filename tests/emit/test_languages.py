@@ -133,6 +133,7 @@ def test_every_language_writes_every_kind_of_kernel(name: str) -> None:
         ],
         ("javascript", "tool", "double"),
         ("rust", "tool", "float"),
+        rest="slow",
     ),
 )
 def test_bits_are_those_of_the_c(language: str, name: str, scalar: str, tmp_path: Path) -> None:
@@ -200,6 +201,7 @@ def run_tests(language: str, folder: Path) -> subprocess.CompletedProcess[str]:
         ],
         ("javascript", "effects_remembering", "double"),
         ("rust", "effects_remembering", "float"),
+        rest="slow",
     ),
 )
 def test_its_tests_pass(language: str, name: str, scalar: str, tmp_path: Path) -> None:

@@ -217,7 +217,7 @@ ROBOTS = ("main", "startup", "Semihosting", "test", "found", "gravity", "LANES",
           "Python", "INFINITY", "M_PI", "linux")  # fmt: skip
 
 
-@pytest.mark.parametrize("name", sampled(ROBOTS, every=7))
+@pytest.mark.parametrize("name", sampled(ROBOTS, every=7, rest="slow"))
 def test_robots_of_any_name_compile(name: str, tmp_path: Path) -> None:
     for way, standard in (("kernels", "-std=c99"), ("firmware", "-std=gnu17"), ("schedule", "-std=gnu17")):
         files = WAYS[way](arm(name))

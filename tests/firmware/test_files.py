@@ -54,6 +54,7 @@ def test_the_kernel_is_the_one_that_gen_writes() -> None:
     representative(
         [(*arm, scalar) for arm in (("puma560", ()), ("tool", ALL)) for scalar in SCALARS],
         ("tool", ALL, "float"),
+        rest="slow",
     ),
 )
 def test_compilers_are_content(name: str, functions: tuple[str, ...], scalar: str, tmp_path: Path) -> None:

@@ -45,6 +45,7 @@ VECTOR, DIGEST, GUARD = 1, 2, 4
         ("puma560", (), "float"),
         ("tool", ALL, "double"),
         ("tool", KINEMATIC, "float"),
+        rest="slow",
     ),
 )
 def test_c_and_fortran_pass_with_the_digest_of_numpy(
@@ -128,7 +129,7 @@ def test_a_sine_that_takes_infinity_for_a_number_is_noticed(tmp_path: Path) -> N
     assert host(require_tool("gcc"), "puma560", tmp_path)[0] == GUARD
 
 
-@pytest.mark.parametrize("name", representative(["puma560", "stanford", "panda"], "stanford"))
+@pytest.mark.parametrize("name", representative(["puma560", "stanford", "panda"], "stanford", rest="slow"))
 def test_the_results_are_pinocchios(name: str) -> None:
     require_module("pinocchio")
     from peers.pinocchio_peer import pinocchio_model, torques

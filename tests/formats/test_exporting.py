@@ -34,9 +34,9 @@ ROOT = Path(__file__).parents[2]
 EXAMPLES = [f"examples/arms/{path.name}" for path in sorted((ROOT / "examples" / "arms").glob("*.yaml"))]
 #: Names, and how many random chains.
 ROBOTS: list[str | int] = [
-    *representative(list(bundled_names()), "puma560", "stanford"),
+    *representative(list(bundled_names()), "puma560", "stanford", rest="slow"),
     *seed_counts(8, 200),
-    *representative(EXAMPLES, "examples/arms/so101.yaml"),
+    *representative(EXAMPLES, "examples/arms/so101.yaml", rest="slow"),
 ]
 
 
@@ -172,7 +172,7 @@ CASES = [(name, to) for name in bundled_names() for to in TARGETS]
 QUICK = [("ur10", "sdf"), ("panda", "mjcf"), ("puma560", "mjcf"), ("stanford", "urdf")]
 
 
-@pytest.mark.parametrize(("name", "to"), representative(CASES, *QUICK))
+@pytest.mark.parametrize(("name", "to"), representative(CASES, *QUICK, rest="slow"))
 def test_a_bundled_arm_comes_back_as_the_same_function(name: str, to: str, tmp_path: Path) -> None:
     """Exactly, in as few operations; what the format has no word for is put back."""
     robot = load(name, warn=lambda _: None)

@@ -39,7 +39,7 @@ def sampled(cases: Iterable[Any], every: int, rest: str = "thorough") -> list[An
     return [_marked(param, rest) if k % every else param for k, param in enumerate(params)]
 
 
-def covering(*axes: Iterable[Any], rest: str = "thorough") -> list[Any]:
+def covering(*axes: Iterable[Any], rest: str = "slow") -> list[Any]:
     """Return all combinations of `axes` for ``pytest.mark.parametrize``, all but a few marked with `rest`.
 
     Every value of every axis is in one of the few at least, unless it is marked itself
