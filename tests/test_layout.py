@@ -149,36 +149,6 @@ def test_imports_only_rooms_above() -> None:
     assert not places, "\n".join(places)
 
 
-@pytest.mark.parametrize(
-    ("file", "text", "words"),
-    [
-        ("ir/graph.py", "from robodyn.dynamics import arm", "ir imports robodyn.dynamics.arm, which is not"),
-        ("dynamics/arm.py", "def f(): from ..kernels import load", "dynamics imports robodyn.kernels.load"),
-        ("report/page.py", "import robodyn_cli.gen", "imports the command line"),
-        ("__init__.py", "import robodyn_cli", "imports the command line"),
-        (
-            "bench/peers.py",
-            "def f(): from robodyn.gate import gate",
-            "the generator imports robodyn.gate.gate",
-        ),
-        (
-            "report/fleet_map.py",
-            "from robodyn.emit import render",
-            "the log side imports robodyn.emit.render",
-        ),
-        ("report/run.py", "from robodyn.thesis import judge", "the log side imports robodyn.thesis.judge"),
-        ("ir/graph.py", "import numpy as np", "imports numpy: do so in the function that needs it"),
-    ],
-)
-def test_what_is_out_of_order_is_noticed(file: str, text: str, words: str) -> None:
-    assert words in "".join(out_of_order(ast.parse(text), Path("robodyn", file)))
-
-
-def test_what_is_in_order_is_not_noticed() -> None:
-    text = "from robodyn.ir import Graph\nfrom .vectors import dot\ndef f(): import numpy"
-    assert not [*out_of_order(ast.parse(text), Path("robodyn/dynamics/arm.py"))]
-
-
 SOURCES = sorted(path.relative_to(ROOT.parent) for top in TOPS for path in (ROOT.parent / top).rglob("*.py"))
 
 

@@ -18,7 +18,7 @@ KEYS = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("robot", representative(bundled_names(), "puma560_3dof_d3", "rx90"))
+@pytest.mark.parametrize("robot", representative(bundled_names(), "puma560_3dof_d3", "rx90", rest="slow"))
 def test_the_counts_are_those_of_what_gen_writes(robot: str, capsys: Capture) -> None:
     made = generate(load(robot, warn=lambda _: None))
     found = run_json(capsys, f"flops {robot} --functions {','.join(made.counts)}")

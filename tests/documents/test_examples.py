@@ -10,7 +10,7 @@ from pathlib import Path
 import click
 import pytest
 
-from documents.blocks import FENCE, PAGES, ROOT, TUTORIALS, Block, Command, blocks, commands, matches, read
+from documents.blocks import FENCE, PAGES, ROOT, TUTORIALS, Block, Command, commands, matches, read
 from documents.running import Reader, checkout, program_folder
 from robodyn.robot import read_text
 from robodyn_cli.main import COMMANDS, HELP, cli
@@ -129,79 +129,6 @@ def test_descriptions_of_robots_are_robots() -> None:
 
 
 # --- the mechanism itself --------------------------------------------------------------------------------
-
-PAGE = """\
-Text.
-
-<!-- file note.txt -->
-```text
-one
-two
-```
-
-```console
-$ cat note.txt
-one
-...
-$ echo a b c \\
-    d
-a ... d
-$ false
-$ echo $?
-1
-```
-
-1. A list:
-
-   <!-- not run: takes an hour -->
-   ```console
-   $ sleep 3600
-   ```
-
-```python
->>> x = 2
->>> x + 1
-3
-```
-
-```python
-assert x == 2
-```
-"""
-
-
-def faults(page: str, folder: Path) -> list[str]:
-    require_tool("bash")
-    reader = Reader(folder)
-    return [fault for block in blocks(page) for fault in reader.follow(block)]
-
-
-def test_what_is_right_passes(tmp_path: Path) -> None:
-    assert [block.language for block in blocks(PAGE)] == ["text", "console", "console", "python", "python"]
-    assert [block.line for block in blocks(PAGE)][:2] == [4, 9]
-    assert faults(PAGE, tmp_path) == []
-    assert (tmp_path / "note.txt").read_text() == "one\ntwo\n"
-
-
-@pytest.mark.parametrize(
-    ("right", "wrong", "says"),
-    [
-        ("a ... d", "a ... e", "printed:\na b c d"),
-        ("one\n...\n", "two\n...\n", "printed:\none\ntwo"),
-        ("$ echo $?\n1\n", "", "exit code 1"),
-        ("$ echo $?\n1\n", "$ echo $?\n0\n", "shown:\n0"),
-        (">>> x + 1\n3", ">>> x + 1\n4", "Expected:\n    4\nGot:\n    3"),
-    ],
-)
-def test_what_is_wrong_is_reported(right: str, wrong: str, says: str, tmp_path: Path) -> None:
-    assert right in PAGE
-    (fault,) = faults(PAGE.replace(right, wrong), tmp_path)
-    assert says in fault
-
-
-def test_python_that_fails_is_reported(tmp_path: Path) -> None:
-    with pytest.raises(AssertionError):
-        faults(PAGE.replace("assert x == 2", "assert x == 3"), tmp_path)
 
 
 @pytest.mark.parametrize(

@@ -7,8 +7,6 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
-import pytest
-
 from robodyn import dynamics
 
 FOLDER = Path(dynamics.__file__).parent
@@ -45,11 +43,3 @@ def test_no_import_runs_upwards() -> None:
         for arrow in upward_imports(unit, path.read_text(encoding="utf-8"))
     ]
     assert not upward, "\n".join(upward)
-
-
-@pytest.mark.parametrize(
-    "text",
-    ["from robodyn.dynamics.functions import record", "def f(): import robodyn.dynamics.closure"],
-)
-def test_an_import_that_runs_upwards_is_noticed(text: str) -> None:
-    assert [*upward_imports("arm", text)]

@@ -60,11 +60,6 @@ def test_nobody_asks_for_a_name() -> None:
     assert len(FILES) > 400
 
 
-def test_such_a_question_is_found() -> None:
-    tree = ast.parse('if f == "gravity":\n    pass\nmatch f:\n    case "bias" | "tau":\n        pass\n')
-    assert sorted(names_asked_for(tree)) == [(1, "gravity"), (4, "bias")]
-
-
 def test_what_is_unknown_is_an_error_that_says_what_there_is() -> None:
     with pytest.raises(InputError, match=r"unknown function 'bais'; expected one of .*mean 'bias'\?"):
         function_named("bais")

@@ -118,20 +118,6 @@ def test_the_thesis_s_tasks_run(tmp_path: Path) -> None:
     assert ran(tmp_path, files, 300, *STRICT).startswith("states 300 differing 0 ")
 
 
-def test_a_race_would_be_found(tmp_path: Path) -> None:
-    """One barrier taken out: ThreadSanitizer complains."""
-    files = all_files("puma560_3dof", 2, 1, "barrier")
-    name = "puma560_3dof_parallel.c"
-    meets = re.findall(r"\n    puma560_3dof_meet\(team\); /\* before level \d+ \*/", files[name])
-    assert len(meets) >= 4
-    spoilt = files | {name: files[name].replace(meets[len(meets) // 4], "")}
-    sources = write(tmp_path, spoilt)
-    command = [require_tool("gcc"), *FLAGS, "-fsanitize=thread", *sources, "-lm", "-o", "check"]
-    assert subprocess.run(command, cwd=tmp_path, check=False).returncode == 0
-    done = subprocess.run(["./check", "200"], cwd=tmp_path, capture_output=True, text=True, check=False)
-    assert "data race" in done.stderr
-
-
 @pytest.mark.parametrize(
     ("name", "p", "waiting"),
     representative(

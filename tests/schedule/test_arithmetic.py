@@ -10,7 +10,7 @@ from dynamics.direct import State, exact_arm
 from ir.programs import Point
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.robot import Robot
-from robodyn.schedule import FLOPS_PER_TASK, TASKS, arithmetic, arm_graph
+from robodyn.schedule import FLOPS_PER_TASK, TASKS, arm_graph
 from robodyn.schedule.arithmetic import flops_of_tasks, one_after_another, run_tasks
 from robodyn.schedule.graph import TaskGraph, TaskId, link_and_number
 
@@ -89,13 +89,3 @@ def test_zeros_are_seen() -> None:
     assert sum(own[number] for number in range(20, 26)) == 6
     assert [own[number] for number in (36, 37, 38)] == [1, 0, 1]
     assert {link_and_number(task)[0] for task in flops} == {1, 2, 3, 4}
-
-
-def test_a_slip_in_a_task_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
-    """T10 as Table 4.1 prints it: x and z the wrong way round."""
-    robot = REVOLUTE[2]
-    entries = {**arithmetic._ENTRIES, 10: ((2, 1), (0, 2), (1, 0)), 11: ((0, 1), (1, 2), (2, 0))}
-    monkeypatch.setattr(arithmetic, "_ENTRIES", entries)
-    assert torques(robot) == expected(robot)  # the order of writing does not matter
-    monkeypatch.setattr(arithmetic, "_ENTRIES", {**entries, 10: ((1, 2), (0, 2), (2, 1))})
-    assert torques(robot) != expected(robot)

@@ -159,15 +159,6 @@ def test_a_contact_works_by_force_and_way(name: str, link: int) -> None:
     assert found.work[-1] - motors == pytest.approx(force @ way, abs=1e-9 * found.scale)
 
 
-def test_the_balance_notices() -> None:
-    """Steps too long for the arm, and a loss left out."""
-    bare = arm("puma560_3dof")
-    robot = arm("puma560_3dof", *rotors(bare), *kinds_of(bare)["dry and viscous"])
-    assert shaken(robot, step=PERIOD).balance().error > 1e-10
-    found = shaken(robot, **TIGHT).balance()
-    assert replace(found, loss=found.loss * (1 + 1e-7)).error > 1e-8
-
-
 def test_every_effect_that_loses_energy_has_its_case() -> None:
     used = {entry.effect for effects in kinds_of(arm("stanford")).values() for entry in effects}
     places = {"bearing", "coupler", "gear", "motor", "pair"}

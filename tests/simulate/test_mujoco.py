@@ -231,17 +231,3 @@ def test_dry_friction(name: str) -> None:
     assert off[0] < 1e-4
     assert off[2] < off[1] < off[0]
     assert off[3] < off[0] / 50
-
-
-def test_a_millionth_in_one_number_is_noticed() -> None:
-    """The payload's mass and where the springs are slack."""
-    robot = laden("stanford")
-    q, still = start_of(robot), np.zeros(robot.n)
-    made = ours(robot, None, q, still, DURATION)
-    for k, entry in enumerate(robot.effects):
-        name = "mass" if entry.effect == "payload" else "rest"
-        settings = {**dict(entry.settings), name: entry[name] * (1 + Fraction(1, 10**6))}
-        off = replace(entry, settings=tuple(settings.items()))
-        others = (*robot.effects[:k], off, *robot.effects[k + 1 :])
-        if entry[name]:
-            assert apart(theirs(replace(robot, effects=others), None, q, still, DURATION), made.q) > 1e-8
