@@ -7,9 +7,10 @@ from fractions import Fraction
 from functools import cache
 
 import numpy as np
+from benchmarks.blind_arms.random_arms import random_arm
 
 from peers.numbers import inertia_tensor, number
-from robodyn.robot import load
+from robodyn.robot import load, read_text
 from robodyn.robot.model import Inertia, Joint, Limits, Link, Robot
 from robodyn.robot.values import Value
 
@@ -18,6 +19,9 @@ ARMS = ("puma560", "puma560_3dof", "stanford", "ur10")
 FURTHER_ARMS = ("ur5", "panda", "rx90")
 #: Arms that are only pushed, and with signs flipped.
 LATER_ARMS = ("iiwa", "tx40")
+
+#: Names of drawn arms: this and a seed.
+RANDOM = "random_"
 
 #: Rotor inertias [kg m^2] of a UR-like arm, reflected to the joint.
 _UR_ROTORS = ("3.2", "3.2", "1.6", "0.35", "0.35", "0.35")
@@ -39,12 +43,16 @@ _VISCOUS, _COULOMB = Fraction("0.8"), Fraction("1.6")
 
 def index_of(arm: str) -> int:
     """A number of the arm's own, for seeds."""
+    if arm.startswith(RANDOM):
+        return int(arm.removeprefix(RANDOM))
     return (*ARMS, *FURTHER_ARMS, *LATER_ARMS).index(arm)
 
 
 @cache
 def bare(name: str) -> Robot:
-    """The bundled arm with motors and limits at every joint."""
+    """The arm with motors and limits at every joint: a bundled one, or ``random_SEED``."""
+    if name.startswith(RANDOM):
+        return read_text(random_arm(index_of(name)))
     robot = load(name, warn=lambda _: None)
     if name == "puma560":
         return robot
@@ -64,9 +72,13 @@ def bare(name: str) -> Robot:
 
 
 def rubbing(robot: Robot) -> Robot:
-    """With viscous and Coulomb friction at every joint, in the plain keys."""
+    """With viscous and Coulomb friction at every joint, in the plain keys; a random arm's is its own."""
+    rng = np.random.default_rng(index_of(robot.name)) if robot.name.startswith(RANDOM) else None
 
     def rubbed(joint: Joint) -> Joint:
+        if rng is not None:
+            viscous, coulomb = number(joint.motor_inertia) * np.exp(rng.normal(0, 0.5, 2))
+            return replace(joint, viscous=_VISCOUS * _exact(viscous), coulomb=_COULOMB * _exact(coulomb))
         rotor = Fraction(round(number(joint.motor_inertia) * 100), 100)
         return replace(joint, viscous=_VISCOUS * rotor, coulomb=_COULOMB * rotor)
 

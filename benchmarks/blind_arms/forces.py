@@ -1,8 +1,9 @@
 """What MuJoCo lacks: effects as torques of each step, by formulas of their own.
 
 Written from the sources that the catalogue names; nothing here is shared with :mod:`robodyn.effects` or
-:mod:`robodyn.verify`. Dry friction has the direction ``clip(v / width, -1, 1)`` with a width [rad/s or
-m/s] so small that it only keeps the steps from chattering.
+:mod:`robodyn.verify`. Dry friction holds a joint at rest (:meth:`~benchmarks.blind_arms.now.Now.rub`), or has
+the direction ``clip(v / width, -1, 1)`` with a width [rad/s or m/s] so small that it only keeps the steps
+from chattering.
 """
 
 from __future__ import annotations
@@ -54,12 +55,8 @@ def forces(robot: Robot, scale: Scale) -> Forces:
     motor: list[Force] = []
     twist: dict[int, Callable[[float, float], float]] = {}
     couplings: list[Coupling] = []
-    for j, part in enumerate(robot.links):
-        viscous, coulomb = number(part.joint.viscous), number(part.joint.coulomb)
-        if viscous:
-            motor.append(_viscous(j, viscous))
-        if coulomb:
-            motor.append(_dry(j, lambda speed, level=coulomb: level, scale, coulomb))
+    if any(part.joint.viscous or part.joint.coulomb for part in robot.links):
+        motor.append(_plain_friction(robot, scale))
     for entry in robot.effects:
         if entry.effect in (*_SENSORS, *_RIGID):
             continue
@@ -121,6 +118,22 @@ def _plain(value: Any) -> Any:
 # --- friction of the motor --------------------------------------------------------------------------------
 
 
+def _plain_friction(robot: Robot, scale: Scale) -> Force:
+    """What the plain keys say of all joints."""
+    viscous = np.array([number(part.joint.viscous) for part in robot.links])
+    coulomb = np.array([number(part.joint.coulomb) for part in robot.links])
+    width = np.array([width_of(scale, j, float(level)) for j, level in enumerate(coulomb)])
+
+    def act(now: Now) -> None:
+        now.motor += viscous * now.w
+        if now.sticks:
+            now.held_motor += coulomb
+        else:
+            now.motor += coulomb * np.clip(now.w / width, -1, 1)
+
+    return act
+
+
 def _viscous(j: int, coefficient: float) -> Force:
     def act(now: Now) -> None:
         now.motor[j] += coefficient * now.w[j]
@@ -143,7 +156,8 @@ def _dry(j: int, level: Callable[[float], float], scale: Scale, largest: float) 
 
     def act(now: Now) -> None:
         speed = float(now.w[j])
-        now.motor[j] += level(speed) * direction(speed, width)
+        size = abs(speed) + 1e-12  # either way at rest as well
+        now.rub(now.motor, j, speed, (level(-size), level(size)), width)
 
     return act
 
@@ -243,7 +257,7 @@ def _bearing(j: int, p: dict[str, Any], scale: Scale) -> Force:
 
     def act(now: Now) -> None:
         level = grip * pressed(now)
-        now.link[j] += level * direction(float(now.v[j]), width_of(scale, j, level))
+        now.rub(now.link, j, float(now.v[j]), (level, level), width_of(scale, j, level))
 
     return act
 
@@ -260,9 +274,10 @@ def _loss(j: int, p: dict[str, Any], scale: Scale) -> Force:
             eta = float(np.interp(abs(out) / p["rated_torque"], *zip(*curve, strict=True)))
         else:
             eta = curve
-        ahead = now.w[j] > 0
-        lost = abs(out / eta - out if (out > 0) == ahead else out * eta - out) + p["breakaway"]
-        now.gear[j] += lost * direction(float(now.w[j]), width_of(scale, j, lost))
+        lifting, lowering = (abs(loss) + p["breakaway"] for loss in (out / eta - out, out * eta - out))
+        levels = (lowering, lifting) if out > 0 else (lifting, lowering)
+        width = width_of(scale, j, levels[int(now.w[j] > 0)])
+        now.rub(now.gear, j, float(now.w[j]), levels, width)
 
     return act
 
@@ -313,6 +328,7 @@ def _by_acceleration(j: int, coefficient: float, scale: Scale) -> Force:
     width = width_of(scale, j, coefficient * 20)
 
     def act(now: Now) -> None:
-        now.motor[j] += coefficient * abs(float(now.alpha[j])) * direction(float(now.w[j]), width)
+        level = coefficient * abs(float(now.alpha[j]))
+        now.rub(now.motor, j, float(now.w[j]), (level, level), width)
 
     return act

@@ -8,7 +8,8 @@ from fractions import Fraction
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
-from benchmarks.blind_arms.arms import bare, perturbed, rubbing
+from benchmarks.blind_arms.arms import RANDOM, bare, perturbed, rubbing
+from benchmarks.blind_arms.laws import Motion, law_of
 from benchmarks.blind_arms.model import Solid, Tool
 from benchmarks.blind_arms.motion import Drive, Run, felt_inertia, inverse, reference, run
 from benchmarks.blind_arms.now import Scale, width_of
@@ -18,8 +19,7 @@ from robodyn.effects.catalogue import CATALOGUE
 from robodyn.logs.log import Log
 from robodyn.robot.effects import default_of
 from robodyn.robot.folding import folded
-from robodyn.robot.model import EffectEntry, Limits, Robot
-from robodyn.simulate.trajectories.fourier import fourier
+from robodyn.robot.model import EffectEntry, Robot
 from robodyn.simulate.trajectories.trajectory import Law
 
 __all__ = ["Hidden", "Truth", "effect", "hidden_log", "outsider"]
@@ -27,11 +27,9 @@ __all__ = ["Hidden", "Truth", "effect", "hidden_log", "outsider"]
 STEP = 2.5e-4
 #: Closed loop of the controllers [rad/s].
 _BANDWIDTH = 50.0
-_HARMONICS = 5
 #: A torque channel is no quieter than one of this share of the arm's largest RMS torque.
 _QUIET = 0.05
 
-Motion = Literal["full", "one_way", "narrow", "rest"]
 Rates = Literal["none", "velocity", "both"]
 
 
@@ -94,6 +92,8 @@ def hidden_log(
     motion: Motion = "full",
     validation: bool = True,
     step: float = STEP,
+    sticks: bool = False,
+    jitter: float = 0.0,
 ) -> Hidden:
     """Logs of ``arm`` (a name of :data:`~benchmarks.blind_arms.arms.ARMS`) with the hidden ``effects``.
 
@@ -102,28 +102,29 @@ def hidden_log(
     all joints, so that the gap of the joint where it shows best is that many times its noise. ``friction``:
     the arm has viscous and Coulomb friction that the given model knows. ``inertia_error``: masses, centres
     and inertias of the given model are off by that share. Trajectories follow from ``seed``; ``motion`` may
-    be poor on purpose. Without ``validation`` the second log is the first.
+    be poor on purpose. Without ``validation`` the second log is the first. ``sticks``: dry friction holds a
+    joint at rest, else it creeps. Encoders jitter by ``jitter`` steps (standard deviation).
     """
     known = rubbing(bare(arm)) if friction else bare(arm)
     true = _true(known, effects)
     given = perturbed(known, inertia_error, seed) if inertia_error else known
     every = max(1, round(1 / (rate * step)))
     train, scale = _measured(
-        true, known, _law(known, 2 * seed, duration, motion), duration, every, step, seed
+        true, known, law_of(known, 2 * seed, duration, motion), duration, every, step, seed, sticks
     )
     clean = _clipped(true, train)
     gap = np.sqrt(np.mean(_lacking(known, clean, scale) ** 2, axis=0))
     size = np.sqrt(np.mean(clean.tau**2, axis=0))
-    noise = noise_share * np.maximum(size, _QUIET * size.max())
+    noise = noise_share * np.maximum(size, quiet(arm, size))
     if ratio is not None:
         noise = noise * float((gap / noise).max()) / ratio
     second = train
     if validation:
-        law = _law(known, 2 * seed + 1, duration, motion)
-        second, _ = _measured(true, known, law, duration, every, step, seed + 1)
+        law = law_of(known, 2 * seed + 1, duration, motion)
+        second, _ = _measured(true, known, law, duration, every, step, seed + 1, sticks)
     kind: Rates = ("both" if rates else "none") if isinstance(rates, bool) else rates
     logs = [
-        _noisy(log, true, noise, encoder_bits, kind, np.random.default_rng((seed, which)))
+        _noisy(log, true, noise, encoder_bits, kind, np.random.default_rng((seed, which)), jitter)
         for which, log in enumerate((train, second))
     ]
     return Hidden(given, logs[0], logs[1], Truth(true, tuple(effects), noise, gap, gap / noise, clean))
@@ -136,66 +137,8 @@ def _true(known: Robot, effects: Sequence[EffectEntry]) -> Robot:
     return replace(robot, effects=(*robot.effects, *outside))
 
 
-def _law(robot: Robot, seed: int, duration: float, motion: Motion) -> Law:
-    """The law of a motion at rest in the beginning, of about 0.1 Hz and its harmonics."""
-    periods = max(1, round(0.1 * duration))
-    frequency = periods / duration
-    if motion == "rest":
-        return _rest(robot, seed)
-    if motion == "one_way":
-        return _one_way(robot, seed, duration)
-    if motion == "narrow":
-        near = tuple(
-            replace(link, joint=replace(link.joint, limits=_narrow(link.joint.limits)))
-            for link in robot.links
-        )
-        robot = replace(robot, links=near)
-    law = fourier(robot, frequency, _HARMONICS, seed, periods=periods, share=0.9).law
-    assert law is not None
-    return law
-
-
-def _rest(robot: Robot, seed: int) -> Law:
-    """A pose that is held."""
-    rng = np.random.default_rng((seed, 12))
-    low, high = np.array([[float(x) for x in link.joint.limits.position or ()] for link in robot.links]).T
-    pose = low + (high - low) * rng.uniform(0.25, 0.75, robot.n)
-    return lambda t: (np.tile(pose, (len(t), 1)), *np.zeros((2, len(t), robot.n)))
-
-
-def _narrow(limits: Limits) -> Limits:
-    assert limits.position is not None
-    low, high = limits.position
-    return replace(
-        limits, position=(low + (high - low) * Fraction(48, 100), high - (high - low) * Fraction(48, 100))
-    )
-
-
-def _one_way(robot: Robot, seed: int, duration: float) -> Law:
-    """Every joint goes from one side to the other, never back, with a ripple on its speed."""
-    rng = np.random.default_rng((seed, 11))
-    bounds = [link.joint.limits.position for link in robot.links]
-    low, high = np.array([[float(x) for x in pair] for pair in bounds if pair]).T
-    start, way = 0.9 * low + 0.1 * high, 0.8 * (high - low) * 0.6
-    if rng.random() < 0.5:
-        start, way = high - 0.1 * (high - low), -way
-    k = rng.integers(2, 6, robot.n)
-    phase = rng.uniform(0, 2 * np.pi, robot.n)
-
-    def law(t: Array) -> tuple[Array, Array, Array]:
-        # Speed sin^2 of half the time's angle times (1 + 0.6 sin): never negative, integrated numerically.
-        x = t[:, None] / duration
-        speed = np.sin(np.pi * x) ** 2 * (1 + 0.6 * np.sin(2 * np.pi * k * x + phase))
-        h = t[1] - t[0]
-        travel = np.vstack([np.zeros((1, robot.n)), np.cumsum((speed[1:] + speed[:-1]) / 2, axis=0)]) * h
-        factor = way / travel[-1]
-        return start + travel * factor, speed * factor, np.gradient(speed, h, axis=0) * factor
-
-    return law
-
-
 def _measured(
-    true: Robot, known: Robot, law: Law, duration: float, every: int, step: float, seed: int
+    true: Robot, known: Robot, law: Law, duration: float, every: int, step: float, seed: int, sticks: bool
 ) -> tuple[Log, Scale]:
     """The noiseless log: what the sensors show that are not noisy, before they clip."""
     t, q, qd, qdd = reference(law, duration, step)
@@ -213,7 +156,7 @@ def _measured(
     )  # fmt: skip
     rotors = np.array([number(link.joint.motor_inertia) for link in true.links])
     felt = np.array([rotors[j] if j + 1 in elastic else least[j] for j in range(true.n)])
-    scale = Scale(step, felt, duration, seed)
+    scale = Scale(step, felt, duration, seed, sticks)
     made = run(true, drive, scale, every, _tool(true))
     return _shown(true, made), scale
 
@@ -272,29 +215,47 @@ def _lacking(known: Robot, log: Log, scale: Scale) -> Array:
     speed = log.qd - log.qdd * (scale.step / 2)  # what friction went by
     for j, link in enumerate(known.links):
         viscous, coulomb = number(link.joint.viscous), number(link.joint.coulomb)
-        way = np.clip(speed[:, j] / width_of(scale, j, coulomb), -1, 1)
-        model[:, j] += viscous * speed[:, j] + coulomb * way
+        model[:, j] += viscous * speed[:, j]
+        width = width_of(scale, j, coulomb)
+        if scale.sticks:  # at rest, and where it stops: whatever the set holds
+            held = np.clip(log.tau[:, j] - model[:, j], -coulomb, coulomb)
+            model[:, j] += np.where(abs(speed[:, j]) < width, held, coulomb * np.sign(speed[:, j]))
+        else:
+            model[:, j] += coulomb * np.clip(speed[:, j] / width, -1, 1)
     gap: Array = log.tau - model
     return gap
 
 
 def _noisy(
-    log: Log, robot: Robot, noise: Array, bits: int | None, rates: Rates, rng: np.random.Generator
-) -> Log:
+    log: Log, robot: Robot, noise: Array, bits: int | None, rates: Rates, rng: np.random.Generator,
+    jitter: float = 0.0,
+) -> Log:  # fmt: skip
     q = log.q
     if bits is not None:
         turn = np.array([2 * np.pi if link.joint.kind == "revolute" else 1.0 for link in robot.links])
-        q = np.round(q / (turn / 2**bits)) * (turn / 2**bits)
+        steps = q / (turn / 2**bits)
+        if jitter:
+            steps = steps + jitter * rng.standard_normal(q.shape)
+        q = np.round(steps) * (turn / 2**bits)
     tau = log.tau + noise * rng.standard_normal(q.shape)
     rates_seen = log.qd if rates != "none" else None, log.qdd if rates == "both" else None
     return _clipped(robot, Log(log.t, q, *rates_seen, tau))
+
+
+def quiet(arm: str, size: Array) -> Array:
+    """Of RMS torques ``size`` [n], the least that noise is a share of. A random arm's joints are compared
+    with those of their kind, for N and N m do not compare; those of the other arms are as they were."""
+    if not arm.startswith(RANDOM):
+        return np.full(len(size), _QUIET * size.max())
+    kinds = np.array([link.joint.kind for link in bare(arm).links])
+    return np.array([_QUIET * size[kinds == kind].max() for kind in kinds])
 
 
 def typical(arm: str, seed: int) -> tuple[Array, Array, Array, Array]:
     """Of the bare arm on the training way of ``seed``, in ten seconds, [n] each: RMS torque, RMS speed, RMS
     acceleration, and the speed below which a tenth of the time is spent."""
     robot = bare(arm)
-    _, q, qd, qdd = reference(_law(robot, 2 * seed, 10.0, "full"), 10.0, 0.01)
+    _, q, qd, qdd = reference(law_of(robot, 2 * seed, 10.0, "full"), 10.0, 0.01)
     rms = [np.sqrt(np.mean(x**2, axis=0)) for x in (inverse(robot, q, qd, qdd), qd, qdd)]
     return rms[0], rms[1], rms[2], np.quantile(np.abs(qd), 0.1, axis=0)
 
@@ -302,6 +263,14 @@ def typical(arm: str, seed: int) -> tuple[Array, Array, Array, Array]:
 def peak_and_inertia(arm: str, seed: int) -> tuple[Array, Array]:
     """Largest torque, and mean of what a joint's spring carries (the mass matrix without the rotor), [n]."""
     robot = bare(arm)
-    _, q, qd, qdd = reference(_law(robot, 2 * seed, 10.0, "full"), 10.0, 0.01)
+    _, q, qd, qdd = reference(law_of(robot, 2 * seed, 10.0, "full"), 10.0, 0.01)
     rotors = np.array([number(link.joint.motor_inertia) for link in robot.links])
     return np.abs(inverse(robot, q, qd, qdd)).max(axis=0), felt_inertia(robot, q)[0] - rotors
+
+
+def gravity_varies(arm: str, seed: int) -> Array:
+    """Standard deviation [n] of what gravity takes, on the same way."""
+    robot = bare(arm)
+    q = reference(law_of(robot, 2 * seed, 10.0, "full"), 10.0, 0.01)[1]
+    varies: Array = inverse(robot, q, 0 * q, 0 * q).std(axis=0)
+    return varies

@@ -125,12 +125,11 @@ class _Stepper:
         q[:n] = drive.q[0] - drive.offset
         v[:n] = drive.qd[0]
         self._preload()
-        now = Now(n)
+        now = Now(n, sticks=self.scale.sticks)
         now.q, now.theta = q[:n], q[:n]
         now.a = now.alpha = a[:n]
         now.load = self._rigid_at_rest()
         now.f, now.m = np.zeros((n, 3)), np.zeros((n, 3))
-        now.link, now.gear, now.motor = np.zeros(n), np.zeros(n), np.zeros(n)
         clipped = bool(np.isfinite(drive.limit).any())
         forces_of_joint = (*acting.link, *acting.bearing, *acting.gear, *acting.motor)
         between, place = v.copy(), q.copy()
@@ -138,7 +137,6 @@ class _Stepper:
         for k in range(steps):
             v[:] = between + (h / 2 if k else 0.0) * a
             place[:] = q
-            mujoco.mj_step1(model, data)
             if self.apart:
                 now.theta, now.w, now.alpha = q[self.place], between[self.place], a[self.place]
                 y, rate = q[self.seen], v[self.seen]
@@ -149,12 +147,14 @@ class _Stepper:
                 answer = np.clip(answer, -_ANSWER * drive.limit, _ANSWER * drive.limit)
             command = drive.ahead[k] + answer
             given = np.clip(command, -drive.limit, drive.limit) if clipped else command
-            now.t = k * h
-            now.link[:] = 0
-            now.gear[:] = 0
-            now.motor[:] = 0
+            now.begin_step(k * h)
             for force in forces_of_joint:
                 force(now)
+            if now.sticks:
+                model.dof_frictionloss[:] = 0
+                model.dof_frictionloss[:n] = now.held_link
+                model.dof_frictionloss[self.place] += now.held_motor
+            mujoco.mj_step1(model, data)
             f[:n] = given - now.link - now.gear - now.motor
             if self.apart:
                 self._couple(now, given)
@@ -171,7 +171,7 @@ class _Stepper:
             q[:] = place + h * between
             if k % every == 0:
                 A[k // every] = a[self.seen] if self.apart else a[:n]
-            now.load = f[:n] - self.rotor * a[:n]
+            now.load = f[:n] + data.qfrc_constraint[:n] - self.rotor * a[:n]
             if outside is not None:
                 now.load -= outside[:n]
             for c in acting.couplings:
@@ -231,7 +231,8 @@ class _Stepper:
                 continue
             both = np.zeros((2, model.nv))
             both[0, : len(c.row)] = c.row
-            both[1] = data.qfrc_applied + data.qfrc_passive - data.qfrc_bias
+            # Friction that sticks is not known yet: that of a step ago.
+            both[1] = data.qfrc_applied + data.qfrc_passive - data.qfrc_bias + data.qfrc_constraint
             solved = np.zeros_like(both)
             mujoco.mj_solveM(model, data, solved, both)
             turned = both[0] @ solved[1] / (1 + c.inertia * (both[0] @ solved[0]))

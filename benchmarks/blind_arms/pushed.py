@@ -7,13 +7,13 @@ from typing import Any, Literal
 
 import numpy as np
 from benchmarks.blind_arms.arms import bare, index_of, perturbed, rubbing
-from benchmarks.blind_arms.logs import _law, _measured, _noisy, effect, outsider
+from benchmarks.blind_arms.laws import law_of
+from benchmarks.blind_arms.logs import _measured, _noisy, effect, outsider
 from benchmarks.blind_arms.motion import inverse
 
 from peers.numbers import Array, number
 from robodyn.logs.log import Log
 from robodyn.robot.model import EffectEntry, Robot
-from robodyn.robot.values import ZERO
 from robodyn.simulate.trajectories.trajectory import Law
 
 Kind = Literal["rest", "full", "stops"]
@@ -23,8 +23,6 @@ _FRICTIONS = 3.0
 #: show best; shortest and longest [s]; where along the way to the next joint a link is touched, and how far
 #: beside it [m]; the longest rise as a share of the push.
 _SIZES, _WIDTHS, _ALONG, _BESIDE, _RISE = (3.0, 12.0), (0.2, 2.0), (0.2, 1.0), 0.05, 0.4
-#: A joint that sticks bends under its dry friction by so much [rad or m].
-_BEND = 1e-4
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -69,16 +67,16 @@ def pushed_log(
     by the share ``inertia_error``, and it knows no friction.
 
     ``varied``: pushes are short and long, rise and fade, and act anywhere near a link's frame; else they
-    begin and end at once, at its origin. ``sticks``: dry friction holds a joint where it stands, as
-    bristles do; else it creeps."""
+    begin and end at once, at its origin. ``sticks``: dry friction holds a joint where it stands; else it
+    creeps."""
     rng, other = np.random.default_rng((seed, 5)), np.random.default_rng((seed, 6))
     if varied:
         rng = np.random.default_rng((seed, 5, index_of(arm), *kind.encode()))
         other = np.random.default_rng((seed, 6, index_of(arm), *kind.encode()))
     known = rubbing(bare(arm)) if friction else bare(arm)
-    law = _still(known, seed, duration) if kind == "rest" else _law(known, 2 * seed, duration, "full")
+    law = _still(known, seed, duration) if kind == "rest" else law_of(known, 2 * seed, duration, "full")
     if kind == "stops":
-        law = _stopping(_law(known, 2 * seed, 0.5 * duration, "full"), 0.5 * duration)
+        law = _stopping(law_of(known, 2 * seed, 0.5 * duration, "full"), 0.5 * duration)
     step, every = 5e-4, max(1, round(1 / (rate * 5e-4)))
     probe = np.linspace(0, duration, 201)
     q, qd, qdd = law(probe)
@@ -124,10 +122,8 @@ def pushed_log(
         more = outsider("", None, rise=rise, **dict(zip(("x", "y", "z"), point.tolist(), strict=True)))
         entries.append(replace(entry, settings=(*entry.settings, *more.settings)))
         made.append(Push(start, end, link, force, columns @ force, columns, rise))
-    true = replace(_sticking(known) if sticks else known, effects=tuple(entries))
-    if sticks:
-        true = replace(true, effects=(*true.effects, *_bristles(known)))
-    log, _ = _measured(true, known, law, duration, every, step, seed)
+    true = replace(known, effects=tuple(entries))
+    log, _ = _measured(true, known, law, duration, every, step, seed, sticks)
     given = bare(arm)
     given = perturbed(given, inertia_error, seed) if inertia_error else given
     return Pushed(
@@ -137,7 +133,7 @@ def pushed_log(
 
 def _still(robot: Robot, seed: int, duration: float) -> Law:
     """The arm at rest in the pose of a motion at some time."""
-    moves = _law(robot, 2 * seed, duration, "full")
+    moves = law_of(robot, 2 * seed, duration, "full")
     pose = moves(np.linspace(0.0, duration, 101))[0][int(np.random.default_rng(seed).integers(101))]
 
     def law(t: Array) -> tuple[Array, Array, Array]:
@@ -154,20 +150,6 @@ def _stopping(moves: Law, until: float) -> Law:
         return q, np.where(late, 0.0, qd), np.where(late, 0.0, qdd)
 
     return law
-
-
-def _sticking(robot: Robot) -> Robot:
-    """``robot`` without the dry friction that :func:`_bristles` has in its place."""
-    return replace(robot, links=tuple(replace(k, joint=replace(k.joint, coulomb=ZERO)) for k in robot.links))
-
-
-def _bristles(robot: Robot) -> tuple[EffectEntry, ...]:
-    levels = [number(link.joint.coulomb) for link in robot.links]
-    return tuple(
-        effect("presliding_hysteresis", j + 1, level=level, stiffness=level / _BEND, damping=0.0)
-        for j, level in enumerate(levels)
-        if level
-    )
 
 
 def _end(robot: Robot, q: Array, link: int) -> Array:

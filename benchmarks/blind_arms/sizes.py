@@ -4,10 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
+from typing import Any
 
 import numpy as np
-from benchmarks.blind_arms.arms import bare, index_of
-from benchmarks.blind_arms.logs import effect, hidden_log, outsider, peak_and_inertia, typical
+from benchmarks.blind_arms.arms import RANDOM, bare, index_of
+from benchmarks.blind_arms.logs import (
+    effect,
+    gravity_varies,
+    hidden_log,
+    outsider,
+    peak_and_inertia,
+    quiet,
+    typical,
+)
 
 from peers.numbers import Array, number
 from robodyn.robot.model import EffectEntry
@@ -27,14 +37,15 @@ class Sized:
     most: float = np.inf
 
 
-def sized(arm: str, form: Sized, share: float, *, seed: int, duration: float, friction: bool) -> EffectEntry:
-    """The effect of which the gap, where it shows best, is ``share`` of the RMS torque there."""
+def sized(arm: str, form: Sized, share: float, *, seed: int, duration: float, **how: Any) -> EffectEntry:
+    """The effect of which the gap, where it shows best, is ``share`` of the RMS torque there; ``how``:
+    further arguments of :func:`~benchmarks.blind_arms.logs.hidden_log`."""
     x = form.start
     tried: list[tuple[float, float]] = []
     for _ in range(_TRIALS):
         made = hidden_log(
-            arm, [form.build(x)], seed=seed, duration=duration, noise_share=1.0, friction=friction,
-            validation=False, step=5e-4, encoder_bits=None,
+            arm, [form.build(x)], seed=seed, duration=duration, noise_share=1.0,
+            validation=False, encoder_bits=None, **{"step": 5e-4, **how},
         )  # fmt: skip
         found = max(float(made.truth.ratio.max()), 1e-9) / share
         tried.append((abs(x), found))
@@ -62,26 +73,54 @@ def _next(tried: list[tuple[float, float]]) -> float:
     return size / found
 
 
-#: Joints (from 1) that gravity loads, of every arm here.
+#: Joints (from 1) that gravity loads, of the arms with names.
 _LOADED = (2, 3)
 _LOADED_PANDA = (2, 4)
+#: What shows by the load of a joint.
+_BY_LOAD = (
+    "load_dependent_friction", "journal", "transmission_loss", "torque_gain", "encoder_offset",
+    "joint_elasticity", "backlash", "inertial_error", "torque_saturation",
+)  # fmt: skip
+#: A random arm's joint is loaded if what gravity takes varies by this share of its RMS torque.
+_VARIES = 0.2
 
 
 def joints(arm: str, id: str) -> tuple[int | None, ...]:
-    """Joints (from 1) at which an effect shows, the first the plainest; None for the whole robot."""
+    """Joints (from 1) at which an effect shows, the first the plainest; None for the whole robot. Of a random
+    arm there may be none."""
     n = bare(arm).n
+    random = arm.startswith(RANDOM)
     if id in ("payload", "base_tilt", "external_contact", "time_delay", "swinging_tool"):
-        return (None,)
+        upright = bare(arm).gravity[0] == 0 or id != "base_tilt"
+        return (None,) if upright else ()
+    if random:
+        strong, loaded = _strong(arm), _loaded(arm)
+        if id == "motor_coupling":
+            turning = [j for j in strong if bare(arm).links[j - 1].joint.kind == "revolute"]
+            return tuple(j for j in turning if j - 1 in turning)[-1:]
+        if id == "inertial_error":  # of the last link it would be a payload
+            return tuple(j for j in loaded if j < n)
+        return loaded if id in (*_BY_LOAD, "gas_spring", "torque_ripple") else strong
     if id == "motor_coupling":
         return (n,)
     if id == "gas_spring":
         return (2,)
-    if id in (
-        "load_dependent_friction", "transmission_loss", "torque_gain", "encoder_offset", "joint_elasticity",
-        "backlash", "inertial_error", "torque_saturation",
-    ):  # fmt: skip
+    if id in _BY_LOAD:
         return _LOADED_PANDA if arm == "panda" else _LOADED
     return tuple(range(1, n + 1))
+
+
+@cache
+def _strong(arm: str) -> tuple[int, ...]:
+    tau = typical(arm, 0)[0]
+    return tuple(int(j) + 1 for j in np.flatnonzero(tau >= quiet(arm, tau)))
+
+
+@cache
+def _loaded(arm: str) -> tuple[int, ...]:
+    varies = gravity_varies(arm, 0) >= _VARIES * typical(arm, 0)[0]
+    turns = [link.joint.kind == "revolute" for link in bare(arm).links]
+    return tuple(j for j in _strong(arm) if varies[j - 1] and turns[j - 1])
 
 
 def form(arm: str, id: str, joint: int | None, seed: int) -> Sized:
@@ -114,6 +153,9 @@ def form(arm: str, id: str, joint: int | None, seed: int) -> Sized:
             return Sized(lambda x: effect(id, joint, level=x, static=rise * x, velocity=knee), near)
         case "load_dependent_friction":
             return _bearing(joint, revolute, near, rng)
+        case "journal":
+            radius, span = drawn(0.01, 0.06), drawn(0.05, 0.3)
+            return Sized(lambda x: _journal(joint, x, radius, span), 0.05, 0.0005, 2.0)
         case "transmission_loss":
             rest = float(rng.choice([0.0, 0.3]))
             rms = float(tau[j])
@@ -230,7 +272,11 @@ def _bearing(joint: int | None, revolute: bool, near: float, rng: np.random.Gene
             return Sized(lambda x: effect(id, joint, bearing="torque", mu=x), 0.05, 0.002, 0.5)
         case "radial":
             return Sized(lambda x: effect(id, joint, bearing="radial", mu_r=x), 0.005, 0.0002, 0.1)
-    return Sized(lambda x: effect(id, joint, bearing="journal", mu=x, radius=0.06, span=0.2), 0.1, 0.002, 1.0)
+    return Sized(lambda x: _journal(joint, x, 0.06, 0.2), 0.1, 0.002, 1.0)
+
+
+def _journal(joint: int | None, mu: float, radius: float, span: float) -> EffectEntry:
+    return effect("load_dependent_friction", joint, bearing="journal", mu=mu, radius=radius, span=span)
 
 
 def _middle(arm: str) -> Array:

@@ -2,8 +2,16 @@
 
     python -m benchmarks.gap.blind KIND... -o results.jsonl [--arms a,b] [--effects a,b] [--seeds 1:3]
                                    [--most N] [--cache D] [--named]
+    python -m benchmarks.gap.blind KIND... --write FOLDER [--arms a,b] [--seeds 1:3] ...
+    python -m benchmarks.gap.blind --read FOLDER PROGRAM -o results.jsonl
     python -m benchmarks.gap.blind --summary results.jsonl
+    python -m benchmarks.gap.blind --diagram results.jsonl -o reliability.svg
     python -m benchmarks.gap.blind --publish results.jsonl
+
+Each seed has an arm of its own, unless ``--arms`` names some. ``--write`` leaves the trials as files for
+another program (FOLDER/TRIAL/{robot.yaml,train.csv,validate.csv}, and answer.json); ``--read`` grades what it
+wrote into FOLDER/TRIAL/PROGRAM/diagnosis.json. ``--diagram`` draws how right names are that are said to be so
+sure.
 
 A run can be stopped at any time and begun again. With a cache, logs are made once and used for every version
 of the tool. The kinds are those of :mod:`benchmarks.gap.blind.trials`. ``--named`` asks for the numbers of
@@ -27,10 +35,12 @@ from pathlib import Path
 from typing import Any
 
 from benchmarks.blind_arms.logs import Hidden
+from benchmarks.gap.blind.diagram import diagram
+from benchmarks.gap.blind.files import answer, graded_rows, write
 from benchmarks.gap.blind.grade import graded
 from benchmarks.gap.blind.identification import RUNS
 from benchmarks.gap.blind.published import published, renewed
-from benchmarks.gap.blind.summary import summary
+from benchmarks.gap.blind.summary import reliability, summary
 from benchmarks.gap.blind.trials import ALL_ARMS, KINDS, Trial, trials
 
 from robodyn.diagnose.run import diagnose
@@ -65,7 +75,8 @@ def _key(trial: Trial, is_named: bool) -> str:
 
 def run(trial: Trial, cache: Path | None, *, is_named: bool = False) -> dict[str, Any]:
     """One line of the results; ``is_named``: nothing but what is hidden is looked for."""
-    only = (trial.effect,) if is_named and trial.effect else ()
+    names = {"journal": "load_dependent_friction"}
+    only = tuple(names.get(id, id) for id in (trial.effect, trial.beside) if id and is_named)
     kind = f"{trial.kind}, named" if is_named else trial.kind  # no trial of names
     row: dict[str, Any] = {"key": _key(trial, is_named), "kind": kind, "arm": trial.arm, "seed": trial.seed}
     hidden = logs_of(trial, cache)
@@ -84,12 +95,18 @@ def run(trial: Trial, cache: Path | None, *, is_named: bool = False) -> dict[str
             if trial.kind in RUNS:
                 row |= RUNS[trial.kind](trial, make, only)
             else:
-                row |= graded(hidden, diagnose(hidden.given, [hidden.train], hidden.validate, only=only))
+                diagnosis = diagnose(hidden.given, [hidden.train], hidden.validate, only=only)
+                row |= graded(answer(hidden), diagnosis.to_dict())
         except Exception as error:
             row |= {"status": "error", "error": f"{type(error).__name__}: {error}"}
     row["cpu"] = round(time.process_time() - start, 2)
     row["warnings"] = sorted({f"{w.category.__name__}: {w.message}" for w in caught})
     return row
+
+
+def lines_of(file: Path) -> list[dict[str, Any]]:
+    """The rows of a file of results."""
+    return [json.loads(line) for line in file.read_text(encoding="utf-8").splitlines()]
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -104,21 +121,35 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--most", type=int, help="at most so many trials, drawn from all asked for")
     parser.add_argument("--cache", type=Path)
     parser.add_argument("--named", action="store_true", help="look for nothing but what is hidden")
+    parser.add_argument("--write", type=Path, metavar="FOLDER", help="write the trials as files")
+    parser.add_argument("--read", nargs=2, metavar=("FOLDER", "PROGRAM"), help="grade a program's answers")
     parser.add_argument("--summary", type=Path)
+    parser.add_argument("--diagram", type=Path)
     parser.add_argument(
-        "--publish", type=Path, help="write these rows' figures to results/blind.json; others in it stay"
+        "--publish", type=Path, help="write these rows' figures to results/blind.json and reliability.svg"
     )
     options = parser.parse_args(arguments)
     if options.summary:
-        print(summary([json.loads(line) for line in options.summary.read_text().splitlines()]))
+        print(summary(lines_of(options.summary)))
         return 0
     if options.publish:
-        rows = [json.loads(line) for line in options.publish.read_text().splitlines()]
+        rows = lines_of(options.publish)
         before = json.loads(RESULTS.read_text(encoding="utf-8")) if RESULTS.is_file() else {}
-        RESULTS.write_text(json.dumps(renewed(before, published(rows)), indent=1) + "\n", encoding="utf-8")
+        figures = renewed(before, published(rows))
+        RESULTS.write_text(json.dumps(figures, indent=1) + "\n", encoding="utf-8")
+        if figures["reliability"]:
+            picture = RESULTS.with_name("reliability.svg")
+            picture.write_text(diagram(figures["reliability"]), encoding="utf-8")
         return 0
-    if not options.output:
+    if not (options.output or options.write):
         parser.error("-o is missing")
+    if options.diagram:
+        options.output.write_text(diagram(reliability(lines_of(options.diagram))), encoding="utf-8")
+        return 0
+    if options.read:
+        read = graded_rows(Path(options.read[0]), options.read[1])
+        options.output.write_text("".join(json.dumps(row) + "\n" for row in read), encoding="utf-8")
+        return 0
     first, end = map(int, options.seeds.split(":"))
     selected = [
         t for kind in options.kinds for t in trials(kind, tuple(options.arms.split(",")), range(first, end))
@@ -126,9 +157,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if options.effects:
         selected = [t for t in selected if t.effect in options.effects.split(",")]
     random.Random(1).shuffle(selected)  # any first part is of all kinds and arms, and part of any longer one
+    if options.write:
+        for trial in selected[: options.most]:
+            write(trial, options.write)
+            print(trial.key, file=sys.stderr, flush=True)
+        return 0
     done = set()
     if options.output.is_file():
-        done = {json.loads(line)["key"] for line in options.output.read_text().splitlines()}
+        done = {row["key"] for row in lines_of(options.output)}
     for k, trial in enumerate(selected[: options.most]):
         if _key(trial, options.named) in done:
             continue

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from benchmarks.blind_arms.arms import bare
 from benchmarks.blind_arms.logs import Hidden
+from benchmarks.gap.blind.files import answer
 from benchmarks.gap.blind.grade import graded
 from benchmarks.gap.blind.trials import Trial, arm_of, model_of
 
@@ -69,7 +70,8 @@ def name_after(trial: Trial, make: Make, only: Sequence[str] = ()) -> dict[str, 
     looks for ``only`` these."""
     free, hidden = make(free_of(trial)), make(trial)
     result = identify(described(trial), [free.train, free.validate])
-    return graded(hidden, diagnose(result.model, [hidden.train], hidden.validate, only=only))
+    found = diagnose(result.model, [hidden.train], hidden.validate, only=only)
+    return graded(answer(hidden), found.to_dict())
 
 
 def payload_after(trial: Trial, make: Make, only: Sequence[str] = ()) -> dict[str, Any]:
@@ -90,7 +92,7 @@ def payload_after(trial: Trial, make: Make, only: Sequence[str] = ()) -> dict[st
     off = {"together": by_both, "diagnosed": [float(x) / mass - 1 for x in loads]}
     scaled = hidden._replace(truth=replace(hidden.truth, noise=hidden.truth.noise * constants))
     return {
-        **graded(scaled, diagnosis),
+        **graded(answer(scaled), diagnosis.to_dict()),
         "status": "right" if abs(by_both) <= 0.1 else "wrong",
         "masses": off,
         "values": [["load.mass", estimate.value, estimate.stderr, mass]],

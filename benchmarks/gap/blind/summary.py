@@ -5,19 +5,23 @@ from __future__ import annotations
 import math
 from collections import Counter, defaultdict
 from collections.abc import Mapping, Sequence
+from itertools import pairwise
 from typing import Any
 
-#: Standard errors to either side of an interval of 95 %.
-WIDE = 1.96
+from benchmarks.gap.blind.grade import WIDE
+
 Row = Mapping[str, Any]
+#: Ends of the steps of a confidence that is said.
+STEPS = (0.0, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95, 0.98, 1.0)
 
 
 def summary(rows: Sequence[Row]) -> str:
-    """Text for people: names by kind, what was wrong, coverage by kind and of all, contacts, widths of
-    backlash."""
+    """Text for people: names by kind, what was wrong, how right names are that are said to be so sure,
+    coverage by kind and of all, contacts, widths of backlash."""
     kinds = list(dict.fromkeys(row["kind"] for row in rows))
     by_kind = [intervals([row for row in rows if row["kind"] == kind], f"{kind}: ") for kind in kinds]
-    parts = [names(rows), wrongs(rows), *(by_kind if len(kinds) > 1 else []), intervals(rows), contacts(rows)]
+    parts = [names(rows), wrongs(rows), reliability_text(reliability(rows))]
+    parts += [*(by_kind if len(kinds) > 1 else []), intervals(rows), contacts(rows)]
     return "\n\n".join(part for part in parts if part)
 
 
@@ -58,6 +62,33 @@ def wrongs(rows: Sequence[Row]) -> str:
             answer += f"; masses off by {row['masses']}"
         lines.append(f"{row['status']:7s} {row['key']}: {answer}")
     return "\n".join(sorted(lines))
+
+
+def reliability(rows: Sequence[Row]) -> list[list[float]]:
+    """Of each step of confidence that findings have: its ends, how many, the mean of what was said, how many
+    are right (effect and joint). Trials of what no catalogue has are left out: no name is right there."""
+    findings = [
+        (confidence, right)
+        for row in rows
+        if row["kind"] != "outside"
+        for _, _, confidence, _, right in row.get("findings", ())
+    ]
+    steps: list[list[float]] = []
+    for low, high in pairwise(STEPS):
+        within = [f for f in findings if low <= f[0] < high or f[0] == high == STEPS[-1]]
+        if within:
+            said, right = (float(sum(part)) for part in zip(*within, strict=True))
+            steps.append([low, high, len(within), said / len(within), int(right)])
+    return steps
+
+
+def reliability_text(steps: Sequence[Sequence[float]]) -> str:
+    """The same for people."""
+    lines = [
+        f"  {low:.2f} to {high:.2f}: {count:.0f}, said {100 * said:.1f} %, right {100 * right / count:.1f} %"
+        for low, high, count, said, right in steps
+    ]
+    return "\n".join(["confidence of findings, and how many are right", *lines]) if steps else ""
 
 
 def coverage(rows: Sequence[Row]) -> dict[str, list[float]]:
