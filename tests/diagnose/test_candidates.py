@@ -1,4 +1,4 @@
-"""Candidates of the library: a drive's limit, motors that drive two joints, sizes of effects, costs."""
+"""Candidates of the library: a drive's limit, motors that drive two joints, play of gears."""
 
 from __future__ import annotations
 
@@ -10,18 +10,10 @@ from benchmarks.blind_arms.logs import effect
 
 from identify.exact import log_of
 from peers.numbers import Array
-from robodyn.diagnose.amend.amend import Amendment
-from robodyn.diagnose.select.choice import confidence_of
-from robodyn.diagnose.select.fit import problem
-from robodyn.diagnose.select.forward import _is_vague
 from robodyn.diagnose.select.library import Candidate, candidates, context_of
-from robodyn.diagnose.select.library.candidate import single
 from robodyn.diagnose.select.library.limits import COUPLED_BEYOND_SHARE, DRIVE_LIMITS, LIMIT_SHARE
 from robodyn.diagnose.select.library.sensors import _is_limit, leave_little
-from robodyn.diagnose.select.own_numbers import own_numbers
-from robodyn.diagnose.select.refine import Freed, costs
 from robodyn.diagnose.select.scope import Scope
-from robodyn.diagnose.select.trial import _relieved
 from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.signals import signals_of
 from robodyn.robot import load
@@ -63,19 +55,6 @@ def test_a_limit_leaves_little_where_a_drive_is_at_it_most_of_the_time() -> None
     assert not leave_little([tau], ROBOT)
 
 
-def test_arms_that_cannot_be_cost_without_end(monkeypatch: pytest.MonkeyPatch) -> None:
-    start = problem(np.ones((100, 3)), np.ones((100, 3, 1)), np.ones(3), 1.0)
-    monkeypatch.setattr(
-        Freed, "missed", lambda self, x: None if self.amendments and x[0] > 1 else np.ones(300)
-    )
-    monkeypatch.setattr(Freed, "own_numbers", lambda self, x: own_numbers(start))
-    models = [[Amendment("viscous_friction", 1, {"coefficient": x})] for x in (2.0, 0.5)]
-    first, second, none = costs(ROBOT, [*models, []], [], start)
-    assert first == np.inf
-    assert np.isfinite(second)
-    assert second == none
-
-
 # --- motors that drive two joints -------------------------------------------------------------------------
 
 
@@ -97,44 +76,6 @@ def test_no_motor_reaches_over_two_joints(couplings: list[Candidate]) -> None:
 def test_a_motor_has_an_inertia(couplings: list[Candidate]) -> None:
     assert not any(one.feasible(np.array([0.0, 2.0, 3.0])) for one in couplings)
     assert all(one.feasible(np.array([1e-3, 0.0, 0.0])) for one in couplings)
-
-
-def test_a_name_with_three_rivals_is_no_claim() -> None:
-    sure = [confidence_of("abcd"[:rivals]) for rivals in range(5)]
-    assert sure == sorted(sure, reverse=True)
-    assert [each >= 0.5 for each in sure] == [True, True, True, False, False]
-
-
-# --- sizes of effects, and what the arm's own numbers say -------------------------------------------------
-
-
-@pytest.mark.parametrize(
-    ("efficiency", "breakaway", "errors", "is_vague"),
-    [
-        (0.9, 0.0, (0.005, 0.03), False),  # a loss by load, and no more than that
-        (0.9, 0.5, (0.2, 0.03), False),
-        (0.9, 0.01, (0.2, 0.03), True),
-        (0.99, 0.0, (0.004, 0.03), False),
-        (0.99, 0.0, (0.008, 0.03), True),
-    ],
-)
-def test_a_loss_is_known_where_one_of_its_sizes_is(
-    efficiency: float, breakaway: float, errors: tuple[float, float], is_vague: bool
-) -> None:
-    """An efficiency of 1 is none: it is known by how far it is from there."""
-    candidate = single(
-        "transmission_loss", 0, [np.ones(4)] * 2, (1, 1),
-        lambda x: {"efficiency": float(x[0]), "breakaway": float(x[1])}, 1,
-    )  # fmt: skip
-    x = np.array([efficiency, breakaway])
-    assert _is_vague(candidate, x, np.diag(np.square(errors))) == is_vague
-
-
-def test_what_gains_more_is_judged_no_more_strictly() -> None:
-    gains = np.array([50.0, 60.0, 60.0, 30.0, 1000.0])
-    relief = np.array([26.0, 26.0, 20.0, 10.0, 26.0])
-    assert _relieved(gains, relief).tolist() == [True, True, False, False, True]
-    assert _relieved(gains[1:], relief[1:]).tolist() == [False] * 4  # none is by itself
 
 
 def test_no_gear_has_ten_degrees_of_play() -> None:

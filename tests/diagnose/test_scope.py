@@ -9,7 +9,6 @@ from robodyn.diagnose.blind.hide import Blind, Setup, hide
 from robodyn.diagnose.run import diagnose
 from robodyn.diagnose.select.library import candidates, context_of
 from robodyn.diagnose.select.scope import EVERYTHING, Scope, scope_of
-from robodyn.diagnose.select.selection import select
 from robodyn.errors import InputError
 from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.signals import signals_of
@@ -46,8 +45,8 @@ def test_only_what_is_asked_for_is_named_and_said(blind: Blind) -> None:
 
 @pytest.mark.thorough
 def test_so_many_are_named_at_most(blind: Blind) -> None:
-    assert len(select(blind.model, blind.train).findings) > 1
-    assert len(select(blind.model, blind.train, scope=Scope(most=1)).findings) == 1
+    assert len(diagnose(blind.model, [blind.train]).findings) > 1
+    assert len(diagnose(blind.model, [blind.train], most=1).findings) == 1
 
 
 def test_nothing_in_scope_is_no_error(blind: Blind) -> None:

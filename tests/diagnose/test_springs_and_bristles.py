@@ -7,72 +7,35 @@ import pytest
 
 from robodyn.diagnose.amend.amend import Amendment
 from robodyn.diagnose.blind.hide import Setup, hide
+from robodyn.diagnose.result import Finding
 from robodyn.diagnose.run import diagnose
-from robodyn.diagnose.select.fit import problem
-from robodyn.diagnose.select.library.candidate import Candidate
-from robodyn.diagnose.select.limits import LEAST_SHAPE
-from robodyn.diagnose.select.refine import Freed
-from robodyn.diagnose.select.search import estimates
-from robodyn.diagnose.select.selection import select
 from robodyn.logs.log import Log
 from robodyn.robot import load
 from robodyn.robot.reader import read_text
 
 
-def first_name(effect: str, seed: int) -> tuple[Candidate, dict[str, float | str], Amendment]:
+def named(effect: str, seed: int) -> tuple[Finding, Amendment]:
+    """The claim at joint 2, in the place of what is hidden there."""
     robot = load("puma560_3dof", warn=lambda _: None)
     blind = hide(robot, [Amendment(effect, 2, {})], setup=Setup(seed=seed))
-    one = select(blind.model, blind.train).findings[0]
-    return one.trial.candidate, one.trial.candidate.read(one.x), blind.effects[0]
+    (one,) = (f for f in diagnose(blind.model, [blind.train]).findings if f.confidence >= 0.5)
+    assert one.joint == 2
+    return one, blind.effects[0]
 
 
 @pytest.mark.parametrize("seed", [3, pytest.param(5, marks=pytest.mark.slow)])
 @pytest.mark.thorough
 def test_a_gas_spring_is_named_with_its_torque(seed: int) -> None:
-    candidate, estimate, hidden = first_name("gas_spring", seed)
-    assert (candidate.effect, candidate.joint) == ("gas_spring", 2)
-    assert float(estimate["torque"]) == pytest.approx(float(hidden.parameters["torque"]), rel=0.15)
-    assert float(estimate["dead_center"]) == pytest.approx(float(hidden.parameters["dead_center"]), abs=0.12)
+    found, hidden = named("gas_spring", seed)
+    assert found.effect == "gas_spring"
+    for name, near in (("torque", {"rel": 0.15}), ("dead_center", {"abs": 0.12})):
+        true = float(hidden.parameters[name])
+        assert float(found.parameters[name].value) == pytest.approx(true, **near)
 
 
 @pytest.mark.thorough
 def test_a_spring_that_is_no_counterbalance_stays_a_spring() -> None:
-    assert first_name("spring", 1)[0].effect == "spring"
-
-
-@pytest.mark.thorough
-def test_a_weak_gas_spring_is_a_rival_of_what_explains_as_much() -> None:
-    robot = load("puma560_3dof", warn=lambda _: None)
-    weak = {"torque": 3.0, "rise": 0.3, "dead_center": 0.68, "ratio": 0.28}
-    blind = hide(robot, [Amendment("gas_spring", 2, weak)], setup=Setup(seed=3, rate=250.0))
-    one = select(blind.model, blind.train).findings[0]
-    assert one.trial.candidate.effect != "gas_spring"
-    assert "gas_spring" in one.rivals
-
-
-def test_what_shapes_its_curve_is_free_in_the_last_fit_only() -> None:
-    robot = load("puma560_3dof", warn=lambda _: None)
-    spring = Amendment("gas_spring", 2, {"torque": 30.0, "rise": 0.0, "dead_center": 0.6, "ratio": 0.25})
-    start = problem(np.zeros((100, 3)), np.ones((100, 3, 1)), np.ones(3), 1.0)
-    sought, last = (Freed.of(robot, [spring], [], start, by_drives=which) for which in (False, True))
-    assert [name for _, name in sought.places] == ["torque", "dead_center"]
-    assert dict(zip([name for _, name in last.places], last.x, strict=True)) == {
-        **spring.parameters, "rise": LEAST_SHAPE,
-    }  # fmt: skip
-
-
-@pytest.mark.thorough
-def test_errors_follow_what_coefficients_do_together() -> None:
-    """Two coefficients that are known by their sum alone: its error is small, and that of each is not."""
-    robot = load("puma560_3dof", warn=lambda _: None)
-    blind = hide(robot, [Amendment("gas_spring", 2, {})], setup=Setup(seed=3, rate=250.0))
-    selection = select(blind.model, blind.train)
-    candidate = selection.findings[0].trial.candidate
-    x, way = np.array([5.0, 6.0]), np.array([[0.01, 1.0], [0.01, -1.0]])
-    values, errors = estimates(candidate, x, way, selection.context.model)
-    assert values["torque"] == pytest.approx(11.0)
-    assert errors["torque"] == pytest.approx(0.02)
-    assert errors["rise"] > 0.05
+    assert named("spring", 1)[0].effect == "spring"
 
 
 # --- friction that bends before it slides, integrated step by step ------------------------------------------

@@ -274,11 +274,11 @@ def test_what_is_described_lacks_friction_and_is_wrong() -> None:
 
 
 @pytest.mark.thorough
-def test_an_identified_arm_leaves_what_the_true_one_leaves() -> None:
+def test_an_identified_arm_leaves_no_more_than_the_true_one() -> None:
     trial = Trial("identify", "puma560_3dof", 1, friction=True, off=0.3, stated=0.3)
     row = numbers(trial, Trial.make)
     assert row["strict"]
-    assert np.array(row["floor_ratio"]) == pytest.approx(row["truth_ratio"], rel=0.05)
+    assert np.all(np.array(row["floor_ratio"]) < 1.05 * np.array(row["truth_ratio"]))
     assert sum(abs(value - true) > 4 * error for _, value, error, true in row["values"]) <= 2
 
 

@@ -54,7 +54,7 @@ def accounted(
         tell("validating the result")
         named = findings_of(robot, outcome, is_doubtful=doubtful(rest.fitted))
         tell("fitting the arm's own numbers")
-        by_torque = settled(robot, named, outcome, rest, scope, lacks)
+        by_torque = settled(robot, named, outcome, rest, lacks)
         still = standing(apart, rest.whole, lambda gate: lacks(by_torque.own.robot, gate))
         return Account(outcome, by_torque, rest, still)
 

@@ -9,9 +9,8 @@ from dataclasses import asdict
 from robodyn.counts.count import Count, count
 from robodyn.diagnose.limits import MOST_TRIED
 from robodyn.diagnose.result import Finding, Tried, Window
-from robodyn.diagnose.select.limits import TIE_LOSS
-from robodyn.diagnose.select.selection import Selection
-from robodyn.diagnose.select.trial import Trial
+from robodyn.diagnose.select.limits import PRACTICAL
+from robodyn.diagnose.select.search import Outcome
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.gate import Gate
 from robodyn.robot.model import Robot
@@ -20,30 +19,23 @@ from robodyn.robot.model import Robot
 _POOR = frozenset({"motionless", "one_way", "narrow", "few_reversals"})
 
 
-def why_not(other: Trial, named: Trial) -> str:
-    """Why ``other`` is not the name that ``named`` is."""
-    if other.gain < (1 - TIE_LOSS) * named.gain:
-        return "explains less on parts of the log that were not fitted"
-    if other.candidate.order > named.candidate.order:
-        return "explains no more, with more numbers"
-    return "explains as much: the log cannot tell them apart"
-
-
-def tried(last: Selection, findings: Sequence[Finding]) -> tuple[Tried, ...]:
+def tried(outcome: Outcome, findings: Sequence[Finding]) -> tuple[Tried, ...]:
     """The best candidates of the last look that were not named, each effect and joint once."""
     known = {(f.effect, f.joint) for f in findings}
     candidates: list[Tried] = []
-    for one in last.trials:
-        key = (one.candidate.effect, one.candidate.joint)
+    for one in sorted(outcome.last, key=lambda one: -one.gain):
+        key = one.family.key
         if key in known or one.gain <= 0:
             continue
         known.add(key)
         reason = (
             "too small to matter beside the noise and the torque"
-            if one.matters < 1
+            if one.drop < PRACTICAL
             else "not there in enough parts of the log"
+            if one.is_possible
+            else "with numbers that it cannot have"
         )
-        candidates.append(Tried(*key, one.gain, float(one.t), reason))
+        candidates.append(Tried(*key, one.gain, one.gain / max(one.error, 1e-300), reason))
         if len(candidates) == MOST_TRIED:
             break
     return tuple(candidates)

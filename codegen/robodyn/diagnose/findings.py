@@ -1,73 +1,115 @@
-"""What a search has detected, as findings: names with their numbers, their place, their rivals."""
+"""What a search has found, as findings: names with their numbers, place, rivals and odds."""
 
 from __future__ import annotations
 
-from typing import Any
+from dataclasses import replace
 
-from robodyn.diagnose.evidence import why_not
-from robodyn.diagnose.judgement import may_stand
-from robodyn.diagnose.limits import WITHDRAWN
+from robodyn.diagnose.limits import MOST_RIVALS, WITHDRAWN
 from robodyn.diagnose.refit import without_vague_claim
 from robodyn.diagnose.result import Estimate, Finding, Rival
-from robodyn.diagnose.select.forward import Named
-from robodyn.diagnose.select.library import Candidate
-from robodyn.diagnose.select.search import Detected, Outcome
+from robodyn.diagnose.select.compare import margin, overlap, special_cases
+from robodyn.diagnose.select.errors import Sure, body_parameters, sureness
+from robodyn.diagnose.select.limits import OVERLAP, RIVAL, RIVAL_FAR, RIVAL_LEAST
+from robodyn.diagnose.select.odds import odds
+from robodyn.diagnose.select.score import Trial
+from robodyn.diagnose.select.search import Found, Outcome
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.robot.model import Robot
 
 
 def findings_of(robot: Robot, outcome: Outcome, *, is_doubtful: bool) -> tuple[Finding, ...]:
-    """What was detected as findings, the one that explains most first; claims if the logs are not
+    """What was found as findings, the one that explains most first; claims if the logs are not
     ``is_doubtful``."""
+    sure = dict(zip(map(id, outcome.fit.model.members), sureness(outcome.fit), strict=True))
     findings = []
-    for one in outcome.findings.values():
-        is_sure = not is_doubtful and may_stand(one, outcome.first, outcome.last)
-        findings.append(without_vague_claim(_finding(robot, one, is_sure)))
+    for one in outcome.found:
+        finding = without_vague_claim(_finding(robot, outcome, one, sure[id(one.member)]))
+        if is_doubtful:
+            finding = replace(finding, confidence=min(finding.confidence, WITHDRAWN))
+        findings.append(finding)
     return tuple(sorted(findings, key=lambda f: -f.gain))
 
 
-def _finding(robot: Robot, one: Detected, sure: bool) -> Finding:
-    candidate, trial = one.named.trial.candidate, one.named.trial
-    entry = CATALOGUE[candidate.effect]
-    revolute = candidate.joint is None or robot.links[candidate.joint - 1].joint.kind == "revolute"
+def _finding(robot: Robot, outcome: Outcome, one: Found, sure: Sure) -> Finding:
+    id, joint = one.member.key
+    entry, trial = CATALOGUE[id], one.trial
+    revolute = joint is None or robot.links[joint - 1].joint.kind == "revolute"
+    values = body_parameters(outcome.fit, one.member) if one.member.is_linear else one.member.parameters
     parameters = {
-        name: Estimate(
-            value, one.errors.get(name), _unit(candidate.effect, name, revolute), one.bounds.get(name)
-        )
-        for name, value in one.parameters.items()
+        name: Estimate(value, sure.errors.get(name), unit_of(id, name, revolute), sure.bounds.get(name))
+        for name, value in values.items()
     }
-    j = max(candidate.rows, key=lambda row: one.before[row])
-    place = f"joint {candidate.joint}" if candidate.joint else "the whole robot"
+    together = {name: Estimate(value, error, "") for name, (value, error) in sure.together.items()}
+    rivals = rivals_of(one)
+    close = sorted({each.effect for each, z, _ in rivals if z < RIVAL})
+    j = int(trial.at.argmax())
+    place = f"joint {joint}" if joint else "the whole robot"
     where = f"{place}: {entry.signature}; seen best at joint {j + 1}"
-    experiment = None
-    if one.named.rivals:
-        experiment = f"to tell it from {', '.join(one.named.rivals)}: {entry.separates}"
-    rivals = tuple(
-        Rival(t.candidate.effect, t.candidate.joint, t.gain, tuple(map(float, t.per_part)), why_not(t, trial))
-        for t in _strongest(one.named, candidate)
-    )
-    confidence = one.named.confidence if sure else WITHDRAWN
+    experiment = f"to tell it from {', '.join(close)}: {entry.separates}" if close else None
+    confidence = round(odds((z, more) for _, z, more in rivals), 2)
     return Finding(
-        candidate.effect, candidate.joint, parameters, round(confidence, 2), one.named.rivals, where,
-        experiment, trial.gain, trial.t, rivals, tuple(map(float, trial.per_part)),
+        id, joint, parameters, confidence, tuple(close), where, experiment,
+        trial.gain, trial.gain / max(trial.error, 1e-300), tuple(each for each, *_ in rivals[:MOST_RIVALS]),
+        tuple(map(float, trial.gains)), together,
     )  # fmt: skip
 
 
-def _strongest(named: Named, candidate: Candidate) -> list[Any]:
-    seen: set[tuple[str, int | None]] = {(candidate.effect, candidate.joint)}
-    claims = []
-    for one in named.beside:
-        key = (one.candidate.effect, one.candidate.joint)
-        if key in seen or not set(one.candidate.rows) & set(candidate.rows):
+def rivals_of(one: Found) -> list[tuple[Rival, float, float]]:
+    """Other candidates in the place of what was found, by how many standard errors they foretell less, the
+    nearest first, and how many more numbers they have. A law that has the name as a special case is none, nor
+    is the same body."""
+    trial, (id, joint) = one.trial, one.member.key
+    found: dict[tuple[str, int | None], tuple[Rival, float, float]] = {}
+    for other in one.beside:
+        first = other.family.first
+        key = other.family.key
+        if (
+            other is trial
+            or one.member.key in other.family.keys
+            or key in found
+            or not other.is_possible
+            or other.gain < RIVAL_LEAST * trial.gain
+            or overlap(other, trial) < OVERLAP
+            or (key[1] == joint and id in special_cases(key[0]))
+            or _is_same_body(one, other)
+        ):
             continue
-        seen.add(key)
-        claims.append(one)
-        if len(claims) == 5:
-            break
-    return claims
+        gain, error = margin(trial, other)
+        z = gain / max(error, 1.0)
+        if z < RIVAL_FAR:
+            rival = Rival(
+                first.effect,
+                first.joint,
+                other.gain,
+                tuple(map(float, other.gains)),
+                why_not(other, trial, z),
+            )
+            found[key] = rival, max(z, 0.0), other.family.order - trial.family.order
+    return sorted(found.values(), key=lambda each: each[1])
 
 
-def _unit(effect: str, name: str, revolute: bool) -> str:
+def _is_same_body(one: Found, other: Trial) -> bool:
+    """Whether both are about the last link: a load is a part of it."""
+
+    def last(effect: str, joint: int | None) -> bool:
+        traits = CATALOGUE[effect].traits
+        n = len(one.trial.at)
+        return traits.body or (traits.fold is not None and traits.fold.into == "link" and joint == n)
+
+    return last(*one.member.key) and last(*other.family.key)
+
+
+def why_not(other: Trial, named: Trial, z: float) -> str:
+    """Why ``other`` is not the name that ``named`` is, ``z`` standard errors behind it."""
+    if z >= RIVAL:
+        return "explains less on parts of the log that were not fitted"
+    if other.family.order > named.family.order:
+        return "explains no more, with more numbers"
+    return "explains as much: the log cannot tell them apart"
+
+
+def unit_of(effect: str, name: str, revolute: bool) -> str:
+    """The unit of a parameter, by the kind of joint."""
     for parameter in CATALOGUE[effect].parameters:
         if parameter.name == name:
             return parameter.unit_at(revolute=revolute)

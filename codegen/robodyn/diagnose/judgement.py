@@ -7,19 +7,19 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.limits import (
-    COMMON_EXPLAINED,
-    CONFIRMED_SHARE,
-    END_SHARE,
-    LEAST_EXPLAINED,
-    STANDS_OUT_LEFT,
-    UNSEEN,
-)
+from robodyn.diagnose.limits import END_SHARE, MOSTLY
 from robodyn.diagnose.result import Finding, Gap, Verdict
-from robodyn.diagnose.select.library.candidate import rubs
-from robodyn.diagnose.select.limits import COMMON_JOINTS
-from robodyn.diagnose.select.search import Detected
-from robodyn.diagnose.select.selection import Selection, what_matters
+from robodyn.diagnose.select.limits import (
+    ABOVE_FLOOR,
+    EXCESS,
+    PRACTICAL,
+    REMAINS,
+    STRUCTURE,
+    STRUCTURE_LAGS,
+)
+from robodyn.diagnose.select.noise import rest_of
+from robodyn.diagnose.select.rows import Rows, rows_of
+from robodyn.diagnose.select.search import Outcome
 from robodyn.gate.gate import Gate
 from robodyn.identify.predict import lacking
 from robodyn.robot.model import Robot
@@ -74,59 +74,70 @@ def _inner(x: Floats, gate: Gate) -> Floats:
 # --- whether names stand ----------------------------------------------------------------------------------
 
 
-def may_stand(one: Detected, first: Selection, last: Selection) -> bool:
-    """Whether what is left at the joints of a finding lets its name stand."""
-    rows = list(one.named.trial.candidate.rows)
-    after = (last.last.held_out.mean(axis=0) * last.start.sigma**2)[rows]
-    if _is_without_drives(first):
-        before = (np.mean(first.start.rest**2, axis=0) * first.start.sigma**2)[rows]
-        return bool(np.max(1 - after / np.maximum(before, 1e-300)) > COMMON_EXPLAINED)
-    before = (first.first.held_out.mean(axis=0) * first.start.sigma**2)[rows]
-    most = int(np.argmax((before - after) / last.start.sigma[rows] ** 2))
-    share = 1 - float(after[most] / max(before[most], 1e-300))
-    stands_out = float(last.residue[rows[most]]) > STANDS_OUT_LEFT
-    return not (share < LEAST_EXPLAINED and stands_out and left_over(last)[rows].max() > 1)
+def excess(rows: Rows, left: Floats) -> Floats:
+    """RMS [n] of what is ``left`` [N, n] beyond the sensors' noise, in units of that. Rows at rest count as
+    their set says."""
+    size = np.mean(_told(rows, left) ** 2, axis=0) / rows.floor**2 - 1
+    return np.asarray(np.sqrt(np.maximum(size, 0.0)))
 
 
-def _is_without_drives(first: Selection) -> bool:
-    """Whether the whole arm was described without its drives: most joints that are seen to move lack friction
-    and none was said to have any."""
-    if any(each.is_common for each in first.findings):
-        return True
-    n = first.start.n
-    lacking_friction = {
-        each.trial.candidate.joint for each in first.findings if each.trial.candidate.definition.dissipative
-    }
-    return not any(rubs(first.context, j) for j in range(n)) and len(lacking_friction) >= COMMON_JOINTS * n
+def structure(rows: Rows, left: Floats) -> Floats:
+    """The same of joints where it is more than noise: correlated over longer than the filter makes it."""
+    first, last = (max(1, int(rows.rate * lag)) for lag in STRUCTURE_LAGS)
+    lags = [lag for lag in range(first, last + 1) if lag < len(left) // 2]
+    centred = _told(rows, left)
+    centred = centred - centred.mean(axis=0)
+    sizes = np.maximum(np.sum(centred**2, axis=0), 1e-300)
+    each = [np.sum(centred[:-lag] * centred[lag:], axis=0) / sizes for lag in lags] or [0 * sizes]
+    is_correlated = np.sqrt(np.mean(np.square(each), axis=0)) > STRUCTURE
+    return np.where(is_correlated, excess(rows, left), 0.0)
 
 
-def left_over(last: Selection) -> Floats:
-    """The median of what is left [n], in units of what would matter."""
-    rms = np.sqrt(np.maximum(last.residue**2 - 1, 0)) * last.start.sigma
-    return np.asarray(rms / what_matters(last.context))
+def _told(rows: Rows, left: Floats) -> Floats:
+    return np.asarray(left * rows.sigma * np.sqrt(rows.weight * rows.correlation))
 
 
-def holds(lacks: Lacking, robot: Robot, model: Robot, gates: Sequence[Gate], seen: Sequence[Gate]) -> bool:
-    """Whether the model is nearer to logs than the ``robot`` without what was named; or no farther from such
-    in which that does not show."""
-    gap = gap_of(lacks, robot, model, gates, seen)
-    floor = np.maximum(gap.noise_floor, 1e-3 * gap.validate_before.max())
-    before, after = (float(np.sum((x / floor) ** 2)) for x in (gap.validate_before, gap.validate_after))
-    change = np.concatenate([_inner(lacks(robot, gate) - lacks(model, gate), gate) for gate in seen])
-    shown = float(np.mean((change / floor) ** 2))
-    return bool(shown < UNSEEN or before - after > CONFIRMED_SHARE * shown * robot.n)
+def verdict_of(findings: Sequence[Finding], outcome: Outcome) -> Verdict:
+    """The verdict: what the sensors do not explain and what is correlated is structure, and if most of that
+    remains, or most of the torque does, nothing is claimed."""
+    rows = outcome.fit.model.rows
+    left = structure(rows, outcome.fit.rest)
+    before = excess(rows, outcome.begun.rest)
+    torque = np.sqrt(np.mean(rows.seen("tau") ** 2, axis=0))
+    rest = np.sqrt(np.mean(outcome.fit.rest**2, axis=0))
+    carried = torque > EXCESS * rows.floor
+    is_mostly = bool(np.any(carried & (rest > MOSTLY * torque) & (left > EXCESS)))
+    remains = float(np.sqrt(np.sum(left**2) / max(np.sum(before**2), 1e-300)))
+    claims = [f for f in findings if f.confidence >= 0.5]
+    if left.max(initial=0.0) > EXCESS and (not claims or remains > REMAINS or is_mostly):
+        return "unexplained"
+    return "missing_effect" if claims else ("unexplained" if findings else "consistent")
 
 
-def verdict_of(findings: Sequence[Finding], last: Selection, left: Floats) -> Verdict:
-    """The verdict; ``left`` [n]: what nothing explains, in units of what would matter."""
-    if any(f.confidence >= 0.5 for f in findings):
-        return "missing_effect"
-    stands_out = last.residue > STANDS_OUT_LEFT
-    return "unexplained" if findings or bool(np.any(stands_out & (left > 1.5))) else "consistent"
+def what_matters(outcome: Outcome) -> Floats:
+    """RMS [n] that an effect must explain at a joint to be worth a name beside what is left there."""
+    rows = outcome.fit.model.rows
+    rest = np.sqrt(np.mean(outcome.fit.rest**2, axis=0))
+    return np.asarray(np.sqrt(1 - (1 - PRACTICAL) ** 2) * np.maximum(rest, ABOVE_FLOOR * rows.floor))
+
+
+def structure_left(outcome: Outcome) -> Floats:
+    """What has structure beyond the noise [n], in units of what matters."""
+    rows = outcome.fit.model.rows
+    left = structure(rows, outcome.fit.rest) * rows.floor
+    return np.asarray(left / np.maximum(EXCESS * rows.floor, 1e-300))
+
+
+def confirmed(models: Sequence[Robot], seen: Sequence[Gate], fitted: Rows) -> list[bool]:
+    """Of each finding whether it takes the model no farther from logs that were not ``fitted`` (it need not
+    show there); the first of ``models`` has all of them, each other lacks one."""
+    rows = rows_of(fitted.robot, seen, fitted.speeds)
+    whole, weight = rest_of(models[0], rows), 1 / fitted.sigma**2
+    return [bool(np.sum((rest_of(one, rows) ** 2 - whole**2) * weight) >= 0) for one in models[1:]]
 
 
 def words_of(verdict: Verdict, left: Floats) -> tuple[str, ...]:
-    """Remarks for people; ``left`` [n] as for :func:`verdict_of`."""
+    """Remarks for people; ``left`` [n]: what nothing explains, in units of what would matter."""
     words = []
     if verdict == "unexplained":
         worst = int(np.argmax(left))

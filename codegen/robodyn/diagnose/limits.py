@@ -25,6 +25,13 @@ HALF_WIDTH: Final = 1.96
 MOST_TRIED: Final = 8
 """[candidates] As many of the best that were not named are listed."""
 
+MOST_RIVALS: Final = 5
+"""[candidates] As many rivals of a finding are listed."""
+
+MOSTLY: Final = 0.5
+"""[share of the RMS torque] A joint of which more is left, and not as noise, is not explained whatever fits:
+more than half of what it does is unknown."""
+
 # --- excite --------------------
 
 EXCITE_SAMPLES: Final = 400
@@ -58,8 +65,6 @@ LOOKING_COST: Final = (0.5, 1e-6)
 
 STAGE_COSTS: Final = {
     "fitting the catalogue": (2.0, 5e-5),
-    "fitting what is left": (1.0, 4e-5),
-    "asking how sure the numbers are": (0.5, 1e-5),
     "validating the result": (0.2, 2e-6),
     "fitting the arm's own numbers": (0.8, 1e-5),
 }
@@ -78,35 +83,14 @@ FITTED_WINDOWS: Final = 8
 """[windows] of a longer log in as many, spread over its motion: few and long, since slow friction and the
 first swing of a spring need seconds."""
 
-LEAST_EXPLAINED: Final = 0.8
-"""[share of mean square] Findings that explain less of what a joint lacks are withdrawn,"""
-
 REFIT_SHARE: Final = 0.1
 """[share of mean square] The arm's own numbers are written anew if they take away so much at some joint,"""
 
 REFIT_WORSE: Final = 1.05
 """[ratio of RMS] and add no more than this at another."""
 
-LOAD_VAGUE: Final = 0.5
-"""[share of the mass] A load whose mass is known no better than this is not named,"""
-
-LOAD_WORTH: Final = 0.3
-"""[mean squares left] nor one where the arm's numbers as a guess explain less than this more,"""
-
-LOAD_SHARE_OF_GUESS: Final = 0.85
-"""[share] nor one that does not explain so much of it."""
-
-LOAD_CONFIDENCE: Final = 0.69
-"""[probability] Of a load in place of numbers that would all be wrong."""
-
-COMMON_EXPLAINED: Final = 0.5
-"""[share of mean square] Of what most joints lack so much suffices."""
-
 SPRING_WORSE: Final = 1.05
 """[share] A spring that two encoders show is added to the model where no joint's RMS grows by more."""
-
-STANDS_OUT_LEFT: Final = 3.0
-"""[-] if what is left stands out of the noise by more than this."""
 
 END_SHARE: Final = 0.02
 """[share of samples] Left out at either end of each unbroken part of a log when gaps are measured. Part of
@@ -114,12 +98,6 @@ the file format."""
 
 WITHDRAWN: Final = 0.3
 """[probability] The confidence of names that are taken back: below `CLAIM`."""
-
-UNSEEN: Final = 0.02
-"""[squares over the noise] An effect that is smaller does not show in another log;"""
-
-CONFIRMED_SHARE: Final = 0.3
-"""[share of its own squares] one that shows must take away as much there."""
 
 DRAWN_POINTS: Final = 3000
 """[points] A series in the report has as many."""
@@ -131,12 +109,6 @@ AMENDED_DIGITS: Final = 6
 
 WORKED_OUT: Final = 9
 """[digits] and of one that is worked out from it and what the model had."""
-
-STRENGTH_ROUNDS: Final = 3
-"""[-] So often are numbers of effects fitted together with the arm's own,"""
-
-STRENGTH_STEP: Final = 2.0
-"""[-] each time changed by this factor at most."""
 
 BODY_POSES: Final = 2000
 """[poses] In so many are weights compared of an arm as described and refitted."""

@@ -16,24 +16,19 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.amend.amend import Amendment, apply_amendments
 from robodyn.diagnose.limits import (
-    LOAD_CONFIDENCE,
-    LOAD_SHARE_OF_GUESS,
-    LOAD_VAGUE,
-    LOAD_WORTH,
     REFIT_SHARE,
     REFIT_WORSE,
     SPRING_WORSE,
     WITHDRAWN,
 )
 from robodyn.diagnose.result import Estimate, Finding
-from robodyn.diagnose.select.forward import Key
-from robodyn.diagnose.select.limits import MOST_VAGUE
-from robodyn.diagnose.strengths import fit_with
+from robodyn.diagnose.select.families import Key
+from robodyn.diagnose.select.limits import VAGUE as MOST_VAGUE
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.gate import Gate
-from robodyn.identify.fit import Load, Options
+from robodyn.identify.fit import Load, Options, fit_arm
 from robodyn.identify.outcome import Estimate as Number
-from robodyn.identify.outcome import Identified
+from robodyn.identify.outcome import Identified, identified
 from robodyn.robot.model import AXES, Link, Robot
 from robodyn.robot.parts import SHARE_NOT_STATED
 from robodyn.robot.rewriting import Place
@@ -87,9 +82,10 @@ def refit(
     options = Options(
         offsets=False, loads=loads, joints={name: frozenset(places) for name, places in joints.items()}
     )
-    outcome, strengths = fit_with(replace(robot, links=links), kept, gates, options)
+    beside = apply_amendments(replace(robot, links=links), kept).robot
+    outcome = identified(fit_arm(beside, gates, options, beside))
     model = replace(outcome.robot, links=tuple(map(_with_confidence, outcome.robot.links, robot.links)))
-    estimates = {**_estimates(robot, model, kept, outcome), **strengths}
+    estimates = _estimates(robot, model, kept, outcome)
     for joint in sorted(j for _, j in rigid if j is not None):
         (id,) = {effect for effect, j in rigid if j == joint}
         estimates[id, joint] = _changes(robot.links[joint - 1], outcome, joint)
@@ -121,13 +117,11 @@ def renumbered(
     *,
     unstated: float | None,
     everywhere: bool,
-    may_load: bool,
 ) -> Renumbered:
     """``robot`` with its findings, and with numbers of its own that explain more, if there are such.
 
     ``left``: RMS [n] that an arm leaves of logs that were fitted and of one that was not; ``unstated`` as in
-    :func:`refit`; ``everywhere``: friction and rotors are fitted at all joints, named or not; ``may_load``:
-    where the numbers were taken for a guess, a load is named that explains as much.
+    :func:`refit`; ``everywhere``: friction and rotors are fitted at all joints, named or not.
     """
     amendments = [amendment(f) for f in findings]
     done = apply_amendments(robot, amendments)
@@ -135,53 +129,8 @@ def renumbered(
     best = Renumbered(done.robot, done.origins, tuple(findings), is_refitted=False)
     if not _explains_more(left, done.robot, own.robot):
         return best
-    if may_load and (unstated is not None or (everywhere and any(x.confidence is None for x in robot.links))):
-        guessed, lean = (
-            own
-            if unstated == share
-            else refit(robot, amendments, gates, unstated=share, everywhere=everywhere)
-            for share in (unstated or 1.0, None)
-        )
-        load = _load_instead(robot, amendments, gates, left, guessed, lean, everywhere=everywhere)
-        if load is not None:
-            own, more = load
-            findings = [*findings, more]
     known = tuple(_with_estimates(f, own.estimates.get((f.effect, f.joint), {})) for f in findings)
     return Renumbered(own.robot, own.origins, known, is_refitted=True)
-
-
-def _load_instead(
-    robot: Robot,
-    amendments: Sequence[Amendment],
-    gates: Sequence[Gate],
-    left: Callable[[Robot], tuple[Floats, Floats]],
-    guessed: Refit,
-    lean: Refit,
-    *,
-    everywhere: bool,
-) -> tuple[Refit, Finding] | None:
-    """A load in place of numbers that are all ``guessed``, if with it and numbers that are nearly right as
-    much is explained: one body is simpler. ``lean``: with such numbers and no load."""
-    body = next(each for each in CATALOGUE.values() if each.traits.body)
-    if any(one.effect == body.id for one in amendments):
-        return None
-    loaded = refit(
-        robot, [*amendments, Amendment(body.id, None, {})], gates, unstated=None, everywhere=everywhere
-    )
-    numbers = loaded.estimates[body.id, None]
-    mass = numbers["mass"]
-    if not isinstance(mass.value, float) or mass.stderr is None or mass.stderr > LOAD_VAGUE * mass.value:
-        return None
-    best, before, after = (left(arm.robot)[0] for arm in (guessed, lean, loaded))
-    gain, most = (float(np.sum((before**2 - x**2) / best**2)) for x in (after, best))
-    if most < LOAD_WORTH or gain < LOAD_SHARE_OF_GUESS * most:
-        return None
-    rivals = tuple(each.id for each in CATALOGUE.values() if _fold(each.id) == "link")
-    where = f"the whole robot: {body.signature}"
-    experiment = f"to tell it from {', '.join(rivals)}: {body.separates}"
-    return loaded, Finding(
-        body.id, None, numbers, LOAD_CONFIDENCE, rivals, where, experiment, gain, float("nan")
-    )
 
 
 def _explains_more(left: Callable[[Robot], tuple[Floats, Floats]], one: Robot, other: Robot) -> bool:

@@ -99,7 +99,8 @@ class Window:
 class Finding:
     """An effect that the model lacks. ``where`` says which part of the motion shows it, ``experiment`` what
     to record to tell it from ``confounded_with``; ``gain``, ``t`` and ``rivals`` are the evidence for the
-    name, ``parts`` the gain in each part of the log that was not fitted."""
+    name, ``parts`` the gain in each part of the log that was not fitted; ``together``: products and ratios
+    of numbers that are known although neither number is."""
 
     effect: str
     joint: int | None
@@ -112,6 +113,7 @@ class Finding:
     t: float
     rivals: tuple[Rival, ...] = ()
     parts: tuple[float, ...] = ()
+    together: Mapping[str, Estimate] = field(default_factory=dict)
 
     def to_dict(self) -> dict[str, Any]:
         """As ``diagnosis.json`` has it."""
@@ -119,6 +121,7 @@ class Finding:
             "effect": self.effect,
             "joint": self.joint,
             "parameters": {name: p.to_dict() for name, p in self.parameters.items()},
+            "combinations": {name: p.to_dict() for name, p in self.together.items()},
             "confidence": self.confidence,
             "confounded_with": list(self.confounded_with),
             "where": self.where,

@@ -19,7 +19,7 @@ from robodyn.diagnose.evidence import (
     tried,
     windows,
 )
-from robodyn.diagnose.judgement import Lacking, words_of
+from robodyn.diagnose.judgement import Lacking, what_matters, words_of
 from robodyn.diagnose.limits import (
     DRAWN_POINTS,
     FITTED_ROWS,
@@ -33,7 +33,6 @@ from robodyn.diagnose.refit import refitted_places, share_allowed
 from robodyn.diagnose.result import Diagnosis, Series
 from robodyn.diagnose.select.contact import touches
 from robodyn.diagnose.select.scope import scope_of
-from robodyn.diagnose.select.selection import what_matters
 from robodyn.diagnose.settle import Completed, Logs, completed
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.errors import InputError
@@ -116,7 +115,7 @@ def diagnose(
     heavier = one_body(robot, own.robot, gates) if own.is_refitted and not is_loaded else None
     remarks: dict[str, Any] = {}
     if own.is_refitted:
-        remarks["refitted"] = share_allowed(robot, outcome.first.unstated)
+        remarks["refitted"] = share_allowed(robot, outcome.fit.model.share)
     if heavier:
         remarks["one_body"] = heavier.words()
     old = text if text is not None and parameters is None else to_yaml(robot)
@@ -139,7 +138,7 @@ def diagnose(
         tuple(_series(lacks, name, robot, model, gate) for name, gate in drawn),
         (before.total, after.total),
         windows(whole[0], findings, _shown(digests, validated=validate is not None)),
-        tried(outcome.last, findings), what_matters(outcome.last.context),
+        tried(outcome, findings), what_matters(outcome),
         (by_kind(before), by_kind(after)), agreement(model, gates[0]), to_record(robot, gates),
         remarks,
     )  # fmt: skip

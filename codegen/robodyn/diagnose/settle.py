@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.amend.amend import Amendment, apply_amendments
-from robodyn.diagnose.judgement import Lacking, gap_of, holds, left_over, rms, verdict_of
+from robodyn.diagnose.judgement import Lacking, confirmed, gap_of, rms, structure_left, verdict_of
 from robodyn.diagnose.limits import WITHDRAWN
 from robodyn.diagnose.refit import (
     Renumbered,
@@ -17,13 +17,13 @@ from robodyn.diagnose.refit import (
     no_worse,
     renumbered,
     with_known_errors,
-    without_vague_claim,
 )
 from robodyn.diagnose.result import Finding, Gap, Verdict
 from robodyn.diagnose.select.contact import Touched, contact_findings
 from robodyn.diagnose.select.encoders import elastic_findings, elasticity, stiff_words
 from robodyn.diagnose.select.scope import Scope
 from robodyn.diagnose.select.search import Outcome
+from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.gate import Gate
 from robodyn.identify.contact.contact import without
 from robodyn.robot.model import Robot
@@ -70,40 +70,47 @@ class Settled:
 
 
 def settled(
-    robot: Robot, findings: tuple[Finding, ...], outcome: Outcome, logs: Logs, scope: Scope, lacks: Lacking
+    robot: Robot, findings: tuple[Finding, ...], outcome: Outcome, logs: Logs, lacks: Lacking
 ) -> Settled:
     """The ``findings`` of a search and its ``outcome``, with the arm's own numbers; names that do not hold in
     the logs they are judged in are withdrawn."""
-    last, first = outcome.last, outcome.first
-    left = left_over(last)
-    verdict = verdict_of(findings, last, left)
-
-    def renumber(named: Sequence[Finding], *, unexplained: bool) -> Renumbered:
-        return renumbered(
-            robot, named, logs.fitted,
-            lambda arm: (rms(lacks, arm, logs.fitted), rms(lacks, arm, logs.judged)),
-            unstated=first.unstated,
-            # A log with more in it than can be named still has the arm's numbers in it.
-            everywhere=any(each.is_common for each in first.findings) or unexplained,
-            may_load=scope.joints is None and scope.only is None and not unexplained,
-        )  # fmt: skip
-
-    own = Renumbered(robot, tuple(range(len(robot.effects))), (), is_refitted=False)
+    if logs.judged is not logs.gates:
+        findings = _confirmed(robot, findings, outcome, logs)
+    verdict = verdict_of(findings, outcome)
+    if verdict == "unexplained":
+        findings = tuple(replace(f, confidence=min(f.confidence, WITHDRAWN)) for f in findings)
+    rubbing = {f.joint for f in findings if CATALOGUE[f.effect].dissipative}
+    named = findings if verdict == "missing_effect" else ()
+    left = structure_left(outcome)
+    if left.max(initial=0.0) <= 1 and outcome.fit.model.share is None:  # nothing is left for other numbers
+        done = apply_amendments(robot, [amendment(f) for f in named])
+        own = Renumbered(done.robot, done.origins, named, is_refitted=False)
+        return Settled(verdict, findings, own, left)
+    own = renumbered(
+        robot, named, logs.fitted,
+        lambda arm: (rms(lacks, arm, logs.fitted), rms(lacks, arm, logs.judged)),
+        unstated=outcome.fit.model.share,
+        everywhere=2 * len(rubbing) > robot.n or verdict == "unexplained",
+    )  # fmt: skip
     if verdict != "unexplained":
-        own = renumber(findings, unexplained=False)
-        # The arm's own numbers may be so wrong that what is named shows beside better ones only.
-        if verdict == "missing_effect" and not (
-            holds(lacks, robot, outcome.model, logs.fitted, logs.judged)
-            or holds(lacks, renumber((), unexplained=False).robot, own.robot, logs.fitted, logs.judged)
-        ):
-            verdict = "unexplained"
-            findings = tuple(replace(f, confidence=WITHDRAWN) for f in findings)
-    if verdict != "unexplained":
-        findings = tuple(map(without_vague_claim, own.findings))
-        verdict = verdict_of(findings, last, left)  # of better numbers, and perhaps a load
-    if verdict == "unexplained" and (first.rough or own.findings):
-        own = renumber((), unexplained=True)
+        findings = own.findings
+        if verdict == "consistent" and findings:
+            verdict = "missing_effect"
     return Settled(verdict, findings, own, left)
+
+
+def _confirmed(
+    robot: Robot, findings: tuple[Finding, ...], outcome: Outcome, logs: Logs
+) -> tuple[Finding, ...]:
+    """Those that hold in logs that were not fitted; others are named and no claim."""
+    every = [amendment(f) for f in findings]
+    models = [apply_amendments(robot, [*every[:k], *every[k + 1 :]]).robot for k in range(len(every))]
+    whole = apply_amendments(robot, every).robot
+    kept = confirmed([whole, *models], logs.judged, outcome.fit.model.rows)
+    return tuple(
+        f if holds else replace(f, confidence=min(f.confidence, WITHDRAWN))
+        for f, holds in zip(findings, kept, strict=True)
+    )
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -69,6 +69,7 @@ def lag_of(
     felt: tuple[Floats, Floats, Floats],
     period: float,
     passed: Floats | None = None,
+    kept: dict[int, list[Floats]] | None = None,
 ) -> Floats:
     """How far [K, 3] the link is behind its motor, with rates, under the ``torque`` [K] that the arm would
     take without; ``felt``: that torque's slopes [K] over acceleration, velocity and position of the joint.
@@ -78,15 +79,19 @@ def lag_of(
     for the log's edge, where accelerations are not known; without that it begins at rest.
 
     Where samples are far apart for so quick a spring there are steps between them: by the trapezoidal rule it
-    is softer by a sixth of the square of its angle in a step.
+    is softer by a sixth of the square of its angle in a step. Of the same arrays the values between samples
+    are ``kept``, by the number of steps.
     """
     spring = _Spring.of(effect, values, float(np.abs(torque).max()))
     angle = period * float(np.sqrt(spring.stiffest / max(float(np.median(felt[0])), 1e-9)))
     steps = min(max(1, int(np.ceil(angle / STEP_ANGLE))), MOST_STEPS)
     if steps == 1:
         return _lag(spring, torque, felt, period, passed)
-    torque, mass, rub, stiff = (_between(x, steps) for x in (torque, *felt))
-    known = None if passed is None else _between(passed, steps)
+    kept = {} if kept is None else kept
+    if steps not in kept:
+        kept[steps] = [_between(x, steps) for x in (torque, *felt, *([] if passed is None else [passed]))]
+    torque, mass, rub, stiff, *more = kept[steps]
+    known = more[0] if more else None
     return _lag(spring, torque, (mass, rub, stiff), period / steps, known)[::steps]
 
 

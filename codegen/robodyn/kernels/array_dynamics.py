@@ -147,6 +147,14 @@ class Model:
             way *= np.minimum(np.abs(qd) / np.maximum(self._sticking, 1e-300), 1.0)
         return way if self._seen is None else self._seen(way)
 
+    def direction_of(self, speed: Floats, ratios: Mapping[int, float]) -> Floats:
+        """The direction [K] of a motor's ``speed`` [K] that sums those of joints (from 0) by ``ratios``."""
+        way = np.asarray(smoothed_sign(speed, self._rest, self._band), dtype=np.float64)
+        if self._sticking is not None:
+            unresolved = np.sqrt(sum((ratio * self._sticking[j]) ** 2 for j, ratio in ratios.items()))
+            way *= np.minimum(np.abs(speed) / max(float(unresolved), 1e-300), 1.0)
+        return way if self._seen is None else self._seen(way)
+
     def evaluate(self, q: Floats, qd: Floats, qdd: Floats, motors: Moved | None = None) -> Evaluated:
         """The model's torques along a motion of the links; that of the ``motors`` is the same unless it is
         given."""
@@ -171,7 +179,10 @@ class Model:
         passed = passed_on(self._layer, loads, rates)
         if motors is not None:
             rates = Rates(*(list(x.T) for x in (*motors, self.direction(motors[1]))))
-        pairs = [self.direction(combined(pair, rates.qd)) for pair in self._layer.pairs]
+        pairs = [
+            self.direction_of(combined(pair, rates.qd), {pair.one: 1.0, pair.other: float(pair.ratio)})
+            for pair in self._layer.pairs
+        ]
         total = at_motors(self._layer, passed, rates, pairs)
 
         zeros = np.zeros(len(q))

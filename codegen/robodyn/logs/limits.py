@@ -80,7 +80,7 @@ HIGHEST_CUTOFF: Final = 0.2
 
 ENOUGH_CUTOFF: Final = 15.0
 """[Hz] and no higher than this: steps of friction reach far up, and what is worth naming shows below
-(docs/decisions/0012)."""
+(docs/decisions/0047)."""
 
 LEAST_RATE: Final = 6.0
 """[multiples of the cutoff] Where samples come faster, every second one carries what the filter passes."""

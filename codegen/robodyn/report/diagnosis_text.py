@@ -104,8 +104,9 @@ def is_unseen(estimate: Estimate, effect: str = "", name: str = "") -> bool:
 
 
 def identified(finding: Finding) -> dict[str, Estimate]:
-    """The parameters of a finding that the motion shows."""
-    return {name: p for name, p in finding.parameters.items() if not is_unseen(p, finding.effect, name)}
+    """The parameters of a finding that the motion shows, and products or ratios of others that it shows."""
+    seen = {name: p for name, p in finding.parameters.items() if not is_unseen(p, finding.effect, name)}
+    return {**seen, **finding.together}
 
 
 def value_text(estimate: Estimate, effect: str = "", name: str = "") -> str:

@@ -1,32 +1,16 @@
-"""Selection of effects: which effects of the catalogue explain what the model leaves of a log.
+"""Selection of effects: what candidates foretell of parts of a log that are held out.
 
-``search.search`` runs the whole selection:
+:func:`.search.search` runs the whole selection:
 
-1. ``remainder``: what the model leaves of the log, in its full equations.
-2. ``common``: effects that every joint has (friction, rotor inertia) are tried
-   on all joints at once.
-3. ``forward``: forward selection. ``library`` makes the candidates, ``trial``
-   fits one of them together with the effects found so far, ``fit`` judges it on
-   parts of the log that were left out.
-4. ``choice``: which candidates pass, which one is best, and which are its
-   rivals.
-5. ``refine`` and ``local_fit``: all parameters of all findings refitted
-   together.
-6. Backward elimination: effects that are no longer needed are removed.
-7. ``uncertainty``: standard errors and profile intervals.
+1. ``rows``: logs as rows, each with its weight; a row at rest says a set of dry friction.
+2. ``families``: what the catalogue has (``library``), by effect and place; ``scope`` is what was asked for.
+3. ``noise``: what of the rows is noise, that of the sensors at least.
+4. ``score``: what each candidate foretells of blocks that were held out.
+5. ``members``: effects that are in, fitted together in the model's full equations, beside the arm's own
+   numbers (``prior``).
+6. ``search``: effects come in, go out and are exchanged; ``odds``: how often such a name is right.
+7. ``errors``: how sure the numbers are.
 
-Special cases:
-
-- ``walk``: joint elasticity, searched along its stiffness; ``encoders`` finds
-  it from second encoders.
-- ``contact``: contacts with the surroundings.
-- ``own_numbers``, ``about``, ``prior_share``: errors of the description itself,
-  which every candidate is fitted beside, within the confidence that the
-  description states.
-- ``motion_noise``: encoder noise carried into torque.
-- ``ceiling``: what all linear candidates together could explain, and so what
-  counts as noise.
-
-``scope`` is what the user asked for (``--only``, ``--joints``). Every threshold
-stands in ``limits``.
+``contact`` looks for contacts with the surroundings, ``encoders`` for springs by second encoders. Every
+threshold stands in ``limits``.
 """

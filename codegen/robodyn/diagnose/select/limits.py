@@ -1,138 +1,157 @@
-"""Every number by which effects are tried, chosen, refined and named.
-
-Below each stand its unit and what it decides. Where no source is given, the value is a choice: the blind
-tests (docs/diagnose.md) bear it out, and it was not derived. Numbers of a diagnosis stand in no other kind of
-module (tests/diagnose/test_limits.py).
-"""
+"""Every number of the criterion, with its unit and its reason."""
 
 from __future__ import annotations
 
 from typing import Final
 
-# --- fit --------------------
-
 BLOCKS: Final = 10
-"""[parts] A log is cut into as many; each is judged by a fit to the others."""
+"""[-] Parts of a log that are held out in turn (ten-fold, Breiman and Spector 1992)."""
 
-FREE_PRECISION: Final = 1e-9
-"""[1/variance] The prior of a coefficient that may be anything."""
+GUARD: Final = 6.0
+"""[time constants of the torque's filter] Rows at the edge of a block that have something of its neighbour:
+an impulse through a fourth-order filter has died down after so many."""
 
-UNPULLED: Final = 1e-12
-"""[share of the variance] At a coefficient that spreads less from part to part of a log than this, nothing in
-the log pulls: it is known as well as its prior says."""
+SHORTEST_PIECE: Final = 5.0
+"""[periods of the cutoff] Shorter parts of a log are mostly the filter's edge."""
 
-UNSEEN_NUISANCE: Final = 1e-6
-"""[squares over the noise] A direction of the arm's own numbers that shows less along the whole logs, if it
-is off by one standard deviation of its prior, is left out: no fit would move it."""
+LEAST_RATE_SHARE: Final = 1e-4
+"""[share of RMS torque] No torque channel is better than that."""
 
-SPANNED: Final = 1e-9
-"""[share of its squares] A candidate of which what is known leaves less adds nothing."""
+ALPHA: Final = 0.01
+"""[-] Chance that a log of a model that is right names something (of all candidates together): an e-value of
+a held-out likelihood ratio is larger than M / alpha for one of M candidates by no more than this chance
+(Wasserman, Ramdas and Balakrishnan 2020)."""
 
-TRIED_AT_ONCE: Final = 100
-"""[candidates] So many are tried at once, with copies of their columns."""
+PRACTICAL: Final = 0.1
+"""[share of the RMS that is left at some joint] What is worth a name; less is nobody's next step."""
 
-# --- ceiling --------------------
+HARM: Final = 0.2
+"""[share of the gains] What other blocks may lose by an effect that is rare (a blow, a limit): by chance
+alone losses come to a third of gains of as many blocks."""
 
-CEILING_RIDGE: Final = 1e-3
-"""[share of the samples] Ridge of columns of size 1, when all linear candidates are fitted together."""
+ABOVE_FLOOR: Final = 1.5
+"""[floors] A joint whose residual stands out of its sensors' noise by less needs no name."""
 
-STANDS_OUT: Final = 2.0
-"""[noise floors] What is left beyond stands out of the noise."""
+RIVAL: Final = 2.0
+"""[standard errors] Candidates whose foretelling is not worse by more are rivals."""
 
-# --- choice --------------------
+OVERLAP: Final = 0.5
+"""[share] Candidates explain the same where they have more than half of their gain at the same joints."""
 
-LEAST_T: Final = 3.0
-"""[standard errors] The least paired t over the parts of a log with which a candidate is taken."""
+MOST_MEMBERS: Final = 16
+"""[-] A model that lacks more than that is not this model."""
 
-LEAST_SHARE: Final = 0.1
-"""[share of the mean square left] What a candidate must take away at some joint, in parts that were not
-fitted: a real arm has many small things in it, and a name for each helps nobody."""
+RIDGE: Final = 1e-6
+"""[share of a column's square] By which it must differ from others: columns are in single precision."""
 
-REPLACING_SHARE: Final = 0.2
-"""[share of the mean square left] The same for a law that takes the place of a plainer one."""
+TOLERANCE: Final = 1e-5
+"""[share of the largest singular value] Columns that are smaller say nothing apart from others."""
 
-ROUGH_SHARE: Final = 0.5
-"""[share of the mean square left] And in a log with more in it than the catalogue has."""
+RESOLUTION: Final = 2.0
+"""[-] The speed below which a direction is not resolved is looked for by this factor: a step of the direction
+that is half or twice as steep differs by less than a tenth of its square,"""
 
-RELIEF: Final = 20.0
-"""[log-likelihood] With more, the arm's own numbers would be too far beyond their confidence without it."""
+RANGE: Final = 10.0
+"""[-] as far from what the log's rates and encoders let expect."""
 
-BODY_NUMBERS: Final = 4
-"""[numbers] Of the ten of a body as many are seen in most motions."""
+FIT_ROUNDS: Final = 6
+"""[-] Steps of Gauss and Newton at most."""
 
-TIE: Final = 2.0
-"""[standard errors] Candidates within so many of the best are its rivals,"""
+FIT_WORTH: Final = 0.05
+"""[nats] A step that explains less is the last."""
 
-TIE_LOSS: Final = 0.02
-"""[share of the gain] and those that lose no more of its gain,"""
+FINEST: Final = 0.03
+"""[share of the first step] Values of what is not linear are tried as near to each other before all numbers
+are fitted together."""
 
-ROUGH_TIE: Final = 0.15
-"""[share of the gain] or this, in a log with more in it than the catalogue has,"""
+STEP: Final = 1e-3
+"""[share of a number] By which it is moved to see what the torques change by."""
 
-CLOSE: Final = 5.0
-"""[log-likelihood] and those as near,"""
+TOWARDS_ZERO: Final = 0.3
+"""[-] A size that would change its sign goes to this share of itself instead."""
 
-NEARLY: Final = 0.9
-"""[share of the gain] if they gain as much."""
+LEAST_SHOWN: Final = 0.03
+"""[standard deviations] Combinations of the arm's own numbers whose prior moves the torques of all rows
+together by less are not seen."""
 
-ROUGH: Final = 3.0
-"""[mean squares of the noise] If no candidate leaves less, the log has what is not in the catalogue."""
+LEAST_CENTRE: Final = 0.02
+"""[m] A centre of mass that is described as 0 may be as far off, by the share that is stated of the link."""
 
-ALONE: Final = 1.5
-"""[mean squares of the noise] A candidate that is not likely is named if it alone leaves less."""
+LEAST_INERTIA: Final = 0.1
+"""[share of the largest moment] The same of moments and products of inertia."""
 
-REPLACING_T: Final = 2.0
-"""[standard errors] The least paired t of a law that takes the place of a plainer one."""
+SHARES: Final = (0.01, 0.03, 0.1, 0.3, 1.0)
+"""[shares] By which all inertial numbers may be wrong, if that foretells enough more; at first those of which
+nothing is said are right."""
 
-ROUGH_T: Final = 1.3
-"""[standard errors] In such a log this t suffices with twice the evidence."""
+PART_CORRELATION: Final = 10.0
+"""[correlation times] Length of the parts whose pulls on a fit are summed: the rows of one have little to do
+with those of the next."""
 
-MANY_POWER: Final = 0.1
-"""[exponent of the number of numbers] There a candidate of several must explain more by this power."""
+NOT_SHOWN: Final = 1e-11
+"""[share of the largest eigenvalue] A combination of numbers that shows by less is lost in rounding: it is
+open, and so is each number of it."""
 
-REFINING_ROUNDS: Final = 12
-"""[rounds] of refining what is not linear in a candidate."""
+HALF_WIDTH_PARTS: Final = 1.96
+"""[standard errors] Half a 95 % interval."""
 
-OSCILLATOR_STARTS: Final = 2
-"""[places] As many of the best on a grid of springs are refined,"""
+STRIKE_ACCURACY: Final = 0.01
+"""[share of the value] A link in backlash strikes its motor between samples: a gap and its teeth are known no
+better. (A spring that does not strike is as well known as the log shows it.)"""
 
-OSCILLATOR_GAIN: Final = 0.1
-"""[share of the largest gain] if they gain as much,"""
+VAGUE: Final = 0.5
+"""[share of the value] A standard error that is larger says that the value is not known."""
 
-OSCILLATOR_DIRECTIONS: Final = 16
-"""[directions] by steps in as many,"""
+TOGETHER: Final = 0.1
+"""[-] Two numbers are sure together where their product or ratio is ten times as sure as either."""
 
-OSCILLATOR_FARTHEST: Final = 8.0
-"""[-] never farther than by this factor."""
+RIVAL_LEAST: Final = 0.5
+"""[share of the gain] A candidate that explains less than half is another thing and no rival."""
 
-# --- common --------------------
+RIVAL_FAR: Final = 6.0
+"""[standard errors] A candidate that is farther behind has no part in the odds: exp(-6) is a quarter of a
+percent."""
 
-COMMON_JOINTS: Final = 0.5
-"""[share of the moving joints] What so many lack, and two at least, is looked for at all joints at once."""
+TEMPER: Final = 1.0
+"""[-] Slope of the odds."""
 
-COMMON_T: Final = 2.0
-"""[standard errors] The least paired t over the parts of a log of what is common,"""
+EXCESS: Final = 2.0
+"""[floors] What is left beyond the sensors' noise and has structure; less is no model's fault."""
 
-COMMON_PARTS: Final = 0.8
-"""[share of the parts] or as many parts in which it explains something."""
+STRUCTURE: Final = 0.1
+"""[-] RMS of the autocorrelation between two lags above which a residual has structure: white noise of ten
+seconds has half of that."""
 
-# --- prepared --------------------
+STRUCTURE_LAGS: Final = (0.1, 0.5)
+"""[s] Those lags: longer than the filter's memory, shorter than a motion."""
+
+REMAINS: Final = 0.4
+"""[share of the structure] If more remains, the names do not explain the log."""
+
+# --- what was looked for, and how candidates are made --------------------
+
+MOST_KINDS: Final = 6
+"""[effects] So many different ones are named at most; what is left beyond is unexplained."""
+
+DAMPED: Final = 0.05
+"""[share of critical damping] How much a spring is damped when it is first tried."""
+
+OSCILLATOR_RATE: Final = 300.0
+"""[steps/s] The fewest in which the motion of a spring is integrated."""
+
+TWIST_CUTOFF: Final = 6.0
+"""[Hz] Cutoff of what is differentiated twice: at 15 Hz that was noise (docs/decisions/0047)."""
 
 FILTERED_AT_ONCE: Final = 1_000_000
 """[numbers] About so many, of candidates' columns, are filtered in one pass, or those of one candidate."""
 
-# --- forward --------------------
+# --- contacts and second encoders --------------------
 
-SURE: Final = 0.95
-"""[probability] Of a name without rivals."""
+CONTACT_CONFIDENCE: Final = 0.9
+"""[probability] That of a contact that was found (docs/diagnose.md)."""
 
-MOST_VAGUE: Final = 0.5
-"""[share of the value] A standard error that is larger says that the value is not known."""
-
-MOST_KINDS: Final = 8
-"""[effects] So many different ones are named at most; what is left beyond is unexplained."""
-
-# --- contact --------------------
+CONTACT_EDGE: Final = 0.02
+"""[s] So well is either end of a contact's window known."""
 
 CONTACT_LOUD: Final = 2.0
 """[ratio of RMS] In its window a contact leaves more than this at some joint, beside the rest of the log."""
@@ -143,208 +162,14 @@ CONTACT_NARROW: Final = 30.0
 CONTACT_WIDE: Final = 90.0
 """[degrees] and none at all, nor a sign, if it may be as far from it."""
 
-CONTACT_EDGE: Final = 0.02
-"""[s] So well is either end of a contact's window known."""
-
-CONTACT_CONFIDENCE: Final = 0.9
-"""[probability] That of a contact that was found (docs/diagnose.md)."""
-
-# --- elastic --------------------
-
-DAMPED: Final = 0.05
-"""[share of critical damping] How much a spring is damped when it is first tried."""
-
-TWIST_CUTOFF: Final = 6.0
-"""[Hz] Cutoff of what is differentiated twice: at 15 Hz that was noise (docs/decisions/0012)."""
-
-OSCILLATOR_RATE: Final = 300.0
-"""[steps/s] The fewest in which the motion of a spring is integrated."""
-
-# --- encoders --------------------
-
-ENCODER_SAMPLES: Final = 100
-"""[samples] Fewer of a second encoder, without a gap, are not looked at."""
+ENCODER_CONFIDENCE: Final = 0.95
+"""[probability] The confidence of what two encoders show without a fit to the torques."""
 
 ENCODER_MOVING: Final = 0.02
 """[share of top speed] A slower joint may stick: friction is then unknown."""
 
+ENCODER_SAMPLES: Final = 100
+"""[samples] Fewer of a second encoder, without a gap, are not looked at."""
+
 ENCODER_SURE: Final = 2.0
 """[standard errors] A compliance that is not so far from none cannot be told from a rigid gear."""
-
-ENCODER_CONFIDENCE: Final = 0.95
-"""[probability] The confidence of what two encoders show without a fit to the torques."""
-
-# --- own numbers --------------------
-
-TURN_TIME: Final = 0.005
-"""[s] So well is known (standard deviation) when the friction of a joint that turns round does so as well: it
-sticks for a few thousandths of a second to some hundredths."""
-
-# --- refine --------------------
-
-REFINE_ROUNDS: Final = 4
-"""[rounds] of Gauss and Newton over all findings,"""
-
-REFINE_STEP: Final = 1e-3
-"""[share] with differences over so much of each number."""
-
-REFINE_WORTH: Final = 1e-3
-"""[share of the sum of squares] What a round must gain for another."""
-
-REFINE_FARTHEST: Final = 5.0
-"""[-] A number that is so many times larger than it began is lost."""
-
-TOWARDS_ZERO: Final = 0.1
-"""[share of the value] A size that a round would take through zero is reduced to so much instead."""
-
-STICKING_SPEEDS: Final = (1e-4, 3e-4, 1e-3, 3e-3, 1e-2)
-"""[shares of the top speed] Below one of these a joint with friction sticks, to begin with."""
-
-HUBER: Final = 2.0
-"""[median residuals] From here on an error counts by its size and no more by its square (Huber)."""
-
-HUBER_ROUNDS: Final = 3
-"""[rounds] of such weights."""
-
-LEAST_SHAPE: Final = 0.1
-"""[-] What shapes a curve and is 0 begins with this in the last fit."""
-
-# --- uncertainty --------------------
-
-SCORE_PARTS: Final = 20
-"""[parts] A log is cut into as many: the pulls of each at the numbers say how sure these are."""
-
-LEAST_CURVATURE: Final = 1e-12
-"""[-] Of columns of size 1, directions that show less are taken to show so much."""
-
-LEAST_SPREAD: Final = 1e-6
-"""[variances of the noise] No residual is so small that a number is known better than with this."""
-
-NOISE_DRAWS: Final = 4
-"""[draws] of the encoders' noise say what it does to a fit: so many add an eighth to the error by it."""
-
-BIAS_ROUNDS: Final = 5
-"""[times] at most what it does is looked at where values are without it,"""
-
-BIAS_SETTLED: Final = 0.1
-"""[standard errors] until they move by less,"""
-
-BIAS_NEARER: Final = 0.1
-"""[share of the value] no farther than to this, and intervals are wider by no more than its inverse."""
-
-PROFILE_STEPS: Final = 3
-"""[steps] in which all other numbers are refitted where one is held,"""
-
-PROFILE_TRIES: Final = 8
-"""[places] at which it is held, for each end of an interval,"""
-
-NEAR_BOUND: Final = 0.05
-"""[share] of the distance, in standard errors, within which that end is near enough."""
-
-FARTHEST_BOUND: Final = 2.3
-"""[logarithm; intervals] An end that is farther than this (a factor of ten) is open."""
-
-BETTER_FIT: Final = 0.5
-"""[squares of standard errors] A misfit that is smaller by more is a better fit, from which is begun anew,"""
-
-PROFILE_RESTARTS: Final = 2
-"""[times] at most."""
-
-LEAST_PRIOR_SHARE: Final = 0.005
-"""[share of what is said] No better than this are the arm's own numbers taken to be where logs bear it out: a
-filtered log shows them to half a thousandth at best;"""
-
-PRIOR_SHARES: Final = 15
-"""[shares] so many are tried, up to what is said."""
-
-BY_PRIOR: Final = 0.7
-"""[share of the error] A number whose error comes from its own prior by more is not told by the logs."""
-
-STRIKE_ACCURACY: Final = 0.01
-"""[share of the value] A link in backlash strikes its motor between samples: a gap and its teeth are known no
-better. (A spring that does not strike is as well known as the log shows it.)"""
-
-# --- walk --------------------
-
-WALK_STEP: Final = 1.3
-"""[-] A stiffness is varied by this factor,"""
-
-WALK_STEPS: Final = (12, 5)
-"""[steps] down and up at most: a grid ends too stiff more often than too soft;"""
-
-WALK_LOST: Final = 4.0
-"""[-] no farther than to so many times the least misfit."""
-
-WALK_ROUNDS: Final = 3
-"""[rounds] of Gauss and Newton at each step,"""
-
-WALK_FARTHEST: Final = 0.7
-"""[logarithm] none farther than this,"""
-
-WALK_DAMPED: Final = 1e-6
-"""[-] with this on the diagonal of columns of size 1."""
-
-# --- search --------------------
-
-PASSES: Final = 10
-"""[passes] After each the model is amended and looked at again."""
-
-PASSES_ROUGH: Final = 2
-"""[passes] The same for a log with more in it than the catalogue has: what the model lacks has no end, and
-what comes late has no size that matters."""
-
-PRICE: Final = 0.3
-"""[share of the evidence threshold] An effect stays if leaving it out loses more."""
-
-FEW: Final = 6
-"""[effects] Of more the others are not refitted where one is left out: that takes too long."""
-
-STANDING: Final = 0.05
-"""[share of top speed] A joint that is slower stands."""
-
-# --- selection --------------------
-
-MOST_EFFECTS: Final = 6
-"""[effects] named in one look at most."""
-
-OF_NOISE: Final = 0.3
-"""[share of the raw noise] What an effect must explain at a joint to be worth a name,"""
-
-OF_TORQUE: Final = 0.004
-"""[share of the RMS torque] and of this,"""
-
-OF_ENCODER_NOISE: Final = 2.0
-"""[-] and of what the encoders' noise makes of the torque."""
-
-TIGHT: Final = (0.1, 0.01)
-"""[-] How much better the arm's numbers may be than they are said to be (docs/decisions/0012): those of an
-identified arm foresee its torques to some thousandths, whatever its description has said of each of them;"""
-
-TIGHT_EVIDENCE: Final = 5.0
-"""[log-likelihood] and how much better the evidence for it must be."""
-
-RIGID_EVIDENCE: Final = 36.0
-"""[log-likelihood] and for one body or link that is not as described, whose ten numbers may fit a scatter of
-the numbers of all: of 10 % in an arm of three joints, with up to 33."""
-
-POSES: Final = 50
-"""[poses] at which inertias are looked at."""
-
-UNSTATED: Final = (0.3, 1.0)
-"""[shares] Where nothing is said of inertial numbers, they may be wrong by so much instead of a tenth, if the
-evidence is better by as much as TIGHT_EVIDENCE; 1: they are a guess."""
-
-SHORTEST_PIECE: Final = 6.0
-"""[periods of the cutoff] Shorter pieces of a log are left out."""
-
-FEW_PARTS: Final = 1.15
-"""[-] A standard error of ten parts is so much larger, for twice of it to hold 95 % (Student, 9 degrees)."""
-
-DIVERGED: Final = 30.0
-"""[-] So many times larger in the fit of all than alone, a coefficient has diverged."""
-
-REST_WEIGHT: Final = 0.3
-"""[-] What a row of a joint that rests counts, as a factor (stiction holds it with any torque),"""
-
-LEAST_MOVING: Final = 0.1
-"""[share] if the joint moves for more than this: else there is nothing better to go by."""

@@ -51,18 +51,3 @@ def remainder(
                     total[:, j] += entry.number(law.damping) * rate
     tau = measured_torque(total, s.t, robot.effects, noise=s.torque_noise)
     return s.thinned(s.filtered(given_torque(s.tau, robot) - tau))
-
-
-def turning(robot: Robot, c: Context, sticking: Floats | None = None) -> Floats:
-    """What torques [N, n, n] change by, filtered and thinned, per second by which the friction of each joint
-    turns later than the model has it, whose joints stick below the speeds ``sticking`` [n]."""
-
-    def late(way: Floats) -> Floats:
-        return np.concatenate([way[:1], way[:-1]])
-
-    def early(way: Floats) -> Floats:
-        return np.concatenate([way[1:], way[-1:]])
-
-    change = remainder(robot, c, early, sticking) - remainder(robot, c, late, sticking)
-    change /= 2 * c.signals.period
-    return np.asarray(change[:, :, None] * np.eye(c.n))

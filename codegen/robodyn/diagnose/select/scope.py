@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
@@ -50,6 +50,12 @@ class Scope:
     def allows(self, id: str, joint: int | None) -> bool:
         """Whether the effect is looked for there."""
         return self.has_effect(id) and self.has_joint(joint)
+
+    def of(self, ids: Collection[str], joints: Collection[int]) -> Scope:
+        """Of what is looked for these effects at these joints."""
+        return replace(
+            self, only=frozenset(id for id in ids if self.has_effect(id)), joints=frozenset(joints)
+        )
 
     def words(self) -> tuple[str, ...]:
         """What a reader of the result must know of it: nothing, if all effects are looked for."""

@@ -1,265 +1,343 @@
-"""The search: one effect after another, all refitted together, and those not needed in the end removed."""
+"""Effects come in, go out and are exchanged, by what they foretell of parts of the log that are held out."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from typing import Any
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, replace
+from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.amend.amend import Amendment, amended
-from robodyn.diagnose.result import Bounds
-from robodyn.diagnose.select.fit import share_taken, tighter
-from robodyn.diagnose.select.forward import Key, Named, is_of_link, special_cases
-from robodyn.diagnose.select.library import Candidate
-from robodyn.diagnose.select.limits import BY_PRIOR, FEW, PASSES, PASSES_ROUGH, PRICE, STANDING
-from robodyn.diagnose.select.refine import costs, refined
+from robodyn.diagnose.select.compare import (
+    better,
+    is_of_link,
+    is_other_law,
+    is_preferred,
+    is_sum_of_others,
+    margin,
+    overlap,
+    read_link,
+    special_cases,
+)
+from robodyn.diagnose.select.families import Family, Key, families, is_resolved
+from robodyn.diagnose.select.library import without_regressor
+from robodyn.diagnose.select.library.prepared import prepared
+from robodyn.diagnose.select.limits import (
+    ALPHA,
+    FINEST,
+    FIT_WORTH,
+    HARM,
+    MOST_MEMBERS,
+    OVERLAP,
+    PRACTICAL,
+    SHARES,
+)
+from robodyn.diagnose.select.members import Fit, Member, Model, fitted, own_numbers, solve
+from robodyn.diagnose.select.noise import with_noise_of
+from robodyn.diagnose.select.resolution import likelier_speeds
+from robodyn.diagnose.select.rows import Rows, rows_of, with_noise
 from robodyn.diagnose.select.scope import EVERYTHING, Scope
-from robodyn.diagnose.select.selection import Selection, select
-from robodyn.diagnose.select.trial import evidence_threshold, numbers_of
-from robodyn.diagnose.select.uncertainty import uncertainties
-from robodyn.diagnose.select.walk import walked
+from robodyn.diagnose.select.score import Trial, held_out, trials
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.gate import Gate
-from robodyn.kernels.array_dynamics import Model, physical
-from robodyn.logs.log import Log
-from robodyn.robot.model import AXES, Robot
+from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Detected:
-    """A detected effect: the evidence for it, its parameters with errors, and the mean squares [n] that were
-    left before it was named, in units of the noise; ``bounds``: 95 % intervals of parameters that were
-    profiled, None where a side is open."""
+class Found:
+    """A member of the model that was found, its own trial beside the others, and the trials of all families
+    there, best first."""
 
-    named: Named
-    parameters: dict[str, float | str]
-    errors: dict[str, float]
-    before: Floats
-    bounds: Mapping[str, Bounds] = field(default_factory=dict)
+    member: Member
+    trial: Trial
+    beside: tuple[Trial, ...]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Outcome:
-    """The detected effects by effect and joint, the ``model`` with it, the ``first`` look at the logs and the
-    ``last``."""
+    """What a search has found: the ``fit`` with it and that of the model as described, ``begun``."""
 
-    findings: dict[Key, Detected]
-    model: Robot
-    first: Selection
-    last: Selection
+    found: tuple[Found, ...]
+    fit: Fit
+    begun: Fit
+    last: tuple[Trial, ...]
+    count: int
+
+
+class Search:
+    """The search in ``rows`` among families ``found``."""
+
+    def __init__(
+        self, gates: Sequence[Gate], rows: Rows, found: Sequence[Family], tell: Callable[[str], object],
+        scope: Scope,
+    ) -> None:  # fmt: skip
+        self.gates, self.rows, self.families, self.tell, self.scope = gates, rows, list(found), tell, scope
+        self.threshold = float(np.log(max(len(found), 1) / ALPHA))
+        self.lowest = rows.speeds.copy()
+        self.banned: set[Key] = set()
+
+    def passes(self, one: Trial) -> bool:
+        """Whether it is worth a name, and there in most of the log that shows it at all."""
+        gains = one.gains
+        return self.is_worth(one) and -gains[gains < 0].sum() < HARM * gains[gains > 0].sum()
+
+    def is_worth(self, one: Trial) -> bool:
+        """Whether it foretells more than chance would have it of one of so many, and enough to matter."""
+        return one.is_possible and one.gain > self.threshold and one.drop > PRACTICAL
+
+    def choice(self, tried: Iterable[Trial]) -> Trial | None:
+        """The simplest of those that pass and foretell as much as the best, within a standard error or what
+        is worth a name (Breiman et al. 1984)."""
+        tried = list(tried)
+        good = [one for one in tried if self.passes(one) and not is_sum_of_others(one, tried)]
+        if not good:
+            return None
+        best = max(good, key=lambda one: one.gain)
+        near = [
+            one
+            for one in tried
+            if self.is_worth(one)
+            and not is_sum_of_others(one, tried)
+            and overlap(one, best) > OVERLAP
+            and (margin(best, one)[0] <= max(margin(best, one)[1], 1.0) or better(best, one) < PRACTICAL)
+        ]
+        return min(near, key=lambda one: (one.family.order, -one.gain))
+
+    def open_to(self, fit: Fit) -> list[Family]:
+        """Families that may come in beside the members."""
+        taken = {one.key for one in fit.model.members}
+        kinds = {id for id, _ in taken}
+        return [
+            one
+            for one in self.families
+            if not taken & set(one.keys)
+            and not self.banned & set(one.keys)
+            and not any(is_other_law(one, each) for each in taken)
+            and (len(kinds) < self.scope.most or one.key[0] in kinds)
+        ]
+
+    def run(self, fit: Fit) -> tuple[Fit, list[Trial]]:
+        """Until nothing passes."""
+        tried: list[Trial] = []
+        while len(fit.model.members) < MOST_MEMBERS:
+            tried = trials(fit, self.open_to(fit))
+            best = self.choice(tried)
+            speeds = likelier_speeds(fit, self.lowest, self.threshold, best)
+            turned = None if speeds is None else self._with_speeds(fit, speeds)
+            if turned is not None:
+                fit = turned
+                continue
+            if best is None:
+                wider = self.widened(fit, None)
+                if wider is None:
+                    break
+                fit = self.reviewed(wider, range(self.rows.n))
+                continue
+            wider = self.widened(fit, best) if is_of_link(best.family.first) else None
+            if wider is not None:
+                fit = wider
+                continue
+            more = self.with_family(fit, best)
+            if more is None or more.cost > fit.cost - self.threshold / 2:
+                self.banned |= set(best.family.keys)
+                continue
+            self.tell(f"found {best.family.first.name}")
+            fit = self.reviewed(more, best.family.rows)
+        return fit, tried
+
+    def widened(self, fit: Fit, best: Trial | None) -> Fit | None:
+        """The model with wider bounds of all of the arm's own numbers, where that foretells enough more, and
+        clearly more than the ``best`` candidate: wrong numbers of one link."""
+        before, choices = held_out(fit), []
+        for share in SHARES:
+            if fit.model.share is not None and share <= fit.model.share:
+                continue
+            other = fitted(replace(fit.model, own=own_numbers(self.rows, share), share=share), 0)
+            if other is None:
+                continue
+            after = held_out(other)
+            gains = (before - after).sum(axis=1) / 2
+            drop = 1 - np.sqrt((after.sum(axis=0) / np.maximum(before.sum(axis=0), 1e-300)).min())
+            beyond = gains if best is None else gains - best.gains
+            error = 0.0 if best is None else float(np.sqrt(len(gains)) * beyond.std(ddof=1))
+            if gains.sum() > self.threshold and drop > PRACTICAL and beyond.sum() > error:
+                choices.append((float(gains.sum()), other))
+        if not choices:
+            return None
+        most = max(gain for gain, _ in choices)
+        near = [other for gain, other in choices if gain > most - self.threshold]
+        return fitted(near[0].model)
+
+    def _with_speeds(self, fit: Fit, speeds: Floats) -> Fit | None:
+        """The model in rows with other speeds below which directions are not resolved, and candidates of dry
+        friction along these."""
+        rows = rows_of(self.rows.robot, self.gates, speeds)
+        self.rows = with_noise(rows, self.rows.sigma, self.rows.correlation, self.rows.level)
+        laws = {each.id for each in CATALOGUE.values() if each.dissipative and each.level == "joint"}
+        joints = np.flatnonzero(speeds != fit.model.rows.speeds) + 1
+        scope = self.scope.of(laws, [int(j) for j in joints])
+        fresh = {(one.key, one.second, one.kept): one for one in families(self.rows, scope)}
+        self.families = [fresh.get((one.key, one.second, one.kept), one) for one in self.families]
+        return fitted(replace(fit.model, rows=self.rows, _known={}))
+
+    def with_family(self, fit: Fit, one: Trial) -> Fit | None:
+        """The model with a family's best one, in the place of its special cases."""
+        members = [each for each in fit.model.members if not self._replaces(one.family, each.key)]
+        new = self._members(one)
+        if len(members) < len(fit.model.members):  # its numbers beside those that stay
+            rest = self._without(fit, members)
+            if rest is None:
+                return None
+            (again,) = trials(rest, [one.family])
+            new = self._members(again)
+        tuned = [self._tuned(fit.model.with_members(members), each) for each in new]
+        return fitted(fit.model.with_members([*members, *tuned]))
+
+    def _replaces(self, family: Family, key: Key) -> bool:
+        if family.first.joint is None or key[1] != family.first.joint:
+            return False
+        return any(key[0] in special_cases(id) for id, _ in family.keys)
+
+    def _members(self, one: Trial) -> list[Member]:
+        family, candidate = one.family, one.family.ones[one.k]
+        if family.scale is not None:
+            columns = np.zeros((len(self.rows.unresolved), self.rows.n, len(family.scale)))
+            columns[:, family.rows] = family.columns[one.k] * family.scale
+            return [Member(family.key, family, one.k, read_link(candidate, one.x, self.rows), columns)]
+        if family.second:
+            (name,) = CATALOGUE[family.second].linear
+            pair = [Member(family.key, family, one.k, dict(candidate.read(one.x[:1])))]
+            return [*pair, Member(family.keys[1], family, one.k, {name: float(one.x[1])})]
+        return [Member(family.key, family, one.k, dict(candidate.read(family.whole(one.x))))]
+
+    def _tuned(self, model: Model, new: Member) -> Member:
+        """A new member with values of what is not linear between those that were tried."""
+        candidate = new.family.ones[new.k]
+        if candidate.again is None or not candidate.values or new.is_linear or new.family.second:
+            return new
+        kept = list(new.family.kept) or slice(None)
+        left = model.left()
+        if left is None:
+            return new
+        columns, held = model.design(model.slopes(left))
+
+        def cost(values: dict[str, float]) -> tuple[float, Floats]:
+            assert candidate.again is not None
+            if not is_resolved(candidate, values, self.rows):
+                return np.inf, np.zeros(0)
+            parts = []
+            for c in self.rows.contexts:
+                (one,) = prepared(c, [candidate.again(c, values)])
+                parts.append(one[1])
+                without_regressor(c)
+            z = np.zeros((*left.shape, new.family.columns.shape[3]))
+            z[:, new.family.rows] = np.concatenate(parts)[:, :, kept]
+            if candidate.fixed:
+                return solve(columns, held, left - z[:, :, 0], self.rows.weight)[1], np.ones(1)
+            x, misfit = solve(
+                np.concatenate([columns, z], axis=2), np.concatenate([held, np.zeros(z.shape[2])]), left,
+                self.rows.weight,
+            )  # fmt: skip
+            return misfit, x[columns.shape[2] :]
+
+        values = {name: float(x) for name, x in candidate.values.items()}
+        best, x = cost(values)
+        step = {name: candidate.reach[name] for name in candidate.reach if name in values}
+        step = step or {name: float(np.log(candidate.spread[0])) for name in values}
+        finest = min(float(np.log(candidate.spread[1])), FINEST * max(step.values()))
+        ways = [way for way in product((-1, 0, 1), repeat=len(step)) if any(way)]
+        while max(step.values()) > finest:
+            moved = False
+            for way in ways:  # all of them at once: a valley seldom lies along one number
+                factors = zip(step.items(), way, strict=True)
+                other = {
+                    **values,
+                    **{name: values[name] * float(np.exp(k * size)) for (name, size), k in factors},
+                }
+                misfit, y = cost(other)
+                if misfit < best - FIT_WORTH:
+                    best, x, values, moved = misfit, y, other, True
+            if not moved:
+                step = {name: size / 2 for name, size in step.items()}
+        again = candidate.again(self.rows.contexts[0], values)
+        return replace(new, parameters=dict(again.read(new.family.whole(x))))
+
+    def _without(self, fit: Fit, members: Sequence[Member]) -> Fit | None:
+        """The model with fewer members, their slopes as they are."""
+        model = fit.model.with_members(members)
+        left = model.left()
+        if left is None:
+            return None
+        kept = {id(one) for one in members}
+        which = [id(fit.model.exact[k]) in kept for k, _ in fit.model.places]
+        count = len(fit.model.places)
+        slopes = fit.columns[:, :, fit.columns.shape[2] - count :][:, :, np.array(which, dtype=bool)]
+        columns, held = model.design(slopes)
+        x, cost = solve(columns, held, left, self.rows.weight)
+        return Fit(model, left, columns, held, x, cost)
+
+    def reviewed(self, fit: Fit, rows: Iterable[int]) -> Fit:
+        """The model without members for which the others make up, and with better ones in the place of
+        some; of those that show at joints ``rows`` (from 0), where something has changed."""
+        changed = set(rows)
+        k = len(fit.model.members) - 1
+        while k >= 0 and len(fit.model.members) > 1:
+            member = fit.model.members[k]
+            if not changed & set(member.family.rows):
+                k -= 1
+                continue
+            others = [one for one in fit.model.members if one is not member]
+            rest = self._without(fit, others)
+            k -= 1
+            if rest is None:
+                continue
+            places = set(member.family.rows)
+            tried = trials(rest, [one for one in self.open_to(rest) if places & set(one.rows)])
+            own = [one for one in tried if one.family.key == member.key or member.key in one.family.keys]
+            best = self.choice(tried)
+            if best is None or not any(map(self.is_worth, own)):
+                again = fitted(fit.model.with_members(others))
+                if again is not None:
+                    self.banned.add(member.key)
+                    fit = again
+            elif not any(best is one for one in own):
+                mine = max(own, key=lambda one: one.gain)
+                is_simpler = best.family.order < mine.family.order
+                if overlap(best, mine) > OVERLAP and (is_simpler or better(best, mine) > PRACTICAL):
+                    other = self.with_family(rest, best)
+                    if other is not None and is_preferred(other, fit, is_simpler=is_simpler):
+                        self.tell(f"found {best.family.first.name}")
+                        self.banned.add(member.key)  # or the two would take turns
+                        fit = other
+            k = min(k, len(fit.model.members) - 1)
+        return fit
 
 
 def search(
     robot: Robot, gates: Sequence[Gate], tell: Callable[[str], object], scope: Scope = EVERYTHING
 ) -> Outcome:
-    """What ``robot`` lacks in ``scope`` to explain logs that have passed their ``gates``; windows of contacts
-    are not in them."""
-    pieces = [_piece(gate.log, part) for gate in gates for part in gate.segments]
-    resting = [gate.resting[part] for gate in gates for part in gate.segments]
-
-    def look(model: Robot, known: Iterable[Key], unstated: float | None) -> Selection:
-        return select(
-            model, pieces, known=frozenset(known), unstated=unstated, scope=scope, resting=resting,
-            progress=lambda name: tell(f"found {name}"),
-        )  # fmt: skip
-
+    """What ``robot`` lacks in ``scope`` to explain logs that have passed their ``gates``."""
     tell("fitting the catalogue")
-    first = last = look(robot, (), None)
-    model, findings = robot, dict[Key, Detected]()
-    for _ in range(PASSES_ROUGH if first.rough else PASSES):
-        if not last.findings:
-            break
-        more = dict(findings)
-        _take(last, more)
-        _refit(robot, more, first)
-        _walk(robot, more, set(more) - set(findings), first)
-        if _levelled(more, first):
-            _refit(robot, more, first)
-        _pruned(robot, more, first)
-        if not _is_better(robot, findings, more, first):
-            break  # what was left out comes again, or in another guise
-        findings, model = more, amended(robot, _amendments(more))
-        tell("fitting what is left")
-        last = look(model, findings, first.unstated)
-    if findings:
-        tell("asking how sure the numbers are")
-        _judge(robot, findings, first, last.share)
-        model = amended(robot, _amendments(findings))
-    return Outcome(findings, model, first, last)
+    rows = rows_of(robot, gates)
+    found = families(rows, scope)
+    rows = with_noise_of(rows, found)
+    begun = fitted(Model(rows, own_numbers(rows, 0.0)))
+    assert begun is not None
+    one = Search(gates, rows, found, tell, scope)
+    fit, last = one.run(begun)
+    return Outcome(tuple(_found(one, fit)), fit, begun, tuple(last), len(found))
 
 
-def _judge(robot: Robot, findings: dict[Key, Detected], begun: Selection, share: float) -> None:
-    """The findings with errors and intervals of their numbers in the joint fit, the arm's own numbers being
-    wrong by a ``share`` of what is said of them."""
-    start = tighter(begun.start, min(1.0, share / share_taken(begun.start)))
-    better, sure = uncertainties(robot, _amendments(findings), begun.contexts, start)
-    for key, amendment, known in zip(list(findings), better, sure, strict=True):
-        one = findings[key]
-        # What nothing was fitted to has no error.
-        errors = {name: error for name, error in one.errors.items() if error and name not in known}
-        errors |= {name: each.stderr for name, each in known.items() if each.stderr is not None}
-        bounds = {**one.bounds, **{name: (each.low, each.high) for name, each in known.items()}}
-        findings[key] = replace(one, parameters=dict(amendment.parameters), errors=errors, bounds=bounds)
-
-
-def _is_better(
-    robot: Robot, findings: Mapping[Key, Detected], more: Mapping[Key, Detected], first: Selection
-) -> bool:
-    """Whether ``more`` explains more of the logs than ``findings``, by as much as its numbers are worth; the
-    first that are named need only be of an arm that can be."""
-    if set(more) == set(findings):
-        return False
-    added = [one for key, one in more.items() if key not in findings]
-    before, after = costs(robot, [_amendments(findings), _amendments(more)], first.contexts, first.start)
-    if not findings:
-        return bool(np.isfinite(after))
-    worth = sum(evidence_threshold(first.start, numbers_of(one.named.trial)) for one in added)
-    return before - after > PRICE * worth
-
-
-def _pruned(robot: Robot, findings: dict[Key, Detected], first: Selection) -> None:
-    """Remove, one by one, the effects for which the others compensate."""
-    while len(findings) > 1:
-        without = []
-        for key in findings:
-            others = {other: one for other, one in findings.items() if other != key}
-            if len(findings) <= FEW:
-                _refit(robot, others, first)
-            without.append(others)
-        models = [_amendments(findings), *(_amendments(others) for others in without)]
-        # Of effects that diverge together each is spare, first those without which nothing does.
-        whole, *less = np.nan_to_num(costs(robot, models, first.contexts, first.start))
-        spare = [
-            cost - whole - PRICE * evidence_threshold(first.start, numbers_of(one.named.trial))
-            for cost, one in zip(less, findings.values(), strict=True)
-        ]
-        laws = {(part, joint) for effect, joint in findings for part in CATALOGUE[effect].traits.one_law_with}
-        for k, (effect, joint) in enumerate(findings):
-            if (effect, joint) in laws:
-                spare[k] = np.inf
-        k = int(np.argmin(spare))
-        if spare[k] >= 0:
-            return
-        findings.clear()
-        findings.update(without[k])
-
-
-def _amendments(findings: Mapping[Key, Detected]) -> list[Amendment]:
-    return [Amendment(effect, joint, one.parameters) for (effect, joint), one in findings.items()]
-
-
-def _refit(robot: Robot, findings: dict[Key, Detected], begun: Selection) -> None:
-    """All detected effects, fitted together to the logs as they were at first."""
-    better = refined(robot, _amendments(findings), begun.contexts, begun.start)
-    for key, one in zip(list(findings), better, strict=True):
-        findings[key] = replace(findings[key], parameters=dict(one.parameters))
-
-
-def _walk(robot: Robot, findings: dict[Key, Detected], new: Collection[Key], begun: Selection) -> None:
-    """The ``new`` ones among the effects, if they are springs between motor and link, in tune."""
-    springs = [key for key in new if CATALOGUE[key[0]].coupler is not None]
-    if springs:
-        better = walked(robot, _amendments(findings), begun.contexts, begun.start, springs)
-        for key, one in zip(list(findings), better, strict=True):
-            findings[key] = replace(findings[key], parameters=dict(one.parameters))
-        _refit(robot, findings, begun)
-
-
-def _levelled(findings: dict[Key, Detected], begun: Selection) -> bool:
-    """Whether an effect was no more than its limit, as a power of the speed may be a level: it is Coulomb
-    friction then."""
-    limits = [(key, CATALOGUE[key[0]].traits.limit) for key in findings]
-    flat = [(key, limit) for key, limit in limits if limit and limit.when(findings[key].parameters)]
-    for key, limit in flat:
-        one, j = findings.pop(key), (key[1] or 1) - 1
-        speed = np.abs(begun.context.signals.qd[:, j])
-        usual = float(np.median(speed[speed > STANDING * speed.max()]))
-        parameters = limit.parameters(one.parameters, usual)
-        plain = (limit.id, key[1])
-        if plain in findings:
-            before = findings[plain]
-            sums = {name: float(x) + float(before.parameters[name]) for name, x in parameters.items()}
-            findings[plain] = replace(before, parameters={**before.parameters, **sums})
+def _found(search: Search, fit: Fit) -> Iterable[Found]:
+    for member in fit.model.members:
+        rest = search._without(fit, [one for one in fit.model.members if one is not member])
+        if rest is None:
             continue
-        candidate = replace(
-            one.named.trial.candidate, effect=plain[0], signs=(1,), values={}, beside=(), again=None, order=1
-        )
-        named = replace(one.named, trial=replace(one.named.trial, candidate=candidate), rivals=())
-        errors = {name: one.errors[name] for name in parameters if name in one.errors}
-        findings[plain] = Detected(named, parameters, errors, one.before)
-    return bool(flat)
-
-
-def _take(step: Selection, findings: dict[Key, Detected]) -> None:
-    """A step's findings join those of the same effect and place; a law takes the place of its special
-    cases."""
-    for named in step.findings:
-        candidate = named.trial.candidate
-        model = step.context.model
-        values, errors = estimates(candidate, named.x, named.spread, model)
-        _, by_prior = estimates(candidate, named.x, named.by_prior, model)
-        open_ones = [name for name, error in errors.items() if by_prior[name] > BY_PRIOR * error > 0]
-        errors |= dict.fromkeys(open_ones, 0.0)
-        bounds = dict.fromkeys(open_ones, (None, None))
-        key = (candidate.effect, candidate.joint)
-        for plain in [(id, candidate.joint) for id in special_cases(candidate)]:
-            if plain in findings:
-                _take_levels(candidate, values, findings.pop(plain).parameters)
-        if key in findings:
-            before = findings[key]
-            linear = CATALOGUE[candidate.effect].linear
-            joined = dict(before.parameters)
-            for name, value in values.items():
-                both = isinstance(value, float) and isinstance(joined.get(name), float)
-                joined[name] = joined[name] + value if both and name in linear else value  # type: ignore[operator]
-            findings[key] = replace(before, parameters=joined)
-        else:
-            findings[key] = Detected(named, values, errors, step.first.held_out.mean(axis=0), bounds)
-
-
-def _take_levels(candidate: Candidate, values: dict[str, float | str], plain: Mapping[str, Any]) -> None:
-    """A law's levels with that of the plainer law in whose place it stands."""
-    (level, *_) = plain.values()
-    for name in candidate.definition.traits.levels:
-        if isinstance(values.get(name), float) and isinstance(level, float):
-            values[name] = float(values[name]) + level
-
-
-def _piece(log: Log, part: slice) -> Log:
-    if part == slice(0, log.samples):
-        return log
-    cut = [None if x is None else x[part] for x in (log.t, log.q, log.qd, log.qdd, log.tau)]
-    return Log(*cut, ql=None if log.ql is None else log.ql[part])  # type: ignore[arg-type, misc]
-
-
-def estimates(
-    candidate: Candidate, x: Floats, spread: Floats, model: Model
-) -> tuple[dict[str, float | str], dict[str, float]]:
-    """The catalogue's parameters of the coefficients ``x`` [c], and their standard errors by the ``spread``
-    [c, c] of those."""
-    read = (lambda v: _deltas(candidate, v, model)) if is_of_link(candidate) else candidate.read
-    values = read(x)
-    errors: dict[str, float] = {}
-    for name, value in values.items():
-        if isinstance(value, str):
-            continue
-        square = 0.0
-        for way in spread.T:
-            other = read(x + way)[name]
-            square += (float(other) - value) ** 2
-        errors[name] = float(np.sqrt(square))
-    return values, errors
-
-
-def _deltas(candidate: Candidate, x: Floats, model: Model) -> dict[str, float | str]:
-    """Changes of a link's numbers, of changes of its standard parameters."""
-    assert candidate.joint is not None
-    old = model.standard_parameters()[candidate.joint - 1]
-    before, after = physical(old), physical(old + x)
-    names = ("mass", "com_x", "com_y", "com_z", *AXES)
-    return {f"delta_{name}": float(b - a) for name, a, b in zip(names, before, after, strict=True)}
+        tried = sorted(trials(rest, search.open_to(rest)), key=lambda one: -one.gain)
+        own = [one for one in tried if one.family.key == member.key]
+        own = own or [one for one in tried if member.key in one.family.keys]
+        if own:
+            yield Found(member, own[0], tuple(tried))

@@ -31,7 +31,7 @@ def context_of(model: Model, signals: Signals, hints: Hints | None = None) -> Co
     plain = model.rigid_torque(slow.q, slow.qd, slow.qdd) if model.couplers else at_slow.rigid
     top = np.abs(signals.qd).max(axis=0)
     none = Hints(top, ((),) * signals.n)
-    context = Context(model, signals, at, np.sign(signals.qd), slow, at_slow, plain, hints or none)
+    context = Context(model, signals, at, model.direction(signals.qd), slow, at_slow, plain, hints or none)
     if hints is None:
         cycles = tuple(tuple(cycles_in(context, j)) for j in range(signals.n))
         context = replace(context, hints=Hints(top, cycles))

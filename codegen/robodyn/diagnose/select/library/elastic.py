@@ -52,6 +52,7 @@ class Oscillator:
         felt = (self.slow.inertia, self.slow.rate, self.slow.place)
         self.felt = (often(felt[0][:, j]), often(felt[1][:, j]), often(felt[2][:, j]))
         self.inertia = float(np.mean(self.slow.inertia[:, j]))
+        self._between: dict[int, list[Floats]] = {}
 
     def springs(self, hertz: float) -> dict[str, float]:
         """A spring on which the link has this natural frequency [Hz], lightly damped."""
@@ -60,7 +61,7 @@ class Oscillator:
 
     def column(self, effect: str, values: Mapping[str, float]) -> Floats:
         """What the torques [K, n] of coarse signals change by."""
-        lag = lag_of(effect, values, self.torque, self.felt, self.period, self.passed)
+        lag = lag_of(effect, values, self.torque, self.felt, self.period, self.passed, self._between)
         if not np.isfinite(lag).all():
             return np.zeros_like(self.slow.place)
         return self.slow.of(lag[:: self.every][: len(self.slow.place)])

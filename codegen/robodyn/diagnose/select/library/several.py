@@ -38,7 +38,7 @@ def pairs(c: Context, effect: Effect, shown: Shown, j: int, k: int) -> Iterator[
     share = COUPLED_BEYOND_SHARE if j - k > 1 else 0.0
     for ratio in PAIR_RATIOS:
         u, rate = s.qd[:, j] + ratio * s.qd[:, k], s.qdd[:, j] + ratio * s.qdd[:, k]
-        site = Site(True, qd=u, qdd=rate, direction=np.sign(u))
+        site = Site(True, qd=u, qdd=rate, direction=c.model.direction_of(u, {j: 1.0, k: ratio}))
         parts = [
             np.asarray(equation({name: float(name == one) for name in effect.linear}, site))
             for one in effect.linear

@@ -1,0 +1,101 @@
+"""Candidates and models set beside each other: which foretells more, which is the simpler, what excludes
+what."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.diagnose.select.families import Family, Key
+from robodyn.diagnose.select.library import Candidate
+from robodyn.diagnose.select.limits import PRACTICAL
+from robodyn.diagnose.select.members import Fit
+from robodyn.diagnose.select.rows import Rows
+from robodyn.diagnose.select.score import Trial, held_out
+from robodyn.effects.catalogue import CATALOGUE
+from robodyn.kernels.array_dynamics import physical
+from robodyn.robot.model import AXES
+
+Floats = NDArray[np.float64]
+
+
+def is_other_law(one: Family, key: Key) -> bool:
+    """Whether a joint that has the law ``key`` would have another one in its place: a joint has one law of
+    dry friction."""
+    return (
+        one.first.joint is not None
+        and one.first.joint == key[1]
+        and bool(special_cases(one.key[0]) & special_cases(key[0]))
+    )
+
+
+def is_sum_of_others(one: Trial, tried: Sequence[Trial]) -> bool:
+    """Whether an effect of two joints foretells no more than its special cases at each of them do: a motor
+    that drives two joints is more than two joints that rub."""
+    first = one.family.first
+    if first.definition.level != "pair":
+        return False
+    plain = first.definition.traits.contains
+    best = [
+        max(
+            (each.gain for each in tried if each.family.key[0] in plain and each.family.rows == [j]),
+            default=0.0,
+        )
+        for j in one.family.rows
+    ]
+    return min(best) > 0 and sum(best) >= one.gain
+
+
+def is_of_link(candidate: Candidate) -> bool:
+    """Whether it is an error of one link's numbers."""
+    fold = candidate.definition.traits.fold
+    return fold is not None and fold.into == "link"
+
+
+def is_preferred(one: Fit, other: Fit, *, is_simpler: bool) -> bool:
+    """Whether a model foretells more than another one; a simpler one need not foretell less than what is
+    worth a name."""
+    before, after = held_out(other), held_out(one)
+    gains = (before - after).sum(axis=1) / 2
+    ratio = np.sqrt(after.sum(axis=0) / np.maximum(before.sum(axis=0), 1e-300))
+    if is_simpler:
+        return bool(ratio.max() < 1 / (1 - PRACTICAL) or gains.sum() > 0)
+    return bool(gains.sum() > 0 and ratio.min() < 1 - PRACTICAL)
+
+
+def special_cases(id: str) -> set[str]:
+    """Ids of the effects that a law of a joint has as special cases, and in whose place it stands."""
+    traits = CATALOGUE[id].traits
+    if CATALOGUE[id].level != "joint":
+        return set()
+    return {*traits.contains, *([traits.steady[0]] if traits.steady else [])}
+
+
+def overlap(one: Trial, other: Trial) -> float:
+    """The share of the ``other``'s gain that ``one`` has at the same joints."""
+    whole = np.maximum(other.at, 0)
+    return float(np.minimum(np.maximum(one.at, 0), whole).sum() / max(whole.sum(), 1e-300))
+
+
+def better(one: Trial, other: Trial) -> float:
+    """The share of the RMS that ``one`` takes away beyond the ``other``, at the joint where that is most."""
+    return float(1 - np.sqrt((one.after / np.maximum(other.after, 1e-300)).min()))
+
+
+def margin(one: Trial, other: Trial) -> tuple[float, float]:
+    """By how much ``one`` foretells more than the ``other``, and the standard error of that."""
+    difference = one.gains - other.gains
+    return float(difference.sum()), float(np.sqrt(len(difference)) * difference.std(ddof=1))
+
+
+def read_link(candidate: Candidate, x: Floats, rows: Rows) -> dict[str, float | str]:
+    """The catalogue's parameters of standard parameters [10] that are more."""
+    fold = candidate.definition.traits.fold
+    if fold is None or fold.into != "link" or candidate.joint is None:
+        return dict(candidate.read(x))
+    old = rows.contexts[0].model.standard_parameters()[candidate.joint - 1]
+    names = ("mass", "com_x", "com_y", "com_z", *AXES)
+    pairs = zip(names, physical(old), physical(old + x), strict=True)
+    return {f"delta_{name}": float(b - a) for name, a, b in pairs}

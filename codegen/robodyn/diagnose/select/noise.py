@@ -1,0 +1,124 @@
+"""What of the rows is noise: what no candidate explains at a joint, however many numbers it takes.
+
+A fit of everything at once leaves the noise and no structure; the sensors' own noise is its floor.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.diagnose.select.families import Family
+from robodyn.diagnose.select.library import regressor_seen
+from robodyn.diagnose.select.limits import TOLERANCE
+from robodyn.diagnose.select.remainder import remainder
+from robodyn.diagnose.select.rows import Rows, with_noise
+from robodyn.effects.catalogue import CATALOGUE
+from robodyn.robot.model import Robot
+
+Floats = NDArray[np.float64]
+
+
+def rest_of(robot: Robot, rows: Rows) -> Floats:
+    """What ``robot`` leaves of the logs [N, n], filtered."""
+    return np.concatenate([remainder(robot, c, sticking=rows.speeds) for c in rows.contexts])
+
+
+def _numbers(rows: Rows) -> Floats:
+    """Torques [N, n, p] by all numbers of the links, by rotors, and what is constant."""
+    by_links = np.concatenate([regressor_seen(c) for c in rows.contexts])
+    more = np.stack([np.ones_like(rows.seen("q")), rows.seen("qd"), rows.seen("qdd")], axis=2)
+    return np.concatenate([by_links, more], axis=2)
+
+
+def _unexplained(y: Floats, others: Floats, found: Sequence[Family], j: int) -> tuple[Floats, int]:
+    """What is left [N] at joint ``j`` (from 0) of ``y`` [N] by all that is linear there, and how many numbers
+    that took."""
+    parts: list[NDArray[Any]] = [others]
+    for one in found:
+        if j in one.rows and one.scale is None and not one.first.fixed and not one.second:
+            few = one.columns[:: max(1, len(one.columns) // 4)]
+            parts.append(few[:, :, one.rows.index(j)].transpose(1, 0, 2).reshape(len(y), -1))
+    A = np.concatenate(parts, axis=1).astype(np.float64)
+    A = A / np.maximum(np.sqrt(np.mean(A**2, axis=0)), 1e-300)
+    U, sizes, _ = np.linalg.svd(A[:, np.abs(A).max(axis=0) > 0], full_matrices=False)
+    U = U[:, sizes > TOLERANCE * sizes[0]]
+    return y - U @ (U.T @ y), U.shape[1]
+
+
+def with_noise_of(rows: Rows, found: Sequence[Family]) -> Rows:
+    """The ``rows`` with the noise that all candidates ``found`` leave of them, its correlation, and the dry
+    friction that they show."""
+    rest, others = rest_of(rows.robot, rows), _numbers(rows)
+    n, count = rows.n, len(rest)
+    sigma, correlation, level = np.zeros(n), np.ones(n), rows.level.copy()
+    for j in range(n):
+        left, numbers = _unexplained(rest[:, j], others[:, j], found, j)
+        left, numbers = _pursued(left, numbers, found, j)
+        sigma[j] = np.sqrt(left @ left / max(count - numbers, count / 4))
+        correlation[j] = _correlation(left, rows.rate)
+        level[j] += _dry(rest[:, j], rows, found, j)
+    return with_noise(rows, np.maximum(sigma, rows.floor), correlation, level)
+
+
+def _pursued(left: Floats, numbers: int, found: Sequence[Family], j: int) -> tuple[Floats, int]:
+    """The same less what candidates of known size explain, the best three one after another."""
+    n = len(left)
+    own = [one for one in found if j in one.rows and one.first.fixed]
+    for _ in range(3):
+        best = float(left @ left) * (1 - 10 * np.log(n) / n)
+        rest = None
+        for one in own:
+            z = one.columns[:, :, one.rows.index(j), 0].astype(np.float64)
+            sizes = np.maximum(np.sum(z * z, axis=1), 1e-300)
+            gains = (z @ left) ** 2 / sizes
+            k = int(np.argmax(gains))
+            if left @ left - gains[k] < best:
+                best = float(left @ left - gains[k])
+                rest = left - z[k] * (z[k] @ left) / sizes[k]
+        if rest is None:
+            break
+        left, numbers = rest, numbers + 3
+    return left, numbers
+
+
+def _correlation(left: Floats, rate: float) -> float:
+    """How many rows say what one says: the sum of the autocorrelation while it is positive (Geyer 1992)."""
+    size = float(left @ left)
+    if size <= 0:
+        return 1.0
+    lags = range(1, max(2, min(int(rate), len(left) // 2)))
+    each = np.array([float(left[:-lag] @ left[lag:]) / size for lag in lags])
+    negative = np.flatnonzero(each < 0)
+    return float(max(1.0, 1 + 2 * each[: negative[0] if len(negative) else None].sum()))
+
+
+def _dry(y: Floats, rows: Rows, found: Sequence[Family], j: int) -> float:
+    """Dry friction [N m or N] beside what is described, where it is three standard errors or more."""
+    steps = [
+        one for one in found if one.first.joint == j + 1 and not one.second and _is_step(one.first.effect)
+    ]
+    if not steps:
+        return 0.0
+    q = np.concatenate([c.signals.thinned(c.signals.q[:, j]) for c in rows.contexts])
+    qd, qdd = rows.seen("qd")[:, j], rows.seen("qdd")[:, j]
+    smooth = np.stack([qd, qdd, np.ones_like(q), q, np.sin(q), np.cos(q)], axis=1)
+    A = np.concatenate([steps[0].columns[0, :, 0].astype(np.float64), smooth], axis=1)
+    A = A / np.maximum(np.sqrt(np.mean(A**2, axis=0)), 1e-300)
+    scale = max(float(np.sqrt(np.mean(steps[0].columns[0, :, 0] ** 2))), 1e-300)
+    weight, x, left = np.ones(len(y)), np.zeros(A.shape[1]), y
+    for _ in range(5):
+        x = np.linalg.lstsq(A * weight[:, None], y * weight, rcond=1e-8)[0]
+        left = y - A @ x
+        weight = 1 / np.sqrt(1 + (left / (2 * np.median(np.abs(left)) + 1e-12)) ** 2)
+    error = np.sqrt(np.linalg.pinv((A * weight[:, None] ** 2).T @ A)[0, 0] * np.mean(left**2))
+    return max(0.0, float(x[0])) / scale if x[0] > 3 * error else 0.0
+
+
+def _is_step(effect: str) -> bool:
+    """Whether it is the plain step of dry friction."""
+    fold = CATALOGUE[effect].traits.fold
+    return fold is not None and fold.key == "coulomb"

@@ -1,0 +1,170 @@
+"""What candidates foretell: held-out log-likelihood, block by block, of a model with each beside it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.diagnose.select.families import Family
+from robodyn.diagnose.select.limits import ABOVE_FLOOR, RIDGE
+from robodyn.diagnose.select.members import Fit
+from robodyn.effects.catalogue import CATALOGUE
+from robodyn.effects.friction import COULOMB
+from robodyn.identify.prior import number_of
+from robodyn.robot.model import Robot
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Trial:
+    """A ``family`` beside a model: its best one ``k``, coefficients ``x`` [c] of all rows, the ``gains`` [B]
+    of blocks that were held out, those of joints ``at`` [n], weighted squares ``after`` [n], ``drop``: the
+    share of the RMS that it takes at the joint where that is most; ``is_possible``: whether physics allows
+    its numbers."""
+
+    family: Family
+    k: int
+    x: Floats
+    gains: Floats
+    at: Floats
+    after: Floats
+    drop: float
+    is_possible: bool
+
+    @property
+    def gain(self) -> float:
+        """Nats."""
+        return float(self.gains.sum())
+
+    @property
+    def error(self) -> float:
+        """Standard error of the gain."""
+        return float(np.sqrt(len(self.gains)) * self.gains.std(ddof=1))
+
+
+def trials(fit: Fit, found: Sequence[Family]) -> list[Trial]:
+    """What each family foretells beside a fitted model; what is not linear is chosen in each fold."""
+    rows = fit.model.rows
+    I, n = rows.blocks, rows.n
+    W, y, A = rows.weight[I], fit.leave[I], fit.columns[I]  # [B, m, n(, p)]
+    B, m, _, p = A.shape
+    flat = A.reshape(B, m * n, p)
+    G, c, inverse, a, left = _folds(fit)
+    before = (W * left**2).sum(1)  # [B, n]
+    weighted = np.sqrt(np.mean(left.reshape(-1, n) ** 2, axis=0)) > ABOVE_FLOOR * rows.floor
+    single = [x.astype(np.float32) for x in (W, y, A)]  # as columns are: most of the time goes into these
+    done = []
+    for one in found:
+        J = one.rows
+        Z = one.columns[:, I]  # [G, B, m, J, k]
+        count, _, _, _, k = Z.shape
+        if one.scale is not None:
+            Z = Z * one.scale.astype(np.float32)
+        WZ = (Z * single[0][None, :, :, J, None]).reshape(count, B, m * len(J), k).swapaxes(2, 3)
+        Zf = Z.reshape(count, B, m * len(J), k)
+        beside = single[2][:, :, J].reshape(B, m * len(J), p)
+        ZZ, ZA = (np.asarray(WZ @ x, dtype=np.float64) for x in (Zf, beside))
+        cz = np.asarray(WZ @ single[1][:, :, J].reshape(B, m * len(J), 1), dtype=np.float64)[..., 0]
+        held = 0.0 if one.scale is None else 1.0
+        tZZ, tZA, tc = (x.sum(1, keepdims=True) - x for x in (ZZ, ZA, cz))
+        P = tZZ - tZA @ inverse @ tZA.swapaxes(2, 3)
+        e = tc - (tZA @ a[None, ..., None])[..., 0]
+        d = np.sqrt(np.maximum(tZZ.diagonal(0, 2, 3), 1e-300))
+        P = P / (d[..., :, None] * d[..., None, :]) + np.eye(k) * (RIDGE + held / d**2)[..., None]
+        b = np.linalg.solve(P, (e / d)[..., None])[..., 0] / d
+        best = np.argmax((e * b).sum(-1), 0)
+        if one.first.fixed and one.first.local:  # nothing to learn: rare, and of a size that is known
+            b = np.ones_like(b)
+            size_of = P[..., 0, 0] * d[..., 0] ** 2
+            best = np.full(B, int(np.argmax((2 * e[..., 0] - size_of).sum(1))))
+        at = np.arange(B)
+        b = b[best, at]
+        a1 = a - np.einsum("bpq,bkq,bk->bp", inverse, tZA[best, at], b)
+        rest = y - (flat @ a1[..., None]).reshape(B, m, n)
+        rest[:, :, J] -= (Zf[best, at] @ b[..., None]).reshape(B, m, len(J))
+        after = (W * rest**2).sum(1)
+        share = 1 - np.sqrt(after.sum(0) / np.maximum(before.sum(0), 1e-300))
+        usual = int(np.bincount(best).argmax())
+        if after.sum() < before.sum():
+            sums = ZZ[usual].sum(0), ZA[usual].sum(0), cz[usual].sum(0)
+            x = _all_rows(one, G.sum(0), c.sum(0), *sums, fit.held, held)
+            possible = _is_possible(rows.robot, one, usual, b, x)
+        else:
+            x, possible = np.zeros(k), False
+        done.append(
+            Trial(one, usual, x, 0.5 * (before - after).sum(1), 0.5 * (before - after).sum(0), after.sum(0),
+                  float(np.where(weighted, share, 0.0).max()), possible)
+        )  # fmt: skip
+    return done
+
+
+def held_out(fit: Fit) -> Floats:
+    """Weighted squares [B, n] of blocks that a fit was not made to."""
+    return np.asarray((fit.model.rows.weight[fit.model.rows.blocks] * _folds(fit)[-1] ** 2).sum(1))
+
+
+def log_likelihood(fit: Fit) -> Floats:
+    """Held-out log-likelihood [B, n] of blocks, but for a constant."""
+    weight = fit.model.rows.weight[fit.model.rows.blocks]
+    return np.asarray((np.log(weight) - weight * _folds(fit)[-1] ** 2).sum(1) / 2)
+
+
+def _folds(fit: Fit) -> tuple[Floats, Floats, Floats, Floats, Floats]:
+    """By block B: squares [B, p, p] and right-hand sides [B, p] of its rows; of all the others the inverse
+    [B, p, p] and coefficients [B, p]; and what these leave of it [B, m, n]."""
+    rows = fit.model.rows
+    I, n = rows.blocks, rows.n
+    W, y, A = rows.weight[I], fit.leave[I], fit.columns[I]
+    B, m, _, p = A.shape
+    flat = A.reshape(B, m * n, p)
+    WA = (A * W[..., None]).reshape(B, m * n, p).swapaxes(1, 2)
+    G, c = WA @ flat, (WA @ y.reshape(B, m * n, 1))[..., 0]
+    T, t = G.sum(0) - G, c.sum(0) - c
+    square = T.diagonal(0, 1, 2).max(0, initial=0.0) + fit.held
+    size = np.sqrt(np.where(square > 1e-200, square, 1.0))  # what does not show at all stays at 0
+    outer = np.outer(size, size)
+    inverse = np.linalg.inv(T / outer + np.diag(fit.held / size**2 + 1e-9)) / outer
+    a = np.einsum("bpq,bq->bp", inverse, t)
+    return G, c, inverse, a, y - (flat @ a[..., None]).reshape(B, m, n)
+
+
+def _all_rows(
+    one: Family, G: Floats, c: Floats, ZZ: Floats, ZA: Floats, cz: Floats, held: Floats, own: float
+) -> Floats:
+    """Coefficients [c] by all rows together."""
+    if one.first.fixed:
+        return np.ones(1)
+    whole = np.block([[G + np.diag(held), ZA.T], [ZA, ZZ + own * np.eye(len(ZZ))]])
+    size = np.sqrt(np.maximum(np.diag(whole), 1e-300))
+    right = np.concatenate([c, cz])
+    x = np.linalg.lstsq(whole / np.outer(size, size), right / size, rcond=1e-10)[0] / size
+    return np.asarray(x[len(G) :] if one.scale is None else x[len(G) :] * one.scale)
+
+
+def _is_possible(robot: Robot, one: Family, k: int, b: Floats, x: Floats) -> bool:
+    """Whether coefficients ``b`` [B, c] of folds and ``x`` [c] of all rows can be: what must not be negative
+    is not, with what is described there."""
+    usual = np.median(b, axis=0) * (1 if one.scale is None else one.scale)
+    if one.first.fixed and not one.first.local:
+        return bool(0.5 < usual[0] < 2)
+    known = np.zeros(len(usual))
+    if one.first.joint is not None:
+        joint = robot.links[one.first.joint - 1].joint
+        traits = CATALOGUE[one.first.effect].traits
+        fold = traits.fold
+        if fold is not None and fold.into == "joint":
+            known[0] = number_of(getattr(joint, fold.key))
+        elif COULOMB.id in traits.contains or traits.steady:
+            known[0] = number_of(joint.coulomb)
+        if one.second:
+            known[-1] = number_of(joint.viscous)
+    signs = np.array(one.signs) > 0
+    if np.any((usual + known)[signs] <= 0):
+        return False
+    candidate = one.ones[k]
+    shown = x[:-1] if one.second else one.whole(x)
+    return bool(candidate.feasible(shown) and candidate.likely(shown))

@@ -1,0 +1,39 @@
+"""A claim needs numbers that are known, or a sum of them."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import pytest
+
+from robodyn.diagnose.refit import _with_estimates, without_vague_claim
+from robodyn.diagnose.result import Estimate, Finding
+from robodyn.diagnose.select.odds import odds
+
+
+@pytest.mark.parametrize(("stderr", "is_claim"), [(0.4, True), (0.6, False), (None, True)])
+def test_a_claim_of_one_number_needs_that_number(stderr: float | None, is_claim: bool) -> None:
+    offset = {"offset": Estimate(-1.0, stderr, "rad")}
+    finding = Finding("encoder_offset", 2, offset, 0.95, (), "", None, 9.0, 3.0)
+    assert (without_vague_claim(finding).confidence > 0.5) is is_claim
+    two = replace(finding, parameters={**offset, "other": Estimate(1.0, 0.01, "1")})
+    assert without_vague_claim(two).confidence == 0.95
+
+
+@pytest.mark.parametrize(("id", "is_claim"), [("inertial_error", True), ("payload", False)])
+def test_sums_of_a_links_numbers_are_known_where_each_is_vague(id: str, is_claim: bool) -> None:
+    finding = Finding(id, 2, {}, 0.95, (), "", None, 100.0, 5.0)
+    names = {"inertial_error": ("delta_mass", "delta_com_x"), "payload": ("mass", "com_x")}[id]
+    estimates = {name: Estimate(0.8, 0.9, "kg") for name in names}
+    assert (_with_estimates(finding, estimates).confidence > 0.5) is is_claim
+
+
+def test_odds_are_shared_with_rivals() -> None:
+    assert odds([]) == 1
+    assert odds([(0.0, 0.0)]) == pytest.approx(1 / 2)  # the log cannot tell them apart
+    assert odds([(0.0, 0.0)] * 3) == pytest.approx(1 / 4)
+    assert odds([(0.0, 1.0)]) == pytest.approx(1 / (1 + math.exp(-1)))  # one number more, a nat
+    assert 0.98 < odds([(6.0, 0.0)]) < odds([(6.0, 2.0)]) < 1
+    # A rival that is ahead, and one that is simpler, counts as one that is level.
+    assert odds([(-3.0, -2.0)]) == odds([(0.0, 0.0)])

@@ -1,0 +1,61 @@
+"""A row at rest says a set of dry friction: its moments are those of a speed whose sign nobody knows."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from diagnose.plain_arms import SLIDE, TURNTABLE, logged, read
+from robodyn.diagnose.select.families import families
+from robodyn.diagnose.select.noise import rest_of
+from robodyn.diagnose.select.rows import Rows, rows_of
+from robodyn.diagnose.select.scope import Scope
+from robodyn.gate.gate import inspect
+from robodyn.logs.log import Log
+
+LEVEL, UNRESOLVED = 3.0, 0.02
+RUBBING = TURNTABLE.replace("zz: 0.5}", f"zz: 0.5}}, friction: {{coulomb: {LEVEL}}}")
+
+
+def at_speed(share: float) -> tuple[Rows, Any]:
+    """Rows of a joint that turns at a ``share`` of the speed that is resolved, its friction that of a speed
+    that jitters by as much; and the signs [K] of that speed."""
+    t = np.arange(5000) / 250
+    speed = share * UNRESOLVED
+    signs = np.sign(speed + UNRESOLVED * np.random.default_rng(1).uniform(-1, 1, len(t)))
+    log = Log(t, (speed * t)[:, None], None, None, (LEVEL * signs)[:, None])
+    gate: Any = SimpleNamespace(log=log, segments=(slice(0, len(t)),))
+    return rows_of(read(RUBBING), [gate], np.array([UNRESOLVED])), signs
+
+
+@pytest.mark.parametrize("share", [0.0, 0.3, -0.7, 1.5])
+def test_rows_at_rest_weigh_as_their_set_says(share: float) -> None:
+    rows, signs = at_speed(share)
+    spread = signs.var()
+    np.testing.assert_allclose(rows.unresolved, spread, atol=0.02)
+    variance = rows.floor**2 + LEVEL**2 * rows.unresolved
+    np.testing.assert_allclose(rows.weight, 1 / variance, rtol=1e-9)
+    # The model's friction is the mean of the set: what is left has none.
+    assert abs(rest_of(rows.robot, rows).mean()) < 0.05 * LEVEL
+
+
+def test_rows_that_move_weigh_by_their_noise_alone() -> None:
+    moving, resting = (at_speed(share)[0].weight.min() for share in (1.5, 0.0))
+    assert moving > 100 * resting
+
+
+@pytest.mark.parametrize("text", [TURNTABLE, SLIDE])
+def test_a_law_within_the_speeds_that_are_not_resolved_is_no_candidate(text: str) -> None:
+    robot = read(text)
+    gate = inspect(logged(robot), robot)
+    scope = Scope(only=frozenset({"stribeck_friction"}))
+    seen, usual = [], rows_of(robot, [gate]).speeds
+    for factor in (0.1, 1.0, 10.0):
+        rows = rows_of(robot, [gate], factor * usual)
+        velocities = [one.values["velocity"] for family in families(rows, scope) for one in family.ones]
+        assert all(velocity > rows.speeds[0] for velocity in velocities)
+        seen.append(len(velocities))
+    assert seen[0] > seen[1] > seen[2]

@@ -1,0 +1,99 @@
+"""What candidates foretell is what least squares over the other blocks foretell, block by block."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from diagnose.synthetic import fit_of, rows_of_numbers
+from robodyn.diagnose.select.families import Family
+from robodyn.diagnose.select.library.candidate import Candidate
+from robodyn.diagnose.select.members import Fit
+from robodyn.diagnose.select.score import held_out, trials
+
+Floats = NDArray[np.float64]
+N, JOINTS = 400, 3
+
+
+def family(columns: Floats, rows: tuple[int, ...], scale: Floats | None = None) -> Family:
+    """Candidates of ``columns`` [G, N, rows, c] at joints ``rows``."""
+    ones = tuple(
+        Candidate(
+            "viscous_friction", rows[0] + 1, rows, np.zeros((0, len(rows), columns.shape[3])),
+            (0,) * columns.shape[3], lambda x: {"coefficient": float(x[0])}, 1, scale=scale,
+        )
+        for _ in columns
+    )  # fmt: skip
+    return Family(ones, columns.astype(np.float32))
+
+
+def posed(seed: int) -> tuple[Fit, np.random.Generator]:
+    """A model with two numbers that are held and one that is free, along rows some of which are at rest."""
+    rng = np.random.default_rng(seed)
+    rows = rows_of_numbers(N, np.array([1.0, 0.5, 2.0]), rng.uniform(0, 1, (N, JOINTS)) ** 4)
+    own, slopes = rng.standard_normal((N, JOINTS, 2)), rng.standard_normal((N, JOINTS, 1))
+    y = own @ [1.0, -0.5] + 3 * slopes[:, :, 0] + rows.sigma * rng.standard_normal((N, JOINTS))
+    return fit_of(rows, y, own, slopes), rng
+
+
+def by_loops(fit: Fit, more: Floats, held: float) -> tuple[Floats, Floats]:
+    """Weighted squares [B, n] that are left of blocks by the best of ``more`` [G, N, n, c], each fitted to
+    the other blocks by least squares over all rows at once; and the same of the model alone."""
+    rows = fit.model.rows
+    N, n, _ = fit.columns.shape
+    root = np.sqrt(1 / (rows.sigma**2 + rows.level**2 * rows.unresolved))
+    left = np.zeros((2, len(rows.blocks), n))
+    for b, block in enumerate(rows.blocks):
+        train = np.concatenate([other for k, other in enumerate(rows.blocks) if k != b])
+        for which, tried in enumerate((more, np.zeros((1, N, n, 0)))):
+            best = np.inf
+            for columns in tried:
+                A = np.concatenate([fit.columns, columns], axis=2)
+                prior = np.sqrt(np.concatenate([fit.held, np.full(columns.shape[2], held)]))
+                system = np.concatenate([
+                    (A[train] * root[train][:, :, None]).reshape(-1, A.shape[2]), np.diag(prior)
+                ])  # fmt: skip
+                right = np.concatenate([(fit.leave * root)[train].ravel(), np.zeros(A.shape[2])])
+                x = np.linalg.lstsq(system, right, rcond=None)[0]
+                cost = np.sum((right - system @ x) ** 2)
+                if cost < best:
+                    best = cost
+                    rest = (fit.leave[block] - A[block] @ x) * root[block]
+                    left[which, b] = np.sum(rest**2, axis=0)
+    return left[0], left[1]
+
+
+@pytest.mark.parametrize(
+    ("joints", "variants", "numbers", "scale"),
+    [
+        ((1,), 1, 1, None),
+        ((0,), 3, 2, None),
+        ((2, 0), 2, 2, None),
+        ((0, 1, 2), 1, 3, np.array([0.2, 1.0, 3.0])),
+    ],
+    ids=["one column", "a grid", "two joints", "with a prior"],
+)
+def test_gains_are_those_of_least_squares_over_the_other_blocks(
+    joints: tuple[int, ...], variants: int, numbers: int, scale: Floats | None
+) -> None:
+    fit, rng = posed(2)
+    columns = rng.standard_normal((variants, N, len(joints), numbers)) + 0.05 * fit.leave[:, joints, None]
+    one = family(columns, joints, scale)
+    wide = np.zeros((variants, N, JOINTS, numbers))
+    wide[:, :, joints] = one.columns.astype(np.float64) * (1 if scale is None else scale)
+    after, before = by_loops(fit, wide, 0.0 if scale is None else 1.0)
+    (trial,) = trials(fit, [one])
+    np.testing.assert_allclose(held_out(fit), before, rtol=1e-6)
+    np.testing.assert_allclose(trial.gains, (before - after).sum(axis=1) / 2, rtol=1e-3, atol=1e-4)
+    np.testing.assert_allclose(trial.at, (before - after).sum(axis=0) / 2, rtol=1e-3, atol=1e-4)
+    np.testing.assert_allclose(trial.after, after.sum(axis=0), rtol=1e-4)
+    assert trial.drop == pytest.approx(1 - np.sqrt((after.sum(axis=0) / before.sum(axis=0)).min()), abs=1e-4)
+
+
+def test_what_is_noise_foretells_nothing() -> None:
+    fit, rng = posed(3)
+    noise = family(rng.standard_normal((1, N, 1, 3)), (1,))
+    (trial,) = trials(fit, [noise])
+    assert trial.gain < 3
+    assert trial.drop < 0.05
