@@ -79,7 +79,9 @@ def test_contradictions_are_refused(
     options: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["gen", "stanford_3dof", "-o", str(tmp_path / "x"), "--readable", *options]) == 2
-    assert "--readable writes the recursion as it stands in the book" in capsys.readouterr().err
+    err = capsys.readouterr().err
+    assert "--readable" in err
+    assert options[0] in err
     assert not (tmp_path / "x").exists()
 
 

@@ -136,7 +136,7 @@ def test_the_command_prints_the_schema(capsys: pytest.CaptureFixture[str]) -> No
     assert main(["schema", "--fleet"]) == 0
     assert json.loads(capsys.readouterr().out) == fleet_schema()
     assert main(["schema", "--fleet", "--project"]) == 2
-    assert "found --project and --fleet" in capsys.readouterr().err
+    assert "--project and --fleet cannot be combined" in capsys.readouterr().err
 
 
 # --- folders of units -------------------------------------------------------------------------------------

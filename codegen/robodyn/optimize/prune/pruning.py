@@ -135,10 +135,10 @@ def check_asked(tolerance: Fraction, functions: Sequence[str] | None) -> None:
 def _check_share(value: Fraction, text: str) -> None:
     if not 0 < value < 1:
         raise InputError(
-            "the tolerance for pruning is no share of a torque",
+            "the tolerance is not a share of a torque",
             found=text,
             expected="a number above 0 and below 1, or a percentage",
-            remedy="write --prune 1% or --prune 0.01",
+            remedy="write 1% or 0.01",
         )
 
 
