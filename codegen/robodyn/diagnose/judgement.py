@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.limits import END_SHARE, MOSTLY
+from robodyn.diagnose.limits import CLAIM, END_SHARE, MOSTLY, WITHDRAWN
 from robodyn.diagnose.result import Finding, Gap, Verdict
 from robodyn.diagnose.select.limits import (
     ABOVE_FLOOR,
@@ -97,21 +98,29 @@ def _told(rows: Rows, left: Floats) -> Floats:
     return np.asarray(left * rows.sigma * np.sqrt(rows.weight * rows.correlation))
 
 
-def verdict_of(findings: Sequence[Finding], outcome: Outcome) -> Verdict:
-    """The verdict: what the sensors do not explain and what is correlated is structure, and if most of that
-    remains, or most of the torque does, nothing is claimed."""
+def standing(findings: Sequence[Finding], outcome: Outcome) -> tuple[Finding, ...]:
+    """The ``findings``, no claims those at whose joint most of what has structure remains, or most of the
+    torque does: what fits there a little need not be what is missing."""
     rows = outcome.fit.model.rows
-    left = structure(rows, outcome.fit.rest)
-    before = excess(rows, outcome.begun.rest)
-    torque = np.sqrt(np.mean(rows.seen("tau") ** 2, axis=0))
-    rest = np.sqrt(np.mean(outcome.fit.rest**2, axis=0))
-    carried = torque > EXCESS * rows.floor
-    is_mostly = bool(np.any(carried & (rest > MOSTLY * torque) & (left > EXCESS)))
-    remains = float(np.sqrt(np.sum(left**2) / max(np.sum(before**2), 1e-300)))
-    claims = [f for f in findings if f.confidence >= 0.5]
-    if left.max(initial=0.0) > EXCESS and (not claims or remains > REMAINS or is_mostly):
-        return "unexplained"
-    return "missing_effect" if claims else ("unexplained" if findings else "consistent")
+    left, before = structure(rows, outcome.fit.rest), excess(rows, outcome.begun.rest)
+    torque, rest = (
+        np.sqrt(np.mean(_told(rows, x) ** 2, axis=0)) for x in (rows.seen("tau"), outcome.fit.rest)
+    )
+    is_left = (left > EXCESS) & ((left > REMAINS * before) | (rest > MOSTLY * torque))
+    place = {one.member.key: int(one.trial.at.argmax()) for one in outcome.found}
+    return tuple(
+        replace(f, confidence=min(f.confidence, WITHDRAWN)) if is_left[place[f.effect, f.joint]] else f
+        for f in findings
+    )
+
+
+def verdict_of(findings: Sequence[Finding], outcome: Outcome) -> Verdict:
+    """The verdict: what the sensors do not explain and what is correlated is structure; if there is some and
+    nothing is claimed, it is unexplained."""
+    if any(f.confidence >= CLAIM for f in findings):
+        return "missing_effect"
+    left = structure(outcome.fit.model.rows, outcome.fit.rest)
+    return "unexplained" if findings or left.max(initial=0.0) > EXCESS else "consistent"
 
 
 def what_matters(outcome: Outcome) -> Floats:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.amend.amend import Amendment, apply_amendments
-from robodyn.diagnose.judgement import Lacking, confirmed, gap_of, rms, structure_left, verdict_of
+from robodyn.diagnose.judgement import Lacking, confirmed, gap_of, rms, standing, structure_left, verdict_of
 from robodyn.diagnose.limits import WITHDRAWN
 from robodyn.diagnose.refit import (
     Renumbered,
@@ -76,9 +76,8 @@ def settled(
     the logs they are judged in are withdrawn."""
     if logs.judged is not logs.gates:
         findings = _confirmed(robot, findings, outcome, logs)
+    findings = standing(findings, outcome)
     verdict = verdict_of(findings, outcome)
-    if verdict == "unexplained":
-        findings = tuple(replace(f, confidence=min(f.confidence, WITHDRAWN)) for f in findings)
     rubbing = {f.joint for f in findings if CATALOGUE[f.effect].dissipative}
     named = findings if verdict == "missing_effect" else ()
     left = structure_left(outcome)
