@@ -84,7 +84,8 @@ def test_a_coupling_is_at_two_joints() -> None:
     numbers = {"ratio": 1.0, "inertia": 0.1, "viscous": 0.1, "coulomb": 0.1}
     hidden = [hidden_effect("motor_coupling", 6, **{"with": 5}, **numbers)]
     for other, wanted in ((6, "right"), (4, "wrong")):
-        claim = finding("motor_coupling", 5, **{"with": (other, None)})
+        joint: dict[str, Any] = {"with": (other, None)}
+        claim = finding("motor_coupling", 5, **joint)
         assert status(hidden, [claim]) == wanted
 
 
@@ -201,7 +202,8 @@ def test_reliability_counts_names_by_what_was_said() -> None:
     ]
     assert steps[1][3] == pytest.approx(0.965)
     low, high = wilson(9, 10)  # 0.596 and 0.982 by any statistics package
-    assert (low, high) == (pytest.approx(0.596, abs=1e-3), pytest.approx(0.982, abs=1e-3))
+    assert low == pytest.approx(0.596, abs=1e-3)
+    assert high == pytest.approx(0.982, abs=1e-3)
 
 
 @pytest.mark.parametrize("share", [0.05, 0.3])

@@ -9,7 +9,7 @@ import pytest
 
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.identify import twist
-from robodyn.identify.oscillator import oscillation
+from robodyn.identify.oscillator import Oscillator
 from robodyn.identify.twist import lag_of
 
 PERIOD, INERTIA, SAMPLES = 1e-3, 2.0, 6000
@@ -32,7 +32,7 @@ def test_the_state_behind_a_wrong_edge_is_that_of_the_torque(effect: str, side: 
     places = np.linspace(-0.1, 0.1, 20_001)
     force = np.asarray(coupler.torque(values, places, 0.0))
     spring = (force, -0.1, float(places[1] - places[0]))
-    true = oscillation((load, *felt), PERIOD, spring, values["damping"], (side * 0.012, -side * 0.1))
+    true = Oscillator((load, *felt), PERIOD, spring, values["damping"]).motion((side * 0.012, -side * 0.1))
     passed = np.interp(true[:, 0], places, force) + values["damping"] * true[:, 1]
     seen = load.copy()
     seen[:80] += side * 30.0  # accelerations of a filter that does not know what was before

@@ -8,7 +8,7 @@ from benchmarks.blind_arms.cases import Case
 
 from robodyn.diagnose.run import diagnose
 from robodyn.gate.gate import inspect
-from robodyn.identify.oscillator import oscillation
+from robodyn.identify.oscillator import Oscillator
 from robodyn.identify.predict import lacking
 from robodyn.kernels.robot_kernel import compile as compile_kernel
 
@@ -20,7 +20,9 @@ def test_a_swing_is_that_of_a_damped_oscillator() -> None:
     count, h = 4001, 5e-4
     one = np.ones(count)
     places = np.linspace(-1, 1, 401)
-    found = oscillation((0 * one, 2 * one, 0 * one, 0 * one), h, (800 * places, -1.0, 0.005), 3.0, (0.1, 0.0))
+    found = Oscillator((0 * one, 2 * one, 0 * one, 0 * one), h, (800 * places, -1.0, 0.005), 3.0).motion(
+        (0.1, 0.0)
+    )
     t = h * np.arange(count)
     decay, turn = 3 / 4, np.sqrt(400 - (3 / 4) ** 2)
     exact = 0.1 * np.exp(-decay * t) * (np.cos(turn * t) + decay / turn * np.sin(turn * t))
@@ -29,9 +31,9 @@ def test_a_swing_is_that_of_a_damped_oscillator() -> None:
 
 def test_what_flies_off_is_not_finite() -> None:
     one = np.ones(50)
-    found = oscillation(
-        (one, -1e-9 * one, 0 * one, 0 * one), 1.0, (1e-9 * np.arange(3.0), -1.0, 1.0), 0.0, (1e300, 1e300)
-    )
+    found = Oscillator(
+        (one, -1e-9 * one, 0 * one, 0 * one), 1.0, (1e-9 * np.arange(3.0), -1.0, 1.0), 0.0
+    ).motion((1e300, 1e300))
     assert np.isnan(found[-1]).all()
 
 

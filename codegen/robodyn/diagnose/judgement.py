@@ -78,7 +78,7 @@ def _inner(x: Floats, gate: Gate) -> Floats:
 def excess(rows: Rows, left: Floats) -> Floats:
     """RMS [n] of what is ``left`` [N, n] beyond the sensors' noise, in units of that. Rows at rest count as
     their set says."""
-    size = np.mean(_told(rows, left) ** 2, axis=0) / rows.floor**2 - 1
+    size = np.mean(_beyond_set(rows, left) ** 2, axis=0) / rows.floor**2 - 1
     return np.asarray(np.sqrt(np.maximum(size, 0.0)))
 
 
@@ -86,7 +86,7 @@ def structure(rows: Rows, left: Floats) -> Floats:
     """The same of joints where it is more than noise: correlated over longer than the filter makes it."""
     first, last = (max(1, int(rows.rate * lag)) for lag in STRUCTURE_LAGS)
     lags = [lag for lag in range(first, last + 1) if lag < len(left) // 2]
-    centred = _told(rows, left)
+    centred = _beyond_set(rows, left)
     centred = centred - centred.mean(axis=0)
     sizes = np.maximum(np.sum(centred**2, axis=0), 1e-300)
     each = [np.sum(centred[:-lag] * centred[lag:], axis=0) / sizes for lag in lags] or [0 * sizes]
@@ -94,7 +94,8 @@ def structure(rows: Rows, left: Floats) -> Floats:
     return np.where(is_correlated, excess(rows, left), 0.0)
 
 
-def _told(rows: Rows, left: Floats) -> Floats:
+def _beyond_set(rows: Rows, left: Floats) -> Floats:
+    """What is ``left`` [N, n]; of rows at rest by as much less as their set is wider than noise."""
     return np.asarray(left * rows.sigma * np.sqrt(rows.weight * rows.correlation))
 
 
@@ -104,7 +105,7 @@ def standing(findings: Sequence[Finding], outcome: Outcome) -> tuple[Finding, ..
     rows = outcome.fit.model.rows
     left, before = structure(rows, outcome.fit.rest), excess(rows, outcome.begun.rest)
     torque, rest = (
-        np.sqrt(np.mean(_told(rows, x) ** 2, axis=0)) for x in (rows.seen("tau"), outcome.fit.rest)
+        np.sqrt(np.mean(_beyond_set(rows, x) ** 2, axis=0)) for x in (rows.seen("tau"), outcome.fit.rest)
     )
     is_left = (left > EXCESS) & ((left > REMAINS * before) | (rest > MOSTLY * torque))
     place = {one.member.key: int(one.trial.at.argmax()) for one in outcome.found}

@@ -23,7 +23,7 @@ from robodyn.diagnose.limits import (
 )
 from robodyn.diagnose.result import Estimate, Finding
 from robodyn.diagnose.select.families import Key
-from robodyn.diagnose.select.limits import VAGUE as MOST_VAGUE
+from robodyn.diagnose.select.limits import VAGUE
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.gate import Gate
 from robodyn.identify.fit import Load, Options, fit_arm
@@ -83,7 +83,7 @@ def refit(
         offsets=False, loads=loads, joints={name: frozenset(places) for name, places in joints.items()}
     )
     beside = apply_amendments(replace(robot, links=links), kept).robot
-    outcome = identified(fit_arm(beside, gates, options, beside))
+    outcome = identified(fit_arm(beside, gates, options))
     model = replace(outcome.robot, links=tuple(map(_with_confidence, outcome.robot.links, robot.links)))
     estimates = _estimates(robot, model, kept, outcome)
     for joint in sorted(j for _, j in rigid if j is not None):
@@ -150,7 +150,7 @@ def without_vague_claim(finding: Finding) -> Finding:
     if len(numbers) != 1 or numbers[0].stderr is None:
         return finding
     (only,) = numbers
-    if only.stderr is not None and only.stderr > MOST_VAGUE * abs(float(only.value)):
+    if only.stderr is not None and only.stderr > VAGUE * abs(float(only.value)):
         return replace(finding, confidence=min(finding.confidence, WITHDRAWN))
     return finding
 
@@ -167,7 +167,7 @@ def with_known_errors(finding: Finding) -> Finding:
 
 def _bounded(size: Estimate, *, is_size: bool) -> Estimate:
     """A number; without its error, and with the bounds that are left, where that is too vague."""
-    if isinstance(size.value, str) or size.stderr is None or size.stderr <= MOST_VAGUE * abs(size.value):
+    if isinstance(size.value, str) or size.stderr is None or size.stderr <= VAGUE * abs(size.value):
         return size
     low, high = size.interval or (None, None)
     return replace(
@@ -179,7 +179,7 @@ def _with_estimates(finding: Finding, estimates: Mapping[str, Estimate]) -> Find
     """The finding with better numbers; no claim where nothing is known of them. Of the numbers of a link
     torques show sums: each may be vague where it is certain that they are wrong."""
     known = [one for one in estimates.values() if isinstance(one.value, float) and one.value]
-    vague = [one.stderr is None or one.stderr > MOST_VAGUE * abs(float(one.value)) for one in known]
+    vague = [one.stderr is None or one.stderr > VAGUE * abs(float(one.value)) for one in known]
     is_vague = bool(vague) and all(vague) and _fold(finding.effect) != "link"
     confidence = min(finding.confidence, WITHDRAWN) if is_vague else finding.confidence
     return replace(finding, parameters={**finding.parameters, **estimates}, confidence=confidence)

@@ -93,8 +93,6 @@ def settled(
     )  # fmt: skip
     if verdict != "unexplained":
         findings = own.findings
-        if verdict == "consistent" and findings:
-            verdict = "missing_effect"
     return Settled(verdict, findings, own, left)
 
 

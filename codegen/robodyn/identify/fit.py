@@ -33,7 +33,7 @@ from robodyn.identify.normal import Block, Layout, blocks_of, layout_of
 from robodyn.identify.plain import condition, held_out_gains, plain
 from robodyn.identify.prior import Prior, Usual, prior_of
 from robodyn.identify.problem import Solution, Unknowns, misfits, solve
-from robodyn.identify.rows import Rows, Strength, bare, rows_of
+from robodyn.identify.rows import Rows, bare, rows_of
 from robodyn.kernels.array_dynamics import PARAMETERS, Model
 from robodyn.robot.masses import only_about_base_axis
 from robodyn.robot.model import Robot
@@ -63,7 +63,6 @@ class Options:
     ``joints``: for each column (``viscous``, ``coulomb``, ``rotor``), the joints (from 0) at which it is
     fitted. None: all joints.
     ``left_out``: time windows to ignore, as (log from 0, start [s], end [s]).
-    ``strengths``: effect parameters to fit, as (index of the effect in ``Robot.effects``, parameter name).
     """
 
     offsets: bool | Literal["auto"] = "auto"
@@ -73,7 +72,6 @@ class Options:
     confidence: float | None = None
     joints: Mapping[str, frozenset[int]] | None = None
     left_out: tuple[tuple[int, float, float], ...] = ()
-    strengths: tuple[Strength, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -116,25 +114,13 @@ class Fit:
         return np.asarray(gains.mean(axis=1) / np.maximum(spread, 1e-300))
 
 
-def fit_arm(
-    robot: Robot, gates: Sequence[Gate], options: Options | None = None, effect_arm: Robot | None = None
-) -> Fit:
-    """Identify the parameters of ``robot`` from logs that passed their gates.
-
-    The torques of effects are evaluated on ``effect_arm``, which has the same effects and may have better
-    parameters (None: on ``robot``).
-    """
+def fit_arm(robot: Robot, gates: Sequence[Gate], options: Options | None = None) -> Fit:
+    """Identify the parameters of ``robot`` from logs that passed their gates."""
     options = options or Options()
-    effect_arm = effect_arm or robot
     windows = [[(a, b) for log, a, b in options.left_out if log == k] for k in range(len(gates))]
-    pieces = [
-        piece
-        for k, gate in enumerate(gates)
-        for piece in rows_of(effect_arm, gate, k, windows[k], options.strengths)
-    ]
+    pieces = [piece for k, gate in enumerate(gates) for piece in rows_of(robot, gate, k, windows[k])]
     layout = layout_of(
         robot.n, rotors=robot.torque_side == "motor", offsets=options.offsets is not False,
-        strengths=len(options.strengths),
     )  # fmt: skip
     arm = Model(bare(robot)).arm
     raw, _ = blocks_of(arm, layout, pieces)
@@ -198,7 +184,7 @@ def _unknowns(
     """The layout of the parameter vector, with its prior, its constraints and its free components."""
     n = robot.n
     free, rigid = np.ones(layout.size, dtype=bool), np.ones(n + len(options.loads), dtype=bool)
-    positive = [*(layout.joint(name) for name in layout.own if name != "offset"), layout.strength]
+    positive = [*(layout.joint(name) for name in layout.own if name != "offset")]
     if _has_axis_inertia_only(robot):
         rigid[0] = False
         free[layout.link(0)] = False

@@ -22,12 +22,6 @@ COMPARING_COST: Final = (0.2, 2.6e-6)
 
 # --- motor regressor --------------------
 
-NUMBER_STEP: Final = 1e-3
-"""[standard deviations] Steps of numbers by which what drives make of loads is differentiated,"""
-
-TANGENT_STEP: Final = 1e-6
-"""[largest lags] and steps of a lag by which its spring is."""
-
 # --- twist --------------------
 
 STEP_ANGLE: Final = 0.1
@@ -225,9 +219,3 @@ UNSEEN_SHARE: Final = 0.9
 
 POOR_CONDITION: Final = 100.0
 """[-] A base regressor with a larger condition number is poorly excited (Gautier and Khalil 1992)."""
-
-STRENGTH_SPREAD: Final = 2.0
-"""[-] The factor of an effect's number is 1 to about so much."""
-
-STRENGTH_STEP: Final = 1e-3
-"""[share] Torques by a number of an effect are differences over such a step."""

@@ -26,22 +26,15 @@ _OWN = ("viscous", "coulomb", "rotor", "offset")
 @dataclass(frozen=True, slots=True, eq=False)
 class Layout:
     """Where parameters stand: ten of each of ``n`` links, then those of each joint by ``own``: of viscous
-    friction, Coulomb friction, rotor, offset, those that are fitted; then factors of so many numbers of
-    effects (``strengths``), at which the torque of any joint may pull."""
+    friction, Coulomb friction, rotor, offset, those that are fitted."""
 
     n: int
     own: tuple[str, ...]
-    strengths: int = 0
 
     @property
     def size(self) -> int:
         """How many parameters there are."""
-        return (10 + len(self.own)) * self.n + self.strengths
-
-    @property
-    def strength(self) -> Indices:
-        """The factors of numbers of effects [strengths]."""
-        return (10 + len(self.own)) * self.n + np.arange(self.strengths)
+        return (10 + len(self.own)) * self.n
 
     def link(self, k: int) -> Indices:
         """Those of the link ``k`` (from 0)."""
@@ -54,13 +47,13 @@ class Layout:
     def columns(self, joint: int) -> Indices:
         """Parameters that the torque of a joint (from 0) may depend on, in order."""
         own = 10 * self.n + len(self.own) * joint + np.arange(len(self.own))
-        return np.concatenate([np.arange(10 * joint, 10 * self.n), own, self.strength])
+        return np.concatenate([np.arange(10 * joint, 10 * self.n), own])
 
 
-def layout_of(n: int, *, rotors: bool, offsets: bool, strengths: int = 0) -> Layout:
-    """The layout for an arm of ``n`` joints, with so many numbers of effects (``strengths``)."""
+def layout_of(n: int, *, rotors: bool, offsets: bool) -> Layout:
+    """The layout for an arm of ``n`` joints."""
     wanted = {"rotor": rotors, "offset": offsets}
-    return Layout(n, tuple(name for name in _OWN if wanted.get(name, True)), strengths)
+    return Layout(n, tuple(name for name in _OWN if wanted.get(name, True)))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -92,7 +85,7 @@ def columns_of(arm: Arm, layout: Layout, rows: Rows, part: slice) -> list[Floats
     stacked = []
     for j in range(layout.n):
         extra = np.stack([own[name][part, j] for name in layout.own])
-        stacked.append(np.concatenate([Y[j, 10 * j :], extra, rows.by_strength[part, j].T]))
+        stacked.append(np.concatenate([Y[j, 10 * j :], extra]))
     return stacked
 
 

@@ -102,22 +102,6 @@ class Oscillator:
         return left
 
 
-def oscillation(
-    inputs: tuple[Floats, Floats, Floats, Floats],
-    step: float,
-    spring: tuple[Floats, float, float],
-    damping: float,
-    begin: tuple[float, float],
-) -> Floats:
-    """The motion [K, 3] of an :class:`Oscillator` that begins at a place with a rate.
-
-    Raises
-    ------
-    ToolError: no C compiler.
-    """
-    return Oscillator(inputs, step, spring, damping).motion(begin)
-
-
 def dahl_deflection(q: Floats, limit: float) -> Floats:
     """Deflection of a Dahl contact [K] as a share of ``limit``, at which it slides, along positions ``q``;
     exact between samples.

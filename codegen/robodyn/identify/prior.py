@@ -15,7 +15,6 @@ from robodyn.identify.limits import (
     LEAST_INERTIA,
     LEAST_LENGTH,
     LEAST_MASS,
-    STRENGTH_SPREAD,
     UNSTATED_CONFIDENCE,
 )
 from robodyn.identify.normal import Layout
@@ -109,5 +108,4 @@ def prior_of(robot: Robot, layout: Layout, usual: Usual, confidence: float | Non
             at = layout.joint(name)[j]
             mean[at] = values[name]
             sd[at] = max(FREE_SHARE * free[name], abs(values[name]), 1e-9)
-    mean[layout.strength], sd[layout.strength] = 1.0, STRENGTH_SPREAD
     return Prior(mean, sd, sizes)

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from fractions import Fraction
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,20 +18,16 @@ from robodyn.gate.gate import Gate
 from robodyn.identify.limits import (
     FOLDS,
     REST_FACTOR,
-    STRENGTH_STEP,
     SUB_BLOCKS,
     TRAIN_SHARE,
 )
 from robodyn.identify.predict import biases, delays, gains, model_torque, offsets
-from robodyn.identify.twist import behind_motors
-from robodyn.kernels.array_dynamics import Model, Reuse
+from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.log import Log
 from robodyn.logs.signals import signals_of
 from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]
-#: A number of an effect: the effect's place in the robot's, and the number's name.
-Strength = tuple[int, str]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -40,8 +35,7 @@ class Rows:
     """Samples [M] of one log, thinned: ``q, qd, qdd`` [M, n], directions of motion ``way`` and torques
     ``tau`` [M, n], both filtered; ``used`` [M, n]: whether a torque can be relied on; ``block`` [M] is
     which block of the log each is of, ``held_out`` [blocks] which of these a first fit leaves out; ``log``:
-    which of the logs; ``step`` [s] between samples; ``cutoff`` [Hz]; ``by_strength`` [M, n, E]: torques by
-    factors of numbers of effects, filtered."""
+    which of the logs; ``step`` [s] between samples; ``cutoff`` [Hz]."""
 
     q: Floats
     qd: Floats
@@ -54,7 +48,6 @@ class Rows:
     log: int
     step: float
     cutoff: float
-    by_strength: Floats
 
 
 def bare(robot: Robot) -> Robot:
@@ -67,11 +60,10 @@ def rows_of(
     gate: Gate,
     log: int,
     left_out: Sequence[tuple[float, float]] = (),
-    strengths: Sequence[Strength] = (),
 ) -> list[Rows]:
     """The rows of a log that has passed its ``gate``, a piece for each of its segments; torques in windows of
-    time that are ``left_out`` [s] do not count, nor what the filter brings of them. Of what effects do all is
-    taken off the torque but what is in proportion to ``strengths``."""
+    time that are ``left_out`` [s] do not count, nor what the filter brings of them. What effects do is
+    taken off the torque."""
     count = gate.log.samples
     edges, held_out = blocks_of(count)
     pieces = []
@@ -81,9 +73,8 @@ def rows_of(
         K = len(signals.t)
         tau = true_torque(robot, piece)[:K]
         known = kept_torque(robot, piece, signals.q, signals.qd, signals.qdd)
-        slopes = strength_slopes(robot, strengths, piece, signals.q, signals.qd, signals.qdd)
         if known is not None:
-            tau = tau - known + slopes.sum(axis=2)
+            tau = tau - known
         way = direction(signals.qd, rest_band(signals.acceleration_noise, signals.cutoff))
         block = np.searchsorted(edges, part.start + np.arange(K), side="right") - 1
         used = ~gate.saturated[part][:K]
@@ -98,13 +89,7 @@ def rows_of(
             thin = slice(signals.edge, K - signals.edge, signals.every)
             step = signals.every * signals.period
             used, block = used[thin], block[thin]
-            by_strength = [signals.thinned(signals.filtered(slopes[:, :, e])) for e in range(len(strengths))]
-            pieces.append(
-                Rows(
-                    q, qd, qdd, way, tau, used, block, held_out, log, step, signals.cutoff,
-                    np.stack(by_strength, axis=2) if by_strength else np.zeros((*q.shape, 0)),
-                )
-            )  # fmt: skip
+            pieces.append(Rows(q, qd, qdd, way, tau, used, block, held_out, log, step, signals.cutoff))
     return pieces
 
 
@@ -164,27 +149,3 @@ def kept_torque(robot: Robot, log: Log, q: Floats, qd: Floats, qdd: Floats) -> F
     count = len(q)
     whole = model_torque(replace(robot, effects=drives), log.t[:count], q, qd, qdd, log.tau[:count])
     return np.asarray(whole - Model(bare(robot)).torque(q, qd, qdd))
-
-
-def strength_slopes(
-    robot: Robot, strengths: Sequence[Strength], log: Log, q: Floats, qd: Floats, qdd: Floats
-) -> Floats:
-    """What the torques [K, n, E] change by with factors of the numbers ``strengths``, at 1."""
-    slopes = np.zeros((*q.shape, len(strengths)))
-    if not strengths:
-        return slopes
-    reuse, count = Reuse(), len(q)
-
-    def torque(arm: Robot) -> Floats:
-        model = Model(arm, reuse=reuse)
-        step = float(log.t[1] - log.t[0])
-        return np.asarray(behind_motors(model, q, qd, qdd, step, log.tau[:count]).total)
-
-    plain = torque(robot)
-    for e, (k, name) in enumerate(strengths):
-        entry = robot.effects[k]
-        more = Fraction(entry.number(name)) * (1 + Fraction(STRENGTH_STEP))
-        settings = tuple((key, more if key == name else value) for key, value in entry.settings)
-        effects = (*robot.effects[:k], replace(entry, settings=settings), *robot.effects[k + 1 :])
-        slopes[:, :, e] = (torque(replace(robot, effects=effects)) - plain) / STRENGTH_STEP
-    return slopes

@@ -219,16 +219,15 @@ def behind_motors(
     seen = model.evaluate(q, qd, qdd)
     if not model.couplers:
         return seen
-    lags, _ = lags_of(model, seen, (q, qd, qdd), period, tau)
+    lags = lags_of(model, seen, (q, qd, qdd), period, tau)
     return model.evaluate(*links_of((q, qd, qdd), lags), (q, qd, qdd))
 
 
 def lags_of(
     model: Model, seen: Evaluated, motion: Moved, period: float, tau: Floats | None = None
-) -> tuple[dict[int, Floats], dict[int, Slopes]]:
-    """By joint (from 0) with a coupler how far [K, 3] its link is behind its motor, with rates, and the
-    slopes of torques by that; ``seen``: the ``model`` along the ``motion``; the rest as in
-    :func:`behind_motors`."""
+) -> dict[int, Floats]:
+    """By joint (from 0) with a coupler how far [K, 3] its link is behind its motor, with rates; ``seen``: the
+    ``model`` along the ``motion``; the rest as in :func:`behind_motors`."""
     q, qd, qdd = motion
     couplers = model.couplers
     slopes = {j: _slopes(model, (q, qd, qdd), seen.rigid, j) for j in couplers}
@@ -241,7 +240,7 @@ def lags_of(
             passed = None if tau is None else tau[:, j] - own
             felt = (slopes[j].inertia[:, j], slopes[j].rate[:, j], slopes[j].place[:, j])
             lags[j] = lag_of(coupler.effect.id, coupler.values, load, felt, period, passed)
-    return lags, slopes
+    return lags
 
 
 def links_of(motion: Moved, lags: Mapping[int, Floats]) -> Moved:

@@ -6,7 +6,7 @@ Source: Gautier 1997 (parallel filtering: what is compared goes through the same
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
@@ -84,21 +84,6 @@ class Signals:
             t, q, qd, qdd, tau, self.cutoff, self.every // step, self.edge // step,
             self.acceleration_noise, self.torque_noise, self.motion,
         )  # fmt: skip
-
-    def smoother(self) -> Signals:
-        """The same with positions that went through their filter once more."""
-        if self.motion is None:
-            return self
-        q, qd, qdd = _moving(self.q, self.period, self.motion)
-        return replace(self, q=q, qd=qd, qdd=qdd)
-
-    def noisier(self, rng: np.random.Generator) -> Signals:
-        """The same with as much noise of the encoders once more in its positions, white, drawn by ``rng``."""
-        if self.motion is None or self.position_noise is None:
-            return self
-        noise = rng.standard_normal(self.q.shape) * self.position_noise
-        q, qd, qdd = _moving(noise, self.period, self.motion)
-        return replace(self, q=self.q + q, qd=self.qd + qd, qdd=self.qdd + qdd)
 
 
 def signals_of(log: Log, *, cutoff: float | None = None, wider: float = 1.0) -> Signals:

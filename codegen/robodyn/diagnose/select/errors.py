@@ -13,10 +13,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.diagnose.limits import HALF_WIDTH
 from robodyn.diagnose.result import Bounds
 from robodyn.diagnose.select.compare import read_link
 from robodyn.diagnose.select.limits import (
-    HALF_WIDTH_PARTS,
     NOT_SHOWN,
     PART_CORRELATION,
     STRIKE_ACCURACY,
@@ -95,7 +95,7 @@ def _of_law(member: Member, places: list[tuple[int, str]], spread: Floats) -> Su
         errors[name] = error
         if member.is_size(name) and error > 0:  # in logarithms: a size has no interval beyond zero
             if error < VAGUE * abs(value):
-                ratio = float(np.exp(HALF_WIDTH_PARTS * error / abs(value)))
+                ratio = float(np.exp(HALF_WIDTH * error / abs(value)))
                 bounds[name] = tuple(sorted((value / ratio, value * ratio)))  # type: ignore[assignment]
             else:
                 bounds[name] = (None, None)

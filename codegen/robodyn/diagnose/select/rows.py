@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.select.library.candidate import Context
 from robodyn.diagnose.select.library.context import context_of
-from robodyn.diagnose.select.limits import BLOCKS, GUARD, LEAST_RATE_SHARE, SHORTEST_PIECE
+from robodyn.diagnose.select.limits import BLOCKS, GUARD, LEAST_NOISE_SHARE, SHORTEST_PIECE
 from robodyn.gate.gate import Gate
 from robodyn.identify.prior import number_of
 from robodyn.kernels.array_dynamics import Model
@@ -126,7 +126,9 @@ def passed_noise(s: Signals) -> Floats:
     """Standard deviations [n] of the torque channel's noise, as far as the filter lets it pass."""
     noise = np.zeros(s.n) if s.torque_noise is None else s.torque_noise
     size = np.sqrt(np.mean(s.tau**2, axis=0))
-    return np.asarray(np.maximum(noise * np.sqrt(min(1.0, 2 * s.cutoff * s.period)), LEAST_RATE_SHARE * size))
+    return np.asarray(
+        np.maximum(noise * np.sqrt(min(1.0, 2 * s.cutoff * s.period)), LEAST_NOISE_SHARE * size)
+    )
 
 
 def encoder_torque_noise(c: Context, poses: int = 100) -> Floats:

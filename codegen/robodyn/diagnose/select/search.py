@@ -64,7 +64,6 @@ class Outcome:
     fit: Fit
     begun: Fit
     last: tuple[Trial, ...]
-    count: int
 
 
 class Search:
@@ -85,8 +84,10 @@ class Search:
         return self.is_worth(one) and -gains[gains < 0].sum() < HARM * gains[gains > 0].sum()
 
     def is_worth(self, one: Trial) -> bool:
-        """Whether it foretells more than chance would have it of one of so many, and enough to matter."""
-        return one.is_possible and one.gain > self.threshold and one.drop > PRACTICAL
+        """Whether it foretells more than chance would have it of one of so many, and enough to matter; what
+        is rare in arms must take away more."""
+        rare = 1 - np.sqrt(1 - one.family.first.least_share)  # of the RMS, as the drop is
+        return one.is_possible and one.gain > self.threshold and bool(one.drop > max(PRACTICAL, rare))
 
     def choice(self, tried: Iterable[Trial]) -> Trial | None:
         """The simplest of those that pass and foretell as much as the best, within a standard error or what
@@ -328,7 +329,7 @@ def search(
     assert begun is not None
     one = Search(gates, rows, found, tell, scope)
     fit, last = one.run(begun)
-    return Outcome(tuple(_found(one, fit)), fit, begun, tuple(last), len(found))
+    return Outcome(tuple(_found(one, fit)), fit, begun, tuple(last))
 
 
 def _found(search: Search, fit: Fit) -> Iterable[Found]:

@@ -49,7 +49,7 @@ COUPLED_FARTHEST: Final = 2
 COUPLED_BEYOND_SHARE: Final = 0.3
 """[share of the mean square left] What a motor that reaches over a joint must take away, being rare."""
 
-LINK_WRONG: Final = 1.0
+LINK_WRONG: Final = 3.0
 """[shares] Numbers of a link that is not as described are about so many times as large as it says, or its
 neighbours' (a prior, for most motions do not see all of them)."""
 
