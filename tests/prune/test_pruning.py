@@ -215,7 +215,7 @@ def test_a_share_may_be_written_in_two_ways(text: str) -> None:
 def test_what_is_no_share_is_refused(text: str) -> None:
     with pytest.raises(InputError, match="1%"):
         parse_tolerance(text)
-    with pytest.raises(InputError, match="no share"):
+    with pytest.raises(InputError, match="not a share"):
         Options(prune=Fraction(1))
 
 
