@@ -19,6 +19,7 @@ from robodyn.diagnose.settle import Logs
 from robodyn.dynamics.kinematics import frames
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.gate import inspect
+from robodyn.identify.contact.bursts import _level
 from robodyn.identify.contact.contact import Contact, contacts, without_rows
 from robodyn.identify.contact.force import Push as Pressed
 from robodyn.identify.contact.force import Window, push_in
@@ -212,3 +213,9 @@ def test_how_often_pushes_are_found() -> None:
         "direction": 0.95,
     }
     assert {name for name, x in shares.items() if x < least[name]} == set(), shares
+
+
+def test_a_stretch_at_rest_may_be_a_single_row() -> None:
+    """Its level is what that row says."""
+    assert _level(np.array([3.0])) == 3.0
+    assert _level(np.array([1.0, 3.0])) == 2.0

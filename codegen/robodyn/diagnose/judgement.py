@@ -14,7 +14,6 @@ from robodyn.diagnose.select.limits import (
     ABOVE_FLOOR,
     EXCESS,
     PRACTICAL,
-    REMAINS,
     STRUCTURE,
     STRUCTURE_LAGS,
 )
@@ -107,7 +106,7 @@ def standing(findings: Sequence[Finding], outcome: Outcome) -> tuple[Finding, ..
     torque, rest = (
         np.sqrt(np.mean(_beyond_set(rows, x) ** 2, axis=0)) for x in (rows.seen("tau"), outcome.fit.rest)
     )
-    is_left = (left > EXCESS) & ((left > REMAINS * before) | (rest > MOSTLY * torque))
+    is_left = (left > EXCESS) & ((left > MOSTLY * before) | (rest > MOSTLY * torque))
     place = {one.member.key: int(one.trial.at.argmax()) for one in outcome.found}
     return tuple(
         replace(f, confidence=min(f.confidence, WITHDRAWN)) if is_left[place[f.effect, f.joint]] else f

@@ -123,9 +123,6 @@ seconds has half of that."""
 STRUCTURE_LAGS: Final = (0.1, 0.5)
 """[s] Those lags: longer than the filter's memory, shorter than a motion."""
 
-REMAINS: Final = 0.4
-"""[share of the structure] If more remains, the names do not explain the log."""
-
 # --- what was looked for, and how candidates are made --------------------
 
 MOST_KINDS: Final = 6

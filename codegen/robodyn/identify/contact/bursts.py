@@ -118,7 +118,7 @@ def _runs(mask: Mask, part: NDArray[np.intp]) -> list[NDArray[np.intp]]:
 def _level(x: Floats) -> float:
     """Middle of the shortest interval that holds :data:`QUIET_SHARE` of ``x``."""
     ordered = np.sort(x)
-    count = max(2, int(QUIET_SHARE * len(x)))
+    count = min(max(2, int(QUIET_SHARE * len(x))), len(x))  # a stretch at rest may be a single row
     widths = ordered[count - 1 :] - ordered[: len(x) - count + 1]
     k = int(widths.argmin())
     return float(ordered[k : k + count].mean())
