@@ -9,6 +9,7 @@ import pytest
 
 from robodyn.diagnose.refit import _with_estimates, without_vague_claim
 from robodyn.diagnose.result import Estimate, Finding
+from robodyn.diagnose.select.limits import ODDS
 from robodyn.diagnose.select.odds import odds
 
 
@@ -30,10 +31,17 @@ def test_sums_of_a_links_numbers_are_known_where_each_is_vague(id: str, is_claim
 
 
 def test_odds_are_shared_with_rivals() -> None:
-    assert odds([]) == 1
-    assert odds([(0.0, 0.0)]) == pytest.approx(1 / 2)  # the log cannot tell them apart
-    assert odds([(0.0, 0.0)] * 3) == pytest.approx(1 / 4)
-    assert odds([(0.0, 1.0)]) == pytest.approx(1 / (1 + math.exp(-1)))  # one number more, a nat
-    assert 0.98 < odds([(6.0, 0.0)]) < odds([(6.0, 2.0)]) < 1
-    # A rival that is ahead, and one that is simpler, counts as one that is level.
-    assert odds([(-3.0, -2.0)]) == odds([(0.0, 0.0)])
+    alone = odds([], 0.9)
+    first, by_share, most = ODDS
+    assert alone == pytest.approx(most / (1 + math.exp(-first - by_share * math.log(0.9 / 0.1))))
+    assert odds([(0.0, 0.0)], 0.9) == pytest.approx(alone / 2)  # the log cannot tell them apart
+    assert odds([(0.0, 0.0)] * 3, 0.9) == pytest.approx(alone / 4)
+    assert odds([(0.0, 1.0)], 0.9) == pytest.approx(alone / (1 + math.exp(-1)))  # one number more, a nat
+    assert odds([(-3.0, 0.0)], 0.9) < 0.06  # it is ahead
+    assert odds([(0.0, -2.0)], 0.9) == odds([(0.0, 0.0)], 0.9)  # fewer numbers count in the choice, not here
+
+
+def test_the_more_is_left_the_less_sure_is_a_name() -> None:
+    alone = [odds([], share) for share in (0.0, 0.3, 0.6, 0.9, 1.0)]
+    assert alone == sorted(set(alone))
+    assert 0 < alone[0] < alone[-1] < 1

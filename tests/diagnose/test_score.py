@@ -16,12 +16,12 @@ Floats = NDArray[np.float64]
 N, JOINTS = 400, 3
 
 
-def family(columns: Floats, rows: tuple[int, ...], scale: Floats | None = None) -> Family:
-    """Candidates of ``columns`` [G, N, rows, c] at joints ``rows``."""
+def family(columns: Floats, rows: tuple[int, ...], scale: Floats | None = None, sign: int = 0) -> Family:
+    """Candidates of ``columns`` [G, N, rows, c] at joints ``rows``, with numbers of that ``sign``."""
     ones = tuple(
         Candidate(
             "viscous_friction", rows[0] + 1, rows, np.zeros((0, len(rows), columns.shape[3])),
-            (0,) * columns.shape[3], lambda x: {"coefficient": float(x[0])}, 1, scale=scale,
+            (sign,) * columns.shape[3], lambda x: {"coefficient": float(x[0])}, 1, scale=scale,
         )
         for _ in columns
     )  # fmt: skip
@@ -37,13 +37,14 @@ def posed(seed: int) -> tuple[Fit, np.random.Generator]:
     return fit_of(rows, y, own, slopes), rng
 
 
-def by_loops(fit: Fit, more: Floats, held: float) -> tuple[Floats, Floats]:
+def by_loops(fit: Fit, more: Floats, held: float) -> tuple[Floats, Floats, Floats]:
     """Weighted squares [B, n] that are left of blocks by the best of ``more`` [G, N, n, c], each fitted to
-    the other blocks by least squares over all rows at once; and the same of the model alone."""
+    the other blocks by least squares over all rows at once; the same of the model alone; and what the prior
+    has against these numbers, a part of it for each block [B, nats]."""
     rows = fit.model.rows
     N, n, _ = fit.columns.shape
     root = np.sqrt(1 / (rows.sigma**2 + rows.level**2 * rows.unresolved))
-    left = np.zeros((2, len(rows.blocks), n))
+    left, against = np.zeros((2, len(rows.blocks), n)), np.zeros(len(rows.blocks))
     for b, block in enumerate(rows.blocks):
         train = np.concatenate([other for k, other in enumerate(rows.blocks) if k != b])
         for which, tried in enumerate((more, np.zeros((1, N, n, 0)))):
@@ -61,7 +62,9 @@ def by_loops(fit: Fit, more: Floats, held: float) -> tuple[Floats, Floats]:
                     best = cost
                     rest = (fit.leave[block] - A[block] @ x) * root[block]
                     left[which, b] = np.sum(rest**2, axis=0)
-    return left[0], left[1]
+                    if which == 0:
+                        against[b] = held * np.sum(x[fit.columns.shape[2] :] ** 2) / 2 / len(rows.blocks)
+    return left[0], left[1], against
 
 
 @pytest.mark.parametrize(
@@ -82,10 +85,10 @@ def test_gains_are_those_of_least_squares_over_the_other_blocks(
     one = family(columns, joints, scale)
     wide = np.zeros((variants, N, JOINTS, numbers))
     wide[:, :, joints] = one.columns.astype(np.float64) * (1 if scale is None else scale)
-    after, before = by_loops(fit, wide, 0.0 if scale is None else 1.0)
+    after, before, against = by_loops(fit, wide, 0.0 if scale is None else 1.0)
     (trial,) = trials(fit, [one])
     np.testing.assert_allclose(held_out(fit), before, rtol=1e-6)
-    np.testing.assert_allclose(trial.gains, (before - after).sum(axis=1) / 2, rtol=1e-3, atol=1e-4)
+    np.testing.assert_allclose(trial.gains, (before - after).sum(axis=1) / 2 - against, rtol=1e-3, atol=1e-4)
     np.testing.assert_allclose(trial.at, (before - after).sum(axis=0) / 2, rtol=1e-3, atol=1e-4)
     np.testing.assert_allclose(trial.after, after.sum(axis=0), rtol=1e-4)
     assert trial.drop == pytest.approx(1 - np.sqrt((after.sum(axis=0) / before.sum(axis=0)).min()), abs=1e-4)
@@ -97,3 +100,27 @@ def test_what_is_noise_foretells_nothing() -> None:
     (trial,) = trials(fit, [noise])
     assert trial.gain < 3
     assert trial.drop < 0.05
+
+
+def test_of_a_law_whose_size_has_a_sign_another_value_is_tried() -> None:
+    """The better of two columns would need a size below zero."""
+    fit, rng = posed(4)
+    shape = rng.standard_normal((N, 1, 1)) + fit.leave[:, :1, None]
+    columns = np.stack([-shape, shape + 0.5 * rng.standard_normal(shape.shape)])
+    (free,), (size,) = (trials(fit, [family(columns, (0,), sign=sign)]) for sign in (0, 1))
+    assert (free.k, size.k) == (0, 1)
+    assert free.gain > size.gain > 0
+    assert size.is_possible
+
+
+def test_of_two_numbers_of_a_law_one_may_be_none() -> None:
+    """It comes out a little below zero, by less than can be told: it is zero."""
+    fit, rng = posed(5)
+    shape = rng.standard_normal((1, N, 1, 1)) + fit.leave[None, :, :1, None]
+    noise = rng.standard_normal((1, N, 1, 1))
+    for sign in (1, -1):  # of one of both the number is below zero
+        (trial,) = trials(fit, [family(np.concatenate([shape, sign * noise], axis=3), (0,), sign=1)])
+        assert trial.is_possible
+        assert trial.x.min() >= 0
+    (trial,) = trials(fit, [family(np.concatenate([-shape, noise], axis=3), (0,), sign=1)])
+    assert not trial.is_possible

@@ -9,7 +9,7 @@ import pytest
 from benchmarks.blind_arms.cases import Case
 from benchmarks.blind_arms.logs import effect, hidden_log
 
-from diagnose.plain_arms import PENDULUM, SLIDE, TURNTABLE, WEIGHTLESS, Floats, logged, read
+from diagnose.plain_arms import PENDULUM, SLIDE, TURNTABLE, WEIGHTLESS, Floats, Lacks, logged, read
 from robodyn.diagnose.amend.amend import Amendment
 from robodyn.diagnose.blind.hide import Setup, hide
 from robodyn.diagnose.result import Diagnosis, Estimate
@@ -66,6 +66,30 @@ def test_friction_is_named_with_its_size(name: str) -> None:
         (estimate,) = one.parameters.values()
         assert float(estimate.value) == pytest.approx(sizes[one.effect, one.joint or 0], rel=0.05)
     assert diagnose(found.model, [logged(robot, rubs, seed=3)]).verdict == "consistent"
+
+
+def late(log: Log, samples: int) -> Log:
+    """The log, its torques read so many samples late."""
+    return Log(log.t[samples:], log.q[samples:], None, None, log.tau[:-samples])
+
+
+def test_torques_that_are_read_late_are_no_error_of_reading_within_a_sample() -> None:
+    robot = read(PENDULUM)
+    found = diagnose(robot, [late(logged(robot), 2)])
+    assert claims(found) == {("time_delay", None)}
+    (delay,) = (f.parameters["delay"] for f in found.findings)
+    assert float(delay.value) == pytest.approx(2 / 250, rel=0.1)
+
+
+def test_a_joint_that_sticks_does_not_take_back_a_name_in_another_log() -> None:
+    """At rest friction is a set: what a joint that sticks leaves says nothing against an offset of torque."""
+    robot = read(PENDULUM.replace("revolute, mass", "revolute, friction: {coulomb: 2}, mass"))
+
+    def sticking(level: float) -> Lacks:
+        return lambda q, qd, qdd: 0.2 + 2 * np.where(np.abs(qd) < 0.3, level, np.sign(qd))
+
+    found = diagnose(robot, [logged(robot, sticking(0.0))], logged(robot, sticking(-0.9), seed=2))
+    assert claims(found) == {("torque_bias", 1)}
 
 
 @pytest.mark.parametrize(

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from robodyn.diagnose.judgement import explained
 from robodyn.diagnose.limits import MOST_RIVALS, WITHDRAWN
 from robodyn.diagnose.refit import without_vague_claim
 from robodyn.diagnose.result import Estimate, Finding, Rival
-from robodyn.diagnose.select.compare import margin, overlap, special_cases
+from robodyn.diagnose.select.compare import ahead, overlap, special_cases
 from robodyn.diagnose.select.errors import Sure, body_parameters, sureness
 from robodyn.diagnose.select.limits import OVERLAP, RIVAL, RIVAL_FAR, RIVAL_LEAST
 from robodyn.diagnose.select.odds import odds
@@ -46,7 +47,7 @@ def _finding(robot: Robot, outcome: Outcome, one: Found, sure: Sure) -> Finding:
     place = f"joint {joint}" if joint else "the whole robot"
     where = f"{place}: {entry.signature}; seen best at joint {j + 1}"
     experiment = f"to tell it from {', '.join(close)}: {entry.separates}" if close else None
-    confidence = round(odds((z, more) for _, z, more in rivals), 2)
+    confidence = round(odds(((z, more) for _, z, more in rivals), float(explained(outcome)[j])), 2)
     return Finding(
         id, joint, parameters, confidence, tuple(close), where, experiment,
         trial.gain, trial.gain / max(trial.error, 1e-300), tuple(each for each, *_ in rivals[:MOST_RIVALS]),
@@ -74,8 +75,7 @@ def rivals_of(one: Found) -> list[tuple[Rival, float, float]]:
             or _is_same_body(one, other)
         ):
             continue
-        gain, error = margin(trial, other)
-        z = gain / max(error, 1.0)
+        z = ahead(trial.gains - other.gains)
         if z < RIVAL_FAR:
             rival = Rival(
                 first.effect,
@@ -84,7 +84,7 @@ def rivals_of(one: Found) -> list[tuple[Rival, float, float]]:
                 tuple(map(float, other.gains)),
                 why_not(other, trial, z),
             )
-            found[key] = rival, max(z, 0.0), other.family.order - trial.family.order
+            found[key] = rival, z, other.family.order - trial.family.order
     return sorted(found.values(), key=lambda each: each[1])
 
 

@@ -18,7 +18,7 @@ from robodyn.diagnose.select.limits import (
     STRUCTURE_LAGS,
 )
 from robodyn.diagnose.select.noise import rest_of
-from robodyn.diagnose.select.rows import Rows, rows_of
+from robodyn.diagnose.select.rows import Rows, rows_of, with_noise
 from robodyn.diagnose.select.search import Outcome
 from robodyn.gate.gate import Gate
 from robodyn.identify.predict import lacking
@@ -98,15 +98,23 @@ def _beyond_set(rows: Rows, left: Floats) -> Floats:
     return np.asarray(left * rows.sigma * np.sqrt(rows.weight * rows.correlation))
 
 
-def standing(findings: Sequence[Finding], outcome: Outcome) -> tuple[Finding, ...]:
-    """The ``findings``, no claims those at whose joint most of what has structure remains, or most of the
-    torque does: what fits there a little need not be what is missing."""
+def explained(outcome: Outcome) -> Floats:
+    """The share [n] of the RMS at each joint that all names together explain; rows at rest as their set
+    says."""
     rows = outcome.fit.model.rows
-    left, before = structure(rows, outcome.fit.rest), excess(rows, outcome.begun.rest)
+    left, before = (np.mean(_beyond_set(rows, one.rest) ** 2, axis=0) for one in (outcome.fit, outcome.begun))
+    return np.asarray(1 - np.sqrt(left / np.maximum(before, 1e-300)))
+
+
+def standing(findings: Sequence[Finding], outcome: Outcome) -> tuple[Finding, ...]:
+    """The ``findings``, no claims those at whose joint most of the torque remains, and not as noise: what
+    fits there a little need not be what is missing."""
+    rows = outcome.fit.model.rows
+    left = structure(rows, outcome.fit.rest)
     torque, rest = (
         np.sqrt(np.mean(_beyond_set(rows, x) ** 2, axis=0)) for x in (rows.seen("tau"), outcome.fit.rest)
     )
-    is_left = (left > EXCESS) & ((left > MOSTLY * before) | (rest > MOSTLY * torque))
+    is_left = (left > EXCESS) & (rest > MOSTLY * torque)
     place = {one.member.key: int(one.trial.at.argmax()) for one in outcome.found}
     return tuple(
         replace(f, confidence=min(f.confidence, WITHDRAWN)) if is_left[place[f.effect, f.joint]] else f
@@ -140,9 +148,11 @@ def structure_left(outcome: Outcome) -> Floats:
 def confirmed(models: Sequence[Robot], seen: Sequence[Gate], fitted: Rows) -> list[bool]:
     """Of each finding whether it takes the model no farther from logs that were not ``fitted`` (it need not
     show there); the first of ``models`` has all of them, each other lacks one."""
-    rows = rows_of(fitted.robot, seen, fitted.speeds)
-    whole, weight = rest_of(models[0], rows), 1 / fitted.sigma**2
-    return [bool(np.sum((rest_of(one, rows) ** 2 - whole**2) * weight) >= 0) for one in models[1:]]
+    rows = with_noise(
+        rows_of(fitted.robot, seen, fitted.speeds), fitted.sigma, fitted.correlation, fitted.level
+    )
+    whole = rest_of(models[0], rows)
+    return [bool(np.sum((rest_of(one, rows) ** 2 - whole**2) * rows.weight) >= 0) for one in models[1:]]
 
 
 def words_of(verdict: Verdict, left: Floats) -> tuple[str, ...]:

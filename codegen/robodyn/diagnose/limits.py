@@ -29,8 +29,8 @@ MOST_RIVALS: Final = 5
 """[candidates] As many rivals of a finding are listed."""
 
 MOSTLY: Final = 0.5
-"""[share of the RMS, of the torque and of what was to be explained] A joint of which more is left, and not as
-noise, is not explained whatever fits: more than half of what it does is unknown."""
+"""[share of the RMS torque] A joint of which more is left, and not as noise, is not explained whatever fits:
+more than half of what it does is unknown."""
 
 # --- excite --------------------
 

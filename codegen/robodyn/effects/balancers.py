@@ -25,9 +25,6 @@ _LARGEST_ANGLE = 1000
 _DEAD_CENTERS = tuple(2 * math.pi * (1 + k / 24) for k in range(24))
 #: Largest rise of the search: the pressure of a gas spring hardly doubles over its stroke.
 _MOST_RISE = 0.8
-#: Smallest share of a joint's gravity torque (RMS) that a balancer compensates. The gas spring of a KUKA
-#: KR300 with payload compensates about 0.3.
-_RELIEF = 0.2
 
 
 def _lever(p: Values, q: Any) -> tuple[Any, Any, Any]:
@@ -146,7 +143,7 @@ GAS_SPRING = Effect(
         combines="balancers",
         candidates=(
             Law(
-                _columns, (1, 1), _parameters_of, 2, kind="revolute", relief=_RELIEF,
+                _columns, (1, 1), _parameters_of, 4, kind="revolute", balances=True,
                 grid=tuple({"turn": turn, "ratio": float(_RATIO)} for turn in _DEAD_CENTERS),
                 spread=(1.02, 1.002),
             ),

@@ -119,8 +119,8 @@ class Law:
     their refinement begin at the factor ``spread[0]`` and end at ``spread[1]``. ``beside``: effects (with one
     parameter) that are fitted along. ``in_place``: only in the place of what it has as special cases
     (``Traits.contains``), where that was chosen before. ``rubbing``: only where the model has friction at the
-    joint; ``rough``: only where nothing explains all there is. ``kind``: of the joint. ``relief``: only at
-    joints that carry gravity, and where the torque takes this share of gravity's off the joint (RMS).
+    joint; ``rough``: only where nothing explains all there is. ``kind``: of the joint. ``balances``:
+    only at joints that carry gravity.
     """
 
     columns: Callable[[Mapping[str, float], Site], Sequence[Any]]
@@ -136,7 +136,7 @@ class Law:
     rubbing: bool = False
     rough: bool = False
     kind: JointKind = "any"
-    relief: float = 0.0
+    balances: bool = False
 
 
 @dataclass(frozen=True, slots=True)

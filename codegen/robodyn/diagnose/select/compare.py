@@ -54,6 +54,12 @@ def is_of_link(candidate: Candidate) -> bool:
     return fold is not None and fold.into == "link"
 
 
+def ahead(gains: Floats) -> float:
+    """By how many standard errors what foretells more by ``gains`` [B, nats] of blocks is ahead; a standard
+    error is a nat at least."""
+    return float(gains.sum() / max(np.sqrt(len(gains)) * gains.std(ddof=1), 1.0))
+
+
 def is_preferred(one: Fit, other: Fit, *, is_simpler: bool) -> bool:
     """Whether a model foretells more than another one; a simpler one need not foretell less than what is
     worth a name."""
@@ -63,6 +69,11 @@ def is_preferred(one: Fit, other: Fit, *, is_simpler: bool) -> bool:
     if is_simpler:
         return bool(ratio.max() < 1 / (1 - PRACTICAL) or gains.sum() > 0)
     return bool(gains.sum() > 0 and ratio.min() < 1 - PRACTICAL)
+
+
+def better(one: Trial, other: Trial) -> float:
+    """The share of the RMS that ``one`` takes away beyond the ``other``, at the joint where that is most."""
+    return float(1 - np.sqrt((one.after / np.maximum(other.after, 1e-300)).min()))
 
 
 def special_cases(id: str) -> set[str]:
@@ -77,17 +88,6 @@ def overlap(one: Trial, other: Trial) -> float:
     """The share of the ``other``'s gain that ``one`` has at the same joints."""
     whole = np.maximum(other.at, 0)
     return float(np.minimum(np.maximum(one.at, 0), whole).sum() / max(whole.sum(), 1e-300))
-
-
-def better(one: Trial, other: Trial) -> float:
-    """The share of the RMS that ``one`` takes away beyond the ``other``, at the joint where that is most."""
-    return float(1 - np.sqrt((one.after / np.maximum(other.after, 1e-300)).min()))
-
-
-def margin(one: Trial, other: Trial) -> tuple[float, float]:
-    """By how much ``one`` foretells more than the ``other``, and the standard error of that."""
-    difference = one.gains - other.gains
-    return float(difference.sum()), float(np.sqrt(len(difference)) * difference.std(ddof=1))
 
 
 def read_link(candidate: Candidate, x: Floats, rows: Rows) -> dict[str, float | str]:

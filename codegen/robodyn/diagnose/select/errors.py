@@ -47,7 +47,8 @@ def covariance(fit: Fit) -> Floats:
     A = fit.columns * root[:, :, None]
     count, _, p = A.shape
     gram = np.einsum("tjp,tjq->pq", A, A, optimize=True) + np.diag(fit.held)
-    size = np.sqrt(np.maximum(np.diag(gram), 1e-300))
+    square = np.diag(gram)
+    size = np.sqrt(np.where(square > 1e-200, square, 1.0))  # what does not show at all stays open
     scaled, ways = np.linalg.eigh(gram / np.outer(size, size))
     is_open = scaled <= NOT_SHOWN * scaled.max(initial=0.0)
     ways = ways / size[:, None]

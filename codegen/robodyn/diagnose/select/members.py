@@ -78,13 +78,19 @@ class Member:
 
 def own_numbers(rows: Rows, share: float) -> Floats:
     """Torques [N, n, p] by combinations of the arm's own numbers, in units of what is known of them
-    beforehand, those that show; and by when torques were read, to half a sample."""
+    beforehand, those that show."""
     scale = prior_scales(rows.contexts[0].model, share).reshape(-1)
     columns = np.concatenate([regressor_seen(c) for c in rows.contexts]) * scale
     flat = (columns * np.sqrt(rows.weight)[:, :, None]).reshape(-1, len(scale))
     _, sizes, ways = np.linalg.svd(flat.T @ flat, hermitian=True)
-    shown = columns @ ways[np.sqrt(sizes) > LEAST_SHOWN].T
-    return np.concatenate([shown, _read_late(rows)], axis=2)
+    return np.asarray(columns @ ways[np.sqrt(sizes) > LEAST_SHOWN].T)
+
+
+def with_reading_time(fit: Fit) -> Fit:
+    """The fit beside when torques were read, to half a sample: at reversals that makes a level of friction
+    look another, and without it intervals are too narrow. A search beside it would miss a delay."""
+    own = np.concatenate([fit.model.own, _read_late(fit.model.rows)], axis=2)
+    return fitted(replace(fit.model, own=own)) or fit
 
 
 def _read_late(rows: Rows) -> Floats:

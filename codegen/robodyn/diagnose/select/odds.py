@@ -1,4 +1,4 @@
-"""How often a name is right that leads its rivals by so much."""
+"""How often a name is right that leads its rivals by so much, where so much is explained."""
 
 from __future__ import annotations
 
@@ -6,12 +6,17 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from robodyn.diagnose.select.limits import TEMPER
+from robodyn.diagnose.select.limits import ODDS
 
 
-def odds(rivals: Iterable[tuple[float, float]]) -> float:
-    """The share of right names among those with such ``rivals``: each foretells less by so many standard
-    errors, and has so many more numbers (a nat for each, Akaike 1974). A softmax of both; its slope is of
-    blind trials (docs/diagnose.md)."""
-    weights = [np.exp(-TEMPER * max(behind, 0.0) - max(more, 0.0)) for behind, more in rivals]
-    return float(1 / (1 + sum(weights)))
+def odds(rivals: Iterable[tuple[float, float]], explained: float) -> float:
+    """The share of right names among those with such ``rivals``, at whose joint all names together have
+    ``explained`` such a share of the RMS: that it is this name of all that explain as much, times that it is
+    one of the catalogue at all.
+
+    Each rival foretells less by so many standard errors, and has so many more numbers (a nat for each, Akaike
+    1974): a softmax of both. The other factor is calibrated (:data:`ODDS`)."""
+    beside = sum(float(np.exp(-behind - max(more, 0.0))) for behind, more in rivals)
+    share = min(max(explained, 0.01), 0.99)
+    first, by_share, most = ODDS
+    return float(most / (1 + beside) / (1 + np.exp(-first - by_share * np.log(share / (1 - share)))))

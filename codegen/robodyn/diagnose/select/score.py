@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.diagnose.limits import HALF_WIDTH
 from robodyn.diagnose.select.families import Family
 from robodyn.diagnose.select.limits import ABOVE_FLOOR, RIDGE
 from robodyn.diagnose.select.members import Fit
@@ -76,7 +77,9 @@ def trials(fit: Fit, found: Sequence[Family]) -> list[Trial]:
         d = np.sqrt(np.maximum(tZZ.diagonal(0, 2, 3), 1e-300))
         P = P / (d[..., :, None] * d[..., None, :]) + np.eye(k) * (RIDGE + held / d**2)[..., None]
         b = np.linalg.solve(P, (e / d)[..., None])[..., 0] / d
-        best = np.argmax((e * b).sum(-1), 0)
+        known, signs = _described(rows.robot, one), np.array(one.signs) > 0
+        fits = np.all((b + known >= 0) | ~signs, axis=-1)  # of either sign another dead centre may do
+        best = np.argmax(np.where(fits | ~fits.any(0), (e * b).sum(-1), -np.inf), 0)
         if one.first.fixed and one.first.local:  # nothing to learn: rare, and of a size that is known
             b = np.ones_like(b)
             size_of = P[..., 0, 0] * d[..., 0] ** 2
@@ -88,16 +91,17 @@ def trials(fit: Fit, found: Sequence[Family]) -> list[Trial]:
         rest[:, :, J] -= (Zf[best, at] @ b[..., None]).reshape(B, m, len(J))
         after = (W * rest**2).sum(1)
         share = 1 - np.sqrt(after.sum(0) / np.maximum(before.sum(0), 1e-300))
+        against = held * (b**2).sum(-1) / (2 * B)  # by what is thought of such numbers beforehand
         usual = int(np.bincount(best).argmax())
         if after.sum() < before.sum():
             sums = ZZ[usual].sum(0), ZA[usual].sum(0), cz[usual].sum(0)
-            x = _all_rows(one, G.sum(0), c.sum(0), *sums, fit.held, held)
-            possible = _is_possible(rows.robot, one, usual, b, x)
+            x, error = _all_rows(one, G.sum(0), c.sum(0), *sums, fit.held, held)
+            x, possible = _possible(rows.robot, one, usual, b, x, error)
         else:
             x, possible = np.zeros(k), False
         done.append(
-            Trial(one, usual, x, 0.5 * (before - after).sum(1), 0.5 * (before - after).sum(0), after.sum(0),
-                  float(np.where(weighted, share, 0.0).max()), possible)
+            Trial(one, usual, x, 0.5 * (before - after).sum(1) - against, 0.5 * (before - after).sum(0),
+                  after.sum(0), float(np.where(weighted, share, 0.0).max()), possible)
         )  # fmt: skip
     return done
 
@@ -134,24 +138,22 @@ def _folds(fit: Fit) -> tuple[Floats, Floats, Floats, Floats, Floats]:
 
 def _all_rows(
     one: Family, G: Floats, c: Floats, ZZ: Floats, ZA: Floats, cz: Floats, held: Floats, own: float
-) -> Floats:
-    """Coefficients [c] by all rows together."""
+) -> tuple[Floats, Floats]:
+    """Coefficients [c] by all rows together, and their standard errors [c]."""
     if one.first.fixed:
-        return np.ones(1)
+        return np.ones(1), np.zeros(1)
     whole = np.block([[G + np.diag(held), ZA.T], [ZA, ZZ + own * np.eye(len(ZZ))]])
     size = np.sqrt(np.maximum(np.diag(whole), 1e-300))
     right = np.concatenate([c, cz])
-    x = np.linalg.lstsq(whole / np.outer(size, size), right / size, rcond=1e-10)[0] / size
-    return np.asarray(x[len(G) :] if one.scale is None else x[len(G) :] * one.scale)
+    inverse = np.linalg.pinv(whole / np.outer(size, size), rcond=1e-10, hermitian=True)
+    x, error = inverse @ (right / size) / size, np.sqrt(np.maximum(np.diag(inverse), 0.0)) / size
+    unit = np.ones(len(ZZ)) if one.scale is None else one.scale
+    return np.asarray(x[len(G) :] * unit), np.asarray(error[len(G) :] * unit)
 
 
-def _is_possible(robot: Robot, one: Family, k: int, b: Floats, x: Floats) -> bool:
-    """Whether coefficients ``b`` [B, c] of folds and ``x`` [c] of all rows can be: what must not be negative
-    is not, with what is described there."""
-    usual = np.median(b, axis=0) * (1 if one.scale is None else one.scale)
-    if one.first.fixed and not one.first.local:
-        return bool(0.5 < usual[0] < 2)
-    known = np.zeros(len(usual))
+def _described(robot: Robot, one: Family) -> Floats:
+    """What the description has of a family's numbers [c]."""
+    known = np.zeros(len(one.signs))
     if one.first.joint is not None:
         joint = robot.links[one.first.joint - 1].joint
         traits = CATALOGUE[one.first.effect].traits
@@ -162,9 +164,22 @@ def _is_possible(robot: Robot, one: Family, k: int, b: Floats, x: Floats) -> boo
             known[0] = number_of(joint.coulomb)
         if one.second:
             known[-1] = number_of(joint.viscous)
-    signs = np.array(one.signs) > 0
-    if np.any((usual + known)[signs] <= 0):
-        return False
+    return known
+
+
+def _possible(robot: Robot, one: Family, k: int, b: Floats, x: Floats, error: Floats) -> tuple[Floats, bool]:
+    """Coefficients ``x`` [c] of all rows, and whether they and those of folds ``b`` [B, c] can be: what must
+    not be negative is not, with what is described there. Of several numbers of one law one may be 0: what
+    cannot be told from that, by its standard ``error`` [c], is."""
+    usual = np.median(b, axis=0) * (1 if one.scale is None else one.scale)
+    if one.first.fixed and not one.first.local:
+        return x, bool(0.5 < usual[0] < 2)
+    known, signs = _described(robot, one), np.array(one.signs) > 0
+    may_be_none = signs.sum() > 1 and not one.second
+    least = -HALF_WIDTH * error if may_be_none else 0 * error
+    if np.any((usual + known <= least)[signs]) or (signs.any() and not np.any((usual + known)[signs] > 0)):
+        return x, False
+    x = np.where(signs & may_be_none, np.maximum(x, -known), x)
     candidate = one.ones[k]
     shown = x[:-1] if one.second else one.whole(x)
-    return bool(candidate.feasible(shown) and candidate.likely(shown))
+    return x, bool(candidate.feasible(shown) and candidate.likely(shown))

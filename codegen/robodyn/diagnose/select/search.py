@@ -2,43 +2,38 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.select.compare import (
+    ahead,
     better,
     is_of_link,
     is_other_law,
     is_preferred,
     is_sum_of_others,
-    margin,
     overlap,
     read_link,
     special_cases,
 )
-from robodyn.diagnose.select.families import Family, Key, families, is_resolved
-from robodyn.diagnose.select.library import without_regressor
-from robodyn.diagnose.select.library.prepared import prepared
+from robodyn.diagnose.select.families import Family, Key, families
 from robodyn.diagnose.select.limits import (
     ALPHA,
-    FINEST,
-    FIT_WORTH,
-    HARM,
     MOST_MEMBERS,
     OVERLAP,
     PRACTICAL,
     SHARES,
 )
-from robodyn.diagnose.select.members import Fit, Member, Model, fitted, own_numbers, solve
+from robodyn.diagnose.select.members import Fit, Member, Model, fitted, own_numbers, solve, with_reading_time
 from robodyn.diagnose.select.noise import with_noise_of
 from robodyn.diagnose.select.resolution import likelier_speeds
 from robodyn.diagnose.select.rows import Rows, rows_of, with_noise
 from robodyn.diagnose.select.scope import EVERYTHING, Scope
 from robodyn.diagnose.select.score import Trial, held_out, trials
+from robodyn.diagnose.select.tuning import tuned, with_tried
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.gate import Gate
 from robodyn.robot.model import Robot
@@ -79,9 +74,9 @@ class Search:
         self.banned: set[Key] = set()
 
     def passes(self, one: Trial) -> bool:
-        """Whether it is worth a name, and there in most of the log that shows it at all."""
-        gains = one.gains
-        return self.is_worth(one) and -gains[gains < 0].sum() < HARM * gains[gains > 0].sum()
+        """Whether it is worth a name, and its gain more than its standard error over the blocks: not of one
+        alone, nor lost in others."""
+        return self.is_worth(one) and one.gain > one.error
 
     def is_worth(self, one: Trial) -> bool:
         """Whether it foretells more than chance would have it of one of so many, and enough to matter; what
@@ -90,8 +85,8 @@ class Search:
         return one.is_possible and one.gain > self.threshold and bool(one.drop > max(PRACTICAL, rare))
 
     def choice(self, tried: Iterable[Trial]) -> Trial | None:
-        """The simplest of those that pass and foretell as much as the best, within a standard error or what
-        is worth a name (Breiman et al. 1984)."""
+        """The simplest of those that pass and foretell as much as the best: within a standard error (Breiman
+        et al. 1984), or but for what is not worth a name."""
         tried = list(tried)
         good = [one for one in tried if self.passes(one) and not is_sum_of_others(one, tried)]
         if not good:
@@ -103,7 +98,7 @@ class Search:
             if self.is_worth(one)
             and not is_sum_of_others(one, tried)
             and overlap(one, best) > OVERLAP
-            and (margin(best, one)[0] <= max(margin(best, one)[1], 1.0) or better(best, one) < PRACTICAL)
+            and (ahead(best.gains - one.gains) <= 1 or better(best, one) < PRACTICAL)
         ]
         return min(near, key=lambda one: (one.family.order, -one.gain))
 
@@ -132,10 +127,10 @@ class Search:
                 fit = turned
                 continue
             if best is None:
-                wider = self.widened(fit, None)
-                if wider is None:
+                again = self.reviewed(self.widened(fit, None) or fit, range(self.rows.n))
+                if again is fit:
                     break
-                fit = self.reviewed(wider, range(self.rows.n))
+                fit = again
                 continue
             wider = self.widened(fit, best) if is_of_link(best.family.first) else None
             if wider is not None:
@@ -162,9 +157,8 @@ class Search:
             after = held_out(other)
             gains = (before - after).sum(axis=1) / 2
             drop = 1 - np.sqrt((after.sum(axis=0) / np.maximum(before.sum(axis=0), 1e-300)).min())
-            beyond = gains if best is None else gains - best.gains
-            error = 0.0 if best is None else float(np.sqrt(len(gains)) * beyond.std(ddof=1))
-            if gains.sum() > self.threshold and drop > PRACTICAL and beyond.sum() > error:
+            is_clear = best is None or ahead(gains - best.gains) > 1
+            if gains.sum() > self.threshold and drop > PRACTICAL and is_clear:
                 choices.append((float(gains.sum()), other))
         if not choices:
             return None
@@ -181,7 +175,8 @@ class Search:
         joints = np.flatnonzero(speeds != fit.model.rows.speeds) + 1
         scope = self.scope.of(laws, [int(j) for j in joints])
         fresh = {(one.key, one.second, one.kept): one for one in families(self.rows, scope)}
-        self.families = [fresh.get((one.key, one.second, one.kept), one) for one in self.families]
+        pairs = [(one, fresh.get((one.key, one.second, one.kept))) for one in self.families]
+        self._swap({id(one): with_tried(other, one, self.rows) for one, other in pairs if other is not None})
         return fitted(replace(fit.model, rows=self.rows, _known={}))
 
     def with_family(self, fit: Fit, one: Trial) -> Fit | None:
@@ -194,8 +189,16 @@ class Search:
                 return None
             (again,) = trials(rest, [one.family])
             new = self._members(again)
-        tuned = [self._tuned(fit.model.with_members(members), each) for each in new]
-        return fitted(fit.model.with_members([*members, *tuned]))
+        beside, better_ones = fit.model.with_members(members), list[Member]()
+        for each in new:
+            other = tuned(beside, each)
+            self._swap({id(each.family): other.family})
+            better_ones.append(other)
+        return fitted(fit.model.with_members([*members, *better_ones]))
+
+    def _swap(self, others: Mapping[int, Family]) -> None:
+        """Families in the place of some, by these."""
+        self.families = [others.get(id(one), one) for one in self.families]
 
     def _replaces(self, family: Family, key: Key) -> bool:
         if family.first.joint is None or key[1] != family.first.joint:
@@ -213,58 +216,6 @@ class Search:
             pair = [Member(family.key, family, one.k, dict(candidate.read(one.x[:1])))]
             return [*pair, Member(family.keys[1], family, one.k, {name: float(one.x[1])})]
         return [Member(family.key, family, one.k, dict(candidate.read(family.whole(one.x))))]
-
-    def _tuned(self, model: Model, new: Member) -> Member:
-        """A new member with values of what is not linear between those that were tried."""
-        candidate = new.family.ones[new.k]
-        if candidate.again is None or not candidate.values or new.is_linear or new.family.second:
-            return new
-        kept = list(new.family.kept) or slice(None)
-        left = model.left()
-        if left is None:
-            return new
-        columns, held = model.design(model.slopes(left))
-
-        def cost(values: dict[str, float]) -> tuple[float, Floats]:
-            assert candidate.again is not None
-            if not is_resolved(candidate, values, self.rows):
-                return np.inf, np.zeros(0)
-            parts = []
-            for c in self.rows.contexts:
-                (one,) = prepared(c, [candidate.again(c, values)])
-                parts.append(one[1])
-                without_regressor(c)
-            z = np.zeros((*left.shape, new.family.columns.shape[3]))
-            z[:, new.family.rows] = np.concatenate(parts)[:, :, kept]
-            if candidate.fixed:
-                return solve(columns, held, left - z[:, :, 0], self.rows.weight)[1], np.ones(1)
-            x, misfit = solve(
-                np.concatenate([columns, z], axis=2), np.concatenate([held, np.zeros(z.shape[2])]), left,
-                self.rows.weight,
-            )  # fmt: skip
-            return misfit, x[columns.shape[2] :]
-
-        values = {name: float(x) for name, x in candidate.values.items()}
-        best, x = cost(values)
-        step = {name: candidate.reach[name] for name in candidate.reach if name in values}
-        step = step or {name: float(np.log(candidate.spread[0])) for name in values}
-        finest = min(float(np.log(candidate.spread[1])), FINEST * max(step.values()))
-        ways = [way for way in product((-1, 0, 1), repeat=len(step)) if any(way)]
-        while max(step.values()) > finest:
-            moved = False
-            for way in ways:  # all of them at once: a valley seldom lies along one number
-                factors = zip(step.items(), way, strict=True)
-                other = {
-                    **values,
-                    **{name: values[name] * float(np.exp(k * size)) for (name, size), k in factors},
-                }
-                misfit, y = cost(other)
-                if misfit < best - FIT_WORTH:
-                    best, x, values, moved = misfit, y, other, True
-            if not moved:
-                step = {name: size / 2 for name, size in step.items()}
-        again = candidate.again(self.rows.contexts[0], values)
-        return replace(new, parameters=dict(again.read(new.family.whole(x))))
 
     def _without(self, fit: Fit, members: Sequence[Member]) -> Fit | None:
         """The model with fewer members, their slopes as they are."""
@@ -285,7 +236,7 @@ class Search:
         some; of those that show at joints ``rows`` (from 0), where something has changed."""
         changed = set(rows)
         k = len(fit.model.members) - 1
-        while k >= 0 and len(fit.model.members) > 1:
+        while k >= 0:
             member = fit.model.members[k]
             if not changed & set(member.family.rows):
                 k -= 1
@@ -299,7 +250,7 @@ class Search:
             tried = trials(rest, [one for one in self.open_to(rest) if places & set(one.rows)])
             own = [one for one in tried if one.family.key == member.key or member.key in one.family.keys]
             best = self.choice(tried)
-            if best is None or not any(map(self.is_worth, own)):
+            if best is None or not any(map(self.passes, own)):
                 again = fitted(fit.model.with_members(others))
                 if again is not None:
                     self.banned.add(member.key)
@@ -329,11 +280,12 @@ def search(
     assert begun is not None
     one = Search(gates, rows, found, tell, scope)
     fit, last = one.run(begun)
-    return Outcome(tuple(_found(one, fit)), fit, begun, tuple(last))
+    final = with_reading_time(fit)
+    return Outcome(tuple(_found(one, fit, final)), final, begun, tuple(last))
 
 
-def _found(search: Search, fit: Fit) -> Iterable[Found]:
-    for member in fit.model.members:
+def _found(search: Search, fit: Fit, final: Fit) -> Iterable[Found]:
+    for member, numbers in zip(fit.model.members, final.model.members, strict=True):
         rest = search._without(fit, [one for one in fit.model.members if one is not member])
         if rest is None:
             continue
@@ -341,4 +293,4 @@ def _found(search: Search, fit: Fit) -> Iterable[Found]:
         own = [one for one in tried if one.family.key == member.key]
         own = own or [one for one in tried if member.key in one.family.keys]
         if own:
-            yield Found(member, own[0], tuple(tried))
+            yield Found(numbers, own[0], tuple(tried))

@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.select.library.candidate import Candidate, Context, rubs, single, site, unit_column
-from robodyn.diagnose.select.library.limits import GRAVITY_SAMPLES, GRAVITY_SHARE
+from robodyn.diagnose.select.library.limits import GRAVITY_SHARE
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Effect, Site
-from robodyn.effects.traits import Dahl, Law, anything
+from robodyn.effects.traits import Dahl, Law
 from robodyn.identify.oscillator import dahl_deflection
 
 Floats = NDArray[np.float64]
@@ -23,7 +23,7 @@ def laws(c: Context, effect: Effect, law: Law, j: int) -> Iterator[Candidate]:
     kind = c.model.robot.links[j].joint.kind
     if law.kind not in ("any", kind) or (law.rubbing and not rubs(c, j)):
         return
-    if law.relief and not _carries_gravity(c, j):
+    if law.balances and not _carries_gravity(c, j):
         return
     top = max(float(c.hints.top[j]), 1e-9)
     for values in law.grid:
@@ -37,44 +37,22 @@ def _fitted(c: Context, effect: Effect, law: Law, j: int, settings: Values) -> C
         at = Site(at.revolute, at.q, at.qd, at.qdd, at.direction, c.at.passed[:, j])
     columns = [np.asarray(x + np.zeros_like(at.qd)) for x in law.columns(settings, at)]
     columns += [unit_column(CATALOGUE[id], at) for id in law.beside]
-    likely = anything
-    if law.relief:
-        torques = np.stack(columns, axis=1)[:: _step(c)]
-
-        def likely(x: Floats) -> bool:
-            return _relieved(_gravity(c)[:, j], torques @ x) >= law.relief
-
     return single(
         effect.id, j, columns, (*law.signs, *(0 for _ in law.beside)), lambda x: law.read(x, settings),
         law.order, values=settings, beside=law.beside, spread=law.spread, rough=law.rough,
-        in_place=law.in_place, feasible=law.feasible, likely=likely,
+        in_place=law.in_place, feasible=law.feasible,
         again=lambda c, values: _fitted(c, effect, law, j, values),
     )  # fmt: skip
 
 
-def _step(c: Context) -> int:
-    """Gravity changes slowly: every so many samples are enough for it."""
-    return max(1, len(c.signals.q) // GRAVITY_SAMPLES)
-
-
-def _gravity(c: Context) -> Floats:
-    """What holds the arm at rest [K', n] at some of the samples."""
-    gravity: Floats | None = c.kept.get(("gravity", 0))
-    if gravity is None:
-        q = c.signals.q[:: _step(c)]
-        gravity = c.kept["gravity", 0] = c.model.evaluate(q, np.zeros_like(q), np.zeros_like(q)).rigid
-    return gravity
-
-
 def _carries_gravity(c: Context, j: int) -> bool:
     """Whether much of the torque of joint ``j`` (from 0) holds the arm against gravity."""
-    size = np.sqrt(np.mean(_gravity(c) ** 2, axis=0))
+    size: Floats | None = c.kept.get(("gravity", 0))
+    if size is None:
+        q = c.signals.q
+        gravity = c.model.evaluate(q, np.zeros_like(q), np.zeros_like(q)).rigid
+        size = c.kept["gravity", 0] = np.sqrt(np.mean(gravity**2, axis=0))
     return bool(size[j] > GRAVITY_SHARE * size.max() > 0)
-
-
-def _relieved(gravity: Floats, torque: Floats) -> float:
-    """The share of ``gravity`` [K'] that a ``torque`` [K'] takes off its joint; negative: it adds to it."""
-    return -float(gravity @ torque) / float(gravity @ gravity)
 
 
 def dahl(c: Context, effect: Effect, law: Dahl, j: int) -> Iterator[Candidate]:

@@ -11,9 +11,6 @@ from typing import Final
 
 # --- laws --------------------
 
-GRAVITY_SAMPLES: Final = 500
-"""[samples] At about as many gravity's torque is looked at, where an effect must relieve it."""
-
 GRAVITY_SHARE: Final = 0.1
 """[share of the joint that carries most] A joint with less carries no gravity worth a spring."""
 
@@ -49,9 +46,9 @@ COUPLED_FARTHEST: Final = 2
 COUPLED_BEYOND_SHARE: Final = 0.3
 """[share of the mean square left] What a motor that reaches over a joint must take away, being rare."""
 
-LINK_WRONG: Final = 3.0
-"""[shares] Numbers of a link that is not as described are about so many times as large as it says, or its
-neighbours' (a prior, for most motions do not see all of them)."""
+LINK_WRONG: Final = 1.0
+"""[shares] Numbers of a link that is not as described are off by about as much as it says, or its neighbours
+(a prior: nothing being stated, `identify` thinks so too; most motions do not see all of them)."""
 
 LOAD_SHARE: Final = 1.0
 """[share of the arm's mass] A load is about as heavy (a prior),"""

@@ -1,0 +1,93 @@
+"""Values of what is not linear in a law, between those of the catalogue's grid."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from itertools import product
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.diagnose.select.families import Family, is_resolved
+from robodyn.diagnose.select.library import without_regressor
+from robodyn.diagnose.select.library.matched import light
+from robodyn.diagnose.select.library.prepared import prepared
+from robodyn.diagnose.select.limits import FINEST, FIT_WORTH
+from robodyn.diagnose.select.members import Member, Model, solve
+from robodyn.diagnose.select.rows import Rows
+
+Floats = NDArray[np.float64]
+Singles = NDArray[np.float32]
+
+
+def tuned(model: Model, new: Member) -> Member:
+    """A ``new`` member of a model with the values that explain most; its family has them too, so that later
+    trials of it are of these."""
+    candidate, rows, family = new.family.ones[new.k], model.rows, new.family
+    if candidate.again is None or not candidate.values or new.is_linear or family.second:
+        return new
+    left = model.left()
+    if left is None:
+        return new
+    columns, held = model.design(model.slopes(left))
+
+    def cost(values: Mapping[str, float]) -> tuple[float, Floats]:
+        if not is_resolved(candidate, values, rows):
+            return np.inf, np.zeros(0)
+        z = np.zeros((*left.shape, family.columns.shape[3]))
+        z[:, family.rows] = _columns_at(family, values, rows)
+        if candidate.fixed:
+            return solve(columns, held, left - z[:, :, 0], rows.weight)[1], np.ones(1)
+        whole = np.concatenate([columns, z], axis=2), np.concatenate([held, np.zeros(z.shape[2])])
+        x, misfit = solve(*whole, left, rows.weight)
+        return misfit, x[columns.shape[2] :]
+
+    values = {name: float(x) for name, x in candidate.values.items()}
+    best, x = cost(values)
+    step = {name: candidate.reach[name] for name in candidate.reach if name in values}
+    step = step or {name: float(np.log(candidate.spread[0])) for name in values}
+    finest = min(float(np.log(candidate.spread[1])), FINEST * max(step.values()))
+    ways = [way for way in product((-1, 0, 1), repeat=len(step)) if any(way)]
+    while max(step.values()) > finest:
+        moved = False
+        for way in ways:  # all of them at once: a valley seldom lies along one number
+            factors = {name: np.exp(k * size) for (name, size), k in zip(step.items(), way, strict=True)}
+            other = {name: float(x * factors.get(name, 1.0)) for name, x in values.items()}
+            misfit, y = cost(other)
+            if misfit < best - FIT_WORTH:
+                best, x, values, moved = misfit, y, other, True
+        if not moved:
+            step = {name: size / 2 for name, size in step.items()}
+    again = candidate.again(rows.contexts[0], values)
+    more = _with_values(family, values, rows)
+    return replace(new, family=more, k=len(more.ones) - 1, parameters=dict(again.read(family.whole(x))))
+
+
+def with_tried(family: Family, old: Family, rows: Rows) -> Family:
+    """The ``family`` in new ``rows`` with those values of the ``old`` one that it lacks."""
+    known = [one.values for one in family.ones]
+    for one in old.ones:
+        if one.values not in known and one.again is not None and is_resolved(one, one.values, rows):
+            family = _with_values(family, one.values, rows)
+    return family
+
+
+def _with_values(family: Family, values: Mapping[str, float], rows: Rows) -> Family:
+    again = family.first.again
+    assert again is not None
+    one = light(again(rows.contexts[0], values))
+    columns = np.concatenate([family.columns, _columns_at(family, values, rows)[None]])
+    return replace(family, ones=(*family.ones, one), columns=columns)
+
+
+def _columns_at(family: Family, values: Mapping[str, float], rows: Rows) -> Singles:
+    """The family's columns [N, rows, c] at these values."""
+    parts = []
+    for c in rows.contexts:
+        assert family.first.again is not None
+        ((_, part),) = prepared(c, [family.first.again(c, values)])
+        parts.append(part)
+        without_regressor(c)
+    kept = list(family.kept) or slice(None)
+    return np.concatenate(parts)[:, :, kept]
