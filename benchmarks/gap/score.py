@@ -1,11 +1,14 @@
 """What a model leaves of real logs on held-out samples, beside plain least squares on the fitted ones.
 
-    python -m benchmarks.gap.score MODEL.yaml LOG.csv... --cutoff HZ [--raster S] [--from GIVEN.yaml] [--json]
+    python -m benchmarks.gap.score MODEL.yaml LOG.csv... --cutoff HZ [--raster S] [--from GIVEN.yaml]
+                                   [--smooth] [--rest identify.json] [--json]
 
 The model's torque is that of its compiled kernel along positions filtered by the rule
 (:mod:`benchmarks.gap.recordings`); what its sensors do to it is added here. Nothing of how ``identify`` or
 ``diagnose`` judge a model is used. ``--from`` is the description whose torque side and geometry plain least
-squares take (default: the model). Ratios above 1 mean that the model leaves more than least squares.
+squares take (default: the model). Ratios above 1 mean that the model leaves more than least squares. With
+``--smooth`` least squares have smoothed friction; with ``--rest`` that of the model fades below the speeds
+that ``identify`` wrote, in proportion to the speed.
 """
 
 from __future__ import annotations
@@ -15,6 +18,7 @@ import json
 import sys
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -49,14 +53,19 @@ class Score:
         return self.rms / self.plain_rms
 
 
-def residual(robot: Robot, m: Motion) -> Floats:
-    """Torque as logged (a command as far as the drive could give it) less that of ``robot`` [K, n]."""
+def residual(robot: Robot, m: Motion, rest: Floats | None = None) -> Floats:
+    """Torque as logged (a command as far as the drive could give it) less that of ``robot`` [K, n], whose
+    Coulomb friction is less in proportion to the speed below the speeds ``rest`` [n]."""
     logged = m.tau.copy()
     for entry in _of(robot, "torque_saturation"):
         if entry.text("clips") == "drive":
             columns = _columns(entry)
             logged[:, columns] = np.clip(logged[:, columns], -entry.number("limit"), entry.number("limit"))
-    return logged - channel(robot, m.t, torque(robot, m))
+    tau = torque(robot, m)
+    if rest is not None:
+        level = np.array([float(link.joint.coulomb) for link in robot.links])  # type: ignore[arg-type]
+        tau = tau + level * (np.clip(m.qd / np.maximum(rest, 1e-300), -1, 1) - np.sign(m.qd))
+    return logged - channel(robot, m.t, tau)
 
 
 def torque(robot: Robot, m: Motion) -> Floats:
@@ -103,10 +112,18 @@ def _columns(entry: EffectEntry) -> slice:
     return slice(None) if entry.joint is None else slice(entry.joint - 1, entry.joint)
 
 
-def score(model: Robot, motions: Sequence[Motion], start: Robot | None = None) -> Score:
-    """``model`` on ``motions`` beside plain least squares with the geometry of ``start``."""
-    left = [residual(model, m) for m in motions]
-    plain = fit(start or model, motions).residuals
+def score(
+    model: Robot,
+    motions: Sequence[Motion],
+    start: Robot | None = None,
+    *,
+    rest: Floats | None = None,
+    smooth: bool = False,
+) -> Score:
+    """``model``, with friction that fades below the speeds ``rest`` [n], on ``motions`` beside plain least
+    squares with the geometry of ``start`` and friction that is ``smooth``."""
+    left = [residual(model, m, rest) for m in motions]
+    plain = fit(start or model, motions, smooth=smooth).residuals
     tau = [m.tau for m in motions]
 
     def part(tables: Sequence[Floats], which: str) -> list[Floats]:
@@ -135,12 +152,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--cutoff", type=float, required=True, help="of the low-pass of positions [Hz]")
     parser.add_argument("--raster", type=float, help="even step for logs with jitter [s]")
     parser.add_argument("--from", dest="given", help="description that the model was made of")
+    parser.add_argument("--smooth", action="store_true", help="smoothed friction for least squares")
+    parser.add_argument("--rest", type=Path, help="identify.json with the speeds of rest")
     parser.add_argument("--json", action="store_true")
     options = parser.parse_args(arguments)
     model, start = (load(x, warn=lambda _: None) if x else None for x in (options.model, options.given))
     assert model is not None
     motions = [motion(read(path), options.cutoff, options.raster) for path in options.logs]
-    result = score(model, motions, start)
+    rest = np.array(json.loads(options.rest.read_text("utf-8"))["rest"]) if options.rest else None
+    result = score(model, motions, start, rest=rest, smooth=options.smooth)
     lines = {
         "held out, RMS": result.rms,
         "least squares, RMS": result.plain_rms,

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 from benchmarks.gap.recordings import Floats, Motion
 from benchmarks.gap.robots import RealArm
 from benchmarks.gap.score import residual
@@ -61,7 +62,7 @@ def _before(arm: RealArm, motions: Sequence[Motion]) -> Sequence[Floats]:
 def _least_squares(arm: RealArm, motions: Sequence[Motion]) -> Sequence[Floats]:
     from benchmarks.gap.least_squares import fit
 
-    return fit(arm.robot(), motions).residuals
+    return fit(arm.robot(), motions, smooth=True).residuals
 
 
 def _sysid(arm: RealArm, motions: Sequence[Motion]) -> Sequence[Floats]:
@@ -87,7 +88,10 @@ def _command(name: str, model: str) -> Any:
         cpu, memory = measured([*map(str, words), *(["--no-kernels"] if name == "diagnose" else [])])
         amended = load(str(out / model), warn=lambda _: None)
         notes = _claims(out / "diagnosis.json") if name == "diagnose" else {}
-        return Answer(tuple(residual(amended, m) for m in motions), cpu, memory, notes)
+        rest = None
+        if name == "identify":
+            rest = np.array(json.loads((out / "identify.json").read_text(encoding="utf-8"))["rest"])
+        return Answer(tuple(residual(amended, m, rest) for m in motions), cpu, memory, notes)
 
     return run
 

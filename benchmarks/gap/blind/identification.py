@@ -16,7 +16,6 @@ from benchmarks.gap.blind.trials import Trial, arm_of, model_of
 from robodyn.diagnose.run import diagnose
 from robodyn.errors import RobodynError
 from robodyn.gate.gate import inspect
-from robodyn.identify.band import banded
 from robodyn.identify.fit import Load, Options
 from robodyn.identify.predict import lacking
 from robodyn.identify.run import Identification, identify
@@ -50,8 +49,8 @@ def numbers(trial: Trial, make: Make, only: Sequence[str] = ()) -> dict[str, Any
     free = make(trial)
     result = identify(described(trial), [free.train], free.validate)
     left = result.residual.validate_after / free.truth.noise
-    (gate,) = banded(described(trial), [inspect(free.validate, described(trial), source="validation")])
-    true = lacking(arm_of(trial), gate)
+    gate = inspect(free.validate, described(trial), source="validation")
+    true = lacking(arm_of(trial), gate, result.fit.rest.speeds)
     edge = len(true) // 100
     of_truth = np.sqrt((true[edge:-edge] ** 2).mean(axis=0)) / free.truth.noise
     return {

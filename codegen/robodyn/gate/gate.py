@@ -52,9 +52,7 @@ class Gate:
     None where it was not logged or cannot be used. ``saturated`` [K, n]: where torques are cut off.
     ``resting`` [K, n]: where a joint stands still for a while, so that stiction makes its torque unknown
     within the level of its friction; a reversal is no rest. ``rows`` [K]: about which row (from 0) of the
-    given log each sample is. ``joints``: what there is of each; ``flags``: all that was found. ``cutoff``
-    [Hz]: that of the positions' low-pass for models that are set beside raw torques (None: above what moves),
-    and ``blurred`` whether steps of dry friction go through it as well.
+    given log each sample is. ``joints``: what there is of each; ``flags``: all that was found.
     """
 
     log: Log
@@ -65,8 +63,6 @@ class Gate:
     resting: NDArray[np.bool_]
     joints: tuple[JointContent, ...]
     flags: tuple[Flag, ...]
-    cutoff: float | None = None
-    blurred: bool = False
 
     def flags_of(self, kind: str) -> tuple[Flag, ...]:
         """The flags of that ``kind``."""

@@ -16,16 +16,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.identify.limits import (
-    BARRIER_END,
-    BARRIER_STEP,
-    LEAST_STEP,
-    NEARLY_THERE,
-    NEWTON_DONE,
-    NEWTON_STEPS,
-    WORTH_A_STEP,
-)
-
 Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]
 
@@ -115,40 +105,42 @@ class Cone:
         return np.concatenate(shares)
 
 
-def minimum(hessian: Floats, linear: Floats, cone: Cone, start: Floats, free: Indices) -> Floats:
+def minimum(
+    hessian: Floats, linear: Floats, cone: Cone, start: Floats, free: Indices, end: float = 1e-7
+) -> Floats:
     """The x [p] inside ``cone`` that makes ``x' H x / 2 - linear' x`` smallest, from a ``start`` inside, by
-    its ``free`` numbers alone."""
+    its ``free`` numbers alone, but for ``end`` (of the same unit)."""
     x = start.copy()
     slope = (hessian @ x - linear)[free]
     # What there is to gain at all sets the barrier's first weight.
     gain = 0.5 * float(slope @ solve_definite(hessian[np.ix_(free, free)], slope))
-    mu = max(gain / max(cone.degree, 1), BARRIER_END)
+    mu = max(gain / max(cone.degree, 1), end)
     while True:
-        for _ in range(NEWTON_STEPS):
+        for _ in range(40):
             gradient, curvature = cone.slopes(x)
             slope, push = hessian @ x - linear + mu * gradient, mu * curvature
             step = np.zeros(len(x))
             step[free] = -solve_definite((hessian + push)[np.ix_(free, free)], slope[free])
             promised = -float(slope @ step)
-            if promised < NEWTON_DONE * mu:
+            if promised < 0.03 * mu:
                 break
             share = _share(cone, x, step, mu, -promised, float(step @ hessian @ step))
             if not share:
                 break
             x = x + share * step
-        if mu <= BARRIER_END:
+        if mu <= end:
             return x
-        mu = max(mu * BARRIER_STEP, BARRIER_END)
+        mu = max(0.02 * mu, end)
 
 
 def _share(cone: Cone, x: Floats, step: Floats, mu: float, descent: float, bend: float) -> float:
     """How far to go along a ``step``: inside, and down by a part of what it promises."""
     reaches = cone.reaches(x, step)
     plain = descent + mu * float(reaches.sum())  # the slope of the quadratic alone
-    share = min(1.0, NEARLY_THERE / max(-float(reaches.min(initial=0.0)), NEARLY_THERE))
-    while share > LEAST_STEP:
+    share = 0.99 / max(-float(reaches.min(initial=0.0)), 0.99)
+    while share > 1e-10:
         change = share * plain + 0.5 * share**2 * bend - mu * float(np.log1p(share * reaches).sum())
-        if change <= WORTH_A_STEP * share * descent and cone.contains(x + share * step):
+        if change <= 0.1 * share * descent and cone.contains(x + share * step):
             return share
         share *= 0.5
     return 0.0

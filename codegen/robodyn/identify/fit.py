@@ -2,7 +2,7 @@
 
     fit = fit_arm(robot, gates)            # gates: logs that passed robodyn.gate.gate.inspect
     identified(fit).robot                  # the arm with its new parameters (robodyn.identify.outcome)
-    fit.worth["coulomb"]                   # drop of the held-out error by fitting it [n, blocks]
+    fit.worth["rotor"]                     # drop of the held-out error by fitting it [n, blocks]
 
 Nothing here reads a file or writes one.
 """
@@ -18,21 +18,20 @@ from numpy.typing import NDArray
 
 from robodyn.gate.gate import Gate
 from robodyn.identify.intervals import covariance, likeness
+from robodyn.identify.late import delays_of
 from robodyn.identify.limits import (
+    CHANCE,
     GAIN_SPREAD,
     HUBER_FACTOR,
     KNOWN_MASS,
-    LARGE_SHARE,
-    LIKELY_T,
     LOAD_REACH,
     PASSES,
-    WORTH_SHARE,
-    WORTH_T,
 )
 from robodyn.identify.normal import Block, Layout, blocks_of, layout_of
 from robodyn.identify.plain import condition, held_out_gains, plain
 from robodyn.identify.prior import Prior, Usual, prior_of
-from robodyn.identify.problem import Solution, Unknowns, misfits, solve
+from robodyn.identify.problem import Solution, Unknowns, solve
+from robodyn.identify.rest import Rest, rest_of, rest_speeds
 from robodyn.identify.rows import Rows, bare, rows_of
 from robodyn.kernels.array_dynamics import PARAMETERS, Model
 from robodyn.robot.masses import only_about_base_axis
@@ -57,9 +56,8 @@ class Options:
     """What is fitted.
 
     ``offsets``: torque offsets of all joints, of none, or ("auto") of those that reduce the held-out error.
-    ``gains``: whether to fit gains of the torque channels. ``gain_spread``: their prior standard deviation.
+    ``gains``: whether to fit gains of the torque channels.
     ``loads``: loads carried in some of the logs.
-    ``confidence``: confidence in the link parameters; it overrides that of the description.
     ``joints``: for each column (``viscous``, ``coulomb``, ``rotor``), the joints (from 0) at which it is
     fitted. None: all joints.
     ``left_out``: time windows to ignore, as (log from 0, start [s], end [s]).
@@ -67,9 +65,7 @@ class Options:
 
     offsets: bool | Literal["auto"] = "auto"
     gains: bool = False
-    gain_spread: float = GAIN_SPREAD
     loads: tuple[Load, ...] = ()
-    confidence: float | None = None
     joints: Mapping[str, frozenset[int]] | None = None
     left_out: tuple[tuple[int, float, float], ...] = ()
 
@@ -81,10 +77,13 @@ class Fit:
     ``unknowns``: layout of the parameter vector ``solution.z`` [p]. ``covariance``: its covariance [p, p].
     ``first``: the fit without the held-out blocks.
     ``plain``, ``plain_first``: unconstrained least squares, on all rows and without the held-out blocks.
-    ``worth``: for each column (``viscous``, ``coulomb``, ``rotor``, ``offset``), by how much it reduces the
-    squared residuals of the held-out blocks [n, blocks], in units of the noise.
+    ``worth``: for the columns ``rotor`` and ``offset``, by how much each reduces the squared residuals of the
+    held-out blocks [n, blocks], in units of the noise.
     ``condition``: condition number of the base regressor.
     ``likeness``: number of correlated samples that count as one independent sample [n].
+    ``shift``: by how much torques of each log were set right [logs], s.
+    ``late``: by how much torques are read late in each log [logs], and standard errors, s.
+    ``rest``: below which speeds directions are not resolved, and what torques scatter by there.
     ``rows``, ``blocks``: the rows of all logs, and their normal equations.
     """
 
@@ -99,6 +98,9 @@ class Fit:
     worth: Mapping[str, Floats]
     condition: float
     likeness: Floats
+    rest: Rest
+    shift: Floats
+    late: tuple[Floats, Floats]
     rows: tuple[Rows, ...] = field(repr=False)
     blocks: tuple[Block, ...] = field(repr=False)
 
@@ -107,54 +109,86 @@ class Fit:
         """The layout of the parameters of links and joints."""
         return self.unknowns.layout
 
-    def worth_t(self, name: str) -> Floats:
-        """Student's t [n] of the error reduction by column ``name`` over the held-out blocks."""
-        gains = self.worth[name]
-        spread = gains.std(axis=1, ddof=1) / np.sqrt(gains.shape[1])
-        return np.asarray(gains.mean(axis=1) / np.maximum(spread, 1e-300))
+
+def evidence(gains: Floats) -> Floats:
+    """What held-out blocks say [n] for a column, in nats, of what it takes [n, blocks] off their squares."""
+    return np.asarray(0.5 * gains.sum(axis=1))
 
 
-def fit_arm(robot: Robot, gates: Sequence[Gate], options: Options | None = None) -> Fit:
-    """Identify the parameters of ``robot`` from logs that passed their gates."""
+def sure(n: int) -> float:
+    """Evidence that a column of one of ``n`` joints has by chance with a probability of :data:`CHANCE`."""
+    return float(np.log(n / CHANCE))
+
+
+def fit_arm(
+    robot: Robot, gates: Sequence[Gate], options: Options | None = None, late: Floats | None = None
+) -> Fit:
+    """Identify the parameters of ``robot`` from logs that passed their gates.
+
+    ``shift``: by how much torques of each log were set right [logs], s.
+    ``late``: by how much [s] the torques of each log are read late. None: if they are, it shows, and they are
+    set right.
+    """
+    shift = np.zeros(len(gates)) if late is None else late
     options = options or Options()
     windows = [[(a, b) for log, a, b in options.left_out if log == k] for k in range(len(gates))]
-    pieces = [piece for k, gate in enumerate(gates) for piece in rows_of(robot, gate, k, windows[k])]
+    pieces = [
+        piece for k, gate in enumerate(gates) for piece in rows_of(robot, gate, k, windows[k], shift[k])
+    ]
     layout = layout_of(
         robot.n, rotors=robot.torque_side == "motor", offsets=options.offsets is not False,
     )  # fmt: skip
     arm = Model(bare(robot)).arm
-    raw, _ = blocks_of(arm, layout, pieces)
-    prior = prior_of(robot, layout, _rms_of_rows(pieces), options.confidence)
+    speeds = rest_speeds(arm, layout, pieces)
+    still = still_joints(gates)
+    if still:  # what they move is noise
+        speeds[still] = 1e-300 + 2 * np.max(
+            [np.abs(p.signals.qd[:, still]).max(axis=0) for p in pieces], axis=0
+        )
+    pieces = [rows.at_rest_below(speeds) for rows in pieces]
+    prior = prior_of(robot, layout, _rms_of_rows(pieces))
     unknowns = _unknowns(robot, layout, prior, options, gates)
     filter_correlation = _filter_correlation(pieces) * np.ones(robot.n)
-    solution = solve(unknowns, raw, filter_correlation)
-    blocks, residuals = raw, [piece.tau for piece in pieces]
+    blocks, residuals = blocks_of(arm, layout, pieces)
+    solution = solve(unknowns, blocks, filter_correlation)
+    rest = Rest(speeds, solution.noise, np.zeros(robot.n))
     for _ in range(PASSES):
-        knees = HUBER_FACTOR * solution.noise
         models = [
             (unknowns.parameters(solution.z, k), unknowns.scales(solution.z)) for k in range(len(gates))
         ]
-        blocks, residuals = blocks_of(arm, layout, pieces, models, knees)
+        weights = [rest.weights(rows) for rows in pieces]
+        blocks, residuals = blocks_of(arm, layout, pieces, models, weights, HUBER_FACTOR * solution.noise)
         solution = solve(unknowns, blocks, filter_correlation)
+        rest = rest_of(speeds, solution.noise, pieces, residuals)
+    residuals = [left * np.sqrt(rest.weights(rows)) for left, rows in zip(residuals, pieces, strict=True)]
     correlation = np.maximum(likeness(residuals, robot.n), filter_correlation)
     weights = solution.weights * filter_correlation / correlation
     prior_weights = (prior.mean, solution.prior[: layout.size])
-    worth = {name: held_out_gains(layout, blocks, weights, prior_weights, name) for name in layout.own}
+    worth = {
+        name: held_out_gains(layout, blocks, weights, prior_weights, name)
+        for name in ("rotor", "offset")
+        if name in layout.own
+    }
     if options.offsets == "auto":
-        unknowns = _select_offsets(
-            unknowns,
-            worth["offset"],
-            _held_out_misfit(unknowns, blocks, solution) * filter_correlation / correlation,
-        )
+        free = unknowns.free.copy()
+        free[layout.joint("offset")] &= evidence(worth["offset"]) > sure(robot.n)
+        unknowns = replace(unknowns, free=free)
         solution = solve(unknowns, blocks, filter_correlation)
+    wider = correlation / filter_correlation
+    delays, errors = delays_of(unknowns, blocks, solution, wider)
+    shown = delays**2 > 2 * sure(len(gates)) * errors**2
+    if late is None and shown.any():
+        return fit_arm(robot, gates, options, np.where(shown, delays, 0.0))
     train = [block for block in blocks if not block.held_out]
-    plain_parameters, plain_weights = plain(layout, raw)
+    plain_parameters, plain_weights = plain(layout, blocks)
     return Fit(
         robot, unknowns, prior, solution,
-        covariance(unknowns, blocks, solution, correlation / filter_correlation),
+        covariance(unknowns, blocks, solution, wider),
         solve(unknowns, train, filter_correlation),
-        plain_parameters, plain(layout, [block for block in raw if not block.held_out])[0],
-        worth, condition(layout, raw, plain_weights), correlation, tuple(pieces), tuple(blocks),
+        plain_parameters, plain(layout, [block for block in blocks if not block.held_out])[0],
+        worth, condition(layout, blocks, plain_weights), correlation, rest,
+        shift, (shift + delays, errors),
+        tuple(pieces), tuple(blocks),
     )  # fmt: skip
 
 
@@ -215,7 +249,7 @@ def _unknowns(
         sd.append(np.array([mass_sd, *[mass * reach] * 3, *[mass * reach**2] * 6]))
     if options.gains:
         mean.append(np.zeros(n))
-        sd.append(np.full(n, options.gain_spread))
+        sd.append(np.full(n, GAIN_SPREAD))
     total = sum(len(part) for part in mean)
     free = np.concatenate([free, np.ones(total - layout.size, dtype=bool)])
     return Unknowns(
@@ -234,20 +268,3 @@ def _has_axis_inertia_only(robot: Robot) -> bool:
     """Whether the description gives the first link only an inertia about its own axis (fixed in the base)."""
     link = robot.links[0]
     return not link.mass and only_about_base_axis(link.joint, link.inertia) and bool(link.inertia.zz)
-
-
-def _held_out_misfit(unknowns: Unknowns, blocks: Sequence[Block], solution: Solution) -> Floats:
-    """Weighted squared residuals [n] of the fit on the held-out blocks."""
-    test = [block for block in blocks if block.held_out]
-    return np.asarray(misfits(unknowns, test, solution.z).sum(axis=0) * solution.weights)
-
-
-def _select_offsets(unknowns: Unknowns, worth: Floats, misfit: Floats) -> Unknowns:
-    """Fix the torque offsets at 0 that do not reduce the held-out error enough."""
-    spread = worth.std(axis=1, ddof=1) * np.sqrt(worth.shape[1])
-    total = worth.sum(axis=1)
-    free = unknowns.free.copy()
-    significant = (total > WORTH_T * spread) & (total > WORTH_SHARE * misfit)
-    useful = significant | ((total > LIKELY_T * spread) & (total > LARGE_SHARE * misfit))
-    free[unknowns.layout.joint("offset")] = useful
-    return replace(unknowns, free=free)

@@ -44,22 +44,6 @@ def likeness(residuals: Sequence[Floats], n: int) -> Floats:
     return result
 
 
-def correlations(left: Floats) -> Floats:
-    """Autocorrelations [lags] of a residual [M], from 1 at no lag on, as far as sums of pairs of them stay
-    positive and fall (Geyer 1992, initial monotone sequence)."""
-    power = float(left @ left)
-    shares, least = [1.0], np.inf
-    if not power > 0:
-        return np.array(shares)
-    for lag in range(1, len(left) // 4, 2):
-        pair = [float(left[: len(left) - k] @ left[k:]) / power for k in (lag, lag + 1)]
-        if not sum(pair) > 0:
-            break
-        shares += [each * min(1.0, least / sum(pair)) for each in pair]
-        least = min(least, sum(pair))
-    return np.array(shares)
-
-
 def covariance(unknowns: Unknowns, blocks: Sequence[Block], solution: Solution, likeness: Floats) -> Floats:
     """Covariance [p, p] of z: zero at what is held. ``likeness`` [n]: how many times wider than the weights
     say the residuals' sums of a joint spread."""

@@ -20,28 +20,11 @@ FITTING_COST: Final = (0.5, 1.1e-6)
 COMPARING_COST: Final = (0.2, 2.6e-6)
 """[s; s for each number of positions] and the comparison of torques."""
 
-# --- motor regressor --------------------
-
 # --- twist --------------------
 
 STEP_ANGLE: Final = 0.1
 """[rad] By a larger angle a link does not swing on its spring in a step: that would make the spring a
 thousandth softer;"""
-
-MOST_STEPS: Final = 8
-"""[steps] but there are no more from a sample to the next."""
-
-TWIST_PLACES: Final = 4001
-"""[places] at which a spring is tabulated,"""
-
-TWIST_BEYOND: Final = 4.0
-"""[multiples of the log's largest torque] up to so much."""
-
-TWIST_DIVERGED: Final = 1e3
-"""[multiples of the largest twist tabulated] A link that lags by more has diverged."""
-
-SWEEPS: Final = 2
-"""[sweeps] over joints that lag together."""
 
 LAG_BEGIN: Final = 1.0
 """[s] How the lag begins is sought over this time,"""
@@ -52,37 +35,8 @@ LAG_SHARES: Final = (0.15, 0.4, 1.0)
 LAG_EDGE: Final = 0.1
 """[s] but for this, where filters know less of the accelerations,"""
 
-LAG_TRIES: Final = 5
-"""[steps] in so many,"""
-
-LAG_WORTH: Final = 1e-3
-"""[share of the squares left] as long as each gains so much."""
-
 LAG_PIECE: Final = 4.0
 """[s] In shorter pieces of a log it begins at rest: two numbers more would be too many."""
-
-# --- consistent --------------------
-
-BARRIER_STEP: Final = 0.02
-"""[-] The weight of the barrier that keeps bodies possible falls by this factor"""
-
-BARRIER_END: Final = 1e-7
-"""[log-likelihood] down to this: what the answer is then off by."""
-
-NEWTON_STEPS: Final = 40
-"""[steps] Newton's method may take as many for each weight."""
-
-NEWTON_DONE: Final = 0.03
-"""[share of the weight] A step that promises less ends it."""
-
-NEARLY_THERE: Final = 0.99
-"""[share of the way to the edge] A step goes no farther."""
-
-LEAST_STEP: Final = 1e-10
-"""[share of a step] Shorter ones are not tried."""
-
-WORTH_A_STEP: Final = 0.1
-"""[share of what a step promises] It has to gain as much, or is halved."""
 
 # --- rows --------------------
 
@@ -95,36 +49,11 @@ TRAIN_SHARE: Final = 0.7
 SUB_BLOCKS: Final = 3
 """[blocks] What is fitted of a part is cut into as many, which intervals are taken from."""
 
-REST_FACTOR: Final = 3.0
-"""[standard deviations] Below so many of the noise of a velocity its sign is a ramp."""
-
-# --- normal --------------------
-
-CHUNK: Final = 256
-"""[samples] Columns are made for as many at a time."""
 
 # --- residual --------------------
 
 END_SHARE: Final = 0.01
 """[share of a log] No figure counts so much of either end, where filters know less."""
-
-LONG_CHUNK: Final = 4096
-"""[samples] Models are evaluated at as many at a time."""
-
-# --- band --------------------
-
-LOWER_STEPS: Final = (0.7, 0.5, 0.35)
-"""[multiples of the cutoff above what moves] Cutoffs that are tried first where models are set beside raw
-torques,"""
-
-HIGHER_STEPS: Final = (1.4, 2.0, 2.8, 4.0)
-"""[multiples of the cutoff above what moves] and afterwards."""
-
-BAND_WORTH: Final = 0.005
-"""[share of what is left] Another cutoff is worth it if less is left by as much,"""
-
-BAND_LOST: Final = 0.02
-"""[share of what is left] and none higher is tried where more is left by as much."""
 
 # --- prior --------------------
 
@@ -155,9 +84,6 @@ ROUNDS: Final = 5
 START_SHARE: Final = 0.01
 """[share of a link's size] The fit begins so far inside of what is possible."""
 
-LEAST_MISFIT: Final = 1e-10
-"""[share of the torque squared] Less is left by numbers without noise only; they would have no end."""
-
 PRIOR_FREEDOM: Final = 2.0
 """[degrees of freedom] of Student's t about the description: fewer let go of a wrong one sooner."""
 
@@ -166,31 +92,21 @@ LEAST_NOISE: Final = 1e-9
 
 # --- plain --------------------
 
-PLAIN_ROUNDS: Final = 4
-"""[rounds] of weights of plain least squares."""
-
 RANK: Final = 1e-9
 """[share of the largest] A smaller eigenvalue of columns of one length is none."""
 
 # --- fit --------------------
 
-PASSES: Final = 2
+PASSES: Final = 3
 """[passes] over all rows with weights by what the last fit left of them."""
 
 HUBER_FACTOR: Final = 2.5
 """[RMS] A sample that is off by more counts less."""
 
-WORTH_T: Final = 2.5
-"""[-] Student's t over held-out blocks from which on an offset is fitted,"""
 
-WORTH_SHARE: Final = 0.02
-"""[share of what is left there] if it removes so much."""
-
-LIKELY_T: Final = 1.5
-"""[-] This is sure enough"""
-
-LARGE_SHARE: Final = 0.08
-"""[share of what is left there] if it removes so much."""
+CHANCE: Final = 0.01
+"""[-] So often a log of a right model gets an offset, at any of its joints: a likelihood ratio of held-out
+blocks is larger than n / 0.01 by no more than this chance (Wasserman, Ramdas and Balakrishnan 2020)."""
 
 GAIN_SPREAD: Final = 0.3
 """[share] So far off may torque constants be that are only roughly known."""
@@ -202,9 +118,6 @@ LOAD_REACH: Final = 0.5
 """[longest link] So far from the last frame may the centre of a load be."""
 
 # --- outcome --------------------
-
-DIGITS: Final = 9
-"""[digits] with which new numbers are written."""
 
 KEPT_SHARE: Final = 1e-4
 """[prior standard deviations] A number that moved by less stays as it is described."""

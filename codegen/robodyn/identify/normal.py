@@ -14,7 +14,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.dynamics.arm import Arm
-from robodyn.identify.limits import CHUNK
 from robodyn.identify.regressor import Links
 from robodyn.identify.rows import Rows
 
@@ -59,7 +58,8 @@ def layout_of(n: int, *, rotors: bool, offsets: bool) -> Layout:
 @dataclass(frozen=True, slots=True, eq=False)
 class Block:
     """The rows of a stretch of a log: by joint ``gram`` [p_j, p_j], ``right`` [p_j] and ``square`` [n] of
-    weighted torques, ``weight`` [n] and ``count`` [n] of samples."""
+    weighted torques, ``weight`` [n] of samples; and products ``late`` [p_j + 2] of the column of a torque
+    that is read late, with the columns, the torque and itself."""
 
     log: int
     held_out: bool
@@ -67,7 +67,7 @@ class Block:
     right: tuple[Floats, ...]
     square: Floats
     weight: Floats
-    count: Floats
+    late: tuple[Floats, ...]
 
     def misfit(self, layout: Layout, x: Floats) -> Floats:
         """Weighted squares [n] of what parameters ``x`` leave."""
@@ -94,37 +94,39 @@ def blocks_of(
     layout: Layout,
     pieces: Sequence[Rows],
     models: Sequence[tuple[Floats, Floats]] | None = None,
+    weights: Sequence[Floats] | None = None,
     knees: Floats | None = None,
 ) -> tuple[list[Block], list[Floats]]:
-    """The blocks of all rows, and what is left [M, n] of each piece by its log's of the ``models``:
-    parameters [p] and what torques are multiplied by [n]. What is left beyond the ``knees`` [n] has less
-    weight (Huber)."""
+    """The blocks of all rows, which count by the ``weights`` [M, n] of each piece; and what is left [M, n] of
+    each by its log's of the ``models``: parameters [p] and what torques are multiplied by [n]. What is left,
+    weighted, beyond the ``knees`` [n] has less weight (Huber)."""
     sums: dict[tuple[int, int], _Sum] = {}
     residuals = []
-    for rows in pieces:
+    for k, rows in enumerate(pieces):
         left = np.zeros_like(rows.tau)
-        for part in _chunks(rows.block):
+        for part in chunks_of(rows.block):
             block = int(rows.block[part.start])
             into = sums.setdefault((rows.log, block), _Sum(layout, rows.log, bool(rows.held_out[block])))
             for j, A in enumerate(columns_of(arm, layout, rows, part)):
                 tau = rows.tau[part, j]
-                weight = rows.used[part, j].astype(np.float64)
+                weight = rows.used[part, j] * (1.0 if weights is None else weights[k][part, j])
                 if models is not None:
                     x, scale = models[rows.log]
-                    left[part, j] = (tau - scale[j] * (x[layout.columns(j)] @ A)) * weight
-                    if knees is not None:
-                        weight *= np.minimum(1.0, knees[j] / np.maximum(np.abs(left[part, j]), 1e-300))
-                into.add(j, A, tau, weight)
+                    left[part, j] = (tau - scale[j] * (x[layout.columns(j)] @ A)) * rows.used[part, j]
+                if knees is not None:
+                    size = np.abs(left[part, j]) * np.sqrt(weight)
+                    weight *= np.minimum(1.0, knees[j] / np.maximum(size, 1e-300))
+                into.add(j, A, tau, rows.late[part, j], weight)
         residuals.append(left)
     return [sums[key].block() for key in sorted(sums)], residuals
 
 
-def _chunks(block: Indices) -> list[slice]:
-    """Runs of one block, none longer than :data:`CHUNK`."""
+def chunks_of(block: Indices, longest: int = 256) -> list[slice]:
+    """Runs of one block, none ``longest`` or longer: columns are made for as many samples at a time."""
     ends = np.flatnonzero(np.diff(block)) + 1
     parts = []
     for a, b in zip([0, *ends.tolist()], [*ends.tolist(), len(block)], strict=True):
-        parts += [slice(k, min(k + CHUNK, b)) for k in range(a, b, CHUNK)]
+        parts += [slice(k, min(k + longest, b)) for k in range(a, b, longest)]
     return parts
 
 
@@ -136,19 +138,21 @@ class _Sum:
         self.log, self.held_out = log, held_out
         self.gram = [np.zeros((p, p)) for p in sizes]
         self.right = [np.zeros(p) for p in sizes]
-        self.square, self.weight, self.count = (np.zeros(layout.n) for _ in range(3))
+        self.late = [np.zeros(p + 2) for p in sizes]
+        self.square, self.weight = np.zeros(layout.n), np.zeros(layout.n)
 
-    def add(self, j: int, A: Floats, tau: Floats, weight: Floats) -> None:
-        """Samples of joint ``j``: columns [p_j, M], torques and weights [M]."""
+    def add(self, j: int, A: Floats, tau: Floats, late: Floats, weight: Floats) -> None:
+        """Samples of joint ``j``: columns [p_j, M], torques, their rates and weights [M]."""
         weighted = A * weight
         self.gram[j] += weighted @ A.T
         self.right[j] += weighted @ tau
         self.square[j] += float(weight @ tau**2)
         self.weight[j] += float(weight.sum())
-        self.count[j] += float(np.count_nonzero(weight))
+        self.late[j] += np.concatenate([weighted @ late, [(weight * tau) @ late, (weight * late) @ late]])
 
     def block(self) -> Block:
         """What has been added."""
         return Block(
-            self.log, self.held_out, tuple(self.gram), tuple(self.right), self.square, self.weight, self.count
-        )
+            self.log, self.held_out, tuple(self.gram), tuple(self.right), self.square, self.weight,
+            tuple(self.late),
+        )  # fmt: skip

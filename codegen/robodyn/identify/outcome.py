@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
@@ -12,9 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.effects.catalogue import CATALOGUE
+from robodyn.identify.combined import combinations_of
 from robodyn.identify.consistent import inside
 from robodyn.identify.fit import Fit
-from robodyn.identify.limits import DIGITS, KEPT_SHARE, MARGIN, UNSEEN_SHARE
+from robodyn.identify.limits import KEPT_SHARE, MARGIN, UNSEEN_SHARE
 from robodyn.identify.problem import Unknowns
 from robodyn.kernels.array_dynamics import physical
 from robodyn.robot.model import AXES, EffectEntry, Inertia, Link, Robot
@@ -33,11 +34,23 @@ _UNITS = ("kg", "m", "m", "m", *["kg m^2"] * 6)
 @dataclass(frozen=True, slots=True)
 class Estimate:
     """A number of an arm, SI: its ``value``, what its description says (``described``), its standard error,
-    None where the logs do not see it."""
+    None where the logs do not see it; whether logs show it ``only_in_combination`` with others, so that alone
+    it rests on the description too."""
 
     value: float
     described: float
     stderr: float | None
+    unit: str
+    only_in_combination: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Combined:
+    """A sum of numbers that logs show, by its ``expression``; of its ``unit``, with its standard error."""
+
+    expression: str
+    value: float
+    stderr: float
     unit: str
 
 
@@ -45,12 +58,14 @@ class Estimate:
 class Identified:
     """``robot`` with its new numbers, physically consistent; ``origins``: of each of its effects the index
     among those of the description, None where it is new; ``parameters`` by their names (``link3.mass``);
-    ``not_identifiable``: those that the logs say no more of than the description did."""
+    ``not_identifiable``: those that the logs say no more of than the description did; ``combinations``: what
+    logs show, number by number or as sums."""
 
     robot: Robot
     origins: tuple[int | None, ...]
     parameters: Mapping[str, Estimate]
     not_identifiable: tuple[str, ...]
+    combinations: tuple[Combined, ...]
 
 
 def identified(fit: Fit) -> Identified:
@@ -70,8 +85,13 @@ def identified(fit: Fit) -> Identified:
         # The torque behind the gear has friction in it after all; rotors it has not.
         still = [replace(link, joint=replace(link.joint, motor_inertia=ZERO)) for link in target.links]
         target = replace(target, torque_side="motor", links=tuple(still))
-    numbers, unseen = _numbers(fit)
-    return Identified(target, tuple(origin for origin, _ in entries), numbers, tuple(unseen))
+    sums, (names, units) = combinations_of(fit), _places(fit)
+    shared = {place for one in sums if len(one.terms) > 1 for place, _ in one.terms}
+    numbers, unseen = _numbers(fit, shared)
+    combined = tuple(
+        Combined(one.expression(names), one.value, one.stderr, units[one.terms[0][0]]) for one in sums
+    )
+    return Identified(target, tuple(origin for origin, _ in entries), numbers, tuple(unseen), combined)
 
 
 # --- the arm ----------------------------------------------------------------------------------------------
@@ -127,42 +147,59 @@ def _sensor(entries: list[tuple[int | None, EffectEntry]], acts: str, joint: int
 
 
 def _fraction(value: float) -> Fraction:
-    """The number with as many digits as a description holds."""
-    return Fraction(f"{value:.{DIGITS}g}")
+    """The number with nine digits."""
+    return Fraction(f"{value:.9g}")
 
 
 # --- the numbers ------------------------------------------------------------------------------------------
 
 
-def _numbers(fit: Fit) -> tuple[dict[str, Estimate], list[str]]:
-    """All numbers by name, and the names of those that the logs do not see."""
+def _places(fit: Fit) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """What is fitted [p], by name, and units; moments are about the origin of the link's frame."""
+    unknowns, names, units = fit.unknowns, [""] * fit.unknowns.size, [""] * fit.unknowns.size
+    first = ("mass", "mass*com_x", "mass*com_y", "mass*com_z", *(f"frame_inertia_{axes}" for axes in AXES))
+    for k in range(len(unknowns.sizes)):
+        for at, name, unit in zip(
+            unknowns.body(k), first, ("kg", *["kg m"] * 3, *["kg m^2"] * 6), strict=True
+        ):
+            names[at], units[at] = f"{_word(fit, k)}.{name}", unit
+    own = {name: fit.layout.joint(name) for name in fit.layout.own} | {"gain": unknowns.gain}
+    for name, places in own.items():
+        for j, at in enumerate(places.tolist()):
+            label, units[at] = _label(name, fit.robot.links[j].joint.kind == "revolute")
+            names[at] = f"joint{j + 1}.{label}"
+    return tuple(names), tuple(units)
+
+
+def _word(fit: Fit, k: int) -> str:
+    """What the body ``k`` (from 0) is called."""
+    return f"link{k + 1}" if k < fit.layout.n else f"load{k - fit.layout.n + 1}"
+
+
+def _numbers(fit: Fit, shared: Set[int]) -> tuple[dict[str, Estimate], list[str]]:
+    """All numbers by name, and the names of those that the logs do not see; ``shared``: places of those that
+    show only with others."""
     numbers: dict[str, Estimate] = {}
     unseen: list[str] = []
     unknowns, z = fit.unknowns, fit.solution.z
     prior = np.diag(unknowns.sd**2)
 
-    def put(
-        name: str, value: float, described: float, error: float, before: float, unit: str, known: bool = False
-    ) -> None:
+    def put(name: str, figures: Sequence[float], unit: str, at: Iterable[int], known: bool = False) -> None:
+        value, described, error, before = figures
         seen = error < UNSEEN_SHARE * before or known
-        numbers[name] = Estimate(value, described, error if seen else None, unit)
+        together = not known and not shared.isdisjoint(at)
+        numbers[name] = Estimate(value, described, error if seen else None, unit, together)
         if not seen:
             unseen.append(name)
 
     for k in range(len(unknowns.sizes)):
         at = unknowns.body(k)
-        word = f"link{k + 1}" if k < fit.layout.n else f"load{k - fit.layout.n + 1}"
+        word = _word(fit, k)
         if not unknowns.rigid[k]:
             at = at[[4 + AXES.index("zz")]]
             error = math.sqrt(float(fit.covariance[at[0], at[0]]))
-            put(
-                f"{word}.inertia_zz",
-                float(z[at[0]]),
-                float(unknowns.mean[at[0]]),
-                error,
-                float(unknowns.sd[at[0]]),
-                "kg m^2",
-            )
+            alone = (float(z[at[0]]), float(unknowns.mean[at[0]]), error, float(unknowns.sd[at[0]]))
+            put(f"{word}.inertia_zz", alone, "kg m^2", at.tolist())
             continue
         described = physical(unknowns.mean[at])
         # A mass of which logs leave next to nothing has its centre anywhere: no error of it is a number.
@@ -171,9 +208,10 @@ def _numbers(fit: Fit) -> tuple[dict[str, Estimate], list[str]]:
             after = np.sqrt(np.maximum(np.diag(slopes @ fit.covariance[np.ix_(at, at)] @ slopes.T), 0))
             before = np.sqrt(np.diag(slopes @ prior[np.ix_(at, at)] @ slopes.T))
         figures = np.stack([values, described, after, before], axis=1).tolist()
-        for name, (value, was, error, prior_error), unit in zip(_LINK, figures, _UNITS, strict=True):
-            stated = k >= fit.layout.n and name == "mass" and was > 0  # of a load: as good as it is
-            put(f"{word}.{name}", value, was, error, prior_error, unit, known=stated)
+        for i, (name, one, unit) in enumerate(zip(_LINK, figures, _UNITS, strict=True)):
+            stated = k >= fit.layout.n and name == "mass" and one[1] > 0  # of a load: as good as it is
+            needs = at[[0]] if i == 0 else at[[0, i]] if i < 4 else at
+            put(f"{word}.{name}", one, unit, needs.tolist(), known=stated)
     laws = {entry.joint for entry in fit.robot.effects if entry.joint and entry.definition.traits.levels}
     for name in fit.layout.own:
         for j, at in enumerate(fit.layout.joint(name).tolist()):
@@ -183,11 +221,11 @@ def _numbers(fit: Fit) -> tuple[dict[str, Estimate], list[str]]:
             label, unit = _label(name, fit.robot.links[j].joint.kind == "revolute")
             spread = float(unknowns.sd[at])
             error = math.sqrt(float(fit.covariance[at, at])) if free else spread
-            put(f"joint{j + 1}.{label}", float(z[at]), float(unknowns.mean[at]), error, spread, unit)
+            put(f"joint{j + 1}.{label}", (float(z[at]), float(unknowns.mean[at]), error, spread), unit, [at])
     for j, at in enumerate(unknowns.gain.tolist()):
         label, unit = _label("gain", revolute=True)
         error = math.sqrt(float(fit.covariance[at, at]))
-        put(f"joint{j + 1}.{label}", float(z[at]), 0.0, error, float(unknowns.sd[at]), unit)
+        put(f"joint{j + 1}.{label}", (float(z[at]), 0.0, error, float(unknowns.sd[at])), unit, [at])
     return numbers, unseen
 
 

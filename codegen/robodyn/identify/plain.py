@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.identify.consistent import solve_definite
-from robodyn.identify.limits import LEAST_NOISE, PLAIN_ROUNDS, RANK
-from robodyn.identify.normal import Block, Layout
+from robodyn.identify.limits import LEAST_NOISE, RANK, ROUNDS
+from robodyn.identify.normal import Block, Indices, Layout
 
 Floats = NDArray[np.float64]
 
@@ -30,7 +30,7 @@ def plain(layout: Layout, blocks: Sequence[Block]) -> tuple[Floats, Floats]:
     weights = np.ones(layout.n)
     count = np.maximum(np.sum([block.weight for block in blocks], axis=0), 1e-300)
     x = np.zeros(layout.size)
-    for _ in range(PLAIN_ROUNDS):
+    for _ in range(ROUNDS):
         x = shortest(*sums(layout, blocks, weights), without(layout, "offset"))
         squares = np.sum([block.misfit(layout, x) for block in blocks], axis=0)
         torque = np.sum([block.square for block in blocks], axis=0)
@@ -58,24 +58,36 @@ def shortest(H: Floats, h: Floats, mask: NDArray[np.bool_]) -> Floats:
     return x
 
 
-def condition(layout: Layout, blocks: Sequence[Block], weights: Floats) -> float:
-    """The condition number of the base regressor, columns scaled to one length: a basis is chosen of the
-    columns that stand out most from each other; NaN where none shows."""
-    from scipy.linalg import qr
+def basis_of(H: Floats, mask: NDArray[np.bool_]) -> tuple[Indices, Indices, Floats]:
+    """Places [r] of the columns of the ``mask`` that stand out most from each other, of which ``H`` [p, p] is
+    the Gram matrix; places [d] of those that are sums of these, and their factors [r, d] in them."""
+    from scipy.linalg import qr, solve_triangular
 
-    H, _ = sums(layout, blocks, weights)
-    mask = without(layout, "offset")
     use = np.flatnonzero(mask & (np.diag(H) > RANK * np.diag(H).max(initial=0.0)))
     if not len(use):
-        return float("nan")
+        return use, use, np.zeros((0, 0))
     unit = 1 / np.sqrt(np.diag(H)[use])
     values, vectors = np.linalg.eigh(H[np.ix_(use, use)] * np.outer(unit, unit))
     root = np.sqrt(np.maximum(values, 0))[:, None] * vectors.T
     _, R, order = qr(root, mode="economic", pivoting=True)
-    diagonal = np.abs(np.diag(R))
-    basis = order[diagonal > np.sqrt(RANK) * diagonal.max(initial=0.0)]
-    singular = np.linalg.svd(root[:, basis], compute_uv=False)
-    return float(singular[0] / singular[-1])
+    diagonal, least = np.abs(np.diag(R)), np.sqrt(RANK)
+    rank = int((diagonal > least * diagonal.max(initial=0.0)).sum())
+    factors = solve_triangular(R[:rank, :rank], R[:rank, rank:])
+    factors[np.abs(factors) < least] = 0.0
+    basis, others = order[:rank], order[rank:]
+    return use[basis], use[others], factors * unit[basis][:, None] / unit[others]
+
+
+def condition(layout: Layout, blocks: Sequence[Block], weights: Floats) -> float:
+    """The condition number of the base regressor, columns scaled to one length; NaN where none shows."""
+    H, _ = sums(layout, blocks, weights)
+    basis, _, _ = basis_of(H, without(layout, "offset"))
+    if not len(basis):
+        return float("nan")
+    own = H[np.ix_(basis, basis)]
+    unit = 1 / np.sqrt(np.diag(own))
+    values = np.linalg.eigvalsh(own * np.outer(unit, unit))
+    return float(np.sqrt(values[-1] / max(float(values[0]), np.finfo(float).eps)))
 
 
 def held_out_gains(

@@ -14,7 +14,7 @@ from robodyn.identify.twist import behind_motors
 from robodyn.kernels.array_dynamics import Model
 from robodyn.kernels.kernel import Kernel
 from robodyn.logs.limits import MOTION_WIDER
-from robodyn.logs.signals import Signals, knee, low_pass, motion_cutoff, smoothed_motion
+from robodyn.logs.signals import Signals, knee, motion_cutoff, smoothed_motion
 from robodyn.robot.model import Robot
 from robodyn.simulate.sensors import acting_on, measured_torque
 
@@ -83,47 +83,26 @@ def model_torque(
     tau: Floats | None = None,
     *,
     compiled: bool = True,
+    rest: Floats | None = None,
 ) -> Floats:
     """What the torque channel of ``robot`` shows [K, n] along measured positions, evenly sampled. What it
     showed, ``tau`` [K, n], tells of joints with springs how they were twisted at first. Not ``compiled``: by
-    the same equations on arrays where nothing remembers, which spares a model that is only tried its C."""
-    model = Model(robot)
+    the same equations on arrays where nothing remembers, which spares a model that is only tried its C.
+    ``rest`` [n]: speeds below which directions are not resolved, so that dry friction is on average as
+    much less; what remembers knows its own."""
+    model, q = Model(robot, sticking=rest), q - offsets(robot)
     remembers = any(entry.definition.memory is not None for entry in robot.effects)
     if model.couplers or not (compiled or remembers):  # a kernel can only look back
-        torque = behind_motors(model, q - offsets(robot), qd, qdd, float(t[1] - t[0]), tau)
+        torque = behind_motors(model, q, qd, qdd, float(t[1] - t[0]), tau)
         return measured_torque(torque.total, t, robot.effects)
     kernel = kernel_of(robot)
     more: dict[str, Any] = {}
     if kernel.signatures["inverse_dynamics"].states:
         more["dt"] = float(t[1] - t[0])
-    tau = kernel.inverse_dynamics(q - offsets(robot), qd, qdd, **more)
-    return measured_torque(tau, t, robot.effects)
-
-
-def blurred_torque(
-    robot: Robot, t: Floats, q: Floats, qd: Floats, qdd: Floats, tau: Floats, cutoff: float
-) -> Floats:
-    """As :func:`model_torque` of positions that were low-passed at ``cutoff`` [Hz], with dry friction
-    low-passed as well. A joint under soft control turns round with a steady torque: its friction jumps, and
-    its acceleration by as much the other way. Of a filtered acceleration and a friction that jumps a burst
-    would be left that the torque does not have."""
-    period = float(t[1] - t[0])
-
-    def seen(x: Floats) -> Floats:
-        return low_pass(x, 1 / period, cutoff)
-
-    turned, model = q - offsets(robot), Model(robot, seen=seen)
-    remembering = sorted({e.joint - 1 for e in robot.effects if e.joint and e.definition.memory is not None})
-    if not remembering or model.couplers:
-        torque = behind_motors(model, turned, qd, qdd, period, tau).total
-        return measured_torque(torque, t, robot.effects)
-    filtered, sharp = (one.evaluate(turned, qd, qdd) for one in (model, Model(robot)))
-    kernel = kernel_of(robot)
-    more: dict[str, Any] = {"dt": period} if kernel.signatures["inverse_dynamics"].states else {}
-    whole = kernel.inverse_dynamics(turned, qd, qdd, **more)
-    torque = whole + filtered.total - sharp.total
-    torque[:, remembering] = (sharp.rigid + seen(whole - sharp.rigid))[:, remembering]
-    return measured_torque(torque, t, robot.effects)
+    whole = kernel.inverse_dynamics(q, qd, qdd, **more)
+    if rest is not None:
+        whole = whole + model.torque(q, qd, qdd) - Model(robot).torque(q, qd, qdd)
+    return measured_torque(whole, t, robot.effects)
 
 
 def given_torque(tau: Floats, robot: Robot) -> Floats:
@@ -136,38 +115,28 @@ def given_torque(tau: Floats, robot: Robot) -> Floats:
     return torque
 
 
-def cutoff_of(gate: Gate, part: slice) -> float:
-    """The cutoff [Hz] of positions of an even part of a log for models that are set beside raw torques."""
-    return gate.cutoff or knee(gate.log.q[part], 1 / gate.period)
-
-
 def smooth_motion(gate: Gate, part: slice) -> tuple[Floats, Floats, Floats, Floats]:
     """Times, filtered positions and their rates of an even part of a log."""
     t, q = gate.log.t[part], gate.log.q[part]
     period = float((t[-1] - t[0]) / (len(t) - 1))
-    cutoff = gate.cutoff or motion_cutoff(q, 1 / period, knee(q, 1 / period), MOTION_WIDER)
+    cutoff = motion_cutoff(q, 1 / period, knee(q, 1 / period), MOTION_WIDER)
     smooth = smoothed_motion(q, 1 / period, cutoff)
     qd = np.gradient(smooth, period, axis=0)
     return t, smooth, qd, np.gradient(qd, period, axis=0)
 
 
-def predicted(robot: Robot, gate: Gate) -> Floats:
-    """The torques [K, n] that ``robot`` predicts along a log."""
+def predicted(robot: Robot, gate: Gate, rest: Floats | None = None) -> Floats:
+    """The torques [K, n] that ``robot`` predicts along a log; ``rest`` as in :func:`model_torque`."""
     torque = np.zeros_like(gate.log.tau)
     for part in gate.segments:
-        t, q, qd, qdd = smooth_motion(gate, part)
-        tau = gate.log.tau[part]
-        if gate.blurred:
-            torque[part] = blurred_torque(robot, t, q, qd, qdd, tau, cutoff_of(gate, part))
-        else:
-            torque[part] = model_torque(robot, t, q, qd, qdd, tau)
+        torque[part] = model_torque(robot, *smooth_motion(gate, part), gate.log.tau[part], rest=rest)
     return torque
 
 
-def lacking(robot: Robot, gate: Gate) -> Floats:
+def lacking(robot: Robot, gate: Gate, rest: Floats | None = None) -> Floats:
     """What ``robot`` does not explain of a log [K, n]: the torque as logged (the command as far as the drive
-    could give it) less the predicted one."""
-    return given_torque(gate.log.tau, robot) - predicted(robot, gate)
+    could give it) less the predicted one; ``rest`` as in :func:`model_torque`."""
+    return given_torque(gate.log.tau, robot) - predicted(robot, gate, rest)
 
 
 def signals_seen(gate: Gate) -> Signals:

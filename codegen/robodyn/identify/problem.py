@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.identify.consistent import Cone, inside, minimum
-from robodyn.identify.limits import LEAST_MISFIT, LEAST_NOISE, PRIOR_FREEDOM, ROUNDS, START_SHARE
+from robodyn.identify.limits import LEAST_NOISE, PRIOR_FREEDOM, ROUNDS, START_SHARE
 from robodyn.identify.normal import Block, Indices, Layout
 
 Floats = NDArray[np.float64]
@@ -186,7 +186,7 @@ def solve(unknowns: Unknowns, blocks: Sequence[Block], likeness: Floats, *, roun
         total, right = H + np.diag(precision), h + precision * unknowns.mean
         z = minimum(total, right, cone, start, free)
         squares = misfits(unknowns, blocks, z).sum(axis=0)
-        squares = np.maximum(squares, LEAST_MISFIT * torque)
+        squares = np.maximum(squares, 1e-10 * torque)
         weights = count / np.maximum(squares, least) / likeness
         precision = _precision(unknowns, z)
     H, _ = normal(unknowns, blocks, weights, z)

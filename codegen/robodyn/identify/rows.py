@@ -1,8 +1,8 @@
 """The rows that an arm is fitted to: filtered torques and motion of logs, thinned to what their band holds.
 
-Positions go through a zero-phase filter and are differentiated; torques and the steps of dry friction go
-through the same filter (Gautier 1997). What the description has beside rigid links, rotors, viscous and
-Coulomb friction (springs, couplings, sensors) is taken off the torque, and stays as it is.
+Positions go through a zero-phase filter and are differentiated; torques and directions of motion go through
+the same filter (Gautier 1997). What the description has beside rigid links, rotors, viscous and Coulomb
+friction (springs, couplings, sensors) is taken off the torque, and stays as it is.
 """
 
 from __future__ import annotations
@@ -17,14 +17,13 @@ from robodyn.errors import InputError
 from robodyn.gate.gate import Gate
 from robodyn.identify.limits import (
     FOLDS,
-    REST_FACTOR,
     SUB_BLOCKS,
     TRAIN_SHARE,
 )
 from robodyn.identify.predict import biases, delays, gains, model_torque, offsets
 from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.log import Log
-from robodyn.logs.signals import signals_of
+from robodyn.logs.signals import Signals, signals_of
 from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]
@@ -32,22 +31,63 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Rows:
-    """Samples [M] of one log, thinned: ``q, qd, qdd`` [M, n], directions of motion ``way`` and torques
-    ``tau`` [M, n], both filtered; ``used`` [M, n]: whether a torque can be relied on; ``block`` [M] is
-    which block of the log each is of, ``held_out`` [blocks] which of these a first fit leaves out; ``log``:
-    which of the logs; ``step`` [s] between samples; ``cutoff`` [Hz]."""
+    """Samples [M] of one log, thinned: ``q, qd, qdd`` [M, n], directions of motion ``way``, how little these
+    are resolved (``unresolved``: 1 - s^2), torques ``tau`` and their rates ``late`` (-dtau/dt) [M, n], all
+    filtered; ``used`` [M, n]: whether a torque can be relied on; ``block`` [M] is which block of the log each
+    is of, ``held_out`` [blocks] which of these a first fit leaves out; ``log``: which of the logs;
+    ``signals``: what they were thinned from."""
 
     q: Floats
     qd: Floats
     qdd: Floats
     way: Floats
+    unresolved: Floats
     tau: Floats
+    late: Floats
     used: NDArray[np.bool_]
     block: NDArray[np.intp]
     held_out: NDArray[np.bool_]
     log: int
-    step: float
-    cutoff: float
+    signals: Signals
+
+    @property
+    def step(self) -> float:
+        """Time between samples [s]."""
+        return self.signals.every * self.signals.period
+
+    @property
+    def cutoff(self) -> float:
+        """Of the filter [Hz]."""
+        return self.signals.cutoff
+
+    def unfiltered(self) -> Rows:
+        """As many times more samples as tell where a torque jumps, unfiltered; those of directions are of the
+        rows as they are."""
+        s = self.signals
+        step = max(1, s.every // 4)
+        part = slice(s.edge, len(s.t) - s.edge, step)
+        near = np.minimum(np.arange(len(s.t[part])) * step // s.every, len(self.block) - 1)
+        return replace(
+            self, q=s.q[part], qd=s.qd[part], qdd=s.qdd[part], way=s.qd[part], tau=s.tau[part],
+            used=self.used[near], block=self.block[near],
+        )  # fmt: skip
+
+    def at_rest_below(self, speeds: Floats) -> Rows:
+        """The same rows with directions that are resolved from other ``speeds`` [n] on."""
+        way = direction(self.signals.qd, speeds)
+        unresolved = np.clip(_seen(self.signals, 1 - way**2), 0.0, 1.0)
+        return replace(self, way=_seen(self.signals, way), unresolved=unresolved)
+
+
+def _seen(s: Signals, x: Floats) -> Floats:
+    """``x`` [K, ...] filtered and thinned."""
+    return s.thinned(s.filtered(x))
+
+
+def direction(qd: Floats, speeds: Floats) -> Floats:
+    """Mean directions s of velocities [K, n] that are resolved from ``speeds`` [n] on; signs where these are
+    0."""
+    return np.divide(qd, speeds, out=np.sign(qd), where=np.abs(qd) < speeds)
 
 
 def bare(robot: Robot) -> Robot:
@@ -60,10 +100,12 @@ def rows_of(
     gate: Gate,
     log: int,
     left_out: Sequence[tuple[float, float]] = (),
+    late: float = 0.0,
 ) -> list[Rows]:
     """The rows of a log that has passed its ``gate``, a piece for each of its segments; torques in windows of
     time that are ``left_out`` [s] do not count, nor what the filter brings of them. What effects do is
-    taken off the torque."""
+    taken off the torque, which is read ``late`` [s]. Directions of motion are resolved as far as the
+    encoders' noise lets them be."""
     count = gate.log.samples
     edges, held_out = blocks_of(count)
     pieces = []
@@ -71,25 +113,25 @@ def rows_of(
         piece = Log(gate.log.t[part], gate.log.q[part] - offsets(robot), None, None, gate.log.tau[part])
         signals = signals_of(piece)
         K = len(signals.t)
-        tau = true_torque(robot, piece)[:K]
+        tau = true_torque(robot, piece, late)[:K]
         known = kept_torque(robot, piece, signals.q, signals.qd, signals.qdd)
         if known is not None:
             tau = tau - known
-        way = direction(signals.qd, rest_band(signals.acceleration_noise, signals.cutoff))
         block = np.searchsorted(edges, part.start + np.arange(K), side="right") - 1
         used = ~gate.saturated[part][:K]
         for start, end in left_out:
             reach = 1 / signals.cutoff
             used &= ((signals.t < start - reach) | (signals.t > end + reach))[:, None]
-        q, qd, qdd, way, tau = (
-            signals.thinned(x)
-            for x in (signals.q, signals.qd, signals.qdd, signals.filtered(way), signals.filtered(tau))
-        )
-        if len(q):
-            thin = slice(signals.edge, K - signals.edge, signals.every)
-            step = signals.every * signals.period
-            used, block = used[thin], block[thin]
-            pieces.append(Rows(q, qd, qdd, way, tau, used, block, held_out, log, step, signals.cutoff))
+        if not len(signals.thinned(signals.t)):
+            continue
+        signals = replace(signals, tau=tau)
+        q, qd, qdd = (signals.thinned(x) for x in (signals.q, signals.qd, signals.qdd))
+        rates = -np.gradient(signals.filtered(tau), signals.period, axis=0)
+        rows = Rows(
+            q, qd, qdd, qd, qd, _seen(signals, tau), signals.thinned(rates), used[signals.used],
+            block[signals.used], held_out, log, signals,
+        )  # fmt: skip
+        pieces.append(rows.at_rest_below(signals.speed_noise))
     return pieces
 
 
@@ -106,19 +148,9 @@ def blocks_of(samples: int) -> tuple[Floats, NDArray[np.bool_]]:
     return np.array(starts), np.array(held_out)
 
 
-def direction(qd: Floats, band: Floats) -> Floats:
-    """Signs of velocities [K, n]; below the ``band`` [n], where noise decides them, as a ramp."""
-    return np.clip(qd / np.maximum(band, 1e-12), -1.0, 1.0)
-
-
-def rest_band(acceleration_noise: Floats | None, cutoff: float) -> Floats:
-    """Velocities [n] below which the encoders' noise decides the sign."""
-    noise = np.zeros(1) if acceleration_noise is None else acceleration_noise
-    return np.asarray(REST_FACTOR * noise / (2 * np.pi * cutoff))
-
-
-def true_torque(robot: Robot, log: Log) -> Floats:
-    """Torques [K, n] as they were before the sensors that the description knows: lag, offset, gain.
+def true_torque(robot: Robot, log: Log, more: float = 0.0) -> Floats:
+    """Torques [K, n] as they were before the sensors that the description knows: lag, offset, gain; ``more``
+    [s]: a lag that it does not know.
 
     Raises
     ------
@@ -133,7 +165,7 @@ def true_torque(robot: Robot, log: Log) -> Floats:
             remedy="state the gain of the torque channel, or leave the effect out",
         )
     tau = log.tau.copy()
-    late = delays(robot)
+    late = delays(robot) + more
     for j in np.flatnonzero(late):
         tau[:, j] = np.interp(log.t + late[j], log.t, tau[:, j])
     return np.asarray((tau - biases(robot)) / passed)

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
+from functools import reduce
+from operator import add
 from os import PathLike
 from typing import Any
 
@@ -13,17 +15,15 @@ from numpy.typing import NDArray
 from robodyn.errors import InputError
 from robodyn.formats.loading import robot_of, text_of
 from robodyn.gate.gate import Gate, inspect
-from robodyn.identify.band import with_cutoff
-from robodyn.identify.fit import Fit, Options, fit_arm, still_joints
+from robodyn.identify.fit import Fit, Options, evidence, fit_arm, still_joints, sure
 from robodyn.identify.limits import (
     COMPARING_COST,
     FITTING_COST,
     LEAST_NOISE,
     LOOKING_COST,
     POOR_CONDITION,
-    WORTH_T,
 )
-from robodyn.identify.outcome import Estimate, Identified, identified
+from robodyn.identify.outcome import Combined, Estimate, Identified, identified
 from robodyn.identify.residual import Squares, squares_of
 from robodyn.logs.log import Log, LogSource, log_of
 from robodyn.robot.account import account_to_dict
@@ -34,11 +34,12 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Residual:
-    """RMS [n] of the raw torque less the model's: of the description (``before``), of the new numbers
-    (``after``) and of unconstrained least squares (``plain``), on all rows that were fitted (``train``), and
-    on rows that the model had not seen (``validate``): those of another log, or 30 % of the logs that were
-    held out from a first fit. ``torque``: the RMS of what is logged; ``noise_floor``: what no
-    model removes."""
+    """RMS [n] of the raw torque less the model's, of samples at which the joint is not at rest: of the
+    description (``before``), of the new numbers (``after``) and of unconstrained least squares (``plain``),
+    on all rows that were fitted (``train``), and on rows that the model had not seen (``validate``): those of
+    another log, or 30 % of the logs that were held out from a first fit. ``torque``: the RMS of what is
+    logged; ``noise_floor``: what no model removes; ``rest_share``: of the samples at which a joint rests, so
+    that its torque says no more than that it lies within its dry friction."""
 
     train_before: Floats
     train_after: Floats
@@ -49,6 +50,7 @@ class Residual:
     validate_plain: Floats
     validate_torque: Floats
     noise_floor: Floats
+    rest_share: Floats
 
     def to_dict(self) -> dict[str, Any]:
         """As ``identify.json`` has it."""
@@ -61,21 +63,34 @@ class Residual:
             }
             for name in ("train", "validate")
         }
-        return {**parts, "noise_floor": self.noise_floor.tolist()}
+        more = {name: getattr(self, name).tolist() for name in ("noise_floor", "rest_share")}
+        return {**parts, **more}
+
+
+@dataclass(frozen=True, slots=True)
+class Delay:
+    """By how much the torques of a ``log`` are read late, and the standard error [s]."""
+
+    log: str
+    value: float
+    stderr: float
+    unit: str = "s"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Identification:
     """What logs say of an arm: ``robot`` as described, ``model`` with its new numbers and ``model_text`` its
-    description; ``parameters`` by name, ``not_identifiable`` those that the logs do not show; ``condition``
-    of the base regressor; ``held_out``: whether :attr:`residual` was validated on parts of the logs
-    themselves; ``flags`` of the data gate, ``words`` for people, ``logs`` by name and hash; ``fit``: all the
-    rest."""
+    description; ``parameters`` by name, ``combinations`` of them that the logs show, ``not_identifiable``
+    those that they do not; ``torque_delay``: logs whose torques are read late; ``condition`` of the base
+    regressor; ``held_out``: whether :attr:`residual` was validated on parts of the logs themselves; ``flags``
+    of the data gate, ``words`` for people, ``logs`` by name and hash; ``fit``: all the rest."""
 
     robot: Robot
     model: Robot
     model_text: str
     parameters: Mapping[str, Estimate]
+    combinations: tuple[Combined, ...]
+    torque_delay: tuple[Delay, ...]
     not_identifiable: tuple[str, ...]
     residual: Residual
     condition: float
@@ -95,11 +110,17 @@ class Identification:
                     "stderr": one.stderr,
                     "unit": one.unit.replace(" ", "*"),
                     "described": one.described,
+                    "only_in_combination": one.only_in_combination,
                 }
                 for name, one in self.parameters.items()
             },
+            "combinations": [
+                {**asdict(one), "unit": one.unit.replace(" ", "*")} for one in self.combinations
+            ],
+            "torque_delay": [asdict(one) for one in self.torque_delay],
             "not_identifiable": list(self.not_identifiable),
             "residual": self.residual.to_dict(),
+            "rest": self.fit.rest.speeds.tolist(),
             "validated_on": "held-out blocks of the logs" if self.held_out else "a log of its own",
             "condition": self.condition,
             "remarks": list(self.words),
@@ -154,21 +175,26 @@ def identify(
             robot, "no joint that moves, and no gravity that turns or pushes one that stands"
         )
     tell("comparing the torques")
-    outcome = identified(fit)
+    outcome, late = identified(fit), _delays(fit, labels)
     old = text if text is not None and parameters is None else to_yaml(robot)
     new = rewritten(old, robot, outcome.robot, outcome.origins, _notes(robot, outcome, hashes[: len(logs)]))
     every = [*gates, *([] if seen is None else [seen])]
-    banded = with_cutoff(robot, fit.layout, every, fit.plain)
-    validation = None if seen is None else banded[-1]
     return Identification(
-        robot, outcome.robot, new, outcome.parameters, outcome.not_identifiable,
-        _residual(fit, banded[: len(gates)], validation), fit.condition, seen is None,
-        tuple(str(flag) for gate in every for flag in gate.flags), remarks(fit, outcome, gates),
+        robot, outcome.robot, new, outcome.parameters, outcome.combinations,
+        late, outcome.not_identifiable,
+        _residual(fit, gates, seen), fit.condition, seen is None,
+        tuple(str(flag) for gate in every for flag in gate.flags), remarks(fit, outcome, gates, late),
         tuple(
             {"name": labels[k], "sha256": hashes[k] if k < len(hashes) else ""} for k in range(len(every))
         ),
         fit,
     )  # fmt: skip
+
+
+def _delays(fit: Fit, labels: Sequence[str]) -> tuple[Delay, ...]:
+    """The logs whose torques are late by more than rows have it by chance."""
+    found = zip(labels, *(x.tolist() for x in fit.late), fit.shift.tolist(), strict=False)
+    return tuple(Delay(label, value, error) for label, value, error, shift in found if shift)
 
 
 def _nothing_shows(robot: Robot, reason: str) -> InputError:
@@ -210,6 +236,7 @@ def _residual(fit: Fit, gates: Sequence[Gate], seen: Gate | None) -> Residual:
     """What the models leave: the first fit's of rows that were held out, the last one's of all."""
     layout = fit.layout
     sums: list[Squares] = []
+    shift = [*fit.shift.tolist(), float(fit.shift.mean())]
     for k, gate in enumerate([*gates, *([] if seen is None else [seen])]):
         log = k if k < len(gates) else -1
         models, scales = [fit.prior.mean, fit.plain, fit.plain_first], [np.ones(layout.n)] * 3
@@ -217,22 +244,20 @@ def _residual(fit: Fit, gates: Sequence[Gate], seen: Gate | None) -> Residual:
             z = solution.z
             models.append(fit.unknowns.parameters(z, log) if log >= 0 else z[: layout.size])
             scales.append(fit.unknowns.scales(z))
-        sums.append(squares_of(fit.robot, layout, gate, np.stack(models), np.stack(scales)))
-    whole = sums[0]
-    for other in sums[1 : len(gates)]:
-        whole = whole + other
-    rms = whole.rms()
-    if seen is None:
-        unseen, torque = whole.rms_held_out(), whole.torque_rms_held_out()
-        before, plain, after = unseen[0], unseen[2], unseen[4]
-    else:
-        unseen, torque = sums[-1].rms(), sums[-1].torque_rms()
-        before, plain, after = unseen[0], unseen[1], unseen[3]
+        sums.append(
+            squares_of(fit.robot, layout, gate, fit.rest, np.stack(models), np.stack(scales), shift[k])
+        )
+    whole = reduce(add, sums[: len(gates)])
+    rms, unseen = whole.rms(), whole.rms(held_out=True) if seen is None else sums[-1].rms()
+    plain, after = (2, 4) if seen is None else (1, 3)  # the first fit's, of what it has not seen
     noise = np.sqrt(np.mean([gate.torque_noise**2 for gate in gates], axis=0))
-    return Residual(rms[0], rms[3], rms[1], whole.torque_rms(), before, after, plain, torque, noise)
+    share = whole.resting / np.maximum(whole.count.sum(axis=0) + whole.resting, 1)
+    return Residual(
+        rms[0], rms[3], rms[1], rms[5], unseen[0], unseen[after], unseen[plain], unseen[5], noise, share
+    )
 
 
-def remarks(fit: Fit, outcome: Identified, gates: Sequence[Gate]) -> tuple[str, ...]:
+def remarks(fit: Fit, outcome: Identified, gates: Sequence[Gate], late: Sequence[Delay]) -> tuple[str, ...]:
     """Remarks for people, most important first."""
     words = []
     still = [j + 1 for j in still_joints(gates)]
@@ -244,6 +269,9 @@ def remarks(fit: Fit, outcome: Identified, gates: Sequence[Gate]) -> tuple[str, 
             f"the motion excites the arm poorly (condition {fit.condition:.3g}; below {POOR_CONDITION:g} is "
             f"good): record one of `robodyn excite {fit.robot.name}`"
         )
+    for one in late:
+        size = f"{1e3 * abs(one.value):.3g} +- {1e3 * one.stderr:.2g} ms"
+        words.append(f"{one.log}: torques are read {size} {'late' if one.value > 0 else 'early'}")
     offsets = fit.layout.joint("offset") if "offset" in fit.layout.own else np.zeros(0, dtype=np.intp)
     shown = [j + 1 for j, at in enumerate(offsets.tolist()) if fit.unknowns.free[at]]
     if shown:
@@ -264,7 +292,7 @@ def remarks(fit: Fit, outcome: Identified, gates: Sequence[Gate]) -> tuple[str, 
             f"identified.yaml says torque_side: {outcome.robot.torque_side}"
         )
     if "rotor" in fit.layout.own:
-        weak = [j + 1 for j in np.flatnonzero(fit.worth_t("rotor") < -WORTH_T).tolist()]
+        weak = [j + 1 for j in np.flatnonzero(evidence(fit.worth["rotor"]) < -sure(fit.robot.n)).tolist()]
         if weak:
             words.append(f"the rotor of {_named('joint', weak)} does not help on held-out samples")
     return tuple(words)

@@ -20,14 +20,7 @@ from robodyn.identify.limits import (
     LAG_EDGE,
     LAG_PIECE,
     LAG_SHARES,
-    LAG_TRIES,
-    LAG_WORTH,
-    MOST_STEPS,
     STEP_ANGLE,
-    SWEEPS,
-    TWIST_BEYOND,
-    TWIST_DIVERGED,
-    TWIST_PLACES,
 )
 from robodyn.identify.oscillator import Oscillator
 from robodyn.kernels.array_dynamics import Evaluated, Model, Moved
@@ -84,7 +77,7 @@ def lag_of(
     """
     spring = _Spring.of(effect, values, float(np.abs(torque).max()))
     angle = period * float(np.sqrt(spring.stiffest / max(float(np.median(felt[0])), 1e-9)))
-    steps = min(max(1, int(np.ceil(angle / STEP_ANGLE))), MOST_STEPS)
+    steps = min(max(1, int(np.ceil(angle / STEP_ANGLE))), 8)
     if steps == 1:
         return _lag(spring, torque, felt, period, passed)
     kept = {} if kept is None else kept
@@ -119,7 +112,7 @@ def _lag(
         sizes = spring.width * np.array([1.0, quick])
         begin = _begun(link, spring, begin, sizes, passed[:last], first)
     lag = link.motion((float(begin[0]), float(begin[1])))
-    far = np.abs(lag[:, 0]) > TWIST_DIVERGED * -spring.low
+    far = np.abs(lag[:, 0]) > -1e3 * spring.low  # diverged
     if far.any():
         lag[int(np.argmax(far)) :] = np.nan
     return lag
@@ -155,7 +148,7 @@ def _nearest(link: Oscillator, begin: Floats, sizes: Floats, passed: Floats, fir
     left = missed(begin)
     if not np.isfinite(left).all():
         return begin
-    for _ in range(LAG_TRIES):
+    for _ in range(5):
         slopes = np.stack([missed(begin + one) - left for one in np.diag(sizes)], axis=1)
         if not np.isfinite(slopes).all():
             break
@@ -166,7 +159,7 @@ def _nearest(link: Oscillator, begin: Floats, sizes: Floats, passed: Floats, fir
                 break
         else:
             break
-        settled = now @ now > (1 - LAG_WORTH) * (left @ left)
+        settled = now @ now > 0.999 * (left @ left)
         begin, left = begin - share * step, now
         if settled:
             break
@@ -186,8 +179,8 @@ class _Spring:
     def of(cls, effect: str, values: Mapping[str, Any], most: float) -> _Spring:
         coupler = CATALOGUE[effect].coupler
         assert coupler is not None
-        reach = abs(float(coupler.twist(values, TWIST_BEYOND * most + 1e-9)))
-        places = np.linspace(-reach, reach, TWIST_PLACES)
+        reach = abs(float(coupler.twist(values, 4 * most + 1e-9)))
+        places = np.linspace(-reach, reach, 4001)
         force = np.asarray(coupler.torque(values, places, 0.0), dtype=np.float64)
         return cls(-reach, float(places[1] - places[0]), force, float(values["damping"]))
 
@@ -232,7 +225,7 @@ def lags_of(
     couplers = model.couplers
     slopes = {j: _slopes(model, (q, qd, qdd), seen.rigid, j) for j in couplers}
     lags = {j: np.zeros((len(q), 3)) for j in couplers}
-    for _ in range(SWEEPS if len(couplers) > 1 else 1):
+    for _ in range(2 if len(couplers) > 1 else 1):
         for j, coupler in couplers.items():
             others = sum((slopes[k].of(lags[k])[:, j] for k in couplers if k != j), np.zeros(len(q)))
             load = seen.passed[:, j] + others

@@ -60,6 +60,16 @@ class Signals:
         """Number of joints."""
         return int(self.q.shape[1])
 
+    @property
+    def speed_noise(self) -> Floats:
+        """Standard deviations [n] of the encoders' noise in the speeds."""
+        if self.position_noise is None or self.motion is None:
+            return np.zeros(self.n)
+        f = np.linspace(0.0, min(3 * self.motion, 0.5 / self.period), 500)
+        passed = 2 * np.pi * f / (1 + (f / self.motion) ** (2 * FILTER_ORDER))
+        share = np.sqrt(2 * self.period * np.sum(passed**2) * (f[1] - f[0]))
+        return np.asarray(self.position_noise * share)
+
     def filtered(self, x: Floats) -> Floats:
         """``x`` [K, ...] through the zero-phase low-pass."""
         return low_pass(x, 1 / self.period, self.cutoff)

@@ -29,9 +29,17 @@ def summary(outcome: Identification, path: str) -> list[str]:
         place, _, what = name.partition(".")
         if place.startswith("joint"):
             value = "not seen" if one.stderr is None else with_error(one.value, one.stderr)
+            if one.only_in_combination:
+                value = "in combination"
             title = f"{what.split('.')[0].replace('_', ' ')} [{one.unit}]"
             names.setdefault(title, []).append(f"{place.removeprefix('joint')}: {value}")
     lines += ["", *(f"{what}: {', '.join(cells)}" for what, cells in names.items())]
+    for sum_ in outcome.combinations:
+        if " " in sum_.expression and "joint" in sum_.expression:
+            lines.append(f"{sum_.expression} = {with_error(sum_.value, sum_.stderr)} {sum_.unit}")
+    resting = [f"{j}: {100 * x:.2g} %" for j, x in enumerate(r.rest_share.tolist(), 1) if x > 0]
+    if resting:
+        lines.append(f"at rest, where the torque says only that friction holds: {', '.join(resting)}")
     count, unknown = len(outcome.parameters), len(outcome.not_identifiable)
     lines.append(
         f"{count - unknown} of {count} parameters are identified, {unknown} are "

@@ -19,7 +19,7 @@ from robodyn.diagnose.select.limits import BLOCKS, GUARD, LEAST_NOISE_SHARE, SHO
 from robodyn.gate.gate import Gate
 from robodyn.identify.prior import number_of
 from robodyn.kernels.array_dynamics import Model
-from robodyn.logs.limits import FILTER_ORDER, MOTION_WIDER
+from robodyn.logs.limits import MOTION_WIDER
 from robodyn.logs.log import Log
 from robodyn.logs.signals import Signals, signals_of
 from robodyn.robot.model import Robot
@@ -114,12 +114,7 @@ def unresolved_speeds(signals: Sequence[Signals]) -> Floats:
     of the torque's filter, and by the encoders' noise that is left in it."""
     s = signals[0]
     rates = np.sqrt(np.mean(np.concatenate([each.qdd for each in signals]) ** 2, axis=0))
-    noise = np.zeros(s.n)
-    if s.position_noise is not None and s.motion is not None:
-        f = np.linspace(0.0, min(3 * s.motion, 0.5 / s.period), 500)
-        passed = 2 * np.pi * f / (1 + (f / s.motion) ** (2 * FILTER_ORDER))
-        noise = s.position_noise * np.sqrt(2 * s.period * np.sum(passed**2) * (f[1] - f[0]))
-    return np.asarray(np.hypot(rates / (2 * np.pi * s.cutoff), noise))
+    return np.asarray(np.hypot(rates / (2 * np.pi * s.cutoff), s.speed_noise))
 
 
 def passed_noise(s: Signals) -> Floats:

@@ -18,7 +18,6 @@ from robodyn.identify.contact.limits import (
     LONGEST,
     LONGEST_RISE,
     MEDIAN_TIME,
-    MOST_EDGES,
     QUIET_ANGLE,
     QUIET_NEAR,
     QUIET_PIECE,
@@ -30,14 +29,12 @@ from robodyn.identify.contact.limits import (
     RISE_SHARE,
     SHORTEST,
     SLOW_SHARE,
-    STEP_APART,
     STEP_HIGH,
     STEP_TIME,
     STICTION,
     SUSTAINED,
     SUSTAINED_SHARE,
     WANDER,
-    WIDENINGS,
 )
 from robodyn.identify.contact.rough import Rough
 from robodyn.robot.model import Robot
@@ -156,14 +153,14 @@ def bursts(rough: Rough, s: Seen) -> list[list[Burst]]:
         inside = np.flatnonzero(rough.part == k)
         steps = _steps(s.z[inside], rough.step)
         size = np.sqrt((steps**2).sum(axis=1))
-        own = _peaks(size, max(1, round(STEP_APART / rough.step)))
+        own = _peaks(size, max(1, round(STEP_TIME / rough.step)))
         # The filter rings beside a large step.
         far = RINGING_TIME / rough.step
         edges += [
             (float(size[m]), int(inside[m])) for m in own
             if not any(abs(m - o) < far and size[m] < RINGING_SHARE * size[o] for o in own)
         ]  # fmt: skip
-    edges = sorted(edges, reverse=True)[:MOST_EDGES]
+    edges = sorted(edges, reverse=True)[:24]  # which bounds the pairs of them
     sizes = {place: size for size, place in edges}
     result = []
     for _, one in edges:
@@ -195,13 +192,13 @@ def widened(rough: Rough, s: Seen, burst: Burst) -> Burst:
     a, b = (int(burst.rows[k]) - int(inside[0]) for k in (0, -1))
     most = max(1, min(round(LONGEST_RISE / rough.step), round(RISE_SHARE * (b - a))))
     low, high = max(a - most, 0), min(b + most, len(z) - 1)
-    first, last, slower = a, b, round(STEP_APART / rough.step)
+    first, last, slower = a, b, round(STEP_TIME / rough.step)
     rests = bool(s.quiet[burst.rows].all())
 
     def size(z: Floats) -> Floats:
         return np.asarray(np.sqrt((z**2).sum(axis=1)))
 
-    for _ in range(WIDENINGS):
+    for _ in range(4):
         levels = _levels(z, a, b, rough.step)
         before, after = size(z[low:a] - levels[0]), size(z[b + 1 : high + 1] - levels[-1])
         least = FADED * float(np.median(size(z[a : b + 1] - levels)))

@@ -21,7 +21,6 @@ from robodyn.identify.contact.force import Push, Window, push_in
 from robodyn.identify.contact.limits import (
     ABOVE_OTHERS,
     ALONE_SHARE,
-    CONTACT_ROUNDS,
     END_TIME,
     EXCESS_SHARE,
     EXPLAINED,
@@ -74,10 +73,10 @@ def contacts(robot: Robot, gate: Gate, left: Floats | None = None) -> tuple[Cont
     pushed: list[tuple[NDArray[np.intp], Push]] = []
     out = np.zeros(len(rough.t), dtype=bool)
     view: Seen | None = None
-    for round_ in range(CONTACT_ROUNDS):
+    for last in (False, False, True):
         left, sigma, stiction = fitted_rest(rough, out)
         view = seen(robot, rough, left, sigma, stiction)
-        pushed = _pushed(model, rough, view, stiction, last=round_ == CONTACT_ROUNDS - 1)
+        pushed = _pushed(model, rough, view, stiction, last=last)
         now = np.zeros_like(out)
         for rows, _ in pushed:
             now |= (rough.t >= rough.t[rows[0]] - MARGIN) & (rough.t <= rough.t[rows[-1]] + MARGIN)

@@ -19,17 +19,12 @@ from robodyn.dynamics.kinematics import frames
 from robodyn.identify.contact.limits import (
     ALL_ERROR,
     ARM_OF_FORCE,
-    CONE_DRAWS,
-    CONE_SHARE,
     CORRELATED,
     FORCE_MOST,
-    LEAST_APART,
     LEAST_FORCE,
     LEAST_LEVER,
-    LEAST_WEIGHT,
     MOST_COURSE,
     OWN_ERROR,
-    PIECES,
     PLACES,
     SHIFT_ERROR,
     TURNED,
@@ -43,7 +38,7 @@ Floats = NDArray[np.float64]
 class Push:
     """A force on the arm from outside: on ``link`` (from 1), ``force`` [3] along the base's axes (N),
     the mean over its window, with standard errors; within ``cone`` [degrees] of its direction the true one
-    lies with :data:`CONE_SHARE`; ``explained``: share of the window's squares; ``evidence``: how much more
+    lies with 95 %; ``explained``: share of the window's squares; ``evidence``: how much more
     likely (log) it is than one joint alone; ``alone``: that joint (from 1)."""
 
     link: int
@@ -181,7 +176,7 @@ def _fitted(
 def _count(model: Model, q: Floats) -> int:
     """In how many pieces the pose may be taken as constant."""
     turned = np.ptp(q, axis=0)[[body.revolute for body in model.arm.bodies]]
-    return int(np.clip(np.ceil(float(turned.max(initial=0.0)) / TURNED), 1, min(PIECES, len(q))))
+    return int(np.clip(np.ceil(float(turned.max(initial=0.0)) / TURNED), 1, min(8, len(q))))
 
 
 def _whitening(strength: Floats, random: Floats, lasting: Floats) -> Floats:
@@ -204,7 +199,7 @@ def _places(model: Model, q: Floats) -> _Places:
         kept: list[Floats] = []
         for share in (*PLACES, None):
             point = reach.point(link, share)
-            if any(float(np.abs(point - other).max()) < LEAST_APART for other in kept):
+            if any(float(np.abs(point - other).max()) < 0.02 for other in kept):
                 continue
             kept.append(point)
             links.append(link)
@@ -283,21 +278,21 @@ def _evidence(A: Floats, b: Floats) -> tuple[Floats, Floats, Floats]:
     return likely[rows, at], w, cov
 
 
-def _cone(weights: Floats, means: Floats, covariances: Floats, force: Floats) -> float:
-    """Half the angle [degrees] of the cone about ``force`` [3] that holds :data:`CONE_SHARE` of what is
+def _cone(weights: Floats, means: Floats, covariances: Floats, force: Floats, count: int = 200) -> float:
+    """Half the angle [degrees] of the cone about ``force`` [3] that holds 95 % of what is
     likely: of Gaussians with ``weights`` [H], ``means`` [H, 3] and ``covariances`` [H, 3, 3]."""
     length = float(np.linalg.norm(force))
     if not length:
         return 180.0
-    draws = np.random.default_rng(1).standard_normal((CONE_DRAWS, 3))
+    draws = np.random.default_rng(1).standard_normal((count, 3))
     angles, shares = [], []
-    for k in np.flatnonzero(weights > LEAST_WEIGHT):
+    for k in np.flatnonzero(weights > 1e-3):
         size, axes = np.linalg.eigh(covariances[k])
         x = means[k] + draws * np.sqrt(np.maximum(size, 0.0)) @ axes.T
         cosine = x @ force / np.maximum(np.linalg.norm(x, axis=1) * length, 1e-300)
         angles.append(np.degrees(np.arccos(np.clip(cosine, -1, 1))))
-        shares.append(np.full(CONE_DRAWS, weights[k]))
+        shares.append(np.full(count, weights[k]))
     angle, share = np.concatenate(angles), np.concatenate(shares)
     order = np.argsort(angle)
     below = np.cumsum(share[order]) / share.sum()
-    return float(angle[order][int(np.searchsorted(below, CONE_SHARE))])
+    return float(angle[order][int(np.searchsorted(below, 0.95))])

@@ -19,9 +19,6 @@ CONTACT_BAND: Final = 0.2
 LOOSE: Final = 0.5
 """[share] The arm's numbers may be off by so much (standard deviation) when contacts are sought."""
 
-FIT_ROUNDS: Final = 12
-"""[rounds] of the robust fit,"""
-
 FIT_KNEE: Final = 2.0
 """[standard deviations] from which on a residual counts less (Cauchy)."""
 
@@ -80,17 +77,11 @@ STEP_TIME: Final = 0.1
 STEP_HIGH: Final = 5.0
 """[standard deviations] of this size,"""
 
-STEP_APART: Final = 0.1
-"""[s] the largest within this time,"""
-
 RINGING_TIME: Final = 0.3
 """[s] The filter rings for so long beside a step,"""
 
 RINGING_SHARE: Final = 0.4
 """[share of the step] by less than this;"""
-
-MOST_EDGES: Final = 24
-"""[steps] The largest so many are looked at."""
 
 SUSTAINED: Final = 0.3
 """[share of the 75th percentile] Between its steps a burst is as large,"""
@@ -112,9 +103,6 @@ RISE_SHARE: Final = 0.5
 
 FADED: Final = 0.2
 """[share of its median] that is, while more is left of it,"""
-
-WIDENINGS: Final = 4
-"""[times] the level beside it being taken anew."""
 
 LEVEL_TIME: Final = 0.35
 """[s] Its level is that of as long before and after it."""
@@ -182,17 +170,11 @@ FORCE_MOST: Final = 3.0
 LEAST_FORCE: Final = 0.1
 """[share of that] and at least as large (standard deviations of the prior)."""
 
-PIECES: Final = 8
-"""[pieces] at most of a window in which the pose is taken as constant,"""
-
 TURNED: Final = 0.1
 """[rad] while no joint turns farther."""
 
 PLACES: Final = (0.25, 0.5, 0.75, 1.0)
 """[shares of the way to the next joint] where a link may be touched."""
-
-LEAST_APART: Final = 0.02
-"""[m] Places on a link that are nearer to each other are one."""
 
 MOST_COURSE: Final = 2.0
 """[-] In motion a force is never so many times its mean."""
@@ -202,15 +184,6 @@ WHOLE: Final = 0.9
 
 CORRELATED: Final = 0.2
 """[s] What is left of an arm in motion is another after as long."""
-
-LEAST_WEIGHT: Final = 1e-3
-"""[share] A place that is less likely is left out of the directions that are."""
-
-CONE_DRAWS: Final = 200
-"""[draws] of a force from what is likely at a place,"""
-
-CONE_SHARE: Final = 0.95
-"""[share] of which a cone about the force holds as many."""
 
 OWN_ERROR: Final = 0.07
 """[share of a joint's torque] in a window that no force need explain: friction changes with the load,"""
@@ -233,6 +206,3 @@ LEAST_OF_LARGEST: Final = 0.1
 
 MARGIN: Final = 0.1
 """[s] A window is left out of all fits with so much before and after it."""
-
-CONTACT_ROUNDS: Final = 3
-"""[rounds] of fitting what is left beside the windows, and seeking more."""

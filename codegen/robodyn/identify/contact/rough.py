@@ -15,7 +15,6 @@ from robodyn.identify.contact.limits import (
     CONTACT_BAND,
     CONTACT_CUTOFF,
     FIT_KNEE,
-    FIT_ROUNDS,
     LEAST_SIZE,
     LOOSE,
     REST_WEIGHT,
@@ -156,7 +155,7 @@ def fitted_rest(rough: Rough, without: Mask | None = None) -> tuple[Floats, Floa
     x: Floats = np.zeros(A.shape[2])
     left = b
     weights = base
-    for round_ in range(FIT_ROUNDS):
+    for round_ in range(12):
         sigma = _scale(left, base, rough)
         z = left / sigma
         if round_:
