@@ -26,6 +26,7 @@ from robodyn.identify.limits import (
     KNOWN_MASS,
     LOAD_REACH,
     PASSES,
+    RANK,
 )
 from robodyn.identify.normal import Block, Layout, blocks_of, layout_of
 from robodyn.identify.plain import condition, held_out_gains, plain
@@ -142,9 +143,8 @@ def fit_arm(
     speeds = rest_speeds(arm, layout, pieces)
     still = still_joints(gates)
     if still:  # what they move is noise
-        speeds[still] = 1e-300 + 2 * np.max(
-            [np.abs(p.signals.qd[:, still]).max(axis=0) for p in pieces], axis=0
-        )
+        most = np.max([np.abs(piece.signals.qd[:, still]).max(axis=0) for piece in pieces], axis=0)
+        speeds[still] = most / RANK + np.finfo(float).tiny
     pieces = [rows.at_rest_below(speeds) for rows in pieces]
     prior = prior_of(robot, layout, _rms_of_rows(pieces))
     unknowns = _unknowns(robot, layout, prior, options, gates)
