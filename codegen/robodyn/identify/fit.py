@@ -162,10 +162,10 @@ def fit_arm(
         rest = rest_of(speeds, solution.noise, pieces, residuals)
     residuals = [left * np.sqrt(rest.weights(rows)) for left, rows in zip(residuals, pieces, strict=True)]
     correlation = np.maximum(likeness(residuals, robot.n), filter_correlation)
-    weights = solution.weights * filter_correlation / correlation
+    by_joint = solution.weights * filter_correlation / correlation
     prior_weights = (prior.mean, solution.prior[: layout.size])
-    worth = {
-        name: held_out_gains(layout, blocks, weights, prior_weights, name)
+    worth: dict[str, Floats] = {
+        name: held_out_gains(layout, blocks, by_joint, prior_weights, name)
         for name in ("rotor", "offset")
         if name in layout.own
     }

@@ -109,7 +109,9 @@ def blocks_of(
             into = sums.setdefault((rows.log, block), _Sum(layout, rows.log, bool(rows.held_out[block])))
             for j, A in enumerate(columns_of(arm, layout, rows, part)):
                 tau = rows.tau[part, j]
-                weight = rows.used[part, j] * (1.0 if weights is None else weights[k][part, j])
+                weight = rows.used[part, j].astype(np.float64)
+                if weights is not None:
+                    weight *= weights[k][part, j]
                 if models is not None:
                     x, scale = models[rows.log]
                     left[part, j] = (tau - scale[j] * (x[layout.columns(j)] @ A)) * rows.used[part, j]
