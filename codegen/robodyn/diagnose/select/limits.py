@@ -107,7 +107,7 @@ RIVAL_FAR: Final = 6.0
 """[standard errors] A candidate that is farther behind has no part in the odds: exp(-6) is a quarter of a
 percent."""
 
-ODDS: Final = (-1.38, 1.94, 0.98)
+ODDS: Final = (-1.42, 1.92, 0.98)
 """[-; by logit of the share explained; probability] That the catalogue has what is missing at a joint, a
 logistic regression, and how sure any name is at most. Maximum likelihood of 260 names, right or not, in blind
 trials of drawn arms whose joints stick (263 of `clear`, `near`, `null`, `outside`; seeds from 30000 to 30047;

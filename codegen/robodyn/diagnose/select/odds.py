@@ -15,8 +15,9 @@ def odds(rivals: Iterable[tuple[float, float]], explained: float) -> float:
     one of the catalogue at all.
 
     Each rival foretells less by so many standard errors, and has so many more numbers (a nat for each, Akaike
-    1974): a softmax of both. The other factor is calibrated (:data:`ODDS`)."""
-    beside = sum(float(np.exp(-behind - max(more, 0.0))) for behind, more in rivals)
+    1974): a softmax of both. One that is ahead by less than what is worth a name, or simpler, counts as
+    level: the choice has weighed that. The other factor is calibrated (:data:`ODDS`)."""
+    beside = sum(float(np.exp(-max(behind, 0.0) - max(more, 0.0))) for behind, more in rivals)
     share = min(max(explained, 0.01), 0.99)
     first, by_share, most = ODDS
     return float(most / (1 + beside) / (1 + np.exp(-first - by_share * np.log(share / (1 - share)))))
