@@ -96,12 +96,13 @@ def _garbage(log: Log, source: str | None, flags: list[Flag]) -> tuple[Mask, boo
                 flags.append(Flag("rates_unusable", column, spans_of(np.flatnonzero(garbage), log.t), text))
                 continue
             first = int(np.argmax(~(np.abs(table[:, j]) <= BOUNDS[name])))
+            value = f"{table[first, j]:g}" if np.isfinite(table[first, j]) else "none"
             unit = {"t": "s", "q": "rad or m", "tau": "N m or N"}[name]
             refuse(
                 source,
                 f"{column} cannot be used",
                 found=f"no number or one beyond {BOUNDS[name]:g} in {share:.1%} of the rows, first "
-                f"{table[first, j]:g} in {span(first, first, log.t)}",
+                f"{value} in {span(first, first, log.t)}",
                 expected=f"numbers in {unit}, at most {GARBAGE_SHARE:.0%} of the rows broken",
                 remedy="record it again, or convert its unit",
             )

@@ -75,8 +75,8 @@ class Search:
 
     def passes(self, one: Trial) -> bool:
         """Whether it is worth a name, and its gain more than its standard error over the blocks: not of one
-        alone, nor lost in others."""
-        return self.is_worth(one) and one.gain > one.error
+        alone, unless it is a thing that happens once, nor lost in others."""
+        return self.is_worth(one) and (one.family.first.local or one.gain > one.error)
 
     def is_worth(self, one: Trial) -> bool:
         """Whether it foretells more than chance would have it of one of so many, and enough to matter; what
