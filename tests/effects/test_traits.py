@@ -33,11 +33,6 @@ def others(effect: Effect) -> Iterator[str]:
         yield traits.steady[0]
     if traits.limit is not None:
         yield traits.limit.id
-    for way in traits.candidates:
-        if isinstance(way, Law):
-            yield from way.beside
-        if isinstance(way, Dahl):
-            yield way.sliding
 
 
 def parameters(effect: Effect) -> Iterator[str]:
@@ -93,7 +88,7 @@ LAWS = [
     (name, way)
     for name, case in CASES.items()
     for way in case.effect.traits.candidates
-    if isinstance(way, Law) and not way.beside and not CASES[name].effect.needs_load
+    if isinstance(way, Law) and not CASES[name].effect.needs_load
 ]
 
 

@@ -168,7 +168,7 @@ class _Columns:
         self.nuisance = (Y.reshape(len(t), robot.n, -1) / self.sigma[:, None]).reshape(len(t) * robot.n, -1)
         self.inner = np.linalg.cholesky(np.eye(self.nuisance.shape[1]) + self.nuisance.T @ self.nuisance)
         # Of a motion that is designed the rates are known, and no friction is in it yet.
-        self.every = [c for c in candidates(self.context) if not (c.stand_in or c.rough)]
+        self.every = list(candidates(self.context))
 
     def seen(self, candidate: Candidate) -> Floats:
         """The candidate's columns [N, c] as a fit beside the nuisance sees them, each of length 1 before."""

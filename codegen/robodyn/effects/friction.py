@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -47,11 +46,6 @@ VISCOUS = Effect(
         fold=Fold("joint", "viscous", "coefficient", "friction"),
         candidates=(
             _COEFFICIENT,
-            # Dry friction that was identified without it has absorbed some of it.
-            replace(
-                _COEFFICIENT, order=2, beside=("coulomb_friction",), feasible=lambda x: bool(x[0] > 0),
-                rubbing=True, rough=True,
-            ),
         ),
         hidden=Hidden(lambda u, way, rng: Form(lambda x: {"coefficient": x}, SHARE * u.tau / u.speed)),
         over="velocity",
@@ -95,7 +89,7 @@ _POWER = Law(
     lambda values, at: (_power_law({"level": 1.0, "velocity": 1.0, **values}, at),), (1,),
     lambda x, values: {"level": float(x[0]), **values}, 3,
     grid=tuple({"exponent": a} for a in (0.3, 0.4, 0.5, 0.6, 0.7, 0.85, 1.3, 1.6, 2.0)),
-    spread=(1.1, 1.01), in_place=True, feasible=lambda x: bool(x[0] > 0),
+    spread=(1.1, 1.01), feasible=lambda x: bool(x[0] > 0),
 )  # fmt: skip
 
 POWER_LAW = Effect(
@@ -126,13 +120,7 @@ POWER_LAW = Effect(
     dissipative=True,
     traits=Traits(
         candidates=(
-            # A rival of everything until viscous and dry friction are identified: then it is one law in the
-            # place of two, or what they leave is curved.
             _POWER,
-            replace(
-                _POWER, order=6, grid=tuple({"exponent": a} for a in (0.4, 0.6, 1.6, 2.0)), in_place=False,
-                beside=("viscous_friction", "coulomb_friction"), rubbing=True, rough=True,
-            ),
         ),
         contains=("coulomb_friction", "viscous_friction"),
         one_law_with=("viscous_friction", "coulomb_friction"),

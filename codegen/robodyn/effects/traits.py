@@ -116,11 +116,8 @@ class Law:
     arrays; ``signs`` are +1 for a number that must not be negative, 0 for any; ``read`` makes the catalogue's
     parameters of the numbers. ``order``: of two that explain alike the lower one is the simpler. ``grid``:
     values of what is not linear that are tried, where ``suits`` them the top speed of the joint; steps of
-    their refinement begin at the factor ``spread[0]`` and end at ``spread[1]``. ``beside``: effects (with one
-    parameter) that are fitted along. ``in_place``: only in the place of what it has as special cases
-    (``Traits.contains``), where that was chosen before. ``rubbing``: only where the model has friction at the
-    joint; ``rough``: only where nothing explains all there is. ``kind``: of the joint. ``balances``:
-    only at joints that carry gravity.
+    their refinement begin at the factor ``spread[0]`` and end at ``spread[1]``. ``kind``: of the joint.
+    ``balances``: only at joints that carry gravity.
     """
 
     columns: Callable[[Mapping[str, float], Site], Sequence[Any]]
@@ -130,11 +127,7 @@ class Law:
     grid: tuple[Mapping[str, float], ...] = ({},)
     suits: Callable[[Mapping[str, float], float], bool] = any_speed
     spread: tuple[float, float] = (1.5, 1.03)
-    beside: tuple[str, ...] = ()
-    in_place: bool = False
     feasible: Callable[[Any], bool] = anything
-    rubbing: bool = False
-    rough: bool = False
     kind: JointKind = "any"
     balances: bool = False
 
@@ -161,14 +154,13 @@ class Wave:
 @dataclass(frozen=True, slots=True)
 class Dahl:
     """Dahl friction, by the travel since reversals: ``deflections`` [rad or m] at which it starts to slide
-    are tried; one that is shorter than the travel between two samples is the friction ``sliding``. The
+    are tried that are longer than the travel between two samples. The
     parameters ``level``, ``stiffness`` and ``damping`` (of the deflection's rate)."""
 
     level: str
     stiffness: str
     damping: str
     deflections: tuple[float, ...]
-    sliding: str
     read: Read
     order: int
 

@@ -85,7 +85,7 @@ def families(rows: Rows, scope: Scope = EVERYTHING) -> list[Family]:
     """What the catalogue has in ``scope`` and the logs can show."""
     groups: dict[tuple[Key, tuple[int, ...], int, bool], list[tuple[Candidate, Singles]]] = {}
     for one, columns in _along_all(rows, scope):
-        if one.rough or one.stand_in or not np.isfinite(columns).all() or not columns.any():
+        if not np.isfinite(columns).all() or not columns.any():
             continue
         if not is_resolved(one, one.values, rows):
             continue

@@ -43,8 +43,8 @@ def candidates(c: Context, scope: Scope = EVERYTHING) -> Iterator[Candidate]:
 
 
 def _candidates(c: Context, scope: Scope) -> Iterator[Candidate]:
-    """Those in ``scope``, and a few others that come with them."""
-    ways = [(e, way) for e in CATALOGUE.values() for way in e.traits.candidates if _is_sought(e, way, scope)]
+    """Those of effects in ``scope``, and a few others that come with them."""
+    ways = [(e, way) for e in CATALOGUE.values() for way in e.traits.candidates if scope.has_effect(e.id)]
     shown = [(effect, way) for effect, way in ways if isinstance(way, Shown)]
     for j in range(c.n):
         for effect, way in ways if scope.has_joint(j + 1) else ():
@@ -59,7 +59,3 @@ def _candidates(c: Context, scope: Scope) -> Iterator[Candidate]:
             yield from numbers(c, effect, way)
         elif way.of_all is not None:
             yield from late_channels(c, effect, way)
-
-
-def _is_sought(effect: Effect, way: Any, scope: Scope) -> bool:
-    return scope.has_effect(effect.id) or (isinstance(way, Dahl) and scope.has_effect(way.sliding))

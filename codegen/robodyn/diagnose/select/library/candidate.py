@@ -14,7 +14,6 @@ from robodyn.effects.effect import Effect, Site
 from robodyn.effects.traits import anything
 from robodyn.kernels.array_dynamics import Evaluated, Model, Reuse
 from robodyn.logs.signals import Signals
-from robodyn.robot.model import EffectEntry
 
 Floats = NDArray[np.float64]
 
@@ -39,18 +38,10 @@ class Candidate:
     coarse: bool = False
     #: Standard deviations [c] of a prior of the coefficients about 0; None: they are free.
     scale: Floats | None = None
-    #: Only for logs in which nothing explains all there is.
-    rough: bool = False
-    #: Stands for another of the same effect, where noise hides which way a joint moves.
-    stand_in: bool = False
     #: Its size is known: the coefficient is 1.
     fixed: bool = False
     #: It shows in few parts of a log only.
     local: bool = False
-    #: Effects whose columns stand beside its own.
-    beside: tuple[str, ...] = ()
-    #: Only in the place of its special cases, where they were chosen before.
-    in_place: bool = False
     #: Factors between which what is not linear is refined, or how far steps in random directions go.
     spread: tuple[float, float] = (1.5, 1.03)
     reach: Mapping[str, float] = field(default_factory=dict)
@@ -106,20 +97,6 @@ class Context:
         return self.signals.n
 
 
-def rubs(c: Context, j: int) -> bool:
-    """Whether the model has friction at joint ``j`` (from 0), of those kinds that take each other's place."""
-    joint = c.model.robot.links[j].joint
-    revolute = joint.kind == "revolute"
-    entries = c.model.robot.effects_at(j + 1)
-    return bool(joint.viscous or joint.coulomb) or any(_holds(entry, revolute) for entry in entries)
-
-
-def _holds(entry: EffectEntry, revolute: bool) -> bool:
-    known = entry.definition
-    is_dry = known.traits.steady is not None or known.is_dry(dict(entry.settings), revolute)
-    return known.level == "joint" and known.dissipative and is_dry
-
-
 def site(c: Context, j: int) -> Site:
     """Joint ``j`` (from 0) along the log, as equations see it."""
     s = c.signals
@@ -129,13 +106,6 @@ def site(c: Context, j: int) -> Site:
         revolute, s.q[:, j], s.qd[:, j], s.qdd[:, j], c.way[:, j], c.at.rigid[:, j],
         (f[:, 0], f[:, 1], f[:, 2]), (m[:, 0], m[:, 1], m[:, 2]),
     )  # fmt: skip
-
-
-def unit_column(effect: Effect, at: Site) -> Floats:
-    """The torque [K] of an effect of one parameter, where that is 1."""
-    assert effect.equation is not None
-    (name,) = effect.linear
-    return np.asarray(effect.equation({name: 1.0}, at) + np.zeros_like(at.qd))
 
 
 def single(

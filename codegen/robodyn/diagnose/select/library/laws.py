@@ -7,9 +7,8 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.select.library.candidate import Candidate, Context, rubs, single, site, unit_column
+from robodyn.diagnose.select.library.candidate import Candidate, Context, single, site
 from robodyn.diagnose.select.library.limits import GRAVITY_SHARE
-from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Effect, Site
 from robodyn.effects.traits import Dahl, Law
 from robodyn.identify.oscillator import dahl_deflection
@@ -21,7 +20,7 @@ Values = Mapping[str, float]
 def laws(c: Context, effect: Effect, law: Law, j: int) -> Iterator[Candidate]:
     """A torque that is linear in some numbers, for each value of its grid."""
     kind = c.model.robot.links[j].joint.kind
-    if law.kind not in ("any", kind) or (law.rubbing and not rubs(c, j)):
+    if law.kind not in ("any", kind):
         return
     if law.balances and not _carries_gravity(c, j):
         return
@@ -36,12 +35,9 @@ def _fitted(c: Context, effect: Effect, law: Law, j: int, settings: Values) -> C
     if effect.place == "gear":  # behind the bearings
         at = Site(at.revolute, at.q, at.qd, at.qdd, at.direction, c.at.passed[:, j])
     columns = [np.asarray(x + np.zeros_like(at.qd)) for x in law.columns(settings, at)]
-    columns += [unit_column(CATALOGUE[id], at) for id in law.beside]
     return single(
-        effect.id, j, columns, (*law.signs, *(0 for _ in law.beside)), lambda x: law.read(x, settings),
-        law.order, values=settings, beside=law.beside, spread=law.spread, rough=law.rough,
-        in_place=law.in_place, feasible=law.feasible,
-        again=lambda c, values: _fitted(c, effect, law, j, values),
+        effect.id, j, columns, law.signs, lambda x: law.read(x, settings), law.order, values=settings,
+        spread=law.spread, feasible=law.feasible, again=lambda c, values: _fitted(c, effect, law, j, values),
     )  # fmt: skip
 
 
@@ -56,20 +52,11 @@ def _carries_gravity(c: Context, j: int) -> bool:
 
 
 def dahl(c: Context, effect: Effect, law: Dahl, j: int) -> Iterator[Candidate]:
-    """Dahl friction that slides at several deflections.
-
-    A deflection that is shorter than the travel between two samples means sliding friction in the direction
-    of the travel."""
-    q = c.signals.q[:, j]
-    travel = float(np.sqrt(np.mean(np.diff(q) ** 2)))
-    (sliding, *_) = (one for one in CATALOGUE[law.sliding].traits.candidates if isinstance(one, Law))
+    """Dahl friction that slides at several deflections, longer than the travel between two samples: shorter
+    ones are sliding friction in the direction of the travel."""
+    travel = float(np.sqrt(np.mean(np.diff(c.signals.q[:, j]) ** 2)))
     for limit in law.deflections:
-        if limit < travel:
-            yield single(
-                law.sliding, j, [dahl_deflection(q, limit)], sliding.signs, lambda x: sliding.read(x, {}),
-                sliding.order, stand_in=True,
-            )  # fmt: skip
-        else:
+        if limit >= travel:
             yield _dahl(c, effect, law, j, {"bend": limit})
 
 

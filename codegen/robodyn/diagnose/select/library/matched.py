@@ -49,7 +49,7 @@ def _numbered(several: Sequence[Candidate]) -> list[Any]:
     count = Counter[Any]()
     keys = []
     for one in several:
-        key = (one.effect, one.joint, one.rows, one.stand_in, one.fixed, one.order, one.columns.shape[2])
+        key = (one.effect, one.joint, one.rows, one.fixed, one.order, one.columns.shape[2])
         if one.again is None:
             count[key] += 1
         keys.append((key, count[key]))
