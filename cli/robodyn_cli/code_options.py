@@ -34,7 +34,7 @@ def code_options(*, firmware: bool = False) -> Callable[[Command], Command]:
         scalar_option,
         option(
             "--trig=HOW",
-            "Sine and cosine: libm, builtin (no library; the default of rust and javascript), given (in sc).",
+            "Sine and cosine: libm, builtin (no library; default of rust, javascript, cuda), given (in sc).",
             TRIGONOMETRY,
             default="libm",
         ),

@@ -55,8 +55,8 @@ def command(robot: str, output: str | None, check: bool, force: bool, **options:
     """Write the kernels of a robot, and print the operation counts.
 
     They are in C and Fortran unless --lang says otherwise: DIR gets NAME.h, NAME.c and NAME.f90 (a crate with
-    --lang rust, a module with --lang javascript) with the functions of --functions. The same input gives the
-    same bytes on any machine.
+    --lang rust, a module with --lang javascript, NAME.cuh and NAME.cu with --lang cuda) with the functions of
+    --functions. The same input gives the same bytes on any machine.
     """
     at_most_one({"--check": check, "--keep": options["keep"]})
     folder = output_folder(output) if output is not None else None

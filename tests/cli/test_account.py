@@ -62,12 +62,12 @@ CALLS = {
 BEFORE = {"logs": "simulate", **dict.fromkeys(("diagnose", "identify"), "hide")}
 #: What writes files that people read: without the robot and ``-o``. The last two are compiled.
 WRITTEN = [
-    "gen --lang c,fortran,rust,javascript", "gen --batch --latex", "gen --firmware",
+    "gen --lang c,fortran,rust,javascript,cuda", "gen --batch --latex", "gen --firmware",
     "schedule -p 2 --packed 4", "export --to mjcf", "report", "package --as cmake",
     "package --as wheel", "package --as fmu",
 ]  # fmt: skip
 #: The ends of files that have room for it; of those in archives others come from elsewhere.
-ROOM = (".c", ".h", ".f90", ".rs", ".mjs", ".tex", ".md", ".xml", ".html")
+ROOM = (".c", ".h", ".cu", ".cuh", ".f90", ".rs", ".mjs", ".tex", ".md", ".xml", ".html")
 ROOM_IN_ARCHIVES = ("/METADATA", "modelDescription.xml", ".py", ".pyi", "arm.h", "arm.c")
 
 

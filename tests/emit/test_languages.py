@@ -48,11 +48,12 @@ RUNNERS: Final = {"javascript": Module, "rust": Crate}
 
 
 def test_the_table() -> None:
-    assert list(LANGUAGES) == ["c", "fortran", "javascript", "rust"]
+    assert list(LANGUAGES) == ["c", "cuda", "fortran", "javascript", "rust"]
     assert DEFAULTS == ("c", "fortran")
     assert language_named("f90") is LANGUAGES["fortran"]
     assert language_named("rs") is LANGUAGES["rust"]
-    assert {"rust", "rs", ".rs", "fortran", "f90", ".f90", ".f", "javascript", "js", ".mjs"} == NAMES
+    others = {"rust", "rs", ".rs", "fortran", "f90", ".f90", ".f", "javascript", "js", ".mjs"}
+    assert others | {"cuda", "cu", ".cu", ".cuh"} == NAMES
 
 
 def languages_in(text: str) -> set[str]:
@@ -75,7 +76,7 @@ def test_no_other_file_names_a_language() -> None:
     [
         (["c", "fortran", "f90"], "a language is asked for twice"),
         (["rost"], "did you mean 'rust'?"),
-        (["cobol"], "expected one of c, fortran, javascript, rust"),
+        (["cobol"], "expected one of c, cuda, fortran, javascript, rust"),
     ],
 )
 def test_what_is_no_choice_of_languages(names: list[str], message: str) -> None:
@@ -281,6 +282,9 @@ def test_gen_writes_tests_and_checks_them(
         ("rust", ["--misra"], "MISRA C:2012 is in C only"),
         ("rust", ["--firmware"], "a firmware folder is not written in Rust"),
         ("js", ["--compile"], "JavaScript is written, and cannot be called from Python"),
+        ("cuda", ["--batch"], "batches are in C only"),
+        ("cuda", ["--firmware"], "a firmware folder is not written in CUDA"),
+        ("cu", ["--compile"], "CUDA is written, and cannot be called from Python"),
     ],
 )
 def test_what_a_language_has_not_is_refused(

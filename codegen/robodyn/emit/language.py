@@ -84,6 +84,8 @@ class Language:
     type_name: Callable[[str, str], str] = lambda robot, kind: f"{robot}_{kind}"
     #: Whose sines and cosines its kernels have unless told otherwise.
     trig: Literal["libm", "builtin"] = "libm"
+    #: Whether its library has sine and cosine in one call, which ``sines`` of its syntax write then.
+    joins_sines: bool = False
     #: Templates of tests with vectors, by the file that each makes (:mod:`robodyn.firmware.language_tests`).
     tests: Mapping[str, str] = field(default_factory=dict)
     #: The same for packages, where ``gen`` writes none: programs that end with 1 if a result is wrong.

@@ -134,9 +134,8 @@ def _function_text(language: Language, piece: _Piece, unit: Unit) -> dict[str, A
             )
         unused, lines = body.unread, language.repeating(body, syntax)
     else:
-        lines = body_lines(
-            body, syntax, builtin=unit.builtin, lanes=unit.lanes, early_writes=unit.early_writes
-        )
+        joined = unit.builtin or language.joins_sines
+        lines = body_lines(body, syntax, builtin=joined, lanes=unit.lanes, early_writes=unit.early_writes)
         read = {x.array for x in body.inputs if x.index is not None}
         unused = [array for array, _ in signature.inputs if array not in read]
         if signature.parameters and all(x.index is not None for x in body.inputs):

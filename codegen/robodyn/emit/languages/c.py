@@ -74,7 +74,8 @@ def _sines(name: str, syntax: Syntax) -> Sines:
     return Sines(every, pair, run)
 
 
-def _repeating(it: Repeated, syntax: Syntax) -> Lines:
+def repeating(it: Repeated, syntax: Syntax) -> Lines:
+    """The lines of a function that repeats a step."""
     real, zero = f"{it.whole.robot}_real", syntax.spelling.number(Fraction(0))
 
     def called(stage: Stage, indent: str = "", **places: str) -> list[str]:
@@ -120,11 +121,12 @@ def _function(text: FunctionText) -> dict[str, Any]:
         "again": text.rereads,
         "inner": _inner(signature, text.lines, arguments) if text.lines.angles else None,
         "listing": listing,
-        "listing_prototype": listing and _listing_prototype(listing, real),
+        "listing_prototype": listing and listing_prototype(listing, real),
     }
 
 
-def _listing_prototype(listing: Listing, real: str) -> str:
+def listing_prototype(listing: Listing, real: str) -> str:
+    """The head of a list of solutions, without its closing parenthesis."""
     arguments = [f"const {real} T[12]"]
     arguments += [f"const {real} q_near[{listing.joints}]"] if listing.near else []
     arguments += [f"{real} Q[{listing.size}]", f"int flags[{listing.branches}]"]
@@ -158,7 +160,7 @@ def _context(unit: Unit) -> dict[str, Any]:
         "math": needs_libm(unit),
         "freestanding": _freestanding(unit),
         "guard": f"{unit.robot.name.upper()}_H",
-        "macros": _macros(unit),
+        "macros": macros(unit),
     }
 
 
@@ -195,7 +197,7 @@ def _freestanding(unit: Unit) -> dict[str, Any] | None:
     }
 
 
-def _macros(unit: Unit) -> list[str]:
+def macros(unit: Unit) -> list[str]:
     """How many columns a regressor has, how many solutions a pose, and the bits of their flags, under the
     robot's name as it is and in capitals."""
     columns = max(len(interface.columns) for interface, _ in unit.functions)
@@ -221,7 +223,7 @@ LANGUAGE = Language(
     spelling=lambda single: c_spelling(single=single),
     syntax=_syntax,
     function=_function,
-    repeating=_repeating,
+    repeating=repeating,
     context=_context,
     advice=lambda unit: (misra_notes(unit) if unit.misra else ()) + advice(unit),
     features=frozenset({"batch", "misra", "firmware"}),
