@@ -12,6 +12,8 @@ from typing import Any
 import pytest
 from benchmarks import counts
 from benchmarks.blind_arms.cases import INSIDE
+from benchmarks.cuda.__main__ import SHOWN as CUDA_SHOWN
+from benchmarks.cuda.__main__ import table as cuda_table
 from benchmarks.functions.tables import in_document
 from benchmarks.gap.documents import tables
 from benchmarks.marked import part, with_part
@@ -50,7 +52,10 @@ def test_the_operations_of_all_robots_are_recomputed() -> None:
     assert counts.PICTURE.read_text(encoding="utf-8") == robots_svg(table)
 
 
-@pytest.mark.parametrize(("document", "mark", "results", "made"), tables(), ids=lambda x: str(x)[:20])
+TABLES = [*tables(), ("docs/cuda.md", "cuda kernels", "cuda.json", lambda it: cuda_table(it, CUDA_SHOWN))]
+
+
+@pytest.mark.parametrize(("document", "mark", "results", "made"), TABLES, ids=lambda x: str(x)[:20])
 def test_tables_of_benchmarks_are_those_of_the_results(
     document: str, mark: str, results: str, made: Callable[[Any], str]
 ) -> None:

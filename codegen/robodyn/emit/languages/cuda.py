@@ -40,7 +40,12 @@ def _syntax(signature: Signature, unit: Unit) -> Syntax:
     spelling = c_spelling(single=single, states=signature.states)
     if unit.builtin:
         spelling = spelling.calling(atan2=call(f"{robot}_atan2_"))
-    syntax = c_syntax(spelling, f"{robot}_real", libm=False)
+    # Without const: nvcc's front end would try to know each value beforehand, through all that it is made of
+    # and again wherever it is used, which takes forever in derivatives.
+    syntax = replace(
+        c_syntax(spelling, f"{robot}_real", libm=False),
+        declare=lambda name, value: f"{robot}_real {name} = {value};",
+    )
     library = "sincosf" if single else "sincos"
     return replace(syntax, sines=_sines(f"{robot}_sincos_" if unit.builtin else library, syntax, robot))
 
