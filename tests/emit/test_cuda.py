@@ -75,7 +75,7 @@ class Threads:
         rows = [np.asarray(inputs[array], real) for array, _ in signature.inputs]
         count = len(rows[0])
         before = [blocked(each) for each in rows]
-        results = [blocked(np.empty((count, size), real) * np.nan) for _, size in signature.outputs]
+        results = [blocked(np.full((count, size), np.nan, real)) for _, size in signature.outputs]
         members = np.array([given[name] for name in signature.parameters], real)
         memory = [blocked(np.zeros((count, len(signature.states)), real))] if signature.states else []
         pointers = [*before, *results, *([members] if signature.parameters else []), *memory]
